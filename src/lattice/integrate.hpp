@@ -19,7 +19,7 @@ recovers the full order. The tests measure both. */
 #include <cstddef>
 #include <limits>
 #include <string>
-#include <utility>
+#include <type_traits>
 #include <vector>
 
 #include "chain.hpp"
@@ -111,7 +111,15 @@ inline constexpr double escape_displacement = 1e6;
 `evolve` carries a state forward by `duration` and shows it to `observe(state)` at
 the start and after every `sample` units of time. Samples are equally spaced and
 the step divides the sampling interval, so `sample` and the step are shortened to
-fit. It stops early when the solution escapes, after showing nothing of the escape. */
+fit. It stops early when `observe` returns false, or when the solution escapes, in
+which case the escape itself is not shown. */
+template <class Observer>
+bool goes_on(Observer& observe, const State<double>& state) {
+  if constexpr (std::is_same_v<decltype(observe(state)), bool>) return observe(state);
+  observe(state);
+  return true;
+}
+
 template <class Stepper, class Onsite, class Contact, class Observer>
 Run evolve(const Stepper& stepper, const Chain<Onsite, Contact>& chain, State<double>& state,
            double duration, double sample, Observer observe) {
@@ -121,7 +129,7 @@ Run evolve(const Stepper& stepper, const Chain<Onsite, Contact>& chain, State<do
   const double start = energy(chain, state), scale = start != 0 ? std::abs(start) : 1;
   Window window = waking(chain, state);
   Run run{.t_end = t0};
-  observe(std::as_const(state));
+  if (!goes_on(observe, state)) return run;
   for (std::size_t k = 1; k <= samples; ++k) {
     run.work += stepper.advance(chain, state, window, interval / double(steps), steps);
     state.t = t0 + interval * double(k);
@@ -134,7 +142,7 @@ Run evolve(const Stepper& stepper, const Chain<Onsite, Contact>& chain, State<do
     }
     run.energy_drift = std::max(run.energy_drift, std::abs(e - start) / scale);
     run.t_end = state.t;
-    observe(std::as_const(state));
+    if (!goes_on(observe, state)) break;
   }
   return run;
 }

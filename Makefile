@@ -1,0 +1,124 @@
+# The lineage: programs -> tables -> figures -> report. `make help` lists what there is.
+#
+#   LAUNCH=...   put before every simulation, for example  LAUNCH='srun -n1'
+#   DEPS=skip    do not install missing packages
+#   PYTHON=...   a python3 that has matplotlib
+
+SHELL := /bin/sh
+.DELETE_ON_ERROR:
+.SUFFIXES:
+.SECONDARY:
+MAKEFLAGS += --no-builtin-rules --no-print-directory
+
+B := build
+LAUNCH ?=
+CTEST_ARGS ?= --output-on-failure
+PYTHON ?= $(shell for p in python3 /usr/bin/python3; do \
+            $$p -c 'import matplotlib' 2>/dev/null && { echo $$p; break; }; done)
+JOBS ?= $(shell nproc 2>/dev/null || echo 2)
+
+# Equal inputs give equal bytes: no dates in figures, one locale everywhere.
+export SOURCE_DATE_EPOCH := 1370000000
+export LC_ALL := C.UTF-8
+export MATPLOTLIBRC := figures
+export PYTHONDONTWRITEBYTECODE := 1
+export LATTICE_REVISION := $(shell git describe --always --dirty 2>/dev/null)
+
+# figures/figures.ecsv says which program and which script make each figure.
+rows := $(shell awk -F, '!/^\#/ && $$1 != "id" { print $$1 "|" $$4 "|" $$5 }' figures/figures.ecsv)
+field = $(word $(2),$(subst |, ,$(1)))
+ids := $(foreach r,$(rows),$(call field,$(r),1))
+chapters := $(basename $(notdir $(wildcard src/sec*.cpp)))
+results := $(foreach p,$(chapters),$(B)/data/$(p)/results.ecsv)
+svgs := $(foreach r,$(rows),$(B)/figures/$(basename $(call field,$(r),3)).svg)
+images := $(svgs) $(svgs:.svg=.pdf) $(svgs:.svg=.png)
+
+.PHONY: figures test all-figures all-data programs install-deps burn help readme summary
+.PHONY: $(foreach i,$(ids),$(if $(filter x%,$(i)),$(i),fig$(i)))
+
+## figures: compute and draw everything, then compare with the article
+figures: install-deps
+	@mkdir -p $(B)/report && date +%s > $(B)/report/start
+	@$(MAKE) all-figures
+	@$(MAKE) summary
+
+## test: everything the tests need, then the tests
+test: install-deps
+	@$(MAKE) all-data
+	@$(MAKE) run-tests
+
+all-figures: $(images) all-data
+all-data: $(results)
+
+## programs: build build/bin/<program>
+programs: $(B)/CMakeCache.txt
+	@cmake --build $(B) --parallel $(JOBS) --target programs > $(B)/build.log 2>&1 || \
+	  { cat $(B)/build.log; exit 1; }
+
+$(B)/CMakeCache.txt: CMakeLists.txt
+	@mkdir -p $(B)
+	@cmake -S . -B $(B) > $(B)/configure.log 2>&1 || { cat $(B)/configure.log; exit 1; }
+	@touch $@
+
+# The build decides whether a program is new; its date alone decides whether it runs again.
+$(B)/bin/%: programs
+	@test -x $@
+
+$(B)/data/%/results.ecsv: $(B)/bin/%
+	@mkdir -p $(B)/report/cost $(@D)
+	@echo "  compute  $*"
+	@start=$$(date +%s.%N); $(LAUNCH) $< --out $(@D) && \
+	  echo "$$start $$(date +%s.%N)" | awk '{ printf "%.1f\n", $$2 - $$1 }' > $(B)/report/cost/$*
+
+# $(1) id, $(2) program, $(3) script
+define figure
+$(if $(filter x%,$(1)),$(1),fig$(1)): install-deps
+	@$$(MAKE) $(foreach e,svg pdf png,$(B)/figures/$(basename $(3)).$(e))
+$(B)/figures/$(basename $(3)).svg: figures/$(3) $(B)/data/$(2)/results.ecsv \
+    $(if $(filter %.gp,$(3)),figures/style.gp,figures/draw.py figures/matplotlibrc)
+	@mkdir -p $$(@D)
+	@echo "  draw     $(basename $(3))"
+	@$(if $(filter %.gp,$(3)),gnuplot -e "data='$(B)/data'; out='$$@.part'" $$<,\
+	  $$(need_python) $$(PYTHON) $$< $(B)/data $$@.part)
+	@mv $$@.part $$@
+endef
+need_python = test -n "$(PYTHON)" || { echo "no python3 with matplotlib found (set PYTHON=...)"; exit 1; };
+$(foreach r,$(rows),$(eval $(call figure,$(call field,$(r),1),$(call field,$(r),2),$(call field,$(r),3))))
+
+%.pdf: %.svg
+	@rsvg-convert --format pdf $< --output $@.part && mv $@.part $@
+%.png: %.svg
+	@rsvg-convert --zoom 2.5 $< --output $@.part && mv $@.part $@
+
+summary: programs
+	@echo
+	@echo "figures    : $(words $(svgs)) in $(B)/figures (svg, pdf, png)"
+	@$(B)/bin/report --data $(B)/data --out $(B)/report
+	@echo "computing  : $$(cat $(B)/report/cost/* | awk '{ s += $$1 } END { printf "%.0f", s }') s" \
+	  "in $(words $(chapters)) programs; all together $$(( $$(date +%s) - $$(cat $(B)/report/start) )) s"
+	@echo "report     : $(B)/report/published.ecsv"
+
+.PHONY: run-tests
+run-tests: programs
+	@cmake --build $(B) --parallel $(JOBS) > $(B)/build.log 2>&1 || { cat $(B)/build.log; exit 1; }
+	@cd $(B) && ctest $(CTEST_ARGS)
+
+## readme: refresh the generated tables of README.md
+readme: install-deps
+	@$(MAKE) all-figures
+	@$(MAKE) summary
+	@$(PYTHON) tools/readme.py
+
+## install-deps: install the Debian packages of apt-packages.txt that are missing
+install-deps:
+	@DEPS=$(DEPS) sh tools/install-deps.sh apt-packages.txt
+
+## burn: remove all products
+burn:
+	@rm -rf $(B)
+
+## help: this list
+help:
+	@sed -n 's/^## /  make /p' Makefile
+	@awk -F, '!/^#/ && $$1 != "id" { id = $$1; text = $$0; sub(/^([^,]*,){7}/, "", text); gsub(/"/, "", text); \
+	  printf "  make %s: %s\n", (id ~ /^x/ ? id : "fig" id), text }' figures/figures.ecsv

@@ -1,0 +1,54 @@
+"""What the matplotlib figures share: reading tables by column name, sizes, panel letters.
+
+A script is called with the folder of all tables and the SVG file to write; it computes nothing
+beyond scaling.
+"""
+
+import csv
+import sys
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+MM = 1 / 25.4
+ONE_COLUMN, TWO_COLUMNS = 85 * MM, 170 * MM
+
+
+def arguments():
+    """The folder of all tables and the file to write."""
+    data, out = sys.argv[1:3]
+    return data, out
+
+
+def read(path):
+    """The columns of an ECSV table, by name, as arrays of numbers."""
+    with open(path, encoding="utf8") as file:
+        rows = list(csv.reader(line for line in file if not line.startswith("#")))
+    body = np.array(rows[1:], dtype=float)
+    return {name: body[:, i] for i, name in enumerate(rows[0])}
+
+
+def grid(table, x, y, value):
+    """A long table as an image: values[y, x] and the extent for `imshow`."""
+    xs, ys = np.unique(table[x]), np.unique(table[y])
+    image = np.full((len(ys), len(xs)), np.nan)
+    image[np.searchsorted(ys, table[y]), np.searchsorted(xs, table[x])] = table[value]
+    dx, dy = (xs[1] - xs[0]) / 2, (ys[1] - ys[0]) / 2
+    return image, (xs[0] - dx, xs[-1] + dx, ys[0] - dy, ys[-1] + dy)
+
+
+def where(table, column, value):
+    """The rows in which `column` has `value`."""
+    keep = np.isclose(table[column], value)
+    return {name: entries[keep] for name, entries in table.items()}
+
+
+def letter(axes, text, color="black"):
+    """A panel letter in the upper left corner."""
+    axes.text(0.03, 0.97, f"({text})", transform=axes.transAxes, va="top", color=color)
+
+
+def save(figure, out):
+    """Writes the SVG without a date, so that equal data give equal bytes."""
+    figure.savefig(out, format="svg", metadata={"Date": None, "Creator": None})
+    plt.close(figure)

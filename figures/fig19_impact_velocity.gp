@@ -1,0 +1,20 @@
+# Figure 19: peak energy density and speed of the packet against impact velocity, for three wells.
+width = 170; height = 70
+load 'figures/style.gp'
+table = data.'/sec34_impact/velocity_sweep.ecsv'
+only(s, x) = abs(column("s") - s) < 1e-9 ? x : NaN
+set multiplot layout 1,2 margins char 8,1.5,3.4,0.8 spacing char 10,0
+set xlabel 'impact velocity v_0'
+set xrange [0:2.5]
+set key top left at graph 0.1,0.97
+set ylabel 'peak energy density'
+set label 1 '(a)' at graph 0.03,0.94
+plot table using "velocity":(only(0, column("peak"))) with lines ls 1 title 's = 0', \
+     table using "velocity":(only(-1./6, column("peak"))) with lines ls 2 title 's = −1/6', \
+     table using "velocity":(only(-0.7, column("peak"))) with lines ls 3 title 's = −0.7'
+set ylabel 'speed (sites per unit of time)' offset 0.5
+set label 1 '(b)'
+plot table using "velocity":(only(0, column("speed"))) with lines ls 1 title 's = 0', \
+     table using "velocity":(only(-1./6, column("speed"))) with lines ls 2 title 's = −1/6', \
+     table using "velocity":(only(-0.7, column("speed"))) with lines ls 3 title 's = −0.7'
+unset multiplot

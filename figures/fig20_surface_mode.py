@@ -1,0 +1,22 @@
+"""Figure 20: contact forces in grey (white: no contact) for a linear and a very soft well."""
+
+import matplotlib.pyplot as plt
+from matplotlib.colors import PowerNorm
+
+import draw
+
+data, out = draw.arguments()
+forces = draw.read(f"{data}/sec34_impact/surface_mode_forces.ecsv")
+
+figure, both = plt.subplots(1, 2, figsize=(draw.TWO_COLUMNS, 75 * draw.MM), sharey=True)
+for axes, s, name in zip(both, [0, -0.7], ["a", "b"]):
+    image, extent = draw.grid(draw.where(forces, "s", s), "n", "t", "force")
+    picture = axes.imshow(-image, extent=extent, origin="lower", aspect="auto", cmap="gray_r",
+                          norm=PowerNorm(0.5, vmin=0, vmax=0.4), interpolation="none")
+    axes.set(xlabel="contact $n$", xlim=(0.5, 60))
+    draw.letter(axes, name)
+    axes.text(0.97, 0.03, f"$s = {s:g}$", transform=axes.transAxes, ha="right")
+both[0].set_ylabel("time $t$")
+bar = figure.colorbar(picture, ax=both, extend="max", ticks=[0, 0.01, 0.05, 0.1, 0.2, 0.4])
+bar.set_label("contact force $-f_n$")
+draw.save(figure, out)

@@ -1,0 +1,156 @@
+#pragma once
+/**
+# Published against reproduced
+
+`paper/published.ecsv` lists what the article states, with the agreement that was asked for
+before anything was computed. This file compares a row of it with a computed value. The
+tests and the report both call it, so there is one notion of agreement. */
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <numbers>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "table.hpp"
+
+namespace lattice {
+
+/// One row of `paper/published.ecsv`.
+struct Claim {
+  std::string id, section, where, quantity, printed, unit, kind, tolerance, note, program, status,
+      reason;
+};
+
+/// A computed answer.
+struct Answer {
+  double value = 0, error = 0;
+  std::string unit;
+};
+
+inline std::vector<Claim> read_claims(const std::filesystem::path& path) {
+  const Table t = read(path);
+  std::vector<Claim> claims(t.rows.size());
+  const std::pair<const char*, std::string Claim::*> fields[] = {
+      {"id", &Claim::id},           {"section", &Claim::section},
+      {"where", &Claim::where},     {"quantity", &Claim::quantity},
+      {"printed", &Claim::printed}, {"unit", &Claim::unit},
+      {"class", &Claim::kind},      {"tolerance", &Claim::tolerance},
+      {"note", &Claim::note},       {"program", &Claim::program},
+      {"status", &Claim::status},   {"reason", &Claim::reason}};
+  for (const auto& [name, member] : fields) {
+    const auto column = t.texts(name);
+    for (std::size_t i = 0; i < column.size(); ++i) claims[i].*member = column[i];
+  }
+  return claims;
+}
+
+/// All answers under `data`, from the `results.ecsv` of each program, keyed by program and id.
+inline std::map<std::pair<std::string, std::string>, Answer> read_answers(
+    const std::filesystem::path& data) {
+  std::map<std::pair<std::string, std::string>, Answer> answers;
+  for (const auto& folder : std::filesystem::directory_iterator(data)) {
+    const auto file = folder.path() / "results.ecsv";
+    if (!std::filesystem::exists(file)) continue;
+    const Table t = read(file);
+    const auto id = t.texts("id"), unit = t.texts("unit");
+    const auto value = t.numbers("value"), error = t.numbers("error");
+    for (std::size_t i = 0; i < id.size(); ++i)
+      answers[{folder.path().filename().string(), id[i]}] = {value[i], error[i], unit[i]};
+  }
+  return answers;
+}
+
+/**
+Printed values come as a number, as a range ("1e-14 to 1e-15"), as a count of orders of
+magnitude ("3 to 4 orders") or as a multiple of $\pi$. Anything else is a statement, which an
+answer of one confirms. */
+struct Printed {
+  double low = 0, high = 0;
+  double half_digit = 0;  ///< half a unit in the last printed digit
+};
+
+/// The number at the start of `text`, its last digit's half unit, and what follows; empty if none.
+struct Numeral {
+  double value, half_digit;
+  std::string rest;
+};
+
+inline std::optional<Numeral> leading_number(const std::string& text) {
+  double value = 0;
+  const auto [end, ec] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (ec != std::errc()) return std::nullopt;
+  const std::string digits(text.data(), end);
+  const auto e = digits.find_first_of("eE");
+  const std::string mantissa = digits.substr(0, e);
+  const auto point = mantissa.find('.');
+  const double decimals = point == std::string::npos ? 0 : double(mantissa.size() - point - 1);
+  const double power = e == std::string::npos ? 0 : std::stod(digits.substr(e + 1));
+  return Numeral{value, 0.5 * std::pow(10, power - decimals),
+                 std::string(end, text.data() + text.size())};
+}
+
+inline std::optional<Printed> parse_printed(const std::string& text) {
+  const auto first = leading_number(text);
+  if (!first) return std::nullopt;
+  Printed p{first->value, first->value, first->half_digit};
+  std::string rest = first->rest;
+  if (rest.rfind(" pi/", 0) == 0) {
+    p.low = p.high = first->value * std::numbers::pi / std::stod(rest.substr(4));
+    return p;
+  }
+  if (rest.rfind(" to ", 0) == 0) {
+    const auto second = leading_number(rest.substr(4));
+    if (!second) return std::nullopt;
+    p.high = second->value;
+    rest = second->rest;
+  }
+  if (rest == " orders") {
+    p.low = std::pow(10, p.low);
+    p.high = std::pow(10, p.high);
+    rest.clear();
+  }
+  if (!rest.empty()) return std::nullopt;
+  if (p.low > p.high) std::swap(p.low, p.high);
+  return p;
+}
+
+/// The interval of values that agree with a printed number under the row's tolerance. A row
+/// without one asks for the printed digits.
+inline std::pair<double, double> agreement(const Printed& p, const std::string& tolerance) {
+  if (tolerance == "at most") return {-std::numeric_limits<double>::infinity(), p.high};
+  if (tolerance == "order of magnitude") return {p.low / 10, p.high * 10};
+  if (tolerance.empty()) return {p.low - p.half_digit, p.high + p.half_digit};
+  double amount = 1e-12 * std::max(std::abs(p.low), std::abs(p.high));
+  if (tolerance != "exact") {
+    amount = std::stod(tolerance.substr(4));
+    if (tolerance.rfind("rel ", 0) == 0)
+      amount *= std::max(std::abs(p.low), std::abs(p.high));
+    else if (tolerance.rfind("abs ", 0) != 0)
+      throw std::runtime_error("unknown tolerance '" + tolerance + "'");
+  }
+  return {p.low - amount, p.high + amount};
+}
+
+/**
+A verdict needs a converged value. Where the error bar straddles an edge of the interval of
+agreement the row is `unresolved`, which no test accepts. */
+inline std::string verdict(const Claim& claim, const Answer& answer) {
+  const auto printed = parse_printed(claim.printed);
+  if (!std::isfinite(answer.value) || !std::isfinite(answer.error)) return "unresolved";
+  if (claim.kind == "claim" || answer.unit == "claim" || !printed)
+    return answer.value == 1 ? "claim" : "discrepant";
+  const auto [low, high] = agreement(*printed, claim.tolerance);
+  const bool in_low = answer.value - answer.error >= low && answer.value - answer.error <= high;
+  const bool in_high = answer.value + answer.error >= low && answer.value + answer.error <= high;
+  if (in_low && in_high) return "reproduced";
+  const bool misses = answer.value + answer.error < low || answer.value - answer.error > high;
+  return misses ? "discrepant" : "unresolved";
+}
+
+}  // namespace lattice

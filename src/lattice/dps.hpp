@@ -1,0 +1,150 @@
+#pragma once
+/**
+# The discrete p-Schrödinger equation
+
+At small amplitude every bead oscillates at the frequency of its well, and contact
+only modulates the complex amplitude $A_n$ slowly. With $y_n(t) = 2\epsilon\,
+\mathrm{Re}\,[A_n(\epsilon^{1/2}t)\,e^{it}]$ the slow time is $\tau =
+\epsilon^{1/2}t$ and the amplitudes obey the DpS equation, Eq. dps,
+$$2i\tau_0\,\dot A_n = D_n - D_{n-1}, \qquad
+  D_n = (A_{n+1}-A_n)\,|A_{n+1}-A_n|^{1/2}.$$
+It has no linear part, conserves the norm $\sum|A_n|^2$ and the energy
+$\frac{2}{5}\sum|A_{n+1}-A_n|^{5/2}$, and does not depend on $\epsilon$. */
+
+#include <gsl/gsl_sf_gamma.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "chain.hpp"
+#include "reference.hpp"
+
+namespace lattice {
+
+/// Time constant of the DpS equation, tau_0 = 5 Gamma(1/4)^2 / (24 sqrt(pi)).
+inline double tau_0() {
+  const double g = gsl_sf_gamma(0.25);
+  return 5 * g * g / (24 * std::sqrt(std::numbers::pi));
+}
+
+/// Amplitude scale of the static breathers of frequency `omega_b`, Eq. ansatzapproxst2 inverted.
+inline double breather_eps(double omega_b) {
+  return std::pow(2 * tau_0() * (omega_b - 1), 2);
+}
+
+using Field = std::vector<std::complex<double>>;
+
+/**
+The boundary decides only what stands in for the missing neighbour: a free end has
+no contact there, a fixed one has $A_0 = 0$. The far end is always free. Differences
+below `1e-60` count as zero, for the reason given with the Hertz contact. */
+struct Dps {
+  std::size_t sites;
+  Ends near_end = Ends::free;
+  double rate = 1 / (2 * tau_0());  ///< inverse time constant
+
+  /// |x + i y|^{1/2}
+  static double root_modulus(double x, double y) {
+    const double square = x * x + y * y;
+    if (!(square > 1e-120)) return 0;
+    return std::sqrt(std::sqrt(square));
+  }
+
+  /// Right-hand side on interleaved real and imaginary parts.
+  void operator()(double, const double* a, double* da) const {
+    double re = 0, im = 0;
+    if (near_end == Ends::fixed) {
+      const double m = root_modulus(a[0], a[1]);
+      re = m * a[0];
+      im = m * a[1];
+    }
+    for (std::size_t n = 0; n < sites; ++n) {
+      double re_next = 0, im_next = 0;
+      if (n + 1 < sites) {
+        const double x = a[2 * n + 2] - a[2 * n], y = a[2 * n + 3] - a[2 * n + 1];
+        const double m = root_modulus(x, y);
+        re_next = m * x;
+        im_next = m * y;
+      }
+      da[2 * n] = rate * (im_next - im);
+      da[2 * n + 1] = -rate * (re_next - re);
+      re = re_next;
+      im = im_next;
+    }
+  }
+};
+
+/// Norm sum |A_n|^2, conserved.
+inline double norm(const Field& field) {
+  double sum = 0;
+  for (const auto& a : field) sum += std::norm(a);
+  return sum;
+}
+
+/// Energy 2/5 sum |A_{n+1} - A_n|^{5/2} with free ends, conserved.
+inline double energy(const Field& field) {
+  double sum = 0;
+  for (std::size_t n = 0; n + 1 < field.size(); ++n)
+    sum += 0.4 * std::pow(std::abs(field[n + 1] - field[n]), 2.5);
+  return sum;
+}
+
+/// |A_n|^2, one entry a site.
+inline std::vector<double> density(const Field& field) {
+  std::vector<double> d;
+  for (const auto& a : field) d.push_back(std::norm(a));
+  return d;
+}
+
+/// Carries `field` over the slow time `duration`, showing (tau, field) to `observe` at `samples`
+/// equal intervals and at the start; returns the largest relative change of the norm.
+template <class Observer>
+double evolve_dps(const Dps& dps, Field& field, double duration, std::size_t samples,
+                  const Tolerance& tolerance, Observer observe) {
+  std::vector<double> x(2 * field.size());
+  const auto pack = [&] {
+    for (std::size_t n = 0; n < field.size(); ++n) {
+      x[2 * n] = field[n].real();
+      x[2 * n + 1] = field[n].imag();
+    }
+  };
+  pack();
+  Reference reference(dps, x.size(), tolerance);
+  const double start = norm(field);
+  double tau = 0, drift = 0;
+  observe(tau, std::as_const(field));
+  for (std::size_t k = 1; k <= samples; ++k) {
+    reference.advance(tau, duration * double(k) / double(samples), x);
+    for (std::size_t n = 0; n < field.size(); ++n) field[n] = {x[2 * n], x[2 * n + 1]};
+    drift = std::max(drift, std::abs(norm(field) - start) / start);
+    observe(tau, std::as_const(field));
+  }
+  return drift;
+}
+
+/// Impact on the first of `sites`: A_1(0) = -i, all others zero (Eq. ci).
+inline Field dps_impact(std::size_t sites) {
+  Field field(sites);
+  field[0] = {0, -1};
+  return field;
+}
+
+/// The approximation of the chain that a DpS field stands for, Eq. approx, at time `t`. Velocities
+/// keep the leading order only, as the approximation does.
+inline State<double> dps_state(const Field& field, double eps, double t) {
+  State<double> state(field.size());
+  const std::complex<double> phase(std::cos(t), std::sin(t));
+  for (std::size_t n = 0; n < field.size(); ++n) {
+    state.y[n] = 2 * eps * (field[n] * phase).real();
+    state.v[n] = -2 * eps * (field[n] * phase).imag();
+  }
+  state.t = t;
+  return state;
+}
+
+}  // namespace lattice

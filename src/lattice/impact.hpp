@@ -1,0 +1,121 @@
+#pragma once
+/**
+# Striking a chain
+
+Several sections of the article strike the first bead of a resting chain and ask what
+travels away: with a linear, hard or soft well, with precompression, with a defect, and
+in the DpS limit. This file holds the question and the way it is watched; the answers
+belong to the chapters. */
+
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "dps.hpp"
+#include "integrate.hpp"
+#include "observe.hpp"
+
+namespace lattice {
+
+/// An impact on the first of `sites` beads; dimensionless, as Eqs. eqm, anpot and cic.
+struct Impact {
+  double velocity = 1.87;
+  double s = 0;
+  double time = 600;
+  std::size_t sites = 100;
+  bool pendulum = false;
+  double precompression = 0;
+};
+
+/**
+The kind of well and contact is known only at run time, the inner loop wants it at
+compile time. `with_chain` makes the choice once and hands the chain to `use`. */
+template <class Use>
+auto with_chain(const Impact& impact, Use use) {
+  const auto with_contact = [&](auto contact) {
+    if (impact.pendulum) return use(Chain<Pendulum, decltype(contact)>{impact.sites, {}, contact});
+    return use(Chain<Quartic, decltype(contact)>{impact.sites, {impact.s}, contact});
+  };
+  if (impact.precompression > 0) return with_contact(CompressedHertz{impact.precompression});
+  return with_contact(Hertz{});
+}
+
+/// The chain at rest but for its first bead, Eq. cic.
+inline State<double> struck(std::size_t sites, double velocity) {
+  State<double> state(sites);
+  state.v[0] = velocity;
+  return state;
+}
+
+/// What one run shows of its front-most packet and of what stays behind.
+struct Outcome {
+  Track track;
+  State<double> end;
+  std::vector<double> density;  ///< energy density at the end
+  Run run;
+  double reach = 0;  ///< largest displacement seen, to be compared with the well's rim
+};
+
+/// Total of a density.
+inline double total(const std::vector<double>& e) {
+  return std::accumulate(e.begin(), e.end(), 0.0);
+}
+
+/// Share of the first `sites` sites in a density: what an impact leaves at the boundary.
+inline double boundary_share(const std::vector<double>& e, std::size_t sites = 5) {
+  return std::accumulate(e.begin(), e.begin() + std::ptrdiff_t(std::min(sites, e.size())), 0.0) /
+         total(e);
+}
+
+/// Follows the front-most packet every `sample` units of time until its centre passes site
+/// `until` or the time is over. `watch(state, density)` sees every sample.
+template <class Stepper, class Watch>
+Outcome follow(const Stepper& stepper, const Impact& impact, double until, double sample,
+               Watch watch) {
+  return with_chain(impact, [&](const auto& chain) {
+    Outcome out;
+    out.end = struck(impact.sites, impact.velocity);
+    out.run = evolve(stepper, chain, out.end, impact.time, sample, [&](const State<double>& now) {
+      out.density = energy_density(chain, now);
+      watch(now, std::as_const(out.density));
+      if (now.t == 0) return true;
+      for (double y : now.y) out.reach = std::max(out.reach, std::abs(y));
+      const auto site = front_packet(out.density);
+      if (site) out.track.add(now.t, out.density, *site);
+      return !site || out.track.centre.back() < until;
+    });
+    return out;
+  });
+}
+
+/// Where a run is followed for its packet alone.
+struct Unwatched {
+  template <class S, class D>
+  void operator()(const S&, const D&) const {}
+};
+
+/// The same for the DpS equation, whose density is |A_n|^2 and whose time is tau.
+struct DpsOutcome {
+  Track track;
+  Field end;
+  double norm_drift = 0;
+};
+
+/// Follows the packet that leaves the struck field `start`; `watch(tau, field)` sees every sample.
+template <class Watch>
+DpsOutcome follow_dps(const Dps& dps, const Field& start, double duration, std::size_t samples,
+                      const Tolerance& tolerance, Watch watch) {
+  DpsOutcome out{{}, start, 0};
+  out.norm_drift =
+      evolve_dps(dps, out.end, duration, samples, tolerance, [&](double tau, const Field& field) {
+        watch(tau, field);
+        const auto d = density(field);
+        const auto site = front_packet(d);
+        if (tau > 0 && site) out.track.add(tau, d, *site);
+      });
+  return out;
+}
+
+}  // namespace lattice

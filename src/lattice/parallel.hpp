@@ -1,0 +1,42 @@
+#pragma once
+/**
+# Independent runs on all cores
+
+Sweeps consist of runs that know nothing of each other. Each worker takes the next
+index that nobody has taken, and each run writes only to its own slot, so the
+results do not depend on the number of cores or on who was faster. */
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace lattice {
+
+/// Calls `body(i)` for 0 <= i < count on all cores; rethrows the first exception.
+template <class Body>
+void parallel_for(std::size_t count, Body body) {
+  std::atomic<std::size_t> next{0};
+  std::exception_ptr error;
+  std::mutex guard;
+  const auto work = [&] {
+    for (std::size_t i; (i = next++) < count;) try {
+        body(i);
+      } catch (...) {
+        const std::lock_guard lock(guard);
+        if (!error) error = std::current_exception();
+        next = count;
+      }
+  };
+  const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
+  std::vector<std::thread> workers;
+  for (std::size_t k = 1; k < std::min(cores, count); ++k) workers.emplace_back(work);
+  work();
+  for (auto& worker : workers) worker.join();
+  if (error) std::rethrow_exception(error);
+}
+
+}  // namespace lattice

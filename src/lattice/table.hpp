@@ -1,0 +1,254 @@
+#pragma once
+/**
+# Tables on disk
+
+Every number leaves a program as an ECSV 1.0 table: comma-separated rows under a
+commented YAML header that names each column, its unit and its meaning, and says
+which command made the file. gnuplot, pandas and astropy read it as it is, and the
+tests read the very files from which the figures are drawn.
+
+Numbers carry 17 significant digits, enough to restore the same bits. A file is
+written under a temporary name and renamed, so that an interrupted run leaves
+either the old file or the new one. No clock time enters, hence equal inputs give
+equal bytes. */
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace lattice {
+
+/// One entry: a number, a count or a text.
+using Cell = std::variant<double, std::int64_t, std::string>;
+
+enum class Kind { real, integer, text };
+
+struct Column {
+  std::string name, unit, description;
+  Kind kind = Kind::real;
+};
+
+/// Ordered `key: value` pairs of the header's `meta` block.
+using Meta = std::vector<std::pair<std::string, std::string>>;
+
+/// Columns, rows of cells, and where they come from.
+struct Table {
+  std::vector<Column> columns;
+  std::vector<std::vector<Cell>> rows{};
+  Meta meta{};
+
+  /// Appends a row; throws std::invalid_argument unless there is one cell of its kind a column.
+  void add(std::vector<Cell> row) {
+    bool fits = row.size() == columns.size();
+    for (std::size_t i = 0; fits && i < row.size(); ++i)
+      fits = row[i].index() == std::size_t(columns[i].kind);
+    if (!fits) throw std::invalid_argument("a row does not fit the columns of its table");
+    rows.push_back(std::move(row));
+  }
+
+  /// Position of the column `name`; throws std::out_of_range if there is none.
+  std::size_t find(const std::string& name) const {
+    for (std::size_t i = 0; i < columns.size(); ++i)
+      if (columns[i].name == name) return i;
+    throw std::out_of_range("no column '" + name + "'");
+  }
+
+  /// The numbers of column `name`; counts are converted.
+  std::vector<double> numbers(const std::string& name) const {
+    const std::size_t at = find(name);
+    std::vector<double> out;
+    for (const auto& row : rows) {
+      const auto* count = std::get_if<std::int64_t>(&row[at]);
+      out.push_back(count ? double(*count) : std::get<double>(row[at]));
+    }
+    return out;
+  }
+
+  /// The texts of column `name`.
+  std::vector<std::string> texts(const std::string& name) const {
+    const std::size_t at = find(name);
+    std::vector<std::string> out;
+    for (const auto& row : rows) out.push_back(std::get<std::string>(row[at]));
+    return out;
+  }
+};
+
+/// 17 significant digits, independent of the locale; `nan` where there is no value.
+inline std::string number_text(double x) {
+  if (std::isnan(x)) return "nan";
+  char buffer[32];
+  const auto end =
+      std::to_chars(buffer, buffer + sizeof buffer, x, std::chars_format::general, 17).ptr;
+  return std::string(buffer, end);
+}
+
+namespace ecsv {
+
+inline const char* datatype(Kind kind) {
+  return kind == Kind::real ? "float64" : kind == Kind::integer ? "int64" : "string";
+}
+
+/// A YAML single-quoted scalar.
+inline std::string quoted(const std::string& text) {
+  std::string out = "'";
+  for (char c : text) out += c == '\'' ? "''" : std::string(1, c);
+  return out + "'";
+}
+
+inline std::string cell_text(const Cell& cell) {
+  if (const auto* x = std::get_if<double>(&cell)) return number_text(*x);
+  if (const auto* k = std::get_if<std::int64_t>(&cell)) return std::to_string(*k);
+  const auto& text = std::get<std::string>(cell);
+  if (!text.empty() && text.find_first_of(",\"\n#") == std::string::npos) return text;
+  std::string out = "\"";
+  for (char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
+  return out + "\"";
+}
+
+/// Splits a line at its commas, honouring double quotes.
+inline std::vector<std::string> fields(const std::string& line) {
+  std::vector<std::string> out(1);
+  bool inside = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const char c = line[i];
+    if (inside && c == '"' && i + 1 < line.size() && line[i + 1] == '"')
+      out.back() += line[++i];
+    else if (c == '"')
+      inside = !inside;
+    else if (c == ',' && !inside)
+      out.emplace_back();
+    else
+      out.back() += c;
+  }
+  return out;
+}
+
+/// The value of `key` in a one-line YAML mapping as `to_text` writes it, or an empty text.
+inline std::string yaml_value(const std::string& line, const std::string& key) {
+  const auto at = line.find(key + ": ");
+  if (at == std::string::npos) return "";
+  std::size_t i = at + key.size() + 2;
+  std::string out;
+  if (line[i] != '\'') return line.substr(i, line.find_first_of(",}", i) - i);
+  for (++i; i < line.size(); ++i) {
+    if (line[i] == '\'' && (i + 1 >= line.size() || line[i + 1] != '\'')) break;
+    if (line[i] == '\'') ++i;
+    out += line[i];
+  }
+  return out;
+}
+
+inline Cell parse(const std::string& text, Kind kind) {
+  if (kind == Kind::text) return text;
+  const char *begin = text.data(), *end = begin + text.size();
+  double x = std::numeric_limits<double>::quiet_NaN();
+  std::int64_t k = 0;
+  const auto result =
+      kind == Kind::real ? std::from_chars(begin, end, x) : std::from_chars(begin, end, k);
+  if (!text.empty() && (result.ec != std::errc() || result.ptr != end))
+    throw std::runtime_error("not a number: '" + text + "'");
+  if (kind == Kind::real) return x;
+  return k;
+}
+
+}  // namespace ecsv
+
+/// The table as ECSV 1.0 text.
+inline std::string to_text(const Table& table) {
+  std::ostringstream out;
+  out << "# %ECSV 1.0\n# ---\n# delimiter: ','\n# datatype:\n";
+  for (const Column& c : table.columns)
+    out << "# - {name: " << ecsv::quoted(c.name) << ", unit: " << ecsv::quoted(c.unit)
+        << ", datatype: " << ecsv::datatype(c.kind)
+        << ", description: " << ecsv::quoted(c.description) << "}\n";
+  out << "# meta: !!omap\n";
+  for (const auto& [key, value] : table.meta)
+    out << "# - {" << key << ": " << ecsv::quoted(value) << "}\n";
+  out << "# schema: astropy-2.0\n";
+  for (std::size_t i = 0; i < table.columns.size(); ++i)
+    out << (i ? "," : "") << table.columns[i].name;
+  out << '\n';
+  for (const auto& row : table.rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) out << (i ? "," : "") << ecsv::cell_text(row[i]);
+    out << '\n';
+  }
+  return out.str();
+}
+
+/// Writes `text` to `path` under a temporary name, then renames. Throws std::runtime_error.
+inline void write_whole(const std::filesystem::path& path, const std::string& text) {
+  const std::filesystem::path part = path.string() + ".part";
+  {
+    std::ofstream out(part, std::ios::binary);
+    out << text;
+    out.flush();
+    if (!out) {
+      std::error_code ignored;
+      std::filesystem::remove(part, ignored);
+      throw std::runtime_error("cannot write " + path.string());
+    }
+  }
+  std::filesystem::rename(part, path);
+}
+
+inline void write(const std::filesystem::path& path, const Table& table) {
+  write_whole(path, to_text(table));
+}
+
+/// Reads what `to_text` writes (and plain ECSV with single-line column entries).
+inline Table from_text(std::istream& in) {
+  Table table;
+  std::string line;
+  bool header_done = false, in_meta = false;
+  while (std::getline(in, line)) {
+    if (line.rfind("#", 0) == 0) {
+      if (line.rfind("# meta:", 0) == 0) in_meta = true;
+      if (line.rfind("# - {", 0) != 0) continue;
+      const std::string body = line.substr(5);
+      if (in_meta) {
+        const std::string key = body.substr(0, body.find(": "));
+        table.meta.emplace_back(key, ecsv::yaml_value(line, key));
+        continue;
+      }
+      const std::string type = ecsv::yaml_value(line, "datatype");
+      table.columns.push_back({ecsv::yaml_value(line, "name"), ecsv::yaml_value(line, "unit"),
+                               ecsv::yaml_value(line, "description"),
+                               type == "string"  ? Kind::text
+                               : type == "int64" ? Kind::integer
+                                                 : Kind::real});
+    } else if (!header_done) {
+      header_done = true;
+    } else if (!line.empty()) {
+      const auto cells = ecsv::fields(line);
+      if (cells.size() != table.columns.size()) throw std::runtime_error("ragged row: " + line);
+      table.rows.emplace_back();
+      for (std::size_t i = 0; i < cells.size(); ++i)
+        table.rows.back().push_back(ecsv::parse(cells[i], table.columns[i].kind));
+    }
+  }
+  return table;
+}
+
+/// Reads a table from `path`; throws std::runtime_error naming the file if that fails.
+inline Table read(const std::filesystem::path& path) {
+  std::ifstream in(path);
+  if (!in) throw std::runtime_error("cannot read " + path.string());
+  try {
+    return from_text(in);
+  } catch (const std::exception& error) {
+    throw std::runtime_error(path.string() + ": " + error.what());
+  }
+}
+
+}  // namespace lattice
