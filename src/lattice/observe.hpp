@@ -49,6 +49,7 @@ super-exponentially small tail, so the result does not depend on `share`. */
 inline std::optional<std::size_t> front_packet(const std::vector<double>& e, double share = 0.01,
                                                std::size_t m = packet_half_width) {
   const double total = std::accumulate(e.begin(), e.end(), 0.0);
+  if (!(total > 0)) return std::nullopt;
   for (std::size_t n = e.size(); n-- > 0;) {
     if (e[n] * double(2 * m + 1) < share * total) continue;  // cannot be the largest of its window
     const std::size_t lo = n > m ? n - m : 0, hi = std::min(e.size(), n + m + 1);

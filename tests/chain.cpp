@@ -1,0 +1,143 @@
+// The chain: forces derive from the energy, contacts act on both sides, boundaries, linearisation.
+
+#include "lattice/chain.hpp"
+
+#include <cstring>
+#include <random>
+
+#include "check.hpp"
+
+using namespace lattice;
+
+namespace {
+
+/// Displacements of size one, some contacts closed and some open; the same on every machine.
+State<double> shaken(std::size_t sites, unsigned seed = 1) {
+  std::mt19937_64 bits(seed);
+  State<double> s(sites);
+  for (auto* x : {&s.y, &s.v})
+    for (double& value : *x) value = double(bits() >> 11) * 0x1p-52 - 1;
+  return s;
+}
+
+template <class Chain>
+double potential_energy(const Chain& chain, std::vector<double> y) {
+  State<double> s(chain.sites);
+  s.y = std::move(y);
+  return energy(chain, s);
+}
+
+/// Fourth-order difference quotient of the potential energy along site n.
+template <class Chain>
+double slope(const Chain& chain, const std::vector<double>& y, std::size_t n) {
+  const auto d = [&](double h) {
+    auto a = y, b = y;
+    a[n] += h;
+    b[n] -= h;
+    return (potential_energy(chain, a) - potential_energy(chain, b)) / (2 * h);
+  };
+  return (4 * d(5e-4) - d(1e-3)) / 3;
+}
+
+template <class Check>
+void for_all_ends(Check check) {
+  for (Ends ends : {Ends::free, Ends::fixed, Ends::periodic}) {
+    CAPTURE(int(ends));
+    Chain<Quartic, Hertz> plain{12, {0.7}, {}, ends};
+    check(plain);
+    Chain<Quartic, Hertz> varied = plain;
+    std::vector<double> mass(12, 1), eta(13, 1);
+    mass[5] = 2.5;
+    eta[5] = 1.3;
+    eta[6] = 0.7;
+    vary(varied, mass, eta);
+    check(varied);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("accelerations are minus the gradient of the energy over the mass", "[unit][chain]") {
+  for_all_ends([](const auto& chain) {
+    const auto y = shaken(12).y;
+    const auto a = accelerations(chain, y);
+    for (std::size_t n = 0; n < 12; ++n)
+      check_close(a[n] * chain.mass_of(n), -slope(chain, y, n), 1e-7, 1e-7);
+  });
+}
+
+TEST_CASE("contact forces sum to zero", "[property][chain]") {
+  // Without wells (subtracted here) a free chain feels no net force: the third law.
+  Chain<Quartic, Hertz> chain{40, {0.3}};
+  const auto y = shaken(40).y;
+  const auto a = accelerations(chain, y);
+  double net = 0, scale = 0;
+  for (std::size_t n = 0; n < 40; ++n) {
+    net += a[n] - chain.onsite.force(y[n]);
+    scale += std::abs(a[n]);
+  }
+  check_close(net, 0, 1e-14 * scale);
+}
+
+TEST_CASE("the energy density adds up to the energy", "[unit][chain]") {
+  for_all_ends([](const auto& chain) {
+    const auto s = shaken(12);
+    double kinetic = 0;
+    for (std::size_t n = 0; n < 12; ++n) kinetic += chain.mass_of(n) * s.v[n] * s.v[n] / 2;
+    double sum = kinetic + potential_energy(chain, s.y);
+    check_close(energy(chain, s), sum, 0, 1e-14);
+  });
+}
+
+TEST_CASE("the chain is symmetric under n -> -n with y -> -y", "[property][chain]") {
+  const Chain<Quartic, Hertz> chain{31, {1}};
+  auto y = shaken(31).y;
+  auto mirrored = y;
+  for (std::size_t n = 0; n < 31; ++n) mirrored[n] = -y[30 - n];
+  const auto a = accelerations(chain, y), b = accelerations(chain, mirrored);
+  for (std::size_t n = 0; n < 31; ++n) check_close(b[n], -a[30 - n], 1e-15, 1e-14);
+}
+
+TEST_CASE("the linearisation is the derivative of the force", "[unit][chain]") {
+  for_all_ends([](const auto& chain) {
+    const auto y = shaken(12).y;
+    const auto h = linearise(chain, y);
+    for (std::size_t j = 0; j < 12; ++j) {
+      const auto column = [&](double d) {
+        auto p = y, q = y;
+        p[j] += d;
+        q[j] -= d;
+        auto a = accelerations(chain, p);
+        const auto b = accelerations(chain, q);
+        for (std::size_t i = 0; i < 12; ++i) a[i] = -(a[i] - b[i]) / (2 * d) * chain.mass_of(i);
+        return a;
+      };
+      const auto c = column(1e-6);
+      for (std::size_t i = 0; i < 12; ++i) {
+        double expected = 0;
+        if (i == j)
+          expected = h.diagonal[i];
+        else if (i + 1 == j || j + 1 == i)
+          expected = h.off[std::min(i, j)];
+        else if (i + j == 11 && (i == 0 || j == 0))
+          expected = h.off[11];
+        check_close(c[i], expected, 1e-7, 1e-7);
+      }
+    }
+  });
+}
+
+TEST_CASE("a chain of equal masses given one by one has the bits of the plain chain",
+          "[unit][chain]") {
+  Chain<Quartic, Hertz> plain{700, {0.7}};
+  Chain<Quartic, Hertz> varied = plain;
+  vary(varied, std::vector<double>(700, 1), std::vector<double>(701, 1));
+  const auto y = shaken(700).y;
+  CHECK(accelerations(plain, y) == accelerations(varied, y));
+}
+
+TEST_CASE("impossible masses are refused", "[unit][chain]") {
+  Chain<Harmonic, Hertz> chain{3};
+  CHECK_THROWS_AS(vary(chain, {1, 1}, {1, 1, 1, 1}), std::invalid_argument);
+  CHECK_THROWS_AS(vary(chain, {1, 0, 1}, {1, 1, 1, 1}), std::invalid_argument);
+}

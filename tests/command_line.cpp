@@ -1,0 +1,167 @@
+// Programs as a reader meets them: help, bad input, failures, and what they leave behind.
+
+#include <sys/wait.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <vector>
+
+#include "check.hpp"
+#include "lattice/table.hpp"
+
+using namespace lattice;
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::string bin = BIN_DIR;
+
+struct Result {
+  int code;
+  std::string output;  ///< standard output
+  std::string errors;
+  std::size_t error_lines() const {
+    return std::size_t(std::count(errors.begin(), errors.end(), '\n'));
+  }
+};
+
+/// A fresh folder that goes away again.
+struct Scratch {
+  fs::path path = fs::temp_directory_path() / ("lattice_cli_" + std::to_string(::getpid()));
+  Scratch() { fs::create_directories(path); }
+  ~Scratch() { fs::remove_all(path); }
+  std::size_t files() const {
+    std::size_t count = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(path))
+      count += entry.is_regular_file();
+    return count;
+  }
+};
+
+Result call(const std::string& command) {
+  const auto errors = fs::temp_directory_path() / ("lattice_err_" + std::to_string(::getpid()));
+  FILE* pipe = popen((bin + "/" + command + " 2>" + errors.string()).c_str(), "r");
+  std::string output;
+  std::array<char, 4096> buffer;
+  for (std::size_t n; (n = fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
+    output.append(buffer.data(), n);
+  const int status = pclose(pipe);
+  std::ifstream in(errors);
+  std::stringstream text;
+  text << in.rdbuf();
+  fs::remove(errors);
+  return {WEXITSTATUS(status), output, text.str()};
+}
+
+double quantity(const Result& r, const std::string& name, const std::string& column = "value") {
+  std::istringstream in(r.output);
+  const Table t = from_text(in);
+  const auto names = t.texts("quantity");
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (names[i] == name) return t.numbers(column)[i];
+  FAIL("no quantity " << name);
+  return 0;
+}
+
+}  // namespace
+
+TEST_CASE("help and version", "[cli]") {
+  const Result help = call("sec34_impact --help");
+  CHECK(help.code == 0);
+  CHECK(help.output.find("run") != std::string::npos);
+  CHECK(call("sec34_impact run --help").output.find("--velocity") != std::string::npos);
+  CHECK(call("sec34_impact --version").output.find("sec34_impact") == 0);
+}
+
+TEST_CASE("bad input: one line, exit code 2, no file", "[cli]") {
+  Scratch scratch;
+  const std::string out = " --output " + (scratch.path / "x.ecsv").string();
+  struct Bad {
+    std::string arguments, option;
+  };
+  for (const auto& [arguments, option] :
+       std::vector<Bad>{{"sec34_impact run --s nan", "--s"},
+                        {"sec34_impact run --s abc", "--s"},
+                        {"sec34_impact run --velocity -1", "--velocity"},
+                        {"sec34_impact run --velocity inf", "--velocity"},
+                        {"sec34_impact run --time 1e12", "--time"},
+                        {"sec34_impact run --sites 1", "--sites"},
+                        {"sec34_impact run --sites 2.5", "--sites"},
+                        {"sec34_impact run --precompression -0.5", "--precompression"},
+                        {"sec34_impact run --onsite cubic", "--onsite"},
+                        {"sec34_impact run --onsite pendulum --s 1", "--s"},
+                        {"sec34_impact run --colour red", "--colour"},
+                        {"sec34_kink run --velocity 0", "--velocity"}}) {
+    CAPTURE(arguments);
+    const Result r = call(arguments + out);
+    CAPTURE(r.errors);
+    CHECK(r.code == 2);
+    CHECK(r.error_lines() == 1);
+    CHECK(r.errors.find(option) != std::string::npos);
+    CHECK(r.output.empty());
+    CHECK(scratch.files() == 0);
+  }
+}
+
+TEST_CASE("an unwritable place is refused before computing", "[cli]") {
+  for (const char* arguments : {"sec34_impact --out /proc/nowhere", "sec34_kink --out /dev/null/x",
+                                "sec34_impact run --output /proc/nowhere/x.ecsv"}) {
+    const Result r = call(arguments);
+    CAPTURE(arguments, r.errors);
+    CHECK(r.code == 2);
+    CHECK(r.error_lines() == 1);
+    CHECK(r.errors.find("--out") != std::string::npos);
+  }
+}
+
+TEST_CASE("a runaway is a failure, not a number", "[cli]") {
+  Scratch scratch;
+  const Result r = call("sec34_impact run --s -0.7 --velocity 1.3 --time 100 --output " +
+                        (scratch.path / "x.ecsv").string());
+  CHECK(r.code == 1);
+  CHECK(r.error_lines() == 1);
+  CHECK(r.errors.find("blows up") != std::string::npos);
+  CHECK(scratch.files() == 0);
+}
+
+TEST_CASE("run reports the contract's quantities with errors", "[cli]") {
+  const Result r = call("sec34_impact run --velocity 0.94 --s -0.7 --time 300");
+  REQUIRE(r.code == 0);
+  for (const char* name : {"speed", "centre", "peak_energy_density", "packet_energy_fraction",
+                           "boundary_energy_fraction", "energy_drift", "escaped"}) {
+    CAPTURE(name);
+    CHECK(std::isfinite(quantity(r, name)));
+    CHECK(std::isfinite(quantity(r, name, "error")));
+  }
+  CHECK(quantity(r, "boundary_energy_fraction") > 0.5);
+  CHECK(quantity(r, "energy_drift") < 1e-5);
+  CHECK(quantity(r, "escaped") == 0);
+  CHECK(call("sec34_impact run --velocity 5 --onsite pendulum --time 60").code == 0);
+  CHECK(call("sec34_impact run --velocity 1 --precompression 0.5 --time 60 --profile")
+            .output.find("n,y,v,e") != std::string::npos);
+}
+
+TEST_CASE("the same command gives the same bytes", "[cli]") {
+  const std::string command = "sec34_impact run --velocity 1.5 --time 150 --profile";
+  CHECK(call(command).output == call(command).output);
+}
+
+TEST_CASE("the inner loop has the same bits at every vector width", "[cli]") {
+  const Result wide = call("fingerprint_wide"), scalar = call("fingerprint_scalar");
+  REQUIRE(wide.code == 0);
+  REQUIRE(scalar.code == 0);
+  CHECK(wide.output.size() > 200);
+  CHECK(wide.output == scalar.output);
+}
+
+TEST_CASE("a quick run answers everything and says when it is complete", "[cli]") {
+  Scratch scratch;
+  const Result r = call("sec34_kink --quick --out " + scratch.path.string());
+  REQUIRE(r.code == 0);
+  CHECK(fs::exists(scratch.path / "results.ecsv"));
+  for (const auto& entry : fs::directory_iterator(scratch.path))
+    CHECK(entry.path().extension() == ".ecsv");
+}

@@ -1,0 +1,37 @@
+// Prints the bits of a few runs. Built twice, with wide vectors and for the baseline processor.
+
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+
+#include "lattice/impact.hpp"
+
+using namespace lattice;
+
+namespace {
+
+template <class Chain>
+void show(const Chain& chain, State<double> state) {
+  evolve(Splitting{blanes_moan_6(), 0.05}, chain, state, 30, 30, Unobserved{});
+  for (std::size_t n = 0; n < chain.sites; n += 1 + chain.sites / 40) {
+    std::uint64_t bits;
+    std::memcpy(&bits, &state.y[n], sizeof bits);
+    std::printf("%016llx\n", static_cast<unsigned long long>(bits));
+  }
+}
+
+}  // namespace
+
+int main() {
+  show(Chain<Quartic, Hertz>{50, {1}}, struck(50, 1.9));
+  show(Chain<Pendulum, Hertz>{50}, struck(50, 2));
+  State<double> wave(1000);
+  for (std::size_t n = 0; n < 1000; ++n) wave.y[n] = 0.3 * std::sin(0.1 * double(n * n % 97));
+  show(Chain<Quartic, CompressedHertz>{1000, {-0.2}, {0.5}, Ends::periodic}, wave);
+  show(Chain<Harmonic, Hertz>{1000, {}, {}, Ends::fixed}, wave);
+  Chain<Harmonic, Hertz> varied{1000};
+  std::vector<double> mass(1000, 1), eta(1001, 1);
+  for (std::size_t n = 0; n < 1000; n += 7) mass[n] = 1.5, eta[n] = 0.8;
+  vary(varied, mass, eta);
+  show(varied, wave);
+}
