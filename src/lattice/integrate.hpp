@@ -65,6 +65,27 @@ inline Scheme blanes_moan_6() {
           {a1, a2, a3, a4, a5, a6, a5, a4, a3, a2, a1, 0}};
 }
 
+/// Blanes and Moan (ibid., SRKN 14a): order 6 with fourteen force evaluations and smaller errors. It
+/// begins and ends with a drift, hence the empty first and last kicks.
+inline Scheme blanes_moan_6_14() {
+  Scheme scheme{"blanes-moan-6-14",
+                6,
+                {0, 0.09171915262446165, 0.183983170005006, -0.05653436583288827,
+                 0.004914688774712854, 0.143761127168358, 0.328567693746804},
+                {0.0378593198406116, 0.102635633102435, -0.0258678882665587, 0.314241403071447,
+                 -0.130144459517415, 0.106417700369543, -0.00879424312851058}};
+  std::vector<double>&kick = scheme.kick, &drift = scheme.drift;
+  double kicks = 0.5, drifts = 1;
+  for (double k : kick) kicks -= k;
+  for (double d : drift) drifts -= 2 * d;
+  kick.push_back(kicks);
+  drift.push_back(drifts);
+  for (std::size_t i = 8; i-- > 0;) kick.push_back(kick[i]);
+  for (std::size_t i = 7; i-- > 0;) drift.push_back(drift[i]);
+  drift.push_back(0);
+  return scheme;
+}
+
 /// A splitting scheme with its step: the plainest stepper.
 struct Splitting {
   Scheme scheme;

@@ -1,0 +1,399 @@
+#pragma once
+/**
+# Contact-aware stepping
+
+A Runge-Kutta step replaces the impulse $\int_0^h F\,dt$ of every force by a weighted sum
+of stage forces, and with $p$-th order weights the error is $O(h^{p+1})$ as long as $F$
+has $p$ derivatives. A contact has not: its overlap $x$ passes through zero at a finite
+speed $w$ at some $t^*$, and the force $F = \eta\,x_+^\alpha$ starts like
+$\eta\,[w\,(t-t^*)_+]^\alpha$. Scaled to one step this function is the same for every $h$,
+so the weights miss a fixed fraction of its size: $h^\alpha$ in the force, $h^{\alpha+1}$
+in the velocity, $h^{5/2}$ for spheres.
+
+The remedy is cheap because only the sum over one contact force is wrong; the motion that
+enters it is smoother by two integrations and known well. So we take an ordinary step,
+look for contacts that have switched, and give each of them the impulse that it really
+exerts in exchange for the sum that the scheme used. */
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "integrate.hpp"
+
+namespace lattice {
+
+/**
+The base step is a Runge-Kutta-Nystrom scheme for $\ddot y = g(y)$. Its stages are
+$$Y_i = y + c_i h v + h^2 \sum_{j<i} a_{ij}\, g(Y_j), \qquad
+v' = v + h \sum_i b_i\, g(Y_i),$$
+and we ask that the first one is the old state ($c = 0$) and the last one the new
+positions ($c = 1$). Then a step ends with the accelerations with which the next begins. */
+struct Nystrom {
+  std::string name;
+  int order;                           ///< on a smooth problem
+  std::vector<double> c;               ///< times of the stages, from 0 to 1
+  std::vector<std::vector<double>> a;  ///< row i has i entries; the last gives the new positions
+  std::vector<double> b;               ///< weights of the new velocities
+  std::size_t last() const { return c.size() - 1; }
+};
+
+/// Dormand, El-Mikkawy and Prince (IMA J. Numer. Anal. 7, 1987, pair 6(4) with six stages, the
+/// last of which is shared by neighbouring steps): five force evaluations a step.
+inline Nystrom dormand_prince_6() {
+  return {"dormand-prince-6",
+          6,
+          {0, 1. / 10, 3. / 10, 7. / 10, 17. / 25, 1},
+          {{},
+           {1. / 200},
+           {-1. / 2200, 1. / 22},
+           {637. / 6600, -7. / 110, 7. / 33},
+           {225437. / 1968750, -30073. / 281250, 65569. / 281250, -9367. / 984375},
+           {151. / 2142, 5. / 116, 385. / 1368, 55. / 168, -6250. / 28101}},
+          {151. / 2142, 25. / 522, 275. / 684, 275. / 252, -78125. / 112404, 1. / 12}};
+}
+
+/// A splitting is one, too: kick $j$ changes the velocity by $h k_j g(Y_j)$ at time $c_j h$, drifts
+/// carry it to stage $i$, and so $a_{ij} = k_j (c_i - c_j)$ and $b_j = k_j$.
+inline Nystrom nystrom(const Scheme& scheme) {
+  const std::size_t stages = scheme.kick.size();
+  Nystrom base{scheme.name, scheme.order, std::vector<double>(stages, 0), {}, scheme.kick};
+  for (std::size_t i = 0; i < stages; ++i) {
+    if (i > 0) base.c[i] = base.c[i - 1] + scheme.drift[i - 1];
+    base.a.emplace_back(i);
+    for (std::size_t j = 0; j < i; ++j) base.a[i][j] = scheme.kick[j] * (base.c[i] - base.c[j]);
+  }
+  return base;
+}
+
+/// The sum $y + d\,v + \sum_j w_j a_j$ of a stage, its small terms first.
+template <class T>
+LATTICE_WIDE void sweep_stage(const T* __restrict__ y, const T* __restrict__ v, T drift,
+                              const T* const* a, const T* weight, std::size_t terms,
+                              T* __restrict__ out, std::size_t n) {
+  T sum[kernel_block];
+  for (std::size_t lo = 0; lo < n; lo += kernel_block) {
+    const std::size_t count = lo + kernel_block < n ? kernel_block : n - lo;
+    for (std::size_t i = 0; i < count; ++i) sum[i] = drift * v[lo + i];
+    for (std::size_t j = 0; j < terms; j += 3) {
+      const T *p = a[j] + lo, *q = a[j + 1] + lo, *r = a[j + 2] + lo;
+      for (std::size_t i = 0; i < count; ++i)
+        sum[i] += weight[j] * p[i] + (weight[j + 1] * q[i] + weight[j + 2] * r[i]);
+    }
+    for (std::size_t i = 0; i < count; ++i) out[lo + i] = y[lo + i] + sum[i];
+  }
+}
+
+/**
+A contact needs a correction in the step in which it switches and in its neighbours. There
+the force is smooth but close to its singular point: $k$ steps from $t^*$ a sixth-order
+sum errs by about $h^{\alpha+1} k^{\alpha-6}$. At $k = 1$ that still hides the order of the
+scheme, at $k = 2$ it is twenty times less, and beyond it shows only near $10^{-11}$.
+
+The test needs no memory: overlap $x$ and rate $w$ (per step) at the two ends tell where
+the contact was two steps before and will be two steps after. It is singular if any of
+these four overlaps is not positive, or if it dips to zero between positive ends. It
+matters only if it pushes at an end, or bulges to above zero between open ends. The
+tangents at the ends bound a dip and a bulge. */
+template <class T>
+inline __attribute__((always_inline)) bool is_singular(T x0, T w0, T x1, T w1, T small) {
+  const T reach = T(2), ahead = x0 + w0, behind = x1 - w1;
+  const T outer = std::min(x0 - reach * w0, x1 + reach * w1),
+          least = std::min(outer, std::min(x0, x1));
+  const bool bulge = (w0 > T(0)) & (w1 < T(0)) & (std::min(ahead, behind) > small);
+  const bool dip = (w0 < T(0)) & (w1 > T(0)) & (std::max(ahead, behind) < T(0));
+  return ((std::max(x0, x1) > small) | bulge) & ((least <= T(0)) | dip);
+}
+
+/// Flags singular contacts between neighbours, in words as wide as the numbers: none is packed.
+template <class T>
+LATTICE_WIDE void sweep_singular(const T* __restrict__ y0, const T* __restrict__ v0,
+                                 const T* __restrict__ y1, const T* __restrict__ v1, T opening, T h,
+                                 T small, std::uint64_t* __restrict__ flag, std::size_t n) {
+  for (std::size_t i = 0; i < n; ++i)
+    flag[i] = is_singular<T>(opening - (y0[i + 1] - y0[i]), -h * (v0[i + 1] - v0[i]),
+                             opening - (y1[i + 1] - y1[i]), -h * (v1[i + 1] - v1[i]), small);
+}
+
+/**
+The overlap at $t = s h$ is the quintic that has its values $x$, rates $w = dx/ds$ and
+accelerations $2g = d^2x/ds^2$ at both ends. The true overlap contains
+$(t-t^*)_+^{\alpha+2}$, so the quintic errs by $O(h^{7/2})$; near $t^*$ the slope of the
+force is $O(h^{1/2})$, and the impulse errs by $O(h^5)$ only. */
+template <class T>
+struct Quintic {
+  T x0, w0, g0, x1, w1, g1;
+  T d = x1 - (x0 + w0 + g0), e = w1 - (w0 + T(2) * g0), f = g1 - g0;
+  T c3 = T(10) * d - T(4) * e + f, c4 = T(7) * e - T(15) * d - T(2) * f;
+  T c5 = T(6) * d - T(3) * e + f;
+  T operator()(T s) const { return x0 + s * (w0 + s * (g0 + s * (c3 + s * (c4 + s * c5)))); }
+  T slope(T s) const {
+    return w0 + s * (T(2) * g0 + s * (T(3) * c3 + s * (T(4) * c4 + s * T(5) * c5)));
+  }
+};
+
+/// The root in a bracket: Newton, and bisection wherever Newton would leave it.
+template <class T>
+T root_between(const Quintic<T>& x, T lo, T hi) {
+  const T below = x(lo), above = x(hi);
+  T s = lo + (hi - lo) * (below / (below - above)), move(1);
+  for (int k = 0; k < 60 && std::abs(double(move)) > 1e-5; ++k) {
+    const T value = x(s), newton = s - value / x.slope(s);
+    ((value > T(0)) == (above > T(0)) ? hi : lo) = s;
+    const T next = newton > lo && newton < hi ? newton : (lo + hi) / T(2);
+    move = next - s;
+    s = next;
+  }
+  return s;
+}
+
+/// What a force does during a step: $\int F\,ds$, $\int (1-s) F\,ds$, $\int \frac12 (1-s)^2 F\,ds$.
+template <class T>
+struct Impulse {
+  T velocity{}, position{}, shift{};
+};
+
+/// Gauss-Legendre with eight nodes in (-1, 1): the four positive ones and their weights.
+inline constexpr double gauss_node[]{0.18343464249564981, 0.52553240991632899, 0.79666647741362674,
+                                     0.96028985649753623};
+inline constexpr double gauss_weight[]{0.36268378337836198, 0.31370664587788729,
+                                       0.22238103445337447, 0.10122853629037626};
+
+/**
+Gauss quadrature fails at the singular point for the same reason as the scheme, but there we
+may change the variable: with $s = s^* \pm u^2$ the overlap is $u^2$ times a smooth positive
+$q$, so that $F\,ds = 2 u^{2\alpha+1} q^\alpha\,du$ is smooth whenever $2\alpha$ is an integer.
+For any other exponent we take $u^4$, which leaves at least seven derivatives. The same
+change serves a piece $(a, b)$ whose root $s^*$ lies somewhat outside. */
+template <class T, class Push>
+void add_piece(const Push& push, T a, T b, T root, bool fourth, Impulse<T>& sum) {
+  using std::abs;
+  using std::sqrt;
+  const T side = root <= a ? T(1) : T(-1);
+  T ua = sqrt(abs(a - root)), ub = sqrt(abs(b - root));
+  if (fourth) ua = sqrt(ua), ub = sqrt(ub);
+  const T middle = (ua + ub) / T(2), half = abs(ub - ua) / T(2);
+  for (std::size_t k = 0; k < 8; ++k) {
+    const T u = middle + (k < 4 ? -half : half) * T(gauss_node[k % 4]), u2 = u * u;
+    const T s = root + side * (fourth ? u2 * u2 : u2);
+    const T ds = half * T(gauss_weight[k % 4]) * (fourth ? T(4) * u2 * u : T(2) * u);
+    const T push_ds = push(s) * ds, rest = T(1) - s;
+    sum.velocity += push_ds;
+    sum.position += rest * push_ds;
+    sum.shift += rest * rest / T(2) * push_ds;
+  }
+}
+
+/**
+A closed stretch of the step runs from one root of the quintic to the next. Roots more than
+a step outside do not matter, the nodes being dense enough. A stretch between two roots
+is cut in the middle and each half is referred to its own root. */
+template <class T, class Push>
+Impulse<T> exact_impulse(const Quintic<T>& x, const Push& push, bool fourth) {
+  static constexpr double probe[]{-1, -0.5, 0, 0.25, 0.5, 0.75, 1, 1.5, 2};
+  Impulse<T> sum;
+  T left(-1);
+  bool closed = x(left) > T(0), left_root = false;
+  const auto stretch = [&](T right, bool right_root) {
+    const T a = left > T(0) ? left : T(0), b = right < T(1) ? right : T(1);
+    if (!(a < b)) return;
+    const T cut = !right_root ? b : (left_root ? (a + b) / T(2) : a);
+    if (a < cut) add_piece(push, a, cut, left, fourth, sum);
+    if (cut < b) add_piece(push, cut, b, right, fourth, sum);
+  };
+  for (std::size_t k = 1; k < std::size(probe); ++k) {
+    if ((x(T(probe[k])) > T(0)) == closed) continue;
+    const T root = root_between(x, T(probe[k - 1]), T(probe[k]));
+    if (closed) stretch(root, true);
+    left = root, left_root = true, closed = !closed;
+  }
+  if (closed) stretch(T(2), false);
+  return sum;
+}
+
+/// Memory for many steps, set up once. What lies outside the window stays zero.
+template <class T>
+struct NystromMemory {
+  std::vector<std::vector<T>> y{}, a{};     ///< of the stages; the first y is that of the state
+  std::vector<T> v{}, shift{};              ///< new velocities; defects of the stage positions
+  std::vector<T> weight{}, shift_weight{};  ///< of the sum in hand; $\sum_i b_i a_{ij}$
+  std::vector<const T*> term{};             ///< what `weight` multiplies
+  std::vector<std::uint64_t> flag{};        ///< singular contacts,
+  std::vector<std::size_t> contacts{};      ///< the list of them, ascending,
+  std::vector<Impulse<T>> correction{};     ///< and what each one needs, zero for all the others
+  T small;                                  ///< overlap that is not worth a correction
+  NystromMemory(const Nystrom& base, std::size_t sites, double negligible) : small(negligible) {
+    v.resize(sites), shift.resize(sites);
+    y.assign(base.c.size(), v), a = y;
+    weight.resize(y.size() + 2), shift_weight = weight, term.resize(weight.size());
+    flag.resize(sites), correction.resize(sites + 1);
+    for (std::size_t i = 0; i < y.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) shift_weight[j] += T(base.b[i] * base.a[i][j]);
+  }
+};
+
+/// Relative displacement (or velocity, or acceleration) across contact `i`, walls being at rest.
+template <class T, class Onsite, class Contact>
+T across(const Chain<Onsite, Contact>& chain, const std::vector<T>& y, std::size_t i) {
+  const bool ring = chain.ends == Ends::periodic;
+  const T right = i < chain.sites ? y[i] : (ring ? y.front() : T(0));
+  const T left = i > 0 ? y[i - 1] : (ring ? y.back() : T(0));
+  return right - left;
+}
+
+/**
+The exact impulse cures the contact, but the *stages* were spoilt too: their positions
+saw the sums $h^2 \sum_j a_{ij} F_j$ of the same force and err by $O(h^{7/2})$. The other
+forces on a site, with stiffness $K$, pass this on to the velocity. Summed over the stages
+it is a second moment of $F$, known from the same nodes: we subtract
+$$\frac{K h^3}{\mu}\Bigl[\int_0^1 \tfrac12 (1-s)^2 F\,ds
+ - \sum_j \Bigl(\sum_i b_i a_{ij}\Bigr) F_j\Bigr] = O(h^{9/2}).$$
+What remains are terms in $h^5$, mostly from the quintic. The scheme is neither symplectic
+nor reversible; its drift is of the size of its error. */
+struct ContactAware {
+  double step;
+  Nystrom base = dormand_prince_6();
+  /// Contacts ahead of a front close, too, with overlaps of 1e-10, 1e-15, 1e-23. A force below this
+  /// one is lost in the rounding of a velocity of 1e-3, and such contacts are left alone.
+  double negligible = 1e-19;
+
+  /// Advances `state` by `count` steps of length `h`; returns the number of site-force evaluations.
+  template <class T, class Onsite, class Contact>
+  double advance(const Chain<Onsite, Contact>& chain, State<T>& state, Window& window, double h,
+                 std::size_t count) const {
+    const std::size_t last = base.last();
+    NystromMemory<T> at(base, chain.sites, std::pow(negligible, 1 / chain.contact.exponent));
+    accelerate(chain, state.y.data(), at.a[0].data(), window);
+    double work = double(window.last - window.first);
+    for (std::size_t k = 0; k < count; ++k) {
+      for (std::size_t i = 1; i <= last; ++i) {
+        combine(state.y, state.v, base.c[i] * h, base.a[i], h * h, window, at, at.y[i]);
+        accelerate(chain, at.y[i].data(), at.a[i].data(), window);
+        work += double(window.last - window.first);
+      }
+      combine(state.v, state.v, 0, base.b, h, window, at, at.v);
+      correct(chain, state, window, T(h), at);
+      std::swap(state.y, at.y[last]), std::swap(state.v, at.v), std::swap(at.a[0], at.a[last]);
+    }
+    return work;
+  }
+
+ private:
+  template <class T>
+  static void combine(const std::vector<T>& y, const std::vector<T>& v, double drift,
+                      const std::vector<double>& row, double scale, Window window,
+                      NystromMemory<T>& at, std::vector<T>& out) {
+    std::size_t terms = 0;
+    for (std::size_t j = 0; j < row.size(); ++j) {
+      if (row[j] == 0) continue;
+      at.weight[terms] = T(row[j]) * T(scale);
+      at.term[terms++] = at.a[j].data() + window.first;
+    }
+    for (; terms % 3 != 0; ++terms) at.weight[terms] = T(0), at.term[terms] = at.term[0];
+    sweep_stage<T>(y.data() + window.first, v.data() + window.first, T(drift), at.term.data(),
+                   at.weight.data(), terms, out.data() + window.first, window.last - window.first);
+  }
+
+  /// The overlap of contact `i` in the step that has just been tried.
+  template <class T, class Onsite, class Contact>
+  Quintic<T> overlap_during(const Chain<Onsite, Contact>& chain, const State<T>& state,
+                            std::size_t i, T h, const NystromMemory<T>& at) const {
+    const T d = T(chain.contact.opening()), half = h * h / T(2);
+    const std::vector<T>&y = at.y[base.last()], &a = at.a[base.last()];
+    return {d - across(chain, state.y, i),     -h * across(chain, state.v, i),
+            -half * across(chain, at.a[0], i), d - across(chain, y, i),
+            -h * across(chain, at.v, i),       -half * across(chain, a, i)};
+  }
+
+  /// Lists the contacts to correct: a wide pass over those between beads, a test at either end.
+  template <class T, class Onsite, class Contact>
+  void find(const Chain<Onsite, Contact>& chain, const State<T>& state, Window window, T h,
+            NystromMemory<T>& at) const {
+    const std::size_t n = chain.sites, left = std::max<std::size_t>(window.first, 1) - 1;
+    const std::size_t inner = std::min(window.last, n - 1) - left;
+    const auto try_end = [&](std::size_t i) {
+      const Quintic<T> x = overlap_during(chain, state, i, h, at);
+      if (is_singular(x.x0, x.w0, x.x1, x.w1, at.small)) at.contacts.push_back(i);
+    };
+    at.contacts.clear();
+    if (chain.ends != Ends::free && window.first == 0) try_end(0);
+    sweep_singular<T>(state.y.data() + left, state.v.data() + left, at.y[base.last()].data() + left,
+                      at.v.data() + left, T(chain.contact.opening()), h, at.small, at.flag.data(),
+                      inner);
+    for (std::size_t k = 0; k < inner; ++k)
+      if (at.flag[k]) at.contacts.push_back(left + 1 + k);
+    if (chain.ends != Ends::free && window.last == n) try_end(n);
+  }
+
+  /// The true impulse of contact `i` less the one that the stages gave it, and the moments. A force
+  /// that is always there, like that of precompression, cancels and is left out of both.
+  template <class T, class Onsite, class Contact>
+  Impulse<T> defect(const Chain<Onsite, Contact>& chain, const State<T>& state, std::size_t i, T h,
+                    const NystromMemory<T>& at) const {
+    const std::size_t last = base.last();
+    const Quintic<T> x = overlap_during(chain, state, i, h, at);
+    const T d = T(chain.contact.opening()), eta = T(chain.eta_of(i)), open = chain.contact.force(d);
+    const double twice = 2 * chain.contact.exponent;
+    const auto push = [&](T s) { return eta * (chain.contact.force(d - x(s)) - open); };
+    Impulse<T> sum = exact_impulse(x, push, twice != std::floor(twice));
+    for (std::size_t k = 0; k <= last; ++k) {
+      const T f = contact_push(chain, k > 0 ? at.y[k].data() : state.y.data(), i) - eta * open;
+      sum.velocity -= T(base.b[k]) * f;
+      sum.position -= k < last ? T(base.a[last][k]) * f : T(0);
+      sum.shift -= at.shift_weight[k] * f;
+    }
+    return {h * sum.velocity, h * h * sum.position, h * h * h * sum.shift};
+  }
+
+  /// Runs `action(n)` once for every site that lies within `reach` of a listed contact.
+  template <class T, class Action>
+  static void near_contacts(const NystromMemory<T>& at, std::size_t reach, Action action) {
+    std::size_t next = 0;
+    for (std::size_t i : at.contacts) {
+      next = std::max(next, std::max(i, reach) - reach);
+      for (; next < std::min(i + reach, at.v.size()); ++next) action(next);
+    }
+  }
+
+  /// All corrections are computed before any is made, so that left and right are treated alike.
+  template <class T, class Onsite, class Contact>
+  void correct(const Chain<Onsite, Contact>& chain, const State<T>& state, Window& window, T h,
+               NystromMemory<T>& at) const {
+    if (window.first != window.last) find(chain, state, window, h, at);
+    if (at.contacts.empty()) return;
+    std::vector<T>&y = at.y[base.last()], &a = at.a[base.last()];
+    for (std::size_t i : at.contacts) at.correction[i] = defect(chain, state, i, h, at);
+    near_contacts(at, 1, [&](std::size_t n) {
+      const T inverse = chain.varied() ? T(chain.inverse_mass[n]) : T(1);
+      const Impulse<T>&left = at.correction[n], &right = at.correction[n + 1];
+      at.v[n] += inverse * (left.velocity - right.velocity);
+      y[n] += inverse * (left.position - right.position);
+      at.shift[n] = inverse * (left.shift - right.shift);
+      window = {std::min(window.first, n), std::max(window.last, n + 1)};
+    });
+    widen(chain, y.data(), window);
+    const auto pull = [&](std::size_t i) {
+      if (at.correction[i].velocity != T(0) || contact_push(chain, y.data(), i) == T(0))
+        return T(0);
+      return -T(chain.eta_of(i)) * chain.contact.stiffness(across(chain, y, i)) *
+             across(chain, at.shift, i);
+    };
+    near_contacts(at, 2, [&](std::size_t n) {
+      if (n < window.first || n >= window.last) return;
+      a[n] = chain.onsite.force(y[n]) +
+             (contact_push(chain, y.data(), n) - contact_push(chain, y.data(), n + 1));
+      T more = -chain.onsite.stiffness(y[n]) * at.shift[n] + (pull(n) - pull(n + 1));
+      if (chain.varied()) a[n] *= T(chain.inverse_mass[n]), more *= T(chain.inverse_mass[n]);
+      at.v[n] += more;
+    });
+    near_contacts(at, 1, [&](std::size_t n) { at.shift[n] = T(0); });
+    for (std::size_t i : at.contacts) at.correction[i] = {};
+  }
+};
+
+}  // namespace lattice
