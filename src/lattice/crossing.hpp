@@ -1,0 +1,331 @@
+#pragma once
+/**
+# Crossing an interval between switchings
+
+A contact of overlap $x$ pushes with $x_+^{3/2}$. Where it opens or closes, at $t^*$,
+its overlap crosses zero at a finite speed, so along an orbit the force behaves like
+$(t-t^*)_+^{3/2}$ and the stiffness, its derivative, like $(t-t^*)_+^{1/2}$. A formula
+of any order that steps across $t^*$ with a step $h$ integrates these as if they were
+polynomials and errs by $h\cdot h^{3/2}$ in the state and by $h\cdot h^{1/2}$ in the
+tangent map. Ending a step at $t^*$ is not enough: the derivatives of the square root
+still blow up at the end of the step.
+
+A change of the independent variable repairs this. With $t = t^* + u^2$ the root
+$(t-t^*)^{1/2} = u$ is a straight line, and the whole solution, which is a power series in
+$(t-t^*)^{1/2}$, becomes one in $u$. Its accuracy is then that of the formula again. */
+
+/**
+An interval $[a, a+L]$ between two switchings needs the square at both ends, and the
+simplest map with that property is the cubic
+$$t = a + L\,\varphi(s), \qquad \varphi(s) = 3s^2 - 2s^3, \qquad 0 \le s \le 1,$$
+for which $t - a \simeq 3Ls^2$ and $a + L - t \simeq 3L(1-s)^2$. We use it on every interval;
+at an end without a switching it does no harm. Unlike a cosine it needs no library
+function, so that its bits are the same everywhere.
+
+The variational equations pass a switching without a jump. In general the derivative of
+the flow across a surface in phase space gains a term proportional to the jump of the
+vector field there. The contact force is continuous, the jump is zero, and that the
+switching time depends on the initial state does not matter to first order. */
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "chain.hpp"
+#include "tangent.hpp"
+
+namespace lattice {
+
+/**
+One number governs all: `tolerance` bounds the error of a step, relative to the
+amplitude for the orbit and absolute for a tangent of order one. The others follow
+from it unless they are set; they are explained where they are used. */
+template <class T>
+struct Landing {
+  T tolerance = T(128) * std::numeric_limits<T>::epsilon();
+  T floor = T(-1);    ///< slower switchings are not landed on; < 0: from the tolerance
+  T sight = T(0.05);  ///< time step of the look-out for switchings
+  int levels = 2 + std::numeric_limits<T>::digits10 / 2;  ///< of the extrapolation, at most
+};
+
+/// What a flow did. `error` adds the estimates of all steps, in the tolerance's sense; where the
+/// solution runs away it exceeds one or is infinite, and the state is the last one computed.
+template <class T>
+struct Flow {
+  std::size_t switchings = 0;   ///< contacts that opened or closed under our eyes
+  std::size_t unlanded = 0;     ///< contacts that did so in the middle of a step all the same
+  std::size_t steps = 0;        ///< of the final passage; their column work is `column_sweeps`
+  std::size_t evaluations = 0;  ///< of the force on the whole chain
+  std::size_t column_sweeps = 0;
+  T error = T(0);
+  T energy_drift = T(0);  ///< relative
+};
+
+/**
+Only differences $\varphi(e)-\varphi(s)$ of the map are needed, and they factorise, so that
+short ones lose no digits to cancellation. */
+template <class T>
+T span(T s, T e) {
+  return (e - s) * (T(3) * (s + e) - T(2) * (s * s + s * e + e * e));
+}
+
+/// Stretch of contact i, `q[i] - q[i - 1]`, where a wall counts as a bead at rest.
+template <class T, class Onsite, class Contact>
+T stretch(const Chain<Onsite, Contact>& chain, const T* q, std::size_t i) {
+  const std::size_t n = chain.sites;
+  if (i > 0 && i < n) return q[i] - q[i - 1];
+  if (chain.ends == Ends::periodic) return q[0] - q[n - 1];
+  return i == 0 ? q[0] : -q[n - 1];
+}
+
+/// Whether there is a contact i; on a ring the first and the last one are the same.
+template <class Onsite, class Contact>
+bool touches(const Chain<Onsite, Contact>& chain, std::size_t i) {
+  if (i > 0 && i < chain.sites) return true;
+  return chain.ends == Ends::fixed || (chain.ends == Ends::periodic && i > 0);
+}
+
+/**
+Two loops that the compiler vectorises: one entry of the extrapolation table from its
+two predecessors, and the forces and curvatures along the chain. */
+template <class T>
+LATTICE_WIDE void refine(T* __restrict__ a, const T* __restrict__ b, T gain, std::size_t count) {
+  for (std::size_t k = 0; k < count; ++k) a[k] = b[k] + gain * (b[k] - a[k]);
+}
+
+template <class T, class Onsite, class Contact>
+LATTICE_WIDE void sweep_curvature(const Onsite onsite, const Contact contact,
+                                  const T* __restrict__ y, std::size_t n, T* __restrict__ push,
+                                  T* __restrict__ link, T* __restrict__ well) {
+  for (std::size_t i = 1; i < n; ++i) {
+    push[i] = contact.force(y[i] - y[i - 1]);
+    link[i] = contact.stiffness(y[i] - y[i - 1]);
+  }
+  for (std::size_t i = 0; i < n; ++i) well[i] = onsite.stiffness(y[i]);
+}
+
+/**
+The orbit travels with one column of the tangent, a probe. Its sole purpose is to show
+how accurate the columns will be, and whether the step suits them, before we carry all
+of them: the orbit is smoother than its tangent by one derivative and would be content
+with too little. Positions `y`, velocities `v` and, if there is a probe, its two halves
+lie in one array of two or four times the number of sites.
+
+The leapfrog drifts, kicks and drifts, so that it never evaluates a contact at the very
+switching, where the square root would magnify rounding errors. */
+template <class T, class Onsite, class Contact>
+class Leapfrog {
+ public:
+  Leapfrog(const Chain<Onsite, Contact>& chain, bool probe)
+      : chain_(chain), probe_(probe), push_(chain.sites + 1, T(0)) {}
+
+  /// `kicks` kicks from `s` to `s + h` on an interval of the given length; adds to `record`.
+  void run(std::vector<T>& z, T length, T s, T h, std::size_t kicks, Record<T>& record);
+  /// One plain step.
+  void step(std::vector<T>& z, T dt) {
+    Record<T> unused;
+    run(z, dt, T(0), T(1), 1, unused);
+  }
+  std::size_t evaluations = 0;
+
+ private:
+  void drift(std::vector<T>& z, T dt) const;
+  void kick(std::vector<T>& z, Curvature<T>& node);
+  void evaluate(const T* y, Curvature<T>& node);
+
+  const Chain<Onsite, Contact>& chain_;
+  bool probe_;
+  std::vector<T> push_;
+  std::vector<Row<T>> rows_;
+};
+
+/**
+Equal steps in $s$ are unequal ones in $t$. A kick lasts for the time between two whole
+steps, a drift for the time between two half steps; run backwards the sequence is the
+same, and so its error is a series in even powers of the step. */
+template <class T, class Onsite, class Contact>
+void Leapfrog<T, Onsite, Contact>::run(std::vector<T>& z, T length, T s, T h, std::size_t kicks,
+                                       Record<T>& record) {
+  const T half = h / T(double(2 * kicks));
+  const auto at = [&](std::size_t i) { return i == 2 * kicks ? s + h : s + half * T(double(i)); };
+  record.lead.push_back(length * span(at(0), at(1)));
+  drift(z, record.lead.back());
+  for (std::size_t i = 1; i < 2 * kicks; i += 2) {
+    Curvature<T> node{length * span(at(i - 1), at(i + 1)),
+                      length * span(at(i), at(std::min(i + 2, 2 * kicks))),
+                      std::vector<T>(chain_.sites), std::vector<T>(chain_.sites + 1, T(0))};
+    kick(z, node);
+    drift(z, node.drift);
+    if (probe_) record.nodes.push_back(std::move(node));
+  }
+}
+
+template <class T, class Onsite, class Contact>
+void Leapfrog<T, Onsite, Contact>::drift(std::vector<T>& z, T dt) const {
+  const std::size_t n = chain_.sites;
+  add_scaled(z.data(), z.data() + n, dt, n);
+  if (probe_) add_scaled(z.data() + 2 * n, z.data() + 3 * n, dt, n);
+}
+
+/**
+Forces and curvatures come from the same square roots. The contacts at the ends of the
+chain are settled by its boundary condition, as in chain.hpp. */
+template <class T, class Onsite, class Contact>
+void Leapfrog<T, Onsite, Contact>::kick(std::vector<T>& z, Curvature<T>& node) {
+  const std::size_t n = chain_.sites;
+  evaluate(z.data(), node);
+  for (std::size_t i = 0; i < n; ++i)
+    z[n + i] += node.kick * lightness<T>(chain_, i) *
+                (chain_.onsite.force(z[i]) + (push_[i] - push_[i + 1]));
+  if (!probe_) return;
+  rows_at(chain_, node, {0, n}, rows_);
+  kick_panel(rows_.data(), z.data() + 2 * n, z.data() + 3 * n, n, 1);
+}
+
+/**
+The sweep along the chain leaves out the two end contacts. */
+template <class T, class Onsite, class Contact>
+void Leapfrog<T, Onsite, Contact>::evaluate(const T* y, Curvature<T>& node) {
+  const std::size_t n = chain_.sites;
+  ++evaluations;
+  sweep_curvature(chain_.onsite, chain_.contact, y, n, push_.data(), node.link.data(),
+                  node.well.data());
+  for (std::size_t i : {std::size_t(0), n}) {
+    push_[i] = contact_push(chain_, y, i);
+    const bool pushes = touches(chain_, i) || chain_.ends == Ends::periodic;
+    node.link[i] =
+        pushes ? T(chain_.eta_of(i)) * chain_.contact.stiffness(stretch(chain_, y, i)) : T(0);
+  }
+  for (std::size_t i = 1; i < n && !chain_.eta.empty(); ++i) {
+    push_[i] *= T(chain_.eta[i]);
+    node.link[i] *= T(chain_.eta[i]);
+  }
+}
+
+/**
+A passage is the way across one interval: where it ends, the error met, and the records
+that the columns will follow. */
+template <class T>
+struct Passage {
+  std::vector<T> z;
+  T error = T(0);
+  std::vector<Record<T>> records;
+};
+
+/**
+A step adds one leapfrog level after the other until the last two extrapolated values
+agree, so that a short interval costs two or three levels and a long one as many as the
+precision allows. Where they do not suffice the step is halved. We compare the value of
+$j$ levels with that of $j-1$, which estimates the error of the latter: the usual
+comparison within level $j$ is smaller by a factor $j^2$ and trusts the asymptotic
+series too early when a switching of the recent past is still near.
+
+Agreement is measured on the orbit and on the probe. A runaway, a bead beyond the rim of
+a soft well, never agrees: a step of 1/16384 of the interval is taken as it is, and where
+the error then exceeds one the crossing gives up. */
+template <class T, class Onsite, class Contact>
+class Crossing {
+ public:
+  Crossing(const Chain<Onsite, Contact>& chain, const Landing<T>& rule, T amplitude)
+      : chain_(chain), rule_(rule), amplitude_(amplitude) {
+    rule_.tolerance = std::max(rule.tolerance, T(16) * std::numeric_limits<T>::epsilon());
+  }
+  /// Crosses an interval of the given length from the positions and velocities `z`.
+  Passage<T> cross(const std::vector<T>& z, T length, bool probe);
+  std::size_t evaluations = 0;
+
+ private:
+  std::vector<T> with_probe(std::vector<T> z) const;
+  T step(Leapfrog<T, Onsite, Contact>& leapfrog, std::vector<T>& z, T length, T s, T h,
+         Record<T>& record);
+  T difference(const std::vector<T>& a, const std::vector<T>& b) const;
+
+  const Chain<Onsite, Contact>& chain_;
+  Landing<T> rule_;
+  T amplitude_;
+  std::vector<std::vector<T>> table_;
+};
+
+/**
+The first step tries the whole interval. The rest of it is always divided evenly, so
+that no sliver remains at its end. */
+template <class T, class Onsite, class Contact>
+Passage<T> Crossing<T, Onsite, Contact>::cross(const std::vector<T>& z, T length, bool probe) {
+  Passage<T> way{probe ? with_probe(z) : z, T(0), {}};
+  Leapfrog<T, Onsite, Contact> leapfrog(chain_, probe);
+  const T shortest = T(1) / T(16384);
+  T s(0), h(1);
+  while (s < T(1) && way.error <= T(1)) {
+    const T pieces = T(int((T(1) - s) / h * T(0.999)) + 1);
+    h = (T(1) - s) / pieces;
+    Record<T> record;
+    record.duration = length * span(s, s + h);
+    std::vector<T> end = way.z;
+    const T error = step(leapfrog, end, length, s, h, record);
+    if (error > rule_.tolerance && h > shortest) {
+      h *= error > T(100) * rule_.tolerance ? T(0.5) : T(0.75);
+      continue;
+    }
+    way.z = std::move(end);
+    way.error += error;
+    s = pieces == T(1) ? T(1) : s + h;
+    if (record.levels() <= std::size_t(rule_.levels + 1) / 2) h *= T(2);
+    way.records.push_back(std::move(record));
+  }
+  evaluations += leapfrog.evaluations;
+  way.z.resize(2 * chain_.sites);
+  return way;
+}
+
+/// The probe begins each interval with the same numbers between -1 and 1, without any symmetry.
+template <class T, class Onsite, class Contact>
+std::vector<T> Crossing<T, Onsite, Contact>::with_probe(std::vector<T> z) const {
+  for (std::size_t i = 0, n = 2 * chain_.sites; i < n; ++i)
+    z.push_back(T(int(7 * i % 11) - 5) / T(5));
+  return z;
+}
+
+/**
+The table of the extrapolation holds increments, whose rounding errors are smaller than
+those of the values. After level $j$ its first entry is the polynomial in the square
+of the step through all $j$ results, taken at zero, by Neville's recursion. */
+template <class T, class Onsite, class Contact>
+T Crossing<T, Onsite, Contact>::step(Leapfrog<T, Onsite, Contact>& leapfrog, std::vector<T>& z,
+                                     T length, T s, T h, Record<T>& record) {
+  table_.clear();
+  T error = std::numeric_limits<T>::infinity();
+  for (std::size_t j = 1; j <= std::size_t(rule_.levels) && !(error <= rule_.tolerance); ++j) {
+    const std::vector<T> previous = j > 1 ? table_.front() : z;
+    table_.push_back(z);
+    leapfrog.run(table_.back(), length, s, h, j, record);
+    add_scaled(table_.back().data(), z.data(), T(-1), z.size());
+    for (std::size_t i = j - 1; i > 0; --i) {
+      const T ratio = T(double(j)) / T(double(i)), gain = T(1) / (ratio * ratio - T(1));
+      refine(table_[i - 1].data(), table_[i].data(), gain, z.size());
+    }
+    if (j > 1) error = difference(table_.front(), previous);
+  }
+  add_scaled(z.data(), table_.front().data(), T(1), z.size());
+  return error;
+}
+
+/**
+The difference is taken relative to the amplitude for the orbit and absolute for the
+probe. It is infinite where anything is not a number. */
+template <class T, class Onsite, class Contact>
+T Crossing<T, Onsite, Contact>::difference(const std::vector<T>& a, const std::vector<T>& b) const {
+  const std::size_t orbit = 2 * chain_.sites;
+  T worst[2] = {T(0), T(0)}, sum(0);
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    const T d = a[k] - b[k], size = d < T(0) ? -d : d;
+    T& most = worst[k < orbit ? 0 : 1];
+    most = size > most ? size : most;
+    sum += size;
+  }
+  if (!(sum < std::numeric_limits<T>::infinity())) return std::numeric_limits<T>::infinity();
+  return std::max(worst[0] / amplitude_, worst[1]);
+}
+
+}  // namespace lattice

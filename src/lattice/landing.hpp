@@ -1,0 +1,374 @@
+#pragma once
+/**
+# Landing on the switchings
+
+With crossing.hpp an interval without a switching costs little and is exact to the last
+digits, so the work left is to find out where the intervals end. We look ahead with
+a plain leapfrog and small steps, cross the interval up to the place where it saw a
+switching, correct that place with the overlap we find there, and repeat. The overlap's
+second derivative is known as well, it is in the forces, and the root of the parabola
+$x + \dot x\tau + \ddot x\tau^2/2$ makes the correction converge with order three: two or
+three passages suffice. The columns of a tangent follow the last one only.
+
+Nothing depends on the look-out being right. The forces are those of the true contact law
+everywhere, never those of a contact held open or closed, and a switching that it missed
+shows after the passage as an overlap with the wrong sign, which we then land on. */
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "chain.hpp"
+#include "crossing.hpp"
+#include "tangent.hpp"
+
+namespace lattice {
+
+/**
+Near its zero the motion of an overlap, positive where the contact is closed, is known
+from its value, speed and acceleration. The two roots of the parabola are computed in
+the form that does not cancel. */
+template <class T>
+struct Overlap {
+  T x, u, w;
+
+  /// Time from now to the root through which the overlap leaves `side`; infinity without one.
+  T leaves(int side) const {
+    using std::sqrt;
+    const T square = u * u - T(2) * x * w, none = std::numeric_limits<T>::infinity();
+    if (!(square >= T(0))) return none;
+    const bool departs = T(side) * u < T(0);
+    const T q = u < T(0) ? sqrt(square) - u : -(u + sqrt(square));
+    if (departs) return T(2) * x / q;
+    return w != T(0) ? q / w : none;
+  }
+  /// Time from now to the extremum.
+  T turns() const { return w != T(0) ? -u / w : std::numeric_limits<T>::infinity(); }
+};
+
+/**
+Between two steps of the look-out an overlap is well represented by the cubic that
+has its values and speeds. A contact may close and open again within a step; then
+the ends have the same sign and the cubic has an extremum of the other one. */
+template <class T>
+struct Arc {
+  T x0, u0, x1, u1, dt;
+
+  T value(T s) const {
+    const T r = T(1) - s;
+    return r * r * ((T(1) + T(2) * s) * x0 + s * dt * u0) +
+           s * s * ((T(1) + T(2) * r) * x1 - r * dt * u1);
+  }
+  T slope(T s) const {
+    const T r = T(1) - s;
+    return T(6) * s * r * (x1 - x0) / dt + r * (T(1) - T(3) * s) * u0 + s * (T(3) * s - T(2)) * u1;
+  }
+  /// First place in (0, end) after which `holds` fails, by bisection.
+  template <class Holds>
+  static T last(T end, Holds holds) {
+    T low(0), high = end;
+    for (int i = 0; i < 24; ++i) {
+      const T middle = (low + high) / T(2);
+      (holds(middle) ? low : high) = middle;
+    }
+    return high;
+  }
+};
+
+/**
+What the look-out reports is a place ahead, where a contact switches (`crosses`) or comes
+so close to it that we have a look there. */
+template <class T>
+struct Sight {
+  static constexpr std::size_t none = std::size_t(-1);
+  T ahead;
+  std::size_t bond = none;
+  bool crosses = false;
+};
+
+template <class T>
+int sign_of(T x) {
+  return x > T(0) ? 1 : x < T(0) ? -1 : 0;
+}
+template <class T>
+T magnitude(T x) {
+  return x < T(0) ? -x : x;
+}
+
+/**
+Two small numbers decide what is worth a landing. A switching at speed $u$ that lies
+inside a step of length $h$ makes an error of the order $0.1\,u^{1/2}h^{3/2}$ in the tangent
+and $0.1\,u^{3/2}h^{5/2}$ in the state, so that below `floor`, the square of the tolerance for a
+tangent and its power 3/4 for an orbit alone, there is no need. The tail of a breather falls
+double-exponentially and soon drops out, and with it the risk of chasing rounding errors.
+With a floor of zero every contact of the chain is landed on, however faint.
+
+A landing that misses by $\delta$ costs $\delta^{3/2}$. Contacts within `slack`, the power 3/4
+of the tolerance, therefore switch together: those paired by symmetry need one landing. Where an
+overlap only touches zero, $x \simeq c(t-t^*)^2$, its stiffness has a corner there, of which a miss
+by $\delta$ keeps an error $\delta^2$: we land on such an extremum within `near`. */
+template <class T>
+struct Care {
+  T floor, slack, near;
+
+  Care(const Landing<T>& rule, T amplitude, bool tangent) {
+    using std::sqrt;
+    const T fine = tangent ? rule.tolerance : rule.tolerance * amplitude;
+    floor = rule.floor >= T(0) ? rule.floor : tangent ? fine * fine / T(16) : power34(fine);
+    slack = power34(rule.tolerance) / T(4);
+    near = sqrt(rule.tolerance) / T(16);
+  }
+  static T power34(T x) {
+    using std::sqrt;
+    return sqrt(x * sqrt(x));
+  }
+};
+
+/**
+The scale of the orbit's error is its largest position or velocity at the start. */
+template <class T>
+T largest(const State<T>& state) {
+  T most(0);
+  for (std::size_t n = 0; n < state.y.size(); ++n)
+    most = std::max({most, magnitude(state.y[n]), magnitude(state.v[n])});
+  return most > T(0) ? most : T(1);
+}
+
+/**
+A flight remembers on which side of zero each overlap is: +1 closed, -1 open, 0 not yet
+known (a bead at rest whose neighbour is at rest). Time is counted backwards, as what
+is left of the duration, so that tiny intervals are known to full relative precision. */
+template <class T, class Onsite, class Contact>
+class Flight {
+ public:
+  Flight(const Chain<Onsite, Contact>& chain, const State<T>& state, T duration,
+         const Landing<T>& rule, Tangent<T>* tangent);
+  Flow<T> fly();
+  const std::vector<T>& end() const { return z_; }
+
+ private:
+  Overlap<T> overlap(const std::vector<T>& z, const std::vector<T>& a, std::size_t i) const;
+  Sight<T> look();
+  void watch(const std::vector<T>& before, const std::vector<T>& now, T dt, std::size_t i,
+             bool start, Sight<T>& first);
+  void land(Sight<T> target, bool corrected);
+  Sight<T> correction(const std::vector<T>& z, const std::vector<T>& a,
+                      const Sight<T>& target) const;
+  void arrive(const Passage<T>& way, const std::vector<T>& a, const Sight<T>& target);
+  void settle(const Overlap<T>& o, int& side);
+
+  const Chain<Onsite, Contact>& chain_;
+  Tangent<T>* tangent_;
+  Landing<T> rule_;
+  T left_;
+  std::vector<T> z_;
+  std::vector<int> side_, glanced_;
+  Care<T> care_;
+  Crossing<T, Onsite, Contact> crossing_;
+  Flow<T> flow_;
+};
+
+/**
+A contact that begins at zero is on the side to which its speed carries it, or its
+acceleration where the beads start from rest. */
+template <class T, class Onsite, class Contact>
+Flight<T, Onsite, Contact>::Flight(const Chain<Onsite, Contact>& chain, const State<T>& state,
+                                   T duration, const Landing<T>& rule, Tangent<T>* tangent)
+    : chain_(chain),
+      tangent_(tangent),
+      rule_(rule),
+      left_(duration),
+      z_(state.y),
+      side_(chain.sites + 1, 0),
+      glanced_(chain.sites + 1, 0),
+      care_(rule, largest(state), tangent != nullptr),
+      crossing_(chain, rule, largest(state)) {
+  z_.insert(z_.end(), state.v.begin(), state.v.end());
+  const std::vector<T> a = accelerations(chain_, state.y);
+  for (std::size_t i = 0; i <= chain_.sites; ++i) {
+    const Overlap<T> o = overlap(z_, a, i);
+    side_[i] = sign_of(o.x != T(0) ? o.x : o.u != T(0) ? o.u : o.w);
+  }
+}
+
+/**
+Positions and velocities are in `z`, accelerations in `a`, which is empty where they do
+not matter. */
+template <class T, class Onsite, class Contact>
+Overlap<T> Flight<T, Onsite, Contact>::overlap(const std::vector<T>& z, const std::vector<T>& a,
+                                               std::size_t i) const {
+  if (!touches(chain_, i)) return {T(-1), T(0), T(0)};
+  return {T(chain_.contact.opening()) - stretch(chain_, z.data(), i),
+          -stretch(chain_, z.data() + chain_.sites, i),
+          a.empty() ? T(0) : -stretch(chain_, a.data(), i)};
+}
+
+/**
+Every landing either moves on or turns a contact over, but rounding could make a contact
+at rest at zero chatter. The number of landings is bounded; beyond it we fly straight
+to the end, with steps as short as the tolerance asks for. */
+template <class T, class Onsite, class Contact>
+Flow<T> Flight<T, Onsite, Contact>::fly() {
+  const double limit = 64 * (1 + double(left_)) * double(chain_.sites + 1);
+  for (double landings = 0; left_ > T(0); ++landings)
+    land(landings < limit ? look() : Sight<T>{left_}, landings < limit);
+  flow_.evaluations += crossing_.evaluations;
+  return flow_;
+}
+
+/**
+The look-out stops at the first step in which a contact switches. Among several in
+the same step the earliest counts; the others are found by the next look. */
+template <class T, class Onsite, class Contact>
+Sight<T> Flight<T, Onsite, Contact>::look() {
+  Leapfrog<T, Onsite, Contact> scout(chain_, false);
+  std::vector<T> before, now = z_;
+  Sight<T> first{left_};
+  for (T gone(0); gone < left_ && first.bond == Sight<T>::none;) {
+    const T dt = std::min(rule_.sight, left_ - gone);
+    before = now;
+    scout.step(now, dt);
+    first.ahead = dt;
+    for (std::size_t i = 0; i <= chain_.sites; ++i)
+      if (touches(chain_, i)) watch(before, now, dt, i, gone == T(0), first);
+    first.ahead = gone + first.ahead;
+    gone += dt;
+  }
+  flow_.evaluations += scout.evaluations;
+  if (first.bond == Sight<T>::none || first.ahead > left_) first.ahead = left_;
+  return first;
+}
+
+/**
+A contact that turns round within 1/500 of its amplitude from zero may or may not have
+switched; the leapfrog cannot tell. We land on its extremum and see. `glanced_` keeps
+us from landing there again at the `start` of the next look. */
+template <class T, class Onsite, class Contact>
+void Flight<T, Onsite, Contact>::watch(const std::vector<T>& before, const std::vector<T>& now,
+                                       T dt, std::size_t i, bool start, Sight<T>& first) {
+  const Overlap<T> o = overlap(before, {}, i), p = overlap(now, {}, i);
+  const T size = std::max({magnitude(o.x), magnitude(o.u), magnitude(p.x), magnitude(p.u)});
+  const T side = T(side_[i]);
+  if (side_[i] == 0 || size <= care_.floor) {
+    if (p.x != T(0)) side_[i] = sign_of(p.x);
+    return;
+  }
+  const Arc<T> arc{o.x, o.u, p.x, p.u, dt};
+  const auto stays = [&](T s) { return side * arc.value(s) > T(0); };
+  Sight<T> found{dt, i, true};
+  if (side * p.x < T(0)) {
+    found.ahead *= Arc<T>::last(T(1), stays);
+  } else if (side * o.u < T(0) && side * p.u > T(0) && !(start && glanced_[i])) {
+    const T turn = Arc<T>::last(T(1), [&](T s) { return side * arc.slope(s) < T(0); });
+    const T dip = side * arc.value(turn), amplitude = std::max(size, magnitude(p.u - o.u) / dt);
+    if (dip > amplitude / T(500)) return;
+    found.crosses = dip < T(0);
+    found.ahead *= found.crosses ? Arc<T>::last(turn, stays) : turn;
+  } else {
+    return;
+  }
+  if (first.bond == Sight<T>::none || found.ahead < first.ahead) first = found;
+}
+
+/**
+A landing rehearses once without the probe, to correct the target. It ends when the
+correction is too small to matter; whatever contact is found on the wrong side at the
+end of a passage switched within it, and becomes the target. After a dozen attempts, or
+on a runaway, or where landings are no longer `corrected`, the passage stands as it is. */
+template <class T, class Onsite, class Contact>
+void Flight<T, Onsite, Contact>::land(Sight<T> target, bool corrected) {
+  for (int attempt = 0;; ++attempt) {
+    const bool rehearsal = target.bond != Sight<T>::none && attempt == 0;
+    const Passage<T> way = crossing_.cross(z_, target.ahead, tangent_ && !rehearsal);
+    const std::vector<T> y(way.z.begin(), way.z.begin() + long(chain_.sites));
+    const std::vector<T> a = accelerations(chain_, y);
+    const Sight<T> shift = correction(way.z, a, target);
+    const T enough = shift.crosses ? care_.slack : care_.near;
+    const bool settled = magnitude(shift.ahead) <= enough, lost = !(way.error <= T(1));
+    if ((settled && !rehearsal) || attempt == 12 || !corrected || lost)
+      return arrive(way, a, target);
+    target = {target.ahead + shift.ahead, shift.bond, shift.crosses};
+    if (target.ahead >= left_) target = {left_};
+  }
+}
+
+/**
+Among the contacts on the wrong side and the one aimed at, the one that switched first
+is the next target; `ahead` is the time from the end of the passage to its switching, in
+general negative. A contact that does not switch after all shows us its extremum. */
+template <class T, class Onsite, class Contact>
+Sight<T> Flight<T, Onsite, Contact>::correction(const std::vector<T>& z, const std::vector<T>& a,
+                                                const Sight<T>& target) const {
+  Sight<T> first{T(0)};
+  const auto reachable = [&](T t) { return magnitude(t) < T(1) && target.ahead + t > T(0); };
+  for (std::size_t i = 0; i <= chain_.sites; ++i) {
+    const Overlap<T> o = overlap(z, a, i);
+    const bool aimed = target.crosses && i == target.bond, wrong = T(side_[i]) * o.x < T(0);
+    if (!(aimed || wrong) || std::max(magnitude(o.x), magnitude(o.u)) <= care_.floor) continue;
+    const T shift = o.leaves(side_[i]);
+    if (reachable(shift) && (!first.crosses || shift < first.ahead)) first = {shift, i, true};
+  }
+  if (first.crosses || target.bond == Sight<T>::none) return first;
+  const T shift = overlap(z, a, target.bond).turns();
+  return reachable(shift) ? Sight<T>{shift, target.bond, false} : first;
+}
+
+/**
+The passage is final. The orbit moves, the columns follow along the records, and the
+contacts take their sides: at zero the speed decides, elsewhere the overlap. A stiffness
+of 1/64 of the tolerance is negligible to the columns. */
+template <class T, class Onsite, class Contact>
+void Flight<T, Onsite, Contact>::arrive(const Passage<T>& way, const std::vector<T>& a,
+                                        const Sight<T>& target) {
+  z_ = way.z;
+  left_ = target.ahead < left_ && way.error <= T(1) ? left_ - target.ahead : T(0);
+  flow_.error += way.error;
+  flow_.steps += way.records.size();
+  for (const Record<T>& record : way.records)
+    if (tangent_) {
+      carry(chain_, record, rule_.tolerance / T(64), *tangent_);
+      flow_.column_sweeps += record.nodes.size();
+    }
+  if (target.ahead > rule_.sight / T(100)) std::fill(glanced_.begin(), glanced_.end(), 0);
+  if (target.bond != Sight<T>::none && !target.crosses) glanced_[target.bond] = 1;
+  for (std::size_t i = 0; i <= chain_.sites; ++i) settle(overlap(z_, a, i), side_[i]);
+}
+
+/**
+A contact within `slack` of zero that moves away from its side has switched. One that is
+found elsewhere on the wrong side was not landed on, and is counted if it matters. */
+template <class T, class Onsite, class Contact>
+void Flight<T, Onsite, Contact>::settle(const Overlap<T>& o, int& side) {
+  const bool live = std::max(magnitude(o.x), magnitude(o.u)) > care_.floor;
+  if (live && magnitude(o.x) <= T(2) * care_.slack * magnitude(o.u)) {
+    if (T(side) * o.u < T(0)) {
+      ++flow_.switchings;
+      side = sign_of(o.u);
+    }
+  } else if (T(side) * o.x < T(0)) {
+    flow_.unlanded += live;
+    side = sign_of(o.x);
+  }
+}
+
+/**
+This is what programs call. It advances `state` by `duration` and, if there is one, replaces
+`tangent` by its image under the derivative of the flow. */
+template <class T, class Onsite, class Contact>
+Flow<T> flow(const Chain<Onsite, Contact>& chain, State<T>& state, T duration,
+             const Landing<T>& rule = {}, Tangent<T>* tangent = nullptr) {
+  const T before = energy(chain, state);
+  Flight<T, Onsite, Contact> flight(chain, state, duration, rule, tangent);
+  Flow<T> result = flight.fly();
+  const auto middle = flight.end().begin() + long(chain.sites);
+  state.y.assign(flight.end().begin(), middle);
+  state.v.assign(middle, flight.end().end());
+  state.t += duration;
+  const T change = magnitude(energy(chain, state) - before);
+  result.energy_drift = before != T(0) ? change / magnitude(before) : change;
+  return result;
+}
+
+}  // namespace lattice
