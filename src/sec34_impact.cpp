@@ -51,24 +51,12 @@ the run needs: nothing ever returns from the far end.
 
 ## Method
 
-The motion is Hamiltonian, so the packet's energy is what must not leak: we use a
-symmetric splitting of order six. Openings and closings of contacts limit its accuracy
-to order 2.5 (integrate.hpp says why), so a step is not trusted because it is small:
-every computation runs twice, with steps $h$ and $h/2$, and the difference is the error
-that the tables quote. Beads ahead of the front rest exactly and cost nothing. */
-constexpr double step = 0.04;
-
-Splitting stepper(int halvings) {
-  return {blanes_moan_6(), std::ldexp(step, -halvings)};
-}
-
-/// Runs `compute(halvings)` for the coarse and the fine step, one on each core if there are two.
-template <class Compute>
-auto twice(Compute compute) {
-  std::pair<decltype(compute(0)), decltype(compute(0))> out;
-  parallel_for(2, [&](std::size_t k) { (k ? out.second : out.first) = compute(int(k)); });
-  return out;
-}
+The chain is integrated by a Runge–Kutta–Nyström method that knows about contact
+(contact_rkn.hpp says why that matters). We state a tolerance for the end state, relative
+to its largest entry; the step is halved until two runs in a row agree to it, and each
+derived number carries the difference of these two runs as its error. Beads ahead of the
+front rest exactly and cost nothing. */
+constexpr double tolerance = 1e-4;
 
 /**
 The packet's speed is the slope of its energy centre. The article fits it far enough from
@@ -166,24 +154,28 @@ and that too is part of the error.
 ![Energy density of both.](fig:18) */
 struct ChainImpact {
   Outcome outcome{};
+  State<double> end{};
+  Run run{};
   double amplitude = 0, amplitude_error = 0, seven = 0;
   std::vector<std::vector<double>> densities{};
 };
 
-ChainImpact chain_run(int halvings, std::size_t maps) {
+ChainImpact chain_run(const ContactAware& stepper, std::size_t maps) {
   const double duration = tau_end / std::sqrt(eps);
   const std::size_t each = 200;  // samples between two rows of the map
   const double sample = duration / double(maps * each), one_site = 1 / 0.0109;
 
   ChainImpact out;
   std::size_t k = 0;
-  out.outcome = follow(stepper(halvings - 1), {2 * eps, 0, duration, dps_sites}, far_away, sample,
+  out.outcome = follow(stepper, {2 * eps, 0, duration, dps_sites}, far_away, sample,
                        [&](const State<double>& now, const std::vector<double>& e) {
                          if (k++ % each == 0) out.densities.push_back(e);
                          if (now.t > duration - one_site)
                            for (std::size_t n = 20; n < dps_sites; ++n)
                              out.amplitude = std::max(out.amplitude, std::abs(now.y[n]));
                        });
+  out.end = out.outcome.end;
+  out.run = out.outcome.run;
   const std::size_t site = *front_packet(out.outcome.density);
   out.amplitude_error = out.amplitude * sample * sample / 8;
   out.seven = window_sum(out.outcome.density, site, 3) / window_sum(out.outcome.density, site);
@@ -233,7 +225,9 @@ double map_error(const ChainImpact& coarse, const ChainImpact& fine) {
 }
 
 void report_comparison(Report& report, const DpsOutcome& dps) {
-  const auto [coarse, fine] = twice([](int k) { return chain_run(k, 400); });
+  const auto runs =
+      converge(tolerance, [](const ContactAware& stepper) { return chain_run(stepper, 400); });
+  const auto &coarse = runs.coarse, &fine = runs.fine;
   const double duration = tau_end / std::sqrt(eps);
   report.output.add("impact_profiles", profiles(coarse, fine, dps_state(dps.end, eps, duration)));
   report.output.add("impact_density_maps", density_maps(fine));
@@ -309,13 +303,10 @@ struct SweepPoint {
 
 void measure(SweepPoint& point) {
   const double slow = 0.36 * std::sqrt(point.velocity / 2);  // speed in the DpS limit
-  std::vector<Outcome> runs;
-  for (int k : {0, 1}) {
-    runs.push_back(follow(stepper(k), {point.velocity, point.s, 3 * fit_to / slow, 90}, fit_to + 2,
-                          0.2, Unwatched{}));
-    if ((point.blows_up = runs[k].run.escaped())) return;
-  }
-  const Track &coarse = runs[0].track, &fine = runs[1].track;
+  const auto runs =
+      follow_to(tolerance, {point.velocity, point.s, 3 * fit_to / slow, 90}, fit_to + 2, 0.2);
+  if ((point.blows_up = runs.fine.run.escaped())) return;
+  const Track &coarse = runs.coarse.track, &fine = runs.fine.track;
   point.speed = compare(speed_of(coarse, fit_to), speed_of(fine, fit_to));
   point.speed.error += fine.line(fit_from, fit_to)->slope_error;
   point.peak = compare(coarse.largest_peak(fit_from, fit_to), fine.largest_peak(fit_from, fit_to));
@@ -353,9 +344,10 @@ Band blowup_band(const Well& well, std::size_t count, double time, Table& scan) 
   parallel_for(count, [&](std::size_t i) {
     velocity[i] = well.band_from + (well.band_to - well.band_from) * double(i) / double(count - 1);
     for (std::size_t k : {0, 1}) {
+      const ContactAware stepper{k ? 0.05 : 0.1};
       const Chain<Quartic, Hertz> chain{100, {well.s}};
       State<double> state = struck(chain.sites, velocity[i]);
-      escape[k][i] = evolve(stepper(int(k)), chain, state, time, 2, Unobserved{}).escape_time;
+      escape[k][i] = evolve(stepper, chain, state, time, 2, Unobserved{}).escape_time;
     }
     progress.tick();
   });
@@ -479,9 +471,8 @@ struct Surface {
 };
 
 Surface surface(double s, double velocity) {
-  const auto [coarse, fine] = twice([&](int k) {
-    return follow(stepper(k), {velocity, s, 900, 90}, fit_to + 2, 0.2, Unwatched{});
-  });
+  const auto runs = follow_to(tolerance, {velocity, s, 900, 90}, fit_to + 2, 0.2);
+  const Outcome &coarse = runs.coarse, &fine = runs.fine;
   const auto share = [](const Outcome& out) {
     return out.track.energy.back() / total(out.density);
   };
@@ -493,7 +484,7 @@ Surface surface(double s, double velocity) {
 /// Contact forces f_n = -(y_n - y_{n+1})_+^{3/2} on a grid of times and sites.
 void add_forces(Table& table, double s, double velocity) {
   const std::size_t sites = 80, shown = 60;
-  follow(stepper(1), {velocity, s, 300, sites}, far_away, 0.5,
+  follow(stepper_for(tolerance, largest_step / 4), {velocity, s, 300, sites}, far_away, 0.5,
          [&](const State<double>& now, const std::vector<double>&) {
            const auto force = contact_forces(Chain<Quartic, Hertz>{sites, {s}}, now.y);
            for (std::size_t n = 0; n < shown; ++n)
@@ -502,9 +493,8 @@ void add_forces(Table& table, double s, double velocity) {
 }
 
 Table snapshot(double s, double velocity, double time) {
-  const auto [coarse, fine] = twice([&](int k) {
-    return follow(stepper(k + 1), {velocity, s, time, 160}, far_away, 1, Unwatched{});
-  });
+  const auto runs = follow_to(tolerance, {velocity, s, time, 160}, far_away, 1);
+  const Outcome &coarse = runs.coarse, &fine = runs.fine;
   Table table{{{"n", "site", "site", Kind::integer},
                {"v", "", "velocity", Kind::real},
                {"v_error", "", "difference of two resolutions", Kind::real}}};
@@ -548,6 +538,7 @@ struct RunOptions {
   Impact impact{1.87, 0, 600, 0};
   std::string onsite = "quartic";
   bool profile = false;
+  double tolerance = ::tolerance;
 
   /// Completes what the reader left open: a chain that the motion does not reach the end of.
   Impact complete() const {
@@ -602,12 +593,11 @@ Table run_profile(const Outcome& fine) {
 
 Table run_command(const RunOptions& options) {
   const Impact impact = options.complete();
-  const auto [coarse, fine] =
-      twice([&](int k) { return follow(stepper(k), impact, far_away, 0.2, Unwatched{}); });
-  for (const Outcome* out : {&coarse, &fine})
-    if (out->run.escaped())
-      throw Failure("the solution blows up at t = " + std::to_string(out->run.escape_time) +
-                    ": --velocity is beyond the threshold of this well");
+  const auto runs = follow_to(options.tolerance, impact, far_away, 0.2);
+  const Outcome &coarse = runs.coarse, &fine = runs.fine;
+  if (fine.run.escaped())
+    throw Failure("the solution blows up at t = " + std::to_string(fine.run.escape_time) +
+                  ": --velocity is beyond the threshold of this well");
   return options.profile ? run_profile(fine) : run_quantities(impact, coarse, fine);
 }
 
@@ -627,6 +617,8 @@ int main(int argc, char** argv) {
       ->check(in_range(2, 1e6));
   run->add_option("--precompression", impact.precompression, "compression d of the contacts")
       ->check(in_range(0, 10));
+  run->add_option("--tolerance", options.tolerance, "relative error allowed in the end state")
+      ->check(in_range(1e-11, 0.1));
   run->add_flag("--profile", options.profile, "print the final profile n,y,v,e instead");
 
   program.everything = [&](Output& output) {

@@ -32,10 +32,10 @@ also be thrown back over $y = -\pi$, and leaves.
 
 The same runs are made with two steps. Where they disagree about the integers below, the
 velocity is marked and supports no statement. */
-constexpr double step = 0.04;
+constexpr double step = 0.05;
 
-Splitting stepper(int halvings) {
-  return {blanes_moan_6(), std::ldexp(step, -halvings)};
+ContactAware stepper(int halvings) {
+  return {std::ldexp(step, -halvings)};
 }
 
 /**
@@ -144,7 +144,8 @@ Results everything(Output& output, bool quick) {
   std::size_t still = 0, always = points.size(), disagree = 0;
   while (still < points.size() && points[still].counts.moved == 0) ++still;
   const auto is_kink = [](const Point& p) {
-    return p.agree && p.counts.ejected_far > 0 && p.counts.moved + 1 >= std::int64_t(Options{}.sites);
+    return p.agree && p.counts.ejected_far > 0 &&
+           p.counts.moved + 1 >= std::int64_t(Options{}.sites);
   };
   while (always > 0 && is_kink(points[always - 1])) --always;
   for (const Point& p : points) disagree += !p.agree;

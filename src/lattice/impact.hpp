@@ -13,8 +13,8 @@ belong to the chapters. */
 #include <utility>
 #include <vector>
 
+#include "accuracy.hpp"
 #include "dps.hpp"
-#include "integrate.hpp"
 #include "observe.hpp"
 
 namespace lattice {
@@ -95,6 +95,14 @@ struct Unwatched {
   template <class S, class D>
   void operator()(const S&, const D&) const {}
 };
+
+/// The same at two resolutions that agree to `tolerance` (see accuracy.hpp). Throws NotConverged.
+inline Pair<Outcome> follow_to(double tolerance, const Impact& impact, double until,
+                               double sample) {
+  return converge(tolerance, [&](const ContactAware& stepper) {
+    return follow(stepper, impact, until, sample, Unwatched{});
+  });
+}
 
 /// The same for the DpS equation, whose density is |A_n|^2 and whose time is tau.
 struct DpsOutcome {

@@ -91,10 +91,17 @@ struct Splitting {
   Scheme scheme;
   double step;
 
+  /// A splitting needs no memory of its own.
+  struct Memory {};
+  template <class T, class Onsite, class Contact>
+  Memory memory(const Chain<Onsite, Contact>&) const {
+    return {};
+  }
+
   /// Advances `state` by `count` steps of length `h`; returns the number of site-force evaluations.
   template <class T, class Onsite, class Contact>
   double advance(const Chain<Onsite, Contact>& chain, State<T>& state, Window& window, double h,
-                 std::size_t count) const {
+                 std::size_t count, Memory&) const {
     const std::size_t last = scheme.kick.size() - 1;
     double work = 0;
     T carried(0);
@@ -119,6 +126,8 @@ leaves every bound, as it does beyond the rim of a soft well. */
 struct Run {
   double energy_drift = 0;
   double work = 0;  ///< site-force evaluations
+  double error =
+      0;  ///< relative error of the end state, where a tolerance was asked for (accuracy.hpp)
   double t_end = 0;
   double escape_time = std::numeric_limits<double>::infinity();
   bool escaped() const { return std::isfinite(escape_time); }
@@ -149,10 +158,11 @@ Run evolve(const Stepper& stepper, const Chain<Onsite, Contact>& chain, State<do
   const auto steps = std::size_t(std::ceil(interval / stepper.step * (1 - 1e-12)));
   const double start = energy(chain, state), scale = start != 0 ? std::abs(start) : 1;
   Window window = waking(chain, state);
+  auto memory = stepper.template memory<double>(chain);
   Run run{.t_end = t0};
   if (!goes_on(observe, state)) return run;
   for (std::size_t k = 1; k <= samples; ++k) {
-    run.work += stepper.advance(chain, state, window, interval / double(steps), steps);
+    run.work += stepper.advance(chain, state, window, interval / double(steps), steps, memory);
     state.t = t0 + interval * double(k);
     const double e = energy(chain, state);
     const bool bounded = std::all_of(state.y.begin(), state.y.end(),
