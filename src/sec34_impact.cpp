@@ -121,7 +121,7 @@ Band blowup_band(const Well& well, std::size_t count, double time, Table& scan) 
   });
   Band band{well.band_to, well.band_from, velocity[1] - velocity[0]};
   for (std::size_t i = 0; i < count; ++i) {
-    const bool gone[] = {escape[0][i] < time, escape[1][i] < time};
+    const bool gone[] = {std::isfinite(escape[0][i]), std::isfinite(escape[1][i])};
     if (gone[0] && gone[1]) band.first_escape = std::min(band.first_escape, velocity[i]);
     if (!gone[0] && !gone[1]) band.last_survivor = std::max(band.last_survivor, velocity[i]);
     scan.add({well.s, velocity[i], gone[1] ? escape[1][i] : std::nan(""),
