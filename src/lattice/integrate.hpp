@@ -86,6 +86,28 @@ inline Scheme blanes_moan_6_14() {
   return scheme;
 }
 
+/**
+A run of many steps is one long list of stages, each a kick and a drift. Between two
+steps the last kick of the one and the first of the other are merged, so that `count`
+steps of a scheme with `m` kicks have `count * (m - 1) + 1` stages. */
+template <class T>
+struct Stage {
+  T kick, drift;
+};
+
+inline std::size_t stage_count(const Scheme& scheme, std::size_t steps) {
+  return steps > 0 ? steps * (scheme.kick.size() - 1) + 1 : 0;
+}
+
+/// Stage `k` of a run with steps of length `h`.
+template <class T>
+Stage<T> stage_at(const Scheme& scheme, double h, std::size_t steps, std::size_t k) {
+  const std::size_t last = scheme.kick.size() - 1, i = k == steps * last ? last : k % last;
+  const bool merged = i == 0 && k > 0;
+  const T kick = T(scheme.kick[i] * h), before = merged ? T(scheme.kick[last] * h) : T(0);
+  return {kick + before, T(scheme.drift[i] * h)};
+}
+
 /// A splitting scheme with its step: the plainest stepper.
 struct Splitting {
   Scheme scheme;
@@ -95,19 +117,12 @@ struct Splitting {
   template <class T, class Onsite, class Contact>
   double advance(const Chain<Onsite, Contact>& chain, State<T>& state, Window& window, double h,
                  std::size_t count) const {
-    const std::size_t last = scheme.kick.size() - 1;
     double work = 0;
-    T carried(0);
-    for (std::size_t k = 0; k < count; ++k)
-      for (std::size_t i = 0; i <= last; ++i) {
-        if (i == last && k + 1 < count) {
-          carried = T(scheme.kick[last] * h);
-          break;
-        }
-        const T kick = T(scheme.kick[i] * h) + (i == 0 ? carried : T(0));
-        kick_drift(chain, state, window, kick, T(scheme.drift[i] * h));
-        work += double(window.last - window.first);
-      }
+    for (std::size_t k = 0; k < stage_count(scheme, count); ++k) {
+      const Stage<T> stage = stage_at<T>(scheme, h, count, k);
+      kick_drift(chain, state, window, stage.kick, stage.drift);
+      work += double(window.last - window.first);
+    }
     return work;
   }
 };
