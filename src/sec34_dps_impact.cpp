@@ -87,7 +87,8 @@ norm was, keep less than the packet carries. */
 DpsOutcome report_dps(Report& report) {
   Table map{{number("tau", "slow time"), count("n", "site", "site"), number("density", "|A_n|^2")}};
   Table unused = map;
-  const DpsOutcome coarse = dps_run(1e-8, unused), fine = dps_run(1e-11, map);
+  const DpsOutcome coarse = dps_run(1e-8, unused);
+  DpsOutcome fine = dps_run(1e-11, map);
   const auto d = density(fine.end);
   Table profile{{count("n", "site", "site"), number("density", "|A_n|^2")}};
   for (std::size_t n = 0; n < d.size(); ++n) profile.add({std::int64_t(n + 1), d[n]});

@@ -141,9 +141,8 @@ TEST_CASE("a windowed run has the bits of the full run", "[property][window]") {
   auto windowed = struck(120, 1.9), full = windowed;
   Window some = waking(chain, windowed), all{0, 120};
   CHECK(some == Window{0, 1});
-  Splitting::Memory none;
-  stepper.advance(chain, windowed, some, 0.05, 4000, none);
-  stepper.advance(chain, full, all, 0.05, 4000, none);
+  stepper.advance(chain, windowed, some, 0.05, 4000);
+  stepper.advance(chain, full, all, 0.05, 4000);
   CHECK(some.last > 20);
   CHECK(some.last < 120);
   CHECK(windowed.y == full.y);

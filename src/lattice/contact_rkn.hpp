@@ -288,6 +288,14 @@ struct ContactAware {
     return work;
   }
 
+  /// The same with memory of its own.
+  template <class T, class Onsite, class Contact>
+  double advance(const Chain<Onsite, Contact>& chain, State<T>& state, Window& window, double h,
+                 std::size_t count) const {
+    NystromMemory<T> at = memory<T>(chain);
+    return advance(chain, state, window, h, count, at);
+  }
+
  private:
   template <class T>
   static void combine(const std::vector<T>& y, const std::vector<T>& v, double drift,

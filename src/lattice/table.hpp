@@ -223,7 +223,7 @@ inline Table from_text(std::istream& in) {
   std::string line;
   bool header_done = false, in_meta = false;
   while (std::getline(in, line)) {
-    if (line.rfind("#", 0) == 0) {
+    if (!line.empty() && line.front() == '#') {
       if (line.rfind("# meta:", 0) == 0) in_meta = true;
       if (line.rfind("# - {", 0) != 0) continue;
       const std::string body = line.substr(5);
