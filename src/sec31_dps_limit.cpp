@@ -205,8 +205,8 @@ Table error_table(const std::vector<Point>& points) {
                {"error_error", "", "difference of two resolutions", Kind::real},
                {"constant", "", "error over eps^(3/2)", Kind::real},
                {"line", "", "power law 3/2 through the point of smallest eps", Kind::real}}};
-  for (const Point& p : points)
-    for (std::size_t k = 0; k < horizons.size(); ++k) {
+  for (std::size_t k = 0; k < horizons.size(); ++k)
+    for (const Point& p : points) {
       const Point& smallest = points[(p.start + 1) * points.size() / starts.size() - 1];
       const double line = smallest.error[k].value * std::pow(p.eps / smallest.eps, 1.5);
       table.add({std::int64_t(p.start), horizons[k], p.eps, p.error[k].value, p.error[k].error,
@@ -222,8 +222,8 @@ Table order_table(const std::vector<Point>& points) {
                {"order", "", "local order", Kind::real},
                {"order_error", "", "from the errors of both points", Kind::real}}};
   for (std::size_t start = 0; start < starts.size(); ++start)
-    for (const Order& o : local_orders(points, start))
-      for (std::size_t k = 0; k < horizons.size(); ++k)
+    for (std::size_t k = 0; k < horizons.size(); ++k)
+      for (const Order& o : local_orders(points, start))
         table.add({std::int64_t(start), horizons[k], o.eps, o.order[k].value, o.order[k].error});
   return table;
 }
