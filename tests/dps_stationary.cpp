@@ -109,7 +109,7 @@ TEST_CASE("the tail's logarithms grow by 3/2 a site", "[property][dps]") {
 }
 
 TEST_CASE("a stationary state only turns its phase", "[property][dps]") {
-  // An independent route: GSL integrates A_n = a u_n, which must turn by e^{i mu a^{1/2} tau / (2 tau_0)}.
+  // An independent route: integrated by GSL, A_n = a u_n turns by e^{i a^{1/2} tau / (2 tau_0)}.
   const double scale = 20;
   for (Centre centre : {Centre::site, Centre::bond}) {
     const auto s = stationary<double>(centre, 1, centre == Centre::site ? 21 : 20);
