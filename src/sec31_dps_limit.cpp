@@ -204,13 +204,13 @@ std::vector<Order> local_orders(const std::vector<Point>& points, std::size_t st
 /**
 The tables of the figure. The lines of slope 3/2 pass through the points of smallest size. */
 Table error_table(const std::vector<Point>& points) {
-  Table table{{{"start", "", "0: impact, 1: pair", Kind::integer},
-               {"tau", "", "slow time up to which the error is taken", Kind::real},
-               {"eps", "", "size of the motion", Kind::real},
-               {"error", "", "largest deviation of chain and approximation", Kind::real},
-               {"error_error", "", "difference of two resolutions", Kind::real},
-               {"constant", "", "error over eps^(3/2)", Kind::real},
-               {"line", "", "power law 3/2 through the point of smallest eps", Kind::real}}};
+  Table table{{count("start", "0: impact, 1: pair"),
+               number("tau", "slow time up to which the error is taken"),
+               number("eps", "size of the motion"),
+               number("error", "largest deviation of chain and approximation"),
+               number("error_error", "difference of two resolutions"),
+               number("constant", "error over eps^(3/2)"),
+               number("line", "power law 3/2 through the point of smallest eps")}};
   for (std::size_t k = 0; k < horizons.size(); ++k)
     for (const Point& p : points) {
       const Point& smallest = points[(p.start + 1) * points.size() / starts.size() - 1];
@@ -224,11 +224,11 @@ Table error_table(const std::vector<Point>& points) {
 /**
 The local orders are arranged in the same way. */
 Table order_table(const std::vector<Point>& points) {
-  Table table{{{"start", "", "0: impact, 1: pair", Kind::integer},
-               {"tau", "", "slow time up to which the error is taken", Kind::real},
-               {"eps", "", "geometric mean of two neighbouring sizes", Kind::real},
-               {"order", "", "local order", Kind::real},
-               {"order_error", "", "from the errors of both points", Kind::real}}};
+  Table table{{count("start", "0: impact, 1: pair"),
+               number("tau", "slow time up to which the error is taken"),
+               number("eps", "geometric mean of two neighbouring sizes"),
+               number("order", "local order"),
+               number("order_error", "from the errors of both points")}};
   for (std::size_t start = 0; start < starts.size(); ++start)
     for (std::size_t k = 0; k < horizons.size(); ++k)
       for (const Order& o : local_orders(points, start))

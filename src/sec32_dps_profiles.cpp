@@ -203,13 +203,12 @@ statement is a straight line of slope $\ln\frac32$ in this plot.
 Moduli far below the smallest double are drawn, so their logarithms are taken in quadruple
 precision. */
 Table profile_table(Centre centre) {
-  Table table{{{"n", "site", "site", Kind::integer},
-               {"u", "", "stationary DpS breather, mu = 1", Kind::real},
-               {"u_error", "", "difference of double and quadruple precision", Kind::real},
-               {"quasi_continuum", "", "quasi-continuum profile", Kind::real},
-               {"log10_u", "", "decimal logarithm of |u_n|", Kind::real},
-               {"double_log", "", "ln(-ln|u_n|)", Kind::real},
-               {"tail_line", "", "line of slope ln(3/2) through the last point", Kind::real}}};
+  Table table{{count("n", "site", "site"), number("u", "stationary DpS breather, mu = 1"),
+               number("u_error", "difference of double and quadruple precision"),
+               number("quasi_continuum", "quasi-continuum profile"),
+               number("log10_u", "decimal logarithm of |u_n|"),
+               number("double_log", "ln(-ln|u_n|)"),
+               number("tail_line", "line of slope ln(3/2) through the last point")}};
   const std::size_t sites = chain_length(centre);
   const auto u = stationary<double>(centre, 1, sites).u;
   const auto exact = stationary<Quad>(centre, 1, sites).u;
@@ -289,12 +288,11 @@ Far from the centre $u_n$ is small against $u_{n-1}$, so $-\mu u_n \approx -D_{n
 $|u_n| \approx |u_{n-1}|^{3/2}/\mu$: at $\mu = 1$ the ratio $\ln|u_{n+1}|/\ln|u_n|$ tends to
 3/2, and so fast that its distance from 3/2 is itself squared and more at each site. We list it. */
 Table tail_table() {
-  Table table{{{"centre", "", "site or bond", Kind::text},
-               {"n", "site", "site", Kind::integer},
-               {"ratio", "", "ln|u_(n+1)| / ln|u_n|", Kind::real},
-               {"ratio_error", "",
-                "difference of double and quadruple precision, nan beyond double", Kind::real},
-               {"distance", "", "|ratio - 3/2| in quadruple precision", Kind::real}}};
+  Table table{
+      {label("centre", "site or bond"), count("n", "site", "site"),
+       number("ratio", "ln|u_(n+1)| / ln|u_n|"),
+       number("ratio_error", "difference of double and quadruple precision, nan beyond double"),
+       number("distance", "|ratio - 3/2| in quadruple precision")}};
   for (const auto& [centre, name] : centres) {
     const auto one = stationary<double>(centre, 1, chain_length(centre));
     const auto four = stationary<Quad>(centre, 1, chain_length(centre));
@@ -477,9 +475,8 @@ Table profile_command(const ProfileOptions& options) {
                      "-centred breather (allowed: an " + (centre == Centre::bond ? "even" : "odd") +
                      " number)");
   const auto state = stationary<double>(centre, options.mu, sites);
-  Table table{{{"n", "site", "site", Kind::integer},
-               {"u", "", "stationary DpS breather", Kind::real},
-               {"quasi_continuum", "", "quasi-continuum profile", Kind::real}}};
+  Table table{{count("n", "site", "site"), number("u", "stationary DpS breather"),
+               number("quasi_continuum", "quasi-continuum profile")}};
   for (std::size_t i = 0; i < sites; ++i) {
     const long n = site_number(i, sites);
     table.add({std::int64_t(n), state.u[i], options.mu * options.mu * quasi_continuum(centre, n)});

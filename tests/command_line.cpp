@@ -163,7 +163,7 @@ TEST_CASE("the DpS impact agrees with the impact chapter", "[cli]") {
     CHECK(std::isfinite(quantity(r, name)));
     CHECK(quantity(r, name, "error") < 1e-3 * quantity(r, name));
   }
-  const Table facts = read(fs::path(DATA_DIR) / "sec34_impact/facts.ecsv");
+  const Table facts = read(fs::path(DATA_DIR) / "sec34_dps_impact/facts.ecsv");
   const auto names = facts.texts("quantity");
   const auto values = facts.numbers("value");
   for (std::size_t i = 0; i < names.size(); ++i) {
