@@ -385,7 +385,9 @@ Table run_command(const RunOptions& options) {
 The article does not say how far from the boundary it fits speeds, for which $s$ it draws
 figure 19, or how it integrates; our choices stand where they are made. The ripple on the
 peak density of figure 19 is resolved and real: the packet passes a site in about one internal
-period, and the largest value depends on how the two beats meet.
+period, and the largest value depends on how the two beats meet. So are the spikes at the right ends
+of the soft curves: just below the blow-up band the first bead all but escapes, and what it gives
+back on its return feeds the packet.
 
 ## Extensions
 
