@@ -75,6 +75,7 @@ struct Method {
   bool ours;
   double coarse, factor;
   std::function<Score(double)> run;
+  int beyond = 2;  ///< settings tried after the first success
 };
 
 /// One point of the work-precision diagram.
@@ -84,7 +85,7 @@ struct Point {
 };
 
 /**
-The scan ends two settings after the first success, since a finer setting may be quicker by
+The scan ends some settings after the first success, since a finer setting may be quicker by
 chance, or when a run exceeds its time. Short runs are repeated and the fastest counts. */
 struct Scan {
   std::vector<Point> points;
@@ -93,7 +94,7 @@ struct Scan {
 
 inline Scan scan(const Method& method, const Demand& demand, double patience, double finest) {
   Scan result;
-  int more = 2;
+  int more = method.beyond;
   for (double s = method.coarse; s >= finest && more >= 0; s *= method.factor) {
     Point p{s, std::numeric_limits<double>::infinity(), {}};
     for (int k = 0; k < 3 && (k == 0 || p.seconds < 0.05); ++k) {
