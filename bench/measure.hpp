@@ -175,6 +175,9 @@ inline void race(Book& book, const std::string& problem, const std::vector<Metho
   for (std::size_t i = 0; i < methods.size(); ++i) {
     scans.push_back(scan(methods[i], demand, patience, finest));
     book.points(problem, methods[i].name, scans[i], tangent);
+    std::fprintf(stderr, "  scanned %s, %s: %zu settings, the last one in %.2g s\n",
+                 problem.c_str(), methods[i].name.c_str(), scans[i].points.size(),
+                 scans[i].points.back().seconds);
     if (!scans[i].best) continue;
     runner.push_back(i);
     tasks.push_back([&m = methods[i], s = scans[i].best->setting] { m.run(s); });

@@ -48,16 +48,22 @@ void find_reference(Problem<Onsite>& p) {
   p.reference = s.y;
 }
 
-const double by_tolerance = std::pow(10, -0.25), by_step = std::pow(2, -0.25);
+/// Where each method begins its scan, and into how many parts a decade or an octave is divided.
+struct Range {
+  double coarse, tolerance;
+  int parts;
+  double by_tolerance() const { return std::pow(10, -1.0 / parts); }
+  double by_step() const { return std::pow(2, -1.0 / parts); }
+};
 
 template <class Onsite>
-std::vector<Method> our_methods(const Problem<Onsite>& p, double coarse) {
-  std::vector<Method> all{{"contact-aware", true, 4 * coarse, by_step,
+std::vector<Method> our_methods(const Problem<Onsite>& p, const Range& r) {
+  std::vector<Method> all{{"contact-aware", true, 4 * r.coarse, r.by_step(),
                            [&p](double h) { return own(p, ContactAware{h}, true); }, 10}};
   for (const Scheme& scheme : {verlet(), blanes_moan_4(), blanes_moan_6(), blanes_moan_6_14()})
     for (bool windowed : {true, false})
       all.push_back({scheme.name + (windowed ? ", window" : ", whole chain"), false,
-                     coarse * (scheme.order == 2 ? 0.1 : 1), by_step,
+                     r.coarse * (scheme.order == 2 ? 0.1 : 1), r.by_step(),
                      [&p, scheme, windowed](double h) {
                        return own(p, Splitting{scheme, h}, windowed);
                      }});
@@ -65,12 +71,12 @@ std::vector<Method> our_methods(const Problem<Onsite>& p, double coarse) {
 }
 
 template <class Onsite>
-std::vector<Method> peer_methods(const Problem<Onsite>& p, double coarse, double tolerance) {
+std::vector<Method> peer_methods(const Problem<Onsite>& p, const Range& r) {
   using Dopri = odeint::runge_kutta_dopri5<Numbers>;
   using Stoer = odeint::bulirsch_stoer<Numbers>;
   const auto dopri = [](double s) { return odeint::make_controlled(s, s, Dopri()); };
   const auto adaptive = [&](const char* name, std::function<Score(double)> run) {
-    return Method{name, false, tolerance, by_tolerance, run};
+    return Method{name, false, r.tolerance, r.by_tolerance(), run};
   };
   return {
       adaptive("GSL rk8pd", [&p](double s) { return gsl(p, gsl_odeiv2_step_rk8pd, s); }),
@@ -78,19 +84,19 @@ std::vector<Method> peer_methods(const Problem<Onsite>& p, double coarse, double
       adaptive("Boost dopri5", [&p, dopri](double s) { return controlled<OurForce>(p, dopri(s)); }),
       adaptive("Boost bulirsch_stoer",
                [&p](double s) { return controlled<OurForce>(p, Stoer(s, s)); }),
-      {"Boost sb3a_mclachlan", false, coarse, by_step, [&p](double h) { return mclachlan(p, h); }},
-      {"Boost velocity_verlet", false, coarse * 0.1, by_step,
+      {"Boost sb3a_mclachlan", false, r.coarse, r.by_step(),
+       [&p](double h) { return mclachlan(p, h); }},
+      {"Boost velocity_verlet", false, r.coarse * 0.1, r.by_step(),
        [&p](double h) { return velocity_verlet<OurForce>(p, h); }},
       adaptive("Boost dopri5, std::pow",
                [&p, dopri](double s) { return controlled<TypedForce>(p, dopri(s)); })};
 }
 
 template <class Onsite>
-void race_impacts(Book& book, Problem<Onsite> p, double coarse, double tolerance, double patience,
-                  int rounds) {
+void race_impacts(Book& book, Problem<Onsite> p, const Range& range, double patience, int rounds) {
   find_reference(p);
-  std::vector<Method> methods = our_methods(p, coarse);
-  for (const Method& m : peer_methods(p, coarse, tolerance)) methods.push_back(m);
+  std::vector<Method> methods = our_methods(p, range);
+  for (const Method& m : peer_methods(p, range)) methods.push_back(m);
   race(book, p.name, methods, {1e-8, 1e-6, std::numeric_limits<double>::infinity()}, patience,
        1e-15, rounds);
 }
@@ -255,8 +261,8 @@ int main(int argc, char** argv) {
     if (wanted("B3")) race_long_chains(book, rounds);
     if (wanted("M")) race_monodromies(book, 31, rounds, true);
     if (wanted("M")) race_monodromies(book, 99, rounds, false);
-    if (wanted("B1")) race_impacts(book, problem_b1(), 0.05, 1e-5, 3, rounds);
-    if (wanted("B2")) race_impacts(book, problem_b2(), 0.1, 1e-8, 3, rounds);
+    if (wanted("B1")) race_impacts(book, problem_b1(), {0.05, 1e-5, 4}, 3, rounds);
+    if (wanted("B2")) race_impacts(book, problem_b2(), {0.1, 1e-9, 2}, 2, rounds);
     std::filesystem::create_directories(out);
     for (Table* t : {&book.ratios, &book.precision, &book.rates})
       t->meta = {{"program", "ratios"}, {"build", LATTICE_BUILD}};
