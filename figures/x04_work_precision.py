@@ -26,7 +26,8 @@ panels = [("B1", "energy_error", "relative energy error", impact),
           ("B1", "solution_error", "displacement error at $t=100$", impact),
           ("M, N=31", "tangent_error", "error of the monodromy matrix", monodromy)]
 
-figure, grid = plt.subplots(2, 3, figsize=(draw.TWO_COLUMNS, 125 * draw.MM), sharey="col")
+figure, grid = plt.subplots(3, 3, figsize=(draw.TWO_COLUMNS, 140 * draw.MM),
+                            height_ratios=[1, 1, 0.3])
 for line, (cost, label) in enumerate([("cpu_seconds", "processor time (s)"),
                                       ("evaluations", "force evaluations")]):
     for axes, (problem, error, title, methods), name in zip(grid[line], panels, "abcdef"[3 * line:]):
@@ -43,6 +44,10 @@ for line, (cost, label) in enumerate([("cpu_seconds", "processor time (s)"),
             axes.loglog(x, 3e-6 * (x / x[0]) ** -2.5, color="black", lw=0.7, ls=(0, (1, 1)))
             axes.text(x[1], 3e-6 * 30**-2.5, "order 2.5", ha="right", va="top", fontsize=7)
         draw.letter(axes, name)
-grid[1, 1].legend(loc="upper center", bbox_to_anchor=(-0.2, -0.24), ncol=4, fontsize=6.5)
-grid[1, 2].legend(loc="upper center", bbox_to_anchor=(0.5, -0.24), ncol=1, fontsize=6.5)
+for axes in grid[2]:
+    axes.axis("off")
+handles, names = grid[0, 0].get_legend_handles_labels()
+for axes, part in [(grid[2, 0], slice(0, 5)), (grid[2, 1], slice(5, None))]:
+    axes.legend(handles[part], names[part], loc="upper center", fontsize=6.5)
+grid[2, 2].legend(*grid[0, 2].get_legend_handles_labels(), loc="upper center", fontsize=6.5)
 draw.save(figure, out)
