@@ -40,15 +40,17 @@ inline double median(std::vector<double> x) {
   return x.empty() ? std::numeric_limits<double>::quiet_NaN() : x[x.size() / 2];
 }
 
-/// Median time of each of several tasks, done in turns.
+/// Median time of each of several tasks, done in turns. A short task is repeated for `least` seconds.
 inline std::vector<double> in_turns(const std::vector<std::function<void()>>& tasks, int rounds,
-                                    double (*clock)()) {
+                                    double (*clock)(), double least = 0) {
   std::vector<std::vector<double>> times(tasks.size());
   for (int round = 0; round < rounds; ++round)
     for (std::size_t i = 0; i < tasks.size(); ++i) {
       const double start = clock();
-      tasks[i]();
-      times[i].push_back(clock() - start);
+      double spent = 0;
+      int runs = 0;
+      for (; runs == 0 || spent < least; spent = clock() - start, ++runs) tasks[i]();
+      times[i].push_back(spent / runs);
     }
   std::vector<double> medians;
   for (const auto& t : times) medians.push_back(median(t));
@@ -182,7 +184,7 @@ inline void race(Book& book, const std::string& problem, const std::vector<Metho
     runner.push_back(i);
     tasks.push_back([&m = methods[i], s = scans[i].best->setting] { m.run(s); });
   }
-  const auto medians = in_turns(tasks, rounds, cpu_time);
+  const auto medians = in_turns(tasks, rounds, cpu_time, 0.1);
   std::vector<double> time(methods.size(), std::numeric_limits<double>::quiet_NaN());
   for (std::size_t k = 0; k < runner.size(); ++k) time[runner[k]] = medians[k];
   std::size_t winner = methods.size();
