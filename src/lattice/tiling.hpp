@@ -9,13 +9,11 @@ its neighbours at the stage before, no more. So we take a block of sites that fi
 the first-level cache and do many stages there, each one shifted to the left by at least
 one site because the block's right edge has not got its neighbour's new position yet.
 
-        stage 3   ....]......]
-        stage 2     ....]......]      ] right edge of a block; it moves left
+        stage 2   ....]......]        ] right edge of a block; it moves left
         stage 1       ....]......]      from stage to stage
 
 The contact across such an edge is evaluated once, at the right moment, and kept for the
-next block. All operations are those of the plain run in another order, and so the bits
-are the same. */
+next block. All operations are those of the plain run in another order, with the same bits. */
 
 #include <algorithm>
 #include <barrier>
