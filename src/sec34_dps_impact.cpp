@@ -75,9 +75,8 @@ DpsOutcome dps_run(double tolerance, Table& map) {
 }
 
 /// Amplitude 2 eps |A_n| of the packet: the largest while its centre moves over the last site.
-double packet_amplitude(const Track& track) {
-  const double end = track.centre.back();
-  return 2 * eps * std::sqrt(track.largest_peak(end - 1, end));
+double amplitude_of(const Track& track) {
+  return 2 * eps * packet_amplitude(track);
 }
 
 /**
@@ -98,7 +97,7 @@ DpsOutcome report_dps(Report& report) {
   const double packet = fine.track.energy.back(), left = boundary_share(d, 10);
   const Line line = *fine.track.line(fit_from, far_away);
   report.results.add("impact.amp_dps",
-                     compare(packet_amplitude(coarse.track), packet_amplitude(fine.track)));
+                     compare(amplitude_of(coarse.track), amplitude_of(fine.track)));
   report.results.claim("impact.dps_breather",
                        packet > 0.3 && left < packet && line.slope_error < 0.01 * line.slope);
   report.facts.add("dps_speed", compare(packet_speed(coarse.track), line.slope), "site per tau");
@@ -240,10 +239,10 @@ void report_trials(Report& report) {
     start[0] *= trial.factor;
     const DpsOutcome run =
         follow_dps({dps_sites, trial.end}, start, tau_end, 1000, trial.tolerance, Unwatched{});
-    table.add({trial.what, packet_amplitude(run.track), run.track.centre.back(),
+    table.add({trial.what, amplitude_of(run.track), run.track.centre.back(),
                packet_speed(run.track), run.norm_drift});
     if (trial.end == Ends::fixed && trial.tolerance.relative < 1e-10) {
-      report.facts.add("fixed_end_amplitude", {packet_amplitude(run.track), 1e-9});
+      report.facts.add("fixed_end_amplitude", {amplitude_of(run.track), 1e-9});
       report.facts.add("fixed_end_speed", {packet_speed(run.track), 1e-6}, "site per tau");
     }
   }

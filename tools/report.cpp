@@ -21,7 +21,8 @@ Table compare_all(const std::vector<Claim>& claims, const std::filesystem::path&
       {label("id", "identifier"), label("where", "place in the article"),
        label("quantity", "what is claimed"), label("published", "value or statement as printed"),
        number("reproduced", "converged value; 1 or 0 for a statement"),
-       number("error", "error of the reproduced value"), label("unit", "unit of both values"),
+       number("error", "error of the reproduced value"),
+       label("unit", "unit of both values; claim for a statement"),
        label("verdict", "reproduced, discrepant, claim (holds), unresolved or open"),
        label("program", "program that answers"), label("reason", "likely cause of a discrepancy")}};
   for (const Claim& c : claims) {
@@ -29,7 +30,8 @@ Table compare_all(const std::vector<Claim>& claims, const std::filesystem::path&
     const bool open = found == answers.end();
     const double nan = std::numeric_limits<double>::quiet_NaN();
     table.add({c.id, c.where, c.quantity, c.printed, open ? nan : found->second.value,
-               open ? nan : found->second.error, c.unit,
+               open ? nan : found->second.error,
+               !open && found->second.unit == "claim" ? found->second.unit : c.unit,
                open ? std::string("open") : verdict(c, found->second), c.program, c.reason});
   }
   return table;
@@ -58,7 +60,10 @@ int main(int argc, char** argv) {
     const auto printed = table.texts("published"), unit = table.texts("unit");
     const auto value = table.numbers("reproduced"), error = table.numbers("error");
     for (std::size_t i = 0; i < id.size(); ++i)
-      if (verdicts[i] == "discrepant" || verdicts[i] == "unresolved")
+      if (verdicts[i] == "discrepant" && unit[i] == "claim")
+        std::printf("  %-10s %-22s printed %s, does not hold by our criterion\n",
+                    verdicts[i].c_str(), id[i].c_str(), printed[i].c_str());
+      else if (verdicts[i] == "discrepant" || verdicts[i] == "unresolved")
         std::printf("  %-10s %-22s printed %s, converged %.6g +- %.1g %s\n", verdicts[i].c_str(),
                     id[i].c_str(), printed[i].c_str(), value[i], error[i], unit[i].c_str());
   } catch (const std::exception& error) {
