@@ -75,19 +75,20 @@ A free end exerts none, a fixed end acts like a bead that never moves, and a
 periodic chain closes on itself. Contact `0` lies left of the first site and
 contact `sites` right of the last. */
 template <class T, class Onsite, class Contact>
-T contact_push(const Chain<Onsite, Contact>& chain, const T* y, std::size_t i) {
-  const std::size_t n = chain.sites;
-  const T eta = T(chain.eta_of(i));
-  if (i > 0 && i < n) return eta * chain.contact.force(y[i] - y[i - 1]);
-  switch (chain.ends) {
-    case Ends::periodic:
-      return eta * chain.contact.force(y[0] - y[n - 1]);
-    case Ends::fixed:
-      return eta * chain.contact.force(i == 0 ? y[0] : -y[n - 1]);
-    case Ends::free:
-      break;
-  }
+T end_push(const Chain<Onsite, Contact>& chain, const T* y, bool first) {
+  const std::size_t last = chain.sites - 1;
+  const T eta = T(chain.eta_of(first ? 0 : chain.sites));
+  if (chain.ends == Ends::periodic) return eta * chain.contact.force(y[0] - y[last]);
+  if (chain.ends == Ends::fixed) return eta * chain.contact.force(first ? y[0] : -y[last]);
   return T(0);
+}
+
+/// Push of contact `i`, between sites i - 1 and i.
+template <class T, class Onsite, class Contact>
+inline T contact_push(const Chain<Onsite, Contact>& chain, const T* y, std::size_t i) {
+  if (i == 0 || i == chain.sites) [[unlikely]]
+    return end_push(chain, y, i == 0);
+  return T(chain.eta_of(i)) * chain.contact.force(y[i] - y[i - 1]);
 }
 
 /**

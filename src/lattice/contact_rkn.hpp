@@ -28,64 +28,28 @@ exerts in exchange for the sum that the scheme used. */
 
 namespace lattice {
 
-/**
-The base step is a Runge-Kutta-Nystrom scheme for $\ddot y = g(y)$. Its stages are
-$$Y_i = y + c_i h v + h^2 \sum_{j<i} a_{ij}\, g(Y_j), \qquad
-v' = v + h \sum_i b_i\, g(Y_i),$$
-and we ask that the first one is the old state ($c = 0$) and the last one the new
-positions ($c = 1$). Then a step ends with the accelerations with which the next begins. */
-struct Nystrom {
-  std::string name;
-  int order;                           ///< on a smooth problem
-  std::vector<double> c;               ///< times of the stages, from 0 to 1
-  std::vector<std::vector<double>> a;  ///< row i has i entries; the last gives the new positions
-  std::vector<double> b;               ///< weights of the new velocities
-  std::size_t last() const { return c.size() - 1; }
-};
-
-/// Dormand, El-Mikkawy and Prince (IMA J. Numer. Anal. 7, 1987, pair 6(4) with six stages, the
-/// last of which is shared by neighbouring steps): five force evaluations a step.
-inline Nystrom dormand_prince_6() {
-  return {"dormand-prince-6",
-          6,
-          {0, 1. / 10, 3. / 10, 7. / 10, 17. / 25, 1},
-          {{},
-           {1. / 200},
-           {-1. / 2200, 1. / 22},
-           {637. / 6600, -7. / 110, 7. / 33},
-           {225437. / 1968750, -30073. / 281250, 65569. / 281250, -9367. / 984375},
-           {151. / 2142, 5. / 116, 385. / 1368, 55. / 168, -6250. / 28101}},
-          {151. / 2142, 25. / 522, 275. / 684, 275. / 252, -78125. / 112404, 1. / 12}};
+/// Three terms $w_j a_j$ of a stage at site `i`; a stage has three, six, ... of them.
+template <class T>
+inline __attribute__((always_inline)) T triple(const T* const* a, const T* weight, std::size_t i) {
+  return weight[0] * a[0][i] + (weight[1] * a[1][i] + weight[2] * a[2][i]);
 }
 
-/// A splitting is one, too: kick $j$ changes the velocity by $h k_j g(Y_j)$ at time $c_j h$, drifts
-/// carry it to stage $i$, and so $a_{ij} = k_j (c_i - c_j)$ and $b_j = k_j$.
-inline Nystrom nystrom(const Scheme& scheme) {
-  const std::size_t stages = scheme.kick.size();
-  Nystrom base{scheme.name, scheme.order, std::vector<double>(stages, 0), {}, scheme.kick};
-  for (std::size_t i = 0; i < stages; ++i) {
-    if (i > 0) base.c[i] = base.c[i - 1] + scheme.drift[i - 1];
-    base.a.emplace_back(i);
-    for (std::size_t j = 0; j < i; ++j) base.a[i][j] = scheme.kick[j] * (base.c[i] - base.c[j]);
-  }
-  return base;
-}
-
-/// The sum $y + d\,v + \sum_j w_j a_j$ of a stage, its small terms first.
+/// The sum $y + d\,v + \sum_j w_j a_j$ of a stage, its small terms first. The scheme of six stages
+/// has at most six terms and needs one pass; longer ones gather theirs in `out`.
 template <class T>
 LATTICE_WIDE void sweep_stage(const T* __restrict__ y, const T* __restrict__ v, T drift,
                               const T* const* a, const T* weight, std::size_t terms,
                               T* __restrict__ out, std::size_t n) {
-  T sum[kernel_block];
-  for (std::size_t lo = 0; lo < n; lo += kernel_block) {
-    const std::size_t count = lo + kernel_block < n ? kernel_block : n - lo;
-    for (std::size_t i = 0; i < count; ++i) sum[i] = drift * v[lo + i];
-    for (std::size_t j = 0; j < terms; j += 3) {
-      const T *p = a[j] + lo, *q = a[j + 1] + lo, *r = a[j + 2] + lo;
-      for (std::size_t i = 0; i < count; ++i)
-        sum[i] += weight[j] * p[i] + (weight[j + 1] * q[i] + weight[j + 2] * r[i]);
-    }
-    for (std::size_t i = 0; i < count; ++i) out[lo + i] = y[lo + i] + sum[i];
+  if (terms == 3) {
+    for (std::size_t i = 0; i < n; ++i) out[i] = y[i] + (drift * v[i] + triple(a, weight, i));
+  } else if (terms == 6) {
+    for (std::size_t i = 0; i < n; ++i)
+      out[i] = y[i] + ((drift * v[i] + triple(a, weight, i)) + triple(a + 3, weight + 3, i));
+  } else {
+    for (std::size_t i = 0; i < n; ++i) out[i] = drift * v[i];
+    for (std::size_t j = 0; j < terms; j += 3)
+      for (std::size_t i = 0; i < n; ++i) out[i] += triple(a + j, weight + j, i);
+    for (std::size_t i = 0; i < n; ++i) out[i] = y[i] + out[i];
   }
 }
 

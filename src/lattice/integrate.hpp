@@ -4,7 +4,7 @@
 
 The Hamiltonian splits into a part that moves the beads, $\sum \dot y_n^2/2$, and a
 part that kicks them. Alternating exact kicks and drifts with suitable weights is
-symplectic, reversible and cheap, and this file holds three such schemes.
+symplectic, reversible and cheap; the weights are in schemes.hpp.
 
 Contact limits them all. When a contact opens or closes at $t^*$ its force behaves
 like $(t-t^*)_+^{3/2}$: one derivative, no more. A step of length $h$ across such a
@@ -23,68 +23,9 @@ recovers the full order. The tests measure both. */
 #include <vector>
 
 #include "chain.hpp"
+#include "schemes.hpp"
 
 namespace lattice {
-
-/**
-A scheme is a list of pairs: kick by `kick[i]` h, then drift by `drift[i]` h. All are
-symmetric, so that a run can be reversed by turning the velocities round. Because a
-step ends with the operation with which the next one begins, a run of many steps
-merges the two; `order` is the order on a smooth problem. */
-struct Scheme {
-  std::string name;
-  int order;
-  std::vector<double> kick, drift;
-};
-
-/// Velocity Verlet: one force evaluation a step, order 2.
-inline Scheme verlet() {
-  return {"verlet", 2, {0.5, 0.5}, {1.0, 0.0}};
-}
-
-/// Blanes and Moan (J. Comput. Appl. Math. 142, 2002, table 3): order 4, six force evaluations a
-/// step, for Hamiltonians whose kinetic energy is quadratic (Runge-Kutta-Nystrom splitting).
-inline Scheme blanes_moan_4() {
-  const double b1 = 0.0829844064174052, b2 = 0.396309801498368, b3 = -0.0390563049223486;
-  const double a1 = 0.245298957184271, a2 = 0.604872665711080, a3 = 0.5 - (a1 + a2);
-  const double b4 = 1 - 2 * (b1 + b2 + b3);
-  return {"blanes-moan-4", 4, {b1, b2, b3, b4, b3, b2, b1}, {a1, a2, a3, a3, a2, a1, 0}};
-}
-
-/// Blanes and Moan (ibid.): order 6, eleven force evaluations a step.
-inline Scheme blanes_moan_6() {
-  const double b1 = 0.0414649985182624, b2 = 0.198128671918067, b3 = -0.0400061921041533;
-  const double b4 = 0.0752539843015807, b5 = -0.0115113874206879;
-  const double b6 = 0.5 - (b1 + b2 + b3 + b4 + b5);
-  const double a1 = 0.123229775946271, a2 = 0.290553797799558, a3 = -0.127049212625417;
-  const double a4 = -0.246331761062075, a5 = 0.357208872795928;
-  const double a6 = 1 - 2 * (a1 + a2 + a3 + a4 + a5);
-  return {"blanes-moan-6",
-          6,
-          {b1, b2, b3, b4, b5, b6, b6, b5, b4, b3, b2, b1},
-          {a1, a2, a3, a4, a5, a6, a5, a4, a3, a2, a1, 0}};
-}
-
-/// Blanes and Moan (ibid., SRKN 14a): order 6 with fourteen force evaluations and smaller errors. It
-/// begins and ends with a drift, hence the empty first and last kicks.
-inline Scheme blanes_moan_6_14() {
-  Scheme scheme{"blanes-moan-6-14",
-                6,
-                {0, 0.09171915262446165, 0.183983170005006, -0.05653436583288827,
-                 0.004914688774712854, 0.143761127168358, 0.328567693746804},
-                {0.0378593198406116, 0.102635633102435, -0.0258678882665587, 0.314241403071447,
-                 -0.130144459517415, 0.106417700369543, -0.00879424312851058}};
-  std::vector<double>&kick = scheme.kick, &drift = scheme.drift;
-  double kicks = 0.5, drifts = 1;
-  for (double k : kick) kicks -= k;
-  for (double d : drift) drifts -= 2 * d;
-  kick.push_back(kicks);
-  drift.push_back(drifts);
-  for (std::size_t i = 8; i-- > 0;) kick.push_back(kick[i]);
-  for (std::size_t i = 7; i-- > 0;) drift.push_back(drift[i]);
-  drift.push_back(0);
-  return scheme;
-}
 
 /**
 A run of many steps is one long list of stages, each a kick and a drift. Between two
