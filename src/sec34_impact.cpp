@@ -71,19 +71,6 @@ auto twice(Compute compute) {
 }
 
 /**
-The packet's speed is the slope of its energy centre. The article fits it far enough from
-the boundary; we fit from site 20 on. The tracker follows the front-most packet, because
-a second and slower one can carry as much energy (it does at $s = -1/6$). */
-constexpr double fit_from = 20, far_away = 1e9;
-
-/// Speed of a tracked packet between `fit_from` and `to`; fails where no packet came that far.
-double speed_of(const Track& track, double to = far_away) {
-  const auto line = track.line(fit_from, to);
-  if (!line) throw Failure("no packet passes site 20");
-  return line->slope;
-}
-
-/**
 Each part of the section writes the tables of its figures, answers its claims and notes
 further numbers among the `facts`, from which text and captions quote. A claim in words is
 decided by a criterion that stands in the code; its margin stands among the facts. */
@@ -117,10 +104,9 @@ DpsOutcome dps_run(double tolerance, Table& map) {
                     });
 }
 
-/// Amplitude 2 eps |A_n| of the packet: the largest while its centre moves over the last site.
-double packet_amplitude(const Track& track) {
-  const double end = track.centre.back();
-  return 2 * eps * std::sqrt(track.largest_peak(end - 1, end));
+/// Amplitude 2 eps |A_n| of the packet near the end of the run.
+double amplitude_of(const Track& track) {
+  return 2 * eps * packet_amplitude(track);
 }
 
 /**
@@ -142,7 +128,7 @@ DpsOutcome report_dps(Report& report) {
   const double packet = fine.track.energy.back(), left = boundary_share(d, 10);
   const Line line = *fine.track.line(fit_from, far_away);
   report.results.add("impact.amp_dps",
-                     compare(packet_amplitude(coarse.track), packet_amplitude(fine.track)));
+                     compare(amplitude_of(coarse.track), amplitude_of(fine.track)));
   report.results.claim("impact.dps_breather",
                        packet > 0.3 && left < packet && line.slope_error < 0.01 * line.slope);
   report.facts.add("dps_speed", compare(speed_of(coarse.track), line.slope), "site per tau");
@@ -284,8 +270,8 @@ void report_trials(Report& report) {
     start[0] *= trial.factor;
     const DpsOutcome run =
         follow_dps({dps_sites, trial.end}, start, tau_end, 1000, trial.tolerance, Unwatched{});
-    table.add({trial.what, packet_amplitude(run.track), run.track.centre.back(),
-               speed_of(run.track), run.norm_drift});
+    table.add({trial.what, amplitude_of(run.track), run.track.centre.back(), speed_of(run.track),
+               run.norm_drift});
   }
   report.output.add("amplitude_trials", std::move(table));
 }

@@ -144,7 +144,8 @@ Results everything(Output& output, bool quick) {
   std::size_t still = 0, always = points.size(), disagree = 0;
   while (still < points.size() && points[still].counts.moved == 0) ++still;
   const auto is_kink = [](const Point& p) {
-    return p.agree && p.counts.ejected_far > 0 && p.counts.moved + 1 >= std::int64_t(Options{}.sites);
+    return p.agree && p.counts.ejected_far > 0 &&
+           p.counts.moved + 1 >= std::int64_t(Options{}.sites);
   };
   while (always > 0 && is_kink(points[always - 1])) --always;
   for (const Point& p : points) disagree += !p.agree;

@@ -10,6 +10,7 @@ belong to the chapters. */
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -116,6 +117,27 @@ DpsOutcome follow_dps(const Dps& dps, const Field& start, double duration, std::
         if (tau > 0 && site) out.track.add(tau, d, *site);
       });
   return out;
+}
+
+/**
+## Measuring the packet
+
+Its speed is the slope of its centre. The article fits it far enough from the boundary; we
+fit from site 20 on. The tracker follows the front-most packet, because a second and slower
+one can carry as much energy (it does at $s = -1/6$). */
+inline constexpr double fit_from = 20, far_away = 1e9;
+
+/// Speed of a tracked packet between `fit_from` and `to`; throws where no packet came that far.
+inline double speed_of(const Track& track, double to = far_away) {
+  const auto line = track.line(fit_from, to);
+  if (!line) throw std::runtime_error("no packet passes site 20");
+  return line->slope;
+}
+
+/// Largest |A_n| of a DpS packet while its centre moves over the last site of its track.
+inline double packet_amplitude(const Track& track) {
+  const double end = track.centre.back();
+  return std::sqrt(track.largest_peak(end - 1, end));
 }
 
 }  // namespace lattice
