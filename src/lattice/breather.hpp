@@ -11,7 +11,6 @@ follow the branch, so that there is never a doubt to which family a breather bel
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numbers>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -27,23 +26,6 @@ using BreatherProblem = Shooting<T, Quartic, Hertz>;
 /// A bond-centred breather at t = 0: its central contact is compressed, as in Eq. un1, or stretched,
 /// as it is half a period later.
 enum class Phase { compressed, stretched };
-
-/// The article's number of the site with the given index.
-inline long site_number(std::size_t index, std::size_t sites) {
-  return long(index) - (long(sites) - 1) / 2;
-}
-
-/// Quasi-continuum profile u_n at mu = 1, Eqs. un1 and un2.
-inline double quasi_continuum(Centre centre, long n) {
-  const auto envelope = [](double x) {
-    if (!(std::abs(x) < 1.5 * std::numbers::pi)) return 0.0;
-    const double c = std::cos(x / 3), c3 = c * c * c;
-    return 0.027 * c3 * c3;
-  };
-  const double x = centre == Centre::bond ? double(n) : double(n) + 0.5;
-  const double u = envelope(x) + envelope(x - 1);
-  return n % 2 == 0 ? u : -u;
-}
 
 /// The problem; the contacts have no floor, because the tail is part of the breather.
 template <class T>

@@ -85,6 +85,8 @@ class Branch {
   T slope() const { return tangent_[tangent_.size() - 1]; }
   /// Moves one step on; throws NoConvergence where even the shortest one fails.
   void advance();
+  /// Follows the branch through its next fold; returns the extreme parameter.
+  T fold(int most_steps = 400);
   /// Follows the branch up to `target` and converges there to the accuracy of `rule`.
   Orbit<T> reach(T target, int most_steps = 400);
 
@@ -201,6 +203,22 @@ void Branch<T, Problem>::advance() {
     if (used_ <= 3) length_ = std::min(1.5 * length_, stride_.most);
     return;
   }
+}
+
+/**
+Across a fold $\ell$ has an extremum as a function of the arclength. The cubic with the values and
+slopes at both ends of the step that crossed it has it too. */
+template <class T, class Problem>
+T Branch<T, Problem>::fold(int most_steps) {
+  T slope_before = slope();
+  for (int k = 0; slope() * slope_before > T(0); ++k) {
+    if (k == most_steps) throw NoBranch("no fold within the steps allowed");
+    slope_before = slope();
+    advance();
+  }
+  const Arc<T> arc{ell(before_), slope_before, ell(z_), slope(), (z_ - before_).norm()};
+  const T place = Arc<T>::last(T(1), [&](T s) { return arc.slope(s) * slope_before > T(0); });
+  return chart_.parameter(arc.value(place));
 }
 
 /**

@@ -29,6 +29,7 @@ A breather that is even in time starts from rest, so the positions are the only 
 #include <vector>
 
 #include "chain.hpp"
+#include "dps_stationary.hpp"
 #include "landing.hpp"
 #include "tangent.hpp"
 
@@ -38,8 +39,6 @@ template <class T>
 using Vector = Eigen::Matrix<T, Eigen::Dynamic, 1>;
 template <class T>
 using Matrix = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>;
-
-enum class Centre { site, bond };
 
 /// The ratio of a circle's circumference to its diameter in any precision.
 template <class T>
