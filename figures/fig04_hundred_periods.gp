@@ -4,7 +4,7 @@ load 'figures/style.gp'
 table = data.'/sec32_newton_breathers/persistence.ecsv'
 set lmargin 8; set rmargin 1.5; set bmargin 3.4; set tmargin 0.8
 set xrange [-15.5:15.5]
-set yrange [-8:12]
+set yrange [-10:12]
 set xlabel 'site n'
 set ylabel '10^3 y_n'
 set key top right

@@ -7,21 +7,20 @@ set xlabel 'site n'
 set xrange [-24:24]
 set logscale y
 set yrange [1e-310:1]
-set ytics 1e50
-set format y '10^{%T}'
+set ytics ('10^{−300}' 1e-300, '10^{−200}' 1e-200, '10^{−100}' 1e-100, '1' 1)
 set ylabel '|y_n(0)|' offset 1
 set label 1 '(a)' at graph 0.03,0.93
 positive(x) = x > 0 ? x : NaN
 plot table using "n":(positive(column("size"))) with linespoints ls 1 notitle
 unset logscale y
-set format y '%g'
 set xrange [0:24]
 set yrange [0:10]
+set ytics auto
 set ytics 2
 set ylabel 'ln(−ln |y_n(0)|)' offset 0.5
 set label 1 '(b)'
 set key bottom right
 plot table using "n":(column("n") < 0 ? NaN : log(-column("log_size"))) with points pt 6 ps 0.6 \
        lc rgb vermilion title 'breather', \
-     log(586.6) + (x-14)*log(1.5) with lines ls 4 title 'slope ln(3/2)'
+     table using "n":(column("n") < 0 ? NaN : log(-column("law"))) with lines ls 4 title 'exponent 3/2'
 unset multiplot

@@ -5,7 +5,7 @@ load 'figures/style.gp'
 table = data.'/sec32_newton_breathers/branches.ecsv'
 zeros = data.'/sec32_newton_breathers/sign_changes.ecsv'
 only(s, x) = abs(column("s") - s) < 1e-9 ? x : NaN
-set multiplot layout 1,3 margins char 9,1.5,3.4,2.4 spacing char 3,0
+set multiplot layout 1,3 margins char 9,1.5,3.4,0.8 spacing char 3,0
 set xrange [1:2]
 set xtics 0.25
 set logscale y
@@ -13,12 +13,13 @@ set yrange [1e-20:1e3]
 set format y '10^{%T}'
 set ytics 1e5
 set xlabel 'frequency ω_b'
-set key at screen 0.5,0.985 center top horizontal samplen 2.5 maxrows 1
+unset key
 set ylabel 'energy' offset 1
 do for [k=1:3] {
   s = k == 1 ? -1./6 : k == 2 ? 0 : 1
   set label 1 (k == 1 ? '(a) s = −1/6' : k == 2 ? '(b) s = 0' : '(c) s = 1') at graph 0.04,0.94
-  if (k > 1) { unset key; set format y ''; unset ylabel }
+  if (k > 1) { set format y ''; unset ylabel }
+  if (k > 2) { set key bottom right at graph 0.98,0.12 }
   plot table using "omega":(only(s, column("energy_bond"))) with lines lw 1.6 lc rgb vermilion \
          title 'E_{bc}', \
        table using "omega":(only(s, abs(column("equal_frequency")))) with lines lw 1.6 lc rgb blue \

@@ -87,24 +87,20 @@ Orbit<T> refine(const BreatherProblem<T>& problem, const Orbit<From>& orbit,
 
 /**
 The force $|y|^{3/2}$ of the last bead on the one that is missing tells whether a chain is long
-enough: below the precision, relative to the amplitude, longer chains give the same breather. */
-template <class T>
-double missing_force(const Orbit<T>& orbit) {
-  const double edge =
-      std::max(std::abs(double(orbit.start.y.front())), std::abs(double(orbit.start.y.back())));
-  return edge * std::sqrt(edge) / double(orbit.amplitude);
-}
-
-/// The shortest chain for the breather at a precision: the tail is read off a long one.
+enough. It compares with the force $(\omega_b^2-1)|y|$ that distinguishes the breather from a free
+oscillation: where the ratio is below the precision, longer chains give the same breather. The
+shortest such chain is read off a long one. */
 template <class T>
 std::size_t sites_needed(const Orbit<T>& orbit, double precision) {
   const auto& y = orbit.start.y;
-  std::size_t cut = 0;
-  const auto weak = [&](double edge) {
-    return std::abs(edge) * std::sqrt(std::abs(edge)) < precision * double(orbit.amplitude);
+  const double omega = double(orbit.omega);
+  const double bound = precision * (omega * omega - 1) * double(orbit.amplitude);
+  const auto weak = [&](std::size_t i) {
+    const double edge = std::abs(double(y[i]));
+    return edge * std::sqrt(edge) < bound;
   };
-  while (2 * cut + 4 < y.size() && weak(double(y[cut + 1])) && weak(double(y[y.size() - 2 - cut])))
-    ++cut;
+  std::size_t cut = 0;
+  while (2 * cut + 4 < y.size() && weak(cut + 1) && weak(y.size() - 2 - cut)) ++cut;
   return y.size() - 2 * cut;
 }
 

@@ -232,7 +232,8 @@ Orbit<T> Branch<T, Problem>::reach(T target, int most_steps) {
     advance();
     if (k == most_steps || (side * slope() < T(0) && side * ell(z_) < side * goal))
       throw NoBranch("the branch does not reach " + std::to_string(double(target)) +
-                     ": it turns back near " + std::to_string(double(parameter())));
+                     ": it turns back near " + std::to_string(double(parameter())) +
+                     ", and the family has no breather there");
   }
   const T width = ell(z_) - ell(before_);
   const T part = width != T(0) ? (goal - ell(before_)) / width : T(0);
