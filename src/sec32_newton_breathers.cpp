@@ -788,9 +788,9 @@ Fitted fitted(const BreatherOptions& options) {
 /// Values in the precision asked for, their errors from the difference to another one.
 template <class T, class Other>
 Table breather_table(const BreatherProblem<T>& problem, const Orbit<T>& orbit,
-                     const Orbit<Other>& other) {
+                     const Orbit<Other>& other, const Landing<T>& landing) {
   State<T> end = orbit.start;
-  const Flow<T> run = flow(problem.chain, end, problem.period());
+  const Flow<T> run = flow(problem.chain, end, problem.period(), landing);
   const T miss = largest_difference(end, orbit.start) / orbit.amplitude;
   const auto differs = [](const T& a, const Other& b) {
     return Estimate{double(a), double(magnitude<T>(a - T(b)))};
@@ -826,14 +826,15 @@ Table breather_command(const BreatherOptions& options) {
     return breather_profile(refine(problem, orbit, graded));
   }
   const auto wide = refine(in_precision<Wide>(problem), orbit, rule<Wide>(0));
-  if (!options.extended()) return breather_table(problem, orbit, wide);
+  if (!options.extended()) return breather_table(problem, orbit, wide, {});
   std::cerr << "quadruple precision on " << problem.chain.sites << " sites: about "
-            << 3 + problem.chain.sites / 8 << " seconds\n";
+            << 5 + problem.chain.sites / 10 << " seconds\n";
   NewtonRule<Quadruple> deep;
   deep.landing.tolerance = Quadruple(1e-27);
   const auto exact = refine(in_precision<Quadruple>(problem), wide, deep);
-  return options.profile ? breather_profile(exact)
-                         : breather_table(in_precision<Quadruple>(problem), exact, wide);
+  return options.profile
+             ? breather_profile(exact)
+             : breather_table(in_precision<Quadruple>(problem), exact, wide, deep.landing);
 }
 
 /**
