@@ -19,7 +19,7 @@ do for [k=1:3] {
   s = k == 1 ? -1./6 : k == 2 ? 0 : 1
   set label 1 (k == 1 ? '(a) s = −1/6' : k == 2 ? '(b) s = 0' : '(c) s = 1') at graph 0.04,0.94
   if (k > 1) { set format y ''; unset ylabel }
-  if (k > 2) { set key bottom right at graph 0.98,0.12 }
+  if (k > 2) { set key bottom right at graph 1.0,0.06 samplen 1.6 width -9 }
   plot table using "omega":(only(s, column("energy_bond"))) with lines lw 1.6 lc rgb vermilion \
          title 'E_{bc}', \
        table using "omega":(only(s, abs(column("equal_frequency")))) with lines lw 1.6 lc rgb blue \
@@ -27,7 +27,7 @@ do for [k=1:3] {
        table using "omega":(only(s, abs(column("equal_frequency")/column("energy_bond")))) \
          with lines ls 4 title '|E_{PN}|/E_{bc}', \
        table using "omega":(only(s, abs(column("equal_area")))) with lines ls 3 \
-         title '|E_{PN}| at equal area', \
+         title '|E_{PN}|, equal area', \
        zeros using "omega":(column("kind") < 1.5 ? only(s, 4e-20) : NaN) with points pt 9 ps 0.5 \
          lc rgb blue notitle
 }
