@@ -19,7 +19,7 @@ do for [k=1:3] {
   s = k == 1 ? -1./6 : k == 2 ? 0 : 1
   set label 1 (k == 1 ? '(a) s = −1/6' : k == 2 ? '(b) s = 0' : '(c) s = 1') at graph 0.04,0.94
   if (k > 1) { set format y ''; unset ylabel }
-  if (k > 2) { set key bottom right at graph 1.0,0.06 samplen 1.6 width -9 }
+  if (k > 2) { set key bottom right at graph 1.0,0.06 samplen 1.6 width -4 }
   plot table using "omega":(only(s, column("energy_bond"))) with lines lw 1.6 lc rgb vermilion \
          title 'E_{bc}', \
        table using "omega":(only(s, abs(column("equal_frequency")))) with lines lw 1.6 lc rgb blue \

@@ -26,6 +26,8 @@ article found too hard: the barrier at equal area.
 #include "lattice/breather.hpp"
 #include "lattice/dps_stationary.hpp"
 #include "lattice/extended.hpp"
+#include "lattice/ladder.hpp"
+#include "lattice/least_squares.hpp"
 #include "lattice/parallel.hpp"
 #include "lattice/program.hpp"
 #include "lattice/reference.hpp"
@@ -52,26 +54,7 @@ $$\ddot y_n + y_n + s\,y_n^3 = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2},
 Shooting on a half or a quarter of a period (periodic.hpp), with an integrator that lands on the
 contacts' switchings (landing.hpp). Every number is computed at two tolerances; where double
 precision cannot separate two energies, both are computed in 64-bit mantissas. */
-using Wide = long double;
-
-constexpr std::size_t sites_of(Centre centre) {
-  return centre == Centre::site ? 31 : 32;
-}
-constexpr Centre both_centres[] = {Centre::site, Centre::bond};
 const double wells[] = {-1.0 / 6, 0, 1};
-
-BreatherProblem<double> problem_of(Centre centre, double omega, double s = 0) {
-  return breather_problem(centre, omega, s, sites_of(centre));
-}
-
-/// The rules of the two resolutions: tolerances 16 apart.
-template <class T>
-NewtonRule<T> rule(int coarser) {
-  NewtonRule<T> out;
-  out.landing.tolerance = T(128) * std::numeric_limits<T>::epsilon();
-  if (coarser) out.landing.tolerance *= T(16);
-  return out;
-}
 
 /// What the parts of the section add to.
 struct Report {
@@ -88,14 +71,6 @@ The article's residual is the distance from $Y(0)$ to $Y(T_b)$, relative to $Y(0
 and without any symmetry. We evaluate it for our breather, which was found on a quarter of one.
 The wider type evaluates it, and the difference from double precision is its error. */
 template <class T>
-T largest_difference(const State<T>& a, const State<T>& b) {
-  T most(0);
-  for (std::size_t n = 0; n < a.y.size(); ++n)
-    most = std::max({most, magnitude<T>(a.y[n] - b.y[n]), magnitude<T>(a.v[n] - b.v[n])});
-  return most;
-}
-
-template <class T>
 T distance_after_period(const BreatherProblem<double>& problem, const State<double>& start) {
   State<T> begin(start.y.size());
   for (std::size_t n = 0; n < start.y.size(); ++n) begin.y[n] = T(start.y[n]);
@@ -110,12 +85,6 @@ Estimate return_error(const BreatherProblem<double>& problem, const State<double
                  double(distance_after_period<Wide>(problem, start)));
 }
 
-/// Condition number of a matrix.
-double condition(const Matrix<double>& matrix) {
-  const Vector<double> s = Eigen::JacobiSVD<Matrix<double>>(matrix).singularValues();
-  return s[0] / s[s.size() - 1];
-}
-
 /**
 For comparison we solve the equations of the article, $Y(T_b) = Y(0)$, twice as many as unknowns, in
 the sense of least squares. They allow a shift along the chain at almost no price: the
@@ -125,58 +94,6 @@ condition number is [](num:sec32_newton_breathers.condition_full) instead of
 [](num:sec32_newton_breathers.condition_site), and Newton's method wanders along this mode: a
 residual of $10^{-9}$ is followed by a step of $10^{-3}$ and a larger residual, and at the end
 the steps stay a million times larger than the residual. */
-struct LeastSquares {
-  History history{};
-  State<double> start{};
-  Eigen::JacobiSVD<Matrix<double>> svd{};  ///< of the last matrix
-
-  long last() const { return long(start.y.size()) - 1; }
-  double condition() const { return svd.singularValues()[0] / svd.singularValues()[last()]; }
-  /// Positions of the direction that costs least.
-  Vector<double> softest() const { return svd.matrixV().col(last()); }
-};
-
-LeastSquares gauss_newton(const BreatherProblem<double>& problem, State<double> start, int most) {
-  const std::size_t n = problem.chain.sites;
-  LeastSquares out;
-  for (int k = 0;; ++k) {
-    State<double> end = start;
-    Tangent<double> tangent(n, n);
-    flow(problem.chain, end, problem.period(), {}, &tangent);
-    Matrix<double> jacobian(2 * n, n);
-    Vector<double> miss(2 * n);
-    for (std::size_t i = 0; i < 2 * n; ++i) {
-      miss[long(i)] = i < n ? end.y[i] - start.y[i] : end.v[i - n];
-      for (std::size_t j = 0; j < n; ++j) jacobian(long(i), long(j)) = tangent(i, j) - (i == j);
-    }
-    out.svd.compute(jacobian, Eigen::ComputeThinU | Eigen::ComputeThinV);
-    const Vector<double> step = out.svd.solve(miss);
-    out.history.push_back({sup(miss) / largest(start), sup(step) / largest(start)});
-    out.start = start;
-    if (k == most) return out;
-    for (std::size_t j = 0; j < n; ++j) start.y[j] -= step[long(j)];
-  }
-}
-
-State<double> resting(const std::vector<double>& y) {
-  State<double> state(y.size());
-  state.y = y;
-  return state;
-}
-
-/// Cosine of the angle between two directions, without sign.
-double alignment(const Vector<double>& a, const Vector<double>& b) {
-  return std::abs(a.dot(b)) / (a.norm() * b.norm());
-}
-
-/// Discrete gradient of a profile.
-Vector<double> gradient(const State<double>& state) {
-  const long n = long(state.y.size());
-  Vector<double> g = Vector<double>::Zero(n);
-  for (long i = 1; i + 1 < n; ++i) g[i] = state.y[std::size_t(i + 1)] - state.y[std::size_t(i - 1)];
-  return g;
-}
-
 /**
 Both ways start from the same profile and write their histories to one table. */
 void report_convergence(Report& report) {
@@ -394,84 +311,6 @@ Both families are followed by arclength from $\omega_b = 1.005$ to $2$, or to th
 back. A rung holds the two breathers of one frequency and what their comparison gives, at two
 tolerances. Where that leaves the barrier at equal frequency or at equal area with an error of
 more than three parts in a thousand, the rung is climbed again with the wider type. */
-struct Rung {
-  double s = 0, omega = 0;
-  std::array<Orbit<double>, 2> orbit{};  ///< site, bond
-  std::array<Estimate, 2> energy{}, amplitude{};
-  Estimate equal_frequency{}, equal_area{}, slope{};
-  bool wide = false;
-};
-
-/// All that two resolutions have to agree on. The coarser one starts a little beside the orbit, so
-/// that it has to find its own way back.
-template <class T>
-struct Measured {
-  std::array<Orbit<T>, 2> orbit;
-  Barrier<T> gap;
-
-  Measured(const Rung& rung, int coarser) {
-    const NewtonRule<T> how = rule<T>(coarser);
-    const auto problem = [&](Centre c) {
-      return in_precision<T>(problem_of(c, rung.omega, rung.s));
-    };
-    for (int k : {0, 1}) {
-      Orbit<double> guess = rung.orbit[k];
-      if (coarser) guess.x *= 1.0001;
-      orbit[k] = refine(problem(both_centres[k]), guess, how);
-    }
-    gap = barrier(problem(Centre::site), orbit[0], orbit[1], how);
-  }
-};
-
-/// A value at two resolutions. Comparison with quadruple precision shows errors of up to ten
-/// tolerances of the energy, so that the error is not taken to be below sixteen, 2048 roundings of
-/// `size`. A breather's E - A / T is stationary, and the barrier at equal area suffers less.
-template <class T>
-Estimate agree(const T& coarse, const T& fine, const T& size) {
-  const T floor = T(2048) * std::numeric_limits<T>::epsilon() * magnitude(size);
-  return {double(fine), double(magnitude<T>(fine - coarse) + floor)};
-}
-
-template <class T>
-void measure_in(Rung& rung) {
-  const Measured<T> fine(rung, 0), coarse(rung, 1);
-  const T size = fine.orbit[1].energy;
-  for (int k : {0, 1}) {
-    const Orbit<T>&a = coarse.orbit[k], &b = fine.orbit[k];
-    rung.energy[k] = agree(a.energy, b.energy, b.energy);
-    rung.amplitude[k] = agree(a.amplitude, b.amplitude, b.amplitude);
-  }
-  rung.equal_frequency = agree(coarse.gap.equal_frequency, fine.gap.equal_frequency, size);
-  rung.equal_area = agree<T>(coarse.gap.equal_area, fine.gap.equal_area, size / T(4));
-  const auto slope = [](const Measured<T>& m) {
-    return m.orbit[0].energy_omega - m.orbit[1].energy_omega;
-  };
-  rung.slope = agree(slope(coarse), slope(fine), fine.orbit[1].energy_omega);
-  rung.wide = sizeof(T) > sizeof(double);
-}
-
-bool settled(const Estimate& e) {
-  return e.error <= 3e-3 * std::abs(e.value);
-}
-void measure(Rung& rung) {
-  measure_in<double>(rung);
-  if (!settled(rung.equal_frequency) || !settled(rung.equal_area)) measure_in<Wide>(rung);
-}
-
-/// One family at increasing frequencies, as far as it reaches.
-std::vector<Orbit<double>> climb(Centre centre, double s, const std::vector<double>& omegas) {
-  const auto problem = problem_of(centre, omegas.front(), s);
-  std::vector<Orbit<double>> orbits{find_breather(problem)};
-  Branch<double, BreatherProblem<double>> branch(problem, Along::omega, orbits.front(), 1);
-  try {
-    for (std::size_t k = 1; k < omegas.size(); ++k) orbits.push_back(branch.reach(omegas[k]));
-  } catch (const NoBranch&) {
-  }
-  return orbits;
-}
-
-using Ladder = std::vector<Rung>;
-
 /// The frequencies of a ladder. Close to its fold the soft one is scanned more finely, up to 1.9.
 std::vector<double> frequencies(double s, int count) {
   std::vector<double> out{1.005};
@@ -527,44 +366,10 @@ Table branch_table(const std::vector<Ladder>& ladders) {
   return table;
 }
 
-/// The rung at a frequency near that of `from`, along the tangents of both branches.
-Rung rung_at(const Rung& from, double omega) {
-  Rung rung{from.s, omega};
-  for (int k : {0, 1}) {
-    const Orbit<double>& o = from.orbit[k];
-    rung.orbit[k] = newton(problem_of(both_centres[k], omega, from.s),
-                           Vector<double>(o.x + (omega - from.omega) * o.x_omega));
-  }
-  return rung;
-}
-
 /**
 The barrier at equal frequency is a difference with a sign, and where it vanishes the logarithmic
-curve of the article has a dip. Newton's method, with the exact slope and kept between two rungs
-of opposite sign, finds the frequency; the last step is made with the wider type. */
-Estimate zero_between(const Rung& left, const Rung& right) {
-  double low = left.omega, high = right.omega, omega = (low + high) / 2;
-  const bool rises = right.equal_frequency.value > 0;
-  Rung rung;
-  for (int k = 0; k < 12; ++k) {
-    rung = rung_at(left, omega);
-    const auto& [site, bond] = rung.orbit;
-    const double gap = site.energy - bond.energy;
-    ((gap > 0) == rises ? high : low) = omega;
-    const double next = omega - gap / (site.energy_omega - bond.energy_omega);
-    if (std::abs(next - omega) < 1e-9) break;
-    omega = next > low && next < high ? next : (low + high) / 2;
-  }
-  measure_in<Wide>(rung);
-  const double step = rung.equal_frequency.value / rung.slope.value;
-  if (!(std::abs(step) < 1e-6))
-    throw Failure("the zero of the barrier near omega_b = " + std::to_string(omega) +
-                  " was not found");
-  return {rung.omega - step, std::abs(rung.equal_frequency.error / rung.slope.value) + 1e-15};
-}
-
-/**
-A well is named in the facts: `soft` is $s=-1/6$, `linear` is $s=0$, `hard` is $s=1$. */
+curve of the article has a dip. The frequencies are found between neighbouring rungs of
+opposite sign. A well is named in the facts: `soft` is $s=-1/6$, `linear` is $s=0$, `hard` is $s=1$. */
 const char* const names[] = {"soft", "linear", "hard"};
 
 void report_sign_changes(Report& report, const std::vector<Ladder>& ladders) {
