@@ -30,7 +30,6 @@ article found too hard: the barrier at equal area.
 #include "lattice/least_squares.hpp"
 #include "lattice/parallel.hpp"
 #include "lattice/program.hpp"
-#include "lattice/reference.hpp"
 
 using namespace lattice;
 
@@ -502,48 +501,21 @@ We also try what was common in 2011: adaptive Runge-Kutta integration, which doe
 switchings, with the symmetric equations or with those of the article. The matrices stay those
 of the exact breather, which decides only how fast the iteration converges. What is left of the
 residual shows the noise of the integration. */
-std::pair<double, double> plain_newton(Centre centre, bool full, const Tolerance& tolerance) {
-  const auto problem = problem_of(centre, 1.1);
-  const std::size_t n = problem.chain.sites;
-  const Orbit<double> orbit = find_breather(problem);
-  const LeastSquares exact = gauss_newton(problem, orbit.start, 0);
-  const auto lu = shoot(problem, orbit.x, {}).jacobian.partialPivLu();
-  State<double> start = orbit.start;
-  double residual = 0;
-  for (int k = 0; k < 6; ++k) {
-    State<double> end = start;
-    evolve_reference(problem.chain, end, problem.period() / (full ? 1 : problem.parts()),
-                     tolerance);
-    std::vector<double> z = end.y, z0 = start.y;
-    z.insert(z.end(), end.v.begin(), end.v.end());
-    z0.resize(2 * n, 0.0);
-    const auto pairs = equations_of(centre, n);
-    Vector<double> miss(full ? 2 * n : pairs.size());
-    for (std::size_t i = 0; i < std::size_t(miss.size()); ++i)
-      miss[long(i)] = full ? z[i] - z0[i] : z[pairs[i].first] + pairs[i].sign * z[pairs[i].second];
-    residual = sup(miss) / orbit.amplitude;
-    const Vector<double> x = problem.fold(start.y);
-    if (!full) start = problem.unfold(x - lu.solve(miss));
-    if (!full) continue;
-    const Vector<double> step = exact.svd.solve(miss);
-    for (std::size_t j = 0; j < n; ++j) start.y[j] -= step[long(j)];
-  }
-  return {energy(problem.chain, start), residual};
-}
-
 void report_printed(Report& report, double barrier) {
   Table table{{{"tolerance", "", "of the adaptive integration", Kind::real},
                {"equations", "", "symmetric or full period map", Kind::text},
                {"residual_site", "", "left by the site-centred breather", Kind::real},
                {"residual_bond", "", "left by the bond-centred breather", Kind::real},
                {"barrier", "", "E_site - E_bond", Kind::real}}};
+  const auto site = problem_of(Centre::site, 1.1), bond = problem_of(Centre::bond, 1.1);
+  const auto site_orbit = find_breather(site), bond_orbit = find_breather(bond);
   for (bool full : {false, true})
     for (double tolerance : {1e-8, 1e-9, 1e-10, 1e-11, 1e-12}) {
       const Tolerance both(0.01 * tolerance, tolerance, gsl_odeiv2_step_rk8pd);
-      const auto [site, noise_site] = plain_newton(Centre::site, full, both);
-      const auto [bond, noise_bond] = plain_newton(Centre::bond, full, both);
+      const auto [energy_site, noise_site] = plain_newton(site, site_orbit, full, both);
+      const auto [energy_bond, noise_bond] = plain_newton(bond, bond_orbit, full, both);
       table.add({tolerance, std::string(full ? "full" : "symmetric"), noise_site, noise_bond,
-                 site - bond});
+                 energy_site - energy_bond});
     }
   report.output.add("barrier_trials", std::move(table));
   report.facts.add("hidden_energy", {hidden_energy(1.5e-9), 0});
@@ -568,32 +540,15 @@ struct BreatherOptions {
   bool extended() const { return precision == "extended"; }
 };
 
-/// The breather on the chain asked for, which must be able to hold it. Without a wish the chain is
-/// that of the article or as long as necessary.
-struct Fitted {
-  BreatherProblem<double> problem;
-  Orbit<double> orbit;
-};
-
 Fitted fitted(const BreatherOptions& options) {
-  const Centre centre = options.kind();
-  const std::size_t ample = 2 * sites_of(centre) - sites_of(centre) % 2;
-  const auto longer = breather_problem(centre, options.omega, options.s, ample);
-  const Orbit<double> orbit = find_breather(longer, options.start());
-  const std::size_t needed = sites_needed(orbit, options.extended() ? 1e-34 : 1e-17);
-  const std::size_t n = options.sites ? options.sites : std::max(needed, sites_of(centre));
-  if (n < needed)
-    throw UsageError("--sites: " + std::to_string(n) +
-                     " cannot hold this breather's tail (allowed: " + std::to_string(needed) +
+  try {
+    return fit_chain(options.kind(), options.omega, options.s, options.sites,
+                     sites_of(options.kind()), options.extended() ? 1e-34 : 1e-17, options.start());
+  } catch (const ShortChain& error) {
+    throw UsageError("--sites: " + std::to_string(options.sites) +
+                     " cannot hold this breather's tail (allowed: " + std::to_string(error.needed) +
                      " or more)");
-  const auto problem = breather_problem(centre, options.omega, options.s, n);
-  if (options.omega <= direct_up_to) return {problem, find_breather(problem, options.start())};
-  State<double> start(n);
-  const long shift = (long(n) - long(ample)) / 2;
-  for (long i = 0; i < long(n); ++i)
-    if (i - shift >= 0 && i - shift < long(ample))
-      start.y[std::size_t(i)] = orbit.start.y[std::size_t(i - shift)];
-  return {problem, newton(problem, problem.fold(start.y))};
+  }
 }
 
 /// Values in the precision asked for, their errors from the difference to another one.

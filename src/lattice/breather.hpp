@@ -104,6 +104,39 @@ std::size_t sites_needed(const Orbit<T>& orbit, double precision) {
   return y.size() - 2 * cut;
 }
 
+/// A breather on a chain that can hold it.
+struct Fitted {
+  BreatherProblem<double> problem;
+  Orbit<double> orbit;
+};
+
+/// The chain cannot hold the breather's tail; it needs `needed` sites.
+struct ShortChain : std::invalid_argument {
+  std::size_t needed;
+  explicit ShortChain(std::size_t sites)
+      : std::invalid_argument("the breather needs " + std::to_string(sites) + " sites"),
+        needed(sites) {}
+};
+
+/// The breather on `sites` sites, which must hold its tail down to `precision`. With `sites` = 0
+/// the chain is as long as necessary but not shorter than `usual`.
+inline Fitted fit_chain(Centre centre, double omega, double s, std::size_t sites, std::size_t usual,
+                        double precision, Phase phase) {
+  const std::size_t ample = 2 * usual - usual % 2;
+  const Orbit<double> orbit = find_breather(breather_problem(centre, omega, s, ample), phase);
+  const std::size_t needed = sites_needed(orbit, precision);
+  const std::size_t n = sites ? sites : std::max(needed, usual);
+  if (n < needed) throw ShortChain(needed);
+  const auto problem = breather_problem(centre, omega, s, n);
+  if (omega <= direct_up_to) return {problem, find_breather(problem, phase)};
+  State<double> start(n);
+  const long shift = (long(n) - long(ample)) / 2;
+  for (long i = 0; i < long(n); ++i)
+    if (i - shift >= 0 && i - shift < long(ample))
+      start.y[std::size_t(i)] = orbit.start.y[std::size_t(i - shift)];
+  return {problem, newton(problem, problem.fold(start.y))};
+}
+
 /**
 ## The barrier
 

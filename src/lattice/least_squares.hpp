@@ -11,9 +11,11 @@ together with the few measures by which the two are compared. */
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "periodic.hpp"
+#include "reference.hpp"
 
 namespace lattice {
 
@@ -88,6 +90,40 @@ LeastSquares gauss_newton(const Shooting<double, Onsite, Contact>& problem, Stat
     if (k == most) return out;
     for (std::size_t j = 0; j < n; ++j) start.y[j] -= step[long(j)];
   }
+}
+
+/**
+What becomes of a breather if it is computed with an adaptive integration that knows nothing of the
+switchings? Newton's method for the symmetric equations or, if `full`, for the period map begins at
+the exact orbit and uses its matrix. Returns the energy and the residual it is left with. */
+template <class Onsite, class Contact>
+std::pair<double, double> plain_newton(const Shooting<double, Onsite, Contact>& problem,
+                                       const Orbit<double>& orbit, bool full,
+                                       const Tolerance& tolerance) {
+  const std::size_t n = problem.chain.sites;
+  const LeastSquares exact = gauss_newton(problem, orbit.start, 0);
+  const auto lu = shoot(problem, orbit.x, {}).jacobian.partialPivLu();
+  State<double> start = orbit.start;
+  double residual = 0;
+  for (int k = 0; k < 6; ++k) {
+    State<double> end = start;
+    evolve_reference(problem.chain, end, problem.period() / (full ? 1 : problem.parts()),
+                     tolerance);
+    std::vector<double> z = end.y, z0 = start.y;
+    z.insert(z.end(), end.v.begin(), end.v.end());
+    z0.resize(2 * n, 0.0);
+    const auto pairs = equations_of(problem.centre, n);
+    Vector<double> miss(full ? 2 * n : pairs.size());
+    for (std::size_t i = 0; i < std::size_t(miss.size()); ++i)
+      miss[long(i)] = full ? z[i] - z0[i] : z[pairs[i].first] + pairs[i].sign * z[pairs[i].second];
+    residual = sup(miss) / orbit.amplitude;
+    const Vector<double> x = problem.fold(start.y);
+    if (!full) start = problem.unfold(x - lu.solve(miss));
+    if (!full) continue;
+    const Vector<double> step = exact.svd.solve(miss);
+    for (std::size_t j = 0; j < n; ++j) start.y[j] -= step[long(j)];
+  }
+  return {energy(problem.chain, start), residual};
 }
 
 }  // namespace lattice
