@@ -9,18 +9,17 @@ its neighbours at the stage before, no more. So we take a block of sites that fi
 the first-level cache and do many stages there, each one shifted to the left by at least
 one site because the block's right edge has not got its neighbour's new position yet.
 
-        stage 3   ....]......]
-        stage 2     ....]......]      ] right edge of a block; it moves left
+        stage 2   ....]......]        ] right edge of a block; it moves left
         stage 1       ....]......]      from stage to stage
 
 The contact across such an edge is evaluated once, at the right moment, and kept for the
-next block. All operations are those of the plain run in another order, and so the bits
-are the same. */
+next block. All operations are those of the plain run in another order, with the same bits. */
 
 #include <algorithm>
 #include <barrier>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <thread>
 #include <type_traits>
 #include <vector>
@@ -63,8 +62,11 @@ template <class T, class Onsite, class Contact>
 class Tile {
  public:
   Tile(const Chain<Onsite, Contact>& chain, const Part& part, std::size_t depth)
-      : chain_(chain), part_(part), left_(depth), room_(2 * stride() + line) {
-    y_ = room_.data();
+      : chain_(chain),
+        part_(part),
+        left_(depth),
+        room_(std::make_unique_for_overwrite<T[]>(2 * stride() + line)) {
+    y_ = room_.get();
     while (reinterpret_cast<std::uintptr_t>(y_) % (line * sizeof(double)) != 0) ++y_;
     v_ = y_ + stride();
     if (!chain.varied()) return;
@@ -118,7 +120,7 @@ class Tile {
   const Chain<Onsite, Contact>& chain_;
   Part part_;
   std::vector<T> left_;  ///< for every stage the contact at the edge where the last block stopped
-  std::vector<T> room_;
+  std::unique_ptr<T[]> room_;
   T *y_, *v_;  ///< in `room_`
   std::vector<double> eta_{}, inverse_mass_{};
 };
@@ -171,9 +173,9 @@ void Tile<T, Onsite, Contact>::pass(const std::vector<Stage<T>>& stages, std::si
 }
 
 /**
-The stepper that programs use. It takes this way if the whole chain is awake, long enough
-to be worth it and, with `least` sites a thread, not to be shared too finely; otherwise
-it is the plain splitting. The copies take as much memory as the state. */
+The stepper that programs use. It takes plain stages until the whole chain is awake, and also
+where the chain is too short for tiles to be worth it; with `least` sites a thread it is not
+shared too finely. The copies take as much memory as the state. */
 struct Tiled {
   Scheme scheme;
   double step;
@@ -186,21 +188,38 @@ struct Tiled {
   template <class T, class Onsite, class Contact>
   double advance(const Chain<Onsite, Contact>& chain, State<T>& state, Window& window, double h,
                  std::size_t count) const {
-    const std::size_t stages = stage_count(scheme, count), part = std::max(least, depth);
-    const bool awake = window == Window{0, chain.sites}, seam = has_seam(chain);
-    if (!awake || seam || stages < 4 || chain.sites < part || chain.sites < 2)
-      return Splitting{scheme, step}.advance(chain, state, window, h, count);
-    const std::size_t parts = std::max<std::size_t>(1, std::min(threads, chain.sites / part));
-    const std::size_t passes = (stages + depth - 1) / depth;
+    const std::size_t stages = stage_count(scheme, count);
+    const bool fit = chain.sites >= std::max({least, depth, std::size_t(2)}) && !has_seam(chain);
+    double work = 0;
+    std::size_t k = 0;
+    for (; k < stages && !(fit && window == Window{0, chain.sites}); ++k) {
+      const Stage<T> stage = stage_at<T>(scheme, h, count, k);
+      kick_drift(chain, state, window, stage.kick, stage.drift);
+      work += double(window.last - window.first);
+    }
+    const auto stage = [&](std::size_t i) { return stage_at<T>(scheme, h, count, i); };
+    if (k < stages) share(chain, state, k, stages, stage);
+    return work + double(stages - k) * double(chain.sites);
+  }
+
+ private:
+  /// The stages `first <= k < last`, tile by tile.
+  template <class T, class Onsite, class Contact, class StageAt>
+  void share(const Chain<Onsite, Contact>& chain, State<T>& state, std::size_t first,
+             std::size_t last, StageAt stage) const {
+    const std::size_t most = chain.sites / std::max(least, depth);
+    const std::size_t parts = std::max<std::size_t>(1, std::min(threads, most));
+    const bool ring = chain.ends == Ends::periodic;
     std::barrier meet{std::ptrdiff_t(parts)};
     const auto work = [&](std::size_t k) {
-      const bool ring = chain.ends == Ends::periodic;
       Tile<T, Onsite, Contact> tile(chain, part_of(chain.sites, ring, k, parts, depth), depth);
       tile.load(state);
-      for (std::size_t p = 0; p < passes; ++p) {
+      std::vector<Stage<T>> pass;
+      for (std::size_t next = first; next < last;) {
+        for (pass.clear(); next < last && pass.size() < depth; ++next) pass.push_back(stage(next));
         meet.arrive_and_wait();  // everybody has read
-        tile.pass(stages_of<T>(h, count, p * depth, std::min(stages, (p + 1) * depth)), block);
-        if (p + 1 == passes) break;
+        tile.pass(pass, block);
+        if (next == last) break;
         tile.publish(state, depth);
         meet.arrive_and_wait();  // everybody has written
         tile.refresh(state);
@@ -210,17 +229,6 @@ struct Tiled {
     std::vector<std::jthread> others;
     for (std::size_t k = 1; k < parts; ++k) others.emplace_back(work, k);
     work(0);
-    others.clear();
-    return double(stages) * double(chain.sites);
-  }
-
- private:
-  template <class T>
-  std::vector<Stage<T>> stages_of(double h, std::size_t steps, std::size_t from,
-                                  std::size_t to) const {
-    std::vector<Stage<T>> list;
-    for (std::size_t k = from; k < to; ++k) list.push_back(stage_at<T>(scheme, h, steps, k));
-    return list;
   }
   /// On a ring the first and the last stiffness are the same contact; ghosts can have only one.
   template <class Onsite, class Contact>
