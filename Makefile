@@ -103,6 +103,17 @@ run-tests: programs
 	@cmake --build $(B) --parallel $(JOBS) > $(B)/build.log 2>&1 || { cat $(B)/build.log; exit 1; }
 	@cd $(B) && ctest $(CTEST_ARGS)
 
+## bench: time our integrators against GSL and Boost.odeint (ten minutes, not part of the tests)
+.PHONY: bench
+bench: install-deps $(B)/CMakeCache.txt
+	@mkdir -p $(B)/bench
+	@cmake --build $(B) --parallel $(JOBS) --target bench > $(B)/bench/build.log 2>&1 || \
+	  { cat $(B)/bench/build.log; exit 1; }
+	@$(B)/bin/bench_kernels --benchmark_min_time=0.1
+	@$(B)/bin/bench_ratios --out $(B)/bench
+	@$(need_python) $(PYTHON) figures/x04_work_precision.py $(B)/bench $(B)/bench/work_precision.svg
+	@$(MAKE) $(B)/bench/work_precision.pdf $(B)/bench/work_precision.png
+
 ## readme: refresh the generated tables of README.md
 readme: install-deps
 	@$(MAKE) all-figures

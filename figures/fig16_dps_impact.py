@@ -6,8 +6,8 @@ from matplotlib.colors import PowerNorm
 import draw
 
 data, out = draw.arguments()
-field = draw.read(f"{data}/sec34_impact/dps_impact_map.ecsv")
-final = draw.read(f"{data}/sec34_impact/dps_impact_profile.ecsv")
+field = draw.read(f"{data}/sec34_dps_impact/dps_impact_map.ecsv")
+final = draw.read(f"{data}/sec34_dps_impact/dps_impact_profile.ecsv")
 
 figure, axes = plt.subplots(figsize=(draw.ONE_COLUMN * 1.2, 70 * draw.MM))
 image, extent = draw.grid(field, "n", "tau", "density")

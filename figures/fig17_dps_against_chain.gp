@@ -1,7 +1,7 @@
 # Figure 17: displacements of the struck chain and of its DpS approximation at slow time 250.
 width = 85; height = 85
 load 'figures/style.gp'
-table = data.'/sec34_impact/impact_profiles.ecsv'
+table = data.'/sec34_dps_impact/impact_profiles.ecsv'
 set multiplot layout 2,1 margins char 8,1.5,3.4,0.6 spacing char 0,1
 set xrange [0:105]
 set yrange [-1.1:1.1]

@@ -6,7 +6,7 @@ from matplotlib.colors import PowerNorm
 import draw
 
 data, out = draw.arguments()
-maps = draw.read(f"{data}/sec34_impact/impact_density_maps.ecsv")
+maps = draw.read(f"{data}/sec34_dps_impact/impact_density_maps.ecsv")
 
 figure, both = plt.subplots(1, 2, figsize=(draw.TWO_COLUMNS, 70 * draw.MM), sharey=True)
 for axes, column, name in zip(both, ["e_lattice", "e_dps"], ["a", "b"]):

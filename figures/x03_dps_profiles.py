@@ -33,11 +33,13 @@ for table, color, marker, name in [(site, BLUE, "o", "site"), (bond, VERMILION, 
     tails.plot(table["n"][right_half], table["double_log"][right_half], marker, color=color, ms=3,
                mfc="none", mew=0.9, label=f"{name}-centred")
 moduli.plot([], [], "o", color="black", ms=1.6, label="quasi-continuum")
-moduli.set(xlabel="site $n$", ylabel=r"$\log_{10}|u_n|$", xlim=(-11, 11), ylim=(-90, 5))
+moduli.set(xlabel="site $n$", ylabel=r"$\log_{10}|u_n|$", xlim=(-9, 9), ylim=(-33, 2),
+           xticks=range(-8, 9, 4))
 moduli.legend(loc="lower center", handlelength=1.6)
 draw.letter(moduli, "c")
 tails.plot([], [], "-", color=GREY, lw=0.8, label=r"slope $\ln\frac{3}{2}$")
-tails.set(xlabel="site $n$", ylabel=r"$\ln(-\ln|u_n|)$", xlim=(0, 17))
+tails.set(xlabel="site $n$", ylabel=r"$\ln(-\ln|u_n|)$", xlim=(0, 17),
+          xticks=range(0, 17, 4))
 tails.legend(loc="lower right", handlelength=1.6)
 draw.letter(tails, "d")
 draw.save(figure, out)

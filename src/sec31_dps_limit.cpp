@@ -43,11 +43,8 @@ time $\tau = \epsilon^{1/2}t$ (Eq. approx), as Eq. dps says:
 $$y_n^{app}(t) = 2\epsilon\,\mathrm{Re}\,[A_n(\epsilon^{1/2}t)\,e^{it}], \qquad
 2i\tau_0\dot A_n = (A_{n+1}-A_n)|A_{n+1}-A_n|^{1/2} - (A_n-A_{n-1})|A_n-A_{n-1}|^{1/2}.$$
 
-| article | program | meaning |
-|---|---|---|
-| $\epsilon$, $\tau$ | `eps`, `tau` | size of the motion and slow time |
-| $\tau_0$ | `tau_0()` | time constant |
-| $A_n$ | `Field` | complex amplitudes | */
+In the program $\epsilon$ is `eps`, $\tau$ is `tau`, $\tau_0$ is `tau_0()` and the complex
+amplitudes are a `Field`; all are dimensionless. */
 
 /**
 ## The time constant
@@ -115,6 +112,9 @@ struct Resolution {
 };
 constexpr Resolution resolutions[] = {{0.1, 0.2, 1e-9}, {0.05, 0.1, 1e-11}};
 
+/**
+Both equations run side by side. The chain's samples set the pace, and the DpS integrator is
+carried to the same instant of slow time. */
 /// Largest deviation of chain and approximation up to each horizon, starting from `start`.
 std::array<double, 3> deviations(const Field& start, double eps, const Resolution& resolution) {
   const Chain<Harmonic, Hertz> chain{start.size()};
@@ -140,7 +140,9 @@ std::array<double, 3> deviations(const Field& start, double eps, const Resolutio
   return largest;
 }
 
-/// One measured error: start, eps, and the estimates for the three horizons.
+/**
+The cost of a run grows like $\epsilon^{-1/2}$, so those with the smallest $\epsilon$ are begun
+first and both cores stay busy to the end. */
 struct Point {
   std::size_t start;
   double eps;
@@ -179,7 +181,9 @@ struct Order {
   std::array<Estimate, 3> order{};
 };
 
-/// Local orders between neighbouring points of one start.
+/**
+A relative error $\delta$ of a point shifts the local order by $\delta$ over the logarithm of the
+ratio of neighbouring sizes; the errors of both points are added. */
 std::vector<Order> local_orders(const std::vector<Point>& points, std::size_t start) {
   std::vector<Order> orders;
   for (std::size_t i = 1; i < points.size(); ++i) {
@@ -197,16 +201,18 @@ std::vector<Order> local_orders(const std::vector<Point>& points, std::size_t st
   return orders;
 }
 
+/**
+The tables of the figure. The lines of slope 3/2 pass through the points of smallest size. */
 Table error_table(const std::vector<Point>& points) {
-  Table table{{{"start", "", "0: impact, 1: pair", Kind::integer},
-               {"tau", "", "slow time up to which the error is taken", Kind::real},
-               {"eps", "", "size of the motion", Kind::real},
-               {"error", "", "largest deviation of chain and approximation", Kind::real},
-               {"error_error", "", "difference of two resolutions", Kind::real},
-               {"constant", "", "error over eps^(3/2)", Kind::real},
-               {"line", "", "power law 3/2 through the point of smallest eps", Kind::real}}};
-  for (const Point& p : points)
-    for (std::size_t k = 0; k < horizons.size(); ++k) {
+  Table table{{count("start", "0: impact, 1: pair"),
+               number("tau", "slow time up to which the error is taken"),
+               number("eps", "size of the motion"),
+               number("error", "largest deviation of chain and approximation"),
+               number("error_error", "difference of two resolutions"),
+               number("constant", "error over eps^(3/2)"),
+               number("line", "power law 3/2 through the point of smallest eps")}};
+  for (std::size_t k = 0; k < horizons.size(); ++k)
+    for (const Point& p : points) {
       const Point& smallest = points[(p.start + 1) * points.size() / starts.size() - 1];
       const double line = smallest.error[k].value * std::pow(p.eps / smallest.eps, 1.5);
       table.add({std::int64_t(p.start), horizons[k], p.eps, p.error[k].value, p.error[k].error,
@@ -215,24 +221,24 @@ Table error_table(const std::vector<Point>& points) {
   return table;
 }
 
+/**
+The local orders are arranged in the same way. */
 Table order_table(const std::vector<Point>& points) {
-  Table table{{{"start", "", "0: impact, 1: pair", Kind::integer},
-               {"tau", "", "slow time up to which the error is taken", Kind::real},
-               {"eps", "", "geometric mean of two neighbouring sizes", Kind::real},
-               {"order", "", "local order", Kind::real},
-               {"order_error", "", "from the errors of both points", Kind::real}}};
+  Table table{{count("start", "0: impact, 1: pair"),
+               number("tau", "slow time up to which the error is taken"),
+               number("eps", "geometric mean of two neighbouring sizes"),
+               number("order", "local order"),
+               number("order_error", "from the errors of both points")}};
   for (std::size_t start = 0; start < starts.size(); ++start)
-    for (const Order& o : local_orders(points, start))
-      for (std::size_t k = 0; k < horizons.size(); ++k)
+    for (std::size_t k = 0; k < horizons.size(); ++k)
+      for (const Order& o : local_orders(points, start))
         table.add({std::int64_t(start), horizons[k], o.eps, o.order[k].value, o.order[k].error});
   return table;
 }
 
 /**
 The order that answers the claim is the mean over both starts and the three horizons; its error
-is the largest departure of any of the six, with their own errors added. The constants
-$C = \mathrm{error}/\epsilon^{3/2}$ are those of the smallest $\epsilon$, each with its
-change since the value before as the error. */
+is the largest departure of any of the six, with their own errors added. */
 Estimate answer_order(const std::vector<Point>& points) {
   Estimate mean;
   std::vector<Estimate> last;
@@ -246,6 +252,9 @@ Estimate answer_order(const std::vector<Point>& points) {
   return mean;
 }
 
+/**
+The constants $C = \mathrm{error}/\epsilon^{3/2}$ are those of the smallest $\epsilon$, each
+with its change since the value before as the error. */
 void add_constants(Quantities& facts, const std::vector<Point>& points) {
   double worst = 0;
   for (std::size_t i = 1; i < points.size(); ++i) {
@@ -262,7 +271,9 @@ void add_constants(Quantities& facts, const std::vector<Point>& points) {
   facts.add("largest_resolution_error", {worst, 0}, "share of the error");
 }
 
-/// Local order of the impact at the longest horizon around a given size.
+/**
+How far from the limit are sizes that a simulation would use? Two local orders of the impact at
+the longest horizon answer that. */
 Estimate order_near(const std::vector<Point>& points, double eps) {
   const auto orders = local_orders(points, 0);
   const auto nearest = std::min_element(orders.begin(), orders.end(), [&](auto& a, auto& b) {
@@ -327,6 +338,9 @@ DpsOutcome run_impact(const ImpactOptions& options, double tolerance, double sam
   return follow_dps(dps, dps_impact(n), options.tau, samples, tolerance, Unwatched{});
 }
 
+/**
+Both runs at once, and the five quantities from each. The impact chapter measures the first ones
+in its own run, and a test compares them. */
 Table impact_quantities(const ImpactOptions& options) {
   std::array<DpsOutcome, 2> runs;
   parallel_for(2,
@@ -359,8 +373,16 @@ positions and over sampled times. Over times much longer than $\epsilon^{-1/2}$ 
 silent: the impact chapter compares both equations at $\tau = 250$.
 
 The `impact` command does not know whether its packet has met the far end. The default length
-avoids that; with `--sites` it is the reader's care.
+avoids that; with `--sites` it is the reader's care. */
+void add_options(CLI::App& impact, ImpactOptions& options) {
+  impact.add_option("--tau", options.tau, "slow time of the run")->check(in_range(1, 1e4));
+  impact.add_option("--sites", options.sites, "chain length (default: as long as needed)")
+      ->check(in_range(2, 1e5));
+  impact.add_option("--end", options.end, "end where the impact is: free or fixed")
+      ->check(CLI::IsMember({"free", "fixed"}));
+}
 
+/**
 ## Extensions
 
 - The correction of relative size $\epsilon^{1/2}$ could be computed: which term of the
@@ -374,11 +396,7 @@ int main(int argc, char** argv) {
   ImpactOptions options;
   CLI::App* impact = program.command("impact", "the DpS impact: its packet and its residue",
                                      [&] { return impact_quantities(options); });
-  impact->add_option("--tau", options.tau, "slow time of the run")->check(in_range(1, 1e4));
-  impact->add_option("--sites", options.sites, "chain length (default: as long as needed)")
-      ->check(in_range(2, 1e5));
-  impact->add_option("--end", options.end, "end where the impact is: free or fixed")
-      ->check(CLI::IsMember({"free", "fixed"}));
+  add_options(*impact, options);
   program.everything = [&](Output& output) { return everything(output, program.quick); };
   return program.run(argc, argv);
 }

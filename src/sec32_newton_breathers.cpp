@@ -55,14 +55,6 @@ contacts' switchings (landing.hpp). Every number is computed at two tolerances; 
 precision cannot separate two energies, both are computed in 64-bit mantissas. */
 const double wells[] = {-1.0 / 6, 0, 1};
 
-/// What the parts of the section add to.
-struct Report {
-  Output& output;
-  bool quick;
-  Results results{};
-  Quantities facts{};
-};
-
 /**
 ## Convergence (claims on residual and variation)
 
@@ -96,10 +88,10 @@ the steps stay a million times larger than the residual. */
 /**
 Both ways start from the same profile and write their histories to one table. */
 void report_convergence(Report& report) {
-  Table table{{{"equations", "", "symmetric or full period map", Kind::text},
-               {"iteration", "", "number of Newton steps made", Kind::integer},
-               {"residual", "", "of the equations solved, relative to the amplitude", Kind::real},
-               {"step", "", "of the next iteration, relative to the amplitude", Kind::real}}};
+  Table table{{label("equations", "symmetric or full period map"),
+               count("iteration", "number of Newton steps made"),
+               number("residual", "of the equations solved, relative to the amplitude"),
+               number("step", "of the next iteration, relative to the amplitude")}};
   const auto problem = problem_of(Centre::site, 1.1);
   const auto guess = ansatz(Centre::site, 1.1, problem.chain.sites);
   const Orbit<double> orbit = newton(problem, problem.fold(guess), rule<double>(0));
@@ -157,13 +149,12 @@ At $1.01$ the first one is all, at $1.1$ the second has joined it.
 ![Bond-centred breathers and their quasi-continuum approximation.](fig:02)
 ![Site-centred breathers and their quasi-continuum approximation.](fig:03) */
 Table profile_table(Centre centre) {
-  Table table{{{"n", "site", "site", Kind::integer},
-               {"u", "", "stationary DpS breather, mu = 1", Kind::real},
-               {"u_continuum", "", "its quasi-continuum approximation", Kind::real},
-               {"y_101", "", "positions at t = 0, omega_b = 1.01", Kind::real},
-               {"y_101_continuum", "", "their quasi-continuum approximation", Kind::real},
-               {"y_110", "", "positions at t = 0, omega_b = 1.1", Kind::real},
-               {"y_110_continuum", "", "their quasi-continuum approximation", Kind::real}}};
+  Table table{{count("n", "site", "site"), number("u", "stationary DpS breather, mu = 1"),
+               number("u_continuum", "its quasi-continuum approximation"),
+               number("y_101", "positions at t = 0, omega_b = 1.01"),
+               number("y_101_continuum", "their quasi-continuum approximation"),
+               number("y_110", "positions at t = 0, omega_b = 1.1"),
+               number("y_110_continuum", "their quasi-continuum approximation")}};
   const std::size_t sites = sites_of(centre);
   const auto small = find_breather(problem_of(centre, 1.01)).start.y;
   const auto large = find_breather(problem_of(centre, 1.1)).start.y;
@@ -219,7 +210,8 @@ void report_profiles(Report& report) {
 
 The site-centred breather at $s = 0$ is weakly unstable, so that rounding must grow. Its growth is
 measured by a second run with another tolerance: the difference of the two is the error of
-the first. The positions are visually equal if they differ by less than the line width of
+the first. After a hundred periods the sup difference from the start is
+[](num:sec32_newton_breathers.moved_after_100_periods) of the amplitude. The positions are visually equal if they differ by less than the line width of
 the figure, a hundredth of the amplitude.
 
 ![The breather at the start and after a hundred periods.](fig:04) */
@@ -231,10 +223,9 @@ void report_persistence(Report& report) {
     for (int period = 0; period < 100; ++period)
       flow(problem.chain, end[k], problem.period(), rule<double>(int(k)).landing);
   });
-  Table table{{{"n", "site", "site", Kind::integer},
-               {"y_start", "", "positions at t = 0", Kind::real},
-               {"y_end", "", "positions after 100 periods", Kind::real},
-               {"y_end_error", "", "difference of two resolutions", Kind::real}}};
+  Table table{{count("n", "site", "site"), number("y_start", "positions at t = 0"),
+               number("y_end", "positions after 100 periods"),
+               number("y_end_error", "difference of two resolutions")}};
   for (std::size_t i = 0; i < start.y.size(); ++i)
     table.add({std::int64_t(site_number(i, start.y.size())), start.y[i], end[0].y[i],
                std::abs(end[0].y[i] - end[1].y[i])});
@@ -265,12 +256,12 @@ Orbit<T> with_tail(Centre centre, std::size_t sites) {
 }
 
 void report_tail(Report& report) {
-  Table table{{{"n", "site", "site", Kind::integer},
-               {"size", "", "|y_n(0)| in double precision; 0 where it has underflown", Kind::real},
-               {"size_error", "", "relative difference from the wider type", Kind::real},
-               {"log_size", "", "ln |y_n(0)| in the wider type", Kind::real},
-               {"exponent", "", "ln |y_(n+1)| / ln |y_n| away from the centre", Kind::real},
-               {"law", "", "ln |y| by the law 3/2 from the outermost site inwards", Kind::real}}};
+  Table table{{count("n", "site", "site"),
+               number("size", "|y_n(0)| in double precision; 0 where it has underflown"),
+               number("size_error", "relative difference from the wider type"),
+               number("log_size", "ln |y_n(0)| in the wider type"),
+               number("exponent", "ln |y_(n+1)| / ln |y_n| away from the centre"),
+               number("law", "ln |y| by the law 3/2 from the outermost site inwards")}};
   const Orbit<double> orbit = with_tail<double>(Centre::site, 99);
   const Orbit<Wide> wide = with_tail<Wide>(Centre::site, 63);
   const auto size = [&](long n) {
@@ -344,24 +335,24 @@ std::vector<Ladder> climb_all(int count) {
 }
 
 Table branch_table(const std::vector<Ladder>& ladders) {
-  Table table{{{"s", "", "anharmonicity of the well", Kind::real},
-               {"omega", "", "frequency", Kind::real},
-               {"amplitude_bond", "", "largest |y_n(0)|, bond-centred", Kind::real},
-               {"amplitude_site", "", "largest |y_n(0)|, site-centred", Kind::real},
-               {"energy_bond", "", "energy, bond-centred", Kind::real},
-               {"energy_site", "", "energy, site-centred", Kind::real},
-               {"energy_error", "", "larger of the two errors", Kind::real},
-               {"equal_frequency", "", "E_site - E_bond at equal frequency", Kind::real},
-               {"equal_frequency_error", "", "difference of two resolutions", Kind::real},
-               {"equal_area", "", "E_site - E_bond at equal area", Kind::real},
-               {"equal_area_error", "", "difference of two resolutions", Kind::real},
-               {"wide", "", "1 where a 64-bit mantissa was needed", Kind::integer}}};
+  Table table{{number("s", "anharmonicity of the well"), number("omega", "frequency"),
+               number("amplitude_bond", "largest |y_n(0)|, bond-centred"),
+               number("amplitude_site", "largest |y_n(0)|, site-centred"),
+               number("energy_bond", "energy, bond-centred"),
+               number("energy_site", "energy, site-centred"),
+               number("energy_bond_error", "difference of two resolutions"),
+               number("energy_site_error", "difference of two resolutions"),
+               number("equal_frequency", "E_site - E_bond at equal frequency"),
+               number("equal_frequency_error", "difference of two resolutions"),
+               number("equal_area", "E_site - E_bond at equal area"),
+               number("equal_area_error", "difference of two resolutions"),
+               count("wide", "1 where a 64-bit mantissa was needed")}};
   for (const Ladder& ladder : ladders)
     for (const Rung& r : ladder)
       table.add({r.s, r.omega, r.amplitude[1].value, r.amplitude[0].value, r.energy[1].value,
-                 r.energy[0].value, std::max(r.energy[0].error, r.energy[1].error),
-                 r.equal_frequency.value, r.equal_frequency.error, r.equal_area.value,
-                 r.equal_area.error, std::int64_t(r.wide)});
+                 r.energy[0].value, r.energy[1].error, r.energy[0].error, r.equal_frequency.value,
+                 r.equal_frequency.error, r.equal_area.value, r.equal_area.error,
+                 std::int64_t(r.wide)});
   return table;
 }
 
@@ -372,10 +363,10 @@ opposite sign. A well is named in the facts: `soft` is $s=-1/6$, `linear` is $s=
 const char* const names[] = {"soft", "linear", "hard"};
 
 void report_sign_changes(Report& report, const std::vector<Ladder>& ladders) {
-  Table table{{{"s", "", "anharmonicity of the well", Kind::real},
-               {"kind", "", "1 at equal frequency, 2 at equal area", Kind::integer},
-               {"omega", "", "frequency where the barrier changes its sign", Kind::real},
-               {"error", "", "its error", Kind::real}}};
+  Table table{{number("s", "anharmonicity of the well"),
+               count("kind", "1 at equal frequency, 2 at equal area"),
+               number("omega", "frequency where the barrier changes its sign"),
+               number("omega_error", "its error")}};
   for (std::size_t w = 0; w < ladders.size(); ++w) {
     int count = 0;
     for (std::size_t k = 1; k < ladders[w].size(); ++k) {
@@ -502,11 +493,11 @@ switchings, with the symmetric equations or with those of the article. The matri
 of the exact breather, which decides only how fast the iteration converges. What is left of the
 residual shows the noise of the integration. */
 void report_printed(Report& report, double barrier) {
-  Table table{{{"tolerance", "", "of the adaptive integration", Kind::real},
-               {"equations", "", "symmetric or full period map", Kind::text},
-               {"residual_site", "", "left by the site-centred breather", Kind::real},
-               {"residual_bond", "", "left by the bond-centred breather", Kind::real},
-               {"barrier", "", "E_site - E_bond", Kind::real}}};
+  Table table{{number("tolerance", "of the adaptive integration"),
+               label("equations", "symmetric or full period map"),
+               number("residual_site", "left by the site-centred breather"),
+               number("residual_bond", "left by the bond-centred breather"),
+               number("barrier", "E_site - E_bond")}};
   const auto site = problem_of(Centre::site, 1.1), bond = problem_of(Centre::bond, 1.1);
   const auto site_orbit = find_breather(site), bond_orbit = find_breather(bond);
   for (bool full : {false, true})
@@ -572,7 +563,7 @@ Table breather_table(const BreatherProblem<T>& problem, const Orbit<T>& orbit,
 
 template <class T>
 Table breather_profile(const Orbit<T>& orbit) {
-  Table table{{{"n", "site", "site", Kind::integer}, {"y", "", "position at t = 0", Kind::real}}};
+  Table table{{count("n", "site", "site"), number("y", "position at t = 0")}};
   for (std::size_t i = 0; i < orbit.start.y.size(); ++i)
     table.add({std::int64_t(site_number(i, orbit.start.y.size())), double(orbit.start.y[i])});
   return table;
@@ -633,6 +624,19 @@ Results everything(Output& output, bool quick) {
   output.add("facts", report.facts.table);
   return report.results;
 }
+
+/**
+## What goes beyond the article
+
+- The barrier at equal frequency has no fixed sign. In the linear well it vanishes first at
+  [](num:sec32_newton_breathers.zero_linear1) and for the fifth time at
+  [](num:sec32_newton_breathers.zero_linear5): the small value near $1.3$ owes its size to that zero.
+- The barrier at equal area is smaller still, at $\omega_b = 1.1$ it is
+  [](num:sec32_newton_breathers.equal_area_linear_110), and changes its sign elsewhere.
+- The relative difference of the energies is largest in the limit of small amplitude; the largest that
+  we computed is [](num:sec32_newton_breathers.largest_energy_difference).
+- The families of the soft well end in folds at [](num:sec32_newton_breathers.fold_soft_site) (site) and
+  [](num:sec32_newton_breathers.fold_soft_bond) (bond). */
 
 /**
 ## Differences and limits

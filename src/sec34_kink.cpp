@@ -32,10 +32,10 @@ also be thrown back over $y = -\pi$, and leaves.
 
 The same runs are made with two steps. Where they disagree about the integers below, the
 velocity is marked and supports no statement. */
-constexpr double step = 0.04;
+constexpr double step = 0.05;
 
-Splitting stepper(int halvings) {
-  return {blanes_moan_6(), std::ldexp(step, -halvings)};
+ContactAware stepper(int halvings) {
+  return {std::ldexp(step, -halvings)};
 }
 
 /**
@@ -104,11 +104,11 @@ std::vector<Point> scan(double from, double to, double spacing) {
 }
 
 Table scan_table(const std::vector<Point>& points, std::size_t sites) {
-  Table table{{{"velocity", "", "impact velocity", Kind::real},
-               {"moved", "", "share of the beads that advanced by a well", Kind::real},
-               {"ejected_far", "", "beads thrown off the far end", Kind::integer},
-               {"ejected_near", "", "beads thrown back at the near end", Kind::integer},
-               {"agree", "", "1 where two resolutions give the same counts", Kind::integer}}};
+  Table table{{number("velocity", "impact velocity"),
+               number("moved", "share of the beads that advanced by a well"),
+               count("ejected_far", "beads thrown off the far end"),
+               count("ejected_near", "beads thrown back at the near end"),
+               count("agree", "1 where two resolutions give the same counts")}};
   for (const Point& p : points)
     table.add({p.velocity, double(p.counts.moved) / double(sites), p.counts.ejected_far,
                p.counts.ejected_near, std::int64_t(p.agree)});
@@ -117,10 +117,8 @@ Table scan_table(const std::vector<Point>& points, std::size_t sites) {
 
 /// Displacements over time for one velocity below the transition and one above.
 Table examples() {
-  Table table{{{"velocity", "", "impact velocity", Kind::real},
-               {"t", "", "time", Kind::real},
-               {"n", "site", "site", Kind::integer},
-               {"wells", "", "displacement in units of 2 pi", Kind::real}}};
+  Table table{{number("velocity", "impact velocity"), number("t", "time"),
+               count("n", "site", "site"), number("wells", "displacement in units of 2 pi")}};
   for (double velocity : {2.0, 5.0})
     strike({.velocity = velocity, .time = 100}, 1, [&](const State<double>& now) {
       for (std::size_t n = 0; n < now.y.size(); ++n)

@@ -94,6 +94,17 @@ TEST_CASE("bad input: one line, exit code 2, no file", "[cli]") {
                         {"sec34_impact run --onsite cubic", "--onsite"},
                         {"sec34_impact run --onsite pendulum --s 1", "--s"},
                         {"sec34_impact run --colour red", "--colour"},
+                        {"sec31_dps_limit impact --tau nan", "--tau"},
+                        {"sec31_dps_limit impact --tau 0", "--tau"},
+                        {"sec31_dps_limit impact --sites 1", "--sites"},
+                        {"sec31_dps_limit impact --end periodic", "--end"},
+                        {"sec32_dps_profiles profile --mu 0", "--mu"},
+                        {"sec32_dps_profiles profile --mu -1", "--mu"},
+                        {"sec32_dps_profiles profile --mu nan", "--mu"},
+                        {"sec32_dps_profiles profile --sites 1", "--sites"},
+                        {"sec32_dps_profiles profile --centre site --sites 30", "--sites"},
+                        {"sec32_dps_profiles profile --centre bond --sites 31", "--sites"},
+                        {"sec32_dps_profiles profile --centre corner", "--centre"},
                         {"sec34_kink run --velocity 0", "--velocity"},
                         {"sec32_newton_breathers breather --omega 1", "--omega"},
                         {"sec32_newton_breathers breather --omega 0.9", "--omega"},
@@ -185,6 +196,36 @@ TEST_CASE("run reports the contract's quantities with errors", "[cli]") {
   CHECK(call("sec34_impact run --velocity 5 --onsite pendulum --time 60").code == 0);
   CHECK(call("sec34_impact run --velocity 1 --precompression 0.5 --time 60 --profile")
             .output.find("n,y,v,e") != std::string::npos);
+}
+
+TEST_CASE("the DpS impact agrees with the impact chapter", "[cli]") {
+  const Result r = call("sec31_dps_limit impact --tau 250");
+  REQUIRE(r.code == 0);
+  for (const char* name : {"centre", "speed", "amplitude", "norm_window", "residual_boundary"}) {
+    CAPTURE(name);
+    CHECK(std::isfinite(quantity(r, name)));
+    CHECK(quantity(r, name, "error") < 1e-3 * quantity(r, name));
+  }
+  const Table facts = read(fs::path(DATA_DIR) / "sec34_dps_impact/facts.ecsv");
+  const auto names = facts.texts("quantity");
+  const auto values = facts.numbers("value");
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (names[i] == "dps_speed") check_close(quantity(r, "speed"), values[i], 0, 1e-4);
+    if (names[i] == "dps_packet_norm") check_close(quantity(r, "norm_window"), values[i], 0, 1e-6);
+  }
+  const Result fixed = call("sec31_dps_limit impact --tau 250 --end fixed");
+  CHECK(quantity(fixed, "amplitude") > 1.2 * quantity(r, "amplitude"));
+}
+
+TEST_CASE("a profile has one row a site", "[cli]") {
+  for (const char* options : {"--centre bond --sites 12 --mu 2", "--centre site --sites 13"}) {
+    const Result r = call(std::string("sec32_dps_profiles profile ") + options);
+    REQUIRE(r.code == 0);
+    std::istringstream in(r.output);
+    const Table t = from_text(in);
+    CHECK(r.output.find("\nn,u,quasi_continuum\n") != std::string::npos);
+    CHECK(t.rows.size() == (std::string(options).find("12") != std::string::npos ? 12 : 13));
+  }
 }
 
 TEST_CASE("the same command gives the same bytes", "[cli]") {

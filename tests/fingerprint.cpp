@@ -5,19 +5,27 @@
 #include <cstring>
 
 #include "lattice/impact.hpp"
+#include "lattice/tiling.hpp"
 
 using namespace lattice;
 
 namespace {
 
-template <class Chain>
-void show(const Chain& chain, State<double> state) {
-  evolve(Splitting{blanes_moan_6(), 0.05}, chain, state, 30, 30, Unobserved{});
+template <class Stepper, class Chain>
+void show(const Stepper& stepper, const Chain& chain, State<double> state) {
+  evolve(stepper, chain, state, 30, 30, Unobserved{});
   for (std::size_t n = 0; n < chain.sites; n += 1 + chain.sites / 40) {
     std::uint64_t bits;
     std::memcpy(&bits, &state.y[n], sizeof bits);
     std::printf("%016llx\n", static_cast<unsigned long long>(bits));
   }
+}
+
+template <class Chain>
+void show(const Chain& chain, const State<double>& state) {
+  show(Splitting{blanes_moan_6(), 0.05}, chain, state);
+  show(ContactAware{0.05}, chain, state);
+  show(Tiled{.scheme = verlet(), .step = 0.05, .least = 64}, chain, state);
 }
 
 }  // namespace

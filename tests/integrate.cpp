@@ -12,7 +12,7 @@ using namespace lattice;
 
 namespace {
 
-double distance(const State<double>& a, const State<double>& b) {
+double difference(const State<double>& a, const State<double>& b) {
   double d = 0;
   for (std::size_t n = 0; n < a.y.size(); ++n)
     d = std::max({d, std::abs(a.y[n] - b.y[n]), std::abs(a.v[n] - b.v[n])});
@@ -33,7 +33,7 @@ double measured_order(const Scheme& scheme, const std::vector<double>& steps) {
     for (double v0 : {1.3, 1.5, 1.7, 1.9}) {
       const Chain<Quartic, Hertz> chain{60, {1}};
       const auto exact = after(Splitting{blanes_moan_6(), 5e-4}, chain, struck(60, v0), 20);
-      error += distance(after(Splitting{scheme, h}, chain, struck(60, v0), 20), exact);
+      error += difference(after(Splitting{scheme, h}, chain, struck(60, v0), 20), exact);
     }
     x.push_back(std::log(h));
     y.push_back(std::log(error));
@@ -56,7 +56,7 @@ double smooth_order(const Scheme& scheme, double h) {
   const Smooth s;
   const auto exact = after(Splitting{blanes_moan_6(), 0.005}, s.chain, s.start, 5);
   const auto error = [&](double step) {
-    return distance(after(Splitting{scheme, step}, s.chain, s.start, 5), exact);
+    return difference(after(Splitting{scheme, step}, s.chain, s.start, 5), exact);
   };
   return std::log2(error(h) / error(h / 2));
 }
@@ -90,7 +90,7 @@ TEST_CASE("a run is undone by turning the velocities round", "[property]") {
     s = after(Splitting{scheme, 0.05}, chain, s, 20);
     auto start = struck(60, 1.9);
     start.v[0] = -1.9;
-    check_close(distance(s, start), 0, 1e-11);
+    check_close(difference(s, start), 0, 1e-11);
   }
 }
 
@@ -154,7 +154,7 @@ TEST_CASE("the chain agrees with GSL's adaptive method", "[property]") {
   auto ours = struck(40, 0.9), theirs = ours;
   ours = after(Splitting{blanes_moan_6(), 1e-3}, chain, ours, 30);
   evolve_reference(chain, theirs, 30, 1e-13);
-  check_close(distance(ours, theirs), 0, 2e-8);
+  check_close(difference(ours, theirs), 0, 2e-8);
 }
 
 TEST_CASE("a runaway is seen and stops the run", "[unit]") {

@@ -1,16 +1,18 @@
 // Published against reproduced: every answered row of paper/published.ecsv has the status that is
 // recorded there, judged on the files from which the figures are drawn.
 
+#include <algorithm>
 #include <set>
 
 #include "check.hpp"
 #include "lattice/claims.hpp"
 
 using namespace lattice;
+namespace fs = std::filesystem;
 
 namespace {
 
-const std::filesystem::path root = SOURCE_DIR, data = DATA_DIR;
+const fs::path root = SOURCE_DIR, data = DATA_DIR;
 
 Claim numeric(const std::string& printed, const std::string& tolerance) {
   Claim c;
@@ -50,6 +52,28 @@ TEST_CASE("every answer belongs to a row, and every row to at most one program",
     CAPTURE(key.first, key.second);
     REQUIRE(rows.count(key.second));
     CHECK(rows[key.second].program == key.first);
+  }
+}
+
+TEST_CASE("what is plotted is known to one per cent, and says where it comes from", "[published]") {
+  for (const auto& entry : fs::recursive_directory_iterator(data)) {
+    if (entry.path().extension() != ".ecsv") continue;
+    const Table table = read(entry.path());
+    CAPTURE(entry.path());
+    for (const char* key : {"program", "section", "command", "revision", "build"})
+      CHECK(std::any_of(table.meta.begin(), table.meta.end(),
+                        [&](const auto& pair) { return pair.first == key; }));
+    for (const Column& column : table.columns) {
+      const auto at = column.name.rfind("_error");
+      if (at == std::string::npos) continue;
+      CAPTURE(column.name);
+      double largest = 0, error = 0;
+      for (double x : table.numbers(column.name.substr(0, at)))
+        if (std::isfinite(x)) largest = std::max(largest, std::abs(x));
+      for (double x : table.numbers(column.name))
+        if (std::isfinite(x)) error = std::max(error, x);
+      CHECK(error <= 0.01 * largest);
+    }
   }
 }
 

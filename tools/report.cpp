@@ -18,22 +18,20 @@ namespace {
 Table compare_all(const std::vector<Claim>& claims, const std::filesystem::path& data) {
   const auto answers = read_answers(data);
   Table table{
-      {{"id", "", "identifier", Kind::text},
-       {"where", "", "place in the article", Kind::text},
-       {"quantity", "", "what is claimed", Kind::text},
-       {"published", "", "value or statement as printed", Kind::text},
-       {"reproduced", "", "converged value; 1 or 0 for a statement", Kind::real},
-       {"error", "", "error of the reproduced value", Kind::real},
-       {"unit", "", "unit of both values", Kind::text},
-       {"verdict", "", "reproduced, discrepant, claim (holds), unresolved or open", Kind::text},
-       {"program", "", "program that answers", Kind::text},
-       {"reason", "", "likely cause of a discrepancy", Kind::text}}};
+      {label("id", "identifier"), label("where", "place in the article"),
+       label("quantity", "what is claimed"), label("published", "value or statement as printed"),
+       number("reproduced", "converged value; 1 or 0 for a statement"),
+       number("error", "error of the reproduced value"),
+       label("unit", "unit of both values; claim for a statement"),
+       label("verdict", "reproduced, discrepant, claim (holds), unresolved or open"),
+       label("program", "program that answers"), label("reason", "likely cause of a discrepancy")}};
   for (const Claim& c : claims) {
     const auto found = answers.find({c.program, c.id});
     const bool open = found == answers.end();
     const double nan = std::numeric_limits<double>::quiet_NaN();
     table.add({c.id, c.where, c.quantity, c.printed, open ? nan : found->second.value,
-               open ? nan : found->second.error, c.unit,
+               open ? nan : found->second.error,
+               !open && found->second.unit == "claim" ? found->second.unit : c.unit,
                open ? std::string("open") : verdict(c, found->second), c.program, c.reason});
   }
   return table;
@@ -53,16 +51,19 @@ int main(int argc, char** argv) {
     table.meta = {{"program", "report"}, {"build", LATTICE_BUILD}};
     std::filesystem::create_directories(out);
     write(std::filesystem::path(out) / "published.ecsv", table);
-    std::map<std::string, int> count;
-    for (const auto& v : table.texts("verdict")) ++count[v];
+    std::map<std::string, int> tally;
+    for (const auto& v : table.texts("verdict")) ++tally[v];
     std::printf("claims     : %d reproduced, %d hold, %d discrepant, %d unresolved, %d open\n",
-                count["reproduced"], count["claim"], count["discrepant"], count["unresolved"],
-                count["open"]);
+                tally["reproduced"], tally["claim"], tally["discrepant"], tally["unresolved"],
+                tally["open"]);
     const auto id = table.texts("id"), verdicts = table.texts("verdict");
     const auto printed = table.texts("published"), unit = table.texts("unit");
     const auto value = table.numbers("reproduced"), error = table.numbers("error");
     for (std::size_t i = 0; i < id.size(); ++i)
-      if (verdicts[i] == "discrepant" || verdicts[i] == "unresolved")
+      if (verdicts[i] == "discrepant" && unit[i] == "claim")
+        std::printf("  %-10s %-22s printed %s, does not hold by our criterion\n",
+                    verdicts[i].c_str(), id[i].c_str(), printed[i].c_str());
+      else if (verdicts[i] == "discrepant" || verdicts[i] == "unresolved")
         std::printf("  %-10s %-22s printed %s, converged %.6g +- %.1g %s\n", verdicts[i].c_str(),
                     id[i].c_str(), printed[i].c_str(), value[i], error[i], unit[i].c_str());
   } catch (const std::exception& error) {

@@ -262,12 +262,17 @@ struct ContactAware {
   /// one is lost in the rounding of a velocity of 1e-3, and such contacts are left alone.
   double negligible = 1e-19;
 
+  /// Memory for `advance`; one serves a whole run.
+  template <class T, class Onsite, class Contact>
+  NystromMemory<T> memory(const Chain<Onsite, Contact>& chain) const {
+    return {base, chain.sites, std::pow(negligible, 1 / chain.contact.exponent)};
+  }
+
   /// Advances `state` by `count` steps of length `h`; returns the number of site-force evaluations.
   template <class T, class Onsite, class Contact>
   double advance(const Chain<Onsite, Contact>& chain, State<T>& state, Window& window, double h,
-                 std::size_t count) const {
+                 std::size_t count, NystromMemory<T>& at) const {
     const std::size_t last = base.last();
-    NystromMemory<T> at(base, chain.sites, std::pow(negligible, 1 / chain.contact.exponent));
     accelerate(chain, state.y.data(), at.a[0].data(), window);
     double work = double(window.last - window.first);
     for (std::size_t k = 0; k < count; ++k) {
@@ -281,6 +286,14 @@ struct ContactAware {
       std::swap(state.y, at.y[last]), std::swap(state.v, at.v), std::swap(at.a[0], at.a[last]);
     }
     return work;
+  }
+
+  /// The same with memory of its own.
+  template <class T, class Onsite, class Contact>
+  double advance(const Chain<Onsite, Contact>& chain, State<T>& state, Window& window, double h,
+                 std::size_t count) const {
+    NystromMemory<T> at = memory<T>(chain);
+    return advance(chain, state, window, h, count, at);
   }
 
  private:

@@ -65,7 +65,8 @@ T quasi_continuum(Centre centre, long n) {
   return n % 2 == 0 ? u : T(0) - u;
 }
 
-/// x |x|^{1/2}: the contact's pull at strain x.
+/**
+The one nonlinear function of this file, $x|x|^{1/2}$, is a contact's pull at strain $x$. */
 template <class T>
 T three_halves(T x) {
   using std::abs;
@@ -73,7 +74,9 @@ T three_halves(T x) {
   return x * sqrt(abs(x));
 }
 
-/// A stationary state. `strain[k]` is u_{k+1} - u_k for k >= 0, the right half of the contacts.
+/**
+A state keeps the strains from which it was made: they are what a neighbouring state starts from. */
+/// `strain[k]` is u_{k+1} - u_k for k >= 0, the right half of the contacts.
 template <class T>
 struct Stationary {
   Centre centre;
@@ -141,7 +144,9 @@ Eigen::Matrix<T, Eigen::Dynamic, 1> newton_step(Centre centre, const T& mu,
   return jacobian.partialPivLu().solve(-residual);
 }
 
-/// The displacements of a state from its strains.
+/**
+The displacements follow from the forces, $u_n = (D_{n-1}-D_n)/\mu$, on the right half; the other
+half is their mirror image. */
 template <class T>
 std::vector<T> displacements(Centre centre, const T& mu, const std::vector<T>& r,
                              std::size_t sites) {
@@ -212,12 +217,14 @@ Stationary<T> stationary_from(Centre centre, const T& mu, std::vector<T> start, 
   return out;
 }
 
-/// Number of strains on the right half of the short chain.
+/**
+Four strains on the right half make the short chain: there the quasi-continuum profile is still a
+good guess. */
 inline constexpr std::size_t short_chain = 4;
 
 /// The stationary state of frequency `mu` with the given centre on `sites` sites with free ends;
-/// its phase is that of Eqs. un1 and un2 (central contact of a bond-centred state compressed, central
-/// bead of a site-centred one displaced forward). Throws std::invalid_argument for impossible
+/// its phase is that of Eqs. un1 and un2 (central contact of a bond-centred state compressed,
+/// central bead of a site-centred one displaced forward). Throws std::invalid_argument for impossible
 /// input and std::runtime_error, with the history, where Newton's method does not converge.
 template <class T = double>
 Stationary<T> stationary(Centre centre, const T& mu, std::size_t sites, int most = 30) {

@@ -14,8 +14,8 @@ belong to the chapters. */
 #include <utility>
 #include <vector>
 
+#include "accuracy.hpp"
 #include "dps.hpp"
-#include "integrate.hpp"
 #include "observe.hpp"
 
 namespace lattice {
@@ -97,6 +97,27 @@ struct Unwatched {
   void operator()(const S&, const D&) const {}
 };
 
+/**
+The packet's speed is the slope of its energy centre. The article fits it sufficiently far from
+the boundary, without a number; we fit from site 20 on. The tracker follows the front-most
+packet, because a second and slower one can carry as much energy (it does at $s = -1/6$). */
+inline constexpr double fit_from = 20, far_away = 1e9;
+
+/// Speed of a packet between `fit_from` and `to`; throws std::runtime_error if none came so far.
+inline double packet_speed(const Track& track, double to = far_away) {
+  const auto line = track.line(fit_from, to);
+  if (!line) throw std::runtime_error("no packet passes site 20");
+  return line->slope;
+}
+
+/// Follows a packet at two resolutions that agree to `tolerance` (see accuracy.hpp). Throws NotConverged.
+inline Pair<Outcome> follow_to(double tolerance, const Impact& impact, double until,
+                               double sample) {
+  return converge(tolerance, [&](const ContactAware& stepper) {
+    return follow(stepper, impact, until, sample, Unwatched{});
+  });
+}
+
 /// The same for the DpS equation, whose density is |A_n|^2 and whose time is tau.
 struct DpsOutcome {
   Track track;
@@ -117,21 +138,6 @@ DpsOutcome follow_dps(const Dps& dps, const Field& start, double duration, std::
         if (tau > 0 && site) out.track.add(tau, d, *site);
       });
   return out;
-}
-
-/**
-## Measuring the packet
-
-Its speed is the slope of its centre. The article fits it far enough from the boundary; we
-fit from site 20 on. The tracker follows the front-most packet, because a second and slower
-one can carry as much energy (it does at $s = -1/6$). */
-inline constexpr double fit_from = 20, far_away = 1e9;
-
-/// Speed of a tracked packet between `fit_from` and `to`; throws where no packet came that far.
-inline double speed_of(const Track& track, double to = far_away) {
-  const auto line = track.line(fit_from, to);
-  if (!line) throw std::runtime_error("no packet passes site 20");
-  return line->slope;
 }
 
 /// Largest |A_n| of a DpS packet while its centre moves over the last site of its track.

@@ -86,6 +86,28 @@ inline Scheme blanes_moan_6_14() {
   return scheme;
 }
 
+/**
+A run of many steps is one long list of stages, each a kick and a drift. Between two
+steps the last kick of the one and the first of the other are merged, so that `count`
+steps of a scheme with `m` kicks have `count * (m - 1) + 1` stages. */
+template <class T>
+struct Stage {
+  T kick, drift;
+};
+
+inline std::size_t stage_count(const Scheme& scheme, std::size_t steps) {
+  return steps > 0 ? steps * (scheme.kick.size() - 1) + 1 : 0;
+}
+
+/// Stage `k` of a run with steps of length `h`.
+template <class T>
+Stage<T> stage_at(const Scheme& scheme, double h, std::size_t steps, std::size_t k) {
+  const std::size_t last = scheme.kick.size() - 1, i = k == steps * last ? last : k % last;
+  const bool merged = i == 0 && k > 0;
+  const T kick = T(scheme.kick[i] * h), before = merged ? T(scheme.kick[last] * h) : T(0);
+  return {kick + before, T(scheme.drift[i] * h)};
+}
+
 /// A splitting scheme with its step: the plainest stepper.
 struct Splitting {
   Scheme scheme;
@@ -95,19 +117,12 @@ struct Splitting {
   template <class T, class Onsite, class Contact>
   double advance(const Chain<Onsite, Contact>& chain, State<T>& state, Window& window, double h,
                  std::size_t count) const {
-    const std::size_t last = scheme.kick.size() - 1;
     double work = 0;
-    T carried(0);
-    for (std::size_t k = 0; k < count; ++k)
-      for (std::size_t i = 0; i <= last; ++i) {
-        if (i == last && k + 1 < count) {
-          carried = T(scheme.kick[last] * h);
-          break;
-        }
-        const T kick = T(scheme.kick[i] * h) + (i == 0 ? carried : T(0));
-        kick_drift(chain, state, window, kick, T(scheme.drift[i] * h));
-        work += double(window.last - window.first);
-      }
+    for (std::size_t k = 0; k < stage_count(scheme, count); ++k) {
+      const Stage<T> stage = stage_at<T>(scheme, h, count, k);
+      kick_drift(chain, state, window, stage.kick, stage.drift);
+      work += double(window.last - window.first);
+    }
     return work;
   }
 };
@@ -119,6 +134,8 @@ leaves every bound, as it does beyond the rim of a soft well. */
 struct Run {
   double energy_drift = 0;
   double work = 0;  ///< site-force evaluations
+  double error =
+      0;  ///< relative error of the end state, where a tolerance was asked for (accuracy.hpp)
   double t_end = 0;
   double escape_time = std::numeric_limits<double>::infinity();
   bool escaped() const { return std::isfinite(escape_time); }
@@ -128,12 +145,7 @@ struct Run {
 /// rims of a pendulum potential travels at a speed of order ten.
 inline constexpr double escape_displacement = 1e6;
 
-/**
-`evolve` carries a state forward by `duration` and shows it to `observe(state)` at
-the start and after every `sample` units of time. Samples are equally spaced and
-the step divides the sampling interval, so `sample` and the step are shortened to
-fit. It stops early when `observe` returns false, or when the solution escapes, in
-which case the escape itself is not shown. */
+/// Shows `state` to an observer, whose answer may be to stop; one that returns nothing goes on.
 template <class Observer>
 bool goes_on(Observer& observe, const State<double>& state) {
   if constexpr (std::is_same_v<decltype(observe(state)), bool>) return observe(state);
@@ -141,6 +153,26 @@ bool goes_on(Observer& observe, const State<double>& state) {
   return true;
 }
 
+/// Some steppers keep work space between two calls of `advance`, the others do not ask for it.
+template <class Stepper, class Onsite, class Contact>
+auto advance_with_memory(const Stepper& stepper, const Chain<Onsite, Contact>& chain) {
+  if constexpr (requires { stepper.template memory<double>(chain); })
+    return [&, memory = stepper.template memory<double>(chain)](
+               State<double>& state, Window& window, double h, std::size_t n) mutable {
+      return stepper.advance(chain, state, window, h, n, memory);
+    };
+  else
+    return [&](State<double>& state, Window& window, double h, std::size_t n) {
+      return stepper.advance(chain, state, window, h, n);
+    };
+}
+
+/**
+`evolve` carries a state forward by `duration` and shows it to `observe(state)` at
+the start and after every `sample` units of time. Samples are equally spaced and
+the step divides the sampling interval, so `sample` and the step are shortened to
+fit. It stops early when `observe` returns false, or when the solution escapes, in
+which case the escape itself is not shown. */
 template <class Stepper, class Onsite, class Contact, class Observer>
 Run evolve(const Stepper& stepper, const Chain<Onsite, Contact>& chain, State<double>& state,
            double duration, double sample, Observer observe) {
@@ -149,10 +181,11 @@ Run evolve(const Stepper& stepper, const Chain<Onsite, Contact>& chain, State<do
   const auto steps = std::size_t(std::ceil(interval / stepper.step * (1 - 1e-12)));
   const double start = energy(chain, state), scale = start != 0 ? std::abs(start) : 1;
   Window window = waking(chain, state);
+  auto advance = advance_with_memory(stepper, chain);
   Run run{.t_end = t0};
   if (!goes_on(observe, state)) return run;
   for (std::size_t k = 1; k <= samples; ++k) {
-    run.work += stepper.advance(chain, state, window, interval / double(steps), steps);
+    run.work += advance(state, window, interval / double(steps), steps);
     state.t = t0 + interval * double(k);
     const double e = energy(chain, state);
     const bool bounded = std::all_of(state.y.begin(), state.y.end(),

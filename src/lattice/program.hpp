@@ -80,10 +80,10 @@ A claim of the article is answered by a row of `results.ecsv`: its id, the value
 error from at least two resolutions, and the unit. Claims in words are answered by
 one (holds) or zero (does not hold). */
 struct Results {
-  Table table{{{"id", "", "identifier in paper/published.ecsv", Kind::text},
-               {"value", "", "converged value; 1 or 0 for a claim in words", Kind::real},
-               {"error", "", "absolute error estimated from two resolutions", Kind::real},
-               {"unit", "", "unit of value and error", Kind::text}}};
+  Table table{{label("id", "identifier in paper/published.ecsv"),
+               number("value", "converged value; 1 or 0 for a claim in words"),
+               number("error", "absolute error estimated from two resolutions"),
+               label("unit", "unit of value and error")}};
 
   void add(const std::string& id, const Estimate& e, const std::string& unit = "") {
     if (!std::isfinite(e.value) || !std::isfinite(e.error))
@@ -96,10 +96,9 @@ struct Results {
 /// Rows `quantity,value,error,unit`, the form in which subcommands report. A quantity that is not
 /// defined (the speed of a packet that never left) is `nan`.
 struct Quantities {
-  Table table{{{"quantity", "", "what is reported", Kind::text},
-               {"value", "", "converged value", Kind::real},
-               {"error", "", "absolute error estimated from two resolutions", Kind::real},
-               {"unit", "", "unit of value and error", Kind::text}}};
+  Table table{{label("quantity", "what is reported"), number("value", "converged value"),
+               number("error", "absolute error estimated from two resolutions"),
+               label("unit", "unit of value and error")}};
 
   void add(const std::string& quantity, const Estimate& e, const std::string& unit = "") {
     table.add({quantity, e.value, e.error, unit});
@@ -156,6 +155,17 @@ class Output {
   std::filesystem::path folder_;
   Meta meta_;
   std::vector<std::pair<std::string, Table>> tables_;
+};
+
+/**
+The parts of a chapter write the tables of their figures, answer their claims and note further
+numbers among the `facts`, from which text and captions quote. A claim in words is decided by
+a criterion that stands in the chapter's code; its margin stands among the facts. */
+struct Report {
+  Output& output;
+  bool quick;
+  Results results{};
+  Quantities facts{};
 };
 
 /**

@@ -39,6 +39,17 @@ struct Column {
   Kind kind = Kind::real;
 };
 
+/// A column of numbers, of counts or of texts; the unit is empty for a dimensionless quantity.
+inline Column number(std::string name, std::string description, std::string unit = "") {
+  return {std::move(name), std::move(unit), std::move(description), Kind::real};
+}
+inline Column count(std::string name, std::string description, std::string unit = "") {
+  return {std::move(name), std::move(unit), std::move(description), Kind::integer};
+}
+inline Column label(std::string name, std::string description) {
+  return {std::move(name), "", std::move(description), Kind::text};
+}
+
 /// Ordered `key: value` pairs of the header's `meta` block.
 using Meta = std::vector<std::pair<std::string, std::string>>;
 
@@ -212,7 +223,7 @@ inline Table from_text(std::istream& in) {
   std::string line;
   bool header_done = false, in_meta = false;
   while (std::getline(in, line)) {
-    if (line.rfind("#", 0) == 0) {
+    if (!line.empty() && line.front() == '#') {
       if (line.rfind("# meta:", 0) == 0) in_meta = true;
       if (line.rfind("# - {", 0) != 0) continue;
       const std::string body = line.substr(5);

@@ -1,0 +1,240 @@
+#pragma once
+/**
+# Long chains: tiles in time and threads
+
+Where all of a long chain moves, a plain run reads and writes every site once a stage,
+and the memory delivers the sites more slowly than the processor takes the roots. But
+nothing forces us to finish one stage everywhere before we begin the next: a site needs
+its neighbours at the stage before, no more. So we take a block of sites that fits in
+the first-level cache and do many stages there, each one shifted to the left by at least
+one site because the block's right edge has not got its neighbour's new position yet.
+
+        stage 2   ....]......]        ] right edge of a block; it moves left
+        stage 1       ....]......]      from stage to stage
+
+The contact across such an edge is evaluated once, at the right moment, and kept for the
+next block. All operations are those of the plain run in another order, with the same bits. */
+
+#include <algorithm>
+#include <barrier>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <thread>
+#include <type_traits>
+#include <vector>
+
+#include "integrate.hpp"
+
+namespace lattice {
+
+/**
+Threads share the chain in the same spirit. Each one copies its part into memory of its
+own together with as many sites on either side as the pass has stages. The outermost of
+these ghosts lack a neighbour, so they are wrong after one stage; the error creeps
+inwards by one site a stage and is about to reach the part when the pass ends. Then the
+threads exchange the sites near the edges of their parts and go on.
+
+At an end of the chain there are no ghosts, the boundary condition holds there. On a
+ring they come from the other side, even if there is only one part. */
+struct Part {
+  std::size_t first = 0, last = 0;    ///< sites that belong to the thread
+  std::size_t before = 0, after = 0;  ///< ghosts on either side
+  bool begins = false, ends = false;  ///< whether an end of an open chain belongs to it
+  std::size_t size() const { return before + (last - first) + after; }
+};
+
+/// Part `k` of `count`, with `depth` ghosts. A part is never shorter than its ghosts.
+inline Part part_of(std::size_t sites, bool ring, std::size_t k, std::size_t count,
+                    std::size_t depth) {
+  Part part{sites * k / count, sites * (k + 1) / count};
+  part.begins = k == 0 && !ring;
+  part.ends = k + 1 == count && !ring;
+  part.before = part.begins ? 0 : depth;
+  part.after = part.ends ? 0 : depth;
+  return part;
+}
+
+/**
+A tile is a part with its copies. The state itself is the board on which the threads
+leave the sites near their edges for each other; it is complete again after `store`. */
+template <class T, class Onsite, class Contact>
+class Tile {
+ public:
+  Tile(const Chain<Onsite, Contact>& chain, const Part& part, std::size_t depth)
+      : chain_(chain),
+        part_(part),
+        left_(depth),
+        room_(std::make_unique_for_overwrite<T[]>(2 * stride() + line)) {
+    y_ = room_.get();
+    while (reinterpret_cast<std::uintptr_t>(y_) % (line * sizeof(double)) != 0) ++y_;
+    v_ = y_ + stride();
+    if (!chain.varied()) return;
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      eta_.push_back(chain.eta[site(i)]);
+      inverse_mass_.push_back(chain.inverse_mass[site(i)]);
+    }
+    eta_.push_back(chain.eta[site(part.size() - 1) + 1]);
+  }
+
+  Tile(const Tile&) = delete;
+  Tile& operator=(const Tile&) = delete;
+
+  void load(const State<T>& state) { read(state, 0, part_.size()); }
+  void store(State<T>& state) const { write(state, part_.first, part_.last); }
+
+  /// Ghosts are read before and the sites that are ghosts elsewhere are written after each pass.
+  void refresh(const State<T>& state) {
+    read(state, 0, part_.before);
+    read(state, part_.size() - part_.after, part_.size());
+  }
+  void publish(State<T>& state, std::size_t depth) const {
+    if (part_.before > 0) write(state, part_.first, part_.first + depth);
+    if (part_.after > 0) write(state, part_.last - depth, part_.last);
+  }
+
+  /// Carries the part through the stages of one pass, block by block.
+  void pass(const std::vector<Stage<T>>& stages, std::size_t block);
+
+ private:
+  /// A cache line holds eight numbers. Positions begin with one, and velocities half a page of 4 kB
+  /// away from them: equal places in a page are taken for equal addresses and slow the loop down.
+  static constexpr std::size_t line = 8, page = 512;
+  std::size_t stride() const { return (part_.size() / page + 1) * page + page / 2; }
+
+  /// The site of the chain that is kept at place `i`.
+  std::size_t site(std::size_t i) const {
+    return (part_.first + chain_.sites - part_.before + i) % chain_.sites;
+  }
+  void read(const State<T>& state, std::size_t from, std::size_t to) {
+    for (std::size_t i = from, n = site(from); i < to; ++i, n = n + 1 < chain_.sites ? n + 1 : 0)
+      y_[i] = state.y[n], v_[i] = state.v[n];
+  }
+  void write(State<T>& state, std::size_t from, std::size_t to) const {
+    for (std::size_t n = from, i = part_.before + from - part_.first; n < to; ++n, ++i)
+      state.y[n] = y_[i], state.v[n] = v_[i];
+  }
+  T push(std::size_t i) const;
+  void sweep(std::size_t from, std::size_t to, T left, T right, const Stage<T>& stage);
+
+  const Chain<Onsite, Contact>& chain_;
+  Part part_;
+  std::vector<T> left_;  ///< for every stage the contact at the edge where the last block stopped
+  std::unique_ptr<T[]> room_;
+  T *y_, *v_;  ///< in `room_`
+  std::vector<double> eta_{}, inverse_mass_{};
+};
+
+/**
+The contact left of place `i`, as in chain.hpp. Beyond the outermost ghost there is
+nothing; whatever that does to the ghosts stays with them. */
+template <class T, class Onsite, class Contact>
+T Tile<T, Onsite, Contact>::push(std::size_t i) const {
+  const std::size_t count = part_.size();
+  const T eta = eta_.empty() ? T(1) : T(eta_[i]);
+  if (i > 0 && i < count) return eta * chain_.contact.force(y_[i] - y_[i - 1]);
+  const bool wall = chain_.ends == Ends::fixed && (i == 0 ? part_.begins : part_.ends);
+  return wall ? eta * chain_.contact.force(i == 0 ? y_[0] : -y_[count - 1]) : T(0);
+}
+
+template <class T, class Onsite, class Contact>
+void Tile<T, Onsite, Contact>::sweep(std::size_t from, std::size_t to, T left, T right,
+                                     const Stage<T>& stage) {
+  T *y = y_ + from, *v = v_ + from;
+  if (!chain_.varied())
+    sweep_kick_drift<false, T>(chain_.onsite, chain_.contact, y, v, {}, to - from, left, right,
+                               stage.kick, stage.drift);
+  else if constexpr (std::is_same_v<T, double>)
+    sweep_kick_drift<true, T>(chain_.onsite, chain_.contact, y, v,
+                              {eta_.data() + from, inverse_mass_.data() + from}, to - from, left,
+                              right, stage.kick, stage.drift);
+}
+
+/**
+One site a stage would do for the shift; with eight, the vectors of all stages begin at the
+same place of a cache line. The last block reaches the end of the part in every stage. */
+inline constexpr std::size_t tile_shift = 8;
+
+template <class T, class Onsite, class Contact>
+void Tile<T, Onsite, Contact>::pass(const std::vector<Stage<T>>& stages, std::size_t block) {
+  const std::size_t count = part_.size(), reach = tile_shift * stages.size();
+  const auto edge = [](std::size_t at, std::size_t shift) { return at > shift ? at - shift : 0; };
+  for (std::size_t lo = 0, hi = 0; hi < count; lo = hi) {
+    hi = count - lo > block + reach ? lo + block : count;
+    for (std::size_t s = 0; s < stages.size(); ++s) {
+      const std::size_t from = edge(lo, tile_shift * s);
+      const std::size_t to = hi < count ? edge(hi, tile_shift * s) : count;
+      if (from == to) continue;
+      const T left = from > 0 ? left_[s] : push(0);
+      left_[s] = push(to);
+      sweep(from, to, left, left_[s], stages[s]);
+    }
+  }
+}
+
+/**
+The stepper that programs use. It takes plain stages until the whole chain is awake, and also
+where the chain is too short for tiles to be worth it; with `least` sites a thread it is not
+shared too finely. The copies take as much memory as the state. */
+struct Tiled {
+  Scheme scheme;
+  double step;
+  std::size_t threads = std::max(1U, std::thread::hardware_concurrency());
+  std::size_t block = 1024;     ///< sites; with their shift they fit in the first-level cache
+  std::size_t depth = 32;       ///< stages a pass
+  std::size_t least = 1 << 13;  ///< sites a thread; fewer are in the cache anyway
+
+  /// Advances `state` by `count` steps of length `h`; returns the number of site-force evaluations.
+  template <class T, class Onsite, class Contact>
+  double advance(const Chain<Onsite, Contact>& chain, State<T>& state, Window& window, double h,
+                 std::size_t count) const {
+    const std::size_t stages = stage_count(scheme, count);
+    const bool fit = chain.sites >= std::max({least, depth, std::size_t(2)}) && !has_seam(chain);
+    double work = 0;
+    std::size_t k = 0;
+    for (; k < stages && !(fit && window == Window{0, chain.sites}); ++k) {
+      const Stage<T> stage = stage_at<T>(scheme, h, count, k);
+      kick_drift(chain, state, window, stage.kick, stage.drift);
+      work += double(window.last - window.first);
+    }
+    const auto stage = [&](std::size_t i) { return stage_at<T>(scheme, h, count, i); };
+    if (k < stages) share(chain, state, k, stages, stage);
+    return work + double(stages - k) * double(chain.sites);
+  }
+
+ private:
+  /// The stages `first <= k < last`, tile by tile.
+  template <class T, class Onsite, class Contact, class StageAt>
+  void share(const Chain<Onsite, Contact>& chain, State<T>& state, std::size_t first,
+             std::size_t last, StageAt stage) const {
+    const std::size_t most = chain.sites / std::max(least, depth);
+    const std::size_t parts = std::max<std::size_t>(1, std::min(threads, most));
+    const bool ring = chain.ends == Ends::periodic;
+    std::barrier meet{std::ptrdiff_t(parts)};
+    const auto work = [&](std::size_t k) {
+      Tile<T, Onsite, Contact> tile(chain, part_of(chain.sites, ring, k, parts, depth), depth);
+      tile.load(state);
+      std::vector<Stage<T>> pass;
+      for (std::size_t next = first; next < last;) {
+        for (pass.clear(); next < last && pass.size() < depth; ++next) pass.push_back(stage(next));
+        meet.arrive_and_wait();  // everybody has read
+        tile.pass(pass, block);
+        if (next == last) break;
+        tile.publish(state, depth);
+        meet.arrive_and_wait();  // everybody has written
+        tile.refresh(state);
+      }
+      tile.store(state);
+    };
+    std::vector<std::jthread> others;
+    for (std::size_t k = 1; k < parts; ++k) others.emplace_back(work, k);
+    work(0);
+  }
+  /// On a ring the first and the last stiffness are the same contact; ghosts can have only one.
+  template <class Onsite, class Contact>
+  static bool has_seam(const Chain<Onsite, Contact>& chain) {
+    return chain.ends == Ends::periodic && chain.varied() && chain.eta.front() != chain.eta.back();
+  }
+};
+
+}  // namespace lattice

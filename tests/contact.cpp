@@ -1,0 +1,272 @@
+// Integrators that know the contact: restored order, agreement of the three families, exactness of
+// the window, symmetry, reversal, and the switch-landing flow with its tangent map.
+
+#include <random>
+
+#include "check.hpp"
+#include "lattice/accuracy.hpp"
+#include "lattice/impact.hpp"
+#include "lattice/landing.hpp"
+#include "lattice/reference.hpp"
+
+using namespace lattice;
+
+namespace {
+
+template <class Stepper, class Chain>
+State<double> after(const Stepper& stepper, const Chain& chain, State<double> s, double time) {
+  evolve(stepper, chain, s, time, time, Unobserved{});
+  return s;
+}
+
+template <class T = double, class Chain>
+State<T> landed(const Chain& chain, const State<double>& start, double time,
+                Tangent<T>* tangent = nullptr) {
+  State<T> s(chain.sites);
+  std::copy(start.y.begin(), start.y.end(), s.y.begin());
+  std::copy(start.v.begin(), start.v.end(), s.v.begin());
+  flow(chain, s, T(time), Landing<T>{}, tangent);
+  return s;
+}
+
+/// Root mean square over several impacts of the error of the end state.
+template <class Make>
+double impact_error(double h, Make make) {
+  double squares = 0;
+  for (double v0 : {1.3, 1.4, 1.5, 1.6, 1.7, 1.8, 1.9}) {
+    const Chain<Quartic, Hertz> chain{60, {1}};
+    const auto exact = after(ContactAware{0.004}, chain, struck(60, v0), 20);
+    squares += std::pow(distance(after(make(h), chain, struck(60, v0), 20), exact), 2);
+  }
+  return std::sqrt(squares / 7);
+}
+
+ContactAware corrected(double h) {
+  return {h};
+}
+ContactAware uncorrected(double h) {
+  return {h, dormand_prince_6(), 1e300};
+}
+
+State<double> random_state(std::size_t sites, double size, unsigned seed) {
+  std::mt19937_64 bits(seed);
+  State<double> s(sites);
+  for (auto* x : {&s.y, &s.v})
+    for (double& value : *x) value = size * (double(bits() >> 11) * 0x1p-52 - 1);
+  return s;
+}
+
+}  // namespace
+
+TEST_CASE("base schemes have order six where contacts stay closed", "[convergence][contact]") {
+  const Chain<Quartic, CompressedHertz> ring{20, {1}, {2}, Ends::periodic};
+  State<double> wave(20);
+  for (int n = 0; n < 20; ++n) wave.y[n] = 0.3 * std::sin(0.3 * M_PI * n);
+  const auto exact = after(ContactAware{0.01}, ring, wave, 5);
+  for (const Nystrom& base :
+       {dormand_prince_6(), nystrom(blanes_moan_6()), nystrom(blanes_moan_6_14())}) {
+    CAPTURE(base.name);
+    const auto error = [&](double h) {
+      return distance(after(ContactAware{h, base}, ring, wave, 5), exact);
+    };
+    check_close(std::log2(error(0.25) / error(0.125)), 6, 0.5);
+  }
+}
+
+TEST_CASE("the correction restores the order across switching contacts", "[convergence][contact]") {
+  const auto slope = [](double h, double k, auto make) {
+    return std::log(impact_error(h, make) / impact_error(k, make)) / std::log(h / k);
+  };
+  const double order = slope(0.1, 0.0125, corrected), stalled = slope(0.05, 0.0125, uncorrected);
+  CAPTURE(order, stalled);
+  CHECK(order > 4.2);
+  CHECK(stalled < 3.2);
+  CHECK(impact_error(0.05, corrected) < 1e-3 * impact_error(0.05, uncorrected));
+}
+
+TEST_CASE("the order at t = 100 on the hard impact is at least 4.5", "[convergence][contact]") {
+  const Chain<Quartic, Hertz> chain{200, {1}};
+  const auto exact = after(ContactAware{0.004}, chain, struck(200, 1.9), 100);
+  const auto error = [&](double h) {
+    double worst = 0;
+    const auto s = after(ContactAware{h}, chain, struck(200, 1.9), 100);
+    for (std::size_t n = 0; n < 200; ++n) worst = std::max(worst, std::abs(s.y[n] - exact.y[n]));
+    return worst;
+  };
+  CHECK(std::log(error(0.05) / error(0.0125)) / std::log(4) > 4.5);
+}
+
+TEST_CASE("three families agree on the same problems", "[property][contact]") {
+  const auto compare = [](const auto& chain, const State<double>& start, double time) {
+    const auto aware = after(ContactAware{0.005}, chain, start, time);
+    auto theirs = start, land = landed(chain, start, time);
+    land.t = aware.t;
+    evolve_reference(chain, theirs, time, 1e-13);
+    theirs.t = aware.t;
+    check_close(distance(aware, land), 0, 2e-11);
+    check_close(distance(theirs, land), 0, 2e-11);
+    check_close(distance(after(Splitting{blanes_moan_6(), 5e-4}, chain, start, time), land), 0,
+                1e-8);
+  };
+  compare(Chain<Quartic, Hertz>{30, {1}}, struck(30, 1.9), 15);
+  compare(Chain<Harmonic, Hertz>{12}, random_state(12, 1, 3), 10);
+  compare(Chain<Quartic, CompressedHertz>{12, {-0.1}, {0.3}, Ends::fixed}, random_state(12, 0.6, 5),
+          10);
+  compare(Chain<Pendulum, Hertz>{12, {}, {}, Ends::periodic}, random_state(12, 1, 7), 10);
+  Chain<Harmonic, Hertz> varied{12};
+  std::vector<double> mass(12, 1), eta(13, 1);
+  mass[4] = 3, eta[4] = 0.6, eta[5] = 1.4;
+  vary(varied, mass, eta);
+  compare(varied, random_state(12, 1, 9), 10);
+}
+
+TEST_CASE("any exponent is corrected", "[property][contact]") {
+  for (double alpha : {1.25, 1.4, 2.0, 2.5}) {
+    CAPTURE(alpha);
+    const Chain<Quartic, PowerContact> chain{20, {0.5}, {alpha, 0}};
+    const auto exact = after(ContactAware{0.004}, chain, struck(20, 1.5), 15);
+    const double with = distance(after(corrected(0.05), chain, struck(20, 1.5), 15), exact);
+    const double without = distance(after(uncorrected(0.05), chain, struck(20, 1.5), 15), exact);
+    CAPTURE(with, without);
+    CHECK(with < 2e-6);
+    CHECK(with < without / 50);
+  }
+}
+
+TEST_CASE("a windowed contact-aware run has the bits of the full run", "[property][window]") {
+  const auto same = [](const auto& chain, const State<double>& start) {
+    const ContactAware stepper{0.05};
+    auto windowed = start, full = start;
+    Window some = waking(chain, windowed), all{0, chain.sites};
+    stepper.advance(chain, windowed, some, 0.05, 2000);
+    stepper.advance(chain, full, all, 0.05, 2000);
+    CHECK(some.last - some.first < chain.sites);
+    CHECK(windowed.y == full.y);
+    CHECK(windowed.v == full.v);
+  };
+  same(Chain<Quartic, Hertz>{120, {1}}, struck(120, 1.9));
+  State<double> middle(160);
+  middle.v[80] = 1;
+  same(Chain<Harmonic, Hertz>{160}, middle);
+  same(Chain<Quartic, CompressedHertz>{400, {1}, {0.5}}, struck(400, 1.9));
+}
+
+TEST_CASE("contact-aware runs are symmetric, conserve energy and can be reversed",
+          "[property][contact]") {
+  const Chain<Quartic, Hertz> chain{31, {1}};
+  const auto start = random_state(31, 0.8, 11);
+  State<double> mirrored(31);
+  for (std::size_t n = 0; n < 31; ++n) {
+    mirrored.y[n] = -start.y[30 - n];
+    mirrored.v[n] = -start.v[30 - n];
+  }
+  const auto a = after(ContactAware{0.05}, chain, start, 30),
+             b = after(ContactAware{0.05}, chain, mirrored, 30);
+  for (std::size_t n = 0; n < 31; ++n) CHECK(b.y[n] == -a.y[30 - n]);
+
+  auto s = struck(31, 1.9);
+  const Run run = evolve(ContactAware{0.05}, chain, s, 30, 1, Unobserved{});
+  CHECK(run.energy_drift < 1e-7);
+  for (double& v : s.v) v = -v;
+  s = after(ContactAware{0.05}, chain, s, 30);
+  check_close(s.v[0], -1.9, 1e-6);
+  for (double y : s.y) check_close(y, 0, 1e-6);
+}
+
+TEST_CASE("grazing contacts do not disturb", "[property][contact]") {
+  // Two beads that approach to within a lift of every size, from well clear to just touching.
+  for (int k = 0; k < 30; ++k) {
+    const double lift = std::ldexp(1.0, -k) - (k % 2 ? 1e-3 : 0);
+    const Chain<Harmonic, CompressedHertz> chain{2, {}, {0.1}};
+    State<double> s(2);
+    s.y = {0.05 * (1 + lift), -0.05 * (1 + lift)};
+    s.y[1] = 0.05 + 0.1 * lift;
+    const auto exact = landed<long double>(chain, s, 7);
+    const auto land = landed(chain, s, 7);
+    const auto aware = after(ContactAware{0.05}, chain, s, 7);
+    CAPTURE(lift);
+    for (int n : {0, 1}) {
+      check_close(land.y[n], double(exact.y[n]), 1e-13);
+      check_close(aware.y[n], double(exact.y[n]), 2e-8);
+    }
+  }
+}
+
+TEST_CASE("a tolerance is met and reported", "[property][contact]") {
+  const Chain<Quartic, Hertz> chain{60, {1}};
+  const auto exact = after(ContactAware{0.004}, chain, struck(60, 1.9), 20);
+  for (double tolerance : {1e-3, 1e-5, 1e-7, 1e-9}) {
+    auto s = struck(60, 1.9);
+    const Run run = evolve_to(tolerance, chain, s, 20, 5, Unobserved{});
+    CAPTURE(tolerance, run.error);
+    CHECK(run.error <= tolerance);
+    CHECK(distance(s, exact) <= run.error);
+  }
+}
+
+TEST_CASE("a tolerance that chaos forbids is refused with its history", "[property][contact]") {
+  const Chain<Quartic, Hertz> chain{20, {1}};
+  auto s = random_state(20, 1.5, 13);
+  std::string message;
+  try {
+    evolve_to(1e-6, chain, s, 3000, 3000, Unobserved{});
+  } catch (const NotConverged& refusal) {
+    message = refusal.what();
+  }
+  CHECK(message.find("step 0.1:") != std::string::npos);
+}
+
+TEST_CASE("the landing flow is exact, reversible and conserves energy", "[property][landing]") {
+  const Chain<Quartic, Hertz> chain{16, {0.5}, {.floor = 0}};
+  const auto start = random_state(16, 1, 17);
+  auto s = start;
+  const auto there = flow(chain, s, 12.0);
+  CHECK(there.energy_drift < 1e-12);
+  CHECK(there.switchings > 20);
+  const auto fine = landed<long double>(chain, start, 12);
+  for (std::size_t n = 0; n < 16; ++n) check_close(s.y[n], double(fine.y[n]), 1e-12);
+  for (double& v : s.v) v = -v;
+  flow(chain, s, 12.0);
+  for (std::size_t n = 0; n < 16; ++n) check_close(s.y[n], start.y[n], 1e-11);
+}
+
+TEST_CASE("the tangent map is the derivative, symplectic, and good to twelve digits",
+          "[property][landing]") {
+  const Chain<Quartic, Hertz> chain{8, {0.5}, {.floor = 0}};
+  const auto start = random_state(8, 0.7, 19);
+  Tangent<double> m(8, 16);
+  Tangent<long double> fine(8, 16);
+  landed(chain, start, 6, &m);
+  landed(chain, start, 6, &fine);
+  for (std::size_t i = 0; i < 16; ++i)
+    for (std::size_t j = 0; j < 16; ++j) {
+      check_close(m(i, j), double(fine(i, j)), 1e-12);
+      double form = 0;
+      for (std::size_t k = 0; k < 8; ++k) form += m(k, i) * m(k + 8, j) - m(k + 8, i) * m(k, j);
+      check_close(form, j == i + 8 ? 1 : i == j + 8 ? -1 : 0, 2e-12);
+    }
+  for (std::size_t j = 0; j < 8; ++j) {
+    auto p = start, q = start;
+    p.y[j] += 1e-5, q.y[j] -= 1e-5;
+    const auto a = landed<long double>(chain, p, 6), b = landed<long double>(chain, q, 6);
+    for (std::size_t i = 0; i < 8; ++i)
+      check_close(m(i, j), double((a.y[i] - b.y[i]) / 2e-5L), 1e-5);
+  }
+}
+
+TEST_CASE("tiny contacts in a tail are neither missed nor looped on", "[property][landing]") {
+  const Chain<Harmonic, Hertz> chain{12, {}, {.floor = 0}};
+  State<double> s(12);
+  for (std::size_t n = 0; n < 12; ++n)
+    s.y[n] = (n % 2 ? -0.1 : 0.1) * std::pow(10.0, -3.0 * double(n));  // down to 1e-34
+  const auto start = s;
+  Landing<double> rule;
+  rule.floor = 0;
+  const auto f = flow(chain, s, 6.0, rule);
+  CHECK(f.steps < 5000);
+  CHECK(f.switchings > 10);
+  const auto fine = landed<long double>(chain, start, 6);
+  for (std::size_t n = 0; n < 12; ++n) check_close(s.y[n], double(fine.y[n]), 0, 1e-9);
+  State<double> rest(12);
+  CHECK(flow(chain, rest, 6.0).steps < 100);
+}
