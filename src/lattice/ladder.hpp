@@ -122,14 +122,17 @@ inline std::vector<Orbit<double>> climb(Centre centre, double s,
 
 using Ladder = std::vector<Rung>;
 
-/// The rung at a frequency near that of `from`, along the tangents of both branches.
-inline Rung rung_at(const Rung& from, double omega) {
-  Rung rung{from.s, omega};
-  for (int k : {0, 1}) {
-    const Orbit<double>& o = from.orbit[k];
-    rung.orbit[k] = newton(problem_of(both_centres[k], omega, from.s),
-                           Vector<double>(o.x + (omega - from.omega) * o.x_omega));
-  }
+/// The rung at a frequency between those of two others: in the coordinates of continuation.hpp the
+/// branches are almost straight, and Newton's method starts from the point in between.
+inline Rung rung_between(const Rung& left, const Rung& right, double omega) {
+  Rung rung{left.s, omega};
+  const auto scaled = [&](double from) { return std::pow((omega - 1) / (from - 1), 2); };
+  const double part =
+      std::log((omega - 1) / (left.omega - 1)) / std::log((right.omega - 1) / (left.omega - 1));
+  for (int k : {0, 1})
+    rung.orbit[k] = newton(problem_of(both_centres[k], omega, left.s),
+                           Vector<double>((1 - part) * scaled(left.omega) * left.orbit[k].x +
+                                          part * scaled(right.omega) * right.orbit[k].x));
   return rung;
 }
 
@@ -142,7 +145,7 @@ inline Estimate zero_between(const Rung& left, const Rung& right) {
   const bool rises = right.equal_frequency.value > 0;
   Rung rung;
   for (int k = 0; k < 12; ++k) {
-    rung = rung_at(left, omega);
+    rung = rung_between(left, right, omega);
     const auto& [site, bond] = rung.orbit;
     const double gap = site.energy - bond.energy;
     ((gap > 0) == rises ? high : low) = omega;
