@@ -105,7 +105,19 @@ TEST_CASE("bad input: one line, exit code 2, no file", "[cli]") {
                         {"sec32_dps_profiles profile --centre site --sites 30", "--sites"},
                         {"sec32_dps_profiles profile --centre bond --sites 31", "--sites"},
                         {"sec32_dps_profiles profile --centre corner", "--centre"},
-                        {"sec34_kink run --velocity 0", "--velocity"}}) {
+                        {"sec34_kink run --velocity 0", "--velocity"},
+                        {"sec32_newton_breathers breather --omega 1", "--omega"},
+                        {"sec32_newton_breathers breather --omega 0.9", "--omega"},
+                        {"sec32_newton_breathers breather --omega nan", "--omega"},
+                        {"sec32_newton_breathers barrier --omega inf", "--omega"},
+                        {"sec32_newton_breathers barrier --s nan", "--s"},
+                        {"sec32_newton_breathers breather --centre corner", "--centre"},
+                        {"sec32_newton_breathers breather --centre site --sites 30", "--sites"},
+                        {"sec32_newton_breathers breather --centre bond --sites 31", "--sites"},
+                        {"sec32_newton_breathers breather --centre site --sites 9", "--sites"},
+                        {"sec32_newton_breathers breather --sites 1e9", "--sites"},
+                        {"sec32_newton_breathers breather --precision single", "--precision"},
+                        {"sec32_newton_breathers breather --phase upside", "--phase"}}) {
     CAPTURE(arguments);
     const Result r = call(arguments + out);
     CAPTURE(r.errors);
@@ -136,6 +148,37 @@ TEST_CASE("a runaway is a failure, not a number", "[cli]") {
   CHECK(r.error_lines() == 1);
   CHECK(r.errors.find("blows up") != std::string::npos);
   CHECK(scratch.files() == 0);
+}
+
+TEST_CASE("a breather beyond the fold of its family is a failure", "[cli]") {
+  Scratch scratch;
+  const Result r = call("sec32_newton_breathers breather --omega 2 --s -1 --output " +
+                        (scratch.path / "x.ecsv").string());
+  CHECK(r.code == 1);
+  CHECK(r.error_lines() == 1);
+  CHECK(r.errors.find("turns back near 1.6") != std::string::npos);
+  CHECK(scratch.files() == 0);
+}
+
+TEST_CASE("breather and barrier report the contract's quantities", "[cli]") {
+  const Result r =
+      call("sec32_newton_breathers breather --centre site --omega 1.1 --s 0 --sites 31");
+  REQUIRE(r.code == 0);
+  check_close(quantity(r, "amplitude"), 0.01074795250745621, 0, 1e-12);
+  check_close(quantity(r, "energy"), 1.5359852004088633e-4, 0, 1e-12);
+  check_close(quantity(r, "area"), 8.9264257072819404e-4, 0, 1e-12);
+  CHECK(quantity(r, "energy", "error") < 1e-12 * quantity(r, "energy"));
+  CHECK(quantity(r, "residual") < 1e-13);
+  CHECK(quantity(r, "iterations") <= 6);
+  const Result b = call("sec32_newton_breathers barrier --omega 1.1 --s 0");
+  REQUIRE(b.code == 0);
+  check_close(quantity(b, "equal_frequency"), 1.62422472e-11, 0, 1e-8);
+  check_close(quantity(b, "equal_area"), -2.35229159e-13, 0, 1e-7);
+  const Result p =
+      call("sec32_newton_breathers breather --centre bond --phase stretched --profile");
+  REQUIRE(p.code == 0);
+  CHECK(p.output.find("\nn,y\n-15,") != std::string::npos);
+  CHECK(p.output.find("\n1,0.0101305") != std::string::npos);
 }
 
 TEST_CASE("run reports the contract's quantities with errors", "[cli]") {

@@ -61,6 +61,7 @@ struct Flow {
   std::size_t column_sweeps = 0;
   T error = T(0);
   T energy_drift = T(0);  ///< relative
+  T area = T(0);          ///< time integral of sum mu_n v_n^2
 };
 
 /**
@@ -110,8 +111,12 @@ LATTICE_WIDE void sweep_curvature(const Onsite onsite, const Contact contact,
 The orbit travels with one column of the tangent, a probe. Its sole purpose is to show
 how accurate the columns will be, and whether the step suits them, before we carry all
 of them: the orbit is smoother than its tangent by one derivative and would be content
-with too little. Positions `y`, velocities `v` and, if there is a probe, its two halves
-lie in one array of two or four times the number of sites.
+with too little. Positions `y`, velocities `v`, the area and, if there is a probe, its two
+halves lie in one array.
+
+The area $\int\sum\mu_n\dot y_n^2\,dt$, which belongs to a periodic orbit as its energy does, travels
+along as one more position: while the chain drifts its velocities are constant, and so is
+the rate of the area. Its extrapolation is then as accurate as that of the orbit.
 
 The leapfrog drifts, kicks and drifts, so that it never evaluates a contact at the very
 switching, where the square root would magnify rounding errors. */
@@ -166,7 +171,10 @@ template <class T, class Onsite, class Contact>
 void Leapfrog<T, Onsite, Contact>::drift(std::vector<T>& z, T dt) const {
   const std::size_t n = chain_.sites;
   add_scaled(z.data(), z.data() + n, dt, n);
-  if (probe_) add_scaled(z.data() + 2 * n, z.data() + 3 * n, dt, n);
+  T rate(0);
+  for (std::size_t i = 0; i < n; ++i) rate += T(chain_.mass_of(i)) * z[n + i] * z[n + i];
+  z[2 * n] += rate * dt;
+  if (probe_) add_scaled(z.data() + 2 * n + 1, z.data() + 3 * n + 1, dt, n);
 }
 
 /**
@@ -181,7 +189,7 @@ void Leapfrog<T, Onsite, Contact>::kick(std::vector<T>& z, Curvature<T>& node) {
                 (chain_.onsite.force(z[i]) + (push_[i] - push_[i + 1]));
   if (!probe_) return;
   rows_at(chain_, node, {0, n}, rows_);
-  kick_panel(rows_.data(), z.data() + 2 * n, z.data() + 3 * n, n, 1);
+  kick_panel(rows_.data(), z.data() + 2 * n + 1, z.data() + 3 * n + 1, n, 1);
 }
 
 /**
@@ -232,7 +240,7 @@ class Crossing {
       : chain_(chain), rule_(rule), amplitude_(amplitude) {
     rule_.tolerance = std::max(rule.tolerance, T(16) * std::numeric_limits<T>::epsilon());
   }
-  /// Crosses an interval of the given length from the positions and velocities `z`.
+  /// Crosses an interval of the given length from the positions, velocities and area in `z`.
   Passage<T> cross(const std::vector<T>& z, T length, bool probe);
   std::size_t evaluations = 0;
 
@@ -275,7 +283,7 @@ Passage<T> Crossing<T, Onsite, Contact>::cross(const std::vector<T>& z, T length
     way.records.push_back(std::move(record));
   }
   evaluations += leapfrog.evaluations;
-  way.z.resize(2 * chain_.sites);
+  way.z.resize(2 * chain_.sites + 1);
   return way;
 }
 
@@ -312,20 +320,20 @@ T Crossing<T, Onsite, Contact>::step(Leapfrog<T, Onsite, Contact>& leapfrog, std
 }
 
 /**
-The difference is taken relative to the amplitude for the orbit and absolute for the
-probe. It is infinite where anything is not a number. */
+The difference is taken relative to the amplitude for the orbit, to its square for the area
+and absolute for the probe. It is infinite where anything is not a number. */
 template <class T, class Onsite, class Contact>
 T Crossing<T, Onsite, Contact>::difference(const std::vector<T>& a, const std::vector<T>& b) const {
   const std::size_t orbit = 2 * chain_.sites;
-  T worst[2] = {T(0), T(0)}, sum(0);
+  T worst[3] = {T(0), T(0), T(0)}, sum(0);
   for (std::size_t k = 0; k < a.size(); ++k) {
     const T d = a[k] - b[k], size = d < T(0) ? -d : d;
-    T& most = worst[k < orbit ? 0 : 1];
+    T& most = worst[k < orbit ? 0 : k == orbit ? 1 : 2];
     most = size > most ? size : most;
     sum += size;
   }
   if (!(sum < std::numeric_limits<T>::infinity())) return std::numeric_limits<T>::infinity();
-  return std::max(worst[0] / amplitude_, worst[1]);
+  return std::max({worst[0] / amplitude_, worst[1] / (amplitude_ * amplitude_), worst[2]});
 }
 
 }  // namespace lattice

@@ -146,6 +146,7 @@ class Flight {
   Flight(const Chain<Onsite, Contact>& chain, const State<T>& state, T duration,
          const Landing<T>& rule, Tangent<T>* tangent);
   Flow<T> fly();
+  /// Positions, velocities and the area.
   const std::vector<T>& end() const { return z_; }
 
  private:
@@ -186,6 +187,7 @@ Flight<T, Onsite, Contact>::Flight(const Chain<Onsite, Contact>& chain, const St
       care_(rule, largest(state), tangent != nullptr),
       crossing_(chain, rule, largest(state)) {
   z_.insert(z_.end(), state.v.begin(), state.v.end());
+  z_.push_back(T(0));
   const std::vector<T> a = accelerations(chain_, state.y);
   for (std::size_t i = 0; i <= chain_.sites; ++i) {
     const Overlap<T> o = overlap(z_, a, i);
@@ -364,7 +366,8 @@ Flow<T> flow(const Chain<Onsite, Contact>& chain, State<T>& state, T duration,
   Flow<T> result = flight.fly();
   const auto middle = flight.end().begin() + long(chain.sites);
   state.y.assign(flight.end().begin(), middle);
-  state.v.assign(middle, flight.end().end());
+  state.v.assign(middle, flight.end().end() - 1);
+  result.area = flight.end().back();
   state.t += duration;
   const T change = magnitude(energy(chain, state) - before);
   result.energy_drift = before != T(0) ? change / magnitude(before) : change;

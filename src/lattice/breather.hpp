@@ -1,0 +1,170 @@
+#pragma once
+/**
+# Static breathers of the chain
+
+The breathers of section 3.2 are periodic orbits of a chain with free ends, found from the
+quasi-continuum profile of the DpS equation (Eqs. un1, un2 and ansatzapproxst2)
+$$y_n(0) = 2\epsilon\,u_n,\qquad \epsilon = \bigl(2\tau_0(\omega_b-1)\bigr)^2.$$
+Close to $\omega_b = 1$ Newton's method converges from there. At higher frequencies we first
+follow the branch, so that there is never a doubt to which family a breather belongs. */
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "continuation.hpp"
+#include "dps.hpp"
+
+namespace lattice {
+
+template <class T>
+using BreatherProblem = Shooting<T, Quartic, Hertz>;
+
+/// A bond-centred breather at t = 0: its central contact is compressed, as in Eq. un1, or stretched,
+/// as it is half a period later.
+enum class Phase { compressed, stretched };
+
+/// The problem; the contacts have no floor, because the tail is part of the breather.
+template <class T>
+BreatherProblem<T> breather_problem(Centre centre, const T& omega, double s, std::size_t sites) {
+  if (sites < 3 || (sites % 2 == 0) != (centre == Centre::bond))
+    throw std::invalid_argument(
+        "a bond-centred breather needs an even number of sites, at least 4,"
+        " and a site-centred one an odd number, at least 3 (got " +
+        std::to_string(sites) + ")");
+  BreatherProblem<T> problem;
+  problem.chain.sites = sites;
+  problem.chain.onsite.s = s;
+  problem.chain.contact.floor = 0;
+  problem.centre = centre;
+  problem.omega = omega;
+  return problem;
+}
+
+/// The approximate breather of Eq. ansatzapproxst2, one position a site.
+inline std::vector<double> ansatz(Centre centre, double omega, std::size_t sites,
+                                  Phase phase = Phase::compressed) {
+  const double scale = 2 * breather_eps(omega) * (phase == Phase::stretched ? -1 : 1);
+  std::vector<double> y(sites);
+  for (std::size_t i = 0; i < sites; ++i)
+    y[i] = scale * quasi_continuum(centre, site_number(i, sites));
+  return y;
+}
+
+/// Up to this frequency Newton's method starts from the quasi-continuum profile.
+constexpr double direct_up_to = 1.1;
+
+/// The breather of a problem in double precision, on the branch that begins at omega_b = 1.
+inline Orbit<double> find_breather(const BreatherProblem<double>& problem,
+                                   Phase phase = Phase::compressed,
+                                   const NewtonRule<double>& rule = {}) {
+  BreatherProblem<double> nearby = problem;
+  nearby.omega = std::min(problem.omega, direct_up_to);
+  const auto y = ansatz(problem.centre, nearby.omega, problem.chain.sites, phase);
+  const Orbit<double> start = newton(nearby, nearby.fold(y), rule);
+  if (nearby.omega == problem.omega) return start;
+  Branch<double, BreatherProblem<double>> branch(nearby, Along::omega, start, 1, rule);
+  return branch.reach(problem.omega);
+}
+
+/// The same problem in another precision.
+template <class T>
+BreatherProblem<T> in_precision(const BreatherProblem<double>& problem) {
+  return {problem.chain, problem.centre, T(problem.omega)};
+}
+
+/// Newton's method once more, in the precision T and from an orbit in another one.
+template <class T, class From>
+Orbit<T> refine(const BreatherProblem<T>& problem, const Orbit<From>& orbit,
+                const NewtonRule<T>& rule = {}) {
+  Vector<T> x(orbit.x.size());
+  for (Eigen::Index k = 0; k < x.size(); ++k) x[k] = T(orbit.x[k]);
+  return newton(problem, x, rule);
+}
+
+/**
+The force $|y|^{3/2}$ of the last bead on the one that is missing tells whether a chain is long
+enough. It compares with the force $(\omega_b^2-1)|y|$ that distinguishes the breather from a free
+oscillation: where the ratio is below the precision, longer chains give the same breather. The
+shortest such chain is read off a long one. */
+template <class T>
+std::size_t sites_needed(const Orbit<T>& orbit, double precision) {
+  const auto& y = orbit.start.y;
+  const double omega = double(orbit.omega);
+  const double bound = precision * (omega * omega - 1) * double(orbit.amplitude);
+  const auto weak = [&](std::size_t i) {
+    const double edge = std::abs(double(y[i]));
+    return edge * std::sqrt(edge) < bound;
+  };
+  std::size_t cut = 0;
+  while (2 * cut + 4 < y.size() && weak(cut + 1) && weak(y.size() - 2 - cut)) ++cut;
+  return y.size() - 2 * cut;
+}
+
+/// A breather on a chain that can hold it.
+struct Fitted {
+  BreatherProblem<double> problem;
+  Orbit<double> orbit;
+};
+
+/// The chain cannot hold the breather's tail; it needs `needed` sites.
+struct ShortChain : std::invalid_argument {
+  std::size_t needed;
+  explicit ShortChain(std::size_t sites)
+      : std::invalid_argument("the breather needs " + std::to_string(sites) + " sites"),
+        needed(sites) {}
+};
+
+/// The breather on `sites` sites, which must hold its tail down to `precision`. With `sites` = 0
+/// the chain is as long as necessary but not shorter than `usual`.
+inline Fitted fit_chain(Centre centre, double omega, double s, std::size_t sites, std::size_t usual,
+                        double precision, Phase phase) {
+  const std::size_t ample = 2 * usual - usual % 2;
+  const Orbit<double> orbit = find_breather(breather_problem(centre, omega, s, ample), phase);
+  const std::size_t needed = sites_needed(orbit, precision);
+  const std::size_t n = sites ? sites : std::max(needed, usual);
+  if (n < needed) throw ShortChain(needed);
+  const auto problem = breather_problem(centre, omega, s, n);
+  if (omega <= direct_up_to) return {problem, find_breather(problem, phase)};
+  State<double> start(n);
+  const long shift = (long(n) - long(ample)) / 2;
+  for (long i = 0; i < long(n); ++i)
+    if (i - shift >= 0 && i - shift < long(ample))
+      start.y[std::size_t(i)] = orbit.start.y[std::size_t(i - shift)];
+  return {problem, newton(problem, problem.fold(start.y))};
+}
+
+/**
+## The barrier
+
+Two breathers of the same frequency differ in energy by what the article calls the barrier.
+An effective Hamiltonian for the breather's position compares instead those of the same area
+$A = \oint\sum\dot y_n^2\,dt$. We keep the frequency of the bond-centred breather and correct that
+of the site-centred one until the areas agree. Along a branch $dE = dA/T_b$, so that the remaining
+difference of the areas is turned into energy, and what is neglected is of third order. */
+template <class T>
+struct Barrier {
+  T equal_frequency{};  ///< E_site - E_bond at the same frequency
+  T equal_area{};       ///< the same at the same area
+  T omega_site{};       ///< frequency of the site-centred breather of the bond-centred one's area
+};
+
+template <class T>
+Barrier<T> barrier(const BreatherProblem<T>& site_problem, const Orbit<T>& site,
+                   const Orbit<T>& bond, const NewtonRule<T>& rule = {}) {
+  Barrier<T> out;
+  out.equal_frequency = site.energy - bond.energy;
+  const T area_omega = site_problem.period() * site.energy_omega;
+  const T change = (bond.area - site.area) / area_omega;
+  BreatherProblem<T> shifted = site_problem;
+  shifted.omega += change;
+  const Orbit<T> moved = newton(shifted, Vector<T>(site.x + change * site.x_omega), rule);
+  out.equal_area = moved.energy + (bond.area - moved.area) / shifted.period() - bond.energy;
+  out.omega_site = shifted.omega;
+  return out;
+}
+
+}  // namespace lattice
