@@ -180,21 +180,33 @@ Impulse<T> exact_impulse(const Quintic<T>& x, const Push& push, bool fourth) {
   return sum;
 }
 
+/// One sum of accelerations, without its vanishing terms and filled up to a multiple of three.
+template <class T>
+struct StageSum {
+  std::vector<T> weight{};
+  std::vector<std::size_t> stage{};
+  StageSum(const std::vector<double>& row, double scale) {
+    for (std::size_t j = 0; j < row.size(); ++j)
+      if (row[j] != 0) weight.push_back(T(row[j]) * T(scale)), stage.push_back(j);
+    while (weight.size() % 3 != 0) weight.push_back(T(0)), stage.push_back(0);
+  }
+};
+
 /// Memory for many steps, set up once. What lies outside the window stays zero.
 template <class T>
 struct NystromMemory {
-  std::vector<std::vector<T>> y{}, a{};     ///< of the stages; the first y is that of the state
-  std::vector<T> v{}, shift{};              ///< new velocities; defects of the stage positions
-  std::vector<T> weight{}, shift_weight{};  ///< of the sum in hand; $\sum_i b_i a_{ij}$
-  std::vector<const T*> term{};             ///< what `weight` multiplies
-  std::vector<std::uint64_t> flag{};        ///< singular contacts,
-  std::vector<std::size_t> contacts{};      ///< the list of them, ascending,
-  std::vector<Impulse<T>> correction{};     ///< and what each one needs, zero for all the others
-  T small;                                  ///< overlap that is not worth a correction
+  std::vector<std::vector<T>> y{}, a{};  ///< of the stages; the first y is that of the state
+  std::vector<T> v{}, shift{};           ///< new velocities; defects of the stage positions
+  std::vector<T> shift_weight{};         ///< $\sum_i b_i a_{ij}$
+  std::vector<const T*> term{};          ///< the accelerations of the sum in hand
+  std::vector<std::uint64_t> flag{};     ///< singular contacts,
+  std::vector<std::size_t> contacts{};   ///< the list of them, ascending,
+  std::vector<Impulse<T>> correction{};  ///< and what each one needs, zero for all the others
+  T small;                               ///< overlap that is not worth a correction
   NystromMemory(const Nystrom& base, std::size_t sites, double negligible) : small(negligible) {
     v.resize(sites), shift.resize(sites);
     y.assign(base.c.size(), v), a = y;
-    weight.resize(y.size() + 2), shift_weight = weight, term.resize(weight.size());
+    shift_weight.resize(y.size()), term.resize(y.size() + 2);
     flag.resize(sites), correction.resize(sites + 1);
     for (std::size_t i = 0; i < y.size(); ++i)
       for (std::size_t j = 0; j < i; ++j) shift_weight[j] += T(base.b[i] * base.a[i][j]);
@@ -237,15 +249,18 @@ struct ContactAware {
   double advance(const Chain<Onsite, Contact>& chain, State<T>& state, Window& window, double h,
                  std::size_t count, NystromMemory<T>& at) const {
     const std::size_t last = base.last();
+    std::vector<StageSum<T>> positions;
+    for (const auto& row : base.a) positions.emplace_back(row, h * h);
+    const StageSum<T> velocities(base.b, h);
     accelerate(chain, state.y.data(), at.a[0].data(), window);
     double work = double(window.last - window.first);
     for (std::size_t k = 0; k < count; ++k) {
       for (std::size_t i = 1; i <= last; ++i) {
-        combine(state.y, state.v, base.c[i] * h, base.a[i], h * h, window, at, at.y[i]);
+        combine(state.y, state.v, base.c[i] * h, positions[i], window, at, at.y[i]);
         accelerate(chain, at.y[i].data(), at.a[i].data(), window);
         work += double(window.last - window.first);
       }
-      combine(state.v, state.v, 0, base.b, h, window, at, at.v);
+      combine(state.v, state.v, 0, velocities, window, at, at.v);
       correct(chain, state, window, T(h), at);
       std::swap(state.y, at.y[last]), std::swap(state.v, at.v), std::swap(at.a[0], at.a[last]);
     }
@@ -263,17 +278,12 @@ struct ContactAware {
  private:
   template <class T>
   static void combine(const std::vector<T>& y, const std::vector<T>& v, double drift,
-                      const std::vector<double>& row, double scale, Window window,
-                      NystromMemory<T>& at, std::vector<T>& out) {
-    std::size_t terms = 0;
-    for (std::size_t j = 0; j < row.size(); ++j) {
-      if (row[j] == 0) continue;
-      at.weight[terms] = T(row[j]) * T(scale);
-      at.term[terms++] = at.a[j].data() + window.first;
-    }
-    for (; terms % 3 != 0; ++terms) at.weight[terms] = T(0), at.term[terms] = at.term[0];
-    sweep_stage<T>(y.data() + window.first, v.data() + window.first, T(drift), at.term.data(),
-                   at.weight.data(), terms, out.data() + window.first, window.last - window.first);
+                      const StageSum<T>& sum, Window window, NystromMemory<T>& at,
+                      std::vector<T>& out) {
+    const std::size_t first = window.first, terms = sum.stage.size();
+    for (std::size_t j = 0; j < terms; ++j) at.term[j] = at.a[sum.stage[j]].data() + first;
+    sweep_stage<T>(y.data() + first, v.data() + first, T(drift), at.term.data(), sum.weight.data(),
+                   terms, out.data() + first, window.last - first);
   }
 
   /// The overlap of contact `i` in the step that has just been tried.
