@@ -52,6 +52,7 @@ all-data: $(results)
 
 ## programs: build build/bin/<program>
 programs: $(B)/CMakeCache.txt
+	@test -x $(B)/bin/report || echo "  build    programs (a few minutes the first time; $(B)/build.log)"
 	@cmake --build $(B) --parallel $(JOBS) --target programs > $(B)/build.log 2>&1 || \
 	  { cat $(B)/build.log; exit 1; }
 
@@ -131,5 +132,7 @@ burn:
 ## help: this list
 help:
 	@sed -n 's/^## /  make /p' Makefile
-	@awk -F, '!/^#/ && $$1 != "id" { id = $$1; text = $$0; sub(/^([^,]*,){7}/, "", text); gsub(/"/, "", text); \
-	  printf "  make %s: %s\n", (id ~ /^x/ ? id : "fig" id), text }' figures/figures.ecsv
+	@awk '!/^#/ { at = index($$0, ","); id = substr($$0, 1, at - 1); if (id == "id") next; \
+	  text = $$0; for (k = 0; k < 7; ++k) text = substr(text, index(text, ",") + 1); \
+	  gsub(/"/, "", text); printf "  make %s: %s\n", (id ~ /^x/ ? id : "fig" id), text }' figures/figures.ecsv
+	@echo "Variables: DEPS=skip (install nothing), PYTHON=..., JOBS=..., LAUNCH=... (put before every program)"

@@ -94,6 +94,8 @@ TEST_CASE("bad input: one line, exit code 2, no file", "[cli]") {
                         {"sec34_impact run --onsite cubic", "--onsite"},
                         {"sec34_impact run --onsite pendulum --s 1", "--s"},
                         {"sec34_impact run --colour red", "--colour"},
+                        {"sec34_impact run --velocity 1,5", "--velocity"},
+                        {"sec34_kink run --patience 10", "--patience"},
                         {"sec31_dps_limit impact --tau nan", "--tau"},
                         {"sec31_dps_limit impact --tau 0", "--tau"},
                         {"sec31_dps_limit impact --sites 1", "--sites"},
@@ -138,6 +140,27 @@ TEST_CASE("an unwritable place is refused before computing", "[cli]") {
     CHECK(r.error_lines() == 1);
     CHECK(r.errors.find("--out") != std::string::npos);
   }
+}
+
+TEST_CASE("a folder, a device and a closed output are told apart", "[cli]") {
+  Scratch scratch;
+  const std::string run = "sec34_impact run --velocity 1 --time 20";
+  const Result folder = call(run + " --output " + scratch.path.string());
+  CHECK(folder.code == 2);
+  CHECK(folder.error_lines() == 1);
+  CHECK(call(run + " --output ''").code == 2);
+  CHECK(call(run + " --output /dev/null").code == 0);
+  CHECK(fs::is_character_file("/dev/null"));
+  CHECK(call(run + " > /dev/full").code == 1);
+  CHECK(scratch.files() == 0);
+}
+
+TEST_CASE("a short chain does not spoil the speed", "[cli]") {
+  const std::string run = "sec34_impact run --velocity 1.87 --s -0.1667 --time 587 --sites ";
+  const Result small = call(run + "80"), large = call(run + "82");
+  check_close(quantity(small, "speed"), quantity(large, "speed"), 0, 0.01);
+  CHECK(quantity(small, "speed") > 0.19);
+  CHECK(std::isnan(quantity(call("sec34_impact run --velocity 1 --sites 2 --time 20"), "speed")));
 }
 
 TEST_CASE("a runaway is a failure, not a number", "[cli]") {

@@ -4,6 +4,7 @@ The text between `<!-- NAME -->` and `<!-- /NAME -->` is replaced; everything el
 """
 
 import csv
+import math
 import pathlib
 import re
 
@@ -23,11 +24,10 @@ def figure_table():
 
 
 def digits(value, error):
-    """A number with as many digits as its error supports, at most six."""
-    import math
+    """A number with the digits that its error supports and one more, at most six."""
     if value == 0:
         return "0"
-    places = 6 if error == 0 else min(6, max(1, math.ceil(math.log10(abs(value) / error))))
+    places = 6 if error == 0 else min(6, max(1, math.ceil(math.log10(abs(value) / error)) + 1))
     return f"{value:.{places}g}"
 
 
@@ -50,7 +50,7 @@ def costs():
     for path in sorted(pathlib.Path("build/report/cost").iterdir()):
         seconds = float(path.read_text())
         total += seconds
-        lines.append(f"| `{path.name}` | {seconds:.0f} |")
+        lines.append(f"| `{path.name}` | {seconds:.0f} |" if seconds >= 1 else f"| `{path.name}` | < 1 |")
     return lines + [f"| together | {total:.0f} |"]
 
 

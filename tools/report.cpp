@@ -45,8 +45,8 @@ int main(int argc, char** argv) {
   app.add_option("--data", data, "folder with one folder of tables a program");
   app.add_option("--published", published, "the article's statements");
   app.add_option("--out", out, "folder for published.ecsv");
-  CLI11_PARSE(app, argc, argv);
   try {
+    app.parse(argc, argv);
     Table table = compare_all(read_claims(published), data);
     table.meta = {{"program", "report"}, {"build", LATTICE_BUILD}};
     std::filesystem::create_directories(out);
@@ -66,6 +66,11 @@ int main(int argc, char** argv) {
       else if (verdicts[i] == "discrepant" || verdicts[i] == "unresolved")
         std::printf("  %-10s %-22s printed %s, converged %.6g +- %.1g %s\n", verdicts[i].c_str(),
                     id[i].c_str(), printed[i].c_str(), value[i], error[i], unit[i].c_str());
+  } catch (const CLI::Success& success) {
+    return app.exit(success);
+  } catch (const CLI::ParseError& error) {
+    std::cerr << "report: " << error.what() << '\n';
+    return 2;
   } catch (const std::exception& error) {
     std::cerr << "report: " << error.what() << '\n';
     return 1;

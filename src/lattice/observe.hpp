@@ -110,11 +110,19 @@ struct Track {
     peak.push_back(e[peak_site]);
   }
 
+  /// The samples up to the first one whose centre lies beyond `to`: what happens to a packet after
+  /// it has left the window, a reflection for example, does not count.
+  std::size_t until(double to) const {
+    return std::size_t(
+        std::find_if(centre.begin(), centre.end(), [to](double x) { return x > to; }) -
+        centre.begin());
+  }
+
   /// Line through the centres between `from` and `to`; nothing if fewer than three lie there.
   std::optional<Line> line(double from, double to) const {
     std::vector<double> ts, xs;
-    for (std::size_t i = 0; i < t.size(); ++i)
-      if (centre[i] >= from && centre[i] <= to) {
+    for (std::size_t i = 0, end = until(to); i < end; ++i)
+      if (centre[i] >= from) {
         ts.push_back(t[i]);
         xs.push_back(centre[i]);
       }
@@ -122,12 +130,14 @@ struct Track {
     return fit_line(ts, xs);
   }
 
-  /// Largest energy density of the packet while its centre lies in the window. The maximum falls
-  /// between two samples: a parabola through the highest one and its neighbours finds it.
+  /// Largest energy density of the packet while its centre lies in the window, zero if it never
+  /// does. The maximum falls between two samples: a parabola through the highest one and its
+  /// neighbours finds it.
   double largest_peak(double from, double to) const {
     double best = 0;
-    for (std::size_t i = 1; i + 1 < t.size(); ++i) {
-      if (centre[i] < from || centre[i] > to || peak[i] < best) continue;
+    const std::size_t end = std::min(until(to), std::max<std::size_t>(t.size(), 1) - 1);
+    for (std::size_t i = 1; i < end; ++i) {
+      if (centre[i] < from || peak[i] < best) continue;
       best = peak[i];
       const double rise = (peak[i + 1] - peak[i - 1]) / 2;
       const double bend = peak[i + 1] - 2 * peak[i] + peak[i - 1];

@@ -59,10 +59,17 @@ inline CLI::Validator in_range(double lo, double hi, const std::string& unit = "
       [lo, hi, range](std::string& value) {
         char* end = nullptr;
         const double x = std::strtod(value.c_str(), &end);
-        const bool good = !value.empty() && *end == '\0' && x >= lo && x <= hi;
+        if (value.empty() || *end != '\0') return "'" + value + "' is not a number";
+        const bool good = x >= lo && x <= hi;
         return good ? std::string() : "'" + value + "' is not in the allowed range " + range;
       },
       range);
+}
+
+/// Option check: a name that is not empty.
+inline CLI::Validator not_empty() {
+  return CLI::Validator(
+      [](std::string& value) { return value.empty() ? "'' is not a name" : std::string(); }, "");
 }
 
 /// A value with the error from two resolutions.
@@ -180,6 +187,7 @@ class Program {
       command_ += (i ? " " : "") + (i ? std::string(argv[i]) : identity_.name);
     app_.set_version_flag("--version", identity_.name + " " LATTICE_VERSION " (" LATTICE_BUILD ")");
     app_.add_option("--out", out_, "folder for the tables of a full run")
+        ->check(not_empty())
         ->default_str("build/data/" + identity_.name);
     app_.add_flag("--quick", quick, "coarse parameters: seconds, for trying out");
     app_.require_subcommand(0, 1);
@@ -189,7 +197,8 @@ class Program {
   CLI::App* command(const std::string& name, const std::string& help,
                     std::function<Table()> compute) {
     CLI::App* sub = app_.add_subcommand(name, help);
-    sub->add_option("--output", output_, "file to write instead of standard output");
+    sub->add_option("--output", output_, "file to write instead of standard output")
+        ->check(not_empty());
     commands_.emplace_back(sub, std::move(compute));
     return sub;
   }
@@ -248,16 +257,19 @@ class Program {
 
   int print(const std::function<Table()>& compute) {
     if (!output_.empty()) {
+      if (std::filesystem::is_directory(output_))
+        throw UsageError("--output: '" + output_ + "' is a folder (allowed: a file)");
       const auto parent = std::filesystem::path(output_).parent_path();
       need_writable(parent.empty() ? "." : parent, "--output");
     }
     Table table = compute();
     const Meta meta = provenance();
     table.meta.insert(table.meta.begin(), meta.begin(), meta.end());
-    if (output_.empty())
-      std::cout << to_text(table);
-    else
+    if (!output_.empty()) {
       write(output_, table);
+    } else if (!(std::cout << to_text(table) << std::flush)) {
+      throw Failure("cannot write to standard output");
+    }
     return 0;
   }
 

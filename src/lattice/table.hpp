@@ -197,20 +197,24 @@ inline std::string to_text(const Table& table) {
   return out.str();
 }
 
-/// Writes `text` to `path` under a temporary name, then renames. Throws std::runtime_error.
+/// Writes `text` to `path` under a temporary name, then renames; what is no ordinary file (a device,
+/// a pipe) is written to as it is. Throws std::runtime_error and leaves nothing behind.
 inline void write_whole(const std::filesystem::path& path, const std::string& text) {
-  const std::filesystem::path part = path.string() + ".part";
-  {
-    std::ofstream out(part, std::ios::binary);
-    out << text;
-    out.flush();
-    if (!out) {
-      std::error_code ignored;
-      std::filesystem::remove(part, ignored);
-      throw std::runtime_error("cannot write " + path.string());
-    }
+  std::error_code ignored, failed;
+  const bool special =
+      std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored);
+  const std::filesystem::path part = path.string() + (special ? "" : ".part");
+  std::ofstream out(part, std::ios::binary);
+  out << text;
+  out.close();
+  bool good = bool(out);
+  if (good && !special) {
+    std::filesystem::rename(part, path, failed);
+    good = !failed;
   }
-  std::filesystem::rename(part, path);
+  if (good) return;
+  if (!special) std::filesystem::remove(part, ignored);
+  throw std::runtime_error("cannot write " + path.string());
 }
 
 inline void write(const std::filesystem::path& path, const Table& table) {
