@@ -6,12 +6,12 @@ set multiplot layout 1,2 margins char 9,1.5,3.4,0.8 spacing char 11,0
 set xlabel 'site n'
 set xrange [-24:24]
 set logscale y
-set yrange [1e-310:1]
-set ytics ('10^{−300}' 1e-300, '10^{−200}' 1e-200, '10^{−100}' 1e-100, '1' 1)
+set yrange [1e-230:1e10]
+set ytics ('10^{−200}' 1e-200, '10^{−100}' 1e-100, '1' 1)
 set ylabel '|y_n(0)|' offset 1
 set label 1 '(a)' at graph 0.03,0.93
-positive(x) = x > 0 ? x : NaN
-plot table using "n":(positive(column("size"))) with linespoints ls 1 notitle
+normal(x) = x > 1e-300 ? x : NaN
+plot table using "n":(normal(column("size"))) with linespoints ls 1 notitle
 unset logscale y
 set xrange [0:24]
 set yrange [0:10]

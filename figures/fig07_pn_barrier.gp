@@ -14,7 +14,7 @@ set format y '10^{%T}'
 set ytics 1e5
 set xlabel 'frequency ω_b'
 unset key
-set ylabel 'energy' offset 1
+set ylabel 'energy, ratio' offset 1
 do for [k=1:3] {
   s = k == 1 ? -1./6 : k == 2 ? 0 : 1
   set label 1 (k == 1 ? '(a) s = −1/6' : k == 2 ? '(b) s = 0' : '(c) s = 1') at graph 0.04,0.94
@@ -22,13 +22,13 @@ do for [k=1:3] {
   if (k > 2) { set key bottom right at graph 1.0,0.06 samplen 1.6 width -4 }
   plot table using "omega":(only(s, column("energy_bond"))) with lines lw 1.6 lc rgb vermilion \
          title 'E_{bc}', \
-       table using "omega":(only(s, abs(column("equal_frequency")))) with lines lw 1.6 lc rgb blue \
+       table using "omega":(only(s, abs(column("equal_frequency")))) with lines ls 1 dt (8,4) \
          title '|E_{PN}|', \
        table using "omega":(only(s, abs(column("equal_frequency")/column("energy_bond")))) \
          with lines ls 4 title '|E_{PN}|/E_{bc}', \
        table using "omega":(only(s, abs(column("equal_area")))) with lines ls 3 \
          title '|E_{PN}|, equal area', \
        zeros using "omega":(column("kind") < 1.5 ? only(s, 4e-20) : NaN) with points pt 9 ps 0.5 \
-         lc rgb blue notitle
+         lc rgb blue title 'sign change'
 }
 unset multiplot

@@ -9,7 +9,7 @@ data, out = draw.arguments()
 field = draw.read(f"{data}/sec34_dps_impact/dps_impact_map.ecsv")
 final = draw.read(f"{data}/sec34_dps_impact/dps_impact_profile.ecsv")
 
-figure, axes = plt.subplots(figsize=(draw.ONE_COLUMN * 1.2, 70 * draw.MM))
+figure, axes = plt.subplots(figsize=(draw.ONE_COLUMN, 70 * draw.MM))
 image, extent = draw.grid(field, "n", "tau", "density")
 picture = axes.imshow(image, extent=extent, origin="lower", aspect="auto",
                       norm=PowerNorm(0.5, vmin=0, vmax=0.3), interpolation="none")
@@ -23,7 +23,7 @@ inset.set_xlim(0, 105)
 inset.set_ylim(0, None)
 inset.set_xlabel("$n$", labelpad=0, fontsize=7)
 inset.set_ylabel(r"$|A_n|^2$", labelpad=1, fontsize=7)
-inset.tick_params(labelsize=6, pad=1.5)
+inset.tick_params(labelsize=7, pad=1.5)
 inset.patch.set_alpha(1)
 for text in [inset.xaxis.label, inset.yaxis.label, *inset.get_xticklabels(), *inset.get_yticklabels()]:
     text.set_color("white")

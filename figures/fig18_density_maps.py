@@ -9,12 +9,12 @@ data, out = draw.arguments()
 maps = draw.read(f"{data}/sec34_dps_impact/impact_density_maps.ecsv")
 
 figure, both = plt.subplots(1, 2, figsize=(draw.TWO_COLUMNS, 70 * draw.MM), sharey=True)
-for axes, column, name in zip(both, ["e_lattice", "e_dps"], ["a", "b"]):
+for axes, column, name in zip(both, ["e_lattice", "e_dps"], ["(a) chain", "(b) DpS"]):
     image, extent = draw.grid(maps, "n", "t", column)
     picture = axes.imshow(1e6 * image, extent=extent, origin="lower", aspect="auto",
                           norm=PowerNorm(0.5, vmin=0, vmax=0.6), interpolation="none")
     axes.set(xlabel="site $n$", xlim=(0.5, 105))
-    draw.letter(axes, name, "white")
+    axes.text(0.03, 0.97, name, transform=axes.transAxes, va="top", color="white")
 both[0].set_ylabel("time $t$")
 bar = figure.colorbar(picture, ax=both, extend="max", ticks=[0, 0.05, 0.1, 0.2, 0.4, 0.6])
 bar.set_label("energy density $10^6\\,e_n$")

@@ -14,8 +14,7 @@ for axes, s, name in zip(both, [0, -0.7], ["a", "b"]):
     picture = axes.imshow(-image, extent=extent, origin="lower", aspect="auto", cmap="gray_r",
                           norm=PowerNorm(0.5, vmin=0, vmax=0.4), interpolation="none")
     axes.set(xlabel="contact $n$", xlim=(0.5, 60))
-    draw.letter(axes, name)
-    axes.text(0.97, 0.03, f"$s = {s:g}$", transform=axes.transAxes, ha="right")
+    axes.set_title(f"({name}) $s = {s:g}$", loc="left")
 both[0].set_ylabel("time $t$")
 bar = figure.colorbar(picture, ax=both, extend="max", ticks=[0, 0.01, 0.05, 0.1, 0.2, 0.4])
 bar.set_label("contact force $-f_n$")
