@@ -25,8 +25,8 @@ for column, mark, color, name in [("ejected_near", "x", "#009E73", "near end"),
     keep = decided & (scan[column] > 0)
     beads.plot(scan["velocity"][keep], scan[column][keep], mark, ms=3, mew=0.6, color=color,
                label=name)
-beads.set(xlabel="impact velocity $v_0$", ylabel="beads thrown out", xlim=(1, 8), ylim=(0, None))
-beads.legend(loc="upper left", bbox_to_anchor=(0.0, 0.92), handlelength=1)
+beads.set(xlabel="impact velocity $v_0$", ylabel="beads thrown out", xlim=(1, 8), ylim=(0, 6.5))
+beads.legend(loc="upper right", handlelength=1, ncols=2, columnspacing=1)
 draw.letter(share, "a")
 draw.letter(beads, "b")
 for axes, velocity, name in [(low, 2.0, "c"), (high, 5.0, "d")]:
