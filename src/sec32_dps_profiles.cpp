@@ -286,7 +286,8 @@ void report_profiles(Output& output, Results& results, Quantities& facts) {
 
 Far from the centre $u_n$ is small against $u_{n-1}$, so $-\mu u_n \approx -D_{n-1}$ and
 $|u_n| \approx |u_{n-1}|^{3/2}/\mu$: at $\mu = 1$ the ratio $\ln|u_{n+1}|/\ln|u_n|$ tends to
-3/2, and so fast that its distance from 3/2 is itself squared and more at each site. We list it. */
+3/2, and so fast that its distance from 3/2 is, from one site to the next, raised to nearly the
+power 3/2 itself. We list it. */
 Table tail_table() {
   Table table{
       {label("centre", "site or bond"), count("n", "site", "site"),
@@ -431,9 +432,9 @@ Results answer_claims(Output& output, Quantities& facts) {
 
 /**
 The norms are [](num:sec32_dps_profiles.norm_site) around a site and
-[](num:sec32_dps_profiles.norm_bond) around a bond; the second is smaller by the share
-[](num:sec32_dps_profiles.norm_gap_relative), which is why small breathers move at the slightest
-push.
+[](num:sec32_dps_profiles.norm_bond) around a bond. The second minus the first, relative to the
+first, is [](num:sec32_dps_profiles.norm_gap_relative): so little, that small breathers move at
+the slightest push.
 
 ## Checks
 
