@@ -112,7 +112,7 @@ Band blowup_band(const Well& well, std::size_t count, double time, Table& scan) 
   parallel_for(count, [&](std::size_t i) {
     velocity[i] = well.band_from + (well.band_to - well.band_from) * double(i) / double(count - 1);
     for (std::size_t k : {0, 1}) {
-      const ContactAware stepper{k ? 0.05 : 0.1};
+      const ContactAware stepper{k ? 0.1 : 0.2};
       const Chain<Quartic, Hertz> chain{100, {well.s}};
       State<double> state = struck(chain.sites, velocity[i]);
       escape[k][i] = evolve(stepper, chain, state, time, 2, Unobserved{}).escape_time;
