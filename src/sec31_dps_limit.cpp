@@ -267,7 +267,7 @@ void add_constants(Quantities& facts, const std::vector<Point>& points) {
     for (const Estimate& e : p.error) worst = std::max(worst, e.error / e.value);
     if (i + 1 < points.size() && points[i + 1].start == p.start) continue;
     for (std::size_t k = 0; k < horizons.size(); ++k) {
-      const auto constant = [&](const Point& q) { return q.error[k].value / std::pow(q.eps, 1.5); };
+      const auto constant = [&](const Point& q) { return q.error[k].value / three_halves(q.eps); };
       facts.add(
           "constant_" + std::string(starts[p.start]) + "_tau_" + std::to_string(int(horizons[k])),
           compare(constant(before), constant(p)));
