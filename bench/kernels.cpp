@@ -10,10 +10,10 @@ second. Try `build/bin/bench_kernels --benchmark_filter=verlet`. */
 #include <cstddef>
 #include <vector>
 
-#include "lattice/compensated.hpp"
-#include "lattice/contact_rkn.hpp"
-#include "lattice/tangent.hpp"
-#include "lattice/tiling.hpp"
+#include "lattice/landing/tangent.hpp"
+#include "lattice/stepping/compensated.hpp"
+#include "lattice/stepping/contact_rkn.hpp"
+#include "lattice/stepping/tiling.hpp"
 
 using namespace lattice;
 

@@ -13,8 +13,8 @@ memory, compiled for wide vectors. */
 #include <string>
 #include <vector>
 
-#include "lattice/landing.hpp"
-#include "lattice/reference.hpp"
+#include "lattice/landing/landing.hpp"
+#include "lattice/stepping/reference.hpp"
 #include "measure.hpp"
 
 namespace bench {

@@ -14,8 +14,8 @@ written. They know nothing of the chain and always move the whole of it. */
 #include <utility>
 #include <vector>
 
-#include "lattice/contact_rkn.hpp"
-#include "lattice/reference.hpp"
+#include "lattice/stepping/contact_rkn.hpp"
+#include "lattice/stepping/reference.hpp"
 #include "measure.hpp"
 
 namespace bench {

@@ -12,10 +12,10 @@ to run; the ratios, taken within one run, hardly do. */
 #include <filesystem>
 #include <iostream>
 
-#include "lattice/compensated.hpp"
-#include "lattice/impact.hpp"
-#include "lattice/program.hpp"
-#include "lattice/tiling.hpp"
+#include "lattice/measure/impact.hpp"
+#include "lattice/report/program.hpp"
+#include "lattice/stepping/compensated.hpp"
+#include "lattice/stepping/tiling.hpp"
 #include "monodromy.hpp"
 #include "peers.hpp"
 

@@ -25,10 +25,11 @@ What is claimed, with the identifiers under which the answers are recorded:
 #include <string>
 #include <vector>
 
-#include "lattice/contact_rkn.hpp"
-#include "lattice/impact.hpp"
-#include "lattice/parallel.hpp"
-#include "lattice/program.hpp"
+#include "lattice/dps/impact.hpp"
+#include "lattice/measure/impact.hpp"
+#include "lattice/numbers/parallel.hpp"
+#include "lattice/report/program.hpp"
+#include "lattice/stepping/contact_rkn.hpp"
 
 using namespace lattice;
 

@@ -26,9 +26,9 @@ What is claimed, with the identifiers under which the answers are recorded:
 #include <utility>
 #include <vector>
 
-#include "lattice/dps_stationary.hpp"
-#include "lattice/observe.hpp"
-#include "lattice/program.hpp"
+#include "lattice/dps/stationary.hpp"
+#include "lattice/measure/observe.hpp"
+#include "lattice/report/program.hpp"
 
 using namespace lattice;
 

@@ -24,13 +24,13 @@ article found too hard: the barrier at equal area.
 #include <utility>
 #include <vector>
 
-#include "lattice/breather.hpp"
-#include "lattice/dps_stationary.hpp"
-#include "lattice/extended.hpp"
-#include "lattice/ladder.hpp"
-#include "lattice/least_squares.hpp"
-#include "lattice/parallel.hpp"
-#include "lattice/program.hpp"
+#include "lattice/dps/stationary.hpp"
+#include "lattice/numbers/extended.hpp"
+#include "lattice/numbers/parallel.hpp"
+#include "lattice/orbits/breather.hpp"
+#include "lattice/orbits/ladder.hpp"
+#include "lattice/orbits/least_squares.hpp"
+#include "lattice/report/program.hpp"
 
 using namespace lattice;
 

@@ -21,8 +21,9 @@ What is claimed, with the identifiers under which the answers are recorded:
 #include <utility>
 #include <vector>
 
-#include "lattice/impact.hpp"
-#include "lattice/program.hpp"
+#include "lattice/dps/impact.hpp"
+#include "lattice/measure/impact.hpp"
+#include "lattice/report/program.hpp"
 
 using namespace lattice;
 

@@ -22,9 +22,10 @@ What is claimed, with the identifiers under which the answers are recorded:
 #include <utility>
 #include <vector>
 
-#include "lattice/impact.hpp"
-#include "lattice/parallel.hpp"
-#include "lattice/program.hpp"
+#include "lattice/measure/impact.hpp"
+#include "lattice/numbers/parallel.hpp"
+#include "lattice/report/program.hpp"
+#include "lattice/stepping/reference.hpp"
 
 using namespace lattice;
 

@@ -14,9 +14,9 @@ breather and beads are ejected at the far end (`impact.kink`). */
 #include <string>
 #include <vector>
 
-#include "lattice/impact.hpp"
-#include "lattice/parallel.hpp"
-#include "lattice/program.hpp"
+#include "lattice/measure/impact.hpp"
+#include "lattice/numbers/parallel.hpp"
+#include "lattice/report/program.hpp"
 
 using namespace lattice;
 

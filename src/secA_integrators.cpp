@@ -12,11 +12,11 @@ for ordinary integrators and for the two that know about contacts. */
 #include <utility>
 #include <vector>
 
-#include "lattice/contact_rkn.hpp"
-#include "lattice/impact.hpp"
-#include "lattice/landing.hpp"
-#include "lattice/observe.hpp"
-#include "lattice/program.hpp"
+#include "lattice/landing/landing.hpp"
+#include "lattice/measure/impact.hpp"
+#include "lattice/measure/observe.hpp"
+#include "lattice/report/program.hpp"
+#include "lattice/stepping/contact_rkn.hpp"
 
 using namespace lattice;
 

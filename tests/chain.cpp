@@ -1,6 +1,6 @@
 // The chain: forces derive from the energy, contacts act on both sides, boundaries, linearisation.
 
-#include "lattice/chain.hpp"
+#include "lattice/model/chain.hpp"
 
 #include <cstring>
 #include <random>

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "check.hpp"
-#include "lattice/table.hpp"
+#include "lattice/report/table.hpp"
 
 using namespace lattice;
 namespace fs = std::filesystem;

@@ -1,11 +1,11 @@
 // Compensated sums: less rounding than plain ones in a long run, by a clear factor.
 
-#include "lattice/compensated.hpp"
+#include "lattice/stepping/compensated.hpp"
 
 #include <cstring>
 
 #include "check.hpp"
-#include "lattice/impact.hpp"
+#include "lattice/measure/impact.hpp"
 
 using namespace lattice;
 

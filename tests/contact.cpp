@@ -4,10 +4,10 @@
 #include <random>
 
 #include "check.hpp"
-#include "lattice/accuracy.hpp"
-#include "lattice/impact.hpp"
-#include "lattice/landing.hpp"
-#include "lattice/reference.hpp"
+#include "lattice/landing/landing.hpp"
+#include "lattice/measure/impact.hpp"
+#include "lattice/stepping/accuracy.hpp"
+#include "lattice/stepping/reference.hpp"
 
 using namespace lattice;
 

@@ -1,13 +1,14 @@
 // The DpS equation: its time constant, its invariants, its symmetries and its relation to the chain.
 
-#include "lattice/dps.hpp"
+#include "lattice/dps/dps.hpp"
 
 #include <gsl/gsl_integration.h>
 
 #include <numbers>
 
 #include "check.hpp"
-#include "lattice/impact.hpp"
+#include "lattice/dps/impact.hpp"
+#include "lattice/measure/impact.hpp"
 
 using namespace lattice;
 

@@ -1,14 +1,15 @@
 // Stationary DpS states: equation, symmetry, scaling, tails, identity, and what is refused.
 
-#include "lattice/dps_stationary.hpp"
+#include "lattice/dps/stationary.hpp"
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/multiprecision/eigen.hpp>
 #include <complex>
 
 #include "check.hpp"
-#include "lattice/dps.hpp"
-#include "lattice/impact.hpp"
+#include "lattice/dps/dps.hpp"
+#include "lattice/dps/impact.hpp"
+#include "lattice/measure/impact.hpp"
 
 using namespace lattice;
 using Quad = boost::multiprecision::cpp_bin_float_quad;

@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <cstring>
 
-#include "lattice/impact.hpp"
-#include "lattice/tiling.hpp"
+#include "lattice/measure/impact.hpp"
+#include "lattice/stepping/tiling.hpp"
 
 using namespace lattice;
 

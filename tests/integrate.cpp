@@ -1,12 +1,12 @@
 // Steppers: order, reversibility, symplecticity, energy, the window, and an independent reference.
 
-#include "lattice/integrate.hpp"
+#include "lattice/stepping/integrate.hpp"
 
 #include <gsl/gsl_fit.h>
 
 #include "check.hpp"
-#include "lattice/impact.hpp"
-#include "lattice/reference.hpp"
+#include "lattice/measure/impact.hpp"
+#include "lattice/stepping/reference.hpp"
 
 using namespace lattice;
 

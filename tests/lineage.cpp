@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "check.hpp"
-#include "lattice/claims.hpp"
+#include "lattice/report/claims.hpp"
 
 using namespace lattice;
 namespace fs = std::filesystem;

@@ -1,7 +1,7 @@
 // Periodic orbits: residuals, symmetries, quadratic convergence, branches, folds, precisions, barriers.
 
 #include "check.hpp"
-#include "lattice/breather.hpp"
+#include "lattice/orbits/breather.hpp"
 
 using namespace lattice;
 

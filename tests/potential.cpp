@@ -1,6 +1,6 @@
 // Each potential: force and stiffness are the derivatives they claim to be, and known values.
 
-#include "lattice/potential.hpp"
+#include "lattice/model/potential.hpp"
 
 #include <string>
 

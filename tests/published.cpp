@@ -5,7 +5,7 @@
 #include <set>
 
 #include "check.hpp"
-#include "lattice/claims.hpp"
+#include "lattice/report/claims.hpp"
 
 using namespace lattice;
 namespace fs = std::filesystem;

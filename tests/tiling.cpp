@@ -1,9 +1,9 @@
 // Tiles in time and threads give the bits of the plain run; compensated sums lose fewer of them.
 
-#include "lattice/tiling.hpp"
+#include "lattice/stepping/tiling.hpp"
 
 #include "check.hpp"
-#include "lattice/impact.hpp"
+#include "lattice/measure/impact.hpp"
 
 using namespace lattice;
 

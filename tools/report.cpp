@@ -8,8 +8,8 @@ Compares every answer under the data folder with the article's statements, write
 #include <iostream>
 #include <map>
 
-#include "lattice/claims.hpp"
-#include "lattice/program.hpp"
+#include "lattice/report/claims.hpp"
+#include "lattice/report/program.hpp"
 
 using namespace lattice;
 

@@ -15,8 +15,9 @@ follow the branch, so that there is never a doubt to which family a breather bel
 #include <string>
 #include <utility>
 
-#include "continuation.hpp"
-#include "dps.hpp"
+#include "lattice/dps/dps.hpp"
+#include "lattice/dps/stationary.hpp"
+#include "lattice/orbits/continuation.hpp"
 
 namespace lattice {
 

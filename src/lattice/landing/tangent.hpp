@@ -16,7 +16,7 @@ processor works on as many columns at a time as its vectors are wide. */
 #include <cstddef>
 #include <vector>
 
-#include "chain.hpp"
+#include "lattice/model/chain.hpp"
 
 namespace lattice {
 

@@ -33,8 +33,8 @@ switching time depends on the initial state does not matter to first order. */
 #include <limits>
 #include <vector>
 
-#include "chain.hpp"
-#include "tangent.hpp"
+#include "lattice/landing/tangent.hpp"
+#include "lattice/model/chain.hpp"
 
 namespace lattice {
 

@@ -14,8 +14,8 @@ counted from zero in the code and from one in tables, as in the article. */
 #include <type_traits>
 #include <vector>
 
-#include "kernel.hpp"
-#include "potential.hpp"
+#include "lattice/model/kernel.hpp"
+#include "lattice/model/potential.hpp"
 
 namespace lattice {
 

@@ -21,7 +21,7 @@ of one at the first point. Along $s$ both are what they are. */
 #include <string>
 #include <utility>
 
-#include "periodic.hpp"
+#include "lattice/orbits/shooting.hpp"
 
 namespace lattice {
 

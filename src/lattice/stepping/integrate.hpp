@@ -22,8 +22,8 @@ recovers the full order. The tests measure both. */
 #include <type_traits>
 #include <vector>
 
-#include "chain.hpp"
-#include "schemes.hpp"
+#include "lattice/model/chain.hpp"
+#include "lattice/stepping/schemes.hpp"
 
 namespace lattice {
 

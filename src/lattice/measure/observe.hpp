@@ -14,6 +14,7 @@ energy it carries. */
 #include <optional>
 #include <stdexcept>
 #include <vector>
+#include "lattice/numbers/line_fit.hpp"
 
 namespace lattice {
 
@@ -58,31 +59,6 @@ inline std::optional<std::size_t> front_packet(const std::vector<double>& e, dou
     if (std::size_t(largest - e.begin()) == n && window_sum(e, n, m) >= share * total) return n;
   }
   return std::nullopt;
-}
-
-/// A straight line through points: slope, value at zero, standard error of the slope.
-struct Line {
-  double slope = 0, intercept = 0, slope_error = 0;
-};
-
-/// Least-squares line; throws std::invalid_argument with fewer than three points.
-inline Line fit_line(const std::vector<double>& t, const std::vector<double>& x) {
-  if (t.size() != x.size() || t.size() < 3)
-    throw std::invalid_argument("a line fit needs at least three points");
-  const double n = double(t.size());
-  const double tm = std::accumulate(t.begin(), t.end(), 0.0) / n;
-  const double xm = std::accumulate(x.begin(), x.end(), 0.0) / n;
-  double tt = 0, tx = 0, rest = 0;
-  for (std::size_t i = 0; i < t.size(); ++i) {
-    tt += (t[i] - tm) * (t[i] - tm);
-    tx += (t[i] - tm) * (x[i] - xm);
-  }
-  Line line{tx / tt, 0, 0};
-  line.intercept = xm - line.slope * tm;
-  for (std::size_t i = 0; i < t.size(); ++i)
-    rest += std::pow(x[i] - line.intercept - line.slope * t[i], 2);
-  line.slope_error = std::sqrt(rest / (n - 2) / tt);
-  return line;
 }
 
 /// Number of sites that share the energy: (sum e)^2 / sum e^2.
@@ -146,5 +122,24 @@ struct Track {
     return best;
   }
 };
+
+/// Where a run is followed for its packet alone.
+struct Unwatched {
+  template <class S, class D>
+  void operator()(const S&, const D&) const {}
+};
+
+/**
+The packet's speed is the slope of its energy centre. The article fits it sufficiently far from
+the boundary, without a number; we fit from site 20 on. The tracker follows the front-most
+packet, because a second and slower one can carry as much energy (it does at $s = -1/6$). */
+inline constexpr double fit_from = 20, far_away = 1e9;
+
+/// Speed of a packet between `fit_from` and `to`; throws std::runtime_error if none came so far.
+inline double packet_speed(const Track& track, double to = far_away) {
+  const auto line = track.line(fit_from, to);
+  if (!line) throw std::runtime_error("no packet passes site 20");
+  return line->slope;
+}
 
 }  // namespace lattice

@@ -17,7 +17,7 @@ treat sums as exact; it is not. A step takes twice the time of a plain one. */
 #include <type_traits>
 #include <vector>
 
-#include "integrate.hpp"
+#include "lattice/stepping/integrate.hpp"
 
 #ifdef __FAST_MATH__
 #error "compensated sums need exact rounding: build without -ffast-math"

@@ -1,23 +1,19 @@
 #pragma once
 /**
-# An independent integrator
+# An independent integrator of ordinary differential equations
 
-Nobody should have to trust our steppers alone. This file wraps the adaptive
-Prince–Dormand method of order 8 of the GNU Scientific Library (`rk8pd`): a
-different method, written by different people, that controls its own error. It
-integrates the DpS equation, whose force is smooth except where two neighbours
-coincide, and it serves as the reference for the chain in the tests. */
+Nobody should have to trust our steppers alone. This file wraps the adaptive methods of the GNU
+Scientific Library, by default that of Prince and Dormand of order eight (`rk8pd`): different
+methods, written by different people, that control their own error. */
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>
-
 #include <cstddef>
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
-
-#include "chain.hpp"
 
 namespace lattice {
 
@@ -67,27 +63,5 @@ class Reference {
   std::unique_ptr<gsl_odeiv2_driver, Free> driver_;
   std::size_t evaluations_ = 0;
 };
-
-/// Carries `state` forward by `duration` with GSL; returns the number of force evaluations.
-template <class Onsite, class Contact>
-std::size_t evolve_reference(const Chain<Onsite, Contact>& chain, State<double>& state,
-                             double duration, const Tolerance& tolerance) {
-  const std::size_t n = chain.sites;
-  std::vector<double> x(state.y);
-  x.insert(x.end(), state.v.begin(), state.v.end());
-  Reference reference(
-      [&chain, n](double, const double* z, double* dz) {
-        Window all{0, n};
-        std::copy(z + n, z + 2 * n, dz);
-        accelerate(chain, z, dz + n, all);
-      },
-      2 * n, tolerance);
-  double t = state.t;
-  reference.advance(t, state.t + duration, x);
-  std::copy_n(x.begin(), n, state.y.begin());
-  std::copy_n(x.begin() + std::ptrdiff_t(n), n, state.v.begin());
-  state.t = t;
-  return reference.evaluations();
-}
 
 }  // namespace lattice

@@ -14,9 +14,8 @@ belong to the chapters. */
 #include <utility>
 #include <vector>
 
-#include "accuracy.hpp"
-#include "dps.hpp"
-#include "observe.hpp"
+#include "lattice/measure/observe.hpp"
+#include "lattice/stepping/accuracy.hpp"
 
 namespace lattice {
 
@@ -91,59 +90,12 @@ Outcome follow(const Stepper& stepper, const Impact& impact, double until, doubl
   });
 }
 
-/// Where a run is followed for its packet alone.
-struct Unwatched {
-  template <class S, class D>
-  void operator()(const S&, const D&) const {}
-};
-
-/**
-The packet's speed is the slope of its energy centre. The article fits it sufficiently far from
-the boundary, without a number; we fit from site 20 on. The tracker follows the front-most
-packet, because a second and slower one can carry as much energy (it does at $s = -1/6$). */
-inline constexpr double fit_from = 20, far_away = 1e9;
-
-/// Speed of a packet between `fit_from` and `to`; throws std::runtime_error if none came so far.
-inline double packet_speed(const Track& track, double to = far_away) {
-  const auto line = track.line(fit_from, to);
-  if (!line) throw std::runtime_error("no packet passes site 20");
-  return line->slope;
-}
-
 /// Follows a packet at two resolutions that agree to `tolerance` (see accuracy.hpp). Throws NotConverged.
-inline Pair<Outcome> follow_to(double tolerance, const Impact& impact, double until,
-                               double sample) {
+inline Refined<Outcome> follow_to(double tolerance, const Impact& impact, double until,
+                                  double sample) {
   return converge(tolerance, [&](const ContactAware& stepper) {
     return follow(stepper, impact, until, sample, Unwatched{});
   });
-}
-
-/// The same for the DpS equation, whose density is |A_n|^2 and whose time is tau.
-struct DpsOutcome {
-  Track track;
-  Field end;
-  double norm_drift = 0;
-};
-
-/// Follows the packet that leaves the struck field `start`; `watch(tau, field)` sees every sample.
-template <class Watch>
-DpsOutcome follow_dps(const Dps& dps, const Field& start, double duration, std::size_t samples,
-                      const Tolerance& tolerance, Watch watch) {
-  DpsOutcome out{{}, start, 0};
-  out.norm_drift =
-      evolve_dps(dps, out.end, duration, samples, tolerance, [&](double tau, const Field& field) {
-        watch(tau, field);
-        const auto d = density(field);
-        const auto site = front_packet(d);
-        if (tau > 0 && site) out.track.add(tau, d, *site);
-      });
-  return out;
-}
-
-/// Largest |A_n| of a DpS packet while its centre moves over the last site of its track.
-inline double packet_amplitude(const Track& track) {
-  const double end = track.centre.back();
-  return std::sqrt(track.largest_peak(end - 1, end));
 }
 
 }  // namespace lattice

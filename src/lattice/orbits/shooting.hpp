@@ -28,10 +28,10 @@ A breather that is even in time starts from rest, so the positions are the only 
 #include <utility>
 #include <vector>
 
-#include "chain.hpp"
-#include "dps_stationary.hpp"
-#include "landing.hpp"
-#include "tangent.hpp"
+#include "lattice/landing/landing.hpp"
+#include "lattice/landing/tangent.hpp"
+#include "lattice/model/chain.hpp"
+#include "lattice/model/sites.hpp"
 
 namespace lattice {
 

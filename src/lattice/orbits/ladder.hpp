@@ -15,8 +15,8 @@ what their comparison gives at two resolutions. */
 #include <utility>
 #include <vector>
 
-#include "breather.hpp"
-#include "program.hpp"
+#include "lattice/numbers/estimate.hpp"
+#include "lattice/orbits/breather.hpp"
 
 namespace lattice {
 

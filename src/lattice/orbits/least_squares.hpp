@@ -14,8 +14,8 @@ together with the few measures by which the two are compared. */
 #include <utility>
 #include <vector>
 
-#include "periodic.hpp"
-#include "reference.hpp"
+#include "lattice/orbits/shooting.hpp"
+#include "lattice/stepping/reference.hpp"
 
 namespace lattice {
 

@@ -17,7 +17,7 @@ tests and the report both call it, so there is one notion of agreement. */
 #include <utility>
 #include <vector>
 
-#include "table.hpp"
+#include "lattice/report/table.hpp"
 
 namespace lattice {
 

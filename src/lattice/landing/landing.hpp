@@ -20,9 +20,9 @@ shows after the passage as an overlap with the wrong sign, which we then land on
 #include <limits>
 #include <vector>
 
-#include "chain.hpp"
-#include "crossing.hpp"
-#include "tangent.hpp"
+#include "lattice/landing/crossing.hpp"
+#include "lattice/landing/tangent.hpp"
+#include "lattice/model/chain.hpp"
 
 namespace lattice {
 

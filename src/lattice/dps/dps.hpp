@@ -11,8 +11,6 @@ $$2i\tau_0\,\dot A_n = D_n - D_{n-1}, \qquad
 It has no linear part, conserves the norm $\sum|A_n|^2$ and the energy
 $\frac{2}{5}\sum|A_{n+1}-A_n|^{5/2}$, and does not depend on $\epsilon$. */
 
-#include <gsl/gsl_sf_gamma.h>
-
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -21,15 +19,16 @@ $\frac{2}{5}\sum|A_{n+1}-A_n|^{5/2}$, and does not depend on $\epsilon$. */
 #include <utility>
 #include <vector>
 
-#include "chain.hpp"
-#include "reference.hpp"
+#include "lattice/model/chain.hpp"
 
 namespace lattice {
 
+/// Gamma(1/4).
+inline constexpr double gamma_quarter = 3.6256099082219083119;
+
 /// Time constant of the DpS equation, tau_0 = 5 Gamma(1/4)^2 / (24 sqrt(pi)).
 inline double tau_0() {
-  const double g = gsl_sf_gamma(0.25);
-  return 5 * g * g / (24 * std::sqrt(std::numbers::pi));
+  return 5 * gamma_quarter * gamma_quarter / (24 * std::sqrt(std::numbers::pi));
 }
 
 /// Amplitude scale of the static breathers of frequency `omega_b`, Eq. ansatzapproxst2 inverted.
@@ -101,32 +100,6 @@ inline std::vector<double> density(const Field& field) {
   std::vector<double> d;
   for (const auto& a : field) d.push_back(std::norm(a));
   return d;
-}
-
-/// Carries `field` over the slow time `duration`, showing (tau, field) to `observe` at `samples`
-/// equal intervals and at the start; returns the largest relative change of the norm.
-template <class Observer>
-double evolve_dps(const Dps& dps, Field& field, double duration, std::size_t samples,
-                  const Tolerance& tolerance, Observer observe) {
-  std::vector<double> x(2 * field.size());
-  const auto pack = [&] {
-    for (std::size_t n = 0; n < field.size(); ++n) {
-      x[2 * n] = field[n].real();
-      x[2 * n + 1] = field[n].imag();
-    }
-  };
-  pack();
-  Reference reference(dps, x.size(), tolerance);
-  const double start = norm(field);
-  double tau = 0, drift = 0;
-  observe(tau, std::as_const(field));
-  for (std::size_t k = 1; k <= samples; ++k) {
-    reference.advance(tau, duration * double(k) / double(samples), x);
-    for (std::size_t n = 0; n < field.size(); ++n) field[n] = {x[2 * n], x[2 * n + 1]};
-    drift = std::max(drift, std::abs(norm(field) - start) / start);
-    observe(tau, std::as_const(field));
-  }
-  return drift;
 }
 
 /// Impact on the first of `sites`: A_1(0) = -i, all others zero (Eq. ci).

@@ -20,7 +20,7 @@ attempts is then the message of the exception. */
 #include <utility>
 #include <vector>
 
-#include "contact_rkn.hpp"
+#include "lattice/stepping/contact_rkn.hpp"
 
 namespace lattice {
 
@@ -55,7 +55,7 @@ inline constexpr double largest_step = 0.2, smallest_step = 0.2 / 128;
 /// The last two of a sequence of runs, the relative distance of their end states, the finer step,
 /// and whether they agree to the tolerance.
 template <class Result>
-struct Pair {
+struct Refined {
   Result coarse, fine;
   double error, step;
   bool converged;
@@ -85,7 +85,7 @@ auto refine(double tolerance, Compute compute) {
     history << (history.tellp() > 0 ? ", " : "") << "step " << step << ": " << error;
     const bool good = error <= tolerance;
     if (good || step <= smallest_step)
-      return Pair<Result>{std::move(coarse), std::move(fine), error, step, good, history.str()};
+      return Refined<Result>{std::move(coarse), std::move(fine), error, step, good, history.str()};
     coarse = std::move(fine);
   }
 }

@@ -24,7 +24,7 @@ next block. All operations are those of the plain run in another order, with the
 #include <type_traits>
 #include <vector>
 
-#include "integrate.hpp"
+#include "lattice/stepping/integrate.hpp"
 
 namespace lattice {
 

@@ -24,7 +24,7 @@ exerts in exchange for the sum that the scheme used. */
 #include <utility>
 #include <vector>
 
-#include "integrate.hpp"
+#include "lattice/stepping/integrate.hpp"
 
 namespace lattice {
 

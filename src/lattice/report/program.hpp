@@ -11,10 +11,7 @@ Bad input ends with exit code 2 and one line that names the option, the value an
 what is allowed. A computation that does not deliver what it promised ends with exit
 code 1. In neither case is a file left behind. */
 
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
-#include <atomic>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -25,7 +22,9 @@ code 1. In neither case is a file left behind. */
 #include <string>
 #include <vector>
 
-#include "table.hpp"
+#include "lattice/numbers/estimate.hpp"
+#include "lattice/numbers/parallel.hpp"
+#include "lattice/report/table.hpp"
 
 #ifndef LATTICE_BUILD
 #define LATTICE_BUILD "unknown build"
@@ -72,16 +71,6 @@ inline CLI::Validator not_empty() {
       [](std::string& value) { return value.empty() ? "'' is not a name" : std::string(); }, "");
 }
 
-/// A value with the error from two resolutions.
-struct Estimate {
-  double value = 0, error = 0;
-};
-
-/// The finer of two results, with their difference as its error.
-inline Estimate compare(double coarse, double fine) {
-  return {fine, std::abs(fine - coarse)};
-}
-
 /**
 A claim of the article is answered by a row of `results.ecsv`: its id, the value, an
 error from at least two resolutions, and the unit. Claims in words are answered by
@@ -115,30 +104,6 @@ struct Quantities {
 /// What a program is called and which section it belongs to.
 struct Identity {
   std::string name, section, title;
-};
-
-/**
-Long work shows a counter on a terminal and nothing in a log. */
-class Progress {
- public:
-  Progress(std::string label, std::size_t total)
-      : label_(std::move(label)), total_(total), shown_(isatty(STDERR_FILENO) != 0) {}
-  ~Progress() {
-    if (shown_) std::fprintf(stderr, "\r\033[K");
-  }
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
-  /// One more part is done. Safe to call from several threads.
-  void tick() {
-    const std::size_t k = ++done_;
-    if (shown_) std::fprintf(stderr, "\r%s %zu/%zu", label_.c_str(), k, total_);
-  }
-
- private:
-  std::string label_;
-  std::size_t total_;
-  std::atomic<std::size_t> done_{0};
-  bool shown_;
 };
 
 /// Where the tables of a full run go, with the header they all carry.

@@ -6,15 +6,44 @@ Sweeps consist of runs that know nothing of each other. Each worker takes the ne
 index that nobody has taken, and each run writes only to its own slot, so the
 results do not depend on the number of cores or on who was faster. */
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <cstdio>
 #include <exception>
 #include <mutex>
+#include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace lattice {
+
+/**
+Long work shows a counter on a terminal and nothing in a log. */
+class Progress {
+ public:
+  Progress(std::string label, std::size_t total)
+      : label_(std::move(label)), total_(total), shown_(isatty(STDERR_FILENO) != 0) {}
+  ~Progress() {
+    if (shown_) std::fprintf(stderr, "\r\033[K");
+  }
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+  /// One more part is done. Safe to call from several threads.
+  void tick() {
+    const std::size_t k = ++done_;
+    if (shown_) std::fprintf(stderr, "\r%s %zu/%zu", label_.c_str(), k, total_);
+  }
+
+ private:
+  std::string label_;
+  std::size_t total_;
+  std::atomic<std::size_t> done_{0};
+  bool shown_;
+};
 
 /// Calls `body(i)` for 0 <= i < count on all cores; rethrows the first exception.
 template <class Body>

@@ -23,26 +23,9 @@ an odd number, where a site-centred state has its centre at $n = 0$. */
 #include <string>
 #include <utility>
 #include <vector>
+#include "lattice/model/sites.hpp"
 
 namespace lattice {
-
-/// Site-centred: u_{-n} = u_n. Bond-centred: u_{1-n} = -u_n.
-enum class Centre { site, bond };
-
-/// The article's number of the site with the given index, 0 <= index < sites.
-inline long site_number(std::size_t index, std::size_t sites) {
-  return long(index) - (long(sites) - 1) / 2;
-}
-
-/// Index of the article's site `n`.
-inline std::size_t site_index(long n, std::size_t sites) {
-  return std::size_t(n + (long(sites) - 1) / 2);
-}
-
-/// Whether a state with this centre fits on `sites` sites.
-inline bool fits(Centre centre, std::size_t sites) {
-  return sites >= 2 && (sites % 2 == 0) == (centre == Centre::bond);
-}
 
 /**
 The quasi-continuum profile has the compact envelope $g(x) = (3/10)^3\cos^6(x/3)$ for

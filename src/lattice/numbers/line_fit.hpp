@@ -1,0 +1,40 @@
+#pragma once
+/**
+# Straight lines
+
+Speeds and orders are slopes. */
+
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <stdexcept>
+#include <vector>
+
+namespace lattice {
+
+/// A straight line through points: slope, value at zero, standard error of the slope.
+struct Line {
+  double slope = 0, intercept = 0, slope_error = 0;
+};
+
+/// Least-squares line; throws std::invalid_argument with fewer than three points.
+inline Line fit_line(const std::vector<double>& t, const std::vector<double>& x) {
+  if (t.size() != x.size() || t.size() < 3)
+    throw std::invalid_argument("a line fit needs at least three points");
+  const double n = double(t.size());
+  const double tm = std::accumulate(t.begin(), t.end(), 0.0) / n;
+  const double xm = std::accumulate(x.begin(), x.end(), 0.0) / n;
+  double tt = 0, tx = 0, rest = 0;
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    tt += (t[i] - tm) * (t[i] - tm);
+    tx += (t[i] - tm) * (x[i] - xm);
+  }
+  Line line{tx / tt, 0, 0};
+  line.intercept = xm - line.slope * tm;
+  for (std::size_t i = 0; i < t.size(); ++i)
+    rest += std::pow(x[i] - line.intercept - line.slope * t[i], 2);
+  line.slope_error = std::sqrt(rest / (n - 2) / tt);
+  return line;
+}
+
+}  // namespace lattice
