@@ -10,8 +10,7 @@ set yrange [1e-230:1e10]
 set ytics ('10^{−200}' 1e-200, '10^{−100}' 1e-100, '1' 1)
 set ylabel '|y_n(0)|' offset 1
 set label 1 '(a)' at graph 0.03,0.93
-normal(x) = x > 1e-300 ? x : NaN
-plot table using "n":(normal(column("size"))) with linespoints ls 1 notitle
+plot table using "n":"size" with linespoints ls 1 notitle
 unset logscale y
 set xrange [0:24]
 set yrange [0:10]
@@ -20,7 +19,7 @@ set ytics 2
 set ylabel 'ln(−ln |y_n(0)|)' offset 0.5
 set label 1 '(b)'
 set key bottom right
-plot table using "n":(column("n") < 0 ? NaN : log(-column("log_size"))) with points pt 6 ps 0.6 \
+plot table using "n":(column("n") < 0 ? NaN : column("double_log")) with points pt 6 ps 0.6 \
        lc rgb vermilion title 'breather', \
-     table using "n":(column("n") < 0 ? NaN : log(-column("law"))) with lines ls 4 title 'exponent 3/2'
+     table using "n":(column("n") < 0 ? NaN : column("law")) with lines ls 4 title 'exponent 3/2'
 unset multiplot

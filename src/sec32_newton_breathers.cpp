@@ -1,25 +1,31 @@
 /**
 # 3.2 Static breathers of the chain
 
-Section 3.2 of James, Kevrekidis and Cuevas (Physica D 251, 2013) computes time-periodic,
-localized motions of the chain itself, around a site and around a bond, follows both with
-their frequency, and asks how much energy separates them. This program does the same with
-symmetric equations and an exact derivative, draws figures 02 to 07, and adds what the
-article found too hard: the barrier at equal area.
+Section 3.2 of James, Kevrekidis and Cuevas (Physica D 251, 2013) computes motions of the chain
+that repeat themselves and stay where they are. Neighbours swing against each other, a few beads
+carry all of it, and the rest of the chain hardly knows:
+
+        around a site (n = 0)                  around a bond (n = 0, 1)
+      -3   -2   -1    0    1    2    3       -2   -1    0    1    2    3
+       .    >   <-- =====> <--   >    .       .   --> <==== ====> <--   .
+
+![Bond-centred breathers.](fig:02)
+
+Both are found here by Newton's method with exact derivatives, and followed with their frequency.
+How much energy separates them is the question of the next chapter. */
+
+/**
+What is claimed, with the identifiers under which the answers are recorded:
 
 - Newton's method reaches a residual of $1.5\cdot10^{-9}$ and a variation of $1.7\cdot10^{-11}$
   (`newton.residual`, `newton.variation`), and the breather persists (`newton.persistence`);
-- its tail falls super-exponentially (`newton.decay`), it is symmetric (`newton.symmetry`), and close
-  to the quasi-continuum profile when small (`newton.qc_small`);
-- the energies of both families are indistinguishable (`newton.energy_equal`), and their
-  difference is tiny, above all in a linear well (`pn.omega11`, `pn.small`, `pn.omega15`,
-  `pn.harmonic_ratio`). */
-
+- its tail falls super-exponentially (`newton.decay`), it is symmetric (`newton.symmetry`), and
+  close to the quasi-continuum profile when small (`newton.qc_small`);
+- the energies of both families are indistinguishable (`newton.energy_equal`). */
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <iostream>
-#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,9 +33,9 @@ article found too hard: the barrier at equal area.
 #include "lattice/dps/stationary.hpp"
 #include "lattice/numbers/extended.hpp"
 #include "lattice/numbers/parallel.hpp"
+#include "lattice/numbers/random.hpp"
 #include "lattice/orbits/breather.hpp"
 #include "lattice/orbits/ladder.hpp"
-#include "lattice/orbits/least_squares.hpp"
 #include "lattice/report/program.hpp"
 
 using namespace lattice;
@@ -37,121 +43,210 @@ using namespace lattice;
 /**
 ## Model
 
-The chain of Eq. hamresc has the wells of Eq. anpot and free ends,
+The beads sit in the wells of Eq. (10), mostly linear ones ($s = 0$), and push on their neighbours,
 $$\ddot y_n + y_n + s\,y_n^3 = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2},
-  \qquad y_n(t+T_b) = y_n(t),\quad T_b = 2\pi/\omega_b.$$
+  \qquad y_n(t+T_b) = y_n(t),\quad T_b = 2\pi/\omega_b,$$
+with free ends (Eqs. (6) and (9)). All quantities are dimensionless.
 
 | article | program | meaning |
 |---|---|---|
-| $\omega_b$ | `omega` | frequency of the breather |
+| $\omega_b$ | `omega` | frequency of the breather, above 1 |
 | $y_n(0)$ | `Orbit::start` | its positions, from which it starts at rest |
-| $E$ | `Orbit::energy` | its energy |
-| $\mathcal A$ | `Orbit::area` | $\int_0^{T_b}\sum_n\dot y_n^2\,dt$ |
-| $E_{PN}$ | `Barrier::equal_frequency` | here with its sign, $E_{site}-E_{bond}$ |
+| $E$ | `Orbit::residual()` | by how much the equations are missed, relative to the amplitude |
+| $\mathcal H$ | `Orbit::energy` | its energy, Eq. (6) |
 
 ## Method
 
-Shooting on a half or a quarter of a period (periodic.hpp), with an integrator that lands on the
-contacts' switchings (landing.hpp). Every number is computed at two tolerances; where double
-precision cannot separate two energies, both are computed in 64-bit mantissas. */
-const double wells[] = {-1.0 / 6, 0, 1};
+We guess the positions from Eqs. (18) to (20), integrate to the end of a half or a quarter of a
+period, and let Newton's method remove what is missing there (symmetry.hpp says what that is). The
+integrator lands on every switching of a contact, because a step across it would spoil the orbit at
+$10^{-9}$ and its derivative much earlier (landing.hpp). Every number is computed at two tolerances
+or in two precisions, and carries the difference. */
+Orbit<double> article_breather(Centre centre, const NewtonRule<double>& rule) {
+  const BreatherProblem<double> problem = problem_of(centre, 1.1);
+  const State<double> guess = ansatz(centre, 1.1, problem.chain.sites);
+  return newton(problem, problem.fold(guess), rule);
+}
 
 /**
-## Convergence (claims on residual and variation)
+## Convergence
 
-The article's residual is the distance from $Y(0)$ to $Y(T_b)$, relative to $Y(0)$, over a whole period
-and without any symmetry. We evaluate it for our breather, which was found on a quarter of one.
-The wider type evaluates it, and the difference from double precision is its error. */
+The article's residual is the distance from $Y(0)$ to $Y(T_b)$, relative to $Y(0)$, over a whole
+period and without any symmetry. We evaluate it for our breather, which was found on a quarter of
+one. A wider type evaluates it, too, and the difference is its error. */
 template <class T>
 T distance_after_period(const BreatherProblem<double>& problem, const State<double>& start) {
+  const auto wide = in_precision<T>(problem);
   State<T> begin(start.y.size());
   for (std::size_t n = 0; n < start.y.size(); ++n) begin.y[n] = T(start.y[n]);
   State<T> end = begin;
-  const auto wide = in_precision<T>(problem);
   flow(wide.chain, end, wide.period());
   return largest_difference(end, begin) / largest(begin);
 }
 
-Estimate return_error(const BreatherProblem<double>& problem, const State<double>& start) {
-  return compare(distance_after_period<double>(problem, start),
-                 double(distance_after_period<Wide>(problem, start)));
+/**
+For comparison we solve the equations of the article, $Y(T_b) = Y(0)$, twice as many as unknowns, in
+the sense of least squares. A shift along the chain hardly violates them: the smallest singular
+value of their matrix belongs to a change of the positions that moves the breather sideways, the
+*pinning mode* of section 3.3, nearly the discrete gradient $y_{n+1}-y_{n-1}$
+([](num:sec32_newton_breathers.softest_along_gradient) is their cosine). Newton's method wanders
+along it: a small residual is followed by a large step. */
+struct FullMap {
+  History history{};
+  Vector<double> x{};
+  Eigen::JacobiSVD<Matrix<double>> svd{};
+
+  double condition() const {
+    const auto& s = svd.singularValues();
+    return s[0] / s[s.size() - 1];
+  }
+};
+
+FullMap solve_full_map(int steps) {
+  BreatherProblem<double> problem = problem_of(Centre::site, 1.1);
+  problem.symmetry = returning(problem.chain.sites);
+  FullMap out;
+  out.x = problem.fold(ansatz(Centre::site, 1.1, problem.chain.sites));
+  for (int k = 0; k <= steps; ++k) {
+    const Shot<double> shot = problem.shoot(out.x, {});
+    const Sizes<double> size = problem.sizes(out.x, false);
+    const Vector<double> step = solve_scaled<double>(shot.jacobian, shot.miss, size, 0);
+    out.svd.compute(shot.jacobian, Eigen::ComputeThinU | Eigen::ComputeThinV);
+    out.history.push_back({sup<double>(shot.miss) / sup(out.x), sup(step) / sup(out.x)});
+    if (k < steps) out.x -= step;
+  }
+  return out;
+}
+
+double condition(const Matrix<double>& matrix) {
+  const Vector<double> s = Eigen::JacobiSVD<Matrix<double>>(matrix).singularValues();
+  return s[0] / s[s.size() - 1];
 }
 
 /**
-For comparison we solve the equations of the article, $Y(T_b) = Y(0)$, twice as many as unknowns, in
-the sense of least squares. They allow a shift along the chain at almost no price: the
-smallest singular value of their matrix belongs to the pinning mode, whose shape is nearly the
-discrete gradient ([](num:sec32_newton_breathers.softest_along_gradient) is their cosine). The
-condition number is [](num:sec32_newton_breathers.condition_full) instead of
-[](num:sec32_newton_breathers.condition_site), and Newton's method wanders along this mode: a
-small residual is followed by a large step and then by a larger residual, and at the end a
-residual of [](num:sec32_newton_breathers.full_residual) still asks for a step of
-[](num:sec32_newton_breathers.full_step). */
-/**
-Both ways start from the same profile and write their histories to one table. */
+The condition number of that matrix is [](num:sec32_newton_breathers.condition_full) instead of
+[](num:sec32_newton_breathers.condition_site); after ten steps a residual of
+[](num:sec32_newton_breathers.full_residual) still asks for a step of
+[](num:sec32_newton_breathers.full_step). With the symmetric equations Newton's method needs
+[](num:sec32_newton_breathers.newton_iterations) steps, the residual over the whole period is
+[](num:newton.residual) (printed: $1.5\cdot10^{-9}$) and the last variation
+[](num:newton.variation). */
 void report_convergence(Report& report) {
+  const auto problem = problem_of(Centre::site, 1.1);
+  const Orbit<double> orbit = article_breather(Centre::site, rule<double>(0));
+  const Orbit<double> coarse = article_breather(Centre::site, rule<double>(1));
+  const FullMap full = solve_full_map(10), short_of = solve_full_map(9);
+  report.results.add("newton.residual",
+                     compare(distance_after_period<double>(problem, orbit.start),
+                             double(distance_after_period<Wide>(problem, orbit.start))));
+  report.results.add("newton.variation", compare(coarse.variation(), orbit.variation()));
+  const auto matrix = [&](const Orbit<double>& o) {
+    return condition(problem.shoot(o.x, {}).jacobian);
+  };
+  report.facts.add("newton_iterations", exact(double(orbit.iterations())));
+  report.facts.add("condition_site", compare(matrix(coarse), matrix(orbit)));
+  report.facts.add("condition_full", compare(short_of.condition(), full.condition()));
+  const auto along = [&](const FullMap& map) {
+    const Vector<double> softest = map.svd.matrixV().col(map.x.size() - 1);
+    return alignment(softest, gradient(orbit.start.y));
+  };
+  report.facts.add("softest_along_gradient", compare(along(short_of), along(full)));
+  report.facts.add("full_residual", exact(full.history.back().residual), "relative to amplitude");
+  report.facts.add("full_step", exact(full.history.back().step), "relative to amplitude");
+
   Table table{{label("equations", "symmetric or full period map"),
                count("iteration", "number of Newton steps made"),
                number("residual", "of the equations solved, relative to the amplitude"),
                number("step", "of the next iteration, relative to the amplitude")}};
-  const auto problem = problem_of(Centre::site, 1.1);
-  const auto guess = ansatz(Centre::site, 1.1, problem.chain.sites);
-  const Orbit<double> orbit = newton(problem, problem.fold(guess), rule<double>(0));
-  const LeastSquares full = gauss_newton(problem, resting(guess), 10);
   for (const auto& [name, history] :
        {std::pair{"symmetric", orbit.history}, {"full", full.history}})
     for (std::size_t k = 0; k < history.size(); ++k)
       table.add({std::string(name), std::int64_t(k), history[k].residual, history[k].step});
   report.output.add("newton_history", std::move(table));
-
-  const Estimate residual = return_error(problem, orbit.start);
-  report.results.add("newton.residual", residual);
-  const double variation = orbit.history[orbit.iterations() - 1].step;
-  report.results.add("newton.variation", {variation, variation});
-  report.facts.add("newton_iterations", {double(orbit.iterations()), 0});
-  report.facts.add("condition_site", {condition(shoot(problem, orbit.x, {}).jacobian), 0});
-  report.facts.add("condition_full", {full.condition(), 0});
-  report.facts.add("full_residual", {full.history.back().residual, 0});
-  report.facts.add("full_step", {full.history.back().step, 0}, "relative to the amplitude");
-  report.facts.add("full_shift", {largest_difference(full.start, orbit.start) / orbit.amplitude, 0},
-                   "relative to the amplitude");
-  report.facts.add("softest_along_gradient", {alignment(full.softest(), gradient(orbit.start)), 0});
-  const auto bond = problem_of(Centre::bond, 1.1);
-  const Orbit<double> other = find_breather(bond);
-  report.facts.add("condition_bond", {condition(shoot(bond, other.x, {}).jacobian), 0});
 }
 
 /**
-The symmetries are built into the equations, so we test what they imply elsewhere: at
-six times, reached by integration from the start, the chain is compared with its image under
-$y_{1-n} = -y_n$ or $y_n(t) = -y_{-n}(t+T_b/2)$. */
-double broken_symmetry(const BreatherProblem<double>& problem, const Orbit<double>& orbit) {
-  const bool bond = problem.centre == Centre::bond;
-  double most = 0;
-  for (int k = 1; k <= 6; ++k) {
-    State<double> now = orbit.start;
-    flow(problem.chain, now, problem.period() * k / 7.3);
-    State<double> image = now;
-    if (!bond) flow(problem.chain, image, problem.period() / 2);
-    for (std::size_t n = 0, last = now.y.size() - 1; n <= last; ++n)
-      most = std::max(
-          {most, std::abs(now.y[n] + image.y[last - n]), std::abs(now.v[n] + image.v[last - n])});
+## Symmetry
+
+Both symmetries are built into our equations, so that they prove nothing about the breathers. We
+therefore look for them without any: all positions are unknown, the start is shaken by a thousandth
+at random (a recorded seed), and we ask only that the chain comes to rest at $T_b/2$. If the
+breathers have their symmetries of themselves, they come back: the images under
+$y_{1-n} = -y_n$ and $y_n(t) = -y_{-n}(t+T_b/2)$ then agree with the orbit far better than the guess
+did. What is left over is rounding times the condition of these equations, and shrinks with the
+precision; a breather that had no symmetry would keep the thousandth. */
+template <class T>
+double broken_symmetry(Centre centre) {
+  auto problem = in_precision<T>(problem_of(centre, 1.1));
+  State<T> start(problem.chain.sites);
+  const auto y = shaken(find_breather(problem_of(centre, 1.1)).start.y, 1e-3, 7);
+  std::copy(y.begin(), y.end(), start.y.begin());
+  problem.symmetry = even_in_time(problem.chain.sites);
+  const Orbit<T> orbit = newton(problem, problem.fold(start));
+  State<T> image = orbit.start;
+  if (centre == Centre::site) flow(problem.chain, image, problem.period() / T(2));
+  T most(0);
+  for (std::size_t n = 0, last = image.y.size() - 1; n <= last; ++n)
+    most = std::max(most, magnitude<T>(orbit.start.y[n] + image.y[last - n]));
+  return double(most / orbit.amplitude);
+}
+
+/**
+We ask that the asymmetry falls to a millionth of what was put in, which leaves the three orders of
+magnitude that rounding needs in double precision. */
+void report_symmetry(Report& report) {
+  bool symmetric = true;
+  for (Centre centre : both_centres) {
+    const std::string name = centre == Centre::site ? "_site" : "_bond";
+    const double left = broken_symmetry<double>(centre), wide = broken_symmetry<Wide>(centre);
+    symmetric = symmetric && wide < 1e-9;
+    report.facts.add("broken_symmetry" + name, compare(left, wide), "relative to amplitude");
   }
-  return most / orbit.amplitude;
+  report.results.claim("newton.symmetry", symmetric);
 }
 
 /**
 ## Profiles (figures 02 and 03)
 
-Both figures have three panels: the stationary DpS breather and the breathers of the chain at
-$\omega_b = 1.01$ and $1.1$, each with its quasi-continuum approximation. Two errors add up in the
-latter: the continuum differs from the DpS breather even in the limit, by
-[](num:sec32_newton_breathers.continuum_limit_site) around a site and
-[](num:sec32_newton_breathers.continuum_limit_bond) around a bond, and the DpS equation from the chain.
-At $1.01$ the second takes a little off the first, at $1.1$ it has made the sum far larger.
+The figures have three panels each: the stationary DpS breather and the breathers of the chain at
+$\omega_b = 1.01$ and $1.1$, with their quasi-continuum approximation.
 
 ![Bond-centred breathers and their quasi-continuum approximation.](fig:02)
-![Site-centred breathers and their quasi-continuum approximation.](fig:03) */
+![Site-centred breathers and their quasi-continuum approximation.](fig:03)
+
+Two errors add up in the latter: the continuum differs from the DpS breather even in the limit, by
+[](num:sec32_newton_breathers.continuum_limit_site) around a site and
+[](num:sec32_newton_breathers.continuum_limit_bond) around a bond, and the DpS equation from the
+chain. At $1.01$ the second takes a little off the first, at $1.1$ it has made the sum far larger. */
+Estimate approximation_error(Centre centre, double omega) {
+  const auto problem = problem_of(centre, omega);
+  const auto off = [&](int coarser) {
+    const auto orbit = find_breather(problem, Phase::compressed, rule<double>(coarser));
+    const State<double> near = ansatz(centre, omega, problem.chain.sites);
+    return largest_difference(orbit.start, near) / orbit.amplitude;
+  };
+  return compare(off(1), off(0));
+}
+
+/// The same for the DpS breather, in two precisions.
+template <class T>
+double continuum_error(Centre centre) {
+  const auto u = stationary<T>(centre, T(1), sites_of(centre)).u;
+  T off(0), top(0);
+  for (std::size_t i = 0; i < u.size(); ++i) {
+    const T near = quasi_continuum<T>(centre, site_number(i, u.size()));
+    off = std::max(off, magnitude<T>(near - u[i]));
+    top = std::max(top, magnitude<T>(u[i]));
+  }
+  return double(off / top);
+}
+
+/**
+The article calls the approximation excellent at $1.01$ and worse at $1.1$. The listed claim is that
+ordering. At $1.01$ the difference is [](num:sec32_newton_breathers.continuum_101_site) of the
+amplitude around a site and [](num:sec32_newton_breathers.continuum_101_bond) around a bond, at
+$1.1$ it is [](num:sec32_newton_breathers.continuum_110_site) and
+[](num:sec32_newton_breathers.continuum_110_bond). */
 Table profile_table(Centre centre) {
   Table table{{count("n", "site", "site"), number("u", "stationary DpS breather, mu = 1"),
                number("u_continuum", "its quasi-continuum approximation"),
@@ -162,7 +257,7 @@ Table profile_table(Centre centre) {
   const std::size_t sites = sites_of(centre);
   const auto small = find_breather(problem_of(centre, 1.01)).start.y;
   const auto large = find_breather(problem_of(centre, 1.1)).start.y;
-  const auto near_small = ansatz(centre, 1.01, sites), near_large = ansatz(centre, 1.1, sites);
+  const auto near_small = ansatz(centre, 1.01, sites).y, near_large = ansatz(centre, 1.1, sites).y;
   const auto u = stationary<double>(centre, 1, sites).u;
   for (std::size_t i = 0; i < sites; ++i) {
     const long n = site_number(i, sites);
@@ -172,60 +267,33 @@ Table profile_table(Centre centre) {
   return table;
 }
 
-/// Largest difference of the approximation from the breather, relative to the latter.
-Estimate approximation_error(Centre centre, double omega) {
-  const auto problem = problem_of(centre, omega);
-  const auto off = [&](int coarser) {
-    const auto orbit = find_breather(problem, Phase::compressed, rule<double>(coarser));
-    const auto near = resting(ansatz(centre, omega, problem.chain.sites));
-    return largest_difference(orbit.start, near) / orbit.amplitude;
-  };
-  return compare(off(1), off(0));
-}
-
 /**
-The article calls the approximation excellent at $1.01$ and worse at $1.1$. As listed, the claim is
-that ordering alone, and the ordering alone decides it. At $1.01$ the difference is
-[](num:sec32_newton_breathers.continuum_101_site) of the amplitude around a site and
-[](num:sec32_newton_breathers.continuum_101_bond) around a bond, at $1.1$ it is
-[](num:sec32_newton_breathers.continuum_110_site) and
-[](num:sec32_newton_breathers.continuum_110_bond). By the five per cent that the chapter on the DpS
-breathers asks of the word "excellent", the site-centred breather would miss it even at $1.01$,
-narrowly; the bond-centred one would meet it. */
+Each family answers for itself, and the ordering must hold for both beyond the errors. */
 void report_profiles(Report& report) {
   report.output.add("bond_profiles", profile_table(Centre::bond));
   report.output.add("site_profiles", profile_table(Centre::site));
   bool ordered = true;
-  double broken = 0;
   for (Centre centre : both_centres) {
     const std::string name = centre == Centre::site ? "_site" : "_bond";
     const Estimate small = approximation_error(centre, 1.01);
     const Estimate large = approximation_error(centre, 1.1);
-    report.facts.add("continuum_101" + name, small, "relative to the amplitude");
-    report.facts.add("continuum_110" + name, large, "relative to the amplitude");
     ordered = ordered && small.value + small.error < large.value - large.error;
-    const auto u = stationary<double>(centre, 1, sites_of(centre)).u;
-    double off = 0;
-    for (std::size_t i = 0; i < u.size(); ++i)
-      off = std::max(off, std::abs(quasi_continuum(centre, site_number(i, u.size())) - u[i]));
-    report.facts.add("continuum_limit" + name, {off / largest(resting(u)), 0},
-                     "relative to the amplitude");
-    const auto problem = problem_of(centre, 1.1);
-    broken = std::max(broken, broken_symmetry(problem, find_breather(problem)));
+    report.facts.add("continuum_101" + name, small, "relative to amplitude");
+    report.facts.add("continuum_110" + name, large, "relative to amplitude");
+    report.facts.add("continuum_limit" + name,
+                     compare(continuum_error<double>(centre), continuum_error<Wide>(centre)),
+                     "relative to amplitude");
   }
   report.results.claim("newton.qc_small", ordered);
-  report.results.claim("newton.symmetry", broken < 1e-11);
-  report.facts.add("broken_symmetry", {broken, 0}, "relative to the amplitude");
 }
 
 /**
 ## A hundred periods (figure 04)
 
-The site-centred breather at $s = 0$ is weakly unstable, so that rounding must grow. Its growth is
-measured by a second run with another tolerance: the difference of the two is the error of
-the first. After a hundred periods the sup difference from the start is
-[](num:sec32_newton_breathers.moved_after_100_periods) of the amplitude. The positions are visually equal if they differ by less than the line width of
-the figure, a hundredth of the amplitude.
+The site-centred breather is weakly unstable, so that rounding must grow. A second run with another
+tolerance measures its growth: the difference of the two is the error of the first. The article
+finds the positions visually equal after a hundred periods; they have moved by
+[](num:newton.persistence) of the amplitude.
 
 ![The breather at the start and after a hundred periods.](fig:04) */
 void report_persistence(Report& report) {
@@ -233,9 +301,12 @@ void report_persistence(Report& report) {
   const State<double> start = find_breather(problem).start;
   std::array<State<double>, 2> end{start, start};
   parallel_for(2, [&](std::size_t k) {
-    for (int period = 0; period < 100; ++period)
+    for (int period = 0; period < (report.quick ? 10 : 100); ++period)
       flow(problem.chain, end[k], problem.period(), rule<double>(int(k)).landing);
   });
+  const double moved = largest_difference(end[0], start) / largest(start);
+  const double error = largest_difference(end[0], end[1]) / largest(start);
+  report.results.add("newton.persistence", {moved, error}, "relative to amplitude");
   Table table{{count("n", "site", "site"), number("y_start", "positions at t = 0"),
                number("y_end", "positions after 100 periods"),
                number("y_end_error", "difference of two resolutions")}};
@@ -243,10 +314,6 @@ void report_persistence(Report& report) {
     table.add({std::int64_t(site_number(i, start.y.size())), start.y[i], end[0].y[i],
                std::abs(end[0].y[i] - end[1].y[i])});
   report.output.add("persistence", std::move(table));
-  const double moved = largest_difference(end[0], start) / largest(start);
-  const double error = largest_difference(end[0], end[1]) / largest(start);
-  report.results.claim("newton.persistence", moved + error < 0.01);
-  report.facts.add("moved_after_100_periods", {moved, error}, "relative to the amplitude");
 }
 
 /**
@@ -254,281 +321,101 @@ void report_persistence(Report& report) {
 
 A bead far out is pushed by its inner neighbour alone, with the power $3/2$ of the latter's
 displacement, so that $\ln|y_{n+1}|/\ln|y_n| \to 3/2$: the decay is double-exponential. Newton's
-method is asked for the same relative accuracy at every site (periodic.hpp), and every contact,
-however faint, is landed on (`floor = 0`). Doubles end at $10^{-308}$; with a wider exponent
-the tail can be followed further, and where both exist their difference is the error.
+method is asked for the same relative accuracy at every site, and every contact, however faint, is
+landed on. Doubles end at $10^{-308}$, eight sites from the centre; with a wider exponent the tail
+can be followed further, and where both exist their difference is the error.
 
 ![The tail of the site-centred breather.](fig:05) */
 template <class T>
-Orbit<T> with_tail(Centre centre, std::size_t sites) {
-  const auto problem = breather_problem<double>(centre, 1.1, 0, sites);
+Orbit<T> with_tail(std::size_t sites) {
+  const auto problem = breather_problem<double>(Centre::site, 1.1, 0, sites);
   NewtonRule<T> graded = rule<T>(0);
   graded.graded = true;
   graded.landing.floor = T(0);
-  return refine(in_precision<T>(problem), find_breather(problem), graded);
+  return polish(in_precision<T>(problem), find_breather(problem), graded);
 }
 
-void report_tail(Report& report) {
-  Table table{{count("n", "site", "site"),
-               number("size", "|y_n(0)| in double precision; 0 where it has underflown"),
-               number("size_error", "relative difference from the wider type"),
-               number("log_size", "ln |y_n(0)| in the wider type"),
-               number("exponent", "ln |y_(n+1)| / ln |y_n| away from the centre"),
-               number("law", "ln |y| by the law 3/2 from the outermost site inwards")}};
-  const Orbit<double> orbit = with_tail<double>(Centre::site, 99);
-  const Orbit<Wide> wide = with_tail<Wide>(Centre::site, 63);
-  const auto size = [&](long n) {
+/// The tail in both precisions; sites beyond the shorter chain of the wider type count as zero.
+struct Tail {
+  Orbit<double> orbit = with_tail<double>(99);
+  Orbit<Wide> wide = with_tail<Wide>(63);
+
+  double size(long n) const { return std::abs(orbit.start.y[std::size_t(n + 49)]); }
+  Wide wide_size(long n) const {
     return n < -31 || n > 31 ? Wide(0) : std::abs(wide.start.y[std::size_t(n + 31)]);
-  };
-  const double none = std::nan("");
-  double exponent = none, before = none, worst = 0;
-  long outermost = 0;
-  while (size(outermost + 1) > 0) ++outermost;
-  const double end = double(std::log(size(outermost)));
-  long last = 0;
-  for (long n = -49; n <= 49; ++n) {
-    const double here = std::abs(orbit.start.y[std::size_t(n + 49)]);
-    const Wide inner = size(n), outer = size(n < 0 ? n - 1 : n + 1);
-    const bool known = here > 1e-300 && inner > 0, goes_on = inner > 0 && outer > 0;
-    const double error = known ? std::abs(double(here / inner - 1)) : none;
-    const double power = goes_on ? double(std::log(outer) / std::log(inner)) : none;
-    table.add({std::int64_t(n), here, error, inner > 0 ? double(std::log(inner)) : none, power,
-               end * std::pow(1.5, double(std::abs(n) - outermost))});
-    if (known) worst = std::max(worst, error);
-    if (known && n > 0) last = n;
-    if (goes_on && n > 0) before = std::exchange(exponent, power);
   }
-  report.output.add("tail", std::move(table));
+  /// ln|y_(n+1)| / ln|y_n|, away from the centre; nan where the outer one has vanished.
+  double exponent(long n) const {
+    const Wide inner = wide_size(n), outer = wide_size(n < 0 ? n - 1 : n + 1);
+    return inner > 0 && outer > 0 ? double(std::log(outer) / std::log(inner)) : std::nan("");
+  }
+};
+
+/**
+Super-exponential decay is decided by the exponent at the last two places where it can be formed:
+both must be within 0.005 of $3/2$. An exponential tail would have the exponent one. */
+void report_tail(Report& report) {
+  const Tail tail;
+  long last = 0, last_wide = 0;
+  while (tail.wide_size(last_wide + 1) > 0) ++last_wide;
+  while (tail.size(last + 1) > 1e-300) ++last;
+  const double end = double(std::log(tail.wide_size(last_wide))), none = std::nan("");
+  const double exponent = tail.exponent(last_wide - 1), before = tail.exponent(last_wide - 2);
   report.results.claim("newton.decay",
                        std::abs(exponent - 1.5) < 0.005 && std::abs(before - 1.5) < 0.005);
-  report.facts.add("tail_exponent", {exponent, std::abs(exponent - before)});
-  report.facts.add("tail_last_double", {double(last), 0}, "site");
-  report.facts.add("tail_last_wide", {double(outermost), 0}, "site");
-  report.facts.add("tail_relative_error", {worst, 0});
+  report.facts.add("tail_exponent", compare(before, exponent));
+  report.facts.add("tail_last_double", exact(double(last)), "site");
+  report.facts.add("tail_last_wide", exact(double(last_wide)), "site");
+  Table table{{count("n", "site", "site"),
+               number("size", "|y_n(0)| in double precision; nan where it has underflown"),
+               number("size_error", "difference from the wider type"),
+               number("exponent", "ln |y_(n+1)| / ln |y_n| away from the centre"),
+               number("double_log", "ln(-ln |y_n(0)|) in the wider type"),
+               number("law", "the same by the law 3/2 from the outermost site inwards")}};
+  for (long n = -49; n <= 49; ++n) {
+    const double here = tail.size(n);
+    const Wide wide = tail.wide_size(n);
+    const bool known = here > 1e-300 && wide > 0;
+    table.add({std::int64_t(n), known ? here : none, known ? std::abs(double(here - wide)) : none,
+               tail.exponent(n), wide > 0 ? double(std::log(-std::log(wide))) : none,
+               std::log(-end) + double(std::abs(n) - last_wide) * std::log(1.5)});
+  }
+  report.output.add("tail", std::move(table));
 }
 
 /**
-## The branches (figures 06 and 07)
+## The branches (figure 06)
 
-Both families are followed by arclength from $\omega_b = 1.005$ to $2$, in the soft well to $1.9$,
-shortly before the fold where they turn back. A rung holds the two breathers of one frequency and
-what their comparison gives, at two tolerances. Where that leaves the barrier at equal frequency
-or at equal area with an error of more than three parts in a thousand, the rung is climbed again
-with the wider type. */
-/// The frequencies of a ladder. Close to its fold the soft one is scanned more finely, up to 1.9.
-std::vector<double> frequencies(double s, int count) {
-  std::vector<double> out{1.005};
-  for (int k = 1; k <= count; ++k) out.push_back(1 + double(k) / count);
-  if (s >= 0) return out;
-  std::erase_if(out, [](double omega) { return omega > 1.8; });
-  for (int k = 1; k <= count / 2; ++k) out.push_back(1.8 + 0.2 * double(k) / count);
-  return out;
-}
+Both families are followed by arclength from $\omega_b = 1.005$ to $2$ (continuation.hpp). The
+article finds their energies indistinguishable. The largest relative difference is
+[](num:newton.energy_equal), at $\omega_b =$
+[](num:sec32_newton_breathers.largest_energy_difference_at): it grows towards $\omega_b = 1$, where
+it tends to that of the DpS norms, [](num:sec32_dps_profiles.norm_gap_relative) without its sign.
+What so small a difference does to the motion of a breather is told in the next chapter.
 
-std::vector<Ladder> climb_all(int count) {
-  std::array<std::array<std::vector<Orbit<double>>, 2>, 3> families;
-  Progress progress("branches", std::size_t(6 + 3 * count));
-  parallel_for(6, [&](std::size_t i) {
-    families[i / 2][i % 2] =
-        climb(both_centres[i % 2], wells[i / 2], frequencies(wells[i / 2], count));
-    progress.tick();
-  });
-  std::vector<Ladder> ladders(3);
-  std::vector<Rung*> all;
-  for (std::size_t w = 0; w < 3; ++w) {
-    const auto& [site, bond] = families[w];
-    for (std::size_t k = 0; k < std::min(site.size(), bond.size()); ++k)
-      ladders[w].push_back({wells[w], site[k].omega, {site[k], bond[k]}});
-    for (Rung& rung : ladders[w]) all.push_back(&rung);
-  }
-  parallel_for(all.size(), [&](std::size_t i) {
-    measure(*all[i]);
-    progress.tick();
-  });
-  return ladders;
-}
-
-Table branch_table(const std::vector<Ladder>& ladders) {
-  Table table{{number("s", "anharmonicity of the well"), number("omega", "frequency"),
-               number("amplitude_bond", "largest |y_n(0)|, bond-centred"),
-               number("amplitude_site", "largest |y_n(0)|, site-centred"),
+![Amplitude and energy of both families.](fig:06) */
+void report_branches(Report& report) {
+  Ladder ladder = climb_pairs(0, ladder_frequencies(0, report.quick ? 10 : 80), measure_in<double>);
+  Table table{{number("omega", "frequency"), number("amplitude_bond", "largest |y_n(0)|"),
+               number("amplitude_site", "largest |y_n(0)|"),
                number("energy_bond", "energy, bond-centred"),
-               number("energy_site", "energy, site-centred"),
                number("energy_bond_error", "difference of two resolutions"),
-               number("energy_site_error", "difference of two resolutions"),
-               number("equal_frequency", "E_site - E_bond at equal frequency"),
-               number("equal_frequency_error", "difference of two resolutions"),
-               number("equal_area", "E_site - E_bond at equal area"),
-               number("equal_area_error", "difference of two resolutions"),
-               count("wide", "1 where a 64-bit mantissa was needed")}};
-  for (const Ladder& ladder : ladders)
-    for (const Rung& r : ladder)
-      table.add({r.s, r.omega, r.amplitude[1].value, r.amplitude[0].value, r.energy[1].value,
-                 r.energy[0].value, r.energy[1].error, r.energy[0].error, r.equal_frequency.value,
-                 r.equal_frequency.error, r.equal_area.value, r.equal_area.error,
-                 std::int64_t(r.wide)});
-  return table;
-}
-
-/**
-The barrier at equal frequency is a difference with a sign, and where it vanishes the logarithmic
-curve of the article has a dip. The frequencies are found between neighbouring rungs of
-opposite sign. A well is named in the facts: `soft` is $s=-1/6$, `linear` is $s=0$, `hard` is $s=1$. */
-const char* const names[] = {"soft", "linear", "hard"};
-
-void report_sign_changes(Report& report, const std::vector<Ladder>& ladders) {
-  Table table{{number("s", "anharmonicity of the well"),
-               count("kind", "1 at equal frequency, 2 at equal area"),
-               number("omega", "frequency where the barrier changes its sign"),
-               number("omega_error", "its error")}};
-  for (std::size_t w = 0; w < ladders.size(); ++w) {
-    int count = 0;
-    for (std::size_t k = 1; k < ladders[w].size(); ++k) {
-      const Rung &a = ladders[w][k - 1], &b = ladders[w][k];
-      if (a.equal_frequency.value * b.equal_frequency.value < 0) {
-        const Estimate zero = zero_between(a, b);
-        table.add({wells[w], std::int64_t(1), zero.value, zero.error});
-        report.facts.add(std::string("zero_") + names[w] + std::to_string(++count), zero);
-      }
-      if (a.equal_area.value * b.equal_area.value < 0) {
-        const double u = a.equal_area.value, v = b.equal_area.value;
-        table.add({wells[w], std::int64_t(2), (a.omega * v - b.omega * u) / (v - u),
-                   (b.omega - a.omega) / 4});
-      }
-    }
+               number("energy_site", "energy, site-centred"),
+               number("energy_site_error", "difference of two resolutions")}};
+  Estimate apart{};
+  double where = 0;
+  for (const Rung& r : ladder) {
+    const Estimate &site = r.energy[0], &bond = r.energy[1];
+    table.add({r.omega, r.amplitude[1].value, r.amplitude[0].value, bond.value, bond.error,
+               site.value, site.error});
+    const double relative = std::abs(r.equal_frequency.value) / bond.value;
+    if (relative <= apart.value) continue;
+    apart = {relative, r.equal_frequency.error / bond.value};
+    where = r.omega;
   }
-  report.output.add("sign_changes", std::move(table));
-}
-
-/**
-## The barrier at six frequencies
-
-These rungs are computed with the wider type throughout. Close to $\omega_b = 1$ all energies follow
-the DpS scaling $E \propto (\omega_b-1)^4$, and with $dE = \omega_b\,d\mathcal A/2\pi$ the barrier at equal area is
-$-(\omega_b-1)/5$ times the one at equal frequency: smaller by orders of magnitude, and of the
-opposite sign. We use this as an independent check in the limit. */
-const std::pair<double, const char*> key_frequencies[] = {
-    {1.001, "1001"}, {1.01, "101"}, {1.1, "110"}, {1.3, "130"}, {1.5, "150"}, {1.9, "190"}};
-
-Ladder key_ladder() {
-  Ladder rungs;
-  for (double s : wells)
-    for (const auto& [omega, name] : key_frequencies) rungs.push_back({s, omega});
-  parallel_for(rungs.size(), [&](std::size_t i) {
-    Rung& r = rungs[i];
-    for (int k : {0, 1}) r.orbit[k] = find_breather(problem_of(both_centres[k], r.omega, r.s));
-    measure_in<Wide>(r);
-  });
-  return rungs;
-}
-
-void report_key(Report& report, const Ladder& rungs) {
-  const std::size_t count = std::size(key_frequencies);
-  const auto rung = [&](std::size_t w, std::size_t k) { return rungs[w * count + k]; };
-  for (std::size_t w = 0; w < 3; ++w)
-    for (std::size_t k = 0; k < count; ++k) {
-      const std::string name = std::string("_") + names[w] + "_" + key_frequencies[k].second;
-      report.facts.add("equal_frequency" + name, rung(w, k).equal_frequency);
-      report.facts.add("equal_area" + name, rung(w, k).equal_area);
-    }
-  for (int k : {0, 1})
-    report.facts.add(std::string("energy_110_") + (k ? "bond" : "site"), rung(1, 2).energy[k]);
-  const Rung& limit = rung(1, 0);
-  report.facts.add(
-      "equal_area_law",
-      {limit.equal_area.value / limit.equal_frequency.value / (-(limit.omega - 1) / 5), 0});
-  const auto size = [](Estimate e) { return Estimate{std::abs(e.value), e.error}; };
-  const auto ratio = [&](std::size_t w) {
-    const Estimate a = size(rung(w, 3).equal_frequency), b = size(rung(1, 3).equal_frequency);
-    return Estimate{a.value / b.value, a.value / b.value * (a.error / a.value + b.error / b.value)};
-  };
-  report.results.add("pn.omega11", size(rung(1, 2).equal_frequency));
-  report.results.add("pn.small", size(rung(1, 1).equal_frequency));
-  report.results.add("pn.omega15", size(rung(0, 4).equal_frequency));
-  report.results.add("pn.harmonic_ratio", ratio(0));
-  report.facts.add("harmonic_ratio_soft", ratio(0));
-  report.facts.add("harmonic_ratio_hard", ratio(2));
-}
-
-/**
-The energies of the two families in a linear well are called indistinguishable if they differ by
-less than $10^{-3}$ relatively, the width of a line in the figure. Their difference grows towards
-$\omega_b = 1$, so the six frequencies above, which begin closer to it, are counted too. In the soft
-well the branches do not reach $\omega_b = 2$: they turn back at a fold, where the contacts and the
-softening of the well balance. It is located with two lengths of the steps. */
-void report_families(Report& report, const std::vector<Ladder>& ladders, const Ladder& key) {
-  double apart = 0, error = 0, where = 0;
-  Ladder linear = ladders[1];
-  std::copy_if(key.begin(), key.end(), std::back_inserter(linear),
-               [](const Rung& r) { return r.s == 0; });
-  for (const Rung& r : linear) {
-    const double relative = std::abs(r.equal_frequency.value) / r.energy[1].value;
-    if (relative > apart) {
-      apart = relative;
-      where = r.omega;
-      error = r.equal_frequency.error / r.energy[1].value;
-    }
-  }
-  report.results.claim("newton.energy_equal", apart + error < 1e-3);
-  report.facts.add("largest_energy_difference", {apart, error}, "relative");
-  report.facts.add("largest_energy_difference_at", {where, 0});
-  std::array<double, 4> fold{};
-  parallel_for(4, [&](std::size_t i) {
-    const Rung& from = ladders[0].back();
-    const Centre centre = both_centres[i / 2];
-    Branch<double, BreatherProblem<double>> branch(problem_of(centre, from.omega, from.s),
-                                                   Along::omega, from.orbit[i / 2], 1, {},
-                                                   {.first = 0.05, .most = i % 2 ? 0.1 : 0.2});
-    fold[i] = branch.fold();
-  });
-  report.facts.add("fold_soft_site", compare(fold[0], fold[1]));
-  report.facts.add("fold_soft_bond", compare(fold[2], fold[3]));
-}
-
-/**
-## Where the printed 1.77e-11 may come from
-
-A residual of $1.5\cdot10^{-9}$ is left not only by an approximate breather, but also by an exact one of a
-slightly different frequency: its phase is wrong at $T_b$. The energy of that breather
-differs by $E'(\omega_b)\,\delta\omega$, and nothing in the residual tells the two cases apart. This
-difference is [](num:sec32_newton_breathers.hidden_energy), while the printed barrier exceeds
-ours by [](num:sec32_newton_breathers.printed_excess). So the printed residual is too
-large by an order of magnitude for the third digit of the printed barrier. That is all we can
-say: no computation of ours gives 1.77 in particular. */
-double hidden_energy(double residual) {
-  const auto problem = problem_of(Centre::site, 1.1);
-  const Orbit<double> orbit = find_breather(problem);
-  auto detuned = problem;
-  detuned.omega += 1e-6;
-  const Orbit<double> other = newton(detuned, orbit.x);
-  const double left = return_error(problem, other.start).value;
-  return std::abs(other.energy - orbit.energy) * residual / left;
-}
-
-/**
-We also try what was common in 2011: adaptive Runge-Kutta integration, which does not know of the
-switchings, with the symmetric equations or with those of the article. The matrices stay those
-of the exact breather, which decides only how fast the iteration converges. What is left of the
-residual shows the noise of the integration. */
-void report_printed(Report& report, double barrier) {
-  Table table{{number("tolerance", "of the adaptive integration"),
-               label("equations", "symmetric or full period map"),
-               number("residual_site", "left by the site-centred breather"),
-               number("residual_bond", "left by the bond-centred breather"),
-               number("barrier", "E_site - E_bond")}};
-  const auto site = problem_of(Centre::site, 1.1), bond = problem_of(Centre::bond, 1.1);
-  const auto site_orbit = find_breather(site), bond_orbit = find_breather(bond);
-  for (bool full : {false, true})
-    for (double tolerance : {1e-8, 1e-9, 1e-10, 1e-11, 1e-12}) {
-      const Tolerance both(0.01 * tolerance, tolerance, gsl_odeiv2_step_rk8pd);
-      const auto [energy_site, noise_site] = plain_newton(site, site_orbit, full, both);
-      const auto [energy_bond, noise_bond] = plain_newton(bond, bond_orbit, full, both);
-      table.add({tolerance, std::string(full ? "full" : "symmetric"), noise_site, noise_bond,
-                 energy_site - energy_bond});
-    }
-  report.output.add("barrier_trials", std::move(table));
-  report.facts.add("hidden_energy", {hidden_energy(1.5e-9), 0});
-  report.facts.add("printed_excess", {1.77e-11 - std::abs(barrier), 0});
+  report.output.add("branches", std::move(table));
+  report.results.add("newton.energy_equal", apart, "relative");
+  report.facts.add("largest_energy_difference_at", exact(where));
 }
 
 /**
@@ -550,6 +437,10 @@ struct BreatherOptions {
 };
 
 Fitted fitted(const BreatherOptions& options) {
+  if (options.sites && !fits(options.kind(), options.sites))
+    throw UsageError("--sites: " + std::to_string(options.sites) + " does not fit --centre " +
+                     options.centre + " (allowed: " + (options.centre == "site" ? "odd" : "even") +
+                     " numbers)");
   try {
     return fit_chain(options.kind(), options.omega, options.s, options.sites,
                      sites_of(options.kind()), options.extended() ? 1e-34 : 1e-17, options.start());
@@ -560,7 +451,9 @@ Fitted fitted(const BreatherOptions& options) {
   }
 }
 
-/// Values in the precision asked for, their errors from the difference to another one.
+/**
+Values are printed in the precision asked for; their errors come from the difference to another one.
+The residual is that of the whole period. */
 template <class T, class Other>
 Table breather_table(const BreatherProblem<T>& problem, const Orbit<T>& orbit,
                      const Orbit<Other>& other, const Landing<T>& landing) {
@@ -574,8 +467,8 @@ Table breather_table(const BreatherProblem<T>& problem, const Orbit<T>& orbit,
   q.add("amplitude", differs(orbit.amplitude, other.amplitude));
   q.add("energy", differs(orbit.energy, other.energy));
   q.add("area", differs(orbit.area, other.area));
-  q.add("residual", {double(miss), double(run.error)}, "relative to the amplitude");
-  q.add("iterations", {double(orbit.iterations()), 0});
+  q.add("residual", {double(miss), double(run.error)}, "relative to amplitude");
+  q.add("iterations", exact(double(orbit.iterations())));
   return q.table;
 }
 
@@ -589,108 +482,44 @@ Table breather_profile(const Orbit<T>& orbit) {
 
 /// The expected time is that of this machine's order of magnitude, measured on two chains.
 Table breather_command(const BreatherOptions& options) {
-  if (options.sites && !fits(options.kind(), options.sites))
-    throw UsageError("--sites: " + std::to_string(options.sites) + " does not fit --centre " +
-                     options.centre + " (allowed: " + (options.centre == "site" ? "odd" : "even") +
-                     " numbers)");
   const auto [problem, orbit] = fitted(options);
   if (options.profile && !options.extended()) {
     NewtonRule<double> graded = rule<double>(0);
     graded.graded = true;
     graded.landing.floor = 0;
-    return breather_profile(refine(problem, orbit, graded));
+    return breather_profile(polish(problem, orbit, graded));
   }
-  const auto wide = refine(in_precision<Wide>(problem), orbit, rule<Wide>(0));
+  const auto wide = polish(in_precision<Wide>(problem), orbit, rule<Wide>(0));
   if (!options.extended()) return breather_table(problem, orbit, wide, {});
-  std::cerr << "quadruple precision on " << problem.chain.sites << " sites: about "
-            << 5 + problem.chain.sites / 10 << " seconds\n";
   NewtonRule<Quadruple> deep;
   deep.landing.tolerance = Quadruple(1e-27);
-  const auto exact = refine(in_precision<Quadruple>(problem), wide, deep);
-  return options.profile
-             ? breather_profile(exact)
-             : breather_table(in_precision<Quadruple>(problem), exact, wide, deep.landing);
+  const auto quadruple = in_precision<Quadruple>(problem);
+  const auto deepest = polish(quadruple, wide, deep);
+  return options.profile ? breather_profile(deepest)
+                         : breather_table(quadruple, deepest, wide, deep.landing);
 }
-
-/**
-`sec32_newton_breathers barrier --omega 1.1` prints the barrier at equal frequency and at equal
-area, both with their sign, from two tolerances in the wider type. */
-Table barrier_command(const BreatherOptions& options) {
-  Rung rung{options.s, options.omega};
-  for (int k : {0, 1})
-    rung.orbit[k] = find_breather(problem_of(both_centres[k], options.omega, options.s));
-  measure_in<Wide>(rung);
-  Quantities q;
-  q.add("equal_frequency", rung.equal_frequency);
-  q.add("equal_area", rung.equal_area);
-  return q.table;
-}
-
-Results everything(Output& output, bool quick) {
-  Report report{output, quick};
-  report_convergence(report);
-  report_profiles(report);
-  report_persistence(report);
-  report_tail(report);
-  const auto ladders = climb_all(quick ? 10 : 80);
-  output.add("branches", branch_table(ladders));
-  report_sign_changes(report, ladders);
-  const Ladder key = key_ladder();
-  report_families(report, ladders, key);
-  report_key(report, key);
-  report_printed(report, key[std::size(key_frequencies) + 2].equal_frequency.value);
-  output.add("facts", report.facts.table);
-  return report.results;
-}
-
-/**
-## What goes beyond the article
-
-- The barrier at equal frequency has no fixed sign. In the linear well it vanishes first at
-  [](num:sec32_newton_breathers.zero_linear1) and for the fifth time at
-  [](num:sec32_newton_breathers.zero_linear5): the small value near $1.3$ owes its size to that zero.
-- The barrier at equal area changes its sign elsewhere. Away from the zeros of the other one it is
-  smaller still, at $\omega_b = 1.1$ in the linear well
-  [](num:sec32_newton_breathers.equal_area_linear_110); next to a zero it need not be, at $1.3$ the two
-  are [](num:sec32_newton_breathers.equal_area_linear_130) and
-  [](num:sec32_newton_breathers.equal_frequency_linear_130). */
-
-/**
-- In the linear well the relative difference of the energies is largest in the limit of small
-  amplitude. The largest that we computed is
-  [](num:sec32_newton_breathers.largest_energy_difference), at $\omega_b =$
-  [](num:sec32_newton_breathers.largest_energy_difference_at); for $\omega_b \to 1$ it tends to that of
-  the DpS norms, [](num:sec32_dps_profiles.norm_gap_relative) without its sign.
-- The families of the soft well turn back in folds at
-  [](num:sec32_newton_breathers.fold_soft_site) (site) and
-  [](num:sec32_newton_breathers.fold_soft_bond) (bond). */
 
 /**
 ## Differences and limits
 
-The article does not print the frequency up to which its soft and hard branches go. Ours end at
-$\omega_b = 2$, those of the soft well at $1.9$, just before their folds, which are located but not
-passed. The energies beyond the fold, where a bead approaches the rim of the soft well, are not
-shown. The barrier says nothing of what lies between the two breathers: at frequencies where it
-vanishes other breathers, without symmetry, may exist.
+The article counts five iterations of its Gauss-Newton method; ours need as many or a few more,
+because they go on until rounding stops them. Its chain lengths are 31 and 99 around a site; around
+a bond we take one bead more. In other wells the branches of both families exist, too, and bifurcate
+from the chain at rest; those of the soft well fold back (see the next chapter).
 
 ## Extensions
 
-- Follow the soft branch through its fold up to the rim.
-- Between two sign changes, look for an asymmetric breather that connects the families.
-- What becomes of the barrier at equal area with the anharmonicity of the well? */
+- Replace one bead by a heavier one: `even_in_time` finds its breather, which has no mirror symmetry.
+- How does the tail change for a contact of another exponent?
+- Are there breathers around two neighbouring sites that swing in phase? */
 int main(int argc, char** argv) {
   Program program({"sec32_newton_breathers", "3.2", "Static breathers of the chain (section 3.2)"},
                   argc, argv);
   BreatherOptions options;
   CLI::App* one = program.command("breather", "one breather: amplitude, energy, area, residual",
                                   [&] { return breather_command(options); });
-  CLI::App* two = program.command("barrier", "energy between the two breathers, with its sign",
-                                  [&] { return barrier_command(options); });
-  for (CLI::App* sub : {one, two}) {
-    sub->add_option("--omega", options.omega, "frequency omega_b > 1")->check(in_range(1.0001, 3));
-    sub->add_option("--s", options.s, "anharmonicity of the well")->check(in_range(-10, 10));
-  }
+  one->add_option("--omega", options.omega, "frequency omega_b > 1")->check(in_range(1.0001, 3));
+  one->add_option("--s", options.s, "anharmonicity of the well")->check(in_range(-10, 10));
   one->add_option("--centre", options.centre, "site or bond")
       ->check(CLI::IsMember({"site", "bond"}));
   one->add_option("--sites", options.sites, "chain length (default: 31 or 32)")
@@ -700,6 +529,16 @@ int main(int argc, char** argv) {
   one->add_option("--phase", options.phase, "central contact of a bond-centred breather at t = 0")
       ->check(CLI::IsMember({"compressed", "stretched"}));
   one->add_flag("--profile", options.profile, "print the positions n,y instead");
-  program.everything = [&](Output& output) { return everything(output, program.quick); };
+  program.everything = [&](Output& output) {
+    Report report{output, program.quick};
+    report_convergence(report);
+    report_symmetry(report);
+    report_profiles(report);
+    report_persistence(report);
+    report_tail(report);
+    report_branches(report);
+    output.add("facts", report.facts.table);
+    return report.results;
+  };
   return program.run(argc, argv);
 }

@@ -7,6 +7,8 @@ using namespace lattice;
 
 namespace {
 
+using Problem = BreatherProblem<double>;
+
 std::size_t sites_of(Centre centre) {
   return centre == Centre::site ? 31 : 32;
 }
@@ -96,7 +98,7 @@ TEST_CASE("the derivatives of the equations are exact", "[unit][periodic]") {
   for (Centre centre : {Centre::site, Centre::bond}) {
     const auto p = problem_of(centre, 1.1, 0.5);
     const Orbit<double> o = find_breather(p);
-    const Shot<double> shot = shoot(p, o.x, {});
+    const Shot<double> shot = p.shoot(o.x, {});
     // The equations have derivatives of order 3/2 only, so the difference quotient errs by h^{1/2}.
     const double h = 1e-8 * o.amplitude;
     for (Eigen::Index k : {o.x.size() / 2, o.x.size() / 2 + 1}) {
@@ -104,15 +106,15 @@ TEST_CASE("the derivatives of the equations are exact", "[unit][periodic]") {
       up[k] += h;
       down[k] -= h;
       const Vector<double> slope =
-          (shoot(p, up, {}, false).miss - shoot(p, down, {}, false).miss) / (2 * h);
+          (p.shoot(up, {}, false).miss - p.shoot(down, {}, false).miss) / (2 * h);
       CHECK(sup<double>(slope - shot.jacobian.col(k)) < 3e-5);
     }
     auto faster = p, slower = p;
     faster.omega += 1e-6;
     slower.omega -= 1e-6;
     const Vector<double> slope =
-        (shoot(faster, o.x, {}, false).miss - shoot(slower, o.x, {}, false).miss) / 2e-6;
-    CHECK(sup<double>(slope - shot.miss_omega) < 1e-7 * o.amplitude);
+        (faster.shoot(o.x, {}, false).miss - slower.shoot(o.x, {}, false).miss) / 2e-6;
+    CHECK(sup<double>(slope + p.period() / p.omega * shot.miss_period) < 1e-7 * o.amplitude);
   }
 }
 
@@ -146,8 +148,8 @@ TEST_CASE("a breather does not depend on how it was reached", "[property][period
     const auto p = problem_of(centre, 1.1, 0.5);
     const Orbit<double> direct = find_breather(p);
     const auto low = problem_of(centre, 1.03, 0.5), linear = problem_of(centre, 1.1, 0);
-    Branch<double, BreatherProblem<double>> rising(low, Along::omega, find_breather(low), 1);
-    Branch<double, BreatherProblem<double>> hardening(linear, Along::s, find_breather(linear), 1);
+    Branch rising(low, along_omega<Problem>(), find_breather(low), 1);
+    Branch hardening(linear, along_s<Problem>(), find_breather(linear), 1);
     for (const Orbit<double>& other : {rising.reach(1.1), hardening.reach(0.5)}) {
       CHECK(sup<double>(other.x - direct.x) < 1e-12 * direct.amplitude);
       check_close(other.energy, direct.energy, 0, 1e-12);
@@ -157,7 +159,7 @@ TEST_CASE("a breather does not depend on how it was reached", "[property][period
 
 TEST_CASE("a branch passes its fold", "[property][periodic]") {
   const auto p = problem_of(Centre::bond, 1.2, -1);
-  Branch<double, BreatherProblem<double>> branch(p, Along::omega, find_breather(p), 1);
+  Branch branch(p, along_omega<Problem>(), find_breather(p), 1);
   const double fold = branch.fold();
   CHECK(branch.slope() < 0);
   CHECK(fold > 1.6);
@@ -168,11 +170,10 @@ TEST_CASE("a branch passes its fold", "[property][periodic]") {
 
 TEST_CASE("failure comes with its history", "[unit][periodic]") {
   const auto p = problem_of(Centre::site, 1.1);
-  const auto y = ansatz(Centre::site, 1.1, 31);
   NewtonRule<double> hasty;
   hasty.most = 2;
   try {
-    newton(p, p.fold(y), hasty);
+    newton(p, p.fold(ansatz(Centre::site, 1.1, 31)), hasty);
     FAIL("two iterations are not enough");
   } catch (const NoConvergence& error) {
     CHECK(error.history.size() == 3);
@@ -186,7 +187,7 @@ TEST_CASE("double and wider types agree", "[convergence][periodic]") {
   for (Centre centre : {Centre::site, Centre::bond}) {
     const auto p = problem_of(centre, 1.1);
     const Orbit<double> o = find_breather(p);
-    const auto wide = refine(in_precision<long double>(p), o);
+    const auto wide = polish(in_precision<long double>(p), o);
     check_close(o.energy, double(wide.energy), 0, 1e-12);
     check_close(o.area, double(wide.area), 0, 1e-12);
     CHECK(wide.residual() < 1e-15);
@@ -202,8 +203,8 @@ TEST_CASE("every site of the tail is known to relative accuracy", "[convergence]
   NewtonRule<long double> wide;
   wide.graded = true;
   wide.landing.floor = 0;
-  const auto a = refine(p, o, graded);
-  const auto b = refine(in_precision<long double>(p), o, wide);
+  const auto a = polish(p, o, graded);
+  const auto b = polish(in_precision<long double>(p), o, wide);
   for (std::size_t n = 15; n < 29; ++n) check_close(a.start.y[n], double(b.start.y[n]), 0, 1e-9);
   CHECK(std::abs(a.start.y[28]) < 1e-130);
   CHECK(std::abs(a.start.y[28]) > 0);

@@ -136,6 +136,15 @@ T largest(const State<T>& state) {
   return most > T(0) ? most : T(1);
 }
 
+/// Largest difference of two states.
+template <class T>
+T largest_difference(const State<T>& a, const State<T>& b) {
+  T most(0);
+  for (std::size_t n = 0; n < a.y.size(); ++n)
+    most = std::max({most, magnitude<T>(a.y[n] - b.y[n]), magnitude<T>(a.v[n] - b.v[n])});
+  return most;
+}
+
 /**
 A flight remembers on which side of zero each overlap is: +1 closed, -1 open, 0 not yet
 known (a bead at rest whose neighbour is at rest). Time is counted backwards, as what

@@ -3,7 +3,7 @@
 # Static breathers of the chain
 
 The breathers of section 3.2 are periodic orbits of a chain with free ends, found from the
-quasi-continuum profile of the DpS equation (Eqs. un1, un2 and ansatzapproxst2)
+quasi-continuum profile of the DpS equation (Eqs. (18) to (20))
 $$y_n(0) = 2\epsilon\,u_n,\qquad \epsilon = \bigl(2\tau_0(\omega_b-1)\bigr)^2.$$
 Close to $\omega_b = 1$ Newton's method converges from there. At higher frequencies we first
 follow the branch, so that there is never a doubt to which family a breather belongs. */
@@ -14,6 +14,7 @@ follow the branch, so that there is never a doubt to which family a breather bel
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "lattice/dps/dps.hpp"
 #include "lattice/dps/stationary.hpp"
@@ -24,7 +25,7 @@ namespace lattice {
 template <class T>
 using BreatherProblem = Shooting<T, Quartic, Hertz>;
 
-/// A bond-centred breather at t = 0: its central contact is compressed, as in Eq. un1, or stretched,
+/// A bond-centred breather at t = 0: its central contact is compressed, as in Eq. (18), or stretched,
 /// as it is half a period later.
 enum class Phase { compressed, stretched };
 
@@ -40,19 +41,19 @@ BreatherProblem<T> breather_problem(Centre centre, const T& omega, double s, std
   problem.chain.sites = sites;
   problem.chain.onsite.s = s;
   problem.chain.contact.floor = 0;
-  problem.centre = centre;
+  problem.symmetry = centred(centre, sites);
   problem.omega = omega;
   return problem;
 }
 
-/// The approximate breather of Eq. ansatzapproxst2, one position a site.
-inline std::vector<double> ansatz(Centre centre, double omega, std::size_t sites,
-                                  Phase phase = Phase::compressed) {
+/// The approximate breather of Eq. (20), at rest.
+inline State<double> ansatz(Centre centre, double omega, std::size_t sites,
+                            Phase phase = Phase::compressed) {
   const double scale = 2 * breather_eps(omega) * (phase == Phase::stretched ? -1 : 1);
-  std::vector<double> y(sites);
+  State<double> state(sites);
   for (std::size_t i = 0; i < sites; ++i)
-    y[i] = scale * quasi_continuum(centre, site_number(i, sites));
-  return y;
+    state.y[i] = scale * quasi_continuum(centre, site_number(i, sites));
+  return state;
 }
 
 /// Up to this frequency Newton's method starts from the quasi-continuum profile.
@@ -64,26 +65,18 @@ inline Orbit<double> find_breather(const BreatherProblem<double>& problem,
                                    const NewtonRule<double>& rule = {}) {
   BreatherProblem<double> nearby = problem;
   nearby.omega = std::min(problem.omega, direct_up_to);
-  const auto y = ansatz(problem.centre, nearby.omega, problem.chain.sites, phase);
-  const Orbit<double> start = newton(nearby, nearby.fold(y), rule);
+  const Centre centre = problem.chain.sites % 2 == 0 ? Centre::bond : Centre::site;
+  const State<double> guess = ansatz(centre, nearby.omega, problem.chain.sites, phase);
+  const Orbit<double> start = newton(nearby, nearby.fold(guess), rule);
   if (nearby.omega == problem.omega) return start;
-  Branch<double, BreatherProblem<double>> branch(nearby, Along::omega, start, 1, rule);
+  Branch branch(nearby, along_omega<BreatherProblem<double>>(), start, 1, rule);
   return branch.reach(problem.omega);
 }
 
 /// The same problem in another precision.
 template <class T>
 BreatherProblem<T> in_precision(const BreatherProblem<double>& problem) {
-  return {problem.chain, problem.centre, T(problem.omega)};
-}
-
-/// Newton's method once more, in the precision T and from an orbit in another one.
-template <class T, class From>
-Orbit<T> refine(const BreatherProblem<T>& problem, const Orbit<From>& orbit,
-                const NewtonRule<T>& rule = {}) {
-  Vector<T> x(orbit.x.size());
-  for (Eigen::Index k = 0; k < x.size(); ++k) x[k] = T(orbit.x[k]);
-  return newton(problem, x, rule);
+  return {problem.chain, problem.symmetry, T(problem.omega)};
 }
 
 /**
@@ -135,7 +128,20 @@ inline Fitted fit_chain(Centre centre, double omega, double s, std::size_t sites
   for (long i = 0; i < long(n); ++i)
     if (i - shift >= 0 && i - shift < long(ample))
       start.y[std::size_t(i)] = orbit.start.y[std::size_t(i - shift)];
-  return {problem, newton(problem, problem.fold(start.y))};
+  return {problem, newton(problem, problem.fold(start))};
+}
+
+/// Discrete gradient of a profile, y_(n+1) - y_(n-1), zero at both ends: nearly the direction in
+/// which a breather can be shifted along the chain.
+inline Vector<double> gradient(const std::vector<double>& y) {
+  Vector<double> g = Vector<double>::Zero(Eigen::Index(y.size()));
+  for (std::size_t i = 1; i + 1 < y.size(); ++i) g[Eigen::Index(i)] = y[i + 1] - y[i - 1];
+  return g;
+}
+
+/// Cosine of the angle between two directions, without sign.
+inline double alignment(const Vector<double>& a, const Vector<double>& b) {
+  return std::abs(a.dot(b)) / (a.norm() * b.norm());
 }
 
 /**
@@ -162,7 +168,9 @@ Barrier<T> barrier(const BreatherProblem<T>& site_problem, const Orbit<T>& site,
   const T change = (bond.area - site.area) / area_omega;
   BreatherProblem<T> shifted = site_problem;
   shifted.omega += change;
-  const Orbit<T> moved = newton(shifted, Vector<T>(site.x + change * site.x_omega), rule);
+  Orbit<T> guess = site;
+  guess.x += change * site.x_omega;
+  const Orbit<T> moved = polish(shifted, guess, rule);
   out.equal_area = moved.energy + (bond.area - moved.area) / shifted.period() - bond.energy;
   out.omega_site = shifted.omega;
   return out;

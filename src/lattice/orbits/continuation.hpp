@@ -3,20 +3,16 @@
 # Following a branch
 
 Breathers come in families, and a family is a curve in the space of unknowns and one
-parameter, the frequency or the anharmonicity. We follow the curve by its arclength: a step along
-the tangent, then Newton on the equations together with the condition that the correction be
-perpendicular to the tangent. Where the curve turns back in its parameter nothing special
-happens, because the parameter is an unknown like the others.
-
-Close to $\omega_b = 1$ the positions are proportional to $\epsilon = (2\tau_0(\omega_b-1))^2$ and all but
-constant in these units. We therefore follow $\xi$ and $\ell$ in
-$$y = (\omega_b-1)^2\,\xi,\qquad \omega_b = 1 + e^{\ell},$$
-in which the branch of the DpS equation is a straight line, and scale $\xi$ to a maximum
-of one at the first point. Along $s$ both are what they are. */
+parameter, the frequency or the anharmonicity or any other number on which the problem depends.
+We follow the curve by its arclength: a step along the tangent, then Newton on the equations
+together with the condition that the correction be perpendicular to the tangent. Where the curve
+turns back in its parameter nothing special happens, because the parameter is an unknown like the
+others. */
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -25,38 +21,55 @@ of one at the first point. Along $s$ both are what they are. */
 
 namespace lattice {
 
-enum class Along { omega, s };
-
 /**
-A chart translates between the coordinates of the curve and the problem. Its derivative with
-respect to $\ell$ is exact for the frequency; for the anharmonicity it is a central
-difference, which decides only how fast the corrector converges. */
-template <class T>
-struct Chart {
-  Along along = Along::omega;
-  T unit = T(1);
+Close to $\omega_b = 1$ the positions are proportional to $\epsilon = (2\tau_0(\omega_b-1))^2$ and all
+but constant in these units. With the frequency we therefore follow $\xi$ and $\ell$ in
+$$y = (\omega_b-1)^2\,\xi,\qquad \omega_b = 1 + e^{\ell},$$
+in which the branch of the DpS equation is a straight line. Any other parameter is what it is. The
+derivative with respect to the frequency is exact; for another parameter it is a central
+difference, which decides only how fast the corrector converges and how long the steps are. */
+template <class Problem>
+struct Along {
+  using T = typename Problem::Scalar;
+  std::string name;
+  std::function<T(const Problem&)> get;
+  std::function<void(Problem&, const T&)> set;
+  double change = 0;  ///< of the central difference; 0 for the frequency
 
+  bool is_frequency() const { return change == 0; }
   T scale(T ell) const {
     using std::exp;
-    return along == Along::omega ? unit * exp(T(2) * ell) : unit;
+    return is_frequency() ? exp(T(2) * ell) : T(1);
   }
   T parameter(T ell) const {
     using std::exp;
-    return along == Along::omega ? T(1) + exp(ell) : ell;
+    return is_frequency() ? T(1) + exp(ell) : ell;
   }
   T coordinate(T parameter) const {
     using std::log;
-    return along == Along::omega ? log(parameter - T(1)) : parameter;
+    return is_frequency() ? log(parameter - T(1)) : parameter;
   }
-  template <class Problem>
-  Problem at(Problem problem, T value) const {
-    if (along == Along::omega)
-      problem.omega = value;
-    else
-      problem.chain.onsite.s = double(value);
+  Problem at(Problem problem, const T& value) const {
+    set(problem, value);
     return problem;
   }
 };
+
+/// Along the frequency omega_b.
+template <class Problem>
+Along<Problem> along_omega() {
+  using T = typename Problem::Scalar;
+  return {"omega_b", [](const Problem& p) { return p.omega; },
+          [](Problem& p, const T& omega) { p.omega = omega; }, 0};
+}
+
+/// Along the anharmonicity s of a quartic well.
+template <class Problem>
+Along<Problem> along_s() {
+  using T = typename Problem::Scalar;
+  return {"s", [](const Problem& p) { return T(p.chain.onsite.s); },
+          [](Problem& p, const T& s) { p.chain.onsite.s = double(s); }, 1.0 / 1024};
+}
 
 /// How long the steps are, in the length of (xi, ell), and how accurate the curve.
 struct Stride {
@@ -73,14 +86,16 @@ struct NoBranch : std::runtime_error {
 /**
 A branch stands at a point of the curve and can take a step. The vector `z` holds $\xi$ and, as
 its last entry, $\ell$. */
-template <class T, class Problem>
+template <class Problem>
 class Branch {
+  using T = typename Problem::Scalar;
+
  public:
   /// Begins at a converged orbit and moves towards larger parameters if `direction` > 0.
-  Branch(Problem problem, Along along, const Orbit<T>& start, int direction,
+  Branch(Problem problem, Along<Problem> which, const Orbit<T>& start, int direction,
          NewtonRule<T> rule = {}, Stride stride = {});
 
-  T parameter() const { return chart_.parameter(ell(z_)); }
+  T parameter() const { return along_.parameter(ell(z_)); }
   /// How the parameter changes along the curve; its sign changes at a fold.
   T slope() const { return tangent_[tangent_.size() - 1]; }
   /// Moves one step on; throws NoConvergence where even the shortest one fails.
@@ -89,11 +104,24 @@ class Branch {
   T fold(int most_steps = 400);
   /// Follows the branch up to `target` and converges there to the accuracy of `rule`.
   Orbit<T> reach(T target, int most_steps = 400);
+  /// The problem and the unknowns at the point where the branch stands.
+  Problem problem() const { return along_.at(problem_, parameter()); }
+  Vector<T> unknowns() const { return unknowns(z_); }
 
  private:
   static T ell(const Vector<T>& z) { return z[z.size() - 1]; }
   Vector<T> unknowns(const Vector<T>& z) const {
-    return chart_.scale(ell(z)) * z.head(z.size() - 1);
+    return along_.scale(ell(z)) * unit_.cwiseProduct(z.head(z.size() - 1));
+  }
+  /// The size of each equation at a point of the curve.
+  Vector<T> amplitude(const Vector<T>& z) const {
+    return problem_.sizes(unknowns(z), false).equation;
+  }
+  /// The direction in which the equations stay true, by the last row of a bordered matrix.
+  Vector<T> along(const Matrix<T>& all) const {
+    Vector<T> right = Vector<T>::Zero(all.rows());
+    right[all.rows() - 1] = T(1);
+    return solve_system<T>(all, right, rule_.rank);
   }
   Shot<T> shot_at(const Vector<T>& z) const;
   Matrix<T> bordered(const Vector<T>& z, const Shot<T>& shot, const Vector<T>& border) const;
@@ -101,86 +129,93 @@ class Branch {
   bool correct(Vector<T>& z, const Vector<T>& tangent, Vector<T>& next_tangent);
 
   Problem problem_;
-  Chart<T> chart_;
+  Along<Problem> along_;
   NewtonRule<T> rule_;
   Stride stride_;
   double length_;
-  Vector<T> z_, tangent_, before_;
+  Vector<T> unit_, z_, tangent_, before_;
   History history_;
   int used_ = 0;
 };
 
-template <class T, class Problem>
-Branch<T, Problem>::Branch(Problem problem, Along along, const Orbit<T>& start, int direction,
-                           NewtonRule<T> rule, Stride stride)
-    : problem_(std::move(problem)), rule_(rule), stride_(stride), length_(stride.first) {
-  chart_.along = along;
-  const T parameter = along == Along::omega ? start.omega : T(problem_.chain.onsite.s);
-  const T l = chart_.coordinate(parameter);
-  chart_.unit = sup(start.x) / chart_.scale(l);
+template <class Problem>
+Branch<Problem>::Branch(Problem problem, Along<Problem> which, const Orbit<T>& start, int direction,
+                        NewtonRule<T> rule, Stride stride)
+    : problem_(std::move(problem)),
+      along_(std::move(which)),
+      rule_(rule),
+      stride_(stride),
+      length_(stride.first) {
+  const T l = along_.coordinate(along_.get(problem_));
+  unit_ = problem_.sizes(start.x, false).unknown / along_.scale(l);
   z_.resize(start.x.size() + 1);
-  z_ << start.x / chart_.scale(l), l;
-  Vector<T> border = Vector<T>::Zero(z_.size()), right = border;
-  border[z_.size() - 1] = right[z_.size() - 1] = T(1);
-  tangent_ = bordered(z_, shot_at(z_), border).partialPivLu().solve(right);
+  z_ << start.x.cwiseQuotient(unit_) / along_.scale(l), l;
+  Vector<T> border = Vector<T>::Zero(z_.size());
+  border[z_.size() - 1] = T(1);
+  tangent_ = along(bordered(z_, shot_at(z_), border));
   tangent_ *= T(direction) / tangent_.norm();
   before_ = z_;
 }
 
-template <class T, class Problem>
-Shot<T> Branch<T, Problem>::shot_at(const Vector<T>& z) const {
-  return shoot(chart_.at(problem_, chart_.parameter(ell(z))), unknowns(z), rule_.landing);
+/**
+The equations are measured in units of the orbit's amplitude, as the unknowns are. */
+template <class Problem>
+Shot<typename Problem::Scalar> Branch<Problem>::shot_at(const Vector<T>& z) const {
+  return along_.at(problem_, along_.parameter(ell(z))).shoot(unknowns(z), rule_.landing);
 }
 
 /// Derivative of the equations with respect to the last coordinate.
-template <class T, class Problem>
-Vector<T> Branch<T, Problem>::parameter_derivative(const Vector<T>& z, const Shot<T>& shot) const {
-  const T value = chart_.parameter(ell(z));
-  if (chart_.along == Along::omega)
-    return (value - T(1)) * shot.miss_omega + shot.jacobian * (T(2) * unknowns(z));
-  const T change(1.0 / 1024);
-  const auto at = [&](T s) {
-    return shoot(chart_.at(problem_, s), unknowns(z), rule_.landing, false).miss;
+template <class Problem>
+Vector<typename Problem::Scalar> Branch<Problem>::parameter_derivative(const Vector<T>& z,
+                                                                       const Shot<T>& shot) const {
+  const T value = along_.parameter(ell(z));
+  if (along_.is_frequency()) {
+    const T longer = -along_.at(problem_, value).period() / value;
+    return (value - T(1)) * longer * shot.miss_period + shot.jacobian * (T(2) * unknowns(z));
+  }
+  const T change(along_.change);
+  const auto at = [&](const T& s) {
+    return along_.at(problem_, s).shoot(unknowns(z), rule_.landing, false).miss;
   };
   return (at(value + change) - at(value - change)) / (T(2) * change);
 }
 
 /// The equations' derivatives with respect to all coordinates, and below them the border.
-template <class T, class Problem>
-Matrix<T> Branch<T, Problem>::bordered(const Vector<T>& z, const Shot<T>& shot,
-                                       const Vector<T>& border) const {
-  const Eigen::Index m = z.size() - 1;
-  const T scale = chart_.scale(ell(z));
-  Matrix<T> all(m + 1, m + 1);
-  all.topLeftCorner(m, m) = shot.jacobian;
-  all.topRightCorner(m, 1) = parameter_derivative(z, shot) / scale;
-  all.row(m) = border.transpose();
+template <class Problem>
+Matrix<typename Problem::Scalar> Branch<Problem>::bordered(const Vector<T>& z, const Shot<T>& shot,
+                                                           const Vector<T>& border) const {
+  const Eigen::Index m = z.size() - 1, rows = shot.miss.size();
+  const T scale = along_.scale(ell(z));
+  const Vector<T> size = amplitude(z);
+  Matrix<T> all(rows + 1, m + 1);
+  all.topLeftCorner(rows, m) = shot.jacobian;
+  for (Eigen::Index k = 0; k < m; ++k) all.col(k).head(rows) *= scale * unit_[k];
+  all.topRightCorner(rows, 1) = parameter_derivative(z, shot);
+  for (Eigen::Index i = 0; i < rows; ++i) all.row(i) /= size[i];
+  all.row(rows) = border.transpose();
   return all;
 }
 
 /**
 The corrector is Newton's method on $m$ equations and the condition that the correction is
 perpendicular to the tangent. The tangent at the new point comes from the last matrix. */
-template <class T, class Problem>
-bool Branch<T, Problem>::correct(Vector<T>& z, const Vector<T>& tangent, Vector<T>& next_tangent) {
-  const Eigen::Index m = z.size() - 1;
+template <class Problem>
+bool Branch<Problem>::correct(Vector<T>& z, const Vector<T>& tangent, Vector<T>& next_tangent) {
   history_.clear();
   for (used_ = 0; used_ <= stride_.corrections; ++used_) {
     const Shot<T> shot = shot_at(z);
-    Vector<T> right = Vector<T>::Zero(m + 1);
-    right.head(m) = shot.miss / chart_.scale(ell(z));
+    Vector<T> right = Vector<T>::Zero(shot.miss.size() + 1);
+    right.head(shot.miss.size()) = shot.miss.cwiseQuotient(amplitude(z));
     const T residual = sup(right);
     history_.push_back({double(residual), 0});
     if (!(residual < T(1))) return false;
-    const auto lu = bordered(z, shot, tangent).partialPivLu();
+    const Matrix<T> all = bordered(z, shot, tangent);
     if (residual <= T(stride_.tolerance)) {
-      right.setZero();
-      right[m] = T(1);
-      next_tangent = lu.solve(right);
+      next_tangent = along(all);
       next_tangent /= next_tangent.norm();
       return sup(next_tangent) <= T(2);
     }
-    z -= lu.solve(right);
+    z -= solve_system<T>(all, right, rule_.rank);
   }
   return false;
 }
@@ -188,8 +223,8 @@ bool Branch<T, Problem>::correct(Vector<T>& z, const Vector<T>& tangent, Vector<
 /**
 A step that converges quickly makes the next one longer, one that fails or turns too
 sharply is repeated with half the length. */
-template <class T, class Problem>
-void Branch<T, Problem>::advance() {
+template <class Problem>
+void Branch<Problem>::advance() {
   for (;; length_ /= 2) {
     if (length_ < stride_.least)
       throw NoConvergence(
@@ -208,8 +243,8 @@ void Branch<T, Problem>::advance() {
 /**
 Across a fold $\ell$ has an extremum as a function of the arclength. The cubic with the values and
 slopes at both ends of the step that crossed it has it too. */
-template <class T, class Problem>
-T Branch<T, Problem>::fold(int most_steps) {
+template <class Problem>
+typename Problem::Scalar Branch<Problem>::fold(int most_steps) {
   T slope_before = slope();
   for (int k = 0; slope() * slope_before > T(0); ++k) {
     if (k == most_steps) throw NoBranch("no fold within the steps allowed");
@@ -218,15 +253,15 @@ T Branch<T, Problem>::fold(int most_steps) {
   }
   const Arc<T> arc{ell(before_), slope_before, ell(z_), slope(), (z_ - before_).norm()};
   const T place = Arc<T>::last(T(1), [&](T s) { return arc.slope(s) * slope_before > T(0); });
-  return chart_.parameter(arc.value(place));
+  return along_.parameter(arc.value(place));
 }
 
 /**
 Between the last two points the target's unknowns are interpolated, and Newton's method
 finishes at the target itself. */
-template <class T, class Problem>
-Orbit<T> Branch<T, Problem>::reach(T target, int most_steps) {
-  const T goal = chart_.coordinate(target);
+template <class Problem>
+Orbit<typename Problem::Scalar> Branch<Problem>::reach(T target, int most_steps) {
+  const T goal = along_.coordinate(target);
   const T side = slope() > T(0) ? T(1) : T(-1);
   for (int k = 0; side * ell(z_) < side * goal; ++k) {
     advance();
@@ -239,7 +274,7 @@ Orbit<T> Branch<T, Problem>::reach(T target, int most_steps) {
   const T part = width != T(0) ? (goal - ell(before_)) / width : T(0);
   Vector<T> z = before_ + part * (z_ - before_);
   z[z.size() - 1] = goal;
-  return newton(chart_.at(problem_, target), unknowns(z), rule_);
+  return newton(along_.at(problem_, target), unknowns(z), rule_);
 }
 
 }  // namespace lattice

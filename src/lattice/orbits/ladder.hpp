@@ -16,6 +16,7 @@ what their comparison gives at two resolutions. */
 #include <vector>
 
 #include "lattice/numbers/estimate.hpp"
+#include "lattice/numbers/parallel.hpp"
 #include "lattice/orbits/breather.hpp"
 
 namespace lattice {
@@ -63,8 +64,8 @@ struct Measured {
     };
     for (int k : {0, 1}) {
       Orbit<double> guess = rung.orbit[k];
-      if (coarser) guess.x *= 1.0001;
-      orbit[k] = refine(problem(both_centres[k]), guess, how);
+      if (coarser) guess.x *= 1.000001;
+      orbit[k] = polish(problem(both_centres[k]), guess, how);
     }
     gap = barrier(problem(Centre::site), orbit[0], orbit[1], how);
   }
@@ -112,7 +113,7 @@ inline std::vector<Orbit<double>> climb(Centre centre, double s,
                                         const std::vector<double>& omegas) {
   const auto problem = problem_of(centre, omegas.front(), s);
   std::vector<Orbit<double>> orbits{find_breather(problem)};
-  Branch<double, BreatherProblem<double>> branch(problem, Along::omega, orbits.front(), 1);
+  Branch branch(problem, along_omega<BreatherProblem<double>>(), orbits.front(), 1);
   try {
     for (std::size_t k = 1; k < omegas.size(); ++k) orbits.push_back(branch.reach(omegas[k]));
   } catch (const NoBranch&) {
@@ -121,6 +122,34 @@ inline std::vector<Orbit<double>> climb(Centre centre, double s,
 }
 
 using Ladder = std::vector<Rung>;
+
+/// Frequencies from 1.005 to 2 in `count` equal steps; for a soft well, whose branches fold, only up to
+/// 1.9 and in half the steps from 1.8 on.
+inline std::vector<double> ladder_frequencies(double s, int count) {
+  std::vector<double> out{1.005};
+  for (int k = 1; k <= count; ++k) out.push_back(1 + double(k) / count);
+  if (s >= 0) return out;
+  std::erase_if(out, [](double omega) { return omega > 1.8; });
+  for (int k = 1; k <= count / 2; ++k) out.push_back(1.8 + 0.2 * double(k) / count);
+  return out;
+}
+
+/// Both families at these frequencies, as far as they reach, each rung measured by `measure_rung`.
+template <class Measure>
+Ladder climb_pairs(double s, const std::vector<double>& omegas, Measure measure_rung) {
+  std::array<std::vector<Orbit<double>>, 2> families;
+  parallel_for(2, [&](std::size_t k) { families[k] = climb(both_centres[k], s, omegas); });
+  Ladder ladder;
+  const auto& [site, bond] = families;
+  for (std::size_t k = 0; k < std::min(site.size(), bond.size()); ++k)
+    ladder.push_back({s, site[k].omega, {site[k], bond[k]}});
+  Progress progress("branches", ladder.size());
+  parallel_for(ladder.size(), [&](std::size_t i) {
+    measure_rung(ladder[i]);
+    progress.tick();
+  });
+  return ladder;
+}
 
 /// The rung at a frequency between those of two others: in the coordinates of continuation.hpp the
 /// branches are almost straight, and Newton's method starts from the point in between.
@@ -137,28 +166,37 @@ inline Rung rung_between(const Rung& left, const Rung& right, double omega) {
 }
 
 /**
-Between two rungs of opposite sign the barrier at equal frequency vanishes. Newton's method, with the
-exact slope and kept between the rungs, finds the frequency; the last step is made with the
-wider type. */
-inline Estimate zero_between(const Rung& left, const Rung& right) {
-  double low = left.omega, high = right.omega, omega = (low + high) / 2;
-  const bool rises = right.equal_frequency.value > 0;
-  Rung rung;
-  for (int k = 0; k < 12; ++k) {
-    rung = rung_between(left, right, omega);
-    const auto& [site, bond] = rung.orbit;
-    const double gap = site.energy - bond.energy;
-    ((gap > 0) == rises ? high : low) = omega;
-    const double next = omega - gap / (site.energy_omega - bond.energy_omega);
-    if (std::abs(next - omega) < 1e-9) break;
-    omega = next > low && next < high ? next : (low + high) / 2;
+Between two rungs of opposite sign a barrier vanishes. The regula falsi, with the value of a point
+that stays halved so that it cannot stay for ever, closes in on the frequency in double precision.
+The last step is made with the wider type, and the error of the barrier there, over its slope, is
+the error of the zero. */
+inline Estimate zero_between(const Rung& left, const Rung& right, Estimate Rung::*gap) {
+  Rung at;
+  double low = left.omega, high = right.omega;
+  double below = (left.*gap).value, above = (right.*gap).value, slope = 0;
+  int stays = 0;
+  for (int k = 0; k < 60; ++k) {
+    slope = (above - below) / (high - low);
+    const double omega = std::clamp(low - below / slope, low, high);
+    at = rung_between(left, right, omega);
+    measure_in<double>(at);
+    const double value = (at.*gap).value;
+    const bool beyond = (value > 0) == (above > 0);
+    if (beyond)
+      high = omega, above = value;
+    else
+      low = omega, below = value;
+    const int side = beyond ? 1 : -1;
+    if (stays == side) (beyond ? below : above) /= 2;
+    stays = side;
+    if (std::abs(value) <= 4 * (at.*gap).error || high - low < 1e-9) break;
   }
-  measure_in<Wide>(rung);
-  const double step = rung.equal_frequency.value / rung.slope.value;
-  if (!(std::abs(step) < 1e-6))
-    throw std::runtime_error("the zero of the barrier near omega_b = " + std::to_string(omega) +
+  measure_in<Wide>(at);
+  const double step = (at.*gap).value / slope, width = right.omega - left.omega;
+  if (!(std::abs(step) < 0.01 * width))
+    throw std::runtime_error("the zero of the barrier near omega_b = " + std::to_string(at.omega) +
                              " was not found");
-  return {rung.omega - step, std::abs(rung.equal_frequency.error / rung.slope.value) + 1e-15};
+  return {at.omega - step, std::abs((at.*gap).error / slope) + std::abs(step) * 1e-3 + 1e-15};
 }
 
 }  // namespace lattice

@@ -1,0 +1,39 @@
+#pragma once
+/**
+# Random numbers
+
+Random starts are drawn from GSL's Mersenne twister. Its seed stands beside every result, and the
+same seed gives the same numbers on every machine, which the distributions of the C++ library do
+not promise. */
+
+#include <gsl/gsl_rng.h>
+
+#include <memory>
+#include <vector>
+
+namespace lattice {
+
+/// A source of random numbers with a recorded seed.
+class Random {
+ public:
+  explicit Random(unsigned long seed) : source_(gsl_rng_alloc(gsl_rng_mt19937)) {
+    gsl_rng_set(source_.get(), seed);
+  }
+  /// Uniformly distributed in [lo, hi).
+  double uniform(double lo, double hi) { return lo + (hi - lo) * gsl_rng_uniform(source_.get()); }
+
+ private:
+  struct Free {
+    void operator()(gsl_rng* source) const { gsl_rng_free(source); }
+  };
+  std::unique_ptr<gsl_rng, Free> source_;
+};
+
+/// Each entry changed by at most the share `relative` of itself.
+inline std::vector<double> shaken(std::vector<double> x, double relative, unsigned long seed) {
+  Random random(seed);
+  for (double& value : x) value *= 1 + random.uniform(-relative, relative);
+  return x;
+}
+
+}  // namespace lattice
