@@ -1,0 +1,193 @@
+// Periodic orbits beyond the static breathers of a uniform chain: defects, rings, travelling orbits, and
+// what Newton's method refuses.
+
+#include "check.hpp"
+#include "lattice/numbers/random.hpp"
+#include "lattice/orbits/breather.hpp"
+
+using namespace lattice;
+
+namespace {
+
+using Problem = BreatherProblem<double>;
+
+/// Largest difference of the state after one period, shifted back by `shift` sites on a ring, from
+/// the start.
+double return_error(const Problem& problem, const Orbit<double>& orbit, std::size_t shift) {
+  State<double> end = orbit.start;
+  flow(problem.chain, end, orbit.period());
+  State<double> back = end;
+  const std::size_t n = end.y.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    back.y[i] = end.y[(i + shift) % n];
+    back.v[i] = end.v[(i + shift) % n];
+  }
+  return largest_difference(back, orbit.start) / orbit.amplitude;
+}
+
+}  // namespace
+
+TEST_CASE("a chain with a heavy bead has a breather without mirror symmetry",
+          "[property][orbits]") {
+  Problem problem = breather_problem(Centre::site, 1.1, 0, 21);
+  const Orbit<double> plain = find_breather(problem);
+  std::vector<double> mass(21, 1);
+  mass[12] = 1.005;
+  vary(problem.chain, mass, std::vector<double>(22, 1));
+  problem.symmetry = even_in_time(21);
+  const Orbit<double> orbit = newton(problem, problem.fold(plain.start));
+  CHECK(return_error(problem, orbit, 0) < 1e-12);
+  CHECK(std::abs(orbit.start.y[12] - orbit.start.y[8]) > 1e-3 * orbit.amplitude);
+}
+
+TEST_CASE("a wave on a ring travels one site in the time it is asked to", "[property][orbits]") {
+  // A wave of wave number 2 pi / 8 and amplitude 0.01; the linear frequency is one.
+  const std::size_t sites = 8;
+  const double q = 2 * circle_ratio<double>() / double(sites);
+  Problem problem;
+  problem.chain.sites = sites;
+  problem.chain.ends = Ends::periodic;
+  problem.chain.contact.floor = 0;
+  problem.symmetry = travelling(sites, 1, true);
+  State<double> guess(sites);
+  for (std::size_t n = 0; n < sites; ++n) {
+    guess.y[n] = 0.02 * std::cos(q * double(n));
+    guess.v[n] = 0.02 * std::sin(q * double(n));
+  }
+  problem.omega = 2 * circle_ratio<double>() / (q / 1.03);  // a period is the time of one shift
+  NewtonRule<double> rule;
+  rule.rank = 1e-9;
+  const Orbit<double> orbit = newton(problem, problem.fold(guess), rule);
+  CHECK(return_error(problem, orbit, 1) < 1e-12);
+  CHECK(orbit.amplitude > 1e-3);
+  // After eight shifts everything is where it was.
+  State<double> end = orbit.start;
+  flow(problem.chain, end, 8 * orbit.period());
+  CHECK(largest_difference(end, orbit.start) < 1e-11 * orbit.amplitude);
+}
+
+TEST_CASE("equations and unknowns of every symmetry fit the chain", "[unit][orbits]") {
+  for (const Symmetry& s : {even_in_time(7), bond_centred(8), site_centred(7), returning(5),
+                            travelling(6, 1, true), travelling_reversible(4, true)}) {
+    CAPTURE(s.name);
+    for (const Combination& unknown : s.unknowns)
+      for (const Term& term : unknown) CHECK(term.index < 2 * s.sites);
+    for (const Equation& equation : s.equations) REQUIRE_FALSE(equation.end.empty());
+    const std::size_t unknowns = s.unknowns.size() + (s.free_period ? 1 : 0);
+    CHECK(s.equations.size() >= unknowns);
+  }
+  CHECK(travelling_reversible(4, true).equations.size() == 10);
+  CHECK(travelling_reversible(4, true).unknowns.size() == 9);
+  CHECK(mirror_block(7, 1).size() + mirror_block(7, -1).size() == 14);
+  CHECK(mirror_block(8, 1).size() == 8);
+}
+
+TEST_CASE("unfolding undoes folding", "[unit][orbits]") {
+  Problem problem = breather_problem(Centre::site, 1.1, 0, 10 + 1);
+  problem.chain.sites = 10;
+  problem.symmetry = travelling_reversible(4, true);
+  Vector<double> x(10);
+  x << 1, 2, 3, 4, 5, 6, 7, 8, 9, 10;
+  State<double> state = problem.unfold(x);
+  CHECK(state.y[4] == 0);
+  CHECK(state.y[3] == -state.y[5]);
+  CHECK(state.v[3] == state.v[5]);
+  CHECK(state.y[9] == 0);
+  state.t = 10;
+  CHECK(problem.fold(state) == x);
+}
+
+TEST_CASE("the derivative with respect to a free period is exact", "[unit][orbits]") {
+  Problem problem = breather_problem(Centre::site, 1.1, 0.3, 11);
+  problem.chain.sites = 10;
+  problem.symmetry = travelling_reversible(4, true);
+  Vector<double> x(10);
+  x << 0.02, -0.01, 0.001, 0, 0.03, -0.02, 0.004, 0.001, 0, 6;
+  const Shot<double> shot = problem.shoot(x, {});
+  for (Eigen::Index k : {0, 4, 5, 9}) {
+    const double h = k == 9 ? 1e-6 : 1e-8;
+    Vector<double> up = x, down = x;
+    up[k] += h;
+    down[k] -= h;
+    const Vector<double> slope =
+        (problem.shoot(up, {}, false).miss - problem.shoot(down, {}, false).miss) / (2 * h);
+    CAPTURE(k);
+    CHECK(sup<double>(slope - shot.jacobian.col(k)) < 1e-5);
+  }
+}
+
+TEST_CASE("an orbit is refused where its flow is not accurate", "[unit][orbits]") {
+  const Problem good = breather_problem(Centre::site, 1.1, 0, 31);
+  const Orbit<double> orbit = find_breather(good);
+  struct Careless : Problem {
+    std::size_t unlanded = 0;
+    double error = 0;
+    Shot<double> shoot(const Vector<double>& x, const Landing<double>& rule,
+                       bool jacobian = true) const {
+      Shot<double> shot = Problem::shoot(x, rule, jacobian);
+      shot.flow.unlanded += unlanded;
+      shot.flow.error += error;
+      return shot;
+    }
+  };
+  CHECK_NOTHROW(solve(Careless{good}, orbit.x));
+  CHECK_THROWS_AS(solve(Careless{good, 1}, orbit.x), NoConvergence);
+  CHECK_THROWS_AS(solve(Careless{good, 0, 1e-9}, orbit.x), NoConvergence);
+  // The same by an integrator that is given too few levels and too large a tolerance to hide it.
+  NewtonRule<double> coarse;
+  coarse.landing.levels = 1;
+  CHECK_THROWS_AS(newton(good, orbit.x, coarse), NoConvergence);
+}
+
+TEST_CASE("damped Newton converges from where the plain one runs away", "[property][orbits]") {
+  const Problem problem = breather_problem(Centre::site, 1.1, 0, 21);
+  const Orbit<double> orbit = find_breather(problem);
+  NewtonRule<double> damped;
+  damped.damped = true;
+  damped.most = 60;
+  std::size_t found = 0;
+  for (unsigned long seed = 1; seed <= 4; ++seed) {
+    State<double> start = orbit.start;
+    start.y = shaken(start.y, 0.5, seed);
+    try {
+      const Orbit<double> other = newton(problem, problem.fold(start), damped);
+      CHECK(return_error(problem, other, 0) < 1e-11);
+      ++found;
+    } catch (const NoConvergence& error) {
+      CHECK(error.history.size() > 1);
+    }
+  }
+  CHECK(found >= 2);
+}
+
+TEST_CASE("a wider type polishes with the derivative of double precision",
+          "[convergence][orbits]") {
+  for (Centre centre : {Centre::site, Centre::bond}) {
+    const Problem problem = breather_problem(centre, 1.1, 0, centre == Centre::site ? 31 : 32);
+    const Orbit<double> orbit = find_breather(problem);
+    const auto wide = in_precision<long double>(problem);
+    const auto chord = polish(wide, orbit);
+    const auto full = newton(wide, orbit.x.cast<long double>().eval());
+    CHECK(sup<long double>(chord.x - full.x) < 1e-15L * full.amplitude);
+    CHECK(chord.residual() < 1e-15);
+    check_close(double(chord.energy_omega), double(full.energy_omega), 0, 1e-9);
+  }
+}
+
+TEST_CASE("a branch follows any parameter of its problem", "[property][orbits]") {
+  // Towards a heavier central bead, and back to the same breather by the frequency.
+  const Problem problem = breather_problem(Centre::site, 1.1, 0, 21);
+  Problem even = problem;
+  even.symmetry = even_in_time(21);
+  vary(even.chain, std::vector<double>(21, 1), std::vector<double>(22, 1));
+  const Along<Problem> mass{"mass", [](const Problem& p) { return 1 / p.chain.inverse_mass[10]; },
+                            [](Problem& p, const double& m) { p.chain.inverse_mass[10] = 1 / m; },
+                            1e-3};
+  const Orbit<double> start = newton(even, even.fold(find_breather(problem).start));
+  Branch branch(even, mass, start, 1);
+  const Orbit<double> heavy = branch.reach(1.02);
+  Problem there = even;
+  there.chain.inverse_mass[10] = 1 / 1.02;
+  CHECK(return_error(there, heavy, 0) < 1e-12);
+  CHECK(std::abs(heavy.energy - start.energy) > 1e-3 * start.energy);
+}
