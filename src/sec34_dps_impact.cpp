@@ -101,7 +101,7 @@ DpsOutcome report_dps(Report& report) {
                      compare(amplitude_of(coarse.track), amplitude_of(fine.track)));
   report.results.claim("impact.dps_breather",
                        packet > 0.3 && left < packet && line.slope_error < 0.01 * line.slope);
-  report.facts.add("dps_speed", compare(packet_speed(coarse.track), line.slope), "site per tau");
+  report.facts.add("dps_speed", compare(packet_speed(coarse.track), packet_speed(fine.track)), "site per tau");
   report.facts.add("dps_packet_norm", compare(coarse.track.energy.back(), packet));
   report.facts.add("dps_boundary_norm", compare(boundary_share(density(coarse.end), 10), left));
   report.facts.add("dps_norm_drift", {fine.norm_drift, coarse.norm_drift});
@@ -194,7 +194,7 @@ void report_comparison(Report& report, const DpsOutcome& dps) {
   report.output.add("impact_density_maps", density_maps(fine));
 
   const Estimate speed = compare(packet_speed(coarse.track), packet_speed(fine.track));
-  const double excess = packet_speed(dps.track) * std::sqrt(eps) / speed.value - 1;
+  const double excess = packet_speed(dps.track).value * std::sqrt(eps) / speed.value - 1;
   Estimate amplitude = compare(coarse.amplitude, fine.amplitude);
   amplitude.error += fine.amplitude_error;
   report.results.add("impact.amp_full", amplitude);
@@ -248,7 +248,7 @@ void report_trials(Report& report) {
                              Trial{"larger_start", Ends::free, std::sqrt(2), tight, check}}) {
     const DpsOutcome fine = try_out(trial, trial.fine), coarse = try_out(trial, trial.coarse);
     table.add({trial.name, amplitude_of(fine.track), fine.track.centre.back(),
-               packet_speed(fine.track), fine.norm_drift});
+               packet_speed(fine.track).value, fine.norm_drift});
     report.facts.add("amplitude_" + trial.name,
                      compare(amplitude_of(coarse.track), amplitude_of(fine.track)));
     report.facts.add("speed_" + trial.name,

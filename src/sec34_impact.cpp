@@ -77,7 +77,6 @@ void measure(SweepPoint& point) {
   if ((point.blows_up = runs.fine.run.escaped())) return;
   const Track &coarse = runs.coarse.track, &fine = runs.fine.track;
   point.speed = compare(packet_speed(coarse, fit_to), packet_speed(fine, fit_to));
-  point.speed.error += fine.line(fit_from, fit_to)->slope_error;
   point.peak = compare(coarse.largest_peak(fit_from, fit_to), fine.largest_peak(fit_from, fit_to));
   point.energy = compare(coarse.energy.back(), fine.energy.back());
 }
@@ -243,7 +242,6 @@ Surface surface(double s, double velocity) {
     return out.track.energy.back() / total(out.density);
   };
   Estimate speed = compare(packet_speed(coarse.track, fit_to), packet_speed(fine.track, fit_to));
-  speed.error += fine.track.line(fit_from, fit_to)->slope_error;
   return {compare(boundary_share(coarse.density), boundary_share(fine.density)),
           compare(share(coarse), share(fine)), speed};
 }
