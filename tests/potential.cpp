@@ -1,10 +1,11 @@
 // Each potential: force and stiffness are the derivatives they claim to be, and known values.
 
-#include "lattice/model/potential.hpp"
+#include "lattice/model/contact.hpp"
 
 #include <string>
 
 #include "check.hpp"
+#include "lattice/model/well.hpp"
 
 using namespace lattice;
 
