@@ -33,11 +33,6 @@ What is claimed, with the identifiers under which the answers are recorded:
 
 using namespace lattice;
 
-/// The power 3/2, by a root that is rounded correctly everywhere.
-inline double three_halves(double x) {
-  return x * std::sqrt(x);
-}
-
 /**
 ## Model
 

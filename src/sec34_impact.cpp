@@ -17,13 +17,13 @@ What is claimed, with the identifiers under which the answers are recorded:
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "lattice/measure/impact.hpp"
 #include "lattice/numbers/parallel.hpp"
+#include "lattice/report/model_options.hpp"
 #include "lattice/report/program.hpp"
 #include "lattice/stepping/reference.hpp"
 
@@ -316,27 +316,17 @@ before the far end, on the way out; where the packet never gets there it is `nan
 stretch a packet slows down as it sheds energy, so the value depends on the window. A runaway is a failure,
 because nothing of what was asked for exists then. */
 struct RunOptions {
-  Impact impact{1.87, 0, 600, 0};
-  std::string onsite = "quartic";
+  Impact impact{1.87, {}, 600, 0};
   bool profile = false;
   double tolerance = ::tolerance;
 
   /// Completes what the reader left open: a chain that the motion does not reach the end of.
   Impact complete() const {
     Impact out = impact;
-    out.pendulum = onsite == "pendulum";
-    if (out.pendulum && out.s != 0)
-      throw UsageError("--s: only a quartic well has an anharmonicity (allowed with pendulum: 0)");
     if (out.sites == 0) out.sites = std::min<std::size_t>(100 + std::size_t(2 * out.time), 4000);
     return out;
   }
 };
-
-/// Displacement at which a bead leaves its well; infinite for a well without a rim.
-double rim(const Impact& impact) {
-  if (impact.pendulum) return std::numbers::pi;
-  return impact.s < 0 ? 1 / std::sqrt(-impact.s) : std::numeric_limits<double>::infinity();
-}
 
 Table run_quantities(const Impact& impact, const Outcome& coarse, const Outcome& fine) {
   const double to = double(impact.sites) - 20, undefined = std::nan("");
@@ -361,7 +351,9 @@ Table run_quantities(const Impact& impact, const Outcome& coarse, const Outcome&
   q.add("boundary_energy_fraction",
         both([](const Outcome& out) { return boundary_share(out.density); }));
   q.add("energy_drift", {fine.run.energy_drift, coarse.run.energy_drift});
-  q.add("escaped", both([&](const Outcome& out) { return out.reach > rim(impact) ? 1.0 : 0.0; }));
+  q.add("escaped", both([&](const Outcome& out) {
+          return out.reach > rim_of(impact.model.onsite) ? 1.0 : 0.0;
+        }));
   return q.table;
 }
 
@@ -407,14 +399,10 @@ int main(int argc, char** argv) {
                                   [&] { return run_command(options); });
   Impact& impact = options.impact;
   run->add_option("--velocity", impact.velocity, "impact velocity")->check(in_range(1e-6, 100));
-  run->add_option("--s", impact.s, "anharmonicity of the quartic well")->check(in_range(-10, 10));
   run->add_option("--time", impact.time, "length of the run")->check(in_range(1, 1e5));
-  run->add_option("--onsite", options.onsite, "well: quartic or pendulum")
-      ->check(CLI::IsMember({"quartic", "pendulum"}));
   run->add_option("--sites", impact.sites, "chain length (default: as long as needed)")
       ->check(in_range(2, 1e6));
-  run->add_option("--precompression", impact.precompression, "compression d of the contacts")
-      ->check(in_range(0, 10));
+  add_model_options(*run, impact.model);
   run->add_option("--tolerance", options.tolerance, "relative error allowed in the end state")
       ->check(in_range(1e-11, 0.1));
   run->add_flag("--profile", options.profile, "print the final profile n,y,v,e instead");

@@ -6,6 +6,8 @@
 #include <random>
 
 #include "check.hpp"
+#include "lattice/numbers/extended.hpp"
+#include "lattice/stepping/integrate.hpp"
 
 using namespace lattice;
 
@@ -47,11 +49,18 @@ void for_all_ends(Check check) {
     check(plain);
     Chain<Quartic, Hertz> varied = plain;
     std::vector<double> mass(12, 1), eta(13, 1);
-    mass[5] = 2.5;
-    eta[5] = 1.3;
-    eta[6] = 0.7;
+    mass[5] = 2.5, mass[11] = 0.3;
+    eta[5] = 1.3, eta[6] = 0.7;
+    eta[0] = eta[12] = 1.6;
     vary(varied, mass, eta);
     check(varied);
+    vary(varied, mass, {});
+    check(varied);
+    vary(varied, {}, eta);
+    check(varied);
+    Chain<None, PowerContact> bare{12, {}, {2, 0.2}, ends};
+    vary(bare, mass, eta);
+    check(bare);
   }
 }
 
@@ -64,6 +73,77 @@ TEST_CASE("accelerations are minus the gradient of the energy over the mass", "[
     for (std::size_t n = 0; n < 12; ++n)
       check_close(a[n] * chain.mass_of(n), -slope(chain, y, n), 1e-7, 1e-7);
   });
+}
+
+TEST_CASE("so they are in extended precision, for the same chain", "[unit][chain]") {
+  for_all_ends([](const auto& chain) {
+    const auto s = shaken(12);
+    State<long double> wide(12);
+    std::copy(s.y.begin(), s.y.end(), wide.y.begin());
+    std::copy(s.v.begin(), s.v.end(), wide.v.begin());
+    const auto a = accelerations(chain, s.y);
+    const auto b = accelerations(chain, wide.y);
+    for (std::size_t n = 0; n < 12; ++n) {
+      check_close(double(b[n]), a[n], 1e-14, 1e-14);
+      // Difference quotients of the wide energy, to more digits than double has.
+      const auto slope = [&](long double h) {
+        State<long double> p = wide, q = wide;
+        p.y[n] += h, q.y[n] -= h;
+        return (energy(chain, p) - energy(chain, q)) / (2 * h);
+      };
+      const long double h = 1e-4L;
+      const long double fine =
+          (64 * slope(h / 4) - 20 * slope(h / 2) + slope(h)) / 45;  // error of order h^6
+      check_close(double(b[n] * (long double)chain.mass_of(n) + fine), 0, 1e-13);
+    }
+    check_close(double(energy(chain, wide)), energy(chain, s), 0, 1e-14);
+  });
+}
+
+TEST_CASE("runs of a varied chain agree in every scalar", "[property][chain]") {
+  for_all_ends([](const auto& chain) {
+    const auto run = [&]<class T>(T) {
+      const auto s = shaken(12);
+      State<T> x(12);
+      std::copy(s.y.begin(), s.y.end(), x.y.begin());
+      std::copy(s.v.begin(), s.v.end(), x.v.begin());
+      const T before = energy(chain, x);
+      Window all{0, 12};
+      Splitting{blanes_moan_6(), 0.01}.advance(chain, x, all, 0.01, 100);
+      check_close(double(energy(chain, x) - before), 0, 1e-4 * double(before));
+      std::vector<double> end;
+      for (const T& y : x.y) end.push_back(double(y));
+      return end;
+    };
+    const auto narrow = run(double{}), wide = run(0.0L), widest = run(Quadruple{});
+    for (std::size_t n = 0; n < 12; ++n) {
+      check_close(narrow[n], wide[n], 1e-12);
+      check_close(widest[n], wide[n], 1e-15);
+      CHECK(narrow[n] != shaken(12).y[n]);
+    }
+  });
+}
+
+TEST_CASE("every contact exists where its end says so", "[unit][chain]") {
+  const double q[] = {1, 3, 7};
+  const Boundary open{3, Ends::free, Ends::free}, wall{3, Ends::fixed, Ends::fixed},
+      ring{3, Ends::periodic, Ends::periodic};
+  for (std::size_t i : {1, 2})
+    for (const Boundary& b : {open, wall, ring}) {
+      CHECK((b.pushes(i) && b.counts(i)));
+      CHECK(b.stretch(q, i) == q[i] - q[i - 1]);
+    }
+  for (std::size_t i : {0, 3}) {
+    CHECK_FALSE(open.pushes(i));
+    CHECK((wall.pushes(i) && wall.counts(i)));
+    CHECK(ring.pushes(i));
+    CHECK(ring.counts(i) == (i == 3));
+    CHECK(ring.own(i) == 3);
+    CHECK(wall.own(i) == i);
+    CHECK(ring.stretch(q, i) == 1 - 7);
+  }
+  CHECK(wall.stretch(q, 0) == 1);   // the first bead moves away from the left wall
+  CHECK(wall.stretch(q, 3) == -7);  // the last one into the right wall
 }
 
 TEST_CASE("contact forces sum to zero", "[property][chain]") {
@@ -140,4 +220,8 @@ TEST_CASE("impossible masses are refused", "[unit][chain]") {
   Chain<Harmonic, Hertz> chain{3};
   CHECK_THROWS_AS(vary(chain, {1, 1}, {1, 1, 1, 1}), std::invalid_argument);
   CHECK_THROWS_AS(vary(chain, {1, 0, 1}, {1, 1, 1, 1}), std::invalid_argument);
+  CHECK_THROWS_AS(vary(chain, {1, std::nan(""), 1}, {}), std::invalid_argument);
+  CHECK_THROWS_AS(vary(chain, {}, {1, -1, 1, 1}), std::invalid_argument);
+  chain.ends = Ends::periodic;
+  CHECK_THROWS_AS(vary(chain, {}, {1, 1, 1, 2}), std::invalid_argument);
 }

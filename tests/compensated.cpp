@@ -79,3 +79,26 @@ TEST_CASE("a compensated run is that of the plain scheme but for rounding", "[pr
   CHECK(a.v == b.v);
   for (std::size_t n = 0; n < 60; ++n) check_close(a.y[n], c.y[n], 1e-11);
 }
+
+TEST_CASE("a varied chain is compensated, too", "[property]") {
+  Chain<Quartic, Hertz> chain{60, {1}};
+  std::vector<double> mass(60), eta(61);
+  for (std::size_t n = 0; n < 60; ++n) mass[n] = 1 + 0.1 * double(n % 7);
+  for (std::size_t n = 0; n < 61; ++n) eta[n] = 1 + 0.2 * double(n % 5);
+  const auto compare = [&] {
+    auto a = struck(60, 1.9), b = a;
+    Window some = waking(chain, a), other = some;
+    Compensated{blanes_moan_6(), 0.05}.advance(chain, a, some, 0.05, 200);
+    Splitting{blanes_moan_6(), 0.05}.advance(chain, b, other, 0.05, 200);
+    CHECK(a.y != b.y);
+    for (std::size_t n = 0; n < 60; ++n) check_close(a.y[n], b.y[n], 1e-11);
+    return a.y;
+  };
+  const auto plain = compare();
+  vary(chain, mass, {});
+  const auto heavy = compare();
+  vary(chain, {}, eta);
+  const auto stiff = compare();
+  CHECK(plain != heavy);
+  CHECK(plain != stiff);
+}

@@ -1,47 +1,43 @@
 // Each potential: force and stiffness are the derivatives they claim to be, and known values.
 
-#include "lattice/model/potential.hpp"
-
-#include <string>
-
-#include "check.hpp"
+#include "check_potential.hpp"
 
 using namespace lattice;
 
 namespace {
 
-/// Central difference with one Richardson step: error of order h^4.
-template <class F>
-double derivative(F f, double x) {
-  const double h = 1e-3;
-  const auto d = [&](double k) { return (f(x + k) - f(x - k)) / (2 * k); };
-  return (4 * d(h / 2) - d(h)) / 3;
-}
-
-template <class Potential>
-void check_derivatives(const std::string& name, const Potential& p) {
-  DYNAMIC_SECTION(name) {
-    for (double x : {-1.3, -0.4, -0.1, 0.2, 0.9, 1.7}) {
-      CAPTURE(x);
-      check_close(p.force(x), -derivative([&](double u) { return p.energy(u); }, x), 1e-9, 1e-9);
-      check_close(p.stiffness(x), -derivative([&](double u) { return p.force(u); }, x), 1e-8, 1e-8);
-    }
-    CHECK(p.energy(0.0) == 0);
-    CHECK(p.force(0.0) == 0);
+template <class Any>
+std::string refusal(const std::string& name, const Settings& given) {
+  try {
+    named<Any>(name, given);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
   }
+  return "";
 }
 
 }  // namespace
 
-TEST_CASE("force is minus the gradient, stiffness its slope", "[unit][potential]") {
-  check_derivatives("harmonic", Harmonic{});
-  check_derivatives("quartic, hard", Quartic{1});
-  check_derivatives("quartic, soft", Quartic{-1.0 / 6});
-  check_derivatives("pendulum", Pendulum{});
-  check_derivatives("Hertz", Hertz{});
-  check_derivatives("Hertz, precompressed", CompressedHertz{0.5});
-  check_derivatives("power, alpha = 2", PowerContact{2, 0});
-  check_derivatives("power, alpha = 3/2, precompressed", PowerContact{1.5, 0.5});
+TEST_CASE("wells: force is minus the gradient, stiffness its slope", "[unit][potential]") {
+  for (double s : {1.0, -1.0 / 6, -0.7}) {
+    CAPTURE(s);
+    check_well(Quartic{s});
+  }
+  for_each_potential<AnyOnsite>([](const auto& well) {
+    CAPTURE(well.name);
+    check_well(well);
+  });
+}
+
+TEST_CASE("contacts: the same, and where they open", "[unit][potential]") {
+  for_each_potential<AnyContact>([](const auto& contact) {
+    CAPTURE(contact.name);
+    check_contact(contact);
+  });
+  check_contact(CompressedHertz{0.5});
+  check_contact(PowerContact{2, 0});
+  check_contact(PowerContact{1.5, 0.5});
+  check_contact(PowerContact{1.2, 0.25});
 }
 
 TEST_CASE("contacts push and never pull", "[unit][potential]") {
@@ -53,11 +49,14 @@ TEST_CASE("contacts push and never pull", "[unit][potential]") {
   CHECK(CompressedHertz{0.25}.force(0.3) == -0.125);  // open: only the compression is missing
 }
 
-TEST_CASE("the general power agrees with the 3/2 law", "[unit][potential]") {
+TEST_CASE("the power 3/2 takes the root of the 3/2 law", "[unit][potential]") {
   for (double r : {-2.0, -0.3, -1e-3, 0.1}) {
-    check_close(PowerContact{}.force(r), Hertz{}.force(r), 1e-300, 1e-14);
-    check_close(PowerContact{}.energy(r), Hertz{}.energy(r), 1e-300, 1e-14);
-    check_close(PowerContact{1.5, 0.5}.force(r), CompressedHertz{0.5}.force(r), 1e-15, 1e-13);
+    CHECK(PowerContact{}.force(r) == Hertz{}.force(r));
+    CHECK(PowerContact{}.stiffness(r) == Hertz{}.stiffness(r));
+    check_close(PowerContact{}.energy(r), Hertz{}.energy(r), 1e-300, 1e-15);
+    CHECK(PowerContact{1.5, 0.5}.force(r) == CompressedHertz{0.5}.force(r));
+    // The general power is another computation of nearly the same law.
+    check_close(PowerContact{1.5 + 1e-13}.force(r), Hertz{}.force(r), 1e-300, 1e-11);
   }
 }
 
@@ -65,4 +64,38 @@ TEST_CASE("potentials work in extended precision", "[unit][potential]") {
   const long double x = -0.3L;
   check_close(double(Hertz{}.force(x) - 0.3L * sqrtl(0.3L)), 0, 1e-19);
   check_close(double(Quartic{1}.force(x) - (0.3L + 0.027L)), 0, 1e-18);
+}
+
+TEST_CASE("potentials are found by name and parameters", "[unit][potential]") {
+  const std::string wells = comma_list(names_of<AnyOnsite>());
+  const std::string contacts = comma_list(names_of<AnyContact>());
+  CHECK(wells.find("none, harmonic, quartic, pendulum") == 0);
+  CHECK(contacts.find("hertz, power") == 0);  // each name once
+  CHECK(std::get<Quartic>(named<AnyOnsite>("quartic", {{"s", -0.5}})).s == -0.5);
+  CHECK(std::holds_alternative<Hertz>(named<AnyContact>("hertz")));
+  CHECK(std::get<CompressedHertz>(named<AnyContact>("hertz", {{"precompression", 0.5}})).d == 0.5);
+  const auto power = named<AnyContact>("power", {{"alpha", 2}, {"precompression", 0.5}});
+  CHECK(std::get<PowerContact>(power).exponent == 2);
+  CHECK(std::get<PowerContact>(power).d == 0.5);
+  CHECK(describe(named<AnyOnsite>("quartic", {{"s", -0.5}})) == "quartic, s = -0.5");
+}
+
+TEST_CASE("a law that is Hertz's becomes Hertz", "[unit][potential]") {
+  CHECK(std::holds_alternative<Hertz>(simplest(CompressedHertz{0})));
+  CHECK(std::holds_alternative<Hertz>(simplest(PowerContact{1.5, 0})));
+  CHECK(std::get<CompressedHertz>(simplest(PowerContact{1.5, 0.3})).d == 0.3);
+  CHECK(std::holds_alternative<PowerContact>(simplest(PowerContact{2, 0})));
+}
+
+TEST_CASE("what is not known is refused in one line that says what is", "[unit][potential]") {
+  const std::string wells = comma_list(names_of<AnyOnsite>());
+  CHECK(refusal<AnyOnsite>("cubic", {}) == "'cubic' is not one of " + wells);
+  CHECK(refusal<AnyOnsite>("pendulum", {{"s", 0}}) ==
+        "'pendulum' has no parameter s (it has none)");
+  CHECK(refusal<AnyOnsite>("quartic", {{"s", 11}}) ==
+        "s = 11 is not in the allowed range [-10, 10]");
+  CHECK(refusal<AnyOnsite>("quartic", {{"s", std::nan("")}}).find("allowed range") !=
+        std::string::npos);
+  CHECK(refusal<AnyContact>("hertz", {{"alpha", 2}}) ==
+        "'hertz' has no parameter alpha (it has precompression)");
 }

@@ -23,6 +23,7 @@ an odd number, where a site-centred state has its centre at $n = 0$. */
 #include <string>
 #include <utility>
 #include <vector>
+#include "lattice/model/contact.hpp"
 #include "lattice/model/sites.hpp"
 
 namespace lattice {
@@ -46,15 +47,6 @@ T quasi_continuum(Centre centre, long n) {
   const T x = centre == Centre::bond ? T(n) : T(n) + T(0.5);
   const T u = envelope<T>(x) + envelope<T>(x - T(1));
   return n % 2 == 0 ? u : T(0) - u;
-}
-
-/**
-The one nonlinear function of this file, $x|x|^{1/2}$, is a contact's pull at strain $x$. */
-template <class T>
-T three_halves(T x) {
-  using std::abs;
-  using std::sqrt;
-  return x * sqrt(abs(x));
 }
 
 /**

@@ -72,22 +72,6 @@ T span(T s, T e) {
   return (e - s) * (T(3) * (s + e) - T(2) * (s * s + s * e + e * e));
 }
 
-/// Stretch of contact i, `q[i] - q[i - 1]`, where a wall counts as a bead at rest.
-template <class T, class Onsite, class Contact>
-T stretch(const Chain<Onsite, Contact>& chain, const T* q, std::size_t i) {
-  const std::size_t n = chain.sites;
-  if (i > 0 && i < n) return q[i] - q[i - 1];
-  if (chain.ends == Ends::periodic) return q[0] - q[n - 1];
-  return i == 0 ? q[0] : -q[n - 1];
-}
-
-/// Whether there is a contact i; on a ring the first and the last one are the same.
-template <class Onsite, class Contact>
-bool touches(const Chain<Onsite, Contact>& chain, std::size_t i) {
-  if (i > 0 && i < chain.sites) return true;
-  return chain.ends == Ends::fixed || (chain.ends == Ends::periodic && i > 0);
-}
-
 /**
 Two loops that the compiler vectorises: one entry of the extrapolation table from its
 two predecessors, and the forces and curvatures along the chain. */
@@ -202,9 +186,9 @@ void Leapfrog<T, Onsite, Contact>::evaluate(const T* y, Curvature<T>& node) {
                   node.well.data());
   for (std::size_t i : {std::size_t(0), n}) {
     push_[i] = contact_push(chain_, y, i);
-    const bool pushes = touches(chain_, i) || chain_.ends == Ends::periodic;
-    node.link[i] =
-        pushes ? T(chain_.eta_of(i)) * chain_.contact.stiffness(stretch(chain_, y, i)) : T(0);
+    node.link[i] = chain_.boundary().pushes(i)
+                       ? T(chain_.eta_of(i)) * chain_.contact.stiffness(stretch(chain_, y, i))
+                       : T(0);
   }
   for (std::size_t i = 1; i < n && !chain_.eta.empty(); ++i) {
     push_[i] *= T(chain_.eta[i]);

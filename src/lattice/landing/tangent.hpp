@@ -122,22 +122,24 @@ LATTICE_WIDE void add_scaled(T* __restrict__ y, const T* __restrict__ v, T facto
 
 /**
 Far from the centre of a breather the contacts hardly push, and a tangent does not
-notice a stiffness far below the precision asked for. Such sites are oscillators of
-their own, which we turn by the exact rotation. The sites in between are the core:
-from the first to the last one with a contact stiffer than `negligible` or a well
-whose curvature differs by more than that from its value at rest. */
+notice an acceleration far below the precision asked for. Such sites move on their own in the
+well as it is at rest, and we know that motion exactly. The sites in between are the core:
+from the first to the last one with a contact whose stiffness over the mass exceeds
+`negligible` or a well whose curvature differs by more than that from its value at rest. Under
+precompression the contacts are stiff at rest, and the core is the whole chain. */
 template <class T, class Onsite, class Contact>
 Window core_of(const Chain<Onsite, Contact>& chain, const Record<T>& record, T negligible) {
   const std::size_t n = chain.sites;
   const T rest = chain.onsite.stiffness(T(0));
   std::vector<char> live(n, 0);
+  const auto light = [&](std::size_t i) { return i < n ? lightness<T>(chain, i) : T(0); };
   for (const Curvature<T>& node : record.nodes)
     for (std::size_t i = 0; i <= n; ++i) {
-      const bool stiff = node.link[i] > negligible;
+      const bool stiff = std::max(light(i - 1), light(i)) * node.link[i] > negligible;
       if (stiff && i > 0) live[i - 1] = 1;
       if (stiff && i < n) live[i] = 1;
       if (i < n) {
-        const T change = node.well[i] - rest;
+        const T change = light(i) * (node.well[i] - rest);
         if (change > negligible || change < -negligible) live[i] = 1;
       }
     }
@@ -151,11 +153,6 @@ Window core_of(const Chain<Onsite, Contact>& chain, const Record<T>& record, T n
 /**
 The rows at one node come multiplied by the kick. At the edges of the core the contacts
 beyond are negligible or lead to a wall, and so they count in the diagonal alone. */
-template <class T, class Onsite, class Contact>
-T lightness(const Chain<Onsite, Contact>& chain, std::size_t n) {
-  return chain.inverse_mass.empty() ? T(1) : T(chain.inverse_mass[n]);
-}
-
 template <class T, class Onsite, class Contact>
 void rows_at(const Chain<Onsite, Contact>& chain, const Curvature<T>& node, Window core,
              std::vector<Row<T>>& rows) {
@@ -171,20 +168,36 @@ void rows_at(const Chain<Onsite, Contact>& chain, const Curvature<T>& node, Wind
 }
 
 /**
-Outside the core each site turns by the angle of its linear well. */
+Outside the core a change obeys $\mu\,\delta\ddot y = -K\,\delta y$ with the curvature $K = W''(0)$
+at rest. It turns by the angle $\omega t$, $\omega^2 = K/\mu$, in a well; without a well it drifts;
+and on the top of a hill, $K < 0$, the circular functions become hyperbolic ones. */
+template <class T>
+struct AtRest {
+  T y_y, y_v, v_y, v_v;
+
+  AtRest(T stiffness, T duration) : y_y(1), y_v(duration), v_y(0), v_v(1) {
+    using std::cos, std::sin, std::cosh, std::sinh, std::sqrt;
+    const T omega = sqrt(stiffness < T(0) ? -stiffness : stiffness), angle = omega * duration;
+    if (stiffness == T(0)) return;
+    const bool well = stiffness > T(0);
+    const T s = well ? sin(angle) : sinh(angle);
+    y_y = v_v = well ? cos(angle) : cosh(angle);
+    y_v = s / omega;
+    v_y = well ? -(s * omega) : s * omega;
+  }
+};
+
 template <class T, class Onsite, class Contact>
 void rotate_outside(const Chain<Onsite, Contact>& chain, Window core, T duration,
                     Tangent<T>& tangent) {
-  using std::cos, std::sin, std::sqrt;
   for (std::size_t n = 0; n < chain.sites; ++n) {
     if (n >= core.first && n < core.last) continue;
-    const T omega = sqrt(chain.onsite.stiffness(T(0)) * lightness<T>(chain, n));
-    const T c = cos(omega * duration), s = sin(omega * duration);
+    const AtRest<T> turn(chain.onsite.stiffness(T(0)) * lightness<T>(chain, n), duration);
     T *y = tangent.row(n), *v = tangent.row(n + chain.sites);
     for (std::size_t k = 0; k < tangent.columns; ++k) {
       const T old = y[k];
-      y[k] = c * old + (s / omega) * v[k];
-      v[k] = c * v[k] - (s * omega) * old;
+      y[k] = turn.y_y * old + turn.y_v * v[k];
+      v[k] = turn.v_v * v[k] + turn.v_y * old;
     }
   }
 }

@@ -15,6 +15,7 @@ belong to the chapters. */
 #include <vector>
 
 #include "lattice/measure/observe.hpp"
+#include "lattice/model/model.hpp"
 #include "lattice/stepping/accuracy.hpp"
 
 namespace lattice {
@@ -22,24 +23,15 @@ namespace lattice {
 /// An impact on the first of `sites` beads; dimensionless, as Eqs. (9), (10) and (26).
 struct Impact {
   double velocity = 1.87;
-  double s = 0;
+  Model model{};
   double time = 600;
   std::size_t sites = 100;
-  bool pendulum = false;
-  double precompression = 0;
 };
 
-/**
-The kind of well and contact is known only at run time, the inner loop wants it at
-compile time. `with_chain` makes the choice once and hands the chain to `use`. */
+/// Hands the chain that is struck to `use` (model.hpp).
 template <class Use>
 auto with_chain(const Impact& impact, Use use) {
-  const auto with_contact = [&](auto contact) {
-    if (impact.pendulum) return use(Chain<Pendulum, decltype(contact)>{impact.sites, {}, contact});
-    return use(Chain<Quartic, decltype(contact)>{impact.sites, {impact.s}, contact});
-  };
-  if (impact.precompression > 0) return with_contact(CompressedHertz{impact.precompression});
-  return with_contact(Hertz{});
+  return with_chain(impact.model, impact.sites, std::move(use));
 }
 
 /// The chain at rest but for its first bead, Eq. (26).

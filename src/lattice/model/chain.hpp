@@ -3,24 +3,24 @@
 # The chain
 
 Beads of mass $\mu_n$ sit in wells $W$ and push on their neighbours through
-contacts $V$ of stiffness $\eta_n$, Eq. eqmnh of the article:
+contacts $V$ of stiffness $\eta_n$, Eq. (32) of the article:
 $$\mu_n \ddot y_n = -W'(y_n) + \eta_n V'(y_{n+1}-y_n) - \eta_{n-1} V'(y_n-y_{n-1}).$$
-With $\mu_n = \eta_n = 1$ this is the chain of section 3, Eq. hamresc. Sites are
+With $\mu_n = \eta_n = 1$ this is the chain of section 3, Eq. (6). Sites are
 counted from zero in the code and from one in tables, as in the article. */
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <stdexcept>
 #include <type_traits>
 #include <vector>
 
+#include "lattice/model/boundary.hpp"
+#include "lattice/model/contact.hpp"
 #include "lattice/model/kernel.hpp"
-#include "lattice/model/potential.hpp"
+#include "lattice/model/well.hpp"
 
 namespace lattice {
-
-/// What lies beyond the first and last bead: nothing, a rigid bead at rest, or the other end.
-enum class Ends { free, fixed, periodic };
 
 /// Positions and velocities at time `t`; both vectors have one entry a site.
 template <class T = double>
@@ -38,57 +38,71 @@ struct Window {
 };
 
 /**
-A chain is its two potentials, its length and its ends. Empty `mass` and `eta`
-mean a homogeneous chain and select the shorter loop. */
+A chain is its two potentials, its length and its ends. `vary` sets masses and stiffnesses;
+where they are empty the chain is homogeneous and the shorter loop is selected. */
 template <class Onsite, class Contact>
 struct Chain {
   std::size_t sites = 0;
   Onsite onsite{};
   Contact contact{};
   Ends ends = Ends::free;
-  std::vector<double> inverse_mass{};  ///< 1 / mu_n, one entry a site
+  std::vector<double> mass{};          ///< mu_n, one entry a site
+  std::vector<double> inverse_mass{};  ///< 1 / mu_n
   std::vector<double> eta{};           ///< sites + 1 entries; eta[i] is the contact of i-1 with i
 
-  bool varied() const { return !eta.empty() || !inverse_mass.empty(); }
-  double eta_of(std::size_t contact_index) const { return eta.empty() ? 1 : eta[contact_index]; }
-  double mass_of(std::size_t n) const { return inverse_mass.empty() ? 1 : 1 / inverse_mass[n]; }
+  Boundary boundary() const { return {sites, ends, ends}; }
+  double mass_of(std::size_t n) const { return mass.empty() ? 1 : mass[n]; }
+  double eta_of(std::size_t i) const { return eta.empty() ? 1 : eta[boundary().own(i)]; }
 };
 
 /// Gives every bead a mass and every contact a stiffness. `mass` has one entry a site, `eta` one
-/// more. Throws std::invalid_argument where the lengths do not fit or a mass is not positive.
+/// more; either may be empty, which means one everywhere. Throws std::invalid_argument where the
+/// lengths do not fit, a mass is not positive, a stiffness is negative, or a ring has two different
+/// stiffnesses for the contact of its last bead with its first.
 template <class Onsite, class Contact>
 void vary(Chain<Onsite, Contact>& chain, const std::vector<double>& mass,
           const std::vector<double>& eta) {
-  if (mass.size() != chain.sites || eta.size() != chain.sites + 1)
+  if ((!mass.empty() && mass.size() != chain.sites) ||
+      (!eta.empty() && eta.size() != chain.sites + 1))
     throw std::invalid_argument("a chain of N sites needs N masses and N + 1 contact stiffnesses");
-  if (std::any_of(mass.begin(), mass.end(), [](double m) { return !(m > 0); }))
-    throw std::invalid_argument("every mass must be > 0");
+  if (!std::all_of(mass.begin(), mass.end(), [](double m) { return m > 0 && std::isfinite(m); }))
+    throw std::invalid_argument("every mass must be finite and > 0");
+  if (!std::all_of(eta.begin(), eta.end(), [](double k) { return k >= 0 && std::isfinite(k); }))
+    throw std::invalid_argument("every contact stiffness must be finite and >= 0");
+  if (chain.ends == Ends::periodic && !eta.empty() && eta.front() != eta.back())
+    throw std::invalid_argument("the first and last stiffness of a ring are those of one contact");
   chain.eta = eta;
-  chain.inverse_mass.resize(chain.sites);
+  chain.mass = mass;
+  chain.inverse_mass.resize(mass.size());
   std::transform(mass.begin(), mass.end(), chain.inverse_mass.begin(),
                  [](double m) { return 1 / m; });
 }
 
-/**
-The boundary condition enters in one place: the push that the end contacts exert.
-A free end exerts none, a fixed end acts like a bead that never moves, and a
-periodic chain closes on itself. Contact `0` lies left of the first site and
-contact `sites` right of the last. */
+/// What one unit of force does to bead `n`, 1 / mu_n, in the precision of the run.
 template <class T, class Onsite, class Contact>
-T end_push(const Chain<Onsite, Contact>& chain, const T* y, bool first) {
-  const std::size_t last = chain.sites - 1;
-  const T eta = T(chain.eta_of(first ? 0 : chain.sites));
-  if (chain.ends == Ends::periodic) return eta * chain.contact.force(y[0] - y[last]);
-  if (chain.ends == Ends::fixed) return eta * chain.contact.force(first ? y[0] : -y[last]);
-  return T(0);
+T lightness(const Chain<Onsite, Contact>& chain, std::size_t n) {
+  if (chain.mass.empty()) return T(1);
+  if constexpr (std::is_same_v<T, double>) return chain.inverse_mass[n];
+  return T(1) / T(chain.mass[n]);
 }
 
-/// Push of contact `i`, between sites i - 1 and i.
+/// Stretch of contact `i` in the positions (or velocities, or accelerations) `q`.
+template <class T, class Onsite, class Contact>
+T stretch(const Chain<Onsite, Contact>& chain, const T* q, std::size_t i) {
+  return chain.boundary().stretch(q, i);
+}
+
+/// Whether there is a contact `i`, each contact counted once.
+template <class Onsite, class Contact>
+bool touches(const Chain<Onsite, Contact>& chain, std::size_t i) {
+  return chain.boundary().counts(i);
+}
+
+/// Push of contact `i`, between sites i - 1 and i, on the bead to its right.
 template <class T, class Onsite, class Contact>
 inline T contact_push(const Chain<Onsite, Contact>& chain, const T* y, std::size_t i) {
-  if (i == 0 || i == chain.sites) [[unlikely]]
-    return end_push(chain, y, i == 0);
-  return T(chain.eta_of(i)) * chain.contact.force(y[i] - y[i - 1]);
+  if (!chain.boundary().pushes(i)) return T(0);
+  return T(chain.eta_of(i)) * chain.contact.force(stretch(chain, y, i));
 }
 
 /**
@@ -121,41 +135,40 @@ void with_edges(const Chain<Onsite, Contact>& chain, const T* y, Window& window,
   sweep(contact_push(chain, y, window.first), contact_push(chain, y, window.last));
 }
 
-/// Variation along the part of the chain that begins at site `first`.
-template <class T, class Onsite, class Contact>
-Variation<T> variation_from(const Chain<Onsite, Contact>& chain, std::size_t first) {
-  static_assert(std::is_same_v<T, double>, "a varied chain is computed in double");
-  return {chain.eta.data() + first, chain.inverse_mass.data() + first};
+/// Runs `sweep(variation, at, count, left, right)` on the woken sites `at` and following, with the
+/// pushes at both edges and what is varied between them.
+template <class T, class Onsite, class Contact, class Sweep>
+void sweep_window(const Chain<Onsite, Contact>& chain, const T* y, Window& window, Sweep sweep) {
+  with_edges(chain, y, window, [&](T left, T right) {
+    const auto from = [&](const std::vector<double>& all) {
+      return all.empty() ? nullptr : all.data() + window.first;
+    };
+    with_variation(from(chain.eta), from(chain.mass), from(chain.inverse_mass),
+                   [&](const auto& along) {
+                     sweep(along, window.first, window.last - window.first, left, right);
+                   });
+  });
 }
 
-/// Kick by `kick`, then drift by `drift`, on all woken sites (see kernel.hpp).
-template <class T, class Onsite, class Contact>
+/// Kick by `kick`, then drift by `drift`, on all woken sites, adding as `sum` does (kernel.hpp).
+template <class T, class Onsite, class Contact, class Sum = PlainSum>
 void kick_drift(const Chain<Onsite, Contact>& chain, State<T>& state, Window& window, T kick,
-                T drift) {
-  with_edges(chain, state.y.data(), window, [&](T left, T right) {
-    const std::size_t at = window.first, count = window.last - at;
-    T *y = state.y.data() + at, *v = state.v.data() + at;
-    if (!chain.varied())
-      sweep_kick_drift<false, T>(chain.onsite, chain.contact, y, v, {}, count, left, right, kick,
-                                 drift);
-    else if constexpr (std::is_same_v<T, double>)
-      sweep_kick_drift<true, T>(chain.onsite, chain.contact, y, v, variation_from<T>(chain, at),
-                                count, left, right, kick, drift);
-  });
+                T drift, const Sum& sum = {}) {
+  sweep_window(chain, state.y.data(), window,
+               [&](const auto& along, std::size_t at, std::size_t count, T left, T right) {
+                 sweep_kick_drift(chain.onsite, chain.contact, state.y.data() + at,
+                                  state.v.data() + at, sum.from(at), along, count, left, right,
+                                  kick, drift);
+               });
 }
 
 /// Accelerations `a` of all woken sites at positions `y`.
 template <class T, class Onsite, class Contact>
 void accelerate(const Chain<Onsite, Contact>& chain, const T* y, T* a, Window& window) {
-  with_edges(chain, y, window, [&](T left, T right) {
-    const std::size_t at = window.first, count = window.last - at;
-    if (!chain.varied())
-      sweep_acceleration<false, T>(chain.onsite, chain.contact, y + at, a + at, {}, count, left,
-                                   right);
-    else if constexpr (std::is_same_v<T, double>)
-      sweep_acceleration<true, T>(chain.onsite, chain.contact, y + at, a + at,
-                                  variation_from<T>(chain, at), count, left, right);
-  });
+  sweep_window(
+      chain, y, window, [&](const auto& along, std::size_t at, std::size_t count, T left, T right) {
+        sweep_acceleration(chain.onsite, chain.contact, y + at, a + at, along, count, left, right);
+      });
 }
 
 /// Accelerations of the whole chain.
@@ -169,17 +182,13 @@ std::vector<T> accelerations(const Chain<Onsite, Contact>& chain, const std::vec
 
 /**
 The energy at a site is its kinetic and well energy and that of the contact to
-its right, Eq. endens. (The factor $\gamma$ printed there is one in these units.)
+its right, Eq. (23). (The factor $\gamma$ printed there is one in these units.)
 With fixed ends the first site also counts the contact with the left wall, so
-that the densities add up to the Hamiltonian, Eq. hamresc. */
+that the densities add up to the Hamiltonian, Eq. (6). */
 template <class T, class Onsite, class Contact>
 T contact_energy(const Chain<Onsite, Contact>& chain, const T* y, std::size_t i) {
-  const std::size_t n = chain.sites;
-  const T eta = T(chain.eta_of(i));
-  if (i > 0 && i < n) return eta * chain.contact.energy(y[i] - y[i - 1]);
-  if (chain.ends == Ends::fixed) return eta * chain.contact.energy(i == 0 ? y[0] : -y[n - 1]);
-  if (chain.ends == Ends::periodic && i == n) return eta * chain.contact.energy(y[0] - y[n - 1]);
-  return T(0);
+  if (!touches(chain, i)) return T(0);
+  return T(chain.eta_of(i)) * chain.contact.energy(stretch(chain, y, i));
 }
 
 /// Energy density e_n, one entry a site.
@@ -194,7 +203,7 @@ std::vector<T> energy_density(const Chain<Onsite, Contact>& chain, const State<T
   return e;
 }
 
-/// Total energy, Eq. hamresc, summed from the first site to the last.
+/// Total energy, Eq. (6), summed from the first site to the last.
 template <class T, class Onsite, class Contact>
 T energy(const Chain<Onsite, Contact>& chain, const State<T>& state) {
   T sum(0);
@@ -220,17 +229,15 @@ struct Hessian {
 template <class T, class Onsite, class Contact>
 Hessian<T> linearise(const Chain<Onsite, Contact>& chain, const std::vector<T>& y) {
   const std::size_t n = chain.sites;
-  const bool wall = chain.ends == Ends::fixed, ring = chain.ends == Ends::periodic;
+  const bool ring = chain.ends == Ends::periodic;
   Hessian<T> h{std::vector<T>(n), std::vector<T>(n, T(0))};
   for (std::size_t i = 0; i < n; ++i) h.diagonal[i] = chain.onsite.stiffness(y[i]);
   for (std::size_t i = 0; i <= n; ++i) {
-    const bool inside = i > 0 && i < n;
-    if (!inside && !wall && !(ring && i == n)) continue;
-    const T left = i > 0 ? y[i - 1] : T(0), right = i < n ? y[i] : (ring ? y[0] : T(0));
-    const T k = T(chain.eta_of(i)) * chain.contact.stiffness(right - left);
+    if (!touches(chain, i)) continue;
+    const T k = T(chain.eta_of(i)) * chain.contact.stiffness(stretch(chain, y.data(), i));
     if (i > 0) h.diagonal[i - 1] += k;
     if (i < n || ring) h.diagonal[i % n] += k;
-    if (inside || ring) h.off[i - 1] = -k;
+    if (chain.boundary().inside(i) || ring) h.off[i - 1] = -k;
   }
   return h;
 }

@@ -1,9 +1,9 @@
 #pragma once
 /**
-# Potentials
+# Potentials and their names
 
-A chain needs two kinds of energy: the well $W(y)$ that holds each bead and the
-contact $V(r)$ that couples neighbours, with $r = y_{n+1} - y_n$. Both are small
+A chain needs two kinds of energy: the well $W(y)$ that holds each bead (well.hpp) and the
+contact $V(r)$ that couples neighbours (contact.hpp), with $r = y_{n+1} - y_n$. Both are small
 value types with the same three members, so that a chain is composed at compile
 time and its inner loop vectorises:
 
@@ -16,182 +16,153 @@ time and its inner loop vectorises:
 Every member is a template on the scalar, so the same text serves `double`,
 `long double` and 128-bit arithmetic. All quantities are dimensionless: the unit
 of time is that of the linear well, the unit of length makes the contact
-coefficient one. */
+coefficient one. A bead at rest feels nothing: `force(0)` is exactly zero, and so is `energy(0)`.
 
-#include <cmath>
+A reader picks potentials by name. So each one that stands in the list of its file says what it
+is called and which parameters it has, and the command line, its help and its errors follow. */
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+#include <utility>
 #include <variant>
+#include <vector>
 
 namespace lattice {
 
-/// Linear well, Eq. lp of the article: $W = y^2/2$.
-struct Harmonic {
-  template <class T>
-  T energy(T y) const {
-    return y * y / T(2);
-  }
-  template <class T>
-  T force(T y) const {
-    return -y;
-  }
-  template <class T>
-  T stiffness(T) const {
-    return T(1);
-  }
+/// A number that a potential has: its name, its meaning, the allowed range, and where it is kept.
+/// The default is its value in a potential that nobody has touched.
+template <class Potential>
+struct Parameter {
+  const char* name;
+  const char* meaning;
+  double least, most;
+  double Potential::*value;
 };
 
-/// Anharmonic well, Eq. anpot: $W = y^2/2 + s y^4/4$. For $s < 0$ it has a rim at
-/// $|y| = (-s)^{-1/2}$ beyond which the motion runs away.
-struct Quartic {
-  double s = 0;
-  template <class T>
-  T energy(T y) const {
-    const T y2 = y * y;
-    return y2 / T(2) + T(s) / T(4) * (y2 * y2);
-  }
-  template <class T>
-  T force(T y) const {
-    return -(y + T(s) * (y * y * y));
-  }
-  template <class T>
-  T stiffness(T y) const {
-    return T(1) + T(3) * T(s) * (y * y);
-  }
+/// The same without the type: what help and messages need.
+struct ParameterInfo {
+  std::string name, meaning;
+  double fallback, least, most;
 };
 
-/// Gravity on a pendulum, section 3.4: $W = 1 - \cos y$, with rims at odd multiples of $\pi$.
-struct Pendulum {
-  template <class T>
-  T energy(T y) const {
-    using std::sin;
-    const T half = sin(y / T(2));
-    return T(2) * half * half;
-  }
-  template <class T>
-  T force(T y) const {
-    using std::sin;
-    return -sin(y);
-  }
-  template <class T>
-  T stiffness(T y) const {
-    using std::cos;
-    return cos(y);
-  }
-};
+/// Numbers given by name.
+using Settings = std::map<std::string, double>;
 
-/**
-Two spheres repel with the 3/2 power of their overlap and do not attract, Eq.
-pothertz: $V(r) = \frac25 (-r)_+^{5/2}$. The power is written $x\sqrt x$, which
-is one correctly rounded root and one product: the same bits on every machine.
+/// Calls `use` with every parameter of a potential; most have none.
+template <class Potential, class Use>
+void for_each_parameter(const Potential&, Use use) {
+  if constexpr (requires { Potential::parameters(); })
+    for (const Parameter<Potential>& p : Potential::parameters()) use(p);
+}
 
-The force carries an explicit `floor`: an overlap at or below it exerts no force
-at all. Ahead of a front the displacements fall double-exponentially and would
-otherwise crawl through subnormal numbers, which cost ten times as much. With
-the default $10^{-60}$ the neglected force is $10^{-90}$, and beads ahead of the
-front are at rest *exactly*, so that they need not be integrated. A static
-breather whose tail is itself the subject sets `floor = 0`. */
-struct Hertz {
-  double floor = 1e-60;
+/// Calls `use` with a default value of every type in a list of potentials.
+template <class Any, class Use>
+void for_each_potential(Use use) {
+  [&]<std::size_t... i>(std::index_sequence<i...>) {
+    (use(std::variant_alternative_t<i, Any>{}), ...);
+  }
+  (std::make_index_sequence<std::variant_size_v<Any>>{});
+}
 
-  template <class T>
-  T overlap(T r) const {
-    const T x = -r;
-    return x > T(floor) ? x : T(0);
-  }
-  template <class T>
-  T energy(T r) const {
-    using std::sqrt;
-    const T x = overlap(r);
-    return T(2) / T(5) * (x * x * sqrt(x));
-  }
-  template <class T>
-  T force(T r) const {
-    using std::sqrt;
-    const T x = overlap(r);
-    return x * sqrt(x);
-  }
-  template <class T>
-  T stiffness(T r) const {
-    using std::sqrt;
-    return T(3) / T(2) * sqrt(overlap(r));
-  }
-  /// Relative displacement at which the beads separate.
-  double opening() const { return 0; }
-  /// Exponent of the force law.
-  static constexpr double exponent = 1.5;
-};
+/// The names in a list, each once.
+template <class Any>
+std::vector<std::string> names_of() {
+  std::vector<std::string> names;
+  for_each_potential<Any>([&](const auto& p) {
+    if (std::find(names.begin(), names.end(), p.name) == names.end()) names.push_back(p.name);
+  });
+  return names;
+}
 
-/**
-A chain squeezed by $d$ at rest keeps its contacts closed under small motion and
-gains a phonon band, Eq. pothertzp:
-$V(r) = \frac25 (d-r)_+^{5/2} + d^{3/2} r - \frac25 d^{5/2}$. Only the first term
-moves beads; the others make $V(0) = V'(0) = 0$. The contact now opens at
-$r = d$ instead of $r = 0$. */
-struct CompressedHertz {
-  double d = 0;
+/// The parameters of the potentials called `name`, or with an empty name those of the whole list;
+/// each once, with the widest range.
+template <class Any>
+std::vector<ParameterInfo> parameters_of(const std::string& name = "") {
+  std::vector<ParameterInfo> all;
+  for_each_potential<Any>([&](const auto& potential) {
+    if (!name.empty() && name != potential.name) return;
+    for_each_parameter(potential, [&](const auto& p) {
+      const auto same = [&](const ParameterInfo& other) { return other.name == p.name; };
+      const auto found = std::find_if(all.begin(), all.end(), same);
+      if (found == all.end()) {
+        all.push_back({p.name, p.meaning, potential.*p.value, p.least, p.most});
+      } else {
+        found->least = std::min(found->least, p.least);
+        found->most = std::max(found->most, p.most);
+      }
+    });
+  });
+  return all;
+}
 
-  template <class T>
-  T overlap(T r) const {
-    const T x = T(d) - r;
-    return x > T(0) ? x : T(0);
-  }
-  template <class T>
-  T energy(T r) const {
-    using std::sqrt;
-    const T x = overlap(r), root = sqrt(T(d));
-    return T(2) / T(5) * (x * x * sqrt(x) - T(d) * T(d) * root) + T(d) * root * r;
-  }
-  template <class T>
-  T force(T r) const {
-    using std::sqrt;
-    const T x = overlap(r);
-    return x * sqrt(x) - T(d) * sqrt(T(d));
-  }
-  template <class T>
-  T stiffness(T r) const {
-    using std::sqrt;
-    return T(3) / T(2) * sqrt(overlap(r));
-  }
-  double opening() const { return d; }
-  static constexpr double exponent = 1.5;
-};
+inline std::string comma_list(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
 
-/**
-Other contacts (cylinders, hollow spheres, rough tips) follow the same law with
-another exponent $\alpha > 1$: $V(r) = (d-r)_+^{\alpha+1}/(\alpha+1)$, made
-stationary at $r = 0$. The general power is slower and its last bit depends on
-the mathematical library, so the 3/2 law has the types of its own. */
-struct PowerContact {
-  double exponent = 1.5;
-  double d = 0;
+/// Sets the parameters of `potential` as far as they are given; whether it has all that are given.
+/// Throws std::invalid_argument for a value out of its range.
+template <class Potential>
+bool apply(Potential& potential, const Settings& given) {
+  std::size_t used = 0;
+  for_each_parameter(potential, [&](const Parameter<Potential>& p) {
+    const auto found = given.find(p.name);
+    if (found == given.end()) return;
+    if (!(found->second >= p.least && found->second <= p.most)) {
+      std::ostringstream text;
+      text << p.name << " = " << found->second << " is not in the allowed range [" << p.least
+           << ", " << p.most << "]";
+      throw std::invalid_argument(text.str());
+    }
+    potential.*p.value = found->second;
+    ++used;
+  });
+  return used == given.size();
+}
 
-  template <class T>
-  T overlap(T r) const {
-    const T x = T(d) - r;
-    return x > T(0) ? x : T(0);
-  }
-  template <class T>
-  T energy(T r) const {
-    using std::pow;
-    const T q = T(exponent) + T(1), x = overlap(r);
-    return (pow(x, q) - pow(T(d), q)) / q + pow(T(d), T(exponent)) * r;
-  }
-  template <class T>
-  T force(T r) const {
-    using std::pow;
-    return pow(overlap(r), T(exponent)) - pow(T(d), T(exponent));
-  }
-  template <class T>
-  T stiffness(T r) const {
-    using std::pow;
-    const T x = overlap(r);
-    return x > T(0) ? T(exponent) * pow(x, T(exponent) - T(1)) : T(0);
-  }
-  double opening() const { return d; }
-};
+/// The potential called `name` with the given parameters: the first one in the list that has them all.
+/// Throws std::invalid_argument, in one line, for an unknown name, a parameter that it lacks or a
+/// value out of range.
+template <class Any>
+Any named(const std::string& name, const Settings& given = {}) {
+  bool known = false, found = false;
+  Any out;
+  for_each_potential<Any>([&](auto potential) {
+    if (found || name != potential.name) return;
+    known = true;
+    if (apply(potential, given)) out = potential, found = true;
+  });
+  if (found) return out;
+  if (!known)
+    throw std::invalid_argument("'" + name + "' is not one of " + comma_list(names_of<Any>()));
+  std::vector<std::string> has;
+  for (const ParameterInfo& p : parameters_of<Any>(name)) has.push_back(p.name);
+  for (const auto& [key, value] : given)
+    if (std::find(has.begin(), has.end(), key) == has.end())
+      throw std::invalid_argument("'" + name + "' has no parameter " + key + " (it has " +
+                                  (has.empty() ? "none" : comma_list(has)) + ")");
+  throw std::invalid_argument("'" + name + "' does not have all these parameters at once");
+}
 
-/// A well chosen at run time; `std::visit` once at the edge of a program.
-using AnyOnsite = std::variant<Harmonic, Quartic, Pendulum>;
-/// A contact chosen at run time.
-using AnyContact = std::variant<Hertz, CompressedHertz, PowerContact>;
+/// Name and parameters in a line, such as `quartic, s = -0.5`.
+template <class Any>
+std::string describe(const Any& any) {
+  std::ostringstream text;
+  text.precision(17);
+  const auto write = [&](const auto& potential) {
+    text << potential.name;
+    for_each_parameter(
+        potential, [&](const auto& p) { text << ", " << p.name << " = " << potential.*p.value; });
+  };
+  std::visit(write, any);
+  return text.str();
+}
 
 }  // namespace lattice

@@ -14,8 +14,6 @@ and add it to the next term. These operations would vanish if the compiler were 
 treat sums as exact; it is not. A step takes twice the time of a plain one. */
 
 #include <cstddef>
-#include <type_traits>
-#include <vector>
 
 #include "lattice/stepping/integrate.hpp"
 
@@ -33,25 +31,20 @@ inline __attribute__((always_inline)) void add_exactly(T& sum, T& low, T term) {
   sum = total;
 }
 
-/// The second pass of `sweep_kick_drift` with its two sums compensated.
-template <bool varied, class T, class Onsite, class Contact>
-LATTICE_WIDE void sweep_compensated(const Onsite onsite, const Contact contact, T* __restrict__ y,
-                                    T* __restrict__ v, T* __restrict__ low_y, T* __restrict__ low_v,
-                                    Variation<T> along, std::size_t n, T left, T right, T kick,
-                                    T drift) {
-  T push[kernel_block + 1];
-  for (std::size_t lo = 0; lo < n; lo += kernel_block) {
-    const std::size_t hi = lo + kernel_block < n ? lo + kernel_block : n;
-    block_contacts<varied>(contact, y, along, lo, hi, n, left, right, push);
-    left = push[hi - lo];
-    for (std::size_t i = lo; i < hi; ++i) {
-      T a = onsite.force(y[i]) + (push[i - lo] - push[i - lo + 1]);
-      if constexpr (varied) a *= along.inverse_mass[i];
-      add_exactly(v[i], low_v[i], kick * a);
-      add_exactly(y[i], low_y[i], drift * v[i]);
-    }
+/// The way of adding for the sweep of kernel.hpp; the low parts of positions and velocities, one
+/// entry a site.
+template <class T>
+struct CompensatedSum {
+  T* __restrict__ low_y, * __restrict__ low_v;
+
+  __attribute__((always_inline)) void kick(T& v, std::size_t i, T term) const {
+    add_exactly(v, low_v[i], term);
   }
-}
+  __attribute__((always_inline)) void drift(T& y, std::size_t i, T term) const {
+    add_exactly(y, low_y[i], term);
+  }
+  CompensatedSum from(std::size_t site) const { return {low_y + site, low_v + site}; }
+};
 
 /**
 The stepper keeps the low parts during a call of `advance`. Between two calls they are
@@ -64,22 +57,12 @@ struct Compensated {
   template <class T, class Onsite, class Contact>
   double advance(const Chain<Onsite, Contact>& chain, State<T>& state, Window& window, double h,
                  std::size_t count) const {
-    std::vector<T> low_y(chain.sites, T(0)), low_v = low_y;
+    State<T> low(chain.sites);
+    const CompensatedSum<T> sum{low.y.data(), low.v.data()};
     double work = 0;
     for (std::size_t k = 0; k < stage_count(scheme, count); ++k) {
       const Stage<T> stage = stage_at<T>(scheme, h, count, k);
-      with_edges(chain, state.y.data(), window, [&](T left, T right) {
-        const std::size_t at = window.first, sites = window.last - at;
-        T *y = state.y.data() + at, *v = state.v.data() + at;
-        T *ly = low_y.data() + at, *lv = low_v.data() + at;
-        if (!chain.varied())
-          sweep_compensated<false, T>(chain.onsite, chain.contact, y, v, ly, lv, {}, sites, left,
-                                      right, stage.kick, stage.drift);
-        else if constexpr (std::is_same_v<T, double>)
-          sweep_compensated<true, T>(chain.onsite, chain.contact, y, v, ly, lv,
-                                     variation_from<T>(chain, at), sites, left, right, stage.kick,
-                                     stage.drift);
-      });
+      kick_drift(chain, state, window, stage.kick, stage.drift, sum);
       work += double(window.last - window.first);
     }
     return work;

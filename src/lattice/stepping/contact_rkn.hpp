@@ -213,15 +213,6 @@ struct NystromMemory {
   }
 };
 
-/// Relative displacement (or velocity, or acceleration) across contact `i`, walls being at rest.
-template <class T, class Onsite, class Contact>
-T across(const Chain<Onsite, Contact>& chain, const std::vector<T>& y, std::size_t i) {
-  const bool ring = chain.ends == Ends::periodic;
-  const T right = i < chain.sites ? y[i] : (ring ? y.front() : T(0));
-  const T left = i > 0 ? y[i - 1] : (ring ? y.back() : T(0));
-  return right - left;
-}
-
 /**
 The exact impulse cures the contact, but the *stages* were spoilt too: their positions
 saw the sums $h^2 \sum_j a_{ij} F_j$ of the same force and err by $O(h^{7/2})$. The other
@@ -293,9 +284,9 @@ struct ContactAware {
                             std::size_t i, T h, const NystromMemory<T>& at) const {
     const T d = T(chain.contact.opening()), half = h * h / T(2);
     const std::vector<T>&y = at.y[base.last()], &a = at.a[base.last()];
-    return {d - across(chain, state.y, i),     -h * across(chain, state.v, i),
-            -half * across(chain, at.a[0], i), d - across(chain, y, i),
-            -h * across(chain, at.v, i),       -half * across(chain, a, i)};
+    const auto across = [&](const std::vector<T>& q) { return stretch(chain, q.data(), i); };
+    return {d - across(state.y), -h * across(state.v), -half * across(at.a[0]),
+            d - across(y),       -h * across(at.v),    -half * across(a)};
   }
 
   /// Lists the contacts to correct: a wide pass over those between beads, a test at either end.
@@ -309,13 +300,13 @@ struct ContactAware {
       if (is_singular(x.x0, x.w0, x.x1, x.w1, at.small)) at.contacts.push_back(i);
     };
     at.contacts.clear();
-    if (chain.ends != Ends::free && window.first == 0) try_end(0);
+    if (chain.boundary().pushes(0) && window.first == 0) try_end(0);
     sweep_singular<T>(state.y.data() + left, state.v.data() + left, at.y[base.last()].data() + left,
                       at.v.data() + left, T(chain.contact.opening()), h, at.small, at.flag.data(),
                       inner);
     for (std::size_t k = 0; k < inner; ++k)
       if (at.flag[k]) at.contacts.push_back(left + 1 + k);
-    if (chain.ends != Ends::free && window.last == n) try_end(n);
+    if (chain.boundary().pushes(n) && window.last == n) try_end(n);
   }
 
   /// The true impulse of contact `i` less the one that the stages gave it, and the moments. A force
@@ -357,7 +348,7 @@ struct ContactAware {
     std::vector<T>&y = at.y[base.last()], &a = at.a[base.last()];
     for (std::size_t i : at.contacts) at.correction[i] = defect(chain, state, i, h, at);
     near_contacts(at, 1, [&](std::size_t n) {
-      const T inverse = chain.varied() ? T(chain.inverse_mass[n]) : T(1);
+      const T inverse = lightness<T>(chain, n);
       const Impulse<T>&left = at.correction[n], &right = at.correction[n + 1];
       at.v[n] += inverse * (left.velocity - right.velocity);
       y[n] += inverse * (left.position - right.position);
@@ -368,15 +359,15 @@ struct ContactAware {
     const auto pull = [&](std::size_t i) {
       if (at.correction[i].velocity != T(0) || contact_push(chain, y.data(), i) == T(0))
         return T(0);
-      return -T(chain.eta_of(i)) * chain.contact.stiffness(across(chain, y, i)) *
-             across(chain, at.shift, i);
+      return -T(chain.eta_of(i)) * chain.contact.stiffness(stretch(chain, y.data(), i)) *
+             stretch(chain, at.shift.data(), i);
     };
     near_contacts(at, 2, [&](std::size_t n) {
       if (n < window.first || n >= window.last) return;
       a[n] = chain.onsite.force(y[n]) +
              (contact_push(chain, y.data(), n) - contact_push(chain, y.data(), n + 1));
       T more = -chain.onsite.stiffness(y[n]) * at.shift[n] + (pull(n) - pull(n + 1));
-      if (chain.varied()) a[n] *= T(chain.inverse_mass[n]), more *= T(chain.inverse_mass[n]);
+      if (!chain.mass.empty()) a[n] *= lightness<T>(chain, n), more *= lightness<T>(chain, n);
       at.v[n] += more;
     });
     near_contacts(at, 1, [&](std::size_t n) { at.shift[n] = T(0); });

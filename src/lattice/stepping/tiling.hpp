@@ -70,12 +70,13 @@ class Tile {
     y_ = room_.get();
     while (reinterpret_cast<std::uintptr_t>(y_) % (line * sizeof(double)) != 0) ++y_;
     v_ = y_ + stride();
-    if (!chain.varied()) return;
-    for (std::size_t i = 0; i < part.size(); ++i) {
-      eta_.push_back(chain.eta[site(i)]);
+    for (std::size_t i = 0; i < part.size() && !chain.mass.empty(); ++i) {
+      mass_.push_back(chain.mass[site(i)]);
       inverse_mass_.push_back(chain.inverse_mass[site(i)]);
     }
-    eta_.push_back(chain.eta[site(part.size() - 1) + 1]);
+    for (std::size_t i = 0; i < part.size() && !chain.eta.empty(); ++i)
+      eta_.push_back(chain.eta_of(site(i)));
+    if (!chain.eta.empty()) eta_.push_back(chain.eta[site(part.size() - 1) + 1]);
   }
 
   Tile(const Tile&) = delete;
@@ -115,6 +116,11 @@ class Tile {
     for (std::size_t n = from, i = part_.before + from - part_.first; n < to; ++n, ++i)
       state.y[n] = y_[i], state.v[n] = v_[i];
   }
+  /// A cut is a free end; so are both ends of a part of a ring, whose ghosts come round it.
+  Boundary boundary() const {
+    const auto end = [&](bool real) { return real ? chain_.ends : Ends::free; };
+    return {part_.size(), end(part_.begins), end(part_.ends)};
+  }
   T push(std::size_t i) const;
   void sweep(std::size_t from, std::size_t to, T left, T right, const Stage<T>& stage);
 
@@ -123,32 +129,30 @@ class Tile {
   std::vector<T> left_;  ///< for every stage the contact at the edge where the last block stopped
   std::unique_ptr<T[]> room_;
   T *y_, *v_;  ///< in `room_`
-  std::vector<double> eta_{}, inverse_mass_{};
+  std::vector<double> eta_{}, mass_{}, inverse_mass_{};
 };
 
 /**
-The contact left of place `i`, as in chain.hpp. Beyond the outermost ghost there is
-nothing; whatever that does to the ghosts stays with them. */
+The contact left of place `i`. Beyond the outermost ghost there is nothing; whatever that
+does to the ghosts stays with them. */
 template <class T, class Onsite, class Contact>
 T Tile<T, Onsite, Contact>::push(std::size_t i) const {
-  const std::size_t count = part_.size();
-  const T eta = eta_.empty() ? T(1) : T(eta_[i]);
-  if (i > 0 && i < count) return eta * chain_.contact.force(y_[i] - y_[i - 1]);
-  const bool wall = chain_.ends == Ends::fixed && (i == 0 ? part_.begins : part_.ends);
-  return wall ? eta * chain_.contact.force(i == 0 ? y_[0] : -y_[count - 1]) : T(0);
+  const Boundary here = boundary();
+  if (!here.pushes(i)) return T(0);
+  return (eta_.empty() ? T(1) : T(eta_[i])) * chain_.contact.force(here.stretch(y_, i));
 }
 
 template <class T, class Onsite, class Contact>
 void Tile<T, Onsite, Contact>::sweep(std::size_t from, std::size_t to, T left, T right,
                                      const Stage<T>& stage) {
   T *y = y_ + from, *v = v_ + from;
-  if (!chain_.varied())
-    sweep_kick_drift<false, T>(chain_.onsite, chain_.contact, y, v, {}, to - from, left, right,
-                               stage.kick, stage.drift);
-  else if constexpr (std::is_same_v<T, double>)
-    sweep_kick_drift<true, T>(chain_.onsite, chain_.contact, y, v,
-                              {eta_.data() + from, inverse_mass_.data() + from}, to - from, left,
-                              right, stage.kick, stage.drift);
+  const auto at = [&](const std::vector<double>& all) {
+    return all.empty() ? nullptr : all.data() + from;
+  };
+  with_variation(at(eta_), at(mass_), at(inverse_mass_), [&](const auto& along) {
+    sweep_kick_drift(chain_.onsite, chain_.contact, y, v, PlainSum{}, along, to - from, left, right,
+                     stage.kick, stage.drift);
+  });
 }
 
 /**
@@ -190,7 +194,7 @@ struct Tiled {
   double advance(const Chain<Onsite, Contact>& chain, State<T>& state, Window& window, double h,
                  std::size_t count) const {
     const std::size_t stages = stage_count(scheme, count);
-    const bool fit = chain.sites >= std::max({least, depth, std::size_t(2)}) && !has_seam(chain);
+    const bool fit = chain.sites >= std::max({least, depth, std::size_t(2)});
     double work = 0;
     std::size_t k = 0;
     for (; k < stages && !(fit && window == Window{0, chain.sites}); ++k) {
@@ -230,11 +234,6 @@ struct Tiled {
     std::vector<std::jthread> others;
     for (std::size_t k = 1; k < parts; ++k) others.emplace_back(work, k);
     work(0);
-  }
-  /// On a ring the first and the last stiffness are the same contact; ghosts can have only one.
-  template <class Onsite, class Contact>
-  static bool has_seam(const Chain<Onsite, Contact>& chain) {
-    return chain.ends == Ends::periodic && chain.varied() && chain.eta.front() != chain.eta.back();
   }
 };
 

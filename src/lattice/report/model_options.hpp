@@ -1,0 +1,134 @@
+#pragma once
+/**
+# Choosing a model on the command line
+
+Every program that computes with wells and contacts of the reader's choice offers the same
+options: `--onsite` and `--contact` with the names that the potentials give themselves, and
+one option for every parameter that any of them has. Nothing is listed here. A parameter that
+the chosen potential does not have is refused rather than ignored. */
+
+#include <algorithm>
+#include <iterator>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "lattice/model/model.hpp"
+#include "lattice/report/program.hpp"
+
+namespace lattice {
+
+/// Option check: one of `names`.
+inline CLI::Validator one_of(const std::vector<std::string>& names) {
+  return CLI::Validator(
+      [names](std::string& value) {
+        const bool known = std::find(names.begin(), names.end(), value) != names.end();
+        return known ? std::string()
+                     : "'" + value + "' is not one of the allowed names " + comma_list(names);
+      },
+      "{" + comma_list(names) + "}");
+}
+
+/**
+The two groups of options, for wells and for contacts, work alike: a name, and the
+parameters of all that are in the list. What was given is kept until the line is complete. */
+template <class Any>
+class PotentialOptions {
+ public:
+  PotentialOptions(CLI::App& app, const std::string& option, const std::string& meaning,
+                   const Any& fallback)
+      : option_(option),
+        name_(std::visit([](const auto& p) { return std::string(p.name); }, fallback)),
+        fallback_(fallback),
+        choice_(app.add_option(option, name_, meaning)
+                    ->check(one_of(names_of<Any>()))
+                    ->capture_default_str()) {
+    const auto all = parameters_of<Any>();
+    values_.reserve(all.size());
+    for (const ParameterInfo& p : all) {
+      values_.push_back({p.name, value_in(fallback, p), nullptr});
+      values_.back().option = app.add_option("--" + p.name, values_.back().value,
+                                             p.meaning + " (" + comma_list(owners(p.name)) + ")")
+                                  ->check(in_range(p.least, p.most))
+                                  ->capture_default_str();
+    }
+  }
+  PotentialOptions(const PotentialOptions&) = delete;
+  PotentialOptions& operator=(const PotentialOptions&) = delete;
+
+  /// The potential that was asked for; the default where nothing was. Throws UsageError.
+  Any chosen() const {
+    Settings given;
+    for (const Value& v : values_)
+      if (v.option->count() > 0) given[v.name] = v.value;
+    if (given.empty() && choice_->count() == 0) return fallback_;
+    try {
+      return named<Any>(name_, given);
+    } catch (const std::invalid_argument& error) {
+      const bool lacks = !given.empty();
+      throw UsageError((lacks ? "--" + given.begin()->first : option_) + ": " + error.what());
+    }
+  }
+
+ private:
+  struct Value {
+    std::string name;
+    double value;
+    CLI::Option* option;
+  };
+
+  /// The names of all potentials with a parameter `name`.
+  static std::vector<std::string> owners(const std::string& name) {
+    std::vector<std::string> out;
+    for (const std::string& potential : names_of<Any>())
+      for (const ParameterInfo& p : parameters_of<Any>(potential))
+        if (p.name == name) out.push_back(potential);
+    return out;
+  }
+  static double value_in(const Any& any, const ParameterInfo& info) {
+    double value = info.fallback;
+    std::visit(
+        [&](const auto& potential) {
+          for_each_parameter(potential, [&](const auto& p) {
+            if (info.name == p.name) value = potential.*p.value;
+          });
+        },
+        any);
+    return value;
+  }
+
+  std::string option_, name_;
+  Any fallback_;
+  std::vector<Value> values_;  ///< never grows after construction: the options point into it
+  CLI::Option* choice_;
+};
+
+/// Adds `--onsite`, `--contact` and their parameters to a command; `model` holds the defaults and,
+/// once the command line is read, the choice. It must live as long as `app`.
+inline void add_model_options(CLI::App& app, Model& model) {
+  struct Options {
+    PotentialOptions<AnyOnsite> onsite;
+    PotentialOptions<AnyContact> contact;
+  };
+  auto options = std::shared_ptr<Options>(
+      new Options{{app, "--onsite", "well of every bead", model.onsite},
+                  {app, "--contact", "contact of two beads", model.contact}});
+  app.parse_complete_callback([options, &model] {
+    model.onsite = options->onsite.chosen();
+    model.contact = options->contact.chosen();
+  });
+}
+
+/// Adds `--ends`, what lies beyond the first and the last bead.
+inline void add_ends_option(CLI::App& app, Model& model) {
+  const std::vector<std::string> names(std::begin(ends_names), std::end(ends_names));
+  const auto choose = [&model, names](const std::string& name) {
+    model.ends = Ends(std::find(names.begin(), names.end(), name) - names.begin());
+  };
+  app.add_option_function<std::string>("--ends", choose, "ends of the chain")
+      ->check(one_of(names))
+      ->default_str(ends_names[int(model.ends)]);
+}
+
+}  // namespace lattice

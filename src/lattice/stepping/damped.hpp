@@ -1,0 +1,203 @@
+#pragma once
+/**
+# Linear damping
+
+Friction takes away a fixed share of every velocity per unit of time,
+$$\ddot y_n = \frac{F_n}{\mu_n} - \nu_n\,\dot y_n .$$
+Without the forces this is solved exactly, $\dot y_n \to e^{-\nu_n\tau}\,\dot y_n$ at fixed positions, and
+without the friction we have good steppers. So we alternate the two (Strang): half a step of
+friction, a conservative step, half a step of friction. The order is two whatever the order of
+the conservative stepper, with an error in proportion to $\nu$; where $\nu_n = 0$ nothing
+happens at all. One rate for all sites makes a damped chain, rates that grow towards an end
+make an end that absorbs.
+
+What the friction takes is known exactly, too: $\frac12\mu_n\dot y_n^2\,(1-e^{-2\nu_n\tau})$. Energy and
+dissipated energy together are constant but for the drift of the conservative stepper, and this
+sum replaces the energy in a run's report. It says nothing about the error of the alternation,
+which only a shorter step shows. */
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "lattice/stepping/integrate.hpp"
+
+namespace lattice {
+
+/// What a damped run keeps between its steps.
+template <class T, class Memory>
+struct DampedMemory {
+  Memory inner;                 ///< of the conservative stepper
+  std::vector<T> factor, loss;  ///< for half a step: of the velocity, of the kinetic energy,
+  double step = -1;             ///< and the step for which they were computed
+  T dissipated = T(0);          ///< energy that the friction has taken so far
+};
+
+/// Stands where a stepper asks for no memory.
+struct NoMemory {};
+
+/**
+A stepper around a stepper. `nu` holds one rate for all sites, or one a site. Steps that follow
+each other share their friction, but each calls the conservative stepper anew, so that a splitting
+pays one force evaluation more a step. Without any friction the bits are those of the inner
+stepper. */
+template <class Stepper>
+struct Damped {
+  Stepper stepper;
+  std::vector<double> nu;
+  double step;
+  int halvings = 0;
+
+  /// Throws std::invalid_argument where a rate is negative or not finite.
+  Damped(Stepper inner, std::vector<double> rates)
+      : stepper(std::move(inner)), nu(std::move(rates)), step(stepper.step) {
+    if constexpr (requires { stepper.halvings; }) halvings = stepper.halvings;
+    const auto good = [](double rate) { return rate >= 0 && std::isfinite(rate); };
+    if (nu.empty() || !std::all_of(nu.begin(), nu.end(), good))
+      throw std::invalid_argument("a damping rate must be finite and >= 0");
+  }
+  Damped(Stepper inner, double rate) : Damped(std::move(inner), std::vector<double>{rate}) {}
+
+  /// Memory for `advance`; one serves a whole run and holds its dissipated energy.
+  template <class T, class Onsite, class Contact>
+  auto memory(const Chain<Onsite, Contact>& chain) const {
+    if (nu.size() != 1 && nu.size() != chain.sites)
+      throw std::invalid_argument("damping needs one rate, or one rate a site");
+    if constexpr (requires { stepper.template memory<T>(chain); })
+      return DampedMemory<T, decltype(stepper.template memory<T>(chain))>{
+          stepper.template memory<T>(chain), {}, {}};
+    else
+      return DampedMemory<T, NoMemory>{};
+  }
+
+  /// Advances `state` by `count` steps of length `h`; returns the number of site-force evaluations.
+  template <class T, class Onsite, class Contact, class Memory>
+  double advance(const Chain<Onsite, Contact>& chain, State<T>& state, Window& window, double h,
+                 std::size_t count, DampedMemory<T, Memory>& at) const {
+    const bool frictionless =
+        std::all_of(nu.begin(), nu.end(), [](double rate) { return rate == 0; });
+    if (frictionless) return conserve(chain, state, window, h, count, at);
+    if (at.step != h) prepare(h, at);
+    double work = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+      rub(chain, state, window, at);
+      work += conserve(chain, state, window, h, 1, at);
+      rub(chain, state, window, at);
+    }
+    return work;
+  }
+
+  /// The same with memory of its own; what is dissipated is not told.
+  template <class T, class Onsite, class Contact>
+  double advance(const Chain<Onsite, Contact>& chain, State<T>& state, Window& window, double h,
+                 std::size_t count) const {
+    auto at = memory<T>(chain);
+    return advance(chain, state, window, h, count, at);
+  }
+
+ private:
+  template <class T, class Onsite, class Contact, class Memory>
+  double conserve(const Chain<Onsite, Contact>& chain, State<T>& state, Window& window, double h,
+                  std::size_t count, DampedMemory<T, Memory>& at) const {
+    if constexpr (std::is_same_v<Memory, NoMemory>)
+      return stepper.advance(chain, state, window, h, count);
+    else
+      return stepper.advance(chain, state, window, h, count, at.inner);
+  }
+
+  /// The factors of half a step. The loss is computed without the cancellation in 1 - exp(-x).
+  template <class T, class Memory>
+  void prepare(double h, DampedMemory<T, Memory>& at) const {
+    using std::exp, std::expm1;
+    at.factor.clear(), at.loss.clear();
+    for (double rate : nu) {
+      const T x = T(rate) * T(h) / T(2);
+      at.factor.push_back(exp(-x));
+      at.loss.push_back(-expm1(T(-2) * x) / T(2));
+    }
+    at.step = h;
+  }
+
+  /// Half a step of friction on the woken sites.
+  template <class T, class Onsite, class Contact, class Memory>
+  void rub(const Chain<Onsite, Contact>& chain, State<T>& state, Window window,
+           DampedMemory<T, Memory>& at) const {
+    T sum(0);
+    for (std::size_t n = window.first; n < window.last; ++n) {
+      const std::size_t i = nu.size() == 1 ? 0 : n;
+      sum += T(chain.mass_of(n)) * state.v[n] * state.v[n] * at.loss[i];
+      state.v[n] *= at.factor[i];
+    }
+    at.dissipated += sum;
+  }
+};
+
+/// A run with friction: `energy_drift` is that of energy and dissipated energy together.
+struct DampedRun : Run {
+  double dissipated = 0;  ///< during the run
+};
+
+/**
+`evolve` needs to see what the friction takes, so it gets a stepper whose memory is ours. */
+template <class Stepper, class Memory>
+struct WithLedger {
+  const Damped<Stepper>& damped;
+  Memory& memory;
+  double step;
+  int halvings;
+
+  template <class Onsite, class Contact>
+  double advance(const Chain<Onsite, Contact>& chain, State<double>& state, Window& window,
+                 double h, std::size_t count) const {
+    return damped.advance(chain, state, window, h, count, memory);
+  }
+};
+
+/// Runs `go(stepper, observer)`; `observe` may ask for the dissipated energy as its second argument.
+template <class Stepper, class Onsite, class Contact, class Observer, class Go>
+DampedRun with_ledger(const Damped<Stepper>& damped, const Chain<Onsite, Contact>& chain,
+                      const State<double>& start, Observer& observe, Go go) {
+  auto memory = damped.template memory<double>(chain);
+  const WithLedger<Stepper, decltype(memory)> stepper{damped, memory, damped.step, damped.halvings};
+  const double energy0 = energy(chain, start), scale = energy0 != 0 ? std::abs(energy0) : 1;
+  double drift = 0;
+  const auto watch = [&](const State<double>& now) {
+    drift = std::max(drift, std::abs(energy(chain, now) + memory.dissipated - energy0) / scale);
+    if constexpr (requires { observe(now, memory.dissipated); }) {
+      const auto told = [&](const State<double>& s) { return observe(s, memory.dissipated); };
+      return goes_on(told, now);
+    } else {
+      return goes_on(observe, now);
+    }
+  };
+  DampedRun run{go(stepper, watch)};
+  run.energy_drift = drift;
+  run.dissipated = memory.dissipated;
+  return run;
+}
+
+/// As `evolve` of integrate.hpp.
+template <class Stepper, class Onsite, class Contact, class Observer>
+DampedRun evolve(const Damped<Stepper>& damped, const Chain<Onsite, Contact>& chain,
+                 State<double>& state, double duration, double sample, Observer observe) {
+  return with_ledger(damped, chain, state, observe, [&](const auto& stepper, const auto& watch) {
+    return evolve(stepper, chain, state, duration, sample, watch);
+  });
+}
+
+struct Pace;
+
+/// The same at a pace of samples and steps.
+template <class Stepper, class Onsite, class Contact, class Observer>
+DampedRun evolve(const Damped<Stepper>& damped, const Chain<Onsite, Contact>& chain,
+                 State<double>& state, const Pace& pace, Observer observe) {
+  return with_ledger(damped, chain, state, observe, [&](const auto& stepper, const auto& watch) {
+    return evolve(stepper, chain, state, pace, watch);
+  });
+}
+
+}  // namespace lattice

@@ -1,0 +1,125 @@
+// The tangent map where sites do not sit in a well of curvature one: no well, the top of a hill,
+// heavy and light beads, precompressed contacts.
+
+#include "lattice/landing/landing.hpp"
+
+#include "check.hpp"
+
+using namespace lattice;
+
+namespace {
+
+/// Two wells with a hill between them, on whose top the beads rest: W''(0) = -1.
+struct Hill {
+  template <class T>
+  T energy(T y) const {
+    return y * y * (y * y / T(2) - T(1)) / T(2);
+  }
+  template <class T>
+  T force(T y) const {
+    return y * (T(1) - y * y);
+  }
+  template <class T>
+  T stiffness(T y) const {
+    return T(3) * (y * y) - T(1);
+  }
+};
+
+/// A few beads in the middle move, the others rest: those are outside the core.
+template <class T>
+State<T> stirred(std::size_t sites) {
+  State<T> s(sites);
+  s.v[sites / 2] = T(0.75);
+  s.v[sites / 2 + 1] = T(-0.5);
+  s.y[sites / 2 - 1] = T(0.25);
+  return s;
+}
+
+template <class T, class Chain>
+Tangent<T> tangent_of(const Chain& chain, State<T> state, T time) {
+  Tangent<T> tangent(chain.sites, 2 * chain.sites);
+  const Flow<T> f = flow(chain, state, time, {}, &tangent);
+  REQUIRE(double(f.error) < 1e-10);
+  return tangent;
+}
+
+/// Against extended precision, whose core is another one, and against difference quotients. At a
+/// contact that just touches these err by the square root of h.
+template <class Chain>
+void check_tangent(const Chain& chain, double time) {
+  const std::size_t n = chain.sites;
+  const auto fine = tangent_of(chain, stirred<long double>(n), (long double)time);
+  const auto ours = tangent_of(chain, stirred<double>(n), time);
+  double worst = 0;
+  for (std::size_t i = 0; i < ours.entries.size(); ++i) {
+    REQUIRE(std::isfinite(ours.entries[i]));
+    worst = std::max(worst, std::abs(ours.entries[i] - double(fine.entries[i])));
+  }
+  CHECK(worst < 1e-9);
+
+  for (std::size_t column : {std::size_t(0), n / 2, n, n + n / 2}) {
+    const auto moved = [&](long double by) {
+      State<long double> s = stirred<long double>(n);
+      (column < n ? s.y[column] : s.v[column - n]) += by;
+      flow(chain, s, (long double)time, {});
+      s.y.insert(s.y.end(), s.v.begin(), s.v.end());
+      return s.y;
+    };
+    const long double h = 1e-10L;
+    const auto plus = moved(h), minus = moved(-h);
+    for (std::size_t row = 0; row < 2 * n; ++row)
+      check_close(ours(row, column), double((plus[row] - minus[row]) / (2 * h)), 5e-5);
+  }
+}
+
+std::vector<double> uneven(std::size_t sites) {
+  std::vector<double> mass(sites);
+  for (std::size_t n = 0; n < sites; ++n) mass[n] = 1 + 0.5 * double(n % 3);
+  return mass;
+}
+
+}  // namespace
+
+TEST_CASE("the tangent of a chain without wells", "[property][tangent]") {
+  Chain<None, Hertz> chain{10, {}, {.floor = 0}};
+  check_tangent(chain, 1.5);
+  vary(chain, uneven(10), {});
+  check_tangent(chain, 1.5);
+}
+
+TEST_CASE("the tangent on the top of a hill", "[property][tangent]") {
+  Chain<Hill, Hertz> chain{10, {}, {.floor = 0}};
+  check_tangent(chain, 1.5);
+  vary(chain, uneven(10), {});
+  check_tangent(chain, 1.5);
+}
+
+TEST_CASE("the tangent of a precompressed chain, with and without wells", "[property][tangent]") {
+  check_tangent(Chain<None, CompressedHertz>{10, {}, {0.5}}, 1.5);
+  check_tangent(Chain<Harmonic, CompressedHertz>{10, {}, {0.5}, Ends::periodic}, 1.5);
+}
+
+TEST_CASE("at rest the tangent is drift, rotation or growth, exactly", "[unit][tangent]") {
+  const double time = 2.5;
+  const auto check = [&](const auto& chain, double y_y, double y_v, double v_y) {
+    const auto t = tangent_of(chain, State<double>(4), time);
+    for (std::size_t i = 0; i < 8; ++i)
+      for (std::size_t k = 0; k < 8; ++k) {
+        const bool same = i % 4 == k % 4;
+        const double entry = i < 4 ? (k < 4 ? y_y : y_v) : (k < 4 ? v_y : y_y);
+        check_close(t(i, k), same ? entry : 0, 1e-13);
+      }
+  };
+  check(Chain<None, Hertz>{4}, 1, time, 0);
+  check(Chain<Harmonic, Hertz>{4}, std::cos(time), std::sin(time), -std::sin(time));
+  check(Chain<Hill, Hertz>{4}, std::cosh(time), std::sinh(time), std::sinh(time));
+}
+
+TEST_CASE("a bead light enough to feel a faint contact belongs to the core", "[unit][tangent]") {
+  Chain<Harmonic, Hertz> chain{3, {}, {.floor = 0}};
+  Record<double> record;
+  record.nodes.push_back({0, 0, {1, 1, 1}, {0, 1e-18, 0, 0}});
+  CHECK(core_of(chain, record, 1e-16) == Window{3, 3});
+  vary(chain, {1, 1e-6, 1}, {});
+  CHECK(core_of(chain, record, 1e-16) == Window{0, 2});
+}
