@@ -3,10 +3,12 @@
 #include "lattice/measure/impact.hpp"
 #include "lattice/stepping/reference.hpp"
 
+using namespace lattice;
+
 int main() {
-  const lattice::Chain<lattice::Quartic, lattice::Hertz> chain{20, {-1.0 / 6}};
-  auto ours = lattice::struck(20, 1.5), theirs = ours;
-  evolve(lattice::ContactAware{0.01}, chain, ours, 10, 10, lattice::Unobserved{});
+  const Chain<Quartic, Hertz> chain{20, {-1.0 / 6}};
+  auto ours = struck(20, 1.5), theirs = ours;
+  evolve(ContactAware{0.01}, chain, ours, 10, 10, Unobserved{});
   evolve_reference(chain, theirs, 10, 1e-12);
   std::cout << "difference " << distance(ours, theirs) << '\n';
 }

@@ -2,9 +2,11 @@
 #include <iostream>
 #include "lattice/measure/impact.hpp"
 
+using namespace lattice;
+
 int main() {
-  const lattice::Chain<lattice::Quartic, lattice::Hertz> chain{100, {-1.0 / 6}};
-  auto state = lattice::struck(100, 1.5);
-  evolve(lattice::ContactAware{0.05}, chain, state, 200, 200, lattice::Unobserved{});
+  const Chain<Quartic, Hertz> chain{100, {-1.0 / 6}};
+  auto state = struck(100, 1.5);
+  evolve(ContactAware{0.05}, chain, state, 200, 200, Unobserved{});
   std::cout << "boundary share " << boundary_share(energy_density(chain, state)) << '\n';
 }
