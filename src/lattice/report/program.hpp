@@ -241,7 +241,7 @@ class Program {
              {"section", identity_.section},
              {"command", command_},
              {"seed", "none: no random numbers"},
-             {"revision", revision ? revision : LATTICE_VERSION},
+             {"revision", revision && *revision ? revision : LATTICE_VERSION},
              {"build", LATTICE_BUILD},
              {"libraries", LATTICE_LIBRARIES}},
             parameters_of(app)};
