@@ -8,6 +8,8 @@ methods, written by different people, that control their own error. */
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <stdexcept>
@@ -51,6 +53,9 @@ class Reference {
     if (status != GSL_SUCCESS)
       throw std::runtime_error("the reference integrator stopped at t = " + std::to_string(t) +
                                ": " + gsl_strerror(status));
+    if (!std::all_of(x.begin(), x.end(), [](double value) { return std::isfinite(value); }))
+      throw std::runtime_error("the reference integrator left the numbers before t = " +
+                               std::to_string(t));
   }
   std::size_t evaluations() const { return evaluations_; }
 

@@ -83,13 +83,17 @@ inline void settle_options(CLI::App& app) {
   }
 }
 
+inline bool is_flag(const CLI::Option* option) {
+  return option->get_items_expected_max() == 0;
+}
+
 /// Help that ends each option with its default.
 struct Help : CLI::Formatter {
   std::string make_option_opts(const CLI::Option* option) const override {
-    return option->get_type_size() == 0 ? "" : " " + option->get_type_name();
+    return is_flag(option) ? "" : " " + option->get_type_name();
   }
   std::string make_option_desc(const CLI::Option* option) const override {
-    const std::string value = option->get_type_size() == 0 ? "" : option->get_default_str();
+    const std::string value = is_flag(option) ? "" : option->get_default_str();
     return option->get_description() + (value.empty() ? "" : " (default: " + value + ")");
   }
 };
@@ -103,7 +107,7 @@ inline Meta parameters_of(const CLI::App& app) {
         name == "output")
       continue;
     std::string value = option->get_default_str();
-    if (option->get_type_size() == 0)
+    if (is_flag(option))
       value = option->count() > 0 ? "yes" : "no";
     else if (option->count() > 0)
       value = option->results().back();

@@ -168,7 +168,7 @@ class Program {
     app_.add_option("--out", out_, "folder for the tables of a full run")
         ->check(not_empty())
         ->default_str("build/data/" + identity_.name);
-    app_.add_flag("--quick", quick, "coarse parameters: seconds, for trying out (default: off)");
+    app_.add_flag("--quick", quick, "coarse parameters: seconds, for trying out");
     add_threads(app_);
     app_.require_subcommand(0, 1);
   }
