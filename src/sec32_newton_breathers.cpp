@@ -627,6 +627,7 @@ Table barrier_command(const BreatherOptions& options) {
 }
 
 Results everything(Output& output, bool quick) {
+  output.note("tolerance", "flow to 128 and 2048 roundings of the type");
   Report report{output, quick};
   report_convergence(report);
   report_profiles(report);
