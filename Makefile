@@ -1,6 +1,9 @@
 # The lineage: programs -> tables -> figures -> report. `make help` lists what there is.
 #
-#   LAUNCH=...   put before every simulation, for example  LAUNCH='srun -n1'
+#   LAUNCH=...   put before every simulation, for example  LAUNCH='srun -n1 -c4'
+#   THREADS=...  threads of each simulation. Without it a simulation has all cores that this shell
+#                may use, with -jN an Nth of them; srun grants the cores of its task itself.
+#   QUICK=1      coarse parameters; tables and figures go to build/quick
 #   DEPS=skip    do not install missing packages
 #   PYTHON=...   a python3 that has matplotlib
 
@@ -11,26 +14,36 @@ SHELL := /bin/sh
 MAKEFLAGS += --no-builtin-rules --no-print-directory
 
 B := build
+D := $(B)$(if $(QUICK),/quick)
 LAUNCH ?=
 CTEST_ARGS ?= --output-on-failure
-PYTHON ?= $(shell for p in python3 /usr/bin/python3; do \
-            $$p -c 'import matplotlib' 2>/dev/null && { echo $$p; break; }; done)
-JOBS ?= $(shell nproc 2>/dev/null || echo 2)
+ifndef PYTHON
+PYTHON = $(eval PYTHON := $(shell for p in python3 /usr/bin/python3; do \
+           $$p -c 'import matplotlib' 2>/dev/null && { echo $$p; break; }; done))$(PYTHON)
+endif
+# nproc counts the cores that this shell may use; Slurm may have granted the task fewer.
+CORES := $(shell n=$$(nproc 2>/dev/null || echo 2); s=$${SLURM_CPUS_PER_TASK:-$$n}; \
+           [ "$$s" -lt "$$n" ] 2>/dev/null && echo "$$s" || echo "$$n")
+JOBS ?= $(CORES)
+# Simulations that run at the same time share the cores. Results do not depend on threads.
+at_once = $(if $(filter -j%,$(MAKEFLAGS)),$(or $(patsubst -j%,%,$(filter -j%,$(MAKEFLAGS))),$(CORES)),1)
+share = $(shell n=$$(($(CORES) / $(at_once))); [ $$n -ge 1 ] && echo $$n || echo 1)
+threads = $(if $(THREADS),--threads $(THREADS),$(if $(findstring srun,$(LAUNCH)),,--threads $(share)))
 
 # Equal inputs give equal bytes: no dates in figures, one locale everywhere.
 export SOURCE_DATE_EPOCH := 1370000000
 export LC_ALL := C.UTF-8
 export MATPLOTLIBRC := figures
 export PYTHONDONTWRITEBYTECODE := 1
-export LATTICE_REVISION := $(shell git describe --always --dirty 2>/dev/null)
+export LATTICE_REVISION := $(shell git describe --always --dirty --abbrev=12 2>/dev/null)
 
 # figures/figures.ecsv says which program and which script make each figure.
 rows := $(shell awk -F, '!/^\#/ && $$1 != "id" { print $$1 "|" $$4 "|" $$5 }' figures/figures.ecsv)
 field = $(word $(2),$(subst |, ,$(1)))
 ids := $(foreach r,$(rows),$(call field,$(r),1))
 chapters := $(basename $(notdir $(wildcard src/sec*.cpp)))
-results := $(foreach p,$(chapters),$(B)/data/$(p)/results.ecsv)
-svgs := $(foreach r,$(rows),$(B)/figures/$(basename $(call field,$(r),3)).svg)
+results := $(foreach p,$(chapters),$(D)/data/$(p)/results.ecsv)
+svgs := $(foreach r,$(rows),$(D)/figures/$(basename $(call field,$(r),3)).svg)
 images := $(svgs) $(svgs:.svg=.pdf) $(svgs:.svg=.png)
 
 .PHONY: figures test all-figures all-data programs install-deps burn help readme summary
@@ -38,7 +51,7 @@ images := $(svgs) $(svgs:.svg=.pdf) $(svgs:.svg=.png)
 
 ## figures: compute and draw everything, then compare with the article
 figures: install-deps
-	@mkdir -p $(B)/report && date +%s > $(B)/report/start
+	@mkdir -p $(D)/report && date +%s > $(D)/report/start
 	@$(MAKE) all-figures
 	@$(MAKE) summary
 
@@ -51,36 +64,35 @@ all-figures: $(images) all-data
 all-data: $(results)
 
 ## programs: build build/bin/<program>
-programs: $(B)/CMakeCache.txt
+programs: configure
 	@test -x $(B)/bin/report || echo "  build    programs (a few minutes the first time; $(B)/build.log)"
 	@cmake --build $(B) --parallel $(JOBS) --target programs > $(B)/build.log 2>&1 || \
 	  { cat $(B)/build.log; exit 1; }
 
-$(B)/CMakeCache.txt: CMakeLists.txt
-	@mkdir -p $(B)
-	@cmake -S . -B $(B) > $(B)/configure.log 2>&1 || { cat $(B)/configure.log; exit 1; }
-	@touch $@
+.PHONY: configure
+configure:
+	@sh tools/configure.sh $(B)
 
 # The build decides whether a program is new; its date alone decides whether it runs again.
 $(B)/bin/%: programs
 	@test -x $@
 
-$(B)/data/%/results.ecsv: $(B)/bin/%
-	@mkdir -p $(B)/report/cost $(@D)
+$(D)/data/%/results.ecsv: $(B)/bin/%
+	@mkdir -p $(D)/report/cost $(@D)
 	@echo "  compute  $*"
-	@start=$$(date +%s.%N); $(LAUNCH) $< --out $(@D) && \
-	  echo "$$start $$(date +%s.%N)" | awk '{ printf "%.1f\n", $$2 - $$1 }' > $(B)/report/cost/$*
+	@start=$$(date +%s.%N); $(LAUNCH) $< --out $(@D) $(if $(QUICK),--quick) $(threads) && \
+	  echo "$$start $$(date +%s.%N)" | awk '{ printf "%.1f\n", $$2 - $$1 }' > $(D)/report/cost/$*
 
 # $(1) id, $(2) program, $(3) script
 define figure
 $(if $(filter x%,$(1)),$(1),fig$(1)): install-deps
-	@$$(MAKE) $(foreach e,svg pdf png,$(B)/figures/$(basename $(3)).$(e))
-$(B)/figures/$(basename $(3)).svg: figures/$(3) $(B)/data/$(2)/results.ecsv \
+	@$$(MAKE) $(foreach e,svg pdf png,$(D)/figures/$(basename $(3)).$(e))
+$(D)/figures/$(basename $(3)).svg: figures/$(3) $(D)/data/$(2)/results.ecsv \
     $(if $(filter %.gp,$(3)),figures/style.gp,figures/draw.py figures/matplotlibrc)
 	@mkdir -p $$(@D)
 	@echo "  draw     $(basename $(3))"
-	@$(if $(filter %.gp,$(3)),gnuplot -e "data='$(B)/data'; out='$$@.part'" $$<,\
-	  $$(need_python) $$(PYTHON) $$< $(B)/data $$@.part)
+	@$(if $(filter %.gp,$(3)),gnuplot -e "data='$(D)/data'; out='$$@.part'" $$<,\
+	  $$(need_python) "$$(PYTHON)" $$< $(D)/data $$@.part)
 	@mv $$@.part $$@
 endef
 need_python = test -n "$(PYTHON)" || { echo "no python3 with matplotlib found (set PYTHON=...)"; exit 1; };
@@ -93,11 +105,11 @@ $(foreach r,$(rows),$(eval $(call figure,$(call field,$(r),1),$(call field,$(r),
 
 summary: programs
 	@echo
-	@echo "figures    : $(words $(svgs)) in $(B)/figures (svg, pdf, png)"
-	@$(B)/bin/report --data $(B)/data --out $(B)/report
-	@echo "computing  : $$(cat $(B)/report/cost/* | awk '{ s += $$1 } END { printf "%.0f", s }') s" \
-	  "in $(words $(chapters)) programs; all together $$(( $$(date +%s) - $$(cat $(B)/report/start) )) s"
-	@echo "report     : $(B)/report/published.ecsv"
+	@echo "figures    : $(words $(svgs)) in $(D)/figures (svg, pdf, png)"
+	@$(B)/bin/report --data $(D)/data --out $(D)/report
+	@echo "computing  : $$(cat $(D)/report/cost/* | awk '{ s += $$1 } END { printf "%.0f", s }') s" \
+	  "in $(words $(chapters)) programs; all together $$(( $$(date +%s) - $$(cat $(D)/report/start) )) s"
+	@echo "report     : $(D)/report/published.ecsv"
 
 .PHONY: run-tests
 run-tests: programs
@@ -106,13 +118,13 @@ run-tests: programs
 
 ## bench: time our integrators against GSL and Boost.odeint (ten minutes, not part of the tests)
 .PHONY: bench
-bench: install-deps $(B)/CMakeCache.txt
+bench: install-deps configure
 	@mkdir -p $(B)/bench
 	@cmake --build $(B) --parallel $(JOBS) --target bench > $(B)/bench/build.log 2>&1 || \
 	  { cat $(B)/bench/build.log; exit 1; }
 	@$(B)/bin/bench_kernels --benchmark_min_time=0.1
 	@$(B)/bin/bench_ratios --out $(B)/bench
-	@$(need_python) $(PYTHON) figures/x04_work_precision.py $(B)/bench $(B)/bench/work_precision.svg
+	@$(need_python) "$(PYTHON)" figures/x04_work_precision.py $(B)/bench $(B)/bench/work_precision.svg
 	@$(MAKE) $(B)/bench/work_precision.pdf $(B)/bench/work_precision.png
 
 ## readme: refresh the generated tables of README.md
@@ -120,6 +132,11 @@ readme: install-deps
 	@$(MAKE) all-figures
 	@$(MAKE) summary
 	@$(PYTHON) tools/readme.py
+
+## mutants: errors of physics put into the library one at a time; the tests must notice (ten minutes)
+.PHONY: mutants
+mutants: install-deps
+	@$(or $(PYTHON),python3) tools/mutants.py $(MUTANTS)
 
 ## install-deps: install the Debian packages of apt-packages.txt that are missing
 install-deps:
@@ -135,4 +152,5 @@ help:
 	@awk '!/^#/ { at = index($$0, ","); id = substr($$0, 1, at - 1); if (id == "id") next; \
 	  text = $$0; for (k = 0; k < 7; ++k) text = substr(text, index(text, ",") + 1); \
 	  gsub(/"/, "", text); printf "  make %s: %s\n", (id ~ /^x/ ? id : "fig" id), text }' figures/figures.ecsv
-	@echo "Variables: DEPS=skip (install nothing), PYTHON=..., JOBS=..., LAUNCH=... (put before every program)"
+	@echo "Variables: DEPS=skip (install nothing), PYTHON=..., JOBS=..., LAUNCH=... (put before every program),"
+	@echo "  THREADS=... (of each program), QUICK=1 (coarse, into $(B)/quick)"

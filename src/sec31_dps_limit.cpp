@@ -299,6 +299,8 @@ For an impact the constants are [](num:sec31_dps_limit.constant_impact_tau_1),
 [](num:sec31_dps_limit.constant_pair_tau_10). The error of a computation is never more than
 [](num:sec31_dps_limit.largest_resolution_error) of the error that it measures. */
 Results everything(Output& output, bool quick) {
+  output.note("tolerance", "GSL " + short_text(resolutions[0].tolerance) + " and " +
+                               short_text(resolutions[1].tolerance));
   Results results;
   Quantities facts;
   const double quadrature = tau_0_by_quadrature();

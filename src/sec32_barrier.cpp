@@ -348,6 +348,7 @@ int main(int argc, char** argv) {
   one->add_option("--omega", options.omega, "frequency omega_b > 1")->check(in_range(1.0001, 3));
   one->add_option("--s", options.s, "anharmonicity of the well")->check(in_range(-10, 10));
   program.everything = [&](Output& output) {
+    output.note("tolerance", "flow to 128 and 2048 roundings of the type");
     Report report{output, program.quick};
     const auto ladders = climb_wells(program.quick ? 10 : 80);
     output.add("barriers", branch_table(ladders));

@@ -447,6 +447,7 @@ independent route to the outer sites: at $n = 4$ the ratio is
 [](num:sec32_dps_profiles.tail_ratio_4_site), and four sites farther it differs from 3/2 by
 [](num:sec32_dps_profiles.tail_distance_8_site). */
 Results everything(Output& output) {
+  output.note("tolerance", "relative corrections of the strains below a hundred roundings");
   Quantities facts;
   report_norms(facts);
   report_gap(facts);

@@ -530,6 +530,7 @@ int main(int argc, char** argv) {
       ->check(CLI::IsMember({"compressed", "stretched"}));
   one->add_flag("--profile", options.profile, "print the positions n,y instead");
   program.everything = [&](Output& output) {
+    output.note("tolerance", "flow to 128 and 2048 roundings of the type");
     Report report{output, program.quick};
     report_convergence(report);
     report_symmetry(report);

@@ -281,6 +281,7 @@ int main(int argc, char** argv) {
   Program program({"sec34_dps_impact", "3.4", "Impact in the DpS equation and in the chain"}, argc,
                   argv);
   program.everything = [&](Output& output) {
+    output.note("tolerance", "end state " + short_text(tolerance) + ", GSL 1e-11");
     Report report{output, program.quick};
     report_comparison(report, report_dps(report));
     report_trials(report);

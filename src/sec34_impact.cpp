@@ -408,6 +408,7 @@ int main(int argc, char** argv) {
   run->add_flag("--profile", options.profile, "print the final profile n,y,v,e instead");
 
   program.everything = [&](Output& output) {
+    output.note("tolerance", "end state " + short_text(tolerance));
     Report report{output, program.quick};
     report_sweep(report);
     report_surface(report);

@@ -157,6 +157,7 @@ and [](num:sec34_kink.first_certain_kink), from which every decided impact moves
 ejects somebody at the far end, the kink takes over. Errors are the spacing of the scan; velocities
 that stay undecided support no statement. */
 Results everything(Output& output, bool quick) {
+  output.note("tolerance", "steps " + short_text(step) + " and " + short_text(step / 2));
   const double spacing = quick ? 0.25 : 0.02;
   auto points = scan(1, 8, spacing);
   output.add("kink_transition", scan_table(points, Options{}.sites));

@@ -17,7 +17,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::string bin = BIN_DIR;
+/// One word for the shell, whatever characters a path has.
+std::string word(const fs::path& path) {
+  std::string out = "'";
+  for (char c : path.string()) out += c == '\'' ? "'\\''" : std::string(1, c);
+  return out + "'";
+}
+
+const std::string bin = word(BIN_DIR);
 
 struct Result {
   int code;
@@ -30,7 +37,7 @@ struct Result {
 
 /// A fresh folder that goes away again.
 struct Scratch {
-  fs::path path = fs::temp_directory_path() / ("lattice_cli_" + std::to_string(::getpid()));
+  fs::path path = fs::temp_directory_path() / ("lattice cli " + std::to_string(::getpid()));
   Scratch() { fs::create_directories(path); }
   ~Scratch() { fs::remove_all(path); }
   std::size_t files() const {
@@ -43,7 +50,7 @@ struct Scratch {
 
 Result call(const std::string& command) {
   const auto errors = fs::temp_directory_path() / ("lattice_err_" + std::to_string(::getpid()));
-  FILE* pipe = popen((bin + "/" + command + " 2>" + errors.string()).c_str(), "r");
+  FILE* pipe = popen((bin + "/" + command + " 2>" + word(errors)).c_str(), "r");
   std::string output;
   std::array<char, 4096> buffer;
   for (std::size_t n; (n = fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
@@ -78,7 +85,7 @@ TEST_CASE("help and version", "[cli]") {
 
 TEST_CASE("bad input: one line, exit code 2, no file", "[cli]") {
   Scratch scratch;
-  const std::string out = " --output " + (scratch.path / "x.ecsv").string();
+  const std::string out = " --output " + word(scratch.path / "x.ecsv");
   struct Bad {
     std::string arguments, option;
   };
@@ -131,6 +138,179 @@ TEST_CASE("bad input: one line, exit code 2, no file", "[cli]") {
   }
 }
 
+TEST_CASE("a wrong value is answered with the allowed range", "[cli]") {
+  struct Bad {
+    std::string arguments, option, range;
+  };
+  const std::string run = "sec34_impact run ";
+  for (const auto& [arguments, option, range] :
+       std::vector<Bad>{{run + "--sites 2.5", "--sites", "[2, 1000000]"},
+                        {run + "--sites abc", "--sites", "[2, 1000000]"},
+                        {run + "--sites ''", "--sites", "[2, 1000000]"},
+                        {run + "--sites 0x20", "--sites", "[2, 1000000]"},
+                        {run + "--sites 1e7", "--sites", "[2, 1000000]"},
+                        {run + "--s 1e", "--s", "[-10, 10]"},
+                        {run + "--s nan", "--s", "[-10, 10]"},
+                        {run + "--s --4", "--s", "[-10, 10]"},
+                        {run + "--s 0x1p3", "--s", "[-10, 10]"},
+                        {run + "--threads 0", "--threads", "[1, 1024]"},
+                        {run + "--threads 1.5", "--threads", "[1, 1024]"},
+                        {"sec34_impact --threads many", "--threads", "[1, 1024]"},
+                        {run + "--onsite cubic", "--onsite", "quartic"}}) {
+    const Result r = call(arguments);
+    CAPTURE(arguments, r.errors);
+    CHECK(r.code == 2);
+    CHECK(r.error_lines() == 1);
+    CHECK(r.errors.find(option) != std::string::npos);
+    CHECK(r.errors.find(range) != std::string::npos);
+  }
+}
+
+TEST_CASE("numbers are decimal, and whole ones may be written as help writes them", "[cli]") {
+  const auto rows = [](const std::string& sites) {
+    const Result r = call("sec32_dps_profiles profile --centre site --sites " + sites);
+    CAPTURE(sites, r.errors);
+    REQUIRE(r.code == 0);
+    std::istringstream in(r.output);
+    return from_text(in).rows.size();
+  };
+  CHECK(rows("031") == 31);
+  CHECK(rows("31.0") == 31);
+  CHECK(rows("3.1e+01") == 31);
+  CHECK(rows("+31") == 31);
+  const std::string sites = "sec34_impact run --velocity 1 --time 20 --sites ";
+  const Result big = call(sites + "1e+06"), plain = call(sites + "1000000");
+  CHECK(big.code == 0);
+  CHECK(quantity(big, "centre") == quantity(plain, "centre"));
+}
+
+TEST_CASE("an option of the full run is not swallowed by a subcommand", "[cli]") {
+  Scratch scratch;
+  for (const std::string& option : {std::string("--quick"), "--out " + word(scratch.path / "a")}) {
+    const Result r = call("sec34_impact " + option + " run --velocity 1 --time 20");
+    CAPTURE(option, r.errors);
+    CHECK(r.code == 2);
+    CHECK(r.error_lines() == 1);
+    CHECK(r.errors.find(option.substr(0, 5)) != std::string::npos);
+    CHECK(r.errors.find("'run'") != std::string::npos);
+    CHECK(r.output.empty());
+  }
+  CHECK(scratch.files() == 0);
+}
+
+TEST_CASE("a name that the system refuses is bad input", "[cli]") {
+  Scratch scratch;
+  for (const std::string& name : {std::string(300, 'x'), std::string(252, 'x')}) {
+    const Result r =
+        call("sec34_impact run --velocity 1 --time 20 --output " + word(scratch.path / name));
+    CAPTURE(r.errors);
+    CHECK(r.code == 2);
+    CHECK(r.error_lines() == 1);
+    CHECK(r.errors.find("sec34_impact: --output: ") == 0);
+    CHECK(r.errors.find("filesystem") == std::string::npos);
+  }
+  CHECK(call("sec34_impact --out " + word(scratch.path / std::string(300, 'x'))).code == 2);
+  CHECK(scratch.files() == 0);
+}
+
+TEST_CASE("help shows the default of every option and what nan means", "[cli]") {
+  const struct {
+    const char *command, *option, *value;
+  } shown[] = {{"sec34_impact run", "--velocity", "1.87"},
+               {"sec34_impact run", "--onsite", "quartic"},
+               {"sec34_impact run", "--sites", "as long as needed"},
+               {"sec34_impact run", "--output", "standard output"},
+               {"sec32_dps_profiles profile", "--mu", "1"},
+               {"sec34_impact", "--out", "build/data/sec34_impact"}};
+  for (const auto& [command, option, value] : shown) {
+    CAPTURE(command, option);
+    std::istringstream help(call(std::string(command) + " --help").output);
+    std::string text, line;
+    for (bool here = false; std::getline(help, line);) {
+      const auto at = line.find_first_not_of(' ');
+      if (at != std::string::npos && line[at] == '-')
+        here = line.compare(at, std::string(option).size() + 1, std::string(option) + " ") == 0;
+      if (here) text += line.substr(at == std::string::npos ? 0 : at) + " ";
+    }
+    CHECK(text.find("(default: " + std::string(value) + ")") != std::string::npos);
+  }
+  CHECK(call("sec34_impact run --help").output.find("is nan") != std::string::npos);
+}
+
+TEST_CASE("the header records every parameter with the value used", "[cli]") {
+  const auto header = [](const std::string& command, const std::string& key) {
+    const Result r = call(command);
+    CAPTURE(command, r.errors);
+    REQUIRE(r.code == 0);
+    std::istringstream in(r.output);
+    for (const auto& [name, value] : from_text(in).meta)
+      if (name == key) return value;
+    return std::string("no entry");
+  };
+  const std::string run = "sec34_impact run --velocity 1.50 --time 2e1";
+  const std::string used = header(run, "parameters");
+  CAPTURE(used);
+  for (const char* part : {"velocity = 1.5", "time = 20", "s = ", "onsite = quartic",
+                           "sites = ", "precompression = 0", "tolerance = ", "profile = no"})
+    CHECK(used.find(part) != std::string::npos);
+  CHECK(used.find("threads") == std::string::npos);
+  CHECK(header(run + " --threads 2", "command") == run);
+  CHECK(header(run + " --threads=2", "command") == run);
+  CHECK(header("sec34_impact run '--onsite' \"quartic\" --time '2e1'", "command") ==
+        "sec34_impact run --onsite quartic --time 2e1");
+  for (const char* name : {"GSL ", "Eigen ", "Boost ", "CLI11 "})
+    CHECK(header(run, "libraries").find(name) != std::string::npos);
+  CHECK(header(run, "seed") != "no entry");
+  CHECK(header(run, "build").find("-O") != std::string::npos);
+  CHECK(header("sec32_dps_profiles profile --mu 2", "parameters").find("centre = site, mu = 2") ==
+        0);
+}
+
+TEST_CASE("an argument with a line break stays on its line of the header", "[cli]") {
+  Scratch scratch;
+  const fs::path path = scratch.path / "two\nlines.ecsv";
+  REQUIRE(call("sec32_dps_profiles profile --output " + word(path)).code == 0);
+  const Table table = read(path);
+  CHECK(table.rows.size() == 31);
+  for (const auto& [key, value] : table.meta)
+    if (key == "command") CHECK(value.find("two\\x0alines") != std::string::npos);
+}
+
+TEST_CASE("no number of threads changes a bit", "[cli]") {
+  Scratch scratch;
+  const auto bytes = [&](const std::string& options) {
+    const fs::path out = scratch.path / "out";
+    fs::remove_all(out);
+    REQUIRE(std::system(("cd " + word(scratch.path) + " && " + bin +
+                         "/sec34_kink --quick --out out " + options + " 2>/dev/null")
+                            .c_str()) == 0);
+    std::string all;
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator(out)) files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    for (const auto& file : files) {
+      std::ifstream in(file, std::ios::binary);
+      std::stringstream text;
+      text << in.rdbuf();
+      all += file.filename().string() + text.str();
+    }
+    return all;
+  };
+  const std::string one = bytes("--threads 1");
+  CHECK(one.size() > 1000);
+  CHECK(one == bytes("--threads 3"));
+  CHECK(one == bytes(""));
+}
+
+TEST_CASE("a run that is killed leaves no table", "[cli]") {
+  Scratch scratch;
+  const std::string command =
+      "timeout -s KILL 0.3 " + bin + "/sec34_impact --out " + word(scratch.path) + " 2>/dev/null";
+  CHECK(std::system(command.c_str()) != 0);
+  for (const auto& entry : fs::directory_iterator(scratch.path))
+    CHECK(entry.path().extension() != ".ecsv");
+}
+
 TEST_CASE("an unwritable place is refused before computing", "[cli]") {
   for (const char* arguments : {"sec34_impact --out /proc/nowhere", "sec34_kink --out /dev/null/x",
                                 "sec34_impact run --output /proc/nowhere/x.ecsv"}) {
@@ -145,7 +325,7 @@ TEST_CASE("an unwritable place is refused before computing", "[cli]") {
 TEST_CASE("a folder, a device and a closed output are told apart", "[cli]") {
   Scratch scratch;
   const std::string run = "sec34_impact run --velocity 1 --time 20";
-  const Result folder = call(run + " --output " + scratch.path.string());
+  const Result folder = call(run + " --output " + word(scratch.path));
   CHECK(folder.code == 2);
   CHECK(folder.error_lines() == 1);
   CHECK(call(run + " --output ''").code == 2);
@@ -166,7 +346,7 @@ TEST_CASE("a short chain does not spoil the speed", "[cli]") {
 TEST_CASE("a runaway is a failure, not a number", "[cli]") {
   Scratch scratch;
   const Result r = call("sec34_impact run --s -0.7 --velocity 1.3 --time 100 --output " +
-                        (scratch.path / "x.ecsv").string());
+                        word(scratch.path / "x.ecsv"));
   CHECK(r.code == 1);
   CHECK(r.error_lines() == 1);
   CHECK(r.errors.find("blows up") != std::string::npos);
@@ -176,7 +356,7 @@ TEST_CASE("a runaway is a failure, not a number", "[cli]") {
 TEST_CASE("a breather beyond the fold of its family is a failure", "[cli]") {
   Scratch scratch;
   const Result r = call("sec32_newton_breathers breather --omega 2 --s -1 --output " +
-                        (scratch.path / "x.ecsv").string());
+                        word(scratch.path / "x.ecsv"));
   CHECK(r.code == 1);
   CHECK(r.error_lines() == 1);
   CHECK(r.errors.find("turns back near 1.6") != std::string::npos);
@@ -266,7 +446,7 @@ TEST_CASE("the inner loop has the same bits at every vector width", "[cli]") {
 
 TEST_CASE("a quick run answers everything and says when it is complete", "[cli]") {
   Scratch scratch;
-  const Result r = call("sec34_kink --quick --out " + scratch.path.string());
+  const Result r = call("sec34_kink --quick --out " + word(scratch.path));
   REQUIRE(r.code == 0);
   CHECK(fs::exists(scratch.path / "results.ecsv"));
   for (const auto& entry : fs::directory_iterator(scratch.path))

@@ -49,3 +49,47 @@ TEST_CASE("writing where it cannot leaves nothing", "[unit][table]") {
   CHECK_FALSE(std::filesystem::exists(path.string() + ".part"));
   std::filesystem::remove(path);
 }
+
+TEST_CASE("a line break is refused when written and when read", "[unit][table]") {
+  const auto with = [](const std::string& cell, const std::string& meta, const std::string& unit) {
+    Table table{{{"s", unit, "a text", Kind::text}}};
+    table.add({cell});
+    table.meta = {{"command", meta}};
+    return to_text(table);
+  };
+  CHECK_NOTHROW(with("a, \"b\" # c", "d", "m"));
+  CHECK_THROWS_AS(with("two\nlines", "", ""), std::invalid_argument);
+  CHECK_THROWS_AS(with("return\r", "", ""), std::invalid_argument);
+  CHECK_THROWS_AS(with("", "two\nlines", ""), std::invalid_argument);
+  CHECK_THROWS_AS(with("", "", "two\nlines"), std::invalid_argument);
+  const auto path = std::filesystem::temp_directory_path() / "lattice_break_test.ecsv";
+  Table table{{{"s", "", "", Kind::text}}};
+  table.add({std::string("two\nlines")});
+  CHECK_THROWS(write(path, table));
+  CHECK_FALSE(std::filesystem::exists(path));
+  std::istringstream broken(
+      "# - {name: 's', unit: '', datatype: string, description: ''}\ns\n\"two\nlines\"\n");
+  try {
+    from_text(broken);
+    FAIL("a cell of two lines was read");
+  } catch (const std::runtime_error& error) {
+    CHECK(std::string(error.what()).find("line break") != std::string::npos);
+  }
+}
+
+TEST_CASE("numbers are read in one way", "[unit][table]") {
+  for (const char* text : {"31", "031", "+31", "31.0", "3.1e1", "3.1e+01"}) {
+    CAPTURE(text);
+    REQUIRE(parse_number(text));
+    CHECK(*parse_number(text) == 31);
+  }
+  CHECK(*parse_number("-1.5e-3") == -1.5e-3);
+  CHECK(*parse_number("0.1") == 0.1);
+  for (const char* text : {"", " ", "1 ", " 1", "1,5", "0x1f", "1e", "--1", "+-1", "+", "one"}) {
+    CAPTURE(text);
+    CHECK_FALSE(parse_number(text));
+  }
+  CHECK(short_text(1e6) == "1000000");
+  CHECK(short_text(-0.1) == "-0.1");
+  CHECK(short_text(1e-6) == "1e-06");
+}

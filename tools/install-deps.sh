@@ -19,9 +19,10 @@ if [ "$(id -u)" = 0 ]; then as_root=; elif command -v sudo >/dev/null 2>&1; then
   exit 1
 fi
 export DEBIAN_FRONTEND=noninteractive
+log=$(mktemp)
+trap 'rm -f "$log"' EXIT
 # shellcheck disable=SC2086
 {
   $as_root apt-get update -qq
   $as_root apt-get install -y -qq --no-install-recommends $missing
-} > /tmp/install-deps.$$ 2>&1 || { cat /tmp/install-deps.$$; rm -f /tmp/install-deps.$$; exit 1; }
-rm -f /tmp/install-deps.$$
+} > "$log" 2>&1 || { cat "$log"; exit 1; }

@@ -8,6 +8,8 @@ methods, written by different people, that control their own error. */
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <stdexcept>
@@ -27,14 +29,20 @@ struct Tolerance {
 };
 
 /// Integrates `x' = rhs(t, x, dx)` adaptively. `Rhs` is callable as `void(double, const double*,
-/// double*)`. Throws std::runtime_error if GSL cannot go on.
+/// double*)`. Throws std::invalid_argument if GSL refuses the tolerance and std::runtime_error if it
+/// cannot go on.
 template <class Rhs>
 class Reference {
  public:
   Reference(Rhs rhs, std::size_t dimension, const Tolerance& tolerance)
       : rhs_(std::move(rhs)), system_{&Reference::call, nullptr, dimension, this} {
+    gsl_set_error_handler_off();  // GSL would abort; its status is checked below
     driver_.reset(gsl_odeiv2_driver_alloc_y_new(&system_, tolerance.method, 1e-3,
                                                 tolerance.absolute, tolerance.relative));
+    if (!driver_)
+      throw std::invalid_argument(
+          "GSL refuses this integration: it needs a dimension of at least 1 and "
+          "tolerances >= 0");
   }
   Reference(const Reference&) = delete;
   Reference& operator=(const Reference&) = delete;
@@ -45,6 +53,9 @@ class Reference {
     if (status != GSL_SUCCESS)
       throw std::runtime_error("the reference integrator stopped at t = " + std::to_string(t) +
                                ": " + gsl_strerror(status));
+    if (!std::all_of(x.begin(), x.end(), [](double value) { return std::isfinite(value); }))
+      throw std::runtime_error("the reference integrator left the numbers before t = " +
+                               std::to_string(t));
   }
   std::size_t evaluations() const { return evaluations_; }
 

@@ -5,29 +5,37 @@
 Every chapter is a program with the same manners. Without a subcommand it computes
 everything its section shows and writes tables to `--out`; a subcommand computes
 one thing with the reader's parameters and prints a table. This file holds what
-they share: options, provenance, results, progress and errors.
+they share: provenance, results, progress and errors; options.hpp holds how options are read.
 
 Bad input ends with exit code 2 and one line that names the option, the value and
 what is allowed. A computation that does not deliver what it promised ends with exit
 code 1. In neither case is a file left behind. */
 
+#include <gsl/gsl_errno.h>
+
 #include <CLI/CLI.hpp>
+#include <cerrno>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <functional>
 #include <iostream>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "lattice/numbers/estimate.hpp"
 #include "lattice/numbers/parallel.hpp"
+#include "lattice/report/options.hpp"
 #include "lattice/report/table.hpp"
 
 #ifndef LATTICE_BUILD
 #define LATTICE_BUILD "unknown build"
+#endif
+#ifndef LATTICE_LIBRARIES
+#define LATTICE_LIBRARIES "unknown versions"
 #endif
 #ifndef LATTICE_VERSION
 #define LATTICE_VERSION "0.0.0"
@@ -35,41 +43,10 @@ code 1. In neither case is a file left behind. */
 
 namespace lattice {
 
-/// The reader's input cannot be used: exit code 2.
-struct UsageError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
 /// The computation did not deliver what it promised: exit code 1.
 struct Failure : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
-
-/// Option check: a finite number in [lo, hi], whose meaning `unit` completes the message.
-inline CLI::Validator in_range(double lo, double hi, const std::string& unit = "") {
-  const auto text = [](double x) {
-    std::ostringstream out;
-    out << x;
-    return out.str();
-  };
-  const std::string range =
-      "[" + text(lo) + ", " + text(hi) + "]" + (unit.empty() ? "" : " " + unit);
-  return CLI::Validator(
-      [lo, hi, range](std::string& value) {
-        char* end = nullptr;
-        const double x = std::strtod(value.c_str(), &end);
-        if (value.empty() || *end != '\0') return "'" + value + "' is not a number";
-        const bool good = x >= lo && x <= hi;
-        return good ? std::string() : "'" + value + "' is not in the allowed range " + range;
-      },
-      range);
-}
-
-/// Option check: a name that is not empty.
-inline CLI::Validator not_empty() {
-  return CLI::Validator(
-      [](std::string& value) { return value.empty() ? "'' is not a name" : std::string(); }, "");
-}
 
 /// The last column of results and facts says where an error of zero is meant.
 inline Column kind_column() {
@@ -114,26 +91,59 @@ struct Identity {
   std::string name, section, title;
 };
 
+/**
+The header of a table says who made it and from what. `parameters` are the options with the values
+used. A chapter that knows more (a tolerance, a seed, the chain length that was chosen) adds it to
+the table's own `meta`; where that has the name of a parameter or of an entry, it replaces it. */
+struct Provenance {
+  Meta entries, parameters;
+
+  void set(const std::string& key, const std::string& value) {
+    for (Meta* known : {&parameters, &entries})
+      for (auto& [name, old] : *known)
+        if (name == key) {
+          old = value;
+          return;
+        }
+    entries.emplace_back(key, value);
+  }
+  /// The table with the whole header.
+  Table sign(Table table) const {
+    Provenance all = *this;
+    for (const auto& [key, value] : table.meta) all.set(key, value);
+    std::string text;
+    for (const auto& [key, value] : all.parameters)
+      text += (text.empty() ? "" : ", ") + key + " = " + value;
+    table.meta = {};
+    for (const auto& [key, value] : all.entries) {
+      table.meta.emplace_back(key, value);
+      if (key == "command") table.meta.emplace_back("parameters", text);
+    }
+    return table;
+  }
+};
+
 /// Where the tables of a full run go, with the header they all carry.
 class Output {
  public:
-  Output(std::filesystem::path folder, Meta meta)
-      : folder_(std::move(folder)), meta_(std::move(meta)) {}
+  Output(std::filesystem::path folder, Provenance provenance)
+      : folder_(std::move(folder)), provenance_(std::move(provenance)) {}
+
+  /// Something that the headers of all tables say: a tolerance, a seed.
+  void note(const std::string& key, const std::string& value) { provenance_.set(key, value); }
 
   /// Keeps `table` to be written as `name`.ecsv when the whole run has succeeded.
-  void add(const std::string& name, Table table) {
-    table.meta.insert(table.meta.begin(), meta_.begin(), meta_.end());
-    tables_.emplace_back(name, std::move(table));
-  }
+  void add(const std::string& name, Table table) { tables_.emplace_back(name, std::move(table)); }
   /// Writes all tables, `results` last: its presence means that the folder is complete.
   void finish(const Results& results) {
     add("results", results.table);
-    for (const auto& [name, table] : tables_) write(folder_ / (name + ".ecsv"), table);
+    for (const auto& [name, table] : tables_)
+      write(folder_ / (name + ".ecsv"), provenance_.sign(table));
   }
 
  private:
   std::filesystem::path folder_;
-  Meta meta_;
+  Provenance provenance_;
   std::vector<std::pair<std::string, Table>> tables_;
 };
 
@@ -155,14 +165,19 @@ with `command` and set `everything`. */
 class Program {
  public:
   Program(Identity identity, int argc, char** argv)
-      : identity_(std::move(identity)), app_(identity_.title, identity_.name) {
-    for (int i = 0; i < argc; ++i)
-      command_ += (i ? " " : "") + (i ? std::string(argv[i]) : identity_.name);
-    app_.set_version_flag("--version", identity_.name + " " LATTICE_VERSION " (" LATTICE_BUILD ")");
+      : identity_(std::move(identity)),
+        app_(identity_.title, identity_.name),
+        command_(command_text(identity_.name, argc, argv)) {
+    gsl_set_error_handler_off();  // its errors are ours to report, not a reason to abort
+    app_.option_defaults()->always_capture_default();
+    app_.formatter(std::make_shared<Help>());
+    app_.set_version_flag("--version", identity_.name + " " LATTICE_VERSION " (" LATTICE_BUILD
+                                                        "; " LATTICE_LIBRARIES ")");
     app_.add_option("--out", out_, "folder for the tables of a full run")
         ->check(not_empty())
         ->default_str("build/data/" + identity_.name);
     app_.add_flag("--quick", quick, "coarse parameters: seconds, for trying out");
+    add_threads(app_);
     app_.require_subcommand(0, 1);
   }
 
@@ -170,8 +185,12 @@ class Program {
   CLI::App* command(const std::string& name, const std::string& help,
                     std::function<Table()> compute) {
     CLI::App* sub = app_.add_subcommand(name, help);
-    sub->add_option("--output", output_, "file to write instead of standard output")
+    sub->add_option("--output", output_, "file to write (default: standard output)")
         ->check(not_empty());
+    add_threads(*sub);
+    sub->footer(
+        "A quantity that does not exist, such as the speed of a packet that never left, is "
+        "nan.");
     commands_.emplace_back(sub, std::move(compute));
     return sub;
   }
@@ -183,9 +202,12 @@ class Program {
   /// Parses and computes; returns the exit code.
   int run(int argc, char** argv) {
     try {
+      settle_options(app_);
+      for (const auto& [sub, compute] : commands_) settle_options(*sub);
       app_.parse(argc, argv);
+      set_threads(threads_ > 0 ? threads_ : granted());
       for (const auto& [sub, compute] : commands_)
-        if (sub->parsed()) return print(compute);
+        if (sub->parsed()) return print(*sub, compute);
       return run_everything();
     } catch (const CLI::Success& success) {
       return app_.exit(success);
@@ -199,6 +221,20 @@ class Program {
   }
 
  private:
+  void add_threads(CLI::App& app) {
+    app.add_option("--threads", threads_,
+                   "threads, on which no result depends (default: the cores granted)")
+        ->check(in_range(1, 1024));
+  }
+
+  /// The cores of this process, or fewer where Slurm says that the task has fewer.
+  static std::size_t granted() {
+    const char* share = std::getenv("SLURM_CPUS_PER_TASK");
+    const auto number = share ? parse_number(share) : std::nullopt;
+    const std::size_t cores = granted_cores();
+    return number && *number >= 1 && *number < double(cores) ? std::size_t(*number) : cores;
+  }
+
   int complain(std::string message, int code) const {
     for (char& c : message)
       if (c == '\n') c = ' ';
@@ -207,37 +243,51 @@ class Program {
   }
 
   /// Who made the table: everything needed to make it again, and no clock time.
-  Meta provenance() const {
+  Provenance provenance(const CLI::App& app) const {
     const char* revision = std::getenv("LATTICE_REVISION");
-    return {{"program", identity_.name},
-            {"section", identity_.section},
-            {"command", command_},
-            {"revision", revision ? revision : LATTICE_VERSION},
-            {"build", LATTICE_BUILD}};
+    return {{{"program", identity_.name},
+             {"section", identity_.section},
+             {"command", command_},
+             {"seed", "none: no random numbers"},
+             {"revision", revision && *revision ? revision : LATTICE_VERSION},
+             {"build", LATTICE_BUILD},
+             {"libraries", LATTICE_LIBRARIES}},
+            parameters_of(app)};
   }
 
-  /// Fails early, before hours of work, where the result could not be written.
-  static void need_writable(const std::filesystem::path& folder, const std::string& option) {
-    std::error_code error;
+  /// Fails early, before hours of work, where `file` in `folder` could not be written.
+  static void need_writable(const std::filesystem::path& folder, const std::string& file,
+                            const std::string& option) {
+    std::error_code error, ignored;
     std::filesystem::create_directories(folder, error);
-    const auto probe = folder / ".writable";
-    const bool good = !error && std::ofstream(probe).good();
-    std::filesystem::remove(probe, error);
-    if (!good)
-      throw UsageError(option + ": cannot write to '" + folder.string() +
-                       "' (allowed: a folder you may write to)");
+    const std::filesystem::path path = folder / file, part = path.string() + ".part";
+    if (!error && std::filesystem::exists(path, error) &&
+        !std::filesystem::is_regular_file(path, ignored))
+      return;
+    if (!error) {
+      const bool known = std::filesystem::exists(part, ignored);
+      errno = 0;
+      if (!std::ofstream(part, std::ios::app)) error.assign(errno, std::generic_category());
+      if (!known) std::filesystem::remove(part, ignored);
+    }
+    if (error)
+      throw UsageError(option + ": cannot write to '" + path.string() + "': " + error.message() +
+                       " (allowed: a place where you may write)");
   }
 
-  int print(const std::function<Table()>& compute) {
+  int print(const CLI::App& sub, const std::function<Table()>& compute) {
+    for (const char* option : {"--out", "--quick"})
+      if (app_.count(option) > 0)
+        throw UsageError(std::string(option) + ": has no meaning before '" + sub.get_name() +
+                         "' (allowed: in a full run, without a subcommand)");
     if (!output_.empty()) {
-      if (std::filesystem::is_directory(output_))
+      const std::filesystem::path path(output_), parent = path.parent_path();
+      std::error_code ignored;
+      if (path.filename().empty() || std::filesystem::is_directory(path, ignored))
         throw UsageError("--output: '" + output_ + "' is a folder (allowed: a file)");
-      const auto parent = std::filesystem::path(output_).parent_path();
-      need_writable(parent.empty() ? "." : parent, "--output");
+      need_writable(parent.empty() ? "." : parent, path.filename().string(), "--output");
     }
-    Table table = compute();
-    const Meta meta = provenance();
-    table.meta.insert(table.meta.begin(), meta.begin(), meta.end());
+    const Table table = provenance(sub).sign(compute());
     if (!output_.empty()) {
       write(output_, table);
     } else if (!(std::cout << to_text(table) << std::flush)) {
@@ -248,10 +298,10 @@ class Program {
 
   int run_everything() {
     if (out_.empty()) out_ = "build/data/" + identity_.name;
-    need_writable(out_, "--out");
+    need_writable(out_, "results.ecsv", "--out");
     std::error_code ignored;
     std::filesystem::remove(std::filesystem::path(out_) / "results.ecsv", ignored);
-    Output output(out_, provenance());
+    Output output(out_, provenance(app_));
     output.finish(everything(output));
     return 0;
   }
@@ -259,6 +309,7 @@ class Program {
   Identity identity_;
   CLI::App app_;
   std::string command_, out_, output_;
+  std::size_t threads_ = 0;
   std::vector<std::pair<CLI::App*, std::function<Table()>>> commands_;
 };
 

@@ -10,7 +10,10 @@ tests read the very files from which the figures are drawn.
 Numbers carry 17 significant digits, enough to restore the same bits. A file is
 written under a temporary name and renamed, so that an interrupted run leaves
 either the old file or the new one. No clock time enters, hence equal inputs give
-equal bytes. */
+equal bytes.
+
+A row is a line: a text with a line break is refused when it is written, and so is a file that has
+one when it is read. */
 
 #include <algorithm>
 #include <charconv>
@@ -19,9 +22,11 @@ equal bytes. */
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 #include <variant>
@@ -104,14 +109,40 @@ inline std::string number_text(double x) {
   return std::string(buffer, end);
 }
 
+/// The fewest digits that restore `x`, for people to read.
+inline std::string short_text(double x) {
+  if (x == std::floor(x) && std::abs(x) < 1e15) return std::to_string(std::int64_t(x));
+  char buffer[32];
+  return std::string(buffer, std::to_chars(buffer, buffer + sizeof buffer, x).ptr);
+}
+
+/// The number that the whole of `text` says, in decimal and with or without a sign; nothing if it
+/// says none. The only place where the programs read numbers.
+inline std::optional<double> parse_number(std::string_view text) {
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
+  double x = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), x);
+  if (text.empty() || error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return x;
+}
+
 namespace ecsv {
 
 inline const char* datatype(Kind kind) {
   return kind == Kind::real ? "float64" : kind == Kind::integer ? "int64" : "string";
 }
 
+/// Throws std::invalid_argument if `text` has a line break, which would end a row or a comment.
+inline const std::string& one_line(const std::string& text) {
+  if (text.find_first_of("\n\r") != std::string::npos)
+    throw std::invalid_argument("a table cannot hold the line break in '" +
+                                text.substr(0, text.find_first_of("\n\r")) + "...'");
+  return text;
+}
+
 /// A YAML single-quoted scalar.
 inline std::string quoted(const std::string& text) {
+  one_line(text);
   std::string out = "'";
   for (char c : text) out += c == '\'' ? "''" : std::string(1, c);
   return out + "'";
@@ -120,14 +151,15 @@ inline std::string quoted(const std::string& text) {
 inline std::string cell_text(const Cell& cell) {
   if (const auto* x = std::get_if<double>(&cell)) return number_text(*x);
   if (const auto* k = std::get_if<std::int64_t>(&cell)) return std::to_string(*k);
-  const auto& text = std::get<std::string>(cell);
-  if (!text.empty() && text.find_first_of(",\"\n#") == std::string::npos) return text;
+  const auto& text = one_line(std::get<std::string>(cell));
+  if (!text.empty() && text.find_first_of(",\"#") == std::string::npos) return text;
   std::string out = "\"";
   for (char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
   return out + "\"";
 }
 
-/// Splits a line at its commas, honouring double quotes.
+/// Splits a line at its commas, honouring double quotes; throws std::runtime_error if the line ends
+/// inside of them, as it does where a cell has a line break.
 inline std::vector<std::string> fields(const std::string& line) {
   std::vector<std::string> out(1);
   bool inside = false;
@@ -142,6 +174,7 @@ inline std::vector<std::string> fields(const std::string& line) {
     else
       out.back() += c;
   }
+  if (inside) throw std::runtime_error("a cell with a line break: " + line);
   return out;
 }
 
@@ -162,20 +195,22 @@ inline std::string yaml_value(const std::string& line, const std::string& key) {
 
 inline Cell parse(const std::string& text, Kind kind) {
   if (kind == Kind::text) return text;
+  if (kind == Kind::real) {
+    const auto x = text.empty() ? std::numeric_limits<double>::quiet_NaN() : parse_number(text);
+    if (!x) throw std::runtime_error("not a number: '" + text + "'");
+    return *x;
+  }
   const char *begin = text.data(), *end = begin + text.size();
-  double x = std::numeric_limits<double>::quiet_NaN();
   std::int64_t k = 0;
-  const auto result =
-      kind == Kind::real ? std::from_chars(begin, end, x) : std::from_chars(begin, end, k);
-  if (!text.empty() && (result.ec != std::errc() || result.ptr != end))
-    throw std::runtime_error("not a number: '" + text + "'");
-  if (kind == Kind::real) return x;
+  const auto result = std::from_chars(begin, end, k);
+  if (result.ec != std::errc() || result.ptr != end)
+    throw std::runtime_error("not a count: '" + text + "'");
   return k;
 }
 
 }  // namespace ecsv
 
-/// The table as ECSV 1.0 text.
+/// The table as ECSV 1.0 text; throws std::invalid_argument where a text has a line break.
 inline std::string to_text(const Table& table) {
   std::ostringstream out;
   out << "# %ECSV 1.0\n# ---\n# delimiter: ','\n# datatype:\n";
