@@ -46,7 +46,7 @@ results := $(foreach p,$(chapters),$(D)/data/$(p)/results.ecsv)
 svgs := $(foreach r,$(rows),$(D)/figures/$(basename $(call field,$(r),3)).svg)
 images := $(svgs) $(svgs:.svg=.pdf) $(svgs:.svg=.png)
 
-.PHONY: figures test all-figures all-data programs install-deps burn help readme summary
+.PHONY: figures test all-figures all-data programs install-deps burn help readme refresh lock summary
 .PHONY: $(foreach i,$(ids),$(if $(filter x%,$(i)),$(i),fig$(i)))
 
 ## figures: compute and draw everything, then compare with the article
@@ -98,6 +98,11 @@ endef
 need_python = test -n "$(PYTHON)" || { echo "no python3 with matplotlib found (set PYTHON=...)"; exit 1; };
 $(foreach r,$(rows),$(eval $(call figure,$(call field,$(r),1),$(call field,$(r),2),$(call field,$(r),3))))
 
+# fig7 is fig07, x1 is x01.
+.PHONY: $(patsubst 0%,fig%,$(filter 0%,$(ids))) $(patsubst x0%,x%,$(filter x0%,$(ids)))
+$(foreach i,$(patsubst 0%,%,$(filter 0%,$(ids))),$(eval fig$(i): fig0$(i)))
+$(foreach i,$(patsubst x0%,%,$(filter x0%,$(ids))),$(eval x$(i): x0$(i)))
+
 %.pdf: %.svg
 	@rsvg-convert --format pdf $< --output $@.part && mv $@.part $@
 %.png: %.svg
@@ -127,11 +132,14 @@ bench: install-deps configure
 	@$(need_python) "$(PYTHON)" figures/x04_work_precision.py $(B)/bench $(B)/bench/work_precision.svg
 	@$(MAKE) $(B)/bench/work_precision.pdf $(B)/bench/work_precision.png
 
-## readme: refresh the generated tables of README.md
-readme: install-deps
-	@$(MAKE) all-figures
-	@$(MAKE) summary
-	@$(PYTHON) tools/readme.py
+## lock: renew paper/converged.ecsv from the computed values and print what moved
+lock: install-deps
+	@$(MAKE) all-data
+	@$(B)/bin/report lock --data $(B)/data
+
+## refresh: write the locked values into the prose of src/, and renew the tables of README.md
+refresh readme: programs
+	@$(B)/bin/report refresh --out $(B)/report
 
 ## mutants: errors of physics put into the library one at a time; the tests must notice (ten minutes)
 .PHONY: mutants
@@ -151,6 +159,6 @@ help:
 	@sed -n 's/^## /  make /p' Makefile
 	@awk '!/^#/ { at = index($$0, ","); id = substr($$0, 1, at - 1); if (id == "id") next; \
 	  text = $$0; for (k = 0; k < 7; ++k) text = substr(text, index(text, ",") + 1); \
-	  gsub(/"/, "", text); printf "  make %s: %s\n", (id ~ /^x/ ? id : "fig" id), text }' figures/figures.ecsv
+	  sub(/,[^,"]*$$/, "", text); gsub(/"/, "", text); printf "  make %s: %s\n", (id ~ /^x/ ? id : "fig" id), text }' figures/figures.ecsv
 	@echo "Variables: DEPS=skip (install nothing), PYTHON=..., JOBS=..., LAUNCH=... (put before every program),"
 	@echo "  THREADS=... (of each program), QUICK=1 (coarse, into $(B)/quick)"

@@ -151,9 +151,9 @@ Table examples() {
 ## Results
 
 There are three regimes. A weak impact moves nobody. From
-[](num:sec34_kink.first_thrown_back) on the recoil throws beads back at the near end, and the
-breather still travels. Between [](num:sec34_kink.last_breather), up to which nobody has moved on,
-and [](num:sec34_kink.first_certain_kink), from which every decided impact moves the whole chain and
+[2.48](num:sec34_kink.first_thrown_back) on the recoil throws beads back at the near end, and the
+breather still travels. Between [4.66](num:sec34_kink.last_breather), up to which nobody has moved on,
+and [4.72](num:sec34_kink.first_certain_kink), from which every decided impact moves the whole chain and
 ejects somebody at the far end, the kink takes over. Errors are the spacing of the scan; velocities
 that stay undecided support no statement. */
 Results everything(Output& output, bool quick) {

@@ -443,12 +443,3 @@ TEST_CASE("the inner loop has the same bits at every vector width", "[cli]") {
   CHECK(wide.output.size() > 200);
   CHECK(wide.output == scalar.output);
 }
-
-TEST_CASE("a quick run answers everything and says when it is complete", "[cli]") {
-  Scratch scratch;
-  const Result r = call("sec34_kink --quick --out " + word(scratch.path));
-  REQUIRE(r.code == 0);
-  CHECK(fs::exists(scratch.path / "results.ecsv"));
-  for (const auto& entry : fs::directory_iterator(scratch.path))
-    CHECK(entry.path().extension() == ".ecsv");
-}

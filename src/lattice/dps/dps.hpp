@@ -5,7 +5,7 @@
 At small amplitude every bead oscillates at the frequency of its well, and contact
 only modulates the complex amplitude $A_n$ slowly. With $y_n(t) = 2\epsilon\,
 \mathrm{Re}\,[A_n(\epsilon^{1/2}t)\,e^{it}]$ the slow time is $\tau =
-\epsilon^{1/2}t$ and the amplitudes obey the DpS equation, Eq. dps,
+\epsilon^{1/2}t$ and the amplitudes obey the DpS equation, Eq. (12),
 $$2i\tau_0\,\dot A_n = D_n - D_{n-1}, \qquad
   D_n = (A_{n+1}-A_n)\,|A_{n+1}-A_n|^{1/2}.$$
 It has no linear part, conserves the norm $\sum|A_n|^2$ and the energy
@@ -31,7 +31,7 @@ inline double tau_0() {
   return 5 * gamma_quarter * gamma_quarter / (24 * std::sqrt(std::numbers::pi));
 }
 
-/// Amplitude scale of the static breathers of frequency `omega_b`, Eq. ansatzapproxst2 inverted.
+/// Amplitude scale of the static breathers of frequency `omega_b`, Eq. (20) inverted.
 inline double breather_eps(double omega_b) {
   return std::pow(2 * tau_0() * (omega_b - 1), 2);
 }
@@ -102,14 +102,14 @@ inline std::vector<double> density(const Field& field) {
   return d;
 }
 
-/// Impact on the first of `sites`: A_1(0) = -i, all others zero (Eq. ci).
+/// Impact on the first of `sites`: A_1(0) = -i, all others zero (Eq. (25)).
 inline Field dps_impact(std::size_t sites) {
   Field field(sites);
   field[0] = {0, -1};
   return field;
 }
 
-/// The approximation of the chain that a DpS field stands for, Eq. approx, at time `t`. Velocities
+/// The approximation of the chain that a DpS field stands for, Eq. (13), at time `t`. Velocities
 /// keep the leading order only, as the approximation does.
 inline State<double> dps_state(const Field& field, double eps, double t) {
   State<double> state(field.size());

@@ -2,7 +2,7 @@
 /**
 # Stationary states of the DpS equation
 
-With $v_n = u_n e^{i\mu t}$ the normalised DpS equation becomes Eq. dpsstat,
+With $v_n = u_n e^{i\mu t}$ the normalised DpS equation becomes Eq. (14),
 $$-\mu u_n = D_n - D_{n-1}, \qquad D_n = (u_{n+1}-u_n)\,|u_{n+1}-u_n|^{1/2},$$
 with $D = 0$ beyond free ends. Its localized solutions are the profiles of small static
 breathers, and this file computes them with relative accuracy at every site, down to the
@@ -30,8 +30,8 @@ namespace lattice {
 
 /**
 The quasi-continuum profile has the compact envelope $g(x) = (3/10)^3\cos^6(x/3)$ for
-$|x| \le 3\pi/2$. At $\mu = 1$ it gives $u_n = (-1)^n[g(n)+g(n-1)]$ around a bond (Eq. un1) and
-$u_n = (-1)^n[g(n+\frac12)+g(n-\frac12)]$ around a site (Eq. un2). */
+$|x| \le 3\pi/2$. At $\mu = 1$ it gives $u_n = (-1)^n[g(n)+g(n-1)]$ around a bond (Eq. (18)) and
+$u_n = (-1)^n[g(n+\frac12)+g(n-\frac12)]$ around a site (Eq. (19)). */
 template <class T>
 T envelope(T x) {
   using std::abs;
@@ -198,7 +198,7 @@ good guess. */
 inline constexpr std::size_t short_chain = 4;
 
 /// The stationary state of frequency `mu` with the given centre on `sites` sites with free ends;
-/// its phase is that of Eqs. un1 and un2 (central contact of a bond-centred state compressed,
+/// its phase is that of Eqs. (18) and (19) (central contact of a bond-centred state compressed,
 /// central bead of a site-centred one displaced forward). Throws std::invalid_argument for impossible
 /// input and std::runtime_error, with the history, where Newton's method does not converge.
 template <class T = double>

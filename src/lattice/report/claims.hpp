@@ -4,7 +4,14 @@
 
 `paper/published.ecsv` lists what the article states, with the agreement that was asked for
 before anything was computed. This file compares a row of it with a computed value. The
-tests and the report both call it, so there is one notion of agreement. */
+tests and the report both call it, so there is one notion of agreement, and one vocabulary:
+
+- `reproduced`: a printed number, met within its tolerance;
+- `holds`: a yes-or-no statement that our criterion confirms;
+- `discrepant`: a printed number missed, or a statement that fails;
+- `measured`: a word without a number; we give the number and pass no judgement;
+- `unresolved`: the error bar does not allow a verdict, which no test accepts;
+- `open`: not answered yet. */
 
 #include <algorithm>
 #include <cmath>
@@ -138,13 +145,19 @@ inline std::pair<double, double> agreement(const Printed& p, const std::string& 
 }
 
 /**
-A verdict needs a converged value. Where the error bar straddles an edge of the interval of
-agreement the row is `unresolved`, which no test accepts. */
+The row and the answer decide together. An answer with the unit `claim` is a yes or a no, which a
+printed number does not accept; a number that answers a word is a measurement. Only a printed number
+is compared, and where the error bar straddles an edge of the interval of agreement there is no
+verdict. */
 inline std::string verdict(const Claim& claim, const Answer& answer) {
-  const auto printed = parse_printed(claim.printed);
   if (!std::isfinite(answer.value) || !std::isfinite(answer.error)) return "unresolved";
-  if (claim.kind == "claim" || answer.unit == "claim" || !printed)
-    return answer.value == 1 ? "claim" : "discrepant";
+  const auto printed = parse_printed(claim.printed);
+  const bool in_words = claim.kind == "claim" || !printed;
+  if (answer.unit == "claim") {
+    if (!in_words || answer.error != 0) return "unresolved";
+    return answer.value == 1 ? "holds" : answer.value == 0 ? "discrepant" : "unresolved";
+  }
+  if (in_words) return "measured";
   const auto [low, high] = agreement(*printed, claim.tolerance);
   const bool in_low = answer.value - answer.error >= low && answer.value - answer.error <= high;
   const bool in_high = answer.value + answer.error >= low && answer.value + answer.error <= high;

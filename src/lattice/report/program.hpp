@@ -58,19 +58,26 @@ inline std::string kind_of(const Estimate& e) {
 
 /**
 A claim of the article is answered by a row of `results.ecsv`: its id, the value, an
-error from at least two resolutions, and the unit. Claims in words are answered by
-one (holds) or zero (does not hold). */
+error from at least two resolutions, and the unit. There are two kinds of answer. A number,
+given by `add`, answers a printed number and equally a word that has none (excellent,
+slightly, very close): such a word is measured, not judged. Yes or no, given by `claim` as one
+or zero with the unit `claim`, answers a statement that a criterion of the chapter decides. */
 struct Results {
   Table table{{label("id", "identifier in paper/published.ecsv"),
-               number("value", "converged value; 1 or 0 for a claim in words"),
+               number("value", "converged value; 1 or 0 where the unit is claim"),
                number("error", "absolute error estimated from two resolutions"),
-               label("unit", "unit of value and error"), kind_column()}};
+               label("unit", "unit of value and error; claim for yes or no"), kind_column()}};
 
+  /// A number with its error; throws Failure unless both are finite, the error is no less than
+  /// zero and the claim has no answer yet.
   void add(const std::string& id, const Estimate& e, const std::string& unit = "") {
-    if (!std::isfinite(e.value) || !std::isfinite(e.error))
-      throw Failure(id + ": the computed value is not finite");
+    if (!std::isfinite(e.value) || !std::isfinite(e.error) || e.error < 0)
+      throw Failure(id + ": the computed value or its error is not finite");
+    for (const auto& row : table.rows)
+      if (std::get<std::string>(row[0]) == id) throw Failure(id + ": answered twice");
     table.add({id, e.value, e.error, unit, kind_of(e)});
   }
+  /// Yes or no.
   void claim(const std::string& id, bool holds) { add(id, exact(holds ? 1 : 0), "claim"); }
 };
 

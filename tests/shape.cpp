@@ -1,0 +1,64 @@
+// The rules about the shape of the sources see what they should see.
+
+#include "shape.hpp"
+
+#include "check.hpp"
+
+namespace {
+
+std::string lines(int count, const std::string& text) {
+  std::string out;
+  for (int i = 0; i < count; ++i) out += text + "\n";
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("prose and code are counted", "[unit]") {
+  const std::string open = "/**\n", close = "*/\n";
+  const auto block = [&](int n) { return open + lines(n, "words") + close; };
+  CHECK(unreadable(block(15) + lines(25, "x;") + block(15) + lines(25, "y;")).empty());
+  CHECK(unreadable(block(16) + lines(1, "x;")).size() == 1);
+  CHECK(unreadable(block(1) + lines(26, "x;")).size() == 1);
+  CHECK(unreadable(block(1) + lines(26, "x;") + block(1) + lines(1, "x;")).size() == 1);
+  CHECK(unreadable(block(1) + block(1) + lines(1, "x;")).size() == 1);
+  CHECK(unreadable(block(1) + "\n#include <x>\n\n" + block(1) + lines(1, "x;")).size() == 1);
+  CHECK(unreadable(lines(30, "#include <x>") + block(1) + lines(25, "x;\n")).empty());
+  CHECK(unreadable("/** one line */\nx;\n/** another\n * line */\ny;\n").empty());
+  CHECK(unreadable("/** one line */\n/** another */\ny;\n").size() == 1);
+}
+
+TEST_CASE("an equation without its number is seen", "[unit]") {
+  const std::string eq = "Eq", eqs = "Eqs";
+  CHECK(misquoted("by " + eq + ". (24) and " + eqs + ". (1) and (39)").empty());
+  CHECK(misquoted("by " + eq + ". eqm, and").size() == 1);
+  CHECK(misquoted("by " + eqs + ".\nun1 and un2").size() == 1);
+  CHECK(misquoted("by " + eq + ". (40)").size() == 1);
+  CHECK(misquoted("by " + eq + ". (0)").size() == 1);
+}
+
+TEST_CASE("an arrow up, sideways, out or round is seen", "[unit]") {
+  const auto arrows = [](const std::string& from, const std::string& to) {
+    Includes headers{{"lattice/numbers/a.hpp", {}},  {"lattice/model/a.hpp", {}},
+                     {"lattice/stepping/a.hpp", {}}, {"lattice/landing/a.hpp", {}},
+                     {"lattice/orbits/a.hpp", {}},   {"lattice/report/a.hpp", {}},
+                     {"lattice/model/b.hpp", {}}};
+    headers[from].push_back(to);
+    return forbidden_arrows(headers).size();
+  };
+  CHECK(arrows("lattice/orbits/a.hpp", "\"lattice/numbers/a.hpp\"") == 0);
+  CHECK(arrows("lattice/model/a.hpp", "\"lattice/model/b.hpp\"") == 0);
+  CHECK(arrows("lattice/model/a.hpp", "<vector>") == 0);
+  CHECK(arrows("lattice/report/a.hpp", "<CLI/CLI.hpp>") == 0);
+  CHECK(arrows("lattice/orbits/a.hpp", "<CLI/CLI.hpp>") == 1);
+  CHECK(arrows("lattice/numbers/a.hpp", "\"lattice/model/a.hpp\"") == 1);
+  CHECK(arrows("lattice/stepping/a.hpp", "\"lattice/landing/a.hpp\"") == 1);
+  CHECK(arrows("lattice/orbits/a.hpp", "\"lattice/report/a.hpp\"") == 1);
+  CHECK(arrows("lattice/orbits/a.hpp", "\"sec34_impact.cpp\"") == 1);
+  CHECK(arrows("lattice/cellar/a.hpp", "<vector>") == 1);
+  CHECK(circles({{"lattice/model/a.hpp", {"\"lattice/model/b.hpp\""}},
+                 {"lattice/model/b.hpp", {"\"lattice/model/a.hpp\""}}})
+            .size() == 2);
+  CHECK(circles({{"lattice/model/a.hpp", {"\"lattice/model/b.hpp\""}}, {"lattice/model/b.hpp", {}}})
+            .empty());
+}

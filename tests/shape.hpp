@@ -1,0 +1,130 @@
+#pragma once
+// The shape of the sources: lengths of prose and code, how equations are cited, and which room may
+// include which. Each rule is a function from text to a list of complaints, so that a test can
+// show it a text that is wrong.
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+/// At most 15 lines of prose, then at most 25 lines of code, in turn. Empty lines, the lines that only
+/// open or close a block, and preprocessor lines are not counted.
+inline std::vector<std::string> unreadable(const std::string& text) {
+  constexpr int most_prose = 15, most_code = 25;
+  std::vector<std::string> out;
+  std::istringstream in(text);
+  int number = 0, started = 0, prose = 0, code = 0;
+  bool inside = false, seen = false;
+  const auto complain = [&](const std::string& what, int count) {
+    out.push_back("line " + std::to_string(started) + ": " + std::to_string(count) + what);
+  };
+  const auto end_code = [&] {
+    if (code > most_code) complain(" lines of code without prose", code);
+    if (seen && code == 0) complain(" lines of code between two blocks of prose", 0);
+  };
+  for (std::string line; std::getline(in, line);) {
+    ++number;
+    const auto from = line.find_first_not_of(" \t");
+    if (from == std::string::npos) continue;
+    std::string body = line.substr(from);
+    if (!inside && body.rfind("/**", 0) == 0) {
+      end_code();
+      inside = seen = true;
+      prose = code = 0;
+      started = number;
+      body.erase(0, 3);
+    }
+    if (!inside) {
+      if (body.front() != '#') {
+        if (++code == 1) started = number;
+      }
+      continue;
+    }
+    const auto close = body.find("*/");
+    const std::string words = body.substr(0, close);
+    prose +=
+        std::any_of(words.begin(), words.end(), [](unsigned char c) { return !std::isspace(c); });
+    if (close == std::string::npos) continue;
+    if (prose > most_prose) complain(" lines of prose", prose);
+    inside = false;
+    started = number;
+  }
+  if (code > most_code) complain(" lines of code without prose", code);
+  return out;
+}
+
+/// Citations of an equation by anything but a number that the article has.
+inline std::vector<std::string> misquoted(const std::string& text) {
+  constexpr int last = 39;
+  static const std::regex label("\\bEqs?\\.\\s+[a-z]\\w*"), number("\\bEqs?\\.\\s+\\((\\d+)\\)");
+  std::vector<std::string> out;
+  for (std::sregex_iterator it(text.begin(), text.end(), label), end; it != end; ++it)
+    out.push_back(it->str());
+  for (std::sregex_iterator it(text.begin(), text.end(), number), end; it != end; ++it)
+    if (std::stoi((*it)[1]) < 1 || std::stoi((*it)[1]) > last) out.push_back(it->str());
+  return out;
+}
+
+/// The floor of a room; an arrow goes down or stays in its room. Rooms of one floor do not know each
+/// other. -1 for a room that is not planned.
+inline int floor_of(const std::string& room) {
+  static const std::map<std::string, int> floors{{"numbers", 0}, {"model", 1},  {"stepping", 2},
+                                                 {"landing", 2}, {"waves", 2},  {"measure", 3},
+                                                 {"dps", 4},     {"orbits", 5}, {"report", 6}};
+  const auto found = floors.find(room);
+  return found == floors.end() ? -1 : found->second;
+}
+
+/// Headers by their path from `src`, each with what it includes, brackets or quotes kept.
+using Includes = std::map<std::string, std::vector<std::string>>;
+
+inline std::string room_of(const std::string& header) {
+  const auto from = header.find('/');
+  const auto to = header.find('/', from + 1);
+  return to == std::string::npos ? "" : header.substr(from + 1, to - from - 1);
+}
+
+/// Includes that go up or sideways, leave the library, or bring the command line where it does not
+/// belong.
+inline std::vector<std::string> forbidden_arrows(const Includes& includes) {
+  std::vector<std::string> out;
+  for (const auto& [header, targets] : includes) {
+    const std::string room = room_of(header);
+    if (floor_of(room) < 0) out.push_back(header + " is in no room");
+    for (const auto& quoted : targets) {
+      const std::string target = quoted.substr(1, quoted.size() - 2);
+      const std::string arrow = header + " -> " + target;
+      if (target.rfind("CLI/", 0) == 0 && room != "report") out.push_back(arrow + " (CLI11)");
+      if (quoted.front() != '"') continue;
+      const std::string other = room_of(target);
+      const bool inside = target.rfind("lattice/", 0) == 0 && includes.count(target);
+      if (!inside || (other != room && floor_of(other) >= floor_of(room))) out.push_back(arrow);
+    }
+  }
+  return out;
+}
+
+/// Headers that include themselves through others.
+inline std::vector<std::string> circles(const Includes& includes) {
+  std::vector<std::string> out;
+  for (const auto& [header, targets] : includes) {
+    std::set<std::string> reached;
+    std::vector<std::string> todo{header};
+    while (!todo.empty()) {
+      const auto here = includes.find(todo.back());
+      todo.pop_back();
+      if (here == includes.end()) continue;
+      for (const auto& quoted : here->second) {
+        const std::string target = quoted.substr(1, quoted.size() - 2);
+        if (reached.insert(target).second) todo.push_back(target);
+      }
+    }
+    if (reached.count(header)) out.push_back(header + " includes itself");
+  }
+  return out;
+}
