@@ -12,18 +12,23 @@ def profile(axes, table, mu):
     top = 0.06 * mu**2
     axes.axhline(0, color=GREY, lw=0.5)
     axes.plot(table["n"], table["u"], "o-", color=BLUE, ms=3, lw=0.7)
-    axes.set(xlabel="site $n$", ylabel="profile $u_n$", xlim=(-10, 10), ylim=(-top, top))
+    axes.set(xlabel="site $n$", ylabel="profile $u_n$", xlim=(-8.5, 8.5), ylim=(-top, top),
+             xticks=range(-8, 9, 4))
 
 
-def plane(axes, table, mu, size):
-    """The spectral plane; the inset enlarges the pair next to zero."""
-    for part, marks in [(axes, 3), (axes.inset_axes([0.62, 0.55, 0.34, 0.4]), 4)]:
+def plane(axes, table, mu):
+    """The spectral plane; the inset enlarges the pair next to zero a hundredfold."""
+    inset = axes.inset_axes([0.62, 0.58, 0.34, 0.38])
+    for part, factor, marks in [(axes, 1, 3), (inset, 1e3, 4)]:
         part.axhline(0, color=GREY, lw=0.4)
         part.axvline(0, color=GREY, lw=0.4)
-        part.plot(table["real"], table["imag"], "o", color=VERMILION, ms=marks, mfc="none", mew=0.8)
-    part.set(xlim=(-size * mu, size * mu), ylim=(-size * mu, size * mu))
-    part.tick_params(labelsize=6, pad=1.5)
-    part.locator_params(nbins=3)
+        part.plot(factor * table["real"], factor * table["imag"], "o", color=VERMILION, ms=marks,
+                  mfc="none", mew=0.8)
+    size, ticks = 3 * mu, [-2 * mu, 0, 2 * mu]
+    inset.set(xlim=(-size, size), ylim=(-size, size), xticks=ticks, yticks=ticks)
+    inset.set_xlabel(r"$10^3\lambda_r$", fontsize=7, labelpad=0)
+    inset.set_ylabel(r"$10^3\lambda_i$", fontsize=7, labelpad=0)
+    inset.tick_params(labelsize=7, pad=1.5)
     axes.set(xlabel=r"$\lambda_r$ (1 per unit of time)", ylabel=r"$\lambda_i$ (1 per unit of time)",
              xlim=(-0.3 * mu, 0.9 * mu), ylim=(-1.2 * mu, 1.2 * mu))
 
@@ -37,7 +42,7 @@ def main(centre, growth):
     for column, mu in enumerate([1, 10]):
         upper, lower = (figure.add_subplot(cells[row, column]) for row in range(2))
         profile(upper, draw.read(f"{folder}/profile_{centre}_mu{mu}.ecsv"), mu)
-        plane(lower, draw.read(f"{folder}/spectrum_{centre}_mu{mu}.ecsv"), mu, 0.003)
+        plane(lower, draw.read(f"{folder}/spectrum_{centre}_mu{mu}.ecsv"), mu)
         draw.letter(upper, "ab"[column])
         draw.letter(lower, "cd"[column])
         upper.text(0.97, 0.95, rf"$\mu = {mu}$", transform=upper.transAxes, ha="right", va="top")

@@ -11,7 +11,7 @@ The simplest landscape with both is a sine, in which the centre is a pendulum,
 $$\ddot X = \frac{\lambda^2}{2\pi}\sin 2\pi X$$
 about a site, and a push $y$ its initial speed $g(\mu-m)y$. It predicts the push that frees a
 bond-centred breather, $y_c = |\lambda|/(\pi g(\mu-m))$, and how long a site-centred one takes to the
-neighbouring bond. If $c$ is the growing share of the perturbation, it starts with the speed
+neighbouring bond. If a push has the growing share $c = (\mu-m)y/(2\lambda)$, it starts with the speed
 $v = 2g\lambda c$, and
 $$t = \int_0^{1/2}\frac{dX}{\sqrt{v^2+(\lambda/\pi)^2\sin^2\pi X}},$$
 a complete elliptic integral, for which the arithmetic-geometric mean suffices. */
@@ -68,7 +68,7 @@ struct PinnedBreather {
   /// The push at which a pendulum passes the site beside its bond.
   double freeing_push() const { return pair.rate / (std::numbers::pi * shift * (mu - pair.m)); }
 
-  /// When a pendulum that leaves a site with this growing share is half a site away.
+  /// When a pendulum that is pushed from a site, with this growing share, is half a site away.
   double departure(double growing) const {
     const double speed = 2 * shift * pair.rate * std::abs(growing);
     double a = std::hypot(speed, pair.rate / std::numbers::pi), b = speed;
