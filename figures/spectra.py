@@ -18,7 +18,7 @@ def profile(axes, table, mu):
 
 def plane(axes, table, mu):
     """The spectral plane; the inset enlarges the pair next to zero a hundredfold."""
-    inset = axes.inset_axes([0.62, 0.58, 0.34, 0.38])
+    inset = axes.inset_axes([0.62, 0.68, 0.34, 0.29])
     for part, factor, marks in [(axes, 1, 3), (inset, 1e3, 4)]:
         part.axhline(0, color=GREY, lw=0.4)
         part.axvline(0, color=GREY, lw=0.4)
