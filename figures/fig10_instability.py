@@ -12,8 +12,8 @@ for axes, case, name in zip(panels, ["site", "control", "bond"], "abc"):
     image, extent = draw.grid(field, "n", "t", "density")
     picture = axes.imshow(image, extent=extent, origin="lower", aspect="auto",
                           norm=PowerNorm(0.6, vmin=0, vmax=26), interpolation="none")
-    axes.set(xlabel="site $n$", xlim=(-6.5, 9.5), ylim=(0, 500))
-    draw.letter(axes, name, "white")
+    axes.set(xlabel="site $n$", xlim=(-8.5, 8.5), ylim=(0, 500))
+    axes.text(0.97, 0.97, f"({name})", transform=axes.transAxes, ha="right", va="top", color="white")
 panels[0].set_ylabel("time $t$ (units of the equation)")
 bar = figure.colorbar(picture, ax=panels, ticks=[0, 1, 5, 10, 15, 20, 25], pad=0.01)
 bar.set_label(r"$|v_n(t)|^2$")

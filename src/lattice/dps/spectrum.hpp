@@ -148,7 +148,7 @@ std::vector<std::pair<T, T>> exponents(const ContactSpectrum<T>& spectrum) {
     const T size = lambda_modulus(spectrum.mu, m);
     const bool real = lambda_squared(spectrum.mu, m) > T(0);
     for (int sign : {1, -1})
-      out.emplace_back(real ? T(sign) * size : T(0), real ? T(0) : T(sign) * size);
+      out.emplace_back(real ? T(sign) * size : T(0), real ? T(0) : T(sign) * size + T(0));
   }
   return out;
 }
