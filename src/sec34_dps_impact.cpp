@@ -101,7 +101,8 @@ DpsOutcome report_dps(Report& report) {
                      compare(amplitude_of(coarse.track), amplitude_of(fine.track)));
   report.results.claim("impact.dps_breather",
                        packet > 0.3 && left < packet && line.slope_error < 0.01 * line.slope);
-  report.facts.add("dps_speed", compare(packet_speed(coarse.track), packet_speed(fine.track)), "site per tau");
+  report.facts.add("dps_speed", compare(packet_speed(coarse.track), packet_speed(fine.track)),
+                   "site per tau");
   report.facts.add("dps_packet_norm", compare(coarse.track.energy.back(), packet));
   report.facts.add("dps_boundary_norm", compare(boundary_share(density(coarse.end), 10), left));
   report.facts.add("dps_norm_drift", {fine.norm_drift, coarse.norm_drift});

@@ -114,6 +114,12 @@ TEST_CASE("bad input: one line, exit code 2, no file", "[cli]") {
                         {"sec32_dps_profiles profile --centre site --sites 30", "--sites"},
                         {"sec32_dps_profiles profile --centre bond --sites 31", "--sites"},
                         {"sec32_dps_profiles profile --centre corner", "--centre"},
+                        {"sec33_dps_stability spectrum --mu 0", "--mu"},
+                        {"sec33_dps_stability spectrum --mu nan", "--mu"},
+                        {"sec33_dps_stability spectrum --centre corner", "--centre"},
+                        {"sec33_dps_stability spectrum --centre site --sites 30", "--sites"},
+                        {"sec33_dps_stability spectrum --centre bond --sites 31", "--sites"},
+                        {"sec33_dps_stability spectrum --sites 1e9", "--sites"},
                         {"sec34_kink run --velocity 0", "--velocity"},
                         {"sec32_newton_breathers breather --omega 1", "--omega"},
                         {"sec32_newton_breathers breather --omega 0.9", "--omega"},
@@ -442,4 +448,25 @@ TEST_CASE("the inner loop has the same bits at every vector width", "[cli]") {
   REQUIRE(scalar.code == 0);
   CHECK(wide.output.size() > 200);
   CHECK(wide.output == scalar.output);
+}
+
+TEST_CASE("the spectrum of a DpS breather", "[cli]") {
+  for (const std::string centre : {"site", "bond"}) {
+    const Result r = call("sec33_dps_stability spectrum --mu 10 --centre " + centre +
+                          (centre == "site" ? " --sites 21" : " --sites 20"));
+    CAPTURE(centre, r.errors);
+    REQUIRE(r.code == 0);
+    std::istringstream in(r.output);
+    const Table table = from_text(in);
+    const auto re = table.numbers("real"), im = table.numbers("imag"), off = table.numbers("error");
+    REQUIRE(re.size() == (centre == "site" ? 42 : 40));
+    std::size_t growing = 0;
+    for (std::size_t i = 0; i < re.size(); ++i) {
+      growing += re[i] > 0;
+      CHECK(std::hypot(re[i], im[i]) <= 10 * (1 + 1e-15));
+      CHECK(off[i] < 1e-9);
+    }
+    CHECK(growing == (centre == "site"));
+    check_close(re[2], centre == "site" ? 0.015577076044674 : 0, 1e-14);
+  }
 }

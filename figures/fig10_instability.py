@@ -1,0 +1,20 @@
+"""Figure 10: |v_n|^2 over site and time, perturbed, without the pinning pair, and at a bond."""
+
+import matplotlib.pyplot as plt
+from matplotlib.colors import PowerNorm
+
+import draw
+
+data, out = draw.arguments()
+figure, panels = plt.subplots(1, 3, figsize=(draw.TWO_COLUMNS, 75 * draw.MM), sharey=True)
+for axes, case, name in zip(panels, ["site", "control", "bond"], "abc"):
+    field = draw.read(f"{data}/sec33_dps_stability/map_{case}.ecsv")
+    image, extent = draw.grid(field, "n", "t", "density")
+    picture = axes.imshow(image, extent=extent, origin="lower", aspect="auto",
+                          norm=PowerNorm(0.6, vmin=0, vmax=26), interpolation="none")
+    axes.set(xlabel="site $n$", xlim=(-8.5, 8.5), ylim=(0, 500))
+    axes.text(0.97, 0.97, f"({name})", transform=axes.transAxes, ha="right", va="top", color="white")
+panels[0].set_ylabel("time $t$ (units of the equation)")
+bar = figure.colorbar(picture, ax=panels, ticks=[0, 1, 5, 10, 15, 20, 25], pad=0.01)
+bar.set_label(r"$|v_n(t)|^2$")
+draw.save(figure, out)

@@ -1,0 +1,239 @@
+#pragma once
+/**
+# Small motions about a stationary DpS state
+
+A perturbation of $v_n = u_n e^{i\mu t}$ is written $v_n = e^{i\mu t}(u_n + x_n + iy_n)$. The pull
+of a contact, $z|z|^{1/2}$, answers a small change of $z = d_n = u_{n+1}-u_n$ with the slope
+$\frac32|d_n|^{1/2}$ along $d_n$, which is real, and with $|d_n|^{1/2}$ across it. With the gradient
+$(\nabla x)_n = x_{n+1}-x_n$ both follow from one matrix,
+$$M = \nabla^T\,\mathrm{diag}\,|d_n|^{1/2}\,\nabla, \qquad
+  \dot x = L_-y,\quad \dot y = -L_+x, \qquad L_- = \mu - M,\quad L_+ = \mu - \tfrac32M.$$
+An eigenvector of $M$ with eigenvalue $m$ therefore moves for itself, with exponents
+$$\lambda^2 = -(\mu-m)(\mu-\tfrac32m).$$
+The equation of the state says $Mu = \mu u$. Changing the sign of every second entry leaves $M$ no
+negative entry and makes $u$ a positive vector, so that by Perron and Frobenius $m_1 = \mu$ is
+simple and the largest: $0 \le m < \mu$ for all others. Hence a state is
+unstable if and only if the second eigenvalue exceeds $2\mu/3$, and then by one real pair for each
+such $m$. Where the contacts are slack $m = 0$ and $\lambda = \pm i\mu$, the essential spectrum. */
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+#include "lattice/dps/dps.hpp"
+#include "lattice/dps/stationary.hpp"
+
+namespace lattice {
+
+/// |d_n|^{1/2} of every contact, `sites - 1` of them, from the strains of the right half.
+template <class T>
+std::vector<T> contact_roots(const Stationary<T>& state) {
+  using std::abs;
+  using std::sqrt;
+  const std::size_t sites = state.u.size();
+  std::vector<T> roots(sites - 1, T(0));
+  for (std::size_t i = 0; i + 1 < sites; ++i) {
+    const long n = site_number(i, sites);  // the contact of n and n + 1, or its mirror image
+    const long mirror = state.centre == Centre::bond ? -n : -1 - n;
+    const auto k = std::size_t(n < 0 ? mirror : n);
+    if (k < state.strain.size()) roots[i] = sqrt(abs(state.strain[k]));
+  }
+  return roots;
+}
+
+/**
+## The spectrum of M
+
+The matrix is symmetric and tridiagonal, so its eigenvalues are found with an error of a rounding of
+the largest, in any precision, and no direction is lost: the pair of the phase, which makes the full
+matrix defective at $\lambda = 0$, is the simple eigenvalue $m_1 = \mu$ here. */
+template <class T>
+struct ContactSpectrum {
+  using Vector = Eigen::Matrix<T, Eigen::Dynamic, 1>;
+  T mu;
+  std::vector<T> m;   ///< from the largest on; m[0] is known to be mu and set to it
+  T phase_defect{0};  ///< computed m[0] minus mu
+  Vector second{};    ///< unit eigenvector of m[1], if asked for
+};
+
+/// Throws std::runtime_error if Eigen's iteration does not converge.
+template <class T>
+ContactSpectrum<T> contact_spectrum(const Stationary<T>& state, bool vector = false) {
+  const auto roots = contact_roots(state);
+  const auto sites = Eigen::Index(state.u.size());
+  typename ContactSpectrum<T>::Vector diagonal(sites), beside(sites - 1);
+  diagonal.setZero();
+  for (Eigen::Index i = 0; i + 1 < sites; ++i) {
+    const T& root = roots[std::size_t(i)];
+    diagonal(i) += root;
+    diagonal(i + 1) += root;
+    beside(i) = -root;
+  }
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>> solver;
+  solver.computeFromTridiagonal(diagonal, beside,
+                                vector ? Eigen::ComputeEigenvectors : Eigen::EigenvaluesOnly);
+  if (solver.info() != Eigen::Success)
+    throw std::runtime_error("the eigenvalues of the contact matrix did not converge");
+  ContactSpectrum<T> out{state.mu, {}};
+  for (Eigen::Index i = sites; i-- > 0;) out.m.push_back(solver.eigenvalues()(i));
+  out.phase_defect = out.m[0] - state.mu;
+  out.m[0] = state.mu;
+  if (vector) out.second = solver.eigenvectors().col(sites - 2);
+  return out;
+}
+
+/**
+Eigenvalues can also be counted. As many are larger than $x$ as there are positive pivots in the
+elimination of $M-x$ (Sylvester), which needs a line a site and any number type; halving an interval
+then finds a single one to the last digit. The count at $\frac23\mu$ is the verdict itself: one for a
+stable state, $1+k$ for one with $k$ real pairs. */
+template <class T>
+std::size_t eigenvalues_above(const std::vector<T>& roots, const T& x) {
+  std::size_t count = 0;
+  T pivot(1), left(0);
+  for (std::size_t i = 0; i <= roots.size(); ++i) {
+    const T right = i < roots.size() ? roots[i] : T(0);
+    pivot = left + right - x - left * left / pivot;
+    if (pivot == T(0)) pivot = std::numeric_limits<T>::epsilon() * (-x);
+    count += pivot > T(0);
+    left = right;
+  }
+  return count;
+}
+
+/// The k-th largest eigenvalue of M, k >= 1, between 0 and 2 mu, by halving.
+template <class T>
+T counted_eigenvalue(const Stationary<T>& state, std::size_t k) {
+  const auto roots = contact_roots(state);
+  T low(0), high = T(2) * state.mu;
+  for (;;) {
+    const T middle = (low + high) / T(2);
+    if (!(low < middle) || !(middle < high)) return middle;
+    (eigenvalues_above(roots, middle) >= k ? low : high) = middle;
+  }
+}
+
+/**
+Near $m = 2\mu/3$ the square $\lambda^2$ is small, and its factor $m-2\mu/3$ is the one quantity
+that loses digits: an error $\delta$ of $m$ changes $\lambda^2$ by about $\mu\delta/2$. */
+template <class T>
+T lambda_squared(const T& mu, const T& m) {
+  return (mu - m) * (T(3) * m - T(2) * mu) / T(2);
+}
+
+/// |lambda|, a rate where lambda^2 > 0 and a frequency where it is < 0.
+template <class T>
+T lambda_modulus(const T& mu, const T& m) {
+  using std::abs;
+  using std::sqrt;
+  return sqrt(abs(lambda_squared(mu, m)));
+}
+
+/// m - 2 mu / 3: for the second eigenvalue, unstable if and only if positive.
+template <class T>
+T instability_margin(const T& mu, const T& m) {
+  return (T(3) * m - T(2) * mu) / T(3);
+}
+
+/// Both exponents of each m, two a site, as (real, imaginary): lambda with its sign, then -lambda.
+template <class T>
+std::vector<std::pair<T, T>> exponents(const ContactSpectrum<T>& spectrum) {
+  std::vector<std::pair<T, T>> out;
+  for (const T& m : spectrum.m) {
+    const T size = lambda_modulus(spectrum.mu, m);
+    const bool real = lambda_squared(spectrum.mu, m) > T(0);
+    for (int sign : {1, -1})
+      out.emplace_back(real ? T(sign) * size : T(0), real ? T(0) : T(sign) * size + T(0));
+  }
+  return out;
+}
+
+/**
+## The full matrix
+
+The article writes the perturbation as $a_ne^{\lambda t}+b_n^*e^{\lambda^*t}$ (Eq. (22)), with
+$x+iy = a+b^*$, and finds the exponents from a full matrix of $2N$ rows,
+$$i\lambda\begin{pmatrix}a\\b\end{pmatrix} =
+  \begin{pmatrix}\mu-\frac54M & -\frac14M\\ \frac14M & -\mu+\frac54M\end{pmatrix}
+  \begin{pmatrix}a\\b\end{pmatrix},$$
+because $\delta(z|z|^{1/2}) = |z|^{1/2}(\frac54\delta z+\frac14\delta z^*)$ for real $z$. We keep
+it as a check. Its entries come from the displacements, and nothing of its structure is used. */
+template <class T>
+std::vector<std::complex<T>> full_exponents(const Stationary<T>& state) {
+  using std::abs;
+  using std::sqrt;
+  const auto sites = Eigen::Index(state.u.size());
+  Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic> full(2 * sites, 2 * sites);
+  full.setZero();
+  const auto add = [&](Eigen::Index i, Eigen::Index k, const T& value) {
+    full(i, k) -= T(1.25) * value;
+    full(i, sites + k) -= T(0.25) * value;
+    full(sites + i, k) += T(0.25) * value;
+    full(sites + i, sites + k) += T(1.25) * value;
+  };
+  for (Eigen::Index i = 0; i < sites; ++i) {
+    full(i, i) += state.mu;
+    full(sites + i, sites + i) -= state.mu;
+    if (i + 1 == sites) break;
+    const T slope = sqrt(abs(state.u[std::size_t(i) + 1] - state.u[std::size_t(i)]));
+    add(i, i, slope);
+    add(i + 1, i + 1, slope);
+    add(i, i + 1, -slope);
+    add(i + 1, i, -slope);
+  }
+  const Eigen::EigenSolver<Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>> solver(full, false);
+  if (solver.info() != Eigen::Success)
+    throw std::runtime_error("the eigenvalues of the full linearisation did not converge");
+  std::vector<std::complex<T>> out;
+  for (Eigen::Index i = 0; i < 2 * sites; ++i) {
+    const std::complex<T> kappa = solver.eigenvalues()(i);
+    out.emplace_back(kappa.imag(), -kappa.real());
+  }
+  return out;
+}
+
+/**
+## The pinning pair
+
+The second eigenvector $V$ of either breather looks like its derivative along the chain: it shifts
+the breather, and its partner $iV$ pushes it. In the coordinates $x = V\cdot\mathrm{Re}\,w$ and
+$y = V\cdot\mathrm{Im}\,w$ of a perturbation $w$ this is a pendulum near one of its rest positions,
+$\dot x = (\mu-m)y$, $\dot y = \frac32(m-\frac23\mu)x$. At the unstable one the growing direction is
+$y = \lambda x/(\mu-m)$, the decaying one has the other sign, and the left eigenvectors follow from
+the symplectic form: the growing share of a perturbation is $\frac12(x + (\mu-m)y/\lambda)$. A push
+counts $(\mu-m)/\lambda$ times as much as a shift of the same size. */
+struct PinningPair {
+  Eigen::VectorXd V;
+  double mu, m, rate;  ///< rate: |lambda|
+  double push;         ///< (mu - m) / |lambda|
+
+  explicit PinningPair(const ContactSpectrum<double>& spectrum)
+      : V(spectrum.second),
+        mu(spectrum.mu),
+        m(spectrum.m[1]),
+        rate(lambda_modulus(mu, m)),
+        push((mu - m) / rate) {}
+
+  /// (x, y) of the perturbation `w`.
+  std::complex<double> of(const Field& w) const {
+    std::complex<double> sum = 0;
+    for (std::size_t i = 0; i < w.size(); ++i) sum += V(Eigen::Index(i)) * w[i];
+    return sum;
+  }
+  /// Share of the growing direction, measured by the x that belongs to it.
+  double growing(const Field& w) const {
+    const auto xy = of(w);
+    return (xy.real() + push * xy.imag()) / 2;
+  }
+  /// Adds z V to `w`: the real part shifts, the imaginary part pushes.
+  void add(std::complex<double> z, Field& w) const {
+    for (std::size_t i = 0; i < w.size(); ++i) w[i] += z * V(Eigen::Index(i));
+  }
+};
+
+}  // namespace lattice

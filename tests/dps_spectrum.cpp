@@ -1,0 +1,150 @@
+// Small motions about stationary DpS states: the contact matrix against the full linearisation, the
+// margin to instability, scaling, and what the pinning pair does in time.
+
+#include "lattice/dps/spectrum.hpp"
+
+#include <algorithm>
+
+#include "check.hpp"
+#include "lattice/dps/motion.hpp"
+
+using namespace lattice;
+
+namespace {
+
+std::size_t length(Centre centre) {
+  return centre == Centre::site ? 25 : 24;
+}
+
+template <class T = double>
+Stationary<T> state(Centre centre, double mu = 1) {
+  return stationary<T>(centre, T(mu), length(centre));
+}
+
+/// (m_2 - 2 mu / 3) / mu, by counting.
+double margin(const Stationary<double>& s) {
+  return instability_margin(s.mu, counted_eigenvalue(s, 2)) / s.mu;
+}
+
+}  // namespace
+
+TEST_CASE("one breather is unstable and one is stable, by five millionths", "[unit][dps]") {
+  for (double mu : {1.0, 10.0}) {
+    check_close(margin(state(Centre::site, mu)), 4.85297661617711e-06, 1e-14);
+    check_close(margin(state(Centre::bond, mu)), -4.85326567483309e-06, 1e-14);
+  }
+  // One real pair, or none: the count at the edge is the verdict.
+  const auto above = [](const auto& s) {
+    return eigenvalues_above(contact_roots(s), 2 * s.mu / 3);
+  };
+  CHECK(above(state(Centre::site)) == 2);
+  CHECK(above(state(Centre::bond)) == 1);
+  CHECK(above(state<long double>(Centre::site)) == 2);
+  CHECK(above(state<long double>(Centre::bond)) == 1);
+}
+
+TEST_CASE("a wrong profile gets a wrong verdict", "[unit][dps]") {
+  // One strain wrong by a few hundred-thousandths is enough.
+  auto site = state(Centre::site), bond = state(Centre::bond);
+  site.strain[0] *= 1 - 1e-4;
+  bond.strain[1] *= 1 + 1e-4;
+  CHECK(margin(site) < 0);
+  CHECK(margin(bond) > 0);
+}
+
+TEST_CASE("counting and solving give the same eigenvalues", "[unit][dps]") {
+  for (Centre centre : {Centre::site, Centre::bond}) {
+    const auto s = state(centre, 3);
+    const auto spectrum = contact_spectrum(s, true);
+    REQUIRE(spectrum.m.size() == s.u.size());
+    CHECK(std::abs(spectrum.phase_defect) < 1e-14);
+    for (std::size_t k = 1; k <= 12; ++k) {
+      check_close(counted_eigenvalue(s, k), spectrum.m[k - 1], 1e-14);
+      CHECK(eigenvalues_above(contact_roots(s), spectrum.m[k - 1] + 1e-6) == k - 1);
+    }
+    // The state is the first eigenvector, so the second is orthogonal to it.
+    double dot = 0, norm = 0;
+    for (std::size_t i = 0; i < s.u.size(); ++i) {
+      dot += s.u[i] * spectrum.second(Eigen::Index(i));
+      norm += s.u[i] * s.u[i];
+    }
+    check_close(dot / std::sqrt(norm), 0, 1e-14);
+  }
+}
+
+TEST_CASE("the reduction gives the spectrum of the full linearisation", "[property][dps]") {
+  for (Centre centre : {Centre::site, Centre::bond}) {
+    const auto s = state(centre, 2);
+    auto full = full_exponents(s);
+    auto reduced = exponents(contact_spectrum(s));
+    REQUIRE(full.size() == reduced.size());
+    // Each reduced exponent has a partner; the defective zero may be off by the root of rounding.
+    for (std::size_t k = 0; k < reduced.size(); ++k) {
+      const std::complex<double> lambda(reduced[k].first, reduced[k].second);
+      auto nearest = std::min_element(full.begin(), full.end(), [&](auto a, auto b) {
+        return std::abs(a - lambda) < std::abs(b - lambda);
+      });
+      check_close(std::abs(*nearest - lambda), 0, k < 2 ? 1e-6 : 1e-10);
+      full.erase(nearest);
+    }
+    const bool unstable = reduced[2].first > 0;
+    CHECK(unstable == (centre == Centre::site));
+  }
+}
+
+TEST_CASE("exponents are proportional to the frequency", "[property][dps]") {
+  const auto slope = [](double mu) {
+    return lambda_modulus(mu, counted_eigenvalue(state(Centre::site, mu), 2)) / mu;
+  };
+  for (double mu : {1e-6, 0.03, 1.0, 10.0, 1e6}) check_close(slope(mu), 0.00155770760446738, 1e-12);
+  check_close(lambda_squared(1.0, 0.0), -1, 0);
+  check_close(lambda_squared(2.0, 2.0), 0, 0);
+}
+
+TEST_CASE("growing and decaying directions", "[property][dps]") {
+  const PinnedBreather site(Centre::site, 10, 25);
+  const auto rate = [&](double sign) {
+    Field v = site.u;
+    site.pair.add({1e-5, sign * 1e-5 / site.pair.push}, v);
+    double first = 0, last = 0;
+    follow_breather(site, v, 60, {1e-12, 0.1}, [&](double t, Field w) {
+      for (std::size_t i = 0; i < w.size(); ++i) w[i] -= site.u[i];
+      (t > 0 ? last : first) = site.pair.of(w).real();
+    });
+    return std::log(last / first) / 60;
+  };
+  check_close(rate(1), site.pair.rate, 0, 1e-4);
+  check_close(rate(-1), -site.pair.rate, 0, 1e-4);
+  // Removed, the pair is gone.
+  Field w(site.u.size(), {0.3, -0.2});
+  w[3] = {1, 1};
+  site.pair.add(-site.pair.of(w), w);
+  check_close(std::abs(site.pair.of(w)), 0, 1e-14);
+}
+
+TEST_CASE("a stationary state stands still in the turning frame", "[property][dps]") {
+  for (Centre centre : {Centre::site, Centre::bond}) {
+    const PinnedBreather breather(centre, 10, length(centre));
+    check_close(breather_place(centre, breather.u), 0, 1e-13);
+    const Course course = follow_breather(breather, breather.u, 20, {1e-10, 1});
+    CHECK(course.largest() < 1e-9);
+    CHECK(course.energy_drift < 1e-12);
+  }
+}
+
+TEST_CASE("a pendulum tells which push frees a breather, and when one leaves", "[property][dps]") {
+  const PinnedBreather bond(Centre::bond, 10, 24), site(Centre::site, 10, 25);
+  for (double factor : {0.95, 1.1}) {
+    Field v = bond.u;
+    bond.pair.add({0, factor * bond.freeing_push()}, v);
+    const Course course = follow_breather(bond, v, 500, {1e-9, 1});
+    CHECK((course.largest() > 1) == (factor > 1));
+  }
+  for (double growing : {0.05, 1.0}) {
+    Field v = site.u;
+    site.pair.add({0, 2 * growing / site.pair.push}, v);
+    const double leaves = follow_breather(site, v, 400, {1e-9, 1}).reaches(0.5);
+    check_close(leaves, site.departure(growing), 0, 0.05);
+  }
+  CHECK(std::isinf(site.departure(0)));
+}
