@@ -3,6 +3,8 @@
 
 #include "../tools/refresh.hpp"
 
+#include <unistd.h>
+
 #include "check.hpp"
 
 using namespace lattice;

@@ -70,14 +70,19 @@ inline std::vector<std::string> misquoted(const std::string& text) {
   return out;
 }
 
-/// The floor of a room; an arrow goes down or stays in its room. Rooms of one floor do not know each
-/// other. -1 for a room that is not planned.
+/// The rooms of the library and their floors: an arrow goes down or stays in its room, and rooms of
+/// one floor do not know each other.
+inline const std::map<std::string, int>& floors() {
+  static const std::map<std::string, int> all{{"numbers", 0}, {"model", 1},  {"stepping", 2},
+                                              {"landing", 2}, {"waves", 2},  {"measure", 3},
+                                              {"dps", 4},     {"orbits", 5}, {"report", 6}};
+  return all;
+}
+
+/// The floor of a room, -1 for a room that is not planned.
 inline int floor_of(const std::string& room) {
-  static const std::map<std::string, int> floors{{"numbers", 0}, {"model", 1},  {"stepping", 2},
-                                                 {"landing", 2}, {"waves", 2},  {"measure", 3},
-                                                 {"dps", 4},     {"orbits", 5}, {"report", 6}};
-  const auto found = floors.find(room);
-  return found == floors.end() ? -1 : found->second;
+  const auto found = floors().find(room);
+  return found == floors().end() ? -1 : found->second;
 }
 
 /// Headers by their path from `src`, each with what it includes, brackets or quotes kept.

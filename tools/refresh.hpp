@@ -11,8 +11,11 @@ and ask that nothing changes, so that what stands in the editor is what was foun
 The quoted values are the locked ones and not the fresh ones, because another compiler may
 change a digit of a rounding residue; that fresh and locked values agree is asserted on its own. */
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -35,7 +38,7 @@ inline std::string with_digits(double x, int digits) {
   std::snprintf(buffer, sizeof buffer, "%#.*g", digits, x);
   std::string mantissa = buffer, exponent;
   if (const auto e = mantissa.find('e'); e != std::string::npos) {
-    exponent = "e" + std::to_string(std::stoi(mantissa.substr(e + 1)));
+    exponent.append(1, 'e').append(std::to_string(std::stoi(mantissa.substr(e + 1))));
     mantissa.erase(e);
   }
   if (!mantissa.empty() && mantissa.back() == '.') mantissa.pop_back();

@@ -40,6 +40,8 @@ struct Answer {
   std::string unit;
 };
 
+/**
+Both come from tables: the claims from one row each, whose columns carry the names of the fields, */
 inline std::vector<Claim> read_claims(const std::filesystem::path& path) {
   const Table t = read(path);
   std::vector<Claim> claims(t.rows.size());
@@ -57,7 +59,9 @@ inline std::vector<Claim> read_claims(const std::filesystem::path& path) {
   return claims;
 }
 
-/// All answers under `data`, from the `results.ecsv` of each program, keyed by program and id.
+/**
+and the answers from the `results.ecsv` that each program leaves in its folder under `data`, keyed
+by program and id. */
 inline std::map<std::pair<std::string, std::string>, Answer> read_answers(
     const std::filesystem::path& data) {
   std::map<std::pair<std::string, std::string>, Answer> answers;
@@ -102,6 +106,9 @@ inline std::optional<Numeral> leading_number(const std::string& text) {
                  std::string(end, text.data() + text.size())};
 }
 
+/**
+A number may be followed by one of the words that the list of claims uses; any other word makes it a
+statement. */
 inline std::optional<Printed> parse_printed(const std::string& text) {
   const auto first = leading_number(text);
   if (!first) return std::nullopt;
@@ -127,8 +134,9 @@ inline std::optional<Printed> parse_printed(const std::string& text) {
   return p;
 }
 
-/// The interval of values that agree with a printed number under the row's tolerance. A row
-/// without one asks for the printed digits.
+/**
+The row's tolerance turns the printed number into an interval of values that agree with it. A row
+without one asks for the printed digits. */
 inline std::pair<double, double> agreement(const Printed& p, const std::string& tolerance) {
   if (tolerance == "at most") return {-std::numeric_limits<double>::infinity(), p.high};
   if (tolerance == "order of magnitude") return {p.low / 10, p.high * 10};
