@@ -2,8 +2,8 @@
 
 For each error only the tests that its row names are compiled and run. An error is killed if one of them
 fails (or no longer compiles, or takes more than two minutes) and survives otherwise; the unchanged
-library must pass first. A row whose right text is not in its file exactly once is a mistake in the
-table and ends the run before anything is built. Words given as arguments select rows by their file or
+library must pass first. A row whose right text is not in its room exactly once is a mistake in the
+table and ends the run before anything is built. Words given as arguments select rows by their room or
 by their description.
 """
 
@@ -23,16 +23,21 @@ LINK = ["-lgsl", "-lgslcblas", "-lpthread"]
 LIMIT = 120  # seconds for one test
 
 
+def headers(source, room):
+    return sorted((source / "lattice" / room).rglob("*.hpp"))
+
+
 def read_table(selection):
     table, mistakes = [], []
-    for number, line in enumerate((ROOT / "tools/mutants.tsv").read_text().splitlines(), 1):
+    for number, line in enumerate((ROOT / "tools/mutants.tsv").read_text(encoding="utf8").splitlines(), 1):
         if not line or line.startswith("#"):
             continue
-        file, right, wrong, tests, what = line.split("\t")
-        text = (ROOT / "src/lattice" / file).read_text()
-        if text.count(right) != 1:
-            mistakes.append(f"mutants.tsv:{number}: '{right}' occurs {text.count(right)} times in {file}")
-        if not selection or any(word in file or word in what for word in selection):
+        room, right, wrong, tests, what = line.split("\t")
+        counts = {path: path.read_text(encoding="utf8").count(right) for path in headers(ROOT / "src", room)}
+        if sum(counts.values()) != 1:
+            mistakes.append(f"mutants.tsv:{number}: '{right}' occurs {sum(counts.values())} times in {room}")
+        elif not selection or any(word in room or word in what for word in selection):
+            file = next(path for path, count in counts.items() if count).relative_to(ROOT / "src")
             table.append((file, right, wrong, tests.split(), what))
     if mistakes:
         raise SystemExit("\n".join(mistakes))
@@ -59,16 +64,16 @@ def judge(mutant, scratch, main, places):
     source = place / "src"
     if not source.exists():
         shutil.copytree(ROOT / "src/lattice", source / "lattice")
-    path = source / "lattice" / file
-    original = path.read_text()
-    path.write_text(original.replace(right, wrong))
+    path = source / file
+    original = path.read_text(encoding="utf8")
+    path.write_text(original.replace(right, wrong), encoding="utf8")
     try:
         for test in tests:
             how = passes(source, test, place, main)
             if how:
                 return f"{test} {how}"
     finally:
-        path.write_text(original)
+        path.write_text(original, encoding="utf8")
     return None
 
 

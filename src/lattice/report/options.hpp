@@ -99,7 +99,7 @@ struct Help : CLI::Formatter {
 };
 
 /// The options that decide a result, each with its value: the one typed or the default.
-inline Meta parameters_of(const CLI::App& app) {
+inline Meta recorded_options(const CLI::App& app) {
   Meta out;
   for (const CLI::Option* option : app.get_options()) {
     const std::string name = option->get_single_name();

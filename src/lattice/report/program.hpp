@@ -259,7 +259,7 @@ class Program {
              {"revision", revision && *revision ? revision : LATTICE_VERSION},
              {"build", LATTICE_BUILD},
              {"libraries", LATTICE_LIBRARIES}},
-            parameters_of(app)};
+            recorded_options(app)};
   }
 
   /// Fails early, before hours of work, where `file` in `folder` could not be written.
