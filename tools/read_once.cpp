@@ -1,0 +1,1 @@
+// Nothing of its own: it gives the programs their precompiled headers (see CMakeLists.txt).
