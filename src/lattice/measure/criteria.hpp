@@ -21,10 +21,11 @@ namespace lattice {
 
 /**
 A packet is a travelling breather if it lasts: it moves at a constant speed and keeps its energy.
-We compare the first and the second half of its way. Dispersion would slow and empty it by a
-good part of either; we allow five per cent, since a packet that has just been born is still
-shedding its tail. What stays at the boundary is weak if no window of the packet's width holds
-half as much there. */
+We compare the first and the second half of its way, and allow a change of five per cent in speed
+and ten in energy, since a packet that has just been born is still shedding its tail. The front of
+a linear wave, whose width grows as the cube root of time, passes the first and fails the second.
+What stays behind is weak if it is weaker than the packet: no window of the same width holds as
+much. */
 struct Journey {
   Estimate speed_change, energy_change;  ///< second half against first half, relative
   Estimate residue;                      ///< largest content of a window behind, over the packet's
@@ -58,15 +59,16 @@ inline double residue(const std::vector<double>& e, std::size_t peak) {
 inline Criterion travelling_breather(const Journey& journey) {
   const Estimate &speed = journey.speed_change, &energy = journey.energy_change;
   return {below("speed_change", {std::abs(speed.value), speed.error}, 0.05),
-          below("energy_change", {std::abs(energy.value), energy.error}, 0.05),
-          below("residue", journey.residue, 0.5)};
+          below("energy_change", {std::abs(energy.value), energy.error}, 0.1),
+          below("residue", journey.residue, 1)};
 }
 
 /**
 How many sites carry a packet depends on where one stops counting. A packet of compact shape has a
-natural place: ahead of it nothing has moved yet, and the amplitude falls super-exponentially, by a
-factor of five, then fifteen, then two hundred from site to site. We therefore look at the *largest*
-amplitude that a site reaches at a given distance ahead of the peak, relative to the peak. */
+natural place: ahead of it nothing has moved yet, and the amplitude falls super-exponentially, by
+a factor of five, then fifteen, then two hundred from site to site. We therefore look at the
+*largest* amplitude that a site reaches at a given distance ahead of the peak, relative to the
+peak. */
 class Front {
  public:
   /// Takes the density `e` of a packet whose largest site is `peak`.
@@ -106,8 +108,8 @@ inline Criterion meet(const Meeting& m) {
 }
 
 /**
-An energy is trapped where it was put in if the boundary keeps more than the packet takes away; it is
-not trapped if the packet takes more. No number of our own is needed. */
+An energy is trapped where it was put in if the boundary keeps more than the packet takes away; it
+is not trapped if the packet takes more. No number of our own is needed. */
 inline Criterion trapped(const Estimate& boundary, const Estimate& packet) {
   return {above("boundary_over_packet",
                 {boundary.value / packet.value,
