@@ -101,7 +101,7 @@ DpsPair dps_runs(Report& report, const Resolution& resolution) {
 Is this a travelling breather (`impact.dps_breather`)? It must *last*. From the first to the
 second half of its way we allow its speed to change by five per cent and its norm by ten: the
 front of a linear wave also runs at a constant speed, but spreads as $\tau^{1/3}$ and loses more
-(tests/accuracy.cpp). And the residue must be weak, that is weaker than the packet: no window of
+(tests/criteria.cpp). And the residue must be weak, that is weaker than the packet: no window of
 eleven sites behind it holds as much. */
 Criterion lasting(const DpsPair& runs) {
   const auto behind = [](const DpsOutcome& out) {
@@ -191,7 +191,8 @@ Estimate amplitude_of(const ChainImpact& coarse, const ChainImpact& fine) {
   return amplitude;
 }
 
-/// Profiles of figure 17.
+/**
+Figure 17 compares the displacements at the end. */
 Table profiles(const ChainImpact& coarse, const ChainImpact& fine, const State<double>& dps) {
   Table table{{count("n", "site", "site"), number("y_lattice", "displacement in the chain"),
                number("y_lattice_error", "difference of two resolutions"),
@@ -222,7 +223,9 @@ Table density_maps(const ChainImpact& run) {
   return table;
 }
 
-/// Largest difference of two sets of maps relative to the largest value, the launch left aside.
+/**
+The maps, too, come from two runs: we note by how much they differ, relative to the largest value,
+the launch left aside. */
 double map_error(const ChainImpact& coarse, const ChainImpact& fine) {
   double error = 0, top = 0;
   for (std::size_t k = 1; k < fine.maps.size(); ++k)

@@ -47,8 +47,9 @@ inline double energy_change(const Track& track, double to = far_away) {
   return second / first - 1;
 }
 
-/// Largest energy in a window of the packet's width that lies at least a window's width behind it,
-/// over that of the packet around `peak`.
+/**
+Largest energy in a window of the packet's width that lies at least a window's width behind it,
+over that of the packet around `peak`. */
 inline double residue(const std::vector<double>& e, std::size_t peak) {
   const std::size_t m = packet_half_width;
   double most = 0;
@@ -85,8 +86,8 @@ class Front {
   std::vector<double> largest_ = std::vector<double>(2 * packet_half_width, 0.0);
 };
 
-/// A packet of `sites` sites, an odd number: on its undisturbed side the outermost of them exceeds one
-/// per cent of the peak and the next one does not. A hundredth is what a drawing still shows.
+/// A packet of `sites` sites, an odd number: on its undisturbed side the outermost of them exceeds
+/// one per cent of the peak and the next one does not. A hundredth is what a drawing still shows.
 inline Criterion supported_by(std::size_t sites, const Front& coarse, const Front& fine) {
   const auto amplitude = [&](std::size_t k) {
     return compare(coarse.amplitude(k), fine.amplitude(k));

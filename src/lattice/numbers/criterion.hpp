@@ -36,7 +36,8 @@ inline Condition below(std::string name, const Estimate& value, double limit) {
   return {std::move(name), value, Condition::Side::below, limit};
 }
 
-/// A statement holds if all its conditions do.
+/**
+A statement holds if all its conditions do. */
 using Criterion = std::vector<Condition>;
 
 inline bool holds(const Criterion& criterion) {
