@@ -3,6 +3,7 @@
 #include "lattice/stepping/accuracy.hpp"
 
 #include <chrono>
+#include <filesystem>
 #include <mutex>
 #include <set>
 #include <thread>
@@ -10,6 +11,7 @@
 #include "check.hpp"
 #include "lattice/measure/impact.hpp"
 #include "lattice/numbers/parallel.hpp"
+#include "lattice/report/table.hpp"
 
 using namespace lattice;
 
@@ -177,4 +179,23 @@ TEST_CASE("the number of workers is a choice without influence", "[unit][accurac
   CHECK(threads() == 3);
   CHECK(workers() > 1);
   set_threads(0);
+}
+
+TEST_CASE("no number of a program is without an error unless it is exact",
+          "[published][accuracy]") {
+  for (const auto& folder : std::filesystem::directory_iterator(DATA_DIR))
+    for (const char* name : {"results.ecsv", "facts.ecsv"}) {
+      const auto file = folder.path() / name;
+      if (!std::filesystem::exists(file)) continue;
+      const Table t = read(file);
+      const auto label = t.texts(t.columns.front().name), kind = t.texts("kind");
+      const auto value = t.numbers("value"), error = t.numbers("error");
+      for (std::size_t i = 0; i < kind.size(); ++i) {
+        CAPTURE(file.string(), label[i], error[i], kind[i]);
+        if (kind[i] == "exact")
+          CHECK(error[i] == 0);
+        else
+          CHECK((error[i] > 0 || std::isnan(value[i])));
+      }
+    }
 }

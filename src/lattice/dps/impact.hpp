@@ -37,14 +37,16 @@ DpsOutcome follow_dps(const Dps& dps, const Field& start, double duration, std::
   return out;
 }
 
-/// Largest |A_n| of a DpS packet while its centre moves over the last site of its track.
+/**
+Largest |A_n| of a DpS packet while its centre moves over the last site of its track. */
 inline double packet_amplitude(const Track& track) {
   const double end = track.centre.back();
   return std::sqrt(track.largest_peak(end - 1, end));
 }
 
-/// The same impact twice: a hundred times the tolerance with `samples` samples, then `tolerance`
-/// with twice as many, because amplitudes and speeds are read from the samples.
+/**
+The same impact twice: a hundred times the tolerance with `samples` samples, then `tolerance`
+with twice as many, because amplitudes and speeds are read from the samples. */
 struct DpsPair {
   DpsOutcome coarse, fine;
 };

@@ -41,7 +41,8 @@ inline State<double> struck(std::size_t sites, double velocity) {
   return state;
 }
 
-/// What one run shows of its front-most packet and of what stays behind.
+/**
+What one run shows of its front-most packet and of what stays behind. */
 struct Outcome {
   Track track;
   State<double> end;
@@ -50,7 +51,8 @@ struct Outcome {
   double reach = 0;  ///< largest displacement seen, to be compared with the well's rim
 };
 
-/// Total of a density.
+/**
+Total of a density. */
 inline double total(const std::vector<double>& e) {
   return std::accumulate(e.begin(), e.end(), 0.0);
 }
@@ -61,9 +63,10 @@ inline double boundary_share(const std::vector<double>& e, std::size_t sites = 5
          total(e);
 }
 
-/// Follows the front-most packet, which is looked at after every sample, until its centre passes
-/// site `until` or the time is over. `watch(state, density)` sees every sample. The run stops at
-/// whole multiples of `each` samples only, so that runs with denser samples end at the same time.
+/**
+Follows the front-most packet, which is looked at after every sample, until its centre passes
+site `until` or the time is over. `watch(state, density)` sees every sample. The run stops at
+whole multiples of `each` samples only, so that runs with denser samples end at the same time. */
 template <class Stepper, class Watch>
 Outcome follow(const Stepper& stepper, const Impact& impact, double until, const Pace& pace,
                Watch watch, std::size_t each = 1) {
@@ -91,8 +94,10 @@ Outcome follow(const Stepper& stepper, const Impact& impact, double until, doubl
   return follow(stepper, impact, until, pace_for(stepper, impact.time, sample), std::move(watch));
 }
 
-/// Follows a packet at two resolutions that agree to `tolerance` (see accuracy.hpp), by default in
-/// their end states. The finer one has steps half as long and twice the samples. Throws NotConverged.
+/**
+Follows a packet at two resolutions that agree to `tolerance` (see accuracy.hpp), by default in
+their end states. The finer one has steps half as long and twice the samples. Throws NotConverged.
+*/
 template <class Differ = EndState>
 Refined<Outcome> follow_to(double tolerance, const Impact& impact, double until, double sample,
                            Differ differ = {}) {

@@ -22,7 +22,8 @@ with its largest site $c$ and $m = 5$, how fast it goes, and how much energy it 
 
 namespace lattice {
 
-/// Half-width m of the window around a packet's peak, as in the article (Eq. (24)).
+/**
+Half-width m of the window around a packet's peak, as in the article (Eq. (24)). */
 inline constexpr std::size_t packet_half_width = 5;
 
 /// Sum of `e` over the sites within `m` of `peak`.
@@ -65,7 +66,8 @@ inline std::optional<std::size_t> front_packet(const std::vector<double>& e, dou
   return std::nullopt;
 }
 
-/// Number of sites that share the energy: (sum e)^2 / sum e^2.
+/**
+Number of sites that share the energy: (sum e)^2 / sum e^2. */
 inline double participation(const std::vector<double>& e) {
   double sum = 0, squares = 0;
   for (double x : e) {
@@ -110,38 +112,44 @@ struct Track {
   }
 
   /// Line through the centres between `from` and `to`; nothing if fewer than three lie there.
-  std::optional<Line> line(double from, double to) const {
-    const auto [ts, xs] = between(from, to);
-    if (ts.size() < 3) return std::nullopt;
-    return fit_line(ts, xs);
-  }
-
+  std::optional<Line> line(double from, double to) const;
   /// Energy of the packet at the instant when its centre first passes `x`, between two samples.
   /// Throws std::runtime_error if it never does.
-  double energy_at(double x) const {
-    const std::size_t i = until(x);
-    if (i == 0 || i == centre.size())
-      throw std::runtime_error("no packet passes the site asked for");
-    const double part = (x - centre[i - 1]) / (centre[i] - centre[i - 1]);
-    return energy[i - 1] + part * (energy[i] - energy[i - 1]);
-  }
-
-  /// Largest energy density of the packet while its centre lies in the window, zero if it never
-  /// does. The maximum falls between two samples: a parabola through the highest one and its
-  /// neighbours finds it.
-  double largest_peak(double from, double to) const {
-    double best = 0;
-    const std::size_t end = std::min(until(to), std::max<std::size_t>(t.size(), 1) - 1);
-    for (std::size_t i = 1; i < end; ++i) {
-      if (centre[i] < from || peak[i] < best) continue;
-      best = peak[i];
-      const double rise = (peak[i + 1] - peak[i - 1]) / 2;
-      const double bend = peak[i + 1] - 2 * peak[i] + peak[i - 1];
-      if (bend < 0 && std::abs(rise) < -bend) best -= rise * rise / (2 * bend);
-    }
-    return best;
-  }
+  double energy_at(double x) const;
+  /// Largest energy density of the packet while its centre is between `from` and `to`, or zero.
+  double largest_peak(double from, double to) const;
 };
+
+/**
+A speed needs three samples, and an energy two neighbours of the instant that is asked for. */
+inline std::optional<Line> Track::line(double from, double to) const {
+  const auto [ts, xs] = between(from, to);
+  if (ts.size() < 3) return std::nullopt;
+  return fit_line(ts, xs);
+}
+
+inline double Track::energy_at(double x) const {
+  const std::size_t i = until(x);
+  if (i == 0 || i == centre.size()) throw std::runtime_error("no packet passes the site asked for");
+  const double part = (x - centre[i - 1]) / (centre[i] - centre[i - 1]);
+  return energy[i - 1] + part * (energy[i] - energy[i - 1]);
+}
+
+/**
+The maximum falls between two samples: a parabola through the highest one and its neighbours finds
+it. */
+inline double Track::largest_peak(double from, double to) const {
+  double best = 0;
+  const std::size_t end = std::min(until(to), std::max<std::size_t>(t.size(), 1) - 1);
+  for (std::size_t i = 1; i < end; ++i) {
+    if (centre[i] < from || peak[i] < best) continue;
+    best = peak[i];
+    const double rise = (peak[i + 1] - peak[i - 1]) / 2;
+    const double bend = peak[i + 1] - 2 * peak[i] + peak[i - 1];
+    if (bend < 0 && std::abs(rise) < -bend) best -= rise * rise / (2 * bend);
+  }
+  return best;
+}
 
 /// Where a run is followed for its packet alone.
 struct Unwatched {
@@ -155,15 +163,16 @@ the boundary, without a number; we fit from site 20 on. The tracker follows the 
 packet, because a second and slower one can carry as much energy (it does at $s = -1/6$). */
 inline constexpr double fit_from = 20, far_away = 1e9;
 
-/// Speed of a packet between `fit_from` and `to`, with the error of the fit; throws
-/// std::runtime_error if none came so far.
+/**
+Speed of a packet between `fit_from` and `to`, with the error of the fit; throws
+std::runtime_error if none came so far. */
 inline Estimate packet_speed(const Track& track, double to = far_away) {
   const auto line = track.line(fit_from, to);
   if (!line) throw std::runtime_error("no packet passes site 20");
   return line->estimate();
 }
 
-/// Change of the speed from the first to the second half of the same stretch, relative to the speed:
+/// Change of the speed from the first to the second half of the stretch, relative to the speed: it is
 /// small where a packet moves at a constant speed, which a good fit alone does not show.
 inline Estimate speed_change(const Track& track, double to = far_away) {
   const auto [t, x] = track.between(fit_from, to);

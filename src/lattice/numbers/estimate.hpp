@@ -24,8 +24,9 @@ inline Estimate exact(double value) {
   return {value, 0, true};
 }
 
-/// The finer of two results, with their difference as its error. Two that agree to the last digit
-/// are known to that digit and no better.
+/**
+The finer of two results, with their difference as its error. Two that agree to the last digit
+are known to that digit and no better. */
 inline Estimate compare(double coarse, double fine) {
   const double rounding = std::numeric_limits<double>::epsilon() * std::abs(fine);
   const double least = std::max(rounding, std::numeric_limits<double>::min());

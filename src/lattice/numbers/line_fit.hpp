@@ -23,7 +23,8 @@ struct Line {
   Estimate estimate() const { return {slope, slope_error}; }
 };
 
-/// Least-squares line; throws std::invalid_argument with fewer than three points.
+/**
+Least-squares line; throws std::invalid_argument with fewer than three points. */
 inline Line fit_line(const std::vector<double>& t, const std::vector<double>& x) {
   if (t.size() != x.size() || t.size() < 3)
     throw std::invalid_argument("a line fit needs at least three points");
@@ -43,8 +44,9 @@ inline Line fit_line(const std::vector<double>& t, const std::vector<double>& x)
   return line;
 }
 
-/// Whether points lie on a line: by how much the slopes of their first and second half differ,
-/// relative to the slope of all. Throws std::invalid_argument with fewer than six points.
+/**
+Whether points lie on a line: by how much the slopes of their first and second half differ,
+relative to the slope of all. Throws std::invalid_argument with fewer than six points. */
 inline Estimate bend(const std::vector<double>& t, const std::vector<double>& x) {
   const auto half = std::ptrdiff_t(t.size() / 2);
   const auto part = [](auto from, auto to) { return std::vector<double>(from, to); };

@@ -50,7 +50,8 @@ class Progress {
   bool shown_;
 };
 
-/// Cores that this process may use.
+/**
+Cores that this process may use. */
 inline std::size_t granted_cores() {
 #ifdef __linux__
   cpu_set_t set;
@@ -77,7 +78,8 @@ inline std::size_t threads() {
   return chosen > 0 ? chosen : granted_cores();
 }
 
-/// Calls `body(i)` for 0 <= i < count on all workers; rethrows the first exception.
+/**
+Calls `body(i)` for 0 <= i < count on all workers; rethrows the first exception. */
 template <class Body>
 void parallel_for(std::size_t count, Body body) {
   std::atomic<std::size_t> next{0};
@@ -100,7 +102,8 @@ void parallel_for(std::size_t count, Body body) {
   if (error) std::rethrow_exception(error);
 }
 
-/// The same with a counter under the name `label` on a terminal.
+/**
+The same with a counter under the name `label` on a terminal. */
 template <class Body>
 void parallel_for(const std::string& label, std::size_t count, Body body) {
   Progress progress(label, count);

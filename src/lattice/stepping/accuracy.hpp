@@ -33,8 +33,9 @@ struct NotConverged : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Largest difference of two states relative to the largest displacement or velocity; infinite if
-/// they belong to different times.
+/**
+Largest difference of two states relative to the largest displacement or velocity; infinite if
+they belong to different times. */
 inline double distance(const State<double>& a, const State<double>& b) {
   if (a.t != b.t || a.y.size() != b.y.size()) return std::numeric_limits<double>::infinity();
   double apart = 0, scale = 0;
@@ -55,8 +56,9 @@ inline ContactAware stepper_for(double tolerance, double step, int halvings = 0)
   return stepper;
 }
 
-/// A refinement begins with this step, or with one a sample where samples are closer, and halves it
-/// seven times at most. The fastest motion has a period of 2 pi.
+/**
+A refinement begins with this step, or with one a sample where samples are closer, and halves it
+seven times at most. The fastest motion has a period of 2 pi. */
 inline constexpr double largest_step = 0.2, smallest_step = 0.2 / 128;
 
 /// The pace of a refinement whose samples become denser together with the steps.
@@ -64,8 +66,9 @@ inline Pace dense_pace(const ContactAware& stepper, double duration, double samp
   return denser_samples(pace(duration, sample, stepper.step), stepper.halvings);
 }
 
-/// What must agree: the end states. Two runs that both escape agree as far as the times of their
-/// escapes do.
+/**
+What must agree: the end states. Two runs that both escape agree as far as the times of their
+escapes do. */
 struct EndState {
   std::string name = "end states";
 
@@ -77,7 +80,8 @@ struct EndState {
   }
 };
 
-/// What must agree: a number that is read from each result, up to a relative difference.
+/**
+What must agree: a number that is read from each result, up to a relative difference. */
 template <class Of>
 struct Reading {
   std::string name;
@@ -96,8 +100,9 @@ Reading<Of> reading(std::string name, Of of) {
   return {std::move(name), std::move(of)};
 }
 
-/// The last two of a sequence of runs, the relative difference of what must agree, the finer step,
-/// and whether they agree to the tolerance.
+/**
+The last two of a sequence of runs, the relative difference of what must agree, the finer step,
+and whether they agree to the tolerance. */
 template <class Result>
 struct Refined {
   Result coarse, fine;
@@ -116,9 +121,10 @@ bool same_run(const Result& a, const Result& b) {
   return false;
 }
 
-/// Repeats `compute(stepper)` until two results in a row agree to `tolerance` in the sense of
-/// `differ(coarse, fine)` or the smallest step is reached. Throws std::logic_error where `compute`
-/// does not heed the halvings of its stepper, so that two runs are one.
+/**
+Repeats `compute(stepper)` until two results in a row agree to `tolerance` in the sense of
+`differ(coarse, fine)` or the smallest step is reached. Throws std::logic_error where `compute`
+does not heed the halvings of its stepper, so that two runs are one. */
 template <class Compute, class Differ = EndState>
 auto refine(double tolerance, Compute compute, Differ differ = {}) {
   using Result = decltype(compute(stepper_for(tolerance, largest_step)));
@@ -139,7 +145,8 @@ auto refine(double tolerance, Compute compute, Differ differ = {}) {
   }
 }
 
-/// As `refine`; throws NotConverged where the tolerance is not reached.
+/**
+As `refine`; throws NotConverged where the tolerance is not reached. */
 template <class Compute, class Differ = EndState>
 auto converge(double tolerance, Compute compute, Differ differ = {}) {
   auto pair = refine(tolerance, compute, differ);

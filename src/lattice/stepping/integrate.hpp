@@ -42,7 +42,8 @@ inline std::size_t stage_count(const Scheme& scheme, std::size_t steps) {
   return steps > 0 ? steps * (scheme.kick.size() - 1) + 1 : 0;
 }
 
-/// Stage `k` of a run with steps of length `h`.
+/**
+Stage `k` of a run with steps of length `h`. */
 template <class T>
 Stage<T> stage_at(const Scheme& scheme, double h, std::size_t steps, std::size_t k) {
   const std::size_t last = scheme.kick.size() - 1, i = k == steps * last ? last : k % last;
@@ -82,8 +83,9 @@ struct Pace {
   double step() const { return interval() / double(steps); }
 };
 
-/// The coarsest division of `duration` with samples at most `sample` apart and steps of at most
-/// `step`; no samples where the duration is zero. Throws std::invalid_argument for other input.
+/**
+The coarsest division of `duration` with samples at most `sample` apart and steps of at most
+`step`; no samples where the duration is zero. Throws std::invalid_argument for other input. */
 inline Pace pace(double duration, double sample, double step) {
   const bool good = duration >= 0 && duration < 1e15 && sample > 0 && step > 0;
   if (!good)
@@ -94,7 +96,8 @@ inline Pace pace(double duration, double sample, double step) {
   return p;
 }
 
-/// Half the step, `times` times, at the same samples.
+/**
+Half the step, `times` times, at the same samples. */
 inline Pace shorter_steps(Pace p, int times) {
   p.steps <<= times;
   return p;
@@ -122,8 +125,9 @@ struct Run {
   bool escaped() const { return std::isfinite(escape_time); }
 };
 
-/// Displacements beyond this are a runaway: wells are of order one, and a bead that rolls over the
-/// rims of a pendulum potential travels at a speed of order ten.
+/**
+Displacements beyond this are a runaway: wells are of order one, and a bead that rolls over the
+rims of a pendulum potential travels at a speed of order ten. */
 inline constexpr double escape_displacement = 1e6;
 
 /// Shows `state` to an observer, whose answer may be to stop; one that returns nothing goes on.
@@ -134,7 +138,8 @@ bool goes_on(Observer& observe, const State<double>& state) {
   return true;
 }
 
-/// Some steppers keep work space between two calls of `advance`, the others do not ask for it.
+/**
+Some steppers keep work space between two calls of `advance`, the others do not ask for it. */
 template <class Stepper, class Onsite, class Contact>
 auto advance_with_memory(const Stepper& stepper, const Chain<Onsite, Contact>& chain) {
   if constexpr (requires { stepper.template memory<double>(chain); })
@@ -183,7 +188,8 @@ Run evolve(const Stepper& stepper, const Chain<Onsite, Contact>& chain, State<do
   return run;
 }
 
-/// How often a stepper that a refinement hands out has been halved; zero for all others.
+/**
+How often a stepper that a refinement hands out has been halved; zero for all others. */
 template <class Stepper>
 int halvings_of(const Stepper& stepper) {
   if constexpr (requires { stepper.halvings; }) return stepper.halvings;
@@ -203,7 +209,8 @@ Run evolve(const Stepper& stepper, const Chain<Onsite, Contact>& chain, State<do
   return evolve(stepper, chain, state, pace_for(stepper, duration, sample), std::move(observe));
 }
 
-/// Where nothing needs to be watched.
+/**
+Where nothing needs to be watched. */
 struct Unobserved {
   void operator()(const State<double>&) const {}
 };
