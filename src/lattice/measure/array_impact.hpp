@@ -66,6 +66,16 @@ struct Way {
   Watched at;
   Track track;
   double drift;
+
+  /// Sites by which the energy centre moves on in `duration` after it has passed `site`.
+  double travelled(double site, double duration) const {
+    const auto &x = track.centre, &t = track.t;
+    const auto from = std::size_t(std::lower_bound(x.begin(), x.end(), site) - x.begin());
+    if (from == x.size() || t[from] + duration > t.back())
+      throw NoPacket("the packet is not followed long enough");
+    const auto to = std::lower_bound(t.begin(), t.end(), t[from] + duration) - t.begin();
+    return x[std::size_t(to)] - x[from];
+  }
 };
 
 inline Way pass(const ArrayImpact& impact, std::size_t n, double until, const Resolution& r) {
@@ -85,6 +95,37 @@ inline Way pass(const ArrayImpact& impact, std::size_t n, double until, const Re
   out.drift =
       evolve(ContactAware{r.step}, chain, state, impact.time(until), r.sample, watch).energy_drift;
   return out;
+}
+
+/// `n` over the time at which the packet is strongest at site `n`, where `way` was watched; sites/s.
+inline double mean_speed(const Way& way, const ArrayImpact& impact, std::size_t n) {
+  return double(n) / pulse_of(way.at, impact.scales).arrival;
+}
+
+/// How long, in ms, the force is above `threshold` times its maximum.
+inline double duration_above(const Way& way, const ArrayImpact& impact, double threshold) {
+  const double most = *std::max_element(way.at.force.begin(), way.at.force.end());
+  return impact.milliseconds(time_above(way.at.t, way.at.force, threshold * most));
+}
+
+/**
+A map of forces: the strongest push, in newtons, of each contact within each of `bins` equal times
+until `end` (in ms), contact after contact. */
+inline std::vector<double> strongest_forces(const ArrayImpact& impact, double ratio, double end,
+                                            std::size_t bins) {
+  const auto chain = cantilever_chain(impact.array, ratio);
+  const std::size_t contacts = chain.sites - 1;
+  const double duration = impact.time(end), unit = impact.scales.unit_force();
+  std::vector<double> map(bins * contacts, 0.0);
+  State<double> state = struck(chain.sites, impact.struck_velocity());
+  evolve(ContactAware{0.1}, chain, state, duration, 0.1, [&](const State<double>& now) {
+    const std::size_t bin = std::min(bins - 1, std::size_t(now.t / duration * double(bins)));
+    for (std::size_t n = 0; n < contacts; ++n) {
+      double& most = map[bin * contacts + n];
+      most = std::max(most, contact_push(chain, now.y.data(), n + 1) * unit);
+    }
+  });
+  return map;
 }
 
 /**

@@ -100,10 +100,27 @@ struct Workshop {
   }
 };
 
+/// The shares with their errors; `near_earlier` belongs to ten milliseconds before the end.
 struct Fractions {
   Estimate reflected, near, transmitted, near_earlier;
   Estimate net_reflected, net_near, net_transmitted;
   Estimate ledger;  ///< sum of the shares less one, and the same at the larger step
+
+  struct Named {
+    const char *name, *unit;
+    Estimate share;
+  };
+  /// All but the ledger, as tables call them.
+  std::vector<Named> named() const {
+    const char *all = "share of the energy", *arriving = "share of what arrives";
+    return {{"reflected", all, reflected},
+            {"near", all, near},
+            {"transmitted", all, transmitted},
+            {"near_earlier", all, near_earlier},
+            {"net_reflected", arriving, net_reflected},
+            {"net_near", arriving, net_near},
+            {"net_transmitted", arriving, net_transmitted}};
+  }
 };
 
 inline Fractions fractions(const Workshop& at, double ratio) {

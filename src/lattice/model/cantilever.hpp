@@ -137,6 +137,49 @@ struct CantileverArray {
 };
 
 /**
+All constants have a name and a unit, so that a program can list them. */
+struct NamedScale {
+  const char *name, *unit;
+  double value;
+};
+
+/// What is given.
+inline std::vector<NamedScale> given_scales(const CantileverArray& a) {
+  return {{"beam_density", "kg/m^3", a.beam_density},
+          {"beam_modulus", "Pa", a.beam_modulus},
+          {"length", "m", a.length},
+          {"width", "m", a.width},
+          {"thickness", "m", a.thickness},
+          {"bead_density", "kg/m^3", a.bead_density},
+          {"bead_modulus", "Pa", a.bead_modulus},
+          {"poisson_ratio", "", a.nu},
+          {"bead_radius", "m", a.radius}};
+}
+
+/// What follows for an impact velocity `v`.
+inline std::vector<NamedScale> derived_scales(const CantileverArray& a, double v) {
+  const Scales s = a.scales();
+  const double lambda = s.lambda(v);
+  return {{"area_moment", "m^4", a.area_moment()},
+          {"beam_mass", "kg", a.beam_mass()},
+          {"bead_mass", "kg", a.bead_mass()},
+          {"effective_mass", "kg", s.m},
+          {"stiffness", "N/m", s.k},
+          {"gamma", "N/m^(3/2)", s.gamma},
+          {"tau_h", "s", s.tau_h(v)},
+          {"tau_c", "s", s.tau_c()},
+          {"linear_period", "s", 2 * std::numbers::pi * s.tau_c()},
+          {"delta", "m", s.delta(v)},
+          {"hertz_stiffness", "N/m", s.gamma * std::sqrt(s.delta(v))},
+          {"xi", "m", s.xi()},
+          {"lambda", "", lambda},
+          {"lambda_5_2", "", lambda * lambda * std::sqrt(lambda)},
+          {"unit_velocity", "m/s", s.unit_velocity()},
+          {"unit_force", "N", s.unit_force()},
+          {"unit_energy", "J", s.unit_energy()}};
+}
+
+/**
 A bead of radius $R_n$ makes its cantilever heavier and both its contacts stiffer,
 $\eta_n = [2R_nR_{n+1}/(R_n+R_{n+1})]^{1/2}$ in units of $R$. */
 inline Chain<Harmonic, Hertz> cantilever_chain(const CantileverArray& array, double ratio) {

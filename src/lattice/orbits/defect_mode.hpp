@@ -5,8 +5,8 @@
 A light defect is an oscillator faster than its neighbours, $\mu^{-1/2} > 1$, and from this linear frequency a
 family of breathers begins, as from $\omega_b = 1$ in the chain without a defect. Newton's method follows it
 from a guess in which the defect alone moves, with the amplitude $a$ at which its two contacts raise the
-frequency: the first harmonic of $|y|^{1/2}y$ gives $\mu\,\omega_b^2 \approx 1 + 0.915\,\eta\sqrt a$. We ask for evenness in
-time only; the mirror symmetry of the defect then comes out. */
+frequency: the first harmonic of $|y|^{1/2}y$ gives $\mu\,\omega_b^2 \approx 1 + 0.915\,\eta\sqrt a$. We ask for
+evenness in time only; the mirror symmetry of the defect then comes out. */
 
 #include <algorithm>
 #include <cmath>
