@@ -1,24 +1,17 @@
 /**
 # 3.5 and 3.6 Scales, decorated cantilevers, and a defect that reflects
 
-In a desk-top cradle a collision is over long before the pendulum has moved: no travelling breather
-can be seen there. Sections 3.5 and 3.6 of James, Kevrekidis and Cuevas (Physica D 251, 2013) derive
-the ratio that decides, and propose stiff cantilevers with beads, for which it is small. This program
-derives every constant in SI units, strikes the array, and sends the packet to a defect.
-
-- Two equal beads collide for a time (`scale.contact_time`) at a largest compression
-  (`scale.max_compression`); in a cradle nothing is small (`scale.cradle`).
-- A clamped beam has a stiffness, frequency and effective mass (`beam.stiffness`, `beam.frequency`,
-  `beam.mass`), the array its times and their ratio (`cantilever.tau_h`, `cantilever.tau_c`,
-  `cantilever.lambda`).
-- The packet has a speed, and a shape at $n = 80$ (`cantilever.speed`, `cantilever.bead_velocity`,
-  `cantilever.deflection`, `cantilever.force`, `cantilever.duration`, `cantilever.period`). */
-
-/**
-- Large beads reflect it almost totally, slightly larger ones in part, and a little energy remains
-  at the defect (`cantilever.reflect16`, `cantilever.partial11`, `cantilever.trapped`).
-- In the lifetime of breathers seen elsewhere, 10 ms, it would travel far enough to be observed
-  (`outlook.travel_10ms`, `outlook.periods_10ms`). */
+In a cradle a collision is over long before the pendulum has moved, and no travelling breather can be
+seen. Sections 3.5 and 3.6 of James, Kevrekidis and Cuevas (Physica D 251, 2013) propose stiff
+cantilevers with beads instead. We derive every constant in SI units, strike the array and send the
+packet to a defect. Claims: two colliding beads and the cradle (`scale.contact_time`,
+`scale.max_compression`, `scale.cradle`); a clamped beam (`beam.stiffness`, `beam.frequency`, `beam.mass`); the
+times of the array (`cantilever.tau_h`, `cantilever.tau_c`, `cantilever.lambda`); the packet at $n = 80$
+(`cantilever.speed`, `cantilever.bead_velocity`, `cantilever.deflection`, `cantilever.force`,
+`cantilever.duration`, `cantilever.period`); a defect with large beads reflects it, with slightly larger
+ones in part, and keeps a little energy (`cantilever.reflect16`, `cantilever.partial11`,
+`cantilever.trapped`); and in 10 ms it travels far enough to be seen (`outlook.travel_10ms`,
+`outlook.periods_10ms`). */
 
 #include <algorithm>
 #include <array>
@@ -30,6 +23,7 @@ derives every constant in SI units, strikes the array, and sends the packet to a
 #include <vector>
 
 #include "lattice/measure/array_impact.hpp"
+#include "lattice/measure/collision.hpp"
 #include "lattice/measure/scattering.hpp"
 #include "lattice/numbers/parallel.hpp"
 #include "lattice/orbits/defect_mode.hpp"
@@ -57,41 +51,16 @@ which is $\lambda^{5/2}$ in these units, Eq. (29). All radii are equal but that 
 
 The constants are derived in cantilever.hpp. Hertz's coefficient takes the modulus of the beads,
 $\gamma = \mathcal E\sqrt{2R}/(3(1-\nu^2))$: the text prints the symbol of the beam's. */
+constexpr std::size_t watched_site = 80;
+constexpr double shown_until = 75;  // ms
+
 /**
 ## Two beads
 
-The unit of every time is a collision, so we begin with one. Bead 1 runs into bead 2 at rest with
-$V = 1$, in units in which $m = \gamma = 1$. Their masses are equal, so they exchange their velocities: after
-the contact bead 1 rests. The centre of mass has moved at $V/2$ all the time, hence bead 1 has
-come to rest at half the contact time: no event needs to be found. The compression is
-largest at half of that time. */
-struct Collision {
-  double contact_time, compression;  // in units of tau_h and delta
-};
-
-Collision collide(double step) {
-  const Chain<None, Hertz> beads{2};
-  State<double> after = struck(2, 1), middle = after;
-  evolve(ContactAware{step}, beads, after, 4, 4, Unobserved{});
-  const double contact = 2 * after.y[0];
-  evolve(ContactAware{step}, beads, middle, contact / 2, contact / 2, Unobserved{});
-  return {contact, middle.y[0] - middle.y[1]};
-}
-
-/**
-Energy says the same without any integration. The relative motion carries $\frac12\cdot\frac m2 V^2$, and all of
-it is in the contact when the compression is largest: $\frac25\gamma\,x^{5/2} = \frac14 m V^2$, so
-$x = (5/8)^{2/5}\,\delta$. The time follows from $\dot x$ by a quadrature,
-$$t = \frac{2x}{V}\int_0^1\frac{ds}{\sqrt{1-s^{5/2}}} = \frac{4\sqrt\pi}{5}\,
-\frac{\Gamma(2/5)}{\Gamma(9/10)}\,\Bigl(\frac58\Bigr)^{2/5}\tau_h.$$
-The printed 0.76 is not this value but $2^{-2/5}$: it balances $\frac12 m V^2$ with $\gamma\,x^{5/2}$, and so
-forgets the reduced mass and the factor of Hertz's energy. */
-Collision collision_by_energy() {
-  const double x = std::pow(0.625, 0.4);
-  const double quadrature = 0.4 * std::sqrt(std::numbers::pi) * std::tgamma(0.4) / std::tgamma(0.9);
-  return {2 * x * quadrature, x};
-}
-
+The unit of every time is a collision, so we begin with one (collision.hpp). The integrated contact
+time and compression agree with the conservation of energy, $x = (5/8)^{2/5}\,\delta$. The printed 0.76 is
+not this value but $2^{-2/5}$: it balances $\frac12 m V^2$ with $\gamma\,x^{5/2}$, and so forgets the reduced
+mass and the factor of Hertz's energy. */
 /// In a cradle k / m = g / L, and lambda^(5/2) = (L / (g tau_h^2))^(5/2).
 double cradle_ratio(double gravity, double contact_time) {
   const double length = 0.5, measured = 0.077e-3;  // m, and s for the contact
@@ -185,6 +154,8 @@ Table schematic_table(const CantileverArray& a) {
   return table;
 }
 
+/**
+Three of the scales are answers. */
 void report_scales(Report& report, const ArrayImpact& impact) {
   const Scales& s = impact.scales;
   report.output.add("scales", scales_table(impact));
@@ -204,7 +175,6 @@ its maximum; the table `durations` shows other thresholds. The *speed* is $n$ ov
 which the force is largest there, counted from the impact: a mean over the whole way. The packet
 is faster at first, and slower by several per cent when it is measured far from the boundary. */
 constexpr Resolution rough{0.1, 0.1}, fine{0.05, 0.05};
-constexpr std::size_t watched_site = 80;
 
 Table durations_table(const Way& a, const Way& b, const ArrayImpact& impact) {
   Table table{{number("threshold", "force over its maximum at n = 80"),
@@ -225,9 +195,8 @@ std::array<Way, 2> pass_twice(const ArrayImpact& impact) {
 }
 
 /**
-The answers at this place, and two speeds farther away from the definition of the text. */
-std::array<Way, 2> report_packet(Report& report, const ArrayImpact& impact) {
-  const std::array<Way, 2> runs = pass_twice(impact);
+These are the answers at this place. */
+void report_packet(Report& report, const ArrayImpact& impact, const std::array<Way, 2>& runs) {
   const auto speed_of = [&](const Way& way) { return mean_speed(way, impact, watched_site); };
   const auto both = [&](auto of) { return compare(of(runs[0]), of(runs[1])); };
   const auto answer = [&](const char* id, double Pulse::*of, double unit, const char* text) {
@@ -246,14 +215,19 @@ std::array<Way, 2> report_packet(Report& report, const ArrayImpact& impact) {
                      return 2 * std::numbers::pi * impact.scales.tau_c() /
                             pulse_of(way.at, impact.scales).period;
                    }));
-  report.facts.add("energy_drift", {runs[1].drift, runs[0].drift});
+}
+
+/**
+Speeds by the energy centre, Eq. (24), are slower than the mean over the whole way. */
+void report_fits(Report& report, const ArrayImpact& impact, const std::array<Way, 2>& runs) {
   const auto fitted = [&](double from, double to) {
-    return both(
-        [&](const Way& w) { return w.track.line(from, to)->slope / impact.scales.tau_c(); });
+    const auto slope = [&](const Way& way) { return way.track.line(from, to)->slope; };
+    const double per_second = 1 / impact.scales.tau_c();
+    return compare(slope(runs[0]) * per_second, slope(runs[1]) * per_second);
   };
   report.facts.add("speed_20_to_60", fitted(20, 60), "sites/s");
   report.facts.add("speed_60_to_100", fitted(60, 100), "sites/s");
-  return runs;
+  report.facts.add("energy_drift", {runs[1].drift, runs[0].drift});
 }
 
 /**
@@ -264,8 +238,6 @@ than half of each internal period, so that instants say little; we keep the stro
 within two linear periods.
 
 ![Contact forces for beads of 1.6 and of 1.1 radii at n = 100.](fig:24) */
-constexpr double shown_until = 75;  // ms
-
 Table force_map(const ArrayImpact& impact, const std::vector<double>& ratios, std::size_t bins) {
   Table table{{number("ratio", "radius of the defect's beads over the others'"),
                number("t", "middle of the time interval", "ms"),
@@ -315,6 +287,8 @@ Sweep map_sweep(const std::filesystem::path& folder, bool quick) {
           std::string("defect map, velocity 1 m/s, ") + (quick ? "quick" : "full")};
 }
 
+/**
+Two steps for every point; the ledger tells that the smaller one suffices. */
 Workshop workshop_for(const ArrayImpact& impact, bool quick) {
   if (quick) return {impact, {0.2, 0.1}, shown_until};
   return {impact, {0.1, 0.025}, shown_until};
@@ -338,7 +312,7 @@ We take *almost totally* for less than a twentieth of what arrives missing from 
 *partial* for a transmission between a tenth and nine tenths of it. The steps in the shares from
 one radius to the next are smooth: a heavy defect reflects because its own frequency is far below
 that of the packet, a light one because it is far above. */
-void report_map(Report& report, const Workshop& workshop, const std::filesystem::path& folder) {
+void report_shares(Report& report, const Workshop& workshop) {
   const Fractions large = fractions(workshop, 1.6), slight = fractions(workshop, 1.1);
   const auto within = [](const Estimate& e, double low, double high) {
     return e.value - e.error > low && e.value + e.error < high;
@@ -354,6 +328,11 @@ void report_map(Report& report, const Workshop& workshop, const std::filesystem:
   report.facts.add("left_behind",
                    compare(workshop.without[0].reflected, workshop.without[1].reflected),
                    "share of the energy");
+}
+
+/**
+The map itself comes last, because its rows wait in the folder until it is complete. */
+void report_map(Report& report, const Workshop& workshop, const std::filesystem::path& folder) {
   Sweep sweep = map_sweep(folder, report.quick);
   compute_map(sweep, workshop, report.quick, {});
   const Table table = sweep.table();
@@ -410,6 +389,9 @@ Table mode_table(const ArrayImpact& impact, const Profile& now, const Orbit<doub
   return table;
 }
 
+/**
+An error of the energy that stayed moves the breather along its family; this and the mirrored equations
+tell how well it is known. */
 void report_mode(Report& report, const ArrayImpact& impact, const std::array<Stay, 2>& stays,
                  double ratio) {
   const Estimate share = compare(stays[0].at(75), stays[1].at(75));
@@ -446,19 +428,17 @@ void report_trapping(Report& report, const ArrayImpact& impact) {
     stays[i / 2][i % 2] = stay(impact, ratios[i / 2], approach(impact, step), step);
   });
   report.output.add("trapping", trapping_table(ratios, stays));
-  const std::size_t defect = impact.array.defect - 1;
-  const auto trapped = [&](std::size_t i, std::size_t k) {
-    return is_trapped(stays[i][k], stays[2][k], defect);
-  };
-  report.results.claim("cantilever.trapped", trapped(0, 0) && trapped(0, 1));
+  const std::size_t at = impact.array.defect - 1;
+  const auto trapped = [&](auto i, auto k) { return is_trapped(stays[i][k], stays[2][k], at); };
+  report.results.claim("cantilever.trapped", trapped(0u, 0u) && trapped(0u, 1u));
   for (std::size_t i = 0; i < ratios.size(); ++i) {
     const auto both = [&](auto of) { return compare(of(stays[i][0]), of(stays[i][1])); };
     report.facts.add(std::string("near_75") + names[i],
                      both([](const Stay& s) { return s.at(75); }), "share of the energy");
     report.facts.add(std::string("kept") + names[i], both([](const Stay& s) { return s.kept(); }));
     report.facts.add(std::string("at_defect") + names[i],
-                     both([&](const Stay& s) { return s.density[defect]; }), "share of the energy");
-    report.facts.add(std::string("trapped") + names[i], exact(trapped(i, 1)));
+                     both([&](const Stay& s) { return s.density[at]; }), "share of the energy");
+    report.facts.add(std::string("trapped") + names[i], exact(trapped(i, 1u)));
   }
   report_mode(report, impact, stays[3], ratios[3]);
 }
@@ -484,6 +464,11 @@ void report_outlook(Report& report, const ArrayImpact& impact, const std::array<
                      over([&](const Way& way) { return way.travelled(80, impact.time(10)); }),
                      "sites");
   report.results.add("outlook.periods_10ms", over(oscillations));
+}
+
+/**
+The journeys begin with the impact, where the packet is fastest. */
+void report_journeys(Report& report, const ArrayImpact& impact) {
   const std::pair<std::string, double> rates[] = {
       {"_undamped", 0}, {"_energy_lifetime", 100}, {"_amplitude_lifetime", 200}};
   Journey journeys[3][2];
@@ -536,6 +521,8 @@ struct Options {
   ArrayImpact impact() const { return ArrayImpact{.velocity = velocity}; }
 };
 
+/**
+The quantities of `run` are those of the map, with the speed and the constants of the defect. */
 Table run_command(const Options& options) {
   const ArrayImpact impact = options.impact();
   const Workshop workshop = workshop_for(impact, false);
@@ -560,6 +547,29 @@ Table map_command(const Options& options) {
   if (sweep.known(part) < sweep.size(part))
     compute_map(sweep, workshop_for(ArrayImpact{}, false), false, part);
   return sweep.table(part);
+}
+
+/**
+A full run takes the sections in their order; `--quick` takes coarser steps and fewer radii. */
+Results everything(Output& output, bool quick) {
+  Report report{output, quick};
+  const ArrayImpact impact;
+  report_collision(report);
+  report_beam(report, impact.array);
+  report_scales(report, impact);
+  const std::array<Way, 2> ways = pass_twice(impact);
+  report_packet(report, impact, ways);
+  report_fits(report, impact, ways);
+  report_outlook(report, impact, ways);
+  report_journeys(report, impact);
+  report_check(report, impact);
+  output.add("contact_forces", force_map(impact, {1.6, 1.1}, quick ? 50 : 250));
+  report_trapping(report, impact);
+  const Workshop workshop = workshop_for(impact, quick);
+  report_shares(report, workshop);
+  report_map(report, workshop, output.folder());
+  output.add("facts", report.facts.table);
+  return report.results;
 }
 
 /**
@@ -603,21 +613,6 @@ int main(int argc, char** argv) {
   map->add_option("--folder", options.folder, "folder in which the rows wait for the full run")
       ->check(not_empty());
 
-  program.everything = [&](Output& output) {
-    Report report{output, program.quick};
-    const ArrayImpact impact;
-    report_collision(report);
-    report_beam(report, impact.array);
-    report_scales(report, impact);
-    const auto ways = report_packet(report, impact);
-    report_outlook(report, impact, ways);
-    report_check(report, impact);
-    output.add("contact_forces", force_map(impact, {1.6, 1.1}, program.quick ? 50 : 250));
-    const Workshop workshop = workshop_for(impact, program.quick);
-    report_trapping(report, impact);
-    report_map(report, workshop, output.folder());
-    output.add("facts", report.facts.table);
-    return report.results;
-  };
+  program.everything = [&](Output& output) { return everything(output, program.quick); };
   return program.run(argc, argv);
 }

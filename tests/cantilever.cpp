@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "check.hpp"
+#include "lattice/measure/collision.hpp"
 #include "lattice/orbits/defect_mode.hpp"
 #include "lattice/report/sweep.hpp"
 
@@ -25,6 +26,13 @@ TEST_CASE("the vibration of a beam converges with order four", "[convergence][ca
     return std::abs(ClampedBeam{steps}.wavenumber() - clamped_root());
   };
   check_close(std::log2(error(20) / error(40)), 4, 0.1);
+}
+
+TEST_CASE("a collision conserves energy", "[unit][cantilever]") {
+  const Collision integrated = collide(0.05), known = collision_by_energy();
+  check_close(integrated.contact_time, known.contact_time, 1e-7);
+  check_close(integrated.compression, known.compression, 1e-7);
+  CHECK(std::abs(known.compression - 0.76) > 0.05);  // the printed value is another one
 }
 
 TEST_CASE("scales take the beads' modulus", "[unit][cantilever]") {

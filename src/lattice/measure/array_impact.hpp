@@ -47,8 +47,9 @@ struct Watched {
   std::vector<double> t, force, v, y;
 };
 
-/// The packet at one cantilever, in SI units: when the contact pushes hardest and how hard, the
-/// largest velocity and deflection, and the internal period.
+/**
+The packet at one cantilever, in SI units: when the contact pushes hardest and how hard, the
+largest velocity and deflection, and the internal period. */
 struct Pulse {
   double arrival, force, velocity, deflection, period;  // SI
 };
@@ -61,7 +62,8 @@ inline Pulse pulse_of(const Watched& w, const Scales& s) {
           push->period * s.tau_c()};
 }
 
-/// The homogeneous array after an impact, up to a time in ms, watched at site `n` (from one).
+/**
+The homogeneous array after an impact, up to a time in ms, watched at site `n` (from one). */
 struct Way {
   Watched at;
   Track track;
@@ -78,6 +80,8 @@ struct Way {
   }
 };
 
+/**
+Every sample is kept of the watched site; the packet's centre needs an eighth of them. */
 inline Way pass(const ArrayImpact& impact, std::size_t n, double until, const Resolution& r) {
   const auto chain = cantilever_chain(impact.array, 1);
   State<double> state = struck(chain.sites, impact.struck_velocity());
@@ -97,7 +101,8 @@ inline Way pass(const ArrayImpact& impact, std::size_t n, double until, const Re
   return out;
 }
 
-/// `n` over the time at which the packet is strongest at site `n`, where `way` was watched; sites/s.
+/**
+`n` over the time at which the packet is strongest at site `n`, where `way` was watched; sites/s. */
 inline double mean_speed(const Way& way, const ArrayImpact& impact, std::size_t n) {
   return double(n) / pulse_of(way.at, impact.scales).arrival;
 }
@@ -160,7 +165,8 @@ inline Journey journey_of(const ArrayImpact& impact, const Pushes& pushes) {
   return out;
 }
 
-/// An impact with the damping rate `rate` of the velocities, in 1/s.
+/**
+An impact with the damping rate `rate` of the velocities, in 1/s. */
 inline Journey travel(const ArrayImpact& impact, double rate, const Resolution& r) {
   const auto chain = cantilever_chain(impact.array, 1);
   const double end = impact.time(10), struck_v = impact.struck_velocity();

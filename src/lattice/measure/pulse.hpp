@@ -31,7 +31,8 @@ inline std::vector<Top> maxima(const std::vector<double>& t, const std::vector<d
   return tops;
 }
 
-/// The highest of all local maxima of the modulus of `x`; zero if there is none.
+/**
+The highest of all local maxima of the modulus of `x`; zero if there is none. */
 inline double largest_modulus(const std::vector<double>& t, std::vector<double> x) {
   for (double& value : x) value = std::abs(value);
   double most = 0;
@@ -54,7 +55,8 @@ inline std::optional<Push> strongest_push(const std::vector<double>& t,
   return Push{top->t, top->x, (top[1].t - top[-1].t) / 2};
 }
 
-/// Times at which `x` passes `level` upwards, linear between the samples.
+/**
+Times at which `x` passes `level` upwards, linear between the samples. */
 inline std::vector<double> upward_crossings(const std::vector<double>& t,
                                             const std::vector<double>& x, double level = 0) {
   std::vector<double> times;

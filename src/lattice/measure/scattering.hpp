@@ -5,9 +5,8 @@
 One cantilever of an array has larger or smaller beads. A packet runs into it, and after a while
 its energy is divided among three parts of the array: the sites before the defect, the nine around
 it, and those behind. All shares refer to the energy of the impact, so that their sum differs from
-one by the drift of the run. */
+one by the drift of the run.
 
-/**
 Much of the energy never comes near the defect, because it stays behind in the wavetrain of the
 boundary. If a share $1-r_0$ passes the same place in an array without a defect, then the
 defect does to that share
@@ -100,7 +99,8 @@ struct Workshop {
   }
 };
 
-/// The shares with their errors; `near_earlier` belongs to ten milliseconds before the end.
+/**
+The shares with their errors; `near_earlier` belongs to ten milliseconds before the end. */
 struct Fractions {
   Estimate reflected, near, transmitted, near_earlier;
   Estimate net_reflected, net_near, net_transmitted;
@@ -123,6 +123,8 @@ struct Fractions {
   }
 };
 
+/**
+The finer run gives the values. */
 inline Fractions fractions(const Workshop& at, double ratio) {
   std::array<Scattering, 2> run;
   std::array<Ledger, 2> now, net;
@@ -157,6 +159,8 @@ struct Stay {
   double kept() const { return at(100) / at(75); }
 };
 
+/**
+The run is watched from 50 to 100 ms. */
 inline Stay stay(const ArrayImpact& impact, double ratio, State<double> state, double step) {
   const auto chain = cantilever_chain(impact.array, ratio);
   const double energy_in = impact.struck_velocity() * impact.struck_velocity() / 2, from = 65;

@@ -50,6 +50,8 @@ struct ClampedBeam {
     return at;
   }
 
+  /**
+  Two solutions leave the clamped end, and the one without a slope at the middle is their combination. */
   /// Stiffness at the middle, in units of E I / l^3, at the dimensionless wavenumber x.
   double stiffness(double x) const {
     const double x4 = x * x * x * x;
@@ -70,7 +72,8 @@ struct ClampedBeam {
   }
 };
 
-/// First positive root of cos(x) cosh(x) = 1, the wavenumber of the beam without a mass, by Newton.
+/**
+First positive root of cos(x) cosh(x) = 1, the wavenumber of the beam without a mass, by Newton. */
 inline double clamped_root() {
   double x = 4.7;
   for (int k = 0; k < 8; ++k)
@@ -102,7 +105,8 @@ struct Scales {
   double unit_energy() const { return k * xi() * xi(); }
 };
 
-/// An array of equal cantilevers, in SI units; the defaults are the article's steel and teflon.
+/**
+An array of equal cantilevers, in SI units; the defaults are the article's steel and teflon. */
 struct CantileverArray {
   std::size_t sites = 200;
   std::size_t defect = 100;  ///< site whose beads have another radius, counted from one
@@ -112,6 +116,8 @@ struct CantileverArray {
   double radius = 2.38e-3;                                        // m
   double beam_share = 0.38;  ///< effective mass of a beam over its mass, as printed
 
+  /**
+  From these follow masses and stiffnesses. */
   double area_moment() const { return width * thickness * thickness * thickness / 12; }
   double beam_mass() const { return beam_density * width * thickness * length; }
   double bead_mass(double ratio = 1) const {
@@ -143,7 +149,8 @@ struct NamedScale {
   double value;
 };
 
-/// What is given.
+/**
+What is given. */
 inline std::vector<NamedScale> given_scales(const CantileverArray& a) {
   return {{"beam_density", "kg/m^3", a.beam_density},
           {"beam_modulus", "Pa", a.beam_modulus},
@@ -156,7 +163,8 @@ inline std::vector<NamedScale> given_scales(const CantileverArray& a) {
           {"bead_radius", "m", a.radius}};
 }
 
-/// What follows for an impact velocity `v`.
+/**
+What follows for an impact velocity `v`. */
 inline std::vector<NamedScale> derived_scales(const CantileverArray& a, double v) {
   const Scales s = a.scales();
   const double lambda = s.lambda(v);

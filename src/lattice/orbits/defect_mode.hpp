@@ -36,7 +36,8 @@ inline ModeProblem mode_problem(const CantileverArray& array, double ratio) {
   return problem;
 }
 
-/// The breather with a given energy; the fourth root of the energy is nearly linear in omega_b.
+/**
+The breather with a given energy; the fourth root of the energy is nearly linear in omega_b. */
 inline Orbit<double> mode_of_energy(ModeProblem problem, double energy) {
   const std::size_t middle = mode_sites / 2;
   const double mu = problem.chain.mass_of(middle), eta = problem.chain.eta_of(middle);
@@ -57,7 +58,8 @@ inline Orbit<double> mode_of_energy(ModeProblem problem, double energy) {
   throw std::runtime_error("no breather of the defect with the energy asked for was found");
 }
 
-/// The mean energy at each site over a period, from equidistant instants.
+/**
+The mean energy at each site over a period, from equidistant instants. */
 inline std::vector<double> mean_density(const ModeProblem& problem, const Orbit<double>& orbit,
                                         std::size_t instants) {
   std::vector<double> mean(mode_sites, 0.0);
@@ -71,7 +73,8 @@ inline std::vector<double> mean_density(const ModeProblem& problem, const Orbit<
   return mean;
 }
 
-/// How the energy of the nine sites around the defect is distributed, in a run and in the mode.
+/**
+How the energy of the nine sites around the defect is distributed, in a run and in the mode. */
 struct Profile {
   std::vector<double> run, mode;
 

@@ -46,6 +46,8 @@ inline Part parse_part(const std::string& text) {
   return {k, n};
 }
 
+/**
+On a command line a part is an option like others. */
 /// Option check: a part as k/n.
 inline CLI::Validator part_text() {
   return CLI::Validator(
@@ -60,7 +62,8 @@ inline CLI::Validator part_text() {
       "k/n");
 }
 
-/// A number that changes with the program that runs: of its executable where the system shows it.
+/**
+A number that changes with the program that runs: of its executable where the system shows it. */
 inline std::string executable_fingerprint() {
   std::ifstream self("/proc/self/exe", std::ios::binary);
   std::uint64_t hash = 14695981039346656037ULL;  // FNV-1a
@@ -87,6 +90,8 @@ class Sweep {
     collect();
   }
 
+  /**
+  A row that has been computed is safe before the next one begins. */
   /// Computes `row(i)` for those points of the part that are not known yet, and keeps each.
   template <class Of>
   void compute(Part part, Of row) {
@@ -107,6 +112,8 @@ class Sweep {
     });
   }
 
+  /**
+  What is known is told point by point. */
   /// How many points the part has.
   std::size_t size(Part part = {}) const {
     std::size_t count = 0;
@@ -134,6 +141,8 @@ class Sweep {
     for (const auto& path : files()) std::filesystem::remove(path);
   }
 
+  /**
+  Everything else is about files. */
  private:
   std::string prefix() const { return "." + name_ + ".rows-"; }
 
@@ -151,6 +160,8 @@ class Sweep {
     return text + "\n";
   }
 
+  /**
+  Rows come back as they went, bit for bit. */
   /// Takes over all whole rows that stand under our key.
   void collect() {
     for (const auto& path : files()) {
@@ -169,6 +180,8 @@ class Sweep {
     }
   }
 
+  /**
+  A file is rewritten when work begins, so that no half line stays in it. */
   /// The file of the part with what is known of it, open for more.
   std::ofstream reopen(Part part) const {
     const auto path =
