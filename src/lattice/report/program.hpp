@@ -141,6 +141,8 @@ class Output {
 
   /// Keeps `table` to be written as `name`.ecsv when the whole run has succeeded.
   void add(const std::string& name, Table table) { tables_.emplace_back(name, std::move(table)); }
+  /// Where the tables go; work in progress may wait there under a name that begins with a dot.
+  const std::filesystem::path& folder() const { return folder_; }
   /// Writes all tables, `results` last: its presence means that the folder is complete.
   void finish(const Results& results) {
     add("results", results.table);
