@@ -106,10 +106,10 @@ struct Scales {
 struct CantileverArray {
   std::size_t sites = 200;
   std::size_t defect = 100;  ///< site whose beads have another radius, counted from one
-  double beam_density = 8e3, beam_modulus = 193e9;               // kg/m^3, Pa
-  double length = 25e-3, width = 5e-3, thickness = 1e-3;         // m
-  double bead_density = 2.2e3, bead_modulus = 1.46e9, nu = 0.46; // kg/m^3, Pa, 1
-  double radius = 2.38e-3;                                       // m
+  double beam_density = 8e3, beam_modulus = 193e9;                // kg/m^3, Pa
+  double length = 25e-3, width = 5e-3, thickness = 1e-3;          // m
+  double bead_density = 2.2e3, bead_modulus = 1.46e9, nu = 0.46;  // kg/m^3, Pa, 1
+  double radius = 2.38e-3;                                        // m
   double beam_share = 0.38;  ///< effective mass of a beam over its mass, as printed
 
   double area_moment() const { return width * thickness * thickness * thickness / 12; }
@@ -131,6 +131,8 @@ struct CantileverArray {
 
   /// mu of the defect, and eta of its two contacts.
   double mu(double ratio) const { return mass(ratio) / mass(); }
+  /// Frequency of the defect without its contacts, over that of the other cantilevers.
+  double linear_frequency(double ratio) const { return 1 / std::sqrt(mu(ratio)); }
   static double eta(double ratio) { return std::sqrt(2 * ratio / (1 + ratio)); }
 };
 

@@ -1,0 +1,176 @@
+#pragma once
+/**
+# Scattering at a defect
+
+One cantilever of an array has larger or smaller beads. A packet runs into it, and after a while
+its energy is divided among three parts of the array: the sites before the defect, the nine around
+it, and those behind. All shares refer to the energy of the impact, so that their sum differs from
+one by the drift of the run. */
+
+/**
+Much of the energy never comes near the defect, because it stays behind in the wavetrain of the
+boundary. If a share $1-r_0$ passes the same place in an array without a defect, then the
+defect does to that share
+$$\frac{r-r_0}{1-r_0} + \frac{d}{1-r_0} + \frac{t}{1-r_0} = 1,$$
+with $r$, $d$, $t$ the shares of the three parts: the *net* reflected, remaining and transmitted energy. */
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <numeric>
+#include <vector>
+
+#include "lattice/measure/array_impact.hpp"
+#include "lattice/numbers/estimate.hpp"
+
+namespace lattice {
+
+struct Ledger {
+  double reflected = 0, near = 0, transmitted = 0;
+
+  double sum() const { return reflected + near + transmitted; }
+  /// What becomes of the energy that passes the defect's place in the run `without` it.
+  Ledger net(const Ledger& without) const {
+    const double arriving = 1 - without.reflected;
+    return {(reflected - without.reflected) / arriving, near / arriving, transmitted / arriving};
+  }
+};
+
+/// Shares of the impact's energy: sites 1 to 95, 96 to 104, and from 105 on if the defect is at 100.
+inline Ledger ledger_of(const ArrayImpact& impact, const std::vector<double>& density) {
+  const std::size_t d = impact.array.defect;
+  const auto part = [&](std::size_t from, std::size_t to) {
+    return std::accumulate(density.begin() + std::ptrdiff_t(from),
+                           density.begin() + std::ptrdiff_t(to), 0.0) /
+           (impact.struck_velocity() * impact.struck_velocity() / 2);
+  };
+  return {part(0, d - 5), part(d - 5, d + 4), part(d + 4, density.size())};
+}
+
+/**
+Until the front of the packet arrives the defect rests exactly, so all the runs of a map share their
+way there. It ends where the fifth site before the defect has woken; that the defect itself is
+still asleep is checked. */
+inline State<double> approach(const ArrayImpact& impact, double step, double patience = 200) {
+  const auto chain = cantilever_chain(impact.array, 1);
+  const std::size_t d = impact.array.defect - 1;
+  State<double> state = struck(chain.sites, impact.struck_velocity());
+  evolve(ContactAware{step}, chain, state, impact.time(patience), 1,
+         [&](const State<double>& now) { return now.y[d - 5] == 0; });
+  if (state.y[d - 1] != 0 || state.y[d - 5] == 0)
+    throw NoPacket("the packet does not come to the defect as expected");
+  return state;
+}
+
+/// The ledger ten milliseconds before the end and at the end.
+struct Scattering {
+  Ledger earlier, later;
+};
+
+inline Scattering scatter(const ArrayImpact& impact, double ratio, State<double> state, double step,
+                          double end) {
+  const auto chain = cantilever_chain(impact.array, ratio);
+  const auto on = [&](double until) {
+    const double duration = impact.time(until) - state.t;
+    evolve(ContactAware{step}, chain, state, duration, duration, Unobserved{});
+    return ledger_of(impact, energy_density(chain, state));
+  };
+  const Ledger earlier = on(end - 10);
+  return {earlier, on(end)};
+}
+
+/**
+One point of the map is computed with two steps. The common way and the run without a defect are
+computed once for each. */
+struct Workshop {
+  ArrayImpact impact;
+  std::array<double, 2> steps;  ///< in units of tau_c, the larger one first
+  double end;                   ///< ms
+  std::array<State<double>, 2> start{};
+  std::array<Ledger, 2> without{};
+
+  Workshop(const ArrayImpact& how, const std::array<double, 2>& both_steps, double end_time)
+      : impact(how), steps(both_steps), end(end_time) {
+    for (std::size_t k : {0, 1}) {
+      start[k] = approach(impact, steps[k]);
+      without[k] = scatter(impact, 1, start[k], steps[k], end).later;
+    }
+  }
+};
+
+struct Fractions {
+  Estimate reflected, near, transmitted, near_earlier;
+  Estimate net_reflected, net_near, net_transmitted;
+  Estimate ledger;  ///< sum of the shares less one, and the same at the larger step
+};
+
+inline Fractions fractions(const Workshop& at, double ratio) {
+  std::array<Scattering, 2> run;
+  std::array<Ledger, 2> now, net;
+  for (std::size_t k : {0, 1}) {
+    run[k] = scatter(at.impact, ratio, at.start[k], at.steps[k], at.end);
+    now[k] = run[k].later;
+    net[k] = now[k].net(at.without[k]);
+  }
+  const auto both = [](const std::array<Ledger, 2>& l, double Ledger::*of) {
+    return compare(l[0].*of, l[1].*of);
+  };
+  return {both(now, &Ledger::reflected),   both(now, &Ledger::near),
+          both(now, &Ledger::transmitted), compare(run[0].earlier.near, run[1].earlier.near),
+          both(net, &Ledger::reflected),   both(net, &Ledger::near),
+          both(net, &Ledger::transmitted), {now[1].sum() - 1, std::abs(now[0].sum() - 1)}};
+}
+
+/**
+## What stays
+
+The energy around the defect as a function of time, the mean distribution of the energy, and the frequency
+of the defect, from the upward passages of its velocity through zero. */
+struct Stay {
+  std::vector<double> t, near;  ///< ms, share of the energy on sites 96 to 104
+  std::vector<double> density;  ///< mean share at each site from 65 to 100 ms
+  double frequency = 0;         ///< of the defect in the same time, 1 / tau_c
+
+  double at(double time) const {
+    return near.at(std::size_t(std::lower_bound(t.begin(), t.end(), time - 1e-9) - t.begin()));
+  }
+  /// What is left at 100 ms of the energy at 75 ms.
+  double kept() const { return at(100) / at(75); }
+};
+
+inline Stay stay(const ArrayImpact& impact, double ratio, State<double> state, double step) {
+  const auto chain = cantilever_chain(impact.array, ratio);
+  const double energy_in = impact.struck_velocity() * impact.struck_velocity() / 2, from = 65;
+  const std::size_t d = impact.array.defect - 1;
+  Stay out{{}, {}, std::vector<double>(chain.sites, 0.0)};
+  Watched bead;
+  const auto watch = [&](const State<double>& now) {
+    const double time = impact.milliseconds(now.t);
+    const auto density = energy_density(chain, now);
+    if (time >= 50 + 0.5 * double(out.t.size()) - 1e-6) {
+      out.t.push_back(50 + 0.5 * double(out.t.size()));
+      out.near.push_back(ledger_of(impact, density).near);
+    }
+    if (time < from) return;
+    bead.t.push_back(now.t), bead.v.push_back(now.v[d]);
+    for (std::size_t n = 0; n < density.size(); ++n) out.density[n] += density[n] / energy_in;
+  };
+  evolve(ContactAware{step}, chain, state, impact.time(100.2) - state.t, 2 * step, watch);
+  for (double& e : out.density) e /= double(bead.t.size());
+  const auto turns = upward_crossings(bead.t, bead.v);
+  out.frequency = 2 * std::numbers::pi * double(turns.size() - 1) / (turns.back() - turns.front());
+  return out;
+}
+
+/**
+Energy is trapped if it does not leave, if there is more of it than in the wake that a packet leaves
+without any defect, and if it is densest at the defect or next to it. */
+inline bool is_trapped(const Stay& stay, const Stay& without, std::size_t defect) {
+  const auto begin = stay.density.begin() + std::ptrdiff_t(defect) - 4;
+  const auto top = std::max_element(begin, begin + 9) - begin;
+  return stay.kept() > 0.95 && stay.at(75) > without.at(75) && top >= 3 && top <= 5;
+}
+
+}  // namespace lattice

@@ -1,0 +1,99 @@
+#pragma once
+/**
+# The mode of a defect
+
+A light defect is an oscillator faster than its neighbours, $\mu^{-1/2} > 1$, and from this linear frequency a
+family of breathers begins, as from $\omega_b = 1$ in the chain without a defect. Newton's method follows it
+from a guess in which the defect alone moves, with the amplitude $a$ at which its two contacts raise the
+frequency: the first harmonic of $|y|^{1/2}y$ gives $\mu\,\omega_b^2 \approx 1 + 0.915\,\eta\sqrt a$. We ask for evenness in
+time only; the mirror symmetry of the defect then comes out. */
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <numeric>
+#include <stdexcept>
+#include <vector>
+
+#include "lattice/measure/scattering.hpp"
+#include "lattice/orbits/shooting.hpp"
+#include "lattice/stepping/contact_rkn.hpp"
+
+namespace lattice {
+
+/// Sites of the piece of chain that holds the mode, with its tail down to rounding.
+inline constexpr std::size_t mode_sites = 31;
+
+using ModeProblem = Shooting<double, Harmonic, Hertz>;
+
+/// A defect in the middle of a short array, and the only symmetry that is imposed.
+inline ModeProblem mode_problem(const CantileverArray& array, double ratio) {
+  CantileverArray piece = array;
+  piece.sites = mode_sites, piece.defect = mode_sites / 2 + 1;
+  ModeProblem problem{cantilever_chain(piece, ratio), even_in_time(mode_sites)};
+  problem.chain.contact.floor = 0;
+  return problem;
+}
+
+/// The breather with a given energy; the fourth root of the energy is nearly linear in omega_b.
+inline Orbit<double> mode_of_energy(ModeProblem problem, double energy) {
+  const std::size_t middle = mode_sites / 2;
+  const double mu = problem.chain.mass_of(middle), eta = problem.chain.eta_of(middle);
+  problem.omega = 1 / std::sqrt(mu) + 0.005;
+  const double root = (problem.omega * problem.omega * mu - 1) / (0.915 * eta);
+  State<double> guess(mode_sites);
+  guess.y[middle] = root * root;
+  Orbit<double> orbit = newton(problem, problem.fold(guess));
+  const auto fourth_root = [](double x) { return std::sqrt(std::sqrt(x)); };
+  for (int k = 0; k < 40; ++k) {
+    const double now = fourth_root(orbit.energy);
+    const double step = 4 * now * now * now * (fourth_root(energy) - now) / orbit.energy_omega;
+    if (std::abs(orbit.energy / energy - 1) < 1e-10) return orbit;
+    const double change = std::clamp(step, -0.01, 0.01);
+    problem.omega += change;
+    orbit = newton(problem, Vector<double>(orbit.x + change * orbit.x_omega));
+  }
+  throw std::runtime_error("no breather of the defect with the energy asked for was found");
+}
+
+/// The mean energy at each site over a period, from equidistant instants.
+inline std::vector<double> mean_density(const ModeProblem& problem, const Orbit<double>& orbit,
+                                        std::size_t instants) {
+  std::vector<double> mean(mode_sites, 0.0);
+  State<double> state = orbit.start;
+  const double period = 2 * std::numbers::pi / orbit.omega, parts = double(instants);
+  evolve(ContactAware{0.05}, problem.chain, state, period, period / parts,
+         [&](const State<double>& now) {
+           const auto e = energy_density(problem.chain, now);
+           for (std::size_t n = 0; n < mode_sites; ++n) mean[n] += e[n] / (parts + 1);
+         });
+  return mean;
+}
+
+/// How the energy of the nine sites around the defect is distributed, in a run and in the mode.
+struct Profile {
+  std::vector<double> run, mode;
+
+  /// One if both are equal, zero if they share no site.
+  double overlap() const {
+    double apart = 0;
+    for (std::size_t i = 0; i < run.size(); ++i) apart += std::abs(run[i] - mode[i]);
+    return 1 - apart / 2;
+  }
+};
+
+inline Profile profile(const CantileverArray& array, const ModeProblem& problem,
+                       const Orbit<double>& orbit, const Stay& stay, std::size_t instants) {
+  const auto piece = [](const std::vector<double>& all, std::size_t middle) {
+    std::vector<double> part(all.begin() + std::ptrdiff_t(middle) - 4,
+                             all.begin() + std::ptrdiff_t(middle) + 5);
+    const double sum = std::accumulate(part.begin(), part.end(), 0.0);
+    for (double& x : part) x /= sum;
+    return part;
+  };
+  return {piece(stay.density, array.defect - 1),
+          piece(mean_density(problem, orbit, instants), mode_sites / 2)};
+}
+
+}  // namespace lattice

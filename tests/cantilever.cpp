@@ -1,0 +1,240 @@
+// Decorated cantilevers: beam, scales, defect, ledger, trapped mode, and maps computed in parts.
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "check.hpp"
+#include "lattice/orbits/defect_mode.hpp"
+#include "lattice/report/sweep.hpp"
+
+using namespace lattice;
+namespace fs = std::filesystem;
+
+TEST_CASE("the clamped beam", "[unit][cantilever]") {
+  check_close(ClampedBeam{100}.stiffness(0), 192, 1e-10);
+  check_close(ClampedBeam{}.wavenumber(), clamped_root(), 1e-9);
+  check_close(std::cos(clamped_root()) * std::cosh(clamped_root()), 1, 1e-12);
+  // Under a heavy mass the beam is a spring with 13/35 of its own mass (that of its static shape).
+  const double x = ClampedBeam{400, 100}.wavenumber();
+  check_close(x * x * x * x, 192 / (100 + 13. / 35), 0, 1e-5);
+}
+
+TEST_CASE("the vibration of a beam converges with order four", "[convergence][cantilever]") {
+  const auto error = [](std::size_t steps) {
+    return std::abs(ClampedBeam{steps}.wavenumber() - clamped_root());
+  };
+  check_close(std::log2(error(20) / error(40)), 4, 0.1);
+}
+
+TEST_CASE("scales take the beads' modulus", "[unit][cantilever]") {
+  const CantileverArray array;
+  const Scales s = array.scales(), steel{s.m, s.k, array.gamma(array.beam_modulus)};
+  check_close(s.tau_h(1) * 1e3, 0.047, 5e-4);
+  check_close(s.tau_c() * 1e3, 0.025, 5e-4);
+  check_close(s.lambda(1), 0.29, 5e-3);
+  CHECK(steel.lambda(1) > 10);
+  // Eqs. (29) and (30): the dimensionless impact velocity is lambda^(5/2) for every V.
+  for (double v : {0.1, 1.0, 3.0}) {
+    const double lambda = s.lambda(v);
+    check_close(ArrayImpact{.velocity = v}.struck_velocity(), lambda * lambda * std::sqrt(lambda),
+                0, 1e-12);
+  }
+  check_close(s.gamma * s.xi() * std::sqrt(s.xi()), s.k * s.xi(), 0, 1e-12);
+}
+
+TEST_CASE("a defect changes one mass and two contacts", "[unit][cantilever]") {
+  const CantileverArray array;
+  const auto chain = cantilever_chain(array, 1.6);
+  for (std::size_t n = 1; n <= array.sites; ++n)
+    check_close(chain.mass_of(n - 1), n == 100 ? array.mu(1.6) : 1, 1e-15);
+  for (std::size_t i = 0; i <= array.sites; ++i)  // i lies between cantilevers i and i + 1
+    check_close(chain.eta_of(i), i == 99 || i == 100 ? std::sqrt(3.2 / 2.6) : 1, 1e-15);
+  const auto without = cantilever_chain(array, 1);
+  for (std::size_t n = 0; n < array.sites; ++n) CHECK(without.mass_of(n) == 1);
+}
+
+TEST_CASE("pushes of a passing packet", "[unit][cantilever]") {
+  std::vector<double> t, f;
+  for (int k = 0; k < 4000; ++k) {
+    t.push_back(0.01 * k);
+    const double swing = std::cos(5 * (t.back() - 20.3)), far = t.back() - 20.3;
+    f.push_back(3 * std::exp(-far * far / 8) * std::max(0.0, swing));
+  }
+  const auto push = strongest_push(t, f);
+  REQUIRE(push);
+  check_close(push->t, 20.3, 1e-6);
+  check_close(push->force, 3, 1e-6);
+  check_close(push->period, 2 * 3.14159265358979 / 5, 0, 2e-2);
+  const double longest = time_above(t, f, 3e-3), shorter = time_above(t, f, 0.3);
+  CHECK(longest > shorter);
+  check_close(longest, 2 * std::sqrt(8 * std::log(1000.)), 1.3);
+  CHECK(time_above(t, f, 4) == 0);
+  CHECK_FALSE(strongest_push(t, std::vector<double>(t.size(), 0.0)));
+  const auto up = upward_crossings({0, 1, 2, 3}, {-1, 3, -1, 1});
+  REQUIRE(up.size() == 2);
+  check_close(up[0], 0.25, 1e-15);
+  check_close(up[1], 2.5, 1e-15);
+}
+
+namespace {
+
+/// A short array whose packet meets the defect early.
+ArrayImpact short_array() {
+  ArrayImpact impact;
+  impact.array.sites = 64;
+  impact.array.defect = 32;
+  return impact;
+}
+
+}  // namespace
+
+TEST_CASE("the ledger closes and knows a defect from none", "[property][cantilever]") {
+  const Workshop at(short_array(), {0.1, 0.05}, 28);
+  const Fractions none = fractions(at, 1), large = fractions(at, 1.6), slight = fractions(at, 1.1);
+  for (const Fractions* f : {&none, &large, &slight}) {
+    check_close(f->reflected.value + f->near.value + f->transmitted.value, 1, 2e-9);
+    check_close(f->net_reflected.value + f->net_near.value + f->net_transmitted.value, 1, 2e-8);
+    CHECK(f->net_reflected.error < 1e-7);
+  }
+  check_close(none.net_reflected.value, 0, 1e-12);
+  CHECK(none.net_transmitted.value > 0.95);
+  CHECK(large.net_reflected.value > 0.95);
+  CHECK(slight.net_reflected.value > 0.1);
+  CHECK(slight.net_transmitted.value > 0.1);
+}
+
+TEST_CASE("the shared way to the defect changes nothing", "[property][cantilever]") {
+  const ArrayImpact impact = short_array();
+  const Scattering there = scatter(impact, 1.6, approach(impact, 0.05), 0.05, 28);
+  const auto chain = cantilever_chain(impact.array, 1.6);
+  State<double> state = struck(chain.sites, impact.struck_velocity());
+  evolve(ContactAware{0.05}, chain, state, impact.time(28), impact.time(28), Unobserved{});
+  const Ledger straight = ledger_of(impact, energy_density(chain, state));
+  check_close(there.later.reflected, straight.reflected, 1e-8);
+  check_close(there.later.transmitted, straight.transmitted, 1e-8);
+}
+
+TEST_CASE("damping shortens the journey and takes its energy", "[property][cantilever]") {
+  ArrayImpact impact;
+  impact.array.sites = 60, impact.array.defect = 50;
+  const Journey free = travel(impact, 0, {0.1, 0.1}), damped = travel(impact, 200, {0.1, 0.1});
+  const Journey finer = travel(impact, 200, {0.05, 0.05});
+  CHECK(damped.sites < free.sites);
+  CHECK(damped.speed < free.speed);
+  CHECK(damped.period > free.period);
+  check_close(damped.energy / free.energy, std::exp(-2.0), 0, 0.02);
+  check_close(damped.sites, finer.sites, 1e-4);
+}
+
+TEST_CASE("each mark of a trapped mode can fail", "[unit][cantilever]") {
+  Stay without{{75, 100}, {1e-3, 1e-3}, std::vector<double>(21, 0.1)};
+  Stay good{{75, 100}, {1e-2, 0.99e-2}, std::vector<double>(21, 0.0)};
+  good.density[10] = 1;
+  CHECK(is_trapped(good, without, 10));
+  Stay leaving = good, faint = good, beside = good;
+  leaving.near[1] = 0.7e-2;
+  CHECK_FALSE(is_trapped(leaving, without, 10));
+  faint.near = {0.9e-3, 0.9e-3};
+  CHECK_FALSE(is_trapped(faint, without, 10));
+  beside.density[7] = 2;
+  CHECK_FALSE(is_trapped(beside, without, 10));
+}
+
+TEST_CASE("the mode of a light defect is a breather", "[property][cantilever]") {
+  const CantileverArray array;
+  const ModeProblem problem = mode_problem(array, 0.925);
+  const Orbit<double> orbit = mode_of_energy(problem, 1e-5);
+  check_close(orbit.energy, 1e-5, 0, 1e-9);
+  CHECK(orbit.residual() < 1e-12);
+  CHECK(orbit.omega > array.linear_frequency(0.925));
+  State<double> end = orbit.start;
+  const double period = 2 * 3.141592653589793 / orbit.omega;
+  evolve(ContactAware{0.01}, problem.chain, end, period, period, Unobserved{});
+  for (std::size_t n = 0; n < mode_sites; ++n) {
+    check_close(end.y[n], orbit.start.y[n], 1e-9);
+    check_close(end.v[n], 0, 1e-9);
+  }
+  const auto e = energy_density(problem.chain, orbit.start);
+  CHECK(e[mode_sites / 2] > 0.5 * orbit.energy);
+  CHECK(e.front() < 1e-12 * orbit.energy);
+}
+
+namespace {
+
+struct Folder {
+  fs::path path = fs::temp_directory_path() / ("lattice_sweep_" + std::to_string(::getpid()));
+  Folder() {
+    fs::remove_all(path);
+    fs::create_directories(path);
+  }
+  ~Folder() { fs::remove_all(path); }
+};
+
+Sweep squares(const fs::path& folder, const std::string& parameters = "squares") {
+  return {folder,
+          "squares",
+          {number("x", "root"), number("y", "a third of its square")},
+          10,
+          parameters};
+}
+
+/// Computes a part and counts the points that had to be computed.
+std::size_t work(Sweep& sweep, Part part) {
+  std::atomic<std::size_t> count{0};
+  sweep.compute(part, [&](std::size_t i) {
+    ++count;
+    return Sweep::Row{double(i), double(i * i) / 3};
+  });
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("parts of a map merge to the same bytes", "[unit][cantilever]") {
+  Folder whole, parts;
+  Sweep all = squares(whole.path);
+  CHECK(work(all, {}) == 10);
+  for (std::size_t k : {3, 1, 2}) {
+    Sweep one = squares(parts.path);
+    CHECK(work(one, {k, 3}) == (k == 1 ? 4 : 3));
+    CHECK(one.known({k, 3}) == one.size({k, 3}));
+  }
+  Sweep merged = squares(parts.path);
+  CHECK(work(merged, {}) == 0);
+  CHECK(to_text(merged.table()) == to_text(all.table()));
+  merged.forget();
+  CHECK(fs::is_empty(parts.path));
+}
+
+TEST_CASE("an interrupted map goes on where it stopped", "[unit][cantilever]") {
+  Folder folder;
+  Sweep first = squares(folder.path);
+  CHECK(work(first, {1, 2}) == 5);
+  const auto file = fs::directory_iterator(folder.path)->path();
+  fs::resize_file(file, fs::file_size(file) - 4);  // cut in the middle of the last row
+  Sweep second = squares(folder.path);
+  CHECK(second.known() == 4);
+  CHECK(work(second, {}) == 6);
+  Sweep other = squares(folder.path, "cubes");
+  CHECK(other.known() == 0);
+}
+
+TEST_CASE("a row that failed is not kept", "[unit][cantilever]") {
+  Folder folder;
+  Sweep sweep = squares(folder.path);
+  CHECK_THROWS_AS(sweep.compute({},
+                                [](std::size_t i) {
+                                  if (i == 4) throw std::runtime_error("no");
+                                  return Sweep::Row{double(i), 1.0};
+                                }),
+                  std::runtime_error);
+  CHECK(squares(folder.path).known() < 10);
+}
+
+TEST_CASE("parts are written k/n", "[unit][cantilever]") {
+  CHECK(parse_part("2/8").index == 2);
+  for (const char* bad :
+       {"", "0/3", "4/3", "1", "1/", "a/b", "1/2/3", "-1/2", "1/0", " 1/2", "1/999999"})
+    CHECK_THROWS_AS(parse_part(bad), std::invalid_argument);
+}
