@@ -17,6 +17,7 @@ given cantilever, and follows it for ten milliseconds if the array is damped. */
 #include "lattice/measure/impact.hpp"
 #include "lattice/measure/pulse.hpp"
 #include "lattice/model/cantilever.hpp"
+#include "lattice/stepping/damped.hpp"
 
 namespace lattice {
 
@@ -89,10 +90,8 @@ inline Way pass(const ArrayImpact& impact, std::size_t n, double until, const Re
 /**
 ## With damping
 
-Linear damping $\nu\dot x$ multiplies every velocity by $e^{-\nu t}$ if nothing else acts. We apply this exact
-factor for half a step before and after each step of the conservative array, which is as
-accurate as the steps are short. The packet reaches one contact after the other, each at the time of
-its strongest push; between two of them it oscillates with the period of the later one. */
+In a damped array (damped.hpp) the packet reaches one contact after the other, each at the time of its
+strongest push. Between two of them it oscillates with the period of the later one. */
 struct Journey {
   double sites = 0, oscillations = 0;  ///< after 10 ms, from the first contact on
   double speed = 0, period = 0;        ///< sites/s and s, at the end
@@ -123,22 +122,17 @@ inline Journey journey_of(const ArrayImpact& impact, const Pushes& pushes) {
 /// An impact with the damping rate `rate` of the velocities, in 1/s.
 inline Journey travel(const ArrayImpact& impact, double rate, const Resolution& r) {
   const auto chain = cantilever_chain(impact.array, 1);
-  const double end = impact.time(10), duration = 1.3 * end, struck_v = impact.struck_velocity();
-  const auto samples = std::size_t(std::ceil(duration / r.sample));
-  const double h = duration / double(samples);
-  const double half = std::exp(-rate * impact.scales.tau_c() * h / 2);
+  const double end = impact.time(10), struck_v = impact.struck_velocity();
   State<double> state = struck(chain.sites, struck_v);
   std::vector<double> t, density;
   std::vector<std::vector<double>> force(40);
-  for (std::size_t k = 0; k < samples; ++k) {
-    for (double& v : state.v) v *= half;
-    evolve(ContactAware{r.step}, chain, state, h, h, Unobserved{});
-    for (double& v : state.v) v *= half;
-    t.push_back(state.t);
+  const Damped damped(ContactAware{r.step}, rate * impact.scales.tau_c());
+  evolve(damped, chain, state, 1.3 * end, r.sample, [&](const State<double>& now) {
+    t.push_back(now.t);
     for (std::size_t n = 0; n < force.size(); ++n)
-      force[n].push_back(contact_push(chain, state.y.data(), n + 1));
-    if (state.t <= end) density = energy_density(chain, state);
-  }
+      force[n].push_back(contact_push(chain, now.y.data(), n + 1));
+    if (now.t <= end) density = energy_density(chain, now);
+  });
   Pushes pushes;
   for (const auto& f : force) pushes.push_back(strongest_push(t, f));
   Journey out = journey_of(impact, pushes);
