@@ -1,0 +1,184 @@
+#pragma once
+/**
+# A packet that turns round
+
+In a hard well a travelling breather may slow down, turn and come back to the end where it was
+launched. Its centre is that of the strongest site, Eq. (24), because a packet on its way
+back need not be the front-most one. The centre trembles with the internal oscillation, so that
+its velocity vanishes twice a period, and a turning point means something only for a smoothed
+path: the mean over a stated width with the weight $1+\cos(2\pi t/\text{width})$. */
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+#include <numeric>
+#include <stdexcept>
+#include <vector>
+
+#include "lattice/measure/impact.hpp"
+
+namespace lattice {
+
+/// Centre and energy of the strongest packet at equally spaced times.
+struct Path {
+  std::vector<double> t, centre, energy;
+
+  /// Appends the packet around the strongest site of the density `e`.
+  void add(double time, const std::vector<double>& e) {
+    const auto peak = std::size_t(std::max_element(e.begin(), e.end()) - e.begin());
+    t.push_back(time);
+    centre.push_back(energy_centre(e, peak));
+    energy.push_back(window_sum(e, peak));
+  }
+};
+
+/// The weighted mean of a path over windows of the given width in time; the ends, where no window
+/// fits, are left out. Throws std::invalid_argument for fewer than three samples.
+inline Path smooth(const Path& path, double width) {
+  if (path.t.size() < 3) throw std::invalid_argument("a path needs at least three samples");
+  const double sample = path.t[1] - path.t[0];
+  const auto reach = std::size_t(std::lround(width / 2 / sample));
+  std::vector<double> weight(2 * reach + 1);
+  for (std::size_t k = 0; k < weight.size(); ++k)
+    weight[k] = 1 + std::cos(std::numbers::pi * (double(k) - double(reach)) / double(reach + 1));
+  const double sum = std::accumulate(weight.begin(), weight.end(), 0.0);
+  Path out;
+  for (std::size_t i = reach; i + reach < path.t.size(); ++i) {
+    const auto mean = [&](const std::vector<double>& x) {
+      return std::inner_product(weight.begin(), weight.end(), x.begin() + std::ptrdiff_t(i - reach),
+                                0.0) /
+             sum;
+    };
+    out.t.push_back(path.t[i]);
+    out.centre.push_back(mean(path.centre));
+    out.energy.push_back(mean(path.energy));
+  }
+  return out;
+}
+
+/// A site and a time, `nan` where there are none.
+struct Moment {
+  double site = std::numeric_limits<double>::quiet_NaN(),
+         time = std::numeric_limits<double>::quiet_NaN();
+  bool found() const { return !std::isnan(time); }
+};
+
+/// The extremum of the parabola through three neighbouring samples.
+inline Moment vertex(const Path& path, std::size_t i) {
+  if (i == 0 || i + 1 >= path.t.size()) return {path.centre[i], path.t[i]};
+  const double rise = (path.centre[i + 1] - path.centre[i - 1]) / 2;
+  const double bend = path.centre[i + 1] - 2 * path.centre[i] + path.centre[i - 1];
+  if (bend == 0 || std::abs(rise) > std::abs(bend)) return {path.centre[i], path.t[i]};
+  const double shift = -rise / bend;
+  return {path.centre[i] + shift * rise / 2, path.t[i] + shift * (path.t[1] - path.t[0])};
+}
+
+/// What a turning packet does, in this order.
+struct Turn {
+  Moment stop;     ///< where the velocity vanishes for the first time
+  Moment apex;     ///< the furthest point of the way out
+  Moment rebound;  ///< the nearest point of the way back
+};
+
+/**
+A packet has turned when it has come back by `back` sites, more than it can move while it is
+caught between two sites; the apex is its furthest point. It has rebounded when it then moves out
+again by `again` sites. The first stop is sought beyond site `clear`, where the packet has
+detached itself from the end. */
+inline Turn find_turn(const Path& path, double back = 5, double again = 3, double clear = 8) {
+  Turn turn;
+  std::size_t far = 0, near = 0;
+  bool turned = false;
+  const std::vector<double>& x = path.centre;
+  for (std::size_t i = 1; i < x.size(); ++i) {
+    if (!turn.stop.found() && x[i - 1] > clear && x[i] < x[i - 1]) turn.stop = vertex(path, i - 1);
+    if (!turned) {
+      if (x[i] > x[far]) far = i;
+      turned = x[i] < x[far] - back;
+      near = i;
+      if (turned) turn.apex = vertex(path, far);
+    } else {
+      if (x[i] < x[near]) near = i;
+      if (x[i] > x[near] + again) {
+        turn.rebound = vertex(path, near);
+        return turn;
+      }
+    }
+  }
+  return turn;
+}
+
+/// An impact on the first bead of a resting chain with quartic wells, Eqs. (9), (10) and (26).
+struct Strike {
+  double velocity = 1.9, s = 1, time = 1000;
+  std::size_t sites = 150;
+};
+
+/// Width of the smoothing, about four internal periods, and time between two looks at the chain.
+inline constexpr double smoothing = 15, sampling = 0.2;
+
+/// One struck chain, followed.
+struct Voyage {
+  Path path;
+  State<double> end;
+  Run run;
+  Turn turn(double width = smoothing) const { return find_turn(smooth(path, width)); }
+};
+
+/// Follows the strongest packet; `watch(state, density)` sees every sample.
+template <class Watch = Unwatched>
+Voyage voyage(const ContactAware& stepper, const Strike& strike, Watch watch = {}) {
+  const Chain<Quartic, Hertz> chain{strike.sites, {strike.s}};
+  Voyage out;
+  out.end = struck(strike.sites, strike.velocity);
+  out.run = evolve(stepper, chain, out.end, strike.time, sampling, [&](const State<double>& now) {
+    const std::vector<double> density = energy_density(chain, now);
+    out.path.add(now.t, density);
+    watch(now, density);
+  });
+  return out;
+}
+
+/**
+When a bound on the site is all that matters, the smoothed path is not needed: the mean over one
+internal period tells whether a packet has passed a site, has come back by five sites, or has
+never left the end. */
+enum class Fate : std::int64_t { escapes, turns, stays, undecided };
+struct Outlook {
+  Fate fate = Fate::undecided;
+  double apex = 0;  ///< furthest mean centre so far
+};
+
+/// The fate of a struck packet in front of site `horizon`, with steps halved `halvings` times. The
+/// step follows the fastest motion (well, contact or quartic term), the patience the slowest packet,
+/// that of the DpS limit.
+inline Outlook probe(double velocity, double s, double horizon, int halvings) {
+  const double rate =
+      std::max({1.0, std::pow(velocity, 0.2), std::pow(s * velocity * velocity, 0.25)});
+  const double crossing = horizon / std::min(0.36 * std::sqrt(velocity / 2), 0.4);
+  const double time = 10 * crossing / rate, interval = 0.8 / rate;
+  const Chain<Quartic, Hertz> chain{std::size_t(horizon) + 20, {s}};
+  State<double> state = struck(chain.sites, velocity);
+  Outlook out;
+  Path period;
+  evolve(ContactAware{interval / 4}, chain, state,
+         shorter_steps(pace(time, interval, interval / 4), halvings),
+         [&](const State<double>& now) {
+           period.add(now.t, energy_density(chain, now));
+           if (period.t.size() < 8) return true;
+           double x = 0;
+           for (double c : period.centre) x += c / 8;
+           period = {};
+           out.apex = std::max(out.apex, x);
+           if (x > horizon) out.fate = Fate::escapes;
+           if (x < out.apex - 5) out.fate = Fate::turns;
+           if (now.t > 4 * crossing / rate && out.apex < 8) out.fate = Fate::stays;
+           return out.fate == Fate::undecided;
+         });
+  return out;
+}
+
+}  // namespace lattice

@@ -1,0 +1,150 @@
+// Packets that turn round: what counts as turning, what the chain does, maps in parts, the programs.
+
+#include <sys/wait.h>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "check.hpp"
+#include "lattice/measure/turning.hpp"
+#include "lattice/report/table.hpp"
+
+using namespace lattice;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A path made by hand, with a ripple of the internal oscillation.
+template <class Centre>
+Path drawn(double time, double ripple, Centre centre) {
+  Path path;
+  for (double t = 0; t <= time; t += sampling) {
+    path.t.push_back(t);
+    path.centre.push_back(centre(t) + ripple * std::cos(3.4 * t));
+    path.energy.push_back(1);
+  }
+  return path;
+}
+
+struct Result {
+  int code;
+  std::string output;
+};
+
+Result call(const std::string& command) {
+  FILE* pipe = popen((std::string(BIN_DIR) + "/" + command + " 2>&1").c_str(), "r");
+  std::string output;
+  std::array<char, 4096> buffer;
+  for (std::size_t n; (n = fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
+    output.append(buffer.data(), n);
+  const int status = pclose(pipe);
+  return {WEXITSTATUS(status), output};
+}
+
+/// The lines that are data.
+std::string body(const std::string& text) {
+  std::istringstream in(text);
+  std::string line, out;
+  while (std::getline(in, line))
+    if (line.empty() || line[0] != '#') out += line + "\n";
+  return out;
+}
+
+double quantity(const Result& r, const std::string& name) {
+  std::istringstream in(r.output);
+  const Table t = from_text(in);
+  const auto names = t.texts("quantity");
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (names[i] == name) return t.numbers("value")[i];
+  FAIL("no quantity " << name);
+  return 0;
+}
+
+}  // namespace
+
+TEST_CASE("a thrown ball turns at its apex and rebounds at the ground", "[unit][boomeron]") {
+  const auto ball = [](double t) { return std::abs(1 + 0.2 * t - 0.0005 * t * t) + 1; };
+  const Turn turn = find_turn(smooth(drawn(600, 0.3, ball), smoothing));
+  check_close(turn.apex.time, 200, 0.5);
+  check_close(turn.apex.site, 22, 0.05);
+  check_close(turn.stop.time, 200, 0.5);
+  check_close(turn.rebound.time, 200 + std::sqrt(21 / 0.0005), 3);
+}
+
+TEST_CASE("a packet that is caught, or only slows down, has not turned", "[unit][boomeron]") {
+  const auto caught = [](double t) { return 20 - 19 * std::exp(-t / 40) + 0.8 * std::sin(t / 20); };
+  const Turn swing = find_turn(smooth(drawn(800, 0.3, caught), smoothing));
+  CHECK(swing.stop.found());
+  CHECK_FALSE(swing.apex.found());
+  const auto slow = [](double t) { return 1 + 4 * std::sqrt(t); };
+  const Turn away = find_turn(smooth(drawn(800, 0.3, slow), smoothing));
+  CHECK_FALSE(away.stop.found());
+  CHECK_FALSE(away.apex.found());
+}
+
+TEST_CASE("without smoothing the ripple passes for a stop", "[unit][boomeron]") {
+  const auto steady = [](double t) { return 1 + 0.1 * t; };
+  CHECK(find_turn(drawn(300, 0.3, steady)).stop.found());
+  CHECK_FALSE(find_turn(smooth(drawn(300, 0.3, steady), smoothing)).stop.found());
+}
+
+TEST_CASE("hard wells turn the packet, linear and soft ones do not", "[property][boomeron]") {
+  CHECK(probe(2, 1, 40, 0).fate == Fate::turns);
+  CHECK(probe(2, 0, 40, 0).fate == Fate::escapes);
+  CHECK(probe(2, 0.005, 40, 0).fate == Fate::escapes);
+  CHECK(probe(0.5, 1, 30, 0).fate == Fate::escapes);
+  CHECK(probe(3, 20, 30, 0).fate == Fate::stays);
+}
+
+TEST_CASE("at small amplitude only s v0^(3/2) counts", "[property][boomeron]") {
+  const auto apex = [](double velocity, double kappa) {
+    return probe(velocity, kappa / (velocity * std::sqrt(velocity)), 40, 0).apex;
+  };
+  const double small = apex(0.002, 1.3), smaller = apex(0.001, 1.3);
+  check_close(small, smaller, 0, 0.1);
+  CHECK(std::abs(apex(0.2, 1.3) - small) > 0.3 * small);
+}
+
+TEST_CASE("the apex converges with the step", "[convergence][boomeron]") {
+  double apex[3];
+  for (int k : {0, 1, 2}) apex[k] = voyage({0.2 / (1 << k)}, {1.95, 1, 700}).turn().apex.site;
+  CHECK(std::abs(apex[2] - apex[1]) < std::abs(apex[1] - apex[0]) / 4);
+  CHECK(std::abs(apex[2] - apex[1]) < 1e-3);
+}
+
+TEST_CASE("the boomeron run keeps its contract", "[cli][boomeron]") {
+  const Result r = call("sec34_boomeron run --velocity 1.9 --s 1 --time 1000");
+  REQUIRE(r.code == 0);
+  check_close(quantity(r, "apex_site"), 20.06, 0.05);
+  check_close(quantity(r, "apex_time"), 466.6, 2);
+  check_close(quantity(r, "return_time"), 897.7, 1);
+  CHECK(quantity(r, "decorrelation_time") > 900);
+  const Result never = call("sec34_boomeron run --velocity 1 --s 0 --time 200");
+  REQUIRE(never.code == 0);
+  CHECK(std::isnan(quantity(never, "apex_site")));
+  for (const char* bad : {"run --velocity nan", "run --s -1", "run --time 0", "run --tolerance 2"})
+    CHECK(call(std::string("sec34_boomeron ") + bad).code == 2);
+  for (const char* bad : {"map --part 3/2", "map --part 0/1", "map --part x", "map --rows 1"})
+    CHECK(call(std::string("sec34_boomeron_map ") + bad + " --folder /tmp").code == 2);
+}
+
+TEST_CASE("parts of the map merge to the same bytes, also after an interruption",
+          "[cli][boomeron]") {
+  const fs::path scratch = fs::temp_directory_path() / ("boomeron_" + std::to_string(::getpid()));
+  const std::string map = "sec34_boomeron_map map --columns 4 --rows 4 --folder ";
+  const std::string one = (scratch / "one").string(), two = (scratch / "two").string();
+  const std::string whole = body(call(map + one).output);
+  CHECK(std::count(whole.begin(), whole.end(), '\n') == 17);
+  const std::string half = body(call(map + two + " --part 2/2").output);
+  CHECK(std::count(half.begin(), half.end(), '\n') == 9);
+  for (const auto& entry : fs::directory_iterator(two)) {  // the last line was cut short
+    const auto size = fs::file_size(entry.path());
+    fs::resize_file(entry.path(), size - 5);
+  }
+  CHECK(body(call(map + two).output) == whole);
+  fs::remove_all(scratch);
+}
