@@ -15,20 +15,20 @@ set xrange [0:pi]
 set yrange [-1.2:1.1]
 set xtics ('0' 0, 'π/4' pi/4, 'π/2' pi/2, '3π/4' 3*pi/4, 'π' pi)
 set xzeroaxis lw 0.8 lc rgb grey
-set key at graph 0.99,0.985 right samplen 1.6 maxrows 3
+set key at graph 0.95,0.985 right samplen 1.2 maxrows 3 width -3
 set label 1 '(a)' at graph 0.03,0.94
 plot curves using "q":(only(-1./6, column("phi"))) with lines ls 2 title 's = −1/6', \
      curves using "q":(only(0, column("phi"))) with lines ls 1 title 's = 0', \
      curves using "q":(only(1, column("phi"))) with lines ls 3 title 's = 1', \
-     points using "q":"shift_phi" with points pt 6 ps 0.5 lw 1 lc rgb black title 'frequency shift', \
+     points using "q":"shift_phi" with points pt 6 ps 0.5 lw 1 lc rgb black title 'frequency', \
      points using "q":"growth_phi" with points pt 7 ps 0.25 lc rgb black title 'growth'
 set xlabel 'modulation Q (1/site)'
 set ylabel 'growth rate over |A|^2' offset 1,0
 set xrange [0:0.16]
-set yrange [0:0.36]
+set yrange [0:0.4]
 set xtics 0.05
 set label 1 '(b)'
-set key at graph 0.99,0.985 right maxrows 2 samplen 1.6
+set key at graph 0.99,0.985 right maxrows auto width 0
 plot growth using "modulation":(at(0.15, column("nls"))) with lines ls 1 title 'NLS', \
      growth using "modulation":(at(0.05, column("nls"))) with lines ls 1 notitle, \
      growth using "modulation":(at(0.15, column("growth"))) with points pt 6 ps 0.4 lw 1 lc rgb vermilion \
