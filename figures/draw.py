@@ -28,6 +28,12 @@ def read(path):
     return {name: body[:, i] for i, name in enumerate(rows[0])}
 
 
+def records(path):
+    """The rows of an ECSV table as dictionaries of texts, for tables that hold names."""
+    with open(path, encoding="utf8") as file:
+        return list(csv.DictReader(line for line in file if not line.startswith("#")))
+
+
 def grid(table, x, y, value):
     """A long table as an image: values[y, x] and the extent for `imshow`."""
     xs, ys = np.unique(table[x]), np.unique(table[y])

@@ -132,7 +132,13 @@ TEST_CASE("bad input: one line, exit code 2, no file", "[cli]") {
                         {"sec32_newton_breathers breather --centre site --sites 9", "--sites"},
                         {"sec32_newton_breathers breather --sites 1e9", "--sites"},
                         {"sec32_newton_breathers breather --precision single", "--precision"},
-                        {"sec32_newton_breathers breather --phase upside", "--phase"}}) {
+                        {"sec32_newton_breathers breather --phase upside", "--phase"},
+                        {"sec4_precompression_mi coefficients --q 3.2", "--q"},
+                        {"sec4_precompression_mi coefficients --q nan", "--q"},
+                        {"sec4_precompression_mi coefficients --d 0", "--d"},
+                        {"sec4_precompression_mi band --d -0.5", "--d"},
+                        {"sec4_precompression_mi impact --time 0", "--time"},
+                        {"sec4_precompression_mi impact --s inf", "--s"}}) {
     CAPTURE(arguments);
     const Result r = call(arguments + out);
     CAPTURE(r.errors);
@@ -424,6 +430,28 @@ TEST_CASE("the DpS impact agrees with the impact chapter", "[cli]") {
   }
   const Result fixed = call("sec31_dps_limit impact --tau 250 --end fixed");
   CHECK(quantity(fixed, "amplitude") > 1.2 * quantity(r, "amplitude"));
+}
+
+TEST_CASE("phonons and compressed impacts report the contract's quantities", "[cli]") {
+  const Result c = call("sec4_precompression_mi coefficients --q 0.7853981633974483 --d 0.5 --s 0");
+  REQUIRE(c.code == 0);
+  check_close(quantity(c, "omega"), 1.2731, 1e-3);
+  check_close(quantity(c, "phi"), -quantity(c, "beta") * quantity(c, "omega_2"), 1e-15);
+  CHECK(quantity(c, "group_velocity") > 0.5);
+  const Result b = call("sec4_precompression_mi band --d 0.5 --s 1");
+  REQUIRE(b.code == 0);
+  CHECK(quantity(b, "lower_edge") == 1);
+  check_close(quantity(b, "upper_edge"), std::sqrt(1 + 6 * std::sqrt(0.5)), 1e-14);
+  check_close(quantity(b, "phi_at_0"), -1.5, 1e-14);
+  const Result i = call("sec4_precompression_mi impact --s 1 --time 724");
+  REQUIRE(i.code == 0);
+  for (const char* name : {"centre", "width", "energy_fraction"}) {
+    CAPTURE(name);
+    CHECK(quantity(i, name) > 0);
+    CHECK(quantity(i, name, "error") < 1e-3 * quantity(i, name));
+  }
+  check_close(quantity(i, "centre"), 439.4, 0.5);
+  CHECK(call("sec4_precompression_mi impact --s -0.7 --velocity 9 --time 60").code == 1);
 }
 
 TEST_CASE("a profile has one row a site", "[cli]") {

@@ -1,0 +1,143 @@
+#pragma once
+/**
+# An impact on a compressed chain
+
+A blow on the first bead of a compressed chain sends out phonons, and perhaps a packet that holds
+together. This file runs the experiment and tells the two apart.
+
+Near the boundary contacts may open for a while, so until a settling time the contact-aware method
+integrates; after it the motion is smooth and a splitting of order six has its full order. Phonons
+run at any speed up to the largest group velocity $\omega'(q_c)$ and ahead of them the motion falls
+off super-exponentially, so a chain somewhat longer than the fastest phonon's way is endless. */
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "lattice/measure/envelope.hpp"
+#include "lattice/measure/impact.hpp"
+#include "lattice/stepping/contact_rkn.hpp"
+#include "lattice/waves/dispersion.hpp"
+
+namespace lattice {
+
+/// A blow of `velocity` on a chain with wells of anharmonicity `s`, compressed by `d` (zero: not).
+struct Launch {
+  double s = 1, time = 724, velocity = 1.87, d = 0.5;
+  /// Fifteen per cent more than the fastest phonon's way, and a hundred sites.
+  std::size_t sites() const {
+    const double v1 = d > 0 ? contact_series(d).v1 : 0;
+    const double fastest = d > 0 ? phonon(inflection(v1), v1).group_velocity : 0.3;
+    return 100 + std::size_t(1.15 * fastest * time);
+  }
+  Chain<Quartic, CompressedHertz> chain() const { return {sites(), {s}, {d}}; }
+};
+
+/// Half-width of the sites that count as the packet, and of those to which an envelope is fitted.
+inline constexpr std::size_t packet_reach = 20, envelope_reach = 10;
+
+/// Where the richest sites are, their share of the energy, that of the first five sites, and the
+/// number of sites that share the energy.
+struct PacketSample {
+  double t, centre, share, boundary, participation;
+};
+
+inline PacketSample packet_sample(double t, const std::vector<double>& e) {
+  const std::size_t peak = richest(e, packet_reach);
+  return {t, energy_centre(e, peak, packet_reach), window_sum(e, peak, packet_reach) / total(e),
+          boundary_share(e), participation(e)};
+}
+
+/// A packet at one time: amplitudes of the velocity, and the sech that fits them around the centre.
+struct Snapshot {
+  State<double> state;
+  double centre;
+  Envelope envelope;
+  Sech sech;
+};
+
+template <class Onsite, class Contact>
+Snapshot snapshot(const Chain<Onsite, Contact>& chain, const State<double>& state) {
+  const double centre = packet_sample(state.t, energy_density(chain, state)).centre;
+  const Range range = around(std::size_t(centre) - 1, envelope_reach, chain.sites);
+  Snapshot out{state, centre, envelope(chain, state, range), {}};
+  out.sech = fit_sech(out.envelope.amplitude, range, 8);
+  return out;
+}
+
+/// A run: a sample every unit of time, snapshots, and how far both can be trusted.
+struct Flight {
+  State<double> end;
+  std::vector<PacketSample> samples{};
+  std::vector<Snapshot> shown{};
+  double drift = 0;
+  double last_open = 0;  ///< time of the last sample with an open contact
+};
+
+/// Steps before and after the settling time.
+struct FlightSteps {
+  double early = 0.1, late = 0.4;
+  FlightSteps halved() const { return {early / 2, late / 2}; }
+};
+inline constexpr double settling_time = 40;
+
+inline Flight fly(const Launch& launch, const std::vector<double>& times, FlightSteps steps) {
+  const auto chain = launch.chain();
+  Flight out{struck(chain.sites, launch.velocity)};
+  const auto watch = [&](const State<double>& now) {
+    if (!out.samples.empty() && now.t == out.samples.back().t) return;
+    out.samples.push_back(packet_sample(now.t, energy_density(chain, now)));
+    for (std::size_t n = 0; n + 1 < chain.sites; ++n)
+      if (now.y[n + 1] - now.y[n] > launch.d) out.last_open = now.t;
+    for (double t : times)
+      if (std::abs(now.t - t) < 1e-6) out.shown.push_back(snapshot(chain, now));
+  };
+  const double first = launch.d > 0 ? std::min(settling_time, launch.time) : launch.time;
+  const Splitting late{blanes_moan_6_14(), steps.late};
+  const Run run = evolve(ContactAware{steps.early}, chain, out.end, first, 1, watch);
+  out.drift = run.energy_drift;
+  if (first < launch.time && !run.escaped())
+    out.drift += evolve(late, chain, out.end, launch.time - first, 1, watch).energy_drift;
+  return out;
+}
+
+/**
+What is a breather, and what a wave train? A breather keeps its energy: the packet's share is a
+constant power $t^0$. The front of a linear wave train spreads like $t^{1/3}$ and its share falls
+like $t^{-1/3}$. The line between them is the exponent $-1/6$, fitted over the last three quarters
+of a run. In the same way a surface mode keeps its share of the first five sites, while a train
+thins out there like $1/t$ or faster; the line is $-1/2$. A packet that comes back has a negative
+advance at some time: we take the smallest advance in 100 units of time over the mean one. */
+struct Traits {
+  double share, share_exponent, boundary, boundary_exponent, speed, steadiness;
+  bool breather() const { return share_exponent > -1.0 / 6; }
+  bool surface_mode() const { return boundary_exponent > -0.5; }
+  bool returns() const { return !(steadiness > 0.5); }
+};
+
+/// Traits of a run from its samples. Needs more than 140 units of time.
+inline Traits traits(const std::vector<PacketSample>& samples) {
+  std::vector<double> log_t, share, boundary, t, centre;
+  for (const PacketSample& p : samples) {
+    if (p.t < samples.back().t / 4) continue;
+    log_t.push_back(std::log(p.t));
+    share.push_back(std::log(p.share));
+    boundary.push_back(std::log(p.boundary));
+    t.push_back(p.t);
+    centre.push_back(p.centre);
+  }
+  const double speed = fit_line(t, centre).slope;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i + 100 < t.size(); ++i)
+    least = std::min(least, (centre[i + 100] - centre[i]) / 100);
+  return {samples.back().share,
+          fit_line(log_t, share).slope,
+          samples.back().boundary,
+          fit_line(log_t, boundary).slope,
+          speed,
+          least / std::abs(speed)};
+}
+
+}  // namespace lattice

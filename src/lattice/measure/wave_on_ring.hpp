@@ -1,0 +1,68 @@
+#pragma once
+/**
+# Waves on a ring, measured
+
+Two numbers that a theory of weakly nonlinear waves predicts can be read off a run on a ring: the
+mean frequency of an exact wave (waves/plane_wave.hpp), from the phase of its first Fourier
+component, and the rate at which a small modulation of it grows, from the side band $q + Q$. */
+
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <numbers>
+#include <vector>
+
+#include "lattice/numbers/line_fit.hpp"
+#include "lattice/stepping/integrate.hpp"
+#include "lattice/waves/plane_wave.hpp"
+
+namespace lattice {
+
+/// Fourier sum over the sites n = 1, 2, ... of y + i v / omega.
+inline std::complex<double> fourier(const State<double>& state, double wavenumber, double omega) {
+  std::complex<double> sum = 0;
+  for (std::size_t n = 0; n < state.y.size(); ++n)
+    sum += std::complex<double>(state.y[n], state.v[n] / omega) *
+           std::polar(1.0, -wavenumber * double(n + 1));
+  return sum;
+}
+
+/// Mean frequency of `wave` on the ring `chain` over `periods` periods. The ring holds a whole number
+/// of wavelengths.
+template <class Stepper, class Onsite, class Contact>
+double measured_frequency(const Stepper& stepper, const Chain<Onsite, Contact>& chain,
+                          const PlaneWave& wave, double periods) {
+  State<double> state = on_ring(wave, chain.sites);
+  const double time = 2 * std::numbers::pi * periods / wave.omega;
+  double turned = 0, last = 0;
+  evolve(stepper, chain, state, time, 0.5, [&](const State<double>& now) {
+    const double phase = std::arg(fourier(now, wave.q, wave.omega));
+    if (now.t > 0) turned += std::remainder(phase - last, 2 * std::numbers::pi);
+    last = phase;
+  });
+  return -turned / time;
+}
+
+/// Rate at which a modulation with `turns` periods on the ring grows from a relative amplitude of
+/// 1e-6: a line through the logarithm of the side band between four and eight times 1 / `expected`,
+/// when the growing part has left the decaying one behind.
+template <class Stepper, class Onsite, class Contact>
+double measured_growth(const Stepper& stepper, const Chain<Onsite, Contact>& chain,
+                       const PlaneWave& wave, int turns, double expected) {
+  State<double> state = on_ring(wave, chain.sites);
+  const double modulation = 2 * std::numbers::pi * turns / double(chain.sites);
+  for (std::size_t n = 0; n < chain.sites; ++n) {
+    const double factor = 1 + 1e-6 * std::cos(modulation * double(n + 1));
+    state.y[n] *= factor;
+    state.v[n] *= factor;
+  }
+  std::vector<double> times, logs;
+  evolve(stepper, chain, state, 8 / expected, 0.02 / expected, [&](const State<double>& now) {
+    if (now.t < 4 / expected) return;
+    times.push_back(now.t);
+    logs.push_back(std::log(std::abs(fourier(now, wave.q + modulation, wave.omega))));
+  });
+  return fit_line(times, logs).slope;
+}
+
+}  // namespace lattice

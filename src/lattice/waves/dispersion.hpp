@@ -1,0 +1,70 @@
+#pragma once
+/**
+# Linear waves of a compressed chain
+
+Squeezed contacts answer a small motion like springs. With $V$ of Eq. (33) and the relative
+displacement $r = y_{n+1} - y_n$,
+$$V'(r) = v_1 r + v_2 r^2 + v_3 r^3 + O(r^4), \qquad
+  v_1 = \tfrac32 d^{1/2},\quad v_2 = -\tfrac38 d^{-1/2},\quad v_3 = -\tfrac1{16} d^{-3/2},$$
+the linear part lets phonons $e^{i(qn - \omega t)}$ pass in a band, Eq. (34),
+$$\omega^2(q) = 1 + 2 v_1 (1 - \cos q), \qquad 0 \le q \le \pi.$$
+Two derivatives of $\omega$ matter later: the group velocity $c = \omega'$, with which packets
+travel, and the curvature $\omega'' = v_1\omega_2/\omega$, with which they spread. The curvature
+vanishes at one wavenumber $q_c$; there $c$ is largest, and nothing linear is faster.
+
+Everything is a template on the scalar: evaluated in two precisions, a formula tells its own
+rounding error. */
+
+#include <cmath>
+#include <stdexcept>
+
+namespace lattice {
+
+/// Expansion coefficients v_1, v_2, v_3 of the contact about its compressed rest.
+template <class T>
+struct ContactSeries {
+  T v1, v2, v3;
+};
+
+/// The coefficients for the compression `d` > 0, from Eq. (33). Throws std::invalid_argument else.
+template <class T>
+ContactSeries<T> contact_series(T d) {
+  using std::sqrt;
+  if (!(d > T(0))) throw std::invalid_argument("a phonon band needs a compression d > 0");
+  const T root = sqrt(d);
+  return {T(3) / T(2) * root, -T(3) / T(8) / root, -T(1) / T(16) / (d * root)};
+}
+
+/// Frequency, group velocity (sites per unit of time) and the reduced curvature omega_2 at one q.
+template <class T>
+struct Phonon {
+  T omega, group_velocity, omega_2;
+  T curvature(T v1) const { return v1 * omega_2 / omega; }  ///< omega''(q)
+};
+
+/// The phonon of wavenumber `q`, Eq. (34) and its derivatives (text after Eq. (36)).
+template <class T>
+Phonon<T> phonon(T q, T v1) {
+  using std::cos, std::sin, std::sqrt;
+  const T square = T(1) + T(2) * v1 * (T(1) - cos(q)), omega = sqrt(square);
+  return {omega, v1 * sin(q) / omega, cos(q) - v1 * sin(q) * sin(q) / square};
+}
+
+/// Upper edge of the band, at q = pi; the lower one, at q = 0, is 1.
+template <class T>
+T upper_edge(T v1) {
+  using std::sqrt;
+  return sqrt(T(1) + T(4) * v1);
+}
+
+/**
+The inflection solves $\cos q_c = v_1(1-\cos q_c)^2$, which is a quadratic equation for
+$x = 1 - \cos q_c$. Its positive root is written so that nothing cancels:
+$x = 2/(1+\sqrt{1+4v_1})$. */
+template <class T>
+T inflection(T v1) {
+  using std::acos, std::sqrt;
+  return acos(T(1) - T(2) / (T(1) + sqrt(T(1) + T(4) * v1)));
+}
+
+}  // namespace lattice

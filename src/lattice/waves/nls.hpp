@@ -1,0 +1,70 @@
+#pragma once
+/**
+# Weakly nonlinear waves: the NLS equation
+
+A phonon of small amplitude, $y_n = \epsilon A e^{i(qn-\omega t)} + c.c.$ (Eq. (35)), has a slow
+envelope that obeys the nonlinear Schrödinger equation (36),
+$$i\,\partial_\tau A = -\tfrac12\omega''(q)\,\partial_\xi^2 A + h|A|^2A, \qquad h = \beta/\omega.$$
+Where does $\beta$ come from? Insert $A e^{i\theta} + A_2 e^{2i\theta} + c.c.$ with
+$\theta = qn - \omega t$. The quadratic part of the contact drives the second harmonic,
+$$A_2 = \frac{4i\,v_2\sin q\,(1-\cos q)}{3 + 4v_1(1-\cos q)^2}\,A^2,$$
+whose beat with the first one returns to frequency $\omega$, beside the cubic parts of contact and
+well. (The quadratic part has a mean as well, but it is the same in every contact and moves
+nothing, because a well holds each bead.) What balances at $e^{i\theta}$ is
+$\omega_{nl}^2 = \omega^2 + 2\beta|A|^2$ with
+$$\beta = \frac{16v_2^2\sin^2q\,(1-\cos q)^2}{4v_1(1-\cos q)^2+3} +
+  \tfrac32\left[4v_3(1-\cos q)^2 + s\right].$$
+
+A uniform wave is unstable against slow modulations where $\omega''h < 0$, that is where
+$\Phi = -\beta\,\omega_2 > 0$ (Eq. (37)): a modulation of wavenumber $Q$ then grows at the rate
+$\sigma(Q)$ with $\sigma^2 = \frac12|\omega''|Q^2\,(2|h||A|^2 - \frac12|\omega''|Q^2)$, at most
+$\sigma = |h||A|^2$. */
+
+#include <cmath>
+
+#include "lattice/waves/dispersion.hpp"
+
+namespace lattice {
+
+/// NLS coefficient beta(q) for the well's anharmonicity s (text after Eq. (36)).
+template <class T>
+T nls_beta(T q, const ContactSeries<T>& v, T s) {
+  using std::cos, std::sin;
+  const T x = (T(1) - cos(q)) * (T(1) - cos(q));
+  return T(16) * v.v2 * v.v2 * sin(q) * sin(q) * x / (T(4) * v.v1 * x + T(3)) +
+         T(3) / T(2) * (T(4) * v.v3 * x + s);
+}
+
+/// What the NLS equation says about one wavenumber.
+template <class T>
+struct Coefficients {
+  T omega, group_velocity, curvature, beta, omega_2, phi;
+  T h() const { return beta / omega; }
+};
+
+template <class T>
+Coefficients<T> coefficients(T q, T d, T s) {
+  const ContactSeries<T> v = contact_series(d);
+  const Phonon<T> p = phonon(q, v.v1);
+  const T beta = nls_beta(q, v, s);
+  return {p.omega, p.group_velocity, p.curvature(v.v1), beta, p.omega_2, -beta * p.omega_2};
+}
+
+/// Growth rate of a modulation of wavenumber `modulation` on a wave y = a sin(qn - omega t), that is
+/// |A| = a/2; zero where the wave is stable.
+template <class T>
+T nls_growth(const Coefficients<T>& at, T a, T modulation) {
+  using std::sqrt;
+  const T spread = at.curvature * modulation * modulation / T(2);
+  const T square = -spread * (spread + at.h() * a * a / T(2));
+  return square > T(0) ? sqrt(square) : T(0);
+}
+
+/// The modulation that grows fastest, at the rate |h| a^2 / 4; only where phi > 0.
+template <class T>
+T fastest_modulation(const Coefficients<T>& at, T a) {
+  using std::sqrt;
+  return sqrt(-at.h() * a * a / (T(2) * at.curvature));
+}
+
+}  // namespace lattice

@@ -1,0 +1,257 @@
+// Phonons, the NLS coefficient, exact waves, envelopes, and the criteria of the compressed impact.
+
+#include <filesystem>
+#include <map>
+
+#include "check.hpp"
+#include "lattice/measure/flight.hpp"
+#include "lattice/measure/wave_on_ring.hpp"
+#include "lattice/report/table.hpp"
+#include "lattice/waves/nls.hpp"
+
+using namespace lattice;
+using std::numbers::pi;
+
+namespace {
+
+const double d = 0.5;
+const CompressedHertz contact{d};
+using Ring = Chain<Quartic, CompressedHertz>;
+
+/// Relative deviation of beta from the frequency of an exact wave, at zero amplitude.
+double beta_from_wave(double q, double s) {
+  const auto c = coefficients(q, d, s);
+  const auto of = [&](double a) {
+    const double omega = plane_wave(Quartic{s}, contact, q, a).omega;
+    return (omega * omega - c.omega * c.omega) / (a * a / 2);
+  };
+  return (4 * of(0.01) - of(0.02)) / 3;
+}
+
+std::vector<PacketSample> synthetic(double share_power, double boundary_power, double turn) {
+  std::vector<PacketSample> samples;
+  for (double t = 1; t <= 800; ++t) {
+    const double centre = t < turn ? 0.6 * t : 0.6 * (2 * turn - t);
+    samples.push_back(
+        {t, centre, std::pow(t, share_power), 0.1 * std::pow(t, boundary_power), 1 + t});
+  }
+  return samples;
+}
+
+}  // namespace
+
+TEST_CASE("the contact's series is that of its force", "[unit]") {
+  const auto v = contact_series(d);
+  for (double r : {1e-3, -1e-3, 1e-2}) {
+    const double series = v.v1 * r + v.v2 * r * r + v.v3 * r * r * r;
+    check_close(-contact.force(r), series, 0.2 * r * r * r * r);
+    CHECK(std::abs(-contact.force(r) - (series - v.v3 * r * r * r)) > 0.1 * std::abs(r * r * r));
+  }
+  check_close(v.v1, contact.stiffness(0.0), 1e-15);
+  CHECK_THROWS_AS(contact_series(0.0), std::invalid_argument);
+  CHECK_THROWS_AS(contact_series(std::nan("")), std::invalid_argument);
+}
+
+TEST_CASE("phonons diagonalise the linearised ring", "[property]") {
+  const std::size_t sites = 24;
+  const Ring ring{sites, {0.3}, contact, Ends::periodic};
+  const auto h = linearise(ring, std::vector<double>(sites, 0.0));
+  for (int k = 0; k <= 12; ++k) {
+    const double q = 2 * pi * k / double(sites);
+    const Phonon<double> p = phonon(q, contact_series(d).v1);
+    double force = 0;
+    for (int n : {-1, 0, 1}) force += (n == 0 ? h.diagonal[5] : h.off[5]) * std::cos(q * n);
+    check_close(p.omega * p.omega, force, 1e-13);
+  }
+}
+
+TEST_CASE("group velocity, curvature and inflection are derivatives of the band", "[unit]") {
+  const double step = 1e-3;
+  for (double compression : {0.05, 0.5, 3.0}) {
+    const double v1 = contact_series(compression).v1;
+    const auto omega = [&](double q) { return phonon(q, v1).omega; };
+    for (double q : {0.3, 1.0, 2.5}) {
+      const Phonon<double> p = phonon(q, v1);
+      check_close(p.group_velocity, (omega(q + step) - omega(q - step)) / (2 * step), 1e-5);
+      check_close(p.curvature(v1),
+                  (omega(q + step) - 2 * omega(q) + omega(q - step)) / (step * step), 1e-5);
+    }
+    const double q = inflection(v1), x = 1 - std::cos(q);
+    CHECK(q > 0);
+    CHECK(q < pi / 2);
+    check_close(std::cos(q), v1 * x * x, 1e-14);
+    check_close(phonon(q, v1).omega_2, 0, 1e-14);
+    CHECK(phonon(q - 0.05, v1).group_velocity < phonon(q, v1).group_velocity);
+    CHECK(phonon(q + 0.05, v1).group_velocity < phonon(q, v1).group_velocity);
+    check_close(upper_edge(v1), omega(pi), 1e-14);
+  }
+}
+
+TEST_CASE("beta is the frequency shift of an exact wave; no term of it can be spared",
+          "[property]") {
+  const auto v = contact_series(d);
+  for (double s : {-1.0 / 6, 0.0, 1.0})
+    for (double q : {0.5, 1.3, 1.9, 2.6}) {
+      CAPTURE(s, q);
+      const double measured = beta_from_wave(q, s), beta = nls_beta(q, v, s);
+      check_close(beta, measured, 0, 1e-3);
+      ContactSeries<double> without = v;
+      without.v2 = 0;
+      CHECK(std::abs(nls_beta(q, without, s) - measured) > 1e-3 * std::abs(measured));
+      without = v;
+      without.v3 = 0;
+      CHECK(std::abs(nls_beta(q, without, s) - measured) > 1e-3 * std::abs(measured));
+      CHECK(std::abs(nls_beta(q, v, s + 0.01) - measured) > 1e-3 * std::abs(measured));
+    }
+}
+
+TEST_CASE("an exact wave keeps its form and frequency in a run", "[property]") {
+  const double q = 2 * pi * 5 / 24, a = 0.12;
+  const Ring ring{24, {1}, contact, Ends::periodic};
+  const PlaneWave wave = plane_wave(ring.onsite, contact, q, a);
+  State<double> state = on_ring(wave, 24);
+  const double start = energy(ring, state);
+  evolve(Splitting{blanes_moan_6_14(), 0.1}, ring, state, 2 * pi / wave.omega, 1, Unobserved{});
+  const State<double> again = on_ring(wave, 24);
+  for (std::size_t n = 0; n < 24; ++n) check_close(state.y[n], again.y[n], 1e-10);
+  check_close(energy(ring, state), start, 0, 1e-11);
+  const double measured = measured_frequency(Splitting{blanes_moan_6_14(), 0.1}, ring, wave, 20);
+  check_close(measured, wave.omega, 0, 1e-9);
+  CHECK(std::abs(measured - phonon(q, contact_series(d).v1).omega) > 1e-4);
+  CHECK_THROWS_AS(plane_wave(Quartic{1}, contact, 2.5, 0.6), std::runtime_error);
+}
+
+TEST_CASE("exact waves are unstable where phi is positive, at the rate of NLS", "[property]") {
+  for (double s : {-1.0 / 6, 0.0, 1.0})
+    for (double q : {pi / 4, 1.9, 2.8}) {
+      CAPTURE(s, q);
+      const double a = 0.01;
+      const auto c = coefficients(q, d, s);
+      const PlaneWave wave = plane_wave(Quartic{s}, contact, q, a);
+      const double modulation = std::sqrt(std::abs(c.h() * a * a / (2 * c.curvature)));
+      const double rate = growth_rate(wave, Quartic{s}, contact, modulation);
+      if (c.phi > 0) {
+        check_close(rate, nls_growth(c, a, modulation), 0, 0.02);
+        check_close(rate, std::abs(c.h()) * a * a / 4, 0, 0.02);
+        CHECK(growth_rate(wave, Quartic{s}, contact, 2 * modulation) < 1e-9);
+      } else {
+        CHECK(rate < 1e-9);
+        CHECK(nls_growth(c, a, modulation) == 0);
+      }
+    }
+}
+
+TEST_CASE("a wave of wavenumber pi/2 is scattered back", "[property]") {
+  const double q = pi / 2, a = 0.08;
+  const Ring ring{16, {1}, contact, Ends::periodic};
+  const PlaneWave wave = plane_wave(ring.onsite, contact, q, a);
+  const double rate = growth_rate(wave, ring.onsite, contact, pi);
+  CHECK(rate > 2 * coefficients(q, d, 1.0).h() * a * a / 4);
+  State<double> state = on_ring(wave, 16);
+  for (std::size_t n = 0; n < 16; ++n) state.y[n] += 1e-8 * std::cos(q * double(n + 1) + 0.3);
+  std::vector<double> t, log;
+  evolve(Splitting{blanes_moan_6_14(), 0.4}, ring, state, 14 / rate, 0.1 / rate,
+         [&](const State<double>& now) {
+           if (now.t < 7 / rate) return;
+           t.push_back(now.t);
+           log.push_back(std::log(std::abs(fourier(now, -q, wave.omega))));
+         });
+  check_close(fit_line(t, log).slope, rate, 0, 0.02);
+}
+
+TEST_CASE("order six where contacts stay closed", "[convergence]") {
+  const Ring ring{24, {-1.0 / 6}, contact, Ends::periodic};
+  const PlaneWave wave = plane_wave(ring.onsite, contact, pi / 4, 0.15);
+  const auto run = [&](const Scheme& scheme, double step) {
+    State<double> state = on_ring(wave, 24);
+    evolve(Splitting{scheme, step}, ring, state, 20, 20, Unobserved{});
+    return state;
+  };
+  for (const Scheme& scheme : {verlet(), blanes_moan_4(), blanes_moan_6(), blanes_moan_6_14()}) {
+    CAPTURE(scheme.name);
+    const State<double> exact = run(blanes_moan_6_14(), 0.02);
+    const double ratio = distance(run(scheme, 0.4), exact) / distance(run(scheme, 0.2), exact);
+    check_close(std::log2(ratio), scheme.order, 0.1);
+  }
+}
+
+TEST_CASE("a sech is found, and other pulses are told from it", "[unit]") {
+  std::vector<double> a(100), hat(100), ramp(100);
+  for (std::size_t n = 0; n < 100; ++n) {
+    a[n] = 0.3 / std::cosh((double(n + 1) - 50.3) / 4.2);
+    hat[n] = n > 43 && n < 55 ? 1 : 0;
+    ramp[n] = double(n);
+  }
+  const Sech f = fit_sech(a, around(50, 10, 100), 8);
+  check_close(f.height, 0.3, 1e-10);
+  check_close(f.centre, 50.3, 1e-8);
+  check_close(f.width, 4.2, 1e-8);
+  CHECK(f.residual < 1e-10);
+  CHECK(fit_sech(hat, around(49, 10, 100), 8).residual > 0.15);
+  const Sech r = fit_sech(ramp, around(49, 10, 100), 8);
+  CHECK((std::abs(r.centre - 50) > 10 || r.width > 10));
+}
+
+TEST_CASE("the envelope of a wave is its amplitude, and the richest sites are found", "[unit]") {
+  const Ring ring{48, {-1.0 / 6}, contact, Ends::periodic};
+  const PlaneWave wave = plane_wave(ring.onsite, contact, pi / 4, 1e-3);
+  const Envelope e = envelope(ring, on_ring(wave, 48), {0, 48});
+  check_close(e.omega, wave.omega, 0, 1e-4);
+  for (double x : e.amplitude) check_close(x, 1e-3 * wave.omega, 0, 1e-2);
+  std::vector<double> density(200, 1e-3);
+  density[130] = 1;
+  density[20] = 0.9;
+  const std::size_t at = richest(density, 20);
+  CHECK(at >= 110);
+  CHECK(at <= 150);
+  CHECK(std::size_t(energy_centre(density, at, 20)) >= 127);
+}
+
+TEST_CASE("breathers, trains, surface modes and boomerangs are told apart", "[unit]") {
+  const Traits breather = traits(synthetic(-0.05, -1, 1e9));
+  CHECK(breather.breather());
+  CHECK_FALSE(breather.surface_mode());
+  CHECK_FALSE(breather.returns());
+  CHECK_FALSE(traits(synthetic(-1.0 / 3, -1, 1e9)).breather());
+  CHECK(traits(synthetic(-1.0 / 3, 0, 1e9)).surface_mode());
+  CHECK(traits(synthetic(0, -1, 500)).returns());
+}
+
+TEST_CASE("a linear chain sends out a train", "[property]") {
+  // Weak blows see neither the well's nor the contact's nonlinearity: no breather for any s.
+  for (double s : {-1.0 / 6, 1.0}) {
+    const Flight flight = fly({s, 600, 1e-3, d}, {}, {0.2, 0.4});
+    const Traits t = traits(flight.samples);
+    CHECK_FALSE(t.breather());
+    CHECK_FALSE(t.surface_mode());
+    CHECK(flight.last_open == 0);
+    CHECK(flight.end.v.back() == 0);
+    check_close(t.speed,
+                phonon(inflection(contact_series(d).v1), contact_series(d).v1).group_velocity, 0,
+                0.02);
+  }
+}
+
+TEST_CASE("what section 4 rests on", "[published]") {
+  const Table facts = read(std::filesystem::path(DATA_DIR) / "sec4_precompression_mi/facts.ecsv");
+  const auto names = facts.texts("quantity");
+  const auto values = facts.numbers("value"), errors = facts.numbers("error");
+  std::map<std::string, double> value, error;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    value[names[i]] = values[i], error[names[i]] = errors[i];
+  for (const char* name : {"s_1", "s_0", "s_minus_1_6"}) {
+    CAPTURE(name);
+    CHECK(value.at(std::string("far_end_") + name) == 0);
+    CHECK(value.at(std::string("last_open_") + name) < settling_time);
+    CHECK(value.at(std::string("energy_drift_") + name) < 1e-8);
+  }
+  for (const char* name : {"verlet", "blanes_moan_4", "blanes_moan_6", "blanes_moan_6_14"}) {
+    const double order = name[0] == 'v' ? 2 : name[12] == '4' ? 4 : 6;
+    check_close(value.at(std::string("order_closed_") + name), order, 0.05);
+    if (order > 2) CHECK(value.at(std::string("order_opening_") + name) < 3);
+  }
+  CHECK(value.at("mi_state_error") < 1e-4);
+  CHECK(value.at("mi_agreement_time") > 6619);
+  CHECK(value.at("mi_control_peak_over_mean") < 2);
+  CHECK(error.at("packet_exponent_s_1") < 1e-3);
+}
