@@ -526,7 +526,8 @@ Table run_quantities(const Impact& impact, const Outcome& coarse, const Outcome&
   q.add("boundary_energy_fraction",
         both([](const Outcome& out) { return boundary_share(out.density); }));
   q.add("energy_drift", compare(coarse.run.energy_drift, fine.run.energy_drift));
-  q.add("escaped", both([&](const Outcome& out) { return int(out.reach > rim_of(impact.model.onsite)); }));
+  q.add("escaped",
+        both([&](const Outcome& out) { return int(out.reach > rim_of(impact.model.onsite)); }));
   return q.table;
 }
 

@@ -197,7 +197,7 @@ the recoil throws beads back at the near end, and the breather still travels. Be
 Errors are the spacing of the scan; a share of [](num:sec34_kink.kink_undecided) of the velocities
 stays undecided and supports no statement. */
 Results everything(Output& output, bool quick) {
-  output.note("tolerance", "steps " + short_text(step) + " and " + short_text(step / 2));
+  output.note("tolerance", "steps 0.1 and 0.05, half of that near the transition");
   const double spacing = quick ? 0.25 : 0.02;
   const auto points = scan(1, 8, spacing);
   output.add("kink_transition", scan_table(points, Options{}.sites));

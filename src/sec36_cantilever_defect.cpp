@@ -471,20 +471,20 @@ The journeys begin with the impact, where the packet is fastest. */
 void report_journeys(Report& report, const ArrayImpact& impact) {
   const std::pair<std::string, double> rates[] = {
       {"_undamped", 0}, {"_energy_lifetime", 100}, {"_amplitude_lifetime", 200}};
-  Journey journeys[3][2];
+  Transit journeys[3][2];
   parallel_for(6, [&](std::size_t i) {
     journeys[i / 2][i % 2] = travel(impact, rates[i / 2].second, i % 2 ? fine : rough);
   });
   for (std::size_t i = 0; i < 3; ++i) {
-    const auto fact = [&](const char* name, double Journey::*of, double unit, const char* text) {
+    const auto fact = [&](const char* name, double Transit::*of, double unit, const char* text) {
       report.facts.add(name + rates[i].first,
                        compare(journeys[i][0].*of * unit, journeys[i][1].*of * unit), text);
     };
-    fact("sites", &Journey::sites, 1, "sites");
-    fact("oscillations", &Journey::oscillations, 1, "");
-    fact("speed", &Journey::speed, 1, "sites/s");
-    fact("period", &Journey::period, 1e3, "ms");
-    fact("energy", &Journey::energy, 1, "share of the energy");
+    fact("sites", &Transit::sites, 1, "sites");
+    fact("oscillations", &Transit::oscillations, 1, "");
+    fact("speed", &Transit::speed, 1, "sites/s");
+    fact("period", &Transit::period, 1e3, "ms");
+    fact("energy", &Transit::energy, 1, "share of the energy");
   }
 }
 

@@ -126,8 +126,8 @@ TEST_CASE("the shared way to the defect changes nothing", "[property][cantilever
 TEST_CASE("damping shortens the journey and takes its energy", "[property][cantilever]") {
   ArrayImpact impact;
   impact.array.sites = 60, impact.array.defect = 50;
-  const Journey free = travel(impact, 0, {0.1, 0.1}), damped = travel(impact, 200, {0.1, 0.1});
-  const Journey finer = travel(impact, 200, {0.05, 0.05});
+  const Transit free = travel(impact, 0, {0.1, 0.1}), damped = travel(impact, 200, {0.1, 0.1});
+  const Transit finer = travel(impact, 200, {0.05, 0.05});
   CHECK(damped.sites < free.sites);
   CHECK(damped.speed < free.speed);
   CHECK(damped.period > free.period);

@@ -138,7 +138,7 @@ inline std::vector<double> strongest_forces(const ArrayImpact& impact, double ra
 
 In a damped array (damped.hpp) the packet reaches one contact after the other, each at the time of its
 strongest push. Between two of them it oscillates with the period of the later one. */
-struct Journey {
+struct Transit {
   double sites = 0, oscillations = 0;  ///< after 10 ms, from the first contact on
   double speed = 0, period = 0;        ///< sites/s and s, at the end
   double energy = 0;                   ///< of the packet, over that of the impact
@@ -147,9 +147,9 @@ struct Journey {
 /// The strongest push of each contact, in the order of the contacts, or nothing where it is missing.
 using Pushes = std::vector<std::optional<Push>>;
 
-inline Journey journey_of(const ArrayImpact& impact, const Pushes& pushes) {
+inline Transit journey_of(const ArrayImpact& impact, const Pushes& pushes) {
   const double end = impact.time(10);
-  Journey out;
+  Transit out;
   double last = 0, site = 0;
   for (std::size_t n = 1; n < pushes.size() && last < end; ++n) {
     if (!pushes[n]) continue;
@@ -167,7 +167,7 @@ inline Journey journey_of(const ArrayImpact& impact, const Pushes& pushes) {
 
 /**
 An impact with the damping rate `rate` of the velocities, in 1/s. */
-inline Journey travel(const ArrayImpact& impact, double rate, const Resolution& r) {
+inline Transit travel(const ArrayImpact& impact, double rate, const Resolution& r) {
   const auto chain = cantilever_chain(impact.array, 1);
   const double end = impact.time(10), struck_v = impact.struck_velocity();
   State<double> state = struck(chain.sites, struck_v);
@@ -182,7 +182,7 @@ inline Journey travel(const ArrayImpact& impact, double rate, const Resolution& 
   });
   Pushes pushes;
   for (const auto& f : force) pushes.push_back(strongest_push(t, f));
-  Journey out = journey_of(impact, pushes);
+  Transit out = journey_of(impact, pushes);
   if (const auto peak = front_packet(density))
     out.energy = window_sum(density, *peak) / (struck_v * struck_v / 2);
   return out;

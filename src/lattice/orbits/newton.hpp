@@ -76,9 +76,14 @@ the shortest one that solves them in the sense of least squares. */
 template <class T>
 Vector<T> solve_system(const Matrix<T>& matrix, const Vector<T>& right, double rank = 0) {
   if (matrix.rows() == matrix.cols() && rank <= 0) return matrix.partialPivLu().solve(right);
-  Eigen::CompleteOrthogonalDecomposition<Matrix<T>> shortest;
-  if (rank > 0) shortest.setThreshold(T(rank));
-  return shortest.compute(matrix).solve(right);
+  if constexpr (std::is_floating_point_v<T>) {
+    Eigen::CompleteOrthogonalDecomposition<Matrix<T>> shortest;
+    if (rank > 0) shortest.setThreshold(T(rank));
+    return shortest.compute(matrix).solve(right);
+  } else {
+    if (rank > 0) throw std::logic_error("this type solves only equations that leave nothing free");
+    return matrix.householderQr().solve(right);
+  }
 }
 
 /// The step in the units of `size`; `matrix` and `right` come as they are.
