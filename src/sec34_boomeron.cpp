@@ -15,12 +15,9 @@ What is claimed, with the identifiers under which the answers are recorded:
 
 For which impacts and wells packets turn, and why, is asked in two chapters of their own. */
 
-#include <gsl/gsl_rng.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -28,6 +25,7 @@ For which impacts and wells packets turn, and why, is asked in two chapters of t
 #include "lattice/measure/impact.hpp"
 #include "lattice/measure/turning.hpp"
 #include "lattice/numbers/parallel.hpp"
+#include "lattice/numbers/random.hpp"
 #include "lattice/report/program.hpp"
 #include "lattice/stepping/reference.hpp"
 
@@ -229,11 +227,9 @@ is half of what a centre distributed evenly up to the apex would show; both at t
 constexpr unsigned long seed = 20130501;
 
 std::vector<double> random_impacts(std::size_t members) {
-  const std::unique_ptr<gsl_rng, void (*)(gsl_rng*)> generator(gsl_rng_alloc(gsl_rng_mt19937),
-                                                               gsl_rng_free);
-  gsl_rng_set(generator.get(), seed);
+  Random random(seed);
   std::vector<double> velocity(members);
-  for (double& v : velocity) v = 1.9 * (1 + 1e-6 * (gsl_rng_uniform(generator.get()) - 0.5));
+  for (double& v : velocity) v = 1.9 * (1 + random.uniform(-5e-7, 5e-7));
   return velocity;
 }
 

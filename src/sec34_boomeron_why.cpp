@@ -11,12 +11,9 @@ The answer, with its evidence, stands under *Results*.
 
 ![Four experiments on the turning packet.](fig:x12) */
 
-#include <gsl/gsl_rng.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -24,8 +21,10 @@ The answer, with its evidence, stands under *Results*.
 
 #include "lattice/measure/turning.hpp"
 #include "lattice/numbers/parallel.hpp"
+#include "lattice/numbers/random.hpp"
 #include "lattice/orbits/ladder.hpp"
 #include "lattice/report/program.hpp"
+#include "lattice/stepping/damped.hpp"
 
 using namespace lattice;
 
@@ -35,10 +34,8 @@ using namespace lattice;
 The chain is that of the other boomeron chapters, Eqs. (9), (10) and (26),
 $$\ddot y_n + y_n + s\,y_n^3 = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2} - \gamma_n\dot y_n,
   \qquad \dot y_n(0) = v_0\,\delta_{n,1},$$
-with $s=1$, $v_0=1.9$ and a damping $\gamma_n$ that is zero except where we absorb. Damping acts as
-the exact factor $e^{-\gamma_n h}$ on the velocities between conservative stretches of length
-$h$, so that its error is that of a splitting. Each experiment is made at two steps, of the
-integration and of the splitting at once. A packet has turned when it has come back by five
+with $s=1$, $v_0=1.9$ and a damping $\gamma_n$ that is zero except where we absorb (damped.hpp). Each
+experiment is made at two steps, of the integration and of the damping at once. A packet has turned when it has come back by five
 sites (turning.hpp); a packet that is merely caught between two sites swings by less than one.
 
 | article | program | meaning |
@@ -76,15 +73,17 @@ std::size_t strongest(const std::vector<double>& e) {
 the end. *End* damps the first site only, after the packet has left: waves stay, but are
 no longer returned. *Cut* takes the packet's own thirteen sites at a given time, displacements and
 velocities untouched, and puts them on a chain that is at rest otherwise and has no end nearby. */
-void damp(const Absorber& absorber, const HardChain& chain, State<double>& state, double time) {
-  if (absorber.rate == 0 || state.t < absorber.from) return;
+std::vector<double> rates(const Absorber& absorber, const HardChain& chain,
+                          const State<double>& state) {
+  if (absorber.rate == 0 || state.t < absorber.from) return {};
   std::size_t until = absorber.first;
   if (absorber.behind > 0) {
     const std::size_t peak = strongest(energy_density(chain, state));
     until = peak > absorber.behind ? peak - absorber.behind : 0;
   }
-  const double factor = std::exp(-absorber.rate * time);
-  for (std::size_t n = 0; n < until; ++n) state.v[n] *= factor;
+  std::vector<double> nu(chain.sites, 0.0);
+  std::fill_n(nu.begin(), until, absorber.rate);
+  return nu;
 }
 
 /// The packet of a chain alone on a longer quiet one, `shift` sites further on.
@@ -118,8 +117,13 @@ Path perform(const Experiment& experiment, double step, double time, Watch watch
       if (moved) path.centre.back() -= double(shift);
     }
     watch(std::as_const(state));
-    evolve(ContactAware{step}, chain, state, Pace{stretch, 1, 2}, Unobserved{});
-    damp(experiment.absorber, chain, state, stretch);
+    const std::vector<double> nu = rates(experiment.absorber, chain, state);
+    const ContactAware stepper{step};
+    const Pace pace{stretch, 1, 2};
+    if (nu.empty())
+      evolve(stepper, chain, state, pace, Unobserved{});
+    else
+      evolve(Damped(stepper, nu), chain, state, pace, Unobserved{});
   }
   return path;
 }
@@ -346,13 +350,11 @@ Path expose(const Trial& trial, const Orbit<double>& orbit, double step) {
 
 /// Trials for both wells and both sides; the same phases, mirrored, in all four.
 std::vector<Trial> trials(std::size_t count) {
-  const std::unique_ptr<gsl_rng, void (*)(gsl_rng*)> generator(gsl_rng_alloc(gsl_rng_mt19937),
-                                                               gsl_rng_free);
-  gsl_rng_set(generator.get(), seed);
+  Random random(seed);
   std::vector<Trial> list;
   for (std::size_t k = 0; k < count; ++k) {
     std::vector<double> phase(15);
-    for (double& x : phase) x = 2 * std::numbers::pi * gsl_rng_uniform(generator.get());
+    for (double& x : phase) x = random.uniform(0, 2 * std::numbers::pi);
     for (const auto& [well, omega] : {std::pair{1.0, 1.68}, {0.0, 1.6045}})
       for (int side : {-1, 1}) list.push_back({well, omega, side, phase});
   }
