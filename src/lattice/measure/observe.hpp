@@ -137,18 +137,22 @@ inline double Track::energy_at(double x) const {
 
 /**
 The maximum falls between two samples: a parabola through the highest one and its neighbours finds
-it. */
+its height and where the centre is then. Only a maximum whose own centre lies in the window
+counts, not the flank of another one that the edge of the window cuts; the highest sample stands
+in where there is no maximum at all. */
 inline double Track::largest_peak(double from, double to) const {
-  double best = 0;
-  const std::size_t end = std::min(until(to), std::max<std::size_t>(t.size(), 1) - 1);
-  for (std::size_t i = 1; i < end; ++i) {
-    if (centre[i] < from || peak[i] < best) continue;
-    best = peak[i];
+  double best = 0, highest = 0;
+  const std::size_t end = std::min(until(to), t.size());
+  for (std::size_t i = 0; i < end; ++i) {
+    if (centre[i] >= from) highest = std::max(highest, peak[i]);
+    if (i == 0 || i + 1 >= t.size() || peak[i] < peak[i - 1] || peak[i] < peak[i + 1]) continue;
     const double rise = (peak[i + 1] - peak[i - 1]) / 2;
     const double bend = peak[i + 1] - 2 * peak[i] + peak[i - 1];
-    if (bend < 0 && std::abs(rise) < -bend) best -= rise * rise / (2 * bend);
+    const double shift = bend < 0 ? -rise / bend : 0;  // of the vertex, in samples
+    const double where = centre[i] + shift * (centre[i + 1] - centre[i - 1]) / 2;
+    if (where >= from && where <= to) best = std::max(best, peak[i] + rise * shift / 2);
   }
-  return best;
+  return best > 0 ? best : highest;
 }
 
 /// Where a run is followed for its packet alone.
