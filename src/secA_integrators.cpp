@@ -3,7 +3,15 @@
 
 All numbers of this repository come from integrating a force with a corner in its slope. Here we
 measure what that costs: how the error of a run and that of its derivative depend on the step,
-for ordinary integrators and for the two that know about contacts. */
+for ordinary integrators and for the two that know about contacts.
+
+     force                     o  samples of a formula with step h
+       |              o--''
+       |         .o''          open: exactly zero
+     --+----o--|'----------    touching from t* on: (t - t*)^(3/2)
+               t*
+
+![Error against step with and without contact correction.](fig:x05) */
 
 #include <algorithm>
 #include <cmath>
@@ -25,8 +33,8 @@ using namespace lattice;
 
 When a contact closes at $t^*$ its force begins like $(t-t^*)^{3/2}$. A formula that steps across
 $t^*$ misses a fixed fraction of the impulse $h\cdot h^{3/2}$, and so the error falls like
-$h^{5/2}$ whatever the order of the formula above two; Verlet keeps its own order, which is two. The
-contact-aware stepper replaces this one impulse by the exact one, and what is left is smaller.
+$h^{5/2}$ whatever the order of the formula above two; Verlet keeps its own order, which is two.
+The contact-aware stepper replaces this one impulse by the exact one, and what is left is smaller.
 
 A strong impact on the chain with hard wells has many switchings of all kinds. Their errors have
 random signs, so we show the root mean square over four impact velocities. */
@@ -42,6 +50,9 @@ State<double> struck_with(const Stepper& stepper, double velocity) {
   return state;
 }
 
+/**
+The error of a state is its largest displacement error; of the four velocities we take the mean
+square. */
 template <class Stepper>
 double orbit_error(const Stepper& stepper, const std::vector<State<double>>& exact) {
   double sum = 0;
@@ -62,6 +73,8 @@ struct Orbits {
   double rounding = 0;
 };
 
+/**
+Steps fall by $\sqrt2$, so that a jump from one to the next is not taken for a law. */
 Orbits orbit_errors(bool quick) {
   Table table{{number("step", "time step"), number("verlet", "error of velocity Verlet"),
                number("blanes_moan_4", "error of the splitting of order 4"),
@@ -102,6 +115,9 @@ Chain<Harmonic, Hertz> cradle() {
   return {31, {}, {0.0}};
 }
 
+/**
+A splitting carries the tangent along: the same kicks with the linearised force, the same drifts.
+*/
 std::vector<double> column(const Scheme& scheme, std::size_t steps) {
   const auto chain = cradle();
   State<double> state = breather(), change(chain.sites);
@@ -122,7 +138,9 @@ std::vector<double> column(const Scheme& scheme, std::size_t steps) {
   return change.y;
 }
 
-/// The same column where every switching is landed on; also the number of evaluations.
+/**
+The other integrator steps to every switching instant and starts anew there; its smooth pieces
+know no corner. We also ask for the number of evaluations. */
 template <class T>
 std::vector<double> landed_column(T tolerance, double& evaluations) {
   State<T> state(31);
@@ -167,15 +185,13 @@ Table tangent_table(bool quick) {
 /**
 ## Results (figure x05)
 
-![Error against step with and without contact correction.](fig:x05)
-
 Between neighbouring steps the errors jump, since they depend on where in a step the contacts
-happen to switch. A line fitted by least squares in the doubly logarithmic plot gives the orders [](num:secA_integrators.order_blanes_moan_4) and
-[](num:secA_integrators.order_blanes_moan_6) for the splittings of order four and six, both near
-5/2, [](num:secA_integrators.order_verlet) for Verlet and
-[](num:secA_integrators.order_contact_aware) for the contact-aware stepper. It begins at the
-largest step and ends where an error is less than ten times [](num:secA_integrators.rounding), by
-which two references with the same small step differ. */
+happen to switch. A line fitted by least squares in the doubly logarithmic plot gives the orders
+[](num:secA_integrators.order_blanes_moan_4) and [](num:secA_integrators.order_blanes_moan_6) for
+the splittings of order four and six, both near 5/2, [](num:secA_integrators.order_verlet) for
+Verlet and [](num:secA_integrators.order_contact_aware) for the contact-aware stepper. It begins
+at the largest step and ends where an error is less than ten times
+[](num:secA_integrators.rounding), by which two references with the same small step differ. */
 Estimate order(const Orbits& orbits, const std::string& name) {
   const auto step = orbits.table.numbers("step"), error = orbits.table.numbers(name);
   std::vector<double> x, y;
@@ -185,7 +201,7 @@ Estimate order(const Orbits& orbits, const std::string& name) {
     y.push_back(std::log(error[k]));
   }
   const Line line = fit_line(x, y);
-  return {line.slope, line.slope_error};
+  return line.estimate();
 }
 
 Results everything(Output& output, bool quick) {
@@ -193,7 +209,7 @@ Results everything(Output& output, bool quick) {
   const Orbits orbits = orbit_errors(quick);
   for (const char* name : {"verlet", "blanes_moan_4", "blanes_moan_6", "contact_aware"})
     facts.add(std::string("order_") + name, order(orbits, name));
-  facts.add("rounding", {orbits.rounding, 0});
+  facts.add("rounding", exact(orbits.rounding));
   output.add("error_orbit", orbits.table);
   output.add("error_tangent", tangent_table(quick));
   output.add("facts", facts.table);

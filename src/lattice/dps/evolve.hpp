@@ -15,8 +15,9 @@ order eight integrates it. */
 
 namespace lattice {
 
-/// Carries `field` over the slow time `duration`, showing (tau, field) to `observe` at `samples`
-/// equal intervals and at the start; returns the largest relative change of the norm.
+/**
+Carries `field` over the slow time `duration`, showing (tau, field) to `observe` at `samples`
+equal intervals and at the start; returns the largest relative change of the norm. */
 template <class Observer>
 double evolve_dps(const Dps& dps, Field& field, double duration, std::size_t samples,
                   const Tolerance& tolerance, Observer observe) {

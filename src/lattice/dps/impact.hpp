@@ -7,7 +7,9 @@ time is the slow one. */
 
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
+
 #include "lattice/dps/evolve.hpp"
 #include "lattice/measure/observe.hpp"
 
@@ -35,10 +37,25 @@ DpsOutcome follow_dps(const Dps& dps, const Field& start, double duration, std::
   return out;
 }
 
-/// Largest |A_n| of a DpS packet while its centre moves over the last site of its track.
+/**
+Largest |A_n| of a DpS packet while its centre moves over the last site of its track. */
 inline double packet_amplitude(const Track& track) {
   const double end = track.centre.back();
   return std::sqrt(track.largest_peak(end - 1, end));
+}
+
+/**
+The same impact twice: a hundred times the tolerance with `samples` samples, then `tolerance`
+with twice as many, because amplitudes and speeds are read from the samples. */
+struct DpsPair {
+  DpsOutcome coarse, fine;
+};
+
+template <class Watch>
+DpsPair follow_dps_to(double tolerance, const Dps& dps, const Field& start, double duration,
+                      std::size_t samples, Watch watch) {
+  return {follow_dps(dps, start, duration, samples, 100 * tolerance, Unwatched{}),
+          follow_dps(dps, start, duration, 2 * samples, tolerance, std::move(watch))};
 }
 
 }  // namespace lattice

@@ -19,7 +19,7 @@ belong to the chapters. */
 
 namespace lattice {
 
-/// An impact on the first of `sites` beads; dimensionless, as Eqs. eqm, anpot and cic.
+/// An impact on the first of `sites` beads; dimensionless, as Eqs. (9), (10) and (26).
 struct Impact {
   double velocity = 1.87;
   double s = 0;
@@ -42,14 +42,15 @@ auto with_chain(const Impact& impact, Use use) {
   return with_contact(Hertz{});
 }
 
-/// The chain at rest but for its first bead, Eq. cic.
+/// The chain at rest but for its first bead, Eq. (26).
 inline State<double> struck(std::size_t sites, double velocity) {
   State<double> state(sites);
   state.v[0] = velocity;
   return state;
 }
 
-/// What one run shows of its front-most packet and of what stays behind.
+/**
+What one run shows of its front-most packet and of what stays behind. */
 struct Outcome {
   Track track;
   State<double> end;
@@ -58,7 +59,8 @@ struct Outcome {
   double reach = 0;  ///< largest displacement seen, to be compared with the well's rim
 };
 
-/// Total of a density.
+/**
+Total of a density. */
 inline double total(const std::vector<double>& e) {
   return std::accumulate(e.begin(), e.end(), 0.0);
 }
@@ -69,33 +71,51 @@ inline double boundary_share(const std::vector<double>& e, std::size_t sites = 5
          total(e);
 }
 
-/// Follows the front-most packet every `sample` units of time until its centre passes site
-/// `until` or the time is over. `watch(state, density)` sees every sample.
+/**
+Follows the front-most packet, which is looked at after every sample, until its centre passes
+site `until` or the time is over. `watch(state, density)` sees every sample. The run stops at
+whole multiples of `each` samples only, so that runs with denser samples end at the same time. */
 template <class Stepper, class Watch>
-Outcome follow(const Stepper& stepper, const Impact& impact, double until, double sample,
-               Watch watch) {
+Outcome follow(const Stepper& stepper, const Impact& impact, double until, const Pace& pace,
+               Watch watch, std::size_t each = 1) {
   return with_chain(impact, [&](const auto& chain) {
     Outcome out;
     out.end = struck(impact.sites, impact.velocity);
-    out.run = evolve(stepper, chain, out.end, impact.time, sample, [&](const State<double>& now) {
+    std::size_t k = 0;
+    out.run = evolve(stepper, chain, out.end, pace, [&](const State<double>& now) {
       out.density = energy_density(chain, now);
       watch(now, std::as_const(out.density));
-      if (now.t == 0) return true;
+      if (k++ == 0) return true;
       for (double y : now.y) out.reach = std::max(out.reach, std::abs(y));
       const auto site = front_packet(out.density);
       if (site) out.track.add(now.t, out.density, *site);
-      return !site || out.track.centre.back() < until;
+      return (k - 1) % each != 0 || !site || out.track.centre.back() < until;
     });
     return out;
   });
 }
 
-/// Follows a packet at two resolutions that agree to `tolerance` (see accuracy.hpp). Throws NotConverged.
-inline Refined<Outcome> follow_to(double tolerance, const Impact& impact, double until,
-                                  double sample) {
-  return converge(tolerance, [&](const ContactAware& stepper) {
-    return follow(stepper, impact, until, sample, Unwatched{});
-  });
+/// As above, with samples `sample` apart or a little less.
+template <class Stepper, class Watch>
+Outcome follow(const Stepper& stepper, const Impact& impact, double until, double sample,
+               Watch watch) {
+  return follow(stepper, impact, until, pace_for(stepper, impact.time, sample), std::move(watch));
+}
+
+/**
+Follows a packet at two resolutions that agree to `tolerance` (see accuracy.hpp), by default in
+their end states. The finer one has steps half as long and twice the samples. Throws NotConverged.
+*/
+template <class Differ = EndState>
+Refined<Outcome> follow_to(double tolerance, const Impact& impact, double until, double sample,
+                           Differ differ = {}) {
+  return converge(
+      tolerance,
+      [&](const ContactAware& stepper) {
+        return follow(stepper, impact, until, dense_pace(stepper, impact.time, sample), Unwatched{},
+                      std::size_t(1) << stepper.halvings);
+      },
+      differ);
 }
 
 }  // namespace lattice

@@ -3,9 +3,10 @@
 # Looking at a run
 
 A travelling breather is a packet of energy some seven sites wide that oscillates
-inside while it moves. This file turns snapshots of the energy density into the
-quantities the article quotes: where the packet is, how fast it goes and how much
-energy it carries. */
+inside while it moves. This file turns snapshots of the energy density $e_n$ (Eq. (23) for the
+chain) into the quantities the article quotes: where the packet is,
+$$X = \frac{\sum_{|n-c|\le m} n\,e_n}{\sum_{|n-c|\le m} e_n} \qquad\text{(Eq. (24))},$$
+with its largest site $c$ and $m = 5$, how fast it goes, and how much energy it carries. */
 
 #include <algorithm>
 #include <cmath>
@@ -13,12 +14,16 @@ energy it carries. */
 #include <numeric>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 #include <vector>
+
+#include "lattice/numbers/estimate.hpp"
 #include "lattice/numbers/line_fit.hpp"
 
 namespace lattice {
 
-/// Half-width m of the window around a packet's peak, as in the article (Eq. encenter).
+/**
+Half-width m of the window around a packet's peak, as in the article (Eq. (24)). */
 inline constexpr std::size_t packet_half_width = 5;
 
 /// Sum of `e` over the sites within `m` of `peak`.
@@ -28,7 +33,7 @@ inline double window_sum(const std::vector<double>& e, std::size_t peak,
   return std::accumulate(e.begin() + std::ptrdiff_t(lo), e.begin() + std::ptrdiff_t(hi), 0.0);
 }
 
-/// Energy centre X around `peak`, Eq. encenter, in the article's counting (first site = 1).
+/// Energy centre X around `peak`, Eq. (24), in the article's counting (first site = 1).
 inline double energy_centre(const std::vector<double>& e, std::size_t peak,
                             std::size_t m = packet_half_width) {
   const std::size_t lo = peak > m ? peak - m : 0, hi = std::min(e.size(), peak + m + 1);
@@ -61,7 +66,8 @@ inline std::optional<std::size_t> front_packet(const std::vector<double>& e, dou
   return std::nullopt;
 }
 
-/// Number of sites that share the energy: (sum e)^2 / sum e^2.
+/**
+Number of sites that share the energy: (sum e)^2 / sum e^2. */
 inline double participation(const std::vector<double>& e) {
   double sum = 0, squares = 0;
   for (double x : e) {
@@ -94,34 +100,56 @@ struct Track {
         centre.begin());
   }
 
-  /// Line through the centres between `from` and `to`; nothing if fewer than three lie there.
-  std::optional<Line> line(double from, double to) const {
-    std::vector<double> ts, xs;
+  /// Times and centres of the samples between `from` and `to`.
+  std::pair<std::vector<double>, std::vector<double>> between(double from, double to) const {
+    std::pair<std::vector<double>, std::vector<double>> points;
     for (std::size_t i = 0, end = until(to); i < end; ++i)
       if (centre[i] >= from) {
-        ts.push_back(t[i]);
-        xs.push_back(centre[i]);
+        points.first.push_back(t[i]);
+        points.second.push_back(centre[i]);
       }
-    if (ts.size() < 3) return std::nullopt;
-    return fit_line(ts, xs);
+    return points;
   }
 
-  /// Largest energy density of the packet while its centre lies in the window, zero if it never
-  /// does. The maximum falls between two samples: a parabola through the highest one and its
-  /// neighbours finds it.
-  double largest_peak(double from, double to) const {
-    double best = 0;
-    const std::size_t end = std::min(until(to), std::max<std::size_t>(t.size(), 1) - 1);
-    for (std::size_t i = 1; i < end; ++i) {
-      if (centre[i] < from || peak[i] < best) continue;
-      best = peak[i];
-      const double rise = (peak[i + 1] - peak[i - 1]) / 2;
-      const double bend = peak[i + 1] - 2 * peak[i] + peak[i - 1];
-      if (bend < 0 && std::abs(rise) < -bend) best -= rise * rise / (2 * bend);
-    }
-    return best;
-  }
+  /// Line through the centres between `from` and `to`; nothing if fewer than three lie there.
+  std::optional<Line> line(double from, double to) const;
+  /// Energy of the packet at the instant when its centre first passes `x`, between two samples.
+  /// Throws std::runtime_error if it never does.
+  double energy_at(double x) const;
+  /// Largest energy density of the packet while its centre is between `from` and `to`, or zero.
+  double largest_peak(double from, double to) const;
 };
+
+/**
+A speed needs three samples, and an energy two neighbours of the instant that is asked for. */
+inline std::optional<Line> Track::line(double from, double to) const {
+  const auto [ts, xs] = between(from, to);
+  if (ts.size() < 3) return std::nullopt;
+  return fit_line(ts, xs);
+}
+
+inline double Track::energy_at(double x) const {
+  const std::size_t i = until(x);
+  if (i == 0 || i == centre.size()) throw std::runtime_error("no packet passes the site asked for");
+  const double part = (x - centre[i - 1]) / (centre[i] - centre[i - 1]);
+  return energy[i - 1] + part * (energy[i] - energy[i - 1]);
+}
+
+/**
+The maximum falls between two samples: a parabola through the highest one and its neighbours finds
+it. */
+inline double Track::largest_peak(double from, double to) const {
+  double best = 0;
+  const std::size_t end = std::min(until(to), std::max<std::size_t>(t.size(), 1) - 1);
+  for (std::size_t i = 1; i < end; ++i) {
+    if (centre[i] < from || peak[i] < best) continue;
+    best = peak[i];
+    const double rise = (peak[i + 1] - peak[i - 1]) / 2;
+    const double bend = peak[i + 1] - 2 * peak[i] + peak[i - 1];
+    if (bend < 0 && std::abs(rise) < -bend) best -= rise * rise / (2 * bend);
+  }
+  return best;
+}
 
 /// Where a run is followed for its packet alone.
 struct Unwatched {
@@ -135,11 +163,31 @@ the boundary, without a number; we fit from site 20 on. The tracker follows the 
 packet, because a second and slower one can carry as much energy (it does at $s = -1/6$). */
 inline constexpr double fit_from = 20, far_away = 1e9;
 
-/// Speed of a packet between `fit_from` and `to`; throws std::runtime_error if none came so far.
-inline double packet_speed(const Track& track, double to = far_away) {
+/**
+Speed of a packet between `fit_from` and `to`, with the error of the fit; throws
+std::runtime_error if none came so far. */
+inline Estimate packet_speed(const Track& track, double to = far_away) {
   const auto line = track.line(fit_from, to);
   if (!line) throw std::runtime_error("no packet passes site 20");
-  return line->slope;
+  return line->estimate();
+}
+
+/// Change of the speed from the first to the second half of the stretch, relative to the speed: it is
+/// small where a packet moves at a constant speed, which a good fit alone does not show.
+inline Estimate speed_change(const Track& track, double to = far_away) {
+  const auto [t, x] = track.between(fit_from, to);
+  if (t.size() < 6) throw std::runtime_error("no packet passes site 20");
+  return bend(t, x);
+}
+
+/// The least number of neighbouring sites about `peak`, equally many on either side, that hold
+/// `share` of the window's energy.
+inline std::size_t support(const std::vector<double>& e, std::size_t peak, double share,
+                           std::size_t m = packet_half_width) {
+  const double all = window_sum(e, peak, m);
+  for (std::size_t k = 0; k < m; ++k)
+    if (window_sum(e, peak, k) >= share * all) return 2 * k + 1;
+  return 2 * m + 1;
 }
 
 }  // namespace lattice

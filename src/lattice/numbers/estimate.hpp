@@ -2,20 +2,50 @@
 /**
 # A value with its error
 
-Every number that leaves a program carries the difference of two computations of it. */
+Every number that leaves a program either carries the difference of two really different
+computations of it, or is exact: counted, decided, or given. An error of zero that nobody has
+called exact is an omission. */
 
+#include <algorithm>
 #include <cmath>
+#include <concepts>
+#include <limits>
 
 namespace lattice {
 
-/// A value with the error from two resolutions.
+/// A value with the error from two resolutions, or without one because it is exact.
 struct Estimate {
   double value = 0, error = 0;
+  bool is_exact = false;
 };
 
-/// The finer of two results, with their difference as its error.
+/// A number that no resolution can change.
+inline Estimate exact(double value) {
+  return {value, 0, true};
+}
+
+/**
+The finer of two results, with their difference as its error. Two that agree to the last digit
+are known to that digit and no better. */
 inline Estimate compare(double coarse, double fine) {
-  return {fine, std::abs(fine - coarse)};
+  const double rounding = std::numeric_limits<double>::epsilon() * std::abs(fine);
+  const double least = std::max(rounding, std::numeric_limits<double>::min());
+  const double apart = std::abs(fine - coarse);
+  return {fine, apart > least ? apart : std::isnan(apart) ? apart : least};
+}
+
+/// As above where the results have errors of their own: that of the finer one is added.
+inline Estimate compare(const Estimate& coarse, const Estimate& fine) {
+  Estimate both = compare(coarse.value, fine.value);
+  both.error += fine.error;
+  return both;
+}
+
+/// Counts are exact as soon as two resolutions agree on them.
+template <std::integral Count>
+Estimate compare(Count coarse, Count fine) {
+  if (coarse == fine) return exact(double(fine));
+  return {double(fine), std::abs(double(fine) - double(coarse))};
 }
 
 }  // namespace lattice

@@ -2,7 +2,8 @@
 /**
 # Straight lines
 
-Speeds and orders are slopes. */
+Speeds and orders are slopes. The standard error of a slope says how well it is known if the
+points do follow a line; whether they do is another question, which `bend` answers. */
 
 #include <cmath>
 #include <cstddef>
@@ -10,14 +11,20 @@ Speeds and orders are slopes. */
 #include <stdexcept>
 #include <vector>
 
+#include "lattice/numbers/estimate.hpp"
+
 namespace lattice {
 
 /// A straight line through points: slope, value at zero, standard error of the slope.
 struct Line {
   double slope = 0, intercept = 0, slope_error = 0;
+
+  /// The slope with the error of the fit.
+  Estimate estimate() const { return {slope, slope_error}; }
 };
 
-/// Least-squares line; throws std::invalid_argument with fewer than three points.
+/**
+Least-squares line; throws std::invalid_argument with fewer than three points. */
 inline Line fit_line(const std::vector<double>& t, const std::vector<double>& x) {
   if (t.size() != x.size() || t.size() < 3)
     throw std::invalid_argument("a line fit needs at least three points");
@@ -35,6 +42,19 @@ inline Line fit_line(const std::vector<double>& t, const std::vector<double>& x)
     rest += std::pow(x[i] - line.intercept - line.slope * t[i], 2);
   line.slope_error = std::sqrt(rest / (n - 2) / tt);
   return line;
+}
+
+/**
+Whether points lie on a line: by how much the slopes of their first and second half differ,
+relative to the slope of all. Throws std::invalid_argument with fewer than six points. */
+inline Estimate bend(const std::vector<double>& t, const std::vector<double>& x) {
+  const auto half = std::ptrdiff_t(t.size() / 2);
+  const auto part = [](auto from, auto to) { return std::vector<double>(from, to); };
+  const Line all = fit_line(t, x);
+  const Line first = fit_line(part(t.begin(), t.begin() + half), part(x.begin(), x.begin() + half));
+  const Line second = fit_line(part(t.begin() + half, t.end()), part(x.begin() + half, x.end()));
+  const double scale = std::abs(all.slope);
+  return {(second.slope - first.slope) / scale, (first.slope_error + second.slope_error) / scale};
 }
 
 }  // namespace lattice

@@ -4,8 +4,13 @@
 
 Sweeps consist of runs that know nothing of each other. Each worker takes the next
 index that nobody has taken, and each run writes only to its own slot, so the
-results do not depend on the number of cores or on who was faster. */
+results do not depend on the number of cores or on who was faster. How many workers there are
+is set once for a program; by default it is the number of cores that the process may use, which
+a scheduler or `taskset` can make smaller than that of the machine. */
 
+#ifdef __linux__
+#include <sched.h>
+#endif
 #include <unistd.h>
 
 #include <algorithm>
@@ -45,7 +50,36 @@ class Progress {
   bool shown_;
 };
 
-/// Calls `body(i)` for 0 <= i < count on all cores; rethrows the first exception.
+/**
+Cores that this process may use. */
+inline std::size_t granted_cores() {
+#ifdef __linux__
+  cpu_set_t set;
+  CPU_ZERO(&set);
+  if (sched_getaffinity(0, sizeof set, &set) == 0 && CPU_COUNT(&set) > 0)
+    return std::size_t(CPU_COUNT(&set));
+#endif
+  return std::max(1U, std::thread::hardware_concurrency());
+}
+
+namespace detail {
+inline std::atomic<std::size_t> chosen_threads{0};
+}
+
+/// Workers of `parallel_for` and of tiled runs from now on; zero stands for all granted cores. No
+/// result depends on it.
+inline void set_threads(std::size_t count) {
+  detail::chosen_threads = count;
+}
+
+/// How many workers there are.
+inline std::size_t threads() {
+  const std::size_t chosen = detail::chosen_threads;
+  return chosen > 0 ? chosen : granted_cores();
+}
+
+/**
+Calls `body(i)` for 0 <= i < count on all workers; rethrows the first exception. */
 template <class Body>
 void parallel_for(std::size_t count, Body body) {
   std::atomic<std::size_t> next{0};
@@ -60,12 +94,23 @@ void parallel_for(std::size_t count, Body body) {
         next = count;
       }
   };
-  const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
   std::vector<std::thread> workers;
-  for (std::size_t k = 1; k < std::min(cores, count); ++k) workers.emplace_back(work);
+  for (std::size_t k = 1, all = std::min(threads(), count); k < all; ++k)
+    workers.emplace_back(work);
   work();
   for (auto& worker : workers) worker.join();
   if (error) std::rethrow_exception(error);
+}
+
+/**
+The same with a counter under the name `label` on a terminal. */
+template <class Body>
+void parallel_for(const std::string& label, std::size_t count, Body body) {
+  Progress progress(label, count);
+  parallel_for(count, [&](std::size_t i) {
+    body(i);
+    progress.tick();
+  });
 }
 
 }  // namespace lattice

@@ -71,6 +71,14 @@ inline CLI::Validator not_empty() {
       [](std::string& value) { return value.empty() ? "'' is not a name" : std::string(); }, "");
 }
 
+/// The last column of results and facts says where an error of zero is meant.
+inline Column kind_column() {
+  return label("kind", "estimate, or exact where nothing could be different (error 0)");
+}
+inline std::string kind_of(const Estimate& e) {
+  return e.is_exact ? "exact" : "estimate";
+}
+
 /**
 A claim of the article is answered by a row of `results.ecsv`: its id, the value, an
 error from at least two resolutions, and the unit. Claims in words are answered by
@@ -79,14 +87,14 @@ struct Results {
   Table table{{label("id", "identifier in paper/published.ecsv"),
                number("value", "converged value; 1 or 0 for a claim in words"),
                number("error", "absolute error estimated from two resolutions"),
-               label("unit", "unit of value and error")}};
+               label("unit", "unit of value and error"), kind_column()}};
 
   void add(const std::string& id, const Estimate& e, const std::string& unit = "") {
     if (!std::isfinite(e.value) || !std::isfinite(e.error))
       throw Failure(id + ": the computed value is not finite");
-    table.add({id, e.value, e.error, unit});
+    table.add({id, e.value, e.error, unit, kind_of(e)});
   }
-  void claim(const std::string& id, bool holds) { add(id, {holds ? 1.0 : 0.0, 0}, "claim"); }
+  void claim(const std::string& id, bool holds) { add(id, exact(holds ? 1 : 0), "claim"); }
 };
 
 /// Rows `quantity,value,error,unit`, the form in which subcommands report. A quantity that is not
@@ -94,10 +102,10 @@ struct Results {
 struct Quantities {
   Table table{{label("quantity", "what is reported"), number("value", "converged value"),
                number("error", "absolute error estimated from two resolutions"),
-               label("unit", "unit of value and error")}};
+               label("unit", "unit of value and error"), kind_column()}};
 
   void add(const std::string& quantity, const Estimate& e, const std::string& unit = "") {
-    table.add({quantity, e.value, e.error, unit});
+    table.add({quantity, e.value, e.error, unit, kind_of(e)});
   }
 };
 

@@ -8,6 +8,10 @@ result, and whatever is derived from it has the difference to the coarser one as
 error. That difference overestimates the error of the finer run, by a factor of about
 twenty at order 4.5, and it is what the tables quote.
 
+What must agree is for the caller to say: by default the end states, otherwise the number
+that will be reported, a velocity, a threshold or a share. Two runs that turn out to be the
+same run prove nothing, and are an error rather than an agreement.
+
 Where the motion is chaotic no step is small enough for a long run. The history of the
 attempts is then the message of the exception. */
 
@@ -29,8 +33,9 @@ struct NotConverged : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Largest difference of two states relative to the largest displacement or velocity; infinite if
-/// they belong to different times.
+/**
+Largest difference of two states relative to the largest displacement or velocity; infinite if
+they belong to different times. */
 inline double distance(const State<double>& a, const State<double>& b) {
   if (a.t != b.t || a.y.size() != b.y.size()) return std::numeric_limits<double>::infinity();
   double apart = 0, scale = 0;
@@ -44,59 +49,111 @@ inline double distance(const State<double>& a, const State<double>& b) {
 /**
 Down to ten digits the contact-aware scheme of Dormand, El-Mikkawy and Prince is the
 cheapest; beyond that the composition with fourteen stages has the smaller constant. */
-inline ContactAware stepper_for(double tolerance, double step) {
-  if (tolerance >= 1e-10) return {step};
-  return {step, nystrom(blanes_moan_6_14())};
+inline ContactAware stepper_for(double tolerance, double step, int halvings = 0) {
+  ContactAware stepper{step};
+  if (tolerance < 1e-10) stepper.base = nystrom(blanes_moan_6_14());
+  stepper.halvings = halvings;
+  return stepper;
 }
 
-/// Steps are halved from the first to the last of these. The fastest motion has a period of 2 pi.
+/**
+A refinement begins with this step, or with one a sample where samples are closer, and halves it
+seven times at most. The fastest motion has a period of 2 pi. */
 inline constexpr double largest_step = 0.2, smallest_step = 0.2 / 128;
 
-/// The last two of a sequence of runs, the relative distance of their end states, the finer step,
-/// and whether they agree to the tolerance.
+/// The pace of a refinement whose samples become denser together with the steps.
+inline Pace dense_pace(const ContactAware& stepper, double duration, double sample) {
+  return denser_samples(pace(duration, sample, stepper.step), stepper.halvings);
+}
+
+/**
+What must agree: the end states. Two runs that both escape agree as far as the times of their
+escapes do. */
+struct EndState {
+  std::string name = "end states";
+
+  template <class Result>
+  double operator()(const Result& coarse, const Result& fine) const {
+    if (coarse.run.escaped() && fine.run.escaped())
+      return std::abs(coarse.run.escape_time / fine.run.escape_time - 1);
+    return distance(coarse.end, fine.end);
+  }
+};
+
+/**
+What must agree: a number that is read from each result, up to a relative difference. */
+template <class Of>
+struct Reading {
+  std::string name;
+  Of of;
+
+  template <class Result>
+  double operator()(const Result& coarse, const Result& fine) const {
+    const double a = of(coarse), b = of(fine);
+    return a == b ? 0 : std::abs(a - b) / std::max(std::abs(a), std::abs(b));
+  }
+};
+
+/// For example `reading("speeds", [](const Outcome& out) { return ...; })`.
+template <class Of>
+Reading<Of> reading(std::string name, Of of) {
+  return {std::move(name), std::move(of)};
+}
+
+/**
+The last two of a sequence of runs, the relative difference of what must agree, the finer step,
+and whether they agree to the tolerance. */
 template <class Result>
 struct Refined {
   Result coarse, fine;
   double error, step;
   bool converged;
   std::string history;
+  int halvings = 0;  ///< of the finer run
 };
 
-/// Two runs that both escape agree as far as the times of their escapes do.
+/// Whether two results come from one run made twice: as many steps, and the same bits at the end.
 template <class Result>
-double disagreement(const Result& coarse, const Result& fine) {
-  if (coarse.run.escaped() && fine.run.escaped())
-    return std::abs(coarse.run.escape_time / fine.run.escape_time - 1);
-  return distance(coarse.end, fine.end);
+bool same_run(const Result& a, const Result& b) {
+  if constexpr (requires { a.run.steps, a.end.y; })
+    return a.run.steps > 0 && a.run.steps == b.run.steps && a.end.t == b.end.t &&
+           a.end.y == b.end.y && a.end.v == b.end.v;
+  return false;
 }
 
-/// Repeats `compute(stepper)`, whose result has an `end` state and its `run`, until two results in a
-/// row agree to `tolerance` or the smallest step is reached.
-template <class Compute>
-auto refine(double tolerance, Compute compute) {
+/**
+Repeats `compute(stepper)` until two results in a row agree to `tolerance` in the sense of
+`differ(coarse, fine)` or the smallest step is reached. Throws std::logic_error where `compute`
+does not heed the halvings of its stepper, so that two runs are one. */
+template <class Compute, class Differ = EndState>
+auto refine(double tolerance, Compute compute, Differ differ = {}) {
   using Result = decltype(compute(stepper_for(tolerance, largest_step)));
   std::ostringstream history;
-  double step = largest_step, error = 0;
-  Result coarse = compute(stepper_for(tolerance, step));
-  for (;;) {
-    step /= 2;
-    Result fine = compute(stepper_for(tolerance, step));
-    error = disagreement(coarse, fine);
+  Result coarse = compute(stepper_for(tolerance, largest_step));
+  for (int k = 1;; ++k) {
+    Result fine = compute(stepper_for(tolerance, largest_step, k));
+    if (same_run(coarse, fine))
+      throw std::logic_error("two resolutions are the same run of " +
+                             std::to_string(fine.run.steps) + " steps, which proves nothing");
+    const double error = differ(coarse, fine), step = std::ldexp(largest_step, -k);
     history << (history.tellp() > 0 ? ", " : "") << "step " << step << ": " << error;
     const bool good = error <= tolerance;
     if (good || step <= smallest_step)
-      return Refined<Result>{std::move(coarse), std::move(fine), error, step, good, history.str()};
+      return Refined<Result>{
+          std::move(coarse), std::move(fine), error, step, good, history.str(), k};
     coarse = std::move(fine);
   }
 }
 
-/// As `refine`; throws NotConverged where the tolerance is not reached.
-template <class Compute>
-auto converge(double tolerance, Compute compute) {
-  auto pair = refine(tolerance, compute);
+/**
+As `refine`; throws NotConverged where the tolerance is not reached. */
+template <class Compute, class Differ = EndState>
+auto converge(double tolerance, Compute compute, Differ differ = {}) {
+  auto pair = refine(tolerance, compute, differ);
   if (!pair.converged)
-    throw NotConverged("the end states of two resolutions differ by more than the tolerance (" +
-                       pair.history + ")");
+    throw NotConverged("the " + differ.name +
+                       " of two resolutions differ by more than the tolerance (" + pair.history +
+                       ")");
   return pair;
 }
 
@@ -116,8 +173,8 @@ Run evolve_to(double tolerance, const Chain<Onsite, Contact>& chain, State<doubl
     out.run = evolve(stepper, chain, out.end, duration, sample, Unobserved{});
     return out;
   });
-  Run run =
-      evolve(stepper_for(tolerance, pair.step), chain, state, duration, sample, std::move(observe));
+  Run run = evolve(stepper_for(tolerance, largest_step, pair.halvings), chain, state, duration,
+                   sample, std::move(observe));
   run.error = pair.error;
   return run;
 }

@@ -237,6 +237,7 @@ struct ContactAware {
   /// Contacts ahead of a front close, too, with overlaps of 1e-10, 1e-15, 1e-23. A force below this
   /// one is lost in the rounding of a velocity of 1e-3, and such contacts are left alone.
   double negligible = 1e-19;
+  int halvings = 0;  ///< how often a run halves the steps that `step` asks for (accuracy.hpp)
 
   /// Memory for `advance`; one serves a whole run.
   template <class T, class Onsite, class Contact>

@@ -18,8 +18,10 @@ recovers the full order. The tests measure both. */
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "lattice/model/chain.hpp"
@@ -40,7 +42,8 @@ inline std::size_t stage_count(const Scheme& scheme, std::size_t steps) {
   return steps > 0 ? steps * (scheme.kick.size() - 1) + 1 : 0;
 }
 
-/// Stage `k` of a run with steps of length `h`.
+/**
+Stage `k` of a run with steps of length `h`. */
 template <class T>
 Stage<T> stage_at(const Scheme& scheme, double h, std::size_t steps, std::size_t k) {
   const std::size_t last = scheme.kick.size() - 1, i = k == steps * last ? last : k % last;
@@ -69,12 +72,52 @@ struct Splitting {
 };
 
 /**
+A run is divided by numbers and not by lengths: `samples` equal intervals of `steps` equal
+steps each. Twice the number of either is then half the step exactly, whatever the length of a
+sample; a step that is shortened until it fits need not change at all when it is halved. */
+struct Pace {
+  double duration = 0;
+  std::size_t samples = 0, steps = 1;
+
+  double interval() const { return samples > 0 ? duration / double(samples) : 0; }
+  double step() const { return interval() / double(steps); }
+};
+
+/**
+The coarsest division of `duration` with samples at most `sample` apart and steps of at most
+`step`; no samples where the duration is zero. Throws std::invalid_argument for other input. */
+inline Pace pace(double duration, double sample, double step) {
+  const bool good = duration >= 0 && duration < 1e15 && sample > 0 && step > 0;
+  if (!good)
+    throw std::invalid_argument("a run needs a finite duration and positive samples and steps");
+  Pace p{duration, std::size_t(std::ceil(duration / sample * (1 - 1e-12)))};
+  if (p.samples > 0) p.steps = std::size_t(std::ceil(p.interval() / step * (1 - 1e-12)));
+  p.steps = std::max<std::size_t>(p.steps, 1);
+  return p;
+}
+
+/**
+Half the step, `times` times, at the same samples. */
+inline Pace shorter_steps(Pace p, int times) {
+  p.steps <<= times;
+  return p;
+}
+
+/// Half the step and half the interval between two samples, `times` times: for maxima and instants
+/// that are read from the samples, whose error must change together with that of the steps.
+inline Pace denser_samples(Pace p, int times) {
+  p.samples <<= times;
+  return p;
+}
+
+/**
 A run reports how far it can be trusted. `energy_drift` is the largest relative
 deviation of the energy seen at the samples; `escape_time` is set where the solution
 leaves every bound, as it does beyond the rim of a soft well. */
 struct Run {
   double energy_drift = 0;
-  double work = 0;  ///< site-force evaluations
+  double work = 0;        ///< site-force evaluations
+  std::size_t steps = 0;  ///< time steps
   double error =
       0;  ///< relative error of the end state, where a tolerance was asked for (accuracy.hpp)
   double t_end = 0;
@@ -82,8 +125,9 @@ struct Run {
   bool escaped() const { return std::isfinite(escape_time); }
 };
 
-/// Displacements beyond this are a runaway: wells are of order one, and a bead that rolls over the
-/// rims of a pendulum potential travels at a speed of order ten.
+/**
+Displacements beyond this are a runaway: wells are of order one, and a bead that rolls over the
+rims of a pendulum potential travels at a speed of order ten. */
 inline constexpr double escape_displacement = 1e6;
 
 /// Shows `state` to an observer, whose answer may be to stop; one that returns nothing goes on.
@@ -94,7 +138,8 @@ bool goes_on(Observer& observe, const State<double>& state) {
   return true;
 }
 
-/// Some steppers keep work space between two calls of `advance`, the others do not ask for it.
+/**
+Some steppers keep work space between two calls of `advance`, the others do not ask for it. */
 template <class Stepper, class Onsite, class Contact>
 auto advance_with_memory(const Stepper& stepper, const Chain<Onsite, Contact>& chain) {
   if constexpr (requires { stepper.template memory<double>(chain); })
@@ -108,30 +153,31 @@ auto advance_with_memory(const Stepper& stepper, const Chain<Onsite, Contact>& c
     };
 }
 
+/// Whether every displacement is one that a chain of wells can have.
+inline bool bounded(const State<double>& state) {
+  return std::all_of(state.y.begin(), state.y.end(),
+                     [](double y) { return std::abs(y) < escape_displacement; });
+}
+
 /**
-`evolve` carries a state forward by `duration` and shows it to `observe(state)` at
-the start and after every `sample` units of time. Samples are equally spaced and
-the step divides the sampling interval, so `sample` and the step are shortened to
-fit. It stops early when `observe` returns false, or when the solution escapes, in
-which case the escape itself is not shown. */
+`evolve` carries a state forward at a given pace and shows it to `observe(state)` at the
+start and after every sample. It stops early when `observe` returns false, or when the
+solution escapes, in which case the escape itself is not shown. */
 template <class Stepper, class Onsite, class Contact, class Observer>
 Run evolve(const Stepper& stepper, const Chain<Onsite, Contact>& chain, State<double>& state,
-           double duration, double sample, Observer observe) {
-  const auto samples = std::size_t(std::ceil(duration / sample * (1 - 1e-12)));
-  const double interval = duration / double(samples), t0 = state.t;
-  const auto steps = std::size_t(std::ceil(interval / stepper.step * (1 - 1e-12)));
+           const Pace& pace, Observer observe) {
   const double start = energy(chain, state), scale = start != 0 ? std::abs(start) : 1;
+  const double t0 = state.t, interval = pace.interval();
   Window window = waking(chain, state);
   auto advance = advance_with_memory(stepper, chain);
   Run run{.t_end = t0};
   if (!goes_on(observe, state)) return run;
-  for (std::size_t k = 1; k <= samples; ++k) {
-    run.work += advance(state, window, interval / double(steps), steps);
+  for (std::size_t k = 1; k <= pace.samples; ++k) {
+    run.work += advance(state, window, pace.step(), pace.steps);
+    run.steps += pace.steps;
     state.t = t0 + interval * double(k);
     const double e = energy(chain, state);
-    const bool bounded = std::all_of(state.y.begin(), state.y.end(),
-                                     [](double y) { return std::abs(y) < escape_displacement; });
-    if (!std::isfinite(e) || !bounded) {
+    if (!std::isfinite(e) || !bounded(state)) {
       run.escape_time = state.t;
       break;
     }
@@ -142,7 +188,29 @@ Run evolve(const Stepper& stepper, const Chain<Onsite, Contact>& chain, State<do
   return run;
 }
 
-/// Where nothing needs to be watched.
+/**
+How often a stepper that a refinement hands out has been halved; zero for all others. */
+template <class Stepper>
+int halvings_of(const Stepper& stepper) {
+  if constexpr (requires { stepper.halvings; }) return stepper.halvings;
+  return 0;
+}
+
+/// The pace for `stepper` with fixed samples: the coarsest that suits its step, then its halvings.
+template <class Stepper>
+Pace pace_for(const Stepper& stepper, double duration, double sample) {
+  return shorter_steps(pace(duration, sample, stepper.step), halvings_of(stepper));
+}
+
+/// As `evolve` with a pace, for samples `sample` apart or a little less.
+template <class Stepper, class Onsite, class Contact, class Observer>
+Run evolve(const Stepper& stepper, const Chain<Onsite, Contact>& chain, State<double>& state,
+           double duration, double sample, Observer observe) {
+  return evolve(stepper, chain, state, pace_for(stepper, duration, sample), std::move(observe));
+}
+
+/**
+Where nothing needs to be watched. */
 struct Unobserved {
   void operator()(const State<double>&) const {}
 };

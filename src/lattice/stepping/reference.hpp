@@ -12,7 +12,8 @@ The chain of beads integrated by GSL (gsl_ode.hpp), as the reference for our own
 
 namespace lattice {
 
-/// Carries `state` forward by `duration` with GSL; returns the number of force evaluations.
+/**
+Carries `state` forward by `duration` with GSL; returns the number of force evaluations. */
 template <class Onsite, class Contact>
 std::size_t evolve_reference(const Chain<Onsite, Contact>& chain, State<double>& state,
                              double duration, const Tolerance& tolerance) {

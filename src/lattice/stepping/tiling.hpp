@@ -24,6 +24,7 @@ next block. All operations are those of the plain run in another order, with the
 #include <type_traits>
 #include <vector>
 
+#include "lattice/numbers/parallel.hpp"
 #include "lattice/stepping/integrate.hpp"
 
 namespace lattice {
@@ -179,7 +180,7 @@ shared too finely. The copies take as much memory as the state. */
 struct Tiled {
   Scheme scheme;
   double step;
-  std::size_t threads = std::max(1U, std::thread::hardware_concurrency());
+  std::size_t threads = lattice::threads();
   std::size_t block = 1024;     ///< sites; with their shift they fit in the first-level cache
   std::size_t depth = 32;       ///< stages a pass
   std::size_t least = 1 << 13;  ///< sites a thread; fewer are in the cache anyway

@@ -1,0 +1,153 @@
+#pragma once
+/**
+# What we call a travelling breather, a trapped mode, a coincidence
+
+The article says these things in words. Here each of them becomes conditions on measured numbers
+(criterion.hpp), in functions without side effects, so that tests can feed them inputs for which
+the words would be wrong. */
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "lattice/measure/observe.hpp"
+#include "lattice/numbers/criterion.hpp"
+
+namespace lattice {
+
+/**
+A packet is a travelling breather if it lasts: it moves at a constant speed and keeps its energy.
+We compare the first and the second half of its way, and allow a change of five per cent in speed
+and ten in energy, since a packet that has just been born is still shedding its tail. The front of
+a linear wave, whose width grows as the cube root of time, passes the first and fails the second.
+What stays behind is weak if it is weaker than the packet: no window of the same width holds as
+much. */
+struct Journey {
+  Estimate speed_change, energy_change;  ///< second half against first half, relative
+  Estimate residue;                      ///< largest content of a window behind, over the packet's
+};
+
+/// Relative change of the packet's mean energy from the first half of its way to the second.
+inline double energy_change(const Track& track, double to = far_away) {
+  const std::size_t end = track.until(to);
+  std::size_t begin = 0;
+  while (begin < end && track.centre[begin] < fit_from) ++begin;
+  if (end < begin + 6) throw std::runtime_error("no packet passes site 20");
+  const std::size_t half = (begin + end) / 2;
+  const auto mean = [&](std::size_t from, std::size_t until) {
+    double sum = 0;
+    for (std::size_t i = from; i < until; ++i) sum += track.energy[i];
+    return sum / double(until - from);
+  };
+  const double first = mean(begin, half), second = mean(half, end);
+  return second / first - 1;
+}
+
+/**
+Largest energy in a window of the packet's width that lies at least a window's width behind it,
+over that of the packet around `peak`. */
+inline double residue(const std::vector<double>& e, std::size_t peak) {
+  const std::size_t m = packet_half_width;
+  double most = 0;
+  for (std::size_t n = m; n + 4 * m < peak; ++n) most = std::max(most, window_sum(e, n));
+  return most / window_sum(e, peak);
+}
+
+inline Criterion travelling_breather(const Journey& journey) {
+  const Estimate &speed = journey.speed_change, &energy = journey.energy_change;
+  return {below("speed_change", {std::abs(speed.value), speed.error}, 0.05),
+          below("energy_change", {std::abs(energy.value), energy.error}, 0.1),
+          below("residue", journey.residue, 1)};
+}
+
+/**
+How many sites carry a packet depends on where one stops counting. A packet of compact shape has a
+natural place: ahead of it nothing has moved yet, and the amplitude falls super-exponentially, by
+a factor of five, then fifteen, then two hundred from site to site. We therefore look at the
+*largest* amplitude that a site reaches at a given distance ahead of the peak, relative to the
+peak. */
+class Front {
+ public:
+  /// Takes the density `e` of a packet whose largest site is `peak`.
+  void add(const std::vector<double>& e, std::size_t peak) {
+    for (std::size_t k = 0; k < largest_.size() && peak + k < e.size(); ++k)
+      largest_[k] = std::max(largest_[k], e[peak + k]);
+  }
+  /// Amplitude `distance` sites ahead of the peak, relative to the peak.
+  double amplitude(std::size_t distance) const {
+    return std::sqrt(largest_.at(distance) / largest_[0]);
+  }
+
+ private:
+  std::vector<double> largest_ = std::vector<double>(2 * packet_half_width, 0.0);
+};
+
+/// A packet of `sites` sites, an odd number: on its undisturbed side the outermost of them exceeds
+/// one per cent of the peak and the next one does not. A hundredth is what a drawing still shows.
+inline Criterion supported_by(std::size_t sites, const Front& coarse, const Front& fine) {
+  const auto amplitude = [&](std::size_t k) {
+    return compare(coarse.amplitude(k), fine.amplitude(k));
+  };
+  return {above("outermost", amplitude(sites / 2), 0.01),
+          below("next", amplitude(sites / 2 + 1), 0.01)};
+}
+
+/**
+Two curves coincide at small arguments if they meet there: their distance is below one per cent at
+the small end, and it grows with the argument. Curves that are merely similar keep a distance. */
+struct Meeting {
+  Estimate near, far;  ///< largest relative distance up to a small and up to a larger argument
+};
+
+inline Criterion meet(const Meeting& m) {
+  return {below("near", m.near, 0.01),
+          below("near_over_far", {m.near.value / m.far.value, m.near.error / m.far.value}, 0.5)};
+}
+
+/**
+An energy is trapped where it was put in if the boundary keeps more than the packet takes away; it
+is not trapped if the packet takes more. No number of our own is needed. */
+inline Criterion trapped(const Estimate& boundary, const Estimate& packet) {
+  return {above("boundary_over_packet",
+                {boundary.value / packet.value,
+                 (boundary.error + packet.error * boundary.value / packet.value) / packet.value},
+                1)};
+}
+
+/**
+Two excitations at the ends of a profile are both visible in it if each rises above everything that
+lies between them. Returns the height of the lower one over that of the highest wave between. */
+inline double prominence(const std::vector<double>& v, std::size_t peak, std::size_t near = 5) {
+  const auto height = [&](std::size_t from, std::size_t to) {
+    double most = 0;
+    for (std::size_t n = from; n < std::min(to, v.size()); ++n)
+      most = std::max(most, std::abs(v[n]));
+    return most;
+  };
+  const std::size_t m = packet_half_width, behind = peak > m ? peak - m : 0;
+  const double between = height(near + m, behind), packet = height(behind, peak + m + 1);
+  return std::min(height(0, near), packet) / between;
+}
+
+/**
+A transition from breather to kink has been found if there are velocities of both kinds, all
+breathers lie below all that is certain to be a kink, and so few velocities stay undecided that no
+third regime can hide among them: we allow a twentieth of the scan. */
+struct Transition {
+  std::size_t breathers, kinks;  ///< velocities below the last breather and from the first kink on
+  double last_breather, first_kink;
+  double undecided;  ///< share of the scan
+};
+
+inline Criterion transition(const Transition& t) {
+  return {above("breathers", exact(double(t.breathers)), 0),
+          above("kinks", exact(double(t.kinks)), 0),
+          above("order", exact(t.first_kink - t.last_breather), 0),
+          below("undecided", exact(t.undecided), 0.05)};
+}
+
+}  // namespace lattice

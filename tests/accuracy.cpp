@@ -1,0 +1,201 @@
+// Refinement: two resolutions are two runs, what must agree is named, and errors are not omitted.
+
+#include "lattice/stepping/accuracy.hpp"
+
+#include <chrono>
+#include <filesystem>
+#include <mutex>
+#include <set>
+#include <thread>
+
+#include "check.hpp"
+#include "lattice/measure/impact.hpp"
+#include "lattice/numbers/parallel.hpp"
+#include "lattice/report/table.hpp"
+
+using namespace lattice;
+
+namespace {
+
+const Chain<Quartic, Hertz> hard{40, {1}};
+
+/// A result for `refine`: the struck chain after ten units of time, seen every `sample`.
+struct Struck {
+  State<double> end;
+  Run run;
+};
+
+Struck after_impact(const ContactAware& stepper, double sample) {
+  Struck out{struck(hard.sites, 1.9), {}};
+  out.run = evolve(stepper, hard, out.end, 10, sample, Unobserved{});
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("a halved step halves, whatever the samples", "[unit][accuracy]") {
+  for (double sample : {0.03, 0.07, 0.1, 0.2, 0.25, 0.3, 1.0, 10.0}) {
+    CAPTURE(sample);
+    const Pace first = pace_for(ContactAware{0.2}, 10, sample);
+    CHECK(first.step() <= 0.2 * (1 + 1e-12));
+    CHECK(first.interval() <= sample * (1 + 1e-12));
+    for (int k = 1; k <= 5; ++k) {
+      const ContactAware finer = stepper_for(1e-6, 0.2, k);
+      const Pace same = pace_for(finer, 10, sample), dense = dense_pace(finer, 10, sample);
+      CHECK(same.samples == first.samples);
+      CHECK(same.steps == first.steps << k);
+      CHECK(dense.samples == first.samples << k);
+      CHECK(dense.steps == first.steps);
+      CHECK(same.step() == std::ldexp(first.step(), -k));
+      check_close(dense.step(), same.step(), 0, 1e-15);
+    }
+  }
+}
+
+TEST_CASE("samples shorter than the step still give two different runs",
+          "[convergence][accuracy]") {
+  const auto exact = after_impact(ContactAware{1. / 1024}, 0.1);
+  for (double sample : {0.05, 0.1, 0.25}) {
+    const auto pair = refine(1e-6, [&](const ContactAware& s) { return after_impact(s, sample); });
+    CAPTURE(sample, pair.history);
+    CHECK(pair.converged);
+    CHECK(pair.fine.run.steps == 2 * pair.coarse.run.steps);
+    CHECK(pair.error > 0);
+    CHECK(distance(pair.fine.end, exact.end) <= pair.error);
+  }
+}
+
+TEST_CASE("two identical runs are refused as a proof of agreement", "[unit][accuracy]") {
+  const auto deaf = [](const ContactAware&) { return after_impact(ContactAware{0.2}, 0.1); };
+  CHECK_THROWS_AS(refine(1e-6, deaf), std::logic_error);
+  CHECK_THROWS_AS(
+      converge(1e-6, deaf,
+               reading("energies", [](const Struck& s) { return energy(hard, s.end); })),
+      std::logic_error);
+  // A chain at rest has the same bits at every step, and that is no mistake.
+  const auto rest = [](const ContactAware& stepper) {
+    Struck out{State<double>(5), {}};
+    out.run = evolve(stepper, Chain<Quartic, Hertz>{5, {1}}, out.end, 10, 1, Unobserved{});
+    return out;
+  };
+  CHECK(refine(1e-6, rest).converged);
+}
+
+TEST_CASE("what must agree is named, and named again where it does not", "[unit][accuracy]") {
+  const auto share = reading("shares of the first bead", [](const Struck& s) {
+    const auto e = energy_density(hard, s.end);
+    return e[0] / total(e);
+  });
+  const auto compute = [](const ContactAware& s) { return after_impact(s, 1); };
+  const auto loose = converge(1e-2, compute, share), tight = converge(1e-7, compute, share);
+  CHECK(tight.error <= 1e-7);
+  CHECK(tight.halvings > loose.halvings);
+  std::string message;
+  try {
+    converge(0, compute, share);
+  } catch (const NotConverged& refusal) {
+    message = refusal.what();
+  }
+  CHECK(message.find("shares of the first bead") != std::string::npos);
+  CHECK(message.find("step 0.1:") != std::string::npos);
+}
+
+TEST_CASE("a run of no duration returns its start", "[unit][accuracy]") {
+  auto s = struck(10, 1);
+  const auto start = s;
+  int shown = 0;
+  const Run run = evolve_to(1e-9, Chain<Quartic, Hertz>{10, {1}}, s, 0, 1,
+                            [&](const State<double>&) { ++shown; });
+  CHECK(shown == 1);
+  CHECK(run.steps == 0);
+  CHECK(s.y == start.y);
+  CHECK(s.v == start.v);
+  CHECK(s.t == 0);
+  for (double bad : {-1.0, std::nan(""), double(INFINITY)}) {
+    CHECK_THROWS_AS(pace(bad, 1, 1), std::invalid_argument);
+    if (!(bad > 0) || std::isnan(bad)) {
+      CHECK_THROWS_AS(pace(1, bad, 1), std::invalid_argument);
+      CHECK_THROWS_AS(pace(1, 1, bad), std::invalid_argument);
+    }
+  }
+  CHECK_THROWS_AS(pace(1, 0, 1), std::invalid_argument);
+}
+
+TEST_CASE("packets are followed with samples that differ, up to the same time",
+          "[unit][accuracy]") {
+  const auto runs = follow_to(1e-4, {1.0, 0, 400, 60}, 40, 0.2);
+  const Track &coarse = runs.coarse.track, &fine = runs.fine.track;
+  CHECK(runs.fine.end.t == runs.coarse.end.t);
+  CHECK(fine.t.size() + 2 >= 2 * coarse.t.size());
+  CHECK(coarse.largest_peak(20, 40) != fine.largest_peak(20, 40));
+  check_close(coarse.largest_peak(20, 40), fine.largest_peak(20, 40), 0, 1e-3);
+}
+
+TEST_CASE("estimates are never without an error unless they are exact", "[unit][accuracy]") {
+  CHECK(compare(1.0, 1.0).error > 0);
+  CHECK(compare(0.0, 0.0).error > 0);
+  CHECK(compare(2.0, 1.5).error == 0.5);
+  CHECK_FALSE(compare(1.0, 1.0).is_exact);
+  CHECK(std::isnan(compare(std::nan(""), 1.0).error));
+  CHECK(exact(3).is_exact);
+  CHECK(compare(3, 3).is_exact);
+  CHECK_FALSE(compare(3, 4).is_exact);
+  CHECK(compare(3, 4).error == 1);
+  check_close(compare(Estimate{1, 0.1}, Estimate{1.5, 0.2}).error, 0.7, 1e-15);
+}
+
+TEST_CASE("a curve that is no line is found out although its fit is good", "[unit][accuracy]") {
+  std::vector<double> t, steady, slowing;
+  for (int k = 0; k < 1000; ++k) {
+    t.push_back(k);
+    steady.push_back(0.3 * k + 0.1 * std::sin(k));
+    slowing.push_back(0.3 * k - 2e-5 * k * k);
+  }
+  const Line fit = fit_line(t, slowing);
+  CHECK(fit.slope_error < 0.002 * fit.slope);      // the standard error sees nothing,
+  CHECK(std::abs(bend(t, slowing).value) > 0.05);  // the halves do
+  CHECK(std::abs(bend(t, steady).value) < 1e-3);
+}
+
+TEST_CASE("the number of workers is a choice without influence", "[unit][accuracy]") {
+  const auto workers = [] {
+    std::set<std::thread::id> seen;
+    std::mutex guard;
+    std::vector<double> square(200);
+    parallel_for("squares", square.size(), [&](std::size_t i) {
+      square[i] = double(i) * double(i);
+      std::this_thread::sleep_for(std::chrono::microseconds(100));
+      const std::lock_guard lock(guard);
+      seen.insert(std::this_thread::get_id());
+    });
+    for (std::size_t i = 0; i < square.size(); ++i) CHECK(square[i] == double(i * i));
+    return seen.size();
+  };
+  CHECK(granted_cores() >= 1);
+  CHECK(threads() == granted_cores());
+  set_threads(1);
+  CHECK(workers() == 1);
+  set_threads(3);
+  CHECK(threads() == 3);
+  CHECK(workers() > 1);
+  set_threads(0);
+}
+
+TEST_CASE("no number of a program is without an error unless it is exact",
+          "[published][accuracy]") {
+  for (const auto& folder : std::filesystem::directory_iterator(DATA_DIR))
+    for (const char* name : {"results.ecsv", "facts.ecsv"}) {
+      const auto file = folder.path() / name;
+      if (!std::filesystem::exists(file)) continue;
+      const Table t = read(file);
+      const auto label = t.texts(t.columns.front().name), kind = t.texts("kind");
+      const auto value = t.numbers("value"), error = t.numbers("error");
+      for (std::size_t i = 0; i < kind.size(); ++i) {
+        CAPTURE(file.string(), label[i], error[i], kind[i]);
+        if (kind[i] == "exact")
+          CHECK(error[i] == 0);
+        else
+          CHECK((error[i] > 0 || std::isnan(value[i])));
+      }
+    }
+}
