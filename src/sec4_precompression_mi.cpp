@@ -671,12 +671,12 @@ struct OrderCase {
 };
 
 /// Errors of one method for halved steps, and their slope where neither first transients nor rounding rule.
-Line order_of(const OrderCase& c, const Scheme& scheme, const State<double>& exact, Table& table) {
+Line order_of(const OrderCase& c, const Scheme& scheme, const State<double>& right, Table& table) {
   std::vector<double> x, y;
   for (double step = 0.5; step > 0.007; step /= 2) {
     State<double> state = c.start;
     evolve(Splitting{scheme, step}, c.chain, state, c.time, c.time, Unobserved{});
-    const double error = distance(exact, state);
+    const double error = distance(right, state);
     table.add({c.name, scheme.name, step, error});
     if (error < 1e-2 && error > 3e-12) x.push_back(std::log(step)), y.push_back(std::log(error));
   }
@@ -691,15 +691,15 @@ void report_order(Report& report) {
                number("step", "time step"), number("error", "relative error of the end state")}};
   for (const OrderCase& c : cases) {
     const ContactAware fine{1.0 / 256, nystrom(blanes_moan_6_14())};
-    State<double> exact = c.start, theirs = c.start;
-    evolve(fine, c.chain, exact, c.time, c.time, Unobserved{});
+    State<double> right = c.start, theirs = c.start;
+    evolve(fine, c.chain, right, c.time, c.time, Unobserved{});
     evolve_reference(c.chain, theirs, c.time, 1e-13);
-    theirs.t = exact.t;
-    const double apart = distance(theirs, exact);
+    theirs.t = right.t;
+    const double apart = distance(theirs, right);
     if (!(apart < 1e-9)) throw Failure("our integrator and GSL's disagree: " + number_text(apart));
     report.facts.add("independent_route_difference_" + c.name, exact(apart));
     for (const Scheme& scheme : {verlet(), blanes_moan_4(), blanes_moan_6(), blanes_moan_6_14()}) {
-      const Line line = order_of(c, scheme, exact, table);
+      const Line line = order_of(c, scheme, right, table);
       std::string name = scheme.name;
       std::replace(name.begin(), name.end(), '-', '_');
       report.facts.add("order_" + c.name + "_" + name, {line.slope, line.slope_error});
