@@ -172,7 +172,7 @@ void report_band(Report& report) {
   double apart = std::abs(std::cos(q) / (v1 * x * x) - 1);
   for (double s : wells) apart = std::max(apart, std::abs(sign_change(s) / q - 1));
   report.results.claim("pre.inflection", apart < 1e-10);
-  report.facts.add("inflection_apart", {apart, 0});
+  report.facts.add("inflection_apart", exact(apart));
   const Table band = band_quantities(compression, 0);
   for (const auto& row : band.rows)
     if (std::get<std::string>(row[0]).rfind("phi", 0) != 0)
@@ -223,9 +223,9 @@ void report_edges(Report& report) {
       leftover = std::max(leftover, growth);
   }
   report.results.claim("pre.edges", formula < 1e-13 && apart < 0.02 && leftover < 1e-12);
-  report.facts.add("edge_formula_apart", {formula, 0});
-  report.facts.add("edge_growth_apart", {apart, 0});
-  report.facts.add("edge_growth_stable_side", {leftover, 0});
+  report.facts.add("edge_formula_apart", exact(formula));
+  report.facts.add("edge_growth_apart", exact(apart));
+  report.facts.add("edge_growth_stable_side", exact(leftover));
 }
 
 /**
@@ -348,8 +348,8 @@ void report_beta(Report& report) {
   }
   report.output.add("measured_coefficient", std::move(table));
   report.results.claim("pre.beta", shift < 1e-3 && growth < 1e-3);
-  report.facts.add("beta_apart_by_shift", {shift, 0});
-  report.facts.add("beta_apart_by_growth", {growth, 0});
+  report.facts.add("beta_apart_by_shift", exact(shift));
+  report.facts.add("beta_apart_by_growth", exact(growth));
 }
 
 /**
@@ -510,7 +510,7 @@ void report_modulated(Report& report) {
   facts.add("mi_participation", compare(a.participation, b.participation), "site");
   facts.add("mi_control_peak_over_mean",
             compare(formed(stable[0]).peak_over_mean, control.peak_over_mean));
-  facts.add("mi_state_error", {apart, 0});
+  facts.add("mi_state_error", exact(apart));
   facts.add("mi_energy_drift", compare(coarse.drift, fine.drift));
   facts.add("mi_agreement_time", {agree, 50});
 }
@@ -569,8 +569,8 @@ void add_traits(Quantities& facts, const Experiment& e) {
   add("boundary_share", &Traits::boundary, "share of the energy");
   add("speed", &Traits::speed, "site per unit of time");
   facts.add("last_open_" + e.name, {e.fine.last_open, 1});
-  facts.add("sites_" + e.name, {double(e.launch.sites()), 0}, "site");
-  facts.add("far_end_" + e.name, {std::abs(e.fine.end.v.back()), 0});
+  facts.add("sites_" + e.name, exact(double(e.launch.sites())), "site");
+  facts.add("far_end_" + e.name, exact(std::abs(e.fine.end.v.back())));
 }
 
 /**
@@ -697,7 +697,7 @@ void report_order(Report& report) {
     theirs.t = right.t;
     const double apart = distance(theirs, right);
     if (!(apart < 1e-9)) throw Failure("our integrator and GSL's disagree: " + number_text(apart));
-    report.facts.add("independent_route_difference_" + c.name, {apart, 0});
+    report.facts.add("independent_route_difference_" + c.name, exact(apart));
     for (const Scheme& scheme : {verlet(), blanes_moan_4(), blanes_moan_6(), blanes_moan_6_14()}) {
       const Line line = order_of(c, scheme, right, table);
       std::string name = scheme.name;
