@@ -531,7 +531,7 @@ struct Experiment {
   std::string name;
   Launch launch;
   std::vector<double> times;
-  Voyage coarse{}, fine{};
+  CompressedRun coarse{}, fine{};
 };
 
 std::vector<Experiment> experiments(bool quick) {
@@ -720,8 +720,8 @@ struct Options {
 };
 
 Table impact_quantities(const Launch& launch) {
-  const Voyage coarse = fly(launch, {launch.time}, {});
-  const Voyage fine = fly(launch, {launch.time}, FlightSteps{}.halved());
+  const CompressedRun coarse = fly(launch, {launch.time}, {});
+  const CompressedRun fine = fly(launch, {launch.time}, FlightSteps{}.halved());
   if (fine.shown.empty() || coarse.shown.empty())
     throw Failure("the solution blows up: --velocity is beyond the threshold of this well");
   const PacketSample &a = coarse.samples.back(), &b = fine.samples.back();

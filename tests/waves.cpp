@@ -220,7 +220,7 @@ TEST_CASE("breathers, trains, surface modes and boomerangs are told apart", "[un
 TEST_CASE("a linear chain sends out a train", "[property]") {
   // Weak blows see neither the well's nor the contact's nonlinearity: no breather for any s.
   for (double s : {-1.0 / 6, 1.0}) {
-    const Voyage flight = fly({s, 600, 1e-3, d}, {}, {0.2, 0.4});
+    const CompressedRun flight = fly({s, 600, 1e-3, d}, {}, {0.2, 0.4});
     const Traits t = traits(flight.samples);
     CHECK_FALSE(t.breather());
     CHECK_FALSE(t.surface_mode());

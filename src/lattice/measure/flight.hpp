@@ -68,7 +68,7 @@ Snapshot snapshot(const Chain<Onsite, Contact>& chain, const State<double>& stat
 }
 
 /// A run: a sample every unit of time, snapshots, and how far both can be trusted.
-struct Voyage {
+struct CompressedRun {
   State<double> end;
   std::vector<PacketSample> samples{};
   std::vector<Snapshot> shown{};
@@ -83,9 +83,10 @@ struct FlightSteps {
 };
 inline constexpr double settling_time = 40;
 
-inline Voyage fly(const Launch& launch, const std::vector<double>& times, FlightSteps steps) {
+inline CompressedRun fly(const Launch& launch, const std::vector<double>& times,
+                         FlightSteps steps) {
   const auto chain = launch.chain();
-  Voyage out{struck(chain.sites, launch.velocity)};
+  CompressedRun out{struck(chain.sites, launch.velocity)};
   const auto watch = [&](const State<double>& now) {
     if (!out.samples.empty() && now.t == out.samples.back().t) return;
     out.samples.push_back(packet_sample(now.t, energy_density(chain, now)));

@@ -81,8 +81,7 @@ Vector<T> solve_system(const Matrix<T>& matrix, const Vector<T>& right, double r
     if (rank > 0) shortest.setThreshold(T(rank));
     return shortest.compute(matrix).solve(right);
   } else {
-    if (rank > 0) throw std::logic_error("this type solves only equations that leave nothing free");
-    return matrix.householderQr().solve(right);
+    throw std::logic_error("this type solves as many equations as unknowns, no others");
   }
 }
 
