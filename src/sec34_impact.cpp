@@ -66,7 +66,7 @@ constexpr double fit_to = 60;  // the packet is measured between sites 20 and 60
 We want to see the motion, so here is the loop in time. Several packets may leave, and the slow
 ones can carry as much energy as the first; `front_packet` looks from the far end and takes the
 front-most. A run ends when that one has passed the stretch on which it is measured. It is seen at
-most 0.4 apart, and a run with half the step is seen twice as often, so that the error of a
+most 0.2 apart, and a run with half the step is seen twice as often, so that the error of a
 maximum between two samples shows in the difference; both end at an instant that both see. */
 Outcome strike(const ContactAware& stepper, double s, double velocity, double time) {
   const Chain<Quartic, Hertz> chain{90, {s}};
@@ -81,7 +81,7 @@ Outcome strike(const ContactAware& stepper, double s, double velocity, double ti
     const bool arrived = !out.track.t.empty() && out.track.centre.back() > fit_to + 2;
     return k++ % each != 0 || !arrived;
   };
-  out.run = evolve(stepper, chain, out.end, dense_pace(stepper, time, 0.4), look);
+  out.run = evolve(stepper, chain, out.end, dense_pace(stepper, time, 0.2), look);
   return out;
 }
 
