@@ -76,7 +76,10 @@ TEST_CASE("pushes of a passing packet", "[unit][cantilever]") {
   check_close(push->period, 2 * 3.14159265358979 / 5, 0, 2e-2);
   const double longest = time_above(t, f, 3e-3), shorter = time_above(t, f, 0.3);
   CHECK(longest > shorter);
-  check_close(longest, 2 * std::sqrt(8 * std::log(1000.)), 1.3);
+  const double envelope =
+      2 * std::sqrt(8 * std::log(1000.));  // less than a period is lost at each end
+  CHECK(longest < envelope);
+  CHECK(longest > envelope - 2 * push->period);
   CHECK(time_above(t, f, 4) == 0);
   CHECK_FALSE(strongest_push(t, std::vector<double>(t.size(), 0.0)));
   const auto up = upward_crossings({0, 1, 2, 3}, {-1, 3, -1, 1});
@@ -171,7 +174,9 @@ TEST_CASE("the mode of a light defect is a breather", "[property][cantilever]") 
 namespace {
 
 struct Folder {
-  fs::path path = fs::temp_directory_path() / ("lattice_sweep_" + std::to_string(::getpid()));
+  inline static int count = 0;
+  fs::path path = fs::temp_directory_path() /
+                  ("lattice_sweep_" + std::to_string(::getpid()) + "_" + std::to_string(++count));
   Folder() {
     fs::remove_all(path);
     fs::create_directories(path);
