@@ -35,7 +35,7 @@ def measure(axes, start, end, text, offset, **place):
 # Left: beads on strings. The first one has been lifted.
 string = size["cradle", "string_length"]
 radius = size["cradle", "bead_radius_drawn"]
-count = int(size["cradle", "beads"])
+count = int(size["cradle", "beads_drawn"])
 wall(cradle, -radius * 2.2, 0, 2 * radius * (count + 1.2), 0.06)
 for n in range(count):
     angle = -LIFT if n == 0 else 0.0
@@ -56,7 +56,7 @@ cradle.set(xlim=(-0.32, 0.5), ylim=(-0.63, 0.1))
 # Right: beams clamped at both ends, a bead at either side of each; millimetres.
 length, thickness, radius, pitch = (1e3 * size["cantilever", name] for name in
                                     ["length", "thickness", "bead_radius", "pitch"])
-count = int(size["cantilever", "cantilevers"])
+count = int(size["cantilever", "cantilevers_drawn"])
 deflection = np.linspace(-2, 2, count)
 height = np.linspace(0, length, 101)
 shape = (1 - np.cos(2 * np.pi * height / length)) / 2

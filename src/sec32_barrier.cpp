@@ -350,7 +350,7 @@ int main(int argc, char** argv) {
   program.everything = [&](Output& output) {
     output.note("tolerance", "flow to 128 and 2048 roundings of the type");
     Report report{output, program.quick};
-    const auto ladders = climb_wells(program.quick ? 10 : 80);
+    const auto ladders = climb_wells(program.quick ? 10 : 60);
     output.add("barriers", branch_table(ladders));
     report_zeros(report, ladders);
     const Ladder key = key_ladder();
