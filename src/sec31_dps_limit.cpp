@@ -300,9 +300,9 @@ $10^{-4}$ it is [1.478](num:sec31_dps_limit.order_at_small_eps), and 3/2 emerges
 For an impact the constants are [2.124](num:sec31_dps_limit.constant_impact_tau_1),
 [2.997](num:sec31_dps_limit.constant_impact_tau_4) and
 [6.61](num:sec31_dps_limit.constant_impact_tau_10) for $\tau \le 1$, 4 and 10, for the pair
-[4.48](num:sec31_dps_limit.constant_pair_tau_1), [7.02](num:sec31_dps_limit.constant_pair_tau_4) and
+[4.48](num:sec31_dps_limit.constant_pair_tau_1), [7.017](num:sec31_dps_limit.constant_pair_tau_4) and
 [18.81](num:sec31_dps_limit.constant_pair_tau_10). The error of a computation is never more than
-[0.00395386](num:sec31_dps_limit.largest_resolution_error) of the error that it measures. */
+[0.00413904](num:sec31_dps_limit.largest_resolution_error) of the error that it measures. */
 Results everything(Output& output, bool quick) {
   output.note("tolerance", "GSL " + short_text(resolutions[0].tolerance) + " and " +
                                short_text(resolutions[1].tolerance));

@@ -104,8 +104,8 @@ Table branch_table(const std::vector<Ladder>& ladders) {
 
 /**
 Where neighbouring rungs have opposite signs there is a zero between them. In the linear well the
-barrier at equal frequency vanishes first at [](num:sec32_barrier.zero_linear1), and for the fifth
-time at [](num:sec32_barrier.zero_linear5): the small value that the article finds near $1.3$ owes
+barrier at equal frequency vanishes first at [1.01462](num:sec32_barrier.zero_linear1), and for the fifth
+time at [1.29969](num:sec32_barrier.zero_linear5): the small value that the article finds near $1.3$ owes
 its size to that zero. */
 void report_zeros(Report& report, const std::vector<Ladder>& ladders) {
   struct Found {
@@ -147,7 +147,7 @@ These rungs are computed with the wider type throughout. Close to $\omega_b = 1$
 the DpS scaling $E \propto (\omega_b-1)^4$, and with $d\mathcal H = \omega_b\,d\mathcal A/2\pi$ the barrier at
 equal area is then $-(\omega_b-1)/5$ times the one at equal frequency: smaller by orders of magnitude,
 and of the opposite sign. At $\omega_b = 1.001$ the ratio of the two sides is
-[](num:sec32_barrier.equal_area_law). */
+[1.01843](num:sec32_barrier.equal_area_law). */
 const std::pair<double, const char*> key_frequencies[] = {
     {1.001, "1001"}, {1.01, "101"}, {1.1, "110"}, {1.3, "130"}, {1.5, "150"}, {1.9, "190"}};
 
@@ -175,11 +175,11 @@ Estimate size(const Estimate& e) {
 
 /**
 The article's numbers are answered from these rungs. Printed is $1.77\cdot10^{-11}$ at $1.1$ in the
-linear well, and we find [](num:pn.omega11). At $1.5$ in the soft well we find
-[](num:pn.omega15) instead of $10^{-4}$; the hard well has
-[](num:sec32_barrier.equal_frequency_hard_150) there, and the printed value probably belongs to it.
-At $1.3$ the soft barrier is [](num:pn.harmonic_ratio) times the linear one and the hard barrier
-[](num:sec32_barrier.harmonic_ratio_hard) times. */
+linear well, and we find [1.62422e-11](num:pn.omega11). At $1.5$ in the soft well we find
+[7.57142e-8](num:pn.omega15) instead of $10^{-4}$; the hard well has
+[-8.64349e-5](num:sec32_barrier.equal_frequency_hard_150) there, and the printed value probably belongs to it.
+At $1.3$ the soft barrier is [857.528](num:pn.harmonic_ratio) times the linear one and the hard barrier
+[24934.6](num:sec32_barrier.harmonic_ratio_hard) times. */
 void report_key(Report& report, const Ladder& rungs) {
   const std::size_t count = std::size(key_frequencies);
   const auto rung = [&](std::size_t w, std::size_t k) -> const Rung& {
@@ -211,8 +211,8 @@ void report_key(Report& report, const Ladder& rungs) {
 ## The end of the soft branches
 
 In the soft well the families do not reach $\omega_b = 2$: they turn back at a fold, where the
-stiffening contacts and the softening well balance, at [](num:sec32_barrier.fold_soft_site) (site)
-and [](num:sec32_barrier.fold_soft_bond) (bond). Both are located with two lengths of the steps. */
+stiffening contacts and the softening well balance, at [1.91163](num:sec32_barrier.fold_soft_site) (site)
+and [1.91172](num:sec32_barrier.fold_soft_bond) (bond). Both are located with two lengths of the steps. */
 void report_folds(Report& report, const Rung& last) {
   std::array<double, 4> fold{};
   parallel_for(4, [&](std::size_t i) {
@@ -231,8 +231,8 @@ void report_folds(Report& report, const Rung& last) {
 A residual of $1.5\cdot10^{-9}$ is left not only by an approximate breather, but also by an exact one of a
 slightly different frequency: its phase is wrong at $T_b$. The energy of that breather differs by
 $E'(\omega_b)\,\delta\omega$, and nothing in the residual tells the two cases apart. This difference is
-[](num:sec32_barrier.hidden_energy), while the printed barrier exceeds ours by
-[](num:sec32_barrier.printed_excess). So the printed residual is too large by an order of magnitude
+[1.59887e-12](num:sec32_barrier.hidden_energy), while the printed barrier exceeds ours by
+[1.45775e-12](num:sec32_barrier.printed_excess). So the printed residual is too large by an order of magnitude
 for the third digit of the printed barrier. That is all we can say: no computation of ours gives
 1.77 in particular. */
 double hidden_energy(double residual, double detuning) {
@@ -323,9 +323,9 @@ Table barrier_command(const BarrierOptions& options) {
 
 The barrier at equal frequency has no fixed sign, and neither has the one at equal area; their zeros
 differ. Away from the zeros of the former the latter is smaller still, at $\omega_b = 1.1$ in the
-linear well [](num:sec32_barrier.equal_area_linear_110); next to a zero it need not be, at $1.3$ the
-two are [](num:sec32_barrier.equal_area_linear_130) and
-[](num:sec32_barrier.equal_frequency_linear_130).
+linear well [-2.35229e-13](num:sec32_barrier.equal_area_linear_110); next to a zero it need not be, at $1.3$ the
+two are [-5.22284e-12](num:sec32_barrier.equal_area_linear_130) and
+[-4.89193e-12](num:sec32_barrier.equal_frequency_linear_130).
 
 ## Differences and limits
 

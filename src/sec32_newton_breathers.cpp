@@ -89,7 +89,7 @@ For comparison we solve the equations of the article, $Y(T_b) = Y(0)$, twice as 
 the sense of least squares. A shift along the chain hardly violates them: the smallest singular
 value of their matrix belongs to a change of the positions that moves the breather sideways, the
 *pinning mode* of section 3.3, nearly the discrete gradient $y_{n+1}-y_{n-1}$
-([](num:sec32_newton_breathers.softest_along_gradient) is their cosine). Newton's method wanders
+([0.987389](num:sec32_newton_breathers.softest_along_gradient) is their cosine). Newton's method wanders
 along it: a small residual is followed by a large step. */
 struct FullMap {
   History history{};
@@ -124,13 +124,13 @@ double condition(const Matrix<double>& matrix) {
 }
 
 /**
-The condition number of that matrix is [](num:sec32_newton_breathers.condition_full) instead of
-[](num:sec32_newton_breathers.condition_site); after ten steps a residual of
-[](num:sec32_newton_breathers.full_residual) still asks for a step of
-[](num:sec32_newton_breathers.full_step). With the symmetric equations Newton's method needs
-[](num:sec32_newton_breathers.newton_iterations) steps, the residual over the whole period is
-[](num:newton.residual) (printed: $1.5\cdot10^{-9}$) and the last variation
-[](num:newton.variation). */
+The condition number of that matrix is [1.75392e6](num:sec32_newton_breathers.condition_full) instead of
+[22.3356](num:sec32_newton_breathers.condition_site); after ten steps a residual of
+[1e-14](num:sec32_newton_breathers.full_residual) still asks for a step of
+[8e-9](num:sec32_newton_breathers.full_step). With the symmetric equations Newton's method needs
+[4](num:sec32_newton_breathers.newton_iterations) steps, the residual over the whole period is
+[4e-14](num:newton.residual) (printed: $1.5\cdot10^{-9}$) and the last variation
+[7e-14](num:newton.variation). */
 void report_convergence(Report& report) {
   const auto problem = problem_of(Centre::site, 1.1);
   const Orbit<double> orbit = article_breather(Centre::site, rule<double>(0));
@@ -215,8 +215,8 @@ $\omega_b = 1.01$ and $1.1$, with their quasi-continuum approximation.
 ![Site-centred breathers and their quasi-continuum approximation.](fig:03)
 
 Two errors add up in the latter: the continuum differs from the DpS breather even in the limit, by
-[](num:sec32_newton_breathers.continuum_limit_site) around a site and
-[](num:sec32_newton_breathers.continuum_limit_bond) around a bond, and the DpS equation from the
+[0.0574512](num:sec32_newton_breathers.continuum_limit_site) around a site and
+[0.0614325](num:sec32_newton_breathers.continuum_limit_bond) around a bond, and the DpS equation from the
 chain. At $1.01$ the second takes a little off the first, at $1.1$ it has made the sum far larger. */
 Estimate approximation_error(Centre centre, double omega) {
   const auto problem = problem_of(centre, omega);
@@ -243,10 +243,10 @@ double continuum_error(Centre centre) {
 
 /**
 The article calls the approximation excellent at $1.01$ and worse at $1.1$. The listed claim is that
-ordering. At $1.01$ the difference is [](num:sec32_newton_breathers.continuum_101_site) of the
-amplitude around a site and [](num:sec32_newton_breathers.continuum_101_bond) around a bond, at
-$1.1$ it is [](num:sec32_newton_breathers.continuum_110_site) and
-[](num:sec32_newton_breathers.continuum_110_bond). */
+ordering. At $1.01$ the difference is [0.0511267](num:sec32_newton_breathers.continuum_101_site) of the
+amplitude around a site and [0.0475461](num:sec32_newton_breathers.continuum_101_bond) around a bond, at
+$1.1$ it is [0.117550](num:sec32_newton_breathers.continuum_110_site) and
+[0.0977687](num:sec32_newton_breathers.continuum_110_bond). */
 Table profile_table(Centre centre) {
   Table table{{count("n", "site", "site"), number("u", "stationary DpS breather, mu = 1"),
                number("u_continuum", "its quasi-continuum approximation"),
@@ -293,7 +293,7 @@ void report_profiles(Report& report) {
 The site-centred breather is weakly unstable, so that rounding must grow. A second run with another
 tolerance measures its growth: the difference of the two is the error of the first. The article
 finds the positions visually equal after a hundred periods; they have moved by
-[](num:newton.persistence) of the amplitude.
+[3e-12](num:newton.persistence) of the amplitude.
 
 ![The breather at the start and after a hundred periods.](fig:04) */
 void report_persistence(Report& report) {
@@ -388,9 +388,9 @@ void report_tail(Report& report) {
 
 Both families are followed by arclength from $\omega_b = 1.005$ to $2$ (continuation.hpp). The
 article finds their energies indistinguishable. The largest relative difference is
-[](num:newton.energy_equal), at $\omega_b =$
-[](num:sec32_newton_breathers.largest_energy_difference_at): it grows towards $\omega_b = 1$, where
-it tends to that of the DpS norms, [](num:sec32_dps_profiles.norm_gap_relative) without its sign.
+[6.97863e-7](num:newton.energy_equal), at $\omega_b =$
+[1.005](num:sec32_newton_breathers.largest_energy_difference_at): it grows towards $\omega_b = 1$, where
+it tends to that of the DpS norms, [-1.33110e-6](num:sec32_dps_profiles.norm_gap_relative) without its sign.
 What so small a difference does to the motion of a breather is told in the next chapter.
 
 ![Amplitude and energy of both families.](fig:06) */

@@ -94,9 +94,9 @@ path (turning.hpp). Their error is the difference of two steps, to which we add 
 width of the smoothing changes. The centre creeps along a plateau before it turns: it stops, moves
 on, and turns later. The table of steps shows how each number settles.
 
-At $v_0=1.9$ the packet stops at [](num:sec34_boomeron.stop_time_190), its apex is site
-[](num:sec34_boomeron.apex_site_190) at time [](num:sec34_boomeron.apex_time_190), and it
-rebounds at [](num:sec34_boomeron.return_time_190). */
+At $v_0=1.9$ the packet stops at [289](num:sec34_boomeron.stop_time_190), its apex is site
+[20.065](num:sec34_boomeron.apex_site_190) at time [467](num:sec34_boomeron.apex_time_190), and it
+rebounds at [897.7](num:sec34_boomeron.return_time_190). */
 struct Read {
   Estimate stop_time, stop_site, apex_time, apex_site, return_time;
 };
@@ -335,7 +335,7 @@ Both parts of the article's statement are tested: the force grows with $s$ at $v
 $v_0$ at $s=1$. That $v_0=1.5$ is decelerated *slowly* we decide so: within the time of the figure
 it does not turn, its speed in the last quarter is below that in the first, and its
 deceleration is at most half of that at 1.9. It does turn in the end, far outside of the figure:
-at site [](num:sec34_boomeron.apex_site_150) and time [](num:sec34_boomeron.apex_time_150). */
+at site [183.239](num:sec34_boomeron.apex_site_150) and time [4.36e3](num:sec34_boomeron.apex_time_150). */
 void report_force(Report& report, const std::vector<Read>& reads) {
   std::vector<Strike> strikes;
   for (double v : {1.1, 1.3, 1.5, 1.6, 1.7, 1.8, 1.9, 2.0}) strikes.push_back({v, 1, 300});
@@ -502,13 +502,13 @@ Table run_command(const RunOptions& options) {
 
 The article does not say how it integrates, what its chain length is, or how it averages. Its turning
 at $v_0\approx1.87$ near $t=240$ we do not find: there the centre still moves, and it stops only at
-[](num:boomeron.turning_time), or somewhere between
-[](num:sec34_boomeron.stop_time_187_earliest) and [](num:sec34_boomeron.stop_time_187_latest) if we
+[5e2](num:boomeron.turning_time), or somewhere between
+[319.813](num:sec34_boomeron.stop_time_187_earliest) and [492.97](num:sec34_boomeron.stop_time_187_latest) if we
 use the freedom of the printed digits. The velocity profile alone, which is all the figure shows, does
 not tell a packet that stands from one that creeps.
 
 The impact with 1.5, the example of a slow deceleration, turns at site
-[](num:sec34_boomeron.apex_site_150), far outside of the figure.
+[183.239](num:sec34_boomeron.apex_site_150), far outside of the figure.
 
 ## Extensions
 

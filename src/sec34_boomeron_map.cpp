@@ -170,13 +170,13 @@ void report_any_s(Report& report) {
 ## Results
 
 For small and moderate impacts $\kappa_c = s_c v_0^{3/2}$ follows the expected line: $\kappa_0$ is
-[](num:sec34_boomeron_map.law_kappa_0) and $\kappa_1$ is [](num:sec34_boomeron_map.law_kappa_1), with
-no point further off than the relative [](num:sec34_boomeron_map.law_largest_deviation). Strong impacts,
+[1.022](num:sec34_boomeron_map.law_kappa_0) and $\kappa_1$ is [0.99](num:sec34_boomeron_map.law_kappa_1), with
+no point further off than the relative [0.0149181](num:sec34_boomeron_map.law_largest_deviation). Strong impacts,
 for which the linear part of the well no longer matters, leave the line; above $v_0=1$ a plain power of
-[](num:sec34_boomeron_map.power_large_impacts) describes the boundary, but only as an average over a
+[-1.236](num:sec34_boomeron_map.power_large_impacts) describes the boundary, but only as an average over a
 slope that changes. At $v_0=1.9$ a packet turns before site 40 if $s$ exceeds
-[](num:sec34_boomeron_map.s_needed_at_190), and at $s=0.005$ it needs an impact of
-[](num:sec34_boomeron_map.v0_needed_at_s_0005). At the article's velocities and $s=0.005$ nothing
+[0.908](num:sec34_boomeron_map.s_needed_at_190), and at $s=0.005$ it needs an impact of
+[128.4](num:sec34_boomeron_map.v0_needed_at_s_0005). At the article's velocities and $s=0.005$ nothing
 turns there. The boundary belongs to site 40: how it depends on the distance is shown by `apex` in the map.
 
 ## One part of the map

@@ -410,21 +410,21 @@ void report_waves(Report& report) {
 **The packet turns because of the waves that it left behind, as the article suspected, and they
 pull.** With the waves it comes back; with everything behind it absorbed it does not, nor if only the first
 site absorbs, and in the last half of the time it still moves on by
-[](num:sec34_boomeron_why.late_advance_behind) and [](num:sec34_boomeron_why.late_advance_end) sites. Put
+[13.1](num:sec34_boomeron_why.late_advance_behind) and [5.8](num:sec34_boomeron_why.late_advance_end) sites. Put
 on a quiet chain at time 60 or 120 it moves on as well; cut out later, when it is almost at rest, it is
-caught or creeps ([](num:sec34_boomeron_why.late_advance_cut200) sites for a cut at 200,
-[](num:sec34_boomeron_why.late_advance_cut300) at 300), but never returns. So the slowing down
+caught or creeps ([-2.961](num:sec34_boomeron_why.late_advance_cut200) sites for a cut at 200,
+[-0.2285](num:sec34_boomeron_why.late_advance_cut300) at 300), but never returns. So the slowing down
 has two parts, a loss of speed that the packet brings along and that fades, and a backward force that needs
 waves. A breather at rest that nothing else could move is drawn towards waves on
-either side, by [](num:sec34_boomeron_why.pull_hard) sites in the share
-[](num:sec34_boomeron_why.pulled_hard) of the trials; in the linear well the same waves move a breather of the
-same energy by [](num:sec34_boomeron_why.pull_linear), and there nothing turns.
+either side, by [6.4](num:sec34_boomeron_why.pull_hard) sites in the share
+[1](num:sec34_boomeron_why.pulled_hard) of the trials; in the linear well the same waves move a breather of the
+same energy by [0.20](num:sec34_boomeron_why.pull_linear), and there nothing turns.
 
-The packet is a breather that moves: its frequency [](num:sec34_boomeron_why.omega_waves) and its area
-[](num:sec34_boomeron_why.area_waves) lie by those of a breather at rest, whose area at this frequency is
-[](num:sec34_boomeron_why.area_at_rest_waves). While it feeds on the waves it carries
-[](num:sec34_boomeron_why.energy_waves), without them [](num:sec34_boomeron_why.energy_behind). The
-barrier, [](num:sec34_boomeron_why.barrier_waves), can hold a slow packet, which is what we see of late cuts, but
+The packet is a breather that moves: its frequency [1.68362](num:sec34_boomeron_why.omega_waves) and its area
+[5.9885](num:sec34_boomeron_why.area_waves) lie by those of a breather at rest, whose area at this frequency is
+[5.83399](num:sec34_boomeron_why.area_at_rest_waves). While it feeds on the waves it carries
+[1.48728](num:sec34_boomeron_why.energy_waves), without them [1.3694](num:sec34_boomeron_why.energy_behind). The
+barrier, [0.000398715](num:sec34_boomeron_why.barrier_waves), can hold a slow packet, which is what we see of late cuts, but
 being periodic it can neither slow one over many sites nor send it back.
 
 ## Differences and limits

@@ -191,10 +191,10 @@ Transition find_transition(std::vector<Point> points) {
 /**
 ## Results
 
-There are three regimes. A weak impact moves nobody. From [](num:sec34_kink.first_thrown_back) on
+There are three regimes. A weak impact moves nobody. From [2.48](num:sec34_kink.first_thrown_back) on
 the recoil throws beads back at the near end, and the breather still travels. Between
-[](num:sec34_kink.last_breather) and [](num:sec34_kink.first_certain_kink) the kink takes over.
-Errors are the spacing of the scan; a share of [](num:sec34_kink.kink_undecided) of the velocities
+[4.66](num:sec34_kink.last_breather) and [4.72](num:sec34_kink.first_certain_kink) the kink takes over.
+Errors are the spacing of the scan; a share of [0.00569801](num:sec34_kink.kink_undecided) of the velocities
 stays undecided and supports no statement. */
 Results everything(Output& output, bool quick) {
   output.note("tolerance", "steps 0.1 and 0.05, half of that near the transition");

@@ -71,7 +71,7 @@ double cradle_ratio(double gravity, double contact_time) {
 /**
 The cradle's ratio has the fifth power of the contact time in it, and the rounding matters. With
 2.43 and $g = 10$ m/s² we obtain the printed value; with $g = 9.81$ m/s² and all digits
-of the contact time it is [](num:sec36_cantilever_defect.cradle_converged). Either way a cradle is
+of the contact time it is [1.86945e19](num:sec36_cantilever_defect.cradle_converged). Either way a cradle is
 nineteen orders of magnitude away from a breather. */
 void report_collision(Report& report) {
   const Collision coarse = collide(0.1), fine = collide(0.05), known = collision_by_energy();
@@ -98,7 +98,7 @@ For the beam we integrate $u'''' = x^4u$ along its half (cantilever.hpp). At $x 
 which the Runge–Kutta method meets exactly, so that only rounding is left; the frequency has
 an independent route, $\cos x\cosh x = 1$. Two beads at the middle change the shape of the vibration,
 and the point mass is then an approximation: the frequency of the model is
-[](num:sec36_cantilever_defect.point_mass_frequency_ratio) times that of the decorated beam. */
+[0.998945](num:sec36_cantilever_defect.point_mass_frequency_ratio) times that of the decorated beam. */
 void report_beam(Report& report, const CantileverArray& array) {
   const auto both = [](auto of) { return compare(of(200), of(400)); };
   const double x = clamped_root(), by_shooting = ClampedBeam{}.wavenumber();
@@ -259,7 +259,7 @@ Table force_map(const ArrayImpact& impact, const std::vector<double>& ratios, st
 ## Where the energy goes (figure x09)
 
 At 75 ms the packet has left the defect, and we divide the energy among the sites up to 95, those
-from 96 to 104 and the rest. Over half of it, [](num:sec36_cantilever_defect.left_behind), never comes so
+from 96 to 104 and the rest. Over half of it, [0.566749](num:sec36_cantilever_defect.left_behind), never comes so
 far and stays in the wavetrain of the boundary; the net shares count only what arrives
 (scattering.hpp). The radius of the defect's beads runs over a factor of four, their mass over
 one of 64. The points are independent: `map --part k/n` computes a part of them, an
@@ -451,10 +451,10 @@ diatomic chains, if damping changes speed and frequency moderately. Without damp
 figure 24 as it passes $n = 80$. With damping we strike an array whose cantilevers lose amplitude
 like $e^{-t/\tau}$, $\tau = 10$ ms, and, as a milder reading, energy like $e^{-t/\tau}$ (array_impact.hpp).
 The frequency hardly changes. The speed does: after 10 ms it is
-[](num:sec36_cantilever_defect.speed_amplitude_lifetime) sites/s in the first reading instead of
-[](num:sec36_cantilever_defect.speed_undamped) sites/s, and the distance
-[](num:sec36_cantilever_defect.sites_amplitude_lifetime) instead of
-[](num:sec36_cantilever_defect.sites_undamped) sites. */
+[1253.09](num:sec36_cantilever_defect.speed_amplitude_lifetime) sites/s in the first reading instead of
+[2074.83](num:sec36_cantilever_defect.speed_undamped) sites/s, and the distance
+[17.0208](num:sec36_cantilever_defect.sites_amplitude_lifetime) instead of
+[20.9992](num:sec36_cantilever_defect.sites_undamped) sites. */
 void report_outlook(Report& report, const ArrayImpact& impact, const std::array<Way, 2>& ways) {
   const auto oscillations = [&](const Way& way) {
     return 10 / (pulse_of(way.at, impact.scales).period * 1e3);
@@ -491,7 +491,7 @@ void report_journeys(Report& report, const ArrayImpact& impact) {
 /**
 ## Checks
 
-The ledger closes, to [](num:sec36_cantilever_defect.ledger_worst) at worst over the whole map.
+The ledger closes, to [4e-11](num:sec36_cantilever_defect.ledger_worst) at worst over the whole map.
 Here the array with a heavy defect, close enough to the impact to be hit hard, takes the
 independent route, GSL's adaptive method of order eight, and must arrive at the same state. */
 void report_check(Report& report, const ArrayImpact& impact) {
@@ -582,7 +582,7 @@ cent of its frequency; twisting of the beams, their next modes (five times faste
 in the contacts are left out.
 
 The article sees a small part of the energy loosely trapped at 1.6 radii. We find a remainder of that
-size, [](num:sec36_cantilever_defect.near_75_16), but it is smaller than what stays in the same place
+size, [0.000767683](num:sec36_cantilever_defect.near_75_16), but it is smaller than what stays in the same place
 without any defect, sits before the defect and leaves.
 
 ## Extensions
