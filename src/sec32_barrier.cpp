@@ -17,14 +17,6 @@ should. This program does both, with signs, and draws figure 07.
 
 ![Energy barrier between both families, for three wells.](fig:07) */
 
-/**
-What is claimed, with the identifiers under which the answers are recorded:
-
-- $E_{PN} = 1.77\cdot10^{-11}$ at $\omega_b = 1.1$ in the linear well (`pn.omega11`);
-- $10^{-14}$ to $10^{-15}$ near $\omega_b = 1.01$ for each well (`pn.small`);
-- close to $10^{-4}$ at $\omega_b = 1.5$ for $s = -1/6$ (`pn.omega15`);
-- by three to four orders smaller in the linear well than in the others at $\omega_b = 1.3$
-  (`pn.harmonic_ratio`). */
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -42,6 +34,17 @@ What is claimed, with the identifiers under which the answers are recorded:
 using namespace lattice;
 
 /**
+What is claimed, with the identifiers under which the answers are recorded:
+
+- $E_{PN} = 1.77\cdot10^{-11}$ at $\omega_b = 1.1$ in the linear well (`pn.omega11`);
+- $10^{-14}$ to $10^{-15}$ near $\omega_b = 1.01$ for each well (`pn.small`);
+- close to $10^{-4}$ at $\omega_b = 1.5$ for $s = -1/6$ (`pn.omega15`);
+- by three to four orders smaller in the linear well than in the others at $\omega_b = 1.3$
+  (`pn.harmonic_ratio`). */
+const double wells[] = {-1.0 / 6, 0, 1};
+const char* const names[] = {"soft", "linear", "hard"};
+
+/**
 ## Model
 
 The breathers are those of the chapter before, periodic motions of frequency $\omega_b$ in the chain
@@ -50,13 +53,10 @@ each we need the energy $\mathcal H$ and the area
 $$\mathcal A = \int_0^{2\pi/\omega_b}\sum_n\dot y_n^2\,dt .$$
 Why the area? A breather that creeps along the chain keeps its action, not its frequency, and an
 effective Hamiltonian for its position compares states of equal action; $\mathcal A$ is $2\pi$ times
-that. The article plots the difference at equal frequency instead, and without its sign.
+that. The article plots the difference at equal frequency instead, and without its sign. */
+enum Kind : std::int64_t { equal_frequency = 1, equal_area = 2 };  // E_site - E_bond, signed
 
-| article | program | meaning |
-|---|---|---|
-| $E_{PN}$ | `equal_frequency` | $E_{site}-E_{bond}$ at the same $\omega_b$, with its sign |
-| $\tilde E_{PN}$ | `equal_area` | the same at the same $\mathcal A$; $\omega_b$ is that of the bond |
-
+/**
 ## Method
 
 The two energies agree to six digits and more, so each must be known to twelve. Along a family
@@ -64,9 +64,6 @@ $d\mathcal H = \omega_b\,d\mathcal A/2\pi$. We change the frequency of the site-
 areas agree to first order, and turn what is left of their difference into energy; what is
 neglected is of third order (breather.hpp). All is computed at two tolerances. Where double precision
 leaves an error of more than three parts in a thousand, we repeat it with 64-bit mantissas. */
-const double wells[] = {-1.0 / 6, 0, 1};
-const char* const names[] = {"soft", "linear", "hard"};
-
 /// One ladder a well: a rung holds the two breathers of one frequency.
 std::vector<Ladder> climb_wells(int count) {
   std::vector<Ladder> ladders;
@@ -107,33 +104,41 @@ Where neighbouring rungs have opposite signs there is a zero between them. In th
 barrier at equal frequency vanishes first at [1.01462](num:sec32_barrier.zero_linear1), and for the fifth
 time at [1.29969](num:sec32_barrier.zero_linear5): the small value that the article finds near $1.3$ owes
 its size to that zero. */
-void report_zeros(Report& report, const std::vector<Ladder>& ladders) {
-  struct Found {
-    std::size_t well;
-    std::int64_t kind;
-    const Rung *left, *right;
-    Estimate omega{};
-  };
-  std::vector<Found> zeros;
+struct Zero {
+  std::size_t well;
+  Kind kind;
+  const Rung *left, *right;
+  Estimate omega{};
+};
+
+std::vector<Zero> find_zeros(const std::vector<Ladder>& ladders) {
+  std::vector<Zero> zeros;
   for (std::size_t w = 0; w < ladders.size(); ++w)
     for (std::size_t k = 1; k < ladders[w].size(); ++k) {
       const Rung &a = ladders[w][k - 1], &b = ladders[w][k];
-      if (a.equal_frequency.value * b.equal_frequency.value < 0) zeros.push_back({w, 1, &a, &b});
-      if (a.equal_area.value * b.equal_area.value < 0) zeros.push_back({w, 2, &a, &b});
+      if (a.equal_frequency.value * b.equal_frequency.value < 0)
+        zeros.push_back({w, equal_frequency, &a, &b});
+      if (a.equal_area.value * b.equal_area.value < 0) zeros.push_back({w, equal_area, &a, &b});
     }
-  parallel_for(zeros.size(), [&](std::size_t i) {
-    Found& z = zeros[i];
-    z.omega =
-        zero_between(*z.left, *z.right, z.kind == 1 ? &Rung::equal_frequency : &Rung::equal_area);
+  parallel_for("zeros", zeros.size(), [&](std::size_t i) {
+    Zero& z = zeros[i];
+    const auto gap = z.kind == equal_frequency ? &Rung::equal_frequency : &Rung::equal_area;
+    z.omega = zero_between(*z.left, *z.right, gap);
   });
+  return zeros;
+}
+
+/**
+Those at equal frequency are numbered in the facts, well by well. */
+void report_zeros(Report& report, const std::vector<Ladder>& ladders) {
   Table table{{number("s", "anharmonicity of the well"),
                count("kind", "1 at equal frequency, 2 at equal area"),
                number("omega", "frequency where the barrier changes its sign"),
                number("omega_error", "its error")}};
   std::array<int, 3> number_of{};
-  for (const Found& z : zeros) {
+  for (const Zero& z : find_zeros(ladders)) {
     table.add({wells[z.well], z.kind, z.omega.value, z.omega.error});
-    if (z.kind == 1)
+    if (z.kind == equal_frequency)
       report.facts.add(std::string("zero_") + names[z.well] + std::to_string(++number_of[z.well]),
                        z.omega);
   }
@@ -182,18 +187,16 @@ At $1.3$ the soft barrier is [857.528](num:pn.harmonic_ratio) times the linear o
 [24934.6](num:sec32_barrier.harmonic_ratio_hard) times. */
 void report_key(Report& report, const Ladder& rungs) {
   const std::size_t count = std::size(key_frequencies);
-  const auto rung = [&](std::size_t w, std::size_t k) -> const Rung& {
-    return rungs[w * count + k];
-  };
+  const auto rung = [&](std::size_t w, std::size_t k) { return rungs[w * count + k]; };
   for (std::size_t w = 0; w < 3; ++w)
     for (std::size_t k = 0; k < count; ++k) {
       const std::string name = std::string("_") + names[w] + "_" + key_frequencies[k].second;
       report.facts.add("equal_frequency" + name, rung(w, k).equal_frequency);
       report.facts.add("equal_area" + name, rung(w, k).equal_area);
     }
-  for (int k : {0, 1})
-    report.facts.add(std::string("energy_110_") + (k ? "bond" : "site"), rung(1, 2).energy[k]);
-  const Rung& limit = rung(1, 0);
+  report.facts.add("energy_110_site", rung(1, 2).energy[0]);
+  report.facts.add("energy_110_bond", rung(1, 2).energy[1]);
+  const Rung limit = rung(1, 0);
   Estimate law = ratio(limit.equal_area, limit.equal_frequency);
   law.value /= -(limit.omega - 1) / 5, law.error /= (limit.omega - 1) / 5;
   report.facts.add("equal_area_law", law);

@@ -14,18 +14,9 @@ carry all of it, and the rest of the chain hardly knows:
 Both are found here by Newton's method with exact derivatives, and followed with their frequency.
 How much energy separates them is the question of the next chapter. */
 
-/**
-What is claimed, with the identifiers under which the answers are recorded:
-
-- Newton's method reaches a residual of $1.5\cdot10^{-9}$ and a variation of $1.7\cdot10^{-11}$
-  (`newton.residual`, `newton.variation`), and the breather persists (`newton.persistence`);
-- its tail falls super-exponentially (`newton.decay`), it is symmetric (`newton.symmetry`), and
-  close to the quasi-continuum profile when small (`newton.qc_small`);
-- the energies of both families are indistinguishable (`newton.energy_equal`). */
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iostream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -41,21 +32,23 @@ What is claimed, with the identifiers under which the answers are recorded:
 using namespace lattice;
 
 /**
+What is claimed, with the identifiers under which the answers are recorded:
+
+- Newton's method reaches a residual of $1.5\cdot10^{-9}$ and a variation of $1.7\cdot10^{-11}$
+  (`newton.residual`, `newton.variation`), and the breather persists (`newton.persistence`);
+- its tail falls super-exponentially (`newton.decay`), it is symmetric (`newton.symmetry`), and
+  close to the quasi-continuum profile when small (`newton.qc_small`);
+- the energies of both families are indistinguishable (`newton.energy_equal`). */
+constexpr double omega = 1.1;  // of the breather on which most is shown
+
+/**
 ## Model
 
 The beads sit in the wells of Eq. (10), mostly linear ones ($s = 0$), and push on their neighbours,
 $$\ddot y_n + y_n + s\,y_n^3 = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2},
   \qquad y_n(t+T_b) = y_n(t),\quad T_b = 2\pi/\omega_b,$$
-with free ends (Eqs. (6) and (9)). All quantities are dimensionless.
-
-| article | program | meaning |
-|---|---|---|
-| $\omega_b$ | `omega` | frequency of the breather, above 1 |
-| $y_n(0)$ | `Orbit::start` | its positions, from which it starts at rest |
-| $E$ | `Orbit::residual()` | by how much the equations are missed, relative to the amplitude |
-| $\mathcal H$ | `Orbit::energy` | its energy, Eq. (6) |
-
-## Method
+with free ends (Eqs. (6) and (9)), dimensionless. In the program `omega` is $\omega_b$, `Orbit::start`
+the breather at $t = 0$, where it is at rest, and `Orbit::energy` its energy $\mathcal H$, Eq. (6).
 
 We guess the positions from Eqs. (18) to (20), integrate to the end of a half or a quarter of a
 period, and let Newton's method remove what is missing there (symmetry.hpp says what that is). The
@@ -63,8 +56,8 @@ integrator lands on every switching of a contact, because a step across it would
 $10^{-9}$ and its derivative much earlier (landing.hpp). Every number is computed at two tolerances
 or in two precisions, and carries the difference. */
 Orbit<double> article_breather(Centre centre, const NewtonRule<double>& rule) {
-  const BreatherProblem<double> problem = problem_of(centre, 1.1);
-  const State<double> guess = ansatz(centre, 1.1, problem.chain.sites);
+  const BreatherProblem<double> problem = problem_of(centre, omega);
+  const State<double> guess = ansatz(centre, omega, problem.chain.sites);
   return newton(problem, problem.fold(guess), rule);
 }
 
@@ -102,6 +95,8 @@ struct FullMap {
   }
 };
 
+/**
+Each pass of this loop is one of the article's iterations: shoot over the whole period, solve, step. */
 FullMap solve_full_map(int steps) {
   BreatherProblem<double> problem = problem_of(Centre::site, 1.1);
   problem.symmetry = returning(problem.chain.sites);
@@ -124,6 +119,38 @@ double condition(const Matrix<double>& matrix) {
 }
 
 /**
+Both ways start from the same profile, and their histories stand side by side in one table. */
+Table history_table(const History& symmetric, const History& full) {
+  Table table{{label("equations", "symmetric or full period map"),
+               count("iteration", "number of Newton steps made"),
+               number("residual", "of the equations solved, relative to the amplitude"),
+               number("step", "of the next iteration, relative to the amplitude")}};
+  for (const auto& [name, history] : {std::pair{"symmetric", symmetric}, {"full", full}})
+    for (std::size_t k = 0; k < history.size(); ++k)
+      table.add({std::string(name), std::int64_t(k), history[k].residual, history[k].step});
+  return table;
+}
+
+/**
+What the full map says is read after nine and after ten steps: the difference shows how much of it is
+the wandering. */
+void compare_with_full_map(Report& report, const Orbit<double>& orbit) {
+  const FullMap full = solve_full_map(10), short_of = solve_full_map(9);
+  report.facts.add("condition_full", compare(short_of.condition(), full.condition()));
+  const auto along = [&](const FullMap& map) {
+    const Vector<double> softest = map.svd.matrixV().col(map.x.size() - 1);
+    return alignment(softest, gradient(orbit.start.y));
+  };
+  report.facts.add("softest_along_gradient", compare(along(short_of), along(full)));
+  const auto last = [&](double Iteration::*what) {
+    return compare(short_of.history.back().*what, full.history.back().*what);
+  };
+  report.facts.add("full_residual", last(&Iteration::residual), "relative to amplitude");
+  report.facts.add("full_step", last(&Iteration::step), "relative to amplitude");
+  report.output.add("newton_history", history_table(orbit.history, full.history));
+}
+
+/**
 The condition number of that matrix is [1.75392e6](num:sec32_newton_breathers.condition_full) instead of
 [22.3356](num:sec32_newton_breathers.condition_site); after ten steps a residual of
 [1e-14](num:sec32_newton_breathers.full_residual) still asks for a step of
@@ -132,10 +159,9 @@ The condition number of that matrix is [1.75392e6](num:sec32_newton_breathers.co
 [4e-14](num:newton.residual) (printed: $1.5\cdot10^{-9}$) and the last variation
 [7e-14](num:newton.variation). */
 void report_convergence(Report& report) {
-  const auto problem = problem_of(Centre::site, 1.1);
+  const auto problem = problem_of(Centre::site, omega);
   const Orbit<double> orbit = article_breather(Centre::site, rule<double>(0));
   const Orbit<double> coarse = article_breather(Centre::site, rule<double>(1));
-  const FullMap full = solve_full_map(10), short_of = solve_full_map(9);
   report.results.add("newton.residual",
                      compare(distance_after_period<double>(problem, orbit.start),
                              double(distance_after_period<Wide>(problem, orbit.start))));
@@ -145,24 +171,7 @@ void report_convergence(Report& report) {
   };
   report.facts.add("newton_iterations", exact(double(orbit.iterations())));
   report.facts.add("condition_site", compare(matrix(coarse), matrix(orbit)));
-  report.facts.add("condition_full", compare(short_of.condition(), full.condition()));
-  const auto along = [&](const FullMap& map) {
-    const Vector<double> softest = map.svd.matrixV().col(map.x.size() - 1);
-    return alignment(softest, gradient(orbit.start.y));
-  };
-  report.facts.add("softest_along_gradient", compare(along(short_of), along(full)));
-  report.facts.add("full_residual", exact(full.history.back().residual), "relative to amplitude");
-  report.facts.add("full_step", exact(full.history.back().step), "relative to amplitude");
-
-  Table table{{label("equations", "symmetric or full period map"),
-               count("iteration", "number of Newton steps made"),
-               number("residual", "of the equations solved, relative to the amplitude"),
-               number("step", "of the next iteration, relative to the amplitude")}};
-  for (const auto& [name, history] :
-       {std::pair{"symmetric", orbit.history}, {"full", full.history}})
-    for (std::size_t k = 0; k < history.size(); ++k)
-      table.add({std::string(name), std::int64_t(k), history[k].residual, history[k].step});
-  report.output.add("newton_history", std::move(table));
+  compare_with_full_map(report, orbit);
 }
 
 /**
@@ -352,23 +361,13 @@ struct Tail {
 };
 
 /**
-Super-exponential decay is decided by the exponent at the last two places where it can be formed:
-both must be within 0.005 of $3/2$. An exponential tail would have the exponent one. */
-void report_tail(Report& report) {
-  const Tail tail;
-  long last = 0, last_wide = 0;
-  while (tail.wide_size(last_wide + 1) > 0) ++last_wide;
-  while (tail.size(last + 1) > 1e-300) ++last;
-  const double end = double(std::log(tail.wide_size(last_wide))), none = std::nan("");
-  const double exponent = tail.exponent(last_wide - 1), before = tail.exponent(last_wide - 2);
-  report.results.claim("newton.decay",
-                       std::abs(exponent - 1.5) < 0.005 && std::abs(before - 1.5) < 0.005);
-  report.facts.add("tail_exponent", compare(before, exponent));
-  report.facts.add("tail_last_double", exact(double(last)), "site");
-  report.facts.add("tail_last_wide", exact(double(last_wide)), "site");
+The figure shows moduli on one side and, on the other, the straight line that the law demands of
+$\ln(-\ln|y_n|)$. */
+Table tail_table(const Tail& tail, long last_wide) {
+  const double none = std::nan(""), end = double(std::log(tail.wide_size(last_wide)));
   Table table{{count("n", "site", "site"),
                number("size", "|y_n(0)| in double precision; nan where it has underflown"),
-               number("size_error", "difference from the wider type"),
+               number("size_error", "difference from the wider type; nan where size is"),
                number("exponent", "ln |y_(n+1)| / ln |y_n| away from the centre"),
                number("double_log", "ln(-ln |y_n(0)|) in the wider type"),
                number("law", "the same by the law 3/2 from the outermost site inwards")}};
@@ -380,13 +379,30 @@ void report_tail(Report& report) {
                tail.exponent(n), wide > 0 ? double(std::log(-std::log(wide))) : none,
                std::log(-end) + double(std::abs(n) - last_wide) * std::log(1.5)});
   }
-  report.output.add("tail", std::move(table));
+  return table;
+}
+
+/**
+Super-exponential decay is decided by the exponent at the last two places where it can be formed:
+both must be within 0.005 of $3/2$. An exponential tail would have the exponent one. */
+void report_tail(Report& report) {
+  const Tail tail;
+  long last = 0, last_wide = 0;
+  while (tail.wide_size(last_wide + 1) > 0) ++last_wide;
+  while (tail.size(last + 1) > 1e-300) ++last;
+  const double exponent = tail.exponent(last_wide - 1), before = tail.exponent(last_wide - 2);
+  report.results.claim("newton.decay",
+                       std::abs(exponent - 1.5) < 0.005 && std::abs(before - 1.5) < 0.005);
+  report.facts.add("tail_exponent", compare(before, exponent));
+  report.facts.add("tail_last_double", exact(double(last)), "site");
+  report.facts.add("tail_last_wide", exact(double(last_wide)), "site");
+  report.output.add("tail", tail_table(tail, last_wide));
 }
 
 /**
 ## The branches (figure 06)
 
-Both families are followed by arclength from $\omega_b = 1.005$ to $2$ (continuation.hpp). The
+Both families are followed by arclength from $\omega_b = 1.001$ to $2$ (continuation.hpp). The
 article finds their energies indistinguishable. The largest relative difference is
 [6.97863e-7](num:newton.energy_equal), at $\omega_b =$
 [1.005](num:sec32_newton_breathers.largest_energy_difference_at): it grows towards $\omega_b = 1$, where
@@ -395,7 +411,9 @@ What so small a difference does to the motion of a breather is told in the next 
 
 ![Amplitude and energy of both families.](fig:06) */
 void report_branches(Report& report) {
-  Ladder ladder = climb_pairs(0, ladder_frequencies(0, report.quick ? 10 : 80), measure_in<double>);
+  std::vector<double> omegas = ladder_frequencies(0, report.quick ? 10 : 80);
+  omegas.insert(omegas.begin(), 1.001);
+  const Ladder ladder = climb_pairs(0, omegas, measure_in<double>);
   Table table{{number("omega", "frequency"), number("amplitude_bond", "largest |y_n(0)|"),
                number("amplitude_site", "largest |y_n(0)|"),
                number("energy_bond", "energy, bond-centred"),
@@ -416,6 +434,21 @@ void report_branches(Report& report) {
   report.output.add("branches", std::move(table));
   report.results.add("newton.energy_equal", apart, "relative");
   report.facts.add("largest_energy_difference_at", exact(where));
+}
+
+/**
+The whole chapter runs in the order in which it is told. */
+Results everything(Output& output, bool quick) {
+  output.note("tolerance", "flow to 128 and 2048 roundings of the type");
+  Report report{output, quick};
+  report_convergence(report);
+  report_symmetry(report);
+  report_profiles(report);
+  report_persistence(report);
+  report_tail(report);
+  report_branches(report);
+  output.add("facts", report.facts.table);
+  return report.results;
 }
 
 /**
@@ -472,6 +505,8 @@ Table breather_table(const BreatherProblem<T>& problem, const Orbit<T>& orbit,
   return q.table;
 }
 
+/**
+A profile is wanted to relative accuracy at every site, tails included. */
 template <class T>
 Table breather_profile(const Orbit<T>& orbit) {
   Table table{{count("n", "site", "site"), number("y", "position at t = 0")}};
@@ -480,7 +515,8 @@ Table breather_profile(const Orbit<T>& orbit) {
   return table;
 }
 
-/// The expected time is that of this machine's order of magnitude, measured on two chains.
+/**
+Double precision finds the orbit, and each wider type confirms the one before. */
 Table breather_command(const BreatherOptions& options) {
   const auto [problem, orbit] = fitted(options);
   if (options.profile && !options.extended()) {
@@ -520,26 +556,17 @@ int main(int argc, char** argv) {
                                   [&] { return breather_command(options); });
   one->add_option("--omega", options.omega, "frequency omega_b > 1")->check(in_range(1.0001, 3));
   one->add_option("--s", options.s, "anharmonicity of the well")->check(in_range(-10, 10));
-  one->add_option("--centre", options.centre, "site or bond")
-      ->check(CLI::IsMember({"site", "bond"}));
+  const auto among = [&](const char* name, std::string& into, std::vector<std::string> names,
+                         const char* meaning) {
+    one->add_option(name, into, meaning)->check(CLI::IsMember(std::move(names)));
+  };
+  among("--centre", options.centre, {"site", "bond"}, "site or bond");
   one->add_option("--sites", options.sites, "chain length (default: 31 or 32)")
       ->check(in_range(3, 1001));
-  one->add_option("--precision", options.precision, "double or extended")
-      ->check(CLI::IsMember({"double", "extended"}));
-  one->add_option("--phase", options.phase, "central contact of a bond-centred breather at t = 0")
-      ->check(CLI::IsMember({"compressed", "stretched"}));
+  among("--precision", options.precision, {"double", "extended"}, "double or extended");
+  among("--phase", options.phase, {"compressed", "stretched"},
+        "central contact of a bond-centred breather at t = 0");
   one->add_flag("--profile", options.profile, "print the positions n,y instead");
-  program.everything = [&](Output& output) {
-    output.note("tolerance", "flow to 128 and 2048 roundings of the type");
-    Report report{output, program.quick};
-    report_convergence(report);
-    report_symmetry(report);
-    report_profiles(report);
-    report_persistence(report);
-    report_tail(report);
-    report_branches(report);
-    output.add("facts", report.facts.table);
-    return report.results;
-  };
+  program.everything = [&](Output& output) { return everything(output, program.quick); };
   return program.run(argc, argv);
 }

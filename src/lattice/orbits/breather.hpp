@@ -46,6 +46,8 @@ BreatherProblem<T> breather_problem(Centre centre, const T& omega, double s, std
   return problem;
 }
 
+/**
+Newton needs a guess, and close to $\omega_b = 1$ the quasi-continuum profile is one. */
 /// The approximate breather of Eq. (20), at rest.
 inline State<double> ansatz(Centre centre, double omega, std::size_t sites,
                             Phase phase = Phase::compressed) {
@@ -73,6 +75,8 @@ inline Orbit<double> find_breather(const BreatherProblem<double>& problem,
   return branch.reach(problem.omega);
 }
 
+/**
+Double precision finds an orbit, a wider type confirms its digits. */
 /// The same problem in another precision.
 template <class T>
 BreatherProblem<T> in_precision(const BreatherProblem<double>& problem) {
@@ -98,6 +102,8 @@ std::size_t sites_needed(const Orbit<T>& orbit, double precision) {
   return y.size() - 2 * cut;
 }
 
+/**
+Whoever names a chain length gets that chain or a reason why not. */
 /// A breather on a chain that can hold it.
 struct Fitted {
   BreatherProblem<double> problem;
@@ -112,6 +118,8 @@ struct ShortChain : std::invalid_argument {
         needed(sites) {}
 };
 
+/**
+Far up a branch the breather of the longer chain is also the best guess for the shorter one. */
 /// The breather on `sites` sites, which must hold its tail down to `precision`. With `sites` = 0
 /// the chain is as long as necessary but not shorter than `usual`.
 inline Fitted fit_chain(Centre centre, double omega, double s, std::size_t sites, std::size_t usual,
@@ -131,6 +139,9 @@ inline Fitted fit_chain(Centre centre, double omega, double s, std::size_t sites
   return {problem, newton(problem, problem.fold(start))};
 }
 
+/**
+A breather can be shifted along the chain at almost no price, and the direction in which that happens
+is nearly the difference of its neighbours. */
 /// Discrete gradient of a profile, y_(n+1) - y_(n-1), zero at both ends: nearly the direction in
 /// which a breather can be shifted along the chain.
 inline Vector<double> gradient(const std::vector<double>& y) {

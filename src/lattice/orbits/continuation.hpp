@@ -55,6 +55,8 @@ struct Along {
   }
 };
 
+/**
+Two parameters serve most chapters; any other is written where it is needed. */
 /// Along the frequency omega_b.
 template <class Problem>
 Along<Problem> along_omega() {
@@ -78,6 +80,8 @@ struct Stride {
   int corrections = 6;
 };
 
+/**
+A family need not have a member at every parameter. */
 /// The branch ends or turns back before the parameter that was asked for.
 struct NoBranch : std::runtime_error {
   using std::runtime_error::runtime_error;
@@ -108,6 +112,8 @@ class Branch {
   Problem problem() const { return along_.at(problem_, parameter()); }
   Vector<T> unknowns() const { return unknowns(z_); }
 
+  /**
+  Inside, $\xi$ is scaled to a maximum of one at the first point. */
  private:
   static T ell(const Vector<T>& z) { return z[z.size() - 1]; }
   Vector<T> unknowns(const Vector<T>& z) const {
@@ -123,6 +129,8 @@ class Branch {
     right[all.rows() - 1] = T(1);
     return solve_system<T>(all, right, rule_.rank);
   }
+  /**
+  Three things are computed at a point, and one is corrected. */
   Shot<T> shot_at(const Vector<T>& z) const;
   Matrix<T> bordered(const Vector<T>& z, const Shot<T>& shot, const Vector<T>& border) const;
   Vector<T> parameter_derivative(const Vector<T>& z, const Shot<T>& shot) const;
@@ -138,6 +146,8 @@ class Branch {
   int used_ = 0;
 };
 
+/**
+At the first point the parameter is prescribed; what the equations then allow is the tangent. */
 template <class Problem>
 Branch<Problem>::Branch(Problem problem, Along<Problem> which, const Orbit<T>& start, int direction,
                         NewtonRule<T> rule, Stride stride)
@@ -164,7 +174,9 @@ Shot<typename Problem::Scalar> Branch<Problem>::shot_at(const Vector<T>& z) cons
   return along_.at(problem_, along_.parameter(ell(z))).shoot(unknowns(z), rule_.landing);
 }
 
-/// Derivative of the equations with respect to the last coordinate.
+/**
+The last coordinate enters the equations through the problem and, along the frequency, through the
+scale of the unknowns too. */
 template <class Problem>
 Vector<typename Problem::Scalar> Branch<Problem>::parameter_derivative(const Vector<T>& z,
                                                                        const Shot<T>& shot) const {
@@ -180,7 +192,9 @@ Vector<typename Problem::Scalar> Branch<Problem>::parameter_derivative(const Vec
   return (at(value + change) - at(value - change)) / (T(2) * change);
 }
 
-/// The equations' derivatives with respect to all coordinates, and below them the border.
+/**
+The matrix of the corrector holds the equations' derivatives with respect to all coordinates, and
+below them a border that says which direction is not to be taken. */
 template <class Problem>
 Matrix<typename Problem::Scalar> Branch<Problem>::bordered(const Vector<T>& z, const Shot<T>& shot,
                                                            const Vector<T>& border) const {

@@ -21,6 +21,9 @@ what their comparison gives at two resolutions. */
 
 namespace lattice {
 
+/**
+All ladders stand on chains of one length and are climbed at two tolerances, and double precision is
+checked against a wider type. */
 /// What double precision is checked against: a 64-bit mantissa where the processor has one.
 using Wide = long double;
 
@@ -42,6 +45,8 @@ NewtonRule<T> rule(int coarser) {
   return out;
 }
 
+/**
+A rung holds the two breathers of one frequency, site-centred first, and what was measured on them. */
 struct Rung {
   double s = 0, omega = 0;
   std::array<Orbit<double>, 2> orbit{};  ///< site, bond
@@ -50,8 +55,9 @@ struct Rung {
   bool wide = false;
 };
 
-/// All that two resolutions have to agree on. The coarser one starts a little beside the orbit, so
-/// that it has to find its own way back.
+/**
+Two resolutions have to agree on all that is here. The coarser one starts a little beside the orbit,
+so that it has to find its own way back. */
 template <class T>
 struct Measured {
   std::array<Orbit<T>, 2> orbit;
@@ -71,9 +77,10 @@ struct Measured {
   }
 };
 
-/// A value at two resolutions. Comparison with quadruple precision shows errors of up to ten
-/// tolerances of the energy, so that the error is not taken to be below sixteen, 2048 roundings of
-/// `size`. A breather's E - A / T is stationary, and the barrier at equal area suffers less.
+/**
+Their difference is the error. Comparison with quadruple precision shows errors of up to ten
+tolerances of the energy, so that the error is not taken to be below sixteen, 2048 roundings of
+`size`. A breather's $E - \mathcal A/T_b$ is stationary, and the barrier at equal area suffers less. */
 template <class T>
 Estimate agree(const T& coarse, const T& fine, const T& size) {
   const T floor = T(2048) * std::numeric_limits<T>::epsilon() * magnitude(size);
@@ -98,6 +105,9 @@ void measure_in(Rung& rung) {
   rung.wide = sizeof(T) > sizeof(double);
 }
 
+/**
+A barrier is a small difference of two energies. We ask for it to three parts in a thousand, and
+where double precision does not give that, the wider type measures again. */
 /// Whether a value is known to three parts in a thousand.
 inline bool settled(const Estimate& e) {
   return e.error <= 3e-3 * std::abs(e.value);
@@ -108,6 +118,9 @@ inline void measure(Rung& rung) {
   if (!settled(rung.equal_frequency) || !settled(rung.equal_area)) measure_in<Wide>(rung);
 }
 
+/**
+Ladders are climbed along the branches, so that there is never a doubt to which family a breather
+belongs; a branch that folds ends its ladder. */
 /// One family at increasing frequencies, as far as it reaches.
 inline std::vector<Orbit<double>> climb(Centre centre, double s,
                                         const std::vector<double>& omegas) {
@@ -134,6 +147,8 @@ inline std::vector<double> ladder_frequencies(double s, int count) {
   return out;
 }
 
+/**
+The families know nothing of each other until their rungs are measured, and neither do the rungs. */
 /// Both families at these frequencies, as far as they reach, each rung measured by `measure_rung`.
 template <class Measure>
 Ladder climb_pairs(double s, const std::vector<double>& omegas, Measure measure_rung) {
@@ -143,16 +158,13 @@ Ladder climb_pairs(double s, const std::vector<double>& omegas, Measure measure_
   const auto& [site, bond] = families;
   for (std::size_t k = 0; k < std::min(site.size(), bond.size()); ++k)
     ladder.push_back({s, site[k].omega, {site[k], bond[k]}});
-  Progress progress("branches", ladder.size());
-  parallel_for(ladder.size(), [&](std::size_t i) {
-    measure_rung(ladder[i]);
-    progress.tick();
-  });
+  parallel_for("branches", ladder.size(), [&](std::size_t i) { measure_rung(ladder[i]); });
   return ladder;
 }
 
-/// The rung at a frequency between those of two others: in the coordinates of continuation.hpp the
-/// branches are almost straight, and Newton's method starts from the point in between.
+/**
+Between two rungs there is always another: in the coordinates of continuation.hpp the branches are
+almost straight, and Newton's method starts from the point in between. */
 inline Rung rung_between(const Rung& left, const Rung& right, double omega) {
   Rung rung{left.s, omega};
   const auto scaled = [&](double from) { return std::pow((omega - 1) / (from - 1), 2); };
@@ -182,20 +194,16 @@ inline Estimate zero_between(const Rung& left, const Rung& right, Estimate Rung:
     measure_in<double>(at);
     const double value = (at.*gap).value;
     const bool beyond = (value > 0) == (above > 0);
-    if (beyond)
-      high = omega, above = value;
-    else
-      low = omega, below = value;
+    (beyond ? high : low) = omega, (beyond ? above : below) = value;
     const int side = beyond ? 1 : -1;
     if (stays == side) (beyond ? below : above) /= 2;
     stays = side;
     if (std::abs(value) <= 4 * (at.*gap).error || high - low < 1e-9) break;
   }
   measure_in<Wide>(at);
-  const double step = (at.*gap).value / slope, width = right.omega - left.omega;
-  if (!(std::abs(step) < 0.01 * width))
-    throw std::runtime_error("the zero of the barrier near omega_b = " + std::to_string(at.omega) +
-                             " was not found");
+  const double step = (at.*gap).value / slope;
+  if (!(std::abs(step) < 0.01 * (right.omega - left.omega)))
+    throw std::runtime_error("no zero of the barrier found near " + std::to_string(at.omega));
   return {at.omega - step, std::abs((at.*gap).error / slope) + std::abs(step) * 1e-3 + 1e-15};
 }
 

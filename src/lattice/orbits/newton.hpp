@@ -48,7 +48,9 @@ T sup(const Vector<T>& x) {
   return most;
 }
 
-/// What one integration says: residuals, their derivatives, and how accurate the flow was.
+/**
+Newton learns about a problem from one integration at a time. It says by how much the equations are
+missed, how that depends on the unknowns, and how accurate the flow was. */
 template <class T>
 struct Shot {
   Vector<T> miss, miss_period;  ///< residuals and their derivative with respect to the period
@@ -116,7 +118,9 @@ inline std::string to_text(const History& history) {
   return text;
 }
 
-/// Newton's method failed; the message contains the residuals of all iterations.
+/**
+Where the method fails, the residuals of all iterations are the message: they tell a bad guess from
+an inaccurate flow or a branch that ends. */
 struct NoConvergence : std::runtime_error {
   History history;
   NoConvergence(const std::string& what, History steps)
@@ -156,6 +160,33 @@ struct Solution {
   History history;
 };
 
+template <class Problem, class T>
+NoConvergence failure(const Problem& problem, const std::string& why, const Solution<T>& so_far) {
+  return {problem.name() + ": " + why, so_far.history};
+}
+
+/**
+The residual is the largest of the equations, each in its unit. Far from any orbit a full step may
+lead farther away; a damped iteration then takes the largest half, quarter, ... of it that lowers
+the residual, and gives up below a thousandth. */
+template <class Problem, class T>
+T residual_of(const Problem& problem, const Shot<T>& shot, const Vector<T>& at,
+              const NewtonRule<T>& rule) {
+  return sup<T>(shot.miss.cwiseQuotient(problem.sizes(at, rule.graded).equation));
+}
+
+/// The share of the step to take; zero where none helps.
+template <class Problem, class T>
+T damping(const Problem& problem, const Vector<T>& x, const Vector<T>& step, const T& last,
+          const NewtonRule<T>& rule) {
+  for (T share(1); share > T(1e-3); share /= T(2)) {
+    const Vector<T> trial = x - share * step;
+    const Shot<T> shot = problem.shoot(trial, rule.landing, false);
+    if (residual_of(problem, shot, trial, rule) < last) return share;
+  }
+  return T(0);
+}
+
 /**
 ## The iteration
 
@@ -167,42 +198,32 @@ Solution<T> iterate(const Problem& problem, Vector<T> x, const NewtonRule<T>& ru
                     Direction direction) {
   Solution<T> best{x, {}, {}};
   T last = std::numeric_limits<T>::infinity();
-  const auto fail = [&](const std::string& why) {
-    return NoConvergence(problem.name() + ": " + why, best.history);
-  };
-  const auto residual_of = [&](const Shot<T>& shot, const Vector<T>& at) {
-    return sup<T>(shot.miss.cwiseQuotient(problem.sizes(at, rule.graded).equation));
-  };
   for (int i = 0; i <= rule.most; ++i) {
     Shot<T> shot = problem.shoot(x, rule.landing, jacobian);
-    const T residual = residual_of(shot, x);
+    const T residual = residual_of(problem, shot, x, rule);
     best.history.push_back({double(residual), 0});
-    if (!(residual < T(rule.graded ? 1e300 : 1e3))) throw fail("Newton runs away");
+    if (!(residual < T(rule.graded ? 1e300 : 1e3)))
+      throw failure(problem, "Newton runs away", best);
     const bool small = last <= rule.enough(), better = residual < last;
     if (better || !small) best.shot = std::move(shot), best.x = x;
     if (small && !(residual < last / T(4))) {
       if (!better) best.history.pop_back();
-      if (!is_accurate(best.shot.flow, rule.landing))
-        throw fail("the integration is not accurate enough for an orbit");
-      return best;
+      if (is_accurate(best.shot.flow, rule.landing)) return best;
+      throw failure(problem, "the integration is not accurate enough for an orbit", best);
     }
     last = residual;
-    const Vector<T> step = direction(best.shot, x);
-    best.history.back().step =
-        double(sup<T>(step.cwiseQuotient(problem.sizes(x, rule.graded).unknown)));
-    T share(1);
-    for (; rule.damped && share > T(1e-3); share /= T(2))
-      if (const Vector<T> trial = x - share * step;
-          residual_of(problem.shoot(trial, rule.landing, false), trial) < last || last == T(0))
-        break;
-    if (rule.damped && !(share > T(1e-3)) && last > rule.enough())
-      throw fail("no step lowers the residual");
+    const Vector<T> step = direction(best.shot, x), unit = problem.sizes(x, rule.graded).unknown;
+    best.history.back().step = double(sup<T>(step.cwiseQuotient(unit)));
+    const T share =
+        rule.damped && last > rule.enough() ? damping(problem, x, step, last, rule) : T(1);
+    if (share == T(0)) throw failure(problem, "no step lowers the residual", best);
     x -= share * step;
   }
-  throw fail("Newton does not converge");
+  throw failure(problem, "Newton does not converge", best);
 }
 
-/// Solves `problem` from the guess `x`. Throws NoConvergence, with the history.
+/**
+The plain method solves with the derivative at each point. Throws NoConvergence, with the history. */
 template <class Problem, class T = typename Problem::Scalar>
 Solution<T> solve(const Problem& problem, const Vector<T>& x, const NewtonRule<T>& rule = {}) {
   return iterate(problem, x, rule, true, [&](const Shot<T>& shot, const Vector<T>& at) {

@@ -54,7 +54,8 @@ Tangent<T> tangent_of(const Basis& basis, std::size_t sites) {
   return tangent;
 }
 
-/// Entry `i` of a state: positions first, then velocities.
+/**
+Symmetries count the entries of a state through: positions first, then velocities. */
 template <class T>
 const T& entry(const State<T>& state, std::size_t i) {
   const std::size_t n = state.y.size();
@@ -89,6 +90,8 @@ struct Shooting {
   Vector<T> residuals(const State<T>& start, const State<T>& end) const;
 };
 
+/**
+Messages of Newton's method name the orbit that was looked for. */
 template <class T, class Onsite, class Contact>
 std::string Shooting<T, Onsite, Contact>::name() const {
   char text[96];
@@ -169,6 +172,10 @@ Sizes<T> Shooting<T, Onsite, Contact>::sizes(const Vector<T>& x, bool graded) co
   return out;
 }
 
+/**
+## A shot
+
+Residuals need the two ends of a flight and no derivative. */
 template <class T, class Onsite, class Contact>
 Vector<T> Shooting<T, Onsite, Contact>::residuals(const State<T>& start,
                                                   const State<T>& end) const {
@@ -183,10 +190,22 @@ Vector<T> Shooting<T, Onsite, Contact>::residuals(const State<T>& start,
 }
 
 /**
-## A shot
+The rows of the Jacobian are the same combinations of the tangent's rows. A change of the period moves
+the end of the flight along the orbit, by the velocity over the number of parts. */
+template <class T>
+void add_slopes_of(const Symmetry& symmetry, const Tangent<T>& begin, const Tangent<T>& end,
+                   Matrix<T>& jacobian) {
+  for (std::size_t i = 0; i < symmetry.equations.size(); ++i)
+    for (std::size_t k = 0; k < symmetry.unknowns.size(); ++k) {
+      T& sum = jacobian(Eigen::Index(i), Eigen::Index(k));
+      for (const Term& term : symmetry.equations[i].end) sum += T(term.sign) * end(term.index, k);
+      for (const Term& term : symmetry.equations[i].start)
+        sum += T(term.sign) * begin(term.index, k);
+    }
+}
 
-The columns of the tangent are the unknowns and nothing else. A change of the period moves the end
-of the flight along the orbit, by the velocity over the number of parts. */
+/**
+The columns of the tangent are the unknowns and nothing else. */
 template <class T, class Onsite, class Contact>
 Shot<T> Shooting<T, Onsite, Contact>::shoot(const Vector<T>& x, const Landing<T>& rule,
                                             bool with_jacobian) const {
@@ -201,24 +220,12 @@ Shot<T> Shooting<T, Onsite, Contact>::shoot(const Vector<T>& x, const Landing<T>
   State<T> rate(chain.sites);
   rate.y = z.v;
   rate.v = accelerations(chain, z.y);
-  const auto rows = Eigen::Index(symmetry.equations.size());
-  const auto columns = Eigen::Index(symmetry.unknowns.size());
   shot.miss = residuals(start, z);
-  shot.miss_period = Vector<T>::Zero(rows);
-  if (with_jacobian) shot.jacobian = Matrix<T>::Zero(rows, x.size());
-  for (Eigen::Index i = 0; i < rows; ++i) {
-    const Equation& equation = symmetry.equations[std::size_t(i)];
-    const auto add = [&](const Term& term, const Tangent<T>& slopes) {
-      for (Eigen::Index k = 0; with_jacobian && k < columns; ++k)
-        shot.jacobian(i, k) += T(term.sign) * slopes(term.index, std::size_t(k));
-    };
-    for (const Term& term : equation.end) {
-      add(term, tangent);
-      shot.miss_period[i] += T(term.sign) * entry(rate, term.index) / T(symmetry.parts);
-    }
-    for (const Term& term : equation.start) add(term, first);
-  }
-  if (with_jacobian && symmetry.free_period) shot.jacobian.col(columns) = shot.miss_period;
+  shot.miss_period = residuals(State<T>(chain.sites), rate) / T(symmetry.parts);
+  if (!with_jacobian) return shot;
+  shot.jacobian = Matrix<T>::Zero(shot.miss.size(), x.size());
+  add_slopes_of(symmetry, first, tangent, shot.jacobian);
+  if (symmetry.free_period) shot.jacobian.col(x.size() - 1) = shot.miss_period;
   return shot;
 }
 
@@ -249,6 +256,8 @@ struct Orbit {
   T period() const { return T(2) * circle_ratio<T>() / omega; }
 };
 
+/**
+Everything but the slopes is read off the last shot. */
 template <class T, class Onsite, class Contact>
 Orbit<T> describe(const Shooting<T, Onsite, Contact>& problem, const Solution<T>& found) {
   Orbit<T> orbit;
@@ -265,7 +274,8 @@ Orbit<T> describe(const Shooting<T, Onsite, Contact>& problem, const Solution<T>
   return orbit;
 }
 
-/// Adds what needs the derivative along the branch.
+/**
+The energy changes along the branch with the positions, against the forces, and with the velocities. */
 template <class T, class Onsite, class Contact>
 void add_slopes(const Shooting<T, Onsite, Contact>& problem, const Vector<T>& x_omega,
                 Orbit<T>& orbit) {
@@ -278,6 +288,8 @@ void add_slopes(const Shooting<T, Onsite, Contact>& problem, const Vector<T>& x_
         T(problem.chain.mass_of(n)) * (orbit.start.v[n] * rate.v[n] - a[n] * rate.y[n]);
 }
 
+/**
+This is what programs call. */
 /// The orbit near the guess `x`; throws NoConvergence.
 template <class T, class Onsite, class Contact>
 Orbit<T> newton(const Shooting<T, Onsite, Contact>& problem, const Vector<T>& x,
