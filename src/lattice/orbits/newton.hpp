@@ -165,6 +165,12 @@ NoConvergence failure(const Problem& problem, const std::string& why, const Solu
   return {problem.name() + ": " + why, so_far.history};
 }
 
+template <class Problem, class T>
+Solution<T> accepted(const Problem& problem, Solution<T> found, const NewtonRule<T>& rule) {
+  if (is_accurate(found.shot.flow, rule.landing)) return found;
+  throw failure(problem, "the integration is not accurate enough for an orbit", found);
+}
+
 /**
 The residual is the largest of the equations, each in its unit. Far from any orbit a full step may
 lead farther away; a damped iteration then takes the largest half, quarter, ... of it that lowers
@@ -175,16 +181,16 @@ T residual_of(const Problem& problem, const Shot<T>& shot, const Vector<T>& at,
   return sup<T>(shot.miss.cwiseQuotient(problem.sizes(at, rule.graded).equation));
 }
 
-/// The share of the step to take; zero where none helps.
+/// The share of the step from the best point so far; throws where none helps.
 template <class Problem, class T>
-T damping(const Problem& problem, const Vector<T>& x, const Vector<T>& step, const T& last,
+T damping(const Problem& problem, const Vector<T>& step, const T& last, const Solution<T>& best,
           const NewtonRule<T>& rule) {
   for (T share(1); share > T(1e-3); share /= T(2)) {
-    const Vector<T> trial = x - share * step;
+    const Vector<T> trial = best.x - share * step;
     const Shot<T> shot = problem.shoot(trial, rule.landing, false);
     if (residual_of(problem, shot, trial, rule) < last) return share;
   }
-  return T(0);
+  throw failure(problem, "no step lowers the residual", best);
 }
 
 /**
@@ -208,16 +214,13 @@ Solution<T> iterate(const Problem& problem, Vector<T> x, const NewtonRule<T>& ru
     if (better || !small) best.shot = std::move(shot), best.x = x;
     if (small && !(residual < last / T(4))) {
       if (!better) best.history.pop_back();
-      if (is_accurate(best.shot.flow, rule.landing)) return best;
-      throw failure(problem, "the integration is not accurate enough for an orbit", best);
+      return accepted(problem, std::move(best), rule);
     }
     last = residual;
     const Vector<T> step = direction(best.shot, x), unit = problem.sizes(x, rule.graded).unknown;
     best.history.back().step = double(sup<T>(step.cwiseQuotient(unit)));
-    const T share =
-        rule.damped && last > rule.enough() ? damping(problem, x, step, last, rule) : T(1);
-    if (share == T(0)) throw failure(problem, "no step lowers the residual", best);
-    x -= share * step;
+    x -= (rule.damped && last > rule.enough() ? damping(problem, step, last, best, rule) : T(1)) *
+         step;
   }
   throw failure(problem, "Newton does not converge", best);
 }
