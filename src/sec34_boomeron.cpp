@@ -41,8 +41,8 @@ The article shows three impacts, all in wells with $s=1$, and states about them:
 - at $v_0=1.87$ it is about to turn near $t=240$ (`boomeron.turning_time`).
 
 Each is followed until the turning it is asked about is over, in a chain so long that the packet
-does not see its far end. For which impacts and wells packets turn, and why, is asked in two chapters
-of their own. */
+does not see its far end. For which impacts and wells packets turn, and why, is asked in two
+chapters of their own. */
 struct Case {
   const char* name;  ///< in the facts
   Strike strike;
@@ -113,8 +113,8 @@ Table density_maps(bool quick) {
 
 What the eye reads from figure 22 has to become numbers: the apex, the first time at which the
 velocity vanishes and the rebound, all read off the smoothed path, with the errors of the step and
-of the smoothing (turning.hpp). A packet that creeps along a plateau stops, moves on, and turns later; so stop
-and apex are two different answers to the question when it turns.
+of the smoothing (turning.hpp). A packet that creeps along a plateau stops, moves on, and turns
+later; so stop and apex are two different answers to the question when it turns.
 
 At $v_0=1.9$ the packet stops at [289](num:sec34_boomeron.stop_time_190), its apex is site
 [20.065](num:sec34_boomeron.apex_site_190) at time [467](num:sec34_boomeron.apex_time_190), and it
@@ -275,8 +275,8 @@ Spread spread_at(const std::vector<Path>& paths, std::size_t k) {
 }
 
 /**
-The smoothed centres are compared, every ten units of time: without the smoothing the beat alone would
-spread packets that differ in phase only. */
+The smoothed centres are compared, every ten units of time: without the smoothing the beat alone
+would spread packets that differ in phase only. */
 std::vector<Spread> ensemble(std::size_t members, double step, double time) {
   const std::vector<double> velocity = random_impacts(members);
   std::vector<Path> paths(members);
@@ -492,10 +492,10 @@ void report_printed_range(Report& report) {
 /**
 ## Checks
 
-A turning that depended on our own stepper would be no fact about the chain. The independent route for
-the way out is GSL's adaptive method of order eight, which knows nothing of contacts; we ask that it
-agrees within $10^{-7}$, far below what any number of this chapter claims. For the whole way, where
-GSL would be slow, it is another scheme of ours, with fourteen stages. */
+A turning that depended on our own stepper would be no fact about the chain. The independent route
+for the way out is GSL's adaptive method of order eight, which knows nothing of contacts; we ask
+that it agrees within $10^{-7}$, far below what any number of this chapter claims. For the whole
+way, where GSL would be slow, it is another scheme of ours, with fourteen stages. */
 void report_check(Report& report) {
   const Strike strike{1.9, 1, 100, 60};
   Voyage ours = voyage({0.0125}, strike);
@@ -582,12 +582,13 @@ Results reproduce(Report& report) {
 /**
 ## Differences and limits
 
-The article does not say how it integrates, what its chain length is, or how it averages. Its turning
-at $v_0\approx1.87$ near $t=240$ we do not find: there the centre still moves, and it stops only at
-[5e2](num:boomeron.turning_time), or somewhere between
+The article does not say how it integrates, what its chain length is, or how it averages. Its
+turning at $v_0\approx1.87$ near $t=240$ we do not find: there the centre still moves, and it stops
+only at [5e2](num:boomeron.turning_time), or somewhere between
 [319.813](num:sec34_boomeron.stop_time_187_earliest) and
-[492.97](num:sec34_boomeron.stop_time_187_latest) if we use the freedom of the printed digits. The velocity profile alone, which is all the figure shows, does
-not tell a packet that stands from one that creeps.
+[492.97](num:sec34_boomeron.stop_time_187_latest) if we use the freedom of the printed digits. The
+velocity profile alone, which is all the figure shows, does not tell a packet that stands from one
+that creeps.
 
 The impact with 1.5, the example of a slow deceleration, does turn in the end, far outside of the
 figure: at site [183.239](num:sec34_boomeron.apex_site_150) and time

@@ -3,8 +3,8 @@
 
 Section 3.4 of James, Kevrekidis and Cuevas (Physica D 251, 2013) reports that the travelling
 breather launched by an impact turns round as soon as the wells are hard, "$s>0$ (we have checked it
-for $s\ge0.005$), but not for $s=0$" (`boomeron.any_s`), without saying for which impacts. We map the
-turning against impact velocity and hardness and find the law of its boundary.
+for $s\ge0.005$), but not for $s=0$" (`boomeron.any_s`), without saying for which impacts. We map
+the turning against impact velocity and hardness and find the law of its boundary.
 
      log s |  .        turns, or never leaves the end
            |    ' .
@@ -44,9 +44,9 @@ constexpr double horizon = 40;
 ## The scaling that decides
 
 A packet of amplitude $\epsilon$ feels the contacts as a relative force $\epsilon^{1/2}$ and the
-hardness as $s\epsilon^2$, in units in which the well is one. In the limit of small amplitude
-time scales out of the DpS equation with $\epsilon^{1/2}$, and only the ratio $\kappa = s\,v_0^{3/2}$
-is left: what happens at which site can depend on nothing else. So we expect
+hardness as $s\epsilon^2$, in units in which the well is one. In the limit of small amplitude time
+scales out of the DpS equation with $\epsilon^{1/2}$, and only the ratio $\kappa = s\,v_0^{3/2}$ is
+left: what happens at which site can depend on nothing else. So we expect
 $$s_c(v_0) = v_0^{-3/2}\,(\kappa_0 + \kappa_1 v_0^{1/2} + \dots),$$
 the second term being the first correction in $\epsilon^{1/2}$ to that limit. The boundary is thus a
 narrow band across many decades of $s$, and we place the points of each velocity at equal ratios of
@@ -99,9 +99,9 @@ void compute_map(Sweep& sweep, const MapGrid& grid, Part part) {
 /**
 ## The law of the boundary
 
-A fit needs the boundary more finely than the colours of the map show it, so we bisect in $s$, at two
-steps. The error is their difference plus the last interval. A packet that has neither turned nor
-escaped in the time of a run counts with those that turn. */
+A fit needs the boundary more finely than the colours of the map show it, so we bisect in $s$, at
+two steps. The error is their difference plus the last interval. A packet that has neither turned
+nor escaped in the time of a run counts with those that turn. */
 Estimate critical_s(double velocity, int bisections) {
   const auto bisect = [&](int halvings) {
     double low = std::log(0.5), high = std::log(60.0);  // of kappa
@@ -117,8 +117,8 @@ Estimate critical_s(double velocity, int bisections) {
 }
 
 /**
-The impacts reach over four decades, from the limit in which the scaling should hold to amplitudes at
-which the linear part of the well hardly matters. */
+The impacts reach over four decades, from the limit in which the scaling should hold to amplitudes
+at which the linear part of the well hardly matters. */
 struct Threshold {
   std::vector<double> velocity;
   std::vector<Estimate> s;
@@ -137,9 +137,9 @@ Threshold threshold(bool quick) {
 }
 
 /**
-The expected law is a line in $v_0^{1/2}$. We fit it where the amplitude is below three, and judge it by
-its largest relative deviation, because a curved boundary would show at the ends of the line and not
-in the mean. */
+The expected law is a line in $v_0^{1/2}$. We fit it where the amplitude is below three, and judge
+it by its largest relative deviation, because a curved boundary would show at the ends of the line
+and not in the mean. */
 struct Law {
   std::vector<double> root{}, kappa{};  ///< v0^(1/2) and kappa_c below the amplitude three
   Line line{};
@@ -156,8 +156,8 @@ Law fit_law(const Threshold& b) {
 }
 
 /**
-The limit itself lies outside of the points. So the error of $\kappa_0$ is that of the slope, times the
-distance of the points from $v_0=0$. */
+The limit itself lies outside of the points. So the error of $\kappa_0$ is that of the slope, times
+the distance of the points from $v_0=0$. */
 void add_law(Quantities& facts, const Law& law) {
   const double points = double(law.root.size());
   double scatter = 0, square = 0;
@@ -173,8 +173,8 @@ void add_law(Quantities& facts, const Law& law) {
 }
 
 /**
-Above $v_0=1$ we also give the plain power that a reader would draw through the points of a logarithmic
-plot, to compare it with the $-3/2$ of the limit. */
+Above $v_0=1$ we also give the plain power that a reader would draw through the points of a
+logarithmic plot, to compare it with the $-3/2$ of the limit. */
 void report_law(Report& report) {
   const Threshold b = threshold(report.quick);
   const Law law = fit_law(b);
@@ -215,8 +215,8 @@ Estimate slowest_turning(bool quick) {
 }
 
 /**
-The claim stands if a packet turns five per cent beyond that impact, outside of its error, and if none
-of the map's velocities makes the linear chain turn anything, at either of two steps. A single
+The claim stands if a packet turns five per cent beyond that impact, outside of its error, and if
+none of the map's velocities makes the linear chain turn anything, at either of two steps. A single
 packet that turned at $s=0$ would refute it. */
 void report_any_s(Report& report) {
   const MapGrid grid;
@@ -237,9 +237,9 @@ void report_any_s(Report& report) {
 /**
 ## One part of the map
 
-`sec34_boomeron_map map --part 2/8 --folder rows` computes every eighth point from the second on, and
-keeps it in the folder; without `--part` it collects what all parts have left there, computes what
-is missing and prints the whole map. */
+`sec34_boomeron_map map --part 2/8 --folder rows` computes every eighth point from the second on,
+and keeps it in the folder; without `--part` it collects what all parts have left there, computes
+what is missing and prints the whole map. */
 struct MapOptions {
   MapGrid grid{};
   std::string part = "1/1", folder = "build/data/sec34_boomeron_map";
@@ -289,9 +289,9 @@ Results reproduce(Report& report, MapGrid grid) {
 ## Differences and limits
 
 A turning is never seen to be absent, only not seen up to site 40. The apex moves out steeply as
-$\kappa$ falls, so another horizon would change $\kappa_0$ a little and the exponent not at all. Deep
-inside the turning region the motion near the end is erratic, and the fate of single points there
-depends on the last digit; points at which two steps do not agree are marked as undecided.
+$\kappa$ falls, so another horizon would change $\kappa_0$ a little and the exponent not at all.
+Deep inside the turning region the motion near the end is erratic, and the fate of single points
+there depends on the last digit; points at which two steps do not agree are marked as undecided.
 
 ## Extensions
 

@@ -40,8 +40,8 @@ $$\ddot y_n + y_n + s\,y_n^3 = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2} - \
   \qquad \dot y_n(0) = v_0\,\delta_{n,1},$$
 with $s=1$, $v_0=1.9$ and a damping $\gamma_n$ that is zero except where we absorb (damped.hpp).
 Each experiment is made at two steps, of the integration and of the damping at once. The criterion
-of the figure is that a packet has turned when it has come back by five sites (turning.hpp); one that
-is merely caught between two sites swings by less than one.
+of the figure is that a packet has turned when it has come back by five sites (turning.hpp); one
+that is merely caught between two sites swings by less than one.
 
 | article | program | meaning |
 |---|---|---|
@@ -92,8 +92,8 @@ std::vector<double> rates(const Absorber& absorber, const HardChain& chain,
 }
 
 /**
-To cut is to copy the packet alone onto a longer chain, `shift` sites further on, with one site more on
-either side than its energy centre takes into account. If it behaves differently afterwards, the
+To cut is to copy the packet alone onto a longer chain, `shift` sites further on, with one site more
+on either side than its energy centre takes into account. If it behaves differently afterwards, the
 missing waves are the reason, or the missing end. */
 State<double> cut_out(const HardChain& chain, const State<double>& state, std::size_t shift) {
   constexpr std::size_t reach = 6;
@@ -106,9 +106,9 @@ State<double> cut_out(const HardChain& chain, const State<double>& state, std::s
 }
 
 /**
-An absorber that follows the packet changes with it, so a run is made of short stretches of two steps
-each, with rates that are constant in one. The stretch shrinks with the step, so that the error of
-the moving absorber is seen by the comparison of two steps as well. */
+An absorber that follows the packet changes with it, so a run is made of short stretches of two
+steps each, with rates that are constant in one. The stretch shrinks with the step, so that the
+error of the moving absorber is seen by the comparison of two steps as well. */
 void carry_on(const HardChain& chain, State<double>& state, const std::vector<double>& nu,
               double step) {
   const ContactAware stepper{step};
@@ -120,8 +120,8 @@ void carry_on(const HardChain& chain, State<double>& state, const std::vector<do
 }
 
 /**
-Now an experiment can be carried out. After a cut the centre is still told in sites of the old chain,
-and `watch` sees every stretch. */
+Now an experiment can be carried out. After a cut the centre is still told in sites of the old
+chain, and `watch` sees every stretch. */
 template <class Watch>
 Path perform(const Experiment& experiment, double step, double time, Watch watch) {
   HardChain chain{sites, {s}};
@@ -148,9 +148,9 @@ Path perform(const Experiment& experiment, double step, double time, Watch watch
 }
 
 /**
-The decision is one line: did the packet come back? With the waves it does, and the question is whether
-it does without. A packet that is cut out late has already been slowed down and may be caught by
-the lattice; the facts say how far each one moves in the last half of the time. */
+The decision is one line: did the packet come back? With the waves it does, and the question is
+whether it does without. A packet that is cut out late has already been slowed down and may be
+caught by the lattice; the facts say how far each one moves in the last half of the time. */
 std::vector<Experiment> experiments() {
   std::vector<Experiment> list{
       {"waves", {}, 0}, {"behind", {6, 0, 0.1, 0}, 0}, {"end", {0, 1, 0.2, 60}, 0}};
@@ -169,15 +169,9 @@ double advance(const Path& path, double from, double to) {
 }
 
 /**
-Whether a packet came back must not depend on the step: where two steps disagree there is no answer,
-and the program says so and stops. */
-std::vector<Experiment> report_experiments(Report& report) {
-  std::vector<Experiment> list = experiments();
-  const double step = report.quick ? 0.1 : 0.05;
-  parallel_for(2 * list.size(), [&](std::size_t i) {
-    Experiment& e = list[i / 2];
-    (i % 2 ? e.path : e.coarse) = perform(e, i % 2 ? step / 2 : step, watched, Unobserved{});
-  });
+The figure draws the smoothed centres and energies. After a cut the first window of the smoothing
+still reaches back before it, so a path is drawn from the cut on. */
+Table tracks(const std::vector<Experiment>& list) {
   Table table{{count("experiment",
                      "0 waves left, 1 absorbed behind, 2 absorbed at the end, then cut at "
                      "60, 120, 200, 300"),
@@ -187,17 +181,31 @@ std::vector<Experiment> report_experiments(Report& report) {
     const Path p = smooth(list[k].path, smoothing);
     for (std::size_t i = 0; i < p.t.size(); i += 20)
       if (p.t[i] > list[k].cut) table.add({std::int64_t(k), p.t[i], p.centre[i], p.energy[i]});
-    const auto both = [&](auto of) { return compare(of(list[k].coarse), of(list[k].path)); };
-    const bool turned[] = {find_turn(smooth(list[k].coarse, smoothing)).apex.found(),
-                           find_turn(p).apex.found()};
-    if (turned[0] != turned[1]) throw Failure(list[k].name + ": two steps disagree on the turning");
-    report.facts.add("turned_" + list[k].name, exact(turned[1]), "1 if it came back");
-    report.facts.add("late_advance_" + list[k].name,
-                     both([](const Path& q) { return advance(q, watched / 2, watched - 20); }),
-                     "site");
   }
-  report.output.add("experiments", std::move(table));
-  return list;
+  return table;
+}
+
+/**
+Whether a packet came back must not depend on the step: where two steps disagree there is no answer,
+and the program says so and stops. */
+void add_experiment(Quantities& facts, const Experiment& e) {
+  const auto turned = [](const Path& p) { return find_turn(smooth(p, smoothing)).apex.found(); };
+  const auto late = [](const Path& p) { return advance(p, watched / 2, watched - 20); };
+  if (turned(e.coarse) != turned(e.path))
+    throw Failure(e.name + ": two steps disagree on the turning");
+  facts.add("turned_" + e.name, exact(turned(e.path)), "1 if it came back");
+  facts.add("late_advance_" + e.name, compare(late(e.coarse), late(e.path)), "site");
+}
+
+void report_experiments(Report& report) {
+  std::vector<Experiment> list = experiments();
+  const double step = report.quick ? 0.1 : 0.05;
+  parallel_for(2 * list.size(), [&](std::size_t i) {
+    Experiment& e = list[i / 2];
+    (i % 2 ? e.path : e.coarse) = perform(e, i % 2 ? step / 2 : step, watched, Unobserved{});
+  });
+  for (const Experiment& e : list) add_experiment(report.facts, e);
+  report.output.add("experiments", tracks(list));
 }
 
 /**
@@ -206,10 +214,10 @@ std::vector<Experiment> report_experiments(Report& report) {
 If the packet is a breather that moves, its frequency, energy and area should follow those of the
 breathers at rest at the same $s$, computed by Newton's method for both families. The frequency is
 read from the upward zeros of $\sum(-1)^n y_n$ over the packet, which oscillates with the sign
-pattern of the breather; the area is the mean of $\sum\dot y_n^2$ over stretches of twenty units
-of time, times the period. Where a chain pins is told by the barrier $E_{\rm site}-E_{\rm bond}$ at equal
-area (chapter 3.2): it is a periodic force, of both signs within one site, and its size compares with
-the energy that the packet has for moving. */
+pattern of the breather; the area is the mean of $\sum\dot y_n^2$ over stretches of twenty units of
+time, times the period. Where a chain pins is told by the barrier $E_{\rm site}-E_{\rm bond}$ at
+equal area (chapter 3.2): it is a periodic force, of both signs within one site, and its size
+compares with the energy that the packet has for moving. */
 struct Inside {
   double t = 0, site = 0, energy = 0, area = 0, omega = 0;
 };
@@ -228,8 +236,8 @@ struct Gauge {
 };
 
 /**
-One look at the chain adds to the sums. The alternating sign of the pattern takes out long waves that
-run through the packet, which would shift the zeros of a single site. */
+One look at the chain adds to the sums. The alternating sign of the pattern takes out long waves
+that run through the packet, which would shift the zeros of a single site. */
 void Gauge::operator()(const State<double>& now) {
   const std::vector<double> e = energy_density(HardChain{now.y.size(), {s}}, now);
   const std::size_t peak = strongest(e), m = packet_half_width;
@@ -354,9 +362,9 @@ Two packets are looked at, the one that turns and the one that does not because 
 is absorbed. If the waves feed the packet, the two should differ in energy.
 
 The packet is a breather that moves: its frequency [1.68362](num:sec34_boomeron_why.omega_waves) and
-its area [5.9885](num:sec34_boomeron_why.area_waves) lie by those of a breather at rest, whose area at
-this frequency is [5.83399](num:sec34_boomeron_why.area_at_rest_waves). While it feeds on the waves it
-carries [1.48728](num:sec34_boomeron_why.energy_waves), without them
+its area [5.9885](num:sec34_boomeron_why.area_waves) lie by those of a breather at rest, whose area
+at this frequency is [5.83399](num:sec34_boomeron_why.area_at_rest_waves). While it feeds on the
+waves it carries [1.48728](num:sec34_boomeron_why.energy_waves), without them
 [1.3694](num:sec34_boomeron_why.energy_behind). The barrier,
 [0.000398715](num:sec34_boomeron_why.barrier_waves), can hold a slow packet, which is what we see of
 late cuts, but being periodic it can neither slow one over many sites nor send it back. */
@@ -375,11 +383,11 @@ void report_inside(Report& report) {
 /**
 ## Waves beside a breather at rest
 
-The last experiment reverses the first: instead of taking the waves away from a packet that turns, we
-give waves to a breather that rests. A bond-centred breather gets fifteen oscillating sites on one side,
-beyond its fifth neighbours, with phases drawn from a recorded seed. If waves pull, it moves towards
-them from either side; if they push, away. The linear well, in which nothing turns, serves as
-the control, with a breather of the same energy and the same waves. */
+The last experiment reverses the first: instead of taking the waves away from a packet that turns,
+we give waves to a breather that rests. A bond-centred breather gets fifteen oscillating sites on
+one side, beyond its fifth neighbours, with phases drawn from a recorded seed. If waves pull, it
+moves towards them from either side; if they push, away. The linear well, in which nothing turns,
+serves as the control, with a breather of the same energy and the same waves. */
 constexpr unsigned long seed = 20130502;
 constexpr double wave_amplitude = 0.15, wave_time = 300;
 
@@ -418,8 +426,8 @@ Path expose(const Trial& trial, const Orbit<double>& orbit, double step) {
 }
 
 /**
-Chance decides much in a single draw, so there are many, and each is used four times: in both wells and
-on both sides, with the same phases, mirrored. What the four have in common cannot be chance. */
+Chance decides much in a single draw, so there are many, and each is used four times: in both wells
+and on both sides, with the same phases, mirrored. What the four have in common cannot be chance. */
 std::vector<Trial> trials(std::size_t count) {
   Random random(seed);
   std::vector<Trial> list;
@@ -452,6 +460,9 @@ void add_pull(Quantities& facts, const std::vector<Trial>& list, double well) {
   facts.add("pulled" + name, exact(double(towards) / n), "share of the trials");
 }
 
+/**
+The figure shows every trial and not only their mean, so that the reader sees how far chance goes.
+*/
 Table waves_beside(const std::vector<Trial>& list) {
   Table table{{number("s", "anharmonicity of the well"),
                count("side", "-1 waves on the left, 1 on the right"),
@@ -469,9 +480,11 @@ Table waves_beside(const std::vector<Trial>& list) {
 
 /**
 The two breathers have the same energy, and both energies stand among the facts, so that the control
-can be checked. A breather at rest that nothing else could move is drawn towards waves on either side, by
-[6.4](num:sec34_boomeron_why.pull_hard) sites in the share [1](num:sec34_boomeron_why.pulled_hard) of
-the trials; in the linear well the same waves move a breather of the same energy by
+can be checked.
+
+A breather at rest that nothing else could move is drawn towards waves on either side, by
+[6.4](num:sec34_boomeron_why.pull_hard) sites in the share [1](num:sec34_boomeron_why.pulled_hard)
+of the trials; in the linear well the same waves move a breather of the same energy by
 [0.20](num:sec34_boomeron_why.pull_linear), and there nothing turns. */
 void report_waves(Report& report) {
   std::vector<Trial> list = trials(report.quick ? 3 : 12);
@@ -492,15 +505,15 @@ void report_waves(Report& report) {
 ## Results
 
 **The packet turns because of the waves that it left behind, as the article suspected, and they
-pull.** With the waves it comes back; with everything behind it absorbed it does not, nor if only the
-first site absorbs, and in the last half of the time it still moves on by
+pull.** With the waves it comes back; with everything behind it absorbed it does not, nor if only
+the first site absorbs, and in the last half of the time it still moves on by
 [13.1](num:sec34_boomeron_why.late_advance_behind) and
-[5.8](num:sec34_boomeron_why.late_advance_end) sites. Put on a quiet chain at time 60 or 120 it moves
-on as well; cut out later, when it is almost at rest, it is caught or creeps
+[5.8](num:sec34_boomeron_why.late_advance_end) sites. Put on a quiet chain at time 60 or 120 it
+moves on as well; cut out later, when it is almost at rest, it is caught or creeps
 ([-2.961](num:sec34_boomeron_why.late_advance_cut200) sites for a cut at 200,
-[-0.2285](num:sec34_boomeron_why.late_advance_cut300) at 300), but never returns. So the slowing down
-has two parts, a loss of speed that the packet brings along and that fades, and a backward force that
-needs waves. */
+[-0.2285](num:sec34_boomeron_why.late_advance_cut300) at 300), but never returns. So the slowing
+down has two parts, a loss of speed that the packet brings along and that fades, and a backward
+force that needs waves. */
 Results reproduce(Report& report) {
   report_experiments(report);
   report_inside(report);

@@ -127,8 +127,8 @@ inline Turn find_turn(const Path& path, double back = 5, double again = 3, doubl
 }
 
 /**
-The packets of this header are launched by an impact, and followed for long. A look at the chain every
-0.2 units of time resolves the internal oscillation, whose period is about four; the smoothing
+The packets of this header are launched by an impact, and followed for long. A look at the chain
+every 0.2 units of time resolves the internal oscillation, whose period is about four; the smoothing
 covers four of these periods, which removes the ripple and is still short compared with the hundreds
 of units that a packet takes to turn. */
 
@@ -168,9 +168,9 @@ Voyage voyage(const ContactAware& stepper, const Strike& strike, Watch watch = {
 }
 
 /**
-A turning has an error from the step, and one from the width of the smoothing, which is our choice. The
-first is the difference of two runs; for the second we read the finer run once more with half the
-width, and add what this changes. */
+A turning has an error from the step, and one from the width of the smoothing, which is our choice.
+The first is the difference of two runs; for the second we read the finer run once more with half
+the width, and add what this changes. */
 struct TurnEstimate {
   Estimate stop_time, stop_site, apex_time, apex_site, return_time;
 };
@@ -219,10 +219,10 @@ struct Outlook {
 
 /**
 Impacts of many decades need their own clock. The fastest motion is that of the well, of the contact
-or of the quartic term, whose rates grow like $v_0^{1/5}$ and $(s v_0^2)^{1/4}$: the samples and steps
-follow it. How long to wait is told by the slowest packet, that of the DpS limit, whose speed grows
-like $v_0^{1/2}$ and which crosses the horizon in the time `crossing`. We wait ten times as long, and
-call a packet that has not left the end after four crossings one that stays. */
+or of the quartic term, whose rates grow like $v_0^{1/5}$ and $(s v_0^2)^{1/4}$: the samples and
+steps follow it. How long to wait is told by the slowest packet, that of the DpS limit, whose speed
+grows like $v_0^{1/2}$ and which crosses the horizon in the time `crossing`. We wait ten times as
+long, and call a packet that has not left the end after four crossings one that stays. */
 struct Patience {
   double interval;  ///< between two looks
   double time;      ///< of the whole run

@@ -46,8 +46,8 @@ inline CLI::Validator not_empty() {
 
 /**
 CLI11 would read `031` as octal, refuse `1e+06` for a count and round a number twice. So each number
-is read by us first and handed on in a form without doubt. The library names the type of an option and
-what is allowed in one text, `UINT:[2, 100000]`. */
+is read by us first and handed on in a form without doubt. The library names the type of an option
+and what is allowed in one text, `UINT:[2, 100000]`. */
 inline void read_numbers_ourselves(CLI::Option& option) {
   const std::string text = option.get_type_name(), type = text.substr(0, text.find(':'));
   const bool whole = type == "UINT" || type == "INT";

@@ -4,17 +4,17 @@
 
 Friction takes away a fixed share of every velocity per unit of time,
 $$\ddot y_n = \frac{F_n}{\mu_n} - \nu_n\,\dot y_n .$$
-Without the forces this is solved exactly, $\dot y_n \to e^{-\nu_n\tau}\,\dot y_n$ at fixed positions, and
-without the friction we have good steppers. So we alternate the two (Strang): half a step of
-friction, a conservative step, half a step of friction. The order is two whatever the order of
-the conservative stepper, with an error in proportion to $\nu$; where $\nu_n = 0$ nothing
-happens at all. One rate for all sites makes a damped chain, rates that grow towards an end
-make an end that absorbs.
+Without the forces this is solved exactly, $\dot y_n \to e^{-\nu_n\tau}\,\dot y_n$ at fixed
+positions, and without the friction we have good steppers. So we alternate the two (Strang): half a
+step of friction, a conservative step, half a step of friction. The order is two whatever the order
+of the conservative stepper, with an error in proportion to $\nu$; where $\nu_n = 0$ nothing happens
+at all. One rate for all sites makes a damped chain, rates that grow towards an end make an end that
+absorbs.
 
-What the friction takes is known exactly, too: $\frac12\mu_n\dot y_n^2\,(1-e^{-2\nu_n\tau})$. Energy and
-dissipated energy together are constant but for the drift of the conservative stepper, and this
-sum replaces the energy in a run's report. It says nothing about the error of the alternation,
-which only a shorter step shows. */
+What the friction takes is known exactly, too: $\frac12\mu_n\dot y_n^2\,(1-e^{-2\nu_n\tau})$. Energy
+and dissipated energy together are constant but for the drift of the conservative stepper, and this
+sum replaces the energy in a run's report. It says nothing about the error of the alternation, which
+only a shorter step shows. */
 
 #include <algorithm>
 #include <cmath>
@@ -124,9 +124,9 @@ struct Damped {
 
   /**
   The friction of half a step, $x = \nu h/2$, leaves the share $e^{-x}$ of a velocity and takes the
-  share $1-e^{-2x}$ of its kinetic energy. At weak damping the second is a difference of
-  two numbers close to one, which `expm1` takes without loss: the books have to balance over
-  millions of steps. The friction acts on the woken sites, for those at rest have nothing to lose. */
+  share $1-e^{-2x}$ of its kinetic energy. At weak damping the second is a difference of two numbers
+  close to one, which `expm1` takes without loss: the books have to balance over millions of steps.
+  The friction acts on the woken sites, for those at rest have nothing to lose. */
   template <class T, class Memory>
   void prepare(double h, DampedMemory<T, Memory>& at) const {
     using std::exp, std::expm1;

@@ -61,8 +61,8 @@ inline Scheme blanes_moan_6() {
 /**
 For the last digits the size of the error counts more than the cost of a step: the splitting with
 fourteen evaluations (ibid., SRKN 14a) has order 6, too, with smaller errors, and is what a
-tolerance of more than ten digits selects (accuracy.hpp). It begins and ends with a drift, hence the empty
-first and last kicks. One half of the coefficients is given; that the scheme is symmetric and
+tolerance of more than ten digits selects (accuracy.hpp). It begins and ends with a drift, hence the
+empty first and last kicks. One half of the coefficients is given; that the scheme is symmetric and
 carries the state by one whole step fixes the rest. */
 inline Scheme blanes_moan_6_14() {
   Scheme scheme{"blanes-moan-6-14",
