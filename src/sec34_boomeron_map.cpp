@@ -1,16 +1,23 @@
 /**
 # 3.4 Which packets turn round
 
-Section 3.4 of James, Kevrekidis and Cuevas (Physica D 251, 2013) reports that the travelling breather
-launched by an impact turns round as soon as the wells are hard, "$s>0$ (we have checked it for
-$s\ge0.005$), but not for $s=0$" (`boomeron.any_s`), without saying for which impacts. This program
-maps the turning against impact velocity and hardness and finds the law of its boundary.
+Section 3.4 of James, Kevrekidis and Cuevas (Physica D 251, 2013) reports that the travelling
+breather launched by an impact turns round as soon as the wells are hard, "$s>0$ (we have checked it
+for $s\ge0.005$), but not for $s=0$" (`boomeron.any_s`), without saying for which impacts. We map
+the turning against impact velocity and hardness and find the law of its boundary.
+
+     log s |  .        turns, or never leaves the end
+           |    ' .
+           |        ' .          s_c(v_0)
+           |  escapes       ' .
+           +-----------------------------> log v_0
 
 ![Fate of the packet against impact and well, and the law of the boundary.](fig:x11) */
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -24,22 +31,26 @@ maps the turning against impact velocity and hardness and finds the law of its b
 using namespace lattice;
 
 /**
+## What counts as turning
+
+The map of the figure decides each point by one criterion, the same for all decades of impacts. A
+packet has *turned* when its centre, averaged over one internal period, has come back by five sites,
+more than a packet swings that is caught between two sites. It has *escaped* when it passes site 40,
+and it *stays* if it never got beyond site 8. A turning further out than site 40 is an escape here;
+that is a limit of the map and no statement about the chain. */
+constexpr double horizon = 40;
+
+/**
 ## The scaling that decides
 
 A packet of amplitude $\epsilon$ feels the contacts as a relative force $\epsilon^{1/2}$ and the
 hardness as $s\epsilon^2$, in units in which the well is one. In the limit of small amplitude time
-scales out of the DpS equation with $\epsilon^{1/2}$, and only the ratio $\kappa = s\,v_0^{3/2}$ is left:
-what happens at which site can depend on nothing else. So we expect
+scales out of the DpS equation with $\epsilon^{1/2}$, and only the ratio $\kappa = s\,v_0^{3/2}$ is
+left: what happens at which site can depend on nothing else. So we expect
 $$s_c(v_0) = v_0^{-3/2}\,(\kappa_0 + \kappa_1 v_0^{1/2} + \dots),$$
-the second term being the first correction in $\epsilon^{1/2}$ to that limit. A point of the map has
-*turned* when the centre, averaged over one internal period, has come back by five sites, and
-has *escaped* when it passes site 40. It *stays* if it never got beyond site 8. */
-constexpr double horizon = 40;
-
-/**
-The boundary is a narrow band across many decades of $s$, so we place the points of each velocity at
-equal ratios of $\kappa$ instead of $s$. Rows of the map are kept as soon as they are known (sweep.hpp), so that an interrupted map goes on
-where it stopped, and `sec34_boomeron map --part k/n` computes every n-th point alone. */
+the second term being the first correction in $\epsilon^{1/2}$ to that limit. The boundary is thus a
+narrow band across many decades of $s$, and we place the points of each velocity at equal ratios of
+$\kappa$ instead of $s$. */
 struct MapGrid {
   std::size_t columns = 42, rows = 42;
   double slowest = 0.03, fastest = 200, least = 0.7, most = 20;  ///< of v0 and of kappa
@@ -51,6 +62,9 @@ struct MapGrid {
 };
 constexpr double softest = 0.005;  // the smallest s of the article
 
+/**
+A map of this size takes a while, and an interrupted one should go on where it stopped. So its rows
+are kept as soon as they are known (sweep.hpp), under a name that holds whatever decides them. */
 Sweep map_sweep(const std::filesystem::path& folder, const MapGrid& grid) {
   const std::vector<Column> columns{
       number("velocity", "impact velocity"),
@@ -65,6 +79,9 @@ Sweep map_sweep(const std::filesystem::path& folder, const MapGrid& grid) {
   return {folder, "reversal_map", columns, grid.columns * grid.rows, key.str()};
 }
 
+/**
+Each point is decided at two steps. Where the two do not agree the motion is erratic, and a colour
+would be an accident: such a point is marked as undecided. */
 void compute_map(Sweep& sweep, const MapGrid& grid, Part part) {
   sweep.compute(part, [&](std::size_t i) {
     const double v = grid.velocity(i), kappa = grid.kappa(i), s = kappa / (v * std::sqrt(v));
@@ -80,9 +97,11 @@ void compute_map(Sweep& sweep, const MapGrid& grid, Part part) {
 }
 
 /**
-The boundary between turning and escaping is found by bisection in $s$, at two steps. Where
-the grid is only as fine as the colour of the figure, this is as fine as a fit needs. A packet that
-has neither turned nor escaped in the time of a run counts with those that turn. */
+## The law of the boundary
+
+A fit needs the boundary more finely than the colours of the map show it, so we bisect in $s$, at
+two steps. The error is their difference plus the last interval. A packet that has neither turned
+nor escaped in the time of a run counts with those that turn. */
 Estimate critical_s(double velocity, int bisections) {
   const auto bisect = [&](int halvings) {
     double low = std::log(0.5), high = std::log(60.0);  // of kappa
@@ -98,49 +117,107 @@ Estimate critical_s(double velocity, int bisections) {
 }
 
 /**
-We fit the law where the amplitude is below three, its two coefficients from
-$\kappa_c$ against $v_0^{1/2}$, and the plain power that describes all the larger impacts. The claim
-that packets turn for $s\ge0.005$ needs an impact: at $s=0.005$ we bisect in $v_0$. It stands if
-there is such an impact, and if none of the map's velocities makes the linear chain
-($s=0$) turn anything. */
-void report_law(Report& report) {
-  const std::size_t count = report.quick ? 6 : 20;
-  std::vector<double> velocity(count);
-  std::vector<Estimate> critical(count);
+The impacts reach over four decades, from the limit in which the scaling should hold to amplitudes
+at which the linear part of the well hardly matters. */
+struct Threshold {
+  std::vector<double> velocity;
+  std::vector<Estimate> s;
+  std::size_t size() const { return velocity.size(); }
+  double kappa(std::size_t i) const { return s[i].value * velocity[i] * std::sqrt(velocity[i]); }
+};
+
+Threshold threshold(bool quick) {
+  const std::size_t count = quick ? 6 : 20;
+  Threshold b{std::vector<double>(count), std::vector<Estimate>(count)};
   parallel_for(count, [&](std::size_t i) {
-    velocity[i] = MapGrid::spaced(report.quick ? 0.1 : 0.01, 100, i, count);
-    critical[i] = critical_s(velocity[i], report.quick ? 6 : 10);
+    b.velocity[i] = MapGrid::spaced(quick ? 0.1 : 0.01, 100, i, count);
+    b.s[i] = critical_s(b.velocity[i], quick ? 6 : 10);
   });
+  return b;
+}
+
+/**
+The expected law is a line in $v_0^{1/2}$. We fit it where the amplitude is below three, and judge
+it by its largest relative deviation, because a curved boundary would show at the ends of the line
+and not in the mean. */
+struct Law {
+  std::vector<double> root{}, kappa{};  ///< v0^(1/2) and kappa_c below the amplitude three
+  Line line{};
+  double at(double x) const { return line.intercept + line.slope * x; }
+};
+
+Law fit_law(const Threshold& b) {
+  Law law;
+  for (std::size_t i = 0; i < b.size(); ++i)
+    if (b.velocity[i] < 3)
+      law.root.push_back(std::sqrt(b.velocity[i])), law.kappa.push_back(b.kappa(i));
+  law.line = fit_line(law.root, law.kappa);
+  return law;
+}
+
+/**
+The limit itself lies outside of the points. So the error of $\kappa_0$ is that of the slope, times
+the distance of the points from $v_0=0$. */
+void add_law(Quantities& facts, const Law& law) {
+  const double points = double(law.root.size());
+  double scatter = 0, square = 0;
+  for (std::size_t i = 0; i < law.root.size(); ++i) {
+    scatter = std::max(scatter, std::abs(law.kappa[i] / law.at(law.root[i]) - 1));
+    square += law.root[i] * law.root[i] / points;
+  }
+  facts.add("law_kappa_1", law.line.estimate());
+  facts.add("law_kappa_0", {law.line.intercept, law.line.slope_error * std::sqrt(square)});
+  facts.add("law_largest_deviation", exact(scatter), "relative");
+  const double sum = std::accumulate(law.root.begin(), law.root.end(), 0.0);
+  facts.add("law_mean_root", exact(sum / points));
+}
+
+/**
+Above $v_0=1$ we also give the plain power that a reader would draw through the points of a
+logarithmic plot, to compare it with the $-3/2$ of the limit. */
+void report_law(Report& report) {
+  const Threshold b = threshold(report.quick);
+  const Law law = fit_law(b);
   Table table{{number("velocity", "impact velocity"), number("root_velocity", "its square root"),
                number("s", "anharmonicity from which on the packet turns before site 40"),
                number("s_error", "two steps and the last interval"), number("kappa", "s v0^(3/2)"),
                number("law", "kappa_0 + kappa_1 v0^(1/2)")}};
-  std::vector<double> root, kappa, log_v, log_s;
-  for (std::size_t i = 0; i < count; ++i) {
-    const double k = critical[i].value * velocity[i] * std::sqrt(velocity[i]);
-    if (velocity[i] < 3) root.push_back(std::sqrt(velocity[i])), kappa.push_back(k);
-    if (velocity[i] > 1)
-      log_v.push_back(std::log(velocity[i])), log_s.push_back(std::log(critical[i].value));
+  std::vector<double> log_v, log_s;
+  for (std::size_t i = 0; i < b.size(); ++i) {
+    const double v = b.velocity[i], root = std::sqrt(v);
+    table.add({v, root, b.s[i].value, b.s[i].error, b.kappa(i), law.at(root)});
+    if (v > 1) log_v.push_back(std::log(v)), log_s.push_back(std::log(b.s[i].value));
   }
-  const Line law = fit_line(root, kappa);
-  for (std::size_t i = 0; i < count; ++i)
-    table.add({velocity[i], std::sqrt(velocity[i]), critical[i].value, critical[i].error,
-               critical[i].value * velocity[i] * std::sqrt(velocity[i]),
-               law.intercept + law.slope * std::sqrt(velocity[i])});
   report.output.add("critical_s", std::move(table));
-  report.facts.add("law_kappa_1", law.estimate());
-  const double mean = std::accumulate(root.begin(), root.end(), 0.0) / double(root.size());
-  double scatter = 0, square = 0;
-  for (std::size_t i = 0; i < root.size(); ++i) {
-    scatter = std::max(scatter, std::abs(kappa[i] / (law.intercept + law.slope * root[i]) - 1));
-    square += root[i] * root[i] / double(root.size());
-  }
-  report.facts.add("law_kappa_0", {law.intercept, law.slope_error * std::sqrt(square)});
-  report.facts.add("law_largest_deviation", exact(scatter), "relative");
-  report.facts.add("law_mean_root", exact(mean));
+  add_law(report.facts, law);
   report.facts.add("power_large_impacts", fit_line(log_v, log_s).estimate());
 }
 
+/**
+## Does every hard well turn packets?
+
+The claim that packets turn for $s\ge0.005$, and not for $s=0$, needs an impact. So at $s=0.005$ we
+bisect in $v_0$ for the slowest one that turns. */
+Estimate slowest_turning(bool quick) {
+  const double slowest = 20, fastest = MapGrid{}.fastest;
+  const int bisections = quick ? 5 : 9;
+  const auto bisect = [&](int halvings) {
+    double low = slowest, high = fastest;
+    for (int k = 0; k < bisections; ++k) {
+      const double v = std::sqrt(low * high);
+      (probe(v, softest, horizon, halvings).fate == Fate::escapes ? low : high) = v;
+    }
+    return std::sqrt(low * high);
+  };
+  Estimate v0 = compare(bisect(0), bisect(1));
+  v0.error += v0.value * std::log(fastest / slowest) / std::ldexp(1.0, bisections);
+  return v0;
+}
+
+/**
+The claim stands if a packet turns five per cent beyond that impact, outside of its error, and if
+none of the map's velocities makes the linear chain turn anything, at either of two steps. A single
+packet that turned at $s=0$ would refute it. */
 void report_any_s(Report& report) {
   const MapGrid grid;
   const std::size_t columns = report.quick ? 6 : grid.columns;
@@ -150,16 +227,7 @@ void report_any_s(Report& report) {
     for (int halvings : {0, 1}) moved[i] += probe(v, 0, horizon, halvings).fate != Fate::escapes;
   });
   const bool linear_turns = std::any_of(moved.begin(), moved.end(), [](int m) { return m > 0; });
-  const auto slowest_turning = [&](int halvings) {
-    double low = 20, high = grid.fastest;
-    for (int k = 0; k < (report.quick ? 5 : 9); ++k) {
-      const double v = std::sqrt(low * high);
-      (probe(v, softest, horizon, halvings).fate == Fate::escapes ? low : high) = v;
-    }
-    return std::sqrt(low * high);
-  };
-  Estimate v0 = compare(slowest_turning(0), slowest_turning(1));
-  v0.error += v0.value * std::log(grid.fastest / 20) / (report.quick ? 32 : 512);
+  const Estimate v0 = slowest_turning(report.quick);
   report.facts.add("v0_needed_at_s_0005", v0);
   report.facts.add("s_needed_at_190", critical_s(1.9, report.quick ? 6 : 10));
   const Fate beyond = probe(1.05 * (v0.value + v0.error), softest, horizon, 1).fate;
@@ -167,30 +235,63 @@ void report_any_s(Report& report) {
 }
 
 /**
+## One part of the map
+
+`sec34_boomeron_map map --part 2/8 --folder rows` computes every eighth point from the second on,
+and keeps it in the folder; without `--part` it collects what all parts have left there, computes
+what is missing and prints the whole map. */
+struct MapOptions {
+  MapGrid grid{};
+  std::string part = "1/1", folder = "build/data/sec34_boomeron_map";
+};
+
+void add_map(Program& program, MapOptions& options) {
+  CLI::App* map = program.command("map", "the map of turning, or a part of it", [&options] {
+    const Part mine = parse_part(options.part);
+    Sweep sweep = map_sweep(options.folder, options.grid);
+    compute_map(sweep, options.grid, mine);
+    return sweep.table(mine);
+  });
+  map->add_option("--part", options.part, "k/n: every n-th point from the k-th on")
+      ->check(part_text());
+  map->add_option("--folder", options.folder, "where rows wait for each other")->check(not_empty());
+  map->add_option("--columns", options.grid.columns, "impact velocities")->check(in_range(2, 1000));
+  map->add_option("--rows", options.grid.rows, "anharmonicities")->check(in_range(2, 1000));
+}
+
+/**
 ## Results
 
 For small and moderate impacts $\kappa_c = s_c v_0^{3/2}$ follows the expected line: $\kappa_0$ is
-[1.022](num:sec34_boomeron_map.law_kappa_0) and $\kappa_1$ is [0.99](num:sec34_boomeron_map.law_kappa_1), with
-no point further off than the relative [0.0149181](num:sec34_boomeron_map.law_largest_deviation). Strong impacts,
-for which the linear part of the well no longer matters, leave the line; above $v_0=1$ a plain power of
-[-1.236](num:sec34_boomeron_map.power_large_impacts) describes the boundary, but only as an average over a
-slope that changes. At $v_0=1.9$ a packet turns before site 40 if $s$ exceeds
+[1.022](num:sec34_boomeron_map.law_kappa_0) and $\kappa_1$ is
+[0.99](num:sec34_boomeron_map.law_kappa_1), with no point further off than the relative
+[0.0149181](num:sec34_boomeron_map.law_largest_deviation). Strong impacts, for which the linear part
+of the well no longer matters, leave the line; above $v_0=1$ a plain power of
+[-1.236](num:sec34_boomeron_map.power_large_impacts) describes the boundary, but only as an average
+over a slope that changes. At $v_0=1.9$ a packet turns before site 40 if $s$ exceeds
 [0.908](num:sec34_boomeron_map.s_needed_at_190), and at $s=0.005$ it needs an impact of
-[128.4](num:sec34_boomeron_map.v0_needed_at_s_0005). At the article's velocities and $s=0.005$ nothing
-turns there. The boundary belongs to site 40: how it depends on the distance is shown by `apex` in the map.
+[128.4](num:sec34_boomeron_map.v0_needed_at_s_0005). At the article's velocities and $s=0.005$
+nothing turns there. The boundary belongs to site 40: how it depends on the distance is shown by
+`apex` in the map. */
+Results reproduce(Report& report, MapGrid grid) {
+  if (report.quick) grid.columns = grid.rows = 8;
+  Sweep sweep = map_sweep(report.output.folder(), grid);
+  compute_map(sweep, grid, {});
+  report.output.add("reversal_map", sweep.table());
+  report_law(report);
+  report_any_s(report);
+  report.output.add("facts", report.facts.table);
+  sweep.forget();
+  return report.results;
+}
 
-## One part of the map
-
-`sec34_boomeron_map map --part 2/8 --folder rows` computes every eighth point from the second on, and
-keeps it in the folder; without `--part` it collects what all parts have left there, computes what
-is missing and prints the whole map.
-
+/**
 ## Differences and limits
 
 A turning is never seen to be absent, only not seen up to site 40. The apex moves out steeply as
-$\kappa$ falls, so another horizon would change $\kappa_0$ a little and the exponent not at all. Deep
-inside the turning region the motion near the end is erratic, and the fate of single points there depends
-on the last digit; points at which two steps do not agree are marked as undecided.
+$\kappa$ falls, so another horizon would change $\kappa_0$ a little and the exponent not at all.
+Deep inside the turning region the motion near the end is erratic, and the fate of single points
+there depends on the last digit; points at which two steps do not agree are marked as undecided.
 
 ## Extensions
 
@@ -200,30 +301,11 @@ on the last digit; points at which two steps do not agree are marked as undecide
 int main(int argc, char** argv) {
   Program program({"sec34_boomeron_map", "3.4", "Which packets turn round (section 3.4, s > 0)"},
                   argc, argv);
-  MapGrid grid;
-  std::string part = "1/1", folder = "build/data/sec34_boomeron_map";
-  CLI::App* map = program.command("map", "the map of turning, or a part of it", [&] {
-    const Part mine = parse_part(part);
-    Sweep sweep = map_sweep(folder, grid);
-    compute_map(sweep, grid, mine);
-    return sweep.table(mine);
-  });
-  map->add_option("--part", part, "k/n: every n-th point from the k-th on")->check(part_text());
-  map->add_option("--folder", folder, "where rows wait for each other")->check(not_empty());
-  map->add_option("--columns", grid.columns, "impact velocities")->check(in_range(2, 1000));
-  map->add_option("--rows", grid.rows, "anharmonicities")->check(in_range(2, 1000));
-
+  MapOptions options;
+  add_map(program, options);
   program.everything = [&](Output& output) {
     Report report{output, program.quick};
-    if (program.quick) grid.columns = grid.rows = 8;
-    Sweep sweep = map_sweep(output.folder(), grid);
-    compute_map(sweep, grid, {});
-    output.add("reversal_map", sweep.table());
-    report_law(report);
-    report_any_s(report);
-    output.add("facts", report.facts.table);
-    sweep.forget();
-    return report.results;
+    return reproduce(report, options.grid);
   };
   return program.run(argc, argv);
 }

@@ -1,15 +1,19 @@
 /**
 # 3.4 Why packets turn round
 
-James, Kevrekidis and Cuevas (Physica D 251, 2013) have no clear explanation of the packets of section
-3.4 that turn round in hard wells. They suspect the waves which are confined between the packet and
-the struck end, and close with the question. This program asks it by experiments that can fail:
-the waves are absorbed, the packet is moved to a quiet chain, its frequency and area are compared with
-those of breathers at rest, and waves are put beside a breather that has no reason to move.
+James, Kevrekidis and Cuevas (Physica D 251, 2013) have no clear explanation of the packets of
+section 3.4 that turn round in hard wells. They suspect the waves which are confined between the
+packet and the struck end, and close with the question. We ask it by experiments that can fail.
 
-The answer, with its evidence, stands under *Results*.
+     waves     |~~~~~~~~~~~~~~~ (packet)              does it turn?
+     behind    |xxxxxxxxx       (packet)              waves absorbed: still?
+     end       |x~~~~~~~~~~~~~~ (packet)              waves not returned: still?
+     cut                        (packet)              alone on a quiet chain: still?
+     beside              (breather) ~~~~~~            at rest, waves beside it: does it move?
 
-![Four experiments on the turning packet.](fig:x12) */
+![Four experiments on the turning packet.](fig:x12)
+
+The answer, with its evidence, stands under *Results*. */
 
 #include <algorithm>
 #include <cmath>
@@ -34,9 +38,10 @@ using namespace lattice;
 The chain is that of the other boomeron chapters, Eqs. (9), (10) and (26),
 $$\ddot y_n + y_n + s\,y_n^3 = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2} - \gamma_n\dot y_n,
   \qquad \dot y_n(0) = v_0\,\delta_{n,1},$$
-with $s=1$, $v_0=1.9$ and a damping $\gamma_n$ that is zero except where we absorb (damped.hpp). Each
-experiment is made at two steps, of the integration and of the damping at once. A packet has turned when it has come back by five
-sites (turning.hpp); a packet that is merely caught between two sites swings by less than one.
+with $s=1$, $v_0=1.9$ and a damping $\gamma_n$ that is zero except where we absorb (damped.hpp).
+Each experiment is made at two steps, of the integration and of the damping at once. The criterion
+of the figure is that a packet has turned when it has come back by five sites (turning.hpp); one
+that is merely caught between two sites swings by less than one.
 
 | article | program | meaning |
 |---|---|---|
@@ -86,7 +91,10 @@ std::vector<double> rates(const Absorber& absorber, const HardChain& chain,
   return nu;
 }
 
-/// The packet of a chain alone on a longer quiet one, `shift` sites further on.
+/**
+To cut is to copy the packet alone onto a longer chain, `shift` sites further on, with one site more
+on either side than its energy centre takes into account. If it behaves differently afterwards, the
+missing waves are the reason, or the missing end. */
 State<double> cut_out(const HardChain& chain, const State<double>& state, std::size_t shift) {
   constexpr std::size_t reach = 6;
   const std::size_t peak = strongest(energy_density(chain, state));
@@ -97,6 +105,23 @@ State<double> cut_out(const HardChain& chain, const State<double>& state, std::s
   return alone;
 }
 
+/**
+An absorber that follows the packet changes with it, so a run is made of short stretches of two
+steps each, with rates that are constant in one. The stretch shrinks with the step, so that the
+error of the moving absorber is seen by the comparison of two steps as well. */
+void carry_on(const HardChain& chain, State<double>& state, const std::vector<double>& nu,
+              double step) {
+  const ContactAware stepper{step};
+  const Pace pace{2 * step, 1, 2};
+  if (nu.empty())
+    evolve(stepper, chain, state, pace, Unobserved{});
+  else
+    evolve(Damped(stepper, nu), chain, state, pace, Unobserved{});
+}
+
+/**
+Now an experiment can be carried out. After a cut the centre is still told in sites of the old
+chain, and `watch` sees every stretch. */
 template <class Watch>
 Path perform(const Experiment& experiment, double step, double time, Watch watch) {
   HardChain chain{sites, {s}};
@@ -117,21 +142,15 @@ Path perform(const Experiment& experiment, double step, double time, Watch watch
       if (moved) path.centre.back() -= double(shift);
     }
     watch(std::as_const(state));
-    const std::vector<double> nu = rates(experiment.absorber, chain, state);
-    const ContactAware stepper{step};
-    const Pace pace{stretch, 1, 2};
-    if (nu.empty())
-      evolve(stepper, chain, state, pace, Unobserved{});
-    else
-      evolve(Damped(stepper, nu), chain, state, pace, Unobserved{});
+    carry_on(chain, state, rates(experiment.absorber, chain, state), step);
   }
   return path;
 }
 
 /**
-The decision is one line: did the packet come back? With the waves it does, and the question is whether
-it does without. A packet that is cut out late has already been slowed down and may be caught by
-the lattice; the facts say how far each one moves in the last half of the time. */
+The decision is one line: did the packet come back? With the waves it does, and the question is
+whether it does without. A packet that is cut out late has already been slowed down and may be
+caught by the lattice; the facts say how far each one moves in the last half of the time. */
 std::vector<Experiment> experiments() {
   std::vector<Experiment> list{
       {"waves", {}, 0}, {"behind", {6, 0, 0.1, 0}, 0}, {"end", {0, 1, 0.2, 60}, 0}};
@@ -149,13 +168,10 @@ double advance(const Path& path, double from, double to) {
   return at(to) - at(from);
 }
 
-std::vector<Experiment> report_experiments(Report& report) {
-  std::vector<Experiment> list = experiments();
-  const double step = report.quick ? 0.1 : 0.05;
-  parallel_for(2 * list.size(), [&](std::size_t i) {
-    Experiment& e = list[i / 2];
-    (i % 2 ? e.path : e.coarse) = perform(e, i % 2 ? step / 2 : step, watched, Unobserved{});
-  });
+/**
+The figure draws the smoothed centres and energies. After a cut the first window of the smoothing
+still reaches back before it, so a path is drawn from the cut on. */
+Table tracks(const std::vector<Experiment>& list) {
   Table table{{count("experiment",
                      "0 waves left, 1 absorbed behind, 2 absorbed at the end, then cut at "
                      "60, 120, 200, 300"),
@@ -165,17 +181,31 @@ std::vector<Experiment> report_experiments(Report& report) {
     const Path p = smooth(list[k].path, smoothing);
     for (std::size_t i = 0; i < p.t.size(); i += 20)
       if (p.t[i] > list[k].cut) table.add({std::int64_t(k), p.t[i], p.centre[i], p.energy[i]});
-    const auto both = [&](auto of) { return compare(of(list[k].coarse), of(list[k].path)); };
-    const bool turned[] = {find_turn(smooth(list[k].coarse, smoothing)).apex.found(),
-                           find_turn(p).apex.found()};
-    if (turned[0] != turned[1]) throw Failure(list[k].name + ": two steps disagree on the turning");
-    report.facts.add("turned_" + list[k].name, exact(turned[1]), "1 if it came back");
-    report.facts.add("late_advance_" + list[k].name,
-                     both([](const Path& q) { return advance(q, watched / 2, watched - 20); }),
-                     "site");
   }
-  report.output.add("experiments", std::move(table));
-  return list;
+  return table;
+}
+
+/**
+Whether a packet came back must not depend on the step: where two steps disagree there is no answer,
+and the program says so and stops. */
+void add_experiment(Quantities& facts, const Experiment& e) {
+  const auto turned = [](const Path& p) { return find_turn(smooth(p, smoothing)).apex.found(); };
+  const auto late = [](const Path& p) { return advance(p, watched / 2, watched - 20); };
+  if (turned(e.coarse) != turned(e.path))
+    throw Failure(e.name + ": two steps disagree on the turning");
+  facts.add("turned_" + e.name, exact(turned(e.path)), "1 if it came back");
+  facts.add("late_advance_" + e.name, compare(late(e.coarse), late(e.path)), "site");
+}
+
+void report_experiments(Report& report) {
+  std::vector<Experiment> list = experiments();
+  const double step = report.quick ? 0.1 : 0.05;
+  parallel_for(2 * list.size(), [&](std::size_t i) {
+    Experiment& e = list[i / 2];
+    (i % 2 ? e.path : e.coarse) = perform(e, i % 2 ? step / 2 : step, watched, Unobserved{});
+  });
+  for (const Experiment& e : list) add_experiment(report.facts, e);
+  report.output.add("experiments", tracks(list));
 }
 
 /**
@@ -184,15 +214,15 @@ std::vector<Experiment> report_experiments(Report& report) {
 If the packet is a breather that moves, its frequency, energy and area should follow those of the
 breathers at rest at the same $s$, computed by Newton's method for both families. The frequency is
 read from the upward zeros of $\sum(-1)^n y_n$ over the packet, which oscillates with the sign
-pattern of the breather; the area is the mean of $\sum\dot y_n^2$ over stretches of twenty units
-of time, times the period. Where a chain pins is told by the barrier $E_{\rm site}-E_{\rm bond}$ at equal
-area (chapter 3.2): it is a periodic force, of both signs within one site, and its size compares with
-the energy that the packet has for moving. */
+pattern of the breather; the area is the mean of $\sum\dot y_n^2$ over stretches of twenty units of
+time, times the period. Where a chain pins is told by the barrier $E_{\rm site}-E_{\rm bond}$ at
+equal area (chapter 3.2): it is a periodic force, of both signs within one site, and its size
+compares with the energy that the packet has for moving. */
 struct Inside {
   double t = 0, site = 0, energy = 0, area = 0, omega = 0;
 };
 
-/// Collects what one stretch of twenty units of time needs.
+/// Sums over a stretch of time, and the zeros that fell into it.
 struct Gauge {
   std::vector<Inside> rows{};
   double before = 0, before_t = 0, first = 0, last = 0;
@@ -200,28 +230,45 @@ struct Gauge {
   Inside sum{};
   double samples = 0, begin = 0;
 
-  void operator()(const State<double>& now) {
-    const std::vector<double> e = energy_density(HardChain{now.y.size(), {s}}, now);
-    const std::size_t peak = strongest(e), m = packet_half_width;
-    double pattern = 0;
-    for (std::size_t n = peak > m ? peak - m : 0; n <= peak + m; ++n) {
-      pattern += (n % 2 ? -1 : 1) * now.y[n];
-      sum.area += now.v[n] * now.v[n];
-    }
-    sum.site += energy_centre(e, peak), sum.energy += window_sum(e, peak), ++samples;
-    if (before < 0 && pattern >= 0) {
-      last = before_t + (now.t - before_t) * before / (before - pattern);
-      if (zeros++ == 0) first = last;
-    }
-    before = pattern, before_t = now.t;
-    if (now.t - begin < 20 - 1e-9) return;
-    const double omega =
-        zeros > 1 ? 2 * std::numbers::pi * (zeros - 1) / (last - first) : std::nan("");
-    rows.push_back({(begin + now.t) / 2, sum.site / samples, sum.energy / samples,
-                    sum.area / samples * 2 * std::numbers::pi / omega, omega});
-    begin = now.t, sum = {}, samples = 0, zeros = 0;
-  }
+  void operator()(const State<double>& now);
+  void look_for_zero(double pattern, double t);
+  void finish(double t);
 };
+
+/**
+One look at the chain adds to the sums. The alternating sign of the pattern takes out long waves
+that run through the packet, which would shift the zeros of a single site. */
+void Gauge::operator()(const State<double>& now) {
+  const std::vector<double> e = energy_density(HardChain{now.y.size(), {s}}, now);
+  const std::size_t peak = strongest(e), m = packet_half_width;
+  double pattern = 0;
+  for (std::size_t n = peak > m ? peak - m : 0; n <= peak + m; ++n) {
+    pattern += (n % 2 ? -1 : 1) * now.y[n];
+    sum.area += now.v[n] * now.v[n];
+  }
+  sum.site += energy_centre(e, peak), sum.energy += window_sum(e, peak), ++samples;
+  look_for_zero(pattern, now.t);
+  if (now.t - begin >= 20 - 1e-9) finish(now.t);
+}
+
+/**
+The frequency is the number of periods between the first and the last upward zero of a stretch over
+the time between them, each zero placed by a straight line between two looks. */
+void Gauge::look_for_zero(double pattern, double t) {
+  if (before < 0 && pattern >= 0) {
+    last = before_t + (t - before_t) * before / (before - pattern);
+    if (zeros++ == 0) first = last;
+  }
+  before = pattern, before_t = t;
+}
+
+void Gauge::finish(double t) {
+  const double omega =
+      zeros > 1 ? 2 * std::numbers::pi * (zeros - 1) / (last - first) : std::nan("");
+  rows.push_back({(begin + t) / 2, sum.site / samples, sum.energy / samples,
+                  sum.area / samples * 2 * std::numbers::pi / omega, omega});
+  begin = t, sum = {}, samples = 0, zeros = 0;
+}
 
 std::vector<Inside> gauge(const Experiment& experiment, double step) {
   Gauge gauge;
@@ -229,7 +276,10 @@ std::vector<Inside> gauge(const Experiment& experiment, double step) {
   return gauge.rows;
 }
 
-/// Both families of breathers at rest, from the bottom of the packet's range of frequencies on.
+/**
+What the packet is compared with are both families of breathers at rest, climbed rung by rung in
+frequency from the bottom of the packet's range on. The barrier is taken on the way, where both
+orbits of a rung are at hand. */
 struct Family {
   std::vector<Orbit<double>> bond, site;
   std::vector<double> gap;  ///< E_site - E_bond at equal area
@@ -254,20 +304,20 @@ double at_frequency(const Family& f, double omega, Of of) {
   return of(k - 1) + (of(k) - of(k - 1)) * (omega - a) / (b - a);
 }
 
-void report_inside(Report& report) {
-  const std::vector<Experiment> list = experiments();
-  const double step = report.quick ? 0.1 : 0.05;
-  std::vector<Inside> rows[4];
-  parallel_for(4, [&](std::size_t i) { rows[i] = gauge(list[i / 2], i % 2 ? step / 2 : step); });
+/**
+Both sides of the comparison become tables, the packet along its way and the breathers along their
+frequency, so that the figure can lay one over the other. */
+Table packet_inside(const std::vector<Inside>* rows) {
   Table along{{count("experiment", "0 waves left, 1 absorbed behind"), number("t", "time"),
                number("centre", "centre of the packet", "site"), number("energy", "its energy"),
                number("area", "its area"), number("omega", "its frequency")}};
   for (int k : {0, 1})
     for (const Inside& r : rows[2 * k + 1])
       along.add({std::int64_t(k), r.t, r.site, r.energy, r.area, r.omega});
-  report.output.add("packet_inside", std::move(along));
+  return along;
+}
 
-  const Family f = family();
+Table breathers_at_rest(const Family& f) {
   Table rest{{number("omega", "frequency"), number("energy_bond", "energy, bond-centred"),
               number("energy_site", "energy, site-centred"),
               number("area_bond", "area, bond-centred"), number("area_site", "area, site-centred"),
@@ -275,45 +325,69 @@ void report_inside(Report& report) {
   for (std::size_t k = 0; k < f.gap.size(); ++k)
     rest.add({f.bond[k].omega, f.bond[k].energy, f.site[k].energy, f.bond[k].area, f.site[k].area,
               f.gap[k]});
-  report.output.add("breathers_at_rest", std::move(rest));
+  return rest;
+}
 
-  for (int k : {0, 1}) {
-    const std::string name = k ? "_behind" : "_waves";
-    const auto mean = [&](auto of) {
-      const auto over = [&](const std::vector<Inside>& list) {
-        double sum = 0, n = 0;
-        for (const Inside& r : list)
-          if (r.t > 100 && r.t < 300) sum += of(r), ++n;
-        return sum / n;
-      };
-      return compare(over(rows[2 * k]), over(rows[2 * k + 1]));
-    };
-    const Estimate omega = mean([](const Inside& r) { return r.omega; });
-    report.facts.add("omega" + name, omega);
-    report.facts.add("energy" + name, mean([](const Inside& r) { return r.energy; }));
-    report.facts.add("area" + name, mean([](const Inside& r) { return r.area; }));
-    report.facts.add(
-        "energy_at_rest" + name,
-        exact(at_frequency(f, omega.value, [&](std::size_t i) { return f.bond[i].energy; })),
-        "bond-centred breather of the packet's frequency");
-    report.facts.add(
-        "area_at_rest" + name,
-        exact(at_frequency(f, omega.value, [&](std::size_t i) { return f.bond[i].area; })),
-        "bond-centred breather of the packet's frequency");
-    report.facts.add("barrier" + name,
-                     exact(at_frequency(f, omega.value, [&](std::size_t i) { return f.gap[i]; })),
-                     "E_site - E_bond at equal area");
-  }
+/**
+The facts are means over the times from 100, when the packet has left the end, to 300, before it
+turns, at two steps. The breather to compare with is the one of the same mean frequency. */
+Estimate mean_inside(const std::vector<Inside>& coarse, const std::vector<Inside>& fine,
+                     double Inside::*of) {
+  const auto over = [&](const std::vector<Inside>& list) {
+    double sum = 0, n = 0;
+    for (const Inside& r : list)
+      if (r.t > 100 && r.t < 300) sum += r.*of, ++n;
+    return sum / n;
+  };
+  return compare(over(coarse), over(fine));
+}
+
+void compare_inside(Quantities& facts, const std::string& name, const Family& f,
+                    const std::vector<Inside>& coarse, const std::vector<Inside>& fine) {
+  const auto mean = [&](double Inside::*of) { return mean_inside(coarse, fine, of); };
+  const Estimate omega = mean(&Inside::omega);
+  const auto at_rest = [&](auto of) { return exact(at_frequency(f, omega.value, of)); };
+  const std::string same = "bond-centred breather of the packet's frequency";
+  facts.add("omega" + name, omega);
+  facts.add("energy" + name, mean(&Inside::energy));
+  facts.add("area" + name, mean(&Inside::area));
+  facts.add("energy_at_rest" + name, at_rest([&](auto i) { return f.bond[i].energy; }), same);
+  facts.add("area_at_rest" + name, at_rest([&](auto i) { return f.bond[i].area; }), same);
+  facts.add("barrier" + name, at_rest([&](auto i) { return f.gap[i]; }),
+            "E_site - E_bond at equal area");
+}
+
+/**
+Two packets are looked at, the one that turns and the one that does not because everything behind it
+is absorbed. If the waves feed the packet, the two should differ in energy.
+
+The packet is a breather that moves: its frequency [1.68362](num:sec34_boomeron_why.omega_waves) and
+its area [5.9885](num:sec34_boomeron_why.area_waves) lie by those of a breather at rest, whose area
+at this frequency is [5.83399](num:sec34_boomeron_why.area_at_rest_waves). While it feeds on the
+waves it carries [1.48728](num:sec34_boomeron_why.energy_waves), without them
+[1.3694](num:sec34_boomeron_why.energy_behind). The barrier,
+[0.000398715](num:sec34_boomeron_why.barrier_waves), can hold a slow packet, which is what we see of
+late cuts, but being periodic it can neither slow one over many sites nor send it back. */
+void report_inside(Report& report) {
+  const std::vector<Experiment> list = experiments();
+  const double step = report.quick ? 0.1 : 0.05;
+  std::vector<Inside> rows[4];
+  parallel_for(4, [&](std::size_t i) { rows[i] = gauge(list[i / 2], i % 2 ? step / 2 : step); });
+  const Family f = family();
+  report.output.add("packet_inside", packet_inside(rows));
+  report.output.add("breathers_at_rest", breathers_at_rest(f));
+  compare_inside(report.facts, "_waves", f, rows[0], rows[1]);
+  compare_inside(report.facts, "_behind", f, rows[2], rows[3]);
 }
 
 /**
 ## Waves beside a breather at rest
 
-The last experiment reverses the first: instead of taking the waves away from a packet that turns, we
-give waves to a breather that rests. A bond-centred breather gets fifteen oscillating sites on one side,
-beyond its fifth neighbours, with phases drawn from a recorded seed. If waves pull, it moves towards
-them from either side; if they push, away. The linear well, in which nothing turns, serves as
-the control, with a breather of the same energy and the same waves. */
+The last experiment reverses the first: instead of taking the waves away from a packet that turns,
+we give waves to a breather that rests. A bond-centred breather gets fifteen oscillating sites on
+one side, beyond its fifth neighbours, with phases drawn from a recorded seed. If waves pull, it
+moves towards them from either side; if they push, away. The linear well, in which nothing turns,
+serves as the control, with a breather of the same energy and the same waves. */
 constexpr unsigned long seed = 20130502;
 constexpr double wave_amplitude = 0.15, wave_time = 300;
 
@@ -329,6 +403,9 @@ struct Trial {
   }
 };
 
+/**
+The breather is laid into the middle of a quiet chain and the waves beside it; the displacement is
+told from the bond at which the breather rested. */
 Path expose(const Trial& trial, const Orbit<double>& orbit, double step) {
   const std::size_t length = 160, first = 64, centre = first + orbit.start.y.size() / 2;
   const HardChain chain{length, {trial.well}};
@@ -348,7 +425,9 @@ Path expose(const Trial& trial, const Orbit<double>& orbit, double step) {
   return path;
 }
 
-/// Trials for both wells and both sides; the same phases, mirrored, in all four.
+/**
+Chance decides much in a single draw, so there are many, and each is used four times: in both wells
+and on both sides, with the same phases, mirrored. What the four have in common cannot be chance. */
 std::vector<Trial> trials(std::size_t count) {
   Random random(seed);
   std::vector<Trial> list;
@@ -362,17 +441,29 @@ std::vector<Trial> trials(std::size_t count) {
 }
 
 /**
-The mean displacement towards the waves, with the standard error over the trials, is the result; for
-each well we also count how many breathers moved towards the waves by more than a tenth of a site. */
-void report_waves(Report& report) {
-  std::vector<Trial> list = trials(report.quick ? 3 : 12);
-  const double step = report.quick ? 0.2 : 0.1;
-  const Orbit<double> hard = find_breather(problem_of(Centre::bond, 1.68, 1)),
-                      linear = find_breather(problem_of(Centre::bond, 1.6045, 0));
-  parallel_for(2 * list.size(), [&](std::size_t i) {
-    Trial& t = list[i / 2];
-    (i % 2 ? t.path : t.coarse) = expose(t, t.well > 0 ? hard : linear, i % 2 ? step / 2 : step);
-  });
+The result for a well is the mean displacement towards the waves, with the standard error over the
+trials. We also count how many breathers moved towards the waves by more than a tenth of a site, and
+keep the largest difference of two steps in any trial, beside which the mean has to be seen. */
+void add_pull(Quantities& facts, const std::vector<Trial>& list, double well) {
+  double sum = 0, square = 0, steps = 0, n = 0;
+  std::int64_t towards = 0;
+  for (const Trial& t : list) {
+    if (t.well != well) continue;
+    const double x = t.side * t.moved(t.path);
+    sum += x, square += x * x, ++n, towards += x > 0.1;
+    steps = std::max(steps, std::abs(x - t.side * t.moved(t.coarse)));
+  }
+  const double mean = sum / n, error = std::sqrt((square / n - mean * mean) / (n - 1));
+  const std::string name = well > 0 ? "_hard" : "_linear";
+  facts.add("pull" + name, {mean, error}, "site towards the waves");
+  facts.add("pull_steps" + name, exact(steps), "largest difference of two steps");
+  facts.add("pulled" + name, exact(double(towards) / n), "share of the trials");
+}
+
+/**
+The figure shows every trial and not only their mean, so that the reader sees how far chance goes.
+*/
+Table waves_beside(const std::vector<Trial>& list) {
   Table table{{number("s", "anharmonicity of the well"),
                count("side", "-1 waves on the left, 1 on the right"),
                count("trial", "number of the draw"), number("t", "time"),
@@ -384,22 +475,28 @@ void report_waves(Report& report) {
       table.add({list[k].well, std::int64_t(list[k].side), std::int64_t(k / 4), p.t[i],
                  p.centre[i] - p.centre[0]});
   }
-  report.output.add("waves_beside", std::move(table));
-  for (double well : {1.0, 0.0}) {
-    double sum = 0, square = 0, steps = 0, n = 0;
-    std::int64_t towards = 0;
-    for (const Trial& t : list) {
-      if (t.well != well) continue;
-      const double x = t.side * t.moved(t.path);
-      sum += x, square += x * x, ++n, towards += x > 0.1;
-      steps = std::max(steps, std::abs(x - t.side * t.moved(t.coarse)));
-    }
-    const double mean = sum / n, error = std::sqrt((square / n - mean * mean) / (n - 1));
-    const std::string name = well > 0 ? "_hard" : "_linear";
-    report.facts.add("pull" + name, {mean, error}, "site towards the waves");
-    report.facts.add("pull_steps" + name, exact(steps), "largest difference of two steps");
-    report.facts.add("pulled" + name, exact(double(towards) / n), "share of the trials");
-  }
+  return table;
+}
+
+/**
+The two breathers have the same energy, and both energies stand among the facts, so that the control
+can be checked.
+
+A breather at rest that nothing else could move is drawn towards waves on either side, by
+[6.4](num:sec34_boomeron_why.pull_hard) sites in the share [1](num:sec34_boomeron_why.pulled_hard)
+of the trials; in the linear well the same waves move a breather of the same energy by
+[0.20](num:sec34_boomeron_why.pull_linear), and there nothing turns. */
+void report_waves(Report& report) {
+  std::vector<Trial> list = trials(report.quick ? 3 : 12);
+  const double step = report.quick ? 0.2 : 0.1;
+  const Orbit<double> hard = find_breather(problem_of(Centre::bond, 1.68, 1)),
+                      linear = find_breather(problem_of(Centre::bond, 1.6045, 0));
+  parallel_for(2 * list.size(), [&](std::size_t i) {
+    Trial& t = list[i / 2];
+    (i % 2 ? t.path : t.coarse) = expose(t, t.well > 0 ? hard : linear, i % 2 ? step / 2 : step);
+  });
+  report.output.add("waves_beside", waves_beside(list));
+  for (double well : {1.0, 0.0}) add_pull(report.facts, list, well);
   report.facts.add("energy_beside_hard", exact(hard.energy));
   report.facts.add("energy_beside_linear", exact(linear.energy));
 }
@@ -408,32 +505,32 @@ void report_waves(Report& report) {
 ## Results
 
 **The packet turns because of the waves that it left behind, as the article suspected, and they
-pull.** With the waves it comes back; with everything behind it absorbed it does not, nor if only the first
-site absorbs, and in the last half of the time it still moves on by
-[13.1](num:sec34_boomeron_why.late_advance_behind) and [5.8](num:sec34_boomeron_why.late_advance_end) sites. Put
-on a quiet chain at time 60 or 120 it moves on as well; cut out later, when it is almost at rest, it is
-caught or creeps ([-2.961](num:sec34_boomeron_why.late_advance_cut200) sites for a cut at 200,
-[-0.2285](num:sec34_boomeron_why.late_advance_cut300) at 300), but never returns. So the slowing down
-has two parts, a loss of speed that the packet brings along and that fades, and a backward force that needs
-waves. A breather at rest that nothing else could move is drawn towards waves on
-either side, by [6.4](num:sec34_boomeron_why.pull_hard) sites in the share
-[1](num:sec34_boomeron_why.pulled_hard) of the trials; in the linear well the same waves move a breather of the
-same energy by [0.20](num:sec34_boomeron_why.pull_linear), and there nothing turns.
+pull.** With the waves it comes back; with everything behind it absorbed it does not, nor if only
+the first site absorbs, and in the last half of the time it still moves on by
+[13.1](num:sec34_boomeron_why.late_advance_behind) and
+[5.8](num:sec34_boomeron_why.late_advance_end) sites. Put on a quiet chain at time 60 or 120 it
+moves on as well; cut out later, when it is almost at rest, it is caught or creeps
+([-2.961](num:sec34_boomeron_why.late_advance_cut200) sites for a cut at 200,
+[-0.2285](num:sec34_boomeron_why.late_advance_cut300) at 300), but never returns. So the slowing
+down has two parts, a loss of speed that the packet brings along and that fades, and a backward
+force that needs waves. */
+Results reproduce(Report& report) {
+  report_experiments(report);
+  report_inside(report);
+  report_waves(report);
+  report.output.add("facts", report.facts.table);
+  return report.results;
+}
 
-The packet is a breather that moves: its frequency [1.68362](num:sec34_boomeron_why.omega_waves) and its area
-[5.9885](num:sec34_boomeron_why.area_waves) lie by those of a breather at rest, whose area at this frequency is
-[5.83399](num:sec34_boomeron_why.area_at_rest_waves). While it feeds on the waves it carries
-[1.48728](num:sec34_boomeron_why.energy_waves), without them [1.3694](num:sec34_boomeron_why.energy_behind). The
-barrier, [0.000398715](num:sec34_boomeron_why.barrier_waves), can hold a slow packet, which is what we see of late cuts, but
-being periodic it can neither slow one over many sites nor send it back.
-
+/**
 ## Differences and limits
 
 Why waves pull we show but do not derive. A contact only pushes; that pushing from behind draws a
-packet back suggests a negative mass: in figure 23 neighbours in the packet oscillate in opposite phase, as at
-the upper edge of a band, while the waves behind it are long and in phase. Nor does the experiment say why the linear well's breather hardly
-answers; it may be heavier, or feed less. The amplitude of the waves in the last experiment, 0.15, is of the size
-of those behind the packet; the dependence on it was not mapped.
+packet back suggests a negative mass: in figure 23 neighbours in the packet oscillate in opposite
+phase, as at the upper edge of a band, while the waves behind it are long and in phase. Nor does the
+experiment say why the linear well's breather hardly answers; it may be heavier, or feed less. The
+amplitude of the waves in the last experiment, 0.15, is of the size of those behind the packet; the
+dependence on it was not mapped.
 
 ## Extensions
 
@@ -445,11 +542,7 @@ int main(int argc, char** argv) {
                   argc, argv);
   program.everything = [&](Output& output) {
     Report report{output, program.quick};
-    report_experiments(report);
-    report_inside(report);
-    report_waves(report);
-    output.add("facts", report.facts.table);
-    return report.results;
+    return reproduce(report);
   };
   return program.run(argc, argv);
 }

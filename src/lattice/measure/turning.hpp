@@ -16,9 +16,13 @@ path: the mean over a stated width with the weight $1+\cos(2\pi t/\text{width})$
 #include <numbers>
 #include <numeric>
 #include <stdexcept>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "lattice/measure/impact.hpp"
+#include "lattice/numbers/estimate.hpp"
+#include "lattice/stepping/accuracy.hpp"
 
 namespace lattice {
 
@@ -35,8 +39,14 @@ struct Path {
   }
 };
 
-/// The weighted mean of a path over windows of the given width in time; the ends, where no window
-/// fits, are left out. Throws std::invalid_argument for fewer than three samples.
+/**
+The weight of the smoothing falls to zero at the ends of its window together with its slope, so that
+an oscillation of more than a few periods a window is suppressed strongly, which a plain mean does
+only where the window happens to hold whole periods. At the ends of a path, where no window fits,
+nothing is said: half a window would shift the centre of a moving packet. */
+
+/// The weighted mean of a path over windows of the given width in time, shorter by one width.
+/// Throws std::invalid_argument for fewer than three samples.
 inline Path smooth(const Path& path, double width) {
   if (path.t.size() < 3) throw std::invalid_argument("a path needs at least three samples");
   const double sample = path.t[1] - path.t[0];
@@ -58,6 +68,12 @@ inline Path smooth(const Path& path, double width) {
   }
   return out;
 }
+
+/**
+A turning point is the extremum of the smoothed path. The samples are a fraction of a unit of time
+apart, and the parabola through three of them places the extremum between them, so that the time of
+an apex is not limited by the sampling. Where the three do not enclose an extremum the sample itself
+stands. */
 
 /// A site and a time, `nan` where there are none.
 struct Moment {
@@ -100,16 +116,21 @@ inline Turn find_turn(const Path& path, double back = 5, double again = 3, doubl
       turned = x[i] < x[far] - back;
       near = i;
       if (turned) turn.apex = vertex(path, far);
-    } else {
-      if (x[i] < x[near]) near = i;
-      if (x[i] > x[near] + again) {
-        turn.rebound = vertex(path, near);
-        return turn;
-      }
+    } else if (x[i] < x[near]) {
+      near = i;
+    } else if (x[i] > x[near] + again) {
+      turn.rebound = vertex(path, near);
+      break;
     }
   }
   return turn;
 }
+
+/**
+The packets of this header are launched by an impact, and followed for long. A look at the chain
+every 0.2 units of time resolves the internal oscillation, whose period is about four; the smoothing
+covers four of these periods, which removes the ripple and is still short compared with the hundreds
+of units that a packet takes to turn. */
 
 /// An impact on the first bead of a resting chain with quartic wells, Eqs. (9), (10) and (26).
 struct Strike {
@@ -128,6 +149,10 @@ struct Voyage {
   Turn turn(double width = smoothing) const { return find_turn(smooth(path, width)); }
 };
 
+/**
+A run keeps the path of the packet and the chain as it is at the end; whoever needs more, a map for
+instance, watches along. */
+
 /// Follows the strongest packet; `watch(state, density)` sees every sample.
 template <class Watch = Unwatched>
 Voyage voyage(const ContactAware& stepper, const Strike& strike, Watch watch = {}) {
@@ -143,6 +168,46 @@ Voyage voyage(const ContactAware& stepper, const Strike& strike, Watch watch = {
 }
 
 /**
+A turning has an error from the step, and one from the width of the smoothing, which is our choice.
+The first is the difference of two runs; for the second we read the finer run once more with half
+the width, and add what this changes. */
+struct TurnEstimate {
+  Estimate stop_time, stop_site, apex_time, apex_site, return_time;
+};
+
+inline TurnEstimate estimate_turn(const Voyage& coarse, const Voyage& fine) {
+  const Turn a = coarse.turn(), b = fine.turn(), c = fine.turn(smoothing / 2);
+  const auto both = [&](auto of) {
+    Estimate e = compare(of(a), of(b));
+    e.error += std::abs(of(c) - of(b));
+    return e;
+  };
+  return {both([](const Turn& t) { return t.stop.time; }),
+          both([](const Turn& t) { return t.stop.site; }),
+          both([](const Turn& t) { return t.apex.time; }),
+          both([](const Turn& t) { return t.apex.site; }),
+          both([](const Turn& t) { return t.rebound.time; })};
+}
+
+/**
+Where a tolerance is stated, two runs agree if both have an apex and a rebound at the same site and
+time, or both have none (accuracy.hpp). Two runs without either would agree at any step, so their
+end states count as well, with a thousandth of their distance: what is asked for is the turning. */
+struct SameTurn {
+  std::string name = "apex and rebound";
+  double operator()(const Voyage& a, const Voyage& b) const {
+    const Turn x = a.turn(), y = b.turn();
+    double worst = 0;
+    for (auto [p, q] : {std::pair{x.apex, y.apex}, {x.rebound, y.rebound}}) {
+      if (p.found() != q.found()) return std::numeric_limits<double>::infinity();
+      if (p.found())
+        worst = std::max({worst, std::abs(p.time / q.time - 1), std::abs(p.site / q.site - 1)});
+    }
+    return std::max(worst, 1e-3 * distance(a.end, b.end));
+  }
+};
+
+/**
 When a bound on the site is all that matters, the smoothed path is not needed: the mean over one
 internal period tells whether a packet has passed a site, has come back by five sites, or has
 never left the end. */
@@ -152,32 +217,51 @@ struct Outlook {
   double apex = 0;  ///< furthest mean centre so far
 };
 
-/// The fate of a struck packet in front of site `horizon`, with steps halved `halvings` times. The
-/// step follows the fastest motion (well, contact or quartic term), the patience the slowest packet,
-/// that of the DpS limit.
-inline Outlook probe(double velocity, double s, double horizon, int halvings) {
+/**
+Impacts of many decades need their own clock. The fastest motion is that of the well, of the contact
+or of the quartic term, whose rates grow like $v_0^{1/5}$ and $(s v_0^2)^{1/4}$: the samples and
+steps follow it. How long to wait is told by the slowest packet, that of the DpS limit, whose speed
+grows like $v_0^{1/2}$ and which crosses the horizon in the time `crossing`. We wait ten times as
+long, and call a packet that has not left the end after four crossings one that stays. */
+struct Patience {
+  double interval;  ///< between two looks
+  double time;      ///< of the whole run
+  double tired;     ///< when a packet near the end counts as one that stays
+};
+
+inline Patience patience(double velocity, double s, double horizon) {
   const double rate =
       std::max({1.0, std::pow(velocity, 0.2), std::pow(s * velocity * velocity, 0.25)});
   const double crossing = horizon / std::min(0.36 * std::sqrt(velocity / 2), 0.4);
-  const double time = 10 * crossing / rate, interval = 0.8 / rate;
+  return {0.8 / rate, 10 * crossing / rate, 4 * crossing / rate};
+}
+
+/**
+The run ends as soon as the fate is known, since a map asks for thousands of them. Eight samples
+make about one internal period, and only their mean is looked at. */
+
+/// The fate of a struck packet in front of site `horizon`, with steps halved `halvings` times.
+inline Outlook probe(double velocity, double s, double horizon, int halvings) {
+  const Patience wait = patience(velocity, s, horizon);
   const Chain<Quartic, Hertz> chain{std::size_t(horizon) + 20, {s}};
   State<double> state = struck(chain.sites, velocity);
   Outlook out;
   Path period;
-  evolve(ContactAware{interval / 4}, chain, state,
-         shorter_steps(pace(time, interval, interval / 4), halvings),
-         [&](const State<double>& now) {
-           period.add(now.t, energy_density(chain, now));
-           if (period.t.size() < 8) return true;
-           double x = 0;
-           for (double c : period.centre) x += c / 8;
-           period = {};
-           out.apex = std::max(out.apex, x);
-           if (x > horizon) out.fate = Fate::escapes;
-           if (x < out.apex - 5) out.fate = Fate::turns;
-           if (now.t > 4 * crossing / rate && out.apex < 8) out.fate = Fate::stays;
-           return out.fate == Fate::undecided;
-         });
+  const auto look = [&](const State<double>& now) {
+    period.add(now.t, energy_density(chain, now));
+    if (period.t.size() < 8) return true;
+    double x = 0;
+    for (double c : period.centre) x += c / 8;
+    period = {};
+    out.apex = std::max(out.apex, x);
+    if (x > horizon) out.fate = Fate::escapes;
+    if (x < out.apex - 5) out.fate = Fate::turns;
+    if (now.t > wait.tired && out.apex < 8) out.fate = Fate::stays;
+    return out.fate == Fate::undecided;
+  };
+  const double step = wait.interval / 4;
+  evolve(ContactAware{step}, chain, state,
+         shorter_steps(pace(wait.time, wait.interval, step), halvings), look);
   return out;
 }
 

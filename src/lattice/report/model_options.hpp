@@ -57,6 +57,14 @@ class PotentialOptions {
   PotentialOptions(const PotentialOptions&) = delete;
   PotentialOptions& operator=(const PotentialOptions&) = delete;
 
+  /**
+  A name brings its own defaults: once a potential or a parameter is typed, the others are those of
+  the potential, not those of the program, whose default may be another potential altogether. Only
+  a line that says nothing keeps the program's choice as it is.
+
+  The complaint names what the reader typed: the parameter that the potential lacks, or else the
+  name of the potential. */
+
   /// The potential that was asked for; the default where nothing was. Throws UsageError.
   Any chosen() const {
     Settings given;
@@ -77,6 +85,10 @@ class PotentialOptions {
     double value;
     CLI::Option* option;
   };
+
+  /**
+  One parameter may belong to several potentials. It is one option then, and its help names all
+  owners; the default shown is that of the program's potential where this has the parameter. */
 
   /// The names of all potentials with a parameter `name`.
   static std::vector<std::string> owners(const std::string& name) {
@@ -104,6 +116,11 @@ class PotentialOptions {
   CLI::Option* choice_;
 };
 
+/**
+A program has a model with its own values before the line is read, and the reader's model after
+it. The options in between must live as long as the command, since CLI11 writes into them; so the
+command itself keeps them, in the call that it makes when the line is complete. */
+
 /// Adds `--onsite`, `--contact` and their parameters to a command; `model` holds the defaults and,
 /// once the command line is read, the choice. It must live as long as `app`.
 inline void add_model_options(CLI::App& app, Model& model) {
@@ -120,7 +137,10 @@ inline void add_model_options(CLI::App& app, Model& model) {
   });
 }
 
-/// Adds `--ends`, what lies beyond the first and the last bead.
+/**
+What lies beyond the first and the last bead is a choice among few, and a name again. */
+
+/// Adds `--ends`; as above, `model` holds the default and must live as long as `app`.
 inline void add_ends_option(CLI::App& app, Model& model) {
   const std::vector<std::string> names(std::begin(ends_names), std::end(ends_names));
   const auto choose = [&model, names](const std::string& name) {

@@ -46,8 +46,8 @@ inline CLI::Validator not_empty() {
 
 /**
 CLI11 would read `031` as octal, refuse `1e+06` for a count and round a number twice. So each number
-is read by us first and handed on in a form without doubt. The library names the type of an option and
-what is allowed in one text, `UINT:[2, 100000]`. */
+is read by us first and handed on in a form without doubt. The library names the type of an option
+and what is allowed in one text, `UINT:[2, 100000]`. */
 inline void read_numbers_ourselves(CLI::Option& option) {
   const std::string text = option.get_type_name(), type = text.substr(0, text.find(':'));
   const bool whole = type == "UINT" || type == "INT";
@@ -66,7 +66,10 @@ inline void read_numbers_ourselves(CLI::Option& option) {
       ""));
 }
 
-/// A default that is no plain value stands in the description, `(default: as long as needed)`.
+/**
+Help must show every default, also one that is no plain value, such as a length that follows from
+another option. Such a default stands in the description, `(default: as long as needed)`, and is
+taken out of it here, so that it is shown, and recorded, like all the others. */
 inline void take_default_from_description(CLI::Option& option) {
   const std::string text = option.get_description(), mark = " (default: ";
   const auto at = text.find(mark);
@@ -83,6 +86,10 @@ inline void settle_options(CLI::App& app) {
   }
 }
 
+/**
+The two readers of the defaults follow: help, for those who ask before a run, and the header of a
+table, for those who ask afterwards which parameters a number belongs to. A flag has no value and
+shows none. */
 inline bool is_flag(const CLI::Option* option) {
   return option->get_items_expected_max() == 0;
 }
@@ -98,7 +105,10 @@ struct Help : CLI::Formatter {
   }
 };
 
-/// The options that decide a result, each with its value: the one typed or the default.
+/**
+A header must be the same for the same result. So it holds the options that decide a result, each
+with its value, the one typed or the default, and leaves out the number of threads and the place
+of the output, on which no digit depends. */
 inline Meta recorded_options(const CLI::App& app) {
   Meta out;
   for (const CLI::Option* option : app.get_options()) {
@@ -117,7 +127,10 @@ inline Meta recorded_options(const CLI::App& app) {
   return out;
 }
 
-/// An argument as a shell would have it typed, on one line.
+/**
+The command in a header is there to be typed again. An argument with blanks, quotes or control
+characters is therefore quoted as a shell would want it, and kept on one line: a line feed in a
+name would otherwise break the header. */
 inline std::string shell_quoted(const std::string& argument) {
   const auto plain = [](unsigned char c) {
     return std::isalnum(c) != 0 || std::string("-_=+./,:@%").find(char(c)) != std::string::npos;
@@ -137,7 +150,8 @@ inline std::string shell_quoted(const std::string& argument) {
   return "'" + argument + "'";
 }
 
-/// The command without its `--threads`, on which no result depends.
+/**
+Also the command leaves out the threads, in either way of typing them, with a blank or with `=`. */
 inline std::string command_text(const std::string& program, int argc, const char* const* argv) {
   std::string out = program;
   for (int i = 1; i < argc; ++i) {

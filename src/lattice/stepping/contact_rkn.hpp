@@ -101,7 +101,10 @@ struct Quintic {
   }
 };
 
-/// The root in a bracket: Newton, and bisection wherever Newton would leave it.
+/**
+The switching itself, the root $s^*$ of the quintic, decides where the impulse is cut. Newton's
+method finds it in a few steps, and bisection replaces every step that would leave the bracket. A
+last move below $10^{-5}$ is enough, because the next one would be of the order of its square. */
 template <class T>
 T root_between(const Quintic<T>& x, T lo, T hi) {
   const T below = x(lo), above = x(hi);
@@ -116,7 +119,7 @@ T root_between(const Quintic<T>& x, T lo, T hi) {
   return s;
 }
 
-/// What a force does during a step: $\int F\,ds$, $\int (1-s) F\,ds$, $\int \frac12 (1-s)^2 F\,ds$.
+/// What a force does in a step: $\int F\,ds$, $\int (1-s) F\,ds$, $\int \frac12 (1-s)^2 F\,ds$.
 template <class T>
 struct Impulse {
   T velocity{}, position{}, shift{};
@@ -180,7 +183,10 @@ Impulse<T> exact_impulse(const Quintic<T>& x, const Push& push, bool fourth) {
   return sum;
 }
 
-/// One sum of accelerations, without its vanishing terms and filled up to a multiple of three.
+/**
+So much for one contact. The ordinary step concerns all sites and takes most of the time, so its
+sums are prepared for the sweep over a stage: the vanishing coefficients of a scheme are dropped,
+and each sum is filled up with zeros to a multiple of three terms. */
 template <class T>
 struct StageSum {
   std::vector<T> weight{};
@@ -192,7 +198,11 @@ struct StageSum {
   }
 };
 
-/// Memory for many steps, set up once. What lies outside the window stays zero.
+/**
+Many short calls of the stepper make a run, and allocating the stages anew in each would cost more
+than the steps. The memory is set up once and serves the whole run; what lies outside the window
+stays zero. With it we keep the weights $\sum_i b_i a_{ij}$ by which an error in the force reaches
+the velocity through the stages. */
 template <class T>
 struct NystromMemory {
   std::vector<std::vector<T>> y{}, a{};  ///< of the stages; the first y is that of the state
@@ -225,16 +235,30 @@ nor reversible; its drift is of the size of its error. */
 struct ContactAware {
   double step;
   Nystrom base = dormand_prince_6();
-  /// Contacts ahead of a front close, too, with overlaps of 1e-10, 1e-15, 1e-23. A force below this
-  /// one is lost in the rounding of a velocity of 1e-3, and such contacts are left alone.
-  double negligible = 1e-19;
+  double negligible = 1e-19;  ///< contact force that is not worth a correction
   int halvings = 0;  ///< how often a run halves the steps that `step` asks for (accuracy.hpp)
 
-  /// Memory for `advance`; one serves a whole run.
+  /**
+  Contacts ahead of a front close, too, with overlaps of 1e-10, 1e-15, 1e-23. A force below
+  `negligible` is lost in the rounding of a velocity of 1e-3, and such contacts are left alone. The
+  memory knows the overlap at which the force is that small. */
   template <class T, class Onsite, class Contact>
   NystromMemory<T> memory(const Chain<Onsite, Contact>& chain) const {
     return {base, chain.sites, std::pow(negligible, 1 / chain.contact.exponent)};
   }
+
+  /// A run of a few steps may leave the memory to the stepper.
+  template <class T, class Onsite, class Contact>
+  double advance(const Chain<Onsite, Contact>& chain, State<T>& state, Window& window, double h,
+                 std::size_t count) const {
+    NystromMemory<T> at = memory<T>(chain);
+    return advance(chain, state, window, h, count, at);
+  }
+
+  /**
+  A step is the ordinary one first and the corrections after it. The last stage is the new state,
+  corrected in place, and its accelerations are those with which the next step begins: swapping
+  the two costs nothing, and the force is evaluated once less. */
 
   /// Advances `state` by `count` steps of length `h`; returns the number of site-force evaluations.
   template <class T, class Onsite, class Contact>
@@ -259,15 +283,11 @@ struct ContactAware {
     return work;
   }
 
-  /// The same with memory of its own.
-  template <class T, class Onsite, class Contact>
-  double advance(const Chain<Onsite, Contact>& chain, State<T>& state, Window& window, double h,
-                 std::size_t count) const {
-    NystromMemory<T> at = memory<T>(chain);
-    return advance(chain, state, window, h, count, at);
-  }
-
  private:
+  /**
+  A stage is one sweep along the woken sites. For the correction of a contact we then need what its
+  overlap did in this step: both ends of the step with their rates and accelerations, in units of
+  the step, as the quintic wants them. */
   template <class T>
   static void combine(const std::vector<T>& y, const std::vector<T>& v, double drift,
                       const StageSum<T>& sum, Window window, NystromMemory<T>& at,
@@ -289,7 +309,10 @@ struct ContactAware {
             d - across(y),       -h * across(at.v),    -half * across(a)};
   }
 
-  /// Lists the contacts to correct: a wide pass over those between beads, a test at either end.
+  /**
+  Few contacts switch in a step, but all have to be looked at. Those between two beads are tested
+  in one wide pass without a branch; only then the flagged ones are gathered. The contacts at the
+  ends of the chain depend on the boundary and are tested one by one. */
   template <class T, class Onsite, class Contact>
   void find(const Chain<Onsite, Contact>& chain, const State<T>& state, Window window, T h,
             NystromMemory<T>& at) const {
@@ -309,8 +332,10 @@ struct ContactAware {
     if (chain.boundary().pushes(n) && window.last == n) try_end(n);
   }
 
-  /// The true impulse of contact `i` less the one that the stages gave it, and the moments. A force
-  /// that is always there, like that of precompression, cancels and is left out of both.
+  /**
+  What contact `i` is owed: its true impulse less the one that the stages gave it, and the same
+  for the moments. A force that is always there, like that of precompression, cancels and is left
+  out of both, so that it does not spoil the last digits of the difference. */
   template <class T, class Onsite, class Contact>
   Impulse<T> defect(const Chain<Onsite, Contact>& chain, const State<T>& state, std::size_t i, T h,
                     const NystromMemory<T>& at) const {
@@ -329,6 +354,12 @@ struct ContactAware {
     return {h * sum.velocity, h * h * sum.position, h * h * h * sum.shift};
   }
 
+  /**
+  A corrected contact pushes its two beads, and these the beads next to them. So all that follows
+  happens at the few sites near a listed contact, each visited once however many contacts are
+  near. First every bead gets what its two contacts owe it, in velocity and position; what the
+  stages lacked is kept as `shift`. A bead at rest may be woken by that. */
+
   /// Runs `action(n)` once for every site that lies within `reach` of a listed contact.
   template <class T, class Action>
   static void near_contacts(const NystromMemory<T>& at, std::size_t reach, Action action) {
@@ -339,14 +370,10 @@ struct ContactAware {
     }
   }
 
-  /// All corrections are computed before any is made, so that left and right are treated alike.
   template <class T, class Onsite, class Contact>
-  void correct(const Chain<Onsite, Contact>& chain, const State<T>& state, Window& window, T h,
-               NystromMemory<T>& at) const {
-    if (window.first != window.last) find(chain, state, window, h, at);
-    if (at.contacts.empty()) return;
-    std::vector<T>&y = at.y[base.last()], &a = at.a[base.last()];
-    for (std::size_t i : at.contacts) at.correction[i] = defect(chain, state, i, h, at);
+  void exchange_impulses(const Chain<Onsite, Contact>& chain, Window& window,
+                         NystromMemory<T>& at) const {
+    std::vector<T>& y = at.y[base.last()];
     near_contacts(at, 1, [&](std::size_t n) {
       const T inverse = lightness<T>(chain, n);
       const Impulse<T>&left = at.correction[n], &right = at.correction[n + 1];
@@ -356,6 +383,17 @@ struct ContactAware {
       window = {std::min(window.first, n), std::max(window.last, n + 1)};
     });
     widen(chain, y.data(), window);
+  }
+
+  /**
+  Then the forces are told. The accelerations at the end of the step belong to the corrected
+  positions, and the velocities get the term $K\,\cdot$ `shift` of the formula, in which $K$ is the
+  stiffness of everything else that acts on the bead: its well and those contacts which need no
+  correction themselves. */
+  template <class T, class Onsite, class Contact>
+  void repair_forces(const Chain<Onsite, Contact>& chain, Window window,
+                     NystromMemory<T>& at) const {
+    std::vector<T>&y = at.y[base.last()], &a = at.a[base.last()];
     const auto pull = [&](std::size_t i) {
       if (at.correction[i].velocity != T(0) || contact_push(chain, y.data(), i) == T(0))
         return T(0);
@@ -370,6 +408,19 @@ struct ContactAware {
       if (!chain.mass.empty()) a[n] *= lightness<T>(chain, n), more *= lightness<T>(chain, n);
       at.v[n] += more;
     });
+  }
+
+  /**
+  All corrections are computed before any is made, so that left and right are treated alike. At
+  the end the memory is clean again, at no more than the sites that were touched. */
+  template <class T, class Onsite, class Contact>
+  void correct(const Chain<Onsite, Contact>& chain, const State<T>& state, Window& window, T h,
+               NystromMemory<T>& at) const {
+    if (window.first != window.last) find(chain, state, window, h, at);
+    if (at.contacts.empty()) return;
+    for (std::size_t i : at.contacts) at.correction[i] = defect(chain, state, i, h, at);
+    exchange_impulses(chain, window, at);
+    repair_forces(chain, window, at);
     near_contacts(at, 1, [&](std::size_t n) { at.shift[n] = T(0); });
     for (std::size_t i : at.contacts) at.correction[i] = {};
   }

@@ -4,17 +4,17 @@
 
 Friction takes away a fixed share of every velocity per unit of time,
 $$\ddot y_n = \frac{F_n}{\mu_n} - \nu_n\,\dot y_n .$$
-Without the forces this is solved exactly, $\dot y_n \to e^{-\nu_n\tau}\,\dot y_n$ at fixed positions, and
-without the friction we have good steppers. So we alternate the two (Strang): half a step of
-friction, a conservative step, half a step of friction. The order is two whatever the order of
-the conservative stepper, with an error in proportion to $\nu$; where $\nu_n = 0$ nothing
-happens at all. One rate for all sites makes a damped chain, rates that grow towards an end
-make an end that absorbs.
+Without the forces this is solved exactly, $\dot y_n \to e^{-\nu_n\tau}\,\dot y_n$ at fixed
+positions, and without the friction we have good steppers. So we alternate the two (Strang): half a
+step of friction, a conservative step, half a step of friction. The order is two whatever the order
+of the conservative stepper, with an error in proportion to $\nu$; where $\nu_n = 0$ nothing happens
+at all. One rate for all sites makes a damped chain, rates that grow towards an end make an end that
+absorbs.
 
-What the friction takes is known exactly, too: $\frac12\mu_n\dot y_n^2\,(1-e^{-2\nu_n\tau})$. Energy and
-dissipated energy together are constant but for the drift of the conservative stepper, and this
-sum replaces the energy in a run's report. It says nothing about the error of the alternation,
-which only a shorter step shows. */
+What the friction takes is known exactly, too: $\frac12\mu_n\dot y_n^2\,(1-e^{-2\nu_n\tau})$. Energy
+and dissipated energy together are constant but for the drift of the conservative stepper, and this
+sum replaces the energy in a run's report. It says nothing about the error of the alternation, which
+only a shorter step shows. */
 
 #include <algorithm>
 #include <cmath>
@@ -62,6 +62,11 @@ struct Damped {
   }
   Damped(Stepper inner, double rate) : Damped(std::move(inner), std::vector<double>{rate}) {}
 
+  /**
+  A damped run has a past even where its stepper has none: the energy that has gone. So the memory
+  wraps that of the conservative stepper, if there is one. Here the chain is known for the first
+  time, and rates that do not fit its length are refused. */
+
   /// Memory for `advance`; one serves a whole run and holds its dissipated energy.
   template <class T, class Onsite, class Contact>
   auto memory(const Chain<Onsite, Contact>& chain) const {
@@ -73,6 +78,11 @@ struct Damped {
     else
       return DampedMemory<T, NoMemory>{};
   }
+
+  /**
+  The alternation itself. Without friction the steps go to the conservative stepper all at once,
+  since rubbing with the factor one would still cut its run into single steps, and the merged kicks
+  of a splitting would round differently. */
 
   /// Advances `state` by `count` steps of length `h`; returns the number of site-force evaluations.
   template <class T, class Onsite, class Contact, class Memory>
@@ -100,6 +110,9 @@ struct Damped {
   }
 
  private:
+  /**
+  The conservative part is whatever stepper was given, called as it wants to be called, with memory
+  or without. */
   template <class T, class Onsite, class Contact, class Memory>
   double conserve(const Chain<Onsite, Contact>& chain, State<T>& state, Window& window, double h,
                   std::size_t count, DampedMemory<T, Memory>& at) const {
@@ -109,7 +122,11 @@ struct Damped {
       return stepper.advance(chain, state, window, h, count, at.inner);
   }
 
-  /// The factors of half a step. The loss is computed without the cancellation in 1 - exp(-x).
+  /**
+  The friction of half a step, $x = \nu h/2$, leaves the share $e^{-x}$ of a velocity and takes the
+  share $1-e^{-2x}$ of its kinetic energy. At weak damping the second is a difference of two numbers
+  close to one, which `expm1` takes without loss: the books have to balance over millions of steps.
+  The friction acts on the woken sites, for those at rest have nothing to lose. */
   template <class T, class Memory>
   void prepare(double h, DampedMemory<T, Memory>& at) const {
     using std::exp, std::expm1;
@@ -122,7 +139,7 @@ struct Damped {
     at.step = h;
   }
 
-  /// Half a step of friction on the woken sites.
+  /// Half a step of friction.
   template <class T, class Onsite, class Contact, class Memory>
   void rub(const Chain<Onsite, Contact>& chain, State<T>& state, Window window,
            DampedMemory<T, Memory>& at) const {
@@ -136,13 +153,15 @@ struct Damped {
   }
 };
 
-/// A run with friction: `energy_drift` is that of energy and dissipated energy together.
+/**
+Outside the stepper a damped run looks like any other, except that it also tells what friction
+took, and that its `energy_drift` is that of energy and dissipated energy together. `evolve` needs
+to see the books for this, so it gets a stepper whose memory is ours. */
 struct DampedRun : Run {
   double dissipated = 0;  ///< during the run
 };
 
-/**
-`evolve` needs to see what the friction takes, so it gets a stepper whose memory is ours. */
+/// A damped stepper with its memory.
 template <class Stepper, class Memory>
 struct WithLedger {
   const Damped<Stepper>& damped;
@@ -157,7 +176,13 @@ struct WithLedger {
   }
 };
 
-/// Runs `go(stepper, observer)`; `observe` may ask for the dissipated energy as its second argument.
+/**
+Energy alone says nothing about a damped run, which is meant to lose it. What must not change is
+the sum of energy and dissipated energy, so the observer is wrapped: at each sample the sum is
+compared with the energy at the start. An observer that wants to know the dissipated energy takes
+it as a second argument. */
+
+/// Runs `go(stepper, observer)` with the books kept.
 template <class Stepper, class Onsite, class Contact, class Observer, class Go>
 DampedRun with_ledger(const Damped<Stepper>& damped, const Chain<Onsite, Contact>& chain,
                       const State<double>& start, Observer& observe, Go go) {
@@ -180,7 +205,9 @@ DampedRun with_ledger(const Damped<Stepper>& damped, const Chain<Onsite, Contact
   return run;
 }
 
-/// As `evolve` of integrate.hpp.
+/**
+A caller should not have to know whether friction is on. So `evolve` has the same two forms as in
+integrate.hpp, samples a stated time apart or at a given pace, and is chosen by the stepper. */
 template <class Stepper, class Onsite, class Contact, class Observer>
 DampedRun evolve(const Damped<Stepper>& damped, const Chain<Onsite, Contact>& chain,
                  State<double>& state, double duration, double sample, Observer observe) {

@@ -82,10 +82,13 @@ class Tile {
   Tile(const Tile&) = delete;
   Tile& operator=(const Tile&) = delete;
 
+  /**
+  A thread reads its part once and writes it once; in between only what the neighbours need of it
+  travels. Ghosts are read before a pass, and the sites that are ghosts elsewhere are written after
+  it: `depth` of them, as many as the stages of a pass can spoil. */
   void load(const State<T>& state) { read(state, 0, part_.size()); }
   void store(State<T>& state) const { write(state, part_.first, part_.last); }
 
-  /// Ghosts are read before and the sites that are ghosts elsewhere are written after each pass.
   void refresh(const State<T>& state) {
     read(state, 0, part_.before);
     read(state, part_.size() - part_.after, part_.size());
@@ -99,8 +102,10 @@ class Tile {
   void pass(const std::vector<Stage<T>>& stages, std::size_t block);
 
  private:
-  /// A cache line holds eight numbers. Positions begin with one, and velocities half a page of 4 kB
-  /// away from them: equal places in a page are taken for equal addresses and slow the loop down.
+  /**
+  How the copies lie in memory decides the speed. A cache line holds eight numbers; positions begin
+  with one, and velocities half a page of 4 kB away from them, because the processor takes equal
+  places in a page for equal addresses and waits. */
   static constexpr std::size_t line = 8, page = 512;
   std::size_t stride() const { return (part_.size() / page + 1) * page + page / 2; }
 
@@ -116,7 +121,9 @@ class Tile {
     for (std::size_t n = from, i = part_.before + from - part_.first; n < to; ++n, ++i)
       state.y[n] = y_[i], state.v[n] = v_[i];
   }
-  /// A cut is a free end; so are both ends of a part of a ring, whose ghosts come round it.
+  /**
+  The sweep over a part is that over a chain, so a part must say what its ends are. A cut is a free
+  end; so are both ends of a part of a ring, whose ghosts come round it. */
   Boundary boundary() const {
     const auto end = [&](bool real) { return real ? chain_.ends : Ends::free; };
     return {part_.size(), end(part_.begins), end(part_.ends)};
@@ -208,28 +215,49 @@ struct Tiled {
   }
 
  private:
-  /// The stages `first <= k < last`, tile by tile.
+  /**
+  A thread costs its start and its copies. So each gets at least `least` sites, and never fewer than
+  it has ghosts. */
+  std::size_t parts_of(std::size_t sites) const {
+    const std::size_t most = sites / std::max(least, depth);
+    return std::max<std::size_t>(1, std::min(threads, most));
+  }
+
+  /**
+  All threads take the same passes and meet twice in each: nobody may write the sites near its
+  edges before everybody has read them, and nobody may read them before all are written. After the
+  last pass the state is written as a whole, and no ghosts are needed any more. */
+
+  /// Carries one tile through the stages `first <= k < last`.
+  template <class T, class Onsite, class Contact, class StageAt, class Barrier>
+  void carry(Tile<T, Onsite, Contact>& tile, State<T>& state, std::size_t first, std::size_t last,
+             const StageAt& stage, Barrier& meet) const {
+    tile.load(state);
+    std::vector<Stage<T>> pass;
+    for (std::size_t next = first; next < last;) {
+      for (pass.clear(); next < last && pass.size() < depth; ++next) pass.push_back(stage(next));
+      meet.arrive_and_wait();  // everybody has read
+      tile.pass(pass, block);
+      if (next == last) break;
+      tile.publish(state, depth);
+      meet.arrive_and_wait();  // everybody has written
+      tile.refresh(state);
+    }
+    tile.store(state);
+  }
+
+  /**
+  The parts are equal, so that nobody waits long for the others. The caller's thread takes the first
+  one: a chain of one part needs no other thread. */
   template <class T, class Onsite, class Contact, class StageAt>
   void share(const Chain<Onsite, Contact>& chain, State<T>& state, std::size_t first,
              std::size_t last, StageAt stage) const {
-    const std::size_t most = chain.sites / std::max(least, depth);
-    const std::size_t parts = std::max<std::size_t>(1, std::min(threads, most));
+    const std::size_t parts = parts_of(chain.sites);
     const bool ring = chain.ends == Ends::periodic;
     std::barrier meet{std::ptrdiff_t(parts)};
     const auto work = [&](std::size_t k) {
       Tile<T, Onsite, Contact> tile(chain, part_of(chain.sites, ring, k, parts, depth), depth);
-      tile.load(state);
-      std::vector<Stage<T>> pass;
-      for (std::size_t next = first; next < last;) {
-        for (pass.clear(); next < last && pass.size() < depth; ++next) pass.push_back(stage(next));
-        meet.arrive_and_wait();  // everybody has read
-        tile.pass(pass, block);
-        if (next == last) break;
-        tile.publish(state, depth);
-        meet.arrive_and_wait();  // everybody has written
-        tile.refresh(state);
-      }
-      tile.store(state);
+      carry(tile, state, first, last, stage, meet);
     };
     std::vector<std::jthread> others;
     for (std::size_t k = 1; k < parts; ++k) others.emplace_back(work, k);
