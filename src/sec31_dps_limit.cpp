@@ -32,6 +32,8 @@ decades. */
 #include "lattice/report/program.hpp"
 #include "lattice/stepping/accuracy.hpp"
 
+using namespace lattice;
+
 /**
 ## What is claimed
 
@@ -39,8 +41,10 @@ decades. */
 - The approximation is $O(\epsilon^{3/2})$-close to the chain at least up to times
   $t = O(\epsilon^{-1/2})$ (`dps.error_order`).
 
-The article has no figure here. The program also offers the DpS impact for the reader's own use. */
-using namespace lattice;
+The article has no figure here. To see what "at least up to" means we follow the motion to three
+horizons in the slow time $\tau = \epsilon^{1/2}t$. The program also offers the DpS impact for the
+reader's own use. */
+constexpr std::array<double, 3> horizons{1, 4, 10};
 
 /**
 ## Model
@@ -95,7 +99,6 @@ bead of a chain with a free end, $A_1 = -i$, and a `pair` of neighbours in the m
 chain that are pushed together and released, $A_{16} = 1$ and $A_{17} = -1$. Nothing reaches
 the far ends. */
 constexpr std::size_t sites = 32;
-constexpr std::array<double, 3> horizons{1, 4, 10};
 constexpr std::array<const char*, 2> starts{"impact", "pair"};
 
 Field start_field(std::size_t which) {

@@ -27,6 +27,8 @@ boundary goes on emitting. We solve the equation, compare it with the chain, and
 #include "lattice/report/judge.hpp"
 #include "lattice/report/program.hpp"
 
+using namespace lattice;
+
 /**
 ## What is claimed
 
@@ -35,8 +37,12 @@ boundary goes on emitting. We solve the equation, compare it with the chain, and
 - The chain does the same, a little slower (`impact.speed_order`) and with an amplitude of
   $9\cdot10^{-4}$ (`impact.amp_full`) where the DpS approximation is said to give
   $13\cdot10^{-4}$ (`impact.amp_dps`).
-- Mainly seven sites carry the packet (`impact.support`). */
-using namespace lattice;
+- Mainly seven sites carry the packet (`impact.support`).
+
+To see the packet by itself we wait until the slow time `tau_end`, on a chain so long that nothing
+returns from its far end until then. */
+constexpr double tau_end = 250;
+constexpr std::size_t sites = 120;
 
 /**
 ## Model
@@ -49,10 +55,8 @@ replaces the chain by slow complex amplitudes, Eq. (13), that obey the DpS equat
 $$y_n \approx 2\epsilon\,\mathrm{Re}\,[A_n(\tau)\,e^{it}], \quad \tau = \epsilon^{1/2}t, \qquad
   2i\tau_0\dot A_n = (A_{n+1}-A_n)|A_{n+1}-A_n|^{1/2} - (A_n-A_{n-1})|A_n-A_{n-1}|^{1/2},$$
 with $A_1(0) = -i$ and all others zero, Eq. (25). All ends are free and all quantities
-dimensionless; nothing returns from the far end. In the program $\epsilon$, $\tau$ and $A_n$ are
-`eps`, `tau` and `Field`. */
-constexpr double tau_end = 250, eps = 0.9548e-3;
-constexpr std::size_t sites = 120;
+dimensionless. In the program $\epsilon$, $\tau$ and $A_n$ are `eps`, `tau` and `Field`. */
+constexpr double eps = 0.9548e-3;
 
 /**
 Two numbers describe where a packet is and how much it carries, as Eqs. (23) and (24) say,

@@ -31,6 +31,8 @@ the first beads, the *surface mode*. */
 #include "lattice/report/program.hpp"
 #include "lattice/stepping/reference.hpp"
 
+using namespace lattice;
+
 /**
 ## What is claimed
 
@@ -39,8 +41,8 @@ soft wells coincide at small impact (`impact.ampvel`) and fall behind the linear
 impact (`impact.slower`), up to a blow-up (`impact.blowup`). What the packet lacks stays at the
 boundary as a surface mode (`impact.surface_mode`), which one snapshot shows (`impact.snapshot`).
 The weak impact is the chapter before; hard wells and pendulum wells have chapters of their own.
-*/
-using namespace lattice;
+No statement rests on a single run: two with different steps must agree to `tolerance`. */
+constexpr double tolerance = 1e-4;
 
 /**
 ## Model
@@ -94,8 +96,6 @@ state a tolerance for the end state, relative to its largest entry: the step is 
 *end states* of two runs in a row agree to it. Every derived number then carries the difference of
 these two runs, and a speed also the error of its fit. Beads ahead of the front rest exactly and
 cost nothing. */
-constexpr double tolerance = 1e-4;
-
 Refined<Outcome> strike_twice(double s, double velocity, double time) {
   return converge(
       tolerance, [&](const ContactAware& stepper) { return strike(stepper, s, velocity, time); },

@@ -14,6 +14,17 @@ A change of the independent variable repairs this. With $t = t^* + u^2$ the root
 $(t-t^*)^{1/2} = u$ is a straight line, and the whole solution, which is a power series in
 $(t-t^*)^{1/2}$, becomes one in $u$. Its accuracy is then that of the formula again. */
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "lattice/landing/tangent.hpp"
+#include "lattice/model/chain.hpp"
+
+namespace lattice {
+
 /**
 An interval $[a, a+L]$ between two switchings needs the square at both ends, and the
 simplest map with that property is the cubic
@@ -25,18 +36,14 @@ function, so that its bits are the same everywhere.
 The variational equations pass a switching without a jump. In general the derivative of
 the flow across a surface in phase space gains a term proportional to the jump of the
 vector field there. The contact force is continuous, the jump is zero, and that the
-switching time depends on the initial state does not matter to first order. */
+switching time depends on the initial state does not matter to first order.
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <vector>
-
-#include "lattice/landing/tangent.hpp"
-#include "lattice/model/chain.hpp"
-
-namespace lattice {
+Only differences $\varphi(e)-\varphi(s)$ of the map are needed, and they factorise, so that
+short ones lose no digits to cancellation. */
+template <class T>
+T span(T s, T e) {
+  return (e - s) * (T(3) * (s + e) - T(2) * (s * s + s * e + e * e));
+}
 
 /**
 One number governs all: `tolerance` bounds the error of a step, relative to the
@@ -63,14 +70,6 @@ struct Flow {
   T energy_drift = T(0);  ///< relative
   T area = T(0);          ///< time integral of sum mu_n v_n^2
 };
-
-/**
-Only differences $\varphi(e)-\varphi(s)$ of the map are needed, and they factorise, so that
-short ones lose no digits to cancellation. */
-template <class T>
-T span(T s, T e) {
-  return (e - s) * (T(3) * (s + e) - T(2) * (s * s + s * e + e * e));
-}
 
 /**
 Two loops that the compiler vectorises: one entry of the extrapolation table from its
@@ -260,6 +259,9 @@ Passage<T> Crossing<T, Onsite, Contact>::cross(const std::vector<T>& z, T length
       h *= error > T(100) * rule_.tolerance ? T(0.5) : T(0.75);
       continue;
     }
+
+    /**
+    The step is taken. If half of the levels were enough for it, the next one may be twice as long. */
     way.z = std::move(end);
     way.error += error;
     s = pieces == T(1) ? T(1) : s + h;
@@ -271,7 +273,9 @@ Passage<T> Crossing<T, Onsite, Contact>::cross(const std::vector<T>& z, T length
   return way;
 }
 
-/// The probe begins each interval with the same numbers between -1 and 1, without any symmetry.
+/**
+A probe must not miss what another column would see, for instance because it has a symmetry of the
+orbit. It begins each interval with the same numbers between -1 and 1, without any symmetry. */
 template <class T, class Onsite, class Contact>
 std::vector<T> Crossing<T, Onsite, Contact>::with_probe(std::vector<T> z) const {
   for (std::size_t i = 0, n = 2 * chain_.sites; i < n; ++i)

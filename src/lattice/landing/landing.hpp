@@ -158,6 +158,9 @@ class Flight {
   /// Positions, velocities and the area.
   const std::vector<T>& end() const { return z_; }
 
+  /**
+  What a flight does in turn: it looks ahead, watching every contact, lands, corrects the place of the
+  landing, and when that is good enough arrives and settles on which side each contact is. */
  private:
   Overlap<T> overlap(const std::vector<T>& z, const std::vector<T>& a, std::size_t i) const;
   Sight<T> look();
@@ -266,6 +269,10 @@ void Flight<T, Onsite, Contact>::watch(const std::vector<T>& before, const std::
     if (p.x != T(0)) side_[i] = sign_of(p.x);
     return;
   }
+
+  /**
+  A contact that ends a step on the other side has switched for certain. If it ends on its own side,
+  what happened in between shows only at the extremum. */
   const Arc<T> arc{o.x, o.u, p.x, p.u, dt};
   const auto stays = [&](T s) { return side * arc.value(s) > T(0); };
   Sight<T> found{dt, i, true};

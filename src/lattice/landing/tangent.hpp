@@ -187,6 +187,9 @@ struct AtRest {
   }
 };
 
+/**
+The whole step costs each of these sites one rotation of its columns, however many levels it took
+inside the core. */
 template <class T, class Onsite, class Contact>
 void rotate_outside(const Chain<Onsite, Contact>& chain, Window core, T duration,
                     Tangent<T>& tangent) {

@@ -92,8 +92,10 @@ struct Track {
     peak.push_back(e[peak_site]);
   }
 
-  /// The samples up to the first one whose centre lies beyond `to`: what happens to a packet after
-  /// it has left the window, a reflection for example, does not count.
+  /**
+  What happens to a packet after it has left the window, a reflection for example, does not count. So
+  the samples that do are those up to the first one whose centre lies beyond `to`, even if a later one
+  lies within again. */
   std::size_t until(double to) const {
     return std::size_t(
         std::find_if(centre.begin(), centre.end(), [to](double x) { return x > to; }) -

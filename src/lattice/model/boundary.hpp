@@ -23,8 +23,9 @@ enum class Ends { free, fixed, periodic };
 /// The names of the ends, in the order of `Ends`.
 inline constexpr const char* ends_names[] = {"free", "fixed", "periodic"};
 
-/// The two ends of `sites` beads. Those of a chain are alike; a part of a chain that is computed by
-/// itself has a free end wherever it was cut.
+/**
+The two ends of `sites` beads are kept apart, though those of a chain are alike: a tile of a chain that
+is computed by itself has a free end wherever it was cut, and the chain's own end elsewhere. */
 struct Boundary {
   std::size_t sites = 0;
   Ends first = Ends::free, last = Ends::free;

@@ -55,10 +55,11 @@ struct Chain {
   double eta_of(std::size_t i) const { return eta.empty() ? 1 : eta[boundary().own(i)]; }
 };
 
-/// Gives every bead a mass and every contact a stiffness. `mass` has one entry a site, `eta` one
-/// more; either may be empty, which means one everywhere. Throws std::invalid_argument where the
-/// lengths do not fit, a mass is not positive, a stiffness is negative, or a ring has two different
-/// stiffnesses for the contact of its last bead with its first.
+/**
+A wrong mass would make a run wrong without a sign, so every number is looked at when it enters.
+`mass` has one entry a site, `eta` one more; either may be empty, which means one everywhere. Throws
+std::invalid_argument where the lengths do not fit, a mass is not positive, a stiffness is negative,
+or a ring has two different stiffnesses for the contact of its last bead with its first. */
 template <class Onsite, class Contact>
 void vary(Chain<Onsite, Contact>& chain, const std::vector<double>& mass,
           const std::vector<double>& eta) {
@@ -78,7 +79,10 @@ void vary(Chain<Onsite, Contact>& chain, const std::vector<double>& mass,
                  [](double m) { return 1 / m; });
 }
 
-/// What one unit of force does to bead `n`, 1 / mu_n, in the precision of the run.
+/**
+Whatever is computed beside the inner loop (an energy, a tangent, a switching) asks the chain the
+questions that follow, so that masses, stiffnesses and ends are treated alike everywhere. First:
+what does one unit of force do to bead `n`, $1/\mu_n$, in the precision of the run? */
 template <class T, class Onsite, class Contact>
 T lightness(const Chain<Onsite, Contact>& chain, std::size_t n) {
   if (chain.mass.empty()) return T(1);
@@ -127,7 +131,10 @@ Window waking(const Chain<Onsite, Contact>& chain, const State<T>& state) {
   return {first, last};
 }
 
-/// Runs `sweep(left, right)` on the window with the pushes at its two edges, after widening it.
+/**
+The loops of kernel.hpp know nothing of windows, edges and ends; they need a range of sites, the
+pushes at its two edges and what is varied in between. First the window is widened and its
+edges are evaluated, `sweep(left, right)`. */
 template <class T, class Onsite, class Contact, class Sweep>
 void with_edges(const Chain<Onsite, Contact>& chain, const T* y, Window& window, Sweep sweep) {
   if (window.first == window.last) return;
@@ -150,7 +157,10 @@ void sweep_window(const Chain<Onsite, Contact>& chain, const T* y, Window& windo
   });
 }
 
-/// Kick by `kick`, then drift by `drift`, on all woken sites, adding as `sum` does (kernel.hpp).
+/**
+All integrators move the chain by one of two calls. Splittings kick and drift: velocities by `kick`
+times the accelerations, then positions by `drift` times the velocities, on all woken sites, added
+as `sum` does (kernel.hpp). The others ask for the accelerations `a` at positions `y`. */
 template <class T, class Onsite, class Contact, class Sum = PlainSum>
 void kick_drift(const Chain<Onsite, Contact>& chain, State<T>& state, Window& window, T kick,
                 T drift, const Sum& sum = {}) {
@@ -162,7 +172,6 @@ void kick_drift(const Chain<Onsite, Contact>& chain, State<T>& state, Window& wi
                });
 }
 
-/// Accelerations `a` of all woken sites at positions `y`.
 template <class T, class Onsite, class Contact>
 void accelerate(const Chain<Onsite, Contact>& chain, const T* y, T* a, Window& window) {
   sweep_window(
@@ -203,7 +212,9 @@ std::vector<T> energy_density(const Chain<Onsite, Contact>& chain, const State<T
   return e;
 }
 
-/// Total energy, Eq. (6), summed from the first site to the last.
+/**
+The Hamiltonian of Eq. (6) is the sum of these densities. It is always summed from the first site to
+the last, so that two runs of one state report the same bits. */
 template <class T, class Onsite, class Contact>
 T energy(const Chain<Onsite, Contact>& chain, const State<T>& state) {
   T sum(0);
@@ -219,8 +230,10 @@ std::vector<T> contact_forces(const Chain<Onsite, Contact>& chain, const std::ve
   return f;
 }
 
-/// Linearisation about `y`: the potential energy's second derivatives, a symmetric tridiagonal
-/// matrix. `off[n]` couples n and n + 1; its last entry couples the ends of a periodic chain.
+/**
+Small motions about `y`, phonons and the stability of a state at rest, are those of a matrix: the
+second derivatives of the potential energy, symmetric and tridiagonal. `off[n]` couples n and n + 1;
+its last entry couples the ends of a periodic chain. */
 template <class T>
 struct Hessian {
   std::vector<T> diagonal, off;

@@ -23,8 +23,9 @@ T three_halves(T x) {
 }
 
 /**
-Two spheres repel with the 3/2 power of their overlap and do not attract, Eq. (7): $V(r) = \frac25 (-r)_+^{5/2}$. The power is written $x\sqrt x$, which
-is one correctly rounded root and one product: the same bits on every machine.
+Two spheres repel with the 3/2 power of their overlap and do not attract, Eq. (7):
+$V(r) = \frac25 (-r)_+^{5/2}$. The power is written $x\sqrt x$, which is one correctly rounded root
+and one product: the same bits on every machine.
 
 The force carries an explicit `floor`: an overlap at or below it exerts no force
 at all. Ahead of a front the displacements fall double-exponentially and would
@@ -41,6 +42,9 @@ struct Hertz {
     const T x = -r;
     return x > T(floor) ? x : T(0);
   }
+
+  /**
+  Energy, force and stiffness all see this overlap, so that one at the floor counts in none of them. */
   template <class T>
   T energy(T r) const {
     using std::sqrt;
@@ -83,6 +87,10 @@ struct CompressedHertz {
     const T x = T(d) - r;
     return x > T(0) ? x : T(0);
   }
+
+  /**
+  For a small $r$ the constant nearly cancels the power, so the two are subtracted before anything else
+  is added. */
   template <class T>
   T energy(T r) const {
     using std::sqrt;
@@ -120,6 +128,9 @@ struct PowerContact {
         P{"precompression", "compression d of the contacts at rest", 0, 10, &PowerContact::d}};
   }
 
+  /**
+  The choice between the root and the general power depends on the parameter alone; it is the same for
+  all contacts of a chain. */
   template <class T>
   T power(T x) const {
     using std::pow, std::sqrt;
@@ -139,6 +150,10 @@ struct PowerContact {
   T force(T r) const {
     return power(overlap(r)) - power(T(d));
   }
+
+  /**
+  The stiffness of an open contact must be set to zero, because the general power of zero is one where
+  its exponent, $\alpha-1$, is zero. */
   template <class T>
   T stiffness(T r) const {
     using std::pow, std::sqrt;
@@ -149,8 +164,9 @@ struct PowerContact {
   double opening() const { return d; }
 };
 
-/// The contacts that can be chosen by name. Two types share the name `hertz`: the plain law, and
-/// the one that also has a precompression.
+/**
+A reader chooses a contact by name. Two types share the name `hertz`: the plain law, and the one that
+also has a precompression. */
 using AnyContact = std::variant<Hertz, CompressedHertz, PowerContact>;
 
 /// The same law by its simplest type: without precompression the 3/2 law is that of Hertz, bit by

@@ -16,8 +16,8 @@ multiply-adds), so all the versions give the same bits. */
 #include <cstddef>
 #include <type_traits>
 
-/** Not every compiler and platform has function multiversioning; there the one
-portable version remains, with the same results. */
+// Not every compiler and platform has function multiversioning; there the one portable version
+// remains, with the same results.
 #if !defined(LATTICE_WIDE)
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__linux__) && \
     !defined(__SANITIZE_ADDRESS__)
@@ -62,7 +62,8 @@ struct Variation {
   }
 };
 
-/// Nothing varies.
+/**
+In the article's own chain nothing varies, and both functions hand on the force as it is. */
 struct Homogeneous {
   template <class T>
   T contact(std::size_t, T force) const {
@@ -74,7 +75,10 @@ struct Homogeneous {
   }
 };
 
-/// Runs `sweep(variation)` with the type that fits; null pointers stand for what is not varied.
+/**
+A program learns only when it runs what is varied; the loops want it as a type. So the choice is made
+once a sweep, outside of the loops: `sweep(variation)` gets the type that fits, and null pointers stand
+for what is not varied. */
 template <class Sweep>
 void with_variation(const double* eta, const double* mass, const double* inverse_mass,
                     Sweep sweep) {
@@ -140,7 +144,9 @@ LATTICE_WIDE void sweep_kick_drift(const Onsite onsite, const Contact contact, T
   }
 }
 
-/// Accelerations `a` at positions `y`, for the methods that keep several of them.
+/**
+Methods that combine the accelerations of several stages, such as that of contact_rkn.hpp, must keep
+them. For them the same two passes leave the accelerations `a` at positions `y`. */
 template <class Along, class T, class Onsite, class Contact>
 LATTICE_WIDE void sweep_acceleration(const Onsite onsite, const Contact contact,
                                      const T* __restrict__ y, T* __restrict__ a, const Along along,

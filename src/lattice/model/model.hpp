@@ -33,7 +33,9 @@ struct Model {
   Model(double s) : onsite(Quartic{s}) {}
 };
 
-/// Calls `use(chain)` with the chain of `sites` beads that `model` describes, and returns its answer.
+/**
+Here the choice becomes a type: `use(chain)` is compiled for every pair of a well and a contact, and the
+one that `model` describes is called with a chain of `sites` beads. Its answer is returned. */
 template <class Use>
 auto with_chain(const Model& model, std::size_t sites, Use use) {
   const auto build = [&](const auto& onsite, const auto& contact) {

@@ -13,13 +13,9 @@ time and its inner loop vectorises:
 | `force(x)` | minus its derivative | $-W'(y)$ | $-V'(r) \ge 0$ where beads repel |
 | `stiffness(x)` | second derivative | $W''(y)$ | $V''(r)$ |
 
-Every member is a template on the scalar, so the same text serves `double`,
-`long double` and 128-bit arithmetic. All quantities are dimensionless: the unit
-of time is that of the linear well, the unit of length makes the contact
-coefficient one. A bead at rest feels nothing: `force(0)` is exactly zero, and so is `energy(0)`.
-
-A reader picks potentials by name. So each one that stands in the list of its file says what it
-is called and which parameters it has, and the command line, its help and its errors follow. */
+Every member is a template on the scalar, so the same text serves `double`, `long double` and 128-bit
+arithmetic. All quantities are dimensionless: the unit of time is that of the linear well, that of
+length makes the contact coefficient one. At rest `force(0)` and `energy(0)` are exactly zero. */
 
 #include <algorithm>
 #include <array>
@@ -35,8 +31,11 @@ is called and which parameters it has, and the command line, its help and its er
 
 namespace lattice {
 
-/// A number that a potential has: its name, its meaning, the allowed range, and where it is kept.
-/// The default is its value in a potential that nobody has touched.
+/**
+A reader picks potentials by name. So each one that stands in the list of its file says what it is
+called and which parameters it has, and the command line, its help and its errors follow. A
+parameter has a name, a meaning, the allowed range and the place where it is kept. Its default is its
+value in a potential that nobody has touched. */
 template <class Potential>
 struct Parameter {
   const char* name;
@@ -54,14 +53,16 @@ struct ParameterInfo {
 /// Numbers given by name.
 using Settings = std::map<std::string, double>;
 
-/// Calls `use` with every parameter of a potential; most have none.
+/**
+The list of wells and that of contacts are types; to look a name up we must walk through them. Two
+visits do that: `use` is called with every parameter of a potential, of which most have none, and with
+a default value of every type in a list. */
 template <class Potential, class Use>
 void for_each_parameter(const Potential&, Use use) {
   if constexpr (requires { Potential::parameters(); })
     for (const Parameter<Potential>& p : Potential::parameters()) use(p);
 }
 
-/// Calls `use` with a default value of every type in a list of potentials.
 template <class Any, class Use>
 void for_each_potential(Use use) {
   [&]<std::size_t... i>(std::index_sequence<i...>) {
@@ -80,8 +81,10 @@ std::vector<std::string> names_of() {
   return names;
 }
 
-/// The parameters of the potentials called `name`, or with an empty name those of the whole list;
-/// each once, with the widest range.
+/**
+Help has one line for each parameter, though several potentials may share it: here are those of the
+potentials called `name`, or with an empty name those of the whole list, each once and with the widest
+range. */
 template <class Any>
 std::vector<ParameterInfo> parameters_of(const std::string& name = "") {
   std::vector<ParameterInfo> all;
@@ -107,8 +110,10 @@ inline std::string comma_list(const std::vector<std::string>& words) {
   return text;
 }
 
-/// Sets the parameters of `potential` as far as they are given; whether it has all that are given.
-/// Throws std::invalid_argument for a value out of its range.
+/**
+Now the other direction, from what was typed to a potential. The parameters are set as far as they
+are given; the answer is whether the potential has all that are given. Throws std::invalid_argument
+for a value out of its range. */
 template <class Potential>
 bool apply(Potential& potential, const Settings& given) {
   std::size_t used = 0;
@@ -127,28 +132,37 @@ bool apply(Potential& potential, const Settings& given) {
   return used == given.size();
 }
 
-/// The potential called `name` with the given parameters: the first one in the list that has them all.
-/// Throws std::invalid_argument, in one line, for an unknown name, a parameter that it lacks or a
-/// value out of range.
+/**
+Where no potential fits, the reader wants to know why in one line: the name is unknown, it lacks a
+parameter, or its parameters exclude each other. */
 template <class Any>
-Any named(const std::string& name, const Settings& given = {}) {
-  bool known = false, found = false;
-  Any out;
-  for_each_potential<Any>([&](auto potential) {
-    if (found || name != potential.name) return;
-    known = true;
-    if (apply(potential, given)) out = potential, found = true;
-  });
-  if (found) return out;
-  if (!known)
-    throw std::invalid_argument("'" + name + "' is not one of " + comma_list(names_of<Any>()));
+std::string why_not_named(const std::string& name, const Settings& given) {
+  const auto names = names_of<Any>();
+  if (std::find(names.begin(), names.end(), name) == names.end())
+    return "'" + name + "' is not one of " + comma_list(names);
   std::vector<std::string> has;
   for (const ParameterInfo& p : parameters_of<Any>(name)) has.push_back(p.name);
   for (const auto& [key, value] : given)
     if (std::find(has.begin(), has.end(), key) == has.end())
-      throw std::invalid_argument("'" + name + "' has no parameter " + key + " (it has " +
-                                  (has.empty() ? "none" : comma_list(has)) + ")");
-  throw std::invalid_argument("'" + name + "' does not have all these parameters at once");
+      return "'" + name + "' has no parameter " + key + " (it has " +
+             (has.empty() ? "none" : comma_list(has)) + ")";
+  return "'" + name + "' does not have all these parameters at once";
+}
+
+/**
+Types may share a name, the plain one first. We take the first in the list that is called `name` and
+has all the given parameters. Throws std::invalid_argument where there is none, or for a value out of
+its range. */
+template <class Any>
+Any named(const std::string& name, const Settings& given = {}) {
+  bool found = false;
+  Any out;
+  for_each_potential<Any>([&](auto potential) {
+    if (found || name != potential.name) return;
+    if (apply(potential, given)) out = potential, found = true;
+  });
+  if (!found) throw std::invalid_argument(why_not_named<Any>(name, given));
+  return out;
 }
 
 /// Name and parameters in a line, such as `quartic, s = -0.5`.

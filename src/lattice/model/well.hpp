@@ -33,7 +33,9 @@ struct None {
   }
 };
 
-/// Linear well, Eq. (8): $W = y^2/2$.
+/**
+The well of the cradle in most of the article, Eq. (8), $W = y^2/2$, is linear: all that is nonlinear
+comes from the contacts. */
 struct Harmonic {
   static constexpr const char* name = "harmonic";
   template <class T>
@@ -50,8 +52,10 @@ struct Harmonic {
   }
 };
 
-/// Anharmonic well, Eq. (10): $W = y^2/2 + s y^4/4$. For $s < 0$ it has a rim at
-/// $|y| = (-s)^{-1/2}$ beyond which the motion runs away.
+/**
+How much does the well itself matter? The article varies the sign of its first correction, Eq. (10):
+$W = y^2/2 + s\,y^4/4$. For $s < 0$ the well has a rim at $|y| = (-s)^{-1/2}$ beyond which the motion
+runs away. */
 struct Quartic {
   double s = 0;
   static constexpr const char* name = "quartic";
@@ -75,7 +79,10 @@ struct Quartic {
   }
 };
 
-/// Gravity on a pendulum, section 3.4: $W = 1 - \cos y$, with rims at odd multiples of $\pi$.
+/**
+Gravity on a pendulum, section 3.4, gives $W = 1 - \cos y$, with rims at odd multiples of $\pi$ and
+another well beyond each. The energy is written with half the angle, which loses no digits near
+the bottom. */
 struct Pendulum {
   static constexpr const char* name = "pendulum";
   double rim() const { return std::numbers::pi; }
@@ -98,7 +105,9 @@ struct Pendulum {
   }
 };
 
-/// Displacement at which a bead leaves its well; infinite where there is no rim.
+/**
+Whoever follows a bead wants to know whether it is lost, without asking which well it is in: the
+displacement at which it leaves is infinite where there is no rim. */
 template <class Onsite>
 double rim_of(const Onsite& onsite) {
   if constexpr (requires { onsite.rim(); })

@@ -28,9 +28,11 @@ struct Tolerance {
       : absolute(absolute_part), relative(relative_part), method(type) {}
 };
 
-/// Integrates `x' = rhs(t, x, dx)` adaptively. `Rhs` is callable as `void(double, const double*,
-/// double*)`. Throws std::invalid_argument if GSL refuses the tolerance and std::runtime_error if it
-/// cannot go on.
+/**
+GSL owns memory that must be freed, calls back a C function, and reports failure by a status that is
+easily overlooked. This class takes care of all three while it integrates `x' = rhs(t, x, dx)`. `Rhs` is
+callable as `void(double, const double*, double*)`. Throws std::invalid_argument if GSL refuses the
+tolerance and std::runtime_error if it cannot go on. */
 template <class Rhs>
 class Reference {
  public:
@@ -47,7 +49,9 @@ class Reference {
   Reference(const Reference&) = delete;
   Reference& operator=(const Reference&) = delete;
 
-  /// Carries `x` from time `t` to `t_end`; `t` is updated.
+  /**
+  One call carries `x` from time `t` to `t_end`; `t` is updated. Beside the status we look at the
+  values: a solution that runs away can become infinite while GSL still reports success. */
   void advance(double& t, double t_end, std::vector<double>& x) {
     const int status = gsl_odeiv2_driver_apply(driver_.get(), &t, t_end, x.data());
     if (status != GSL_SUCCESS)
@@ -59,6 +63,9 @@ class Reference {
   }
   std::size_t evaluations() const { return evaluations_; }
 
+  /**
+  C knows no objects, so the object travels through GSL as a plain pointer and `call` finds it again.
+  The system must therefore stay where it is, and copies are forbidden. */
  private:
   static int call(double t, const double* x, double* dx, void* self) {
     auto* me = static_cast<Reference*>(self);

@@ -81,8 +81,10 @@ struct Results {
   void claim(const std::string& id, bool holds) { add(id, exact(holds ? 1 : 0), "claim"); }
 };
 
-/// Rows `quantity,value,error,unit`, the form in which subcommands report. A quantity that is not
-/// defined (the speed of a packet that never left) is `nan`.
+/**
+Not every number answers a claim. Subcommands and the facts of a chapter report rows
+`quantity,value,error,unit`. A quantity that is not defined (the speed of a packet that never left)
+is `nan` here, where a claim would refuse it. */
 struct Quantities {
   Table table{{label("quantity", "what is reported"), number("value", "converged value"),
                number("error", "absolute error estimated from two resolutions"),
@@ -114,7 +116,8 @@ struct Provenance {
         }
     entries.emplace_back(key, value);
   }
-  /// The table with the whole header.
+  /**
+  A table is signed with the whole header when it is written. */
   Table sign(Table table) const {
     Provenance all = *this;
     for (const auto& [key, value] : table.meta) all.set(key, value);
@@ -130,7 +133,9 @@ struct Provenance {
   }
 };
 
-/// Where the tables of a full run go, with the header they all carry.
+/**
+A full run writes several tables that belong together. They are kept until the last one is computed,
+so that a run that fails leaves no half of a set, and all carry the same header. */
 class Output {
  public:
   Output(std::filesystem::path folder, Provenance provenance)
@@ -190,7 +195,9 @@ class Program {
     app_.require_subcommand(0, 1);
   }
 
-  /// Adds a subcommand; set options on the returned app. `compute` gives the table to print.
+  /**
+  What a subcommand computes is a function from its options to one table, `compute`; the chapter sets
+  the options on the app that is returned. */
   CLI::App* command(const std::string& name, const std::string& help,
                     std::function<Table()> compute) {
     CLI::App* sub = app_.add_subcommand(name, help);
@@ -208,7 +215,9 @@ class Program {
   std::function<Results(Output&)> everything;
   bool quick = false;
 
-  /// Parses and computes; returns the exit code.
+  /**
+  All that can go wrong arrives here as an exception, and this is the only place that knows exit
+  codes: 2 for input that cannot be used, 1 for a computation that failed. */
   int run(int argc, char** argv) {
     try {
       settle_options(app_);
@@ -230,13 +239,15 @@ class Program {
   }
 
  private:
+  /**
+  A job on a shared machine must not take more cores than it was given. Beside the cores that the
+  system grants we obey Slurm, which may have given the task fewer. */
   void add_threads(CLI::App& app) {
     app.add_option("--threads", threads_,
                    "threads, on which no result depends (default: the cores granted)")
         ->check(in_range(1, 1024));
   }
 
-  /// The cores of this process, or fewer where Slurm says that the task has fewer.
   static std::size_t granted() {
     const char* share = std::getenv("SLURM_CPUS_PER_TASK");
     const auto number = share ? parse_number(share) : std::nullopt;
@@ -251,7 +262,9 @@ class Program {
     return code;
   }
 
-  /// Who made the table: everything needed to make it again, and no clock time.
+  /**
+  Who made the table: everything needed to make it again, and no clock time, which would make equal
+  runs differ. */
   Provenance provenance(const CLI::App& app) const {
     const char* revision = std::getenv("LATTICE_REVISION");
     return {{{"program", identity_.name},
@@ -264,7 +277,10 @@ class Program {
             recorded_options(app)};
   }
 
-  /// Fails early, before hours of work, where `file` in `folder` could not be written.
+  /**
+  Nobody wants to learn after hours of work that `file` in `folder` cannot be written, so we make the
+  folder and try at once, under a temporary name. What exists and is no ordinary file (a device, a
+  pipe) is taken as it is. */
   static void need_writable(const std::filesystem::path& folder, const std::string& file,
                             const std::string& option) {
     std::error_code error, ignored;
@@ -284,6 +300,9 @@ class Program {
                        " (allowed: a place where you may write)");
   }
 
+  /**
+  A subcommand prints its table or writes it to `--output`; options of a full run mean nothing to it,
+  and rather than ignore them we say so. */
   int print(const CLI::App& sub, const std::function<Table()>& compute) {
     for (const char* option : {"--out", "--quick"})
       if (app_.count(option) > 0)
@@ -305,6 +324,9 @@ class Program {
     return 0;
   }
 
+  /**
+  A full run removes the old `results.ecsv` before it begins: as long as there is none, the folder is
+  not complete. */
   int run_everything() {
     if (out_.empty()) out_ = "build/data/" + identity_.name;
     need_writable(out_, "results.ecsv", "--out");

@@ -44,7 +44,9 @@ struct Column {
   Kind kind = Kind::real;
 };
 
-/// A column of numbers, of counts or of texts; the unit is empty for a dimensionless quantity.
+/**
+A table explains itself, so no column comes without a description. There are columns of numbers, of
+counts and of texts; the unit is empty for a dimensionless quantity. */
 inline Column number(std::string name, std::string description, std::string unit = "") {
   return {std::move(name), std::move(unit), std::move(description), Kind::real};
 }
@@ -58,7 +60,9 @@ inline Column label(std::string name, std::string description) {
 /// Ordered `key: value` pairs of the header's `meta` block.
 using Meta = std::vector<std::pair<std::string, std::string>>;
 
-/// Columns, rows of cells, and where they come from.
+/**
+A row that does not fit its columns would shift all that follows, and a misspelt column would be
+missed only by a reader: both are errors here, on the way in and on the way out. */
 struct Table {
   std::vector<Column> columns;
   std::vector<std::vector<Cell>> rows{};
@@ -80,7 +84,9 @@ struct Table {
     throw std::out_of_range("no column '" + name + "'");
   }
 
-  /// The numbers of column `name`; counts are converted.
+  /**
+  Tests and programs read columns by name, as the scripts of the figures do. Where numbers are asked
+  for, counts are converted. */
   std::vector<double> numbers(const std::string& name) const {
     const std::size_t at = find(name);
     std::vector<double> out;
@@ -100,7 +106,9 @@ struct Table {
   }
 };
 
-/// 17 significant digits, independent of the locale; `nan` where there is no value.
+/**
+Text and numbers are turned into each other here and nowhere else, independent of the reader's
+language: 17 significant digits restore every bit, and `nan` stands where there is no value. */
 inline std::string number_text(double x) {
   if (std::isnan(x)) return "nan";
   char buffer[32];
@@ -128,11 +136,15 @@ inline std::optional<double> parse_number(std::string_view text) {
 
 namespace ecsv {
 
+/**
+ECSV packs YAML into the comments of a CSV file, and each has its own idea of what must be quoted. In
+YAML a single quote is doubled, in CSV a double one; a line break, which would end a row or a comment,
+is refused by both. */
 inline const char* datatype(Kind kind) {
   return kind == Kind::real ? "float64" : kind == Kind::integer ? "int64" : "string";
 }
 
-/// Throws std::invalid_argument if `text` has a line break, which would end a row or a comment.
+/// Throws std::invalid_argument if `text` has a line break.
 inline const std::string& one_line(const std::string& text) {
   if (text.find_first_of("\n\r") != std::string::npos)
     throw std::invalid_argument("a table cannot hold the line break in '" +
@@ -148,6 +160,9 @@ inline std::string quoted(const std::string& text) {
   return out + "'";
 }
 
+/**
+A text is quoted only where a comma, a quote or the sign of a comment would be misread, so that plain
+words stay plain for gnuplot. */
 inline std::string cell_text(const Cell& cell) {
   if (const auto* x = std::get_if<double>(&cell)) return number_text(*x);
   if (const auto* k = std::get_if<std::int64_t>(&cell)) return std::to_string(*k);
@@ -158,8 +173,9 @@ inline std::string cell_text(const Cell& cell) {
   return out + "\"";
 }
 
-/// Splits a line at its commas, honouring double quotes; throws std::runtime_error if the line ends
-/// inside of them, as it does where a cell has a line break.
+/**
+Reading undoes the quoting. A line is split at the commas that stand outside of double quotes; if it
+ends inside of them a cell had a line break, and that throws std::runtime_error. */
 inline std::vector<std::string> fields(const std::string& line) {
   std::vector<std::string> out(1);
   bool inside = false;
@@ -178,7 +194,8 @@ inline std::vector<std::string> fields(const std::string& line) {
   return out;
 }
 
-/// The value of `key` in a one-line YAML mapping as `to_text` writes it, or an empty text.
+/**
+Of YAML we read only what we write: the value of `key` in a mapping on one line, or an empty text. */
 inline std::string yaml_value(const std::string& line, const std::string& key) {
   const auto at = line.find(key + ": ");
   if (at == std::string::npos) return "";
@@ -193,6 +210,8 @@ inline std::string yaml_value(const std::string& line, const std::string& key) {
   return out;
 }
 
+/**
+A cell that is not what its column promises is an error, never a zero. An empty number is `nan`. */
 inline Cell parse(const std::string& text, Kind kind) {
   if (kind == Kind::text) return text;
   if (kind == Kind::real) {
@@ -210,7 +229,9 @@ inline Cell parse(const std::string& text, Kind kind) {
 
 }  // namespace ecsv
 
-/// The table as ECSV 1.0 text; throws std::invalid_argument where a text has a line break.
+/**
+Now the whole: first the columns, then who made the table, then the names and the rows, as ECSV 1.0
+orders them. Throws std::invalid_argument where a text has a line break. */
 inline std::string to_text(const Table& table) {
   std::ostringstream out;
   out << "# %ECSV 1.0\n# ---\n# delimiter: ','\n# datatype:\n";
@@ -232,8 +253,10 @@ inline std::string to_text(const Table& table) {
   return out.str();
 }
 
-/// Writes `text` to `path` under a temporary name, then renames; what is no ordinary file (a device,
-/// a pipe) is written to as it is. Throws std::runtime_error and leaves nothing behind.
+/**
+A reader must never find half a file, so `text` is written under a temporary name, which is then
+changed. What is no ordinary file (a device, a pipe) cannot be renamed and is written to as it is.
+Throws std::runtime_error and leaves nothing behind. */
 inline void write_whole(const std::filesystem::path& path, const std::string& text) {
   std::error_code ignored, failed;
   const bool special =
@@ -256,41 +279,60 @@ inline void write(const std::filesystem::path& path, const Table& table) {
   write_whole(path, to_text(table));
 }
 
-/// Reads what `to_text` writes (and plain ECSV with single-line column entries).
+/**
+A line of the header describes a column until the line `meta:`, and an entry of the provenance
+from there on. */
+namespace ecsv {
+
+inline Column column_of(const std::string& line) {
+  const std::string type = yaml_value(line, "datatype");
+  return {yaml_value(line, "name"), yaml_value(line, "unit"), yaml_value(line, "description"),
+          type == "string"  ? Kind::text
+          : type == "int64" ? Kind::integer
+                            : Kind::real};
+}
+
+inline std::pair<std::string, std::string> entry_of(const std::string& line) {
+  const std::string body = line.substr(5), key = body.substr(0, body.find(": "));
+  return {key, yaml_value(line, key)};
+}
+
+inline std::vector<Cell> row_of(const std::string& line, const std::vector<Column>& columns) {
+  const auto cells = fields(line);
+  if (cells.size() != columns.size()) throw std::runtime_error("ragged row: " + line);
+  std::vector<Cell> row;
+  for (std::size_t i = 0; i < cells.size(); ++i) row.push_back(parse(cells[i], columns[i].kind));
+  return row;
+}
+
+}  // namespace ecsv
+
+/**
+We read what `to_text` writes, and plain ECSV whose columns stand on one line each. The first line
+without a comment repeats the names of the columns; the rows follow. */
 inline Table from_text(std::istream& in) {
   Table table;
-  std::string line;
   bool header_done = false, in_meta = false;
-  while (std::getline(in, line)) {
+  for (std::string line; std::getline(in, line);) {
     if (!line.empty() && line.front() == '#') {
       if (line.rfind("# meta:", 0) == 0) in_meta = true;
       if (line.rfind("# - {", 0) != 0) continue;
-      const std::string body = line.substr(5);
-      if (in_meta) {
-        const std::string key = body.substr(0, body.find(": "));
-        table.meta.emplace_back(key, ecsv::yaml_value(line, key));
-        continue;
-      }
-      const std::string type = ecsv::yaml_value(line, "datatype");
-      table.columns.push_back({ecsv::yaml_value(line, "name"), ecsv::yaml_value(line, "unit"),
-                               ecsv::yaml_value(line, "description"),
-                               type == "string"  ? Kind::text
-                               : type == "int64" ? Kind::integer
-                                                 : Kind::real});
+      if (in_meta)
+        table.meta.push_back(ecsv::entry_of(line));
+      else
+        table.columns.push_back(ecsv::column_of(line));
     } else if (!header_done) {
       header_done = true;
     } else if (!line.empty()) {
-      const auto cells = ecsv::fields(line);
-      if (cells.size() != table.columns.size()) throw std::runtime_error("ragged row: " + line);
-      table.rows.emplace_back();
-      for (std::size_t i = 0; i < cells.size(); ++i)
-        table.rows.back().push_back(ecsv::parse(cells[i], table.columns[i].kind));
+      table.rows.push_back(ecsv::row_of(line, table.columns));
     }
   }
   return table;
 }
 
-/// Reads a table from `path`; throws std::runtime_error naming the file if that fails.
+/**
+Whoever reads a table from `path` must learn from the message which file it was that failed: throws
+std::runtime_error with its name. */
 inline Table read(const std::filesystem::path& path) {
   std::ifstream in(path);
   if (!in) throw std::runtime_error("cannot read " + path.string());
