@@ -86,13 +86,13 @@ struct Creep {
 };
 
 /**
-`watch(creep, state, density)` sees every mean and may end the run by returning false. */
+`watch(creep, state, density)` sees every mean and may end the run by returning false. Samples are
+`sample` apart, in general `creep_sample`. */
 template <class Stepper, class Onsite, class Contact, class Watch>
 Creep creep(const Stepper& stepper, const Chain<Onsite, Contact>& chain, const State<double>& start,
-            double period, double duration, Watch watch) {
+            double sample, double duration, Watch watch) {
   Creep out;
   out.end = start;
-  const double sample = creep_sample(period);
   const std::size_t means = std::size_t(duration / (sample * double(samples_of_a_mean)) + 0.5);
   Pace pace{sample * double(samples_of_a_mean * means), samples_of_a_mean * means};
   pace.steps =
