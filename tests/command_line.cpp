@@ -120,6 +120,15 @@ TEST_CASE("bad input: one line, exit code 2, no file", "[cli]") {
                         {"sec33_dps_stability spectrum --centre site --sites 30", "--sites"},
                         {"sec33_dps_stability spectrum --centre bond --sites 31", "--sites"},
                         {"sec33_dps_stability spectrum --sites 1e9", "--sites"},
+                        {"sec33_mobility kick --c 0", "--c"},
+                        {"sec33_mobility kick --c nan", "--c"},
+                        {"sec33_mobility kick --time 1e9", "--time"},
+                        {"sec33_mobility kick --omega 1", "--omega"},
+                        {"sec33_mobility kick --phase upside", "--phase"},
+                        {"sec33_mobility kick --centre bond --sites 31", "--sites"},
+                        {"sec33_mobility kick --centre bond --sites 10", "--sites"},
+                        {"sec33_mobility threshold --centre site", "--centre"},
+                        {"sec33_mobility threshold --omega 0.9", "--omega"},
                         {"sec34_kink run --velocity 0", "--velocity"},
                         {"sec32_newton_breathers breather --omega 1", "--omega"},
                         {"sec32_newton_breathers breather --omega 0.9", "--omega"},
@@ -373,6 +382,26 @@ TEST_CASE("a breather beyond the fold of its family is a failure", "[cli]") {
   CHECK(r.error_lines() == 1);
   CHECK(r.errors.find("turns back near 1.6") != std::string::npos);
   CHECK(scratch.files() == 0);
+}
+
+TEST_CASE("a kick that breaks the breather up is a failure", "[cli]") {
+  Scratch scratch;
+  const Result r = call("sec33_mobility kick --c 0.5 --output " + word(scratch.path / "x.ecsv"));
+  CHECK(r.code == 1);
+  CHECK(r.error_lines() == 1);
+  CHECK(r.errors.find("breaks up") != std::string::npos);
+  CHECK(scratch.files() == 0);
+}
+
+TEST_CASE("kick reports the contract's quantities", "[cli]") {
+  const Result r = call("sec33_mobility kick --centre bond --phase stretched --c 2e-4 --time 8000");
+  REQUIRE(r.code == 0);
+  check_close(quantity(r, "velocity"), -5.363e-4, 0, 1e-3);
+  CHECK(quantity(r, "drift") < 1e-8);
+  check_close(quantity(r, "sites_travelled"), -4.25, 0.06);
+  const Result still = call("sec33_mobility kick --c 1e-6 --time 2000");
+  REQUIRE(still.code == 0);
+  CHECK(std::isnan(quantity(still, "velocity")));
 }
 
 TEST_CASE("breather and barrier report the contract's quantities", "[cli]") {

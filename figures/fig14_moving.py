@@ -1,0 +1,22 @@
+"""Figure 14: energy density after a kick of the bond-centred and of the site-centred breather."""
+
+import matplotlib.pyplot as plt
+from matplotlib.colors import PowerNorm
+
+import draw
+
+data, out = draw.arguments()
+
+figure, both = plt.subplots(1, 2, figsize=(draw.TWO_COLUMNS, 70 * draw.MM), sharey=True)
+for axes, centre, name in zip(both, ["bond", "site"], ["a", "b"]):
+    table = draw.read(f"{data}/sec33_mobility/map_{centre}.ecsv")
+    image, extent = draw.grid(table, "n", "t", "e")
+    extent = (extent[0], extent[1], 1e-3 * extent[2], 1e-3 * extent[3])
+    picture = axes.imshow(1e5 * image, extent=extent, origin="lower", aspect="auto",
+                          norm=PowerNorm(0.5, vmin=0, vmax=5), interpolation="none")
+    axes.set(xlabel="site $n$")
+    draw.letter(axes, name, "white")
+both[0].set_ylabel("time $10^{-3}\\,t$")
+bar = figure.colorbar(picture, ax=both, extend="max", ticks=[0, 0.5, 1, 2, 3, 4, 5])
+bar.set_label("energy density $10^5\\,e_n$")
+draw.save(figure, out)

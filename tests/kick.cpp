@@ -1,0 +1,124 @@
+// Kicking a breather: the kick itself, the breather that creeps, and what linear theory says of both.
+
+#include "lattice/measure/kick.hpp"
+
+#include "check.hpp"
+#include "lattice/orbits/breather.hpp"
+#include "lattice/stepping/accuracy.hpp"
+
+using namespace lattice;
+
+namespace {
+
+struct AtRest {
+  Chain<Harmonic, Hertz> chain;
+  State<double> state;
+  double period;
+};
+
+AtRest breather(Centre centre, double omega, Phase phase = Phase::compressed) {
+  const Fitted found =
+      fit_chain(centre, omega, 0, 0, centre == Centre::site ? 21 : 20, 1e-16, phase);
+  return {{found.problem.chain.sites}, found.orbit.start, found.problem.period()};
+}
+
+Creep follow(const AtRest& at, double c, double time, double step = 0.1) {
+  return creep(ContactAware{step}, at.chain, kicked(at.state, c), creep_sample(at.period), time,
+               [](const Creep& path, const State<double>&, const auto&) {
+                 return fate_of(path) == Fate::undecided;
+               });
+}
+
+/// A path through given places.
+Creep path_of(std::vector<double> X) {
+  Creep path;
+  path.t.resize(X.size());
+  path.X = std::move(X);
+  return path;
+}
+
+}  // namespace
+
+TEST_CASE("a kick brings the energy c^2/2", "[unit][kick]") {
+  const std::vector<double> y{0, 1e-3, -4e-3, 2e-3, 5e-4};
+  const std::vector<double> g = kick_direction(y);
+  double squares = 0;
+  for (const double x : g) squares += x * x;
+  check_close(squares, 1, 1e-15);
+  check_close(g[2] / g[1], (2e-3 - 1e-3) / (-4e-3), 1e-15);  // beads at rest beyond the ends
+  check_close(g[4] / g[1], (-2e-3) / (-4e-3), 1e-15);
+
+  const AtRest at = breather(Centre::bond, 1.1);
+  const double c = 1e-3;
+  check_close(energy(at.chain, kicked(at.state, c)) - energy(at.chain, at.state), c * c / 2, 1e-18);
+  CHECK_THROWS_AS(kick_direction(std::vector<double>(5, 0.0)), std::invalid_argument);
+}
+
+TEST_CASE("free and pinned are told from the path", "[unit][kick]") {
+  CHECK(fate_of(path_of({0.1, 0.2, 0.4})) == Fate::undecided);
+  CHECK(fate_of(path_of({0.1, 0.4, 0.35})) == Fate::pinned);
+  CHECK(fate_of(path_of({0.1, 0.4, 0.69})) == Fate::undecided);  // 0.59 from its start
+  CHECK(fate_of(path_of({0.1, 0.4, 0.72})) == Fate::free);
+  CHECK(fate_of(path_of({0.1, -0.4, -0.72})) == Fate::free);
+  CHECK(fate_of(path_of({})) == Fate::undecided);
+}
+
+TEST_CASE("a breather that is not kicked stays, and opposite kicks are mirror images",
+          "[property][kick]") {
+  const AtRest at = breather(Centre::bond, 1.1);
+  const Creep rest = follow(at, 0, 1000), right = follow(at, 1e-4, 1000),
+              left = follow(at, -1e-4, 1000);
+  CHECK(std::abs(rest.travelled()) < 1e-7);
+  CHECK(std::abs(right.travelled()) > 0.2);
+  check_close(right.travelled(), -left.travelled(), 2e-3);
+  CHECK(right.travelled() < 0);  // against the kick: the mass is negative
+}
+
+TEST_CASE("the share of a kick tends to that of the DpS equation", "[convergence][kick]") {
+  double last = 1;
+  for (const double omega : {1.04, 1.02, 1.01}) {
+    const AtRest at = breather(Centre::bond, omega);
+    const Pinning p = pinning_of(at.chain, Centre::bond, at.state, at.period);
+    const double miss = std::abs(-3 * p.share / (omega - 1) - 1);
+    CAPTURE(omega, p.share);
+    CHECK(miss < 0.7 * last);
+    last = miss;
+  }
+  CHECK(last < 0.05);
+}
+
+TEST_CASE("hill and trough have opposite curvatures of one size", "[property][kick]") {
+  const AtRest site = breather(Centre::site, 1.1), bond = breather(Centre::bond, 1.1),
+               other = breather(Centre::bond, 1.1, Phase::stretched);
+  const double hill = pinning_of(site.chain, Centre::site, site.state, site.period).frequency2;
+  const double trough = pinning_of(bond.chain, Centre::bond, bond.state, bond.period).frequency2;
+  const double later = pinning_of(other.chain, Centre::bond, other.state, other.period).frequency2;
+  CHECK(trough > 0);
+  check_close(trough, -hill, 0, 1e-4);
+  check_close(trough, later, 0, 1e-5);  // both phases belong to one orbit
+}
+
+TEST_CASE("a breather swings at the frequency of linear theory", "[published][kick]") {
+  const AtRest at = breather(Centre::bond, 1.1);
+  const double omega =
+      std::sqrt(pinning_of(at.chain, Centre::bond, at.state, at.period).frequency2);
+  const Creep path = follow(at, 2e-6, 8 / omega, 0.15);
+  REQUIRE(fate_of(path) == Fate::pinned);
+  std::size_t top = 0;
+  for (std::size_t k = 0; k < path.X.size(); ++k)
+    if (std::abs(path.moved(k)) > std::abs(path.moved(top))) top = k;
+  // A quarter of a period, a little longer than that of small swings.
+  check_close(path.t[top] * omega, 1.571, 0.2);
+}
+
+TEST_CASE("the kick that frees a breather is predicted from one period", "[published][kick]") {
+  const AtRest at = breather(Centre::bond, 1.1, Phase::stretched);
+  const Pinning pinning = pinning_of(at.chain, Centre::bond, at.state, at.period);
+  const double barrier = -2.3522916e-13;  // E_site - E_bond at equal area, see ladder.hpp
+  const double c = freeing_kick(barrier, pinning), limit = 10 / std::sqrt(pinning.frequency2);
+  check_close(c, 4.4516e-6, 0, 1e-4);
+  CHECK(fate_of(follow(at, 0.97 * c, limit, 0.15)) == Fate::pinned);
+  CHECK(fate_of(follow(at, 1.03 * c, limit, 0.15)) == Fate::free);
+  // The barrier at equal frequency would be wrong by an order of magnitude.
+  CHECK(freeing_kick(1.62422e-11, pinning) > 8 * c);
+}
