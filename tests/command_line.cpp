@@ -133,8 +133,8 @@ TEST_CASE("bad input: one line, exit code 2, no file", "[cli]") {
                         {"sec32_newton_breathers breather --omega 1", "--omega"},
                         {"sec32_newton_breathers breather --omega 0.9", "--omega"},
                         {"sec32_newton_breathers breather --omega nan", "--omega"},
-                        {"sec32_newton_breathers barrier --omega inf", "--omega"},
-                        {"sec32_newton_breathers barrier --s nan", "--s"},
+                        {"sec32_barrier barrier --omega inf", "--omega"},
+                        {"sec32_barrier barrier --s nan", "--s"},
                         {"sec32_newton_breathers breather --centre corner", "--centre"},
                         {"sec32_newton_breathers breather --centre site --sites 30", "--sites"},
                         {"sec32_newton_breathers breather --centre bond --sites 31", "--sites"},
@@ -414,7 +414,7 @@ TEST_CASE("breather and barrier report the contract's quantities", "[cli]") {
   CHECK(quantity(r, "energy", "error") < 1e-12 * quantity(r, "energy"));
   CHECK(quantity(r, "residual") < 1e-13);
   CHECK(quantity(r, "iterations") <= 6);
-  const Result b = call("sec32_newton_breathers barrier --omega 1.1 --s 0");
+  const Result b = call("sec32_barrier barrier --omega 1.1 --s 0");
   REQUIRE(b.code == 0);
   check_close(quantity(b, "equal_frequency"), 1.62422472e-11, 0, 1e-8);
   check_close(quantity(b, "equal_area"), -2.35229159e-13, 0, 1e-7);
