@@ -54,7 +54,7 @@ $$\mathcal A = \int_0^{2\pi/\omega_b}\sum_n\dot y_n^2\,dt .$$
 Why the area? A breather that creeps along the chain keeps its action, not its frequency, and an
 effective Hamiltonian for its position compares states of equal action; $\mathcal A$ is $2\pi$ times
 that. The article plots the difference at equal frequency instead, and without its sign. */
-enum Kind : std::int64_t { equal_frequency = 1, equal_area = 2 };  // E_site - E_bond, signed
+enum Comparison : std::int64_t { equal_frequency = 1, equal_area = 2 };  // E_site - E_bond, signed
 
 /**
 ## Method
@@ -106,7 +106,7 @@ time at [1.29969](num:sec32_barrier.zero_linear5): the small value that the arti
 its size to that zero. */
 struct Zero {
   std::size_t well;
-  Kind kind;
+  Comparison kind;
   const Rung *left, *right;
   Estimate omega{};
 };

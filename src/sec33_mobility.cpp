@@ -271,7 +271,7 @@ void report_weak(Report& report, const Ready& at) {
   bool pinned = true;
   for (std::size_t k = 1; k < 3; ++k)
     for (const Creep* path : {&paths[k].rough, &paths[k].good})
-      pinned = pinned && fate_of(*path) == Fate::pinned;
+      pinned = pinned && fate_of(*path) == Course::pinned;
   const auto& [rough, good] = paths[0];
   report.results.claim("moving.bond_pinned", pinned);
   report.results.add("moving.site_below",
@@ -288,15 +288,15 @@ void report_weak(Report& report, const Ready& at) {
 A run ends as soon as the breather is well past the next site or has turned round. Just at the threshold
 it would take for ever, so that ten times $1/\Omega$ is the limit, beyond which nothing is decided within
 $10^{-7}$ of it. The bracket begins near the prediction, and its ends must decide differently. The same bisection with the second scheme is the other half of the error. */
-Fate fate_after(const Ready& at, double c, const ContactAware& stepper, double limit,
+Course fate_after(const Ready& at, double c, const ContactAware& stepper, double limit,
                 double& least_margin) {
   const Creep path = creep(stepper, at.chain, kicked(at.rest, c), at.sample(), limit,
                            [](const Creep& so_far, const State<double>&, const auto&) {
-                             return fate_of(so_far) == Fate::undecided;
+                             return fate_of(so_far) == Course::undecided;
                            });
   least_margin = std::min(least_margin, drift_margin(at, c, path));
-  const Fate fate = fate_of(path);
-  if (fate == Fate::undecided)
+  const Course fate = fate_of(path);
+  if (fate == Course::undecided)
     throw Failure("a kick of " + short_text(c) +
                   " neither frees the breather nor leaves it pinned");
   return fate;
@@ -317,7 +317,7 @@ Bracket bisect(const Ready& at, const ContactAware& stepper, double guess, doubl
                const Search& search) {
   Bracket b{guess * (1 - search.width), guess * (1 + 1.2 * search.width)};
   const auto freed = [&](double c) {
-    return fate_after(at, c, stepper, limit, b.least_margin) == Fate::free;
+    return fate_after(at, c, stepper, limit, b.least_margin) == Course::free;
   };
   if (freed(b.low) || !freed(b.high))
     throw Failure("the threshold is not between " + short_text(b.low) + " and " +

@@ -119,13 +119,13 @@ Creep creep(const Stepper& stepper, const Chain<Onsite, Contact>& chain, const S
 
 A breather that starts in a trough of its landscape has a hill on either side, half a site away. It is
 free as soon as it stands well beyond the hill, and pinned once it has turned round before. */
-enum class Fate { undecided, free, pinned };
+enum class Course { undecided, free, pinned };
 
-inline Fate fate_of(const Creep& path) {
+inline Course fate_of(const Creep& path) {
   double far = 0;
   for (std::size_t k = 0; k < path.X.size(); ++k) far = std::max(far, std::abs(path.moved(k)));
-  if (far > 0.6) return Fate::free;
-  return std::abs(path.travelled()) < far - 0.02 ? Fate::pinned : Fate::undecided;
+  if (far > 0.6) return Course::free;
+  return std::abs(path.travelled()) < far - 0.02 ? Course::pinned : Course::undecided;
 }
 
 /**
