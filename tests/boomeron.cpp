@@ -92,6 +92,23 @@ TEST_CASE("without smoothing the ripple passes for a stop", "[unit][boomeron]") 
   CHECK_FALSE(find_turn(smooth(drawn(300, 0.3, steady), smoothing)).stop.found());
 }
 
+TEST_CASE("a turning carries the errors of step and smoothing", "[unit][boomeron]") {
+  const auto thrown = [](double top) {
+    const auto ball = [top](double t) { return 1 + std::abs(21 - 0.0005 * (t - top) * (t - top)); };
+    return Voyage{drawn(600, 0.3, ball), State<double>(1), {}};
+  };
+  const Voyage a = thrown(200), b = thrown(204);
+  const TurnEstimate turn = estimate_turn(a, b);
+  check_close(turn.apex_time.value, 204, 0.5);
+  CHECK(turn.apex_time.error > 3);
+  CHECK(turn.apex_time.error < 10);
+  CHECK(SameTurn{}(a, a) == 0);
+  CHECK(SameTurn{}(a, b) > 0.005);
+  Voyage steady = a;
+  steady.path = drawn(600, 0.3, [](double t) { return 1 + 0.1 * t; });
+  CHECK(std::isinf(SameTurn{}(a, steady)));
+}
+
 TEST_CASE("hard wells turn the packet, linear and soft ones do not", "[property][boomeron]") {
   CHECK(probe(2, 1, 40, 0).fate == Fate::turns);
   CHECK(probe(2, 0, 40, 0).fate == Fate::escapes);
