@@ -109,8 +109,8 @@ Table coefficient_quantities(double at, double d, double s) {
 }
 
 /**
-The three expansion coefficients of the contact are answers, and so are edges and inflection of the
-band facts; $\Phi$ at the edges is the matter of a section of its own. */
+The expansion coefficients of the contact answer claims; edges and inflection of the band are facts
+for comparison, and $\Phi$ at the edges has a section of its own. */
 void report_band(Report& report) {
   const auto v = [](auto of) {
     return in_two_precisions([&](auto zero) { return of(contact_series(zero + compression)); });
@@ -497,7 +497,7 @@ State<double> confirmed_end(const OrderCase& c, Quantities& facts) {
 }
 
 /**
-Both cases go through all four methods. */
+If openings are to blame, all four methods must lose their order in the one case and none in the other. */
 void report_order(Report& report) {
   const ModulatedPhonon phonon;
   const OrderCase cases[] = {{"closed", phonon.ring(), phonon.start(), 50},
