@@ -5,9 +5,10 @@
 
 #include "check.hpp"
 #include "lattice/measure/flight.hpp"
+#include "lattice/measure/modulation.hpp"
 #include "lattice/measure/wave_on_ring.hpp"
 #include "lattice/report/table.hpp"
-#include "lattice/waves/nls.hpp"
+#include "lattice/waves/instability.hpp"
 
 using namespace lattice;
 using std::numbers::pi;
@@ -141,6 +142,21 @@ TEST_CASE("exact waves are unstable where phi is positive, at the rate of NLS", 
     }
 }
 
+TEST_CASE("phi changes its sign at the inflection, in every well", "[unit]") {
+  for (double s : {-1.0 / 6, 0.0, 1.0})
+    check_close(sign_change_of_phi(d, s, 0.9, 1.4), inflection(contact_series(d).v1), 1e-10);
+  CHECK_THROWS_AS(sign_change_of_phi(d, 1.0, 0.2, 0.9), std::invalid_argument);
+  CHECK(largest_phi(d, 0, 200) < 0.1 * largest_phi(d, 1, 200));
+}
+
+TEST_CASE("growth gives phi without the formula for beta", "[property]") {
+  const Phase phase{pi / 4, d, -1.0 / 6};
+  const Estimate phi = phase.phi_from_growth(0.04);
+  check_close(phi.value, phase.nls().phi, 0, 1e-3);
+  CHECK(phi.error < 1e-3 * phi.value);
+  CHECK(std::abs(phase.growth(0.04, 0.1) / (0.04 * 0.04 / 4) - phi.value) > 1e-3 * phi.value);
+}
+
 TEST_CASE("a wave of wavenumber pi/2 is scattered back", "[property]") {
   const double q = pi / 2, a = 0.08;
   const Ring ring{16, {1}, contact, Ends::periodic};
@@ -215,6 +231,35 @@ TEST_CASE("breathers, trains, surface modes and boomerangs are told apart", "[un
   CHECK_FALSE(traits(synthetic(-1.0 / 3, -1, 1e9)).breather());
   CHECK(traits(synthetic(-1.0 / 3, 0, 1e9)).surface_mode());
   CHECK(traits(synthetic(0, -1, 500)).returns());
+}
+
+TEST_CASE("a sech that explains little of an envelope does not count", "[unit]") {
+  const auto like = [](const Sech& f, bool forming) {
+    return Snapshot{State<double>(1), 50, {}, f}.sech_like(forming);
+  };
+  CHECK(like({1, 51, 4, 0.05}, false));
+  CHECK_FALSE(like({1, 51, 4, 0.15}, false));
+  CHECK(like({1, 51, 4, 0.15}, true));
+  CHECK_FALSE(like({1, 51, 12, 0.05}, true));
+  CHECK_FALSE(like({1, 62, 4, 0.05}, true));
+}
+
+TEST_CASE("a breather on the ring is concentrated and moves to the right", "[unit]") {
+  const auto ring = [](double peak, double speed) {
+    Modulated m{State<double>(200), std::vector<double>(200, 0.01)};
+    m.density[20] += peak;
+    for (double t = 0; t <= 60; ++t) {
+      m.t.push_back(t);
+      m.centre.push_back(20 + speed * t + 0.3 * std::sin(t));
+    }
+    return formed(m);
+  };
+  CHECK(ring(1, 0.3).breather());
+  CHECK_FALSE(ring(0, 0.3).breather());
+  CHECK_FALSE(ring(1, -0.3).breather());
+  CHECK_FALSE(ring(1, 0).breather());
+  const ModulatedPhonon phonon{.b = 0};
+  CHECK(participation(energy_density(phonon.ring(), phonon.start())) > 100);
 }
 
 TEST_CASE("a linear chain sends out a train", "[property]") {

@@ -40,4 +40,13 @@ inline Collision collision_by_energy() {
   return {2 * x * quadrature, x};
 }
 
+/**
+A cradle's pendulum is slow beside such a collision. With $k/m = g/L$ the ratio of the times enters as
+$\lambda^{5/2} = (L/(g\,\tau_h^2))^{5/2}$, and $\tau_h$ follows from a contact time measured in
+seconds and the same time in units of $\tau_h$. */
+inline double cradle_ratio(double gravity, double length, double measured, double contact_time) {
+  const double tau_h = measured / contact_time, lambda = length / (gravity * tau_h * tau_h);
+  return lambda * lambda * std::sqrt(lambda);
+}
+
 }  // namespace lattice

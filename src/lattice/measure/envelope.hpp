@@ -31,7 +31,9 @@ inline Range around(std::size_t peak, std::size_t reach, std::size_t sites) {
   return {peak > reach ? peak - reach : 0, std::min(sites, peak + reach + 1)};
 }
 
-/// Site around which the sites within `reach` hold the most energy.
+/**
+A packet among phonons is not where the energy density has its largest peak, for a single site says
+little. We look for the site around which all sites within `reach` together hold the most energy. */
 inline std::size_t richest(const std::vector<double>& e, std::size_t reach) {
   double sum = window_sum(e, 0, reach), best = sum;
   std::size_t at = 0;
@@ -43,8 +45,9 @@ inline std::size_t richest(const std::vector<double>& e, std::size_t reach) {
   return at;
 }
 
-/// The carrier's frequency, taken from the sites of `range`, and the amplitude of the velocity there
-/// and everywhere.
+/**
+The carrier's frequency belongs to the packet and not to its tail, so it is taken from the sites of
+`range`; with it the amplitude of the velocity follows there and everywhere. */
 struct Envelope {
   double omega = 0;
   std::vector<double> amplitude{};
@@ -64,8 +67,9 @@ Envelope envelope(const Chain<Onsite, Contact>& chain, const State<double>& stat
   return out;
 }
 
-/// height * sech((n - centre) / width), sites counted from one; `residual` is the root mean square
-/// deviation relative to the height.
+/**
+The soliton's form has three parameters, its sites counted from one. How much of an envelope it does
+not explain is the `residual`, the root mean square deviation relative to the height. */
 struct Sech {
   double height = 0, centre = 0, width = 0, residual = 0;
   double at(double n) const { return height / std::cosh((n - centre) / width); }
@@ -80,8 +84,15 @@ inline double misfit(const Sech& f, const std::vector<double>& a, Range range) {
 }
 
 /**
-Gauss and Newton's step for the three parameters. The matrix has three rows, so Cramer's rule
-does. A step that does not lessen the misfit is halved. */
+The three parameters follow from Gauss and Newton's method. Its matrix $m$ is the sum of the products of
+the derivatives of $f$ by height, centre and width, its right side $g$ that of their products with
+what is missing; the matrix has three rows, so Cramer's rule does. */
+inline double determinant(const double (&t)[3][3]) {
+  return t[0][0] * (t[1][1] * t[2][2] - t[1][2] * t[2][1]) -
+         t[0][1] * (t[1][0] * t[2][2] - t[1][2] * t[2][0]) +
+         t[0][2] * (t[1][0] * t[2][1] - t[1][1] * t[2][0]);
+}
+
 inline std::array<double, 3> sech_step(const Sech& f, const std::vector<double>& a, Range range) {
   double m[3][3] = {}, g[3] = {};
   for (std::size_t n = range.first; n < range.last; ++n) {
@@ -92,22 +103,19 @@ inline std::array<double, 3> sech_step(const Sech& f, const std::vector<double>&
       for (int j = 0; j < 3; ++j) m[i][j] += d[i] * d[j];
     }
   }
-  const auto det = [](const double(&t)[3][3]) {
-    return t[0][0] * (t[1][1] * t[2][2] - t[1][2] * t[2][1]) -
-           t[0][1] * (t[1][0] * t[2][2] - t[1][2] * t[2][0]) +
-           t[0][2] * (t[1][0] * t[2][1] - t[1][1] * t[2][0]);
-  };
   std::array<double, 3> step{};
   for (int k = 0; k < 3; ++k) {
     double replaced[3][3];
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) replaced[i][j] = j == k ? g[i] : m[i][j];
-    step[std::size_t(k)] = det(replaced) / det(m);
+    step[std::size_t(k)] = determinant(replaced) / determinant(m);
   }
   return step;
 }
 
-/// The sech that fits the values `a` in `range` best, from a start of the given width.
+/**
+The sech that fits the values `a` in `range` best begins at their maximum with the given width. A
+step that does not lessen the misfit is halved; when no part of it does, we have arrived. */
 inline Sech fit_sech(const std::vector<double>& a, Range range, double width) {
   const auto first = a.begin() + std::ptrdiff_t(range.first),
              last = a.begin() + std::ptrdiff_t(range.last);

@@ -35,11 +35,12 @@ struct Launch {
   Chain<Quartic, CompressedHertz> chain() const { return {sites(), {s}, {d}}; }
 };
 
-/// Half-width of the sites that count as the packet, and of those to which an envelope is fitted.
+/**
+The packet is where the richest sites are. How it fares we read from few numbers at each instant: where
+it is, its share of the energy, the share of the first five sites, and the number of sites that
+share the energy. A packet counts with 20 sites on either side, its envelope is fitted to ten. */
 inline constexpr std::size_t packet_reach = 20, envelope_reach = 10;
 
-/// Where the richest sites are, their share of the energy, that of the first five sites, and the
-/// number of sites that share the energy.
 struct PacketSample {
   double t, centre, share, boundary, participation;
 };
@@ -50,12 +51,25 @@ inline PacketSample packet_sample(double t, const std::vector<double>& e) {
           boundary_share(e), participation(e)};
 }
 
-/// A packet at one time: amplitudes of the velocity, and the sech that fits them around the centre.
+/**
+Is it a soliton? At a few times we keep the whole state with the amplitudes of the velocity and the
+sech that fits them around the packet's centre.
+
+A sech explains the envelope if it deviates by less than a tenth of its height (root mean
+square over 21 sites), and if its top and its width lie within these sites; while a packet is
+still forming, we ask for top and width only. A train has a front crest, too, and over 21 sites a
+broad enough sech fits anything smooth: the share of the energy must decide first. */
 struct Snapshot {
   State<double> state;
   double centre;
   Envelope envelope;
   Sech sech;
+
+  bool sech_like(bool forming) const {
+    const double reach = double(envelope_reach);
+    return std::abs(sech.centre - centre) < reach && sech.width < reach &&
+           (forming || sech.residual < 0.1);
+  }
 };
 
 template <class Onsite, class Contact>
@@ -67,7 +81,9 @@ Snapshot snapshot(const Chain<Onsite, Contact>& chain, const State<double>& stat
   return out;
 }
 
-/// A run: a sample every unit of time, snapshots, and how far both can be trusted.
+/**
+A run has a sample every unit of time, snapshots at the times asked for, and two warrants: how far the
+energy drifts, and when a contact was last open, for the late splitting relies on closed ones. */
 struct CompressedRun {
   State<double> end;
   std::vector<PacketSample> samples{};
@@ -83,6 +99,9 @@ struct FlightSteps {
 };
 inline constexpr double settling_time = 40;
 
+/**
+The blow falls at $t = 0$. Without compression contacts open for ever, and the contact-aware
+method integrates all the time; with it we change methods at the settling time. */
 inline CompressedRun fly(const Launch& launch, const std::vector<double>& times,
                          FlightSteps steps) {
   const auto chain = launch.chain();
@@ -118,7 +137,9 @@ struct Traits {
   bool returns() const { return !(steadiness > 0.5); }
 };
 
-/// Traits of a run from its samples. Needs more than 140 units of time.
+/**
+Lines through the last three quarters of the samples give all of these. A run needs more than 140
+units of time, for the advance is asked for over a hundred. */
 inline Traits traits(const std::vector<PacketSample>& samples) {
   std::vector<double> log_t, share, boundary, t, centre;
   for (const PacketSample& p : samples) {

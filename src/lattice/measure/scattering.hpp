@@ -109,6 +109,7 @@ struct Fractions {
   struct Named {
     const char *name, *unit;
     Estimate share;
+    const char* judged = "";  ///< against what its error is to be judged, if not itself
   };
   /// All but the ledger, as tables call them.
   std::vector<Named> named() const {
@@ -117,7 +118,8 @@ struct Fractions {
             {"near", all, near},
             {"transmitted", all, transmitted},
             {"near_earlier", all, near_earlier},
-            {"net_reflected", arriving, net_reflected},
+            {"net_reflected", arriving, net_reflected,
+             ", against the neighbouring rows: it is zero by definition without a defect"},
             {"net_near", arriving, net_near},
             {"net_transmitted", arriving, net_transmitted}};
   }
@@ -159,14 +161,26 @@ struct Stay {
   double kept() const { return at(100) / at(75); }
 };
 
+/// Whole turns of a bead over their time, between its first and last upward passage through zero.
+inline double frequency_of(const Watched& bead) {
+  const auto turns = upward_crossings(bead.t, bead.v);
+  return 2 * std::numbers::pi * double(turns.size() - 1) / (turns.back() - turns.front());
+}
+
 /**
-The run is watched from 50 to 100 ms. */
-inline Stay stay(const ArrayImpact& impact, double ratio, State<double> state, double step) {
+The run is watched from 50 to 100 ms. Energies at a given time can be compared between two steps
+only if both runs are seen at the same instants, for a passing packet changes them by several
+per cent from one sample to the next. The frequency is read from the samples, and its error must show
+that: it takes them two steps apart. */
+inline Stay stay(const ArrayImpact& impact, double ratio, State<double> state,
+                 const Resolution& r) {
   const auto chain = cantilever_chain(impact.array, ratio);
   const double energy_in = impact.struck_velocity() * impact.struck_velocity() / 2, from = 65;
   const std::size_t d = impact.array.defect - 1;
   Stay out{{}, {}, std::vector<double>(chain.sites, 0.0)};
   Watched bead;
+  const auto every = std::size_t(std::lround(2 * r.step / r.sample));
+  std::size_t k = 0;
   const auto watch = [&](const State<double>& now) {
     const double time = impact.milliseconds(now.t);
     const auto density = energy_density(chain, now);
@@ -174,14 +188,13 @@ inline Stay stay(const ArrayImpact& impact, double ratio, State<double> state, d
       out.t.push_back(50 + 0.5 * double(out.t.size()));
       out.near.push_back(ledger_of(impact, density).near);
     }
-    if (time < from) return;
+    if (k++ % every != 0 || time < from) return;
     bead.t.push_back(now.t), bead.v.push_back(now.v[d]);
     for (std::size_t n = 0; n < density.size(); ++n) out.density[n] += density[n] / energy_in;
   };
-  evolve(ContactAware{step}, chain, state, impact.time(100.2) - state.t, 2 * step, watch);
+  evolve(ContactAware{r.step}, chain, state, impact.time(100.2) - state.t, r.sample, watch);
   for (double& e : out.density) e /= double(bead.t.size());
-  const auto turns = upward_crossings(bead.t, bead.v);
-  out.frequency = 2 * std::numbers::pi * double(turns.size() - 1) / (turns.back() - turns.front());
+  out.frequency = frequency_of(bead);
   return out;
 }
 

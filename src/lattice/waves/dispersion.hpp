@@ -35,11 +35,15 @@ ContactSeries<T> contact_series(T d) {
   return {T(3) / T(2) * root, -T(3) / T(8) / root, -T(1) / T(16) / (d * root)};
 }
 
-/// Frequency, group velocity (sites per unit of time) and the reduced curvature omega_2 at one q.
+/**
+A packet needs three numbers of the band: its frequency, the group velocity $c = \omega'$ in sites per
+unit of time, and the reduced curvature $\omega_2$, which decides together with $\beta$ about its
+stability. They belong to one wavenumber and are computed together. */
 template <class T>
 struct Phonon {
   T omega, group_velocity, omega_2;
-  T curvature(T v1) const { return v1 * omega_2 / omega; }  ///< omega''(q)
+  /// omega''(q)
+  T curvature(T v1) const { return v1 * omega_2 / omega; }
 };
 
 /// The phonon of wavenumber `q`, Eq. (34) and its derivatives (text after Eq. (36)).

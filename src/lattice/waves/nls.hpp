@@ -13,14 +13,13 @@ well. (The quadratic part has a mean as well, but it is the same in every contac
 nothing, because a well holds each bead.) What balances at $e^{i\theta}$ is
 $\omega_{nl}^2 = \omega^2 + 2\beta|A|^2$ with
 $$\beta = \frac{16v_2^2\sin^2q\,(1-\cos q)^2}{4v_1(1-\cos q)^2+3} +
-  \tfrac32\left[4v_3(1-\cos q)^2 + s\right].$$
+  \tfrac32\left[4v_3(1-\cos q)^2 + s\right].$$ */
 
-A uniform wave is unstable against slow modulations where $\omega''h < 0$, that is where
-$\Phi = -\beta\,\omega_2 > 0$ (Eq. (37)): a modulation of wavenumber $Q$ then grows at the rate
-$\sigma(Q)$ with $\sigma^2 = \frac12|\omega''|Q^2\,(2|h||A|^2 - \frac12|\omega''|Q^2)$, at most
-$\sigma = |h||A|^2$. */
-
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <stdexcept>
 
 #include "lattice/waves/dispersion.hpp"
 
@@ -35,7 +34,10 @@ T nls_beta(T q, const ContactSeries<T>& v, T s) {
          T(3) / T(2) * (T(4) * v.v3 * x + s);
 }
 
-/// What the NLS equation says about one wavenumber.
+/**
+Whether a wave survives is a question of signs. A uniform wave is unstable against slow modulations
+where $\omega''h < 0$, that is where $\Phi = -\beta\,\omega_2 > 0$ (Eq. (37)); we keep all that the NLS
+equation says about one wavenumber in one place. */
 template <class T>
 struct Coefficients {
   T omega, group_velocity, curvature, beta, omega_2, phi;
@@ -50,8 +52,11 @@ Coefficients<T> coefficients(T q, T d, T s) {
   return {p.omega, p.group_velocity, p.curvature(v.v1), beta, p.omega_2, -beta * p.omega_2};
 }
 
-/// Growth rate of a modulation of wavenumber `modulation` on a wave y = a sin(qn - omega t), that is
-/// |A| = a/2; zero where the wave is stable.
+/**
+How fast? A modulation of wavenumber $Q$ on the wave $y_n = a\sin(qn-\omega t)$, that is $|A| = a/2$,
+grows at the rate $\sigma(Q)$ with
+$$\sigma^2 = \tfrac12|\omega''|Q^2\,\bigl(2|h||A|^2 - \tfrac12|\omega''|Q^2\bigr),$$
+which is at most $|h||A|^2$; we return zero where the wave is stable. */
 template <class T>
 T nls_growth(const Coefficients<T>& at, T a, T modulation) {
   using std::sqrt;
@@ -65,6 +70,30 @@ template <class T>
 T fastest_modulation(const Coefficients<T>& at, T a) {
   using std::sqrt;
   return sqrt(-at.h() * a * a / (T(2) * at.curvature));
+}
+
+/**
+Where the instability begins and how strong it gets, the curve of $\Phi$ itself tells. Bisection finds
+its zero between two wavenumbers, without the closed form of the inflection, so that one can check
+the other. Throws std::invalid_argument if $\Phi$ has the same sign at both. */
+inline double sign_change_of_phi(double d, double s, double low, double high) {
+  const auto phi = [d, s](double q) { return coefficients(q, d, s).phi; };
+  if (!(phi(low) * phi(high) < 0))
+    throw std::invalid_argument("phi does not change its sign between the two wavenumbers");
+  const bool rises = phi(high) > 0;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = (low + high) / 2;
+    ((phi(middle) > 0) == rises ? high : low) = middle;
+  }
+  return (low + high) / 2;
+}
+
+/// The largest value of phi, zero if there is none above, on a grid of `points` + 1 wavenumbers.
+inline double largest_phi(double d, double s, std::size_t points) {
+  double best = 0;
+  for (std::size_t k = 0; k <= points; ++k)
+    best = std::max(best, coefficients(std::numbers::pi * double(k) / double(points), d, s).phi);
+  return best;
 }
 
 }  // namespace lattice

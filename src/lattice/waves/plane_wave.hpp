@@ -46,8 +46,39 @@ struct PlaneWave {
   double relative(double theta) const { return profile(theta + q) - profile(theta); }
 };
 
-/// One Newton step for the coefficients b_2, b_3, ... and the frequency; returns its size relative
-/// to the amplitude. The equation is asked for at as many points as there are harmonics.
+/**
+Newton's method needs the wave's equation at one $\theta$ and its derivatives by the unknowns. The
+amplitude $b_1$ is given, so the first place belongs to the frequency and the others to
+$b_2, b_3, \dots$ */
+struct WaveEquation {
+  double residual;
+  Eigen::RowVectorXd slopes;
+};
+
+template <class Onsite, class Contact>
+WaveEquation equation_at(const PlaneWave& wave, const Onsite& onsite, const Contact& contact,
+                         double theta) {
+  const double y = wave.profile(theta), right = wave.relative(theta),
+               left = wave.relative(theta - wave.q);
+  WaveEquation at{0, Eigen::RowVectorXd(Eigen::Index(wave.b.size()))};
+  double second = 0;
+  for (Eigen::Index i = 0; i < at.slopes.size(); ++i) {
+    const double k = double(i + 1), here = std::sin(k * theta);
+    const double ahead = std::sin(k * (theta + wave.q)), behind = std::sin(k * (theta - wave.q));
+    second -= k * k * wave.b[std::size_t(i)] * here;
+    at.slopes[i] = -wave.omega * wave.omega * k * k * here + onsite.stiffness(y) * here -
+                   contact.stiffness(right) * (ahead - here) +
+                   contact.stiffness(left) * (here - behind);
+  }
+  at.slopes[0] = 2 * wave.omega * second;
+  at.residual = wave.omega * wave.omega * second - onsite.force(y) + contact.force(right) -
+                contact.force(left);
+  return at;
+}
+
+/**
+The equation is asked for at as many points as there are harmonics. One step corrects the wave and
+returns its size relative to the amplitude, by which we see whether Newton has settled. */
 template <class Onsite, class Contact>
 double improve(PlaneWave& wave, const Onsite& onsite, const Contact& contact) {
   const Eigen::Index count = Eigen::Index(wave.b.size());
@@ -55,20 +86,9 @@ double improve(PlaneWave& wave, const Onsite& onsite, const Contact& contact) {
   Eigen::VectorXd residual(count);
   for (Eigen::Index j = 0; j < count; ++j) {
     const double theta = std::numbers::pi * double(j + 1) / double(count + 1);
-    const double y = wave.profile(theta), right = wave.relative(theta),
-                 left = wave.relative(theta - wave.q);
-    double second = 0;
-    for (Eigen::Index i = 0; i < count; ++i) {
-      const double k = double(i + 1), here = std::sin(k * theta);
-      const double ahead = std::sin(k * (theta + wave.q)), behind = std::sin(k * (theta - wave.q));
-      second -= k * k * wave.b[std::size_t(i)] * here;
-      jacobian(j, i) = -wave.omega * wave.omega * k * k * here + onsite.stiffness(y) * here -
-                       contact.stiffness(right) * (ahead - here) +
-                       contact.stiffness(left) * (here - behind);
-    }
-    jacobian(j, 0) = 2 * wave.omega * second;  // b_1 is given; its place is the frequency's
-    residual[j] = wave.omega * wave.omega * second - onsite.force(y) + contact.force(right) -
-                  contact.force(left);
+    const WaveEquation at = equation_at(wave, onsite, contact, theta);
+    jacobian.row(j) = at.slopes;
+    residual[j] = at.residual;
   }
   const Eigen::VectorXd step = jacobian.partialPivLu().solve(residual);
   wave.omega -= step[0];
@@ -94,7 +114,9 @@ PlaneWave plane_wave(const Onsite& onsite, const Contact& contact, double q, dou
   return wave;
 }
 
-/// The wave on a ring whose length is a whole number of wavelengths, its first site being n = 1.
+/**
+A run needs displacements and velocities. The ring's length is a whole number of wavelengths, and
+its first site is $n = 1$. */
 inline State<double> on_ring(const PlaneWave& wave, std::size_t sites) {
   State<double> state(sites);
   for (std::size_t n = 0; n < sites; ++n) {
@@ -105,7 +127,9 @@ inline State<double> on_ring(const PlaneWave& wave, std::size_t sites) {
   return state;
 }
 
-/// Operators on a grid of `points` values of theta: derivative and shift by `q`.
+/**
+The disturbance lives on a grid of $\theta$, where derivative and shift by $q$ are full matrices: exact
+for every harmonic that the grid can hold, so that the growth rate converges like the wave. */
 struct PeriodicGrid {
   Eigen::MatrixXcd derivative, shift;
 };
@@ -125,10 +149,13 @@ inline PeriodicGrid periodic_grid(Eigen::Index points, double q) {
   return grid;
 }
 
-/// Growth rate of the fastest disturbance with wavenumber `modulation` relative to the wave.
+/**
+With $w = (\lambda - \omega\partial_\theta)p$ as a second unknown the problem is linear in $\lambda$: the
+matrix of $(p, w)$ has the transport $\omega\partial_\theta$ on its diagonal, and the stiffness of well and
+contacts couples the two. */
 template <class Onsite, class Contact>
-double growth_rate(const PlaneWave& wave, const Onsite& onsite, const Contact& contact,
-                   double modulation) {
+Eigen::MatrixXcd linearisation(const PlaneWave& wave, const Onsite& onsite, const Contact& contact,
+                               double modulation) {
   using Matrix = Eigen::MatrixXcd;
   const Eigen::Index points = 2 * Eigen::Index(wave.b.size()) + 1;
   const PeriodicGrid grid = periodic_grid(points, wave.q);
@@ -146,8 +173,17 @@ double growth_rate(const PlaneWave& wave, const Onsite& onsite, const Contact& c
   system.bottomLeftCorner(points, points) =
       -Matrix(well.asDiagonal()) - difference.adjoint() * bond.asDiagonal() * difference;
   system.bottomRightCorner(points, points) = wave.omega * grid.derivative;
-  const Eigen::VectorXcd lambda = Eigen::ComplexEigenSolver<Matrix>(system, false).eigenvalues();
-  return lambda.real().maxCoeff();
+  return system;
+}
+
+/**
+The wave is as unstable as its fastest disturbance of the wavenumber `modulation` relative to it. */
+template <class Onsite, class Contact>
+double growth_rate(const PlaneWave& wave, const Onsite& onsite, const Contact& contact,
+                   double modulation) {
+  const Eigen::MatrixXcd system = linearisation(wave, onsite, contact, modulation);
+  const Eigen::ComplexEigenSolver<Eigen::MatrixXcd> solver(system, false);
+  return solver.eigenvalues().real().maxCoeff();
 }
 
 }  // namespace lattice

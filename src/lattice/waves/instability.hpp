@@ -1,0 +1,69 @@
+#pragma once
+/**
+# Growth of exact waves against the NLS equation
+
+What the NLS equation says about the stability of a phonon (nls.hpp) holds in the limit of small
+amplitude and slow modulations. An exact wave (plane_wave.hpp) of a small amplitude $a$ has growth
+rates too, eigenvalues into which $\beta$ does not enter, and a comparison of the two needs the limit $a \to 0$:
+what is even in $a$ has an expansion in $a^2$, two amplitudes remove the first correction, and the
+next pair tells the error. */
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "lattice/numbers/estimate.hpp"
+#include "lattice/waves/nls.hpp"
+#include "lattice/waves/plane_wave.hpp"
+
+namespace lattice {
+
+/// The value at zero amplitude of a quantity with an expansion in its square.
+template <class Of>
+Estimate at_zero_amplitude(double a, Of of) {
+  const double x = of(a), y = of(a / 2), z = of(a / 4);
+  return compare((4 * y - x) / 3, (4 * z - y) / 3);
+}
+
+/**
+A compressed chain and a wavenumber: all that a comparison needs. NLS says that the fastest modulation
+grows at $|h||A|^2$, so the eigenvalue times $\omega|\omega_2|/|A|^2$ is a measured $\Phi$. It exists
+where $\Phi > 0$ only; on the other side the eigenvalues are imaginary. */
+struct Phase {
+  double q, d, s;
+
+  Coefficients<double> nls() const { return coefficients(q, d, s); }
+
+  double growth(double a, double modulation, std::size_t harmonics = 12) const {
+    const Quartic well{s};
+    const CompressedHertz contact{d};
+    return growth_rate(plane_wave(well, contact, q, a, harmonics), well, contact, modulation);
+  }
+  Estimate phi_from_growth(double a) const {
+    const auto c = nls();
+    return at_zero_amplitude(a, [&](double x) {
+      return growth(x, fastest_modulation(c, x)) / (x * x / 4) * c.omega * std::abs(c.omega_2);
+    });
+  }
+};
+
+/**
+One envelope is not all that can grow: a modulation may have any wavenumber. Then the natural
+unit of growth is still NLS's $|h||A|^2$, whether or not it is ever reached. */
+inline double growth_over_nls(const Phase& at, double a, double modulation,
+                              std::size_t harmonics = 12) {
+  return at.growth(a, modulation, harmonics) / (std::abs(at.nls().h()) * a * a / 4);
+}
+
+/**
+Near the edges of the band an instability begins or ends, and there we ask for slow modulations only:
+three of them about the scale $\sqrt{|h|a^2/(2|\omega''|)}$, at which the fastest would be. */
+inline double slow_growth(const Phase& at, double a) {
+  const auto c = at.nls();
+  const double slow = std::sqrt(std::abs(c.h() * a * a / (2 * c.curvature)));
+  double growth = 0;
+  for (double m : {0.5, 1.0, 1.5}) growth = std::max(growth, at.growth(a, m * slow));
+  return growth;
+}
+
+}  // namespace lattice
