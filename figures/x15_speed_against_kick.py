@@ -45,8 +45,8 @@ for name, color, style in [("verlet", "#888888", "v-"), ("blanes_moan_4", "#56B4
                  label=name.replace("_", " "))
 right.axhline(float(table[0]["allowed"]), color="black", lw=0.8, ls=(0, (1, 1)))
 right.set(xlabel="work (site forces per unit of time)", ylabel="relative drift of the energy",
-          ylim=(1e-13, 1e3))
-right.legend(loc="upper right", ncols=2, fontsize=6.5)
-draw.letter(right, "b")
+          ylim=(1e-15, 3e-1))
+right.legend(loc="lower left", fontsize=6)
+right.text(0.97, 0.97, "(b)", transform=right.transAxes, va="top", ha="right")
 figure.tight_layout()
 draw.save(figure, out)
