@@ -130,7 +130,7 @@ struct Pairs {
 template <class T>
 Pairs<T> pairs_of(const Matrix<T>& k, const Vector<T>& f) {
   const Matrix<T> basis = perpendicular_to(f);
-  const Eigen::EigenSolver<Matrix<T>> solver(basis.transpose() * k * basis, true);
+  const Eigen::EigenSolver<Matrix<T>> solver(basis.transpose() * k * basis);
   if (solver.info() != Eigen::Success) throw NoConvergence("eigenvalues do not converge", {});
   std::vector<std::pair<std::complex<T>, Eigen::Index>> all;
   for (Eigen::Index i = 0; i < k.rows() - 1; ++i) all.emplace_back(solver.eigenvalues()[i], i);
@@ -138,7 +138,7 @@ Pairs<T> pairs_of(const Matrix<T>& k, const Vector<T>& f) {
     return std::norm(a.first) < std::norm(b.first);
   });
   Pairs<T> pairs;
-  for (const auto& [kappa, i] : all) pairs.kappa.push_back(kappa);
+  for (const auto& one : all) pairs.kappa.push_back(one.first);
   pairs.mode = basis * solver.eigenvectors().col(all.front().second).real();
   pairs.mode /= pairs.mode.norm();
   pairs.phase_error = sup<T>(k.transpose() * f / f.norm());

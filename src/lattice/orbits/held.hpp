@@ -47,6 +47,8 @@ struct Held {
   Sizes<T> sizes(const Vector<T>& x, bool graded) const;
   Shot<T> shoot(const Vector<T>& x, const Landing<T>& rule, bool with_jacobian = true) const;
 
+  /**
+  Half a period from the unknowns; places are counted from the middle of the chain. */
  private:
   void differentiate(const Vector<T>& x, const Landing<T>& rule, const State<T>& end,
                      const Tangent<T>& tangent, const T& weight, Shot<T>& shot) const;
