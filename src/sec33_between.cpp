@@ -123,7 +123,22 @@ std::vector<Crossing_place> crossings(const std::vector<Column_of_nodes>& grid) 
 }
 
 /**
-These are refined in double precision. */
+The chart itself, and the points of the curves. */
+Table chart_table(const std::vector<Column_of_nodes>& grid) {
+  Table map{
+      {number("omega", "frequency"), number("s", "anharmonicity"),
+       number("kappa", "of the pinning pair around a site; nan where the family has ended"),
+       number("kappa_error", "symplectic defect, against the neighbouring rows; may be nan"),
+       number("sign", "of kappa: +1 where the site-centred breather is unstable; may be nan")}};
+  for (const auto& column : grid)
+    for (const Node& n : column)
+      map.add({n.spot.omega, n.spot.s, n.kappa, n.defect,
+               n.exists() ? (n.kappa > 0 ? 1.0 : -1.0) : n.kappa});
+  return map;
+}
+
+/**
+The exchanges are refined in double precision. */
 void report_chart(Report& report) {
   const auto grid = report.quick ? chart(8, 2) : chart(100, 10);
   auto places = crossings(grid);
@@ -135,14 +150,6 @@ void report_chart(Report& report) {
     } catch (const std::exception&) {
     }
   });
-  Table map{{number("omega", "frequency"), number("s", "anharmonicity"),
-             number("kappa", "of the pinning pair around a site; nan where the family has ended"),
-             number("kappa_error", "symplectic defect, against the neighbouring rows; may be nan"),
-             number("sign", "of kappa: +1 where the site-centred breather is unstable")}};
-  for (const auto& column : grid)
-    for (const Node& n : column)
-      map.add({n.spot.omega, n.spot.s, n.kappa, n.defect,
-               n.exists() ? (n.kappa > 0 ? 1.0 : -1.0) : n.kappa});
   Table curve{{number("omega", "frequency"), number("s", "anharmonicity at the exchange"),
                number("error", "of the coordinate along which it was found")}};
   int lost = 0;
@@ -153,7 +160,7 @@ void report_chart(Report& report) {
   }
   report.facts.add("chart_exchanges", exact(double(places.size())));
   report.facts.add("chart_lost", exact(lost));
-  report.output.add("chart", std::move(map));
+  report.output.add("chart", chart_table(grid));
   report.output.add("exchange_curves", std::move(curve));
 }
 
@@ -171,6 +178,8 @@ struct Window_edge {
   bool both_stable() const { return (width() > 0) == (found[0].slope < 0); }
 };
 
+/**
+The frequencies are followed upwards in steps of 0.01, less than a fifth of the shortest window. */
 std::vector<Window_edge> window_edges(bool quick) {
   std::vector<Window_edge> edges;
   std::vector<std::pair<double, Orbit<double>>> starts;
@@ -219,7 +228,7 @@ std::vector<Window_edge> report_windows(Report& report) {
 
 Where both breathers are stable, or both unstable, a third one must lie between them. We hold its centre
 $Q$ fixed and solve for its positions and for the parameter (held.hpp), from a site, $Q=0$, to the
-next bond, $Q=1/2$. An orbit of centre $Q$ is followed to the next by the derivative of the equations.
+next bond, $Q=1/2$. The orbit of one centre is the guess for the next.
 
 ![Centre, energy and stability of the breathers in between.](fig:x14) */
 struct Between {
@@ -256,22 +265,15 @@ std::vector<Between> between(const Cut& cut, const Exchange& from, int count) {
   Held<WideProblem> held = held_problem(cut, from);
   const auto n = Eigen::Index(held.sites());
   Vector<Wide> x(n + 1);
-  x << held.problem.fold([&] {
-    State<Wide> state(held.sites());
-    for (Eigen::Index i = 0; i < n; ++i)
-      state.y[std::size_t(i)] = from.orbit.start.y[std::size_t(i)];
-    return state;
-  }()),
-      Wide(from.place.value);
+  for (Eigen::Index i = 0; i < n; ++i) x[i] = from.orbit.start.y[std::size_t(i)];
+  x[n] = from.place.value;
   std::vector<Between> out;
   for (int k = 1; k < count; ++k) {
     held.centre = Wide(k) / Wide(2 * count);
-    const Solution<Wide> fine = solve(held, x, rule<Wide>(0));
+    const Solution<Wide> fine = hold(held, x, rule<Wide>(0));
     const Solution<Wide> coarse = solve(held, fine.x, rule<Wide>(1));
     out.push_back(describe_between(held, fine.x, coarse.x));
-    Vector<Wide> right = Vector<Wide>::Zero(n + 1);
-    right[n] = Wide(1) / Wide(2 * count);
-    x = fine.x + fine.shot.jacobian.partialPivLu().solve(right);
+    x = fine.x;
   }
   return out;
 }
@@ -279,6 +281,19 @@ std::vector<Between> between(const Cut& cut, const Exchange& from, int count) {
 /**
 Its energy is compared with those of the symmetric breathers at the same parameters, hence at the same
 frequency: the share is zero at the site's energy and one at the bond's. */
+double energy_share(const Cut& cut, const std::array<Exchange, 2>& ends, const Between& one) {
+  std::array<Wide, 2> e{};
+  for (std::size_t k : {0U, 1U}) {
+    const auto problem = problem_at(both_centres[k], cut.at(double(one.parameter)));
+    auto wide = in_precision<Wide>(problem);
+    if (!cut.along_s) wide.omega = one.parameter;
+    e[k] = polish(wide, follow(problem, ends[k].orbit)).energy;
+  }
+  return double((one.energy - e[0]) / (e[1] - e[0]));
+}
+
+/**
+The ends of the family are the exchanges themselves. */
 Table between_table(const Cut& cut, const std::array<Exchange, 2>& ends,
                     const std::vector<Between>& family) {
   Table table{{number("centre", "Q, sites from the site at which it begins", "site"),
@@ -290,16 +305,7 @@ Table between_table(const Cut& cut, const std::array<Exchange, 2>& ends,
   const Estimate &site = ends[0].place, &bond = ends[1].place;
   table.add({0.0, site.value, site.error, 0.0, 0.0, 0.0, 0.0});
   std::vector<double> share(family.size());
-  parallel_for(family.size(), [&](std::size_t i) {
-    std::array<Wide, 2> e{};
-    for (std::size_t k : {0U, 1U}) {
-      const auto problem = problem_at(both_centres[k], cut.at(double(family[i].parameter)));
-      auto wide = in_precision<Wide>(problem);
-      if (!cut.along_s) wide.omega = family[i].parameter;
-      e[k] = polish(wide, follow(problem, ends[k].orbit)).energy;
-    }
-    share[i] = double((family[i].energy - e[0]) / (e[1] - e[0]));
-  });
+  parallel_for(share.size(), [&](std::size_t i) { share[i] = energy_share(cut, ends, family[i]); });
   for (std::size_t i = 0; i < family.size(); ++i)
     table.add({family[i].centre, family[i].place.value, family[i].place.error,
                double(family[i].parameter - Wide(site.value)), share[i], family[i].kappa.value,

@@ -84,7 +84,7 @@ TEST_CASE("the blocks of the symmetries hold the same pinning pair", "[property]
     const double other = pinning_by_symmetry(half, centre);
     CAPTURE(pairs.pinning());
     CHECK(std::abs(pairs.pinning()) > 1e-9);
-    check_close(other, pairs.pinning(), 5e-14);
+    check_close(other, pairs.pinning(), 3e-13);
   }
 }
 

@@ -101,6 +101,8 @@ inline double quick_kappa(Centre centre, const Spot& spot, Orbit<double>& orbit)
   return floquet_pairs(problem.chain, orbit.start, orbit.period()).pinning();
 }
 
+/**
+Newton's method follows the orbit from one trial to the next. */
 /// The exchange between `low` and `high`, from an orbit nearby. Throws NoBranch where kappa has the same
 /// sign at both ends.
 template <class T>

@@ -115,8 +115,7 @@ Matrix<T> perpendicular_to(const Vector<T>& f) {
 }
 
 /**
-The pairs are sorted by the modulus of $\kappa$, that is by their distance from $+1$; the first one is
-the pinning pair. How well $f^TK$ vanishes, and how well $F$ is symplectic, is kept with them. */
+How well $f^TK$ vanishes, and how well $F$ is symplectic, is kept with the pairs. */
 template <class T>
 struct Pairs {
   std::vector<std::complex<T>> kappa;  ///< all but that of the phase
@@ -126,12 +125,15 @@ struct Pairs {
   T pinning() const { return kappa.front().real(); }
 };
 
+/**
+The pairs are sorted by the modulus of $\kappa$, that is by their distance from $+1$; the first one is
+the pinning pair. */
 /// Eigenvalues and the first mode of `k` restricted to the vectors perpendicular to `f`.
 template <class T>
 Pairs<T> pairs_of(const Matrix<T>& k, const Vector<T>& f) {
   const Matrix<T> basis = perpendicular_to(f);
   const Eigen::EigenSolver<Matrix<T>> solver(basis.transpose() * k * basis);
-  if (solver.info() != Eigen::Success) throw NoConvergence("eigenvalues do not converge", {});
+  if (solver.info() != Eigen::Success) throw NoConvergence("no eigenvalues", {});
   std::vector<std::pair<std::complex<T>, Eigen::Index>> all;
   for (Eigen::Index i = 0; i < k.rows() - 1; ++i) all.emplace_back(solver.eigenvalues()[i], i);
   std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) {

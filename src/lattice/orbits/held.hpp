@@ -126,4 +126,27 @@ void Held<P>::differentiate(const Vector<T>& x, const Landing<T>& rule, const St
   }
 }
 
+/**
+From a breather with another centre Newton's first step would throw the parameter far away, since it is
+asked to balance a residual that has nothing to do with it; around a site or a bond, where the
+parameter does not act along the pinning direction at all, the matrix is even singular. So we first move
+the breather with the parameter as it is, and leave open what remains of the equations along the
+gradient $y_{n+1}-y_{n-1}$, almost the pinning direction. What remains is as small as the barrier, and
+Newton's method on all equations takes over. */
+/// The breather with the centre of `held` from a guess near that centre. Throws NoConvergence.
+template <class P, class T = typename P::Scalar>
+Solution<T> hold(const Held<P>& held, Vector<T> x, const NewtonRule<T>& rule = {}) {
+  const Eigen::Index n = x.size() - 1;
+  for (int k = 0; k < 4; ++k) {
+    const Shot<T> shot = held.shoot(x, rule.landing);
+    Matrix<T> matrix = shot.jacobian;
+    for (Eigen::Index i = 0; i < n; ++i)
+      matrix(i, n) = i > 0 && i + 1 < n ? x[i + 1] - x[i - 1] : T(0);
+    matrix(n, n) = T(0);
+    const Vector<T> step = solve_scaled<T>(matrix, shot.miss, held.sizes(x, true), 0);
+    x.head(n) -= step.head(n);
+  }
+  return solve(held, x, rule);
+}
+
 }  // namespace lattice
