@@ -34,6 +34,19 @@ def records(path):
         return list(csv.DictReader(line for line in file if not line.startswith("#")))
 
 
+def read_numbers(path):
+    """As `read`, without the columns that hold text."""
+    with open(path, encoding="utf8") as file:
+        rows = list(csv.reader(line for line in file if not line.startswith("#")))
+    kept = {}
+    for name, entries in zip(rows[0], zip(*rows[1:])):
+        try:
+            kept[name] = np.array(entries, dtype=float)
+        except ValueError:
+            continue
+    return kept
+
+
 def grid(table, x, y, value):
     """A long table as an image: values[y, x] and the extent for `imshow`."""
     xs, ys = np.unique(table[x]), np.unique(table[y])

@@ -1,0 +1,27 @@
+"""Figure x13: which breather is stable in the plane of frequency and anharmonicity."""
+
+import matplotlib.pyplot as plt
+from matplotlib.colors import ListedColormap
+
+import draw
+
+data, out = draw.arguments()
+folder = f"{data}/sec33_between"
+chart, curves = draw.read(f"{folder}/chart.ecsv"), draw.read(f"{folder}/exchange_curves.ecsv")
+windows = draw.read_numbers(f"{folder}/windows.ecsv")
+
+figure, axes = plt.subplots(figsize=(draw.TWO_COLUMNS, 85 * draw.MM))
+image, extent = draw.grid(chart, "omega", "s", "sign")
+colours = ListedColormap(["#BFD9EA", "#F6DFCF"])
+colours.set_bad("#FFFFFF")
+axes.imshow(image, extent=extent, origin="lower", aspect="auto", cmap=colours, vmin=-1, vmax=1,
+            interpolation="nearest")
+axes.plot(curves["omega"], curves["s"], "o", color="black", ms=1.4, mew=0, label="exchange")
+axes.axhline(0, color="#888888", lw=0.6, ls="--")
+axes.plot(windows["omega_site"], windows["s"], "D", color="#D55E00", ms=4, mfc="none",
+          label="exchange at $s=0$")
+axes.plot([], [], "s", color=colours(0), ms=6, label="site-centred stable")
+axes.plot([], [], "s", color=colours(255), ms=6, label="bond-centred stable")
+axes.set(xlabel=r"frequency $\omega_b$", ylabel="anharmonicity $s$", xlim=(1, 2), ylim=(-1, 1))
+axes.legend(loc="lower right", handlelength=1.2)
+draw.save(figure, out)

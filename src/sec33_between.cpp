@@ -1,0 +1,372 @@
+/**
+# 3.3 The breather in between
+
+Where does the stability of the two breathers change hands, and what happens there? Section 3.3 of
+James, Kevrekidis and Cuevas (Physica D 251, 2013) finds an exchange in $s$ at $\omega_b = 1.1$ and leaves the
+bifurcations to future work. This program draws the whole map and finds the breathers that are
+born: they are centred neither on a site nor on a bond.
+
+      energy landscape      both stable:              both unstable:
+      against the centre     site  between  bond       site  between  bond
+                                    __                 __            __
+                                 __/  \\__               \\__      __/
+                                /        \\                 \\____/
+
+The article claims nothing here; what we find is measured. */
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "lattice/numbers/parallel.hpp"
+#include "lattice/orbits/exchange.hpp"
+#include "lattice/orbits/held.hpp"
+#include "lattice/report/program.hpp"
+
+using namespace lattice;
+
+/**
+## Model and method
+
+The chain is that of Eqs. (6) and (10). The pinning pair $\lambda, 1/\lambda$ of a breather is one number,
+$$\kappa = \tfrac14\Bigl(\lambda+\frac1\lambda-2\Bigr),$$
+positive where the breather is unstable (floquet.hpp).
+
+| symbol | program | meaning |
+|---|---|---|
+| $\omega_b$, $s$ | `omega`, `s` | frequency of the breather and anharmonicity of the wells |
+| $\kappa$ | `kappa` | of the pinning pair |
+| $Q$ | `centre` | centre of the breather, in sites from the middle of the chain |
+
+## The exchange in the plane of $\omega_b$ and $s$ (figure x13)
+
+Is one exchange at $\omega_b = 1.1$ all there is? We compute $\kappa$ of the site-centred breather on a
+grid, following it in $s$ from the linear well until the family ends. Around a bond the sign is
+the opposite one, but for strips too narrow to be seen.
+
+![Which breather is stable, and where they change places.](fig:x13) */
+struct Node {
+  Spot spot{};
+  double kappa = std::numeric_limits<double>::quiet_NaN(), defect = kappa;
+  Orbit<double> orbit{};
+  bool exists() const { return !std::isnan(kappa); }
+};
+using Column_of_nodes = std::vector<Node>;
+
+/// Computes a node from the orbit of another; leaves it empty where the family ends.
+void visit(Node& node, const Orbit<double>& from) {
+  try {
+    const auto problem = problem_at(Centre::site, node.spot);
+    node.orbit = follow(problem, from);
+    const double growth = node.orbit.amplitude / from.amplitude;
+    if (std::abs(growth - 1) > 0.15 && node.orbit.omega == from.omega) return;  // another family
+    const auto pairs = floquet_pairs(problem.chain, node.orbit.start, node.orbit.period());
+    node.kappa = pairs.pinning();
+    node.defect = pairs.defect;
+  } catch (const NoConvergence&) {
+  }
+}
+
+/**
+The linear well is followed in $\omega_b$ first; from each of its breathers we go up and down in $s$. */
+std::vector<Column_of_nodes> chart(int frequencies, int wells) {
+  std::vector<Column_of_nodes> grid;
+  Orbit<double> seed = find_breather(problem_at(Centre::site, {1.01, 0}));
+  for (int i = 0; i < frequencies; ++i) {
+    const double omega = 1.01 + 0.99 * double(i) / (frequencies - 1);
+    Column_of_nodes column(std::size_t(2 * wells + 1));
+    for (int k = -wells; k <= wells; ++k)
+      column[std::size_t(k + wells)].spot = {omega, double(k) / wells};
+    seed = column[std::size_t(wells)].orbit = follow(problem_at(Centre::site, {omega, 0}), seed);
+    grid.push_back(std::move(column));
+  }
+  parallel_for("chart", grid.size(), [&](std::size_t i) {
+    const auto middle = std::size_t(wells);
+    Column_of_nodes& column = grid[i];
+    visit(column[middle], column[middle].orbit);
+    for (std::size_t k = middle + 1; k < column.size() && column[k - 1].exists(); ++k)
+      visit(column[k], column[k - 1].orbit);
+    for (std::size_t k = middle; k-- > 0 && column[k + 1].exists();)
+      visit(column[k], column[k + 1].orbit);
+  });
+  return grid;
+}
+
+/**
+Wherever neighbours on the grid, along either axis, have opposite signs an exchange lies between
+them. */
+struct Crossing_place {
+  Cut cut;
+  double low, high;
+  const Node* near;
+  Exchange found{};
+  bool good = false;
+};
+
+std::vector<Crossing_place> crossings(const std::vector<Column_of_nodes>& grid) {
+  std::vector<Crossing_place> out;
+  const auto look = [&](const Node& a, const Node& b, bool along_s) {
+    if (!(a.kappa * b.kappa < 0)) return;
+    if (along_s)
+      out.push_back({{true, a.spot.omega}, a.spot.s, b.spot.s, &a});
+    else
+      out.push_back({{false, a.spot.s}, a.spot.omega, b.spot.omega, &a});
+  };
+  for (std::size_t i = 0; i < grid.size(); ++i)
+    for (std::size_t k = 0; k < grid[i].size(); ++k) {
+      if (k > 0) look(grid[i][k - 1], grid[i][k], true);
+      if (i > 0) look(grid[i - 1][k], grid[i][k], false);
+    }
+  return out;
+}
+
+/**
+The chart itself, and the points of the curves. */
+Table chart_table(const std::vector<Column_of_nodes>& grid) {
+  Table map{
+      {number("omega", "frequency"), number("s", "anharmonicity"),
+       number("kappa", "of the pinning pair around a site; nan where the family has ended"),
+       number("kappa_error", "symplectic defect, against the neighbouring rows; may be nan"),
+       number("sign", "of kappa: +1 where the site-centred breather is unstable; may be nan")}};
+  for (const auto& column : grid)
+    for (const Node& n : column)
+      map.add({n.spot.omega, n.spot.s, n.kappa, n.defect,
+               n.exists() ? (n.kappa > 0 ? 1.0 : -1.0) : n.kappa});
+  return map;
+}
+
+/**
+The exchanges are refined in double precision. */
+void report_chart(Report& report) {
+  const auto grid = report.quick ? chart(8, 2) : chart(100, 10);
+  auto places = crossings(grid);
+  parallel_for("exchanges", places.size(), [&](std::size_t i) {
+    Crossing_place& c = places[i];
+    try {
+      c.found = exchange<double>(Centre::site, c.cut, c.low, c.high, c.near->orbit);
+      c.good = true;
+    } catch (const std::exception&) {
+    }
+  });
+  Table curve{{number("omega", "frequency"), number("s", "anharmonicity at the exchange"),
+               number("error", "of the coordinate along which it was found")}};
+  int lost = 0;
+  for (const Crossing_place& c : places) {
+    lost += !c.good;
+    const Spot spot = c.cut.at(c.found.place.value);
+    if (c.good) curve.add({spot.omega, spot.s, c.found.place.error});
+  }
+  report.facts.add("chart_exchanges", exact(double(places.size())));
+  report.facts.add("chart_lost", exact(lost));
+  report.output.add("chart", chart_table(grid));
+  report.output.add("exchange_curves", std::move(curve));
+}
+
+/**
+## The linear well: six exchanges
+
+At $s = 0$ we locate all exchanges for both breathers in the wider type. From $\omega_b = 1$ on the
+bond is stable, as in the DpS equation, but only up to [](num:sec33_between.window_1); between the last
+two, [](num:sec33_between.window_5) and [](num:sec33_between.window_6), it is the site. The order of the two
+exchanges in a pair tells whether both breathers are stable in between or neither. */
+struct Window_edge {
+  std::array<Exchange, 2> found;  ///< site, bond
+  double width() const { return found[1].place.value - found[0].place.value; }
+  /// Whether both are stable between the two; else both are unstable.
+  bool both_stable() const { return (width() > 0) == (found[0].slope < 0); }
+};
+
+/**
+The frequencies are followed upwards in steps of 0.01, less than a fifth of the shortest window. */
+std::vector<Window_edge> window_edges(bool quick) {
+  std::vector<Window_edge> edges;
+  std::vector<std::pair<double, Orbit<double>>> starts;
+  Orbit<double> site = find_breather(problem_at(Centre::site, {1.01, 0}));
+  double last = 0;
+  for (double omega = 1.01; omega < (quick ? 1.1 : 2); omega += 0.01) {
+    const double kappa = quick_kappa(Centre::site, {omega, 0}, site);
+    if (last * kappa < 0) starts.emplace_back(omega, site);
+    last = kappa;
+  }
+  edges.resize(starts.size());
+  parallel_for(2 * starts.size(), [&](std::size_t i) {
+    const auto& [omega, orbit] = starts[i / 2];
+    const Centre centre = both_centres[i % 2];
+    Orbit<double> near = orbit;
+    if (centre == Centre::bond) near = find_breather(problem_at(centre, {omega, 0}));
+    edges[i / 2].found[i % 2] = exchange<Wide>(centre, {false, 0}, omega - 0.01, omega, near);
+  });
+  return edges;
+}
+
+/**
+The table has one row for each pair. */
+std::vector<Window_edge> report_windows(Report& report) {
+  const auto edges = window_edges(report.quick);
+  Table table{{number("omega_site", "exchange of the site-centred breather, s = 0"),
+               number("omega_site_error", "its error"),
+               number("omega_bond", "exchange of the bond-centred breather"),
+               number("omega_bond_error", "its error"), number("width", "omega_bond - omega_site"),
+               number("s", "anharmonicity: zero"),
+               label("between", "what both breathers are between the two")}};
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    const auto& [site, bond] = edges[k].found;
+    table.add({site.place.value, site.place.error, bond.place.value, bond.place.error,
+               edges[k].width(), 0.0, std::string(edges[k].both_stable() ? "stable" : "unstable")});
+    report.facts.add("window_" + std::to_string(k + 1), site.place);
+    report.facts.add("window_width_" + std::to_string(k + 1),
+                     {edges[k].width(), site.place.error + bond.place.error});
+  }
+  report.output.add("windows", std::move(table));
+  return edges;
+}
+
+/**
+## The breather in between (figure x14)
+
+Where both breathers are stable, or both unstable, a third one must lie between them. We hold its centre
+$Q$ fixed and solve for its positions and for the parameter (held.hpp), from a site, $Q=0$, to the
+next bond, $Q=1/2$. The orbit of one centre is the guess for the next.
+
+![Centre, energy and stability of the breathers in between.](fig:x14) */
+struct Between {
+  double centre = 0;
+  Wide parameter = 0, energy = 0;
+  Estimate place{}, kappa{};
+};
+
+using WideProblem = BreatherProblem<Wide>;
+
+Held<WideProblem> held_problem(const Cut& cut, const Exchange& from) {
+  WideProblem problem = in_precision<Wide>(problem_at(Centre::site, cut.at(from.place.value)));
+  problem.symmetry = even_in_time(problem.chain.sites);
+  return {problem, cut.along_s ? along_s<WideProblem>() : along_omega<WideProblem>(), Wide(0)};
+}
+
+Between describe_between(const Held<WideProblem>& held, const Vector<Wide>& x,
+                         const Vector<Wide>& coarse) {
+  const auto there = held.at(x), beside = held.at(coarse);
+  Between out{double(held.centre), x[x.size() - 1], energy(there.chain, held.start(x))};
+  const Wide apart = magnitude<Wide>(coarse[x.size() - 1] - out.parameter);
+  out.place = {double(out.parameter), double(apart) + 1e-16};
+  const auto fine = floquet_pairs(there.chain, held.start(x), there.period());
+  const auto other =
+      floquet_pairs(beside.chain, held.start(coarse), beside.period(), rule<Wide>(1).landing);
+  const Pair pair = compare_pairs(other, fine).front();
+  out.kappa = {pair.kappa.real(), pair.error};
+  return out;
+}
+
+/**
+Two tolerances give the error of the parameter, which nothing but the barrier fixes. */
+std::vector<Between> between(const Cut& cut, const Exchange& from, int count) {
+  Held<WideProblem> held = held_problem(cut, from);
+  const auto n = Eigen::Index(held.sites());
+  Vector<Wide> x(n + 1);
+  for (Eigen::Index i = 0; i < n; ++i) x[i] = from.orbit.start.y[std::size_t(i)];
+  x[n] = from.place.value;
+  std::vector<Between> out;
+  for (int k = 1; k < count; ++k) {
+    held.centre = Wide(k) / Wide(2 * count);
+    const Solution<Wide> fine = hold(held, x, rule<Wide>(0));
+    const Solution<Wide> coarse = solve(held, fine.x, rule<Wide>(1));
+    out.push_back(describe_between(held, fine.x, coarse.x));
+    x = fine.x;
+  }
+  return out;
+}
+
+/**
+Its energy is compared with those of the symmetric breathers at the same parameters, hence at the same
+frequency: the share is zero at the site's energy and one at the bond's. */
+double energy_share(const Cut& cut, const std::array<Exchange, 2>& ends, const Between& one) {
+  std::array<Wide, 2> e{};
+  for (std::size_t k : {0U, 1U}) {
+    const auto problem = problem_at(both_centres[k], cut.at(double(one.parameter)));
+    auto wide = in_precision<Wide>(problem);
+    if (!cut.along_s) wide.omega = one.parameter;
+    e[k] = polish(wide, follow(problem, ends[k].orbit)).energy;
+  }
+  return double((one.energy - e[0]) / (e[1] - e[0]));
+}
+
+/**
+The ends of the family are the exchanges themselves. */
+Table between_table(const Cut& cut, const std::array<Exchange, 2>& ends,
+                    const std::vector<Between>& family) {
+  Table table{{number("centre", "Q, sites from the site at which it begins", "site"),
+               number("parameter", "s, or omega_b"), number("parameter_error", "its error"),
+               number("offset", "parameter minus that of the exchange at the site"),
+               number("share", "(E - E_site) / (E_bond - E_site) at equal frequency"),
+               number("kappa", "of its pinning pair: positive where it is unstable"),
+               number("kappa_error", "from two tolerances, against the largest")}};
+  const Estimate &site = ends[0].place, &bond = ends[1].place;
+  table.add({0.0, site.value, site.error, 0.0, 0.0, 0.0, 0.0});
+  std::vector<double> share(family.size());
+  parallel_for(share.size(), [&](std::size_t i) { share[i] = energy_share(cut, ends, family[i]); });
+  for (std::size_t i = 0; i < family.size(); ++i)
+    table.add({family[i].centre, family[i].place.value, family[i].place.error,
+               double(family[i].parameter - Wide(site.value)), share[i], family[i].kappa.value,
+               family[i].kappa.error});
+  table.add({0.5, bond.value, bond.error, bond.value - site.value, 1.0, 0.0, 0.0});
+  return table;
+}
+
+/**
+At $\omega_b = 1.1$ the family exists on an interval of $s$ of length
+[](num:sec33_between.exchange_gap), and it is unstable: where both symmetric breathers are stable, what
+lies between them is the top of the hill. At $s = 0$ near the exchange
+[](num:sec33_between.window_5) it is the other way round: both symmetric breathers are unstable, and the
+stable breather is the one without symmetry. */
+void report_between(Report& report, const std::vector<Window_edge>& edges) {
+  const int count = report.quick ? 2 : 10;
+  std::array<Exchange, 2> ends;
+  parallel_for(2, [&](std::size_t k) {
+    const Orbit<double> near = find_breather(problem_at(both_centres[k], {}));
+    ends[k] = exchange<Wide>(both_centres[k], Cut{}, 0.1, 0.2, near);
+  });
+  report.facts.add("exchange_gap", {ends[1].place.value - ends[0].place.value,
+                                    ends[0].place.error + ends[1].place.error});
+  const auto add = [&](const std::string& name, const Cut& cut,
+                       const std::array<Exchange, 2>& pair) {
+    const auto family = between(cut, pair[0], count);
+    const Between& middle = family[family.size() / 2];
+    report.facts.add("kappa_" + name, middle.kappa);
+    report.facts.add("middle_" + name, middle.place);
+    report.output.add(name, between_table(cut, pair, family));
+  };
+  add("between_in_s", Cut{}, ends);
+  for (const Window_edge& edge : edges)
+    if (!edge.both_stable() && edge.found[0].place.value > 1.3) {
+      add("between_in_omega", {false, 0}, edge.found);
+      break;
+    }
+}
+
+/**
+## Differences and limits
+
+The chart follows each family in $s$ only until Newton's method fails, which for soft wells is near the
+fold of the family. It shows the exchange of the pinning pair and nothing of other instabilities.
+
+## Extensions
+
+- Follow the breather in between through the whole plane: where is it stable?
+- Does a kicked breather stop at the stable breather in between?
+- Three exchanges meeting in one point would need a second harmonic of the barrier that vanishes: is
+  there one in the plane? */
+int main(int argc, char** argv) {
+  Program program({"sec33_between", "3.3", "Breathers centred nowhere (section 3.3)"}, argc, argv);
+  program.everything = [&](Output& output) {
+    output.note("tolerance", "flow to 128 and 2048 roundings of the type");
+    Report report{output, program.quick};
+    report_chart(report);
+    const auto edges = report_windows(report);
+    report_between(report, edges);
+    output.add("facts", report.facts.table);
+    return report.results;
+  };
+  return program.run(argc, argv);
+}

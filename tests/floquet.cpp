@@ -1,0 +1,167 @@
+// Floquet multipliers against formulas, against the monodromy matrix of the whole period, against the
+// blocks of the symmetries, and what they do in wrong hands.
+
+#include "lattice/orbits/floquet.hpp"
+
+#include "check.hpp"
+#include "lattice/numbers/random.hpp"
+#include "lattice/orbits/breather.hpp"
+#include "lattice/orbits/held.hpp"
+
+using namespace lattice;
+
+namespace {
+
+using Problem = BreatherProblem<double>;
+
+Problem small_problem(Centre centre, double omega, double s = 0) {
+  return breather_problem(centre, omega, s, centre == Centre::site ? 15 : 16);
+}
+Pairs<double> pairs_at(const Problem& problem, const Orbit<double>& orbit, double coarser = 1) {
+  Landing<double> rule;
+  rule.tolerance *= coarser;
+  return floquet_pairs(problem.chain, orbit.start, orbit.period(), rule);
+}
+
+}  // namespace
+
+TEST_CASE("a pair follows from kappa", "[unit][floquet]") {
+  for (const std::complex<double> kappa :
+       {std::complex<double>(-0.3, 0), {1e-12, 0}, {2, 0}, {-1.5, 0}, {-0.2, 0.1}}) {
+    const auto outer = multiplier(kappa, 1), inner = multiplier(kappa, -1);
+    CAPTURE(kappa);
+    CHECK(std::abs(outer * inner - 1.0) < 1e-14);
+    CHECK(std::abs(outer + inner - 2.0 - 4.0 * kappa) < 1e-14);
+  }
+  // On the unit circle, outside, and so close to +1 that lambda + 1/lambda would be 2.
+  CHECK(std::abs(std::abs(multiplier({-0.3, 0}, 1)) - 1) < 1e-15);
+  check_close(std::log(multiplier({1e-18, 0}, 1).real()), 2e-9, 0, 1e-6);
+  // An error of kappa costs its square root at +1 and no more than itself elsewhere.
+  CHECK((Pair{{0, 0}, 1e-14}.multiplier_error()) > 1e-7);
+  CHECK((Pair{{-0.3, 0}, 1e-14}.multiplier_error()) < 1e-13);
+}
+
+TEST_CASE("beads without contact have the multipliers of a pendulum at rest", "[unit][floquet]") {
+  // All wells are linear, all contacts open: every kappa is -sin^2(T/2).
+  Problem problem = small_problem(Centre::site, 1.3);
+  State<double> start(15);
+  for (std::size_t n = 0; n < 15; ++n) start.y[n] = double(n);
+  const Matrix<double> half = monodromy(problem.chain, start, 1.0);
+  const Matrix<double> k = pair_matrix(half);
+  const double expected = -std::pow(std::sin(1.0), 2);
+  CHECK((k - expected * Matrix<double>::Identity(15, 15)).cwiseAbs().maxCoeff() < 1e-13);
+  CHECK(symplectic_defect(half) < 1e-13);
+}
+
+TEST_CASE("half a period gives the monodromy matrix of the whole one", "[property][floquet]") {
+  for (Centre centre : {Centre::site, Centre::bond})
+    for (double omega : {1.1, 1.5}) {
+      const Problem problem = small_problem(centre, omega, 0.3);
+      const Orbit<double> orbit = find_breather(problem);
+      const Eigen::Index n = Eigen::Index(problem.chain.sites);
+      const Matrix<double> whole = monodromy(problem.chain, orbit.start, orbit.period());
+      const Matrix<double> half = monodromy(problem.chain, orbit.start, orbit.period() / 2);
+      const Matrix<double> k = pair_matrix(half);
+      const Matrix<double> block = Matrix<double>::Identity(n, n) + 2 * k;
+      CHECK((whole.topLeftCorner(n, n) - block).cwiseAbs().maxCoeff() < 1e-11);
+      CHECK((whole.bottomRightCorner(n, n) - block.transpose()).cwiseAbs().maxCoeff() < 1e-11);
+      // The multipliers in pairs have the trace of the matrix, with the two of the phase.
+      const Pairs<double> pairs = pairs_at(problem, orbit);
+      std::complex<double> sum = 2;
+      for (const auto& kappa : pairs.kappa) sum += multiplier(kappa, 1) + multiplier(kappa, -1);
+      CHECK(std::abs(sum - whole.trace()) < 1e-11);
+      CHECK(pairs.defect < 1e-12);
+      CHECK(pairs.phase_error < 1e-12);
+    }
+}
+
+TEST_CASE("the blocks of the symmetries hold the same pinning pair", "[property][floquet]") {
+  for (Centre centre : {Centre::site, Centre::bond}) {
+    const Problem problem = small_problem(centre, 1.1);
+    const Orbit<double> orbit = find_breather(problem);
+    const Pairs<double> pairs = pairs_at(problem, orbit);
+    const Matrix<double> half = monodromy(problem.chain, orbit.start, orbit.period() / 2);
+    const double other = pinning_by_symmetry(half, centre);
+    CAPTURE(pairs.pinning());
+    CHECK(std::abs(pairs.pinning()) > 1e-9);
+    check_close(other, pairs.pinning(), 3e-13);
+  }
+}
+
+TEST_CASE("masses enter the symplectic form and the force", "[property][floquet]") {
+  Problem problem = small_problem(Centre::site, 1.1);
+  const Orbit<double> plain = find_breather(problem);
+  std::vector<double> mass(15, 1);
+  mass[8] = 1.01;
+  vary(problem.chain, mass, std::vector<double>(16, 1));
+  problem.symmetry = even_in_time(15);
+  const Orbit<double> orbit = newton(problem, problem.fold(plain.start));
+  const Pairs<double> pairs = pairs_at(problem, orbit);
+  CHECK(pairs.defect < 1e-12);
+  CHECK(pairs.phase_error < 1e-12);
+  CHECK(std::abs(pairs.pinning()) > 1e-6);  // the heavy bead pins it
+  const Matrix<double> raw = monodromy(problem.chain, orbit.start, orbit.period() / 2);
+  CHECK(symplectic_defect(raw) > 1e-3);
+}
+
+TEST_CASE("an orbit that does not begin at rest is refused", "[unit][floquet]") {
+  const Problem problem = small_problem(Centre::site, 1.1);
+  Orbit<double> orbit = find_breather(problem);
+  orbit.start.v[3] = 1e-3;
+  CHECK_THROWS_AS(pairs_at(problem, orbit), std::invalid_argument);
+}
+
+TEST_CASE("two tolerances and two precisions agree within the error", "[convergence][floquet]") {
+  for (Centre centre : {Centre::site, Centre::bond}) {
+    const Problem problem = small_problem(centre, 1.1);
+    const Orbit<double> orbit = find_breather(problem);
+    const auto narrow = compare_pairs(pairs_at(problem, orbit, 16), pairs_at(problem, orbit));
+    const auto wide_problem = in_precision<long double>(problem);
+    const auto wide_orbit = polish(wide_problem, orbit);
+    const auto wide = floquet_pairs(wide_problem.chain, wide_orbit.start, wide_orbit.period());
+    CHECK(narrow.front().error < 1e-13);
+    check_close(narrow.front().kappa.real(), double(wide.pinning()), narrow.front().error);
+  }
+}
+
+TEST_CASE("near +1 an error of the matrix costs its root, of kappa itself", "[property][floquet]") {
+  const Problem problem = small_problem(Centre::bond, 1.1);
+  const Orbit<double> orbit = find_breather(problem);
+  const auto n = Eigen::Index(problem.chain.sites);
+  const Matrix<double> exact_map = monodromy(problem.chain, orbit.start, orbit.period());
+  const double delta = 1e-7;
+  const std::vector<double> noise = shaken(std::vector<double>(std::size_t(4 * n * n), 1), 1, 7);
+  Matrix<double> map = exact_map;
+  for (Eigen::Index i = 0; i < map.size(); ++i)
+    map.data()[i] += delta * (noise[std::size_t(i)] - 1);
+  const Eigen::EigenSolver<Matrix<double>> solver(map, false);
+  double worst = 0;
+  for (Eigen::Index i = 0; i < 2 * n; ++i)
+    if (const double from = std::abs(solver.eigenvalues()[i] - 1.0); from < 0.1)
+      worst = std::max(worst, from);
+  CHECK(worst > std::sqrt(delta) / 10);
+  const double change = quadruplet_kappa(map) - quadruplet_kappa(exact_map);
+  CHECK(std::abs(change) < 100 * delta);
+}
+
+TEST_CASE("a breather held at a site or bond stands at the exchange", "[property][floquet]") {
+  // In double precision the parameter is known to a few digits only, see held.hpp.
+  Problem problem = small_problem(Centre::site, 1.1, 0.15);
+  const Orbit<double> orbit = find_breather(problem);
+  problem.symmetry = even_in_time(15);
+  Held<Problem> held{problem, along_s<Problem>(), 0.2};
+  Vector<double> x(16);
+  x << problem.fold(orbit.start), 0.15;
+  const Shot<double> shot = held.shoot(x, {});
+  for (Eigen::Index k : {5, 7, 8, 15}) {
+    const double h = k == 15 ? 1e-4 : 1e-7;
+    Vector<double> up = x, down = x;
+    up[k] += h;
+    down[k] -= h;
+    const Vector<double> slope =
+        (held.shoot(up, {}, false).miss - held.shoot(down, {}, false).miss) / (2 * h);
+    CAPTURE(k);
+    CHECK(sup<double>(slope - shot.jacobian.col(k)) < 1e-5 * (1 + sup<double>(slope)));
+  }
+  check_close(shot.miss[15], -0.2, 1e-12);  // the orbit is at its site, not at 0.2
+}
