@@ -286,7 +286,8 @@ void report_weak(Report& report, const Ready& at) {
 
 A run ends as soon as the breather is well past the next site or has turned round. Just at the threshold
 it would take for ever, so that ten times $1/\Omega$ is the limit, beyond which nothing is decided within
-$10^{-7}$ of it. The bracket begins near the prediction, and its ends must decide differently. The same bisection with the second scheme is the other half of the error. */
+$10^{-7}$ of it. The bracket begins near the prediction, and its ends must decide differently. The same
+bisection with the second scheme is the other half of the error. */
 Course fate_after(const Ready& at, double c, const ContactAware& stepper, double limit,
                   double& least_margin) {
   const Creep path = creep(stepper, at.chain, kicked(at.rest, c), at.sample(), limit,
