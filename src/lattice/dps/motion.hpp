@@ -38,6 +38,10 @@ inline double breather_place(Centre centre, const Field& v) {
   return moment / sum - (centre == Centre::bond ? 0.5 : 0);
 }
 
+/**
+An eigenvector has no sign and no scale in sites, and the pendulum needs both. The derivative of the
+centre along $V$ gives them: its modulus is $g$, and we turn $V$ so that a positive shift leads to
+larger $n$. */
 /// A breather with its pinning pair, whose sign is such that a shift x > 0 goes to larger n.
 struct PinnedBreather {
   Centre centre;
@@ -65,6 +69,10 @@ struct PinnedBreather {
     if (moment < 0) pair.V = -pair.V;
   }
 
+  /**
+  With $g$ and $\lambda$ the pendulum has no parameter left, and what it predicts can be held against
+  runs of the whole equation. The mean of arithmetic and geometric means settles within a few rounds,
+  because every round squares the relative distance of the two. */
   /// The push at which a pendulum passes the site beside its bond.
   double freeing_push() const { return pair.rate / (std::numbers::pi * shift * (mu - pair.m)); }
 
@@ -82,6 +90,11 @@ struct PinnedBreather {
   }
 };
 
+/**
+What a breather does is read from its displacement at samples in time, so a second resolution has to
+differ in the samples as well as in the tolerance. The moment at which a distance is passed is
+interpolated between two samples; noise that oscillates faster than they follow each other is the main
+part of its error. */
 /// Tolerance of the integrator, and samples for each unit of time.
 struct Accuracy {
   double tolerance, samples;
@@ -106,6 +119,10 @@ struct Course {
   }
 };
 
+/**
+We integrate in the frame that turns with the breather, where all that moves is the perturbation. Norm
+and energy are looked at with every sample: their drift must stay far below the share of the energy
+that pins the breather, or the run says nothing about pinning. */
 /// Follows the field `v`, given in the frame that turns with the breather; `watch(t, v)` sees every
 /// sample.
 template <class Watch>

@@ -61,19 +61,30 @@ struct ContactSpectrum {
   Vector second{};    ///< unit eigenvector of m[1], if asked for
 };
 
-/// Throws std::runtime_error if Eigen's iteration does not converge.
+/// Diagonal of M and the line beside it: each contact holds its two sites and couples them.
 template <class T>
-ContactSpectrum<T> contact_spectrum(const Stationary<T>& state, bool vector = false) {
-  const auto roots = contact_roots(state);
-  const auto sites = Eigen::Index(state.u.size());
-  typename ContactSpectrum<T>::Vector diagonal(sites), beside(sites - 1);
+auto contact_matrix(const std::vector<T>& roots) {
+  const auto contacts = Eigen::Index(roots.size());
+  typename ContactSpectrum<T>::Vector diagonal(contacts + 1), beside(contacts);
   diagonal.setZero();
-  for (Eigen::Index i = 0; i + 1 < sites; ++i) {
+  for (Eigen::Index i = 0; i < contacts; ++i) {
     const T& root = roots[std::size_t(i)];
     diagonal(i) += root;
     diagonal(i + 1) += root;
     beside(i) = -root;
   }
+  return std::pair(diagonal, beside);
+}
+
+/**
+That $m_1 = \mu$ is known beforehand, so the computed value is a check of state and solver at once. We
+keep its defect and put $\mu$ itself in its place, for which the exponent of the phase is exactly
+zero. */
+/// Throws std::runtime_error if Eigen's iteration does not converge.
+template <class T>
+ContactSpectrum<T> contact_spectrum(const Stationary<T>& state, bool vector = false) {
+  const auto [diagonal, beside] = contact_matrix(contact_roots(state));
+  const auto sites = Eigen::Index(state.u.size());
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>> solver;
   solver.computeFromTridiagonal(diagonal, beside,
                                 vector ? Eigen::ComputeEigenvectors : Eigen::EigenvaluesOnly);
@@ -106,6 +117,9 @@ std::size_t eigenvalues_above(const std::vector<T>& roots, const T& x) {
   return count;
 }
 
+/**
+An interval shrinks by halving until no number of the format is left inside it, whatever the format. No
+tolerance has to be chosen, and the error is one rounding. */
 /// The k-th largest eigenvalue of M, k >= 1, between 0 and 2 mu, by halving.
 template <class T>
 T counted_eigenvalue(const Stationary<T>& state, std::size_t k) {
@@ -140,6 +154,9 @@ T instability_margin(const T& mu, const T& m) {
   return (T(3) * m - T(2) * mu) / T(3);
 }
 
+/**
+Since $m$ and $\lambda^2$ are real, an exponent is either real or imaginary, with an exact zero as its
+other part: a spectrum from $M$ cannot show a small growth that is made of rounding. */
 /// Both exponents of each m, two a site, as (real, imaginary): lambda with its sign, then -lambda.
 template <class T>
 std::vector<std::pair<T, T>> exponents(const ContactSpectrum<T>& spectrum) {
@@ -164,7 +181,7 @@ $$i\lambda\begin{pmatrix}a\\b\end{pmatrix} =
 because $\delta(z|z|^{1/2}) = |z|^{1/2}(\frac54\delta z+\frac14\delta z^*)$ for real $z$. We keep
 it as a check. Its entries come from the displacements, and nothing of its structure is used. */
 template <class T>
-std::vector<std::complex<T>> full_exponents(const Stationary<T>& state) {
+auto full_matrix(const Stationary<T>& state) {
   using std::abs;
   using std::sqrt;
   const auto sites = Eigen::Index(state.u.size());
@@ -186,11 +203,21 @@ std::vector<std::complex<T>> full_exponents(const Stationary<T>& state) {
     add(i, i + 1, -slope);
     add(i + 1, i, -slope);
   }
+  return full;
+}
+
+/**
+The eigenvalues $\kappa$ of this matrix are $i\lambda$. A solver for matrices without symmetry returns
+them in no order and with both parts rounded, which is why it serves as a witness and not as the
+method. */
+template <class T>
+std::vector<std::complex<T>> full_exponents(const Stationary<T>& state) {
+  const auto full = full_matrix(state);
   const Eigen::EigenSolver<Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>> solver(full, false);
   if (solver.info() != Eigen::Success)
     throw std::runtime_error("the eigenvalues of the full linearisation did not converge");
   std::vector<std::complex<T>> out;
-  for (Eigen::Index i = 0; i < 2 * sites; ++i) {
+  for (Eigen::Index i = 0; i < full.rows(); ++i) {
     const std::complex<T> kappa = solver.eigenvalues()(i);
     out.emplace_back(kappa.imag(), -kappa.real());
   }
@@ -219,6 +246,9 @@ struct PinningPair {
         rate(lambda_modulus(mu, m)),
         push((mu - m) / rate) {}
 
+  /**
+  Whoever perturbs a breather has a field in hand, whoever wants to foresee its fate needs $x$ and $y$.
+  The projection is exact, since $V$ has unit length and the eigenvectors of $M$ are orthogonal. */
   /// (x, y) of the perturbation `w`.
   std::complex<double> of(const Field& w) const {
     std::complex<double> sum = 0;
