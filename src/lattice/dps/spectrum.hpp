@@ -27,6 +27,7 @@ such $m$. Where the contacts are slack $m = 0$ and $\lambda = \pm i\mu$, the ess
 #include <vector>
 #include "lattice/dps/dps.hpp"
 #include "lattice/dps/stationary.hpp"
+#include "lattice/numbers/estimate.hpp"
 
 namespace lattice {
 
@@ -171,6 +172,42 @@ std::vector<std::pair<T, T>> exponents(const ContactSpectrum<T>& spectrum) {
 }
 
 /**
+## How close to the edge
+
+The verdict is a sign, so it is worth nothing without an error. Two things could turn it: the mantissa,
+and the ends of the chain. We vary both, the first from double precision to `Fine`, the second by ten
+sites, and add what they do. */
+/// The margin (m_2 - 2 mu / 3) / mu and |lambda| / mu.
+struct Margin {
+  Estimate margin, exponent;
+  bool certain() const { return std::abs(margin.value) > 100 * margin.error; }
+  bool unstable() const { return margin.value > 0; }
+};
+
+/// (m_2 - 2 mu / 3) / mu and |lambda| / mu, computed with numbers of type T.
+template <class T>
+std::pair<double, double> margin_and_exponent(Centre centre, double mu, std::size_t sites) {
+  const auto state = stationary<T>(centre, T(mu), sites);
+  const T m = counted_eigenvalue(state, 2);
+  return {static_cast<double>(T(instability_margin(state.mu, m) / state.mu)),
+          static_cast<double>(T(lambda_modulus(state.mu, m) / state.mu))};
+}
+
+/**
+Both numbers are pure numbers, free of the scale of $\mu$, so margins at different frequencies may be
+compared digit by digit. */
+template <class Fine>
+Margin margin_of(Centre centre, double mu, std::size_t sites) {
+  const auto [margin, exponent] = margin_and_exponent<Fine>(centre, mu, sites);
+  const auto [short_margin, short_exponent] = margin_and_exponent<double>(centre, mu, sites);
+  const auto [long_margin, long_exponent] = margin_and_exponent<Fine>(centre, mu, sites + 10);
+  Margin out{compare(short_margin, margin), compare(short_exponent, exponent)};
+  out.margin.error += std::abs(margin - long_margin);
+  out.exponent.error += std::abs(exponent - long_exponent);
+  return out;
+}
+
+/**
 ## The full matrix
 
 The article writes the perturbation as $a_ne^{\lambda t}+b_n^*e^{\lambda^*t}$ (Eq. (22)), with
@@ -222,6 +259,28 @@ std::vector<std::complex<T>> full_exponents(const Stationary<T>& state) {
     out.emplace_back(kappa.imag(), -kappa.real());
   }
   return out;
+}
+
+/**
+The pair nearest to zero, after the two zeros of the phase, is the pinning pair. What is left between
+the two routes to it, its wrong part included, says how well they agree; what is left of the zeros says
+how large a real part has to be before it means anything. */
+struct Remainders {
+  double pair, zero;
+};
+
+/// Remainders of the full matrix of `state`.
+template <class T>
+Remainders remainders(const Stationary<T>& state) {
+  using std::abs;
+  auto full = full_exponents(state);
+  std::sort(full.begin(), full.end(),
+            [](const auto& a, const auto& b) { return std::norm(a) < std::norm(b); });
+  const T m = contact_spectrum(state).m[1], pair = lambda_modulus(state.mu, m);
+  const bool real = lambda_squared(state.mu, m) > T(0);
+  const T found = abs(real ? full[2].real() : full[2].imag());
+  const T wrong = abs(real ? full[2].imag() : full[2].real());
+  return {double(abs(found - pair) + wrong), double(abs(full[1]))};
 }
 
 /**
