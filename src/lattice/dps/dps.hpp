@@ -54,7 +54,10 @@ struct Dps {
     return std::sqrt(std::sqrt(square));
   }
 
-  /// Right-hand side on interleaved real and imaginary parts.
+  /**
+  A contact pulls its two beads with opposite forces, so each pull is computed once: walking along the
+  chain we keep that of the contact behind and find that of the contact in front. Real and imaginary
+  parts stand in turn, because the integrators know real numbers only. */
   void operator()(double, const double* a, double* da) const {
     double re = 0, im = 0;
     if (near_end == Ends::fixed) {
@@ -78,6 +81,9 @@ struct Dps {
   }
 };
 
+/**
+Nothing in the method of integration knows of the two conserved quantities, so their drift is an
+independent check of every run. The densities, whose sum is the norm, are what the figures show. */
 /// Norm sum |A_n|^2, conserved.
 inline double norm(const Field& field) {
   double sum = 0;
@@ -102,6 +108,10 @@ inline std::vector<double> density(const Field& field) {
   return d;
 }
 
+/**
+A DpS field says something about the chain only through the approximation that it stands for. The
+impact is the field of a chain whose first bead has been struck, and `dps_state` leads back to
+displacements and velocities, which are then compared with those of the chain itself. */
 /// Impact on the first of `sites`: A_1(0) = -i, all others zero (Eq. (25)).
 inline Field dps_impact(std::size_t sites) {
   Field field(sites);

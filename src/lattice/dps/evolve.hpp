@@ -35,20 +35,24 @@ struct TurningDps {
   }
 };
 
+/// Real and imaginary parts in turn, the form in which the integrator carries a field.
+inline std::vector<double> interleaved(const Field& field) {
+  std::vector<double> x;
+  for (const auto& w : field) x.insert(x.end(), {w.real(), w.imag()});
+  return x;
+}
+
+/**
+The integrator controls the error of one step only, and errors add up. The norm costs nothing beside a
+step and is conserved by the equation, so we look at it at every sample and return how far it drifts:
+who reads a number from the run can compare the two. */
 /// Carries `field` over the slow time `duration`, showing (tau, field) to `observe` at `samples`
 /// equal intervals and at the start; returns the largest relative change of the norm. `Equation` is
 /// Dps or TurningDps.
 template <class Equation, class Observer>
 double evolve_dps(const Equation& dps, Field& field, double duration, std::size_t samples,
                   const Tolerance& tolerance, Observer observe) {
-  std::vector<double> x(2 * field.size());
-  const auto pack = [&] {
-    for (std::size_t n = 0; n < field.size(); ++n) {
-      x[2 * n] = field[n].real();
-      x[2 * n + 1] = field[n].imag();
-    }
-  };
-  pack();
+  std::vector<double> x = interleaved(field);
   Reference reference(dps, x.size(), tolerance);
   const double start = norm(field);
   double tau = 0, drift = 0;

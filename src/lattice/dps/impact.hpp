@@ -15,7 +15,7 @@ time is the slow one. */
 
 namespace lattice {
 
-/// The same for the DpS equation, whose density is |A_n|^2 and whose time is tau.
+/// The track of the packet, the field at the end, and how far the norm drifts on the way.
 struct DpsOutcome {
   Track track;
   Field end;

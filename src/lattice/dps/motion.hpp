@@ -18,12 +18,18 @@ a complete elliptic integral, for which the arithmetic-geometric mean suffices. 
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <cstddef>
 #include <limits>
 #include <numbers>
+#include <stdexcept>
+#include <string>
+#include <utility>
 #include <vector>
 #include "lattice/dps/evolve.hpp"
 #include "lattice/dps/spectrum.hpp"
+#include "lattice/numbers/line_fit.hpp"
+#include "lattice/numbers/random.hpp"
 
 namespace lattice {
 
@@ -38,6 +44,10 @@ inline double breather_place(Centre centre, const Field& v) {
   return moment / sum - (centre == Centre::bond ? 0.5 : 0);
 }
 
+/**
+An eigenvector has no sign and no scale in sites, and the pendulum needs both. The derivative of the
+centre along $V$ gives them: its modulus is $g$, and we turn $V$ so that a positive shift leads to
+larger $n$. */
 /// A breather with its pinning pair, whose sign is such that a shift x > 0 goes to larger n.
 struct PinnedBreather {
   Centre centre;
@@ -65,6 +75,10 @@ struct PinnedBreather {
     if (moment < 0) pair.V = -pair.V;
   }
 
+  /**
+  With $g$ and $\lambda$ the pendulum has no parameter left, and what it predicts can be held against
+  runs of the whole equation. The mean of arithmetic and geometric means settles within a few rounds,
+  because every round squares the relative distance of the two. */
   /// The push at which a pendulum passes the site beside its bond.
   double freeing_push() const { return pair.rate / (std::numbers::pi * shift * (mu - pair.m)); }
 
@@ -82,6 +96,11 @@ struct PinnedBreather {
   }
 };
 
+/**
+What a breather does is read from its displacement at samples in time, so a second resolution has to
+differ in the samples as well as in the tolerance. The moment at which a distance is passed is
+interpolated between two samples; noise that oscillates faster than they follow each other is the main
+part of its error. */
 /// Tolerance of the integrator, and samples for each unit of time.
 struct Accuracy {
   double tolerance, samples;
@@ -106,6 +125,10 @@ struct Course {
   }
 };
 
+/**
+We integrate in the frame that turns with the breather, where all that moves is the perturbation. Norm
+and energy are looked at with every sample: their drift must stay far below the share of the energy
+that pins the breather, or the run says nothing about pinning. */
 /// Follows the field `v`, given in the frame that turns with the breather; `watch(t, v)` sees every
 /// sample.
 template <class Watch>
@@ -128,6 +151,165 @@ Course follow_breather(const PinnedBreather& breather, Field v, double time,
 inline Course follow_breather(const PinnedBreather& breather, Field v, double time,
                               const Accuracy& accuracy) {
   return follow_breather(breather, std::move(v), time, accuracy, [](double, const Field&) {});
+}
+
+/**
+Two questions are put to breathers that have been displaced along the pinning pair and by nothing else.
+Does a perturbation of the growing direction grow at the rate of the matrix? We fit a line to the
+logarithm of its growing share. */
+inline double measured_rate(const PinnedBreather& site, double size, const Accuracy& accuracy) {
+  Field v = site.u;
+  site.pair.add({size, size / site.pair.push}, v);
+  std::vector<double> t, share;
+  follow_breather(site, v, 4 / site.pair.rate, accuracy, [&](double now, Field w) {
+    for (std::size_t i = 0; i < w.size(); ++i) w[i] -= site.u[i];
+    t.push_back(now);
+    share.push_back(std::log(site.pair.growing(w)));
+  });
+  return fit_line(t, share).slope;
+}
+
+/// Has it passed the next rest position of its own kind?
+inline bool moved(const Course& course) {
+  return course.largest() > 1;
+}
+
+/**
+And which push frees a breather? Between a push that does not and one that does we halve the interval.
+The pendulum says where to look, but the ends must decide differently or there is no answer. */
+inline double bisect_push(const PinnedBreather& bond, const Accuracy& accuracy, int steps) {
+  const auto freed = [&](double push) {
+    Field v = bond.u;
+    bond.pair.add({0, push}, v);
+    return moved(follow_breather(bond, v, 12 / bond.pair.rate, accuracy));
+  };
+  double low = 0.8 * bond.freeing_push(), high = 1.2 * bond.freeing_push();
+  if (freed(low) || !freed(high))
+    throw std::runtime_error("the push that frees the bond-centred breather is not between " +
+                             std::to_string(low) + " and " + std::to_string(high));
+  for (int k = 0; k < steps; ++k) {
+    const double middle = (low + high) / 2;
+    (freed(middle) ? high : low) = middle;
+  }
+  return (low + high) / 2;
+}
+
+/**
+## Breathers under noise
+
+A word like "uniformly distributed" does not fix a perturbation of complex numbers: it may be complex or
+real, of both signs or positive, and absolute or a share of $u_n$. The difference matters, since a push
+counts far more than a shift, so the kind of noise is a parameter. One seed gives one perturbation on
+every machine. */
+struct Noise {
+  const char* name;
+  bool imaginary, positive, relative;
+  double amplitude;
+
+  /// Noise for every site of the breather `u`.
+  Field operator()(const Field& u, std::size_t seed) const {
+    Random random(seed);
+    const auto draw = [&] {
+      return amplitude * (positive ? random.uniform(0, 1) : random.uniform(-1, 1));
+    };
+    Field w;
+    for (const auto& u_n : u) {
+      const double re = draw(), im = imaginary ? draw() : 0;
+      w.push_back(std::complex<double>(re, im) * (relative ? u_n : 1.0));
+    }
+    return w;
+  }
+};
+
+/**
+To first order the noise acts through its share of the pinning pair alone. A trial notes that share
+beside the runs, so that it can be asked later whether it foretells them; and it can be taken away from
+the noise, which leaves a control that differs in nothing else. */
+struct Trial {
+  std::size_t seed;
+  std::complex<double> kick{};  ///< shift and push of the noise
+  double growing = 0;           ///< size of its growing share
+  Course rough{}, good{};       ///< at two tolerances
+};
+
+/// Breather and noise, the latter with or without its part in the pinning pair; notes that part.
+inline Field perturbed(const PinnedBreather& breather, const Noise& noise, bool pinned,
+                       Trial& trial) {
+  Field w = noise(breather.u, trial.seed);
+  if (!pinned) breather.pair.add(-breather.pair.of(w), w);
+  trial.kick = breather.pair.of(w);
+  trial.growing = std::abs(breather.pair.growing(w));
+  for (std::size_t i = 0; i < w.size(); ++i) w[i] += breather.u[i];
+  return w;
+}
+
+/**
+Noise answers in numbers of cases. A breather has left when its centre is half a site away, and it has
+moved when it has passed the next rest position of its own kind; what only falls into the well beside
+it swings back before. The census of either tolerance is taken, because counts are exact only where
+both give the same. */
+struct Census {
+  std::size_t left = 0, moved = 0;
+  std::vector<double> departures{}, speeds{};  ///< sorted; no departure is infinite
+
+  double departure() const { return departures[departures.size() / 2]; }
+};
+
+/**
+Speeds are means over the first site that is crossed, so they exist for those alone that come so far.
+A departure that has not happened counts as infinitely late: the middle one is then not biased by the
+end of the run. */
+inline Census tally(const std::vector<Trial>& trials, Course Trial::*run) {
+  Census out;
+  for (const Trial& trial : trials) {
+    const Course& course = trial.*run;
+    const double leaves = course.reaches(0.5), there = course.reaches(1.5);
+    out.left += std::isfinite(leaves);
+    out.moved += moved(course);
+    out.departures.push_back(std::isfinite(leaves) ? leaves : HUGE_VAL);
+    if (std::isfinite(there)) out.speeds.push_back(1 / (there - leaves));
+  }
+  std::sort(out.departures.begin(), out.departures.end());
+  std::sort(out.speeds.begin(), out.speeds.end());
+  return out;
+}
+
+/**
+Does the pendulum foretell these runs? Its departures are compared one by one, the largest relative
+difference counts. Its pushes are compared with the one that frees: `over` counts the trials that are
+pushed harder, `told` those whose fate that alone tells. */
+inline double departure_difference(const std::vector<Trial>& trials, Course Trial::*run,
+                                   const PinnedBreather& site) {
+  double apart = 0;
+  for (const Trial& trial : trials) {
+    const double pendulum = site.departure(trial.growing);
+    apart = std::max(apart, std::abs((trial.*run).reaches(0.5) / pendulum - 1));
+  }
+  return apart;
+}
+
+struct Pushes {
+  std::size_t over = 0, told = 0;
+};
+
+inline Pushes count_pushes(const std::vector<Trial>& trials, Course Trial::*run, double freeing) {
+  Pushes out;
+  for (const Trial& trial : trials) {
+    const bool pushed = std::abs(trial.kick.imag()) > freeing;
+    out.over += pushed;
+    out.told += pushed == moved(trial.*run);
+  }
+  return out;
+}
+
+/**
+A pinned breather and a free one differ by a minute share of the energy, so whoever trusts these runs
+wants to see the largest drift of energy and norm among them. */
+inline double largest_drift(const std::vector<Trial>& trials, Course Trial::*run) {
+  double drift = 0;
+  for (const Trial& trial : trials)
+    drift = std::max({drift, (trial.*run).energy_drift, (trial.*run).norm_drift});
+  return drift;
 }
 
 }  // namespace lattice

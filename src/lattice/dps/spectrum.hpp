@@ -27,6 +27,7 @@ such $m$. Where the contacts are slack $m = 0$ and $\lambda = \pm i\mu$, the ess
 #include <vector>
 #include "lattice/dps/dps.hpp"
 #include "lattice/dps/stationary.hpp"
+#include "lattice/numbers/estimate.hpp"
 
 namespace lattice {
 
@@ -61,19 +62,30 @@ struct ContactSpectrum {
   Vector second{};    ///< unit eigenvector of m[1], if asked for
 };
 
-/// Throws std::runtime_error if Eigen's iteration does not converge.
+/// Diagonal of M and the line beside it: each contact holds its two sites and couples them.
 template <class T>
-ContactSpectrum<T> contact_spectrum(const Stationary<T>& state, bool vector = false) {
-  const auto roots = contact_roots(state);
-  const auto sites = Eigen::Index(state.u.size());
-  typename ContactSpectrum<T>::Vector diagonal(sites), beside(sites - 1);
+auto contact_matrix(const std::vector<T>& roots) {
+  const auto contacts = Eigen::Index(roots.size());
+  typename ContactSpectrum<T>::Vector diagonal(contacts + 1), beside(contacts);
   diagonal.setZero();
-  for (Eigen::Index i = 0; i + 1 < sites; ++i) {
+  for (Eigen::Index i = 0; i < contacts; ++i) {
     const T& root = roots[std::size_t(i)];
     diagonal(i) += root;
     diagonal(i + 1) += root;
     beside(i) = -root;
   }
+  return std::pair(diagonal, beside);
+}
+
+/**
+That $m_1 = \mu$ is known beforehand, so the computed value is a check of state and solver at once. We
+keep its defect and put $\mu$ itself in its place, for which the exponent of the phase is exactly
+zero. */
+/// Throws std::runtime_error if Eigen's iteration does not converge.
+template <class T>
+ContactSpectrum<T> contact_spectrum(const Stationary<T>& state, bool vector = false) {
+  const auto [diagonal, beside] = contact_matrix(contact_roots(state));
+  const auto sites = Eigen::Index(state.u.size());
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>> solver;
   solver.computeFromTridiagonal(diagonal, beside,
                                 vector ? Eigen::ComputeEigenvectors : Eigen::EigenvaluesOnly);
@@ -106,6 +118,9 @@ std::size_t eigenvalues_above(const std::vector<T>& roots, const T& x) {
   return count;
 }
 
+/**
+An interval shrinks by halving until no number of the format is left inside it, whatever the format. No
+tolerance has to be chosen, and the error is one rounding. */
 /// The k-th largest eigenvalue of M, k >= 1, between 0 and 2 mu, by halving.
 template <class T>
 T counted_eigenvalue(const Stationary<T>& state, std::size_t k) {
@@ -140,6 +155,9 @@ T instability_margin(const T& mu, const T& m) {
   return (T(3) * m - T(2) * mu) / T(3);
 }
 
+/**
+Since $m$ and $\lambda^2$ are real, an exponent is either real or imaginary, with an exact zero as its
+other part: a spectrum from $M$ cannot show a small growth that is made of rounding. */
 /// Both exponents of each m, two a site, as (real, imaginary): lambda with its sign, then -lambda.
 template <class T>
 std::vector<std::pair<T, T>> exponents(const ContactSpectrum<T>& spectrum) {
@@ -154,6 +172,42 @@ std::vector<std::pair<T, T>> exponents(const ContactSpectrum<T>& spectrum) {
 }
 
 /**
+## How close to the edge
+
+The verdict is a sign, so it is worth nothing without an error. Two things could turn it: the mantissa,
+and the ends of the chain. We vary both, the first from double precision to `Fine`, the second by ten
+sites, and add what they do. */
+/// The margin (m_2 - 2 mu / 3) / mu and |lambda| / mu.
+struct Margin {
+  Estimate margin, exponent;
+  bool certain() const { return std::abs(margin.value) > 100 * margin.error; }
+  bool unstable() const { return margin.value > 0; }
+};
+
+/// (m_2 - 2 mu / 3) / mu and |lambda| / mu, computed with numbers of type T.
+template <class T>
+std::pair<double, double> margin_and_exponent(Centre centre, double mu, std::size_t sites) {
+  const auto state = stationary<T>(centre, T(mu), sites);
+  const T m = counted_eigenvalue(state, 2);
+  return {static_cast<double>(T(instability_margin(state.mu, m) / state.mu)),
+          static_cast<double>(T(lambda_modulus(state.mu, m) / state.mu))};
+}
+
+/**
+Both numbers are pure numbers, free of the scale of $\mu$, so margins at different frequencies may be
+compared digit by digit. */
+template <class Fine>
+Margin margin_of(Centre centre, double mu, std::size_t sites) {
+  const auto [margin, exponent] = margin_and_exponent<Fine>(centre, mu, sites);
+  const auto [short_margin, short_exponent] = margin_and_exponent<double>(centre, mu, sites);
+  const auto [long_margin, long_exponent] = margin_and_exponent<Fine>(centre, mu, sites + 10);
+  Margin out{compare(short_margin, margin), compare(short_exponent, exponent)};
+  out.margin.error += std::abs(margin - long_margin);
+  out.exponent.error += std::abs(exponent - long_exponent);
+  return out;
+}
+
+/**
 ## The full matrix
 
 The article writes the perturbation as $a_ne^{\lambda t}+b_n^*e^{\lambda^*t}$ (Eq. (22)), with
@@ -164,7 +218,7 @@ $$i\lambda\begin{pmatrix}a\\b\end{pmatrix} =
 because $\delta(z|z|^{1/2}) = |z|^{1/2}(\frac54\delta z+\frac14\delta z^*)$ for real $z$. We keep
 it as a check. Its entries come from the displacements, and nothing of its structure is used. */
 template <class T>
-std::vector<std::complex<T>> full_exponents(const Stationary<T>& state) {
+auto full_matrix(const Stationary<T>& state) {
   using std::abs;
   using std::sqrt;
   const auto sites = Eigen::Index(state.u.size());
@@ -186,15 +240,47 @@ std::vector<std::complex<T>> full_exponents(const Stationary<T>& state) {
     add(i, i + 1, -slope);
     add(i + 1, i, -slope);
   }
+  return full;
+}
+
+/**
+The eigenvalues $\kappa$ of this matrix are $i\lambda$. A solver for matrices without symmetry returns
+them in no order and with both parts rounded, which is why it serves as a witness and not as the
+method. */
+template <class T>
+std::vector<std::complex<T>> full_exponents(const Stationary<T>& state) {
+  const auto full = full_matrix(state);
   const Eigen::EigenSolver<Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>> solver(full, false);
   if (solver.info() != Eigen::Success)
     throw std::runtime_error("the eigenvalues of the full linearisation did not converge");
   std::vector<std::complex<T>> out;
-  for (Eigen::Index i = 0; i < 2 * sites; ++i) {
+  for (Eigen::Index i = 0; i < full.rows(); ++i) {
     const std::complex<T> kappa = solver.eigenvalues()(i);
     out.emplace_back(kappa.imag(), -kappa.real());
   }
   return out;
+}
+
+/**
+The pair nearest to zero, after the two zeros of the phase, is the pinning pair. What is left between
+the two routes to it, its wrong part included, says how well they agree; what is left of the zeros says
+how large a real part has to be before it means anything. */
+struct Remainders {
+  double pair, zero;
+};
+
+/// Remainders of the full matrix of `state`.
+template <class T>
+Remainders remainders(const Stationary<T>& state) {
+  using std::abs;
+  auto full = full_exponents(state);
+  std::sort(full.begin(), full.end(),
+            [](const auto& a, const auto& b) { return std::norm(a) < std::norm(b); });
+  const T m = contact_spectrum(state).m[1], pair = lambda_modulus(state.mu, m);
+  const bool real = lambda_squared(state.mu, m) > T(0);
+  const T found = abs(real ? full[2].real() : full[2].imag());
+  const T wrong = abs(real ? full[2].imag() : full[2].real());
+  return {double(abs(found - pair) + wrong), double(abs(full[1]))};
 }
 
 /**
@@ -219,6 +305,9 @@ struct PinningPair {
         rate(lambda_modulus(mu, m)),
         push((mu - m) / rate) {}
 
+  /**
+  Whoever perturbs a breather has a field in hand, whoever wants to foresee its fate needs $x$ and $y$.
+  The projection is exact, since $V$ has unit length and the eigenvectors of $M$ are orthogonal. */
   /// (x, y) of the perturbation `w`.
   std::complex<double> of(const Field& w) const {
     std::complex<double> sum = 0;

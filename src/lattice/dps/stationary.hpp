@@ -84,9 +84,8 @@ $$D_{n+1} - 2D_n + D_{n-1} + \mu r_n = 0, \qquad D_n = r_n|r_n|^{1/2}.$$
 It has two merits. In the tail it reads $r_n \approx -D_{n-1}/\mu$, each strain follows from the
 one before without cancellation, and $u_n = (D_{n-1}-D_n)/\mu$ is as accurate. And the symmetry
 is simple: $D_{-1} = D_1$ around a bond and $D_{-1} = -D_0$ around a site, so that the right half
-of the chain suffices and nothing is left along which a state could slide. */
+of the chain suffices and nothing is left along which a state could slide.
 
-/**
 ## Newton's method
 
 The strains span hundreds of decades, so the unknowns of the linear system are the relative
