@@ -34,6 +34,9 @@ using namespace lattice;
 
 /// 113 bits, as IEEE quadruple precision: 34 digits, numbers down to 1e-4932.
 using Quad = boost::multiprecision::cpp_bin_float_quad;
+/// 50 digits, against which quadruple precision is judged.
+using Fifty = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>,
+                                            boost::multiprecision::et_off>;
 
 /**
 ## Model
@@ -57,7 +60,9 @@ constexpr std::pair<Centre, const char*> centres[] = {{Centre::site, "site"},
 Newton's method for the strains of one half of the chain, with relative corrections as unknowns
 (dps/stationary.hpp says why). Symmetry removes the only direction in which Newton's method
 could drift, so the linear systems are regular. Everything is computed in double and in
-quadruple precision; the difference is the error. */
+quadruple precision; the difference is the error. A remainder that is nothing but rounding belongs to
+its precision, so it is compared with that of the next longer mantissa, extended or 50 digits: it
+cannot be known better than to its own size. */
 
 /// The full run's chain: 31 sites around a site, 32 around a bond.
 std::size_t chain_length(Centre centre) {
@@ -75,6 +80,14 @@ template <class Of>
 Estimate in_two_precisions(Centre centre, Of of) {
   return compare(rounded(of(stationary<double>(centre, 1, chain_length(centre)))),
                  rounded(of(stationary<Quad>(centre, 1, chain_length(centre)))));
+}
+
+/// The remainder `of` the state in precision T, compared with the one in the longer precision.
+template <class T, class Longer, class Of>
+Estimate remainder(Centre centre, Of of) {
+  const std::size_t sites = chain_length(centre);
+  return compare(rounded(of(stationary<Longer>(centre, Longer(1), sites))),
+                 rounded(of(stationary<T>(centre, T(1), sites))));
 }
 
 /**
@@ -121,11 +134,11 @@ void report_norms(Quantities& facts) {
     const auto broken = [](const auto& s) {
       return std::abs(rounded(s.contact_sum() / (s.mu * s.norm()) - 1));
     };
-    const auto sites = chain_length(centre);
-    facts.add("identity" + suffix, {broken(stationary<double>(centre, 1, sites)), 0});
-    facts.add("identity_quad" + suffix, {broken(stationary<Quad>(centre, 1, sites)), 0});
-    facts.add("residual" + suffix, {relative_residual(stationary<double>(centre, 1, sites)), 0});
-    facts.add("residual_quad" + suffix, {relative_residual(stationary<Quad>(centre, 1, sites)), 0});
+    facts.add("identity" + suffix, remainder<double, long double>(centre, broken));
+    facts.add("identity_quad" + suffix, remainder<Quad, Fifty>(centre, broken));
+    const auto residual = [](const auto& s) { return relative_residual(s); };
+    facts.add("residual" + suffix, remainder<double, long double>(centre, residual));
+    facts.add("residual_quad" + suffix, remainder<Quad, Fifty>(centre, residual));
   }
 }
 
@@ -180,15 +193,16 @@ double quasi_continuum_half_width(std::size_t nodes) {
 
 /**
 Is the printed $g(x) = (3/10)^3\cos^6(x/3)$ that solution? Its second derivative by hand leaves
-nothing but rounding, and its zero is where the quadrature says. */
+nothing but rounding, which shrinks with the mantissa, and its zero is where the quadrature says. */
+template <class T>
 double printed_envelope_residual() {
-  double worst = 0;
+  T worst = 0;
   for (int k = 0; k < 100; ++k) {
-    const double x = 0.047 * k, c = std::cos(x / 3), s = std::sin(x / 3), c4 = c * c * c * c;
-    const double second = 0.027 / 9 * (30 * c4 * s * s - 6 * c4 * c * c), g = envelope(x);
+    const T x = T(0.047) * T(k), c = std::cos(x / 3), s = std::sin(x / 3), c4 = c * c * c * c;
+    const T second = T(27) / 9000 * (30 * c4 * s * s - 6 * c4 * c * c), g = envelope(x);
     worst = std::max(worst, std::abs(second + 4 * g - std::cbrt(g * g)));
   }
-  return worst / envelope(0.0);
+  return double(worst / envelope(T(0)));
 }
 
 /**
@@ -265,7 +279,8 @@ The first of the three differences answers the claims of both centres. */
 void report_profiles(Output& output, Results& results, Quantities& facts) {
   const Estimate width = compare(quasi_continuum_half_width(8), quasi_continuum_half_width(16));
   results.add("dps.qc_support", width);
-  facts.add("printed_envelope_residual", {printed_envelope_residual(), 0});
+  facts.add("printed_envelope_residual",
+            compare(printed_envelope_residual<long double>(), printed_envelope_residual<double>()));
   for (const auto& [centre, name] : centres) {
     const std::string suffix = std::string("_") + name;
     const Estimate apart =
@@ -302,10 +317,25 @@ Table tail_table() {
                                 ? std::log(std::abs(one.u[i + 1])) / std::log(std::abs(one.u[i]))
                                 : std::nan("");
       table.add({std::string(name), std::int64_t(site_number(i, four.u.size())), rounded(ratio),
-                 std::abs(coarse - rounded(ratio)), rounded(Quad(abs(ratio - Quad(1.5))))});
+                 compare(coarse, rounded(ratio)).error, rounded(Quad(abs(ratio - Quad(1.5))))});
     }
   }
   return table;
+}
+
+/**
+The tail also says what the free ends can do: a contact that is missing would have pulled by the size of
+the tail. We compare 15 sites with 31. The effect is smaller than the rounding of double precision, so
+quadruple precision is compared with 50 digits. */
+template <class T>
+double free_end_effect() {
+  const auto short_one = stationary<T>(Centre::site, T(1), 15);
+  const auto long_one = stationary<T>(Centre::site, T(1), 31);
+  T apart(0);
+  for (std::size_t i = 0; i < 15; ++i)
+    if (abs(short_one.u[i] - long_one.u[i + 8]) > apart)
+      apart = abs(short_one.u[i] - long_one.u[i + 8]);
+  return rounded(apart);
 }
 
 /**
@@ -325,17 +355,7 @@ void report_tails(Output& output, Quantities& facts) {
         facts.add("tail_distance_8" + suffix, {distance[i + 4], error[i + 4]});
       }
   }
-  const auto effect = [](auto one) {
-    using T = decltype(one);
-    const auto short_one = stationary<T>(Centre::site, one, 15);
-    const auto long_one = stationary<T>(Centre::site, one, 31);
-    T apart(0);
-    for (std::size_t i = 0; i < 15; ++i)
-      if (abs(short_one.u[i] - long_one.u[i + 8]) > apart)
-        apart = abs(short_one.u[i] - long_one.u[i + 8]);
-    return rounded(apart);
-  };
-  facts.add("free_end_effect_15_sites", {effect(Quad(1)), 0});
+  facts.add("free_end_effect_15_sites", compare(free_end_effect<Quad>(), free_end_effect<Fifty>()));
   output.add("tails", table);
 }
 
@@ -348,8 +368,7 @@ time starting Newton's method from the *unscaled* strains of the neighbour. The 
 slope of $\ln\max|u_n|$ against $\ln\mu$, the width is the participation number
 $(\sum u_n^2)^2/\sum u_n^4$. */
 struct Scaling {
-  Estimate exponent{}, width{};
-  double width_change = 0;
+  Estimate exponent{}, width{}, width_change{};
 };
 
 /**
@@ -385,9 +404,12 @@ Scaling scaling(Centre centre, int steps) {
   const Line two = walk<long double>(centre, steps, widths_extended);
   out.exponent = compare(one.slope, two.slope);
   out.exponent.error += one.slope_error;
-  const auto [narrow, wide] = std::minmax_element(widths.begin(), widths.end());
   out.width = compare(widths.front(), widths_extended.front());
-  out.width_change = *wide / *narrow - 1;
+  const auto change = [](const std::vector<double>& all) {
+    const auto [narrow, wide] = std::minmax_element(all.begin(), all.end());
+    return *wide / *narrow - 1;
+  };
+  out.width_change = compare(change(widths_extended), change(widths));
   return out;
 }
 
@@ -401,7 +423,7 @@ void report_scaling(Results& results, Quantities& facts, bool quick) {
     const std::string suffix = std::string("_") + name;
     facts.add("exponent" + suffix, s.exponent);
     facts.add("width" + suffix, s.width, "site");
-    facts.add("width_change" + suffix, {s.width_change, 0});
+    facts.add("width_change" + suffix, s.width_change);
     if (std::abs(s.exponent.value - 2) + s.exponent.error >
         std::abs(answer.value - 2) + answer.error)
       answer = s.exponent;
