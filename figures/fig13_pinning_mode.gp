@@ -3,10 +3,10 @@ width = 170; height = 62
 load 'figures/style.gp'
 set multiplot layout 1,2 margins char 8,1.5,3.4,0.8 spacing char 8,0
 set xrange [-8:8]
-set yrange [-0.7:0.7]
+set yrange [-1.1:0.75]
 set xlabel 'site n'
 set ylabel 'displacement, length one' offset 1
-set key top right
+set key bottom center horizontal
 do for [name in "bond site"] {
   table = data.'/sec33_floquet/mode_'.name.'.ecsv'
   set label 1 (name eq 'bond' ? '(a) bond-centred' : '(b) site-centred') at graph 0.03,0.93

@@ -108,6 +108,16 @@ void add_loosened(Table& table, const BreatherProblem<double>& problem, const Or
 
 /**
 Both series stand in one table. */
+Table empty_defect_table() {
+  return {{label("source", "noise, or a loosened tolerance"),
+           number("delta", "size of the change of the matrix"),
+           number("displacement", "of the four multipliers next to +1, the largest"),
+           number("excess", "largest distance of a modulus from one, among the four"),
+           number("kappa_change", "change of kappa")}};
+}
+
+/**
+The exponents come from straight lines through the logarithms. */
 void report_defect(Report& report) {
   const auto problem = problem_at(Centre::bond, {});
   const Orbit<double> orbit = find_breather(problem);
@@ -115,11 +125,7 @@ void report_defect(Report& report) {
   const Matrix<double> map = monodromy(problem.chain, orbit.start, orbit.period());
   const Matrix<double> coarser =
       monodromy(problem.chain, orbit.start, orbit.period(), rule<double>(1).landing);
-  Table table{{label("source", "noise, or a loosened tolerance"),
-               number("delta", "size of the change of the matrix"),
-               number("displacement", "of the four multipliers next to +1, the largest"),
-               number("excess", "largest distance of a modulus from one, among the four"),
-               number("kappa_change", "change of kappa")}};
+  Table table = empty_defect_table();
   std::vector<double> sizes, moves, changes;
   for (int power = -5; power >= -11; --power) {
     const double delta = std::pow(10.0, power);
