@@ -10,19 +10,19 @@ using namespace lattice;
 
 namespace {
 
-struct AtRest {
+struct Resting {
   Chain<Harmonic, Hertz> chain;
   State<double> state;
   double period;
 };
 
-AtRest breather(Centre centre, double omega, Phase phase = Phase::compressed) {
+Resting breather(Centre centre, double omega, Phase phase = Phase::compressed) {
   const Fitted found =
       fit_chain(centre, omega, 0, 0, centre == Centre::site ? 21 : 20, 1e-16, phase);
   return {{found.problem.chain.sites}, found.orbit.start, found.problem.period()};
 }
 
-Creep follow(const AtRest& at, double c, double time, double step = 0.1) {
+Creep follow(const Resting& at, double c, double time, double step = 0.1) {
   return creep(ContactAware{step}, at.chain, kicked(at.state, c), creep_sample(at.period), time,
                [](const Creep& path, const State<double>&, const auto&) {
                  return fate_of(path) == Course::undecided;
@@ -48,7 +48,7 @@ TEST_CASE("a kick brings the energy c^2/2", "[unit][kick]") {
   check_close(g[2] / g[1], (2e-3 - 1e-3) / (-4e-3), 1e-15);  // beads at rest beyond the ends
   check_close(g[4] / g[1], (-2e-3) / (-4e-3), 1e-15);
 
-  const AtRest at = breather(Centre::bond, 1.1);
+  const Resting at = breather(Centre::bond, 1.1);
   const double c = 1e-3;
   check_close(energy(at.chain, kicked(at.state, c)) - energy(at.chain, at.state), c * c / 2, 1e-18);
   CHECK_THROWS_AS(kick_direction(std::vector<double>(5, 0.0)), std::invalid_argument);
@@ -65,7 +65,7 @@ TEST_CASE("free and pinned are told from the path", "[unit][kick]") {
 
 TEST_CASE("a breather that is not kicked stays, and opposite kicks are mirror images",
           "[property][kick]") {
-  const AtRest at = breather(Centre::bond, 1.1);
+  const Resting at = breather(Centre::bond, 1.1);
   const Creep rest = follow(at, 0, 1000), right = follow(at, 1e-4, 1000),
               left = follow(at, -1e-4, 1000);
   CHECK(std::abs(rest.travelled()) < 1e-7);
@@ -77,7 +77,7 @@ TEST_CASE("a breather that is not kicked stays, and opposite kicks are mirror im
 TEST_CASE("the share of a kick tends to that of the DpS equation", "[convergence][kick]") {
   double last = 1;
   for (const double omega : {1.04, 1.02, 1.01}) {
-    const AtRest at = breather(Centre::bond, omega);
+    const Resting at = breather(Centre::bond, omega);
     const Pinning p = pinning_of(at.chain, Centre::bond, at.state, at.period);
     const double miss = std::abs(-3 * p.share / (omega - 1) - 1);
     CAPTURE(omega, p.share);
@@ -88,8 +88,8 @@ TEST_CASE("the share of a kick tends to that of the DpS equation", "[convergence
 }
 
 TEST_CASE("hill and trough have opposite curvatures of one size", "[property][kick]") {
-  const AtRest site = breather(Centre::site, 1.1), bond = breather(Centre::bond, 1.1),
-               other = breather(Centre::bond, 1.1, Phase::stretched);
+  const Resting site = breather(Centre::site, 1.1), bond = breather(Centre::bond, 1.1),
+                other = breather(Centre::bond, 1.1, Phase::stretched);
   const double hill = pinning_of(site.chain, Centre::site, site.state, site.period).frequency2;
   const double trough = pinning_of(bond.chain, Centre::bond, bond.state, bond.period).frequency2;
   const double later = pinning_of(other.chain, Centre::bond, other.state, other.period).frequency2;
@@ -99,7 +99,7 @@ TEST_CASE("hill and trough have opposite curvatures of one size", "[property][ki
 }
 
 TEST_CASE("a breather swings at the frequency of linear theory", "[published][kick]") {
-  const AtRest at = breather(Centre::bond, 1.1);
+  const Resting at = breather(Centre::bond, 1.1);
   const double omega =
       std::sqrt(pinning_of(at.chain, Centre::bond, at.state, at.period).frequency2);
   const Creep path = follow(at, 2e-6, 8 / omega, 0.15);
@@ -112,7 +112,7 @@ TEST_CASE("a breather swings at the frequency of linear theory", "[published][ki
 }
 
 TEST_CASE("the kick that frees a breather is predicted from one period", "[published][kick]") {
-  const AtRest at = breather(Centre::bond, 1.1, Phase::stretched);
+  const Resting at = breather(Centre::bond, 1.1, Phase::stretched);
   const Pinning pinning = pinning_of(at.chain, Centre::bond, at.state, at.period);
   const double barrier = -2.3522916e-13;  // E_site - E_bond at equal area, see ladder.hpp
   const double c = freeing_kick(barrier, pinning), limit = 10 / std::sqrt(pinning.frequency2);

@@ -29,7 +29,7 @@ Estimate at_zero_amplitude(double a, Of of) {
 A compressed chain and a wavenumber: all that a comparison needs. NLS says that the fastest modulation
 grows at $|h||A|^2$, so the eigenvalue times $\omega|\omega_2|/|A|^2$ is a measured $\Phi$. It exists
 where $\Phi > 0$ only; on the other side the eigenvalues are imaginary. */
-struct Phase {
+struct PhaseOfWave {
   double q, d, s;
 
   Coefficients<double> nls() const { return coefficients(q, d, s); }
@@ -50,7 +50,7 @@ struct Phase {
 /**
 One envelope is not all that can grow: a modulation may have any wavenumber. Then the natural
 unit of growth is still NLS's $|h||A|^2$, whether or not it is ever reached. */
-inline double growth_over_nls(const Phase& at, double a, double modulation,
+inline double growth_over_nls(const PhaseOfWave& at, double a, double modulation,
                               std::size_t harmonics = 12) {
   return at.growth(a, modulation, harmonics) / (std::abs(at.nls().h()) * a * a / 4);
 }
@@ -58,7 +58,7 @@ inline double growth_over_nls(const Phase& at, double a, double modulation,
 /**
 Near the edges of the band an instability begins or ends, and there we ask for slow modulations only:
 three of them about the scale $\sqrt{|h|a^2/(2|\omega''|)}$, at which the fastest would be. */
-inline double slow_growth(const Phase& at, double a) {
+inline double slow_growth(const PhaseOfWave& at, double a) {
   const auto c = at.nls();
   const double slow = std::sqrt(std::abs(c.h() * a * a / (2 * c.curvature)));
   double growth = 0;
