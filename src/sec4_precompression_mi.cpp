@@ -206,7 +206,7 @@ void report_edges(Report& report) {
     formula = std::max({formula, std::abs(coefficients(0.0, compression, s).phi + 1.5 * s),
                         std::abs(coefficients(pi, compression, s).phi - 1.5 * (s - threshold))});
   for (const EdgeCase& e : edge_cases(threshold)) {
-    const Phase phase{e.q, compression, e.s};
+    const PhaseOfWave phase{e.q, compression, e.s};
     const double growth = slow_growth(phase, a), nls = std::abs(phase.nls().h()) * a * a / 4;
     if (e.unstable)
       apart = std::max(apart, std::abs(growth / nls - 1));
@@ -231,11 +231,11 @@ rate, an eigenvalue of its linearisation; NLS says that the fastest one grows at
 gives $\Phi$, so both measurements are points on the curves of figure 25. Where $\Phi < 0$ the
 eigenvalues are imaginary and there is nothing to plot. */
 struct BetaPoint {
-  Phase phase;
+  PhaseOfWave phase;
   Coefficients<double> nls;
   Estimate beta{}, growth_phi{};
 
-  explicit BetaPoint(const Phase& at) : phase(at), nls(at.nls()) {}
+  explicit BetaPoint(const PhaseOfWave& at) : phase(at), nls(at.nls()) {}
   void measure() {
     const CompressedRing ring{48, {phase.s}, {phase.d}, Ends::periodic};
     beta = measured_beta(ring, phase.q, nls.omega);
@@ -247,7 +247,7 @@ std::vector<BetaPoint> beta_points(bool quick) {
   std::vector<BetaPoint> points;
   for (double s : wells)
     for (int k = quick ? 4 : 1; k < 24; k += quick ? 4 : 1)
-      points.emplace_back(Phase{pi * k / 24, compression, s});
+      points.emplace_back(PhaseOfWave{pi * k / 24, compression, s});
   Progress progress("nonlinear frequency", points.size());
   parallel_for(points.size(), [&](std::size_t i) {
     points[i].measure();
@@ -266,7 +266,7 @@ than any modulation, and for $s = 0$ and $q = 11\pi/24$ at
 decides about slow modulations only. There the pair lies 11 steps of $2\pi/384$ to either side, and
 the amplitude is 0.1. */
 void report_backscattering(Report& report) {
-  const Phase resonant{pi / 2, compression, 1}, stable{11 * pi / 24, compression, 0};
+  const PhaseOfWave resonant{pi / 2, compression, 1}, stable{11 * pi / 24, compression, 0};
   const double modulation = pi - 11 * 2 * pi / 384;
   report.facts.add("backscattering", at_zero_amplitude(0.04, [&](double a) {
                      return growth_over_nls(resonant, a, pi);

@@ -150,7 +150,7 @@ TEST_CASE("phi changes its sign at the inflection, in every well", "[unit]") {
 }
 
 TEST_CASE("growth gives phi without the formula for beta", "[property]") {
-  const Phase phase{pi / 4, d, -1.0 / 6};
+  const PhaseOfWave phase{pi / 4, d, -1.0 / 6};
   const Estimate phi = phase.phi_from_growth(0.04);
   check_close(phi.value, phase.nls().phi, 0, 1e-3);
   CHECK(phi.error < 1e-3 * phi.value);
