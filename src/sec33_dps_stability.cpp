@@ -206,7 +206,6 @@ times larger, which measures what the nonlinear terms do. */
 constexpr double mu_high = 10, duration = 500;
 constexpr Accuracy coarse{1e-8, 1}, fine{1e-10, 2};
 
-/// |lambda| in double precision, compared with that of a longer mantissa.
 Estimate rate_of_matrix(const PinnedBreather& breather) {
   const Margin extended = margin_of<long double>(breather.centre, mu_high);
   return compare(mu_high * extended.exponent.value, breather.pair.rate);
@@ -453,8 +452,7 @@ Table density_map(const Breathers& breathers, Case which) {
   return map;
 }
 
-/**
-Everything about motion, in the order in which it was explained. */
+/** Everything about motion, in the order in which it was explained. */
 void report_motion(Report& report) {
   const Breathers breathers;
   report_rate(report.facts, breathers.site);
