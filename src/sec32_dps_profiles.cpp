@@ -82,7 +82,9 @@ Estimate in_two_precisions(Centre centre, Of of) {
                  rounded(of(stationary<Quad>(centre, 1, chain_length(centre)))));
 }
 
-/// A remainder of numbers of size one is known no better than to one rounding, even if it is zero.
+/**
+Remainders of numbers of size one are known no better than to one rounding. Two of them may agree by
+chance, above all where both are zero, and that is no convergence. */
 template <class T>
 Estimate rounding_at_least(Estimate e) {
   e.error = std::max(e.error, rounded(std::numeric_limits<T>::epsilon()));
