@@ -82,12 +82,21 @@ Estimate in_two_precisions(Centre centre, Of of) {
                  rounded(of(stationary<Quad>(centre, 1, chain_length(centre)))));
 }
 
+/**
+Remainders of numbers of size one are known no better than to one rounding. Two of them may agree by
+chance, above all where both are zero, and that is no convergence. */
+template <class T>
+Estimate rounding_at_least(Estimate e) {
+  e.error = std::max(e.error, rounded(std::numeric_limits<T>::epsilon()));
+  return e;
+}
+
 /// The remainder `of` the state in precision T, compared with the one in the longer precision.
 template <class T, class Longer, class Of>
 Estimate remainder(Centre centre, Of of) {
   const std::size_t sites = chain_length(centre);
-  return compare(rounded(of(stationary<Longer>(centre, Longer(1), sites))),
-                 rounded(of(stationary<T>(centre, T(1), sites))));
+  return rounding_at_least<T>(compare(rounded(of(stationary<Longer>(centre, Longer(1), sites))),
+                                      rounded(of(stationary<T>(centre, T(1), sites)))));
 }
 
 /**
@@ -409,7 +418,7 @@ Scaling scaling(Centre centre, int steps) {
     const auto [narrow, wide] = std::minmax_element(all.begin(), all.end());
     return *wide / *narrow - 1;
   };
-  out.width_change = compare(change(widths_extended), change(widths));
+  out.width_change = rounding_at_least<double>(compare(change(widths_extended), change(widths)));
   return out;
 }
 
