@@ -476,7 +476,7 @@ at any site, tails included. The identity of contact sum and norm holds to
 [2e-34](num:sec32_dps_profiles.identity_quad_bond) in quadruple precision. The tail law is an
 independent route to the outer sites: at $n = 4$ the ratio is
 [1.49856](num:sec32_dps_profiles.tail_ratio_4_site), and four sites farther it differs from 3/2 by
-[1.05878e-12](num:sec32_dps_profiles.tail_distance_8_site). */
+[1.0588e-12](num:sec32_dps_profiles.tail_distance_8_site). */
 Results everything(Output& output, bool quick) {
   output.note("tolerance", "relative corrections of the strains below a hundred roundings");
   Quantities facts;
@@ -527,7 +527,7 @@ first guess for Newton's method, which is its use there.
 
 On a finite chain the free ends disturb the breather by the size of its tail: on 15 sites a
 site-centred one still differs from that on 31 sites by
-[1.1579e-21](num:sec32_dps_profiles.free_end_effect_15_sites), which is nothing in double precision. Tails end where
+[1.15790e-21](num:sec32_dps_profiles.free_end_effect_15_sites), which is nothing in double precision. Tails end where
 the number format does; beyond, the tables say zero. */
 void add_options(CLI::App& profile, ProfileOptions& options) {
   profile.add_option("--centre", options.centre, "centre: site or bond")

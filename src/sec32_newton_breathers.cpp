@@ -404,8 +404,8 @@ void report_tail(Report& report) {
 
 Both families are followed by arclength from $\omega_b = 1.001$ to $2$ (continuation.hpp). The
 article finds their energies indistinguishable. The largest relative difference is
-[6.97863e-7](num:newton.energy_equal), at $\omega_b =$
-[1.005](num:sec32_newton_breathers.largest_energy_difference_at): it grows towards $\omega_b = 1$, where
+[1.18591e-6](num:newton.energy_equal), at $\omega_b =$
+[1.001](num:sec32_newton_breathers.largest_energy_difference_at): it grows towards $\omega_b = 1$, where
 it tends to that of the DpS norms, [-1.33110e-6](num:sec32_dps_profiles.norm_gap_relative) without its sign.
 What so small a difference does to the motion of a breather is told in the next chapter.
 

@@ -168,8 +168,8 @@ void report_chart(Report& report) {
 ## The linear well: six exchanges
 
 At $s = 0$ we locate all exchanges for both breathers in the wider type. From $\omega_b = 1$ on the
-bond is stable, as in the DpS equation, but only up to [](num:sec33_between.window_1); between the last
-two, [](num:sec33_between.window_5) and [](num:sec33_between.window_6), it is the site. The order of the two
+bond is stable, as in the DpS equation, but only up to [1.01794](num:sec33_between.window_1); between the last
+two, [1.32615](num:sec33_between.window_5) and [1.49164](num:sec33_between.window_6), it is the site. The order of the two
 exchanges in a pair tells whether both breathers are stable in between or neither. */
 struct Window_edge {
   std::array<Exchange, 2> found;  ///< site, bond
@@ -316,9 +316,9 @@ Table between_table(const Cut& cut, const std::array<Exchange, 2>& ends,
 
 /**
 At $\omega_b = 1.1$ the family exists on an interval of $s$ of length
-[](num:sec33_between.exchange_gap), and it is unstable: where both symmetric breathers are stable, what
+[3.22e-7](num:sec33_between.exchange_gap), and it is unstable: where both symmetric breathers are stable, what
 lies between them is the top of the hill. At $s = 0$ near the exchange
-[](num:sec33_between.window_5) it is the other way round: both symmetric breathers are unstable, and the
+[1.32615](num:sec33_between.window_5) it is the other way round: both symmetric breathers are unstable, and the
 stable breather is the one without symmetry. */
 void report_between(Report& report, const std::vector<Window_edge>& edges) {
   const int count = report.quick ? 2 : 10;

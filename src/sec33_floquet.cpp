@@ -68,7 +68,7 @@ const char* name_of(Centre centre) {
 ## All multipliers at $\omega_b = 1.1$
 
 Of the whole spectrum we ask three things. Four multipliers lie near $+1$: the fourth is at a distance
-of [](num:sec33_floquet.fourth_distance), the fifth at [](num:sec33_floquet.fifth_distance). No other pair
+of [0.000214282](num:sec33_floquet.fourth_distance), the fifth at [0.229543](num:sec33_floquet.fifth_distance). No other pair
 leaves the unit circle by more than its error. And the others accumulate at $e^{\pm2\pi i/\omega_b}$:
 ten more sites add twenty multipliers there, within $10^{-9}$, and nowhere else. */
 struct Census {
@@ -183,10 +183,10 @@ Table quadruplet_table(const std::vector<double>& wells, const std::vector<Spect
 
 /**
 The largest instability of the sweep answers the article's closing remark; around a site it is
-[](num:sec33_floquet.largest_excess). The error bar decides what may be said at $s = 0$: $\kappa$ is
-[](num:sec33_floquet.kappa_site) around a site and [](num:sec33_floquet.kappa_bond) around a bond, so that
+[0.000583922](num:sec33_floquet.largest_excess). The error bar decides what may be said at $s = 0$: $\kappa$ is
+[1.14767e-8](num:sec33_floquet.kappa_site) around a site and [-1.14768e-8](num:sec33_floquet.kappa_bond) around a bond, so that
 the article's verdict stands, with a multiplier that exceeds one by
-[](num:sec33_floquet.excess_site). */
+[0.000214282](num:sec33_floquet.excess_site). */
 void report_wells(Report& report) {
   std::vector<double> wells;
   for (int steps = report.quick ? 4 : 40, k = -steps; k <= steps; ++k)
@@ -233,8 +233,8 @@ void report_harmonic(Report& report) {
 }
 
 /**
-At $\omega_b = 1.1$ the two exchanges are [](num:floquet.s0_site) around a site and
-[](num:floquet.s0_bond) around a bond. They differ by [](num:sec33_floquet.exchange_gap), and in
+At $\omega_b = 1.1$ the two exchanges are [0.152519](num:floquet.s0_site) around a site and
+[0.152520](num:floquet.s0_bond) around a bond. They differ by [3.22e-7](num:sec33_floquet.exchange_gap), and in
 between both breathers are stable. */
 void report_exchange(Report& report) {
   std::array<Exchange, 2> found;
@@ -254,8 +254,8 @@ void report_exchange(Report& report) {
 
 The eigenvector of the pinning pair, with vanishing velocities, against $y_{n+1}(0)-y_{n-1}(0)$, both of
 length one: the article's $g_n$ divides by the sum of the squares, but an energy of $c^2/2$ needs its
-square root. The cosine of the angle between them is [](num:sec33_floquet.cosine_bond) around a bond and
-[](num:sec33_floquet.cosine_site) around a site.
+square root. The cosine of the angle between them is [0.979741](num:sec33_floquet.cosine_bond) around a bond and
+[0.987389](num:sec33_floquet.cosine_site) around a site.
 
 ![Pinning mode and discrete gradient.](fig:13) */
 Table mode_table(const Vector<double>& mode, const Vector<double>& g) {

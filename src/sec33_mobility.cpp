@@ -165,7 +165,7 @@ Estimate speed_of(const Creep& rough, const Creep& good, double from, double to)
 
 /**
 A stretched central contact gives the printed speed of the bond-centred breather; a compressed one gives
-[](num:sec33_mobility.speed_bond_compressed). The kick points to the right and the breather goes to the
+[0.000552678](num:sec33_mobility.speed_bond_compressed). The kick points to the right and the breather goes to the
 left: its mass is negative (see below). */
 std::array<double, 3> report_glides(Report& report) {
   const double time = report.quick ? 6000 : 32000, from = time / 16, middle = (from + time) / 2;
@@ -196,7 +196,7 @@ std::array<double, 3> report_glides(Report& report) {
 
 /**
 The energy of the kick is a matter of the norm of $g$. With the printed denominator, the sum of squares
-and not its root, $g$ would be longer by the factor [](num:sec33_mobility.printed_norm), and the kick would
+and not its root, $g$ would be longer by the factor [63.0043](num:sec33_mobility.printed_norm), and the kick would
 tear the breather apart. */
 double printed_norm(std::size_t sites) {
   const Ready at = ready(cases[1], omega_b, sites);
@@ -336,7 +336,7 @@ A breather that creeps keeps its action, so that the landscape of its centre is 
 The kick does not keep it: an oscillator of frequency one has an action as large as its energy, and nearly
 all of $c^2/2$ is spent on making the oscillation larger. Linear theory (kick.hpp) gives the share
 $\varphi$ that is left as kinetic energy of the *centre*, from one period of the tangent map:
-[](num:sec33_mobility.kinetic_share_bond_stretched). The DpS equation has
+[-0.0237402](num:sec33_mobility.kinetic_share_bond_stretched). The DpS equation has
 $|\varphi| = (\omega_b-1)/3$ for $\omega_b \to 1$. The share is negative: the moving breather has *less*
 energy than the resting one of the same action, and the stable centre is the one of higher energy. So
 $$|\varphi|\,\frac{c_c^2}2 = |\tilde E_{PN}|,\qquad\text{not}\qquad \frac{c_c^2}2 = E_{PN}.$$ */
@@ -377,7 +377,7 @@ Rung barriers_at(double omega) {
 Why did the article find its barriers to agree? In the limit $\omega_b \to 1$ the barrier at equal area is
 $(\omega_b-1)/5$ times the one at equal frequency, up to the sign, and $|\varphi|$ is $(\omega_b-1)/3$: two
 small factors of the same kind, which leave $c_c^2/2 = \frac35E_{PN}$. At $\omega_b = 1.1$ we find
-[](num:sec33_mobility.energy_ratio). So the two numbers have the same order of magnitude for a reason, but
+[0.607](num:sec33_mobility.energy_ratio). So the two numbers have the same order of magnitude for a reason, but
 they are not the same number. */
 void report_predictions(Report& report, const std::array<Prediction, 3>& predictions,
                         const std::array<double, 3>& response) {
@@ -718,15 +718,15 @@ Table threshold_command(const KickOptions& options) {
 
 | | printed | converged | what explains it |
 |---|---|---|---|
-| speed, site | $5.446\cdot10^{-4}$ | [](num:moving.v_site) | nothing to explain |
-| speed, bond | $5.364\cdot10^{-4}$ | [](num:moving.v_bond) | central contact stretched at $t = 0$ |
-| way after the weak kick | 2 | [](num:moving.site_below), and on | perhaps locked steps |
-| $c_c$ | $6.19\cdot10^{-6}$ | [](num:moving.c_threshold) | perhaps locked steps |
-| $c_c^2/2$ | $1.92\cdot10^{-11}$ | [](num:moving.pn_dynamic) | follows from $c_c$ |
+| speed, site | $5.446\cdot10^{-4}$ | [0.000544490](num:moving.v_site) | nothing to explain |
+| speed, bond | $5.364\cdot10^{-4}$ | [0.000536296](num:moving.v_bond) | central contact stretched at $t = 0$ |
+| way after the weak kick | 2 | [2.81675](num:moving.site_below), and on | perhaps locked steps |
+| $c_c$ | $6.19\cdot10^{-6}$ | [4.44e-6](num:moving.c_threshold) | perhaps locked steps |
+| $c_c^2/2$ | $1.92\cdot10^{-11}$ | [9.86e-12](num:moving.pn_dynamic) | follows from $c_c$ |
 
-The prediction is [](num:sec33_mobility.predicted_threshold_bond_stretched), the pendulum's
-[](num:sec33_mobility.threshold_of_pendulum_bond_stretched); with the central contact compressed the
-threshold is [](num:sec33_mobility.threshold_bond_compressed). No trial of ours gives 6.19 in particular.
+The prediction is [4.4516e-6](num:sec33_mobility.predicted_threshold_bond_stretched), the pendulum's
+[4.45275e-6](num:sec33_mobility.threshold_of_pendulum_bond_stretched); with the central contact compressed the
+threshold is [4.29e-6](num:sec33_mobility.threshold_bond_compressed). No trial of ours gives 6.19 in particular.
 Locked steps do pin the bond-centred breather at $5.5\cdot10^{-6}$, with a drift of the energy that is no
 larger than that of the same method with steps that are not locked, where it moves: a conserved energy is
 necessary and does not suffice. That this happened in the article is a conjecture. */

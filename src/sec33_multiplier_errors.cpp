@@ -46,10 +46,10 @@ constexpr double omega_main = 1.1;
 
 Suppose that we had read the multipliers off the monodromy matrix $M$ of the bond-centred breather,
 which is stable. We add noise of size $\delta$ to an accurate $M$ and look at the four eigenvalues next
-to $+1$. They move by $\delta^{1/2}$: the fitted exponent is [](num:sec33_multiplier_errors.defect_slope). With
-$\delta = 10^{-6}$ a modulus exceeds one by [](num:sec33_multiplier_errors.excess_of_noise), more than that of the
+to $+1$. They move by $\delta^{1/2}$: the fitted exponent is [0.510](num:sec33_multiplier_errors.defect_slope). With
+$\delta = 10^{-6}$ a modulus exceeds one by [0.000495877](num:sec33_multiplier_errors.excess_of_noise), more than that of the
 truly unstable site-centred breather. The symmetric function of the four from which one may take
-$\kappa$ moves with the exponent [](num:sec33_multiplier_errors.kappa_slope). */
+$\kappa$ moves with the exponent [0.9997](num:sec33_multiplier_errors.kappa_slope). */
 struct Damage {
   double displacement = 0;  ///< of the four from where they belong, the largest
   double excess = 0;        ///< largest | |lambda| - 1 | of the four
@@ -147,12 +147,12 @@ void report_defect(Report& report) {
 /**
 ## What prints 0.26 and 0.05
 
-Near the exchange $\kappa$ changes by [](num:sec33_floquet.exchange_slope) per unit of $s$. An error of
+Near the exchange $\kappa$ changes by [7.55144e-8](num:sec33_floquet.exchange_slope) per unit of $s$. An error of
 $10^{-8}$ of the symmetric function is then as good as a change of $s$ by a tenth. We compute the
 matrix as one usually does, by adaptive Runge-Kutta methods that know of no switchings, around accurate
 breathers, and look where the quadruplet says that the stability changes. A relative and absolute
 tolerance of $10^{-9}$, a common choice, moves the site's exchange down to
-[](num:sec33_multiplier_errors.site_at_1e9) and the bond's up to [](num:sec33_multiplier_errors.bond_at_1e9): a gap as
+[0.06](num:sec33_multiplier_errors.site_at_1e9) and the bond's up to [0.217](num:sec33_multiplier_errors.bond_at_1e9): a gap as
 in the article, 0.05 and 0.26, out of one and the same number. At $10^{-11}$ the gap has closed to a
 thousandth. Difference quotients do not come near, with any increment: a contact that is barely open has
 a stiffness like the square root of the overlap, and so has their error. */
