@@ -170,7 +170,7 @@ Table quadruplet_table(const std::vector<double>& wells, const std::vector<Spect
                number("argument_below", "of its partner", "rad"),
                number("excess", "modulus of the larger multiplier minus one"),
                number("excess_below", "modulus of the smaller multiplier minus one"),
-               number("multiplier_error", "of either multiplier")}};
+               number("error_of_multiplier", "of either multiplier")}};
   for (std::size_t k = 0; k < wells.size(); ++k) {
     const Estimate kappa = all[k].kappa();
     const double angle = 2 * std::asin(std::sqrt(std::max(0.0, -kappa.value)));

@@ -235,7 +235,7 @@ std::vector<Trial> all_trials() {
 In each trial $\kappa$ is computed on a few wells, and its zero is read off between them. */
 struct Reading {
   double zero = std::numeric_limits<double>::quiet_NaN();
-  double matrix_error = 0;  ///< largest error of an entry in the linear well
+  double error_of_matrix = 0;  ///< largest error of an entry in the linear well
 };
 
 Reading read_zero(const Trial& trial, Centre centre, int steps) {
@@ -251,7 +251,7 @@ Reading read_zero(const Trial& trial, Centre centre, int steps) {
     last = kappa;
     if (k != 0) continue;
     const Matrix<double> good = monodromy(problem.chain, orbit.start, orbit.period());
-    out.matrix_error = sup<double>((map - good).reshaped());
+    out.error_of_matrix = sup<double>((map - good).reshaped());
   }
   return out;
 }
@@ -267,13 +267,13 @@ void report_printed(Report& report) {
   });
   Table table{{label("method", "how the matrix is computed, and what the setting means"),
                number("setting", "tolerance, or increment relative to the amplitude"),
-               number("matrix_error", "largest error of an entry at s = 0, either centre"),
+               number("error_of_matrix", "largest error of an entry at s = 0, either centre"),
                number("s0_site", "exchange that it gives around a site; nan where none in [-1, 1]"),
                number("s0_bond", "the same around a bond; may be nan")}};
   for (std::size_t t = 0; t < trials.size(); ++t) {
     const auto& [site, bond] = readings[t];
-    table.add({trials[t].method, trials[t].setting, std::max(site.matrix_error, bond.matrix_error),
-               site.zero, bond.zero});
+    table.add({trials[t].method, trials[t].setting,
+               std::max(site.error_of_matrix, bond.error_of_matrix), site.zero, bond.zero});
     if (trials[t].method.ends_with("rk8pd") && trials[t].setting == 1e-9) {
       for (Centre c : both_centres)
         report.facts.add(

@@ -99,9 +99,13 @@ TEST_CASE("masses enter the symplectic form and the force", "[property][floquet]
   const Pairs<double> pairs = pairs_at(problem, orbit);
   CHECK(pairs.defect < 1e-12);
   CHECK(pairs.phase_error < 1e-12);
-  CHECK(std::abs(pairs.pinning()) > 1e-6);  // the heavy bead pins it
+  // The heavy bead changes the pinning pair far beyond the error of its two computations.
+  Problem uniform = small_problem(Centre::site, 1.1);
+  uniform.symmetry = even_in_time(15);
+  const Orbit<double> same = newton(uniform, uniform.fold(plain.start));
+  CHECK(std::abs(pairs.pinning() - pairs_at(uniform, same).pinning()) > 1e-8);
   const Matrix<double> raw = monodromy(problem.chain, orbit.start, orbit.period() / 2);
-  CHECK(symplectic_defect(raw) > 1e-3);
+  CHECK(symplectic_defect(raw) > 1e6 * pairs.defect);  // in the form that forgets the masses
 }
 
 TEST_CASE("an orbit that does not begin at rest is refused", "[unit][floquet]") {

@@ -68,8 +68,8 @@ TEST_CASE("a breather that is not kicked stays, and opposite kicks are mirror im
   const Resting at = breather(Centre::bond, 1.1);
   const Creep rest = follow(at, 0, 1000), right = follow(at, 1e-4, 1000),
               left = follow(at, -1e-4, 1000);
-  CHECK(std::abs(rest.travelled()) < 1e-7);
   CHECK(std::abs(right.travelled()) > 0.2);
+  CHECK(std::abs(rest.travelled()) < 1e-5 * std::abs(right.travelled()));
   check_close(right.travelled(), -left.travelled(), 2e-3);
   CHECK(right.travelled() < 0);  // against the kick: the mass is negative
 }
