@@ -334,7 +334,6 @@ void report_between(Report& report, const std::vector<Window_edge>& edges) {
     const auto family = between(cut, pair[0], count);
     const Between& middle = family[family.size() / 2];
     report.facts.add("kappa_" + name, middle.kappa);
-    report.facts.add("middle_" + name, middle.place);
     report.output.add(name, between_table(cut, pair, family));
   };
   add("between_in_s", Cut{}, ends);
