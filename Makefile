@@ -16,7 +16,7 @@ MAKEFLAGS += --no-builtin-rules --no-print-directory
 B := build
 D := $(B)$(if $(QUICK),/quick)
 LAUNCH ?=
-CTEST_ARGS ?= --output-on-failure
+CTEST_ARGS ?= --output-on-failure --timeout 900
 ifndef PYTHON
 PYTHON = $(eval PYTHON := $(shell for p in python3 /usr/bin/python3; do \
            $$p -c 'import matplotlib' 2>/dev/null && { echo $$p; break; }; done))$(PYTHON)
@@ -55,18 +55,20 @@ figures: install-deps
 	@$(MAKE) all-figures
 	@$(MAKE) summary
 
-## test: everything the tests need, then the tests
+## test: everything the tests need (data and figures), then the tests
 test: install-deps
-	@$(MAKE) all-data
+	@$(MAKE) all-figures
 	@$(MAKE) run-tests
 
 all-figures: $(images) all-data
 all-data: $(results)
 
 ## programs: build build/bin/<program>
+# A single figure needs only its own program.
+TARGETS ?= programs
 programs: configure
 	@test -x $(B)/bin/report || echo "  build    programs (a few minutes the first time; $(B)/build.log)"
-	@cmake --build $(B) --parallel $(JOBS) --target programs > $(B)/build.log 2>&1 || \
+	@cmake --build $(B) --parallel $(JOBS) --target $(TARGETS) > $(B)/build.log 2>&1 || \
 	  { cat $(B)/build.log; exit 1; }
 
 .PHONY: configure
@@ -86,7 +88,7 @@ $(D)/data/%/results.ecsv: $(B)/bin/%
 # $(1) id, $(2) program, $(3) script
 define figure
 $(if $(filter x%,$(1)),$(1),fig$(1)): install-deps
-	@$$(MAKE) $(foreach e,svg pdf png,$(D)/figures/$(basename $(3)).$(e))
+	@$$(MAKE) TARGETS=$(2) $(foreach e,svg pdf png,$(D)/figures/$(basename $(3)).$(e))
 $(D)/figures/$(basename $(3)).svg: figures/$(3) $(D)/data/$(2)/results.ecsv \
     $(if $(filter %.gp,$(3)),figures/style.gp,figures/draw.py figures/matplotlibrc)
 	@mkdir -p $$(@D)
@@ -119,7 +121,7 @@ summary: programs
 .PHONY: run-tests
 run-tests: programs
 	@cmake --build $(B) --parallel $(JOBS) > $(B)/build.log 2>&1 || { cat $(B)/build.log; exit 1; }
-	@cd $(B) && ctest $(CTEST_ARGS)
+	@cd $(B) && PYTHON="$(PYTHON)" ctest $(CTEST_ARGS)
 
 ## bench: time our integrators against GSL and Boost.odeint (ten minutes, not part of the tests)
 .PHONY: bench
@@ -140,6 +142,11 @@ lock: install-deps
 ## refresh: write the locked values into the prose of src/, and renew the tables of README.md
 refresh readme: programs
 	@$(B)/bin/report refresh --out $(B)/report
+
+## gallery: renew the small pictures of the README
+.PHONY: gallery
+gallery: all-figures
+	@$(need_python) "$(PYTHON)" tools/gallery.py $(D)/figures figures/gallery
 
 ## mutants: errors of physics put into the library one at a time; the tests must notice (ten minutes)
 .PHONY: mutants

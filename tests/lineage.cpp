@@ -175,18 +175,34 @@ TEST_CASE("the drawing in CONTRIBUTING.md shows every room", "[lineage]") {
   }
 }
 
-TEST_CASE("the README is what the lock and the index of figures say", "[lineage]") {
-  const std::string readme = text_of(root / "README.md");
-  const std::string fresh =
-      fresh_readme(readme, read_claims(root / "paper/published.ecsv"),
-                   read_lock(root / "paper/converged.ecsv"), read(root / "figures/figures.ecsv"));
-  std::istringstream is(readme), ought(fresh);
-  std::string a, b;
-  while (std::getline(ought, b)) {
-    std::getline(is, a);
-    CHECK(a == b);
-    if (a != b) break;
+TEST_CASE("the pages are what the lock and the index of figures say", "[lineage]") {
+  const auto tables = generated_tables(read_claims(root / "paper/published.ecsv"),
+                                       read_lock(root / "paper/converged.ecsv"),
+                                       read(root / "figures/figures.ecsv"));
+  for (const char* name : {"README.md", "ARTIFACT.md"}) {
+    const std::string page = text_of(root / name), fresh = fresh_page(page, tables);
+    std::istringstream is(page), ought(fresh);
+    std::string a, b;
+    while (std::getline(ought, b)) {
+      std::getline(is, a);
+      CHECK(a == b);
+      if (a != b) break;
+    }
+    INFO("the tables of " << name << " are stale: make refresh");
+    CHECK((page == fresh));
+    for (const auto& table : matches(page, "<!-- (\\w+) -->")) CHECK(tables.count(table) == 1);
   }
-  INFO("the tables of README.md are stale: make refresh");
-  CHECK((readme == fresh));
+  for (const auto& [table, lines] : tables) {
+    CAPTURE(table);
+    CHECK(text_of(root / "README.md").find("<!-- " + table + " -->") != std::string::npos);
+  }
+}
+
+TEST_CASE("the pages link to files that exist", "[lineage]") {
+  for (const char* name : {"README.md", "ARTIFACT.md", "CONTRIBUTING.md"})
+    for (const auto& link : matches(text_of(root / name), "(?:\\]\\(|src=\")([^)\"]+)[)\"]")) {
+      CAPTURE(name, link);
+      if (link.find(':') == std::string::npos && link.front() != '#')
+        CHECK(fs::exists(root / link.substr(0, link.find('#'))));
+    }
 }

@@ -117,6 +117,24 @@ TEST_CASE("tables of the README are replaced between their marks", "[unit]") {
   CHECK_THROWS_AS(with_table(text, "u", {}), std::runtime_error);
 }
 
+TEST_CASE("a page gets the tables for which it has marks", "[unit]") {
+  const std::string text = "a\n<!-- t -->\n<!-- /t -->\nb\n";
+  CHECK(fresh_page(text, {{"t", {"x"}}, {"u", {"y"}}}) == "a\n<!-- t -->\nx\n<!-- /t -->\nb\n");
+  Claim missed, met;
+  missed.id = "m";
+  missed.printed = "4";
+  missed.status = "discrepant";
+  missed.reason = "a factor of two";
+  met.id = "n";
+  met.status = "reproduced";
+  const Findings lock{{{"", "m"}, finding(2, 0)}, {{"", "n"}, finding(1, 0)}};
+  CHECK(discrepancy_rows({missed, met}, lock).back() == "| `m` | 4 | 2 | a factor of two |");
+  CHECK(discrepancy_rows({missed, met}, lock).size() == 3);
+  const Table none;
+  CHECK(summary_rows({missed, met}, none)[2] ==
+        "claims     : 1 reproduced, 0 hold, 0 measured, 1 discrepant, 0 unresolved, 0 open");
+}
+
 TEST_CASE("a figure's cost is renewed when it has really moved", "[unit]") {
   const std::string head = "# x\nid,program,caption,seconds\n";
   const std::string text = head + "02,p,\"A, b.\",10\n03,q,C.,0.4\n04,p,\"New.\"\n";

@@ -125,7 +125,7 @@ inline std::string with_table(const std::string& text, const std::string& name,
 }
 
 /**
-## The tables of the README
+## The tables of README.md and ARTIFACT.md
 
 A claim's row shows the printed value, ours with its error, and the verdict. */
 inline std::vector<std::string> published_rows(const std::vector<Claim>& claims,
@@ -171,6 +171,35 @@ inline std::vector<std::string> figure_rows(const Table& figures) {
     out.push_back("| " + id[i] + " | `make " + figure_name(id[i]) + "` | [`" + program[i] +
                   "`](src/" + program[i] + ".cpp) | " + shown_cost(seconds[i]) + " | " + drawn +
                   " | " + caption[i] + " |");
+  }
+  return out;
+}
+
+/**
+The gallery shows every figure small, four in a row; a picture leads to the chapter that makes it. */
+inline std::vector<std::string> gallery_rows(const Table& figures) {
+  const auto id = figures.texts("id"), program = figures.texts("program"),
+             script = figures.texts("script"), caption = figures.texts("caption");
+  std::vector<std::string> out{"| | | | |", "|---|---|---|---|"};
+  for (std::size_t i = 0; i < id.size(); ++i) {
+    const std::string name = script[i].substr(0, script[i].rfind('.'));
+    if (i % 4 == 0) out.emplace_back("|");
+    out.back() += " [<img src=\"figures/gallery/" + name + ".png\" width=\"200\" alt=\"" +
+                  caption[i] + "\">](src/" + program[i] + ".cpp)<br>" + id[i] + " |";
+  }
+  return out;
+}
+
+/**
+Where the article and we differ, the list of claims says why. */
+inline std::vector<std::string> discrepancy_rows(const std::vector<Claim>& claims,
+                                                 const Findings& lock) {
+  std::vector<std::string> out{"| claim | article | here | why |", "|---|---|---|---|"};
+  for (const Claim& c : claims) {
+    const auto found = lock.find({c.program, c.id});
+    if (c.status != "discrepant" || found == lock.end()) continue;
+    out.push_back("| `" + c.id + "` | " + c.printed + " | " + shown(found->second) + " | " +
+                  c.reason + " |");
   }
   return out;
 }
@@ -225,12 +254,43 @@ inline std::string with_costs(const std::string& text, const std::map<std::strin
   return out;
 }
 
-/// The README as it has to look.
-inline std::string fresh_readme(std::string text, const std::vector<Claim>& claims,
-                                const Findings& lock, const Table& figures) {
-  text = with_table(text, "figures", figure_rows(figures));
-  text = with_table(text, "published", published_rows(claims, lock));
-  return with_table(text, "costs", cost_rows(figures));
+/**
+Who runs the two commands wants to know what they end with. The words are those of the summary, the
+counts are those of the locked values. */
+inline std::vector<std::string> summary_rows(const std::vector<Claim>& claims,
+                                             const Table& figures) {
+  std::map<std::string, int> tally;
+  for (const Claim& c : claims) ++tally[c.status];
+  const auto count = [&](const char* status, const char* word) {
+    return std::to_string(tally[status]) + " " + word;
+  };
+  return {
+      "```",
+      "figures    : " + std::to_string(figures.rows.size()) + " in build/figures (svg, pdf, png)",
+      "claims     : " + count("reproduced", "reproduced, ") + count("holds", "hold, ") +
+          count("measured", "measured, ") + count("discrepant", "discrepant, ") + "0 unresolved, " +
+          count("open", "open"),
+      "```"};
+}
+
+/// Every table that a page may show, by the name in its marks.
+inline std::map<std::string, std::vector<std::string>> generated_tables(
+    const std::vector<Claim>& claims, const Findings& lock, const Table& figures) {
+  return {{"gallery", gallery_rows(figures)},
+          {"summary", summary_rows(claims, figures)},
+          {"discrepant", discrepancy_rows(claims, lock)},
+          {"published", published_rows(claims, lock)},
+          {"figures", figure_rows(figures)},
+          {"costs", cost_rows(figures)}};
+}
+
+/// README.md or ARTIFACT.md as it has to look: those tables renewed for which it has marks.
+inline std::string fresh_page(std::string text,
+                              const std::map<std::string, std::vector<std::string>>& tables) {
+  for (const auto& [name, lines] : tables)
+    if (text.find("<!-- " + name + " -->") != std::string::npos)
+      text = with_table(text, name, lines);
+  return text;
 }
 
 }  // namespace lattice

@@ -4,7 +4,7 @@
 `report` compares every answer under the data folder with the article's statements, writes the table
 *published against reproduced* and prints its summary. `report lock` renews `paper/converged.ecsv` and
 prints what moved. `report refresh` writes the locked values into the prose of the sources and the
-tables of the README; with `--check` it only says whether there is something to do. */
+tables of README.md and ARTIFACT.md; with `--check` it only says whether there is something to do. */
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -150,13 +150,15 @@ int refresh(const Places& places, bool check) {
       throw std::runtime_error(entry.path().string() + ": " + error.what());
     }
   }
-  const auto index = places.file("figures/figures.ecsv"), readme = places.file("README.md");
+  const auto index = places.file("figures/figures.ecsv");
   const auto costs = measured_costs(fs::path(places.out) / "cost");
   const std::string figures = with_costs(text_of(index), costs);
   std::istringstream rows(figures);
   changed += renew(index, figures, check);
-  return changed +
-         renew(readme, fresh_readme(text_of(readme), claims, findings, from_text(rows)), check);
+  const auto tables = generated_tables(claims, findings, from_text(rows));
+  for (const char* name : {"README.md", "ARTIFACT.md"})
+    changed += renew(places.file(name), fresh_page(text_of(places.file(name)), tables), check);
+  return changed;
 }
 
 }  // namespace
