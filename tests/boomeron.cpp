@@ -1,17 +1,13 @@
 // Packets that turn round: what counts as turning, what the chain does, maps in parts, the programs.
 
-#include <sys/wait.h>
-
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <string>
 
 #include "check.hpp"
 #include "lattice/measure/turning.hpp"
-#include "lattice/report/table.hpp"
+#include "run.hpp"
 
 using namespace lattice;
 namespace fs = std::filesystem;
@@ -28,40 +24,6 @@ Path drawn(double time, double ripple, Centre centre) {
     path.energy.push_back(1);
   }
   return path;
-}
-
-struct Result {
-  int code;
-  std::string output;
-};
-
-Result call(const std::string& command) {
-  FILE* pipe = popen((std::string(BIN_DIR) + "/" + command + " 2>&1").c_str(), "r");
-  std::string output;
-  std::array<char, 4096> buffer;
-  for (std::size_t n; (n = fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
-    output.append(buffer.data(), n);
-  const int status = pclose(pipe);
-  return {WEXITSTATUS(status), output};
-}
-
-/// The lines that are data.
-std::string body(const std::string& text) {
-  std::istringstream in(text);
-  std::string line, out;
-  while (std::getline(in, line))
-    if (line.empty() || line[0] != '#') out += line + "\n";
-  return out;
-}
-
-double quantity(const Result& r, const std::string& name) {
-  std::istringstream in(r.output);
-  const Table t = from_text(in);
-  const auto names = t.texts("quantity");
-  for (std::size_t i = 0; i < names.size(); ++i)
-    if (names[i] == name) return t.numbers("value")[i];
-  FAIL("no quantity " << name);
-  return 0;
 }
 
 }  // namespace

@@ -1,9 +1,5 @@
 // Programs as a reader meets them: help, bad input, failures, and what they leave behind.
 
-#include <sys/wait.h>
-
-#include <array>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -11,29 +7,14 @@
 
 #include "check.hpp"
 #include "lattice/report/table.hpp"
+#include "run.hpp"
 
 using namespace lattice;
 namespace fs = std::filesystem;
 
 namespace {
 
-/// One word for the shell, whatever characters a path has.
-std::string word(const fs::path& path) {
-  std::string out = "'";
-  for (char c : path.string()) out += c == '\'' ? "'\\''" : std::string(1, c);
-  return out + "'";
-}
-
 const std::string bin = word(BIN_DIR);
-
-struct Result {
-  int code;
-  std::string output;  ///< standard output
-  std::string errors;
-  std::size_t error_lines() const {
-    return std::size_t(std::count(errors.begin(), errors.end(), '\n'));
-  }
-};
 
 /// A fresh folder that goes away again.
 struct Scratch {
@@ -47,31 +28,6 @@ struct Scratch {
     return count;
   }
 };
-
-Result call(const std::string& command) {
-  const auto errors = fs::temp_directory_path() / ("lattice_err_" + std::to_string(::getpid()));
-  FILE* pipe = popen((bin + "/" + command + " 2>" + word(errors)).c_str(), "r");
-  std::string output;
-  std::array<char, 4096> buffer;
-  for (std::size_t n; (n = fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
-    output.append(buffer.data(), n);
-  const int status = pclose(pipe);
-  std::ifstream in(errors);
-  std::stringstream text;
-  text << in.rdbuf();
-  fs::remove(errors);
-  return {WEXITSTATUS(status), output, text.str()};
-}
-
-double quantity(const Result& r, const std::string& name, const std::string& column = "value") {
-  std::istringstream in(r.output);
-  const Table t = from_text(in);
-  const auto names = t.texts("quantity");
-  for (std::size_t i = 0; i < names.size(); ++i)
-    if (names[i] == name) return t.numbers(column)[i];
-  FAIL("no quantity " << name);
-  return 0;
-}
 
 }  // namespace
 

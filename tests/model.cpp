@@ -2,48 +2,35 @@
 
 #include "lattice/model/model.hpp"
 
-#include <array>
-#include <cstdio>
 #include <string>
 #include <type_traits>
 
 #include "check.hpp"
+#include "run.hpp"
 
 using namespace lattice;
 
 namespace {
 
-struct Answer {
-  int code;
-  std::string text;  ///< both streams
-};
-
-Answer call(const std::string& options) {
-  const std::string command = "'" BIN_DIR "/sec34_impact' run --time 20 " + options + " 2>&1";
-  FILE* pipe = popen(command.c_str(), "r");
-  Answer out{0, ""};
-  std::array<char, 4096> buffer;
-  for (std::size_t n; (n = fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
-    out.text.append(buffer.data(), n);
-  out.code = pclose(pipe) / 256;
-  return out;
+Result impact(const std::string& options) {
+  return call("sec34_impact run --time 20 " + options);
 }
 
 /// The table without its header, which tells the command.
-std::string body(const std::string& options) {
-  const Answer answer = call(options);
-  CAPTURE(options, answer.text);
+std::string rows(const std::string& options) {
+  const Result answer = impact(options);
+  CAPTURE(options, answer.errors);
   REQUIRE(answer.code == 0);
-  return answer.text.substr(answer.text.find("\nquantity"));
+  return body(answer.output);
 }
 
 /// Exit code 2 and one line that contains `what`.
 void check_refused(const std::string& options, const std::string& what) {
-  const Answer answer = call(options);
-  CAPTURE(options, answer.text);
+  const Result answer = impact(options);
+  CAPTURE(options, answer.errors);
   CHECK(answer.code == 2);
-  CHECK(std::count(answer.text.begin(), answer.text.end(), '\n') == 1);
-  CHECK(answer.text.find(what) != std::string::npos);
+  CHECK(answer.error_lines() == 1);
+  CHECK(answer.errors.find(what) != std::string::npos);
 }
 
 }  // namespace
@@ -69,16 +56,16 @@ TEST_CASE("a model becomes the chain of its types", "[unit][model]") {
 }
 
 TEST_CASE("options choose well and contact by name", "[cli][model]") {
-  const std::string plain = body("");
-  CHECK(body("--onsite quartic --s 0") == plain);
-  CHECK(body("--onsite harmonic") == plain);  // the same well by another type
-  CHECK(body("--contact hertz --precompression 0") == plain);
-  CHECK(body("--contact power --alpha 1.5") == plain);
-  CHECK(body("--onsite pendulum") != plain);
-  CHECK(body("--onsite none") != plain);
-  CHECK(body("--contact power --alpha 2") != plain);
-  CHECK(body("--precompression 0.5") == body("--contact power --precompression 0.5"));
-  CHECK(body("--precompression 0.5") != plain);
+  const std::string plain = rows("");
+  CHECK(rows("--onsite quartic --s 0") == plain);
+  CHECK(rows("--onsite harmonic") == plain);  // the same well by another type
+  CHECK(rows("--contact hertz --precompression 0") == plain);
+  CHECK(rows("--contact power --alpha 1.5") == plain);
+  CHECK(rows("--onsite pendulum") != plain);
+  CHECK(rows("--onsite none") != plain);
+  CHECK(rows("--contact power --alpha 2") != plain);
+  CHECK(rows("--precompression 0.5") == rows("--contact power --precompression 0.5"));
+  CHECK(rows("--precompression 0.5") != plain);
 }
 
 TEST_CASE("what a model does not have is refused", "[cli][model]") {

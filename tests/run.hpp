@@ -1,0 +1,70 @@
+#pragma once
+// A program called as a reader calls it, through a shell, and what it answers.
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "check.hpp"
+#include "lattice/report/table.hpp"
+
+/// One word for the shell, whatever characters a path has.
+inline std::string word(const std::filesystem::path& path) {
+  std::string out = "'";
+  for (char c : path.string()) out += c == '\'' ? "'\\''" : std::string(1, c);
+  return out + "'";
+}
+
+struct Result {
+  int code;
+  std::string output;  ///< standard output
+  std::string errors;
+  std::size_t error_lines() const {
+    return std::size_t(std::count(errors.begin(), errors.end(), '\n'));
+  }
+};
+
+/// Runs a command whose first word is a program of ours. One that hangs ends with code 124.
+inline Result call(const std::string& command) {
+  namespace fs = std::filesystem;
+  const auto errors = fs::temp_directory_path() / ("lattice_err_" + std::to_string(::getpid()));
+  const std::string line = "timeout 300 " + word(BIN_DIR) + "/" + command + " 2>" + word(errors);
+  FILE* pipe = popen(line.c_str(), "r");
+  std::string output;
+  std::array<char, 4096> buffer;
+  for (std::size_t n; (n = fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
+    output.append(buffer.data(), n);
+  const int status = pclose(pipe);
+  std::ifstream in(errors);
+  std::stringstream text;
+  text << in.rdbuf();
+  fs::remove(errors);
+  return {WEXITSTATUS(status), output, text.str()};
+}
+
+/// What the table says in the row of a quantity.
+inline double quantity(const Result& r, const std::string& name,
+                       const std::string& column = "value") {
+  std::istringstream in(r.output);
+  const lattice::Table t = lattice::from_text(in);
+  const auto names = t.texts("quantity");
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (names[i] == name) return t.numbers(column)[i];
+  FAIL("no quantity " << name);
+  return 0;
+}
+
+/// The rows of a table without its header, which tells the command.
+inline std::string body(const std::string& text) {
+  std::istringstream in(text);
+  std::string line, out;
+  while (std::getline(in, line))
+    if (line.empty() || line[0] != '#') out += line + "\n";
+  return out;
+}
