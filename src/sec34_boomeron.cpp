@@ -16,12 +16,12 @@ bounces off it. How far does it come, and for how long can we know?
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "lattice/measure/impact.hpp"
+#include "lattice/measure/parting.hpp"
 #include "lattice/measure/turning.hpp"
 #include "lattice/numbers/parallel.hpp"
 #include "lattice/numbers/random.hpp"
@@ -173,28 +173,15 @@ Moments report_turns(Report& report) {
 /**
 ## How long the motion is determined
 
-The motion is chaotic: two runs that differ by a rounding part sooner or later. We say that two
-chains have parted when their states differ by a tenth of the largest displacement or velocity,
-and measure when this happens for two steps at one impact, and for two impacts, a relative
-$\delta$ apart, at one step. The impacts of the article are printed with two or three digits,
-$\delta\approx 3\cdot10^{-3}$. */
-constexpr double parted = 0.1;
-
+The motion is chaotic: two runs that differ by a rounding part sooner or later (parting.hpp says what
+that means). We measure when this happens for two steps at one impact, and for two impacts, a
+relative $\delta$ apart, at one step. The impacts of the article are printed with two or three
+digits, $\delta\approx 3\cdot10^{-3}$. */
 /// The time when two struck chains have parted; infinite if they have not by `time`.
 double decorrelation(const ContactAware& first, double velocity, const ContactAware& second,
                      double other, double s, double time, std::size_t sites = 150) {
-  const HardChain chain{sites, {s}};
-  const double every = 2;
-  std::vector<State<double>> seen;
-  State<double> a = struck(sites, velocity), b = struck(sites, other);
-  evolve(first, chain, a, time, every, [&](const State<double>& now) { seen.push_back(now); });
-  double when = std::numeric_limits<double>::infinity();
-  std::size_t k = 0;
-  evolve(second, chain, b, time, every, [&](const State<double>& now) {
-    if (distance(seen[k], now) > parted) when = now.t;
-    return ++k, !std::isfinite(when);
-  });
-  return when;
+  return parting_time(first, struck(sites, velocity), second, struck(sites, other),
+                      HardChain{sites, {s}}, time);
 }
 
 /**
@@ -238,7 +225,7 @@ double report_decorrelation(Report& report) {
     if (p.delta == 0) resolved = {p.when, std::abs(p.when - resolved.value)};
     if (p.delta == 1e-6) {
       marked = p.when;
-      report.facts.add("decorrelation_time_190", compare(p.check, p.when));
+      report.facts.add("decorrelation_time_190", parting(p.check, p.when));
     }
   }
   report.facts.add("resolved_until", resolved);
@@ -536,15 +523,13 @@ Table run_command(const RunOptions& options) {
   const double v = strike.velocity;
   const auto neighbours = [&](int more) {
     const ContactAware at = stepper_for(options.tolerance, largest_step, runs.halvings + more);
-    const double when =
-        decorrelation(at, v, at, v * (1 + 1e-8), strike.s, 4 * strike.time, strike.sites);
-    return std::isfinite(when) ? when : std::nan("");
+    return decorrelation(at, v, at, v * (1 + 1e-8), strike.s, 4 * strike.time, strike.sites);
   };
   Quantities q;
   q.add("apex_site", read.apex_site, "site");
   q.add("apex_time", read.apex_time);
   q.add("return_time", read.return_time);
-  q.add("decorrelation_time", compare(neighbours(0), neighbours(1)));
+  q.add("decorrelation_time", parting(neighbours(0), neighbours(1)));
   return q.table;
 }
 

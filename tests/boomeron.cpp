@@ -6,6 +6,8 @@
 #include <string>
 
 #include "check.hpp"
+#include "lattice/measure/impact.hpp"
+#include "lattice/measure/parting.hpp"
 #include "lattice/measure/turning.hpp"
 #include "run.hpp"
 
@@ -93,6 +95,23 @@ TEST_CASE("the apex converges with the step", "[convergence][boomeron]") {
   for (int k : {0, 1, 2}) apex[k] = voyage({0.2 / (1 << k)}, {1.95, 1, 700}).turn().apex.site;
   CHECK(std::abs(apex[2] - apex[1]) < std::abs(apex[1] - apex[0]) / 4);
   CHECK(std::abs(apex[2] - apex[1]) < 1e-3);
+}
+
+TEST_CASE("runs part the later the less they differ", "[unit][boomeron]") {
+  const Chain<Quartic, Hertz> chain{60, {1}};
+  const ContactAware stepper{0.1};
+  const auto time = [&](double delta) {
+    return parting_time(stepper, struck(60, 1.9), stepper, struck(60, 1.9 * (1 + delta)), chain,
+                        300);
+  };
+  CHECK(std::isinf(time(0)));
+  CHECK(time(1) == 0);
+  CHECK(time(3e-2) < time(3e-3));
+  CHECK(time(3e-3) < 300);
+  const Estimate when = parting(100, 104);
+  CHECK(when.value == 104);
+  CHECK(when.error >= 4 + look_every);
+  CHECK(std::isnan(parting(100, time(0)).value));
 }
 
 TEST_CASE("the boomeron run keeps its contract", "[cli][boomeron]") {
