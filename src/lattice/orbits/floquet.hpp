@@ -165,6 +165,25 @@ Pairs<T> floquet_pairs(const Chain<Onsite, Contact>& chain, const State<T>& star
   return pairs;
 }
 
+/// All eigenvalues of a square matrix, in Eigen's order. Throws NoConvergence.
+template <class T>
+std::vector<std::complex<T>> eigenvalues_of(const Matrix<T>& matrix) {
+  const Eigen::EigenSolver<Matrix<T>> solver(matrix, false);
+  if (solver.info() != Eigen::Success) throw NoConvergence("no eigenvalues", {});
+  return {solver.eigenvalues().begin(), solver.eigenvalues().end()};
+}
+
+#ifdef LATTICE_COMPILED  // see tools/dense.cpp
+extern template double symplectic_defect(const Matrix<double>&);
+extern template long double symplectic_defect(const Matrix<long double>&);
+extern template Matrix<double> pair_matrix(const Matrix<double>&);
+extern template Matrix<long double> pair_matrix(const Matrix<long double>&);
+extern template Pairs<double> pairs_of(const Matrix<double>&, const Vector<double>&);
+extern template Pairs<long double> pairs_of(const Matrix<long double>&, const Vector<long double>&);
+extern template std::vector<std::complex<double>> eigenvalues_of(const Matrix<double>&);
+extern template std::vector<std::complex<long double>> eigenvalues_of(const Matrix<long double>&);
+#endif
+
 /**
 ## Errors
 
@@ -225,10 +244,9 @@ T pinning_by_symmetry(const Matrix<T>& half, Centre centre) {
   } else {
     block = Matrix<T>::Identity(n, n) - Matrix<T>(half.topLeftCorner(n, n).colwise().reverse());
   }
-  const Eigen::EigenSolver<Matrix<T>> solver(block, false);
-  Eigen::Index first = 0;
-  solver.eigenvalues().cwiseAbs2().minCoeff(&first);
-  const T value = solver.eigenvalues()[first].real();
+  const std::vector<std::complex<T>> all = eigenvalues_of(block);
+  const auto nearer = [](const auto& a, const auto& b) { return std::norm(a) < std::norm(b); };
+  const T value = std::min_element(all.begin(), all.end(), nearer)->real();
   return centre == Centre::bond ? value : value * (value - T(2));
 }
 
@@ -237,8 +255,7 @@ The same from the monodromy matrix of whatever integrator: each of the four eige
 may be wrong by the root of the matrix's error, but not the sum of $(\lambda-1)^2/\lambda$. It is
 $8\kappa$, because the phase pair adds nothing. */
 inline double quadruplet_kappa(const Matrix<double>& map) {
-  const Eigen::EigenSolver<Matrix<double>> solver(map, false);
-  std::vector<std::complex<double>> all(solver.eigenvalues().begin(), solver.eigenvalues().end());
+  std::vector<std::complex<double>> all = eigenvalues_of(map);
   std::sort(all.begin(), all.end(), [](auto a, auto b) {
     return std::pair(std::abs(a - 1.0), a.imag()) < std::pair(std::abs(b - 1.0), b.imag());
   });
