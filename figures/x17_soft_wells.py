@@ -23,7 +23,12 @@ for column, mark, color, label in [("width", "o-", "#0072B2", "width / site"),
                                    ("amplitude", "s--", "#D55E00", "amplitude"),
                                    ("central", "^:", "#009E73", "central mean force")]:
     width.plot(softer["kappa"], softer[column], mark, ms=3, color=color, label=label)
+facts = {row["quantity"]: float(row["value"])
+         for row in draw.records(f"{data}/sec2_soft_wells/facts.ecsv")}
+width.axhline(facts["central_theory"], color="black", ls="-.", lw=0.7, label="equal areas")
 width.set(xlabel=r"stiffness $\kappa$ of the wells", xscale="log", yscale="log", ylim=(4e-3, 2e2))
+width.set_xticks(kappas, [f"1/{1 / kappa:.0f}" for kappa in kappas], minor=False)
+width.set_xticks([], minor=True)
 width.legend(loc="upper right", ncols=2, columnspacing=1)
 for axes, name in [(profile, "a"), (width, "b")]:
     axes.set_title(f"({name})", loc="left", pad=3)

@@ -13,10 +13,12 @@ a theorem, but ours could have refuted it, by an orbit with unequal means, a sea
 or a localized state that stays together. Each instrument is also tried where it must find something.
 
 ![Mean contact forces and searches without and with wells.](fig:x16) */
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -299,6 +301,8 @@ struct Counts {
   }
 };
 
+/**
+All searches know nothing of each other, and each kind of end is counted at both steps. */
 Counts search_all(const Hunt& hunt, unsigned long seeds) {
   std::vector<End> ends(2 * seeds);
   parallel_for("searches, " + hunt.name, ends.size(), [&](std::size_t i) {
@@ -354,7 +358,7 @@ energy on the nine sites around its centre, and the mean push of the contact bes
 the start up to $t$. Two runs with different steps and samples agree to the errors in the table. */
 struct Course {
   std::vector<double> t, core, mean;
-  double at_ends = 0;  ///< share of the energy on the outermost twenty sites, when the run ends
+  std::int64_t woken = 0;  ///< sites that are not exactly at rest when the run ends
   Run run{};
 };
 
@@ -386,8 +390,7 @@ Course course(double time, int halvings) {
     out.core.push_back(window_sum(energy_density(chain, now), 200, 4) / all);
     out.mean.push_back(now.t > 0 ? impulse / now.t : push);
   });
-  const auto e = energy_density(chain, state);
-  out.at_ends = (window_sum(e, 0, 19) + window_sum(e, e.size() - 1, 19)) / all;
+  out.woken = std::count_if(state.v.begin(), state.v.end(), [](double v) { return v != 0; });
   return out;
 }
 
@@ -395,7 +398,7 @@ Course course(double time, int halvings) {
 A free state disperses if its core keeps less than a tenth of the energy and its mean force goes to zero
 like $1/t$, as it does when the impulse that the contact ever transmits is finite: over the second half of
 the time the mean must fall to a half, up to a tenth. In wells the core must keep more than 99 per cent and
-the mean force its value. What the ends of the chain do must not matter. */
+the mean force its value. Some beads must still be at rest, or the ends of the chain matter. */
 Estimate deviation(const Course& coarse, const Course& fine, double expected) {
   const auto late = [&](const Course& course) {
     return course.mean.back() / course.mean[course.mean.size() / 2] - expected;
@@ -407,7 +410,7 @@ Estimate deviation(const Course& coarse, const Course& fine, double expected) {
 Criterion disperses(const Course& coarse, const Course& fine) {
   return {below("core_free", compare(coarse.core.back(), fine.core.back()), 0.1),
           below("late_mean_free", deviation(coarse, fine, 0.5), 0.1),
-          below("at_ends_free", compare(coarse.at_ends, fine.at_ends), 1e-3)};
+          below("woken_free", compare(coarse.woken, fine.woken), 401)};
 }
 Criterion persists(const Course& coarse, const Course& fine) {
   return {above("core_wells", compare(coarse.core.back(), fine.core.back()), 0.99),
@@ -477,13 +480,13 @@ Results everything(Output& output, bool quick) {
 /**
 ## Differences and limits
 
-The article proves and does not compute, so that every parameter here is ours. Small starts at
-$\omega_b = 1.2$ were chosen so that those in wells succeed; at $\omega_b = 1.5$, with larger ones, hardly one
-in fifty found a localized orbit. Between walls the search finds less the more beads there are: in a
-free chain it is a weak instrument for motions of many beads, but a breather has few. Without wells contacts
-in the core still close now and then, more and more faintly, which is why we judge the fall of the mean
-and not silence. Where each contact has its own exponent the flow is GSL's on both routes, and only the
-identity is checked there.
+The article proves and does not compute, so every parameter here is ours. Small starts at $\omega_b = 1.2$
+were chosen so that those in wells succeed. Some of these end in doubt, more at the longer step: the
+barrier between a site and a bond is so low there that leapfrog steps have breathers centred in between
+which the exact flow has not. Between walls the search finds less the more beads there are; it is a weak
+instrument for motions of many beads, but a breather has few. Without wells contacts in the core still close
+now and then, more and more faintly, so we judge the fall of the mean and not silence. Where each
+contact has its own exponent the flow is GSL's on both routes, and only the identity is checked.
 
 ## Extensions
 
