@@ -20,7 +20,7 @@ figure, grid = plt.subplot_mosaic([["a", "a", "b", "b", "c", "c"], ["d", "d", "d
 free, wells, ends, core, mean = (grid[name] for name in "abcde")
 for name, mark, label in [("ring_wave", "o-", "wave on a ring"),
                           ("uneven_ring", "s--", "uneven ring"),
-                          ("walls", "^:", r"uneven, walls, $\alpha = 2$"),
+                          ("walls", "^:", r"walls, $\alpha = 2$"),
                           ("mixed_exponents", "v-.", r"walls, mixed $\alpha_n$")]:
     free.plot(motion(name, "n"), motion(name, "force"), mark, ms=3.5, mfc="white", mew=0.8,
               lw=0.8, label=label)
@@ -32,7 +32,7 @@ n = motion(name, "n") - 12
 wells.plot(n, motion(name, "force"), "o-", ms=3, color="#0072B2", label=r"$\bar F_n$")
 wells.plot(n + 0.5, motion(name, "step"), "s", ms=5, mfc="none", mew=0.8, color="#D55E00",
            label=r"$\bar F_{n-1} - \bar F_n$")
-wells.plot(n + 0.5, motion(name, "well"), ".", ms=3, color="black", label="mean force of the well")
+wells.plot(n + 0.5, motion(name, "well"), ".", ms=3, color="black", label="mean of the well")
 wells.set(xlabel="contact, from the centre", ylabel="mean force", xlim=(-7, 7))
 wells.set_ylim(None, 0.24)
 wells.legend(loc="upper left", handlelength=1.2, labelspacing=0.3)

@@ -12,12 +12,12 @@ Pushes that are never negative and zero in the mean are zero always: nothing mov
 a theorem, but ours could have refuted it, by an orbit with unequal means, a search that ends in a breather,
 or a localized state that stays together. Each instrument is also tried where it must find something.
 
-![Mean contact forces and searches without and with wells.](fig:x16) */
+![Mean contact forces are the same at every contact of free chains (a) and not in wells (b); how searches from
+small and large starts end (c); energy and mean force of a localized state (d, e).](fig:x16) */
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -330,6 +330,8 @@ Criterion found_in(const Hunt& hunt, const Counts& counts) {
           above("rest_" + hunt.name, rest, counts.all / 2)};
 }
 
+/**
+The table has a column for each hunt and step. */
 Criterion of_searches(Report& report) {
   const unsigned long seeds = report.quick ? 40 : 100;
   report.output.note("seed", "searches 1 to " + std::to_string(seeds) + ", unevenness 11 to 14");

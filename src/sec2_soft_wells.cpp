@@ -9,7 +9,8 @@ turn back, its size may diverge, or it may cease to be localized. We follow it t
         stiff wells     .  .  o  O  O  o  .  .          few beads share the mean force
         soft wells      o  o  O  O  O  O  o  o          many do, and it becomes the same for all
 
-![A breather spreads as its wells are made softer.](fig:x17) */
+![A breather spreads as its wells are made softer (a); width, amplitude and central mean force (b), which tends to
+the value that equal areas demand.](fig:x17) */
 #include <array>
 #include <cmath>
 #include <numbers>
