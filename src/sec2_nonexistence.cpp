@@ -104,7 +104,8 @@ std::array<Balance, 2> MeanTable::add(const std::string& motion, const AnyChain&
                bead ? fine.well[i] : std::nan("")});
   }
   const auto of = [&](const MeanForces& m) {
-    return Balance{top, m.spread(first, sites - first) / top, m.imbalance() / top};
+    const double most = *std::max_element(m.contact.begin(), m.contact.end());
+    return Balance{most, m.spread(first, sites - first) / most, m.imbalance() / most};
   };
   return {of(coarse), of(fine)};
 }
@@ -175,7 +176,7 @@ positions, in half of the searches velocities too, and damped Newton does what i
 period of a breather with $\omega_b = 1.2$. That nothing is found means something only if the same search
 finds what exists, so each size of the starts has its control. Small ones, of the size of a breather, are
 tried in wells of unit stiffness, too. Large ones are of the size that motions of this frequency have
-without wells, $0.3$ for the standing wave of neighbours against each other; these exist between
+without wells, $0.3$ for the standing wave of neighbours against each other; motions of a few beads exist between
 walls, and there we let the same search look for them with three beads. */
 struct Hunt {
   std::string name;

@@ -11,6 +11,7 @@ turn back, its size may diverge, or it may cease to be localized. We follow it t
 
 ![A breather spreads as its wells are made softer (a); width, amplitude and central mean force (b), which tends to
 the value that equal areas demand.](fig:x17) */
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -73,20 +74,15 @@ The branch visits a ladder of stiffnesses, each a factor of $\sqrt2$ below the l
 breather is the number of contacts that share its mean force, $(\sum\bar F_n)^2/\sum\bar F_n^2$. Chains of
 two lengths tell whether the ends matter. */
 struct Rung {
-  double kappa, amplitude, energy, width, central, largest_well;
+  double kappa, amplitude, energy, width, central;
   std::vector<double> contact;
 };
 
 Rung rung_of(const SpringProblem& problem, const Orbit<double>& orbit) {
   const MeanForces means = mean_forces(problem.chain, orbit.start, orbit.period(), 1e-11);
   const auto& f = means.contact;
-  return {problem.chain.onsite.kappa,
-          orbit.amplitude,
-          orbit.energy,
-          participation(f),
-          f[f.size() / 2],
-          *std::max_element(means.well.begin(), means.well.end()),
-          f};
+  return {problem.chain.onsite.kappa, orbit.amplitude, orbit.energy,
+          participation(f),           f[f.size() / 2], f};
 }
 
 /**
@@ -148,7 +144,7 @@ Neighbours neighbours(double swing, double g, const Tolerance& tolerance) {
 /**
 The integral need not be computed. With the mean Lagrangian $L$ of a bead, kinetic minus potential
 energy, $\bar F = dL/dg$ at a fixed period, because the action is stationary; so the integral is
-$g\bar F - L$. For a given swing we look for the $g$ at which the period is $2\pi$, the chain's push
+$g\bar F - L$, which vanishes with the force. For a given swing we look for the $g$ at which the period is $2\pi$, the chain's push
 being the weaker the larger $g$ is, and among the swings for the one at which the integral vanishes. */
 template <class Good>
 double last_good(double good, double bad, Good is_good) {
