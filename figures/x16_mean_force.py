@@ -1,0 +1,65 @@
+"""Figure x16: mean contact forces, searches and a localized state, without and with wells."""
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+import draw
+
+data, out = draw.arguments()
+folder = f"{data}/sec2_nonexistence"
+means = draw.records(f"{folder}/mean_forces.ecsv")
+
+
+def motion(name, column):
+    """One column of one motion, as numbers."""
+    return np.array([float(row[column]) for row in means if row["motion"] == name])
+
+
+figure, grid = plt.subplot_mosaic([["a", "a", "b", "b", "c", "c"], ["d", "d", "d", "e", "e", "e"]],
+                                  figsize=(draw.TWO_COLUMNS, 118 * draw.MM), height_ratios=[1.3, 1])
+free, wells, ends, core, mean = (grid[name] for name in "abcde")
+for name, mark, label in [("ring_wave", "o-", "wave on a ring"),
+                          ("uneven_ring", "s--", "uneven ring"),
+                          ("walls", "^:", r"walls, $\alpha = 2$"),
+                          ("mixed_exponents", "v-.", r"walls, mixed $\alpha_n$")]:
+    free.plot(motion(name, "n"), motion(name, "force"), mark, ms=3.5, mfc="white", mew=0.8,
+              lw=0.8, label=label)
+free.set(xlabel="contact $n$", ylabel=r"mean contact force $\bar F_n$", xticks=range(1, 10, 2))
+free.set_ylim(0, 0.17)
+free.legend(loc="upper left", handlelength=2, labelspacing=0.3)
+name = "breather_bond"
+n = motion(name, "n") - 12
+wells.plot(n, motion(name, "force"), "o-", ms=3, color="#0072B2", label=r"$\bar F_n$")
+wells.plot(n + 0.5, motion(name, "step"), "s", ms=5, mfc="none", mew=0.8, color="#D55E00",
+           label=r"$\bar F_{n-1} - \bar F_n$")
+wells.plot(n + 0.5, motion(name, "well"), ".", ms=3, color="black", label="mean of the well")
+wells.set(xlabel="contact, from the centre", ylabel="mean force", xlim=(-7, 7))
+wells.set_ylim(None, 0.24)
+wells.legend(loc="upper left", handlelength=1.2, labelspacing=0.3)
+found = draw.records(f"{folder}/searches.ecsv")
+place = np.arange(len(found))
+for k, (column, color, hatch, label) in enumerate([
+        ("free_fine", "#56B4E9", "", "free, small"), ("wells_fine", "#D55E00", "////", "wells, small"),
+        ("free_large_fine", "#CCCCCC", "", "free, large"), ("walls_fine", "#009E73", "....", "walls, large")]):
+    counts = [int(row[column]) for row in found]
+    bars = ends.bar(place + 0.22 * (k - 1.5), counts, 0.22, color=color, hatch=hatch, ec="black",
+                    lw=0.4, label=label)
+    ends.bar_label(bars, [str(c) if c else "" for c in counts], fontsize=5.5, padding=1)
+ends.set_xticks(place, [row["ends_in"] for row in found], rotation=35, ha="right",
+                rotation_mode="anchor")
+ends.set(ylabel="searches", ylim=(0, 118))
+ends.legend(loc="upper right", handlelength=1.2, labelspacing=0.3)
+rows = draw.records(f"{folder}/dispersal.ecsv")
+for chain, style, color, label in [("free", "-", "#0072B2", "free chain"),
+                                   ("wells", "--", "#D55E00", "in wells")]:
+    part = {key: np.array([float(r[key]) for r in rows if r["chain"] == chain and float(r["t"]) > 0])
+            for key in ("t", "core", "mean")}
+    core.plot(part["t"], part["core"], style, color=color, label=label)
+    mean.plot(part["t"], part["mean"], style, color=color, label=label)
+core.set(xlabel="time $t$", ylabel="share of energy in the core", xscale="log", yscale="log")
+mean.set(xlabel="time $t$", ylabel=r"mean force from 0 to $t$", xscale="log", yscale="log")
+core.legend(loc="lower left")
+mean.legend(loc="lower left")
+for name, axes in grid.items():
+    axes.set_title(f"({name})", loc="left", pad=3)
+draw.save(figure, out)

@@ -1,0 +1,292 @@
+/**
+# 2 How the breather is lost in soft wells
+
+Section 2 of James, Kevrekidis and Cuevas (Physica D 251, 2013) ends with the remark that wells spoil the
+proof of its theorem, and section 3 finds breathers in them. What happens in between, to a breather whose
+wells are made softer and softer at a fixed period? It must be lost, and there are three ways: its branch may
+turn back, its size may diverge, or it may cease to be localized. We follow it to see:
+
+        stiff wells     .  .  o  O  O  o  .  .          few beads share the mean force
+        soft wells      o  o  O  O  O  O  o  o          many do, and it becomes the same for all
+
+![A breather spreads as its wells are made softer (a); width, amplitude and central mean force (b), which tends to
+the value that equal areas demand.](fig:x17) */
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "lattice/measure/mean_force.hpp"
+#include "lattice/measure/observe.hpp"
+#include "lattice/numbers/gsl_ode.hpp"
+#include "lattice/numbers/parallel.hpp"
+#include "lattice/orbits/breather.hpp"
+#include "lattice/report/program.hpp"
+
+using namespace lattice;
+
+/**
+## Model and method
+
+The chain of Eq. (9) in wells $W = \kappa y^2/2$,
+$$\ddot y_n + \kappa\,y_n = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2},\qquad y_n(t+2\pi) = y_n(t),$$
+dimensionless. The substitution $y(t) = \kappa^2\,Y(\sqrt\kappa\,t)$ gives back unit wells, so the
+question is the same as that for high frequencies $\omega_b = 1/\sqrt\kappa$ there. We follow the branch in
+$\ln\kappa$ itself, with a well of our own, and keep the substitution for a check. */
+struct Spring {
+  double kappa = 1;
+  static constexpr const char* name = "spring";
+  template <class T>
+  T energy(T y) const {
+    return T(kappa) / T(2) * (y * y);
+  }
+  template <class T>
+  T force(T y) const {
+    return -T(kappa) * y;
+  }
+  template <class T>
+  T stiffness(T) const {
+    return T(kappa);
+  }
+};
+using SpringProblem = Shooting<double, Spring, Hertz>;
+
+/**
+## The branch
+
+The start comes from the unit wells. */
+/// The bond-centred breather of period 2 pi in springs with kappa = 1 / omega_b^2, by substitution.
+SpringProblem spring_problem(double kappa, std::size_t sites) {
+  SpringProblem problem{{sites, {kappa}, {0}}, bond_centred(sites), 1};
+  return problem;
+}
+
+Orbit<double> substituted(double kappa, std::size_t sites) {
+  const auto unit = find_breather(breather_problem(Centre::bond, 1 / std::sqrt(kappa), 0, sites));
+  return newton(spring_problem(kappa, sites), (kappa * kappa * unit.x).eval());
+}
+
+/**
+The branch visits a ladder of stiffnesses, each a factor of $\sqrt2$ below the last. The width of a
+breather is the number of contacts that share its mean force, $(\sum\bar F_n)^2/\sum\bar F_n^2$. Chains of
+two lengths tell whether the ends matter. */
+struct Rung {
+  double kappa, amplitude, energy, width, central;
+  std::vector<double> contact;
+};
+
+Rung rung_of(const SpringProblem& problem, const Orbit<double>& orbit) {
+  const MeanForces means = mean_forces(problem.chain, orbit.start, orbit.period(), 1e-11);
+  const auto& f = means.contact;
+  return {problem.chain.onsite.kappa, orbit.amplitude, orbit.energy,
+          participation(f),           f[f.size() / 2], f};
+}
+
+/**
+From rung to rung the branch is followed by its arclength, so that a fold would not go unnoticed. */
+std::vector<Rung> softer_and_softer(std::size_t sites, std::size_t rungs) {
+  SpringProblem problem = spring_problem(0.5, sites);
+  const Along<SpringProblem> along{
+      "ln kappa", [](const SpringProblem& p) { return std::log(p.chain.onsite.kappa); },
+      [](SpringProblem& p, const double& l) { p.chain.onsite.kappa = std::exp(l); }, 1e-4};
+  Orbit<double> orbit = substituted(0.5, sites);
+  std::vector<Rung> out{rung_of(problem, orbit)};
+  Stride stride;
+  stride.most = 1;
+  for (std::size_t k = 1; k < rungs; ++k) {
+    Branch branch(problem, along, orbit, -1, {}, stride);
+    const double goal = std::log(0.5) - 0.5 * std::numbers::ln2 * double(k);
+    orbit = branch.reach(goal);
+    problem.chain.onsite.kappa = std::exp(goal);
+    out.push_back(rung_of(problem, orbit));
+  }
+  return out;
+}
+
+/**
+## What becomes of it
+
+On this ladder the branch does not turn back, the breather spreads. In a wide one neighbours swing against
+each other, $y_n = \bar y_n + (-1)^n a(t)$, at a mean distance $g$ that changes little from place to place:
+$$\ddot a = (-2a-g)_+^{3/2} - (2a-g)_+^{3/2}.$$
+At a fixed period such motions of the free chain have one parameter, so that $g$ is a function of
+the mean force $\bar F$. The means obey $\kappa\,\bar y_n = \bar F_{n-1}-\bar F_n$ and
+$g = \bar y_{n+1} - \bar y_n$, hence
+$$\bar F'' = -\kappa\,g(\bar F),\qquad \int_0^{\bar F_c} g\,d\bar F = 0.$$
+The first equation contains $\kappa$ as a scale of length and nowhere else: the width grows like
+$\kappa^{-1/2}$. The second follows from it after multiplication with $\bar F'$ and fixes the central force
+$\bar F_c$ for $\kappa \to 0$, a number that knows nothing of breathers and that they have to meet. */
+struct Neighbours {
+  double left_over, force, lagrangian;  ///< a at a quarter of the period; means over it
+};
+
+Neighbours neighbours(double swing, double g, const Tolerance& tolerance) {
+  Reference reference(
+      [g](double, const double* x, double* dx) {
+        const double r = std::max(2 * x[0] - g, 0.0), l = std::max(-2 * x[0] - g, 0.0);
+        const double right = r * std::sqrt(r), left = l * std::sqrt(l);
+        dx[0] = x[1];
+        dx[1] = left - right;
+        dx[2] = (right + left) / 2;
+        dx[3] = x[1] * x[1] / 2 - (r * right + l * left) / 5;
+      },
+      4, tolerance);
+  const double quarter = std::numbers::pi / 2;
+  double t = 0;
+  std::vector<double> x{swing, 0, 0, 0};
+  reference.advance(t, quarter, x);
+  return {x[0], x[2] / quarter, x[3] / quarter};
+}
+
+/**
+The integral need not be computed. With the mean Lagrangian $L$ of a bead, kinetic minus potential
+energy, $\bar F = dL/dg$ at a fixed period, because the action is stationary; so the integral is
+$g\bar F - L$, which vanishes with the force. For a given swing we look for the $g$ at which the period is $2\pi$, the chain's push
+being the weaker the larger $g$ is, and among the swings for the one at which the integral vanishes. */
+template <class Good>
+double last_good(double good, double bad, Good is_good) {
+  for (int k = 0; k < 60; ++k) {
+    const double middle = (good + bad) / 2;
+    (is_good(middle) ? good : bad) = middle;
+  }
+  return good;
+}
+
+double central_force(const Tolerance& tolerance) {
+  const auto gap = [&](double swing) {
+    return last_good(-0.2, 2 * swing,
+                     [&](double g) { return neighbours(swing, g, tolerance).left_over < 0; });
+  };
+  const double swing = last_good(0.1, 0.4, [&](double a) {
+    const double g = gap(a);
+    const Neighbours c = neighbours(a, g, tolerance);
+    return g * c.force < c.lagrangian;
+  });
+  return neighbours(swing, gap(swing), tolerance).force;
+}
+
+/**
+## Results (figure x17)
+
+The width grows with a power of $\kappa$ that tends to [](num:sec2_soft_wells.width_exponent), and the
+central mean force to [](num:sec2_soft_wells.central_limit), where the equal areas demand
+[](num:sec2_soft_wells.central_theory). So the breather is not lost at any stiffness: its period kept, it
+turns into a motion of the free chain, with the same mean force at every contact, as the theorem
+demands, and it is no longer localized. */
+Table ladder_table(const std::array<std::vector<Rung>, 2>& ladder) {
+  Table table{{number("kappa", "stiffness of the wells"),
+               number("amplitude", "largest displacement at t = 0"),
+               number("amplitude_error", "difference of two chain lengths"),
+               number("energy", "energy of the breather"),
+               number("energy_error", "difference of two chain lengths"),
+               number("width", "contacts that share the mean force", "site"),
+               number("width_error", "difference of two chain lengths", "site"),
+               number("central", "mean force of the central contact"),
+               number("central_error", "difference of two chain lengths")}};
+  for (std::size_t k = 0; k < ladder[1].size(); ++k) {
+    const Rung &a = ladder[0][k], &b = ladder[1][k];
+    table.add({b.kappa, b.amplitude, compare(a.amplitude, b.amplitude).error, b.energy,
+               compare(a.energy, b.energy).error, b.width, compare(a.width, b.width).error,
+               b.central, compare(a.central, b.central).error});
+  }
+  return table;
+}
+
+/**
+Profiles of the mean force are kept at every other rung. */
+constexpr std::array<std::size_t, 2> lengths{52, 64};
+
+Table profile_table(const std::array<std::vector<Rung>, 2>& ladder) {
+  Table table{{number("kappa", "stiffness of the wells"),
+               count("n", "contact, from the centre of the breather", "site"),
+               number("force", "mean force of the contact"),
+               number("force_error", "difference of two chain lengths, against the largest")}};
+  for (std::size_t k = 0; k < ladder[1].size(); k += 2)
+    for (int n = -25; n <= 25; ++n) {
+      const auto force = [&](std::size_t j) {
+        return ladder[j][k].contact[std::size_t(int(lengths[j] / 2) + n)];
+      };
+      table.add({ladder[1][k].kappa, std::int64_t(n), force(1), std::abs(force(1) - force(0))});
+    }
+  return table;
+}
+
+/**
+Both limits are those of a parabola through three rungs, for the power from one rung to the next and for
+the central force; the three rungs before tell its error. */
+double parabola_at_zero(const std::vector<double>& x, const std::vector<double>& y, std::size_t i) {
+  const auto line = [&](std::size_t a, std::size_t b, double ya, double yb) {
+    return (x[a] * yb - x[b] * ya) / (x[a] - x[b]);
+  };
+  return line(i, i + 2, line(i, i + 1, y[i], y[i + 1]), line(i + 1, i + 2, y[i + 1], y[i + 2]));
+}
+
+Estimate limit_of(const std::vector<double>& x, const std::vector<double>& y) {
+  return compare(parabola_at_zero(x, y, x.size() - 4), parabola_at_zero(x, y, x.size() - 3));
+}
+
+Estimate width_power(const std::vector<Rung>& ladder) {
+  std::vector<double> x, y;
+  for (std::size_t k = 1; k < ladder.size(); ++k) {
+    const Rung &a = ladder[k - 1], &b = ladder[k];
+    x.push_back(std::sqrt(a.kappa * b.kappa));
+    y.push_back(std::log(b.width / a.width) / std::log(b.kappa / a.kappa));
+  }
+  return limit_of(x, y);
+}
+
+/**
+The central force needs no logarithm. */
+Estimate central_limit(const std::vector<Rung>& ladder) {
+  std::vector<double> x, y;
+  for (const Rung& rung : ladder) {
+    x.push_back(rung.kappa);
+    y.push_back(rung.central);
+  }
+  return limit_of(x, y);
+}
+
+/**
+The program has no claim of the article to answer; its results are facts. */
+Results everything(Output& output, bool quick) {
+  Report report{output, quick};
+  const std::size_t rungs = quick ? 5 : 9;
+  std::array<std::vector<Rung>, 2> ladder;
+  parallel_for(2, [&](std::size_t k) { ladder[k] = softer_and_softer(lengths[k], rungs); });
+  output.add("softer_wells", ladder_table(ladder));
+  output.add("softer_profiles", profile_table(ladder));
+  const Rung &shorter = ladder[0].back(), &last = ladder[1].back(), &second = ladder[1][1];
+  report.facts.add("width_exponent", compare(width_power(ladder[0]), width_power(ladder[1])));
+  report.facts.add("central_limit", compare(central_limit(ladder[0]), central_limit(ladder[1])));
+  report.facts.add("central_theory", compare(central_force(1e-9), central_force(1e-12)));
+  report.facts.add("softest", exact(last.kappa));
+  report.facts.add("softest_width", compare(shorter.width, last.width), "site");
+  report.facts.add("softest_central", compare(shorter.central, last.central));
+  const double other = substituted(second.kappa, lengths[1]).amplitude;
+  report.facts.add("substitution_difference", {std::abs(other / second.amplitude - 1), 1e-12},
+                   "relative to the amplitude");
+  output.add("facts", report.facts.table);
+  return report.results;
+}
+
+/**
+## Differences and limits
+
+The article asks nothing of this. Only bond-centred breathers in linear wells were followed, and a breather
+in very soft wells needs a chain longer than its width, which is where our ladder ends. The equation for
+$\bar F$ holds to the leading order in $\kappa$; its errors we did not bound.
+
+## Extensions
+
+- Integrate $\bar F'' = -\kappa\,g(\bar F)$ and lay its solution over the profiles of the figure.
+- Is the standing wave at the centre stable in the free chain, and the breather with it?
+- Does a breather in hardening wells, $W = y^4$, spread as well when they are made softer? */
+int main(int argc, char** argv) {
+  Program program({"sec2_soft_wells", "2", "A breather in ever softer wells (section 2)"}, argc,
+                  argv);
+  program.everything = [&](Output& output) { return everything(output, program.quick); };
+  return program.run(argc, argv);
+}

@@ -1,0 +1,73 @@
+// What section 2 found: counts, margins and limits.
+
+#include <filesystem>
+
+#include "check.hpp"
+#include "lattice/report/table.hpp"
+
+using namespace lattice;
+
+namespace {
+
+const std::filesystem::path data = DATA_DIR, tables = data / "sec2_nonexistence";
+
+double number_of(const std::filesystem::path& tables, const std::string& table,
+                 const std::string& key, const std::string& name, const std::string& column) {
+  const Table t = read(tables / (table + ".ecsv"));
+  const auto names = t.texts(key);
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (names[i] == name) return t.numbers(column)[i];
+  FAIL("no row " << name);
+  return 0;
+}
+
+double fact(const std::string& name) {
+  return number_of(tables, "facts", "quantity", name, "value");
+}
+
+}  // namespace
+
+TEST_CASE("searches are counted completely, and the free chain has no end but two",
+          "[published][mean_force]") {
+  const Table t = read(tables / "searches.ecsv");
+  const double all = fact("searches");
+  CHECK(all == 100);
+  for (const Column& column : t.columns) {
+    if (column.name == "ends_in") continue;
+    double sum = 0;
+    for (double x : t.numbers(column.name)) sum += x;
+    CAPTURE(column.name);
+    CHECK(sum == all);
+  }
+  for (const char* end : {"localized", "extended", "doubtful"})
+    for (const char* column : {"free", "free_fine", "free_large", "free_large_fine"})
+      CHECK(number_of(tables, "searches", "ends_in", end, column) == 0);
+  CHECK(number_of(tables, "searches", "ends_in", "localized", "wells") > all / 20);
+  CHECK(number_of(tables, "searches", "ends_in", "extended", "walls") > all / 20);
+}
+
+TEST_CASE("every condition of the theorem's claim has its margin", "[published][mean_force]") {
+  const Table t = read(tables / "facts.ecsv");
+  const auto names = t.texts("quantity");
+  const auto values = t.numbers("value"), errors = t.numbers("error");
+  int conditions = 0;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (names[i].size() < 7 || names[i].substr(names[i].size() - 7) != "_margin") continue;
+    ++conditions;
+    CAPTURE(names[i], values[i], errors[i]);
+    CHECK(values[i] > errors[i]);
+  }
+  CHECK(conditions == 24);
+  // What must not be mistaken for a periodic motion of the free chain misses the limit on the spread.
+  CHECK(fact("mean_force_spread_not_periodic") > 1e4 * fact("mean_force_spread_uneven_ring"));
+}
+
+TEST_CASE("in ever softer wells width and mean force of a breather follow from equal areas",
+          "[published][mean_force]") {
+  const auto soft = [](const char* name, const char* column) {
+    return number_of(data / "sec2_soft_wells", "facts", "quantity", name, column);
+  };
+  check_close(soft("width_exponent", "value"), -0.5, 0.005);
+  check_close(soft("central_limit", "value"), soft("central_theory", "value"), 2e-5);
+  CHECK(soft("substitution_difference", "value") < 1e-10);
+}
