@@ -44,7 +44,8 @@ positive where the breather is unstable (floquet.hpp).
 
 Is one exchange at $\omega_b = 1.1$ all there is? We compute $\kappa$ of the site-centred breather on a
 grid, following it in $s$ from the linear well until the family ends. Around a bond the sign is
-the opposite one, but for strips too narrow to be seen.
+the opposite one, but for strips too narrow to be seen. On the grid a tolerance of $10^{-12}$ is enough,
+since $\kappa$ is of the order of $10^{-9}$ or more nearly everywhere.
 
 ![Which breather is stable, and where they change places.](fig:x13) */
 struct Node {
@@ -55,14 +56,24 @@ struct Node {
 };
 using Column_of_nodes = std::vector<Node>;
 
-/// Computes a node from the orbit of another; leaves it empty where the family ends.
+/**
+A node is computed from the orbit of its neighbour, and left empty where the family ends: there Newton's
+method wanders off to large and costly motions, so that it gets only eight iterations. */
+NewtonRule<double> chart_rule() {
+  NewtonRule<double> how;
+  how.landing.tolerance = 1e-12;
+  how.most = 8;
+  return how;
+}
+
 void visit(Node& node, const Orbit<double>& from) {
   try {
     const auto problem = problem_at(Centre::site, node.spot);
-    node.orbit = follow(problem, from);
+    node.orbit = follow(problem, from, chart_rule());
     const double growth = node.orbit.amplitude / from.amplitude;
     if (std::abs(growth - 1) > 0.15 && node.orbit.omega == from.omega) return;  // another family
-    const auto pairs = floquet_pairs(problem.chain, node.orbit.start, node.orbit.period());
+    const auto pairs =
+        floquet_pairs(problem.chain, node.orbit.start, node.orbit.period(), chart_rule().landing);
     node.kappa = pairs.pinning();
     node.defect = pairs.defect;
   } catch (const NoConvergence&) {
@@ -70,16 +81,18 @@ void visit(Node& node, const Orbit<double>& from) {
 }
 
 /**
-The linear well is followed in $\omega_b$ first; from each of its breathers we go up and down in $s$. */
-std::vector<Column_of_nodes> chart(int frequencies, int wells) {
+The linear well is followed in $\omega_b$ first; from each of its breathers we go up and down in $s$. The
+quick run ends at $\omega_b = 1.2$, after three pairs of exchanges. */
+std::vector<Column_of_nodes> chart(int frequencies, int wells, double top) {
   std::vector<Column_of_nodes> grid;
   Orbit<double> seed = find_breather(problem_at(Centre::site, {1.01, 0}));
   for (int i = 0; i < frequencies; ++i) {
-    const double omega = 1.01 + 0.99 * double(i) / (frequencies - 1);
+    const double omega = 1.01 + (top - 1.01) * double(i) / (frequencies - 1);
     Column_of_nodes column(std::size_t(2 * wells + 1));
     for (int k = -wells; k <= wells; ++k)
       column[std::size_t(k + wells)].spot = {omega, double(k) / wells};
-    seed = column[std::size_t(wells)].orbit = follow(problem_at(Centre::site, {omega, 0}), seed);
+    seed = column[std::size_t(wells)].orbit =
+        follow(problem_at(Centre::site, {omega, 0}), seed, chart_rule());
     grid.push_back(std::move(column));
   }
   parallel_for("chart", grid.size(), [&](std::size_t i) {
@@ -99,7 +112,7 @@ Wherever neighbours on the grid, along either axis, have opposite signs an excha
 them. */
 struct Crossing_place {
   Cut cut;
-  double low, high;
+  Trial_kappa low, high;
   const Node* near;
   Exchange found{};
   bool good = false;
@@ -109,10 +122,10 @@ std::vector<Crossing_place> crossings(const std::vector<Column_of_nodes>& grid) 
   std::vector<Crossing_place> out;
   const auto look = [&](const Node& a, const Node& b, bool along_s) {
     if (!(a.kappa * b.kappa < 0)) return;
-    if (along_s)
-      out.push_back({{true, a.spot.omega}, a.spot.s, b.spot.s, &a});
-    else
-      out.push_back({{false, a.spot.s}, a.spot.omega, b.spot.omega, &a});
+    const auto at = [&](const Node& n) {
+      return Trial_kappa{along_s ? n.spot.s : n.spot.omega, n.kappa};
+    };
+    out.push_back({{along_s, along_s ? a.spot.omega : a.spot.s}, at(a), at(b), &a});
   };
   for (std::size_t i = 0; i < grid.size(); ++i)
     for (std::size_t k = 0; k < grid[i].size(); ++k) {
@@ -138,18 +151,26 @@ Table chart_table(const std::vector<Column_of_nodes>& grid) {
 }
 
 /**
-The exchanges are refined in double precision. */
-void report_chart(Report& report) {
-  const auto grid = report.quick ? chart(8, 2) : chart(100, 10);
-  auto places = crossings(grid);
+The exchanges are refined until a step is shorter than a thousandth, which no eye sees, and the next step is
+the error. */
+void refine_places(std::vector<Crossing_place>& places) {
   parallel_for("exchanges", places.size(), [&](std::size_t i) {
     Crossing_place& c = places[i];
     try {
-      c.found = exchange<double>(Centre::site, c.cut, c.low, c.high, c.near->orbit);
+      c.found =
+          exchange_between(Centre::site, c.cut, c.low, c.high, c.near->orbit, 1e-3, chart_rule());
       c.good = true;
-    } catch (const std::exception&) {
+    } catch (const NoConvergence&) {
     }
   });
+}
+
+/**
+Those that are lost, near the end of a family, are counted. */
+std::vector<Column_of_nodes> report_chart(Report& report) {
+  auto grid = report.quick ? chart(12, 2, 1.2) : chart(80, 8, 2);
+  auto places = crossings(grid);
+  refine_places(places);
   Table curve{{number("omega", "frequency"), number("s", "anharmonicity at the exchange"),
                number("error", "of the coordinate along which it was found")}};
   int lost = 0;
@@ -162,62 +183,76 @@ void report_chart(Report& report) {
   report.facts.add("chart_lost", exact(lost));
   report.output.add("chart", chart_table(grid));
   report.output.add("exchange_curves", std::move(curve));
+  return grid;
 }
 
 /**
 ## The linear well: six exchanges
 
 At $s = 0$ we locate all exchanges for both breathers in the wider type. From $\omega_b = 1$ on the
-bond is stable, as in the DpS equation, but only up to [1.01794](num:sec33_between.window_1); between the last
-two, [1.32615](num:sec33_between.window_5) and [1.49164](num:sec33_between.window_6), it is the site. The order of the two
-exchanges in a pair tells whether both breathers are stable in between or neither. */
+bond is stable, as in the DpS equation, but only up to [](num:sec33_between.window_1); between the last
+two, [](num:sec33_between.window_5) and [](num:sec33_between.window_6), it is the site. The order of the two
+exchanges in a pair tells whether both breathers are stable in between or neither; those of the first pair
+lie too close to each other to be told apart. */
 struct Window_edge {
   std::array<Exchange, 2> found;  ///< site, bond
-  double width() const { return found[1].place.value - found[0].place.value; }
-  /// Whether both are stable between the two; else both are unstable.
-  bool both_stable() const { return (width() > 0) == (found[0].slope < 0); }
+  Estimate width() const {
+    const Estimate &site = found[0].place, &bond = found[1].place;
+    return {bond.value - site.value, site.error + bond.error};
+  }
+  bool resolved() const { return std::abs(width().value) > width().error; }
+  /// What both are between the two; nothing is said of a width below its error.
+  std::string between() const {
+    if (!resolved()) return "unresolved";
+    return (width().value > 0) == (found[0].slope < 0) ? "stable" : "unstable";
+  }
 };
 
 /**
-The frequencies are followed upwards in steps of 0.01, less than a fifth of the shortest window. */
-std::vector<Window_edge> window_edges(bool quick) {
-  std::vector<Window_edge> edges;
-  std::vector<std::pair<double, Orbit<double>>> starts;
-  Orbit<double> site = find_breather(problem_at(Centre::site, {1.01, 0}));
-  double last = 0;
-  for (double omega = 1.01; omega < (quick ? 1.1 : 2); omega += 0.01) {
-    const double kappa = quick_kappa(Centre::site, {omega, 0}, site);
-    if (last * kappa < 0) starts.emplace_back(omega, site);
-    last = kappa;
-  }
-  edges.resize(starts.size());
-  parallel_for(2 * starts.size(), [&](std::size_t i) {
-    const auto& [omega, orbit] = starts[i / 2];
+The middle row of the chart shows where to look; the shortest window is four of its steps. Around a bond the
+bracket is a little wider, because the two do not coincide. */
+std::vector<Window_edge> window_edges(const std::vector<Column_of_nodes>& grid, bool quick) {
+  std::vector<std::pair<const Node*, const Node*>> pairs;
+  const std::size_t middle = grid.front().size() / 2;
+  for (std::size_t i = 1; i < grid.size(); ++i)
+    if (grid[i - 1][middle].kappa * grid[i][middle].kappa < 0)
+      pairs.emplace_back(&grid[i - 1][middle], &grid[i][middle]);
+  std::vector<Window_edge> edges(pairs.size());
+  parallel_for("windows", 2 * pairs.size(), [&](std::size_t i) {
+    const auto& [left, right] = pairs[i / 2];
     const Centre centre = both_centres[i % 2];
-    Orbit<double> near = orbit;
-    if (centre == Centre::bond) near = find_breather(problem_at(centre, {omega, 0}));
-    edges[i / 2].found[i % 2] = exchange<Wide>(centre, {false, 0}, omega - 0.01, omega, near);
+    Orbit<double> near = left->orbit;
+    double low = left->spot.omega, high = right->spot.omega;
+    if (centre == Centre::bond) {
+      near = find_breather(problem_at(centre, {low, 0}));
+      low -= 0.002, high += 0.002;
+    }
+    edges[i / 2].found[i % 2] = quick ? exchange<double>(centre, {false, 0}, low, high, near)
+                                      : exchange<Wide>(centre, {false, 0}, low, high, near);
   });
   return edges;
 }
 
 /**
 The table has one row for each pair. */
-std::vector<Window_edge> report_windows(Report& report) {
-  const auto edges = window_edges(report.quick);
+std::vector<Window_edge> report_windows(Report& report, const std::vector<Column_of_nodes>& grid) {
+  const auto edges = window_edges(grid, report.quick);
   Table table{{number("omega_site", "exchange of the site-centred breather, s = 0"),
                number("omega_site_error", "its error"),
                number("omega_bond", "exchange of the bond-centred breather"),
-               number("omega_bond_error", "its error"), number("width", "omega_bond - omega_site"),
+               number("omega_bond_error", "its error"),
+               number("width", "omega_bond - omega_site; nan where it is below its error"),
+               number("width_error", "of both together; may be nan"),
                number("s", "anharmonicity: zero"),
                label("between", "what both breathers are between the two")}};
   for (std::size_t k = 0; k < edges.size(); ++k) {
-    const auto& [site, bond] = edges[k].found;
-    table.add({site.place.value, site.place.error, bond.place.value, bond.place.error,
-               edges[k].width(), 0.0, std::string(edges[k].both_stable() ? "stable" : "unstable")});
-    report.facts.add("window_" + std::to_string(k + 1), site.place);
-    report.facts.add("window_width_" + std::to_string(k + 1),
-                     {edges[k].width(), site.place.error + bond.place.error});
+    const Window_edge& edge = edges[k];
+    const Estimate &site = edge.found[0].place, &bond = edge.found[1].place;
+    const Estimate none{std::nan(""), std::nan("")}, width = edge.resolved() ? edge.width() : none;
+    table.add({site.value, site.error, bond.value, bond.error, width.value, width.error, 0.0,
+               edge.between()});
+    report.facts.add("window_" + std::to_string(k + 1), site);
+    if (edge.resolved()) report.facts.add("window_width_" + std::to_string(k + 1), width);
   }
   report.output.add("windows", std::move(table));
   return edges;
@@ -237,44 +272,55 @@ struct Between {
   Estimate place{}, kappa{};
 };
 
-using WideProblem = BreatherProblem<Wide>;
-
-Held<WideProblem> held_problem(const Cut& cut, const Exchange& from) {
-  WideProblem problem = in_precision<Wide>(problem_at(Centre::site, cut.at(from.place.value)));
+template <class T>
+Held<BreatherProblem<T>> held_problem(const Cut& cut, const Exchange& from, double centre) {
+  using Problem = BreatherProblem<T>;
+  Problem problem = in_precision<T>(problem_at(Centre::site, cut.at(from.place.value)));
   problem.symmetry = even_in_time(problem.chain.sites);
-  return {problem, cut.along_s ? along_s<WideProblem>() : along_omega<WideProblem>(), Wide(0)};
+  return {problem, cut.along_s ? along_s<Problem>() : along_omega<Problem>(), T(centre)};
 }
 
-Between describe_between(const Held<WideProblem>& held, const Vector<Wide>& x,
-                         const Vector<Wide>& coarse) {
-  const auto there = held.at(x), beside = held.at(coarse);
-  Between out{double(held.centre), x[x.size() - 1], energy(there.chain, held.start(x))};
-  const Wide apart = magnitude<Wide>(coarse[x.size() - 1] - out.parameter);
-  out.place = {double(out.parameter), double(apart) + 1e-16};
-  const auto fine = floquet_pairs(there.chain, held.start(x), there.period());
-  const auto other =
-      floquet_pairs(beside.chain, held.start(coarse), beside.period(), rule<Wide>(1).landing);
-  const Pair pair = compare_pairs(other, fine).front();
+/**
+Double precision finds the breather, up to an error of the parameter that is as large as the family is
+wide, since nothing but the barrier fixes it. The wider type finishes from there, twice, with tolerances
+sixteen apart: two solutions that know nothing of each other. Their difference, together with what the
+symplectic defect makes of the parameter, is the error. */
+Between describe_between(const Cut& cut, const Exchange& from, double centre,
+                         const Solution<double>& near) {
+  const auto held = held_problem<Wide>(cut, from, centre);
+  std::array<Vector<Wide>, 2> x;
+  std::array<Pairs<Wide>, 2> pairs;
+  for (int coarser : {0, 1}) {
+    const NewtonRule<Wide> how = rule<Wide>(coarser);
+    const Vector<Wide>& found = x[coarser] = polish(held, near, how).x;
+    const auto there = held.at(found);
+    pairs[coarser] = floquet_pairs(there.chain, held.start(found), there.period(), how.landing);
+  }
+  const Eigen::Index last = x[0].size() - 1;
+  const double apart = double(magnitude<Wide>(x[1][last] - x[0][last]));
+  Between out{centre, x[0][last], energy(held.at(x[0]).chain, held.start(x[0]))};
+  out.place = {double(out.parameter), apart + double(pairs[0].defect) / std::abs(from.slope)};
+  const Pair pair = compare_pairs(pairs[1], pairs[0]).front();
   out.kappa = {pair.kappa.real(), pair.error};
   return out;
 }
 
 /**
-Two tolerances give the error of the parameter, which nothing but the barrier fixes. */
+In double precision the orbit of one centre is the guess for the next. */
 std::vector<Between> between(const Cut& cut, const Exchange& from, int count) {
-  Held<WideProblem> held = held_problem(cut, from);
-  const auto n = Eigen::Index(held.sites());
-  Vector<Wide> x(n + 1);
+  std::vector<Solution<double>> near;
+  const auto n = Eigen::Index(from.orbit.start.y.size());
+  Vector<double> x(n + 1);
   for (Eigen::Index i = 0; i < n; ++i) x[i] = from.orbit.start.y[std::size_t(i)];
   x[n] = from.place.value;
-  std::vector<Between> out;
-  for (int k = 1; k < count; ++k) {
-    held.centre = Wide(k) / Wide(2 * count);
-    const Solution<Wide> fine = hold(held, x, rule<Wide>(0));
-    const Solution<Wide> coarse = solve(held, fine.x, rule<Wide>(1));
-    out.push_back(describe_between(held, fine.x, coarse.x));
-    x = fine.x;
+  const auto centre = [&](std::size_t k) { return double(k + 1) / (2 * count); };
+  for (std::size_t k = 0; k + 1 < std::size_t(count); ++k) {
+    near.push_back(hold(held_problem<double>(cut, from, centre(k)), x));
+    x = near.back().x;
   }
+  std::vector<Between> out(near.size());
+  parallel_for("breathers in between", out.size(),
+               [&](std::size_t k) { out[k] = describe_between(cut, from, centre(k), near[k]); });
   return out;
 }
 
@@ -299,27 +345,31 @@ Table between_table(const Cut& cut, const std::array<Exchange, 2>& ends,
   Table table{{number("centre", "Q, sites from the site at which it begins", "site"),
                number("parameter", "s, or omega_b"), number("parameter_error", "its error"),
                number("offset", "parameter minus that of the exchange at the site"),
+               number("offset_error", "of both, against the largest"),
                number("share", "(E - E_site) / (E_bond - E_site) at equal frequency"),
                number("kappa", "of its pinning pair: positive where it is unstable"),
                number("kappa_error", "from two tolerances, against the largest")}};
   const Estimate &site = ends[0].place, &bond = ends[1].place;
-  table.add({0.0, site.value, site.error, 0.0, 0.0, 0.0, 0.0});
+  table.add({0.0, site.value, site.error, 0.0, site.error, 0.0, 0.0, 0.0});
   std::vector<double> share(family.size());
   parallel_for(share.size(), [&](std::size_t i) { share[i] = energy_share(cut, ends, family[i]); });
   for (std::size_t i = 0; i < family.size(); ++i)
     table.add({family[i].centre, family[i].place.value, family[i].place.error,
-               double(family[i].parameter - Wide(site.value)), share[i], family[i].kappa.value,
-               family[i].kappa.error});
-  table.add({0.5, bond.value, bond.error, bond.value - site.value, 1.0, 0.0, 0.0});
+               double(family[i].parameter - Wide(site.value)), family[i].place.error + site.error,
+               share[i], family[i].kappa.value, family[i].kappa.error});
+  table.add({0.5, bond.value, bond.error, bond.value - site.value, bond.error + site.error, 1.0,
+             0.0, 0.0});
   return table;
 }
 
 /**
 At $\omega_b = 1.1$ the family exists on an interval of $s$ of length
-[3.22e-7](num:sec33_between.exchange_gap), and it is unstable: where both symmetric breathers are stable, what
-lies between them is the top of the hill. At $s = 0$ near the exchange
-[1.32615](num:sec33_between.window_5) it is the other way round: both symmetric breathers are unstable, and the
-stable breather is the one without symmetry. */
+[](num:sec33_between.exchange_gap), and it is unstable, with $\kappa =$
+[](num:sec33_between.kappa_between_in_s) half way, at $s =$ [](num:sec33_between.middle_between_in_s): where both
+symmetric breathers are stable, what lies between them is the top of the hill. At $s = 0$ near the exchange
+[](num:sec33_between.window_5) it is the other way round: both symmetric breathers are unstable, and the
+stable breather is the one without symmetry, with $\kappa =$ [](num:sec33_between.kappa_between_in_omega) at
+$\omega_b =$ [](num:sec33_between.middle_between_in_omega). The quick run has the first of the two only. */
 void report_between(Report& report, const std::vector<Window_edge>& edges) {
   const int count = report.quick ? 2 : 10;
   std::array<Exchange, 2> ends;
@@ -327,19 +377,19 @@ void report_between(Report& report, const std::vector<Window_edge>& edges) {
     const Orbit<double> near = find_breather(problem_at(both_centres[k], {}));
     ends[k] = exchange<Wide>(both_centres[k], Cut{}, 0.1, 0.2, near);
   });
-  report.facts.add("exchange_gap", {ends[1].place.value - ends[0].place.value,
-                                    ends[0].place.error + ends[1].place.error});
-  const auto add = [&](const std::string& name, const Cut& cut,
-                       const std::array<Exchange, 2>& pair) {
-    const auto family = between(cut, pair[0], count);
+  const Window_edge in_s{ends};
+  report.facts.add("exchange_gap", in_s.width());
+  const auto add = [&](const std::string& name, const Cut& cut, const Window_edge& edge) {
+    const auto family = between(cut, edge.found[0], count);
     const Between& middle = family[family.size() / 2];
     report.facts.add("kappa_" + name, middle.kappa);
-    report.output.add(name, between_table(cut, pair, family));
+    report.facts.add("middle_" + name, middle.place);
+    report.output.add(name, between_table(cut, edge.found, family));
   };
-  add("between_in_s", Cut{}, ends);
+  add("between_in_s", Cut{}, in_s);
   for (const Window_edge& edge : edges)
-    if (!edge.both_stable() && edge.found[0].place.value > 1.3) {
-      add("between_in_omega", {false, 0}, edge.found);
+    if (edge.between() == "unstable" && edge.found[0].place.value > 1.3) {
+      add("between_in_omega", {false, 0}, edge);
       break;
     }
 }
@@ -361,9 +411,8 @@ int main(int argc, char** argv) {
   program.everything = [&](Output& output) {
     output.note("tolerance", "flow to 128 and 2048 roundings of the type");
     Report report{output, program.quick};
-    report_chart(report);
-    const auto edges = report_windows(report);
-    report_between(report, edges);
+    const auto grid = report_chart(report);
+    report_between(report, report_windows(report, grid));
     output.add("facts", report.facts.table);
     return report.results;
   };

@@ -25,7 +25,7 @@ both, up to the seventh digit, and between the two a breather that sits nowhere 
 
 #include "lattice/numbers/parallel.hpp"
 #include "lattice/orbits/exchange.hpp"
-#include "lattice/report/program.hpp"
+#include "lattice/report/breather_options.hpp"
 
 using namespace lattice;
 
@@ -295,30 +295,17 @@ void report_mode(Report& report) {
 
 `sec33_floquet multipliers --centre site --omega 1.1` prints all multipliers with their errors, those
 next to $+1$ first, and `sec33_floquet exchange --centre bond` where the stability changes. */
-struct Options {
-  std::string centre = "site";
-  double omega = omega_main, s = 0;
-  std::size_t sites = 0;
-  Centre kind() const { return centre == "site" ? Centre::site : Centre::bond; }
+struct Options : ChosenBreather {
+  double s = 0;
 };
 
-/**
-A chain that cannot hold the breather is refused. */
 Table multipliers_command(const Options& options) {
-  if (options.sites && !fits(options.kind(), options.sites))
-    throw UsageError("--sites: " + std::to_string(options.sites) + " does not fit --centre " +
-                     options.centre + " (allowed: " + (options.centre == "site" ? "odd" : "even") +
-                     " numbers)");
+  const Fitted found = on_chosen_chain(options, [&] {
+    return fit_chain(options.kind(), options.omega, options.s, options.sites,
+                     sites_of(options.kind()), 1e-17, Phase::compressed);
+  });
   Table table{multiplier_columns()};
-  try {
-    const Fitted found = fit_chain(options.kind(), options.omega, options.s, options.sites,
-                                   sites_of(options.kind()), 1e-17, Phase::compressed);
-    add_multipliers(table, spectrum<Wide>(found.problem, found.orbit));
-  } catch (const ShortChain& error) {
-    throw UsageError("--sites: " + std::to_string(options.sites) +
-                     " cannot hold this breather's tail (allowed: " + std::to_string(error.needed) +
-                     " or more)");
-  }
+  add_multipliers(table, spectrum<Wide>(found.problem, found.orbit));
   return table;
 }
 
@@ -390,8 +377,7 @@ int main(int argc, char** argv) {
   Program program({"sec33_floquet", "3.3", "Stability of the breathers (section 3.3)"}, argc, argv);
   Options options;
   const auto add_common = [&](CLI::App* app) {
-    app->add_option("--centre", options.centre, "site or bond")
-        ->check(CLI::IsMember({"site", "bond"}));
+    options.offer_centre(*app);
     app->add_option("--omega", options.omega, "frequency omega_b > 1")->check(in_range(1.0001, 3));
   };
   CLI::App* one = program.command("multipliers", "all Floquet multipliers of one breather",

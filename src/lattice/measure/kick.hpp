@@ -7,19 +7,17 @@ discrete gradient,
 $$\dot y_n(0) = c\,g_n,\qquad g_n = \frac{y_{n+1}(0)-y_{n-1}(0)}{\bigl(\sum_m|y_{m+1}(0)-y_{m-1}(0)|^2\bigr)^{1/2}} .$$
 The norm of $g$ is one, so that the kick brings the kinetic energy $c^2/2$. (The article prints the
 formula without the square root, and with it neither the energy nor the speeds that it quotes.) This
-file kicks, follows the breather as it creeps, and says what linear theory expects. */
+file kicks the breather and follows it as it creeps; whether it gets free is told in depinning.hpp. */
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
-#include "lattice/landing/landing.hpp"
 #include "lattice/measure/observe.hpp"
-#include "lattice/model/sites.hpp"
 #include "lattice/stepping/integrate.hpp"
 
 namespace lattice {
@@ -72,16 +70,69 @@ struct Creep {
   State<double> end{};
   Run run{};
 
-  /// Sites moved from the first mean to mean `k`.
+  /// Sites moved from the first mean to mean `k`, and to the last.
   double moved(std::size_t k) const { return X[k] - X[0]; }
   double travelled() const { return X.empty() ? 0 : moved(X.size() - 1); }
-  /// Slope of X between two times, with the error of the fit; throws std::invalid_argument if fewer
-  /// than three means lie there.
-  Estimate speed(double from, double to) const {
-    std::vector<double> ts, xs;
-    for (std::size_t k = 0; k < t.size(); ++k)
-      if (t[k] >= from && t[k] <= to) ts.push_back(t[k]), xs.push_back(X[k]);
-    return fit_line(ts, xs).estimate();
+  double farthest() const;
+  Estimate speed(double from, double to) const;
+  double mean_speed(double distance) const;
+  double drift_margin(double c, double energy) const;
+};
+
+/**
+What is read off a path. The farthest place is a distance from the start, whatever the direction. */
+inline double Creep::farthest() const {
+  double far = 0;
+  for (std::size_t k = 0; k < X.size(); ++k) far = std::max(far, std::abs(moved(k)));
+  return far;
+}
+
+/// Slope of X between two times, with the error of the fit; throws std::invalid_argument if fewer
+/// than three means lie there.
+inline Estimate Creep::speed(double from, double to) const {
+  std::vector<double> ts, xs;
+  for (std::size_t k = 0; k < t.size(); ++k)
+    if (t[k] >= from && t[k] <= to) ts.push_back(t[k]), xs.push_back(X[k]);
+  return fit_line(ts, xs).estimate();
+}
+
+/// `distance` over the time that it takes, interpolated between two means. Throws
+/// std::runtime_error where the path does not lead so far.
+inline double Creep::mean_speed(double distance) const {
+  for (std::size_t k = 1; k < t.size(); ++k) {
+    const double now = std::abs(moved(k)), before = std::abs(moved(k - 1));
+    if (now < distance) continue;
+    const double since = t[k - 1] + (t[k] - t[k - 1]) * (distance - before) / (now - before);
+    return distance / (since - t[0]);
+  }
+  throw std::runtime_error("the kicked breather does not travel " + std::to_string(distance) +
+                           " sites");
+}
+
+/**
+How many times the energy $c^2/2$ of a kick exceeds what the integration has gained or lost. The energy
+of the breather is `energy`, and the drift is relative to it. */
+inline double Creep::drift_margin(double c, double energy) const {
+  return c * c / 2 / energy / run.energy_drift;
+}
+
+/**
+A mean is finished with every eleventh period. It takes the energy density of all its samples. */
+struct MeanPlace {
+  Creep path{};
+  double sample, sum = 0;
+  std::size_t samples = 0;
+
+  /// Whether `now` completes a mean.
+  bool add(const State<double>& now, const std::vector<double>& e) {
+    sum += breather_place(e);
+    if (++samples % samples_of_a_mean != 0) return false;
+    const std::size_t peak = std::size_t(std::max_element(e.begin(), e.end()) - e.begin());
+    path.share = std::min(path.share, window_sum(e, peak) / window_sum(e, 0, e.size()));
+    path.t.push_back(now.t - sample * 0.5 * double(samples_of_a_mean - 1));
+    path.X.push_back(sum / double(samples_of_a_mean));
+    sum = 0;
+    return true;
   }
 };
 
@@ -91,127 +142,28 @@ struct Creep {
 template <class Stepper, class Onsite, class Contact, class Watch>
 Creep creep(const Stepper& stepper, const Chain<Onsite, Contact>& chain, const State<double>& start,
             double sample, double duration, Watch watch) {
-  Creep out;
-  out.end = start;
   const std::size_t means = std::size_t(duration / (sample * double(samples_of_a_mean)) + 0.5);
   Pace pace{sample * double(samples_of_a_mean * means), samples_of_a_mean * means};
   pace.steps =
       std::max<std::size_t>(1, std::size_t(std::ceil(sample / stepper.step * (1 - 1e-12))));
-  double sum = 0;
-  std::size_t k = 0;
-  out.run = evolve(stepper, chain, out.end, pace, [&](const State<double>& now) {
+  MeanPlace mean{.sample = sample};
+  State<double> end = start;
+  const Run run = evolve(stepper, chain, end, pace, [&](const State<double>& now) {
     if (now.t == start.t) return true;
     const std::vector<double> e = energy_density(chain, now);
-    sum += breather_place(e);
-    if (++k % samples_of_a_mean != 0) return true;
-    const std::size_t peak = std::size_t(std::max_element(e.begin(), e.end()) - e.begin());
-    out.share = std::min(out.share, window_sum(e, peak) / window_sum(e, 0, e.size()));
-    out.t.push_back(now.t - sample * 0.5 * double(samples_of_a_mean - 1));
-    out.X.push_back(sum / double(samples_of_a_mean));
-    sum = 0;
-    return watch(std::as_const(out), now, e);
+    return !mean.add(now, e) || watch(std::as_const(mean.path), now, e);
   });
-  return out;
+  mean.path.run = run;
+  mean.path.end = std::move(end);
+  return std::move(mean.path);
 }
 
-/**
-## Free or pinned
-
-A breather that starts in a trough of its landscape has a hill on either side, half a site away. It is
-free as soon as it stands well beyond the hill, and pinned once it has turned round before. */
-enum class Course { undecided, free, pinned };
-
-inline Course fate_of(const Creep& path) {
-  double far = 0;
-  for (std::size_t k = 0; k < path.X.size(); ++k) far = std::max(far, std::abs(path.moved(k)));
-  if (far > 0.6) return Course::free;
-  return std::abs(path.travelled()) < far - 0.02 ? Course::pinned : Course::undecided;
-}
-
-/**
-## What linear theory expects
-
-Close to a breather that starts at rest the map of one period has a slow plane: a shift $x$ of the
-positions and a push $z$ of the velocities with
-$$A x = \cos\theta\,x,\quad
- A^Tz = \cos\theta\,z,\quad z^TBz = b\,z^Tx,$$
-where $A$ and $B$ are the changes of the final positions with the initial positions and velocities. Over
-many periods this is an oscillator (or its unstable twin) of squared frequency
-$\Omega^2 = 2(1-\cos\theta)/T^2$. Its *kinetic* energy after a kick $c\,g$ is
-$$K = \varphi\,\frac{c^2}2,\qquad \varphi = \frac{b\,(x\cdot g)^2}{T\,(x\cdot z)} .$$
-All but the small share $\varphi$ of the kick goes into the oscillation, that is, into the action. */
-struct Pinning {
-  double frequency2 = 0;  ///< Omega^2; negative for an unstable breather
-  double share = 0;       ///< phi
-};
-
-/// An eigenvector with an eigenvalue near `value`, by inverse iteration from `guess`.
-inline Eigen::VectorXd eigenvector_near(const Eigen::MatrixXd& m, double value,
-                                        Eigen::VectorXd guess) {
-  const Eigen::PartialPivLU<Eigen::MatrixXd> shifted(
-      m - (value + 1e-5) * Eigen::MatrixXd::Identity(m.rows(), m.cols()));
-  for (int k = 0; k < 20; ++k) guess = shifted.solve(guess).normalized();
-  return guess;
-}
-
-/**
-The plane shares its multiplier, nearly one, with the phase of the oscillation, and symmetry separates
-the two: around a bond shifts are even under $n \to 1-n$ and the phase is odd; around a site half a
-period followed by $y_n \to -y_{-n}$ maps the phase to itself and reverses a shift. `basis` holds the
-directions that are left. */
-struct PeriodMap {
-  Eigen::MatrixXd A, B, basis;
-};
-
-template <class Onsite, class Contact>
-PeriodMap period_map(const Chain<Onsite, Contact>& chain, Centre centre, State<double> state,
-                     double period, const Landing<double>& rule) {
-  const auto n = Eigen::Index(chain.sites);
-  const bool site = centre == Centre::site;
-  Tangent<double> tangent(chain.sites, 2 * chain.sites);
-  flow(chain, state, site ? period / 2 : period, rule, &tangent);
-  PeriodMap map{Eigen::MatrixXd(n, n), Eigen::MatrixXd(n, n), Eigen::MatrixXd::Identity(n, n)};
-  for (Eigen::Index i = 0; i < n; ++i)
-    for (Eigen::Index k = 0; k < n; ++k) {
-      const auto row = std::size_t(site ? n - 1 - i : i);
-      map.A(i, k) = (site ? -1 : 1) * tangent(row, std::size_t(k));
-      map.B(i, k) = (site ? -1 : 1) * tangent(row, std::size_t(k + n));
-    }
-  if (site) return map;
-  map.basis = Eigen::MatrixXd::Zero(n, n / 2);
-  for (Eigen::Index i = 0; i < n / 2; ++i)
-    map.basis(i, i) = map.basis(n - 1 - i, i) = std::sqrt(0.5);
-  return map;
-}
-
-/**
-Of the half map we take the square, which doubles its angle. */
-template <class Onsite, class Contact>
-Pinning pinning_of(const Chain<Onsite, Contact>& chain, Centre centre, const State<double>& start,
-                   double period, const Landing<double>& rule = {}) {
-  const PeriodMap map = period_map(chain, centre, start, period, rule);
-  const Eigen::MatrixXd A = map.basis.transpose() * map.A * map.basis;
-  const Eigen::MatrixXd B = map.basis.transpose() * map.B * map.basis;
-  const std::vector<double> direction = kick_direction(start.y);
-  const Eigen::VectorXd g =
-      map.basis.transpose() *
-      Eigen::Map<const Eigen::VectorXd>(direction.data(), Eigen::Index(direction.size()));
-  const double near = centre == Centre::site ? -1 : 1;
-  const Eigen::VectorXd x = eigenvector_near(A, near, g);
-  const Eigen::VectorXd z = eigenvector_near(A.transpose(), near, g);
-  const double cosine = z.dot(A * x) / z.dot(x), b = z.dot(B * z) / z.dot(x), part = x.dot(g);
-  const double share = b * part * part / (period * x.dot(z));
-  const double miss = 2 * (1 - std::abs(cosine)) / (period * period);
-  if (centre == Centre::bond) return {miss, share};
-  return {2 * (1 + std::abs(cosine)) * miss, 2 * cosine * share};
-}
-
-/**
-The landscape is compared at equal action. With a hill of height `barrier` between trough and trough the
-breather is freed by a kick whose share is that hill. Masses may be negative, as they are here: then the
-trough is the *higher* of the two energies, and both signs turn round together. */
-inline double freeing_kick(double barrier, const Pinning& pinning) {
-  return std::sqrt(2 * std::abs(barrier / pinning.share));
+/// The same for a run that is followed to its end.
+template <class Stepper, class Onsite, class Contact>
+Creep creep(const Stepper& stepper, const Chain<Onsite, Contact>& chain, const State<double>& start,
+            double sample, double duration) {
+  return creep(stepper, chain, start, sample, duration,
+               [](const Creep&, const State<double>&, const auto&) { return true; });
 }
 
 }  // namespace lattice

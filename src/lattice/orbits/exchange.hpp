@@ -4,8 +4,8 @@
 
 The pinning pair of a breather is described by $\kappa = (\lambda+1/\lambda-2)/4$ (floquet.hpp), which
 changes its sign where the breather becomes stable. On a cut through the plane of $\omega_b$ and $s$ this
-happens at a point, and this file finds it: by the regula falsi in double precision, and by two secant
-steps in a wider type. */
+happens at a point, and this file finds it: by the regula falsi in double precision, and by a last step
+in a wider type. */
 
 #include <array>
 #include <cmath>
@@ -34,9 +34,10 @@ inline BreatherProblem<double> problem_at(Centre centre, const Spot& spot, std::
 }
 
 /// The breather of a problem near that of another; positions grow with the square of omega_b - 1.
-inline Orbit<double> follow(const BreatherProblem<double>& problem, const Orbit<double>& from) {
+inline Orbit<double> follow(const BreatherProblem<double>& problem, const Orbit<double>& from,
+                            const NewtonRule<double>& how = {}) {
   const double growth = (problem.omega - 1) / (from.omega - 1);
-  return newton(problem, Vector<double>(growth * growth * from.x));
+  return newton(problem, Vector<double>(growth * growth * from.x), how);
 }
 
 /**
@@ -78,51 +79,66 @@ struct Exchange {
   Orbit<double> orbit{};
 };
 
+/// kappa in double precision and without an error; `orbit` is replaced by the one at `spot`.
+inline double quick_kappa(Centre centre, const Spot& spot, Orbit<double>& orbit,
+                          const NewtonRule<double>& how = {}) {
+  const auto problem = problem_at(centre, spot);
+  orbit = follow(problem, orbit, how);
+  return floquet_pairs(problem.chain, orbit.start, orbit.period(), how.landing).pinning();
+}
+
+/**
+The search needs $\kappa$ at both ends of a bracket and an orbit nearby, which Newton's method follows from
+one trial to the next. The value at an end that stays is halved, so that it cannot stay for ever; the slope is
+that between the last two trials which are far enough apart to show it. */
+struct Trial_kappa {
+  double p, kappa;
+};
+
+/// The zero between two ends of opposite sign, until a step is shorter than `close`; its error is the
+/// last step.
+inline Exchange exchange_between(Centre centre, const Cut& cut, Trial_kappa low, Trial_kappa high,
+                                 Orbit<double> orbit, double close,
+                                 const NewtonRule<double>& how = {}) {
+  Trial_kappa last = low;
+  double slope = (high.kappa - low.kappa) / (high.p - low.p), step = high.p - low.p;
+  for (int k = 0, stays = 0; k < 30 && step > close; ++k) {
+    const double p = low.p - low.kappa * (high.p - low.p) / (high.kappa - low.kappa);
+    const Trial_kappa now{p, quick_kappa(centre, cut.at(p), orbit, how)};
+    if (std::abs(now.p - last.p) > 1e-4) slope = (now.kappa - last.kappa) / (now.p - last.p);
+    const int side = (now.kappa > 0) == (high.kappa > 0) ? 1 : -1;
+    (side > 0 ? high : low) = last = now;
+    if (stays == side) (side > 0 ? low : high).kappa /= 2;
+    stays = side;
+    step = std::abs(now.kappa / slope);
+  }
+  return {{last.p - last.kappa / slope, step}, slope, orbit};
+}
+
+/**
+The last step is made with the wider type, from a point that double precision has brought as close as its
+rounding allows. The slope is known to a hundredth. */
 template <class T>
 Exchange polish_zero(Centre centre, const Cut& cut, Exchange found) {
-  for (int k = 0; k < 2; ++k) {
-    const auto problem = problem_at(centre, cut.at(found.place.value));
-    found.orbit = follow(problem, found.orbit);
-    const Estimate kappa = spectrum<T>(problem, found.orbit).kappa();
-    const double step = kappa.value / found.slope;
-    found.place = {found.place.value - step,
-                   kappa.error / std::abs(found.slope) + std::abs(step) * (k ? 1e-3 : 1.0) + 1e-15};
-  }
+  found.place.value -= quick_kappa(centre, cut.at(found.place.value), found.orbit) / found.slope;
+  const auto problem = problem_at(centre, cut.at(found.place.value));
+  found.orbit = follow(problem, found.orbit);
+  const Estimate kappa = spectrum<T>(problem, found.orbit).kappa();
+  const double step = kappa.value / found.slope;
+  found.place = {found.place.value - step,
+                 kappa.error / std::abs(found.slope) + std::abs(step) * 1e-2 + 1e-15};
   return found;
 }
 
-/**
-The bracket comes with an orbit nearby. The value at an end that stays is halved, so that it cannot stay
-for ever. */
-/// In double precision and without an error; `orbit` is replaced by the one at `spot`.
-inline double quick_kappa(Centre centre, const Spot& spot, Orbit<double>& orbit) {
-  const auto problem = problem_at(centre, spot);
-  orbit = follow(problem, orbit);
-  return floquet_pairs(problem.chain, orbit.start, orbit.period()).pinning();
-}
-
-/**
-Newton's method follows the orbit from one trial to the next. */
 /// The exchange between `low` and `high`, from an orbit nearby. Throws NoBranch where kappa has the same
 /// sign at both ends.
 template <class T>
 Exchange exchange(Centre centre, const Cut& cut, double low, double high, Orbit<double> orbit) {
-  double below = quick_kappa(centre, cut.at(low), orbit);
-  double above = quick_kappa(centre, cut.at(high), orbit), slope = 0, p = low;
-  if (below * above >= 0) throw NoBranch("no exchange of stability between the two values");
-  for (int k = 0, stays = 0; k < 30; ++k) {
-    slope = (above - below) / (high - low);
-    p = low - below / slope;
-    const double value = quick_kappa(centre, cut.at(p), orbit);
-    if (std::abs(value) < 1e-14 || high - low < 1e-10) break;
-    const int side = (value > 0) == (above > 0) ? 1 : -1;
-    if (side > 0)
-      high = p, above = value, below /= stays == side ? 2 : 1;
-    else
-      low = p, below = value, above /= stays == side ? 2 : 1;
-    stays = side;
-  }
-  return polish_zero<T>(centre, cut, {{p, high - low}, slope, orbit});
+  const Trial_kappa below{low, quick_kappa(centre, cut.at(low), orbit)};
+  const Trial_kappa above{high, quick_kappa(centre, cut.at(high), orbit)};
+  if (below.kappa * above.kappa >= 0)
+    throw NoBranch("no exchange of stability between the two values");
+  return polish_zero<T>(centre, cut, exchange_between(centre, cut, below, above, orbit, 1e-5));
 }
 
 }  // namespace lattice

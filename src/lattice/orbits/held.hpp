@@ -149,4 +149,18 @@ Solution<T> hold(const Held<P>& held, Vector<T> x, const NewtonRule<T>& rule = {
   return solve(held, x, rule);
 }
 
+/**
+The derivative that double precision has computed serves the wider type as well. It is good to one part in
+a thousand even along the pinning direction, and the columns of the tangent need not be computed. */
+/// The same breather in the type of `held`, from the solution in another one. Throws NoConvergence.
+template <class P, class From, class T = typename P::Scalar>
+Solution<T> polish(const Held<P>& held, const Solution<From>& from,
+                   const NewtonRule<T>& rule = {}) {
+  const Matrix<T> jacobian = from.shot.jacobian.template cast<T>();
+  return iterate(held, Vector<T>(from.x.template cast<T>()), rule, false,
+                 [&](const Shot<T>& shot, const Vector<T>& at) {
+                   return solve_scaled<T>(jacobian, shot.miss, held.sizes(at, true), 0);
+                 });
+}
+
 }  // namespace lattice

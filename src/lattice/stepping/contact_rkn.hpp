@@ -202,26 +202,43 @@ struct StageSum {
 Many short calls of the stepper make a run, and allocating the stages anew in each would cost more
 than the steps. The memory is set up once and serves the whole run; what lies outside the window
 stays zero. With it we keep the weights $\sum_i b_i a_{ij}$ by which an error in the force reaches
-the velocity through the stages. */
+the velocity through the stages, and the sums for the last step length, `prepare`. */
 template <class T>
 struct NystromMemory {
   std::vector<std::vector<T>> y{}, a{};  ///< of the stages; the first y is that of the state
   std::vector<T> v{}, shift{};           ///< new velocities; defects of the stage positions
   std::vector<T> shift_weight{};         ///< $\sum_i b_i a_{ij}$
+  std::vector<StageSum<T>> sums{};       ///< of the stages and, last, of the velocities
+  double prepared = 0;                   ///< the step for which the sums hold
   std::vector<const T*> term{};          ///< the accelerations of the sum in hand
   std::vector<std::uint64_t> flag{};     ///< singular contacts,
   std::vector<std::size_t> contacts{};   ///< the list of them, ascending,
   std::vector<Impulse<T>> correction{};  ///< and what each one needs, zero for all the others
   T small;                               ///< overlap that is not worth a correction
-  NystromMemory(const Nystrom& base, std::size_t sites, double negligible) : small(negligible) {
-    v.resize(sites), shift.resize(sites);
-    y.assign(base.c.size(), v), a = y;
-    shift_weight.resize(y.size()), term.resize(y.size() + 2);
-    flag.resize(sites), correction.resize(sites + 1);
-    for (std::size_t i = 0; i < y.size(); ++i)
-      for (std::size_t j = 0; j < i; ++j) shift_weight[j] += T(base.b[i] * base.a[i][j]);
-  }
+  NystromMemory(const Nystrom& base, std::size_t sites, double negligible);
+  void prepare(const Nystrom& base, double h);
 };
+
+/**
+A run has one step length, as a rule, and its sums are made once. */
+template <class T>
+NystromMemory<T>::NystromMemory(const Nystrom& base, std::size_t sites, double negligible)
+    : small(negligible) {
+  v.resize(sites), shift.resize(sites);
+  y.assign(base.c.size(), v), a = y;
+  shift_weight.resize(y.size()), term.resize(y.size() + 2);
+  flag.resize(sites), correction.resize(sites + 1);
+  for (std::size_t i = 0; i < y.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) shift_weight[j] += T(base.b[i] * base.a[i][j]);
+}
+template <class T>
+void NystromMemory<T>::prepare(const Nystrom& base, double h) {
+  if (h == prepared) return;
+  sums.clear();
+  for (const auto& row : base.a) sums.emplace_back(row, h * h);
+  sums.emplace_back(base.b, h);
+  prepared = h;
+}
 
 /**
 The exact impulse cures the contact, but the *stages* were spoilt too: their positions
@@ -265,18 +282,16 @@ struct ContactAware {
   double advance(const Chain<Onsite, Contact>& chain, State<T>& state, Window& window, double h,
                  std::size_t count, NystromMemory<T>& at) const {
     const std::size_t last = base.last();
-    std::vector<StageSum<T>> positions;
-    for (const auto& row : base.a) positions.emplace_back(row, h * h);
-    const StageSum<T> velocities(base.b, h);
+    at.prepare(base, h);
     accelerate(chain, state.y.data(), at.a[0].data(), window);
     double work = double(window.last - window.first);
     for (std::size_t k = 0; k < count; ++k) {
       for (std::size_t i = 1; i <= last; ++i) {
-        combine(state.y, state.v, base.c[i] * h, positions[i], window, at, at.y[i]);
+        combine(state.y, state.v, base.c[i] * h, at.sums[i], window, at, at.y[i]);
         accelerate(chain, at.y[i].data(), at.a[i].data(), window);
         work += double(window.last - window.first);
       }
-      combine(state.v, state.v, 0, velocities, window, at, at.v);
+      combine(state.v, state.v, 0, at.sums.back(), window, at, at.v);
       correct(chain, state, window, T(h), at);
       std::swap(state.y, at.y[last]), std::swap(state.v, at.v), std::swap(at.a[0], at.a[last]);
     }

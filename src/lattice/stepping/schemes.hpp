@@ -128,4 +128,16 @@ inline Nystrom nystrom(const Scheme& scheme) {
   return base;
 }
 
+/**
+The best known method of all belongs here, too: where the forces do not depend on the velocities, the
+classical Runge-Kutta method of order four is such a scheme, with a fifth stage of no weight for the
+new positions. Whoever looks for the error of a computation that knew of no switchings needs it. */
+inline Nystrom classical_runge_kutta() {
+  return {"runge-kutta-4",
+          4,
+          {0, 1. / 2, 1. / 2, 1, 1},
+          {{}, {0}, {1. / 4, 0}, {0, 1. / 2, 0}, {1. / 6, 1. / 6, 1. / 6, 0}},
+          {1. / 6, 1. / 3, 1. / 3, 1. / 6, 0}};
+}
+
 }  // namespace lattice

@@ -1,0 +1,184 @@
+#pragma once
+/**
+# When a kick frees a breather
+
+A breather that creeps feels a landscape with the period of the chain: troughs around one of its two
+centres, hills around the other. A kick (kick.hpp) frees it from a trough if it carries it over the hill.
+This file tells a free breather from a pinned one, says what linear theory expects, and finds the
+least kick that frees. */
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <stdexcept>
+#include <vector>
+
+#include "lattice/landing/landing.hpp"
+#include "lattice/measure/kick.hpp"
+#include "lattice/model/sites.hpp"
+
+namespace lattice {
+
+/**
+## Free or pinned
+
+A breather that starts in a trough of its landscape has a hill on either side, half a site away. It is
+free as soon as it stands well beyond the hill, and pinned once it has turned round before. */
+enum class Fate { undecided, free, pinned };
+
+inline Fate fate_of(const Creep& path) {
+  const double far = path.farthest();
+  if (far > 0.6) return Fate::free;
+  return std::abs(path.travelled()) < far - 0.02 ? Fate::pinned : Fate::undecided;
+}
+
+/**
+## What linear theory expects
+
+Close to a breather that starts at rest the map of one period has a slow plane: a shift $x$ of the
+positions and a push $z$ of the velocities with
+$$A x = \cos\theta\,x,\quad
+ A^Tz = \cos\theta\,z,\quad z^TBz = b\,z^Tx,$$
+where $A$ and $B$ are the changes of the final positions with the initial positions and velocities. Over
+many periods this is an oscillator (or its unstable twin) of squared frequency
+$\Omega^2 = 2(1-\cos\theta)/T^2$. Its *kinetic* energy after a kick $c\,g$ is
+$$K = \varphi\,\frac{c^2}2,\qquad \varphi = \frac{b\,(x\cdot g)^2}{T\,(x\cdot z)} .$$
+All but the small share $\varphi$ of the kick goes into the oscillation, that is, into the action. */
+struct Pinning {
+  double frequency2 = 0;  ///< Omega^2; negative for an unstable breather
+  double share = 0;       ///< phi
+};
+
+/// An eigenvector with an eigenvalue near `value`, by inverse iteration from `guess`.
+inline Eigen::VectorXd eigenvector_near(const Eigen::MatrixXd& m, double value,
+                                        Eigen::VectorXd guess) {
+  const Eigen::PartialPivLU<Eigen::MatrixXd> shifted(
+      m - (value + 1e-5) * Eigen::MatrixXd::Identity(m.rows(), m.cols()));
+  for (int k = 0; k < 20; ++k) guess = shifted.solve(guess).normalized();
+  return guess;
+}
+
+/**
+The plane shares its multiplier, nearly one, with the phase of the oscillation, and symmetry separates
+the two: around a bond shifts are even under $n \to 1-n$ and the phase is odd; around a site half a
+period followed by $y_n \to -y_{-n}$ maps the phase to itself and reverses a shift. `basis` holds the
+directions that are left. */
+struct PeriodMap {
+  Eigen::MatrixXd A, B, basis;
+};
+
+template <class Onsite, class Contact>
+PeriodMap period_map(const Chain<Onsite, Contact>& chain, Centre centre, State<double> state,
+                     double period, const Landing<double>& rule) {
+  const auto n = Eigen::Index(chain.sites);
+  const bool site = centre == Centre::site;
+  Tangent<double> tangent(chain.sites, 2 * chain.sites);
+  flow(chain, state, site ? period / 2 : period, rule, &tangent);
+  PeriodMap map{Eigen::MatrixXd(n, n), Eigen::MatrixXd(n, n), Eigen::MatrixXd::Identity(n, n)};
+  for (Eigen::Index i = 0; i < n; ++i)
+    for (Eigen::Index k = 0; k < n; ++k) {
+      const auto row = std::size_t(site ? n - 1 - i : i);
+      map.A(i, k) = (site ? -1 : 1) * tangent(row, std::size_t(k));
+      map.B(i, k) = (site ? -1 : 1) * tangent(row, std::size_t(k + n));
+    }
+  if (site) return map;
+  map.basis = Eigen::MatrixXd::Zero(n, n / 2);
+  for (Eigen::Index i = 0; i < n / 2; ++i)
+    map.basis(i, i) = map.basis(n - 1 - i, i) = std::sqrt(0.5);
+  return map;
+}
+
+/**
+Of the half map we take the square, which doubles its angle. */
+template <class Onsite, class Contact>
+Pinning pinning_of(const Chain<Onsite, Contact>& chain, Centre centre, const State<double>& start,
+                   double period, const Landing<double>& rule = {}) {
+  const PeriodMap map = period_map(chain, centre, start, period, rule);
+  const Eigen::MatrixXd A = map.basis.transpose() * map.A * map.basis;
+  const Eigen::MatrixXd B = map.basis.transpose() * map.B * map.basis;
+  const std::vector<double> direction = kick_direction(start.y);
+  const Eigen::VectorXd g =
+      map.basis.transpose() *
+      Eigen::Map<const Eigen::VectorXd>(direction.data(), Eigen::Index(direction.size()));
+  const double near = centre == Centre::site ? -1 : 1;
+  const Eigen::VectorXd x = eigenvector_near(A, near, g);
+  const Eigen::VectorXd z = eigenvector_near(A.transpose(), near, g);
+  const double cosine = z.dot(A * x) / z.dot(x), b = z.dot(B * z) / z.dot(x), part = x.dot(g);
+  const double share = b * part * part / (period * x.dot(z));
+  const double miss = 2 * (1 - std::abs(cosine)) / (period * period);
+  if (centre == Centre::bond) return {miss, share};
+  return {2 * (1 + std::abs(cosine)) * miss, 2 * cosine * share};
+}
+
+/**
+The landscape is compared at equal action. With a hill of height `barrier` between trough and trough the
+breather is freed by a kick whose share is that hill. Masses may be negative, as they are here: then the
+trough is the *higher* of the two energies, and both signs turn round together. */
+inline double freeing_kick(double barrier, const Pinning& pinning) {
+  return std::sqrt(2 * std::abs(barrier / pinning.share));
+}
+
+/**
+## From speeds to the threshold
+
+Close to the threshold a breather stays for long near the top of the hill, and to bisect between free and
+pinned costs a long run for every digit. What changes smoothly is the speed $V$ with which a free breather
+passes the top: its kinetic energy there is what the share of the kick leaves over the barrier, so that
+$V^2 \propto c^2 - c_c^2$, and two free breathers give $c_c$.
+
+Near the top the path is $X \simeq (V/\Omega)\sinh\Omega t$, a cubic, whose least slope is $V$. We fit one
+to all means within `reach` of the top. */
+/// The speed on the hill at `hill` sites from the start. Throws std::invalid_argument where fewer than
+/// eight means lie within `reach` of it.
+inline double hill_speed(const Creep& path, double hill = 0.5, double reach = 0.05) {
+  std::vector<std::size_t> near;
+  for (std::size_t k = 0; k < path.X.size(); ++k)
+    if (std::abs(std::abs(path.moved(k)) - hill) <= reach) near.push_back(k);
+  if (near.size() < 8) throw std::invalid_argument("too few means of the path lie on the hill");
+  const double first = path.t[near.front()], last = path.t[near.back()], half = (last - first) / 2;
+  Eigen::MatrixXd power(Eigen::Index(near.size()), 4);
+  Eigen::VectorXd place(power.rows());
+  for (Eigen::Index i = 0; i < power.rows(); ++i) {
+    const std::size_t k = near[std::size_t(i)];
+    const double u = (path.t[k] - first) / half - 1;
+    power.row(i) << 1, u, u * u, u * u * u;
+    place[i] = std::abs(path.moved(k)) - hill;
+  }
+  const Eigen::Vector4d a = power.colPivHouseholderQr().solve(place);
+  return (a[3] > 0 ? a[1] - a[2] * a[2] / (3 * a[3]) : a[1]) / half;
+}
+
+/**
+The straight line through the two squares is followed to zero. */
+/// The kick at which $V^2$ vanishes, from two kicks that free and their speeds on the hill.
+inline double threshold_from(double c1, double v1, double c2, double v2) {
+  const double square = (c1 * c1 * v2 * v2 - c2 * c2 * v1 * v1) / (v2 * v2 - v1 * v1);
+  if (!(square > 0)) throw std::invalid_argument("these two speeds show no threshold");
+  return std::sqrt(square);
+}
+
+/**
+## A pendulum
+
+If the landscape is a sine, the centre is a pendulum, and its mean speed over a whole site is an
+arithmetic-geometric mean: of the speeds on hill and in trough, $V$ and $(V^2+\Omega^2/\pi^2)^{1/2}$ for a
+start on a hill, or $V$ and $(V^2-\Omega^2/\pi^2)^{1/2}$ from a trough. */
+inline double arithmetic_geometric(double a, double b) {
+  while (std::abs(a - b) > 1e-14 * a) {
+    const double mean = (a + b) / 2;
+    b = std::sqrt(a * b);
+    a = mean;
+  }
+  return a;
+}
+
+/// Mean speed over a site of a pendulum that swings with `omega` in its trough and starts with speed
+/// `start` there or, with `on_hill`, at the top; zero where it does not get over.
+inline double pendulum_speed(double start, double omega, bool on_hill) {
+  const double well = omega / std::numbers::pi, square = start * start - well * well;
+  if (on_hill) return arithmetic_geometric(std::hypot(start, well), start);
+  return square > 0 ? arithmetic_geometric(start, std::sqrt(square)) : 0;
+}
+
+}  // namespace lattice

@@ -1,0 +1,48 @@
+#pragma once
+/**
+# Choosing a breather on the command line
+
+A breather is named by its centre, its frequency and, around a bond, the phase at $t = 0$; how many sites
+it needs follows from that. Who names a chain length as well gets that chain, or is told why not. */
+
+#include <string>
+
+#include "lattice/orbits/breather.hpp"
+#include "lattice/report/program.hpp"
+
+namespace lattice {
+
+struct ChosenBreather {
+  std::string centre = "site", phase = "compressed";
+  double omega = 1.1;
+  std::size_t sites = 0;  ///< 0: as many as needed
+
+  Centre kind() const { return centre == "site" ? Centre::site : Centre::bond; }
+  Phase start() const { return phase == "stretched" ? Phase::stretched : Phase::compressed; }
+  void offer_centre(CLI::App& app) {
+    app.add_option("--centre", centre, "site or bond")->check(CLI::IsMember({"site", "bond"}));
+  }
+  void offer_phase(CLI::App& app) {
+    app.add_option("--phase", phase, "central contact of a bond-centred breather at t = 0")
+        ->check(CLI::IsMember({"compressed", "stretched"}));
+  }
+};
+
+/**
+What comes from a chain that does not fit is a complaint about `--sites`. */
+/// `make()`; throws UsageError for a length of the wrong parity or too short for the tail.
+template <class Make>
+auto on_chosen_chain(const ChosenBreather& chosen, Make make) {
+  const std::string sites = "--sites: " + std::to_string(chosen.sites);
+  if (chosen.sites && !fits(chosen.kind(), chosen.sites))
+    throw UsageError(sites + " does not fit --centre " + chosen.centre + " (allowed: " +
+                     (chosen.kind() == Centre::site ? "odd" : "even") + " numbers)");
+  try {
+    return make();
+  } catch (const ShortChain& error) {
+    throw UsageError(sites + " cannot hold this breather's tail (allowed: " +
+                     std::to_string(error.needed) + " or more)");
+  }
+}
+
+}  // namespace lattice
