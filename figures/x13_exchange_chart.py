@@ -2,6 +2,7 @@
 
 import matplotlib.pyplot as plt
 from matplotlib.colors import ListedColormap
+from matplotlib.patches import Patch, Rectangle
 
 import draw
 
@@ -12,16 +13,19 @@ windows = draw.read_numbers(f"{folder}/windows.ecsv")
 
 figure, axes = plt.subplots(figsize=(draw.TWO_COLUMNS, 85 * draw.MM))
 image, extent = draw.grid(chart, "omega", "s", "sign")
-colours = ListedColormap(["#BFD9EA", "#F6DFCF"])
-colours.set_bad("#FFFFFF")
+colours = ListedColormap(["#8FC6E8", "#FBEBDD"])
+colours.set_bad("#FFFFFF", alpha=0)
+axes.add_patch(Rectangle((1, -1), 1, 2, fill=False, ec="#999999", lw=0, hatch="////", zorder=0))
 axes.imshow(image, extent=extent, origin="lower", aspect="auto", cmap=colours, vmin=-1, vmax=1,
             interpolation="nearest")
 axes.plot(curves["omega"], curves["s"], "o", color="black", ms=1.4, mew=0, label="exchange")
 axes.axhline(0, color="#888888", lw=0.6, ls="--")
 axes.plot(windows["omega_site"], windows["s"], "D", color="#D55E00", ms=4, mfc="none",
           label="exchange at $s=0$")
-axes.plot([], [], "s", color=colours(0), ms=6, label="site-centred stable")
-axes.plot([], [], "s", color=colours(255), ms=6, label="bond-centred stable")
+handles = axes.get_legend_handles_labels()[0] + [
+    Patch(fc=colours(0), ec="black", lw=0.4, label="site-centred stable"),
+    Patch(fc=colours(255), ec="black", lw=0.4, label="bond-centred stable"),
+    Patch(fc="white", ec="#999999", lw=0.4, hatch="////", label="no breather found")]
 axes.set(xlabel=r"frequency $\omega_b$", ylabel="anharmonicity $s$", xlim=(1, 2), ylim=(-1, 1))
-axes.legend(loc="lower right", handlelength=1.2)
+axes.legend(handles=handles, loc="upper right", handlelength=1.4, framealpha=1)
 draw.save(figure, out)

@@ -13,7 +13,8 @@ do for [row=1:3] {
     table = data.'/sec33_between/'.word(files, k).'.ecsv'
     set format x (row == 3 ? '%g' : '')
     set xlabel (row == 3 ? 'centre Q (sites)' : '')
-    set label 1 '('.word(letters, 2*(row - 1) + k).')' at graph 0.03,0.9
+    set label 1 '('.word(letters, 2*(row - 1) + k).') '.(k == 1 ? 'ω_b = 1.1' : 's = 0') \
+        at graph (row == 3 || (row == 1 && k == 2) ? 0.36 : 0.03),(row == 3 && k == 1 ? 0.12 : 0.88)
     if (row == 1) {
       set ylabel (k == 1 ? '(s − s_0^s) · 10^7' : '(ω_b − ω_0^s) · 10^4') offset 1
       plot table using "centre":((k == 1 ? 1e7 : 1e4)*column("offset")) with linespoints ls 1 ps 0.5

@@ -149,13 +149,14 @@ void report_defect(Report& report) {
 
 Near the exchange $\kappa$ changes by [7.55144e-8](num:sec33_floquet.exchange_slope) per unit of $s$. An error of
 $10^{-8}$ of the symmetric function is then as good as a change of $s$ by a tenth. We compute the
-matrix as one usually does, by adaptive Runge-Kutta methods that know of no switchings, around accurate
-breathers, and look where the quadruplet says that the stability changes. A relative and absolute
-tolerance of $10^{-9}$, a common choice, moves the site's exchange down to
-[0.06](num:sec33_multiplier_errors.site_at_1e9) and the bond's up to [0.217](num:sec33_multiplier_errors.bond_at_1e9): a gap as
-in the article, 0.05 and 0.26, out of one and the same number. At $10^{-11}$ the gap has closed to a
-thousandth. Difference quotients do not come near, with any increment: a contact that is barely open has
-a stiffness like the square root of the overlap, and so has their error. */
+matrix by adaptive Runge-Kutta methods that know of no switchings, around accurate breathers, and look
+where the quadruplet says that the stability changes. A tolerance of $10^{-9}$, a common choice, gives
+[0.06](num:sec33_multiplier_errors.site_at_1e9) around a site and
+[0.217](num:sec33_multiplier_errors.bond_at_1e9) around a bond: a gap as in the article, 0.05 and 0.26, out of
+one and the same number. The zero even depends on where one samples, which is what the error says.
+At $10^{-11}$ the gap has closed to a thousandth. Difference quotients do not come near, with any
+increment: a contact that is barely open has a stiffness like the square root of the overlap, and
+so has their error. */
 struct Trial {
   std::string method;
   double setting;  ///< tolerance, or increment relative to the amplitude

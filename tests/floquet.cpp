@@ -6,6 +6,7 @@
 #include "check.hpp"
 #include "lattice/numbers/random.hpp"
 #include "lattice/orbits/breather.hpp"
+#include "lattice/orbits/exchange.hpp"
 #include "lattice/orbits/held.hpp"
 
 using namespace lattice;
@@ -168,4 +169,31 @@ TEST_CASE("a breather held at a site or bond stands at the exchange", "[property
     CHECK(sup<double>(slope - shot.jacobian.col(k)) < 1e-5 * (1 + sup<double>(slope)));
   }
   check_close(shot.miss[15], -0.2, 1e-12);  // the orbit is at its site, not at 0.2
+}
+
+TEST_CASE("a breather in between is found twice, by solutions of their own",
+          "[property][floquet]") {
+  Problem problem = problem_at(Centre::site, {1.1, 0.1525196});
+  const Orbit<double> site = find_breather(problem);
+  problem.symmetry = even_in_time(21);
+  Vector<double> x(22);
+  x << site.x, 0.1525196;
+  const auto near = hold(Held<Problem>{problem, along_s<Problem>(), 0.25}, x);
+  using WideProblem = BreatherProblem<Wide>;
+  const Held<WideProblem> held{in_precision<Wide>(problem), along_s<WideProblem>(), Wide(0.25)};
+  const Wide fine = polish(held, near, rule<Wide>(0)).x[21];
+  const Wide coarse = polish(held, near, rule<Wide>(1)).x[21];
+  CHECK(double(fine) > 0.15251949);  // the exchange around a site
+  CHECK(double(fine) < 0.15251982);  // and around a bond
+  CHECK(fine != coarse);
+  check_close(double(coarse), double(fine), 1e-8);
+}
+
+TEST_CASE("an exchange is found between two frequencies and nowhere else", "[property][floquet]") {
+  const Cut cut{false, 0};
+  const Orbit<double> near = find_breather(problem_at(Centre::site, {1.07, 0}));
+  const Exchange found = exchange<double>(Centre::site, cut, 1.07, 1.08, near);
+  check_close(found.place.value, 1.07503529, 5e-8 + found.place.error);
+  CHECK(found.place.error < 1e-6);
+  CHECK_THROWS_AS(exchange<double>(Centre::site, cut, 1.08, 1.09, near), NoBranch);
 }

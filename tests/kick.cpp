@@ -2,8 +2,11 @@
 
 #include "lattice/measure/depinning.hpp"
 
+#include <limits>
+#include <numbers>
+
 #include "check.hpp"
-#include "lattice/orbits/breather.hpp"
+#include "lattice/orbits/kicked.hpp"
 #include "lattice/stepping/accuracy.hpp"
 
 using namespace lattice;
@@ -121,4 +124,63 @@ TEST_CASE("the kick that frees a breather is predicted from one period", "[publi
   CHECK(fate_of(follow(at, 1.03 * c, limit, 0.15)) == Fate::free);
   // The barrier at equal frequency would be wrong by an order of magnitude.
   CHECK(freeing_kick(1.62422e-11, pinning) > 8 * c);
+}
+
+TEST_CASE("the speed on the hill is that of the slowest place", "[unit][kick]") {
+  const double V = 2e-6, Omega = 4e-5;
+  Creep path;
+  for (int k = 0; k < 2000; ++k) {
+    const double t = 60 * k;
+    if (k == 0 || t > 3e4) {
+      path.t.push_back(t);
+      path.X.push_back(k == 0 ? 0.3 : 0.3 - (0.5 + V / Omega * std::sinh(Omega * (t - 7.1e4))));
+    }
+    if (path.moved(path.X.size() - 1) < -0.7) break;
+  }
+  check_close(hill_speed(path), V, 0, 2e-3);
+  CHECK(hill_speed(path, 0.6) > 1.5 * V);
+  CHECK_THROWS_AS(hill_speed(path, 0.9), std::invalid_argument);
+}
+
+TEST_CASE("two speeds on the hill lead to the threshold", "[unit][kick]") {
+  const auto speed = [](double c) { return 3 * std::sqrt(c * c - 4); };
+  check_close(threshold_from(2.1, speed(2.1), 2.4, speed(2.4)), 2, 1e-14);
+  CHECK_THROWS_AS(threshold_from(2.1, 3, 2.4, 3.1), std::invalid_argument);  // too flat
+}
+
+TEST_CASE("a pendulum has the speeds of its integrals", "[unit][kick]") {
+  check_close(arithmetic_geometric(1, std::sqrt(2)), 1.19814023473559220744, 1e-15);
+  const double well = 1 / std::numbers::pi;
+  CHECK(pendulum_speed(0.99 * well, 1, false) == 0);
+  // The mean of the speed over a site is the inverse of the mean of its inverse over place.
+  const double start = 1.3 * well;
+  double sum = 0;
+  const int n = 64;
+  for (int k = 0; k < n; ++k) {
+    const double bend = std::sin(std::numbers::pi * (k + 0.5) / n);
+    sum += 1 / std::sqrt(start * start - well * well * bend * bend) / n;
+  }
+  check_close(pendulum_speed(start, 1, false), 1 / sum, 1e-12);
+}
+
+TEST_CASE("three free breathers know the kick that frees", "[published][kick]") {
+  const RestingBreather at = resting_breather(Centre::bond, Phase::stretched, 1.1, 22);
+  const Prediction p = predict_threshold(at, {-2.3522916e-13, 1e-17});
+  const FreeingKick c = freeing_kick_of(at, p, ContactAware{0.3});
+  CHECK(c.value.error < 1e-3 * c.value.value);
+  check_close(c.value.value, p.threshold.value, 0, 1e-3);
+  const RestingBreather hill = resting_breather(Centre::site, Phase::compressed, 1.1, 22);
+  CHECK_FALSE(predict_threshold(hill, {-2.3522916e-13, 1e-17}).exists());
+}
+
+TEST_CASE("the classical Runge-Kutta method is a scheme without velocities", "[unit][kick]") {
+  Chain<Harmonic, Hertz> chain{2};
+  State<double> state(2);
+  state.y = {1, 1};  // no contact is closed; the textbook's step is Taylor's series to h^4
+  Window all{0, 2};
+  const double h = 0.1, none = std::numeric_limits<double>::infinity();
+  const ContactAware blind{.step = h, .base = classical_runge_kutta(), .negligible = none};
+  blind.advance(chain, state, all, h, 1);
+  check_close(state.y[0], 1 - h * h / 2 + h * h * h * h / 24, 1e-16);
+  check_close(state.v[0], -h + h * h * h / 6, 1e-16);
 }

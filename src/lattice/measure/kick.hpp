@@ -158,7 +158,8 @@ Creep creep(const Stepper& stepper, const Chain<Onsite, Contact>& chain, const S
   return std::move(mean.path);
 }
 
-/// The same for a run that is followed to its end.
+/**
+Most runs are followed to their end. */
 template <class Stepper, class Onsite, class Contact>
 Creep creep(const Stepper& stepper, const Chain<Onsite, Contact>& chain, const State<double>& start,
             double sample, double duration) {

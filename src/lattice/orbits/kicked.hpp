@@ -107,33 +107,36 @@ Creep decided_path(const RestingBreather& at, double c, const Stepper& stepper, 
 }
 
 /**
-Two kicks, 5 and 20 per cent above the prediction, free the breather, and the speeds with which it passes
-the hill lead to the threshold. The least margin of the runs comes with it, $c^2/2$ over what they lost. */
+Three kicks, 5, 20 and 40 per cent above the prediction, free the breather. The speeds with which the two
+weaker ones pass the hill lead to the threshold; with the third one instead of the second the extrapolation
+goes as far again, and the difference is its error. The least margin of the runs comes with it, $c^2/2$ over
+what they lost. */
 struct FreeingKick {
   Estimate value{};
   double margin = std::numeric_limits<double>::infinity();
 };
 
-/// Without an error. Throws std::runtime_error where one of the two kicks does not free the breather.
+/// The error is that of the extrapolation. Throws std::runtime_error where a kick does not free.
 inline FreeingKick freeing_kick_of(const RestingBreather& at, const Prediction& guess,
                                    const ContactAware& stepper) {
-  const double limit = 10 / guess.frequency.value;
-  const std::array<double, 2> c{1.05 * guess.threshold.value, 1.2 * guess.threshold.value};
-  std::array<double, 2> v{};
+  const double limit = 10 / guess.frequency.value, least = guess.threshold.value;
+  const std::array<double, 3> c{1.05 * least, 1.2 * least, 1.4 * least};
+  std::array<double, 3> v{};
   FreeingKick out;
-  for (std::size_t i : {0U, 1U}) {
+  for (std::size_t i = 0; i < 3; ++i) {
     const Creep path = decided_path(at, c[i], stepper, limit);
     if (fate_of(path) != Fate::free)
       throw std::runtime_error("a kick above the prediction leaves the breather pinned");
     v[i] = hill_speed(path);
     out.margin = std::min(out.margin, path.drift_margin(c[i], at.energy));
   }
-  out.value.value = threshold_from(c[0], v[0], c[1], v[1]);
+  out.value =
+      compare(threshold_from(c[0], v[0], c[2], v[2]), threshold_from(c[0], v[0], c[1], v[1]));
   return out;
 }
 
 /**
-Two schemes give the error. The longest runs come first. */
+Two schemes give the rest of the error. The longest runs come first. */
 /// One threshold for each breather and its prediction, with the margin of the finer scheme.
 inline std::vector<FreeingKick> freeing_kicks(const std::vector<RestingBreather>& at,
                                               const std::vector<Prediction>& guess,
@@ -144,8 +147,7 @@ inline std::vector<FreeingKick> freeing_kicks(const std::vector<RestingBreather>
   parallel_for("thresholds", 2 * n, [&](std::size_t i) {
     found[i] = freeing_kick_of(at[i % n], guess[i % n], i < n ? fine : coarse);
   });
-  for (std::size_t i = 0; i < n; ++i)
-    found[i].value = compare(found[n + i].value.value, found[i].value.value);
+  for (std::size_t i = 0; i < n; ++i) found[i].value = compare(found[n + i].value, found[i].value);
   found.resize(n);
   return found;
 }
