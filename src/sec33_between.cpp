@@ -281,20 +281,21 @@ Held<BreatherProblem<T>> held_problem(const Cut& cut, const Exchange& from, doub
 }
 
 /**
-Double precision finds the breather, up to an error of the parameter that is as large as the family is
-wide, since nothing but the barrier fixes it. The wider type finishes from there, twice, with tolerances
-sixteen apart: two solutions that know nothing of each other. Their difference, together with what the
-symplectic defect makes of the parameter, is the error. */
+Nothing but the barrier fixes the parameter, and in double precision its error is larger than the family is
+wide. So double precision only moves the breather to its centre, and the wider type solves for it from
+there, twice, with tolerances sixteen apart: two solutions that know nothing of each other. Their difference,
+together with what the symplectic defect makes of the parameter, is the error. */
 Between describe_between(const Cut& cut, const Exchange& from, double centre,
-                         const Solution<double>& near) {
+                         const Vector<double>& near) {
   const auto held = held_problem<Wide>(cut, from, centre);
   std::array<Vector<Wide>, 2> x;
   std::array<Pairs<Wide>, 2> pairs;
-  for (int coarser : {0, 1}) {
-    const NewtonRule<Wide> how = rule<Wide>(coarser);
-    const Vector<Wide>& found = x[coarser] = polish(held, near, how).x;
-    const auto there = held.at(found);
-    pairs[coarser] = floquet_pairs(there.chain, held.start(found), there.period(), how.landing);
+  for (std::size_t coarser : {0U, 1U}) {
+    const NewtonRule<Wide> how = rule<Wide>(int(coarser));
+    x[coarser] = solve(held, Vector<Wide>(near.cast<Wide>()), how).x;
+    const auto there = held.at(x[coarser]);
+    pairs[coarser] =
+        floquet_pairs(there.chain, held.start(x[coarser]), there.period(), how.landing);
   }
   const Eigen::Index last = x[0].size() - 1;
   const double apart = double(magnitude<Wide>(x[1][last] - x[0][last]));
@@ -306,17 +307,20 @@ Between describe_between(const Cut& cut, const Exchange& from, double centre,
 }
 
 /**
-In double precision the orbit of one centre is the guess for the next. */
-std::vector<Between> between(const Cut& cut, const Exchange& from, int count) {
-  std::vector<Solution<double>> near;
+The orbit of one centre is moved to the next, and the guess of the parameter goes from one exchange to the
+other like the square of a sine. */
+std::vector<Between> between(const Cut& cut, const Window_edge& edge, int count) {
+  const Exchange& from = edge.found[0];
   const auto n = Eigen::Index(from.orbit.start.y.size());
   Vector<double> x(n + 1);
   for (Eigen::Index i = 0; i < n; ++i) x[i] = from.orbit.start.y[std::size_t(i)];
-  x[n] = from.place.value;
   const auto centre = [&](std::size_t k) { return double(k + 1) / (2 * count); };
+  std::vector<Vector<double>> near;
   for (std::size_t k = 0; k + 1 < std::size_t(count); ++k) {
-    near.push_back(hold(held_problem<double>(cut, from, centre(k)), x));
-    x = near.back().x;
+    const double wave = std::sin(circle_ratio<double>() * centre(k));
+    x[n] = from.place.value + wave * wave * edge.width().value;
+    near.push_back(moved_to_centre(held_problem<double>(cut, from, centre(k)), x));
+    x = near.back();
   }
   std::vector<Between> out(near.size());
   parallel_for("breathers in between", out.size(),
@@ -380,7 +384,7 @@ void report_between(Report& report, const std::vector<Window_edge>& edges) {
   const Window_edge in_s{ends};
   report.facts.add("exchange_gap", in_s.width());
   const auto add = [&](const std::string& name, const Cut& cut, const Window_edge& edge) {
-    const auto family = between(cut, edge.found[0], count);
+    const auto family = between(cut, edge, count);
     const Between& middle = family[family.size() / 2];
     report.facts.add("kappa_" + name, middle.kappa);
     report.facts.add("middle_" + name, middle.place);

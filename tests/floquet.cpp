@@ -178,11 +178,12 @@ TEST_CASE("a breather in between is found twice, by solutions of their own",
   problem.symmetry = even_in_time(21);
   Vector<double> x(22);
   x << site.x, 0.1525196;
-  const auto near = hold(Held<Problem>{problem, along_s<Problem>(), 0.25}, x);
+  const Vector<Wide> near =
+      moved_to_centre(Held<Problem>{problem, along_s<Problem>(), 0.25}, x).cast<Wide>();
   using WideProblem = BreatherProblem<Wide>;
   const Held<WideProblem> held{in_precision<Wide>(problem), along_s<WideProblem>(), Wide(0.25)};
-  const Wide fine = polish(held, near, rule<Wide>(0)).x[21];
-  const Wide coarse = polish(held, near, rule<Wide>(1)).x[21];
+  const Wide fine = solve(held, near, rule<Wide>(0)).x[21];
+  const Wide coarse = solve(held, near, rule<Wide>(1)).x[21];
   CHECK(double(fine) > 0.15251949);  // the exchange around a site
   CHECK(double(fine) < 0.15251982);  // and around a bond
   CHECK(fine != coarse);

@@ -131,14 +131,13 @@ From a breather with another centre Newton's first step would throw the paramete
 asked to balance a residual that has nothing to do with it; around a site or a bond, where the
 parameter does not act along the pinning direction at all, the matrix is even singular. So we first move
 the breather with the parameter as it is, and leave open what remains of the equations along the
-gradient $y_{n+1}-y_{n-1}$, almost the pinning direction. What remains is as small as the barrier, and
-Newton's method on all equations takes over. */
-/// The breather with the centre of `held` from a guess near that centre. Throws NoConvergence.
+gradient $y_{n+1}-y_{n-1}$, almost the pinning direction. */
+/// The unknowns with the centre of `held` and the same parameter, from those near that centre.
 template <class P, class T = typename P::Scalar>
-Solution<T> hold(const Held<P>& held, Vector<T> x, const NewtonRule<T>& rule = {}) {
+Vector<T> moved_to_centre(const Held<P>& held, Vector<T> x, const Landing<T>& landing = {}) {
   const Eigen::Index n = x.size() - 1;
   for (int k = 0; k < 4; ++k) {
-    const Shot<T> shot = held.shoot(x, rule.landing);
+    const Shot<T> shot = held.shoot(x, landing);
     Matrix<T> matrix = shot.jacobian;
     for (Eigen::Index i = 0; i < n; ++i)
       matrix(i, n) = i > 0 && i + 1 < n ? x[i + 1] - x[i - 1] : T(0);
@@ -146,21 +145,17 @@ Solution<T> hold(const Held<P>& held, Vector<T> x, const NewtonRule<T>& rule = {
     const Vector<T> step = solve_scaled<T>(matrix, shot.miss, held.sizes(x, true), 0);
     x.head(n) -= step.head(n);
   }
-  return solve(held, x, rule);
+  return x;
 }
 
 /**
-The derivative that double precision has computed serves the wider type as well. It is good to one part in
-a thousand even along the pinning direction, and the columns of the tangent need not be computed. */
-/// The same breather in the type of `held`, from the solution in another one. Throws NoConvergence.
-template <class P, class From, class T = typename P::Scalar>
-Solution<T> polish(const Held<P>& held, const Solution<From>& from,
-                   const NewtonRule<T>& rule = {}) {
-  const Matrix<T> jacobian = from.shot.jacobian.template cast<T>();
-  return iterate(held, Vector<T>(from.x.template cast<T>()), rule, false,
-                 [&](const Shot<T>& shot, const Vector<T>& at) {
-                   return solve_scaled<T>(jacobian, shot.miss, held.sizes(at, true), 0);
-                 });
+What remains is as small as the barrier, and Newton's method on all equations takes over. In double
+precision it finds the parameter only as well as rounding compares with the barrier; a wider type starts
+from a breather that double precision has moved, and from a good guess of the parameter. */
+/// The breather with the centre of `held` from a guess near that centre. Throws NoConvergence.
+template <class P, class T = typename P::Scalar>
+Solution<T> hold(const Held<P>& held, const Vector<T>& x, const NewtonRule<T>& rule = {}) {
+  return solve(held, moved_to_centre(held, x, rule.landing), rule);
 }
 
 }  // namespace lattice
