@@ -27,5 +27,6 @@ handles = axes.get_legend_handles_labels()[0] + [
     Patch(fc=colours(255), ec="black", lw=0.4, label="bond-centred stable"),
     Patch(fc="white", ec="#999999", lw=0.4, hatch="////", label="no breather found")]
 axes.set(xlabel=r"frequency $\omega_b$", ylabel="anharmonicity $s$", xlim=(1, 2), ylim=(-1, 1))
-axes.legend(handles=handles, loc="upper right", handlelength=1.4, framealpha=1)
+axes.legend(handles=handles, loc="lower right", handlelength=1.4, frameon=True, framealpha=1,
+            edgecolor="none")
 draw.save(figure, out)

@@ -27,6 +27,7 @@ for centre, color, mark, dash in [("site", "#D55E00", "s", "--"),
     left.loglog(c, column(table, "pendulum"), dash, color=color, lw=0.9)
     left.loglog(c, column(table, "speed"), mark, color=color, ms=4, mfc="white",
                 label=centre.replace("_stretched", ""))
+left.plot([], [], "-", color="black", lw=0.9, label="pendulum")
 facts = {row["quantity"]: float(row["value"]) for row in rows("facts")}
 left.axvline(facts["threshold_bond_stretched"], color="#0072B2", lw=0.8, ls=(0, (1, 1)),
              label="threshold")

@@ -168,7 +168,7 @@ void refine_places(std::vector<Crossing_place>& places) {
 /**
 Those that are lost, near the end of a family, are counted. */
 std::vector<Column_of_nodes> report_chart(Report& report) {
-  auto grid = report.quick ? chart(12, 2, 1.2) : chart(80, 8, 2);
+  auto grid = report.quick ? chart(12, 2, 1.2) : chart(80, 12, 2);
   auto places = crossings(grid);
   refine_places(places);
   Table curve{{number("omega", "frequency"), number("s", "anharmonicity at the exchange"),
@@ -242,7 +242,7 @@ std::vector<Window_edge> report_windows(Report& report, const std::vector<Column
                number("omega_bond", "exchange of the bond-centred breather"),
                number("omega_bond_error", "its error"),
                number("width", "omega_bond - omega_site; nan where it is below its error"),
-               number("width_error", "of both together; may be nan"),
+               number("width_error", "of both together, against the largest; may be nan"),
                number("s", "anharmonicity: zero"),
                label("between", "what both breathers are between the two")}};
   for (std::size_t k = 0; k < edges.size(); ++k) {

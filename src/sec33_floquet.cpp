@@ -182,7 +182,8 @@ Table quadruplet_table(const std::vector<double>& wells, const std::vector<Spect
 }
 
 /**
-The largest instability of the sweep answers the article's closing remark; around a site it is
+Multipliers leave $+1$ like square roots, so that the sweep is denser there. Its largest instability answers
+the article's closing remark; around a site it is
 [0.000583922](num:sec33_floquet.largest_excess). The error bar decides what may be said at $s = 0$: $\kappa$ is
 [1.14767e-8](num:sec33_floquet.kappa_site) around a site and [-1.14768e-8](num:sec33_floquet.kappa_bond) around a bond, so that
 the article's verdict stands, with a multiplier that exceeds one by
@@ -191,6 +192,9 @@ void report_wells(Report& report) {
   std::vector<double> wells;
   for (int steps = report.quick ? 4 : 40, k = -steps; k <= steps; ++k)
     wells.push_back(double(k) / steps);
+  for (double beside : {0.001, 0.004, 0.01})
+    wells.insert(wells.end(), {0.1525 - beside, 0.1525 + beside});
+  std::sort(wells.begin(), wells.end());
   Estimate largest{};
   bool others_stable = true;
   for (Centre centre : both_centres) {
