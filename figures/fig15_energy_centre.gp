@@ -2,7 +2,7 @@
 width = 85; height = 65
 load 'figures/style.gp'
 table = data.'/sec33_mobility/paths.ecsv'
-set xlabel 'time 10^{−5} t'
+set xlabel 'time t · 10^{−5}'
 set ylabel 'energy centre X (sites)'
 set xrange [0:2.5]
 set yrange [-3.2:0.7]

@@ -7,7 +7,7 @@ set xrange [-1:1]
 set xtics 0.5
 set yrange [-8:8]
 set format x ''
-set ylabel 'argument (10^{−4} rad)' offset 1
+set ylabel 'argument (rad) · 10^4' offset 1
 set key at graph (side eq 'right' ? 0.97 : 0.60),0.90 right samplen 2.2
 set label 1 '(a)' at graph 0.03,0.93
 plot table using "s":(1e4*column("argument")) with lines ls 1 title 'pinning pair', \
