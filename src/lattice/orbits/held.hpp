@@ -131,7 +131,9 @@ From a breather with another centre Newton's first step would throw the paramete
 asked to balance a residual that has nothing to do with it; around a site or a bond, where the
 parameter does not act along the pinning direction at all, the matrix is even singular. So we first move
 the breather with the parameter as it is, and leave open what remains of the equations along the
-gradient $y_{n+1}-y_{n-1}$, almost the pinning direction. */
+gradient $y_{n+1}-y_{n-1}$, almost the pinning direction. What remains is as small as the barrier, and
+Newton's method on all equations takes over. In double precision it finds the parameter only as well as
+rounding compares with the barrier; so a wider type takes over as soon as the breather is moved. */
 /// The unknowns with the centre of `held` and the same parameter, from those near that centre.
 template <class P, class T = typename P::Scalar>
 Vector<T> moved_to_centre(const Held<P>& held, Vector<T> x, const Landing<T>& landing = {}) {
@@ -146,16 +148,6 @@ Vector<T> moved_to_centre(const Held<P>& held, Vector<T> x, const Landing<T>& la
     x.head(n) -= step.head(n);
   }
   return x;
-}
-
-/**
-What remains is as small as the barrier, and Newton's method on all equations takes over. In double
-precision it finds the parameter only as well as rounding compares with the barrier; a wider type starts
-from a breather that double precision has moved, and from a good guess of the parameter. */
-/// The breather with the centre of `held` from a guess near that centre. Throws NoConvergence.
-template <class P, class T = typename P::Scalar>
-Solution<T> hold(const Held<P>& held, const Vector<T>& x, const NewtonRule<T>& rule = {}) {
-  return solve(held, moved_to_centre(held, x, rule.landing), rule);
 }
 
 }  // namespace lattice

@@ -20,6 +20,7 @@ exerts in exchange for the sum that the scheme used. */
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,22 +35,39 @@ inline __attribute__((always_inline)) T triple(const T* const* a, const T* weigh
   return weight[0] * a[0][i] + (weight[1] * a[1][i] + weight[2] * a[2][i]);
 }
 
-/// The sum $y + d\,v + \sum_j w_j a_j$ of a stage, its small terms first. The scheme of six stages
-/// has at most six terms and needs one pass; longer ones gather theirs in `out`.
+/// The sum $y + d\,v + \sum_j w_j a_j$ of a stage with as many triples, its small terms first.
+template <std::size_t triples, class T>
+LATTICE_WIDE void sweep_terms(const T* __restrict__ y, const T* __restrict__ v, T drift,
+                              const T* const* a, const T* weight, T* __restrict__ out,
+                              std::size_t n) {
+  for (std::size_t i = 0; i < n; ++i) {
+    T sum = drift * v[i];
+    for (std::size_t j = 0; j < 3 * triples; j += 3) sum += triple(a + j, weight + j, i);
+    out[i] = y[i] + sum;
+  }
+}
+
+/**
+The scheme of six stages has at most six terms, that of fourteen at most fifteen; each number of triples has
+a loop of its own, which passes over the sites once. */
 template <class T>
-LATTICE_WIDE void sweep_stage(const T* __restrict__ y, const T* __restrict__ v, T drift,
-                              const T* const* a, const T* weight, std::size_t terms,
-                              T* __restrict__ out, std::size_t n) {
-  if (terms == 3) {
-    for (std::size_t i = 0; i < n; ++i) out[i] = y[i] + (drift * v[i] + triple(a, weight, i));
-  } else if (terms == 6) {
-    for (std::size_t i = 0; i < n; ++i)
-      out[i] = y[i] + ((drift * v[i] + triple(a, weight, i)) + triple(a + 3, weight + 3, i));
-  } else {
-    for (std::size_t i = 0; i < n; ++i) out[i] = drift * v[i];
-    for (std::size_t j = 0; j < terms; j += 3)
-      for (std::size_t i = 0; i < n; ++i) out[i] += triple(a + j, weight + j, i);
-    for (std::size_t i = 0; i < n; ++i) out[i] = y[i] + out[i];
+void sweep_stage(const T* y, const T* v, T drift, const T* const* a, const T* weight,
+                 std::size_t terms, T* out, std::size_t n) {
+  switch (terms / 3) {
+    case 0:
+      return sweep_terms<0>(y, v, drift, a, weight, out, n);
+    case 1:
+      return sweep_terms<1>(y, v, drift, a, weight, out, n);
+    case 2:
+      return sweep_terms<2>(y, v, drift, a, weight, out, n);
+    case 3:
+      return sweep_terms<3>(y, v, drift, a, weight, out, n);
+    case 4:
+      return sweep_terms<4>(y, v, drift, a, weight, out, n);
+    case 5:
+      return sweep_terms<5>(y, v, drift, a, weight, out, n);
+    default:
+      throw std::invalid_argument("a scheme of more than fifteen terms");
   }
 }
 
