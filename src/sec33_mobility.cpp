@@ -73,6 +73,11 @@ RestingBreather ready(std::size_t k, std::size_t sites) {
   return resting_breather(cases[k].centre, cases[k].phase, omega_b, sites);
 }
 
+using Breathers = std::array<RestingBreather, 3>;  ///< in the order of the cases
+Breathers all_ready(std::size_t around_site, std::size_t around_bond) {
+  return {ready(0, around_site), ready(1, around_bond), ready(2, around_bond)};
+}
+
 /**
 ## Method
 
@@ -91,16 +96,11 @@ ContactAware fourteen(double step) {
   return {step, nystrom(blanes_moan_6_14())};
 }
 Resolution fine(bool quick = false) {
-  if (quick) return {{0.2}, {0.2}, {0.2}};
-  return {{0.1}, fourteen(0.05), fourteen(0.06)};
+  return quick ? Resolution{{0.2}, {0.2}, {0.2}}
+               : Resolution{{0.1}, fourteen(0.05), fourteen(0.06)};
 }
 Resolution coarse(bool quick = false) {
-  if (quick) return {{0.4}, {0.3}, {0.3}};
-  return {{0.2}, {0.1}, {0.1}};
-}
-
-Estimate margin(double value) {
-  return {value, value};  // an order of magnitude
+  return quick ? Resolution{{0.4}, {0.3}, {0.3}} : Resolution{{0.2}, {0.1}, {0.1}};
 }
 
 /**
@@ -114,8 +114,7 @@ struct Glide {
   Table map{{number("t", "time"), count("n", "site", "site"), number("e", "energy density")}};
 };
 
-Glide glide(std::size_t which, const ContactAware& stepper, double time) {
-  const RestingBreather at = ready(which, 52);
+Glide glide(const RestingBreather& at, const ContactAware& stepper, double time) {
   Glide out;
   std::size_t k = 0;
   out.path = at.after(strong, stepper, time,
@@ -144,8 +143,7 @@ void report_glide(Report& report, std::size_t k, const Creep& rough, const Creep
   report.facts.add("speed_first_half" + name, speed_of(rough, good, from, middle), unit);
   report.facts.add("speed_second_half" + name, speed_of(rough, good, middle, to), unit);
   report.facts.add("drift_strong" + name, {good.run.energy_drift, rough.run.energy_drift});
-  if (k == 0) report.results.add("moving.v_site", speed, unit);
-  if (k == 1) report.results.add("moving.v_bond", speed, unit);
+  if (k < 2) report.results.add(k ? "moving.v_bond" : "moving.v_site", speed, unit);
 }
 
 /**
@@ -154,10 +152,11 @@ A stretched central contact gives the printed speed of the bond-centred breather
 left: its mass is negative (see below). What comes back is the speed per kick. */
 std::array<double, 3> report_glides(Report& report) {
   const double time = report.quick ? 6000 : 32000;
+  const Breathers at = all_ready(52, 52);
   std::array<Glide, 6> runs;
   parallel_for("strong kicks", 6, [&](std::size_t i) {
     const Resolution r = i % 2 ? fine(report.quick) : coarse(report.quick);
-    runs[i] = glide(i / 2, r.speeds, time);
+    runs[i] = glide(at[i / 2], r.speeds, time);
   });
   std::array<double, 3> response{};
   for (std::size_t k = 0; k < 3; ++k) {
@@ -174,10 +173,10 @@ std::array<double, 3> report_glides(Report& report) {
 The energy of the kick is a matter of the norm of $g$. With the printed denominator, the sum of squares
 and not its root, $g$ would be longer by the factor [63.0043](num:sec33_mobility.printed_norm), and the kick would
 tear the breather apart. */
-void report_kick_energy(Report& report) {
+void report_kick_energy(Report& report, const RestingBreather& at) {
   double plain = 0;
   long double careful = 0;
-  for (const double v : kicked(ready(1, 22).rest, strong).v) {
+  for (const double v : kicked(at.rest, strong).v) {
     plain += v * v / 2;
     careful += static_cast<long double>(v) * v / 2;
   }
@@ -196,19 +195,19 @@ sites, which are its hills, faster over bonds. The bond-centred one swings.
 
 The answer to `moving.site_below` is the distance at the end of the run, where the breather still moves.
 The bond-centred one counts as pinned if it turns round before it comes near the next site, half a site away,
-in either phase and at both resolutions: the farthest place must be less than 0.45 from the start. */
+in either phase and at both resolutions: the farthest place must be less than 0.45 from the start. A margin of
+the drift is an order of magnitude and no more. */
 struct Pair {
   Creep rough, good;
 };
 
-std::array<Pair, 3> weak_paths(bool is_quick) {
+std::array<Pair, 3> weak_paths(const Breathers& at, bool is_quick) {
   std::array<Pair, 3> paths;
   parallel_for("weak kicks", 6, [&](std::size_t i) {
     const std::size_t k = i / 2;
-    const RestingBreather at = ready(k, k == 0 ? 27 : 22);
     const double time = is_quick ? 6e4 : std::array{2.5e5, 1.7e5, 8e4}[k];
     const Resolution r = i % 2 ? fine(is_quick) : coarse(is_quick);
-    (i % 2 ? paths[k].good : paths[k].rough) = at.after(weak, r.paths, time);
+    (i % 2 ? paths[k].good : paths[k].rough) = at[k].after(weak, r.paths, time);
   });
   return paths;
 }
@@ -237,8 +236,8 @@ Table path_table(const std::array<Pair, 3>& paths) {
 
 /**
 The criterion would fail for a breather that stands on the hill or has passed it. */
-void report_weak(Report& report, const RestingBreather& at) {
-  const auto paths = weak_paths(report.quick);
+void report_weak(Report& report, const Breathers& at) {
+  const auto paths = weak_paths(at, report.quick);
   report.output.add("paths", path_table(paths));
   Criterion pinned;
   for (std::size_t k = 1; k < 3; ++k) {
@@ -254,9 +253,10 @@ void report_weak(Report& report, const RestingBreather& at) {
   report.results.add("moving.site_below",
                      compare(std::abs(rough.travelled()), std::abs(good.travelled())), "site");
   report.facts.add("rest_offset", compare(paths[1].rough.X[0], paths[1].good.X[0]), "site");
-  for (std::size_t k = 0; k < 3; ++k)
-    report.facts.add(std::string("drift_margin_weak_") + cases[k].name,
-                     margin(paths[k].good.drift_margin(weak, at.energy)));
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double margin = paths[k].good.drift_margin(weak, at[k].energy);
+    report.facts.add(std::string("drift_margin_weak_") + cases[k].name, {margin, margin});
+  }
 }
 
 /**
@@ -313,7 +313,7 @@ void report_thresholds(Report& report, const std::vector<FreeingKick>& found, co
     const Estimate energy{c.value * c.value / 2, c.value * c.error};
     report.facts.add("threshold" + name, c, "site per unit of time");
     report.facts.add("threshold_energy" + name, energy);
-    report.facts.add("drift_margin_threshold" + name, margin(found[k].margin));
+    report.facts.add("drift_margin_threshold" + name, {found[k].margin, found[k].margin});
     if (!report.quick && found[k].margin < 100)
       throw Failure("the energy drifts by more than a hundredth of the kick's energy");
     if (k > 0) continue;
@@ -336,36 +336,34 @@ struct Speed_row {
   Estimate speed{};
 };
 
-double speed_over_a_site(const Speed_row& row, const Resolution& r) {
+double speed_over_a_site(const RestingBreather& at, double c, const Resolution& r) {
   const auto on_its_way = [](const Creep& so_far, const State<double>&, const auto&) {
     return std::abs(so_far.travelled()) < 1.1;
   };
-  return ready(row.k, 22).after(row.c, r.speeds, 1e6, on_its_way).mean_speed(1);
-}
-
-std::vector<Speed_row> speed_rows(bool is_quick) {
-  std::vector<Speed_row> rows;
-  for (double c : {2e-6, 4e-6, 8e-6, 2e-5, 5e-5, 2e-4}) rows.push_back({0, c});
-  for (double c : {4.7e-6, 5.5e-6, 8e-6, 2e-5, 5e-5, 2e-4}) rows.push_back({1, c});
-  if (is_quick) std::erase_if(rows, [](const Speed_row& r) { return r.c < 1e-4; });
-  parallel_for("speeds", rows.size(), [&](std::size_t i) {
-    rows[i].speed = compare(speed_over_a_site(rows[i], coarse(is_quick)),
-                            speed_over_a_site(rows[i], fine(is_quick)));
-  });
-  return rows;
+  return at.after(c, r.speeds, 1e6, on_its_way).mean_speed(1);
 }
 
 /**
 One row for each kick and centre. */
-void report_speeds(Report& report, const std::array<double, 3>& response, double omega) {
+void report_speeds(Report& report, const Breathers& at, const std::array<double, 3>& response,
+                   double omega) {
+  std::vector<Speed_row> rows;
+  for (double c : {2e-6, 4e-6, 8e-6, 2e-5, 5e-5, 2e-4}) rows.push_back({0, c});
+  for (double c : {4.7e-6, 5.5e-6, 8e-6, 2e-5, 5e-5, 2e-4}) rows.push_back({1, c});
+  if (report.quick) std::erase_if(rows, [](const Speed_row& r) { return r.c < 1e-4; });
+  parallel_for("speeds", rows.size(), [&](std::size_t i) {
+    auto& [k, c, speed] = rows[i];
+    speed = compare(speed_over_a_site(at[k], c, coarse(report.quick)),
+                    speed_over_a_site(at[k], c, fine(report.quick)));
+  });
   Table table{{label("centre", "where the breather starts"),
                number("c", "size of the kick", "site per unit of time"),
                number("speed", "mean over a site", "site per unit of time"),
                number("speed_error", "two step sizes", "site per unit of time"),
                number("pendulum", "mean speed of a pendulum", "site per unit of time")}};
-  for (const Speed_row& r : speed_rows(report.quick))
-    table.add({std::string(cases[r.k].name), r.c, r.speed.value, r.speed.error,
-               pendulum_speed(response[r.k] * r.c, omega, cases[r.k].centre == Centre::site)});
+  for (const auto& [k, c, speed] : rows)
+    table.add({std::string(cases[k].name), c, speed.value, speed.error,
+               pendulum_speed(response[k] * c, omega, cases[k].centre == Centre::site)});
   report.output.add("speeds", std::move(table));
 }
 
@@ -431,8 +429,7 @@ struct Trial {
   Creep path{};
 };
 
-void run_trial(Trial& trial, double time) {
-  const RestingBreather at = ready(trial.which, 22);
+void run_trial(Trial& trial, const RestingBreather& at, double time) {
   const double sample = trial.locked ? at.period / 8 : creep_sample(at.period);
   const ContactAware blind{.step = at.period / trial.steps,
                            .base = classical_runge_kutta(),
@@ -442,13 +439,14 @@ void run_trial(Trial& trial, double time) {
 
 /**
 With an infinite `negligible` no contact is worth a correction. One row for each trial. */
-void report_printed(Report& report) {
+void report_printed(Report& report, const Breathers& all) {
   std::vector<Trial> trials;
   for (double steps : {80, 120})
     for (bool locked : {true, false})
       for (std::size_t k : {0, 1}) trials.push_back({k, k ? 5.5e-6 : weak, steps, locked});
-  parallel_for("trials", trials.size(),
-               [&](std::size_t i) { run_trial(trials[i], report.quick ? 500 : 1.2e5); });
+  parallel_for("trials", trials.size(), [&](std::size_t i) {
+    run_trial(trials[i], all[trials[i].which], report.quick ? 500 : 1.2e5);
+  });
   Table table{{label("centre", "where the breather starts"),
                number("c", "size of the kick", "site per unit of time"),
                number("steps", "for one period"), count("locked", "1 where that number is whole"),
@@ -558,27 +556,27 @@ void add_options(CLI::App& app, KickOptions& options) {
 ## Extensions
 
 - The landscape is a sine to what accuracy, and where along $\omega_b$ does its second harmonic take over?
-- Does a breather at $c < c_c$ near an exchange of stability swing about a centre that is neither site nor
-  bond?
+- Does a breather at $c < c_c$ near an exchange swing about a centre that is neither site nor bond?
 - How long does a moving breather last, and what does it leave behind? */
 Results everything(Output& output, bool quick) {
   Report report{output, quick};
   output.note("sites", "52 and 53 for strong kicks, 22 to 31 otherwise");
-  report_kick_energy(report);
+  const Breathers at = all_ready(26, 22);
+  report_kick_energy(report, at[1]);
   const std::array<double, 3> response = report_glides(report);
-  const std::vector<RestingBreather> at{ready(1, 22), ready(2, 22)};
+  const std::vector<RestingBreather> bonds{at[1], at[2]};
   const Rung rung = barriers_at(omega_b);
   std::vector<Prediction> predictions;
-  for (const RestingBreather& bond : at)
+  for (const RestingBreather& bond : bonds)
     predictions.push_back(predict_threshold(bond, rung.equal_area));
   report_predictions(report, predictions, response);
-  report_weak(report, at[0]);
-  auto found = freeing_kicks(at, predictions, coarse(quick).thresholds, fine(quick).thresholds);
-  if (!quick) confirm(at[0], predictions[0], fine().thresholds, found[0]);
+  report_weak(report, at);
+  auto found = freeing_kicks(bonds, predictions, coarse(quick).thresholds, fine(quick).thresholds);
+  if (!quick) confirm(bonds[0], predictions[0], fine().thresholds, found[0]);
   report_thresholds(report, found, rung);
-  report_speeds(report, response, predictions[0].frequency.value);
-  report_integrators(report, at[0]);
-  report_printed(report);
+  report_speeds(report, at, response, predictions[0].frequency.value);
+  report_integrators(report, at[1]);
+  report_printed(report, at);
   output.add("facts", report.facts.table);
   return report.results;
 }
