@@ -68,7 +68,6 @@ struct Case {
 constexpr Case cases[] = {{"site", Centre::site, Phase::compressed},
                           {"bond_stretched", Centre::bond, Phase::stretched},
                           {"bond_compressed", Centre::bond, Phase::compressed}};
-
 RestingBreather ready(std::size_t k, std::size_t sites) {
   return resting_breather(cases[k].centre, cases[k].phase, omega_b, sites);
 }
