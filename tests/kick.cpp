@@ -142,6 +142,17 @@ TEST_CASE("the speed on the hill is that of the slowest place", "[unit][kick]") 
   CHECK_THROWS_AS(hill_speed(path, 0.9), std::invalid_argument);
 }
 
+TEST_CASE("a mean speed does not depend on where it begins", "[unit][kick]") {
+  Creep path;
+  for (int k = 0; k < 200; ++k) {
+    path.t.push_back(10 * k);
+    path.X.push_back(0.2 - 0.01 * k - 0.1 * std::sin(0.02 * std::numbers::pi * k) / 2);
+  }
+  check_close(path.mean_speed(1), 1e-3, 1e-15);
+  check_close(path.mean_speed(1, 7), 1e-3, 1e-8);  // a straight line between two means
+  CHECK_THROWS_AS(path.mean_speed(3), std::runtime_error);
+}
+
 TEST_CASE("two speeds on the hill lead to the threshold", "[unit][kick]") {
   const auto speed = [](double c) { return 3 * std::sqrt(c * c - 4); };
   check_close(threshold_from(2.1, speed(2.1), 2.4, speed(2.4)), 2, 1e-14);

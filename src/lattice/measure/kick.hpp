@@ -75,7 +75,7 @@ struct Creep {
   double travelled() const { return X.empty() ? 0 : moved(X.size() - 1); }
   double farthest() const;
   Estimate speed(double from, double to) const;
-  double mean_speed(double distance) const;
+  double mean_speed(double distance, std::size_t start = 0) const;
   double drift_margin(double c, double energy) const;
 };
 
@@ -96,14 +96,14 @@ inline Estimate Creep::speed(double from, double to) const {
   return fit_line(ts, xs).estimate();
 }
 
-/// `distance` over the time that it takes, interpolated between two means. Throws
+/// `distance` over the time that it takes from mean `start` on, interpolated between two means. Throws
 /// std::runtime_error where the path does not lead so far.
-inline double Creep::mean_speed(double distance) const {
-  for (std::size_t k = 1; k < t.size(); ++k) {
-    const double now = std::abs(moved(k)), before = std::abs(moved(k - 1));
+inline double Creep::mean_speed(double distance, std::size_t start) const {
+  for (std::size_t k = start + 1; k < t.size(); ++k) {
+    const double now = std::abs(X[k] - X[start]), before = std::abs(X[k - 1] - X[start]);
     if (now < distance) continue;
     const double since = t[k - 1] + (t[k] - t[k - 1]) * (distance - before) / (now - before);
-    return distance / (since - t[0]);
+    return distance / (since - t[start]);
   }
   throw std::runtime_error("the kicked breather does not travel " + std::to_string(distance) +
                            " sites");
