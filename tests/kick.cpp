@@ -138,7 +138,8 @@ TEST_CASE("the speed on the hill is that of the slowest place", "[unit][kick]") 
     if (path.moved(path.X.size() - 1) < -0.7) break;
   }
   check_close(hill_speed(path), V, 0, 2e-3);
-  CHECK(hill_speed(path, 0.6) > 1.2 * V);  // it is faster beyond the top
+  check_close(hill_speed(path, 0.52), V, 0, 1e-2);  // the top need not be in the middle
+  CHECK(hill_speed(path, 0.6) > 1.2 * V);           // it is faster beyond the top
   CHECK_THROWS_AS(hill_speed(path, 0.9), std::invalid_argument);
 }
 
