@@ -243,7 +243,8 @@ void report_weak(Report& report, const Breathers& at) {
     const auto& [rough, good] = paths[k];
     const std::string name = std::string("farthest_") + cases[k].name;
     pinned.push_back(below(name, compare(rough.farthest(), good.farthest()), 0.45));
-    const bool turned = fate_of(rough) == Fate::pinned && fate_of(good) == Fate::pinned;
+    const bool turned =
+        mobility_of(rough) == Mobility::pinned && mobility_of(good) == Mobility::pinned;
     if (!report.quick)
       pinned.push_back(above(std::string("turned_") + cases[k].name, exact(turned), 0.5));
   }
@@ -467,7 +468,6 @@ energy after all has broken up, and that is an error; so is a chain too short fo
 struct KickOptions : ChosenBreather {
   double c = 2e-4, time = 20000;
 };
-
 RestingBreather ready_for(const KickOptions& options) {
   const std::size_t sites = options.sites ? options.sites : 52;
   return on_chosen_chain(options, [&] {

@@ -28,7 +28,7 @@ Resting breather(Centre centre, double omega, Phase phase = Phase::compressed) {
 Creep follow(const Resting& at, double c, double time, double step = 0.1) {
   return creep(ContactAware{step}, at.chain, kicked(at.state, c), creep_sample(at.period), time,
                [](const Creep& path, const State<double>&, const auto&) {
-                 return fate_of(path) == Fate::undecided;
+                 return mobility_of(path) == Mobility::undecided;
                });
 }
 
@@ -58,12 +58,12 @@ TEST_CASE("a kick brings the energy c^2/2", "[unit][kick]") {
 }
 
 TEST_CASE("free and pinned are told from the path", "[unit][kick]") {
-  CHECK(fate_of(path_of({0.1, 0.2, 0.4})) == Fate::undecided);
-  CHECK(fate_of(path_of({0.1, 0.4, 0.35})) == Fate::pinned);
-  CHECK(fate_of(path_of({0.1, 0.4, 0.69})) == Fate::undecided);  // 0.59 from its start
-  CHECK(fate_of(path_of({0.1, 0.4, 0.72})) == Fate::free);
-  CHECK(fate_of(path_of({0.1, -0.4, -0.72})) == Fate::free);
-  CHECK(fate_of(path_of({})) == Fate::undecided);
+  CHECK(mobility_of(path_of({0.1, 0.2, 0.4})) == Mobility::undecided);
+  CHECK(mobility_of(path_of({0.1, 0.4, 0.35})) == Mobility::pinned);
+  CHECK(mobility_of(path_of({0.1, 0.4, 0.69})) == Mobility::undecided);  // 0.59 from its start
+  CHECK(mobility_of(path_of({0.1, 0.4, 0.72})) == Mobility::free);
+  CHECK(mobility_of(path_of({0.1, -0.4, -0.72})) == Mobility::free);
+  CHECK(mobility_of(path_of({})) == Mobility::undecided);
 }
 
 TEST_CASE("a breather that is not kicked stays, and opposite kicks are mirror images",
@@ -106,7 +106,7 @@ TEST_CASE("a breather swings at the frequency of linear theory", "[published][ki
   const double omega =
       std::sqrt(pinning_of(at.chain, Centre::bond, at.state, at.period).frequency2);
   const Creep path = follow(at, 2e-6, 8 / omega, 0.15);
-  REQUIRE(fate_of(path) == Fate::pinned);
+  REQUIRE(mobility_of(path) == Mobility::pinned);
   std::size_t top = 0;
   for (std::size_t k = 0; k < path.X.size(); ++k)
     if (std::abs(path.moved(k)) > std::abs(path.moved(top))) top = k;
@@ -120,8 +120,8 @@ TEST_CASE("the kick that frees a breather is predicted from one period", "[publi
   const double barrier = -2.3522916e-13;  // E_site - E_bond at equal area, see ladder.hpp
   const double c = freeing_kick(barrier, pinning), limit = 10 / std::sqrt(pinning.frequency2);
   check_close(c, 4.4516e-6, 0, 1e-4);
-  CHECK(fate_of(follow(at, 0.97 * c, limit, 0.15)) == Fate::pinned);
-  CHECK(fate_of(follow(at, 1.03 * c, limit, 0.15)) == Fate::free);
+  CHECK(mobility_of(follow(at, 0.97 * c, limit, 0.15)) == Mobility::pinned);
+  CHECK(mobility_of(follow(at, 1.03 * c, limit, 0.15)) == Mobility::free);
   // The barrier at equal frequency would be wrong by an order of magnitude.
   CHECK(freeing_kick(1.62422e-11, pinning) > 8 * c);
 }

@@ -25,12 +25,12 @@ namespace lattice {
 
 A breather that starts in a trough of its landscape has a hill on either side, half a site away. It is
 free as soon as it stands well beyond the hill, and pinned once it has turned round before. */
-enum class Fate { undecided, free, pinned };
+enum class Mobility { undecided, free, pinned };
 
-inline Fate fate_of(const Creep& path) {
+inline Mobility mobility_of(const Creep& path) {
   const double far = path.farthest();
-  if (far > 0.6) return Fate::free;
-  return std::abs(path.travelled()) < far - 0.02 ? Fate::pinned : Fate::undecided;
+  if (far > 0.6) return Mobility::free;
+  return std::abs(path.travelled()) < far - 0.02 ? Mobility::pinned : Mobility::undecided;
 }
 
 /**

@@ -98,9 +98,9 @@ template <class Stepper>
 Creep decided_path(const RestingBreather& at, double c, const Stepper& stepper, double limit) {
   Creep path =
       at.after(c, stepper, limit, [](const Creep& so_far, const State<double>&, const auto&) {
-        return fate_of(so_far) == Fate::undecided;
+        return mobility_of(so_far) == Mobility::undecided;
       });
-  if (fate_of(path) == Fate::undecided)
+  if (mobility_of(path) == Mobility::undecided)
     throw std::runtime_error("a kick of " + std::to_string(1e6 * c) +
                              "e-6 neither frees the breather nor leaves it pinned");
   return path;
@@ -125,7 +125,7 @@ inline FreeingKick freeing_kick_of(const RestingBreather& at, const Prediction& 
   FreeingKick out;
   for (std::size_t i = 0; i < 3; ++i) {
     const Creep path = decided_path(at, c[i], stepper, limit);
-    if (fate_of(path) != Fate::free)
+    if (mobility_of(path) != Mobility::free)
       throw std::runtime_error("a kick above the prediction leaves the breather pinned");
     v[i] = hill_speed(path);
     out.margin = std::min(out.margin, path.drift_margin(c[i], at.energy));
@@ -162,7 +162,7 @@ inline void confirm(const RestingBreather& at, const Prediction& guess, const Co
   parallel_for("bracket", 2, [&](std::size_t i) {
     const double c = (i ? 1.01 : 0.99) * found.value.value;
     const Creep path = decided_path(at, c, stepper, 10 / guess.frequency.value);
-    if (fate_of(path) != (i ? Fate::free : Fate::pinned))
+    if (mobility_of(path) != (i ? Mobility::free : Mobility::pinned))
       throw std::runtime_error("the threshold is not within one per cent of " +
                                std::to_string(1e6 * found.value.value) + "e-6");
     margins[i] = path.drift_margin(c, at.energy);
