@@ -57,11 +57,9 @@ struct Damage {
 };
 
 Damage damage(const Matrix<double>& map, double kappa) {
-  const Eigen::EigenSolver<Matrix<double>> solver(map, false);
   const std::complex<double> home[] = {1, multiplier(kappa, 1), multiplier(kappa, -1)};
   Damage d;
-  for (Eigen::Index i = 0; i < map.rows(); ++i) {
-    const std::complex<double> z = solver.eigenvalues()[i];
+  for (const std::complex<double> z : eigenvalues_of(map)) {
     if (std::abs(z - 1.0) > 0.1) continue;
     d.displacement =
         std::max(d.displacement,
