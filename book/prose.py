@@ -1,0 +1,112 @@
+"""Prose to HTML: one run of pandoc over all blocks, one run of KaTeX over all formulas."""
+
+import html
+import json
+import os
+import re
+import shutil
+import subprocess
+
+from source import BookError
+
+READER = "markdown-auto_identifiers-citations-raw_tex+lists_without_preceding_blankline"
+MARK = "<!-- block {} -->"
+
+
+def prepared(text):
+    """A figure stands in a paragraph of its own, whatever the lines around it."""
+    return re.sub(r"(!\[[^\]]*\]\(fig:[^)]*\))", r"\n\n\1\n\n", text)
+
+
+def to_html(texts):
+    """The HTML of each text, by pandoc in one run."""
+    if not texts:
+        return []
+    if not shutil.which("pandoc"):
+        raise BookError("pandoc is missing")
+    joined = "\n\n".join(MARK.format(i) + "\n\n" + prepared(t) for i, t in enumerate(texts)) + "\n"
+    run = subprocess.run(
+        ["pandoc", "--from", READER, "--to", "html5", "--mathjax", "--wrap=none", "--columns=100000",
+         "--fail-if-warnings"],
+        input=joined, capture_output=True, text=True, encoding="utf-8", check=False)
+    if run.returncode:
+        raise BookError("pandoc: " + run.stderr.strip())
+    pieces = re.split(r"<!-- block (\d+) -->\n?", run.stdout)
+    if [int(n) for n in pieces[1::2]] != list(range(len(texts))):
+        raise BookError("pandoc has swallowed the border of a block: some Markdown is not closed")
+    return [p.strip() for p in pieces[2::2]]
+
+
+MATH = re.compile(r'<span class="math (inline|display)">(.*?)</span>', re.S)
+
+
+def formulas(page):
+    """The formulas in a piece of HTML: pairs (TeX, displayed)."""
+    return [(html.unescape(tex), kind == "display") for kind, tex in MATH.findall(page)]
+
+
+def unwrapped(tex):
+    """pandoc hands a formula over with its delimiters."""
+    return re.sub(r"^(\\\(|\\\[|\$\$?)(.*?)(\\\)|\\\]|\$\$?)$", r"\2", tex.strip(), flags=re.S)
+
+
+def typeset(found):
+    """HTML of formulas by (TeX, displayed); a formula that KaTeX refuses is an error."""
+    todo = sorted(set(found))
+    if not todo:
+        return {}
+    script = os.path.join(os.path.dirname(os.path.abspath(__file__)), "typeset.js")
+    run = subprocess.run(
+        [node(), script], input=json.dumps([[unwrapped(t), d] for t, d in todo]),
+        capture_output=True, text=True, encoding="utf-8", check=False)
+    if run.returncode:
+        raise BookError("KaTeX: " + run.stderr.strip())
+    return dict(zip(todo, json.loads(run.stdout)))
+
+
+def node():
+    for name in ("node", "nodejs"):
+        if shutil.which(name):
+            return name
+    raise BookError("node is missing (Debian: nodejs)")
+
+
+def with_formulas(page, done):
+    """The page with each formula replaced by what `typeset` made of it."""
+    return MATH.sub(lambda m: done[html.unescape(m.group(2)), m.group(1) == "display"], page)
+
+
+VOID = {"img", "br", "hr", "input", "col", "meta", "link", "wbr"}
+
+
+def on_text(page, change):
+    """`change(text, tags)` for every text between tags, with the names of the open tags; formulas
+    are not text."""
+    out, stack = [], []
+    for piece in re.split(r"(<!--.*?-->|<[^>]+>)", page):
+        if piece.startswith("<!--"):
+            out.append(piece)
+        elif found := re.match(r"<(/?)(\w+)([^>]*)>", piece):
+            closing, tag, rest = found.groups()
+            if closing:
+                if not stack or stack[-1].split(".")[0] != tag:
+                    raise BookError(f"</{tag}> closes nothing: ...{''.join(out)[-200:]}")
+                stack.pop()
+            elif tag not in VOID and not rest.endswith("/"):
+                stack.append(tag + (".math" if 'class="math' in rest else ""))
+            out.append(piece)
+        elif piece and not any(t.endswith(".math") for t in stack):
+            out.append(change(piece, stack))
+        else:
+            out.append(piece)
+    return "".join(out)
+
+
+def plain(page):
+    """The words of a piece of HTML; a formula is its TeX."""
+    page = MATH.sub(lambda m: unwrapped(html.unescape(m.group(2))).replace("<", "&lt;"), page)
+    return re.sub(r"\s+", " ", html.unescape(re.sub(r"<[^>]+>", " ", page))).strip()
+
+
+def slug(text):
+    return re.sub(r"[^a-z0-9]+", "-", text.lower()).strip("-") or "section"
