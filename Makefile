@@ -118,10 +118,31 @@ summary: programs
 	  "in $(words $(chapters)) programs; all together $$(( $$(date +%s) - $$(cat $(D)/report/start) )) s"
 	@echo "report     : $(D)/report/published.ecsv"
 
+## book: weave the book from sources, data and figures into build/book
+.PHONY: book weave install-book test-weaver test-book
+book: install-book
+	@$(MAKE) all-figures
+	@$(MAKE) weave
+
+## weave: the same from the data and figures that are there, in seconds
+weave:
+	@$(weaver)/weave.py --data $(D)/data --figures $(D)/figures --out $(D)/book
+weaver = $(or $(PYTHON),python3) book
+
+install-book: install-deps
+	@DEPS=$(DEPS) sh tools/install-deps.sh apt-packages.txt book
+
+## test-book: the tests of the weaver, and every page of the book in a headless Chromium
+test-book: test-weaver
+	@test ! -f $(D)/book/index.html || $(weaver)/browse.py $(D)/book
+test-weaver:
+	@$(weaver)/test_book.py
+
 .PHONY: run-tests
 run-tests: programs
 	@cmake --build $(B) --parallel $(JOBS) > $(B)/build.log 2>&1 || { cat $(B)/build.log; exit 1; }
 	@cd $(B) && PYTHON="$(PYTHON)" ctest $(CTEST_ARGS)
+	@$(MAKE) test-weaver
 
 ## bench: time our integrators against GSL and Boost.odeint (ten minutes, not part of the tests)
 .PHONY: bench

@@ -23,6 +23,13 @@ def figure_id(text):
     return f"x{int(text[1:]):02d}" if text.startswith("x") else f"{int(text):02d}"
 
 
+def typeset_number(text):
+    """`1.6e-11` as a reader wants it; other texts as they are."""
+    text = re.sub(r"(?<![\w.])-(?=\d)", "−", text)
+    return re.sub(r"(?<![\w.])(\d[\d.]*)e(-?)(\d+)\b",
+                  lambda m: f"{m[1]}·10<sup>{'−' if m[2] else ''}{m[3]}</sup>", text)
+
+
 def spoken(figure):
     """How a reader calls a figure."""
     return f"Figure {figure}" if figure.startswith("x") else f"Figure {int(figure)}"
@@ -100,12 +107,13 @@ class Binder:
         f = quote.finding
         if f.unit == "claim":
             return f.shown
+        shown, error = typeset_number(f.shown), typeset_number(f.shown_error)
         unit = " " + escape(f.unit) if f.unit else ""
         if f.kind == "residue":
-            return f"{f.shown}{unit} (made of rounding: only its size counts)"
+            return f"{shown}{unit} (made of rounding: only its size counts)"
         if f.error == 0:
-            return f"{f.shown}{unit}, exact"
-        return f"{f.shown}{unit} ± {f.shown_error}"
+            return f"{shown}{unit}, exact"
+        return f"{shown}{unit} ± {error}"
 
     def verdict(self, claim):
         return f'<span class="verdict {claim["status"]}">{claim["status"]}</span>'
@@ -120,7 +128,7 @@ class Binder:
         f, claim, rows = quote.finding, quote.claim, []
         rows.append(("here", self.value(quote)))
         if claim:
-            printed = escape(claim["printed"]) + (" " + escape(claim["unit"]) if claim["unit"] else "")
+            printed = typeset_number(escape(claim["printed"])) + (" " + escape(claim["unit"]) if claim["unit"] else "")
             place = escape(self.where(claim["where"]))
             rows.append(("article", f"{printed or 'a statement'} <small>({place})</small>"))
             if claim["tolerance"]:
@@ -157,7 +165,7 @@ class Binder:
         return rows
 
     def image(self, id, note=""):
-        name, width, height = self.images[id]
+        name, width, height, _ = self.images[id]
         alt = escape(self.record.figures[id]["caption"])
         return f'<img src="figures/{name}.svg" alt="{alt}" width="{width}" height="{height}"{note}>'
 
@@ -169,6 +177,18 @@ class Binder:
 
 def facts(rows):
     return '<dl class="facts">' + "".join(f"<dt>{k}</dt><dd>{v}</dd>" for k, v in rows) + "</dl>"
+
+
+def preamble(lines):
+    """How many lines at the start of a block only say what is needed: includes and namespaces."""
+    count = 0
+    while count < len(lines) and re.match(r"#\w+|using namespace|namespace \w+ \{$|\s*$", lines[count]):
+        count += 1
+    return count if count > 3 else 0
+
+
+def folded(page):
+    return f'<details class="block"><summary>What this file includes</summary>{page}</details>'
 
 
 class PageBinding:
@@ -201,7 +221,7 @@ class PageBinding:
         if not quote.places:
             raise BookError(f"{self.page}: no line writes '{id}'")
         key = self.need("number", id, lambda _: self.binder.number_record(quote))
-        return f'<button type="button" class="num" popovertarget="{key}">{text or quote.finding.shown}</button>'
+        return f'<button type="button" class="num" popovertarget="{key}">{typeset_number(text or quote.finding.shown)}</button>'
 
     def equation(self, number):
         if number not in self.binder.equations:
@@ -249,13 +269,15 @@ class PageBinding:
         if HEADER.fullmatch(word):
             found = binder.header(word, self.source)
             return found.page if found and found is not self.source else None
-        if word in binder.definitions and word not in self.local and len(word) > 3:
+        clear = word[:1].isupper() or ("_" in word and len(word) > 6) or word.endswith("()")
+        word = word.removesuffix("()")
+        if clear and word in binder.definitions and word not in self.local:
             found, line = binder.definitions[word]
             return f"{found.page}#L{line}"
         return None
 
     def text(self, text, tags):
-        if {"a", "button", "pre", "h1", "h2", "h3", "h4"} & set(tags):
+        if {"a", "b", "button", "pre", "h1", "h2", "h3", "h4"} & set(tags):
             return text
         if "code" in tags:
             target = self.linked_word(text)
@@ -314,7 +336,17 @@ class PageBinding:
             found = self.binder.by_path.get("src/" + path) or self.binder.header(path, self.source)
             return found.page if found else None
 
-        return colour.numbered(text, block.first, "cpp", link, include)
+        count = preamble(block.lines)
+        parts = []
+        if count:
+            head = "\n".join(block.lines[:count]).rstrip()
+            parts.append(folded(colour.numbered(head, block.first, "cpp", link, include)))
+        while count < len(block.lines) and not block.lines[count].strip():
+            count += 1
+        if count < len(block.lines):
+            rest = "\n".join(block.lines[count:])
+            parts.append(colour.numbered(rest, block.first + count, "cpp", link, include))
+        return "".join(parts)
 
     def records_html(self):
         if not self.records:

@@ -86,7 +86,7 @@
   // The search page: every word must occur; titles weigh most. SEARCH comes from search-index.js.
   const query = $("query");
   if (query && window.SEARCH) {
-    const fold = (text) => text.normalize("NFD").replace(/[\u0300-\u036f]/g, "").toLowerCase();
+    const fold = (text) => text.normalize("NFD").replace(/[\u0300-\u036f]/g, "").replace(/’/g, "'").toLowerCase();
     const entries = window.SEARCH.map(([url, page, title, text]) => ({ url, page, title, text, t: fold(title + " " + page), x: fold(text) }));
     const list = $("results"), count = $("count");
     const piece = (text, words) => {

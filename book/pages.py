@@ -6,7 +6,7 @@ import re
 
 import colour
 import prose
-from bind import PageBinding, command_of, escape, facts, spoken
+from bind import PageBinding, command_of, escape, facts, spoken, typeset_number
 from record import read_table
 
 BOOK = "Breathers with Hertzian contacts"
@@ -93,7 +93,8 @@ class Book:
 
     def note(self, page, anchor, title, section, html):
         """A piece of text that the search finds."""
-        text = prose.plain(re.sub(r'<div popover.*|<button type="button" class="made".*?</button>', "", html, flags=re.S))
+        html = re.sub(r'<button type="button" class="made".*?</button>|<pre.*?</pre>', "", html, flags=re.S)
+        text = prose.plain(html)
         if text:
             self.search.append([f"{page}#{anchor}" if anchor else page, title, section, text])
 
@@ -193,7 +194,7 @@ class Book:
     def claim_row(self, claim, short=False):
         id, cells = claim["id"], []
         finding = self.record.quotable.get(id)
-        printed = escape(claim["printed"]) + (f' {escape(claim["unit"])}' if claim["unit"] else "")
+        printed = typeset_number(escape(claim["printed"])) + (f' {escape(claim["unit"])}' if claim["unit"] else "")
         quote = self.record.quote(id) if finding else None
         here = self.binder.value(quote) if quote else ""
         place = escape(self.binder.where(claim["where"]))
@@ -294,7 +295,7 @@ routes, laws of our own.</p>
 
     def figure_page(self, id):
         figure, binder = self.record.figures[id], self.binder
-        name, *_ = binder.images[id]
+        name, _, _, has_pdf = binder.images[id]
         script = os.path.join(self.record.root, "figures", figure["script"])
         with open(script, encoding="utf-8") as file:
             code = file.read().rstrip("\n")
@@ -305,7 +306,7 @@ routes, laws of our own.</p>
         if shown:
             rows.append(("chapter", shown))
         files = [f'<a href="figures/{name}.svg">SVG</a>']
-        if os.path.exists(os.path.join(os.path.dirname(self.record.data), "figures", name + ".pdf")):
+        if has_pdf:
             files.append(f'<a href="figures/{name}.pdf">PDF</a>')
         rows.append(("drawing", ", ".join(files)))
         tables = ""
@@ -377,8 +378,7 @@ does not survive a converged computation it says what does, and why.</p>
 
     def assemble(self, bodies):
         """All files that are text, by name."""
-        here = os.path.dirname(os.path.abspath(__file__))
-        with open(os.path.join(here, "start.md"), encoding="utf-8") as file:
+        with open(os.path.join(self.record.root, "book/start.md"), encoding="utf-8") as file:
             start = prose.to_html([file.read()])[0]
         out = {}
         pages = self.source_pages(bodies)

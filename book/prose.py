@@ -9,8 +9,8 @@ import subprocess
 
 from source import BookError
 
-READER = "markdown-auto_identifiers-citations-raw_tex+lists_without_preceding_blankline"
-MARK = "<!-- block {} -->"
+READER = "markdown-auto_identifiers-citations-raw_tex-raw_html-native_divs-native_spans+lists_without_preceding_blankline"
+MARK = "borderOfBlock{}"
 
 
 def prepared(text):
@@ -31,7 +31,7 @@ def to_html(texts):
         input=joined, capture_output=True, text=True, encoding="utf-8", check=False)
     if run.returncode:
         raise BookError("pandoc: " + run.stderr.strip())
-    pieces = re.split(r"<!-- block (\d+) -->\n?", run.stdout)
+    pieces = re.split(r"<p>borderOfBlock(\d+)</p>\n?", run.stdout)
     if [int(n) for n in pieces[1::2]] != list(range(len(texts))):
         raise BookError("pandoc has swallowed the border of a block: some Markdown is not closed")
     return [p.strip() for p in pieces[2::2]]

@@ -210,15 +210,15 @@ class Record:
             if finding.id in literals and not library:
                 scored.append((1000 + (adds or "claim(" in text or "judge(" in text), place))
                 continue
+            subjects = [x for x in literals if x in self.claims] if "judge(" in text else []
+            if any(finding.id.startswith(x.split(".")[-1] + "_") for x in subjects) and not is_claim:
+                judged = place
+                continue
             score = covered(finding.id.split(".")[-1], literals)
             if is_claim:
                 score = max([len(x) for x in literals if "." in x and finding.id.startswith(x)] + [0])
             if score >= 3:
                 scored.append((score + (6 if adds else 0) - (4 if library else 0), place))
-            for literal in literals if "judge(" in text and not is_claim else ():
-                tail = literal.split(".")[-1]
-                if literal in self.claims and finding.id.startswith(tail + "_"):
-                    judged = place
         best = max(scored, key=lambda s: s[0])[1] if scored else None
         return [p for p in (best, judged if judged != best else None) if p]
 

@@ -73,7 +73,7 @@ def title_of(text, path="<text>"):
         if block.kind == "prose":
             found = re.search(r"^# (.+)$", block.text, re.M)
             if found:
-                return found.group(1).strip()
+                return found.group(1).strip().replace("'", "’")
     raise BookError(f"{path}: no title (a line '# ...' in its first block of prose)")
 
 

@@ -44,7 +44,7 @@ def find_images(record, folder):
         path = os.path.join(folder, stem + ".svg")
         if not os.path.exists(path):
             raise BookError(f"{path} is missing: draw it first (make figures)")
-        images[id] = (stem, *size_of(path))
+        images[id] = (stem, *size_of(path), os.path.exists(path[:-4] + ".pdf"))
     return images
 
 

@@ -1,0 +1,232 @@
+"""Opens every page of the book in a headless Chromium, through the browser's own pipe.
+
+    python3 book/browse.py build/book                    checks all pages at the width of a phone
+    python3 book/browse.py build/book --shot index.html --width 1280 --dark --out shot.png
+
+A page fails if it logs an error, asks for something that is not there or not in the folder, leaves a
+formula unrendered, or must be scrolled sideways."""
+
+import argparse
+import base64
+import json
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+
+NAMES = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable"]
+
+
+def find_browser():
+    return os.environ.get("CHROMIUM") or next((p for p in map(shutil.which, NAMES) if p), None)
+
+
+class Browser:
+    """One tab of one Chromium, spoken to in JSON over a pair of pipes."""
+
+    def __init__(self, program):
+        self.profile = tempfile.mkdtemp()
+        read, self.to = os.pipe()
+        self.come, write = os.pipe()
+
+        def pipes():
+            a, b = os.dup(read), os.dup(write)  # out of the way of 3 and 4
+            os.dup2(a, 3)
+            os.dup2(b, 4)
+
+        self.process = subprocess.Popen(
+            [program, "--headless=new", "--no-sandbox", "--disable-gpu", "--hide-scrollbars", "--no-first-run",
+             "--disable-background-networking", "--disable-component-update", "--disable-extensions",
+             "--disable-sync", f"--user-data-dir={self.profile}",
+             "--remote-debugging-pipe", "about:blank"],
+            preexec_fn=pipes, close_fds=False, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        os.close(read)
+        os.close(write)
+        self.number, self.events, self.buffer, self.session = 0, [], b"", None
+        target = next(t for t in self.ask("Target.getTargets")["targetInfos"] if t["type"] == "page")
+        self.session = self.ask("Target.attachToTarget", targetId=target["targetId"], flatten=True)["sessionId"]
+        for domain in ("Page", "Runtime", "Log", "Network"):
+            self.ask(domain + ".enable")
+
+    def receive(self):
+        while b"\0" not in self.buffer:
+            piece = os.read(self.come, 1 << 20)
+            if not piece:
+                raise RuntimeError("the browser has gone")
+            self.buffer += piece
+        message, _, self.buffer = self.buffer.partition(b"\0")
+        return json.loads(message)
+
+    def ask(self, method, **params):
+        self.number += 1
+        message = {"id": self.number, "method": method, "params": params}
+        if self.session:
+            message["sessionId"] = self.session
+        os.write(self.to, json.dumps(message).encode() + b"\0")
+        while True:
+            answer = self.receive()
+            if answer.get("id") == self.number:
+                if "error" in answer:
+                    raise RuntimeError(f"{method}: {answer['error']['message']}")
+                return answer["result"]
+            self.events.append(answer)
+
+    def open(self, url):
+        self.events.clear()
+        self.ask("Page.navigate", url=url)
+        while not any(e.get("method") == "Page.loadEventFired" for e in self.events):
+            self.events.append(self.receive())
+
+    def evaluate(self, code):
+        answer = self.ask("Runtime.evaluate", expression=code, awaitPromise=True, returnByValue=True)
+        if "exceptionDetails" in answer:
+            raise RuntimeError(answer["exceptionDetails"].get("exception", {}).get("description", "an exception"))
+        return answer["result"].get("value")
+
+    def size(self, width, height, scale=1):
+        self.ask("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=scale, mobile=False)
+
+    def dark(self, on):
+        self.ask("Emulation.setEmulatedMedia",
+                 features=[{"name": "prefers-color-scheme", "value": "dark" if on else "light"}])
+
+    def shot(self, path, whole=False):
+        data = self.ask("Page.captureScreenshot", format="png", captureBeyondViewport=whole)["data"]
+        with open(path, "wb") as file:
+            file.write(base64.b64decode(data))
+
+    def close(self):
+        try:
+            self.session = None
+            self.ask("Browser.close")
+            self.process.wait(10)
+        except (RuntimeError, OSError, subprocess.TimeoutExpired):
+            self.process.kill()
+        shutil.rmtree(self.profile, ignore_errors=True)
+
+
+def complaints(events):
+    """What the browser has to say of a page."""
+    out = []
+    for event in events:
+        method, params = event.get("method"), event.get("params", {})
+        if method == "Runtime.exceptionThrown":
+            out.append("exception: " + params["exceptionDetails"].get("exception", {}).get("description", "?"))
+        elif method == "Runtime.consoleAPICalled" and params["type"] in ("error", "warning", "assert"):
+            out.append("console: " + " ".join(str(a.get("value", a.get("description"))) for a in params["args"]))
+        elif method == "Log.entryAdded" and params["entry"]["level"] in ("error", "warning"):
+            out.append("log: " + params["entry"]["text"] + " " + params["entry"].get("url", ""))
+        elif method == "Network.loadingFailed" and not params.get("canceled"):
+            out.append("not loaded: " + params.get("errorText", "?"))
+        elif method == "Network.requestWillBeSent":
+            url = params["request"]["url"]
+            if not url.startswith(("file:", "data:", "about:", "blob:")):
+                out.append("asks for " + url)
+    return out
+
+
+LOOK = """(() => {
+  const out = [], root = document.documentElement;
+  if (root.scrollWidth > innerWidth) {
+    const wide = [...document.body.querySelectorAll("*")].filter((e) => e.getBoundingClientRect().right > innerWidth + 1
+      && !e.closest("pre, .scroll, .katex-display, [popover]"));
+    out.push(`scrolls sideways: ${root.scrollWidth} > ${innerWidth} ${wide.slice(0, 3).map((e) => e.tagName + "." + e.className)}`);
+  }
+  if (document.querySelector(".math, .katex-error")) out.push("a formula is not rendered");
+  for (const image of document.images)
+    if (image.complete && !image.naturalWidth) out.push("no image " + image.getAttribute("src"));
+  for (const button of document.querySelectorAll("button[popovertarget]"))
+    if (!button.popoverTargetElement) out.push("opens nothing: " + button.textContent);
+  if (!document.querySelector("h1")) out.push("no title");
+  return out;
+})()"""
+
+# A number opens by the keyboard and closes again; a table sorts; the search finds.
+USE = {
+    "index.html": """(() => {
+        const button = document.querySelector("button.num"), panel = button.popoverTargetElement;
+        button.focus(); button.click();
+        if (!panel.matches(":popover-open")) return "a number does not open";
+        const box = panel.getBoundingClientRect();
+        if (box.left < 0 || box.right > innerWidth + 1 || box.top < 0) return "a record opens beside the page";
+        panel.hidePopover();
+        const before = getComputedStyle(document.body).backgroundColor;
+        document.getElementById("theme").click();
+        const after = getComputedStyle(document.body).backgroundColor;
+        document.getElementById("theme").click();
+        return before === after ? "the theme does not change" : "";
+      })()""",
+    "published.html": """(() => {
+        const table = document.querySelector("table.sortable"), ids = () => [...table.tBodies[0].rows].map((r) => r.id).join();
+        const before = ids();
+        table.querySelector("th button").click();
+        if (ids() === before) return "the table does not sort";
+        const filter = document.getElementById("filter");
+        filter.value = "barrier"; filter.dispatchEvent(new Event("input"));
+        const left = [...table.tBodies[0].rows].filter((r) => !r.hidden).length;
+        return left > 0 && left < table.tBodies[0].rows.length ? "" : "the table does not filter";
+      })()""",
+    "search.html": """(() => {
+        const query = document.getElementById("query");
+        query.value = "surface mode"; query.dispatchEvent(new Event("input"));
+        const links = [...document.querySelectorAll("#results a")].map((a) => a.getAttribute("href"));
+        return links.some((l) => l.startsWith("sec34_impact.html#")) ? "" : "the search does not find the surface mode: " + links;
+      })()""",
+}
+
+
+def check_all(folder, program):
+    browser, failed = Browser(program), 0
+    try:
+        browser.size(380, 800)
+        names = sorted(n for n in os.listdir(folder) if n.endswith(".html"))
+        for name in names:
+            browser.open("file://" + os.path.join(folder, name))
+            found = browser.evaluate(LOOK)
+            if name in USE and (word := browser.evaluate(USE[name])):
+                found.append(word)
+            found += complaints(browser.events)
+            failed += bool(found)
+            for complaint in dict.fromkeys(found):
+                print(f"  {name}: {complaint}")
+    finally:
+        browser.close()
+    return len(names), failed
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("folder")
+    parser.add_argument("--shot", help="page to draw, with #anchor")
+    parser.add_argument("--width", type=int, default=1280)
+    parser.add_argument("--height", type=int, default=900)
+    parser.add_argument("--dark", action="store_true")
+    parser.add_argument("--run", help="JavaScript to run before the drawing")
+    parser.add_argument("--out", default="shot.png")
+    given = parser.parse_args()
+    folder, program = os.path.abspath(given.folder), find_browser()
+    if not program:
+        print("browser    : skipped, no Chromium on this machine")
+        return 0
+    if given.shot:
+        browser = Browser(program)
+        try:
+            browser.size(given.width, given.height)
+            browser.dark(given.dark)
+            browser.open("file://" + os.path.join(folder, given.shot))
+            if given.run:
+                print(browser.evaluate(given.run))
+            time.sleep(0.2)
+            browser.shot(given.out)
+        finally:
+            browser.close()
+        return 0
+    count, failed = check_all(folder, program)
+    print(f"browser    : {count - failed} of {count} pages in order")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
