@@ -27,7 +27,14 @@ def typeset_number(text):
     """`1.6e-11` as a reader wants it; other texts as they are."""
     text = re.sub(r"(?<![\w.])-(?=\d)", "−", text)
     return re.sub(r"(?<![\w.])(\d[\d.]*)e(-?)(\d+)\b",
-                  lambda m: f"{m[1]}·10<sup>{'−' if m[2] else ''}{m[3]}</sup>", text)
+                  lambda m: f"{'' if m[1] == '1' else m[1] + '·'}10<sup>{'−' if m[2] else ''}{m[3]}</sup>", text)
+
+
+def agreement(tolerance):
+    """A tolerance of paper/published.ecsv in words."""
+    kind, _, size = tolerance.partition(" ")
+    words = {"rel": "to a relative ", "abs": "to "}
+    return typeset_number(words[kind] + size) if kind in words else escape(tolerance)
 
 
 def spoken(figure):
@@ -132,10 +139,10 @@ class Binder:
             place = escape(self.where(claim["where"]))
             rows.append(("article", f"{printed or 'a statement'} <small>({place})</small>"))
             if claim["tolerance"]:
-                rows.append(("agreement", f"asked for: {escape(claim['tolerance'])}"))
+                rows.append(("agreement", f"asked for: {agreement(claim['tolerance'])}"))
             rows.append(("verdict", f'{self.verdict(claim)} <a href="published.html#{f.id}">in the table</a>'))
             if claim["reason"]:
-                rows.append(("why", escape(claim["reason"])))
+                rows.append(("why", typeset_number(escape(claim["reason"]))))
         rows.append(("computed by", self.places(quote)))
         row = f", row {quote.row}" if quote.row else ""
         rows.append(("stored in", f"{self.data_link(f.program, quote.table)}{row}"))

@@ -37,11 +37,15 @@
     if (!opener) return;
     const at = opener.getClientRects()[0], gap = 8;
     if (!at) return;
+    panel.style.maxHeight = "";
     const width = panel.offsetWidth, height = panel.offsetHeight;
     const left = Math.min(Math.max(gap, at.left), innerWidth - width - gap);
-    const below = at.bottom + gap + height <= innerHeight;
-    const top = below ? at.bottom + gap : Math.max(gap, at.top - gap - height);
+    const above = at.top - 2 * gap, below = innerHeight - at.bottom - 2 * gap;
+    const under = height <= below || below >= above;
+    const room = Math.max(160, Math.min(height, under ? below : above));
+    const top = Math.max(gap, Math.min(under ? at.bottom + gap : at.top - gap - room, innerHeight - room - gap));
     Object.assign(panel.style, { margin: "0", left: `${left}px`, top: `${top}px`, right: "auto", bottom: "auto" });
+    if (room < height) panel.style.maxHeight = `${room}px`;
   };
   for (const panel of document.querySelectorAll("[popover]"))
     panel.addEventListener("toggle", (event) => { if (event.newState === "open") place(panel); });

@@ -200,7 +200,7 @@ class Book:
         place = escape(self.binder.where(claim["where"]))
         link = f"published.html#{id}" if short else ""
         name = f'<a href="{link}"><code>{id}</code></a>' if short else f"<code>{id}</code>"
-        reason = f'<small>{escape(claim["reason"])}</small>' if claim["reason"] and not short else ""
+        reason = f'<small>{typeset_number(escape(claim["reason"]))}</small>' if claim["reason"] and not short else ""
         cells.append(("", f'{name}<small>{escape(claim["quantity"])}{"" if short else " (" + place + ")"}</small>', id))
         if not short:
             cells.append(("section", escape(claim["section"]), claim["section"]))

@@ -204,21 +204,24 @@ class Record:
             self._statements[finding.program] = [
                 (bool(s.room), s.path, *x)
                 for s in self.sources.get(finding.program, []) for x in statements(s)]
-        scored, judged = [], None
+        name, judged = finding.id.split(".")[-1], None
+        for library, path, first, last, text, literals in self._statements[finding.program]:
+            for subject in literals if "judge(" in text and not is_claim else ():
+                prefix = subject.split(".")[-1] + "_"
+                if subject in self.claims and finding.id.startswith(prefix):
+                    judged = Place(path, first, last, text)
+                    name = finding.id[len(prefix):].removesuffix("_margin")
+        scored = []
         for library, path, first, last, text, literals in self._statements[finding.program]:
             place, adds = Place(path, first, last, text), "add(" in text
             if finding.id in literals and not library:
                 scored.append((1000 + (adds or "claim(" in text or "judge(" in text), place))
                 continue
-            subjects = [x for x in literals if x in self.claims] if "judge(" in text else []
-            if any(finding.id.startswith(x.split(".")[-1] + "_") for x in subjects) and not is_claim:
-                judged = place
-                continue
-            score = covered(finding.id.split(".")[-1], literals)
+            score = covered(name, literals)
             if is_claim:
                 score = max([len(x) for x in literals if "." in x and finding.id.startswith(x)] + [0])
             if score >= 3:
-                scored.append((score + (6 if adds else 0) - (4 if library else 0), place))
+                scored.append((score + 6 * adds + (place == judged) - 4 * library, place))
         best = max(scored, key=lambda s: s[0])[1] if scored else None
         return [p for p in (best, judged if judged != best else None) if p]
 
