@@ -141,8 +141,8 @@ test-weaver:
 .PHONY: run-tests
 run-tests: programs
 	@cmake --build $(B) --parallel $(JOBS) > $(B)/build.log 2>&1 || { cat $(B)/build.log; exit 1; }
-	@cd $(B) && PYTHON="$(PYTHON)" ctest $(CTEST_ARGS)
 	@$(MAKE) test-weaver
+	@cd $(B) && PYTHON="$(PYTHON)" ctest $(CTEST_ARGS)
 
 ## bench: time our integrators against GSL and Boost.odeint (ten minutes, not part of the tests)
 .PHONY: bench

@@ -147,7 +147,8 @@ class Binder:
         row = f", row {quote.row}" if quote.row else ""
         rows.append(("stored in", f"{self.data_link(f.program, quote.table)}{row}"))
         if quote.id in self.record.alone:
-            rows.append(("alone", f"<code>{escape(self.record.alone[quote.id])}</code>"))
+            command, quantity = self.record.alone[quote.id]
+            rows.append(("alone", f"<code>{escape(command)}</code> prints it as <code>{escape(quantity)}</code>"))
         cost = self.record.cost(f.program)
         rows.append(("command", f"<code>{self.record.command(f.program)}</code>"
                      + (f" ({cost} on two cores)" if cost else "")))

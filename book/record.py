@@ -237,12 +237,13 @@ class Record:
 
 
 def read_commands(path):
-    """Commands that compute one number alone, by id."""
+    """Commands that compute one number alone, and what they call it, by id."""
     out = {}
     if os.path.exists(path):
         with open(path, encoding="utf-8") as file:
             for line in file:
                 if line.strip() and not line.startswith("#"):
                     id, _, command = line.strip().partition(" ")
-                    out[id] = command.strip()
+                    command, _, quantity = command.partition("#")
+                    out[id] = command.strip(), quantity.strip()
     return out

@@ -134,6 +134,16 @@ class Numbers(unittest.TestCase):
         self.assertEqual(without, [])
 
 
+    def test_commands_that_compute_one_number_exist(self):
+        known = record.Record(ROOT, os.path.join(ROOT, "build/data"))
+        for id, (command, quantity) in known.alone.items():
+            self.assertIn(id, known.quotable)
+            program, subcommand = command.split()[0].split("/")[-1], command.split()[1]
+            with open(os.path.join(ROOT, "src", program + ".cpp"), encoding="utf-8") as file:
+                self.assertRegex(file.read(), rf'program\.command\(\s*"{subcommand}"', id)
+            self.assertTrue(quantity, id)
+
+
 class Colours(unittest.TestCase):
     def test_text_survives(self):
         code = 'template <class T>\nT f(T x) {  // a < b && c\n  return x < 1e-3 ? g("<\\"\'") : \'"\';\n}'
@@ -222,7 +232,7 @@ class Repository(unittest.TestCase):
             if name == "equations.ecsv":
                 with open(os.path.join(HERE, name), encoding="utf-8") as file:
                     text = file.read()
-            self.write("book/" + name, text or "a.one build/bin/sec1_demo one --exactly\n")
+            self.write("book/" + name, text or "a.one build/bin/sec1_demo one --exactly # one\n")
 
     def write(self, name, text):
         path = os.path.join(self.root, name)
@@ -322,7 +332,13 @@ class Repository(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    result = unittest.main(exit=False, verbosity=1).result
-    for _, reason in sorted(set((str(t), r) for t, r in result.skipped)):
-        print("skipped: " + reason)
+    with open(os.devnull, "w", encoding="utf-8") as quiet:
+        runner = unittest.TextTestRunner(quiet if len(sys.argv) == 1 else sys.stderr)
+        result = unittest.main(exit=False, testRunner=runner).result
+    for _, error in result.failures + result.errors:
+        print(error)
+    for reason in sorted({reason for _, reason in result.skipped}):
+        print("weaver     : skipped, " + reason)
+    failed = len(result.failures) + len(result.errors)
+    print(f"weaver     : {result.testsRun - failed - len(result.skipped)} of {result.testsRun} tests in order")
     sys.exit(0 if result.wasSuccessful() else 1)
