@@ -7,9 +7,9 @@ around the bond has the higher energy, the difference is a hill to be climbed, t
 
        energy     site      bond      site
                    __        __        __
-         E_site   /  \\      /  \\      /  \\     E_PN = E_site - E_bond
-                 /    \\    /    \\    /    \\
-         E_bond       \\__/      \\__/
+         E_site   /  \      /  \      /  \     E_PN = E_site - E_bond
+                 /    \    /    \    /    \
+         E_bond       \__/      \__/
 
 Section 3.2 of James, Kevrekidis and Cuevas (Physica D 251, 2013) finds that this hill is
 astonishingly flat, and calls it too hard to compare the two breathers at equal *area*, as one

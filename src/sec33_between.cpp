@@ -9,8 +9,8 @@ born: they are centred neither on a site nor on a bond.
       energy landscape      both stable:              both unstable:
       against the centre     site  between  bond       site  between  bond
                                     __                 __            __
-                                 __/  \\__               \\__      __/
-                                /        \\                 \\____/
+                                 __/  \__               \__      __/
+                                /        \                 \____/
 
 The article claims nothing here; what we find is measured. */
 #include <array>

@@ -7,9 +7,9 @@ close to $+1$ that the breathers are almost free to move. Which of the two is st
 anharmonicity $s$ of the well: at some $s_0$ they change places.
 
         |lambda|                                  argument
-           |  \\  unstable                             |        _____  stable
-         1 |    \\____________                       0 |_______/
-           |    /                                      |       \\_____
+           |  \  unstable                             |        _____  stable
+         1 |    \____________                       0 |_______/
+           |    /                                      |       \_____
            +-------|---------- s                       +------|------ s
                   s_0                                        s_0
 
