@@ -126,11 +126,13 @@ book: install-book
 
 ## weave: the same from the data and figures that are there, in seconds
 weave:
-	@$(weaver)/weave.py --data $(D)/data --figures $(D)/figures --out $(D)/book
+	@sh book/live/build.sh $(B)/live
+	@$(weaver)/weave.py --data $(D)/data --figures $(D)/figures --live $(B)/live --out $(D)/book
 weaver = $(or $(PYTHON),python3) book
 
 install-book: install-deps
 	@DEPS=$(DEPS) sh tools/install-deps.sh apt-packages.txt book
+	@DEPS=$(DEPS) sh tools/install-deps.sh apt-packages.txt live >/dev/null 2>&1 || true
 
 ## test-book: the tests of the weaver, and every page of the book in a headless Chromium
 test-book: test-weaver

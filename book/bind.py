@@ -49,8 +49,9 @@ def command_of(figure):
 class Binder:
     """Knows every target of the book. `page(source)` gives the state of one page."""
 
-    def __init__(self, record, sources, images):
+    def __init__(self, record, sources, images, live=False):
         self.record, self.images = record, images
+        self.live = read_live(os.path.join(record.root, "book/live/figures.txt")) if live else {}
         self.by_path = {s.path: s for s in sources}
         self.by_name, self.definitions, twice = {}, {}, set()
         for s in sources:
@@ -177,10 +178,27 @@ class Binder:
         alt = escape(self.record.figures[id]["caption"])
         return f'<img src="figures/{name}.svg" alt="{alt}" width="{width}" height="{height}"{note}>'
 
+    def live_buttons(self, id):
+        buttons = "".join(f' <a class="button live" href="strike.html?{escape(parameters)}">{escape(words)}</a>'
+                          for words, parameters in self.live.get(id, []))
+        return f'<span class="nowprint">{buttons}</span>' if buttons else ""
+
     def equation_record(self, number):
         e = self.equations[number]
         return (f'<h3><a href="equations.html#eq-{number}">Eq. ({number})</a> of the article: {escape(e["name"])}</h3>'
                 f'<span class="math display">\\[{html.escape(e["tex"], quote=False)}\\]</span>')
+
+
+def read_live(path):
+    """Figures that can be computed in the page: [(words, parameters)] by id."""
+    out = {}
+    with open(path, encoding="utf-8") as file:
+        for line in file:
+            if line.strip() and not line.startswith("#"):
+                id, _, rest = line.strip().partition(" ")
+                words, _, parameters = rest.partition("|")
+                out.setdefault(id, []).append((words, parameters))
+    return out
 
 
 def facts(rows):
@@ -250,7 +268,8 @@ class PageBinding:
         self.figures.append(id)
         key = self.need("figure", id, binder.figure_record)
         return (f'<figure{anchor}><a href="fig-{id}.html">{binder.image(id)}</a><figcaption><b>{spoken(id)}.</b> {caption} '
-                f'<button type="button" class="made" popovertarget="{key}">How it was made</button></figcaption></figure>')
+                f'<button type="button" class="made" popovertarget="{key}">How it was made</button>'
+                f'{binder.live_buttons(id)}</figcaption></figure>')
 
     def heading(self, level, inner):
         title = prose.plain(inner)

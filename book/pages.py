@@ -50,7 +50,8 @@ class Book:
         sections = f"<ul>{sections}</ul>" if sections else ""
         out = "<h2>Chapters</h2><ul>" + item("index.html", "Start")
         out += "".join(item(s.page, s.title, sections) for s in self.chapters) + "</ul>"
-        out += "<h2>Findings</h2><ul>" + "".join(item(t, n) for t, n in LISTS) + "</ul><h2>Library</h2>"
+        out += "<h2>Findings</h2><ul>" + "".join(item(t, n) for t, n in LISTS)
+        out += (item("strike.html", "Strike the chain (live)") if self.binder.live else "") + "</ul><h2>Library</h2>"
         for room, headers in self.library.items():
             inside = any(h.page == page for h in headers)
             items = "".join(item(h.page, h.title, sections) for h in headers)
@@ -87,6 +88,7 @@ class Book:
 </main>
 </div>
 {scripts}<script src="book.js"></script>
+{'<script src="live.js"></script>' if 'class="button live"' in body or 'id="strike"' in body else ""}
 </body>
 </html>
 """
@@ -330,6 +332,23 @@ routes, laws of our own.</p>
         self.note(f"fig-{id}.html", "", LISTS[3][1], spoken(id), escape(figure["caption"]))
         return self.page(f"fig-{id}.html", spoken(id), body)
 
+    # The page that computes
+
+    def strike(self):
+        chapter = self.binder.by_path["src/sec34_impact.cpp"]
+        body = f"""<h1>Strike the chain</h1>
+<p>The first bead of a chain at rest gets an impact velocity; the chain is integrated here, in the page, by the headers
+that the programs are compiled from. A run is made twice or more often, with half the step each time, until two agree to
+one part in ten thousand; the map shows the latest, and the difference of the last two is the error of every number. For
+quartic wells the numbers have the bits of the native program, whose command stands below.</p>
+<div id="strike" class="panel wide"></div>
+<noscript><p>This page needs JavaScript.</p></noscript>
+<p>What there is to see: with <code>s = 0</code> everything runs away, with <code>s = -0.7</code> and an impact of 0.94
+most of the energy stays at the first beads, with <code>s = 1</code> and an impact of 1.9 the packet turns round.
+<a href="{chapter.page}">{escape(chapter.title)}</a> tells the story.</p>"""
+        self.note("strike.html", "", "Strike the chain", "Strike the chain", body)
+        return self.page("strike.html", "Strike the chain", body)
+
     # Start and search
 
     def start(self, text):
@@ -343,7 +362,7 @@ routes, laws of our own.</p>
         body = f"""<h1>Breathers in oscillator chains with Hertzian interactions</h1>
 <p class="card">The executable edition</p>
 {words}
-<h2 id="verdicts">What comes out</h2>
+{self.invitation(binding)}<h2 id="verdicts">What comes out</h2>
 {self.tally()}
 <p>The table <a href="published.html">published against reproduced</a> has every row, and where the article's number
 does not survive a converged computation it says what does, and why.</p>
@@ -353,6 +372,13 @@ does not survive a converged computation it says what does, and why.</p>
 <ul class="chapters">{rooms}</ul>{binding.records_html()}"""
         headings = [(2, "What comes out", "verdicts"), (2, "Chapters", "chapters"), (2, "Figures", "gallery"), (2, "Library", "library")]
         return self.page("index.html", BOOK, body, headings, after=self.chapters[0])
+
+    def invitation(self, binding):
+        """A figure that the reader can compute at once, where the book has live pages."""
+        if not self.binder.live:
+            return ""
+        return ('<h2 id="live">Strike the chain</h2><p>A figure with a button can be computed here, in the page, by the library that '
+                'the programs use. Then turn a knob.</p>' + binding.figure("21", escape(self.record.figures["21"]["caption"])))
 
     def summary(self, source):
         """The first sentences of a chapter."""
@@ -390,6 +416,8 @@ does not survive a converged computation it says what does, and why.</p>
         out["figures.html"] = self.page("figures.html", LISTS[3][1], "<h1>All figures</h1>" + self.gallery())
         for id in self.record.figures:
             out[f"fig-{id}.html"] = self.figure_page(id)
+        if self.binder.live:
+            out["strike.html"] = self.strike()
         out["search.html"] = self.search_page()
         rows = ",\n".join(json.dumps(entry, ensure_ascii=False) for entry in self.search)
         out["search-index.js"] = f"window.SEARCH = [\n{rows}\n];\n"

@@ -5,6 +5,8 @@ have them. What cannot be bound (an unknown id, a formula that is refused, a lin
 stops the build, and the old book stays as it was."""
 
 import argparse
+import base64
+import gzip
 import os
 import re
 import shutil
@@ -113,14 +115,25 @@ def copy_assets(out, here, record, figures, images):
         shutil.copyfile(os.path.join(katex, "fonts", font), os.path.join(out, "fonts", font))
 
 
-def make(root, data, figures, out):
+def copy_live(out, here, module):
+    """The compiled library as a script, because a page from a folder may not fetch a file."""
+    with open(module, "rb") as file:
+        packed = base64.b64encode(gzip.compress(file.read(), mtime=0)).decode()
+    with open(os.path.join(out, "strike.js"), "w", encoding="utf-8") as file:
+        file.write(f'window.LIVE_STRIKE = "{packed}";\n')
+    shutil.copyfile(os.path.join(here, "live/live.js"), os.path.join(out, "live.js"))
+
+
+def make(root, data, figures, out, live=""):
     here = os.path.dirname(os.path.abspath(__file__))
     record = Record(root, data)
     chapters, library = find_sources(root, read_order(os.path.join(here, "contents.txt")))
     link_sources(record, chapters, library)
     headers = [h for room in library.values() for h in room]
     images = find_images(record, figures)
-    binder = Binder(record, chapters + headers, images)
+    module = os.path.join(live, "strike.wasm")
+    has_live = bool(live) and os.path.exists(module)
+    binder = Binder(record, chapters + headers, images, has_live)
     book = pages.Book(record, binder, chapters, library)
 
     bodies = weave(book, binder, chapters + headers)
@@ -133,6 +146,8 @@ def make(root, data, figures, out):
         with open(os.path.join(part, name), "w", encoding="utf-8") as file:
             file.write(prose.with_formulas(page, done) if name.endswith(".html") else page)
     copy_assets(part, here, record, figures, images)
+    if has_live:
+        copy_live(part, here, module)
     complaints = check.complaints(part)
     if complaints:
         raise BookError("\n  ".join(["the book is not whole (left in " + part + "):"] + complaints[:40]))
@@ -146,10 +161,11 @@ def main():
     parser.add_argument("--root", default=".")
     parser.add_argument("--data", default="build/data")
     parser.add_argument("--figures", default="build/figures")
+    parser.add_argument("--live", default="build/live", help="folder of the module for live pages")
     parser.add_argument("--out", default="build/book")
     given = parser.parse_args()
     try:
-        count = make(given.root, given.data, given.figures, given.out)
+        count = make(given.root, given.data, given.figures, given.out, given.live)
     except BookError as error:
         print(f"book: {error}", file=sys.stderr)
         return 1

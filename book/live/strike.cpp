@@ -1,0 +1,127 @@
+/**
+# Striking the chain in the browser
+
+This is the run of `sec34_impact run`, compiled from the same headers for a page: the same chain,
+the same two resolutions, the same bits. The page hands over numbers, sees every row of a map as
+it is computed, and gets each quantity with its error; what goes wrong is told in the words in
+which the programs tell it. */
+
+#include "lattice/measure/impact.hpp"
+
+using namespace lattice;
+
+/**
+## What the page offers
+
+Four functions of the page are called from here. `page_fail` does not return, because it throws on
+the other side: the instance is thrown away after one run. */
+#define PAGE(name) __attribute__((import_module("page"), import_name(name)))
+extern "C" {
+PAGE("row") void page_row(int halvings, double t, const double* values, std::size_t n);
+PAGE("profile") void page_profile(const double* y, const double* v, const double* e, std::size_t n);
+PAGE("fact") void page_fact(const char* name, std::size_t length, double value, double error);
+[[noreturn]] PAGE("fail") void page_fail(const char* text, std::size_t length);
+
+/// Every exception of the library has words, and there is no other way out of a page's run.
+[[noreturn]] void __cxa_throw(void* thrown, void*, void (*)(void*)) {
+  const char* text = static_cast<std::exception*>(thrown)->what();
+  page_fail(text, std::char_traits<char>::length(text));
+}
+void* __cxa_allocate_exception(std::size_t size) { return std::malloc(size); }
+void __cxa_free_exception(void*) {}
+[[noreturn]] void __cxa_rethrow() { __builtin_trap(); }
+}
+
+/**
+## The run
+
+A request says what is struck and what is shown: energy densities or contact forces, in `rows`
+rows. */
+struct Request {
+  double velocity, pendulum, s, precompression, time, sites, tolerance, forces, rows;
+};
+
+Impact impact_of(const Request& r) {
+  const AnyOnsite well = r.pendulum != 0 ? named<AnyOnsite>("pendulum", {})
+                                         : named<AnyOnsite>("quartic", {{"s", r.s}});
+  Model model(well, CompressedHertz{r.precompression});
+  if (r.precompression == 0) model.contact = Hertz{};
+  return {r.velocity, model, r.time, std::size_t(r.sites)};
+}
+
+/// Shows about `rows` of the samples of a run, whatever their number.
+struct Rows {
+  const Request& request;
+  const Impact& impact;
+  int halvings;
+  std::size_t count = 0, shown = 0;
+
+  void operator()(const State<double>& now, const std::vector<double>& density) {
+    if (now.t < impact.time * double(shown) / request.rows && now.t < impact.time) return;
+    ++shown;
+    if (request.forces == 0) return page_row(halvings, now.t, density.data(), density.size());
+    const auto force = with_chain(impact, [&](const auto& c) { return contact_forces(c, now.y); });
+    page_row(halvings, now.t, force.data(), density.size());
+  }
+};
+
+Refined<Outcome> strike(const Request& request, const Impact& impact) {
+  return converge(request.tolerance, [&](const ContactAware& stepper) {
+    return follow(stepper, impact, far_away, dense_pace(stepper, impact.time, 0.2),
+                  Rows{request, impact, stepper.halvings}, std::size_t(1) << stepper.halvings);
+  });
+}
+
+/**
+## What is reported
+
+The quantities are those of the program and have its names; one that does not exist is `nan`. */
+struct Facts {
+  const Outcome &coarse, &fine;
+
+  template <class Of>
+  void add(std::string_view name, Of of) const {
+    const Estimate both = compare(of(coarse), of(fine));
+    page_fact(name.data(), name.size(), both.value, both.error);
+  }
+  template <class Of>
+  void tracked(std::string_view name, Of of) const {
+    add(name, [&](const Outcome& o) { return o.track.t.empty() ? std::nan("") : of(o); });
+  }
+};
+
+void report(const Impact& impact, const Facts& facts) {
+  const double to = double(impact.sites) - 20, undefined = std::nan("");
+  facts.add("speed", [&](const Outcome& o) {
+    return o.track.line(fit_from, to).value_or(Line{undefined, undefined, undefined}).estimate();
+  });
+  facts.tracked("centre", [](const Outcome& o) { return o.track.centre.back(); });
+  facts.add("peak_energy_density", [&](const Outcome& o) {
+    const double peak = o.track.largest_peak(fit_from, to);
+    return peak > 0 ? peak : undefined;
+  });
+  facts.tracked("packet_energy_fraction",
+                [](const Outcome& o) { return o.track.energy.back() / total(o.density); });
+  facts.add("boundary_energy_fraction", [](const Outcome& o) { return boundary_share(o.density); });
+  facts.add("energy_drift", [](const Outcome& o) { return o.run.energy_drift; });
+  facts.add("escaped", [&](const Outcome& o) { return int(o.reach > rim_of(impact.model.onsite)); });
+}
+
+/**
+The page writes its request to the address that `request` gives, and calls `run`. */
+Request asked;
+
+extern "C" {
+__attribute__((export_name("request"))) Request* request() { return &asked; }
+
+__attribute__((export_name("run"))) void run() {
+  const Impact impact = impact_of(asked);
+  const Refined<Outcome> runs = strike(asked, impact);
+  const Outcome& fine = runs.fine;
+  if (fine.run.escaped())
+    throw std::runtime_error("the solution blows up at t = " + std::to_string(fine.run.escape_time) +
+                             ": the impact velocity is beyond the threshold of this well");
+  report(impact, {runs.coarse, fine});
+  page_profile(fine.end.y.data(), fine.end.v.data(), fine.density.data(), impact.sites);
+}
+}
