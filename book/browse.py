@@ -177,10 +177,73 @@ USE = {
 }
 
 
+# The live page: waits until the panel in `place` has ended, and says what it shows.
+ENDED = """(async (place) => {
+  for (let k = 0; k < 600 && !/done|failed/.test(place.dataset.state); ++k) await new Promise((r) => setTimeout(r, 50));
+  const facts = {};
+  for (const row of place.querySelectorAll("tr[data-quantity]"))
+    facts[row.dataset.quantity] = [row.dataset.value, row.dataset.error];
+  return { state: place.dataset.state, said: place.querySelector("[role=status]").textContent, facts,
+           command: place.querySelector("pre").textContent };
+})"""
+
+
+def native(command, bin_folder):
+    """What the native program prints for the command that a live page shows."""
+    words = command.split()
+    run = subprocess.run([os.path.join(bin_folder, os.path.basename(words[0]))] + words[1:], capture_output=True,
+                         text=True, check=True, timeout=120)
+    rows = [line.split(",") for line in run.stdout.splitlines() if not line.startswith(("#", "quantity"))]
+    return {row[0]: (float(row[1]), float(row[2])) for row in rows}
+
+
+def check_live(browser, folder):
+    """Strikes of the live page: to the bit what the native program says, and words for bad input."""
+    out, page = [], "file://" + os.path.join(folder, "strike.html")
+    bin_folder = os.path.join(folder, "..", "bin")
+    here = os.path.exists(os.path.join(bin_folder, "sec34_impact"))
+    for query in ["", "?velocity=0.94&s=-0.7&time=300&sites=80&show=force", "?velocity=0.5&s=1&precompression=0.5&time=60&sites=100"]:
+        browser.open(page + query)
+        found = browser.evaluate(ENDED + "(document.getElementById('strike'))")
+        if found["state"] != "done" or not found["facts"]:
+            out.append(f"{query}: {found['said']}")
+            continue
+        theirs = native(found["command"], bin_folder) if here else {}
+        for name, pair in found["facts"].items():
+            value, error = map(float, pair)
+            wanted = theirs.get(name, (value, error))
+            if repr((value, error)) != repr(wanted):
+                out.append(f"{found['command']}: {name} is {value} ± {error}, the native program says {wanted}")
+    for query, words in [("?velocity=3&time=100", "blows up"), ("?velocity=1.9&s=1&time=1000&sites=8", "differ by more")]:
+        browser.open(page + query)
+        found = browser.evaluate(ENDED + "(document.getElementById('strike'))")
+        if found["state"] != "failed" or words not in found["said"]:
+            out.append(f"{query}: expected words with '{words}', not: {found['said']}")
+    for value, words in [("abc", "cannot be used"), ("-3", "allowed"), ("", "nothing")]:
+        said = browser.evaluate(f"""(() => {{ const form = document.querySelector("#strike form");
+            form.velocity.value = "{value}"; form.requestSubmit();
+            return document.querySelector("#strike [role=status]").textContent; }})()""")
+        if words not in said:
+            out.append(f"velocity = '{value}' is answered by: {said}")
+    browser.open("file://" + os.path.join(folder, "sec34_impact.html"))
+    found = browser.evaluate("""(() => { document.querySelector("#fig-21 a.live").click();
+        return """ + ENDED + """(document.querySelector("#fig-21 .panel")); })()""")
+    if found["state"] != "done" or browser.evaluate(LOOK):
+        out.append(f"figure 21 cannot be computed in its chapter: {found['said']} {browser.evaluate(LOOK)}")
+    return out, here
+
+
 def check_all(folder, program):
     browser, failed = Browser(program), 0
     try:
         browser.size(380, 800)
+        if os.path.exists(os.path.join(folder, "strike.html")):
+            found, compared = check_live(browser, folder)
+            for complaint in found:
+                print(f"  strike.html: {complaint}")
+            failed += bool(found)
+            print("live pages : " + ("the bits of the native program" if compared and not found else
+                                     "not compared with the native program, which is not built" if not compared else "not in order"))
         names = sorted(n for n in os.listdir(folder) if n.endswith(".html"))
         for name in names:
             browser.open("file://" + os.path.join(folder, name))

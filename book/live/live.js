@@ -117,7 +117,8 @@
       };
       choice("onsite", "well", [["quartic", "quartic, Eq. (10)"], ["pendulum", "pendulum"]]);
       choice("show", "the map shows", [["density", "energy density"], ["force", "contact force"]]);
-      form.append(make("button", { class: "button go", type: "submit" }, "Strike"));
+      this.go = make("button", { class: "button go", type: "submit" }, "Strike");
+      form.append(this.go);
       this.status = make("p", { role: "status", class: "live-status" });
       this.map = make("canvas", { class: "live-map", role: "img" });
       this.profile = make("canvas", { class: "live-profile", role: "img" });
@@ -126,7 +127,10 @@
       this.command = make("pre", { tabindex: "0" });
       this.link = make("a", { href: "#" }, "Link to these parameters");
       this.place.append(form, this.status, this.map, this.profile, this.budget, make("div", { class: "scroll", tabindex: "0" }, this.table), this.command, make("p", {}, this.link));
-      form.addEventListener("submit", (event) => { event.preventDefault(); this.start(); });
+      form.addEventListener("submit", (event) => {
+        event.preventDefault();
+        if (this.place.dataset.state === "running") this.stop(); else this.start();
+      });
       for (const name of ["onsite", "show"]) this.inputs[name].addEventListener("change", () => this.start());
       document.addEventListener("theme", () => this.draw());
       new ResizeObserver(() => this.draw()).observe(this.map);
@@ -151,6 +155,17 @@
       return true;
     }
 
+    stop() {
+      this.worker?.terminate();
+      this.become("stopped");
+      this.say("stopped");
+    }
+
+    become(state) {
+      this.place.dataset.state = state;
+      this.go.textContent = state === "running" ? "Stop" : "Strike";
+    }
+
     say(text, bad = false) {
       this.status.textContent = text;
       this.status.classList.toggle("discrepant", bad);
@@ -172,7 +187,7 @@
       const query = new URLSearchParams(Object.entries(a).map(([k, v]) => [k, shown(v)]));
       this.link.href = `strike.html?${query}`;
       this.budget.replaceChildren(); this.table.replaceChildren();
-      this.place.dataset.state = "running";
+      this.become("running");
       this.say("computing …");
       const bytes = await load();
       const source = `(${worker})();`;
@@ -190,14 +205,15 @@
         this.rows[at] = { t, values };
       }
       if (data.failure !== undefined) {
-        this.place.dataset.state = "failed";
-        this.say(data.failure, true);
+        this.become("failed");
+        const chaos = /two resolutions differ/.test(data.failure) ? "No number: the motion is too irregular for its end to be known after so long a time. " : "";
+        this.say(chaos + data.failure, true);
       }
       if (data.facts) {
         this.done = data;
         this.facts = Object.fromEntries(data.facts.map(([name, value, error]) => [name, { value, error }]));
         this.report();
-        this.place.dataset.state = "done";
+        this.become("done");
       } else if (data.rows && this.place.dataset.state === "running") {
         const last = this.rows[(this.level ? this.next : this.rows.length) - 1];
         this.say(`computing with step 0.2${this.level ? `/${2 ** this.level}` : ""}: t = ${last.t.toFixed(0)} of ${this.ask.time}`);

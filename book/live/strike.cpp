@@ -27,9 +27,13 @@ PAGE("fact") void page_fact(const char* name, std::size_t length, double value, 
   const char* text = static_cast<std::exception*>(thrown)->what();
   page_fail(text, std::char_traits<char>::length(text));
 }
-void* __cxa_allocate_exception(std::size_t size) { return std::malloc(size); }
+void* __cxa_allocate_exception(std::size_t size) {
+  return std::malloc(size);
+}
 void __cxa_free_exception(void*) {}
-[[noreturn]] void __cxa_rethrow() { __builtin_trap(); }
+[[noreturn]] void __cxa_rethrow() {
+  __builtin_trap();
+}
 }
 
 /**
@@ -104,7 +108,8 @@ void report(const Impact& impact, const Facts& facts) {
                 [](const Outcome& o) { return o.track.energy.back() / total(o.density); });
   facts.add("boundary_energy_fraction", [](const Outcome& o) { return boundary_share(o.density); });
   facts.add("energy_drift", [](const Outcome& o) { return o.run.energy_drift; });
-  facts.add("escaped", [&](const Outcome& o) { return int(o.reach > rim_of(impact.model.onsite)); });
+  facts.add("escaped",
+            [&](const Outcome& o) { return int(o.reach > rim_of(impact.model.onsite)); });
 }
 
 /**
@@ -112,15 +117,18 @@ The page writes its request to the address that `request` gives, and calls `run`
 Request asked;
 
 extern "C" {
-__attribute__((export_name("request"))) Request* request() { return &asked; }
+__attribute__((export_name("request"))) Request* request() {
+  return &asked;
+}
 
 __attribute__((export_name("run"))) void run() {
   const Impact impact = impact_of(asked);
   const Refined<Outcome> runs = strike(asked, impact);
   const Outcome& fine = runs.fine;
   if (fine.run.escaped())
-    throw std::runtime_error("the solution blows up at t = " + std::to_string(fine.run.escape_time) +
-                             ": the impact velocity is beyond the threshold of this well");
+    throw std::runtime_error(
+        "the solution blows up at t = " + std::to_string(fine.run.escape_time) +
+        ": the impact velocity is beyond the threshold of this well");
   report(impact, {runs.coarse, fine});
   page_profile(fine.end.y.data(), fine.end.v.data(), fine.density.data(), impact.sites);
 }
