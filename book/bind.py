@@ -179,8 +179,8 @@ class Binder:
         return f'<img src="figures/{name}.svg" alt="{alt}" width="{width}" height="{height}"{note}>'
 
     def live_buttons(self, id):
-        buttons = "".join(f' <a class="button live" href="strike.html?{escape(parameters)}">{escape(words)}</a>'
-                          for words, parameters in self.live.get(id, []))
+        buttons = "".join(f' <a class="button live" href="{escape(address)}">{escape(words)}</a>'
+                          for words, address in self.live.get(id, []))
         return f'<span class="nowprint">{buttons}</span>' if buttons else ""
 
     def equation_record(self, number):
@@ -190,14 +190,14 @@ class Binder:
 
 
 def read_live(path):
-    """Figures that can be computed in the page: [(words, parameters)] by id."""
+    """Figures that can be computed in the page: [(words, address)] by id."""
     out = {}
     with open(path, encoding="utf-8") as file:
         for line in file:
             if line.strip() and not line.startswith("#"):
                 id, _, rest = line.strip().partition(" ")
-                words, _, parameters = rest.partition("|")
-                out.setdefault(id, []).append((words, parameters))
+                words, page, parameters = rest.split("|")
+                out.setdefault(id, []).append((words, f"{page}.html?{parameters}"))
     return out
 
 

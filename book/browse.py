@@ -189,8 +189,8 @@ ENDED = """(async (place) => {
 
 
 def native(command, bin_folder):
-    """What the native program prints for the command that a live page shows."""
-    words = command.split()
+    """What the native program prints for the (first) command that a live page shows."""
+    words = command.split("\n")[0].split()
     run = subprocess.run([os.path.join(bin_folder, os.path.basename(words[0]))] + words[1:], capture_output=True,
                          text=True, check=True, timeout=120)
     rows = [line.split(",") for line in run.stdout.splitlines() if not line.startswith(("#", "quantity"))]
@@ -204,7 +204,7 @@ def check_live(browser, folder):
     here = os.path.exists(os.path.join(bin_folder, "sec34_impact"))
     for query in ["", "?velocity=0.94&s=-0.7&time=300&sites=80&show=force", "?velocity=0.5&s=1&precompression=0.5&time=60&sites=100"]:
         browser.open(page + query)
-        found = browser.evaluate(ENDED + "(document.getElementById('strike'))")
+        found = browser.evaluate(ENDED + "(document.getElementById('live-strike'))")
         if found["state"] != "done" or not found["facts"]:
             out.append(f"{query}: {found['said']}")
             continue
@@ -216,21 +216,48 @@ def check_live(browser, folder):
                 out.append(f"{found['command']}: {name} is {value} ± {error}, the native program says {wanted}")
     for query, words in [("?velocity=3&time=100", "blows up"), ("?velocity=1.9&s=1&time=1000&sites=8", "differ by more")]:
         browser.open(page + query)
-        found = browser.evaluate(ENDED + "(document.getElementById('strike'))")
+        found = browser.evaluate(ENDED + "(document.getElementById('live-strike'))")
         if found["state"] != "failed" or words not in found["said"]:
             out.append(f"{query}: expected words with '{words}', not: {found['said']}")
     for value, words in [("abc", "cannot be used"), ("-3", "allowed"), ("", "nothing")]:
-        said = browser.evaluate(f"""(() => {{ const form = document.querySelector("#strike form");
+        said = browser.evaluate(f"""(() => {{ const form = document.querySelector("#live-strike form");
             form.velocity.value = "{value}"; form.requestSubmit();
-            return document.querySelector("#strike [role=status]").textContent; }})()""")
+            return document.querySelector("#live-strike [role=status]").textContent; }})()""")
         if words not in said:
             out.append(f"velocity = '{value}' is answered by: {said}")
+    out += check_breather(browser, folder, bin_folder)
     browser.open("file://" + os.path.join(folder, "sec34_impact.html"))
     found = browser.evaluate("""(() => { document.querySelector("#fig-21 a.live").click();
         return """ + ENDED + """(document.querySelector("#fig-21 .panel")); })()""")
     if found["state"] != "done" or browser.evaluate(LOOK):
         out.append(f"figure 21 cannot be computed in its chapter: {found['said']} {browser.evaluate(LOOK)}")
     return out, here
+
+
+def check_breather(browser, folder, bin_folder):
+    """The breather's page: the native numbers within the errors, both verdicts, a kick, and words."""
+    out, page = [], "file://" + os.path.join(folder, "breather.html")
+    here = os.path.exists(os.path.join(bin_folder, "sec32_newton_breathers"))
+    for query, unstable, fate in [("", 1, None), ("?centre=bond&s=0.3", 1, None), ("?centre=site&omega=1.3&s=1", 0, None),
+                                  ("?centre=stretched&kick=2e-4&time=3000", 0, 1)]:
+        browser.open(page + query)
+        found = browser.evaluate(ENDED + "(document.getElementById('live-breather'))")
+        facts = {name: tuple(map(float, pair)) for name, pair in found["facts"].items()}
+        if found["state"] != "done" or facts["unstable_pairs"][0] != unstable:
+            out.append(f"breather.html{query}: {found['said']}, {facts.get('unstable_pairs')}")
+            continue
+        if fate is not None and facts["fate"][0] != fate:
+            out.append(f"breather.html{query}: the kick ends in {facts['fate']}")
+        theirs = native(found["command"], bin_folder) if here else {}
+        for name in ("amplitude", "energy", "area"):
+            value, error = theirs.get(name, facts[name])
+            if not abs(value - facts[name][0]) <= error + facts[name][1]:
+                out.append(f"breather.html{query}: {name} is {facts[name]}, the native program says {value} ± {error}")
+    browser.open(page + "?centre=bond&omega=1.7&s=-1")
+    found = browser.evaluate(ENDED + "(document.getElementById('live-breather'))")
+    if found["state"] != "failed" or "turns back" not in found["said"]:
+        out.append(f"a breather beyond its fold is answered by: {found['said']}")
+    return out
 
 
 def check_all(folder, program):

@@ -51,7 +51,8 @@ class Book:
         out = "<h2>Chapters</h2><ul>" + item("index.html", "Start")
         out += "".join(item(s.page, s.title, sections) for s in self.chapters) + "</ul>"
         out += "<h2>Findings</h2><ul>" + "".join(item(t, n) for t, n in LISTS)
-        out += (item("strike.html", "Strike the chain (live)") if self.binder.live else "") + "</ul><h2>Library</h2>"
+        live = [("strike.html", "Strike the chain (live)"), ("breather.html", "Find a breather (live)")]
+        out += "".join(item(t, n) for t, n in live if self.binder.live) + "</ul><h2>Library</h2>"
         for room, headers in self.library.items():
             inside = any(h.page == page for h in headers)
             items = "".join(item(h.page, h.title, sections) for h in headers)
@@ -88,7 +89,7 @@ class Book:
 </main>
 </div>
 {scripts}<script src="book.js"></script>
-{'<script src="live.js"></script>' if 'class="button live"' in body or 'id="strike"' in body else ""}
+{'<script src="live.js"></script>' if 'class="button live"' in body or 'id="live-' in body else ""}
 </body>
 </html>
 """
@@ -341,13 +342,30 @@ routes, laws of our own.</p>
 that the programs are compiled from. A run is made twice or more often, with half the step each time, until two agree to
 one part in ten thousand; the map shows the latest, and the difference of the last two is the error of every number. For
 quartic wells the numbers have the bits of the native program, whose command stands below.</p>
-<div id="strike" class="panel wide"></div>
+<div id="live-strike" class="panel wide"></div>
 <noscript><p>This page needs JavaScript.</p></noscript>
 <p>What there is to see: with <code>s = 0</code> everything runs away, with <code>s = -0.7</code> and an impact of 0.94
 most of the energy stays at the first beads, with <code>s = 1</code> and an impact of 1.9 the packet turns round.
 <a href="{chapter.page}">{escape(chapter.title)}</a> tells the story.</p>"""
         self.note("strike.html", "", "Strike the chain", "Strike the chain", body)
         return self.page("strike.html", "Strike the chain", body)
+
+    def breather(self):
+        chapters = [self.binder.by_path[f"src/{name}.cpp"] for name in
+                    ("sec32_newton_breathers", "sec33_floquet", "sec33_mobility")]
+        links = ", ".join(f'<a href="{c.page}">{escape(c.title)}</a>' for c in chapters)
+        body = f"""<h1>Find a breather</h1>
+<p>Newton's method finds a breather here, in the page, by the headers that the programs are compiled from. Its multipliers
+say whether it is stable, and a kick shows whether it can be moved. Where the programs confirm a breather in a wider type,
+which a browser does not have, this page takes a second tolerance for the error; the numbers agree with those of the
+programs within their errors, not to the bit. Far from the frequency 1.1 the branch is followed first, which takes seconds.</p>
+<div id="live-breather" class="panel wide"></div>
+<noscript><p>This page needs JavaScript.</p></noscript>
+<p>What there is to see: around a site the breather is unstable at <code>s = 0</code> and stable at <code>s = 0.3</code>,
+around a bond it is the other way round; a kick of <code>2e-4</code> sets either in motion, against its direction.
+The chapters: {links}.</p>"""
+        self.note("breather.html", "", "Find a breather", "Find a breather", body)
+        return self.page("breather.html", "Find a breather", body)
 
     # Start and search
 
@@ -378,7 +396,8 @@ does not survive a converged computation it says what does, and why.</p>
         if not self.binder.live:
             return ""
         return ('<h2 id="live">Strike the chain</h2><p>A figure with a button can be computed here, in the page, by the library that '
-                'the programs use. Then turn a knob.</p>' + binding.figure("21", escape(self.record.figures["21"]["caption"])))
+                'the programs use. Then turn a knob.</p>' + binding.figure("21", escape(self.record.figures["21"]["caption"]))
+                + '<p>Or <a href="breather.html">find a breather</a>, and see whether a kick moves it.</p>')
 
     def summary(self, source):
         """The first sentences of a chapter."""
@@ -418,6 +437,7 @@ does not survive a converged computation it says what does, and why.</p>
             out[f"fig-{id}.html"] = self.figure_page(id)
         if self.binder.live:
             out["strike.html"] = self.strike()
+            out["breather.html"] = self.breather()
         out["search.html"] = self.search_page()
         rows = ",\n".join(json.dumps(entry, ensure_ascii=False) for entry in self.search)
         out["search-index.js"] = f"window.SEARCH = [\n{rows}\n];\n"

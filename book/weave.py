@@ -115,13 +115,20 @@ def copy_assets(out, here, record, figures, images):
         shutil.copyfile(os.path.join(katex, "fonts", font), os.path.join(out, "fonts", font))
 
 
-def copy_live(out, here, module):
-    """The compiled library as a script, because a page from a folder may not fetch a file."""
-    with open(module, "rb") as file:
-        packed = base64.b64encode(gzip.compress(file.read(), mtime=0)).decode()
-    with open(os.path.join(out, "strike.js"), "w", encoding="utf-8") as file:
-        file.write(f'window.LIVE_STRIKE = "{packed}";\n')
-    shutil.copyfile(os.path.join(here, "live/live.js"), os.path.join(out, "live.js"))
+LIVE = ["strike", "breather"]
+
+
+def copy_live(out, here, folder):
+    """The compiled library as scripts, because a page from a folder may not fetch a file."""
+    for page in LIVE:
+        with open(os.path.join(folder, page + ".wasm"), "rb") as file:
+            packed = base64.b64encode(gzip.compress(file.read(), mtime=0)).decode()
+        with open(os.path.join(out, page + ".module.js"), "w", encoding="utf-8") as file:
+            file.write(f'(window.LIVE_MODULES ??= {{}}).{page} = "{packed}";\n')
+    with open(os.path.join(out, "live.js"), "w", encoding="utf-8") as file:
+        for name in ["live"] + LIVE:
+            with open(os.path.join(here, "live", name + ".js"), encoding="utf-8") as part:
+                file.write(part.read())
 
 
 def make(root, data, figures, out, live=""):
@@ -131,8 +138,7 @@ def make(root, data, figures, out, live=""):
     link_sources(record, chapters, library)
     headers = [h for room in library.values() for h in room]
     images = find_images(record, figures)
-    module = os.path.join(live, "strike.wasm")
-    has_live = bool(live) and os.path.exists(module)
+    has_live = bool(live) and all(os.path.exists(os.path.join(live, p + ".wasm")) for p in LIVE)
     binder = Binder(record, chapters + headers, images, has_live)
     book = pages.Book(record, binder, chapters, library)
 
@@ -147,7 +153,7 @@ def make(root, data, figures, out, live=""):
             file.write(prose.with_formulas(page, done) if name.endswith(".html") else page)
     copy_assets(part, here, record, figures, images)
     if has_live:
-        copy_live(part, here, module)
+        copy_live(part, here, live)
     complaints = check.complaints(part)
     if complaints:
         raise BookError("\n  ".join(["the book is not whole (left in " + part + "):"] + complaints[:40]))

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Compiles the live pages from the library's headers: build.sh FOLDER makes FOLDER/strike.wasm. Where
+# Compiles the live pages from the library's headers: build.sh FOLDER makes FOLDER/*.wasm. Where
 # the compiler for the browser is missing it says so, and the book is woven without live pages.
 set -eu
 out=$1
@@ -9,16 +9,20 @@ runtime=$(find /usr/lib/llvm-14 -name libclang_rt.builtins-wasm32.a 2>/dev/null 
 if ! command -v clang++-14 >/dev/null || ! command -v wasm-ld-14 >/dev/null || [ -z "$runtime" ] ||
   [ ! -e /usr/lib/wasm32-wasi/libc++.a ]; then
   echo "live pages : left out, clang-14 for the browser is not installed (apt-packages.txt, [live])"
-  rm -f "$out/strike.wasm"
+  rm -f "$out"/*.wasm
   exit 0
 fi
 mkdir -p "$out"
-newest=$(find "$here" "$root/src/lattice" -newer "$out/strike.wasm" -type f 2>/dev/null | head -n 1)
-[ -e "$out/strike.wasm" ] && [ -z "$newest" ] && exit 0
-clang++-14 --target=wasm32-wasi -std=c++20 -O2 -fexceptions -fno-rtti -ffp-contract=off \
-  -fno-math-errno -msimd128 -I"$root/src" -c "$here/strike.cpp" -o "$out/strike.o"
-# The linker is called by itself: the driver may run an optimiser that breaks vector instructions.
-wasm-ld-14 --stack-first -z stack-size=262144 --no-entry --strip-all --gc-sections \
-  --export=__wasm_call_ctors -L/usr/lib/wasm32-wasi "$out/strike.o" -lc++ -lc++abi -lc "$runtime" \
-  -o "$out/strike.wasm.part"
-mv "$out/strike.wasm.part" "$out/strike.wasm"
+for page in strike breather; do
+  wasm=$out/$page.wasm
+  newest=$(find "$here" "$root/src/lattice" -newer "$wasm" -name '*.?pp' 2>/dev/null | head -n 1)
+  [ -e "$wasm" ] && [ -z "$newest" ] && continue
+  clang++-14 --target=wasm32-wasi -std=c++20 -O2 -fexceptions -fno-rtti -ffp-contract=off \
+    -fno-math-errno -msimd128 -I"$root/src" -I/usr/include/eigen3 -c "$here/$page.cpp" \
+    -o "$out/$page.o"
+  # The linker is called by itself: the driver may run an optimiser that breaks vector instructions.
+  wasm-ld-14 --stack-first -z stack-size=262144 --no-entry --strip-all --gc-sections \
+    --export=__wasm_call_ctors -L/usr/lib/wasm32-wasi "$out/$page.o" -lc++ -lc++abi -lc \
+    "$runtime" -o "$wasm.part"
+  mv "$wasm.part" "$wasm"
+done

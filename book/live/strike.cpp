@@ -7,34 +7,9 @@ it is computed, and gets each quantity with its error; what goes wrong is told i
 which the programs tell it. */
 
 #include "lattice/measure/impact.hpp"
+#include "page.hpp"
 
 using namespace lattice;
-
-/**
-## What the page offers
-
-Four functions of the page are called from here. `page_fail` does not return, because it throws on
-the other side: the instance is thrown away after one run. */
-#define PAGE(name) __attribute__((import_module("page"), import_name(name)))
-extern "C" {
-PAGE("row") void page_row(int halvings, double t, const double* values, std::size_t n);
-PAGE("profile") void page_profile(const double* y, const double* v, const double* e, std::size_t n);
-PAGE("fact") void page_fact(const char* name, std::size_t length, double value, double error);
-[[noreturn]] PAGE("fail") void page_fail(const char* text, std::size_t length);
-
-/// Every exception of the library has words, and there is no other way out of a page's run.
-[[noreturn]] void __cxa_throw(void* thrown, void*, void (*)(void*)) {
-  const char* text = static_cast<std::exception*>(thrown)->what();
-  page_fail(text, std::char_traits<char>::length(text));
-}
-void* __cxa_allocate_exception(std::size_t size) {
-  return std::malloc(size);
-}
-void __cxa_free_exception(void*) {}
-[[noreturn]] void __cxa_rethrow() {
-  __builtin_trap();
-}
-}
 
 /**
 ## The run
@@ -85,8 +60,7 @@ struct Facts {
 
   template <class Of>
   void add(std::string_view name, Of of) const {
-    const Estimate both = compare(of(coarse), of(fine));
-    page_fact(name.data(), name.size(), both.value, both.error);
+    page::fact(name, compare(of(coarse), of(fine)));
   }
   template <class Of>
   void tracked(std::string_view name, Of of) const {
@@ -130,6 +104,6 @@ __attribute__((export_name("run"))) void run() {
         "the solution blows up at t = " + std::to_string(fine.run.escape_time) +
         ": the impact velocity is beyond the threshold of this well");
   report(impact, {runs.coarse, fine});
-  page_profile(fine.end.y.data(), fine.end.v.data(), fine.density.data(), impact.sites);
+  page::list("v", fine.end.v);
 }
 }

@@ -1,0 +1,138 @@
+/**
+# A breather in the browser
+
+Newton's method, the multipliers and a kick, from the headers that the programs of sections 3.2
+and 3.3 are compiled from. Where those confirm a breather in a wider type, which a browser does not
+have, the page takes a second tolerance, sixteen times as large, for the error. */
+
+#include "lattice/orbits/breather.hpp"
+#include "lattice/measure/kick.hpp"
+#include "lattice/orbits/floquet.hpp"
+#include "lattice/stepping/contact_rkn.hpp"
+#include "page.hpp"
+
+using namespace lattice;
+
+/**
+A request names the breather, and a kick with the time over which it is followed; no kick is zero. */
+struct Request {
+  double bond, stretched, omega, s, kick, time;
+
+  Centre centre() const { return bond != 0 ? Centre::bond : Centre::site; }
+  Phase phase() const { return stretched != 0 ? Phase::stretched : Phase::compressed; }
+};
+
+NewtonRule<double> coarser() {
+  NewtonRule<double> rule;
+  rule.landing.tolerance *= 16;
+  return rule;
+}
+
+/// On the article's chain, or on one of `sites` sites for a breather that will move.
+Fitted find(const Request& r, std::size_t sites = 0) {
+  const std::size_t odd = r.bond == 0, usual = sites ? 22 + odd : 32 - odd;
+  return fit_chain(r.centre(), r.omega, r.s, sites, usual, sites ? 1e-16 : 1e-17, r.phase());
+}
+
+/**
+## The breather
+
+The history shows how fast Newton's method ends; the residual is that of a whole period, without
+any symmetry. Where rounding stops the iteration, its last step, which it could not make smaller, is
+a part of the error. */
+Estimate known(double rough, double good, double step) {
+  Estimate both = compare(rough, good);
+  both.error += 2 * step * std::abs(good);
+  return both;
+}
+
+void report_orbit(const Fitted& found, const Orbit<double>& rough) {
+  const Orbit<double>& orbit = found.orbit;
+  const double step = orbit.variation();
+  std::vector<double> residuals, steps;
+  for (const Iteration& i : orbit.history) residuals.push_back(i.residual), steps.push_back(i.step);
+  page::list("residuals", residuals);
+  page::list("steps", steps);
+  page::list("y", orbit.start.y);
+  State<double> end = orbit.start;
+  const Flow<double> run = flow(found.problem.chain, end, found.problem.period());
+  const double miss = largest_difference(end, orbit.start) / orbit.amplitude;
+  page::fact("sites", exact(double(orbit.start.y.size())));
+  page::fact("amplitude", known(rough.amplitude, orbit.amplitude, step));
+  page::fact("energy", known(rough.energy, orbit.energy, step));
+  page::fact("area", known(rough.area, orbit.area, step));
+  page::fact("residual", {miss, run.error});
+}
+
+/**
+## Its stability
+
+Each pair of multipliers is one number $\kappa$ with its error (floquet.hpp), and the verdict is that
+of the pair which is most clearly off the circle. */
+void report_multipliers(const Fitted& found, const Orbit<double>& rough) {
+  const double period = found.problem.period();
+  const auto& chain = found.problem.chain;
+  const auto good = floquet_pairs(chain, found.orbit.start, period);
+  const auto bad = floquet_pairs(chain, rough.start, period, coarser().landing);
+  std::vector<double> points;
+  double unstable = 0;
+  const std::vector<Pair> pairs = compare_pairs(bad, good);
+  for (const Pair& pair : pairs) {
+    for (int sign : {1, -1}) {
+      const auto m = multiplier(pair.kappa, sign);
+      points.insert(points.end(), {m.real(), m.imag(), pair.multiplier_error()});
+    }
+    if (pair.is_unstable()) ++unstable;
+  }
+  page::list("multipliers", points);
+  page::fact("unstable_pairs", exact(unstable));
+  page::fact("pinning_kappa", {pairs.front().kappa.real(), pairs.front().error});
+}
+
+/**
+## A kick
+
+The path of the centre comes from two runs with different steps. It says something only while the
+energy drifts by far less than the kick has brought. */
+Creep follow(const Fitted& found, const Request& r, int halvings) {
+  const Chain<Quartic, Hertz> chain{found.problem.chain.sites, {r.s}};
+  const ContactAware stepper{halvings ? 0.05 : 0.1};
+  const double sample = creep_sample(found.problem.period());
+  return creep(stepper, chain, kicked(found.orbit.start, r.kick), sample, r.time,
+               [&](const Creep& path, const State<double>&, const std::vector<double>&) {
+                 const double moved = path.travelled();
+                 page_row(halvings, path.t.back(), &moved, 1);
+                 return true;
+               });
+}
+
+void report_kick(const Request& r) {
+  const Fitted found = find(r, r.bond != 0 ? 52 : 53);
+  const Creep rough = follow(found, r, 0), good = follow(found, r, 1);
+  const double gained = r.kick * r.kick / 2 / found.orbit.energy;
+  page::fact("travelled", compare(rough.travelled(), good.travelled()));
+  page::fact("speed", compare(rough.speed(r.time / 16, r.time), good.speed(r.time / 16, r.time)));
+  page::fact("margin", exact(gained / good.run.energy_drift));
+  page::fact("share", compare(rough.share, good.share));
+  const bool agree = fate_of(rough) == fate_of(good);
+  page::fact("fate", exact(agree ? double(int(fate_of(good))) : 0));
+}
+
+/**
+The page writes its request to the address that `request` gives, and calls `run`. */
+Request asked;
+
+extern "C" {
+__attribute__((export_name("request"))) Request* request() {
+  return &asked;
+}
+
+__attribute__((export_name("run"))) void run() {
+  const Fitted found = find(asked);
+  const Vector<double> elsewhere = 1.001 * found.orbit.x;  // so that it has something to find
+  const Orbit<double> rough = newton(found.problem, elsewhere, coarser());
+  report_orbit(found, rough);
+  report_multipliers(found, rough);
+  if (asked.kick != 0) report_kick(asked);
+}
+}
