@@ -253,6 +253,16 @@ def check_breather(browser, folder, bin_folder):
             value, error = theirs.get(name, facts[name])
             if not abs(value - facts[name][0]) <= error + facts[name][1]:
                 out.append(f"breather.html{query}: {name} is {facts[name]}, the native program says {value} ± {error}")
+    browser.open("file://" + os.path.join(folder, "defect.html"))
+    found = browser.evaluate(ENDED + "(document.getElementById('live-defect'))")
+    facts = {name: tuple(map(float, pair)) for name, pair in found["facts"].items()}
+    here = os.path.exists(os.path.join(bin_folder, "sec36_cantilever_defect"))
+    theirs = native(found["command"], bin_folder) if here else facts
+    for name, (value, error) in facts.items():
+        if not abs(value - theirs[name][0]) <= error + theirs[name][1]:
+            out.append(f"defect.html: {name} is {value} ± {error}, the native program says {theirs[name]}")
+    if found["state"] != "done" or not facts["net_reflected"][0] > 0.95:
+        out.append(f"defect.html: {found['said']}, {facts}")
     browser.open(page + "?centre=bond&omega=1.7&s=-1")
     found = browser.evaluate(ENDED + "(document.getElementById('live-breather'))")
     if found["state"] != "failed" or "turns back" not in found["said"]:

@@ -51,7 +51,8 @@ class Book:
         out = "<h2>Chapters</h2><ul>" + item("index.html", "Start")
         out += "".join(item(s.page, s.title, sections) for s in self.chapters) + "</ul>"
         out += "<h2>Findings</h2><ul>" + "".join(item(t, n) for t, n in LISTS)
-        live = [("strike.html", "Strike the chain (live)"), ("breather.html", "Find a breather (live)")]
+        live = [("strike.html", "Strike the chain (live)"), ("breather.html", "Find a breather (live)"),
+                ("defect.html", "Put a defect in the way (live)")]
         out += "".join(item(t, n) for t, n in live if self.binder.live) + "</ul><h2>Library</h2>"
         for room, headers in self.library.items():
             inside = any(h.page == page for h in headers)
@@ -367,6 +368,20 @@ The chapters: {links}.</p>"""
         self.note("breather.html", "", "Find a breather", "Find a breather", body)
         return self.page("breather.html", "Find a breather", body)
 
+    def defect(self):
+        chapter = self.binder.by_path["src/sec36_cantilever_defect.cpp"]
+        body = f"""<h1>Put a defect in the way</h1>
+<p>Two hundred clamped cantilevers carry beads, those of the hundredth have another radius, and the first cantilever is
+struck. The map shows the contact forces as they are computed here, in the page; then two runs with different steps say how
+the energy that arrives is divided.</p>
+<div id="live-defect" class="panel wide"></div>
+<noscript><p>This page needs JavaScript.</p></noscript>
+<p>What there is to see: beads of 1.6 radii reflect almost everything, beads of 1.1 radii let a part pass, and beads that
+are somewhat smaller than the others keep a few per cent. <a href="{chapter.page}">{escape(chapter.title)}</a> tells the
+story.</p>"""
+        self.note("defect.html", "", "Put a defect in the way", "Put a defect in the way", body)
+        return self.page("defect.html", "Put a defect in the way", body)
+
     # Start and search
 
     def start(self, text):
@@ -397,7 +412,8 @@ does not survive a converged computation it says what does, and why.</p>
             return ""
         return ('<h2 id="live">Strike the chain</h2><p>A figure with a button can be computed here, in the page, by the library that '
                 'the programs use. Then turn a knob.</p>' + binding.figure("21", escape(self.record.figures["21"]["caption"]))
-                + '<p>Or <a href="breather.html">find a breather</a>, and see whether a kick moves it.</p>')
+                + '<p>Or <a href="breather.html">find a breather</a>, and see whether a kick moves it, '
+                  'or <a href="defect.html">put a defect in the way</a> of a packet.</p>')
 
     def summary(self, source):
         """The first sentences of a chapter."""
@@ -438,6 +454,7 @@ does not survive a converged computation it says what does, and why.</p>
         if self.binder.live:
             out["strike.html"] = self.strike()
             out["breather.html"] = self.breather()
+            out["defect.html"] = self.defect()
         out["search.html"] = self.search_page()
         rows = ",\n".join(json.dumps(entry, ensure_ascii=False) for entry in self.search)
         out["search-index.js"] = f"window.SEARCH = [\n{rows}\n];\n"

@@ -115,7 +115,7 @@ def copy_assets(out, here, record, figures, images):
         shutil.copyfile(os.path.join(katex, "fonts", font), os.path.join(out, "fonts", font))
 
 
-LIVE = ["strike", "breather"]
+LIVE = ["strike", "breather", "defect"]
 
 
 def copy_live(out, here, folder):

@@ -13,16 +13,21 @@ if ! command -v clang++-14 >/dev/null || ! command -v wasm-ld-14 >/dev/null || [
   exit 0
 fi
 mkdir -p "$out"
-for page in strike breather; do
-  wasm=$out/$page.wasm
+build() {
+  wasm=$out/$1.wasm
   newest=$(find "$here" "$root/src/lattice" -newer "$wasm" -name '*.?pp' 2>/dev/null | head -n 1)
-  [ -e "$wasm" ] && [ -z "$newest" ] && continue
+  [ -e "$wasm" ] && [ -z "$newest" ] && return
   clang++-14 --target=wasm32-wasi -std=c++20 -O2 -fexceptions -fno-rtti -ffp-contract=off \
-    -fno-math-errno -msimd128 -I"$root/src" -I/usr/include/eigen3 -c "$here/$page.cpp" \
-    -o "$out/$page.o"
+    -fno-math-errno -msimd128 -I"$root/src" -I/usr/include/eigen3 -c "$here/$1.cpp" -o "$out/$1.o"
   # The linker is called by itself: the driver may run an optimiser that breaks vector instructions.
   wasm-ld-14 --stack-first -z stack-size=262144 --no-entry --strip-all --gc-sections \
-    --export=__wasm_call_ctors -L/usr/lib/wasm32-wasi "$out/$page.o" -lc++ -lc++abi -lc \
-    "$runtime" -o "$wasm.part"
+    --export=__wasm_call_ctors -L/usr/lib/wasm32-wasi "$out/$1.o" -lc++ -lc++abi -lc "$runtime" \
+    -o "$wasm.part"
   mv "$wasm.part" "$wasm"
-done
+}
+
+build breather &
+one=$!
+build strike
+build defect
+wait $one

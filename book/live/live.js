@@ -277,6 +277,35 @@ window.Live = (() => {
     }
   }
 
+  // The colours of the maps, from nothing to much.
+  const STOPS = [[252, 253, 191], [254, 176, 120], [241, 96, 93], [183, 55, 121], [114, 31, 129], [44, 17, 95], [0, 0, 4]];
+  const PALETTE = Array.from({ length: 256 }, (_, i) => {
+    const at = i / 255 * (STOPS.length - 1), k = Math.min(Math.floor(at), STOPS.length - 2);
+    return STOPS[k].map((a, c) => Math.round(a + (STOPS[k + 1][c] - a) * (at - k)));
+  });
+
+  // A map of rows {t, values}: time to the right, sites upward; what is there fills the time so far.
+  const drawMap = (canvas, rows, [begin, end], y, x, words) => {
+    const sites = rows[0].values.length;
+    let largest = 0;
+    for (const { t, values } of rows) if (t > 0.03 * end || rows.length < 5) for (const v of values) largest = Math.max(largest, Math.abs(v));
+    const image = new ImageData(rows.length, sites);
+    rows.forEach(({ values }, i) => {
+      for (let n = 0; n < sites; ++n) {
+        const share = Math.min(1, Math.abs(values[n] || 0) / (largest || 1));
+        image.data.set([...PALETTE[Math.round(255 * share ** 0.4)], 255], 4 * ((sites - 1 - n) * rows.length + i));
+      }
+    });
+    const strip = document.createElement("canvas");
+    strip.width = image.width; strip.height = image.height;
+    strip.getContext("2d").putImageData(image, 0, 0);
+    const map = new Plot(canvas, Math.min(380, Math.max(230, canvas.clientWidth * 0.5)), [begin, end], [0.5, sites + 0.5]);
+    map.pen.imageSmoothingEnabled = false;
+    map.pen.drawImage(strip, map.left, map.top, Math.max(1, map.width * (rows.at(-1).t - begin) / (end - begin)), map.height);
+    map.axes(x, y);
+    canvas.setAttribute("aria-label", `${words} over time and sites, up to ${largest.toPrecision(3)}`);
+  };
+
   const kinds = {};
   // The page of a kind takes its parameters from the address; figures carry theirs in a link.
   const begin = () => {
@@ -297,5 +326,5 @@ window.Live = (() => {
     }
   };
   document.addEventListener("DOMContentLoaded", begin);
-  return { Panel, Plot, make, rounded, withError, kinds };
+  return { Panel, Plot, drawMap, make, rounded, withError, kinds };
 })();

@@ -1,14 +1,7 @@
 // Strike the chain: a map that grows while it is computed, the velocities at the end, where the energy is.
 (() => {
   "use strict";
-  const { Panel, Plot, make } = Live;
-
-  // The colours of the maps, from nothing to much.
-  const STOPS = [[252, 253, 191], [254, 176, 120], [241, 96, 93], [183, 55, 121], [114, 31, 129], [44, 17, 95], [0, 0, 4]];
-  const PALETTE = Array.from({ length: 256 }, (_, i) => {
-    const at = i / 255 * (STOPS.length - 1), k = Math.min(Math.floor(at), STOPS.length - 2);
-    return STOPS[k].map((a, c) => Math.round(a + (STOPS[k + 1][c] - a) * (at - k)));
-  });
+  const { Panel, Plot, drawMap, make } = Live;
 
   Live.kinds.strike = class extends Panel {
     page() { return "strike"; }
@@ -67,28 +60,10 @@
       this.fact("energy_drift", "relative drift of the energy");
     }
 
-    // Time to the right and sites upward; the row of a time fills the place up to the next one.
     draw() {
       if (!this.rows?.length) return;
       const { sites, time } = this.ask, force = this.ask.show === "force", rows = this.rows;
-      let largest = 0;
-      for (const { t, values } of rows) if (t > 0.03 * time || rows.length < 5) for (const x of values) largest = Math.max(largest, Math.abs(x));
-      const image = new ImageData(rows.length, sites);
-      rows.forEach(({ values }, i) => {
-        for (let n = 0; n < sites; ++n) {
-          const share = Math.min(1, Math.abs(values[n] || 0) / (largest || 1));
-          const colour = PALETTE[Math.round(255 * share ** 0.4)], at = 4 * ((sites - 1 - n) * rows.length + i);
-          image.data.set([...colour, 255], at);
-        }
-      });
-      const strip = document.createElement("canvas");
-      strip.width = image.width; strip.height = image.height;
-      strip.getContext("2d").putImageData(image, 0, 0);
-      const map = new Plot(this.map, Math.min(380, Math.max(230, this.map.clientWidth * 0.5)), [0, time], [0.5, sites + 0.5]);
-      map.pen.imageSmoothingEnabled = false;
-      map.pen.drawImage(strip, map.left, map.top, Math.max(1, map.width * rows.at(-1).t / time), map.height);
-      map.axes("time t", force ? "contact n" : "site n");
-      this.map.setAttribute("aria-label", `Map of the ${force ? "contact force" : "energy density"} over time and sites, up to ${largest.toPrecision(3)}`);
+      drawMap(this.map, rows, [0, time], force ? "contact n" : "site n", "time t", `Map of the ${force ? "contact force" : "energy density"}`);
       const v = this.lists.v || [], most = 1.05 * v.reduce((m, x) => Math.max(m, Math.abs(x)), 0) || 1;
       const profile = new Plot(this.profile, 170, [0.5, sites + 0.5], [-most, most]);
       if (!v.length) return;

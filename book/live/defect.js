@@ -1,0 +1,45 @@
+// A defect: a packet meets beads of another radius, and its energy is divided.
+(() => {
+  "use strict";
+  const { Panel, drawMap, make } = Live;
+
+  Live.kinds.defect = class extends Panel {
+    page() { return "defect"; }
+    verb() { return "Strike"; }
+    fields() {
+      return [["radius", "radius of the defect's beads over the others'", 1.6, 0.3, 3, "R₁₀₀/R"], ["velocity", "impact velocity in m/s", 1, 0.01, 10, "V"]];
+    }
+    choices() { return []; }
+    request() { return [this.ask.radius, this.ask.velocity, 300]; }
+    commands() { return `build/bin/sec36_cantilever_defect run --radius ${this.ask.radius} --velocity ${this.ask.velocity}`; }
+
+    furnish() {
+      this.map = make("canvas", { role: "img" });
+      this.budget = make("div");
+      this.shows.append(this.map, this.budget);
+    }
+    begin() { this.budget.replaceChildren(); }
+
+    progress(t) { this.say(t < 74.9 ? `computing: ${t.toFixed(0)} of 75 ms` : "the map is drawn; computing the shares at two steps …"); }
+
+    report() {
+      const f = this.facts, percent = (x) => `${(100 * x).toFixed(1)} %`;
+      this.say(`computed in ${this.seconds.toFixed(2)} s; the errors are the differences of two runs with steps 0.1 and 0.05 of the time scale`);
+      const [back, near, on] = ["net_reflected", "net_near", "net_transmitted"].map((n) => f[n].value);
+      const part = (name, x) => make("span", { class: name, style: `flex-grow: ${Math.max(x, 0.0005)}` });
+      this.budget.append(make("div", { class: "bar", "aria-hidden": "true" }, part("stays", back), part("rest", near), part("packet", on)),
+        make("p", {}, `Of the energy that arrives at the defect, ${percent(back)} is reflected, ${percent(near)} is still near it after 75 ms, ${percent(on)} is transmitted.`));
+      this.fact("net_reflected", "reflected, of what arrives");
+      this.fact("net_near", "near the defect, of what arrives");
+      this.fact("net_transmitted", "transmitted, of what arrives");
+      this.fact("reflected", "before the defect, of all energy");
+      this.fact("near", "near the defect, of all energy");
+      this.fact("transmitted", "behind the defect, of all energy");
+      this.fact("ledger", "sum of the shares less one");
+    }
+
+    draw() {
+      if (this.rows?.length) drawMap(this.map, this.rows, [0, 75], "contact n", "time t (ms)", "Map of the contact forces in newtons");
+    }
+  };
+})();
