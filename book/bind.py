@@ -65,6 +65,9 @@ class Binder:
         for name in twice:
             del self.definitions[name]
         table = read_table(os.path.join(record.root, "book/equations.ecsv"))
+        for id in self.live:
+            if id not in record.figures:
+                raise BookError(f"book/live/figures.txt: there is no figure '{id}'")
         self.equations = {int(r["number"]): r for r in table.rows}
         self.labels = {r["label"]: f"Eq. ({r['number']})" for r in table.rows}
         self.figure_labels = {f["label"]: i for i, f in record.figures.items() if f["label"]}
@@ -278,7 +281,7 @@ class PageBinding:
         while anchor in self.ids:
             anchor, n = f"{base}-{n}", n + 1
         self.ids.add(anchor)
-        self.headings.append((level, title, anchor))
+        self.headings.append((level, re.sub(r"<(?!/?span)[^>]*>", "", inner), anchor))
         if level == 1:
             return f'<h1 id="{anchor}">{inner}</h1>'
         return (f'<h{level} id="{anchor}">{inner}<a class="anchor" href="#{anchor}" '

@@ -85,6 +85,13 @@ class Browser:
             raise RuntimeError(answer["exceptionDetails"].get("exception", {}).get("description", "an exception"))
         return answer["result"].get("value")
 
+    def press(self, key):
+        """A key as a reader presses it."""
+        code = {"Enter": 13, "Escape": 27, "Tab": 9, "/": 191}[key]
+        text = {"text": "\r" if key == "Enter" else key} if key in ("Enter", "/") else {}
+        for kind in ("keyDown", "keyUp"):
+            self.ask("Input.dispatchKeyEvent", type=kind, key=key, windowsVirtualKeyCode=code, **(text if kind == "keyDown" else {}))
+
     def size(self, width, height, scale=1):
         self.ask("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=scale, mobile=False)
 
@@ -234,6 +241,34 @@ def check_live(browser, folder):
     return out, here
 
 
+def check_keys(browser, folder):
+    """A number opens and closes, and the search is reached, by the keyboard alone."""
+    out, active = [], "document.activeElement.textContent"
+    opened = "!!document.querySelector('[popover]:popover-open')"
+    browser.open("file://" + os.path.join(folder, "index.html"))
+    browser.evaluate("document.querySelector('h1').tabIndex = -1; document.querySelector('h1').focus()")
+    for _ in range(6):
+        browser.press("Tab")
+        if browser.evaluate("document.activeElement.className") == "num":
+            break
+    else:
+        out.append("no number is reached with the tabulator key")
+    number = browser.evaluate(active)
+    browser.press("Enter")
+    if not browser.evaluate(opened):
+        out.append(f"{number} does not open with return")
+    browser.press("Tab")
+    if not browser.evaluate("!!document.activeElement.closest('[popover]')"):
+        out.append("the keyboard does not come into the record")
+    browser.press("Escape")
+    if browser.evaluate(opened) or browser.evaluate(active) != number:
+        out.append("escape does not close the record and return to its number")
+    browser.press("/")
+    if browser.evaluate("document.activeElement.name") != "q":
+        out.append("a slash does not lead to the search")
+    return out
+
+
 def check_breather(browser, folder, bin_folder):
     """The breather's page: the native numbers within the errors, both verdicts, a kick, and words."""
     out, page = [], "file://" + os.path.join(folder, "breather.html")
@@ -281,6 +316,9 @@ def check_all(folder, program):
             failed += bool(found)
             print("live pages : " + ("the bits of the native program" if compared and not found else
                                      "not compared with the native program, which is not built" if not compared else "not in order"))
+        for complaint in check_keys(browser, folder):
+            print(f"  index.html: {complaint}")
+            failed += 1
         names = sorted(n for n in os.listdir(folder) if n.endswith(".html"))
         for name in names:
             browser.open("file://" + os.path.join(folder, name))

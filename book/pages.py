@@ -45,7 +45,7 @@ class Book:
             here = ' aria-current="page"' if target == page else ""
             return f'<li><a href="{target}"{here}>{escape(title)}</a>{below if here else ""}</li>'
 
-        sections = "".join(f'<li><a href="#{anchor}">{escape(title)}</a></li>'
+        sections = "".join(f'<li><a href="#{anchor}">{title}</a></li>'
                            for level, title, anchor in headings if level == 2)
         sections = f"<ul>{sections}</ul>" if sections else ""
         out = "<h2>Chapters</h2><ul>" + item("index.html", "Start")

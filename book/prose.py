@@ -6,6 +6,7 @@ import os
 import re
 import shutil
 import subprocess
+import unicodedata
 
 from source import BookError
 
@@ -102,9 +103,16 @@ def on_text(page, change):
     return "".join(out)
 
 
+GREEK = re.compile(r"\\(alpha|beta|gamma|delta|epsilon|eta|kappa|lambda|mu|nu|omega|phi|psi|sigma|tau|varphi|xi)(?![a-z]) ?")
+
+
+def greek(match):
+    return unicodedata.lookup("GREEK SMALL LETTER " + match[1].removeprefix("var").replace("lambda", "lamda").upper())
+
+
 def plain(page):
     """The words of a piece of HTML; a formula is its TeX."""
-    page = MATH.sub(lambda m: unwrapped(html.unescape(m.group(2))).replace("<", "&lt;"), page)
+    page = MATH.sub(lambda m: html.escape(GREEK.sub(greek, unwrapped(html.unescape(m.group(2))))), page)
     return re.sub(r"\s+", " ", html.unescape(re.sub(r"<[^>]+>", " ", page))).strip()
 
 

@@ -13,7 +13,7 @@ const out = JSON.parse(require("fs").readFileSync(0, "utf8")).map(([tex, display
   try {
     return katex.renderToString(tex, { displayMode, throwOnError: true, strict: "error", output: "htmlAndMathml" });
   } catch (error) {
-    refused.push(`${error.message} in: ${tex}`);
+    refused.push(`${error.message.slice(0, 200)} in: ${tex.slice(0, 200)}`);
     return "";
   }
 });
