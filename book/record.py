@@ -172,11 +172,25 @@ class Record:
             if claim and claim["program"] != f.program:
                 continue  # the lock remembers an answer that another program gives now
             self.quotable[f.id if claim else f"{f.program}.{f.id}"] = f
+        self.add_fresh()
         self.figures = {r["id"]: r for r in read_table(os.path.join(root, "figures/figures.ecsv")).rows}
         self.seconds = {r["program"]: float(r["seconds"]) for r in self.figures.values()}
         self._statements, self._rows = {}, {}
         self.sources = {}  # program -> its sources, set by the weaver
         self.alone = read_commands(os.path.join(root, "book/commands.txt"))
+
+    def add_fresh(self):
+        """What was computed and is not locked yet may be quoted as it is, so that a new chapter can be
+        read before it is locked."""
+        for program in sorted(os.listdir(self.data)) if os.path.isdir(self.data) else ():
+            for table, name in (("results", "id"), ("facts", "quantity")):
+                path = os.path.join(self.data, program, table + ".ecsv")
+                for r in read_table(path).rows if os.path.exists(path) else ():
+                    id, claim = r[name], self.claims.get(r[name])
+                    if "value" not in r or (program, id) in self.findings or (claim and claim["program"] != program):
+                        continue
+                    f = Finding(program, id, float(r["value"]), float(r.get("error") or 0), r.get("unit", ""), "value")
+                    self.quotable.setdefault(id if claim else f"{program}.{id}", f)
 
     def cost(self, program):
         seconds = self.seconds.get(program, math.nan)
@@ -228,7 +242,7 @@ class Record:
     def quote(self, id):
         finding = self.quotable.get(id)
         if not finding:
-            raise BookError(f"nothing is locked under '{id}' (make lock)")
+            raise BookError(f"nothing is locked or computed under '{id}'")
         is_claim = finding.id in self.claims
         table = "results" if is_claim else "facts"
         row = self.rows_of(finding.program, table).get(finding.id, 0)

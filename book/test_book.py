@@ -130,7 +130,8 @@ class Numbers(unittest.TestCase):
         known = record.Record(ROOT, os.path.join(ROOT, "build/data"))
         chapters, library = source.find_sources(ROOT)
         weave.link_sources(known, chapters, library)
-        without = [id for id in known.quotable if known.quotable[id].program in known.sources and not known.quote(id).places]
+        without = [id for id in known.quotable if (known.quotable[id].program, known.quotable[id].id) in known.findings
+                   and known.quotable[id].program in known.sources and not known.quote(id).places]
         self.assertEqual(without, [])
 
 
@@ -225,7 +226,8 @@ class Repository(unittest.TestCase):
         self.write("figures/figures.ecsv", table(figure, [["01", "demo", "1", "sec1_demo", "fig01.gp", "ER", "facts", "A line.", "3"]]))
         self.write("figures/fig01.gp", "plot x  # a line\n")
         self.write("build/data/sec1_demo/results.ecsv", table(["id", "value"], [["a.one", "1"]]))
-        self.write("build/data/sec1_demo/facts.ecsv", table(["quantity", "value"], [["other", "1"], ["fact", "2"]]))
+        self.write("build/data/sec1_demo/facts.ecsv", table(["quantity", "value", "error", "unit"], [
+            ["other", "1", "0", ""], ["fact", "2", "0.1", ""]]))
         self.write("build/figures/fig01.svg", '<svg xmlns="http://www.w3.org/2000/svg" width="10mm" height="20"><rect/></svg>')
         for name in ("equations.ecsv", "start.md", "commands.txt"):
             text = "Take [](num:a.one).\n" if name == "start.md" else None
@@ -292,10 +294,16 @@ class Repository(unittest.TestCase):
             self.weave()
 
     @needs_tools
+    def test_a_number_that_is_not_locked_yet(self):
+        self.write("src/sec1_demo.cpp", CHAPTER.replace("sec1_demo.fact", "sec1_demo.other").replace('"fact"', '"other"'))
+        self.weave()
+        self.assertIn(">1</button>", self.page("sec1_demo.html"))
+
+    @needs_tools
     def test_what_stops_the_build_leaves_the_old_book(self):
         self.weave()
         before = self.page("sec1_demo.html")
-        self.refuses("num:a.one", "num:a.none", "nothing is locked under 'a.none'")
+        self.refuses("num:a.one", "num:a.none", "nothing is locked or computed under 'a.none'")
         self.refuses("fig:01", "fig:02", "no figure '02'")
         self.refuses("Eq. (9)", "Eq. (99)", "no Eq. .99.")
         self.refuses("$x^2$", r"$\nonsense{x}$", "KaTeX.*nonsense")
