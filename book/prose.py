@@ -73,7 +73,10 @@ def node():
 
 
 def with_formulas(page, done):
-    """The page with each formula replaced by what `typeset` made of it."""
+    """The page with each formula replaced by what `typeset` made of it. No line begins with the comma
+    behind a short one."""
+    page = re.sub(r'<span class="math inline">[^<]{1,34}</span>[.,;:!?)’”]+',
+                  lambda m: f'<span class="nobreak">{m[0]}</span>', page)
     return MATH.sub(lambda m: done[html.unescape(m.group(2)), m.group(1) == "display"], page)
 
 
