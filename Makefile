@@ -132,7 +132,8 @@ weaver = $(or $(PYTHON),python3) book
 
 install-book: install-deps
 	@DEPS=$(DEPS) sh tools/install-deps.sh apt-packages.txt book
-	@DEPS=$(DEPS) sh tools/install-deps.sh apt-packages.txt live >/dev/null 2>&1 || true
+	@! apt-cache show libc++-14-dev-wasm32 >/dev/null 2>&1 || \
+	  DEPS=$(DEPS) sh tools/install-deps.sh apt-packages.txt live || true
 
 ## test-book: the tests of the weaver, and every page of the book in a headless Chromium
 test-book: test-weaver
