@@ -7,6 +7,7 @@ import filecmp
 import os
 import re
 import shutil
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -182,6 +183,30 @@ class Check(unittest.TestCase):
         self.assertIn("left as text", self.complaints(a="<p>so $x$ is</p>")[0])
         self.assertIn("from a network", self.complaints(a='<script src="https://a.b/c.js"></script>')[0])
         self.assertEqual(self.complaints(a='<a href="https://a.b/c">there</a><code>$x</code>'), [])
+
+
+class Packages(unittest.TestCase):
+    """tools/install-deps.sh with stubs in place of the packaging tools: nothing is there, all is asked for."""
+
+    def asked_for(self, *sections):
+        with tempfile.TemporaryDirectory() as folder:
+            log = os.path.join(folder, "log")
+            for name, body in [("dpkg-query", "exit 1"), ("apt-get", f'echo "$@" >> {log}'), ("id", "echo 0")]:
+                path = os.path.join(folder, name)
+                with open(path, "w", encoding="utf-8") as file:
+                    file.write(f"#!/bin/sh\n{body}\n")
+                os.chmod(path, 0o755)
+            subprocess.run(["sh", os.path.join(ROOT, "tools/install-deps.sh"), os.path.join(ROOT, "apt-packages.txt"), *sections],
+                           env={"PATH": folder + ":/usr/bin:/bin"}, check=True, capture_output=True)
+            with open(log, encoding="utf-8") as file:
+                return file.read().split()
+
+    def test_figures_do_not_need_what_the_book_needs(self):
+        self.assertIn("gnuplot-nox", self.asked_for())
+        self.assertFalse({"pandoc", "clang-14", "[book]"} & set(self.asked_for()))
+        self.assertIn("pandoc", self.asked_for("book"))
+        self.assertNotIn("clang-14", self.asked_for("book"))
+        self.assertIn("clang-14", self.asked_for("live"))
 
 
 def table(columns, rows):
