@@ -6,7 +6,7 @@ and 3.3 are compiled from. Where those confirm a breather in a wider type, which
 have, the page takes a second tolerance, sixteen times as large, for the error. */
 
 #include "lattice/orbits/breather.hpp"
-#include "lattice/measure/kick.hpp"
+#include "lattice/measure/depinning.hpp"
 #include "lattice/orbits/floquet.hpp"
 #include "lattice/stepping/contact_rkn.hpp"
 #include "page.hpp"
@@ -109,13 +109,12 @@ Creep follow(const Fitted& found, const Request& r, int halvings) {
 void report_kick(const Request& r) {
   const Fitted found = find(r, r.bond != 0 ? 52 : 53);
   const Creep rough = follow(found, r, 0), good = follow(found, r, 1);
-  const double gained = r.kick * r.kick / 2 / found.orbit.energy;
   page::fact("travelled", compare(rough.travelled(), good.travelled()));
   page::fact("speed", compare(rough.speed(r.time / 16, r.time), good.speed(r.time / 16, r.time)));
-  page::fact("margin", exact(gained / good.run.energy_drift));
+  page::fact("margin", exact(good.drift_margin(r.kick, found.orbit.energy)));
   page::fact("share", compare(rough.share, good.share));
-  const bool agree = fate_of(rough) == fate_of(good);
-  page::fact("fate", exact(agree ? double(int(fate_of(good))) : 0));
+  const bool agree = mobility_of(rough) == mobility_of(good);
+  page::fact("fate", exact(agree ? double(int(mobility_of(good))) : 0));
 }
 
 /**
