@@ -227,7 +227,7 @@ class PageBinding:
         self.binder, self.source = binder, source
         self.page = page or source.page
         self.records, self.headings, self.ids, self.figures = {}, [], set(), []
-        self.anchor = ""
+        self.anchor, self.named = "", set()
         text = source.text if source else ""
         self.local = set(re.findall(r"\b(?:auto|double|int|bool|size_t|string)&? (\w+)\b", text))
         if source:
@@ -366,6 +366,14 @@ class PageBinding:
             found = self.binder.by_path.get("src/" + path) or self.binder.header(path, self.source)
             return found.page if found else None
 
+        def quiet(page):
+            """The tabulator key stops at a name once a page, not at each of its hundred uses."""
+            def once(match):
+                first = match[1] not in self.named
+                self.named.add(match[1])
+                return match[0] if first else match[0][:-1] + ' tabindex="-1">'
+            return re.sub(r'<a class="id" href="([^"]+)">', once, page)
+
         count = preamble(block.lines)
         parts = []
         if count:
@@ -375,7 +383,7 @@ class PageBinding:
             count += 1
         if count < len(block.lines):
             rest = "\n".join(block.lines[count:])
-            parts.append(colour.numbered(rest, block.first + count, "cpp", link, include))
+            parts.append(quiet(colour.numbered(rest, block.first + count, "cpp", link, include)))
         return "".join(parts)
 
     def records_html(self):
