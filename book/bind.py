@@ -124,7 +124,7 @@ class Binder:
             return f"{shown}{unit} (made of rounding: only its size counts)"
         if f.error == 0:
             return f"{shown}{unit}, exact"
-        return f"{shown}{unit} ± {error}"
+        return f"{shown} ± {error}{unit}"
 
     def verdict(self, claim):
         return f'<span class="verdict {claim["status"]}">{claim["status"]}</span>'

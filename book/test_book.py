@@ -280,7 +280,7 @@ class Repository(unittest.TestCase):
         self.weave()
         page = self.page("sec1_demo.html")
         for piece in ['<h1 id="1-a-demonstration">', 'class="num" popovertarget="number-a.one">1.000</button>',
-                      "1.000 m ± 0.001", "1.02", "they erred", "line 13 of src/sec1_demo.cpp", "results.ecsv</a>, row 1",
+                      "1.000 ± 0.001 m", "1.02", "they erred", "line 13 of src/sec1_demo.cpp", "results.ecsv</a>, row 1",
                       "facts.ecsv</a>, row 2", "build/bin/sec1_demo one --exactly", "3 s on two cores", 'id="fig-01"',
                       'width="38"', "make fig01", "figures/fig01.gp", 'class="katex"', "equations.html#eq-9",
                       'href="numbers-demo.html">demo.hpp</a>', 'href="numbers-demo.html#L6">once</a>', "Fig. 1"]:
