@@ -456,17 +456,17 @@ Criterion of_dispersal(Report& report) {
 /**
 ## Results
 
-The mean forces of the uneven ring agree to [](num:sec2_nonexistence.mean_force_spread_uneven_ring) of
+The mean forces of the uneven ring agree to [4e-12](num:sec2_nonexistence.mean_force_spread_uneven_ring) of
 themselves, those of a motion that misses its start by a thousandth only to
-[](num:sec2_nonexistence.mean_force_spread_not_periodic). Of [](num:sec2_nonexistence.searches) small starts
-in the free chain [](num:sec2_nonexistence.mean_force_rest_free) end at rest and
-[](num:sec2_nonexistence.mean_force_moving_free) in a motion; in wells
-[](num:sec2_nonexistence.mean_force_localized_wells) end in a breather. Of as many large ones
-[](num:sec2_nonexistence.mean_force_rest_free_large) end at rest and
-[](num:sec2_nonexistence.mean_force_moving_free_large) in a motion, while between walls
-[](num:sec2_nonexistence.mean_force_moving_walls) find one. Without wells
-[](num:sec2_nonexistence.mean_force_core_free) of the energy stays in the core, with them
-[](num:sec2_nonexistence.mean_force_core_wells). */
+[0.000756758](num:sec2_nonexistence.mean_force_spread_not_periodic). Of [100](num:sec2_nonexistence.searches) small starts
+in the free chain [100](num:sec2_nonexistence.mean_force_rest_free) end at rest and
+[0](num:sec2_nonexistence.mean_force_moving_free) in a motion; in wells
+[2e1](num:sec2_nonexistence.mean_force_localized_wells) end in a breather. Of as many large ones
+[99](num:sec2_nonexistence.mean_force_rest_free_large) end at rest and
+[0](num:sec2_nonexistence.mean_force_moving_free_large) in a motion, while between walls
+[29](num:sec2_nonexistence.mean_force_moving_walls) find one. Without wells
+[0.00162601](num:sec2_nonexistence.mean_force_core_free) of the energy stays in the core, with them
+[0.999982](num:sec2_nonexistence.mean_force_core_wells). */
 Results everything(Output& output, bool quick) {
   Report report{output, quick};
   MeanTable means;

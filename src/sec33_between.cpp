@@ -190,8 +190,8 @@ std::vector<Column_of_nodes> report_chart(Report& report) {
 ## The linear well: six exchanges
 
 At $s = 0$ we locate all exchanges for both breathers in the wider type. From $\omega_b = 1$ on the
-bond is stable, as in the DpS equation, but only up to [](num:sec33_between.window_1); between the last
-two, [](num:sec33_between.window_5) and [](num:sec33_between.window_6), it is the site. The order of the two
+bond is stable, as in the DpS equation, but only up to [1.01794](num:sec33_between.window_1); between the last
+two, [1.32615](num:sec33_between.window_5) and [1.49164](num:sec33_between.window_6), it is the site. The order of the two
 exchanges in a pair tells whether both breathers are stable in between or neither; those of the first pair
 lie too close to each other to be told apart. */
 struct Window_edge {
@@ -368,12 +368,12 @@ Table between_table(const Cut& cut, const std::array<Exchange, 2>& ends,
 
 /**
 At $\omega_b = 1.1$ the family exists on an interval of $s$ of length
-[](num:sec33_between.exchange_gap), and it is unstable, with $\kappa =$
-[](num:sec33_between.kappa_between_in_s) half way, at $s =$ [](num:sec33_between.middle_between_in_s): where both
+[3.22e-7](num:sec33_between.exchange_gap), and it is unstable, with $\kappa =$
+[1.262e-14](num:sec33_between.kappa_between_in_s) half way, at $s =$ [0.152520](num:sec33_between.middle_between_in_s): where both
 symmetric breathers are stable, what lies between them is the top of the hill. At $s = 0$ near the exchange
-[](num:sec33_between.window_5) it is the other way round: both symmetric breathers are unstable, and the
-stable breather is the one without symmetry, with $\kappa =$ [](num:sec33_between.kappa_between_in_omega) at
-$\omega_b =$ [](num:sec33_between.middle_between_in_omega). The quick run has the first of the two only. */
+[1.32615](num:sec33_between.window_5) it is the other way round: both symmetric breathers are unstable, and the
+stable breather is the one without symmetry, with $\kappa =$ [-1.73285e-11](num:sec33_between.kappa_between_in_omega) at
+$\omega_b =$ [1.32606](num:sec33_between.middle_between_in_omega). The quick run has the first of the two only. */
 void report_between(Report& report, const std::vector<Window_edge>& edges) {
   const int count = report.quick ? 2 : 10;
   std::array<Exchange, 2> ends;

@@ -147,7 +147,7 @@ void report_glide(Report& report, std::size_t k, const Creep& rough, const Creep
 
 /**
 A stretched central contact gives the printed speed of the bond-centred breather; a compressed one gives
-[](num:sec33_mobility.speed_bond_compressed). The kick points to the right and the breather goes to the
+[0.000552678](num:sec33_mobility.speed_bond_compressed). The kick points to the right and the breather goes to the
 left: its mass is negative (see below). What comes back is the speed per kick. */
 std::array<double, 3> report_glides(Report& report) {
   const double time = report.quick ? 6000 : 32000;
@@ -281,7 +281,7 @@ Rung barriers_at(double omega) {
 Why did the article find its barriers to agree? In the limit $\omega_b \to 1$ the barrier at equal area is
 $(\omega_b-1)/5$ times the one at equal frequency, up to the sign, and $|\varphi|$ is $(\omega_b-1)/3$: two
 small factors of the same kind, which leave $c_c^2/2 = \frac35E_{PN}$. At $\omega_b = 1.1$ we find
-[](num:sec33_mobility.energy_ratio). So the two numbers have the same order of magnitude for a reason, but
+[0.61008](num:sec33_mobility.energy_ratio). So the two numbers have the same order of magnitude for a reason, but
 they are not the same number. */
 void report_predictions(Report& report, const std::vector<Prediction>& predictions,
                         const std::array<double, 3>& response) {
@@ -531,15 +531,15 @@ Table threshold_command(const KickOptions& options) {
 
 | | printed | converged | what explains it |
 |---|---|---|---|
-| speed, site | $5.446\cdot10^{-4}$ | [](num:moving.v_site) | nothing to explain |
-| speed, bond | $5.364\cdot10^{-4}$ | [](num:moving.v_bond) | central contact stretched at $t = 0$ |
+| speed, site | $5.446\cdot10^{-4}$ | [0.000544490](num:moving.v_site) | nothing to explain |
+| speed, bond | $5.364\cdot10^{-4}$ | [0.000536296](num:moving.v_bond) | central contact stretched at $t = 0$ |
 | way after the weak kick | 2 | [2.81675](num:moving.site_below), and on | perhaps locked steps |
-| $c_c$ | $6.19\cdot10^{-6}$ | [](num:moving.c_threshold) | perhaps locked steps |
-| $c_c^2/2$ | $1.92\cdot10^{-11}$ | [](num:moving.pn_dynamic) | follows from $c_c$ |
+| $c_c$ | $6.19\cdot10^{-6}$ | [4.45177e-6](num:moving.c_threshold) | perhaps locked steps |
+| $c_c^2/2$ | $1.92\cdot10^{-11}$ | [9.9091e-12](num:moving.pn_dynamic) | follows from $c_c$ |
 
 The prediction, [4.4516e-6](num:sec33_mobility.predicted_threshold_bond_stretched), agrees within its error; that of
-the pendulum is [](num:sec33_mobility.threshold_of_pendulum_bond_stretched). With the central contact compressed the
-threshold is [](num:sec33_mobility.threshold_bond_compressed). No trial of ours gives 6.19 in particular.
+the pendulum is [4.45275e-6](num:sec33_mobility.threshold_of_pendulum_bond_stretched). With the central contact compressed the
+threshold is [4.31978e-6](num:sec33_mobility.threshold_bond_compressed). No trial of ours gives 6.19 in particular.
 Locked steps do pin the bond-centred breather at $5.5\cdot10^{-6}$, with a drift of the energy that is no
 larger than that of the same method with steps that are not locked, where it moves: a conserved energy is
 necessary and does not suffice. That this happened in the article is a conjecture. */

@@ -145,7 +145,7 @@ void report_defect(Report& report) {
 /**
 ## What prints 0.26 and 0.05
 
-Near the exchange $\kappa$ changes by [7.55144e-8](num:sec33_floquet.exchange_slope) per unit of $s$. An error of
+Near the exchange $\kappa$ changes by [7.5451e-8](num:sec33_floquet.exchange_slope) per unit of $s$. An error of
 $10^{-8}$ of the symmetric function is then as good as a change of $s$ by a tenth. We compute the
 matrix by adaptive Runge-Kutta methods that know of no switchings, around accurate breathers, and look
 where the quadruplet says that the stability changes. A tolerance of $10^{-9}$, a common choice, gives
