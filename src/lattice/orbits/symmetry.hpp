@@ -137,7 +137,11 @@ time and removes the shift, its positions at $t = 0$ are odd and its velocities 
 with $y_n(t+T) = y_{n-1}(t)$ this relates the times $T/2 \pm t$ and the sites $n$ and $1-n$:
 $$y_n + y_{1-n} = 0,\qquad \dot y_n - \dot y_{1-n} = 0 \qquad\text{at } t = T/2,\ n = 1,\dots,L+1.$$
 The chain has the sites $-L \le n \le L+1$, the last of which begins at rest. With the unknowns
-$y_1,\dots,y_L$, $\dot y_0,\dots,\dot y_L$ and $T$ there are as many equations as unknowns. */
+$y_1,\dots,y_L$, $\dot y_0,\dots,\dot y_L$ and $T$ there are as many equations as unknowns.
+
+In a linear well $\sum_n(y_n + i\dot y_n)$ only turns. At $T = 2\pi k$ it returns, and the first
+equations, $n = 1,\dots,L+1$, then add up to zero whatever the unknowns are. So where the period is
+given, as $2\pi k$ in the linear well, we leave out the first one, and all is square again. */
 inline Symmetry travelling_reversible(std::size_t reach, bool free_period) {
   const std::size_t n0 = reach, sites = 2 * reach + 2;
   Symmetry s{.name = "travelling", .sites = sites, .parts = 2, .free_period = free_period};
@@ -146,7 +150,7 @@ inline Symmetry travelling_reversible(std::size_t reach, bool free_period) {
   for (std::size_t n = 1; n <= reach; ++n)
     s.unknowns.push_back({{sites + n0 + n, 1}, {sites + n0 - n, 1}});
   for (std::size_t n = 1; n <= reach + 1; ++n) {
-    s.equations.push_back({{{n0 + n, 1}, {n0 + 1 - n, 1}}});
+    if (n > 1 || free_period) s.equations.push_back({{{n0 + n, 1}, {n0 + 1 - n, 1}}});
     s.equations.push_back({{{sites + n0 + n, 1}, {sites + n0 + 1 - n, -1}}});
   }
   return s;

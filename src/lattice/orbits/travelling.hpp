@@ -1,0 +1,318 @@
+#pragma once
+/**
+# Travelling breathers
+
+An exact travelling breather repeats itself one site further after the time $T$,
+$y_n(t+T) = y_{n-1}(t)$, and leaves nothing behind. In a linear well one sum decides what is
+possible. Contacts are forces between neighbours and cancel in $Z = \sum_n(y_n+i\dot y_n)$, so that
+$Z(t) = e^{-it}Z(0)$; and the shift does not change $Z$. Hence
+$$(e^{-iT}-1)\,Z = 0:\qquad T = 2\pi k \text{ (type I)} \quad\text{or}\quad Z = 0 \text{ (type II)}.$$
+The equations of travelling_reversible (symmetry.hpp) without the first one have a solution for
+every $T$, a *family*. With $Z(0) = iV$, $V = \sum\dot y_n$, the equation that was left out reads
+$V\sin(T/2) = 0$. So along a family one number, $V$, shows where it passes through an exact orbit. */
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "lattice/measure/impact.hpp"
+#include "lattice/orbits/breather.hpp"
+#include "lattice/orbits/floquet.hpp"
+
+namespace lattice {
+
+/**
+The chain has the sites $-L \le n \le L+1$, with $L$ = `reach`. Both ends of a breather fall
+double-exponentially, and eight sites are enough for double precision and the next wider type. */
+inline constexpr std::size_t usual_reach = 8;
+
+template <class T>
+using TravellingProblem = BreatherProblem<T>;
+
+/// The member of a family with the given shift time: all equations but the first.
+template <class T>
+TravellingProblem<T> travelling_problem(const T& shift_time, double s = 0,
+                                        std::size_t reach = usual_reach) {
+  TravellingProblem<T> problem;
+  problem.chain.sites = 2 * reach + 2;
+  problem.chain.onsite.s = s;
+  problem.chain.contact.floor = 0;
+  problem.symmetry = travelling_reversible(reach, false);
+  problem.omega = T(2) * circle_ratio<T>() / shift_time;
+  return problem;
+}
+
+/// Type I: k oscillations of a free bead from one site to the next.
+template <class T>
+TravellingProblem<T> type_one(std::size_t k, std::size_t reach = usual_reach) {
+  return travelling_problem<T>(T(2) * circle_ratio<T>() * T(double(k)), 0, reach);
+}
+
+/**
+With all equations the shift time is an unknown, and what is found is exact. */
+template <class T>
+TravellingProblem<T> with_free_time(TravellingProblem<T> problem) {
+  problem.symmetry = travelling_reversible(problem.chain.sites / 2 - 1, true);
+  return problem;
+}
+
+/// The unknowns of the problem with a free time, from those of a family's member.
+template <class T>
+Vector<T> with_time(const Vector<T>& x, const T& shift_time) {
+  Vector<T> all(x.size() + 1);
+  all << x, shift_time;
+  return all;
+}
+
+/**
+What is read off an orbit: its shift time, its central velocity $\dot y_0$, whose sign tells two orbits
+of one family apart, and $V$. */
+template <class T>
+T shift_time(const Orbit<T>& orbit) {
+  return T(2) * circle_ratio<T>() / orbit.omega;
+}
+template <class T>
+T central_velocity(const Orbit<T>& orbit) {
+  return orbit.start.v[orbit.start.v.size() / 2 - 1];
+}
+/// V, relative to the amplitude.
+template <class T>
+T velocity_sum(const Orbit<T>& orbit) {
+  T sum(0);
+  for (const T& v : orbit.start.v) sum += v;
+  return sum / orbit.amplitude;
+}
+
+/**
+## The first orbit
+
+A packet that has left the struck end is almost what we look for. We cut it out at an instant when
+its largest site passes through zero and the beads next to it are as nearly odd in position and
+even in velocity as they ever are. Ahead of the packet nothing has moved before, so we keep its
+front half and mirror it; the waves behind it stay out. */
+
+/// By how much the neighbours of site `c` miss the symmetry, relative to their size.
+inline double asymmetry(const State<double>& z, std::size_t c, std::size_t width = 3) {
+  double miss = 0, size = 0;
+  for (std::size_t j = 1; j <= width; ++j) {
+    const double y = z.y[c + j] + z.y[c - j], v = z.v[c + j] - z.v[c - j];
+    miss += y * y + v * v;
+    size += z.y[c + j] * z.y[c + j] + z.v[c + j] * z.v[c + j] + z.y[c - j] * z.y[c - j] +
+            z.v[c - j] * z.v[c - j];
+  }
+  return miss / size;
+}
+
+/// The unknowns of the front half of the packet around site `c`.
+inline Vector<double> front_half(const State<double>& z, std::size_t c, std::size_t reach) {
+  Vector<double> x(2 * Eigen::Index(reach) + 1);
+  for (std::size_t j = 0; j <= reach; ++j) {
+    if (j > 0) x[Eigen::Index(j) - 1] = z.y[c + j];
+    x[Eigen::Index(reach + j)] = z.v[c + j];
+  }
+  return x;
+}
+
+/**
+The zero of the largest site lies between two looks; a straight line between them is good enough. */
+/// The state at the part `w` of the way from one state to another.
+inline State<double> between(const State<double>& a, const State<double>& b, double w) {
+  State<double> z = a;
+  for (std::size_t n = 0; n < z.y.size(); ++n) {
+    z.y[n] += w * (b.y[n] - a.y[n]);
+    z.v[n] += w * (b.v[n] - a.v[n]);
+  }
+  return z;
+}
+
+/// Unknowns cut from the packet of an impact while its centre lies between two sites; the sign is that
+/// of the central velocity. Throws std::runtime_error where no packet passes.
+inline Vector<double> cut_packet(double velocity, double from, double to, int sign,
+                                 std::size_t reach = usual_reach) {
+  const Chain<Harmonic, Hertz> chain{std::size_t(to) + 2 * reach};
+  State<double> state = struck(chain.sites, velocity), before = state;
+  Vector<double> best;
+  double least = 1e300;
+  evolve(ContactAware{0.1}, chain, state, 1e6, 0.1, [&](const State<double>& now) {
+    const auto e = energy_density(chain, now);
+    const auto c = front_packet(e);
+    const double centre = c ? energy_centre(e, *c) : 0;
+    if (centre > from && before.y[*c] * now.y[*c] < 0 && sign * now.v[*c] > 0) {
+      const State<double> z = between(before, now, before.y[*c] / (before.y[*c] - now.y[*c]));
+      const double miss = asymmetry(z, *c);
+      if (miss < least) least = miss, best = front_half(z, *c, reach);
+    }
+    before = now;
+    return centre < to;
+  });
+  if (best.size() == 0) throw std::runtime_error("no packet passes between the sites");
+  return best;
+}
+
+/**
+## From one orbit to the next
+
+Small orbits are those of the DpS equation, $y \propto 1/T^2$. In these units the members of type I
+change little with $1/k$, and a straight line through the last two predicts the next one. The tail
+is only scaled: it falls by many orders of magnitude and is no straight line. */
+class Staircase {
+ public:
+  /// The orbits with this sign of the central velocity.
+  explicit Staircase(int sign, std::size_t reach = usual_reach, NewtonRule<double> rule = {})
+      : reach_(reach), rule_(rule) {
+    const TravellingProblem<double> problem = type_one<double>(first, reach);
+    orbit_ = newton(problem, cut_packet(first_velocity, 15, 30, sign, reach), rule);
+    remember(first);
+  }
+
+  static constexpr std::size_t first = 5;  ///< k of the first orbit,
+  /// and the impact whose packet needs about as many oscillations for a site.
+  static constexpr double first_velocity = 0.0174;
+
+  const Orbit<double>& orbit() const { return orbit_; }
+  /// Climbs on to k, in steps short enough for Newton's method. Throws NoConvergence.
+  const Orbit<double>& reach(std::size_t k) {
+    while (k_ != k) {
+      const std::size_t up = std::min(k, k_ + 1 + k_ / 4);
+      step(k > k_ ? up : k_ - 1);
+    }
+    return orbit_;
+  }
+
+  /**
+  Between large k the derivative of the last orbit serves the next one, too, which saves most of the
+  time. An odd difference of two k turns the phase at $T/2$ round, and the derivative its sign. */
+ private:
+  void remember(std::size_t k) {
+    before_ = last_, last_ = orbit_.x * double(k * k);
+    h_before_ = h_, h_ = 1 / double(k), k_ = k;
+  }
+  void step(std::size_t k) {
+    const double h = 1 / double(k);
+    Vector<double> x = last_;
+    if (before_.size() > 0) {
+      const double top = sup(last_), w = (h - h_) / (h_ - h_before_);
+      for (Eigen::Index i = 0; i < x.size(); ++i)
+        if (std::abs(x[i]) > 1e-4 * top) x[i] += w * (x[i] - before_[i]);
+    }
+    Orbit<double> guess = orbit_;
+    guess.x = x / double(k * k);
+    if ((k + k_) % 2) guess.jacobian = -guess.jacobian;
+    const TravellingProblem<double> problem = type_one<double>(k, reach_);
+    orbit_ = k > 2 * first ? polish(problem, guess, rule_) : newton(problem, guess.x, rule_);
+    remember(k);
+  }
+
+  std::size_t reach_, k_ = 0;
+  NewtonRule<double> rule_;
+  Orbit<double> orbit_;
+  Vector<double> last_{}, before_{};
+  double h_ = 0, h_before_ = 0;
+};
+
+/**
+## Along a family
+
+The shift time is changed in small steps; where $V$ changes its sign between two members, the family
+passes through an orbit of type II, which the secant method finds and the full equations confirm. */
+
+/// The member with shift time `to`, from two neighbours `a` (optional, may be the same) and `b`.
+inline Orbit<double> next_member(const Orbit<double>& a, const Orbit<double>& b, double to,
+                                 std::size_t reach, const NewtonRule<double>& rule) {
+  Vector<double> x = b.x;
+  const double ta = shift_time(a), tb = shift_time(b), top = sup(b.x);
+  if (ta != tb)
+    for (Eigen::Index i = 0; i < x.size(); ++i)
+      if (std::abs(x[i]) > 1e-5 * top) x[i] += (b.x[i] - a.x[i]) * (to - tb) / (tb - ta);
+  return newton(travelling_problem(to, 0, reach), x, rule);
+}
+
+/// The members from `start` to the shift time `to`, about `step` apart.
+inline std::vector<Orbit<double>> follow_family(const Orbit<double>& start, double to, double step,
+                                                const NewtonRule<double>& rule = {}) {
+  const std::size_t reach = start.start.y.size() / 2 - 1;
+  const double from = shift_time(start);
+  const auto count = std::size_t(std::ceil(std::abs(to - from) / step));
+  std::vector<Orbit<double>> members{start};
+  for (std::size_t i = 1; i <= count; ++i) {
+    const double t = from + (to - from) * double(i) / double(count);
+    members.push_back(next_member(members[i > 1 ? i - 2 : 0], members.back(), t, reach, rule));
+  }
+  return members;
+}
+
+/// The orbit of type II between two members with V of opposite signs, its shift time an unknown.
+/// Throws NoConvergence.
+inline Orbit<double> type_two(Orbit<double> a, Orbit<double> b,
+                              const NewtonRule<double>& rule = {}) {
+  const std::size_t reach = a.start.y.size() / 2 - 1;
+  for (int i = 0; i < 30 && std::abs(velocity_sum(b)) > 1e-12; ++i) {
+    const double va = velocity_sum(a), vb = velocity_sum(b), ta = shift_time(a);
+    const double t = shift_time(b) - vb * (shift_time(b) - ta) / (vb - va);
+    if (t == shift_time(b)) break;
+    Orbit<double> c = next_member(a, b, t, reach, rule);
+    a = std::move(b), b = std::move(c);
+  }
+  return newton(with_free_time(travelling_problem(shift_time(b), 0, reach)),
+                with_time(b.x, shift_time(b)), rule);
+}
+
+/**
+## In a resting chain
+
+An orbit is laid into a chain at rest; what lies beyond its own reach is zero there. */
+template <class T>
+State<T> embed(const State<T>& orbit, std::size_t sites, std::size_t place) {
+  State<T> state(sites);
+  std::copy(orbit.y.begin(), orbit.y.end(), state.y.begin() + std::ptrdiff_t(place));
+  std::copy(orbit.v.begin(), orbit.v.end(), state.v.begin() + std::ptrdiff_t(place));
+  return state;
+}
+
+/**
+## Stability
+
+A small change of the orbit is another one after the shift: the flow over $T$, read one site
+further. What it leaves behind is gone for good, so that the map contracts; what remains near $+1$
+are two pairs, that of the shift in time with the change of the speed, which is defective, and
+that of the internal phase. Their sum of $(\lambda-1)^2/\lambda$ is $8\kappa$, in which the first
+pair has no part: $\kappa > 0$ is a growing phase, $\kappa < 0$ one that is held. */
+
+/// The derivative of the flow over one shift, read one site further; nothing enters from ahead.
+template <class T, class Onsite, class Contact>
+Matrix<T> shifted_map(const Chain<Onsite, Contact>& chain, const State<T>& start, const T& time,
+                      const Landing<T>& rule = {}) {
+  const Matrix<T> map = monodromy(chain, start, time, rule);
+  const Eigen::Index n = Eigen::Index(chain.sites);
+  Matrix<T> shifted = Matrix<T>::Zero(2 * n, 2 * n);
+  shifted.topRows(n - 1) = map.middleRows(1, n - 1);
+  shifted.middleRows(n, n - 1) = map.bottomRows(n - 1);
+  return shifted;
+}
+
+/// All multipliers, the largest first.
+template <class T>
+std::vector<std::complex<T>> multipliers_of(const Matrix<T>& map) {
+  const Eigen::EigenSolver<Matrix<T>> solver(map, false);
+  if (solver.info() != Eigen::Success) throw NoConvergence("no eigenvalues", {});
+  std::vector<std::complex<T>> all(solver.eigenvalues().begin(), solver.eigenvalues().end());
+  std::stable_sort(all.begin(), all.end(),
+                   [](auto a, auto b) { return std::norm(a) > std::norm(b); });
+  return all;
+}
+
+/// kappa of the phase, from the four multipliers next to +1.
+template <class T>
+T phase_kappa(std::vector<std::complex<T>> all) {
+  const T one(1);
+  std::stable_sort(all.begin(), all.end(),
+                   [&](auto a, auto b) { return std::norm(a - one) < std::norm(b - one); });
+  std::complex<T> sum(0);
+  for (std::size_t i = 0; i < 4; ++i) sum += (all[i] - one) * (all[i] - one) / all[i];
+  return sum.real() / T(8);
+}
+
+}  // namespace lattice

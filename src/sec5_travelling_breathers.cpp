@@ -1,0 +1,457 @@
+/**
+# 5 Exact travelling breathers
+
+Struck chains send out breathers that travel. In the computations of James, Kevrekidis and Cuevas
+(Physica D 251, 2013) they shed a tail all the while, ever more slowly, and section 5 leaves open
+whether exact ones exist, which after a time $T$ are what they were, one site further:
+
+      t = 0    .  .  o  O  o  .  .  .            y_n(t + T) = y_(n-1)(t)
+      t = T    .  .  .  o  O  o  .  .            and nothing is left behind
+
+They do. In the linear well they travel at isolated speeds, and one sum says at which ones.
+
+![Exact travelling breathers, and a packet that sheds a tail.](fig:x18) */
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "lattice/numbers/extended.hpp"
+#include "lattice/numbers/parallel.hpp"
+#include "lattice/orbits/travelling.hpp"
+#include "lattice/report/program.hpp"
+#include "lattice/stepping/reference.hpp"
+
+using namespace lattice;
+
+/**
+## The question
+
+The article computes travelling breathers by striking a chain and waiting, and names it an
+interesting open problem to compute exact ones by Newton's method. No number of the article is at
+stake, so that this chapter has no claims; its own statements are at the end, sorted by whether
+they are proved, computed or conjectured.
+
+## Model
+
+Beads in linear wells, later in those of Eq. (10), with the contacts of Eq. (9),
+$$\ddot y_n + y_n + s\,y_n^3 = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2},$$
+dimensionless. In the program `shift_time` is $T$, the speed is $1/T$ sites per unit of time, `sign` is
+that of the velocity $\dot y_0(0)$ of the central bead, and `reach` is $L$: an orbit has the sites
+$-L \le n \le L+1$. */
+constexpr double two_pi = 2 * std::numbers::pi;
+constexpr long double two_pi_wide = 2 * std::numbers::pi_v<long double>;
+
+/**
+## Why only certain speeds
+
+In the linear well contacts cancel in $Z = \sum_n (y_n + i\dot y_n)$, which therefore only turns,
+$Z(t) = e^{-it}Z(0)$. A shift does not change it, so $(e^{-iT}-1)Z = 0$: either $T = 2\pi k$, one
+site during $k$ oscillations of a free bead (type I), or $Z = 0$ (type II).
+
+The same sum says what a packet leaves behind. A bead that has been passed keeps
+$\dot y + iy \propto \int e^{it}(f_{n-1}-f_n)\,dt$, where $f_n$ is the force in its right contact; if the
+pulses repeat themselves after $T$ this is
+$$|1-e^{-iT}|\,|g(1)|,\qquad g(1) = \int e^{it}f_0(t)\,dt,$$
+and it vanishes in just these two cases, because $|g(1)|$ is what $|Z|$ is ahead of the contact.
+
+We follow the families of travelling.hpp, which solve all equations but one, and look where $V$, with
+$Z = iV$ at $t = 0$, vanishes. First the orbits of type I, from a packet that was cut out of an
+impact. Each is found in double precision and again in a wider type, which gives its errors. */
+constexpr std::array signs{1, -1};
+
+struct Exact {
+  std::size_t k;
+  int sign;
+  Orbit<double> orbit;
+  Orbit<long double> wide;
+
+  Estimate energy() const { return compare(orbit.energy, double(wide.energy)); }
+  double shift_time() const { return two_pi * double(k); }
+};
+
+/**
+A wider type needs the exact $2\pi k$, and no derivative of its own. */
+Exact confirmed(std::size_t k, int sign, const Orbit<double>& orbit) {
+  NewtonRule<long double> rule;
+  rule.landing.tolerance /= 2;
+  return {k, sign, orbit,
+          polish(type_one<long double>(k, orbit.start.y.size() / 2 - 1), orbit, rule)};
+}
+
+/// The orbits of type I with the given k, in ascending order, of one sign.
+std::vector<Exact> type_one_orbits(int sign, const std::vector<std::size_t>& ks) {
+  std::vector<Exact> found;
+  Staircase down(sign), up = down;
+  for (auto k = ks.rbegin(); k != ks.rend(); ++k)
+    if (*k <= Staircase::first) found.push_back(confirmed(*k, sign, down.reach(*k)));
+  std::reverse(found.begin(), found.end());
+  for (std::size_t k : ks)
+    if (k > Staircase::first) found.push_back(confirmed(k, sign, up.reach(k)));
+  return found;
+}
+
+/**
+## How exact they are
+
+The residual of the orbit that double precision delivers is evaluated in the wider type, and that of
+the wider one in quadruple precision, both for all equations, the one included that was not solved. */
+template <class Wide, class T>
+double residual_in(const Exact& exact, const Orbit<T>& orbit) {
+  const auto problem = with_free_time(type_one<Wide>(exact.k));
+  const Wide time = Wide(2) * circle_ratio<Wide>() * Wide(double(exact.k));
+  const Vector<Wide> x = orbit.x.template cast<Wide>();
+  const Shot<Wide> shot = problem.shoot(with_time<Wide>(x, time), {}, false);
+  return double(sup<Wide>(shot.miss) / Wide(orbit.amplitude));
+}
+
+/**
+The packet of an impact must become an orbit in a few steps of Newton's method, and the equations must
+be well posed: the largest and the smallest singular value of their matrix, in the units in which they
+are solved, are a moderate factor apart. */
+double condition_of(const Exact& exact) {
+  const auto problem = type_one<double>(exact.k);
+  const Sizes<double> size = problem.sizes(exact.orbit.x, true);
+  const Matrix<double> matrix = size.equation.cwiseInverse().asDiagonal() *
+                                problem.shoot(exact.orbit.x, {}).jacobian *
+                                size.unknown.asDiagonal();
+  const auto s = Eigen::JacobiSVD<Matrix<double>>(matrix).singularValues();
+  return s[0] / s[s.size() - 1];
+}
+
+/**
+The orbits of the two signs are told apart by more than a number: they are two phases of one
+oscillation, and what their energies differ by is all that holds the phase. */
+void report_exactness(Report& report, const std::vector<Exact>& plus,
+                      const std::vector<Exact>& minus) {
+  double narrow = 0, wide = 0;
+  for (const auto* orbits : {&plus, &minus})
+    for (const Exact& e : *orbits) {
+      if (e.k > 3) continue;
+      narrow = std::max(narrow, residual_in<long double>(e, e.orbit));
+      if (e.k == 1) wide = std::max(wide, residual_in<Quadruple>(e, e.wide));
+    }
+  Quantities& facts = report.facts;
+  facts.add("residual_double", exact(narrow), "largest of k = 1, 2, 3, relative to amplitude");
+  facts.add("residual_wide", exact(wide), "k = 1, relative to amplitude");
+  facts.add("newton_steps_from_cut", exact(double(Staircase(1).orbit().iterations())));
+  const Exact &p = plus.front(), &m = minus.front();
+  facts.add("energy_plus", p.energy());
+  facts.add("energy_minus", m.energy());
+  facts.add("energy_difference",
+            compare(m.orbit.energy - p.orbit.energy, double(m.wide.energy - p.wide.energy)));
+}
+
+/**
+## Profiles, ends and maps (figure x18)
+
+At $t = 0$ positions are odd and velocities even, so that both ends are mirror images. Going out from the
+centre, each bead is moved by the power 3/2 of what moves its neighbour, and the orbit falls
+double-exponentially. Two lengths of the chain show whether the end matters. */
+double log_size(const State<double>& z, std::size_t i, double amplitude) {
+  return std::log10(std::max(std::abs(z.y[i]), std::abs(z.v[i])) / amplitude);
+}
+
+Table profiles(Report& report, const std::vector<std::vector<Exact>>& all) {
+  Table table{{count("k", "oscillations a site"), count("sign", "of the central velocity"),
+               count("n", "site", "site"), number("y", "position at t = 0"),
+               number("v", "velocity at t = 0"),
+               number("log_size", "log10 of the larger modulus of both over the amplitude"),
+               number("log_size_error", "difference of two chain lengths")}};
+  constexpr std::size_t longer = 12, shorter = 10;
+  double apart = 0;
+  for (const auto& orbits : all)
+    for (const Exact& e : orbits) {
+      if (e.k != 1 && e.k != 4) continue;
+      const auto grown = [&](std::size_t reach) {
+        Vector<double> x = Vector<double>::Zero(2 * Eigen::Index(reach) + 1);
+        const auto old = Eigen::Index(usual_reach);
+        x.head(old) = e.orbit.x.head(old);
+        x.segment(Eigen::Index(reach), old + 1) = e.orbit.x.tail(old + 1);
+        NewtonRule<double> rule;
+        rule.graded = true;
+        return newton(type_one<double>(e.k, reach), x, rule);
+      };
+      const Orbit<double> orbit = grown(longer), check = grown(shorter);
+      for (std::size_t j = 0; j <= longer; ++j) {
+        const std::size_t i = longer + j;
+        const double size = log_size(orbit.start, i, orbit.amplitude);
+        const double other =
+            j <= shorter ? log_size(check.start, shorter + j, orbit.amplitude) : size;
+        table.add({std::int64_t(e.k), std::int64_t(e.sign), std::int64_t(j), orbit.start.y[i],
+                   orbit.start.v[i], size, std::abs(size - other)});
+        if (j < usual_reach)
+          apart = std::max(apart, std::abs(orbit.start.v[i] - e.orbit.start.v[usual_reach + j]));
+      }
+    }
+  report.facts.add("lengths_apart", exact(apart), "largest velocity at L = 12 against L = 8");
+  return table;
+}
+
+/**
+The maps show the energy density of an exact orbit and of an impact's packet of the same speed, each
+around the packet and on a logarithmic scale, on which a tail of a millionth would still be seen. */
+template <class Onsite>
+void add_map(Table& table, int which, const Chain<Onsite, Hertz>& chain, State<double> state,
+             double from, double first_site) {
+  const double duration = 12 * two_pi;
+  evolve(ContactAware{0.05}, chain, state, from, 1, Unobserved{});
+  const double start = state.t;
+  evolve(ContactAware{0.05}, chain, state, duration, 0.4, [&](const State<double>& now) {
+    const auto e = energy_density(chain, now);
+    for (int j = 0; j < 30; ++j)
+      table.add({std::int64_t(which), now.t - start, std::int64_t(j),
+                 std::log10(std::max(e[std::size_t(first_site + j)], 1e-14))});
+  });
+}
+
+Table maps(const Exact& orbit) {
+  Table table{{count("packet", "0 exact, 1 of an impact"), number("t", "time"),
+               count("n", "site", "site"), number("log_e", "log10 of the energy density")}};
+  const Chain<Harmonic, Hertz> chain{120};
+  add_map(table, 0, chain, embed(orbit.orbit.start, chain.sites, 0), 0, 0);
+  const double arrival = 47 * two_pi;  // the packet has then come to site 50 or so
+  add_map(table, 1, chain, struck(chain.sites, 0.6676), arrival, 40);
+  return table;
+}
+
+/**
+## What an orbit leaves behind, and whether it is stable
+
+The orbit is carried on by exact flights, each over one shift, after which the frame moves on by one
+site. What stands at the last site of the frame is then left behind. */
+double left_behind(const TravellingProblem<double>& problem, const Orbit<double>& orbit,
+                   std::size_t shifts, const Landing<double>& rule) {
+  State<double> z = orbit.start;
+  const double time = shift_time(orbit);
+  double left = 0;
+  for (std::size_t k = 0; k < shifts; ++k) {
+    flow(problem.chain, z, time, rule);
+    left = std::max(left, std::hypot(z.y.front(), z.v.front()));
+    for (auto* q : {&z.y, &z.v}) {
+      std::rotate(q->begin(), q->begin() + 1, q->end());
+      q->back() = 0;
+    }
+  }
+  return left / orbit.amplitude;
+}
+
+/**
+Stability is that of the shifted map (travelling.hpp). The phase is judged by $\kappa$, all other
+multipliers by their moduli; those of the shift in time are one and no matter of stability. */
+template <class T>
+std::pair<double, double> phase_and_rest(const TravellingProblem<T>& problem, const Orbit<T>& orbit,
+                                         const Landing<T>& rule) {
+  const auto all = multipliers_of(shifted_map(problem.chain, orbit.start, shift_time(orbit), rule));
+  T rest(0);
+  std::vector<std::complex<T>> near = all;
+  std::stable_sort(near.begin(), near.end(),
+                   [](auto a, auto b) { return std::norm(a - T(1)) < std::norm(b - T(1)); });
+  for (std::size_t i = 4; i < near.size(); ++i) rest = std::max(rest, std::abs(near[i]));
+  return {double(phase_kappa(all)), double(rest)};
+}
+
+/// The largest modulus of a multiplier; one where no growth shows above the error.
+Estimate largest_modulus(const Pair& phase, const Estimate& rest) {
+  if (rest.value > 1 + rest.error) return rest;
+  const bool grows = phase.kappa.real() > phase.error;
+  return {grows ? multiplier(phase.kappa, 1).real() : 1, phase.multiplier_error()};
+}
+
+/**
+## One orbit of the reader's choice
+
+At $s \ne 0$ no sum returns, the shift time is an unknown, and the branch that begins at $s = 0$ is
+followed. Where it folds before the $s$ that was asked for, we say where. */
+struct Choice {
+  std::size_t k = 1, reach = usual_reach;
+  std::string sign = "plus";
+  double s = 0, near = 0;
+  bool profile = false;
+};
+
+struct Found {
+  TravellingProblem<double> problem;
+  Orbit<double> orbit;
+  TravellingProblem<long double> wide_problem;
+  Orbit<long double> wide;
+};
+
+constexpr Stride in_s{.first = 0.02, .least = 1e-6, .most = 0.3};
+
+Branch<TravellingProblem<double>> branch_in_s(const Orbit<double>& start, int direction) {
+  const double time = shift_time(start);
+  auto problem = with_free_time(travelling_problem(time, 0, start.start.y.size() / 2 - 1));
+  const Vector<double> x = start.x.size() % 2 ? with_time(start.x, time) : start.x;
+  return {problem, along_s<TravellingProblem<double>>(), newton(problem, x), direction, {}, in_s};
+}
+
+/**
+The two precisions of the answer. */
+Found found_with_free_time(const TravellingProblem<double>& problem, const Orbit<double>& orbit) {
+  const auto wide = in_precision<long double>(problem);
+  return {problem, orbit, wide, polish(wide, orbit)};
+}
+
+Found on_branch(const Choice& choice, const Orbit<double>& start) {
+  const int direction = choice.s > 0 ? 1 : -1;
+  auto branch = branch_in_s(start, direction);
+  try {
+    const Orbit<double> orbit = branch.reach(choice.s);
+    auto problem = branch.problem();
+    problem.chain.onsite.s = choice.s;
+    return found_with_free_time(problem, orbit);
+  } catch (const NoBranch&) {
+    auto again = branch_in_s(start, direction);
+    const double fold = again.fold();
+    throw UsageError("--s: " + short_text(choice.s) + " has no orbit with k = " +
+                     std::to_string(choice.k) + " and the sign " + choice.sign +
+                     " (allowed: s up to " + short_text(fold) + ", where the branch folds)");
+  }
+}
+
+/**
+A chain is too short where the last bead moves so much that the missing one would be felt. */
+void need_reach(const Choice& choice, const Orbit<double>& orbit) {
+  State<double> half = orbit.start;
+  auto problem = travelling_problem(shift_time(orbit), choice.s, choice.reach);
+  flow(problem.chain, half, shift_time(orbit) / 2);
+  const double edge = std::hypot(half.y.back(), half.v.back()) / orbit.amplitude;
+  if (edge > 1e-10)
+    throw UsageError("--reach: " + std::to_string(choice.reach) +
+                     " sites are too few for the tail, whose last bead still moves by " +
+                     short_text(edge) + " of the amplitude (allowed: more sites, at most 20)");
+}
+
+Found chosen_type_one(const Choice& choice) {
+  Staircase stairs(choice.sign == "plus" ? 1 : -1, choice.reach);
+  const Orbit<double> orbit = stairs.reach(choice.k);
+  if (choice.s != 0) return on_branch(choice, orbit);
+  const auto problem = type_one<long double>(choice.k, choice.reach);
+  return {type_one<double>(choice.k, choice.reach), orbit, problem, polish(problem, orbit)};
+}
+
+/**
+The nearest orbit without a tail may be of type I or, somewhat faster, of type II on the family that
+begins there. We follow the family that begins at the next multiple of $2\pi$ past the time asked for. */
+Found chosen_near(const Choice& choice) {
+  const auto above = std::size_t(std::max(1.0, std::ceil(choice.near / two_pi)));
+  Staircase stairs(choice.sign == "plus" ? 1 : -1, choice.reach);
+  const Orbit<double> start = stairs.reach(above);
+  const double end = std::max(choice.near - 0.6, 3.0);
+  const auto members = follow_family(start, std::min(end, shift_time(start)), 0.1);
+  std::vector<Found> candidates{{type_one<double>(above, choice.reach),
+                                 start,
+                                 type_one<long double>(above, choice.reach),
+                                 {}}};
+  for (std::size_t i = 1; i < members.size(); ++i)
+    if (velocity_sum(members[i - 1]) * velocity_sum(members[i]) < 0) {
+      const Orbit<double> orbit = type_two(members[i - 1], members[i]);
+      const auto problem = with_free_time(travelling_problem(shift_time(orbit), 0, choice.reach));
+      candidates.push_back({problem, orbit, in_precision<long double>(problem), {}});
+    }
+  const auto distance = [&](const Found& f) { return std::abs(shift_time(f.orbit) - choice.near); };
+  Found best = *std::min_element(candidates.begin(), candidates.end(),
+                                 [&](auto& a, auto& b) { return distance(a) < distance(b); });
+  if (distance(best) > 0.25)
+    throw UsageError("--near: no orbit without a tail within 0.25 of " + short_text(choice.near) +
+                     " (allowed: a time near one; the nearest is " +
+                     number_text(shift_time(best.orbit)) + ")");
+  best.wide = polish(best.wide_problem, best.orbit);
+  return best;
+}
+
+/**
+All quantities carry what two precisions or two tolerances differ by. */
+double residual_of(const Found& f) {
+  const Vector<long double> x = f.orbit.x.cast<long double>();
+  return double(sup<long double>(f.wide_problem.shoot(x, {}, false).miss)) / f.orbit.amplitude;
+}
+
+Table orbit_table(const Found& f) {
+  const auto peak = [](const auto& problem, const auto& orbit) {
+    const auto e = energy_density(problem.chain, orbit.start);
+    return double(*std::max_element(e.begin(), e.end()));
+  };
+  Landing<double> fine, coarse;
+  coarse.tolerance *= 8;
+  const double t = shift_time(f.orbit), t_wide = double(shift_time(f.wide));
+  const std::size_t shifts = f.problem.chain.sites;
+  const auto narrow = phase_and_rest(f.problem, f.orbit, coarse);
+  const auto better = t < 30 ? phase_and_rest(f.wide_problem, f.wide, {})
+                             : phase_and_rest(f.problem, f.orbit, fine);
+  const Pair phase{better.first, compare(narrow.first, better.first).error};
+  Quantities q;
+  q.add("shift_time", compare(t, t_wide), "time");
+  q.add("speed", compare(1 / t, 1 / t_wide), "site per unit of time");
+  q.add("energy", compare(f.orbit.energy, double(f.wide.energy)));
+  q.add("peak", compare(peak(f.problem, f.orbit), peak(f.wide_problem, f.wide)),
+        "largest energy density at t = 0");
+  q.add("tail",
+        compare(left_behind(f.problem, f.orbit, shifts, coarse),
+                left_behind(f.problem, f.orbit, shifts, fine)),
+        "left behind, relative to amplitude");
+  q.add("residual", exact(residual_of(f)), "relative to amplitude");
+  q.add("multiplier_modulus", largest_modulus(phase, compare(narrow.second, better.second)));
+  return q.table;
+}
+
+Table profile_table(const Found& f) {
+  Table table{{count("n", "site", "site"), number("y", "position at t = 0"),
+               number("v", "velocity at t = 0")}};
+  const long reach = long(f.problem.chain.sites / 2) - 1;
+  for (std::size_t i = 0; i < f.problem.chain.sites; ++i)
+    table.add({std::int64_t(long(i) - reach), f.orbit.start.y[i], f.orbit.start.v[i]});
+  return table;
+}
+
+Table chosen(const Choice& choice) {
+  const Found f = choice.near > 0 ? chosen_near(choice) : chosen_type_one(choice);
+  need_reach(choice, f.orbit);
+  return choice.profile ? profile_table(f) : orbit_table(f);
+}
+
+Results reproduce(Report& report) {
+  const std::vector<std::size_t> ks =
+      report.quick ? std::vector<std::size_t>{1, 2, 4, 6}
+                   : std::vector<std::size_t>{1, 2, 3, 4, 5, 6, 8, 10, 15, 20};
+  std::vector<std::vector<Exact>> all(2);
+  parallel_for(2, [&](std::size_t i) { all[i] = type_one_orbits(signs[i], ks); });
+  report_exactness(report, all[0], all[1]);
+  report.output.add("profiles", profiles(report, all));
+  report.output.add("maps", maps(all[0].front()));
+  report.output.add("facts", report.facts.table);
+  return report.results;
+}
+
+int main(int argc, char** argv) {
+  Program program({"sec5_travelling_breathers", "5", "Exact travelling breathers (section 5)"},
+                  argc, argv);
+  program.everything = [&](Output& output) {
+    Report report{output, program.quick};
+    return reproduce(report);
+  };
+  Choice choice;
+  CLI::App* orbit =
+      program.command("orbit", "one exact travelling breather", [&] { return chosen(choice); });
+  auto* k =
+      orbit->add_option("--k", choice.k, "oscillations a site, of type I")->check(in_range(1, 60));
+  orbit->add_option("--sign", choice.sign, "of the central velocity at t = 0")
+      ->check(CLI::IsMember({"plus", "minus"}));
+  auto* s =
+      orbit->add_option("--s", choice.s, "anharmonicity of the well")->check(in_range(-10, 10));
+  orbit->add_option("--near", choice.near, "the orbit without a tail nearest to this shift time")
+      ->check(in_range(4, 100))
+      ->excludes(k)
+      ->excludes(s)
+      ->default_str("none");
+  orbit->add_option("--reach", choice.reach, "sites on either side of the centre")
+      ->check(in_range(2, 20));
+  orbit->add_flag("--profile", choice.profile, "the orbit at t = 0 instead of its quantities");
+  return program.run(argc, argv);
+}
