@@ -1,0 +1,147 @@
+#pragma once
+/**
+# Travelling breathers of the DpS equation
+
+At small amplitude a travelling breather of the chain becomes one of the DpS equation,
+$A_n(\tau+\tau_T) = e^{i\varphi}A_{n-1}(\tau)$, in which the phase turns by $\varphi$ from site to site
+($\varphi = -T$ modulo $2\pi$ for an orbit of the chain). The equation knows no scale, so that we may
+choose $\tau_T = 2\pi$; all others follow by $A \to aA$, $\tau \to a^{-1/2}\tau$.
+
+The sum $\sum_n A_n$ is conserved, hence $(e^{i\varphi}-1)\sum_nA_n = 0$: type I has $\varphi = 0$, type II
+a vanishing sum, as in the chain. With the symmetry $A_n(\tau) = -\bar A_{-n}(-\tau)$ and
+$w_n = e^{-i\varphi/2}A_n(\tau_T/2)$ the equations are
+$$\mathrm{Re}\,(w_n + w_{1-n}) = 0,\qquad \mathrm{Im}\,(w_n - w_{1-n}) = 0,\qquad n = 1,\dots,L+1.$$
+Again the first kind adds up to $V\sin(\varphi/2)$ with $\sum_nA_n(0) = iV$. We leave out the one with
+$n = 1$, and have a family with a member for every $\varphi$. */
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "lattice/dps/impact.hpp"
+#include "lattice/orbits/newton.hpp"
+
+namespace lattice {
+
+/**
+A problem in the sense of newton.hpp. The unknowns are the imaginary part at the centre and then real
+and imaginary parts of $A_1,\dots,A_L$ at $\tau = 0$. The flow is GSL's; the derivative is a central
+difference, which decides only how fast Newton's method converges. */
+struct DpsTravelling {
+  using Scalar = double;
+  std::size_t reach = 8;
+  double phase = 0;          ///< varphi
+  double tolerance = 1e-13;  ///< of the integrator
+  static constexpr double shift_time = 2 * std::numbers::pi;
+
+  std::string name() const { return "travelling orbit of the DpS equation"; }
+  Field unfold(const Vector<double>& x) const {
+    Field a(2 * reach + 2);
+    a[reach] = {0, x[0]};
+    for (std::size_t n = 1; n <= reach; ++n) {
+      const double re = x[2 * Eigen::Index(n) - 1], im = x[2 * Eigen::Index(n)];
+      a[reach + n] = {re, im};
+      a[reach - n] = {-re, im};
+    }
+    return a;
+  }
+  /// All equations at half the shift time.
+  Vector<double> misses(const Vector<double>& x) const {
+    Field a = unfold(x);
+    evolve_dps(Dps{a.size()}, a, shift_time / 2, 1,
+               Tolerance(1e-4 * tolerance, tolerance, gsl_odeiv2_step_rk8pd),
+               [](double, const Field&) {});
+    Vector<double> miss(2 * Eigen::Index(reach) + 2);
+    for (std::size_t n = 1; n <= reach + 1; ++n) {
+      const auto w = std::polar(1.0, -phase / 2) * a[reach + n],
+                 u = std::polar(1.0, -phase / 2) * a[reach + 1 - n];
+      miss[2 * Eigen::Index(n) - 2] = w.real() + u.real();
+      miss[2 * Eigen::Index(n) - 1] = w.imag() - u.imag();
+    }
+    return miss;
+  }
+
+  /**
+  Newton's method sees all but the first. */
+  Shot<double> shoot(const Vector<double>& x, const Landing<double>&,
+                     bool with_jacobian = true) const {
+    Shot<double> shot;
+    const Eigen::Index m = x.size();
+    shot.miss = misses(x).tail(m);
+    if (!with_jacobian) return shot;
+    shot.jacobian.resize(m, m);
+    const double h = 1e-6 * sup(x);
+    for (Eigen::Index k = 0; k < m; ++k) {
+      Vector<double> up = x, down = x;
+      up[k] += h, down[k] -= h;
+      shot.jacobian.col(k) = (misses(up) - misses(down)).tail(m) / (2 * h);
+    }
+    return shot;
+  }
+  Sizes<double> sizes(const Vector<double>& x, bool) const {
+    return {Vector<double>::Constant(x.size(), sup(x)), Vector<double>::Constant(x.size(), sup(x))};
+  }
+};
+
+/// A member of the family: its field at tau = 0, V, norm and energy.
+struct DpsMember {
+  double phase;
+  Vector<double> x;
+  Field field;
+  double V, norm, energy, residual;
+};
+
+/// Throws NoConvergence.
+inline DpsMember dps_member(const DpsTravelling& problem, const Vector<double>& guess) {
+  const Solution<double> found = solve<DpsTravelling, double>(problem, guess);
+  const Field field = problem.unfold(found.x);
+  double sum = 0;
+  for (const auto& a : field) sum += a.imag();
+  return {problem.phase,
+          found.x,
+          field,
+          sum,
+          norm(field),
+          energy(field),
+          found.history.back().residual};
+}
+
+/**
+The first member is cut from the packet of an impact, whose phase hardly turns from site to site after
+a while. The instant is the one at which the front and the back of the packet have the same moduli;
+a common phase makes the centre imaginary, and a factor gives the packet our shift time. */
+/// Unknowns cut from the packet of a struck chain when it has passed site `from`; `speed` is that of
+/// the packet.
+inline Vector<double> cut_dps_packet(double from, std::size_t reach) {
+  const std::size_t sites = std::size_t(from) + 3 * reach;
+  double least = 1e300, t0 = 0, x0 = 0, t1 = 0, x1 = 0;
+  Field best;
+  std::size_t centre = 0;
+  follow_dps(Dps{sites}, dps_impact(sites), (from + 8) / 0.34, std::size_t((from + 8) / 0.34 * 20),
+             1e-9, [&](double tau, const Field& field) {
+               const auto d = density(field);
+               const auto c = front_packet(d);
+               if (!c || energy_centre(d, *c) < from || *c + reach >= sites) return;
+               (t0 == 0 ? t0 : t1) = tau, (x0 == 0 ? x0 : x1) = energy_centre(d, *c);
+               const double miss = std::abs(d[*c + 1] - d[*c - 1]) / d[*c];
+               if (miss < least) least = miss, best = field, centre = *c;
+             });
+  if (best.empty() || !(x1 > x0)) throw std::runtime_error("no packet passes the site");
+  const std::complex<double> turn =
+      std::complex<double>(0, -1) * std::abs(best[centre]) / best[centre];
+  const double root = (t1 - t0) / (x1 - x0) / DpsTravelling::shift_time, scale = root * root;
+  Vector<double> x(2 * Eigen::Index(reach) + 1);
+  for (std::size_t n = 0; n <= reach; ++n) {
+    const auto a = scale * turn * best[centre + n];
+    if (n > 0) x[2 * Eigen::Index(n) - 1] = a.real();
+    x[2 * Eigen::Index(n)] = a.imag();
+  }
+  return x;
+}
+
+}  // namespace lattice
