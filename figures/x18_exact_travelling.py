@@ -32,11 +32,11 @@ c.axhline(0, color="#888888", lw=0.5)
 c.set(xlabel="site $n$", ylabel="position, velocity", xlim=(-5.3, 5.3))
 c.legend(loc="upper right", fontsize=6.5)
 
-for k, colour in ((1, "#0072B2"), (4, "#D55E00")):
-    for sign, dash, mark in ((1, "-", "o"), (-1, "--", "s")):
-        orbit = draw.where(draw.where(profiles, "k", k), "sign", sign)
-        d.plot(orbit["n"], orbit["log_size"], dash, marker=mark, ms=3, mfc="none", mew=0.8, lw=0.8,
-               color=colour, label=f"$k={k}$, {'+' if sign > 0 else '−'}")
+for k, sign, colour, dash, mark in ((1, 1, "#0072B2", "-", "o"), (1, -1, "#D55E00", "--", "s"),
+                                    (3, 1, "#009E73", ":", "^")):
+    orbit = draw.where(draw.where(profiles, "k", k), "sign", sign)
+    d.plot(orbit["n"], orbit["log_size"], dash, marker=mark, ms=3, mfc="none", mew=0.8, lw=0.8,
+           color=colour, label=f"$k={k}$, {'+' if sign > 0 else '−'}")
 d.set(xlabel="distance from the centre (sites)", ylabel=r"$\log_{10}$ size", xlim=(0, 12))
 d.legend(loc="lower left", fontsize=7)
 for axes, name in zip((a, b, c, d), "abcd"):

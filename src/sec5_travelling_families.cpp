@@ -76,10 +76,10 @@ struct Left {
 };
 
 Left set_free(const Orbit<double>& member, double step) {
-  const Chain<Harmonic, Hertz> chain{48};
-  const std::size_t contact = usual_reach + 3, beads = 4;
+  const Chain<Harmonic, Hertz> chain{64};
+  const std::size_t contact = 2 * usual_reach, beads = 4;
   const double time = shift_time(member);
-  const Pace way = pace(18 * time, step, step);
+  const Pace way = pace(24 * time, step, step);
   State<double> state = embed(member.start, chain.sites, 0);
   std::complex<double> pulse = 0;
   evolve(ContactAware{step}, chain, state, way, [&](const State<double>& now) {

@@ -110,7 +110,17 @@ TEST_CASE("bad input: one line, exit code 2, no file", "[cli]") {
                         {"sec4_precompression_mi coefficients --d 0", "--d"},
                         {"sec4_precompression_mi band --d -0.5", "--d"},
                         {"sec4_precompression_mi impact --time 0", "--time"},
-                        {"sec4_precompression_mi impact --s inf", "--s"}}) {
+                        {"sec4_precompression_mi impact --s inf", "--s"},
+                        {"sec5_travelling_breathers orbit --k 0", "--k"},
+                        {"sec5_travelling_breathers orbit --k 61", "--k"},
+                        {"sec5_travelling_breathers orbit --k 1.5", "--k"},
+                        {"sec5_travelling_breathers orbit --sign both", "--sign"},
+                        {"sec5_travelling_breathers orbit --s nan", "--s"},
+                        {"sec5_travelling_breathers orbit --near 6", "--near"},
+                        {"sec5_travelling_breathers orbit --near 1e9", "--near"},
+                        {"sec5_travelling_breathers orbit --near 6 --k 1", "--near"},
+                        {"sec5_travelling_breathers orbit --reach 3", "--reach"},
+                        {"sec5_travelling_breathers orbit --s 1", "--s"}}) {
     CAPTURE(arguments);
     const Result r = call(arguments + out);
     CAPTURE(r.errors);
@@ -386,6 +396,28 @@ TEST_CASE("breather and barrier report the contract's quantities", "[cli]") {
   REQUIRE(p.code == 0);
   CHECK(p.output.find("\nn,y\n-15,") != std::string::npos);
   CHECK(p.output.find("\n1,0.0101305") != std::string::npos);
+}
+
+TEST_CASE("exact travelling breathers report the contract's quantities", "[cli]") {
+  const Result r = call("sec5_travelling_breathers orbit --k 1 --sign plus --s 0");
+  REQUIRE(r.code == 0);
+  check_close(quantity(r, "shift_time"), 6.283185307179586, 0, 1e-14);
+  check_close(quantity(r, "energy"), 0.180833513579908, 0, 1e-12);
+  check_close(quantity(r, "speed"), 0.159154943091895, 0, 1e-12);
+  CHECK(quantity(r, "peak") > 0);
+  CHECK(quantity(r, "tail") < 1e-11);
+  CHECK(quantity(r, "residual") < 1e-13);
+  CHECK(quantity(r, "multiplier_modulus") == 1);
+  const Result m = call("sec5_travelling_breathers orbit --sign minus");
+  REQUIRE(m.code == 0);
+  check_close(quantity(m, "multiplier_modulus") - 1, 1.8856e-5, 1e-8);
+  const Result near = call("sec5_travelling_breathers orbit --near 5.6");
+  REQUIRE(near.code == 0);
+  check_close(quantity(near, "shift_time"), 5.63857165159, 0, 1e-10);
+  const Result hard = call("sec5_travelling_breathers orbit --k 3 --s 1 --profile");
+  REQUIRE(hard.code == 0);
+  CHECK(hard.output.find("\nn,y,v\n-8,") != std::string::npos);
+  CHECK(call("sec5_travelling_breathers orbit --s 1").errors.find("folds") != std::string::npos);
 }
 
 TEST_CASE("run reports the contract's quantities with errors", "[cli]") {

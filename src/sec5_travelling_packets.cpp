@@ -1,0 +1,350 @@
+/**
+# 5 What becomes of a packet
+
+An impact on a chain with linear wells sends out a packet that sheds a tail. Exact travelling breathers
+shed none, but travel at isolated speeds. Where does the packet go?
+
+      |z_n|  left behind
+        |**
+        |    ****
+        |         **********          ~ 1/n
+        +--------------------------->  n
+
+![The tail of an impact's packet falls, its speed does not lock.](fig:x22)
+
+It goes to neither of the exact ones. Its internal phase turns by less and less from site to site,
+and with the phase the tail dies out as a power of the way. */
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "lattice/measure/impact.hpp"
+#include "lattice/numbers/parallel.hpp"
+#include "lattice/orbits/dps_travelling.hpp"
+#include "lattice/orbits/travelling.hpp"
+#include "lattice/report/program.hpp"
+
+using namespace lattice;
+
+/**
+## Model
+
+The chain of Eq. (9) with linear wells, struck at its first bead, and its limit of small amplitude, the
+DpS equation (12),
+$$\ddot y_n + y_n = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2},\qquad
+  2i\tau_0\dot A_n = D_n - D_{n-1},\quad D_n = (A_{n+1}-A_n)|A_{n+1}-A_n|^{1/2}.$$
+A bead that has been passed oscillates freely, $z_n = y_n + i\dot y_n \propto e^{-it}$, with an
+amplitude that does not change any more. Two numbers describe what a packet leaves behind: the
+amplitude $|z_n|$ and the angle $\varphi$ by which the phase turns from one bead to the next.
+
+## A long run at little cost
+
+Waves behind the packet do not catch up with it: without precompression there is no sound, and a
+disturbance of size $\delta$ runs at a speed of order $\delta^{1/2}$ at most. So we keep a frame of
+sites around the packet, and move it on: beads far behind are dropped, beads at rest come in
+ahead. A second frame, half as long again, and a second step give the errors. */
+struct Course {
+  std::vector<double> t, site, left, angle, energy, contact, speed;
+};
+
+struct Frame {
+  std::size_t sites = 64, drop = 16;
+  double step = 0.2;
+};
+
+/**
+The quantities of one row are means over the stretch since the last one: energy and contact energy
+tremble with the internal oscillation, and the speed of the centre does, too. */
+struct Stretch {
+  double begin_t = 0, begin_x = 0, energy = 0, contact = 0, looks = 0;
+};
+
+/// Moves the frame on by `drop` sites.
+void move_on(State<double>& state, std::size_t drop) {
+  for (auto* q : {&state.y, &state.v}) {
+    std::rotate(q->begin(), q->begin() + std::ptrdiff_t(drop), q->end());
+    std::fill(q->end() - std::ptrdiff_t(drop), q->end(), 0.0);
+  }
+}
+
+/// Adds what is seen at one instant; a row is written when the centre has passed `next`.
+void look(Course& course, Stretch& s, const Chain<Harmonic, Hertz>& chain, const State<double>& now,
+          std::size_t offset, double next) {
+  const auto e = energy_density(chain, now);
+  const auto peak = front_packet(e);
+  if (!peak || *peak < 13) return;
+  const double x = energy_centre(e, *peak) + double(offset);
+  for (std::size_t n = *peak - 6; n <= *peak + 6; ++n) {
+    s.energy += e[n];
+    s.contact += contact_energy(chain, now.y.data(), n + 1);
+  }
+  ++s.looks;
+  if (x < next) return;
+  const std::size_t b = *peak - 11;
+  const std::complex<double> z(now.y[b], now.v[b]), behind(now.y[b - 1], now.v[b - 1]);
+  course.t.push_back(now.t), course.site.push_back(x);
+  course.left.push_back(std::abs(z)), course.angle.push_back(std::arg(z / behind));
+  course.energy.push_back(s.energy / s.looks), course.contact.push_back(s.contact / s.looks);
+  course.speed.push_back((x - s.begin_x) / (now.t - s.begin_t));
+  s = {now.t, x};
+}
+
+/**
+The rows are chosen by the centre's site, twelve of them a decade, so that two runs can be compared row by
+row. The chain is looked at once in each unit of time. */
+Course long_run(double velocity, const Frame& frame, std::size_t rows) {
+  const Chain<Harmonic, Hertz> chain{frame.sites};
+  const auto steps = std::size_t(std::lround(1 / frame.step));
+  State<double> state = struck(chain.sites, velocity);
+  Course course;
+  Stretch stretch;
+  std::size_t offset = 0;
+  while (course.t.size() < rows) {
+    const double next = 20 * std::pow(10.0, double(course.t.size()) / 12);
+    evolve(ContactAware{frame.step}, chain, state, Pace{1, 1, steps}, Unobserved{});
+    look(course, stretch, chain, state, offset, next);
+    const auto peak = front_packet(energy_density(chain, state));
+    if (peak && *peak + 20 > chain.sites) move_on(state, frame.drop), offset += frame.drop;
+  }
+  return course;
+}
+
+/// The same course in two frames and with two steps.
+struct TwoCourses {
+  double velocity;
+  Course coarse{}, fine{};
+};
+
+/**
+## The tail of a packet (figure x22)
+
+Late on the way the tail falls like $1/n$, and this is why. The phase of the pulses in the contacts
+turns by $\varphi$ from site to site, so that a bead keeps
+$|z| = |1-e^{i\varphi}|\,|g| \simeq |\varphi|\,|g|$, as behind an exact orbit, and takes away the
+energy $|z|^2/2$. The packet's own energy depends on $\varphi$ by a straight line,
+$E \simeq E_\infty + b\,\varphi$, for no symmetry turns $\varphi$ into $-\varphi$. Both together are
+$$b\,\frac{d\varphi}{dn} = -\frac{g^2\varphi^2}{2},\qquad \frac1\varphi = \frac{g^2}{2b}\,n + \dots$$
+What does not change on the way is the energy in the contacts: a bead keeps none of it, because its
+neighbours oscillate nearly as it does itself. It is what selects the final speed. */
+Line late_line(const std::vector<double>& x, const std::vector<double>& y, std::size_t skip) {
+  const auto from = std::ptrdiff_t(std::min(skip, x.size() - 6));
+  return fit_line({x.begin() + from, x.end()}, {y.begin() + from, y.end()});
+}
+
+std::vector<double> logs(std::vector<double> x) {
+  for (double& value : x) value = std::log10(std::abs(value));
+  return x;
+}
+
+/// What is read off one course; each row is a fact.
+struct CourseReading {
+  double exponent, angle_exponent, growth, growth_predicted, energy_lost, contact_lost, speed,
+      energy;
+};
+
+CourseReading read_off(const Course& c, std::size_t skip) {
+  std::vector<double> inverse;
+  for (double angle : c.angle) inverse.push_back(1 / angle);
+  const auto size = c.t.size();
+  const double b = late_line(c.angle, c.energy, skip).slope, g = c.left.back() / c.angle.back();
+  const auto lost = [&](const std::vector<double>& x) { return 1 - x.back() / x[size - 13]; };
+  return {late_line(logs(c.site), logs(c.left), skip).slope,
+          late_line(logs(c.site), logs(c.angle), skip).slope,
+          (inverse.back() - inverse[size - 5]) / (c.site.back() - c.site[size - 5]),
+          g * g / (2 * b),
+          lost(c.energy),
+          lost(c.contact),
+          late_line(c.angle, c.speed, skip).intercept,
+          late_line(c.angle, c.energy, skip).intercept};
+}
+
+/**
+The final state lies on the line of the exact orbits, between two of them: at its speed, the scaled speed
+$cE^{-1/4}$ of type I is interpolated between the four orbits with the smallest $k$. */
+double scaled_speed_of_type_one(double speed) {
+  Staircase stairs(1);
+  std::vector<double> x, y;
+  for (std::size_t k : {4, 3, 2, 1}) {
+    const double c = 1 / (2 * std::numbers::pi * double(k));
+    x.push_back(c), y.push_back(c / std::pow(stairs.reach(k).energy, 0.25));
+  }
+  double sum = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    double w = y[i];
+    for (std::size_t j = 0; j < x.size(); ++j)
+      if (j != i) w *= (speed - x[j]) / (x[i] - x[j]);
+    sum += w;
+  }
+  return sum;
+}
+
+void report_course(Report& report, const TwoCourses& p, std::size_t skip) {
+  const CourseReading c = read_off(p.coarse, skip), f = read_off(p.fine, skip);
+  const std::string name = "_v" + short_text(100 * p.velocity);
+  const auto fact = [&](const std::string& what, double CourseReading::*of,
+                        const std::string& unit = "") {
+    report.facts.add(what + name, compare(c.*of, f.*of), unit);
+  };
+  fact("tail_exponent", &CourseReading::exponent);
+  fact("angle_exponent", &CourseReading::angle_exponent);
+  fact("angle_growth", &CourseReading::growth, "of its inverse, per site");
+  fact("angle_growth_predicted", &CourseReading::growth_predicted, "per site");
+  fact("energy_lost", &CourseReading::energy_lost, "share, in the last decade of sites");
+  fact("contact_energy_lost", &CourseReading::contact_lost, "share, in the last decade of sites");
+  fact("final_speed", &CourseReading::speed, "site per unit of time");
+  fact("final_energy", &CourseReading::energy);
+  const auto turns = [](double speed) { return 1 / (2 * std::numbers::pi * speed); };
+  report.facts.add("final_turns" + name, compare(turns(c.speed), turns(f.speed)));
+  const auto scaled = [](const CourseReading& r) { return r.speed / std::pow(r.energy, 0.25); };
+  report.facts.add("final_scaled_speed" + name, compare(scaled(c), scaled(f)));
+  report.facts.add("type_one_scaled_speed" + name,
+                   compare(scaled_speed_of_type_one(c.speed), scaled_speed_of_type_one(f.speed)));
+}
+
+Table course_table(const std::vector<TwoCourses>& runs) {
+  Table table{{number("velocity", "of the impact"), number("t", "time"),
+               number("site", "centre of the packet", "site"), number("log_site", "its log10"),
+               number("left", "amplitude of the bead left behind"),
+               number("left_error", "difference of two frames and steps"),
+               number("log_left", "log10 of the amplitude"),
+               number("angle", "phase from one bead left behind to the next"),
+               number("angle_error", "difference of two frames and steps"),
+               number("inverse_angle", "one over the angle"),
+               number("speed", "mean speed since the last row", "site per unit of time"),
+               number("turns", "shift time over 2 pi"),
+               number("energy", "mean energy of the packet"),
+               number("contact", "mean contact energy of the packet")}};
+  for (const TwoCourses& p : runs)
+    for (std::size_t i = 0; i < p.fine.t.size(); ++i) {
+      const Course &f = p.fine, &c = p.coarse;
+      table.add({p.velocity, f.t[i], f.site[i], std::log10(f.site[i]), f.left[i],
+                 std::abs(f.left[i] - c.left[i]), std::log10(f.left[i]), f.angle[i],
+                 std::abs(f.angle[i] - c.angle[i]), 1 / f.angle[i], f.speed[i],
+                 1 / (2 * std::numbers::pi * f.speed[i]), f.energy[i], f.contact[i]});
+    }
+  return table;
+}
+
+/**
+## The limit of small amplitude (figure x23)
+
+Small travelling breathers are those of the DpS equation (orbits/dps_travelling.hpp), with the same two
+types. There is one orbit of type I for each phase of a free factor, and nothing holds the phase:
+the two signs of the chain are two of them. We follow its family with the angle $\varphi$. */
+std::vector<DpsMember> dps_family(double tolerance, double to, double step) {
+  DpsTravelling problem;
+  problem.tolerance = tolerance;
+  std::vector<DpsMember> all{dps_member(problem, cut_dps_packet(40, problem.reach))};
+  for (int i = 1; i * step <= to + 1e-9; ++i) {
+    problem.phase = i * step;
+    Vector<double> guess = all.back().x;
+    if (i > 1) guess += all.back().x - all[std::size_t(i) - 2].x;
+    all.push_back(dps_member(problem, guess));
+  }
+  return all;
+}
+
+Table dps_table(const std::vector<DpsMember>& coarse, const std::vector<DpsMember>& fine) {
+  Table table{{number("phase", "angle from site to site"),
+               number("V", "sum of the amplitudes over i"),
+               number("V_error", "against the largest V: difference of two tolerances"),
+               number("log_V", "log10 of |V| over the root of the norm"), number("norm", "norm"),
+               number("energy", "energy")}};
+  for (std::size_t i = 0; i < fine.size(); ++i) {
+    const DpsMember& m = fine[i];
+    table.add({m.phase, m.V, std::abs(m.V - coarse[i].V),
+               std::log10(std::max(std::abs(m.V) / std::sqrt(m.norm), 1e-16)), m.norm, m.energy});
+  }
+  return table;
+}
+
+/**
+Beside the exact orbit stands the packet of an impact, cut out at two sites and brought to the same shift
+time: the later, the nearer. */
+Table dps_profiles(const DpsMember& exact, std::size_t reach) {
+  Table table{{count("n", "site", "site"), number("re", "real part, exact"),
+               number("im", "imaginary part, exact"), number("modulus", "modulus, exact"),
+               number("early", "modulus of the packet at site 20"),
+               number("late", "modulus of the packet at site 100")}};
+  const DpsTravelling problem;
+  const Field early = problem.unfold(cut_dps_packet(20, reach)),
+              late = problem.unfold(cut_dps_packet(100, reach));
+  for (std::size_t j = 0; j <= 2 * reach; ++j) {
+    const auto a = exact.field[j];
+    table.add({std::int64_t(j) - std::int64_t(reach), a.real(), a.imag(), std::abs(a),
+               std::abs(early[j]), std::abs(late[j])});
+  }
+  return table;
+}
+
+/**
+The constants of the limit: with $y_n = 2\epsilon\,\mathrm{Re}(A_ne^{it})$ a small orbit has
+$E = 2\epsilon^2\sum|A_n|^2$ and $c = \epsilon^{1/2}/\tau_T$. For the impact we compare the speed of
+the packet with that of the exact orbit of the same DpS energy. */
+void report_dps(Report& report, const DpsMember& coarse, const DpsMember& fine) {
+  const double time = DpsTravelling::shift_time;
+  const auto constant = [&](const DpsMember& m) { return 2 * m.norm * std::pow(time, 4); };
+  const auto speed = [&](const DpsMember& m) { return 1 / time / std::pow(2 * m.norm, 0.25); };
+  report.facts.add("dps_energy_over_c4", compare(constant(coarse), constant(fine)));
+  report.facts.add("dps_scaled_speed", compare(speed(coarse), speed(fine)));
+  report.facts.add("dps_residual", compare(coarse.residual, fine.residual));
+  const auto struck_packet = [&](double tolerance) {
+    double packet = 0;
+    const auto out = follow_dps(Dps{120}, dps_impact(120), 270, 1080, tolerance,
+                                [&](double, const Field& field) {
+                                  const auto peak = front_packet(density(field));
+                                  if (!peak || *peak < 8 || *peak + 8 > field.size()) return;
+                                  packet = energy(Field(field.begin() + std::ptrdiff_t(*peak) - 7,
+                                                        field.begin() + std::ptrdiff_t(*peak) + 8));
+                                });
+    return std::pair(packet, out.track.line(60, far_away)->slope);
+  };
+  const auto rough = struck_packet(1e-9), good = struck_packet(1e-11);
+  const auto predicted = [&](const auto& p) { return std::pow(p.first / fine.energy, 0.2) / time; };
+  report.facts.add("dps_impact_energy", compare(rough.first, good.first));
+  report.facts.add("dps_impact_speed", compare(rough.second, good.second), "site per tau");
+  report.facts.add("dps_exact_speed", compare(predicted(rough), predicted(good)),
+                   "site per tau, same energy");
+}
+
+/**
+## Results */
+Results reproduce(Report& report) {
+  const bool quick = report.quick;
+  std::vector<TwoCourses> runs{{0.66}, {1.5}};
+  if (quick) runs.resize(1);
+  const std::size_t rows = quick ? 24 : 36;
+  parallel_for(2 * runs.size(), [&](std::size_t i) {
+    TwoCourses& p = runs[i / 2];
+    if (i % 2)
+      p.fine = long_run(p.velocity, {96, 16, 0.1}, rows);
+    else
+      p.coarse = long_run(p.velocity, {}, rows);
+  });
+  for (const TwoCourses& p : runs) report_course(report, p, rows - 12);
+  report.output.add("courses", course_table(runs));
+  std::vector<std::vector<DpsMember>> family(2);
+  parallel_for(
+      2, [&](std::size_t i) { family[i] = dps_family(i ? 1e-13 : 1e-12, quick ? 1 : 3, 0.1); });
+  report_dps(report, family[0].front(), family[1].front());
+  report.output.add("dps_family", dps_table(family[0], family[1]));
+  report.output.add("dps_profiles", dps_profiles(family[1].front(), DpsTravelling{}.reach));
+  report.output.add("facts", report.facts.table);
+  return report.results;
+}
+
+int main(int argc, char** argv) {
+  Program program({"sec5_travelling_packets", "5", "What becomes of a packet (section 5)"}, argc,
+                  argv);
+  program.everything = [&](Output& output) {
+    Report report{output, program.quick};
+    return reproduce(report);
+  };
+  return program.run(argc, argv);
+}

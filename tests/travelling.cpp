@@ -1,0 +1,161 @@
+// Exact travelling breathers: the sum that selects their speeds, the equations, orbits of both types, what
+// they leave behind, their stability, and their limit of small amplitude.
+
+#include "lattice/orbits/travelling.hpp"
+#include "check.hpp"
+#include "lattice/orbits/dps_travelling.hpp"
+
+using namespace lattice;
+
+namespace {
+
+const double pi = circle_ratio<double>();
+
+/// All equations, the one included that a family leaves out.
+Vector<double> all_equations(const Orbit<double>& orbit, double s = 0) {
+  const auto problem = with_free_time(travelling_problem(shift_time(orbit), s));
+  return problem.shoot(with_time(orbit.x, shift_time(orbit)), {}, false).miss / orbit.amplitude;
+}
+
+/// Largest amplitude left behind by `shifts` shifts, relative to the orbit's.
+double left_behind(const Orbit<double>& orbit, std::size_t shifts) {
+  const Chain<Harmonic, Hertz> chain{shifts + 24};
+  State<double> state = embed(orbit.start, chain.sites, 0);
+  evolve(ContactAware{0.025}, chain, state, double(shifts) * shift_time(orbit), 10, Unobserved{});
+  double left = 0;
+  for (std::size_t n = 0; n + 8 < shifts; ++n)
+    left = std::max(left, std::hypot(state.y[n], state.v[n]));
+  return left / orbit.amplitude;
+}
+
+const Orbit<double>& first_orbit(int sign) {
+  static const Orbit<double> plus = Staircase(1).reach(1), minus = Staircase(-1).reach(1);
+  return sign > 0 ? plus : minus;
+}
+
+}  // namespace
+
+TEST_CASE("the equation that a family leaves out is V sin(T/2) in the linear well",
+          "[property][travelling]") {
+  // For any unknowns whatever, not only for orbits: the position equations add up to it.
+  for (const auto& [time, s] : {std::pair{2 * pi, 0.0}, {5.3, 0.0}, {5.3, 0.7}}) {
+    const auto problem = with_free_time(travelling_problem(time, s, 4));
+    Vector<double> x(10);
+    x << -0.2, 0.1, 0.02, 0.001, 0.4, -0.2, -0.03, 0.004, 1e-5, time;
+    const Vector<double> miss = problem.shoot(x, {}, false).miss;
+    double sum = 0;
+    for (Eigen::Index i = 0; i < miss.size(); i += 2) sum += miss[i];
+    const double v = x[4] + 2 * x.segment(5, 4).sum();
+    CAPTURE(time, s);
+    if (s == 0)
+      check_close(sum, v * std::sin(time / 2), 0, 1e-12);
+    else
+      CHECK(std::abs(sum - v * std::sin(time / 2)) > 1e-4);
+  }
+}
+
+TEST_CASE("an impact's packet becomes an exact orbit in a few steps", "[convergence][travelling]") {
+  for (int sign : {1, -1}) {
+    const Orbit<double> orbit =
+        newton(type_one<double>(5), cut_packet(Staircase::first_velocity, 15, 30, sign));
+    CAPTURE(sign, to_text(orbit.history));
+    CHECK(orbit.iterations() <= 9);
+    CHECK(sign * central_velocity(orbit) > 0);
+    CHECK(sup(all_equations(orbit)) < 1e-12);
+    check_close(orbit.energy, 9.41445093783471e-5, 0, 1e-11);
+  }
+}
+
+TEST_CASE("both orbits with one oscillation a site", "[convergence][travelling]") {
+  const double energies[]{0.180833513579908, 0.180833513658335};
+  for (int sign : {1, -1}) {
+    const Orbit<double>& orbit = first_orbit(sign);
+    check_close(orbit.energy, energies[sign < 0], 0, 2e-13);
+    const Orbit<long double> wide = polish(type_one<long double>(1), orbit);
+    CHECK(wide.residual() < 1e-16);
+    check_close(double(wide.energy), energies[sign < 0], 0, 1e-14);
+    // A longer chain has the same orbit.
+    const Orbit<double> longer = Staircase(sign, 10).reach(1);
+    check_close(longer.energy, orbit.energy, 0, 1e-12);
+  }
+  check_close(shift_time(first_orbit(1)), 2 * pi, 0, 1e-15);
+  CHECK(first_orbit(-1).energy > first_orbit(1).energy);
+}
+
+TEST_CASE("an exact orbit leaves nothing behind, its neighbours on the family do",
+          "[property][travelling]") {
+  CHECK(left_behind(first_orbit(1), 24) < 1e-11);
+  const auto family = follow_family(first_orbit(1), 6.1, 0.1);
+  const double expected =
+      2 * std::abs(std::sin(shift_time(family.back()) / 2) * velocity_sum(family.back()));
+  const double left = left_behind(family.back(), 24);
+  CHECK(left > 0.3 * expected);
+  CHECK(left < 3 * expected);
+  CHECK(expected > 1e-5);
+  check_close(std::abs(all_equations(family.back())[0]), expected / 2, 0, 1e-7);
+}
+
+TEST_CASE("where V vanishes the family passes through an orbit of type II",
+          "[convergence][travelling]") {
+  const auto family = follow_family(first_orbit(1), 0.89 * 2 * pi, 0.07);
+  std::vector<Orbit<double>> found;
+  for (std::size_t i = 1; i < family.size(); ++i)
+    if (velocity_sum(family[i - 1]) * velocity_sum(family[i]) < 0)
+      found.push_back(type_two(family[i - 1], family[i]));
+  REQUIRE(found.size() == 1);
+  const Orbit<double>& orbit = found[0];
+  check_close(shift_time(orbit) / (2 * pi), 0.89740655032, 0, 1e-9);
+  CHECK(std::abs(velocity_sum(orbit)) < 1e-12);
+  const auto wide = polish(
+      in_precision<long double>(with_free_time(travelling_problem(shift_time(orbit)))), orbit);
+  check_close(double(shift_time(wide)), shift_time(orbit), 0, 1e-10);
+  CHECK(left_behind(orbit, 20) < 1e-10);
+}
+
+TEST_CASE("the phase is held in one orbit and grows in the other", "[property][travelling]") {
+  for (int sign : {1, -1}) {
+    const auto all =
+        multipliers_of(shifted_map(type_one<double>(1).chain, first_orbit(sign).start, 2 * pi));
+    const double kappa = phase_kappa(all);
+    CAPTURE(sign, kappa);
+    check_close(kappa, sign > 0 ? -8.888e-11 : 8.888e-11, 5e-13);
+    CHECK(std::abs(all[4]) < 0.9);  // everything else is left behind
+    CHECK(std::abs(all[3]) > 0.999);
+  }
+}
+
+TEST_CASE("a branch in s folds, and says where", "[property][travelling]") {
+  const auto problem = with_free_time(type_one<double>(1));
+  const Orbit<double> start = newton(problem, with_time(first_orbit(1).x, 2 * pi));
+  const auto branch = [&] {
+    return Branch(problem, along_s<TravellingProblem<double>>(), start, 1, {},
+                  {.first = 0.02, .least = 1e-6, .most = 0.1});
+  };
+  check_close(branch().fold(), 0.010302, 0, 1e-3);
+  CHECK_THROWS_AS(branch().reach(1), NoBranch);
+  const Orbit<double> soft = Branch(problem, along_s<TravellingProblem<double>>(), start, -1, {},
+                                    {.first = 0.02, .least = 1e-6, .most = 0.1})
+                                 .reach(-0.1);
+  CHECK(shift_time(soft) > 2 * pi * 1.01);
+}
+
+TEST_CASE("the DpS equation has its own orbit of type I, the limit of the chain's",
+          "[convergence][travelling]") {
+  DpsTravelling problem;
+  const DpsMember member = dps_member(problem, cut_dps_packet(40, problem.reach));
+  CHECK(std::abs(problem.misses(member.x)[0]) < 1e-12);
+  const double limit = 2 * member.norm * std::pow(problem.shift_time, 4);
+  check_close(limit, 65.55230988, 0, 1e-8);
+  // The chain comes closer with 1/k.
+  Staircase stairs(1);
+  const auto off = [&](std::size_t k) {
+    return stairs.reach(k).energy * std::pow(2 * pi * double(k), 4) - limit;
+  };
+  const double five = off(5), ten = off(10);
+  CHECK(ten < 0.55 * five);
+  CHECK(ten > 0.4 * five);
+  // The left-out equation again.
+  problem.phase = 0.3;
+  const DpsMember next = dps_member(problem, member.x);
+  check_close(problem.misses(next.x)[0], next.V * std::sin(0.15), 0, 1e-8);
+}
