@@ -27,7 +27,7 @@ for sign, colour, dash, mark, name in [(1, "#0072B2", "-", "o", "+"), (-1, "#D55
         sites = list(-n[:0:-1]) + list(n)
         values = list(odd * part[:0:-1]) + list(part)
         c.plot(sites, values, dash, marker=mark, ms=3.5, mfc=fill, mew=0.8, lw=0.8, color=colour,
-               label=f"{'$y_n$' if odd < 0 else '$\\dot y_n$'}, {name}")
+               label=(r"$y_n$, " if odd < 0 else r"$\dot y_n$, ") + name)
 c.axhline(0, color="#888888", lw=0.5)
 c.set(xlabel="site $n$", ylabel="position, velocity", xlim=(-5.3, 5.3))
 c.legend(loc="upper right", fontsize=6.5)

@@ -12,7 +12,7 @@ orbits = draw.read(f"{folder}/orbits.ecsv")
 figure, (a, b) = plt.subplots(1, 2, figsize=(draw.TWO_COLUMNS, 70 * draw.MM), layout="constrained")
 for axes, k, low in ((a, 1, 0.7), (b, 2, 1.5)):
     family = draw.where(draw.where(table, "k", k), "sign", 1)
-    axes.plot(family["turns"], family["log_V"], "-", color="#0072B2", lw=1,
+    axes.plot(family["turns"], family["log_tail"], "-", color="#0072B2", lw=1,
               label=r"$|1-e^{-iT}|\,|V|$")
     axes.plot(family["turns"], family["log_pulse"], "--", color="#D55E00", lw=1,
               label=r"$|1-e^{-iT}|\,|g(1)|$")

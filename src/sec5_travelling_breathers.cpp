@@ -157,15 +157,14 @@ double log_size(const State<double>& z, std::size_t i, double amplitude) {
   return std::log10(std::max(std::abs(z.y[i]), std::abs(z.v[i])) / amplitude);
 }
 
-/// The orbit again on a longer chain, with relative accuracy demanded of every site of the tail.
+/// The orbit again on a longer chain, from a guess that is shaken so that Newton's method takes the
+/// steps that the new sites of the tail need.
 Orbit<double> lengthened(const Exact& e, std::size_t reach) {
   Vector<double> x = Vector<double>::Zero(2 * Eigen::Index(reach) + 1);
   const auto old = Eigen::Index(usual_reach);
-  x.head(old) = e.orbit.x.head(old);
-  x.segment(Eigen::Index(reach), old + 1) = e.orbit.x.tail(old + 1);
-  NewtonRule<double> rule;
-  rule.graded = true;
-  return newton(type_one<double>(e.k, reach), x, rule);
+  x.head(old) = 1.01 * e.orbit.x.head(old);
+  x.segment(Eigen::Index(reach), old + 1) = 1.01 * e.orbit.x.tail(old + 1);
+  return newton(type_one<double>(e.k, reach), x);
 }
 
 constexpr std::size_t longer = 11, shorter = 10;

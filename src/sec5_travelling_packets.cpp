@@ -133,7 +133,7 @@ $$b\,\frac{d\varphi}{dn} = -\frac{g^2\varphi^2}{2},\qquad \frac1\varphi = \frac{
 What does not change on the way is the energy in the contacts: a bead keeps none of it, because its
 neighbours oscillate nearly as it does itself. It is what selects the final speed. */
 Line late_line(const std::vector<double>& x, const std::vector<double>& y, std::size_t skip) {
-  const auto from = std::ptrdiff_t(std::min(skip, x.size() - 6));
+  const auto from = std::ptrdiff_t(skip);
   return fit_line({x.begin() + from, x.end()}, {y.begin() + from, y.end()});
 }
 
@@ -142,50 +142,80 @@ std::vector<double> logs(std::vector<double> x) {
   return x;
 }
 
-/// What is read off one course; each row is a fact.
+/// What is read off one course.
 struct CourseReading {
-  double exponent, angle_exponent, growth, growth_predicted, energy_lost, contact_lost, speed,
-      energy;
+  double exponent, angle_exponent, growth, growth_predicted, energy_lost, contact_lost,
+      contact_early, contact_late, speed, energy;
 };
 
-CourseReading read_off(const Course& c, std::size_t skip) {
-  std::vector<double> inverse;
-  for (double angle : c.angle) inverse.push_back(1 / angle);
-  const auto size = c.t.size();
-  const double b = late_line(c.angle, c.energy, skip).slope, g = c.left.back() / c.angle.back();
-  const auto lost = [&](const std::vector<double>& x) { return 1 - x.back() / x[size - 13]; };
-  return {late_line(logs(c.site), logs(c.left), skip).slope,
-          late_line(logs(c.site), logs(c.angle), skip).slope,
-          (inverse.back() - inverse[size - 5]) / (c.site.back() - c.site[size - 5]),
+/**
+Exponents are those of the last decade of sites. The growth of $1/\varphi$ is taken from the last four
+rows, and so are $g$ and $b$ for its prediction. The final state is what lines through speed and
+energy against $\varphi$, in the last half decade, have at $\varphi = 0$. */
+CourseReading read_off(const Course& c) {
+  constexpr std::size_t decade = 12, few = 4;
+  const std::size_t last = c.t.size() - 1, from = last - few;
+  const auto change = [&](const std::vector<double>& x) { return x[last] - x[from]; };
+  const double g = std::sqrt(c.left[last] / c.angle[last] * c.left[from] / c.angle[from]);
+  const double b = change(c.energy) / change(c.angle);
+  const auto lost = [&](const std::vector<double>& x) { return 1 - x[last] / x[last - decade]; };
+  double early = 0, late = 0;
+  for (std::size_t i = 0; i < 6; ++i)
+    early += c.contact[4 + i] / 6, late += c.contact[last - i] / 6;
+  return {late_line(logs(c.site), logs(c.left), last - decade).slope,
+          late_line(logs(c.site), logs(c.angle), last - decade).slope,
+          (1 / c.angle[last] - 1 / c.angle[from]) / change(c.site),
           g * g / (2 * b),
           lost(c.energy),
           lost(c.contact),
-          late_line(c.angle, c.speed, skip).intercept,
-          late_line(c.angle, c.energy, skip).intercept};
+          early,
+          late,
+          late_line(c.angle, c.speed, last - decade / 2).intercept,
+          late_line(c.angle, c.energy, last - decade / 2).intercept};
 }
 
 /**
-The final state lies on the line of the exact orbits, between two of them: at its speed, the scaled speed
-$cE^{-1/4}$ of type I is interpolated between the four orbits with the smallest $k$. */
-double scaled_speed_of_type_one(double speed) {
+The final state should lie on the line of the exact orbits, between two of them. For four orbits of type I
+we take the scaled speed $cE^{-1/4}$ and the mean of the contact energy over a shift, scaled by its
+own law $c^5$, and interpolate at the speed of the packet. */
+struct ExactLine {
+  std::vector<double> speed{}, scaled_speed{}, scaled_contact{};
+
+  double at(double c, const std::vector<double>& y) const {
+    double sum = 0;
+    for (std::size_t i = 0; i < y.size(); ++i) {
+      double w = y[i];
+      for (std::size_t j = 0; j < y.size(); ++j)
+        if (j != i) w *= (c - speed[j]) / (speed[i] - speed[j]);
+      sum += w;
+    }
+    return sum;
+  }
+};
+
+ExactLine exact_line() {
+  ExactLine line;
   Staircase stairs(1);
-  std::vector<double> x, y;
   for (std::size_t k : {4, 3, 2, 1}) {
-    const double c = 1 / (2 * std::numbers::pi * double(k));
-    x.push_back(c), y.push_back(c / std::pow(stairs.reach(k).energy, 0.25));
+    const Orbit<double> orbit = stairs.reach(k);
+    const double time = 2 * std::numbers::pi * double(k), c = 1 / time;
+    const Chain<Harmonic, Hertz> chain{24};
+    State<double> state = embed(orbit.start, chain.sites, 0);
+    const std::size_t samples = 400 * k;
+    double contact = 0;
+    evolve(ContactAware{0.1}, chain, state, Pace{time, samples, 1}, [&](const State<double>& now) {
+      for (std::size_t i = 1; i < chain.sites; ++i)
+        if (now.t > 0) contact += contact_energy(chain, now.y.data(), i) / double(samples);
+    });
+    line.speed.push_back(c), line.scaled_speed.push_back(c / std::pow(orbit.energy, 0.25));
+    line.scaled_contact.push_back(contact / std::pow(c, 5));
   }
-  double sum = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    double w = y[i];
-    for (std::size_t j = 0; j < x.size(); ++j)
-      if (j != i) w *= (speed - x[j]) / (x[i] - x[j]);
-    sum += w;
-  }
-  return sum;
+  return line;
 }
 
-void report_course(Report& report, const TwoCourses& p, std::size_t skip) {
-  const CourseReading c = read_off(p.coarse, skip), f = read_off(p.fine, skip);
+/// The facts of one impact; both runs are read in the same way.
+void report_course(Report& report, const TwoCourses& p, const ExactLine& line) {
+  const CourseReading c = read_off(p.coarse), f = read_off(p.fine);
   const std::string name = "_v" + short_text(100 * p.velocity);
   const auto fact = [&](const std::string& what, double CourseReading::*of,
                         const std::string& unit = "") {
@@ -203,8 +233,15 @@ void report_course(Report& report, const TwoCourses& p, std::size_t skip) {
   report.facts.add("final_turns" + name, compare(turns(c.speed), turns(f.speed)));
   const auto scaled = [](const CourseReading& r) { return r.speed / std::pow(r.energy, 0.25); };
   report.facts.add("final_scaled_speed" + name, compare(scaled(c), scaled(f)));
-  report.facts.add("type_one_scaled_speed" + name,
-                   compare(scaled_speed_of_type_one(c.speed), scaled_speed_of_type_one(f.speed)));
+  report.facts.add("type_one_scaled_speed" + name, compare(line.at(c.speed, line.scaled_speed),
+                                                           line.at(f.speed, line.scaled_speed)));
+  fact("contact_energy_early", &CourseReading::contact_early, "mean, sites 43 to 113");
+  fact("contact_energy_late", &CourseReading::contact_late, "mean, last half decade of sites");
+  const auto contact = [&](double speed) {
+    return line.at(speed, line.scaled_contact) * std::pow(speed, 5);
+  };
+  report.facts.add("contact_energy_of_type_one" + name, compare(contact(c.speed), contact(f.speed)),
+                   "at the final speed");
 }
 
 Table course_table(const std::vector<TwoCourses>& runs) {
@@ -285,8 +322,7 @@ Table dps_profiles(const DpsMember& exact, std::size_t reach) {
 
 /**
 The constants of the limit: with $y_n = 2\epsilon\,\mathrm{Re}(A_ne^{it})$ a small orbit has
-$E = 2\epsilon^2\sum|A_n|^2$ and $c = \epsilon^{1/2}/\tau_T$. For the impact we compare the speed of
-the packet with that of the exact orbit of the same DpS energy. */
+$E = 2\epsilon^2\sum|A_n|^2$ and $c = \epsilon^{1/2}/\tau_T$. */
 void report_dps(Report& report, const DpsMember& coarse, const DpsMember& fine) {
   const double time = DpsTravelling::shift_time;
   const auto constant = [&](const DpsMember& m) { return 2 * m.norm * std::pow(time, 4); };
@@ -294,23 +330,6 @@ void report_dps(Report& report, const DpsMember& coarse, const DpsMember& fine) 
   report.facts.add("dps_energy_over_c4", compare(constant(coarse), constant(fine)));
   report.facts.add("dps_scaled_speed", compare(speed(coarse), speed(fine)));
   report.facts.add("dps_residual", compare(coarse.residual, fine.residual));
-  const auto struck_packet = [&](double tolerance) {
-    double packet = 0;
-    const auto out = follow_dps(Dps{120}, dps_impact(120), 270, 1080, tolerance,
-                                [&](double, const Field& field) {
-                                  const auto peak = front_packet(density(field));
-                                  if (!peak || *peak < 8 || *peak + 8 > field.size()) return;
-                                  packet = energy(Field(field.begin() + std::ptrdiff_t(*peak) - 7,
-                                                        field.begin() + std::ptrdiff_t(*peak) + 8));
-                                });
-    return std::pair(packet, out.track.line(60, far_away)->slope);
-  };
-  const auto rough = struck_packet(1e-9), good = struck_packet(1e-11);
-  const auto predicted = [&](const auto& p) { return std::pow(p.first / fine.energy, 0.2) / time; };
-  report.facts.add("dps_impact_energy", compare(rough.first, good.first));
-  report.facts.add("dps_impact_speed", compare(rough.second, good.second), "site per tau");
-  report.facts.add("dps_exact_speed", compare(predicted(rough), predicted(good)),
-                   "site per tau, same energy");
 }
 
 /**
@@ -327,7 +346,8 @@ Results reproduce(Report& report) {
     else
       p.coarse = long_run(p.velocity, {}, rows);
   });
-  for (const TwoCourses& p : runs) report_course(report, p, rows - 12);
+  const ExactLine line = exact_line();
+  for (const TwoCourses& p : runs) report_course(report, p, line);
   report.output.add("courses", course_table(runs));
   std::vector<std::vector<DpsMember>> family(2);
   parallel_for(

@@ -1,0 +1,40 @@
+"""Figure x22: how an impact's packet loses its tail, and where its speed and energy go."""
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+import draw
+
+data, out = draw.arguments()
+courses = draw.read(f"{data}/sec5_travelling_packets/courses.ecsv")
+orbits = draw.read(f"{data}/sec5_travelling_families/orbits.ecsv")
+
+figure, (a, b, c) = plt.subplots(1, 3, figsize=(draw.TWO_COLUMNS, 62 * draw.MM),
+                                 layout="constrained")
+styles = [("#0072B2", "o"), ("#D55E00", "s")]
+for (colour, mark), velocity in zip(styles, np.unique(courses["velocity"])):
+    run = draw.where(courses, "velocity", velocity)
+    name = f"$v_0={velocity:g}$"
+    a.loglog(run["site"], run["left"], mark, ms=2.8, mfc="none", mew=0.7, color=colour, label=name)
+    b.plot(run["site"] / 1000, run["inverse_angle"], mark, ms=2.8, mfc="none", mew=0.7, color=colour,
+           label=name)
+    c.plot(run["turns"][6:], run["energy"][6:], mark, ms=2.8, mfc="none", mew=0.7, color=colour,
+           label=name)
+n = np.array([1e3, 1.5e4])
+a.loglog(n, 4.0 / n, "k:", lw=0.8, label=r"$\propto 1/n$")
+a.set(xlabel="site $n$", ylabel="amplitude left behind $|z_n|$")
+a.legend(loc="lower left", fontsize=7)
+b.set(xlabel="site $n$ (thousands)", ylabel=r"$1/\varphi$", xlim=(0, 17), ylim=(0, 55))
+one = draw.where(draw.where(orbits, "type", 1), "sign", 1)
+inside = one["turns"] < 2.5
+c.plot(one["turns"][inside], one["energy"][inside], "^", ms=5, color="#009E73", label="exact, type I")
+two = draw.where(draw.where(orbits, "type", 2), "sign", 1)
+inside = two["turns"] < 1.2
+c.plot(two["turns"][inside], two["energy"][inside], "v", ms=5, mfc="none", color="#009E73",
+       label="exact, type II")
+c.set_yscale("log")
+c.set(xlabel=r"shift time $T/2\pi$", ylabel="energy", xlim=(0.7, 1.3), ylim=(0.05, 20))
+c.legend(loc="upper right", fontsize=6.5)
+for axes, name in zip((a, b, c), "abc"):
+    draw.letter(axes, name)
+draw.save(figure, out)
