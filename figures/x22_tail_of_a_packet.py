@@ -7,7 +7,7 @@ import draw
 
 data, out = draw.arguments()
 courses = draw.read(f"{data}/sec5_travelling_packets/courses.ecsv")
-orbits = draw.read(f"{data}/sec5_travelling_families/orbits.ecsv")
+line = draw.read(f"{data}/sec5_travelling_packets/line_of_type_one.ecsv")
 
 figure, (a, b, c) = plt.subplots(1, 3, figsize=(draw.TWO_COLUMNS, 62 * draw.MM),
                                  layout="constrained")
@@ -21,19 +21,15 @@ for (colour, mark), velocity in zip(styles, np.unique(courses["velocity"])):
     c.plot(run["turns"][6:], run["energy"][6:], mark, ms=2.8, mfc="none", mew=0.7, color=colour,
            label=name)
 n = np.array([1e3, 1.5e4])
-a.loglog(n, 4.0 / n, "k:", lw=0.8, label=r"$\propto 1/n$")
-a.set(xlabel="site $n$", ylabel="amplitude left behind $|z_n|$")
+a.loglog(n, 4.0 / n, "k:", lw=1, label=r"$\propto 1/n$")
+a.set(xlabel="site $n$", ylabel="amplitude left behind $|z_n|$", ylim=(1e-4, 1))
 a.legend(loc="lower left", fontsize=7)
 b.set(xlabel="site $n$ (thousands)", ylabel=r"$1/\varphi$", xlim=(0, 17), ylim=(0, 55))
-one = draw.where(draw.where(orbits, "type", 1), "sign", 1)
-inside = one["turns"] < 2.5
-c.plot(one["turns"][inside], one["energy"][inside], "^", ms=5, color="#009E73", label="exact, type I")
-two = draw.where(draw.where(orbits, "type", 2), "sign", 1)
-inside = two["turns"] < 1.2
-c.plot(two["turns"][inside], two["energy"][inside], "v", ms=5, mfc="none", color="#009E73",
-       label="exact, type II")
+c.plot(line["turns"], line["energy"], "-", color="#888888", lw=0.8, label="line of type I")
+one = draw.where(line, "exact", 1)
+c.plot(one["turns"], one["energy"], "^", ms=5, color="#009E73", label="exact, type I")
 c.set_yscale("log")
-c.set(xlabel=r"shift time $T/2\pi$", ylabel="energy", xlim=(0.7, 1.3), ylim=(0.05, 20))
+c.set(xlabel=r"shift time $T/2\pi$", ylabel="energy", xlim=(0.7, 1.3), ylim=(0.05, 1))
 c.legend(loc="upper right", fontsize=6.5)
 for axes, name in zip((a, b, c), "abc"):
     draw.letter(axes, name)

@@ -13,12 +13,14 @@ $V\sin(T/2) = 0$. So along a family one number, $V$, shows where it passes throu
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <cstddef>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include "lattice/measure/impact.hpp"
+#include "lattice/numbers/estimate.hpp"
 #include "lattice/orbits/breather.hpp"
 #include "lattice/orbits/floquet.hpp"
 
@@ -212,6 +214,16 @@ class Staircase {
   Vector<double> last_{}, before_{};
   double h_ = 0, h_before_ = 0;
 };
+
+/// The energy of an orbit of type I, found again from a guess that is shaken, at a coarser landing.
+inline Estimate energy_of_type_one(std::size_t k, const Orbit<double>& orbit) {
+  NewtonRule<double> coarse;
+  coarse.landing.tolerance *= 8;
+  Orbit<double> shaken = orbit;
+  shaken.x *= 1 + 1e-7;
+  const auto problem = type_one<double>(k, orbit.start.y.size() / 2 - 1);
+  return compare(polish(problem, shaken, coarse).energy, orbit.energy);
+}
 
 /**
 ## Along a family
