@@ -182,6 +182,9 @@ void add_profile(Table& table, const Exact& e, const Orbit<double>& orbit,
   }
 }
 
+/**
+Each orbit is computed on both chains, and the velocities of the short chain that the rest of the chapter
+uses are compared with those of the longest. */
 Table profiles(Report& report, const std::vector<Exact>& shown) {
   Table table{{count("k", "oscillations a site"), count("sign", "of the central velocity"),
                count("n", "site", "site"), number("y", "position at t = 0"),
@@ -290,6 +293,8 @@ double passed(const State<double>& z, std::size_t shifts) {
   return left;
 }
 
+/**
+After each round, what has been passed is looked at and dropped. */
 Flown by_steps(const Exact& e, std::size_t shifts, double step) {
   constexpr std::size_t round = 20;
   const Chain<Harmonic, Hertz> chain{round + 3 * usual_reach};
@@ -445,6 +450,8 @@ Found chosen_near(const Choice& choice) {
       const auto problem = with_free_time(travelling_problem(shift_time(orbit), 0, choice.reach));
       candidates.push_back({problem, orbit, in_precision<long double>(problem), {}});
     }
+  /**
+A time that is near none of them is answered with the nearest. */
   const auto distance = [&](const Found& f) { return std::abs(shift_time(f.orbit) - choice.near); };
   Found best = *std::min_element(candidates.begin(), candidates.end(),
                                  [&](auto& a, auto& b) { return distance(a) < distance(b); });
@@ -463,6 +470,9 @@ double residual_of(const Found& f) {
   return double(sup<long double>(f.wide_problem.shoot(x, {}, false).miss)) / f.orbit.amplitude;
 }
 
+/**
+Times, speeds and energies are compared between double precision and the wider type; what is left behind
+and the multipliers of slow orbits, which take long, between two landings. */
 Table orbit_table(const Found& f) {
   const auto peak = [](const auto& problem, const auto& orbit) {
     const auto e = energy_density(problem.chain, orbit.start);
@@ -476,6 +486,8 @@ Table orbit_table(const Found& f) {
   const auto better = t < 30 ? phase_and_rest(f.wide_problem, f.wide, {})
                              : phase_and_rest(f.problem, f.orbit, fine);
   const Pair phase{better.first, compare(narrow.first, better.first).error};
+  /**
+  These are the quantities. */
   Quantities q;
   q.add("shift_time", compare(t, t_wide), "time");
   q.add("speed", compare(1 / t, 1 / t_wide), "site per unit of time");
@@ -491,6 +503,8 @@ Table orbit_table(const Found& f) {
   return q.table;
 }
 
+/**
+The profile is that of the orbit in double precision, so that it can be given back to a program. */
 Table profile_table(const Found& f) {
   Table table{{count("n", "site", "site"), number("y", "position at t = 0"),
                number("v", "velocity at t = 0")}};
@@ -556,6 +570,8 @@ int main(int argc, char** argv) {
     Report report{output, program.quick};
     return reproduce(report);
   };
+  /**
+The subcommand offers both ways to name an orbit. */
   Choice choice;
   CLI::App* orbit =
       program.command("orbit", "one exact travelling breather", [&] { return chosen(choice); });

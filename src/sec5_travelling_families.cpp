@@ -190,6 +190,8 @@ std::vector<Twice> all_orbits(const std::vector<Family>& all, std::size_t slowes
   return orbits;
 }
 
+/**
+The chart is drawn from their shift times and energies. */
 Table orbit_chart(const std::vector<Twice>& orbits) {
   Table table{{count("type", "1 or 2"), count("k", "where the family begins"),
                count("sign", "of the central velocity"), number("turns", "shift time over 2 pi"),
@@ -281,6 +283,8 @@ void report_folds(Report& report, const std::vector<Start>& starts) {
     report.facts.add("fold_k" + std::to_string(starts[i].first), folds[i], "s");
 }
 
+/**
+Slow orbits hardly notice the well, and their branches need few steps. */
 Table branch_table(const std::vector<Start>& starts, int steps) {
   Table table{{count("k", "where the branch begins at s = 0"),
                count("direction", "of s at the start"),
@@ -339,6 +343,8 @@ std::vector<Cell> crossing(std::size_t k, Branch<Free>& branch) {
           compare(orbit.energy, double(wide.energy)).error};
 }
 
+/**
+A branch that folds before $s = 1$ has no orbit there, and none is listed. */
 Table exact_at_one(const std::vector<Start>& starts) {
   Table table{{count("k", "where the branch begins at s = 0"),
                number("speed", "speed", "site per unit of time"), number("energy", "energy"),

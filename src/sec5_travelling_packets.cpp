@@ -73,6 +73,9 @@ void move_on(State<double>& state, std::size_t drop) {
   }
 }
 
+/**
+The bead eleven sites behind the largest one is out of the packet's reach; with the one behind it, it tells
+what is left behind and by which angle the phase turns. */
 /// Adds what is seen at one instant; a row is written when the centre has passed `next`.
 void look(Course& course, Stretch& s, const Chain<Harmonic, Hertz>& chain, const State<double>& now,
           std::size_t offset, double next) {
@@ -193,6 +196,8 @@ struct ExactLine {
   }
 };
 
+/**
+Four orbits make the line. */
 ExactLine exact_line() {
   ExactLine line;
   Staircase stairs(1);
@@ -213,6 +218,8 @@ ExactLine exact_line() {
   return line;
 }
 
+/**
+For the figure the line becomes a curve. */
 /// The line as a curve in the plane of shift time and energy; beyond k = 1 it is extrapolated.
 Table line_table(const ExactLine& line) {
   Table table{{count("exact", "1 for an orbit, 0 for a point between orbits"),
@@ -226,6 +233,8 @@ Table line_table(const ExactLine& line) {
   return table;
 }
 
+/**
+Of each impact both runs are read in the same way, and their differences are the errors. */
 /// The facts of one impact; both runs are read in the same way.
 void report_course(Report& report, const TwoCourses& p, const ExactLine& line) {
   const CourseReading c = read_off(p.coarse), f = read_off(p.fine);
@@ -257,6 +266,8 @@ void report_course(Report& report, const TwoCourses& p, const ExactLine& line) {
                    "at the final speed");
 }
 
+/**
+The courses, row by row, are what the figure shows. */
 Table course_table(const std::vector<TwoCourses>& runs) {
   Table table{{number("velocity", "of the impact"), number("t", "time"),
                number("site", "centre of the packet", "site"), number("log_site", "its log10"),
@@ -270,6 +281,8 @@ Table course_table(const std::vector<TwoCourses>& runs) {
                number("turns", "shift time over 2 pi"),
                number("energy", "mean energy of the packet"),
                number("contact", "mean contact energy of the packet")}};
+  /**
+  Errors stand beside the two columns that the figure draws; the others are means that tremble. */
   for (const TwoCourses& p : runs)
     for (std::size_t i = 0; i < p.fine.t.size(); ++i) {
       const Course &f = p.fine, &c = p.coarse;
@@ -353,6 +366,8 @@ std::vector<SmallOrbit> small_orbits(int sign, std::size_t slowest) {
   return list;
 }
 
+/**
+The extrapolation is made twice, with and without the slowest orbit. */
 /// The value at 1/k = 0 of the parabola through three orbits, the last of which is `last`.
 double limit_of(const std::vector<SmallOrbit>& list, std::size_t last) {
   double sum = 0;

@@ -50,7 +50,9 @@ struct DpsTravelling {
     }
     return a;
   }
-  /// All equations at half the shift time.
+  /**
+  The equations are those at half the shift time, and we can always look at all of them. */
+  /// All equations, that of n = 1 first.
   Vector<double> misses(const Vector<double>& x) const {
     Field a = unfold(x);
     evolve_dps(Dps{a.size()}, a, shift_time / 2, 1,
@@ -83,11 +85,14 @@ struct DpsTravelling {
     }
     return shot;
   }
+  /// Everything is measured by the largest unknown.
   Sizes<double> sizes(const Vector<double>& x, bool) const {
     return {Vector<double>::Constant(x.size(), sup(x)), Vector<double>::Constant(x.size(), sup(x))};
   }
 };
 
+/**
+A member is described by what the chapter draws. */
 /// A member of the family: its field at tau = 0, V, norm and energy.
 struct DpsMember {
   double phase;
@@ -132,6 +137,8 @@ inline Vector<double> cut_dps_packet(double from, std::size_t reach) {
                if (miss < least) least = miss, best = field, centre = *c;
              });
   if (best.empty() || !(x1 > x0)) throw std::runtime_error("no packet passes the site");
+  /**
+  The cut is turned and scaled. */
   const std::complex<double> turn =
       std::complex<double>(0, -1) * std::abs(best[centre]) / best[centre];
   const double root = (t1 - t0) / (x1 - x0) / DpsTravelling::shift_time, scale = root * root;

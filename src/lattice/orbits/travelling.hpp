@@ -130,6 +130,8 @@ inline State<double> between(const State<double>& a, const State<double>& b, dou
   return z;
 }
 
+/**
+Of all such instants between two sites the most symmetrical one is taken. */
 /// Unknowns cut from the packet of an impact while its centre lies between two sites; the sign is that
 /// of the central velocity. Throws std::runtime_error where no packet passes.
 inline Vector<double> cut_packet(double velocity, double from, double to, int sign,
@@ -192,6 +194,8 @@ class Staircase {
     before_ = last_, last_ = orbit_.x * double(k * k);
     h_before_ = h_, h_ = 1 / double(k), k_ = k;
   }
+  /**
+  A step predicts, scales and corrects. */
   void step(std::size_t k) {
     const double h = 1 / double(k);
     Vector<double> x = last_;
@@ -215,6 +219,8 @@ class Staircase {
   double h_ = 0, h_before_ = 0;
 };
 
+/**
+An orbit found once has no error. Found again from another guess and with other steps, it has one. */
 /// The energy of an orbit of type I, found again from a guess that is shaken, at a coarser landing.
 inline Estimate energy_of_type_one(std::size_t k, const Orbit<double>& orbit) {
   NewtonRule<double> coarse;
@@ -256,6 +262,8 @@ inline std::vector<Orbit<double>> follow_family(const Orbit<double>& start, doub
   return members;
 }
 
+/**
+The secant method needs V alone. */
 /// The orbit of type II between two members with V of opposite signs, its shift time an unknown.
 /// Throws NoConvergence.
 inline Orbit<double> type_two(Orbit<double> a, Orbit<double> b,
@@ -305,6 +313,8 @@ Matrix<T> shifted_map(const Chain<Onsite, Contact>& chain, const State<T>& start
   return shifted;
 }
 
+/**
+Its eigenvalues are sorted in two ways. */
 /// All multipliers, the largest first.
 template <class T>
 std::vector<std::complex<T>> multipliers_of(const Matrix<T>& map) {
