@@ -487,7 +487,7 @@ Table orbit_table(const Found& f) {
                              : phase_and_rest(f.problem, f.orbit, fine);
   const Pair phase{better.first, compare(narrow.first, better.first).error};
   /**
-  These are the quantities. */
+  A tail or a residual of rounding is reported as it is, since that is what is claimed to be small. */
   Quantities q;
   q.add("shift_time", compare(t, t_wide), "time");
   q.add("speed", compare(1 / t, 1 / t_wide), "site per unit of time");

@@ -251,6 +251,8 @@ void report_course(Report& report, const TwoCourses& p, const ExactLine& line) {
   fact("contact_energy_lost", &CourseReading::contact_lost, "share, in the last decade of sites");
   fact("final_speed", &CourseReading::speed, "site per unit of time");
   fact("final_energy", &CourseReading::energy);
+  /**
+  The final state is compared with the line of the exact orbits at its own speed. */
   const auto turns = [](double speed) { return 1 / (2 * std::numbers::pi * speed); };
   report.facts.add("final_turns" + name, compare(turns(c.speed), turns(f.speed)));
   const auto scaled = [](const CourseReading& r) { return r.speed / std::pow(r.energy, 0.25); };
