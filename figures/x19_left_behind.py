@@ -22,11 +22,11 @@ for axes, k, low in ((a, 1, 0.7), (b, 2, 1.5)):
     for kind, mark, name in ((1, "^", "type I"), (2, "v", "type II")):
         found = draw.where(exact, "type", kind)
         inside = found["turns"] >= low
-        axes.plot(found["turns"][inside], [-7.7] * int(inside.sum()), mark, ms=5, color="#009E73",
+        axes.plot(found["turns"][inside], [-9.1] * int(inside.sum()), mark, ms=5, color="#009E73",
                   mfc="#009E73" if kind == 1 else "none", label=name, clip_on=False)
-    axes.set(xlabel=r"shift time $T/2\pi$", xlim=(low, k + 0.01), ylim=(-8, -2))
+    axes.set(xlabel=r"shift time $T/2\pi$", xlim=(low, k + 0.01), ylim=(-9.5, -2))
 a.set_ylabel(r"$\log_{10}$ of the tail over the amplitude")
-a.legend(loc="lower right", bbox_to_anchor=(1, 0.08), fontsize=6.5)
+b.legend(loc="lower left", bbox_to_anchor=(0, 0.07), fontsize=6.5)
 draw.letter(a, "a")
 draw.letter(b, "b")
 draw.save(figure, out)

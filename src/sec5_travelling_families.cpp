@@ -68,26 +68,33 @@ void follow(Family& f, double step) {
 
 A member is set free in a resting chain. It is no exact orbit and must shed what does not fit: behind it
 each bead keeps oscillating. If the pulses $f$ that pass through the contacts repeat themselves after
-$T$, its amplitude is $|1-e^{-iT}|\,|g(1)|$ with $g(1) = \int e^{it}f\,dt$. We measure both sides, the
-beads that have been passed and the pulse in one contact, in the same flight. */
+$T$, its amplitude is $|1-e^{-iT}|\,|g(1)|$ with $g(1) = \int e^{it}f\,dt$. We measure both sides in the
+same flight. The integral needs no quadrature: the pulse is all that changes the sum $Z$ over the beads
+right of its contact, so that it is the difference of $e^{it}Z$ between the end and the beginning. */
 struct Left {
   double beads = 0, pulse = 0;  ///< both relative to the amplitude
 };
 
+std::complex<double> sum_from(const State<double>& z, std::size_t first) {
+  std::complex<double> sum = 0;
+  for (std::size_t n = first; n < z.y.size(); ++n) sum += std::complex<double>(z.y[n], z.v[n]);
+  return std::polar(1.0, z.t) * sum;
+}
+
+/**
+The contact lies ahead of the packet at first; the four beads right of it are looked at when it has left. */
 Left set_free(const Orbit<double>& member, double step) {
   const Chain<Harmonic, Hertz> chain{64};
   const std::size_t contact = 2 * usual_reach, beads = 4;
   const double time = shift_time(member);
-  const Pace way = pace(24 * time, step, step);
   State<double> state = embed(member.start, chain.sites, 0);
-  std::complex<double> pulse = 0;
-  evolve(ContactAware{step}, chain, state, way, [&](const State<double>& now) {
-    pulse += way.interval() * std::polar(contact_push(chain, now.y.data(), contact), now.t);
-  });
+  const std::complex<double> before = sum_from(state, contact);
+  evolve(ContactAware{step}, chain, state, pace(24 * time, time, step), Unobserved{});
   Left left;
   for (std::size_t n = contact; n < contact + beads; ++n)
     left.beads += std::hypot(state.y[n], state.v[n]) / double(beads) / member.amplitude;
-  left.pulse = std::abs(2 * std::sin(time / 2)) * std::abs(pulse) / member.amplitude;
+  left.pulse = std::abs(2 * std::sin(time / 2)) * std::abs(sum_from(state, contact) - before) /
+               member.amplitude;
   return left;
 }
 
