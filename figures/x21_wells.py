@@ -1,7 +1,6 @@
 """Figure x21: exact travelling breathers in soft and hard wells, and the packet that turns at s = 1."""
 
 import matplotlib.pyplot as plt
-import numpy as np
 
 import draw
 
@@ -11,24 +10,27 @@ branches = draw.read(f"{folder}/branches.ecsv")
 exact = draw.read(f"{folder}/exact_at_one.ecsv")
 packet = draw.read(f"{folder}/packet_at_one.ecsv")
 
-figure, (a, b) = plt.subplots(1, 2, figsize=(draw.TWO_COLUMNS, 75 * draw.MM), layout="constrained")
-colours = {1: "#0072B2", 2: "#D55E00", 3: "#009E73", 4: "#E69F00", 6: "#CC79A7"}
-dashes = {1: "-", 2: "--", 3: "-.", 4: ":", 6: (0, (5, 1, 1, 1, 1, 1))}
-for k in np.unique(branches["k"]):
+figure, axes = plt.subplots(1, 4, figsize=(draw.TWO_COLUMNS, 65 * draw.MM), layout="constrained",
+                            width_ratios=[1, 1, 1, 1.2])
+bounds = {1: (-0.03, 0.02, 0.86, 1.012), 2: (-0.15, 0.4, 1.6, 2.01), 3: (-0.5, 2.1, 2.7, 3.02)}
+for panel, (k, (left, right, low, high)) in zip(axes, bounds.items()):
     for direction in (1, -1):
         way = draw.where(draw.where(branches, "k", k), "direction", direction)
-        a.plot(way["s"], way["turns"], ls=dashes[int(k)], color=colours[int(k)], lw=1.1,
-               label=f"$k={int(k)}$" if direction > 0 else None)
-a.axvline(0, color="#888888", lw=0.5)
-a.set(xlabel="anharmonicity $s$", ylabel=r"shift time $T/2\pi$", xlim=(-1, 3), ylim=(0.5, 6.3))
-a.legend(loc="center right", fontsize=7)
+        panel.plot(way["s"], way["turns"], "-", color="#0072B2", lw=1.1)
+    panel.axvline(0, color="#888888", lw=0.5)
+    panel.plot([0], [k], "^", ms=4, color="#009E73", label="type I")
+    panel.set(xlabel="anharmonicity $s$", xlim=(left, right), ylim=(low, high))
+    panel.xaxis.set_major_locator(plt.MaxNLocator(2))
+axes[0].set_ylabel(r"shift time $T/2\pi$")
+axes[0].legend(loc="center left", fontsize=6, handletextpad=0.1, borderpad=0)
 
-moving = packet["speed"] > 1e-4
-b.loglog(packet["speed"][moving], packet["energy"][moving], "-", color="black", lw=1,
-         label="packet, $v_0=1.9$")
-b.loglog(exact["speed"], exact["energy"], "o", ms=4, mfc="none", color="#0072B2", label="exact orbits")
-b.set(xlabel="speed (sites per unit of time)", ylabel="energy")
-b.legend(loc="center left", fontsize=7)
-draw.letter(a, "a")
-draw.letter(b, "b")
+moving = packet["speed"] > 0
+axes[3].semilogy(packet["speed"][moving], packet["energy"][moving], "-", color="black", lw=1,
+                 label="packet, $v_0=1.9$")
+axes[3].semilogy(exact["speed"], exact["energy"], "o", ms=4, mfc="none", color="#0072B2",
+                 label="exact, $s=1$")
+axes[3].set(xlabel="speed (sites/time)", ylabel="energy", xlim=(0, 0.16), ylim=(1e-4, 5))
+axes[3].legend(loc="center right", fontsize=7)
+for panel, name in zip(axes, "abcd"):
+    draw.letter(panel, name)
 draw.save(figure, out)

@@ -21,7 +21,6 @@ They do. In the linear well they travel at isolated speeds, and one sum says at 
 #include <utility>
 #include <vector>
 
-#include "lattice/numbers/extended.hpp"
 #include "lattice/numbers/parallel.hpp"
 #include "lattice/orbits/travelling.hpp"
 #include "lattice/report/program.hpp"
@@ -45,7 +44,6 @@ dimensionless. In the program `shift_time` is $T$, the speed is $1/T$ sites per 
 that of the velocity $\dot y_0(0)$ of the central bead, and `reach` is $L$: an orbit has the sites
 $-L \le n \le L+1$. */
 constexpr double two_pi = 2 * std::numbers::pi;
-constexpr long double two_pi_wide = 2 * std::numbers::pi_v<long double>;
 
 /**
 ## Why only certain speeds
@@ -99,29 +97,13 @@ std::vector<Exact> type_one_orbits(int sign, const std::vector<std::size_t>& ks)
 /**
 ## How exact they are
 
-The residual of the orbit that double precision delivers is evaluated in the wider type, and that of
-the wider one in quadruple precision, both for all equations, the one included that was not solved. */
-template <class Wide, class T>
-double residual_in(const Exact& exact, const Orbit<T>& orbit) {
-  const auto problem = with_free_time(type_one<Wide>(exact.k));
-  const Wide time = Wide(2) * circle_ratio<Wide>() * Wide(double(exact.k));
-  const Vector<Wide> x = orbit.x.template cast<Wide>();
-  const Shot<Wide> shot = problem.shoot(with_time<Wide>(x, time), {}, false);
-  return double(sup<Wide>(shot.miss) / Wide(orbit.amplitude));
-}
-
-/**
-The packet of an impact must become an orbit in a few steps of Newton's method, and the equations must
-be well posed: the largest and the smallest singular value of their matrix, in the units in which they
-are solved, are a moderate factor apart. */
-double condition_of(const Exact& exact) {
-  const auto problem = type_one<double>(exact.k);
-  const Sizes<double> size = problem.sizes(exact.orbit.x, true);
-  const Matrix<double> matrix = size.equation.cwiseInverse().asDiagonal() *
-                                problem.shoot(exact.orbit.x, {}).jacobian *
-                                size.unknown.asDiagonal();
-  const auto s = Eigen::JacobiSVD<Matrix<double>>(matrix).singularValues();
-  return s[0] / s[s.size() - 1];
+The residual of the orbit that double precision delivers is evaluated in the wider type, for all
+equations, the one included that was not solved. */
+double residual_in_wide(const Exact& e) {
+  const auto problem = with_free_time(type_one<long double>(e.k));
+  const Vector<long double> x = with_time<long double>(
+      e.orbit.x.cast<long double>(), 2 * circle_ratio<long double>() * (long double)(e.k));
+  return double(sup<long double>(problem.shoot(x, {}, false).miss)) / e.orbit.amplitude;
 }
 
 /**
@@ -133,12 +115,12 @@ void report_exactness(Report& report, const std::vector<Exact>& plus,
   for (const auto* orbits : {&plus, &minus})
     for (const Exact& e : *orbits) {
       if (e.k > 3) continue;
-      narrow = std::max(narrow, residual_in<long double>(e, e.orbit));
-      if (e.k == 1) wide = std::max(wide, residual_in<Quadruple>(e, e.wide));
+      narrow = std::max(narrow, residual_in_wide(e));
+      wide = std::max(wide, e.wide.residual());
     }
   Quantities& facts = report.facts;
   facts.add("residual_double", exact(narrow), "largest of k = 1, 2, 3, relative to amplitude");
-  facts.add("residual_wide", exact(wide), "k = 1, relative to amplitude");
+  facts.add("residual_wide", exact(wide), "largest of k = 1, 2, 3, relative to amplitude");
   facts.add("newton_steps_from_cut", exact(double(Staircase(1).orbit().iterations())));
   const Exact &p = plus.front(), &m = minus.front();
   facts.add("energy_plus", p.energy());
