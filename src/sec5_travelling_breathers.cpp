@@ -149,7 +149,7 @@ Orbit<double> lengthened(const Exact& e, std::size_t reach) {
   return newton(type_one<double>(e.k, reach), x);
 }
 
-constexpr std::size_t longer = 11, shorter = 10;
+constexpr std::size_t longer = 9, shorter = usual_reach;
 
 /**
 The table holds one end only, the other being its image. */
@@ -402,7 +402,7 @@ void need_reach(const Choice& choice, const Orbit<double>& orbit) {
   if (edge > 1e-10)
     throw UsageError("--reach: " + std::to_string(choice.reach) +
                      " sites are too few for the tail, whose last bead still moves by " +
-                     short_text(edge) + " of the amplitude (allowed: more sites, at most 20)");
+                     short_text(edge) + " of the amplitude (allowed: more sites, at most 10)");
 }
 
 Found chosen_type_one(const Choice& choice) {
@@ -569,7 +569,7 @@ The subcommand offers both ways to name an orbit. */
       ->excludes(s)
       ->default_str("none");
   orbit->add_option("--reach", choice.reach, "sites on either side of the centre")
-      ->check(in_range(2, 20));
+      ->check(in_range(2, 10));
   orbit->add_flag("--profile", choice.profile, "the orbit at t = 0 instead of its quantities");
   return program.run(argc, argv);
 }

@@ -48,7 +48,7 @@ TEST_CASE("the equation that a family leaves out is V sin(T/2) in the linear wel
     const double v = x[4] + 2 * x.segment(5, 4).sum();
     CAPTURE(time, s);
     if (s == 0)
-      check_close(sum, v * std::sin(time / 2), 0, 1e-12);
+      check_close(sum, v * std::sin(time / 2), 1e-12);
     else
       CHECK(std::abs(sum - v * std::sin(time / 2)) > 1e-4);
   }
@@ -75,7 +75,7 @@ TEST_CASE("both orbits with one oscillation a site", "[convergence][travelling]"
     CHECK(wide.residual() < 1e-16);
     check_close(double(wide.energy), energies[sign < 0], 0, 1e-14);
     // A longer chain has the same orbit.
-    const Orbit<double> longer = Staircase(sign, 10).reach(1);
+    const Orbit<double> longer = Staircase(sign, 9).reach(1);
     check_close(longer.energy, orbit.energy, 0, 1e-12);
   }
   check_close(shift_time(first_orbit(1)), 2 * pi, 0, 1e-15);
@@ -92,7 +92,7 @@ TEST_CASE("an exact orbit leaves nothing behind, its neighbours on the family do
   CHECK(left > 0.3 * expected);
   CHECK(left < 3 * expected);
   CHECK(expected > 1e-5);
-  check_close(std::abs(all_equations(family.back())[0]), expected / 2, 0, 1e-7);
+  check_close(std::abs(all_equations(family.back())[0]), expected / 2, 1e-12);
 }
 
 TEST_CASE("where V vanishes the family passes through an orbit of type II",
