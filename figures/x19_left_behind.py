@@ -26,7 +26,7 @@ for axes, k, low in ((a, 1, 0.7), (b, 2, 1.5)):
                   mfc="#009E73" if kind == 1 else "none", label=name, clip_on=False)
     axes.set(xlabel=r"shift time $T/2\pi$", xlim=(low, k + 0.01), ylim=(-9.5, -2))
 a.set_ylabel(r"$\log_{10}$ of the tail over the amplitude")
-b.legend(loc="lower left", bbox_to_anchor=(0, 0.07), fontsize=6.5)
+a.legend(loc="lower left", bbox_to_anchor=(0, 0.07), fontsize=6.5)
 draw.letter(a, "a")
 draw.letter(b, "b")
 draw.save(figure, out)
