@@ -37,7 +37,8 @@ for k, sign, colour, dash, mark in ((1, 1, "#0072B2", "-", "o"), (1, -1, "#D55E0
     orbit = draw.where(draw.where(profiles, "k", k), "sign", sign)
     d.plot(orbit["n"], orbit["log_size"], dash, marker=mark, ms=3, mfc="none", mew=0.8, lw=0.8,
            color=colour, label=f"$k={k}$, {'+' if sign > 0 else '−'}")
-d.set(xlabel="distance from the centre (sites)", ylabel=r"$\log_{10}$ size", xlim=(0, 12))
+d.set(xlabel="distance from the centre (sites)", ylabel=r"$\log_{10}$ size", xlim=(-0.2, 8.4),
+      ylim=(-24, 4))
 d.legend(loc="lower left", fontsize=7)
 for axes, name in zip((a, b, c, d), "abcd"):
     draw.letter(axes, name)
