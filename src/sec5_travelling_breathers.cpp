@@ -99,7 +99,8 @@ std::vector<Exact> type_one_orbits(int sign, const std::vector<std::size_t>& ks)
 
 Three residuals are told apart: of the orbit that Newton's method finds in double precision, of the one
 that the wider type finds and double precision can print, and of the latter before it is rounded. The
-first two are evaluated in the wider type, for all equations, the one included that was not solved. */
+first two are evaluated in the wider type, for all equations, the one included that was not solved. A
+residual is rounding, and its error is as large as itself. */
 template <class T>
 double residual_in_wide(const Exact& e, const Vector<T>& x_given) {
   const auto problem = with_free_time(type_one<long double>(e.k));
@@ -122,9 +123,9 @@ void report_exactness(Report& report, const std::vector<Exact>& plus,
       wide = std::max(wide, e.wide.residual());
     }
   Quantities& facts = report.facts;
-  facts.add("residual_double", exact(narrow), "largest of k = 1, 2, 3, relative to amplitude");
-  facts.add("residual_rounded", exact(rounded), "of the wider type's orbit rounded to double");
-  facts.add("residual_wide", exact(wide), "largest of k = 1, 2, 3, relative to amplitude");
+  facts.add("residual_double", {narrow, narrow}, "largest of k = 1, 2, 3, relative to amplitude");
+  facts.add("residual_rounded", {rounded, rounded}, "of the wider type's orbit rounded to double");
+  facts.add("residual_wide", {wide, wide}, "largest of k = 1, 2, 3, relative to amplitude");
   facts.add("newton_steps_from_cut", exact(double(Staircase(1).orbit().iterations())));
   const Exact &p = plus.front(), &m = minus.front();
   facts.add("energy_plus", p.energy());
@@ -176,7 +177,7 @@ Table profiles(Report& report, const std::vector<Exact>& shown) {
                count("n", "site", "site"), number("y", "position at t = 0"),
                number("v", "velocity at t = 0"),
                number("log_size", "log10 of the larger modulus of both over the amplitude"),
-               number("log_size_error", "against the range: difference of two chain lengths")}};
+               number("log_size_error", "against the largest: difference of two chain lengths")}};
   std::vector<Orbit<double>> orbits(2 * shown.size());
   parallel_for(orbits.size(), [&](std::size_t i) {
     orbits[i] = lengthened(shown[i / 2], i % 2 ? shorter : longer);
@@ -190,7 +191,7 @@ Table profiles(Report& report, const std::vector<Exact>& shown) {
           apart, std::abs(orbits[2 * i].start.v[longer + j] - e.orbit.start.v[usual_reach + j]) /
                      e.orbit.amplitude);
   }
-  report.facts.add("lengths_apart", exact(apart), "relative to amplitude, two chain lengths");
+  report.facts.add("lengths_apart", {apart, apart}, "relative to amplitude, two chain lengths");
   return table;
 }
 
@@ -485,7 +486,8 @@ Table orbit_table(const Found& f) {
         compare(left_behind(f.problem, f.orbit, shifts, coarse),
                 left_behind(f.problem, f.orbit, shifts, fine)),
         "left behind, relative to amplitude");
-  q.add("residual", exact(residual_of(f)), "of the profile as printed, relative to amplitude");
+  q.add("residual", {residual_of(f), residual_of(f)},
+        "of the profile as printed, relative to amplitude");
   q.add("multiplier_modulus", largest_modulus(phase, compare(narrow.second, better.second)));
   return q.table;
 }

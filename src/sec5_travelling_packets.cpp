@@ -277,7 +277,7 @@ Table course_table(const std::vector<TwoCourses>& runs) {
                number("left_error", "difference of two frames and steps"),
                number("log_left", "log10 of the amplitude"),
                number("angle", "phase from one bead left behind to the next"),
-               number("angle_error", "difference of two frames and steps"),
+               number("angle_error", "against the largest: difference of two frames and steps"),
                number("inverse_angle", "one over the angle"),
                number("speed", "mean speed since the last row", "site per unit of time"),
                number("turns", "shift time over 2 pi"),
