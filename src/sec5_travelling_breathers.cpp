@@ -77,7 +77,7 @@ struct Exact {
 A wider type needs the exact $2\pi k$, and no derivative of its own. */
 Exact confirmed(std::size_t k, int sign, const Orbit<double>& orbit) {
   NewtonRule<long double> rule;
-  rule.landing.tolerance /= 8;
+  rule.landing.tolerance /= 2;
   return {k, sign, orbit,
           polish(type_one<long double>(k, orbit.start.y.size() / 2 - 1), orbit, rule)};
 }
