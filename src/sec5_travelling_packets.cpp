@@ -154,7 +154,8 @@ struct CourseReading {
 /**
 Exponents are those of the last decade of sites. The growth of $1/\varphi$ is taken from the last four
 rows, and so are $g$ and $b$ for its prediction. The final state is what lines through speed and
-energy against $\varphi$, in the last half decade, have at $\varphi = 0$. */
+energy against $\varphi$, in the last half decade, have at $\varphi = 0$; the errors are those of the runs,
+and that the lines are straight is assumed. */
 CourseReading read_off(const Course& c) {
   constexpr std::size_t decade = 12, few = 4;
   const std::size_t last = c.t.size() - 1, from = last - few;
@@ -432,7 +433,7 @@ energy was [](num:sec5_travelling_packets.contact_energy_early_v66) at the hundr
 [](num:sec5_travelling_packets.contact_energy_late_v66) at the end, and that of an orbit of type I of
 the final speed would be [](num:sec5_travelling_packets.contact_energy_of_type_one_v66). So a packet
 becomes an orbit of type I whose internal phase is not locked to the shift, and its contact energy
-selects which. */
+selects which; so it seems from two impacts. */
 void report_packets(Report& report, std::size_t rows) {
   std::vector<TwoCourses> runs{{0.66}, {1.5}};
   if (report.quick) runs.resize(1);
