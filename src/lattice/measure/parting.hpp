@@ -37,6 +37,8 @@ double parting_time(const First& first, State<double> a, const Second& second, S
   return when;
 }
 
+/**
+That time is a number like others: it depends on the steps of both runs, and it has an error. */
 /// The time of a parting from two steps. It is seen when we look, no sooner; `nan` if never.
 inline Estimate parting(double coarse, double fine) {
   if (!std::isfinite(coarse) || !std::isfinite(fine)) return {std::nan(""), std::nan("")};

@@ -165,6 +165,8 @@ Pairs<T> floquet_pairs(const Chain<Onsite, Contact>& chain, const State<T>& star
   return pairs;
 }
 
+/**
+Where a matrix has no structure that we use, all its eigenvalues are computed. */
 /// All eigenvalues of a square matrix, in Eigen's order. Throws NoConvergence.
 template <class T>
 std::vector<std::complex<T>> eigenvalues_of(const Matrix<T>& matrix) {
@@ -173,7 +175,10 @@ std::vector<std::complex<T>> eigenvalues_of(const Matrix<T>& matrix) {
   return {solver.eigenvalues().begin(), solver.eigenvalues().end()};
 }
 
-#ifdef LATTICE_COMPILED  // see tools/dense.cpp
+/**
+Our own programs have the decompositions compiled once for all (tools/dense.cpp); others compile them
+where they include this file. */
+#ifdef LATTICE_COMPILED
 extern template double symplectic_defect(const Matrix<double>&);
 extern template long double symplectic_defect(const Matrix<long double>&);
 extern template Matrix<double> pair_matrix(const Matrix<double>&);
