@@ -526,8 +526,8 @@ Results reproduce(Report& report) {
 ## Differences and limits
 
 The packet does not turn where exact travelling breathers end (section 5). At its energy there are none
-at $s = 1$: the fastest one there has the speed [](num:sec5_travelling_families.fastest_at_one) and the
-energy [](num:sec5_travelling_families.fastest_energy_at_one).
+at $s = 1$: the fastest one there has the speed [0.0539509](num:sec5_travelling_families.fastest_at_one) and the
+energy [0.00165802](num:sec5_travelling_families.fastest_energy_at_one).
 
 Why waves pull we show but do not derive. A contact only pushes; that pushing from behind draws a
 packet back suggests a negative mass: in figure 23 neighbours in the packet oscillate in opposite

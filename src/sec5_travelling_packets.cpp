@@ -423,15 +423,15 @@ void report_dps(Report& report, const DpsMember& coarse, const DpsMember& fine) 
 ## Results
 
 After sixteen thousand sites the bead that was struck at $v_0 = 0.66$ leaves behind amplitudes that fall with
-the exponent [](num:sec5_travelling_packets.tail_exponent_v66), not yet the $-1$ of the law; but
-$1/\varphi$ already grows by [](num:sec5_travelling_packets.angle_growth_v66) per site, and the law,
-with $g$ and $b$ from the same run, says [](num:sec5_travelling_packets.angle_growth_predicted_v66). The
-packet tends to $T/2\pi = $ [](num:sec5_travelling_packets.final_turns_v66), a time of no exact orbit,
-and to a scaled speed $cE^{-1/4}$ of [](num:sec5_travelling_packets.final_scaled_speed_v66), where the
-line through the exact orbits has [](num:sec5_travelling_packets.type_one_scaled_speed_v66). Its contact
-energy was [](num:sec5_travelling_packets.contact_energy_early_v66) at the hundredth site, is
-[](num:sec5_travelling_packets.contact_energy_late_v66) at the end, and that of an orbit of type I of
-the final speed would be [](num:sec5_travelling_packets.contact_energy_of_type_one_v66). So a packet
+the exponent [-0.72067](num:sec5_travelling_packets.tail_exponent_v66), not yet the $-1$ of the law; but
+$1/\varphi$ already grows by [0.00208](num:sec5_travelling_packets.angle_growth_v66) per site, and the law,
+with $g$ and $b$ from the same run, says [0.0020](num:sec5_travelling_packets.angle_growth_predicted_v66). The
+packet tends to $T/2\pi = $ [1.15662](num:sec5_travelling_packets.final_turns_v66), a time of no exact orbit,
+and to a scaled speed $cE^{-1/4}$ of [0.254668](num:sec5_travelling_packets.final_scaled_speed_v66), where the
+line through the exact orbits has [0.254721](num:sec5_travelling_packets.type_one_scaled_speed_v66). Its contact
+energy was [0.0135176](num:sec5_travelling_packets.contact_energy_early_v66) at the hundredth site, is
+[0.013349](num:sec5_travelling_packets.contact_energy_late_v66) at the end, and that of an orbit of type I of
+the final speed would be [0.013326](num:sec5_travelling_packets.contact_energy_of_type_one_v66). So a packet
 becomes an orbit of type I whose internal phase is not locked to the shift, and its contact energy
 selects which; so it seems from two impacts. */
 void report_packets(Report& report, std::size_t rows) {
@@ -451,9 +451,9 @@ void report_packets(Report& report, std::size_t rows) {
 }
 
 /**
-The limit of the chain's orbits, [](num:sec5_travelling_packets.limit_of_type_one), is the DpS orbit's
-[](num:sec5_travelling_packets.dps_energy_over_c4) for $E/c^4$; $cE^{-1/4}$ tends to
-[](num:sec5_travelling_packets.dps_scaled_speed). */
+The limit of the chain's orbits, [65.56](num:sec5_travelling_packets.limit_of_type_one), is the DpS orbit's
+[65.5523](num:sec5_travelling_packets.dps_energy_over_c4) for $E/c^4$; $cE^{-1/4}$ tends to
+[0.351441](num:sec5_travelling_packets.dps_scaled_speed). */
 Results reproduce(Report& report) {
   const bool quick = report.quick;
   report_packets(report, quick ? 24 : 36);
