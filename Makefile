@@ -140,6 +140,23 @@ test-book: test-weaver
 	@test ! -f $(D)/book/index.html || $(weaver)/browse.py $(D)/book
 test-weaver:
 	@$(weaver)/test_book.py
+## paper: typeset build/paper.pdf from the locked values and all figures
+.PHONY: paper typeset install-paper
+paper: install-paper
+	@$(MAKE) all-figures
+	@$(MAKE) typeset
+
+## typeset: the same from the figures that are there, in seconds
+typeset: programs
+	@$(B)/bin/report macros --out $(D)/paper
+	@echo "  typeset  $(D)/paper.pdf"
+	@TEXINPUTS="paper:$(D)/paper:$(D)/figures:" BIBINPUTS="paper:" FORCE_SOURCE_DATE=1 \
+	  latexmk -norc -g -pdf -interaction=nonstopmode -halt-on-error -outdir=$(D)/paper paper/paper.tex \
+	  > $(D)/paper/typeset.log 2>&1 || { tail -n 40 $(D)/paper/typeset.log; exit 1; }
+	@mv $(D)/paper/paper.pdf $(D)/paper.pdf.part && mv $(D)/paper.pdf.part $(D)/paper.pdf
+
+install-paper: install-deps
+	@DEPS=$(DEPS) sh tools/install-deps.sh apt-packages.txt paper
 
 .PHONY: run-tests
 run-tests: programs
