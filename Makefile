@@ -147,7 +147,8 @@ paper: install-paper
 	@$(MAKE) typeset
 
 ## typeset: the same from the figures that are there, in seconds
-typeset: programs
+typeset:
+	@$(MAKE) TARGETS=report programs
 	@$(B)/bin/report macros --out $(D)/paper
 	@echo "  typeset  $(D)/paper.pdf"
 	@TEXINPUTS="paper:$(D)/paper:$(D)/figures:" BIBINPUTS="paper:" FORCE_SOURCE_DATE=1 \

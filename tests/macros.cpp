@@ -32,6 +32,10 @@ Table one_figure() {
 
 TEST_CASE("numbers and words become TeX", "[unit]") {
   CHECK(tex::value("1.62422e-11") == "\\ensuremath{1.62422\\times10^{-11}}");
+  CHECK(tex::value("-0.000544490") == "\\ensuremath{-5.44490\\times10^{-4}}");
+  CHECK(tex::value("0.0002") == "\\ensuremath{2\\times10^{-4}}");
+  CHECK(tex::value("0.006542") == "\\ensuremath{0.006542}");
+  CHECK(tex::value("0.000") == "\\ensuremath{0.000}");
   CHECK(tex::value("-0.53") == "\\ensuremath{-0.53}");
   CHECK(tex::value("does not hold") == "does not hold");
   CHECK(tex::text("E_PN for omega_b = 1.1") == "$E_{\\mathrm{PN}}$ for $\\omega_{b}$ = 1.1");

@@ -25,12 +25,18 @@ namespace lattice {
 
 namespace tex {
 
-/// `1.62e-11` and `-3` as TeX sets them; words such as `holds` and `exact` stay.
+/// `1.62e-11` and `-3` as TeX sets them, `0.000162` as the former; words such as `holds` stay.
 inline std::string value(const std::string& shown) {
-  static const std::regex form("(-?[0-9.]+)(?:e(-?[0-9]+))?");
-  std::smatch m;
+  static const std::regex form("(-?)([0-9.]+)(?:e(-?[0-9]+))?"), small("0\\.(000+)([1-9])([0-9]*)");
+  std::smatch m, digits;
   if (!std::regex_match(shown, m, form)) return shown;
-  return "\\ensuremath{" + m.str(1) + (m[2].matched ? "\\times10^{" + m.str(2) + "}" : "") + "}";
+  std::string mantissa = m.str(2), exponent = m.str(3);
+  if (exponent.empty() && std::regex_match(mantissa, digits, small)) {
+    exponent = std::to_string(-1 - int(digits.length(1)));
+    mantissa = digits.str(2) + (digits.length(3) ? "." : "") + digits.str(3);
+  }
+  return "\\ensuremath{" + m.str(1) + mantissa +
+         (exponent.empty() ? "" : "\\times10^{" + exponent + "}") + "}";
 }
 
 /// A name such as `omega` or `E` in mathematics.
