@@ -39,14 +39,16 @@ TEST_CASE("numbers and words become TeX", "[unit]") {
   CHECK(tex::value("-0.53") == "\\ensuremath{-0.53}");
   CHECK(tex::value("does not hold") == "does not hold");
   CHECK(tex::text("E_PN for omega_b = 1.1") == "$E_{\\mathrm{PN}}$ for $\\omega_{b}$ = 1.1");
-  CHECK(tex::text("y_(1-n) = -y_n") == "$y_{1-n}$ = -$y_{n}$");
+  CHECK(tex::text("y_(1-n) = -y_n") == "$y_{1-n}$ = $-y_{n}$");
+  CHECK(tex::text("c_c^2/2") == "$c_{c}$$^{2}$/2");
   CHECK(tex::text("O(eps^-1/2), s >= 5 %") == "O($\\epsilon$$^{-1/2}$), s $\\ge$ 5 \\%");
   CHECK(tex::text("1e-14 to 1e-15") ==
         "\\ensuremath{1\\times10^{-14}} to \\ensuremath{1\\times10^{-15}}");
 }
 
 TEST_CASE("a reference to nothing is named", "[unit]") {
-  const Findings lock{{{"p", "a.b"}, {1.5, 0.01}}, {{"p", "fact"}, {3, 0}}};
+  const Findings lock{{{"p", "a.b"}, {1.5, 0.01, "", "value"}},
+                      {{"p", "fact"}, {3, 0, "", "value"}}};
   const auto texts = paper_texts({claim("a.b", "1.6", "discrepant")}, lock, one_figure());
   CHECK(texts.at({"num", "a.b"}) == "\\ensuremath{1.50}");
   CHECK(texts.at({"num", "p.fact"}) == "\\ensuremath{3}");
@@ -68,7 +70,7 @@ TEST_CASE("the paper leaves out what has no chapter", "[unit]") {
 
 TEST_CASE("the table of claims has a row for each, and none without a number", "[unit]") {
   const auto reproduced = claim("a_b", "1.5", "reproduced"), open = claim("c", "2", "open");
-  const Findings lock{{{"p", "a_b"}, {1, 0, "claim"}}};
+  const Findings lock{{{"p", "a_b"}, {1, 0, "claim", "value"}}};
   const std::string rows = claim_rows({reproduced, open}, lock);
   CHECK(rows.find("\\claim{a\\_b}{}{1.5}{holds}{}{") != std::string::npos);
   CHECK(rows.find("\\claim{c}{}{2}{}{}{open}") != std::string::npos);

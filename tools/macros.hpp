@@ -39,10 +39,11 @@ inline std::string value(const std::string& shown) {
          (exponent.empty() ? "" : "\\times10^{" + exponent + "}") + "}";
 }
 
-/// A name such as `omega` or `E` in mathematics.
+/// A name such as `omega` or `-E` in mathematics.
 inline std::string name(const std::string& word) {
   static const std::set<std::string> greek{"pi",     "eps",  "omega", "tau",   "mu",   "phi",
                                            "lambda", "beta", "Phi",   "Gamma", "delta"};
+  if (word.front() == '-') return "-" + name(word.substr(1));
   if (greek.count(word)) return word == "eps" ? "\\epsilon" : "\\" + word;
   return word.size() == 1 ? word : "\\mathrm{" + word + "}";
 }
@@ -67,8 +68,8 @@ The list of claims is written for every reader, `E_PN for omega_b = 1.1`. Subscr
 names, numbers with a sign or an exponent and inequalities become mathematics, the rest stays text. */
 inline std::string text(const std::string& plain) {
   static const std::regex form(
-      R"(([A-Za-z]+)_(\([^)]*\)|[A-Za-z0-9]+))"                    // 1, 2: a subscript
-      R"(|\^(\([^)]*\)|-?[A-Za-z0-9/]+))"                          // 3: a power
+      R"((-?[A-Za-z]+)_(\([^)]*\)|[A-Za-z0-9]+))"                  // 1, 2: a subscript
+      R"(|\^(\([^)]*\)|-[0-9/]+|[A-Za-z0-9]+))"                    // 3: a power
       R"(|(-?\d+(?:\.\d+)?e-?\d+|-\d+(?:\.\d+)?))"                 // 4: a number
       R"(|\b(pi|eps|omega|tau|mu|lambda|beta|Phi|Gamma|delta)\b)"  // 5: a Greek name
       R"(|(>=|<=|\+-))");                                          // 6: a relation
