@@ -140,6 +140,24 @@ test-book: test-weaver
 	@test ! -f $(D)/book/index.html || $(weaver)/browse.py $(D)/book
 test-weaver:
 	@$(weaver)/test_book.py
+
+.PHONY: run-tests
+run-tests: programs
+	@cmake --build $(B) --parallel $(JOBS) > $(B)/build.log 2>&1 || { cat $(B)/build.log; exit 1; }
+	@$(MAKE) test-weaver
+	@cd $(B) && PYTHON="$(PYTHON)" ctest $(CTEST_ARGS)
+
+## bench: time our integrators against GSL and Boost.odeint (ten minutes, not part of the tests)
+.PHONY: bench
+bench: install-deps configure
+	@mkdir -p $(B)/bench
+	@cmake --build $(B) --parallel $(JOBS) --target bench > $(B)/bench/build.log 2>&1 || \
+	  { cat $(B)/bench/build.log; exit 1; }
+	@$(B)/bin/bench_kernels --benchmark_min_time=0.1
+	@$(B)/bin/bench_ratios --out $(B)/bench
+	@$(need_python) "$(PYTHON)" figures/x04_work_precision.py $(B)/bench $(B)/bench/work_precision.svg
+	@$(MAKE) $(B)/bench/work_precision.pdf $(B)/bench/work_precision.png
+
 ## paper: typeset build/paper.pdf from the locked values and all figures
 .PHONY: paper typeset install-paper
 paper: install-paper
@@ -158,23 +176,6 @@ typeset:
 
 install-paper: install-deps
 	@DEPS=$(DEPS) sh tools/install-deps.sh apt-packages.txt paper
-
-.PHONY: run-tests
-run-tests: programs
-	@cmake --build $(B) --parallel $(JOBS) > $(B)/build.log 2>&1 || { cat $(B)/build.log; exit 1; }
-	@$(MAKE) test-weaver
-	@cd $(B) && PYTHON="$(PYTHON)" ctest $(CTEST_ARGS)
-
-## bench: time our integrators against GSL and Boost.odeint (ten minutes, not part of the tests)
-.PHONY: bench
-bench: install-deps configure
-	@mkdir -p $(B)/bench
-	@cmake --build $(B) --parallel $(JOBS) --target bench > $(B)/bench/build.log 2>&1 || \
-	  { cat $(B)/bench/build.log; exit 1; }
-	@$(B)/bin/bench_kernels --benchmark_min_time=0.1
-	@$(B)/bin/bench_ratios --out $(B)/bench
-	@$(need_python) "$(PYTHON)" figures/x04_work_precision.py $(B)/bench $(B)/bench/work_precision.svg
-	@$(MAKE) $(B)/bench/work_precision.pdf $(B)/bench/work_precision.png
 
 ## lock: renew paper/converged.ecsv from the computed values and print what moved
 lock: install-deps
