@@ -2,7 +2,7 @@
 # The paper refers to nothing that is not there, and one that does is refused: by the writer of its numbers,
 # which names the reference, and by TeX. Arguments: the repository and the program `report`.
 set -eu
-root=$1 report=$2
+root=$(cd "$1" && pwd -P) report=$2
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 fail() { echo "$1"; exit 1; }
@@ -25,7 +25,7 @@ if ! command -v latexmk >/dev/null 2>&1; then
 fi
 typeset() {
   { sed '/^\\begin{document}/q' "$root/paper/paper.tex"; printf '%s\n' "$2" '\end{document}'; } > "$scratch/$1.tex"
-  (cd "$scratch" && TEXINPUTS="$scratch/good:" latexmk -norc -pdf -interaction=nonstopmode -halt-on-error \
+  (cd "$scratch" && TEXINPUTS="$root/paper:$scratch/good:" latexmk -norc -pdf -interaction=nonstopmode -halt-on-error \
     "$1.tex" > "$1.said" 2>&1)
 }
 typeset there 'It is \num{pn.omega11}.' || { tail -n 20 "$scratch/there.said"; fail "a number that is there stops TeX"; }
