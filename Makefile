@@ -158,6 +158,25 @@ bench: install-deps configure
 	@$(need_python) "$(PYTHON)" figures/x04_work_precision.py $(B)/bench $(B)/bench/work_precision.svg
 	@$(MAKE) $(B)/bench/work_precision.pdf $(B)/bench/work_precision.png
 
+## paper: typeset build/paper.pdf from the locked values and all figures
+.PHONY: paper typeset install-paper
+paper: install-paper
+	@$(MAKE) all-figures
+	@$(MAKE) typeset
+
+## typeset: the same from the figures that are there, in seconds
+typeset:
+	@$(MAKE) TARGETS=report programs
+	@$(B)/bin/report macros --out $(D)/paper
+	@echo "  typeset  $(D)/paper.pdf"
+	@TEXINPUTS="paper:$(D)/paper:$(D)/figures:" BIBINPUTS="paper:" FORCE_SOURCE_DATE=1 \
+	  latexmk -norc -g -pdf -interaction=nonstopmode -halt-on-error -outdir=$(D)/paper paper/paper.tex \
+	  > $(D)/paper/typeset.log 2>&1 || { tail -n 40 $(D)/paper/typeset.log; exit 1; }
+	@mv $(D)/paper/paper.pdf $(D)/paper.pdf.part && mv $(D)/paper.pdf.part $(D)/paper.pdf
+
+install-paper: install-deps
+	@DEPS=$(DEPS) sh tools/install-deps.sh apt-packages.txt paper
+
 ## lock: renew paper/converged.ecsv from the computed values and print what moved
 lock: install-deps
 	@$(MAKE) all-data

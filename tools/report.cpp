@@ -4,7 +4,8 @@
 `report` compares every answer under the data folder with the article's statements, writes the table
 *published against reproduced* and prints its summary. `report lock` renews `paper/converged.ecsv` and
 prints what moved. `report refresh` writes the locked values into the prose of the sources and the
-tables of README.md and ARTIFACT.md; with `--check` it only says whether there is something to do. */
+tables of README.md and ARTIFACT.md; with `--check` it only says whether there is something to do.
+`report macros` writes the same values for the paper. */
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -13,6 +14,7 @@ tables of README.md and ARTIFACT.md; with `--check` it only says whether there i
 
 #include "lattice/report/claims.hpp"
 #include "lock.hpp"
+#include "macros.hpp"
 #include "refresh.hpp"
 
 using namespace lattice;
@@ -161,6 +163,40 @@ int refresh(const Places& places, bool check) {
   return changed;
 }
 
+/**
+## Numbers for the paper
+
+A reference to nothing is found here, in the paper's own words, before TeX is called. */
+std::vector<std::string> dangling_in(const fs::path& folder, const PaperTexts& texts,
+                                     const std::set<std::string>& programs) {
+  std::vector<std::string> out;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (entry.path().extension() != ".tex") continue;
+    const std::string paper = text_of(entry.path()), needed = chapter_needed(paper);
+    if (!needed.empty() && !programs.count(needed)) continue;
+    for (const auto& reference : dangling(paper, texts))
+      out.push_back(entry.path().string() + ": nothing is there for " + reference);
+  }
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+void macros(const Places& places) {
+  const auto claims = read_claims(places.published());
+  const Findings findings = read_lock(places.lock());
+  const Table figures = read(places.file("figures/figures.ecsv"));
+  const auto programs = programs_of(places.file("src"));
+  const PaperTexts texts = paper_texts(claims, findings, figures);
+  if (const auto missing = dangling_in(places.file("paper"), texts, programs); !missing.empty()) {
+    for (const auto& line : missing) std::cerr << line << '\n';
+    throw std::runtime_error(std::to_string(missing.size()) +
+                             " references without a value (a new number: make lock)");
+  }
+  fs::create_directories(places.out);
+  write_whole(fs::path(places.out) / "numbers.tex", paper_macros(texts, figures, programs));
+  write_whole(fs::path(places.out) / "claims.tex", claim_rows(claims, findings));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -176,12 +212,15 @@ int main(int argc, char** argv) {
   CLI::App* locking = app.add_subcommand("lock", "renew paper/converged.ecsv, print what moved");
   CLI::App* refreshing = app.add_subcommand("refresh", "write the locked values into the prose");
   refreshing->add_flag("--check", check, "only say what would change; exit code 1 if anything");
+  CLI::App* paper = app.add_subcommand("macros", "write the locked values for the paper to --out");
   try {
     app.parse(argc, argv);
     if (locking->parsed())
       lock(places);
     else if (refreshing->parsed())
       return refresh(places, check) > 0 && check;
+    else if (paper->parsed())
+      macros(places);
     else
       report(places);
   } catch (const CLI::Success& success) {
