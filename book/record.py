@@ -151,7 +151,8 @@ def covered(name, literals):
         word = literal.split(".")[-1].strip("_")
         if len(word) < 2:
             continue
-        found = re.search(rf"(?<![A-Za-z0-9]){re.escape(word)}(?![A-Za-z0-9])", left)
+        more = "A-Za-z0-9" if word[-1].isdigit() else "A-Za-z"  # a number may be put behind a letter
+        found = re.search(rf"(?<![A-Za-z0-9]){re.escape(word)}(?![{more}])", left)
         if found:
             total += len(word)
             left = left[: found.start()] + "|" + left[found.end():]
