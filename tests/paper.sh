@@ -23,11 +23,11 @@ if ! command -v latexmk >/dev/null 2>&1; then
   echo "latexmk is missing: whether TeX stops at a missing number is not tested"
   exit 0
 fi
-typeset() {
+run_tex() {
   { sed '/^\\begin{document}/q' "$root/paper/paper.tex"; printf '%s\n' "$2" '\end{document}'; } > "$scratch/$1.tex"
   (cd "$scratch" && TEXINPUTS="$root/paper:$scratch/good:" latexmk -norc -pdf -interaction=nonstopmode -halt-on-error \
     "$1.tex" > "$1.said" 2>&1)
 }
-typeset there 'It is \num{pn.omega11}.' || { tail -n 20 "$scratch/there.said"; fail "a number that is there stops TeX"; }
-typeset missing 'It is \num{pn.omega12}.' && fail "TeX does not stop at a missing number"
+run_tex there 'It is \num{pn.omega11}.' || { tail -n 20 "$scratch/there.said"; fail "a number that is there stops TeX"; }
+run_tex missing 'It is \num{pn.omega12}.' && fail "TeX does not stop at a missing number"
 grep -q 'nothing is there for num pn.omega12' "$scratch/missing.log" || fail "TeX does not name the missing number"
