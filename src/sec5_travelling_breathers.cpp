@@ -522,8 +522,8 @@ of [7e-14](num:sec5_travelling_breathers.residual_double) in double precision,
 of the steps. The fastest, $k = 1$, has the speed $1/2\pi$ and the energy
 [0.180834](num:sec5_travelling_breathers.energy_plus); that of the other sign is higher by
 [7.843e-11](num:sec5_travelling_breathers.energy_difference) only. So little holds the internal phase, and the
-multipliers agree: with the sign plus $\kappa = $ [-8.8883e-11](num:sec5_travelling_breathers.kappa_k1_plus) and
-the phase is held, with the sign minus $\kappa = $ [8.888e-11](num:sec5_travelling_breathers.kappa_k1_minus) and
+multipliers agree: with the sign plus $\kappa =$ [-8.8883e-11](num:sec5_travelling_breathers.kappa_k1_plus) and
+the phase is held, with the sign minus $\kappa =$ [8.888e-11](num:sec5_travelling_breathers.kappa_k1_minus) and
 it grows, by [1.8856e-5](num:sec5_travelling_breathers.growth_k1_minus) per shift. At $k = 2$ no difference is left
 above the errors. All other disturbances die out at least as
 [0.870581](num:sec5_travelling_breathers.next_modulus_k1_plus) per shift. */

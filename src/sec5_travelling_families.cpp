@@ -402,12 +402,12 @@ void report_boomeron(Report& report, const Table& exact_orbits, const Path& coar
 
 **Between two exact orbits a travelling breather leaves behind what the sum says**, and nothing where
 $V$ vanishes. On the family that begins at $T = 2\pi$ the first orbit of type II follows at
-$T/2\pi = $ [0.897407](num:sec5_travelling_families.turns_type_two_1); in all we found
+$T/2\pi =$ [0.897407](num:sec5_travelling_families.turns_type_two_1); in all we found
 [12](num:sec5_travelling_families.found_type_one) orbits of type I and
 [18](num:sec5_travelling_families.found_type_two) of type II.
 
 **Hard wells take the fast ones away.** In soft wells type I continues. In hard ones its branch meets that
-of type II in a fold, the sooner the faster it is: $k = 1$ at $s = $
+of type II in a fold, the sooner the faster it is: $k = 1$ at $s =$
 [0.0103021](num:sec5_travelling_families.fold_k1), $k = 2$ at [0.325575](num:sec5_travelling_families.fold_k2), $k = 3$ at
 [1.90265](num:sec5_travelling_families.fold_k3). */
 void report_wells(Report& report, const std::vector<Start>& starts) {

@@ -426,7 +426,7 @@ After sixteen thousand sites the bead that was struck at $v_0 = 0.66$ leaves beh
 the exponent [-0.72067](num:sec5_travelling_packets.tail_exponent_v66), not yet the $-1$ of the law; but
 $1/\varphi$ already grows by [0.00208](num:sec5_travelling_packets.angle_growth_v66) per site, and the law,
 with $g$ and $b$ from the same run, says [0.0020](num:sec5_travelling_packets.angle_growth_predicted_v66). The
-packet tends to $T/2\pi = $ [1.15662](num:sec5_travelling_packets.final_turns_v66), a time of no exact orbit,
+packet tends to $T/2\pi =$ [1.15662](num:sec5_travelling_packets.final_turns_v66), a time of no exact orbit,
 and to a scaled speed $cE^{-1/4}$ of [0.254668](num:sec5_travelling_packets.final_scaled_speed_v66), where the
 line through the exact orbits has [0.254721](num:sec5_travelling_packets.type_one_scaled_speed_v66). Its contact
 energy was [0.0135176](num:sec5_travelling_packets.contact_energy_early_v66) at the hundredth site, is
