@@ -29,7 +29,7 @@ VERDICTS = ["reproduced", "holds", "measured", "discrepant", "unresolved", "open
 class Book:
     def __init__(self, record, binder, chapters, library):
         self.record, self.binder = record, binder
-        self.chapters, self.library = chapters, library
+        self.chapters, self.rooms = chapters, library
         self.headers = [h for room in library.values() for h in room]
         self.included_by = {}
         for s in chapters + self.headers:
@@ -54,7 +54,7 @@ class Book:
         live = [("strike.html", "Strike the chain (live)"), ("breather.html", "Find a breather (live)"),
                 ("defect.html", "Put a defect in the way (live)")]
         out += "".join(item(t, n) for t, n in live if self.binder.live) + "</ul><h2>Library</h2>"
-        for room, headers in self.library.items():
+        for room, headers in self.rooms.items():
             inside = any(h.page == page for h in headers)
             items = "".join(item(h.page, h.title, sections) for h in headers)
             out += f'<details{" open" if inside else ""}><summary>{room}</summary><ul>{items}</ul></details>'
@@ -391,7 +391,7 @@ story.</p>"""
         items = "".join(f'<li><a href="{s.page}">{escape(s.title)}</a><small>{self.summary(s)}</small></li>' for s in self.chapters)
         rooms = "".join(f'<li><b>{room}</b>: {escape(ROOM_IDEAS.get(room, ""))}<small>'
                         + ", ".join(f'<a href="{h.page}">{escape(h.title)}</a>' for h in headers) + "</small></li>"
-                        for room, headers in self.library.items())
+                        for room, headers in self.rooms.items())
         body = f"""<h1>Breathers in oscillator chains with Hertzian interactions</h1>
 <p class="card">The executable edition</p>
 {words}

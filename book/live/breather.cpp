@@ -118,20 +118,14 @@ void report_kick(const Request& r) {
 }
 
 /**
-The page writes its request to the address that `request` gives, and calls `run`. */
-Request asked;
+All that the page shows is computed in one call. */
+PAGE_REQUEST(Request)
 
-extern "C" {
-__attribute__((export_name("request"))) Request* request() {
-  return &asked;
-}
-
-__attribute__((export_name("run"))) void run() {
+extern "C" __attribute__((export_name("run"))) void run() {
   const Fitted found = find(asked);
   const Vector<double> elsewhere = 1.001 * found.orbit.x;  // so that it has something to find
   const Orbit<double> rough = newton(found.problem, elsewhere, coarser());
   report_orbit(found, rough);
   report_multipliers(found, rough);
   if (asked.kick != 0) report_kick(asked);
-}
 }

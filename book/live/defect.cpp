@@ -37,20 +37,14 @@ void draw_map(const ArrayImpact& impact, const Request& r) {
 }
 
 /**
-The page writes its request to the address that `request` gives, and calls `run`. */
-Request asked;
+All that the page shows is computed in one call. */
+PAGE_REQUEST(Request)
 
-extern "C" {
-__attribute__((export_name("request"))) Request* request() {
-  return &asked;
-}
-
-__attribute__((export_name("run"))) void run() {
+extern "C" __attribute__((export_name("run"))) void run() {
   const ArrayImpact impact{{}, asked.velocity};
   draw_map(impact, asked);
   const Fractions found = fractions(Workshop(impact, {0.1, 0.05}, until), asked.radius);
   for (const auto& named : found.named()) page::fact(named.name, named.share);
   page::fact("ledger", found.ledger);
   page::fact("mu", exact(impact.array.mu(asked.radius)));
-}
 }

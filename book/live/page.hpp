@@ -38,6 +38,15 @@ void __cxa_free_exception(void*) {}
 }
 }
 
+/**
+A page writes what it asks for into a struct of plain numbers, `asked`, at the address that the exported
+`request` gives it, and then calls `run`. */
+#define PAGE_REQUEST(Request)                                             \
+  Request asked;                                                          \
+  extern "C" __attribute__((export_name("request"))) Request* request() { \
+    return &asked;                                                        \
+  }
+
 namespace page {
 
 inline void fact(std::string_view name, const lattice::Estimate& e) {

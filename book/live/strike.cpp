@@ -87,15 +87,10 @@ void report(const Impact& impact, const Facts& facts) {
 }
 
 /**
-The page writes its request to the address that `request` gives, and calls `run`. */
-Request asked;
+All that the page shows is computed in one call. */
+PAGE_REQUEST(Request)
 
-extern "C" {
-__attribute__((export_name("request"))) Request* request() {
-  return &asked;
-}
-
-__attribute__((export_name("run"))) void run() {
+extern "C" __attribute__((export_name("run"))) void run() {
   const Impact impact = impact_of(asked);
   const Refined<Outcome> runs = strike(asked, impact);
   const Outcome& fine = runs.fine;
@@ -105,5 +100,4 @@ __attribute__((export_name("run"))) void run() {
         ": the impact velocity is beyond the threshold of this well");
   report(impact, {runs.coarse, fine});
   page::list("v", fine.end.v);
-}
 }
