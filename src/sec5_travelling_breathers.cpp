@@ -576,7 +576,7 @@ The subcommand offers both ways to name an orbit. */
       ->check(in_range(4, 100))
       ->excludes(k)
       ->excludes(s)
-      ->default_str("none");
+      ->shows("none");
   orbit->add_option("--reach", choice.reach, "sites on either side of the centre")
       ->check(in_range(2, 10));
   orbit->add_flag("--profile", choice.profile, "the orbit at t = 0 instead of its quantities");

@@ -39,12 +39,18 @@ inline CLI::Option& option_of(void* option) {
 }
 }  // namespace detail
 
+/**
+What a chapter may say of an option. */
 LATTICE_ONCE Option* Option::check(const Check& check) {
   detail::option_of(option_).check(detail::validator(check));
   return this;
 }
 LATTICE_ONCE Option* Option::shows(const std::string& value) {
   detail::option_of(option_).default_str(value);
+  return this;
+}
+LATTICE_ONCE Option* Option::excludes(const Option* other) {
+  detail::option_of(option_).excludes(&detail::option_of(other->option_));
   return this;
 }
 LATTICE_ONCE bool Option::given() const {
@@ -73,6 +79,8 @@ LATTICE_ONCE Option* Command::add_option(const std::string& name,
                                          const std::string& meaning) {
   return kept(detail::app_of(app_).add_option_function<std::string>(name, take, meaning));
 }
+/**
+A flag has no value, and what follows from several options waits for the whole line. */
 LATTICE_ONCE void Command::add_flag(const std::string& name, bool& value,
                                     const std::string& meaning) {
   detail::app_of(app_).add_flag(name, value, meaning);
@@ -191,6 +199,8 @@ struct Program::Frame {
   int run_everything(const std::function<Results(Output&)>& everything);
 };
 
+/**
+Every program has these options for its full run. */
 LATTICE_ONCE Program::Program(Identity identity, int argc, char** argv)
     : frame_(std::make_unique<Frame>(identity, command_text(identity.name, argc, argv))) {
   gsl_set_error_handler_off();  // its errors are ours to report, not a reason to abort

@@ -49,6 +49,8 @@ inline Check in_range(double lo, double hi, const std::string& unit = "") {
   return {complaint, range};
 }
 
+/**
+Names are free, or some of a list. */
 /// A name that is not empty.
 inline Check not_empty() {
   return {[](const std::string& value) { return value.empty() ? "'' is not a name" : ""; }, ""};
@@ -74,6 +76,8 @@ class Option {
   Option* check(const Check& check);
   /// What help and header show instead of the value of the variable.
   Option* shows(const std::string& value);
+  /// Typing both is refused.
+  Option* excludes(const Option* other);
   bool given() const;
 
  private:
