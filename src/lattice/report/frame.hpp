@@ -14,6 +14,7 @@ not include it: our own programs have it compiled once for all (tools/frame.cpp)
 #include <fstream>
 #include <iostream>
 
+#include "lattice/model/model.hpp"
 #include "lattice/report/program.hpp"
 
 #ifndef LATTICE_COMPILED
@@ -23,6 +24,35 @@ not include it: our own programs have it compiled once for all (tools/frame.cpp)
 #endif
 
 namespace lattice {
+
+/**
+A number is refused with the range that is allowed. */
+LATTICE_ONCE Check in_range(double lo, double hi, const std::string& unit) {
+  const std::string range =
+      "[" + short_text(lo) + ", " + short_text(hi) + "]" + (unit.empty() ? "" : " " + unit);
+  const auto complaint = [lo, hi, range](const std::string& value) {
+    const auto x = parse_number(value);
+    if (!x) return "'" + value + "' is not a number (allowed: " + range + ")";
+    const bool good = *x >= lo && *x <= hi;
+    return good ? "" : "'" + short_text(*x) + "' is not in the allowed range " + range;
+  };
+  return {complaint, range};
+}
+
+/**
+Names are free, or some of a list. */
+LATTICE_ONCE Check not_empty() {
+  return {[](const std::string& value) { return value.empty() ? "'' is not a name" : ""; }, ""};
+}
+
+LATTICE_ONCE Check one_of(const std::vector<std::string>& names) {
+  const auto complaint = [names](const std::string& value) {
+    for (const std::string& name : names)
+      if (name == value) return std::string();
+    return "'" + value + "' is not one of the allowed names " + comma_list(names);
+  };
+  return {complaint, "{" + comma_list(names) + "}"};
+}
 
 /**
 Our options and checks are CLI11's in other words. */

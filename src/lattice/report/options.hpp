@@ -19,7 +19,6 @@ frame.hpp alone: its headers take longer to compile than a chapter. */
 #include <utility>
 #include <vector>
 
-#include "lattice/model/model.hpp"
 #include "lattice/report/table.hpp"
 
 namespace lattice {
@@ -37,34 +36,11 @@ struct Check {
 };
 
 /// A number in [lo, hi], whose meaning `unit` completes the message.
-inline Check in_range(double lo, double hi, const std::string& unit = "") {
-  const std::string range =
-      "[" + short_text(lo) + ", " + short_text(hi) + "]" + (unit.empty() ? "" : " " + unit);
-  const auto complaint = [lo, hi, range](const std::string& value) {
-    const auto x = parse_number(value);
-    if (!x) return "'" + value + "' is not a number (allowed: " + range + ")";
-    const bool good = *x >= lo && *x <= hi;
-    return good ? "" : "'" + short_text(*x) + "' is not in the allowed range " + range;
-  };
-  return {complaint, range};
-}
-
-/**
-Names are free, or some of a list. */
+Check in_range(double lo, double hi, const std::string& unit = "");
 /// A name that is not empty.
-inline Check not_empty() {
-  return {[](const std::string& value) { return value.empty() ? "'' is not a name" : ""; }, ""};
-}
-
+Check not_empty();
 /// One of `names`.
-inline Check one_of(const std::vector<std::string>& names) {
-  const auto complaint = [names](const std::string& value) {
-    for (const std::string& name : names)
-      if (name == value) return std::string();
-    return "'" + value + "' is not one of the allowed names " + comma_list(names);
-  };
-  return {complaint, "{" + comma_list(names) + "}"};
-}
+Check one_of(const std::vector<std::string>& names);
 
 /**
 An option is a name beside the variable that takes its value; what this holds before the line is read is

@@ -42,7 +42,7 @@ inline Part parse_part(const std::string& text) {
   const bool digits = text.find_first_not_of("0123456789/") == std::string::npos;
   if (!digits || text.size() > 13 || std::sscanf(text.c_str(), "%lu/%lu%c", &k, &n, &rest) != 2 ||
       k < 1 || k > n || n > 100000)
-    throw std::invalid_argument("'" + text + "' is not k/n with 1 <= k <= n <= 100000");
+    throw std::invalid_argument(text + " is not k/n with 1 <= k <= n <= 100000");
   return {k, n};
 }
 
