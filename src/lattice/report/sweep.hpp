@@ -155,7 +155,7 @@ class Sweep {
 
   static std::string line(std::size_t i, const Row& cells) {
     std::string text = std::to_string(i);
-    for (const Cell& cell : cells) text += "," + ecsv::cell_text(cell);
+    for (const Cell& cell : cells) text.append(1, ',').append(ecsv::cell_text(cell));
     return text + "\n";
   }
 
