@@ -196,7 +196,3 @@ class Program {
 };
 
 }  // namespace lattice
-
-#ifndef LATTICE_COMPILED
-#include "lattice/report/frame.hpp"
-#endif
