@@ -387,12 +387,12 @@ silent: the impact chapter compares both equations at $\tau = 250$.
 
 The `impact` command does not know whether its packet has met the far end. The default length
 avoids that; with `--sites` it is the reader's care. */
-void add_options(CLI::App& impact, ImpactOptions& options) {
+void add_options(Command& impact, ImpactOptions& options) {
   impact.add_option("--tau", options.tau, "slow time of the run")->check(in_range(1, 1e4));
   impact.add_option("--sites", options.sites, "chain length (default: as long as needed)")
       ->check(in_range(2, 1e5));
   impact.add_option("--end", options.end, "end where the impact is: free or fixed")
-      ->check(CLI::IsMember({"free", "fixed"}));
+      ->check(one_of({"free", "fixed"}));
 }
 
 /**
@@ -407,8 +407,8 @@ int main(int argc, char** argv) {
   Program program({"sec31_dps_limit", "3.1", "The DpS equation and its error (section 3.1)"}, argc,
                   argv);
   ImpactOptions options;
-  CLI::App* impact = program.command("impact", "the DpS impact: its packet and its residue",
-                                     [&] { return impact_quantities(options); });
+  Command* impact = program.command("impact", "the DpS impact: its packet and its residue",
+                                    [&] { return impact_quantities(options); });
   add_options(*impact, options);
   program.everything = [&](Output& output) { return everything(output, program.quick); };
   return program.run(argc, argv);

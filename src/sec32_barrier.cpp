@@ -346,8 +346,8 @@ int main(int argc, char** argv) {
   Program program({"sec32_barrier", "3.2", "The barrier between two breathers (section 3.2)"}, argc,
                   argv);
   BarrierOptions options;
-  CLI::App* one = program.command("barrier", "energy between the two breathers, with its sign",
-                                  [&] { return barrier_command(options); });
+  Command* one = program.command("barrier", "energy between the two breathers, with its sign",
+                                 [&] { return barrier_command(options); });
   one->add_option("--omega", options.omega, "frequency omega_b > 1")->check(in_range(1.0001, 3));
   one->add_option("--s", options.s, "anharmonicity of the well")->check(in_range(-10, 10));
   program.everything = [&](Output& output) {

@@ -529,9 +529,9 @@ On a finite chain the free ends disturb the breather by the size of its tail: on
 site-centred one still differs from that on 31 sites by
 [1.15790e-21](num:sec32_dps_profiles.free_end_effect_15_sites), which is nothing in double precision. Tails end where
 the number format does; beyond, the tables say zero. */
-void add_options(CLI::App& profile, ProfileOptions& options) {
+void add_options(Command& profile, ProfileOptions& options) {
   profile.add_option("--centre", options.centre, "centre: site or bond")
-      ->check(CLI::IsMember({"site", "bond"}));
+      ->check(one_of({"site", "bond"}));
   profile.add_option("--mu", options.mu, "frequency of the stationary state")
       ->check(in_range(1e-6, 1e6));
   profile.add_option("--sites", options.sites, "chain length (default: 31 or 32)")
@@ -552,8 +552,8 @@ int main(int argc, char** argv) {
       {"sec32_dps_profiles", "3.2", "Static breathers of the DpS equation (section 3.2)"}, argc,
       argv);
   ProfileOptions options;
-  CLI::App* profile = program.command("profile", "one breather beside its approximation",
-                                      [&] { return profile_command(options); });
+  Command* profile = program.command("profile", "one breather beside its approximation",
+                                     [&] { return profile_command(options); });
   add_options(*profile, options);
   program.everything = [&](Output& output) { return everything(output, program.quick); };
   return program.run(argc, argv);

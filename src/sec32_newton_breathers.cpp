@@ -552,13 +552,13 @@ int main(int argc, char** argv) {
   Program program({"sec32_newton_breathers", "3.2", "Static breathers of the chain (section 3.2)"},
                   argc, argv);
   BreatherOptions options;
-  CLI::App* one = program.command("breather", "one breather: amplitude, energy, area, residual",
-                                  [&] { return breather_command(options); });
+  Command* one = program.command("breather", "one breather: amplitude, energy, area, residual",
+                                 [&] { return breather_command(options); });
   one->add_option("--omega", options.omega, "frequency omega_b > 1")->check(in_range(1.0001, 3));
   one->add_option("--s", options.s, "anharmonicity of the well")->check(in_range(-10, 10));
   const auto among = [&](const char* name, std::string& into, std::vector<std::string> names,
                          const char* meaning) {
-    one->add_option(name, into, meaning)->check(CLI::IsMember(std::move(names)));
+    one->add_option(name, into, meaning)->check(one_of(names));
   };
   among("--centre", options.centre, {"site", "bond"}, "site or bond");
   one->add_option("--sites", options.sites, "chain length (default: 31 or 32)")

@@ -558,13 +558,10 @@ Table spectrum_command(const SpectrumOptions& options) {
   return spectrum_table(centre, options.mu, sites);
 }
 
-void add_options(CLI::App& spectrum, SpectrumOptions& options) {
+void add_options(Command& spectrum, SpectrumOptions& options) {
   spectrum.add_option("--centre", options.centre, "centre: site or bond")
-      ->check(CLI::IsMember({"site", "bond"}))
-      ->capture_default_str();
-  spectrum.add_option("--mu", options.mu, "frequency of the breather")
-      ->check(in_range(1e-6, 1e6))
-      ->capture_default_str();
+      ->check(one_of({"site", "bond"}));
+  spectrum.add_option("--mu", options.mu, "frequency of the breather")->check(in_range(1e-6, 1e6));
   spectrum.add_option("--sites", options.sites, "chain length (default: 31 or 32)")
       ->check(in_range(8, 1001));
 }
@@ -591,8 +588,8 @@ int main(int argc, char** argv) {
   Program program({"sec33_dps_stability", "3.3", "Stability of the DpS breathers (section 3.3)"},
                   argc, argv);
   SpectrumOptions options;
-  CLI::App* spectrum = program.command("spectrum", "all exponents of a breather",
-                                       [&] { return spectrum_command(options); });
+  Command* spectrum = program.command("spectrum", "all exponents of a breather",
+                                      [&] { return spectrum_command(options); });
   add_options(*spectrum, options);
   program.everything = [&](Output& output) { return everything(output, program.quick); };
   return program.run(argc, argv);

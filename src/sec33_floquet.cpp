@@ -391,12 +391,12 @@ six times between $\omega_b = 1$ and 2, and at each exchange a third one appears
 int main(int argc, char** argv) {
   Program program({"sec33_floquet", "3.3", "Stability of the breathers (section 3.3)"}, argc, argv);
   Options options;
-  const auto add_common = [&](CLI::App* app) {
+  const auto add_common = [&](Command* app) {
     options.offer_centre(*app);
     app->add_option("--omega", options.omega, "frequency omega_b > 1")->check(in_range(1.0001, 3));
   };
-  CLI::App* one = program.command("multipliers", "all Floquet multipliers of one breather",
-                                  [&] { return multipliers_command(options); });
+  Command* one = program.command("multipliers", "all Floquet multipliers of one breather",
+                                 [&] { return multipliers_command(options); });
   add_common(one);
   one->add_option("--s", options.s, "anharmonicity of the well")->check(in_range(-10, 10));
   one->add_option("--sites", options.sites, "sites (default: as many as needed)")

@@ -543,7 +543,7 @@ threshold is [4.31978e-6](num:sec33_mobility.threshold_bond_compressed). No tria
 Locked steps do pin the bond-centred breather at $5.5\cdot10^{-6}$, with a drift of the energy that is no
 larger than that of the same method with steps that are not locked, where it moves: a conserved energy is
 necessary and does not suffice. That this happened in the article is a conjecture. */
-void add_options(CLI::App& app, KickOptions& options) {
+void add_options(Command& app, KickOptions& options) {
   options.offer_centre(app);
   app.add_option("--omega", options.omega, "frequency omega_b > 1")->check(in_range(1.01, 2));
   options.offer_phase(app);
@@ -587,13 +587,13 @@ int main(int argc, char** argv) {
                   argc, argv);
   KickOptions options;
   options.centre = "bond";
-  CLI::App* kick = program.command("kick", "speed of a breather after a kick",
-                                   [&] { return kick_command(options); });
+  Command* kick = program.command("kick", "speed of a breather after a kick",
+                                  [&] { return kick_command(options); });
   add_options(*kick, options);
   kick->add_option("--c", options.c, "size of the kick, a velocity")->check(in_range(1e-9, 1));
   kick->add_option("--time", options.time, "duration")->check(in_range(1000, 1e6));
-  CLI::App* threshold = program.command("threshold", "the kick that frees a stable breather",
-                                        [&] { return threshold_command(options); });
+  Command* threshold = program.command("threshold", "the kick that frees a stable breather",
+                                       [&] { return threshold_command(options); });
   add_options(*threshold, options);
   program.everything = [&](Output& output) { return everything(output, program.quick); };
   return program.run(argc, argv);

@@ -537,8 +537,8 @@ Table run_command(const RunOptions& options) {
 What the command refuses are inputs for which the question has no answer: a run too short for the
 smoothing, a velocity at which nothing moves. */
 void add_run(Program& program, RunOptions& options) {
-  CLI::App* run = program.command("run", "one impact: apex, rebound, decorrelation",
-                                  [&options] { return run_command(options); });
+  Command* run = program.command("run", "one impact: apex, rebound, decorrelation",
+                                 [&options] { return run_command(options); });
   run->add_option("--velocity", options.strike.velocity, "impact velocity")
       ->check(in_range(1e-3, 100));
   run->add_option("--s", options.strike.s, "anharmonicity of the well")->check(in_range(0, 1000));

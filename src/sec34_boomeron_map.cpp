@@ -246,7 +246,7 @@ struct MapOptions {
 };
 
 void add_map(Program& program, MapOptions& options) {
-  CLI::App* map = program.command("map", "the map of turning, or a part of it", [&options] {
+  Command* map = program.command("map", "the map of turning, or a part of it", [&options] {
     const Part mine = parse_part(options.part);
     Sweep sweep = map_sweep(options.folder, options.grid);
     compute_map(sweep, options.grid, mine);

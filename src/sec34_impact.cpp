@@ -571,8 +571,8 @@ int main(int argc, char** argv) {
   Program program({"sec34_impact", "3.4", "Impact at one end of the chain (section 3.4, s <= 0)"},
                   argc, argv);
   RunOptions options;
-  CLI::App* run = program.command("run", "one impact: speed, centre, energies of the packet",
-                                  [&] { return run_command(options); });
+  Command* run = program.command("run", "one impact: speed, centre, energies of the packet",
+                                 [&] { return run_command(options); });
   Impact& impact = options.impact;
   run->add_option("--velocity", impact.velocity, "impact velocity")->check(in_range(1e-6, 100));
   run->add_option("--time", impact.time, "length of the run")->check(in_range(1, 1e5));

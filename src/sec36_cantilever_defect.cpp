@@ -503,17 +503,17 @@ int main(int argc, char** argv) {
                    "Decorated cantilevers and a defect that reflects (sections 3.5 and 3.6)"},
                   argc, argv);
   Options options;
-  CLI::App* run = program.command("run", "one defect: reflected, remaining, transmitted energy",
-                                  [&] { return run_command(options); });
+  Command* run = program.command("run", "one defect: reflected, remaining, transmitted energy",
+                                 [&] { return run_command(options); });
   run->add_option("--radius", options.radius, "radius of the defect's beads over the others'")
       ->check(in_range(0.1, 5));
   run->add_option("--velocity", options.velocity, "impact velocity in m/s")
       ->check(in_range(0.5, 2, "m/s"));
-  CLI::App* scales = program.command("scales", "all constants in SI units",
-                                     [&] { return scales_table(options.impact()); });
+  Command* scales = program.command("scales", "all constants in SI units",
+                                    [&] { return scales_table(options.impact()); });
   scales->add_option("--velocity", options.velocity, "impact velocity in m/s")
       ->check(in_range(1e-6, 1e3, "m/s"));
-  CLI::App* map =
+  Command* map =
       program.command("map", "a part of the map of defects", [&] { return map_command(options); });
   map->add_option("--part", options.part, "part k of n, as k/n")->check(part_text());
   map->add_option("--folder", options.folder, "folder in which the rows wait for the full run")

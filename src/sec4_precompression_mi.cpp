@@ -530,14 +530,14 @@ struct Options {
 /**
 Outside the ranges of these options formulas lose their digits or runs their sense. */
 void offer(Program& program, Options& o) {
-  CLI::App* at = program.command("coefficients", "the NLS coefficients at one wavenumber",
-                                 [&] { return coefficient_quantities(o.q, o.d, o.s); });
-  CLI::App* band = program.command("band", "edges and inflection of the phonon band",
-                                   [&] { return band_quantities(o.d, o.s); });
-  CLI::App* impact = program.command("impact", "one impact: centre, width and energy of the packet",
-                                     [&] { return compressed::impact_quantities(o.launch); });
+  Command* at = program.command("coefficients", "the NLS coefficients at one wavenumber",
+                                [&] { return coefficient_quantities(o.q, o.d, o.s); });
+  Command* band = program.command("band", "edges and inflection of the phonon band",
+                                  [&] { return band_quantities(o.d, o.s); });
+  Command* impact = program.command("impact", "one impact: centre, width and energy of the packet",
+                                    [&] { return compressed::impact_quantities(o.launch); });
   at->add_option("--q", o.q, "wavenumber")->check(in_range(0, 3.1415926535897932));
-  for (CLI::App* sub : {at, band}) {
+  for (Command* sub : {at, band}) {
     sub->add_option("--d", o.d, "compression of the contacts")->check(in_range(1e-6, 100));
     sub->add_option("--s", o.s, "anharmonicity of the well")->check(in_range(-100, 100));
   }

@@ -564,19 +564,19 @@ int main(int argc, char** argv) {
   /**
 The subcommand offers both ways to name an orbit. */
   Choice choice;
-  CLI::App* orbit =
+  Command* orbit =
       program.command("orbit", "one exact travelling breather", [&] { return chosen(choice); });
   auto* k =
       orbit->add_option("--k", choice.k, "oscillations a site, of type I")->check(in_range(1, 60));
   orbit->add_option("--sign", choice.sign, "of the central velocity at t = 0")
-      ->check(CLI::IsMember({"plus", "minus"}));
+      ->check(one_of({"plus", "minus"}));
   auto* s =
       orbit->add_option("--s", choice.s, "anharmonicity of the well")->check(in_range(-10, 10));
   orbit->add_option("--near", choice.near, "the orbit without a tail nearest to this shift time")
       ->check(in_range(4, 100))
       ->excludes(k)
       ->excludes(s)
-      ->default_str("none");
+      ->shows("none");
   orbit->add_option("--reach", choice.reach, "sites on either side of the centre")
       ->check(in_range(2, 10));
   orbit->add_flag("--profile", choice.profile, "the orbit at t = 0 instead of its quantities");
