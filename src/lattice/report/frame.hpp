@@ -2,7 +2,7 @@
 /**
 # How the command line is read
 
-CLI11 reads the command line, and only this file knows it. A program that defines LATTICE_COMPILED does
+CLI11 reads the command line, and only this file knows it. A program that defines LATTICE_ONCE_COMPILED does
 not include it: our own programs have it compiled once for all (tools/frame.cpp). */
 
 #include <gsl/gsl_errno.h>
@@ -17,7 +17,7 @@ not include it: our own programs have it compiled once for all (tools/frame.cpp)
 #include "lattice/model/model.hpp"
 #include "lattice/report/program.hpp"
 
-#ifndef LATTICE_COMPILED
+#ifndef LATTICE_ONCE_COMPILED
 #define LATTICE_ONCE inline
 #else
 #define LATTICE_ONCE
