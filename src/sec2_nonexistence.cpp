@@ -44,7 +44,8 @@ using namespace lattice;
 The chain is that of Eqs. (1) and (3). Each bead has its own mass, each contact its stiffness and exponent,
 $$m_n\ddot x_n = V_n'(x_{n+1}-x_n) - V_{n-1}'(x_n-x_{n-1}),\qquad
   V_n(x) = \frac{\gamma_n}{\alpha_n+1}\,(-x)_+^{\alpha_n+1}.$$
-We compare it with the chain of section 3, which has linear wells. All quantities are dimensionless.
+We compare it with the chain of section 3, in which linear *wells*, springs of their own, tie the beads to
+their places. All quantities are dimensionless.
 
 | article | program | meaning |
 |---|---|---|
@@ -174,10 +175,10 @@ Criterion of_wells(MeanTable& means) {
 Next we look for breathers of the free open chain by brute force. Three beads in the middle get random
 positions, and in half of the searches random velocities too; a damped Newton method then looks for a motion
 with the period of a breather, $\omega_b = 1.2$. Finding nothing means something only if the same search
-finds what does exist, so each size of start has its control. Small starts, of the size of a breather, are
-also tried in wells of unit stiffness. Large starts have the size of motions of this frequency without
-wells: about $0.3$ when neighbours swing against each other. Such motions of a few beads exist between
-walls, and there the same search looks for them with three beads. */
+finds what does exist, so each series of searches, a *hunt*, has its control. Small starts, of the size of a
+breather, are also tried in wells of unit stiffness. Large starts have the size of motions of this frequency
+without wells: about $0.3$ when neighbours swing against each other. Such motions of a few beads exist
+between walls, and there the same search looks for them with three beads. */
 struct Hunt {
   std::string name;
   std::size_t sites;

@@ -177,9 +177,9 @@ double central_force(const Tolerance& tolerance) {
 
 The width grows with a power of $\kappa$ that tends to [-0.500](num:sec2_soft_wells.width_exponent), and the
 central mean force to [0.075986](num:sec2_soft_wells.central_limit), where the rule of equal areas demands
-[0.0759928](num:sec2_soft_wells.central_theory). So the breather is not lost at any finite stiffness. At a
-fixed period it turns into a motion of the free chain, with the same mean force at every contact as the
-theorem demands, and it is no longer localized. */
+[0.0759928](num:sec2_soft_wells.central_theory). So on our ladder, and in its limit law, the breather is not
+lost at any positive stiffness. At a fixed period it turns into a motion of the free chain, with the same
+mean force at every contact as the theorem demands, and it is no longer localized. */
 Table ladder_table(const std::array<std::vector<Rung>, 2>& ladder) {
   Table table{{number("kappa", "stiffness of the wells"),
                number("amplitude", "largest displacement at t = 0"),

@@ -11,9 +11,9 @@ phases only slowly:
 ![Error of the approximation against its size, and the local order.](fig:x02)
 
 Section 3.1 of James, Kevrekidis and Cuevas (Physica D 251, 2013) recalls the equation of this slow
-envelope, the discrete p-Schrödinger (DpS) equation, which has no parameter at all, and quotes how
-good the approximation is. We compute its one constant in two ways and measure its error over four
-decades of amplitude. */
+envelope, the discrete p-Schrödinger (DpS) equation, and quotes how good the approximation is. The equation
+has no free parameter. We compute its one constant, which sets the scale of time, in two ways, and measure
+the error of the approximation over four decades of amplitude. */
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_integration.h>

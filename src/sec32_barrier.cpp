@@ -254,7 +254,7 @@ double hidden_energy(double residual, double detuning) {
 }
 
 /**
-Would an ordinary integrator give the printed value? We try adaptive Runge-Kutta integration, which steps
+An ordinary integrator could also be the cause, so we try some: adaptive Runge-Kutta integration, which steps
 across the switchings of the contacts, with the symmetric equations or with those of the article. The
 Jacobians are those of the exact breather, which affects only how fast the iteration converges. The residual
 that remains shows the noise of the integration. */
