@@ -2,7 +2,7 @@
 # 3.3 The breather in between
 
 Where does the stability of the two breathers change hands, and what happens there? Section 3.3 of
-James, Kevrekidis and Cuevas (Physica D 251, 2013) finds an exchange of stability in $s$ at $\omega_b = 1.1$
+James, Kevrekidis and Cuevas (Physica D 251, 2013) finds that it does so in $s$ at $\omega_b = 1.1$
 and leaves the bifurcations to future work. This program maps the exchanges over the plane of
 $\omega_b$ and $s$ and finds the breathers that are born there: they are centred neither on a site nor on a
 bond. The landscapes below are drawn so that a stable breather sits in a valley.
@@ -284,9 +284,9 @@ Held<BreatherProblem<T>> held_problem(const Cut& cut, const Exchange& from, doub
 /**
 Only the tiny energy barrier between site and bond fixes the parameter, and in double precision the error of
 the parameter exceeds the whole interval on which the family exists. So double precision only moves the
-breather to its centre. From there the wider type solves for it twice, with tolerances that differ by a factor
-of sixteen and independently. The error is their difference plus what the violation of symplecticity of the
-linearised flow (`defect`) makes of the parameter. */
+breather to its centre. From there the wider type solves for it twice and independently, with tolerances
+that differ by a factor of sixteen. The error is their difference plus what the violation of symplecticity
+of the linearised flow (`defect`) makes of the parameter. */
 Between describe_between(const Cut& cut, const Exchange& from, double centre,
                          const Vector<double>& near) {
   const auto held = held_problem<Wide>(cut, from, centre);

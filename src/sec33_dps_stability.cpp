@@ -178,7 +178,7 @@ void report_full_matrix(Quantities& facts, const std::string& precision) {
 }
 
 /**
-## The eigenvectors, for figure x06
+## The eigenvalues of $M$ (figure x06)
 
 Is $m_2$ alone near the edge? Figure x06 draws all eigenvalues of $M$ against the edge $\frac23\mu$.
 
@@ -255,8 +255,8 @@ struct Breathers {
 };
 
 /**
-The main reading gets sixteen seeds. The other readings take longer to set a breather in motion: they get six
-seeds and run half as long again, without a control. */
+The main reading gets sixteen seeds. In some of the others a breather waits longer, so they run half as long
+again, with six seeds. A control needs no second reading. */
 struct Group {
   const Noise* reading;
   Case which;

@@ -84,7 +84,7 @@ A kick is tiny beside the breather: $c^2/2$ is $10^{-4}$ of its energy for the s
 $3\cdot10^{-8}$ for the weak one. So the relative drift of the energy must stay a hundred times below
 that. Contact-aware steps, which correct for the opening and closing of contacts (contact_rkn.hpp), achieve
 this for $10^5$ periods; plain symplectic steps do not, because each such event costs them $h^{5/2}$. For the
-speeds a method of order six with five forces a step is enough; long creeping takes one with fourteen stages.
+speeds a method of order six with five forces a step is enough; the long runs need one with fourteen stages.
 Each run has a second one with another step or another scheme, and the difference is the error. Table
 `integrators` and figure x15 show why we choose so. */
 struct Resolution {
@@ -187,7 +187,7 @@ void report_kick_energy(Report& report, const RestingBreather& at) {
 /**
 ## A weak kick (figure 15)
 
-What happens to a kick of less than the barrier? With $c = 3\cdot10^{-6}$ the site-centred breather travels
+What does a kick below the barrier do? With $c = 3\cdot10^{-6}$ the site-centred breather travels
 without a stop from site to site: slowly over sites, which are its hills, faster over bonds. The bond-centred
 one swings.
 
@@ -533,7 +533,7 @@ Table threshold_command(const KickOptions& options) {
 |---|---|---|---|
 | speed, site | $5.446\cdot10^{-4}$ | [0.000544490](num:moving.v_site) | nothing to explain |
 | speed, bond | $5.364\cdot10^{-4}$ | [0.000536296](num:moving.v_bond) | central contact stretched at $t = 0$ |
-| way after the weak kick | 2 | [2.81675](num:moving.site_below), and on | perhaps locked steps |
+| distance after the weak kick | 2 | [2.81675](num:moving.site_below), and on | perhaps locked steps |
 | $c_c$ | $6.19\cdot10^{-6}$ | [4.45177e-6](num:moving.c_threshold) | perhaps locked steps |
 | $c_c^2/2$ | $1.92\cdot10^{-11}$ | [9.9091e-12](num:moving.pn_dynamic) | follows from $c_c$ |
 

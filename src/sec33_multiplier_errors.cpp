@@ -146,7 +146,7 @@ void report_defect(Report& report) {
 }
 
 /**
-## What prints 0.26 and 0.05
+## Which computations give 0.26 and 0.05
 
 Near the exchange of stability $\kappa$ changes by [7.5451e-8](num:sec33_floquet.exchange_slope) per unit of
 $s$. An error of $10^{-8}$ of the symmetric function is then as good as a change of $s$ by a tenth. We compute
