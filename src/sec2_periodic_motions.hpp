@@ -31,10 +31,11 @@ inline std::vector<double> uneven(std::size_t count, double by, unsigned long se
 
 /**
 Newton's method needs a guess. All motions here have frequency one; any other is a matter of scale. The
-push of an overlap $R\cos\phi$ has the first harmonic $0.457\,R^\alpha$ at $\alpha = 3/2$. If all other
-harmonics are neglected, a wave of wave number $q$ on a uniform ring has the amplitude computed below. At
-$q = \pi$ this is a standing wave, from which we start on uneven chains. On a ring the origin of the
-displacements is arbitrary: of all Newton steps that differ by a shift we take the shortest (`rank`). */
+push of an overlap $R\cos\phi$ has the first harmonic $0.457\,R^\alpha$ at $\alpha = 3/2$; the factor is
+$1/(\sqrt2\,\tau_0)$ with the $\tau_0$ of section 3.1. If all other harmonics are neglected, a wave of wave
+number $q$ on a uniform ring has the amplitude computed below. At $q = \pi$ this is a standing wave, from
+which we start on uneven chains. On a ring the origin of the displacements is arbitrary: of all Newton steps
+that differ by a shift we take the shortest (`rank`). */
 inline double wave_amplitude(double q, double alpha) {
   const double reach = 2 * std::sin(q / 2);
   return std::pow(0.457 * std::pow(reach, alpha + 1), 1 / (1 - alpha));

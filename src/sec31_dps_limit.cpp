@@ -291,7 +291,7 @@ Estimate order_down_to(const std::vector<Point>& points, double eps) {
   for (const Point& p : points)
     if (p.start == 0 && p.eps > eps * (1 - 1e-9)) kept.push_back(p);
   if (kept.empty() || std::abs(kept.back().eps / eps - 1) > 1e-9)
-    throw Failure("no run has the size for which a local order is asked");
+    throw Failure("no run has the eps whose local order is wanted");
   return local_orders(kept, 0).back().order.back();
 }
 

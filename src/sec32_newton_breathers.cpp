@@ -389,7 +389,7 @@ Table tail_table(const Tail& tail, long last_wide) {
 
 /**
 The exponent at the last two places where it can be formed decides whether the decay is super-exponential:
-both must be within 0.005 of $3/2$. An exponential tail would have the exponent one. */
+both must be within 0.005 of $3/2$, a bound of our choice. An exponential tail would have the exponent one. */
 void report_tail(Report& report) {
   const Tail tail;
   long last = 0, last_wide = 0;

@@ -55,7 +55,8 @@ using Column_of_nodes = std::vector<Node>;
 
 /**
 A node is computed from the orbit of its neighbour, and left empty where the family ends. Beyond the end
-Newton's method wanders off to large and costly motions, so it gets only eight iterations. */
+Newton's method wanders off to large and costly motions, so it gets only eight iterations. An amplitude that
+changes by more than 15 per cent from one well to the next betrays another family. */
 NewtonRule<double> chart_rule() {
   NewtonRule<double> how;
   how.landing.tolerance = 1e-12;

@@ -111,7 +111,8 @@ void add_multipliers(Table& table, const Spectrum& all, const std::vector<Cell>&
 
 /**
 The claim has three parts, and the criterion below can fail in each: by a fifth multiplier near one, by a
-pair off the circle, or by an accumulation elsewhere. */
+pair off the circle, or by an accumulation elsewhere. Near one means within 0.01, and the fifth multiplier
+must be farther away than 0.1; the article gives no bounds, and these are our choice. */
 void report_spectrum(Report& report) {
   std::vector<Column> columns = multiplier_columns();
   columns.push_back(count("bond", "1 around a bond, 0 around a site"));

@@ -453,7 +453,7 @@ void report_printed(Report& report, const Breathers& all) {
                number("steps", "for one period"), count("locked", "1 where that number is whole"),
                number("energy_drift", "largest relative change of the energy"),
                number("farthest", "largest distance from the start", "site"),
-               number("travelled", "way at the end", "site")}};
+               number("travelled", "distance from the start at the end", "site")}};
   for (const Trial& r : trials)
     table.add({std::string(cases[r.which].name), r.c, r.steps, std::int64_t(r.locked),
                r.path.run.energy_drift, r.path.farthest(), std::abs(r.path.travelled())});

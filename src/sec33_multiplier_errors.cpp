@@ -235,8 +235,8 @@ std::vector<Trial> all_trials() {
 }
 
 /**
-Each trial must answer with a value of $s_0$, so $\kappa$ is computed in a few wells and its zero read off
-between them. */
+Each trial must answer with a value of $s_0$, so $\kappa$ is computed in a few wells, on short chains, and its
+zero read off between them. */
 struct Reading {
   double zero = std::numeric_limits<double>::quiet_NaN();
   double error_of_matrix = 0;  ///< largest error of an entry in the linear well
