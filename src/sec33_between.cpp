@@ -235,7 +235,7 @@ std::vector<Window_edge> window_edges(const std::vector<Column_of_nodes>& grid, 
 }
 
 /**
-The figure marks the windows, so the table has one row for each pair. */
+The figure marks the edges of the windows, so the table has one row for each pair of exchanges. */
 std::vector<Window_edge> report_windows(Report& report, const std::vector<Column_of_nodes>& grid) {
   const auto edges = window_edges(grid, report.quick);
   Table table{{number("omega_site", "exchange of the site-centred breather, s = 0"),
