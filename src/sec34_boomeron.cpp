@@ -383,12 +383,12 @@ std::vector<Pull> pulls(double step) {
 The article does not say how constant an almost constant force is, so the table gives the bend
 beside each force. It also gives the force at $s = 0$, for comparison. */
 Table force_table(const std::vector<Pull>& list) {
-  Table table{{number("s", "anharmonicity"), number("velocity", "impact velocity"),
-               count("outward", "1 on the way out, 0 on the way back"),
-               number("force", "acceleration of the centre", "site per squared unit of time"),
-               number("force_uncertainty", "fit, step and smoothing",
-                      "site per squared unit of time"),
-               number("bend", "relative difference of the slopes of both halves")}};
+  Table table{
+      {number("s", "anharmonicity"), number("velocity", "impact velocity"),
+       count("outward", "1 on the way out, 0 on the way back"),
+       number("force", "acceleration of the centre", "site per squared unit of time"),
+       number("force_uncertainty", "fit, step and smoothing", "site per squared unit of time"),
+       number("bend", "relative difference of the slopes of both halves")}};
   for (const auto& [strike, outward, seen] : list)
     table.add({strike.s, strike.velocity, std::int64_t(outward), seen.force.value, seen.force.error,
                seen.bend.value});
