@@ -296,7 +296,8 @@ Results reproduce(Report& report, MapGrid grid) {
 We cannot show that a packet never turns, only that it does not turn before site 40. The apex moves
 out steeply as $\kappa$ falls, so we expect another horizon to change $\kappa_0$ a little and the
 exponent of the limit not at all. For $\kappa$ far above the boundary the motion near the struck end
-is erratic and the fate of single points depends on the last digit; those are the undecided ones.
+is erratic and the fate of single points depends on the last digit; where two steps disagree, they
+are marked as undecided.
 
 ## Extensions
 

@@ -456,8 +456,8 @@ void report_surface(Report& report) {
 ## Results
 
 For weak impacts the curves meet: up to $v_0 = 0.05$ the speeds for $s = -1/6$ differ from the
-linear ones by a fraction of [2e-5](num:sec34_impact.ampvel_speed_s_1_6_near). For stronger ones
-the soft wells fall behind. The band of the blow-up begins at
+linear ones by a fraction of [2e-5](num:sec34_impact.ampvel_speed_s_1_6_near), well within the
+error. For stronger ones the soft wells fall behind. The band of the blow-up begins at
 [2.1130](num:sec34_impact.blowup_first_escape_s_1_6) for $s = -1/6$ and at
 [0.9665](num:sec34_impact.blowup_first_escape_s_0_7) for $s = -0.7$. Just below the latter, at
 $v_0 = 0.94$, the first five sites keep [0.798578](num:sec34_impact.trapped_soft) of the energy and
