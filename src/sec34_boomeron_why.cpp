@@ -300,7 +300,7 @@ Family family() {
   return f;
 }
 
-/// A quantity of the bond-centred family at the frequency `omega`, between two rungs.
+/// A quantity of the bond-centred family at the frequency `omega`, interpolated linearly.
 template <class Of>
 double at_frequency(const Family& f, double omega, Of of) {
   std::size_t k = 1;

@@ -505,7 +505,7 @@ struct RunOptions {
   bool profile = false;
   double tolerance = ::tolerance;
 
-  /// Completes what the reader left open: a chain that the motion does not reach the end of.
+  /// Completes what the reader left open: a chain so long that the motion does not reach its end.
   Impact complete() const {
     Impact out = impact;
     if (out.sites == 0) out.sites = std::min<std::size_t>(100 + std::size_t(2 * out.time), 4000);

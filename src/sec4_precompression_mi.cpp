@@ -262,7 +262,7 @@ std::vector<BetaPoint> beta_points(bool quick) {
 }
 
 /**
-Slow modulations are not all that can grow, and where something else does the comparison fails. Two
+Slow modulations are not all that can grow, so we must know where Eq. (36) misses something. Two
 waves $q$ may scatter into two waves near $q - \pi$, because $2q$ and $2(q-\pi)$ differ by a whole
 turn. The frequencies match for $q - \pi$ itself at $q = \pi/2$, and for a pair of waves on either
 side of it at smaller $q$. For $s = 1$ and $q = \pi/2$ the backscattered wave grows at

@@ -147,7 +147,7 @@ double log_size(const State<double>& z, std::size_t i, double amplitude) {
   return std::log10(std::max(std::abs(z.y[i]), std::abs(z.v[i])) / amplitude);
 }
 
-/// The orbit again on a longer chain, from a guess that is shaken so that Newton's method takes the
+/// The orbit again on a longer chain, from a guess that is disturbed so that Newton's method takes the
 /// steps that the new sites of the tail need.
 Orbit<double> lengthened(const Exact& e, std::size_t reach) {
   Vector<double> x = Vector<double>::Zero(2 * Eigen::Index(reach) + 1);
