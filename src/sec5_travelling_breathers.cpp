@@ -8,7 +8,7 @@ compute exact ones, which after a time $T$ are the same again, one site further:
       t = 0    .  .  o  O  o  .  .  .            y_n(t + T) = y_(n-1)(t)
       t = T    .  .  .  o  O  o  .  .            and nothing is left behind
 
-They do. In the linear well they travel at isolated speeds, and one sum says at which ones.
+One can. In the linear well they travel at isolated speeds, and one sum says at which.
 
 ![Exact travelling breathers, and a packet that sheds a tail.](fig:x18) */
 
