@@ -18,7 +18,6 @@ What is claimed, with the identifiers under which the answers are recorded:
 
 #include <algorithm>
 #include <boost/multiprecision/cpp_bin_float.hpp>
-#include <boost/multiprecision/eigen.hpp>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -28,12 +27,11 @@ What is claimed, with the identifiers under which the answers are recorded:
 
 #include "lattice/dps/stationary.hpp"
 #include "lattice/measure/observe.hpp"
+#include "lattice/numbers/extended.hpp"
 #include "lattice/report/program.hpp"
 
 using namespace lattice;
 
-/// 113 bits, as in IEEE quadruple precision: 34 digits, numbers down to 1e-4932.
-using Quad = boost::multiprecision::cpp_bin_float_quad;
 /// 50 digits, against which quadruple precision is judged.
 using Fifty = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>,
                                             boost::multiprecision::et_off>;
@@ -78,7 +76,7 @@ double rounded(const T& x) {
 template <class Of>
 Estimate in_two_precisions(Centre centre, Of of) {
   return compare(rounded(of(stationary<double>(centre, 1, chain_length(centre)))),
-                 rounded(of(stationary<Quad>(centre, 1, chain_length(centre)))));
+                 rounded(of(stationary<Quadruple>(centre, 1, chain_length(centre)))));
 }
 
 /**
@@ -105,7 +103,7 @@ mantissa are left out. */
 template <class T>
 double relative_residual(const Stationary<T>& state) {
   using std::abs;
-  const T least = std::numeric_limits<T>::min() / std::numeric_limits<T>::epsilon();
+  const T least = least_exact<T>();
   const auto& u = state.u;
   double worst = 0;
   for (std::size_t i = 0; i < u.size(); ++i) {
@@ -142,10 +140,10 @@ void report_norms(Quantities& facts) {
       return std::abs(rounded(s.contact_sum() / (s.mu * s.norm()) - 1));
     };
     facts.add("identity" + suffix, remainder<double, long double>(centre, broken));
-    facts.add("identity_quad" + suffix, remainder<Quad, Fifty>(centre, broken));
+    facts.add("identity_quad" + suffix, remainder<Quadruple, Fifty>(centre, broken));
     const auto residual = [](const auto& s) { return relative_residual(s); };
     facts.add("residual" + suffix, remainder<double, long double>(centre, residual));
-    facts.add("residual_quad" + suffix, remainder<Quad, Fifty>(centre, residual));
+    facts.add("residual_quad" + suffix, remainder<Quadruple, Fifty>(centre, residual));
   }
 }
 
@@ -160,7 +158,7 @@ void report_gap(Quantities& facts) {
     return std::pair<T, T>(stationary<T>(Centre::bond, one, 32).norm() - site, site);
   };
   const auto extended = gap(1.0L);
-  const auto quad = gap(Quad(1));
+  const auto quad = gap(Quadruple(1));
   const Estimate difference = compare(rounded(extended.first), rounded(quad.first));
   facts.add("norm_gap", difference);
   facts.add("norm_gap_relative",
@@ -232,13 +230,15 @@ Table profile_table(Centre centre) {
                number("tail_line", "line of slope ln(3/2) through the last point")}};
   const std::size_t sites = chain_length(centre);
   const auto u = stationary<double>(centre, 1, sites).u;
-  const auto exact = stationary<Quad>(centre, 1, sites).u;
-  const auto double_log = [&](std::size_t i) { return rounded(Quad(log(-log(abs(exact[i]))))); };
+  const auto exact = stationary<Quadruple>(centre, 1, sites).u;
+  const auto double_log = [&](std::size_t i) {
+    return rounded(Quadruple(log(-log(abs(exact[i])))));
+  };
   for (std::size_t i = 0; i < sites; ++i) {
     const long n = site_number(i, sites), last = site_number(sites - 1, sites);
     const long distance = centre == Centre::bond && n < 1 ? 1 - n : std::abs(n);
-    table.add({std::int64_t(n), u[i], std::abs(rounded(Quad(u[i] - exact[i]))),
-               quasi_continuum(centre, n), rounded(Quad(log10(abs(exact[i])))), double_log(i),
+    table.add({std::int64_t(n), u[i], std::abs(rounded(Quadruple(u[i] - exact[i]))),
+               quasi_continuum(centre, n), rounded(Quadruple(log10(abs(exact[i])))), double_log(i),
                double_log(sites - 1) + double(distance - last) * std::log(1.5)});
   }
   return table;
@@ -317,14 +317,15 @@ Table tail_table() {
        number("distance", "|ratio - 3/2| in quadruple precision")}};
   for (const auto& [centre, name] : centres) {
     const auto one = stationary<double>(centre, 1, chain_length(centre));
-    const auto four = stationary<Quad>(centre, 1, chain_length(centre));
+    const auto four = stationary<Quadruple>(centre, 1, chain_length(centre));
     for (std::size_t i = site_index(1, four.u.size()); i + 1 < four.u.size(); ++i) {
-      const Quad ratio = log(abs(four.u[i + 1])) / log(abs(four.u[i]));
+      const Quadruple ratio = log(abs(four.u[i + 1])) / log(abs(four.u[i]));
       const double coarse = one.u[i + 1] != 0
                                 ? std::log(std::abs(one.u[i + 1])) / std::log(std::abs(one.u[i]))
                                 : std::nan("");
       table.add({std::string(name), std::int64_t(site_number(i, four.u.size())), rounded(ratio),
-                 compare(coarse, rounded(ratio)).error, rounded(Quad(abs(ratio - Quad(1.5))))});
+                 compare(coarse, rounded(ratio)).error,
+                 rounded(Quadruple(abs(ratio - Quadruple(1.5))))});
     }
   }
   return table;
@@ -362,7 +363,8 @@ void report_tails(Output& output, Quantities& facts) {
         facts.add("tail_distance_8" + suffix, {distance[i + 4], error[i + 4]});
       }
   }
-  facts.add("free_end_effect_15_sites", compare(free_end_effect<Quad>(), free_end_effect<Fifty>()));
+  facts.add("free_end_effect_15_sites",
+            compare(free_end_effect<Quadruple>(), free_end_effect<Fifty>()));
   output.add("tails", table);
 }
 

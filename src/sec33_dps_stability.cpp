@@ -14,21 +14,17 @@ What is claimed, with the identifiers under which the answers are recorded:
 - a random perturbation of amplitude 0.01 sets it in motion (`dps.instability_moves`). */
 
 #include <algorithm>
-#include <boost/multiprecision/cpp_bin_float.hpp>
-#include <boost/multiprecision/eigen.hpp>
 #include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "lattice/dps/motion.hpp"
+#include "lattice/numbers/extended.hpp"
 #include "lattice/numbers/parallel.hpp"
 #include "lattice/report/program.hpp"
 
 using namespace lattice;
-
-/// 113 bits, as IEEE quadruple precision.
-using Quadruple = boost::multiprecision::cpp_bin_float_quad;
 
 /**
 ## Model

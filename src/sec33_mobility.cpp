@@ -196,12 +196,12 @@ one swings.
 The answer to `moving.site_below` is the distance at the end of the run, where the breather still moves.
 The bond-centred one counts as pinned if it turns round before it comes near the next site, half a site away,
 in either phase and at both resolutions: its largest distance from the start must be less than 0.45. */
-struct Pair {
+struct TwoPaths {
   Creep rough, good;
 };
 
-std::array<Pair, 3> weak_paths(const Breathers& at, bool is_quick) {
-  std::array<Pair, 3> paths;
+std::array<TwoPaths, 3> weak_paths(const Breathers& at, bool is_quick) {
+  std::array<TwoPaths, 3> paths;
   parallel_for("weak kicks", 6, [&](std::size_t i) {
     const std::size_t k = i / 2;
     const double time = is_quick ? 6e4 : std::array{2.5e5, 1.7e5, 8e4}[k];
@@ -213,7 +213,7 @@ std::array<Pair, 3> weak_paths(const Breathers& at, bool is_quick) {
 
 /**
 The centre creeps slowly, so every eighth of its means is enough for the figure. */
-Table path_table(const std::array<Pair, 3>& paths) {
+Table path_table(const std::array<TwoPaths, 3>& paths) {
   Table table{{number("t", "time")}};
   for (const Case& c : cases) {
     table.columns.push_back(number(std::string("X_") + c.name, "energy centre", "site"));
@@ -223,7 +223,7 @@ Table path_table(const std::array<Pair, 3>& paths) {
   }
   for (std::size_t k = 0; k < paths[0].good.t.size(); k += 8) {
     std::vector<Cell> row{paths[0].good.t[k]};
-    for (const Pair& p : paths) {
+    for (const TwoPaths& p : paths) {
       const bool there = k < p.good.X.size();
       row.push_back(there ? p.good.X[k] : std::nan(""));
       row.push_back(there ? std::abs(p.good.X[k] - p.rough.X[k]) : std::nan(""));

@@ -237,13 +237,13 @@ std::vector<Trial> all_trials() {
 /**
 Each trial must answer with a value of $s_0$, so $\kappa$ is computed in a few wells, on short chains, and its
 zero read off between them. */
-struct Reading {
+struct FoundZero {
   double zero = std::numeric_limits<double>::quiet_NaN();
   double error_of_matrix = 0;  ///< largest error of an entry in the linear well
 };
 
-Reading read_zero(const Trial& trial, Centre centre, int steps) {
-  Reading out;
+FoundZero read_zero(const Trial& trial, Centre centre, int steps) {
+  FoundZero out;
   double last = 0;
   for (int k = -steps; k <= steps; ++k) {
     const double s = double(k) / steps;
@@ -265,7 +265,7 @@ The table has one row for each trial; where there is no zero between $s=-1$ and 
 void report_printed(Report& report) {
   std::vector<Trial> trials = all_trials();
   if (report.quick) trials.resize(3);
-  std::vector<std::array<Reading, 2>> readings(trials.size());
+  std::vector<std::array<FoundZero, 2>> readings(trials.size());
   parallel_for("trials", 2 * trials.size(), [&](std::size_t i) {
     readings[i / 2][i % 2] = read_zero(trials[i / 2], both_centres[i % 2], report.quick ? 1 : 5);
   });

@@ -190,18 +190,18 @@ double decorrelation(const ContactAware& first, double velocity, const ContactAw
 The two kinds of pairs answer two questions: for how long *we* can compute the motion after one
 impact, and for how long anybody can who knows the impact to so many digits only. A pair of impacts
 is computed at two steps, which gives the error of its time. */
-struct Pair {
+struct TwoImpacts {
   double delta, coarse, fine;
   double when = 0, check = 0;
 };
 
-std::vector<Pair> part_pairs(bool quick) {
-  std::vector<Pair> pairs{{0, 0.1, 0.05}, {0, 0.05, 0.025}};
+std::vector<TwoImpacts> part_pairs(bool quick) {
+  std::vector<TwoImpacts> pairs{{0, 0.1, 0.05}, {0, 0.05, 0.025}};
   for (double delta : {3e-3, 1e-4, 1e-6, 1e-8}) pairs.push_back({delta, 0.1, 0.1});
   if (quick) pairs = {{0, 0.2, 0.1}, {1e-6, 0.1, 0.1}};
   const double v = 1.9, time = 1700;
   parallel_for(pairs.size(), [&](std::size_t i) {
-    Pair& p = pairs[i];
+    TwoImpacts& p = pairs[i];
     const auto at = [&](double shrink) {
       return decorrelation({p.coarse * shrink}, v, {p.fine * shrink}, v * (1 + p.delta), 1, time);
     };
@@ -222,7 +222,7 @@ double report_decorrelation(Report& report) {
        number("t", "time when the two have parted")}};
   double marked = 0;
   Estimate resolved;
-  for (const Pair& p : part_pairs(report.quick)) {
+  for (const TwoImpacts& p : part_pairs(report.quick)) {
     table.add({p.delta, p.coarse, p.fine, p.when});
     if (p.delta == 0) resolved = {p.when, std::abs(p.when - resolved.value)};
     if (p.delta == 1e-6) {

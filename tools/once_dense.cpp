@@ -1,8 +1,8 @@
-// Eigen's decompositions, compiled once (tools/once.hpp).
+// Eigen's decompositions in double precision, compiled once (tools/once.hpp).
 
 #include "once.hpp"
 
 namespace lattice {
 LATTICE_DENSE(template, double)
-LATTICE_DENSE(template, long double)
+LATTICE_COMPLEX(template)
 }  // namespace lattice

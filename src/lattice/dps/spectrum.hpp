@@ -16,7 +16,6 @@ simple and the largest: $0 \le m < \mu$ for all others. Hence a state is
 unstable if and only if the second eigenvalue exceeds $2\mu/3$, and then by one real pair for each
 such $m$. Where the contacts are slack $m = 0$ and $\lambda = \pm i\mu$, the essential spectrum. */
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -55,18 +54,17 @@ the largest, in any precision, and no direction is lost: the pair of the phase, 
 matrix defective at $\lambda = 0$, is the simple eigenvalue $m_1 = \mu$ here. */
 template <class T>
 struct ContactSpectrum {
-  using Vector = Eigen::Matrix<T, Eigen::Dynamic, 1>;
   T mu;
-  std::vector<T> m;   ///< from the largest on; m[0] is known to be mu and set to it
-  T phase_defect{0};  ///< computed m[0] minus mu
-  Vector second{};    ///< unit eigenvector of m[1], if asked for
+  std::vector<T> m;    ///< from the largest on; m[0] is known to be mu and set to it
+  T phase_defect{0};   ///< computed m[0] minus mu
+  Vector<T> second{};  ///< unit eigenvector of m[1], if asked for
 };
 
 /// Diagonal of M and the line beside it: each contact holds its two sites and couples them.
 template <class T>
 auto contact_matrix(const std::vector<T>& roots) {
   const auto contacts = Eigen::Index(roots.size());
-  typename ContactSpectrum<T>::Vector diagonal(contacts + 1), beside(contacts);
+  Vector<T> diagonal(contacts + 1), beside(contacts);
   diagonal.setZero();
   for (Eigen::Index i = 0; i < contacts; ++i) {
     const T& root = roots[std::size_t(i)];
@@ -86,7 +84,7 @@ template <class T>
 ContactSpectrum<T> contact_spectrum(const Stationary<T>& state, bool vector = false) {
   const auto [diagonal, beside] = contact_matrix(contact_roots(state));
   const auto sites = Eigen::Index(state.u.size());
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>> solver;
+  Eigen::SelfAdjointEigenSolver<Matrix<T>> solver;
   solver.computeFromTridiagonal(diagonal, beside,
                                 vector ? Eigen::ComputeEigenvectors : Eigen::EigenvaluesOnly);
   if (solver.info() != Eigen::Success)
@@ -222,7 +220,7 @@ auto full_matrix(const Stationary<T>& state) {
   using std::abs;
   using std::sqrt;
   const auto sites = Eigen::Index(state.u.size());
-  Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic> full(2 * sites, 2 * sites);
+  Matrix<T> full(2 * sites, 2 * sites);
   full.setZero();
   const auto add = [&](Eigen::Index i, Eigen::Index k, const T& value) {
     full(i, k) -= T(1.25) * value;
@@ -249,15 +247,9 @@ them in no order and with both parts rounded, which is why it serves as a witnes
 method. */
 template <class T>
 std::vector<std::complex<T>> full_exponents(const Stationary<T>& state) {
-  const auto full = full_matrix(state);
-  const Eigen::EigenSolver<Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>> solver(full, false);
-  if (solver.info() != Eigen::Success)
-    throw std::runtime_error("the eigenvalues of the full linearisation did not converge");
   std::vector<std::complex<T>> out;
-  for (Eigen::Index i = 0; i < full.rows(); ++i) {
-    const std::complex<T> kappa = solver.eigenvalues()(i);
+  for (const std::complex<T>& kappa : eigenvalues_of(full_matrix(state)))
     out.emplace_back(kappa.imag(), -kappa.real());
-  }
   return out;
 }
 

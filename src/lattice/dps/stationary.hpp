@@ -12,7 +12,6 @@ Sites carry the article's numbers: $1-N/2 \le n \le N/2$ on an even number of si
 bond-centred state has its centre in the contact of $n = 0$ and $n = 1$, and $|n| \le (N-1)/2$ on
 an odd number, where a site-centred state has its centre at $n = 0$. */
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -25,6 +24,7 @@ an odd number, where a site-centred state has its centre at $n = 0$. */
 #include <vector>
 #include "lattice/model/contact.hpp"
 #include "lattice/model/sites.hpp"
+#include "lattice/numbers/dense.hpp"
 
 namespace lattice {
 
@@ -93,11 +93,10 @@ corrections $\eta_n = \delta r_n/r_n$, and row $n$ is divided by $\mu r_n$. In t
 matrix has ones on its diagonal and $3/2$ beside it: it is well conditioned however small the
 strains are. */
 template <class T>
-Eigen::Matrix<T, Eigen::Dynamic, 1> newton_step(Centre centre, const T& mu,
-                                                const std::vector<T>& r) {
+Vector<T> newton_step(Centre centre, const T& mu, const std::vector<T>& r) {
   const auto count = Eigen::Index(r.size());
-  Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic> jacobian(count, count);
-  Eigen::Matrix<T, Eigen::Dynamic, 1> residual(count);
+  Matrix<T> jacobian(count, count);
+  Vector<T> residual(count);
   jacobian.setZero();
   for (Eigen::Index n = 0; n < count; ++n) {
     const auto force = [&](Eigen::Index k) {
@@ -115,7 +114,7 @@ Eigen::Matrix<T, Eigen::Dynamic, 1> newton_step(Centre centre, const T& mu,
     if (n == 0 && centre == Centre::bond) couple(1, 1);
     if (n == 0 && centre == Centre::site) couple(0, -1);
   }
-  return jacobian.partialPivLu().solve(-residual);
+  return solve_square<T>(jacobian, -residual);
 }
 
 /**
@@ -149,7 +148,7 @@ void converge_strains(Centre centre, const T& mu, std::vector<T>& r, int most,
       100 * double(std::numeric_limits<T>::epsilon()) * std::pow(1.5, double(r.size()));
   std::ostringstream text;
   for (int k = 0; k < most; ++k) {
-    const Eigen::Matrix<T, Eigen::Dynamic, 1> eta = newton_step(centre, mu, r);
+    const Vector<T> eta = newton_step(centre, mu, r);
     double largest = 0;
     for (std::size_t n = 0; n < r.size(); ++n) {
       const auto correction = std::abs(double(eta(Eigen::Index(n))));
@@ -175,11 +174,18 @@ exponent $(3/2)^k$. So we first solve on a short chain, with the quasi-continuum
 as the guess, and lengthen it by a site at a time. Each new strain follows from its neighbour,
 and one or two Newton steps settle the rest. The tail ends where the strain falls below the
 normal numbers: what follows is zero for this number format. */
+/// Above it a number and its rounding error are both normal numbers of this type.
+template <class T>
+T least_exact() {
+  using std::ldexp;
+  return ldexp(T(1), std::numeric_limits<T>::min_exponent - 1) / std::numeric_limits<T>::epsilon();
+}
+
 template <class T>
 Stationary<T> stationary_from(Centre centre, const T& mu, std::vector<T> start, std::size_t sites,
                               int most = 30) {
   using std::abs;
-  const T least = std::numeric_limits<T>::min() / std::numeric_limits<T>::epsilon();
+  const T least = least_exact<T>();
   Stationary<T> out{centre, mu, {}, std::move(start), {}};
   for (;;) {
     converge_strains(centre, mu, out.strain, most, out.history);

@@ -166,16 +166,6 @@ Pairs<T> floquet_pairs(const Chain<Onsite, Contact>& chain, const State<T>& star
 }
 
 /**
-Where a matrix has no structure that we use, all its eigenvalues are computed. */
-/// All eigenvalues of a square matrix, in Eigen's order. Throws NoConvergence.
-template <class T>
-std::vector<std::complex<T>> eigenvalues_of(const Matrix<T>& matrix) {
-  const Eigen::EigenSolver<Matrix<T>> solver(matrix, false);
-  if (solver.info() != Eigen::Success) throw NoConvergence("no eigenvalues", {});
-  return {solver.eigenvalues().begin(), solver.eigenvalues().end()};
-}
-
-/**
 ## Errors
 
 Two computations with different tolerances or types give two values of every $\kappa$. Their difference

@@ -28,13 +28,9 @@ A problem `P` has
 #include <vector>
 
 #include "lattice/landing/landing.hpp"
+#include "lattice/numbers/dense.hpp"
 
 namespace lattice {
-
-template <class T>
-using Vector = Eigen::Matrix<T, Eigen::Dynamic, 1>;
-template <class T>
-using Matrix = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>;
 
 /// The largest modulus in a vector; infinite where anything is not a number.
 template <class T>
@@ -77,7 +73,7 @@ direction free (`rank` > 0, the singular values below which a direction counts a
 the shortest one that solves them in the sense of least squares. */
 template <class T>
 Vector<T> solve_system(const Matrix<T>& matrix, const Vector<T>& right, double rank = 0) {
-  if (matrix.rows() == matrix.cols() && rank <= 0) return matrix.partialPivLu().solve(right);
+  if (matrix.rows() == matrix.cols() && rank <= 0) return solve_square(matrix, right);
   if constexpr (std::is_floating_point_v<T>) {
     Eigen::CompleteOrthogonalDecomposition<Matrix<T>> shortest;
     if (rank > 0) shortest.setThreshold(T(rank));

@@ -318,9 +318,7 @@ Its eigenvalues are sorted in two ways. */
 /// All multipliers, the largest first.
 template <class T>
 std::vector<std::complex<T>> multipliers_of(const Matrix<T>& map) {
-  const Eigen::EigenSolver<Matrix<T>> solver(map, false);
-  if (solver.info() != Eigen::Success) throw NoConvergence("no eigenvalues", {});
-  std::vector<std::complex<T>> all(solver.eigenvalues().begin(), solver.eigenvalues().end());
+  std::vector<std::complex<T>> all = eigenvalues_of(map);
   std::stable_sort(all.begin(), all.end(),
                    [](auto a, auto b) { return std::norm(a) > std::norm(b); });
   return all;

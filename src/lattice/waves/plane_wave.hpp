@@ -15,7 +15,6 @@ of period $2\pi$. With the shift $S p = p(\theta+q)$ and $B = e^{iQ}S - 1$ it is
 $$(\lambda - \omega\partial_\theta)^2 p = -W''(\varphi)\,p - B^\dagger V''(r)\,B\,p,$$
 an eigenvalue problem on a grid of $\theta$, and the growth rate is the largest real part. */
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -24,6 +23,7 @@ an eigenvalue problem on a grid of $\theta$, and the growth rate is the largest 
 #include <vector>
 
 #include "lattice/model/chain.hpp"
+#include "lattice/numbers/dense.hpp"
 
 namespace lattice {
 
@@ -90,7 +90,7 @@ double improve(PlaneWave& wave, const Onsite& onsite, const Contact& contact) {
     jacobian.row(j) = at.slopes;
     residual[j] = at.residual;
   }
-  const Eigen::VectorXd step = jacobian.partialPivLu().solve(residual);
+  const Eigen::VectorXd step = solve_square<double>(jacobian, residual);
   wave.omega -= step[0];
   for (Eigen::Index i = 1; i < count; ++i) wave.b[std::size_t(i)] -= step[i];
   return std::abs(step[0]) + step.tail(count - 1).cwiseAbs().maxCoeff() / std::abs(wave.b[0]);
@@ -181,9 +181,11 @@ The wave is as unstable as its fastest disturbance of the wavenumber `modulation
 template <class Onsite, class Contact>
 double growth_rate(const PlaneWave& wave, const Onsite& onsite, const Contact& contact,
                    double modulation) {
-  const Eigen::MatrixXcd system = linearisation(wave, onsite, contact, modulation);
-  const Eigen::ComplexEigenSolver<Eigen::MatrixXcd> solver(system, false);
-  return solver.eigenvalues().real().maxCoeff();
+  double rate = 0;
+  for (const std::complex<double>& e :
+       eigenvalues_of(linearisation(wave, onsite, contact, modulation)))
+    rate = std::max(rate, e.real());
+  return rate;
 }
 
 }  // namespace lattice
