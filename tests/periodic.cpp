@@ -17,7 +17,7 @@ BreatherProblem<double> problem_of(Centre centre, double omega, double s = 0) {
   return breather_problem(centre, omega, s, sites_of(centre));
 }
 
-double distance(const State<double>& a, const State<double>& b, double sign = 1) {
+double farthest_apart(const State<double>& a, const State<double>& b, double sign = 1) {
   double d = 0;
   for (std::size_t n = 0; n < a.y.size(); ++n)
     d = std::max({d, std::abs(a.y[n] - sign * b.y[n]), std::abs(a.v[n] - sign * b.v[n])});
@@ -44,7 +44,7 @@ TEST_CASE("a breather returns after its period", "[property][periodic]") {
         CAPTURE(int(centre), s, omega);
         const auto p = problem_of(centre, omega, s);
         const Orbit<double> o = find_breather(p);
-        CHECK(distance(after(p, o.start, p.period()), o.start) < 4e-13 * o.amplitude);
+        CHECK(farthest_apart(after(p, o.start, p.period()), o.start) < 4e-13 * o.amplitude);
         CHECK(o.residual() < 2e-13);
       }
 }
@@ -53,7 +53,7 @@ TEST_CASE("at omega_b = 1.1 the residual is at most 1e-13", "[published][periodi
   const auto p = problem_of(Centre::site, 1.1);
   const Orbit<double> o = find_breather(p);
   CHECK(o.residual() < 1e-13);
-  CHECK(distance(after(p, o.start, p.period()), o.start) < 1e-13 * o.amplitude);
+  CHECK(farthest_apart(after(p, o.start, p.period()), o.start) < 1e-13 * o.amplitude);
 }
 
 TEST_CASE("symmetries hold at all times", "[property][periodic]") {
@@ -63,9 +63,9 @@ TEST_CASE("symmetries hold at all times", "[property][periodic]") {
     for (double part : {0.13, 0.37, 0.81}) {
       const State<double> now = after(site, a.start, part * site.period());
       const State<double> later = after(site, now, site.period() / 2);
-      CHECK(distance(now, mirrored(later), -1) < 1e-12 * a.amplitude);
+      CHECK(farthest_apart(now, mirrored(later), -1) < 1e-12 * a.amplitude);
       const State<double> then = after(bond, b.start, part * bond.period());
-      CHECK(distance(then, mirrored(then), -1) < 1e-12 * b.amplitude);
+      CHECK(farthest_apart(then, mirrored(then), -1) < 1e-12 * b.amplitude);
     }
   }
 }
@@ -76,7 +76,7 @@ TEST_CASE("the two phases of a bond-centred breather are half a period apart",
   const auto pressed = find_breather(p), stretched = find_breather(p, Phase::stretched);
   CHECK(pressed.start.y[15] > 0);
   CHECK(stretched.start.y[15] < 0);
-  CHECK(distance(after(p, pressed.start, p.period() / 2), stretched.start) <
+  CHECK(farthest_apart(after(p, pressed.start, p.period() / 2), stretched.start) <
         1e-12 * pressed.amplitude);
   check_close(pressed.energy, stretched.energy, 0, 1e-12);
   check_close(pressed.area, stretched.area, 0, 1e-12);

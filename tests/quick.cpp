@@ -20,14 +20,14 @@ namespace {
 
 const fs::path root = SOURCE_DIR, data = DATA_DIR, bin = BIN_DIR;
 
-struct Run {
+struct Called {
   int code = -1;
   double seconds = 0;  ///< processor time of all threads
 };
 
 /// Runs `program --quick --out folder` without a shell and measures the processor time, which other
 /// processes on the machine hardly change.
-Run quick_run(const fs::path& program, const fs::path& folder) {
+Called quick_run(const fs::path& program, const fs::path& folder) {
   const pid_t child = fork();
   REQUIRE(child >= 0);
   if (child == 0) {
@@ -85,7 +85,7 @@ TEST_CASE("a quick run of every program answers everything and soon", "[quick]")
   const fs::path scratch =
       fs::temp_directory_path() / ("lattice_quick_" + std::to_string(::getpid()));
   for (const auto& program : programs_of(root / "src")) DYNAMIC_SECTION(program) {
-      const Run run = quick_run(bin / program, scratch);
+      const Called run = quick_run(bin / program, scratch);
       CAPTURE(program, run.code, run.seconds, budget);
       CHECK(run.code == 0);
       if (run.code == 0) {
