@@ -161,8 +161,8 @@ class Flight {
   const std::vector<T>& end() const { return z_; }
 
   /**
-  A flight looks ahead, watching every contact, lands, corrects the instant of the landing, and once that is
-  good enough it arrives and settles on which side each contact is. Then it looks ahead again. */
+  A flight looks ahead, watching every contact, lands, corrects the instant of the landing, and once that
+  is good enough it arrives and settles on which side each contact is. Then it looks ahead again. */
  private:
   Overlap<T> overlap(const std::vector<T>& z, const std::vector<T>& a, std::size_t i) const;
   Sight<T> look();

@@ -99,9 +99,10 @@ inline std::complex<double> multiplier(std::complex<double> kappa, int sign) {
 
 /**
 The pair of the phase can be removed exactly. A shift in time changes the momenta at $t=0$ in proportion to
-the force $f$, and at $T_b/2$, where the chain is at rest again, it does not change the positions: $Bf = 0$, hence $f^TK = 0$. The image of $K$ is perpendicular to $f$, and $K$ restricted to such vectors has
-all eigenvalues but the zero of the phase. In the restricted matrix the eigenvalue of the pinning pair is
-a simple one, so that an error $\delta$ of the flow costs $\delta$ and not $\sqrt\delta$. */
+the force $f$, and at $T_b/2$, where the chain is at rest again, it does not change the positions:
+$Bf = 0$, hence $f^TK = 0$. The image of $K$ is perpendicular to $f$, and $K$ restricted to such vectors
+has all eigenvalues but the zero of the phase. In the restricted matrix the eigenvalue of the pinning
+pair is a simple one, so that an error $\delta$ of the flow costs $\delta$ and not $\sqrt\delta$. */
 /// An orthonormal basis of all vectors perpendicular to `f`, by a Householder reflection.
 template <class T>
 Matrix<T> perpendicular_to(const Vector<T>& f) {

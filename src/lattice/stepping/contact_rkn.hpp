@@ -123,8 +123,8 @@ struct Quintic {
 
 /**
 The contact switches at the root $s^*$ of the quintic, where its impulse begins or ends. Newton's method
-finds it in a few steps, and bisection replaces every step that would leave the bracket (`lo`, `hi`). A last
-move below $10^{-5}$ is enough, because the next one would be of the order of its square. */
+finds it in a few steps, and bisection replaces every step that would leave the bracket (`lo`, `hi`). A
+last move below $10^{-5}$ is enough, because the next one would be of the order of its square. */
 template <class T>
 T root_between(const Quintic<T>& x, T lo, T hi) {
   const T below = x(lo), above = x(hi);
