@@ -53,6 +53,7 @@ struct DpsPair {
   DpsOutcome coarse, fine;
 };
 
+/// Both runs; `watch` sees the finer one.
 template <class Watch>
 DpsPair follow_dps_to(double tolerance, const Dps& dps, const Field& start, double duration,
                       std::size_t samples, Watch watch) {

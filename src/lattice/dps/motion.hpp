@@ -146,6 +146,7 @@ Course follow_breather(const PinnedBreather& breather, Field v, double time,
   return out;
 }
 
+/// The same without an observer.
 inline Course follow_breather(const PinnedBreather& breather, Field v, double time,
                               const Accuracy& accuracy) {
   return follow_breather(breather, std::move(v), time, accuracy, [](double, const Field&) {});
@@ -288,6 +289,7 @@ inline double departure_difference(const std::vector<Trial>& trials, Course Tria
   return apart;
 }
 
+/// How many trials are pushed harder than the push that frees, and how many fates that tells.
 struct Pushes {
   std::size_t over = 0, told = 0;
 };

@@ -90,6 +90,7 @@ struct Sight {
   bool crosses = false;
 };
 
+/// Sign and modulus, written out for every number type.
 template <class T>
 int sign_of(T x) {
   return x > T(0) ? 1 : x < T(0) ? -1 : 0;

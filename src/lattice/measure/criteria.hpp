@@ -59,6 +59,7 @@ inline double residue(const std::vector<double>& e, std::size_t peak) {
   return most / window_sum(e, peak);
 }
 
+/// Whether the packet of a journey is a travelling breather, in three conditions.
 inline Criterion travelling_breather(const Journey& journey) {
   const Estimate &speed = journey.speed_change, &energy = journey.energy_change;
   return {below("speed_change", {std::abs(speed.value), speed.error}, 0.05),
@@ -106,6 +107,7 @@ struct Meeting {
   Estimate near, far;  ///< largest relative distance up to a small and up to a larger argument
 };
 
+/// Whether two curves meet at small arguments.
 inline Criterion meet(const Meeting& m) {
   return {below("near", m.near, 0.01),
           below("near_over_far", {m.near.value / m.far.value, m.near.error / m.far.value}, 0.5)};
@@ -148,6 +150,7 @@ struct Transition {
   double undecided;  ///< share of the scan
 };
 
+/// Whether a scan of impact velocities shows the transition.
 inline Criterion transition(const Transition& t) {
   return {above("breathers", exact(double(t.breathers)), 0),
           above("kinks", exact(double(t.kinks)), 0),

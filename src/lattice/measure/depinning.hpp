@@ -27,6 +27,7 @@ A breather that starts in a trough has a hill on either side, half a site away. 
 well beyond the hill, at 0.6 sites, and pinned if it has turned round before that, by 0.02 sites. */
 enum class Mobility { undecided, free, pinned };
 
+/// What a path, as far as it is known, says about its breather.
 inline Mobility mobility_of(const Creep& path) {
   const double far = path.farthest();
   if (far > 0.6) return Mobility::free;
@@ -51,8 +52,8 @@ struct Pinning {
   double share = 0;       ///< phi
 };
 
-/// The eigenvector whose eigenvalue is nearest to `value`, by inverse iteration from `guess`. The shift of
-/// 1e-5 keeps the matrix from being singular.
+/// The eigenvector whose eigenvalue is nearest to `value`, by inverse iteration from `guess`. The shift
+/// of 1e-5 keeps the matrix from being singular.
 inline Eigen::VectorXd eigenvector_near(const Eigen::MatrixXd& m, double value,
                                         Eigen::VectorXd guess) {
   const Eigen::PartialPivLU<Eigen::MatrixXd> shifted(

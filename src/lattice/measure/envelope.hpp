@@ -54,6 +54,7 @@ struct Envelope {
   std::vector<double> amplitude{};
 };
 
+/// Frequency of the carrier in `range` and amplitudes of all sites.
 template <class Onsite, class Contact>
 Envelope envelope(const Chain<Onsite, Contact>& chain, const State<double>& state, Range range) {
   const std::vector<double> a = accelerations(chain, state.y);

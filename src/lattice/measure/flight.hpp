@@ -45,6 +45,7 @@ number of sites that share the energy. Packets under precompression are broader 
 20 sites on either side belong to one; its envelope is fitted to ten. */
 inline constexpr std::size_t packet_reach = 20, envelope_reach = 10;
 
+/// Time, energy centre, shares of packet and boundary, and participation number at one instant.
 struct PacketSample {
   double t, centre, share, boundary, participation;
 };
@@ -76,6 +77,7 @@ struct Snapshot {
   }
 };
 
+/// The snapshot of `state`, its sech fitted around the packet.
 template <class Onsite, class Contact>
 Snapshot snapshot(const Chain<Onsite, Contact>& chain, const State<double>& state) {
   const double centre = packet_sample(state.t, energy_density(chain, state)).centre;

@@ -51,6 +51,7 @@ struct Modulated {
   Snapshot shown{};
 };
 
+/// The run of length `time`, with steps of at most `step`.
 inline Modulated modulate(const ModulatedPhonon& phonon, double time, double step) {
   const CompressedRing ring = phonon.ring();
   const Splitting stepper{blanes_moan_6_14(), step};
@@ -94,6 +95,7 @@ struct Formed {
   }
 };
 
+/// The numbers by which a run is judged.
 inline Formed formed(const Modulated& m) {
   const std::size_t sites = m.density.size();
   const double mean = total(m.density) / double(sites);

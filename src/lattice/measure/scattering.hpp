@@ -66,7 +66,7 @@ inline State<double> approach(const ArrayImpact& impact, double step, double pat
   return state;
 }
 
-/// The ledger 10 ms before the end and at the end.
+/// The ledger 10 ms before the end and at the end. `scatter` goes on from `approach` to `end` (ms).
 struct Scattering {
   Ledger earlier, later;
 };

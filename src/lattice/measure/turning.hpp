@@ -212,6 +212,7 @@ For a map of which impacts turn round and which do not, the smoothed path is not
 internal period tells whether a packet has passed a given site, the horizon, has come back by five sites,
 or has never left the end. */
 enum class Fate : std::int64_t { escapes, turns, stays, undecided };
+/// A fate, and how far the packet came.
 struct Outlook {
   Fate fate = Fate::undecided;
   double apex = 0;  ///< furthest mean centre so far

@@ -251,6 +251,7 @@ struct Hessian {
   std::vector<T> diagonal, off;
 };
 
+/// The second derivatives of the potential energy at the positions `y`.
 template <class T, class Onsite, class Contact>
 Hessian<T> linearise(const Chain<Onsite, Contact>& chain, const std::vector<T>& y) {
   const std::size_t n = chain.sites;

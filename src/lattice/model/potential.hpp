@@ -64,6 +64,7 @@ void for_each_parameter(const Potential&, Use use) {
     for (const Parameter<Potential>& p : Potential::parameters()) use(p);
 }
 
+/// Calls `use` with a default value of every type in the list `Any`.
 template <class Any, class Use>
 void for_each_potential(Use use) {
   [&]<std::size_t... i>(std::index_sequence<i...>) {

@@ -120,6 +120,7 @@ double rim_of(const Onsite& onsite) {
 /// The wells that can be chosen by name; `std::visit` once at the edge of a program.
 using AnyOnsite = std::variant<None, Harmonic, Quartic, Pendulum>;
 
+/// The same for a well chosen by name.
 inline double rim_of(const AnyOnsite& any) {
   return std::visit([](const auto& onsite) { return rim_of(onsite); }, any);
 }

@@ -44,6 +44,7 @@ A statement often needs several conditions, and holds if all of them do. One wit
 fail, and so does not hold. */
 using Criterion = std::vector<Condition>;
 
+/// Whether there are conditions and all of them hold.
 inline bool holds(const Criterion& criterion) {
   return !criterion.empty() && std::all_of(criterion.begin(), criterion.end(),
                                            [](const Condition& c) { return c.holds(); });

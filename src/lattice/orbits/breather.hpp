@@ -23,6 +23,7 @@ branch (continuation.hpp), so that there is never a doubt to which family a brea
 
 namespace lattice {
 
+/// Problems of shooting.hpp in the article's chain: quartic wells, Hertzian contacts.
 template <class T>
 using BreatherProblem = Shooting<T, Quartic, Hertz>;
 

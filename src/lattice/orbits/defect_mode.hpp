@@ -96,6 +96,7 @@ struct Profile {
   }
 };
 
+/// The shares in a run (`stay`) and in the mode, averaged over `instants` instants of a period.
 inline Profile profile(const CantileverArray& array, const ModeProblem& problem,
                        const Orbit<double>& orbit, const Stay& stay, std::size_t instants) {
   const auto piece = [](const std::vector<double>& all, std::size_t middle) {

@@ -52,6 +52,7 @@ struct Spectrum {
   Estimate kappa() const { return {pairs.front().kappa.real(), pairs.front().error}; }
 };
 
+/// The pairs at the orbit of a problem, in type T, with their errors. Throws NoConvergence.
 template <class T>
 Spectrum spectrum(const BreatherProblem<double>& problem, const Orbit<double>& orbit) {
   const auto in_t = in_precision<T>(problem);

@@ -37,7 +37,7 @@ inline BreatherProblem<double> problem_of(Centre centre, double omega, double s 
   return breather_problem(centre, omega, s, sites_of(centre));
 }
 
-/// The rules of the two resolutions: the default tolerance of `Landing`, and 16 times as much if `coarser`.
+/// The rules of the two resolutions: the default tolerance of `Landing`, or 16 times that if `coarser`.
 template <class T>
 NewtonRule<T> rule(int coarser) {
   NewtonRule<T> out;
@@ -90,6 +90,7 @@ Estimate agree(const T& coarse, const T& fine, const T& size) {
   return {double(fine), double(magnitude<T>(fine - coarse) + floor)};
 }
 
+/// Measures a rung in type T. Throws NoConvergence.
 template <class T>
 void measure_in(Rung& rung) {
   const Measured<T> fine(rung, 0), coarse(rung, 1);
@@ -139,8 +140,8 @@ inline std::vector<Orbit<double>> climb(Centre centre, double s,
 
 using Ladder = std::vector<Rung>;
 
-/// Frequencies: 1.005, then up to 2 in `count` equal steps from 1. For a soft well (s < 0), whose branches
-/// fold, only up to 1.9, and from 1.8 on in steps a fifth as long.
+/// Frequencies: 1.005, then up to 2 in `count` equal steps from 1. For a soft well (s < 0), whose
+/// branches fold, only up to 1.9, and from 1.8 on in steps a fifth as long.
 inline std::vector<double> ladder_frequencies(double s, int count) {
   std::vector<double> out{1.005};
   for (int k = 1; k <= count; ++k) out.push_back(1 + double(k) / count);

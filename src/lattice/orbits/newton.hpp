@@ -34,6 +34,7 @@ A problem `P` has
 
 namespace lattice {
 
+/// Dense vectors and matrices of any number type.
 template <class T>
 using Vector = Eigen::Matrix<T, Eigen::Dynamic, 1>;
 template <class T>
@@ -175,11 +176,13 @@ struct Solution {
   History history;
 };
 
+/// The exception that names the problem and what went wrong.
 template <class Problem, class T>
 NoConvergence failure(const Problem& problem, const std::string& why, const Solution<T>& so_far) {
   return {problem.name() + ": " + why, so_far.history};
 }
 
+/// The solution, if its flow was accurate; throws NoConvergence otherwise.
 template <class Problem, class T>
 Solution<T> accepted(const Problem& problem, Solution<T> found, const NewtonRule<T>& rule) {
   if (is_accurate(found.shot.flow, rule.landing)) return found;
@@ -211,7 +214,7 @@ T damping(const Problem& problem, const Vector<T>& step, const T& last, const So
 /**
 ## The iteration
 
-Now all is put together. `direction` gives the step from a shot: `solve`, below, uses the exact
+Now everything is put together. `direction` gives the step from a shot: `solve`, below, uses the exact
 derivative, `polish` of shooting.hpp one that was computed before. We stop when the residual is small and
 no longer falls by a factor of four, and keep the better of the last two points; rounding then forbids
 more. Anything else is a failure. Throws NoConvergence. */

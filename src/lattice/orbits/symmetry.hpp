@@ -22,6 +22,7 @@ is an entry with a sign, and a sum of terms is a `Combination`. */
 
 namespace lattice {
 
+/// An entry of the state, by its index, with a sign.
 struct Term {
   std::size_t index;
   double sign;
@@ -36,6 +37,7 @@ struct Equation {
   Combination end{}, start{};
 };
 
+/// All that Newton's method has to know of an orbit's symmetry.
 struct Symmetry {
   std::string name;
   std::size_t sites = 0;
@@ -145,9 +147,9 @@ The chain has the sites $-L \le n \le L+1$ with $L$ = `reach`, and the last one 
 unknowns $y_1,\dots,y_L$, $\dot y_0,\dots,\dot y_L$ and $T$ there are as many equations as unknowns.
 
 If $T$ is given there is one equation too many. We leave out the first one, that of the positions of 0
-and 1. In linear wells and at $T = 2\pi k$ nothing is lost by this: there $\sum_n(y_n + i\dot y_n)$ only
-turns and has returned, so that the $L+1$ equations for positions add up to zero whatever the unknowns
-are (travelling.hpp has more on this sum). */
+and 1. In linear wells and at $T = 2\pi k$ nothing is lost by this: there $\sum_n(y_n + i\dot y_n)$ is
+imaginary at the start, only turns, and is imaginary again at $T/2$, so that the $L+1$ equations for
+positions add up to zero whatever the unknowns are (travelling.hpp has more on this sum). */
 inline Symmetry travelling_reversible(std::size_t reach, bool free_period) {
   const std::size_t n0 = reach, sites = 2 * reach + 2;
   Symmetry s{.name = "travelling", .sites = sites, .parts = 2, .free_period = free_period};

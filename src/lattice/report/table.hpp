@@ -38,6 +38,7 @@ using Cell = std::variant<double, std::int64_t, std::string>;
 
 enum class Kind { real, integer, text };
 
+/// The heading of a column.
 struct Column {
   std::string name, unit, description;
   Kind kind = Kind::real;

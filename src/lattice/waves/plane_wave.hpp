@@ -56,6 +56,7 @@ struct WaveEquation {
   Eigen::RowVectorXd slopes;
 };
 
+/// Residual and derivatives of the equation of `wave` at `theta`.
 template <class Onsite, class Contact>
 WaveEquation equation_at(const PlaneWave& wave, const Onsite& onsite, const Contact& contact,
                          double theta) {
@@ -137,6 +138,7 @@ struct PeriodicGrid {
   Eigen::MatrixXcd derivative, shift;
 };
 
+/// Both matrices for an odd number of `points` and the shift by `q`.
 inline PeriodicGrid periodic_grid(Eigen::Index points, double q) {
   using namespace std::complex_literals;
   const Eigen::Index top = (points - 1) / 2;
