@@ -376,8 +376,8 @@ void Flight<T, Onsite, Contact>::settle(const Overlap<T>& o, int& side) {
 
 /**
 Programs call only what follows. `flow` advances `state` by `duration` and replaces `tangent`, if there
-is one, by its image under the derivative of the flow. A runaway is not thrown: it shows in the `error` of
-what is returned. */
+is one, by its image under the derivative of the flow. A runaway raises no exception: it shows in the
+`error` of what is returned. */
 template <class T, class Onsite, class Contact>
 Flow<T> flow(const Chain<Onsite, Contact>& chain, State<T>& state, T duration,
              const Landing<T>& rule = {}, Tangent<T>* tangent = nullptr) {

@@ -222,9 +222,10 @@ struct Outlook {
 Impacts over many decades of the velocity $v_0$ need clocks of their own. The fastest motion is that of the
 well, of the contact or of the quartic term, with rates one, $v_0^{1/5}$ and $(s v_0^2)^{1/4}$; samples and
 steps follow it. How long to wait is decided by the slowest packets, those of the DpS limit, which move at
-$0.36\,(v_0/2)^{1/2}$ sites per unit of time (dps.hpp), and reach the horizon in the time `crossing`. We
-wait ten times as long, and say of a packet that has not left the end after four crossings that it
-stays. */
+$0.36\,(v_0/2)^{1/2}$ sites per unit of time (dps.hpp), with 0.4 as an upper limit, and reach the horizon in
+the time `crossing`. We wait ten times as long, and say of a packet that has not left the end after four
+crossings that it stays. After a strong impact everything is faster, so both times are divided by the
+largest rate. */
 struct Patience {
   double interval;  ///< between two looks
   double time;      ///< of the whole run
