@@ -35,7 +35,7 @@ struct Held {
   P problem;             ///< even in time; its value of the parameter is not used
   Along<P> along;        ///< which parameter is unknown
   T centre{};            ///< Q, in sites from the middle of the chain
-  double change = 1e-5;  ///< of the central difference in the parameter
+  double change = 1e-5;  ///< of the central difference in the parameter, see `differentiate`
 
   std::string name() const { return "breather held at a centre"; }
   std::size_t sites() const { return problem.chain.sites; }

@@ -45,7 +45,8 @@ struct RestingBreather {
 };
 
 /**
-The chain has the given number of sites, or one more if a site-centred breather needs a middle. */
+The chain has the given number of sites, or one more if a site-centred breather needs a middle, and must
+hold the tail of the breather down to rounding, $10^{-16}$. */
 /// Throws ShortChain if the breather needs a longer chain, NoConvergence if it is not found.
 inline RestingBreather resting_breather(Centre centre, Phase phase, double omega,
                                         std::size_t sites) {
