@@ -2,14 +2,16 @@
 /**
 # The discrete p-Schrödinger equation
 
-At small amplitude every bead oscillates at the frequency of its well, and contact
-only modulates the complex amplitude $A_n$ slowly. With $y_n(t) = 2\epsilon\,
-\mathrm{Re}\,[A_n(\epsilon^{1/2}t)\,e^{it}]$ the slow time is $\tau =
-\epsilon^{1/2}t$ and the amplitudes obey the DpS equation, Eq. (12),
+At small amplitude the contacts are much weaker than the wells. Every bead then oscillates at the
+frequency of its well, and the contacts change its complex amplitude $A_n$ only slowly. With Eq. (13),
+$$y_n(t) = 2\epsilon\,\mathrm{Re}\,[A_n(\tau)\,e^{it}],\qquad \tau = \epsilon^{1/2}t,$$
+averaging over the fast oscillation gives an equation in the slow time $\tau$, the discrete p-Schrödinger
+(DpS) equation, Eq. (12),
 $$2i\tau_0\,\dot A_n = D_n - D_{n-1}, \qquad
-  D_n = (A_{n+1}-A_n)\,|A_{n+1}-A_n|^{1/2}.$$
+  D_n = (A_{n+1}-A_n)\,|A_{n+1}-A_n|^{1/2},\qquad
+  \tau_0 = \frac{5\,\Gamma(\frac14)^2}{24\sqrt\pi}.$$
 It has no linear part, conserves the norm $\sum|A_n|^2$ and the energy
-$\frac{2}{5}\sum|A_{n+1}-A_n|^{5/2}$, and does not depend on $\epsilon$. */
+$\frac{2}{5}\sum|A_{n+1}-A_n|^{5/2}$, and does not contain $\epsilon$. */
 
 #include <algorithm>
 #include <cmath>
@@ -26,22 +28,24 @@ namespace lattice {
 /// Gamma(1/4).
 inline constexpr double gamma_quarter = 3.6256099082219083119;
 
-/// Time constant of the DpS equation, tau_0 = 5 Gamma(1/4)^2 / (24 sqrt(pi)).
+/// Time constant of the DpS equation, tau_0 = 5 Gamma(1/4)^2 / (24 sqrt(pi)), below Eq. (12).
 inline double tau_0() {
   return 5 * gamma_quarter * gamma_quarter / (24 * std::sqrt(std::numbers::pi));
 }
 
-/// Amplitude scale of the static breathers of frequency `omega_b`, Eq. (20) inverted.
+/// The amplitude scale epsilon of the static breathers of frequency `omega_b`, Eq. (20) inverted.
 inline double breather_eps(double omega_b) {
   return std::pow(2 * tau_0() * (omega_b - 1), 2);
 }
 
+/// The complex amplitudes A_n, one entry per site.
 using Field = std::vector<std::complex<double>>;
 
 /**
-The boundary decides only what stands in for the missing neighbour: a free end has
-no contact there, a fixed one has $A_0 = 0$. The far end is always free. Differences
-below `1e-60` count as zero, for the reason given with the Hertz contact. */
+An integrator wants the right-hand side as a function. The boundary condition decides what stands in for
+the missing neighbour at the first site: a free end has no contact there, a fixed one has $A_0 = 0$. The
+far end is always free. Differences below $10^{-60}$ count as zero, for the reason given at `Hertz` in
+contact.hpp. */
 struct Dps {
   std::size_t sites;
   Ends near_end = Ends::free;
@@ -55,9 +59,9 @@ struct Dps {
   }
 
   /**
-  A contact pulls its two beads with opposite forces, so each pull is computed once: walking along the
-  chain we keep that of the contact behind and find that of the contact in front. Real and imaginary
-  parts stand in turn, because the integrators know real numbers only. */
+  A contact acts on its two beads with opposite forces, so each is computed once: walking along the chain
+  we keep that of the contact behind and find that of the contact in front. Real and imaginary parts
+  alternate in `a` and `da`, because the integrators know real numbers only. */
   void operator()(double, const double* a, double* da) const {
     double re = 0, im = 0;
     if (near_end == Ends::fixed) {
@@ -82,8 +86,8 @@ struct Dps {
 };
 
 /**
-Nothing in the method of integration knows of the two conserved quantities, so their drift is an
-independent check of every run. The densities, whose sum is the norm, are what the figures show. */
+The method of integration knows nothing of the two conserved quantities, so their drift is an independent
+check of every run. The figures show the density $|A_n|^2$, whose sum is the norm. */
 /// Norm sum |A_n|^2, conserved.
 inline double norm(const Field& field) {
   double sum = 0;
@@ -101,7 +105,7 @@ inline double energy(const Field& field) {
   return sum;
 }
 
-/// |A_n|^2, one entry a site.
+/// |A_n|^2, one entry per site.
 inline std::vector<double> density(const Field& field) {
   std::vector<double> d;
   for (const auto& a : field) d.push_back(std::norm(a));
@@ -109,9 +113,9 @@ inline std::vector<double> density(const Field& field) {
 }
 
 /**
-A DpS field says something about the chain only through the approximation that it stands for. The
-impact is the field of a chain whose first bead has been struck, and `dps_state` leads back to
-displacements and velocities, which are then compared with those of the chain itself. */
+A DpS field describes the chain by way of Eq. (13). An impact on the first bead becomes a field with a
+single nonzero entry, and `dps_state` leads back to displacements and velocities, which can be compared
+with those of the chain itself. */
 /// Impact on the first of `sites`: A_1(0) = -i, all others zero (Eq. (25)).
 inline Field dps_impact(std::size_t sites) {
   Field field(sites);

@@ -2,14 +2,14 @@
 /**
 # The DpS equation in time
 
-Its right-hand side is smooth except where two neighbours coincide, and GSL's adaptive method of
-order eight integrates it.
+The right-hand side of the DpS equation (dps.hpp) is smooth except where two neighbours coincide, so GSL's
+adaptive method of order eight can integrate it (gsl_ode.hpp).
 
-Near a stationary state everything turns with the frequency $\mu$, and most of the work goes into
-that turning. With $v_n = w_ne^{i\mu t}$ the equation gains a term, $i\dot w_n = \mu w_n + \dots$,
-and a stationary state stands still, so that the integrator is left with the perturbation: at equal
-tolerance it needs half the time and keeps the norm some hundred times better. Moduli are those of
-$v_n$. */
+Near a stationary state $v_n = u_ne^{i\mu t}$ (stationary.hpp) everything turns with the frequency $\mu$,
+and most of the work would go into that turning. With $v_n = w_ne^{i\mu t}$ the equation gains a term,
+$i\dot w_n = \mu w_n + \dots$, and a stationary state stands still, so that the integrator has only the
+perturbation left to follow: at equal tolerance it needs half the time and keeps the norm some hundred
+times better. Moduli are those of $v_n$. */
 
 #include <algorithm>
 #include <cmath>
@@ -35,7 +35,7 @@ struct TurningDps {
   }
 };
 
-/// Real and imaginary parts in turn, the form in which the integrator carries a field.
+/// Real and imaginary parts alternating, the form in which the integrator carries a field.
 inline std::vector<double> interleaved(const Field& field) {
   std::vector<double> x;
   for (const auto& w : field) x.insert(x.end(), {w.real(), w.imag()});
@@ -43,12 +43,12 @@ inline std::vector<double> interleaved(const Field& field) {
 }
 
 /**
-The integrator controls the error of one step only, and errors add up. The norm costs nothing beside a
-step and is conserved by the equation, so we look at it at every sample and return how far it drifts:
-who reads a number from the run can compare the two. */
-/// Carries `field` over the slow time `duration`, showing (tau, field) to `observe` at `samples`
-/// equal intervals and at the start; returns the largest relative change of the norm. `Equation` is
-/// Dps or TurningDps.
+The integrator controls the error of a single step, and errors add up. The norm is conserved by the
+equation and cheap to compute, so we watch it at every sample and return how far it drifts; whoever reads
+a number from the run can compare the two. */
+/// Carries `field` over the slow time `duration` and calls `observe(tau, field)` at the start and after
+/// each of `samples` equal intervals; returns the largest relative change of the norm. `Equation` is Dps
+/// or TurningDps. Throws std::runtime_error if GSL cannot go on.
 template <class Equation, class Observer>
 double evolve_dps(const Equation& dps, Field& field, double duration, std::size_t samples,
                   const Tolerance& tolerance, Observer observe) {

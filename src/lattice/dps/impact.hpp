@@ -2,8 +2,8 @@
 /**
 # Striking a DpS chain
 
-The impact of measure/impact.hpp in the limit of small amplitude: the density is $|A_n|^2$ and the
-time is the slow one. */
+This is the impact of section 3.4 (impact.hpp in `measure`) in the limit of small amplitude, Eq. (25):
+$A_1(0) = -i$ and all others zero. The packet is followed in the density $|A_n|^2$ and the slow time. */
 
 #include <cmath>
 #include <cstddef>
@@ -38,19 +38,22 @@ DpsOutcome follow_dps(const Dps& dps, const Field& start, double duration, std::
 }
 
 /**
-Largest |A_n| of a DpS packet while its centre moves over the last site of its track. */
+The amplitude of a packet swings while it moves from site to site. So `packet_amplitude` is the largest
+$|A_n|$ while the centre moves over the last site of its track. */
 inline double packet_amplitude(const Track& track) {
   const double end = track.centre.back();
   return std::sqrt(track.largest_peak(end - 1, end));
 }
 
 /**
-The same impact twice: a hundred times the tolerance with `samples` samples, then `tolerance`
-with twice as many, because amplitudes and speeds are read from the samples. */
+For errors the same impact is followed twice: first with a hundred times the tolerance and `samples`
+samples, then with `tolerance` and twice as many samples, because amplitudes and speeds are read from
+them. */
 struct DpsPair {
   DpsOutcome coarse, fine;
 };
 
+/// Both runs; `watch` sees the finer one.
 template <class Watch>
 DpsPair follow_dps_to(double tolerance, const Dps& dps, const Field& start, double duration,
                       std::size_t samples, Watch watch) {

@@ -2,17 +2,15 @@
 /**
 # A breather of the DpS equation that moves
 
-The place of a breather is the centre of $|v_n|^4$: the fourth power keeps small noise of the whole
-chain out. Its displacement $X$ is followed in the turning frame.
-
-For a small perturbation along the pinning pair $(x, y)$ of spectrum.hpp, $X = gx$, where $g$ is the
-derivative of the centre, and $\ddot X = \pm\lambda^2X$ with a plus at a site and a minus at a bond.
-The simplest landscape with both is a sine, in which the centre is a pendulum,
-$$\ddot X = \frac{\lambda^2}{2\pi}\sin 2\pi X$$
-about a site, and a push $y$ its initial speed $g(\mu-m)y$. It predicts the push that frees a
-bond-centred breather, $y_c = |\lambda|/(\pi g(\mu-m))$, and how long a site-centred one takes to the
-neighbouring bond. If a push has the growing share $c = (\mu-m)y/(2\lambda)$, it starts with the speed
-$v = 2g\lambda c$, and
+Section 3.3 perturbs a stationary breather (stationary.hpp) and sees it move. Its place is the centre of
+$|v_n|^4$: the fourth power keeps out small noise along the chain. For a small shift $x$ and push $y$ along
+the pinning pair of spectrum.hpp the displacement is $X = gx$, where $g$ is the derivative of the centre,
+and $\ddot X = \pm\lambda^2X$ with the plus at a site and the minus at a bond. The simplest energy
+landscape with both is a sine, in which the centre moves like a pendulum; about a site
+$$\ddot X = \frac{\lambda^2}{2\pi}\sin 2\pi X,$$
+and a push $y$ gives it the initial speed $g(\mu-m)y$. This predicts the push that frees a bond-centred
+breather, $y_c = |\lambda|/(\pi g(\mu-m))$, and the time that a site-centred one takes to the next bond. If
+its push has the growing share $c = (\mu-m)y/(2\lambda)$, it starts with the speed $v = 2g\lambda c$, and
 $$t = \int_0^{1/2}\frac{dX}{\sqrt{v^2+(\lambda/\pi)^2\sin^2\pi X}},$$
 a complete elliptic integral, for which the arithmetic-geometric mean suffices. */
 
@@ -45,9 +43,9 @@ inline double breather_place(Centre centre, const Field& v) {
 }
 
 /**
-An eigenvector has no sign and no scale in sites, and the pendulum needs both. The derivative of the
-centre along $V$ gives them: its modulus is $g$, and we turn $V$ so that a positive shift leads to
-larger $n$. */
+An eigenvector has neither a sign nor a scale in sites, and the pendulum needs both. The derivative of the
+centre along $V$ gives them: its modulus is $g$, and the sign of $V$ is chosen such that a positive shift
+leads to larger $n$. */
 /// A breather with its pinning pair, whose sign is such that a shift x > 0 goes to larger n.
 struct PinnedBreather {
   Centre centre;
@@ -76,9 +74,9 @@ struct PinnedBreather {
   }
 
   /**
-  With $g$ and $\lambda$ the pendulum has no parameter left, and what it predicts can be held against
-  runs of the whole equation. The mean of arithmetic and geometric means settles within a few rounds,
-  because every round squares the relative distance of the two. */
+  With $g$ and $\lambda$ the pendulum has no free parameter left, and its predictions can be compared with
+  runs of the whole equation. The arithmetic-geometric mean converges within a few rounds, because every
+  round squares the relative distance of the two means. */
   /// The push at which a pendulum passes the site beside its bond.
   double freeing_push() const { return pair.rate / (std::numbers::pi * shift * (mu - pair.m)); }
 
@@ -99,8 +97,8 @@ struct PinnedBreather {
 /**
 What a breather does is read from its displacement at samples in time, so a second resolution has to
 differ in the samples as well as in the tolerance. The moment at which a distance is passed is
-interpolated between two samples; noise that oscillates faster than they follow each other is the main
-part of its error. */
+interpolated between two samples; its error comes mainly from noise that oscillates faster than the
+samples can show. */
 /// Tolerance of the integrator, and samples for each unit of time.
 struct Accuracy {
   double tolerance, samples;
@@ -126,9 +124,9 @@ struct Course {
 };
 
 /**
-We integrate in the frame that turns with the breather, where all that moves is the perturbation. Norm
-and energy are looked at with every sample: their drift must stay far below the share of the energy
-that pins the breather, or the run says nothing about pinning. */
+We integrate in the frame that turns with the breather (evolve.hpp), where only the perturbation moves.
+Norm and energy are watched at every sample: unless their drift stays far below the share of the energy
+that pins the breather, the run says nothing about pinning. */
 /// Follows the field `v`, given in the frame that turns with the breather; `watch(t, v)` sees every
 /// sample.
 template <class Watch>
@@ -148,15 +146,16 @@ Course follow_breather(const PinnedBreather& breather, Field v, double time,
   return out;
 }
 
+/// The same without an observer.
 inline Course follow_breather(const PinnedBreather& breather, Field v, double time,
                               const Accuracy& accuracy) {
   return follow_breather(breather, std::move(v), time, accuracy, [](double, const Field&) {});
 }
 
 /**
-Two questions are put to breathers that have been displaced along the pinning pair and by nothing else.
-Does a perturbation of the growing direction grow at the rate of the matrix? We fit a line to the
-logarithm of its growing share. */
+Two questions can be put to a breather that is perturbed along the pinning pair and in no other way. The
+first: does a perturbation in the growing direction grow at the rate that the matrix says?
+`measured_rate` is the slope of a line through the logarithm of its growing share. */
 inline double measured_rate(const PinnedBreather& site, double size, const Accuracy& accuracy) {
   Field v = site.u;
   site.pair.add({size, size / site.pair.push}, v);
@@ -175,8 +174,9 @@ inline bool moved(const Course& course) {
 }
 
 /**
-And which push frees a breather? Between a push that does not and one that does we halve the interval.
-The pendulum says where to look, but the ends must decide differently or there is no answer. */
+The second: which push frees a breather? The interval between a push that does not and one that does is
+halved `steps` times. The pendulum says where to look, within 20 per cent. Throws std::runtime_error if
+the threshold is not there. */
 inline double bisect_push(const PinnedBreather& bond, const Accuracy& accuracy, int steps) {
   const auto freed = [&](double push) {
     Field v = bond.u;
@@ -197,10 +197,10 @@ inline double bisect_push(const PinnedBreather& bond, const Accuracy& accuracy, 
 /**
 ## Breathers under noise
 
-A word like "uniformly distributed" does not fix a perturbation of complex numbers: it may be complex or
-real, of both signs or positive, and absolute or a share of $u_n$. The difference matters, since a push
-counts far more than a shift, so the kind of noise is a parameter. One seed gives one perturbation on
-every machine. */
+The article adds uniformly distributed noise to the breather. For complex numbers this is not definite: the
+noise may be complex or real, of both signs or positive, absolute or a share of
+$u_n$. The difference matters, since a push counts far more than a shift, so the kind of noise is a
+parameter. One seed gives the same perturbation on every machine. */
 struct Noise {
   const char* name;
   bool imaginary, positive, relative;
@@ -222,9 +222,9 @@ struct Noise {
 };
 
 /**
-To first order the noise acts through its share of the pinning pair alone. A trial notes that share
-beside the runs, so that it can be asked later whether it foretells them; and it can be taken away from
-the noise, which leaves a control that differs in nothing else. */
+To first order the noise moves the breather only through its component along the pinning pair. A trial
+notes that component together with the runs, so that we can ask later whether it predicts them. It can
+also be removed from the noise, which leaves a control that differs in nothing else. */
 struct Trial {
   std::size_t seed;
   std::complex<double> kick{};  ///< shift and push of the noise
@@ -232,7 +232,8 @@ struct Trial {
   Course rough{}, good{};       ///< at two tolerances
 };
 
-/// Breather and noise, the latter with or without its part in the pinning pair; notes that part.
+/// Breather plus noise, the latter with or without (`pinned` false) its component along the pinning pair;
+/// notes that component in `trial`.
 inline Field perturbed(const PinnedBreather& breather, const Noise& noise, bool pinned,
                        Trial& trial) {
   Field w = noise(breather.u, trial.seed);
@@ -244,10 +245,10 @@ inline Field perturbed(const PinnedBreather& breather, const Noise& noise, bool 
 }
 
 /**
-Noise answers in numbers of cases. A breather has left when its centre is half a site away, and it has
-moved when it has passed the next rest position of its own kind; what only falls into the well beside
-it swings back before. The census of either tolerance is taken, because counts are exact only where
-both give the same. */
+The effect of noise is a matter of counting cases. A breather has left when its centre is half a site
+away, and it has moved when it has passed the next rest position of its own kind; one that only falls
+into the well beside it swings back before that. Cases are counted at both tolerances, because a count is
+exact only if both give the same. */
 struct Census {
   std::size_t left = 0, moved = 0;
   std::vector<double> departures{}, speeds{};  ///< sorted; no departure is infinite
@@ -256,9 +257,9 @@ struct Census {
 };
 
 /**
-Speeds are means over the first site that is crossed, so they exist for those alone that come so far.
-A departure that has not happened counts as infinitely late: the middle one is then not biased by the
-end of the run. */
+The speed of a trial is the mean over the first site that its breather crosses after leaving, if it does. A
+departure that has not happened counts as infinitely late, so that the median is not biased by the end of
+the run. */
 inline Census tally(const std::vector<Trial>& trials, Course Trial::*run) {
   Census out;
   for (const Trial& trial : trials) {
@@ -275,9 +276,9 @@ inline Census tally(const std::vector<Trial>& trials, Course Trial::*run) {
 }
 
 /**
-Does the pendulum foretell these runs? Its departures are compared one by one, the largest relative
-difference counts. Its pushes are compared with the one that frees: `over` counts the trials that are
-pushed harder, `told` those whose fate that alone tells. */
+Does the pendulum predict these runs? Departures are compared one by one, and the largest relative
+difference counts. Pushes are compared with the one that frees: `over` counts the trials that are pushed
+harder, `told` those whose fate is what this alone predicts. */
 inline double departure_difference(const std::vector<Trial>& trials, Course Trial::*run,
                                    const PinnedBreather& site) {
   double apart = 0;
@@ -288,6 +289,7 @@ inline double departure_difference(const std::vector<Trial>& trials, Course Tria
   return apart;
 }
 
+/// How many trials are pushed harder than the push that frees, and how many fates that tells.
 struct Pushes {
   std::size_t over = 0, told = 0;
 };
@@ -303,8 +305,8 @@ inline Pushes count_pushes(const std::vector<Trial>& trials, Course Trial::*run,
 }
 
 /**
-A pinned breather and a free one differ by a minute share of the energy, so whoever trusts these runs
-wants to see the largest drift of energy and norm among them. */
+A pinned breather and a free one differ by a minute share of the energy, so whether these runs can be
+trusted is decided by the largest drift of energy and norm among them. */
 inline double largest_drift(const std::vector<Trial>& trials, Course Trial::*run) {
   double drift = 0;
   for (const Trial& trial : trials)

@@ -2,19 +2,19 @@
 /**
 # Small motions about a stationary DpS state
 
-A perturbation of $v_n = u_n e^{i\mu t}$ is written $v_n = e^{i\mu t}(u_n + x_n + iy_n)$. The pull
-of a contact, $z|z|^{1/2}$, answers a small change of $z = d_n = u_{n+1}-u_n$ with the slope
-$\frac32|d_n|^{1/2}$ along $d_n$, which is real, and with $|d_n|^{1/2}$ across it. With the gradient
-$(\nabla x)_n = x_{n+1}-x_n$ both follow from one matrix,
+Is a stationary state $v_n = u_n e^{i\mu t}$ (stationary.hpp) stable? We write a perturbation of it as
+$v_n = e^{i\mu t}(u_n + x_n + iy_n)$. The force of a contact, $z|z|^{1/2}$, changes with
+$z = d_n = u_{n+1}-u_n$ at the rate $\frac32|d_n|^{1/2}$ along $d_n$, which is real, and at the rate
+$|d_n|^{1/2}$ across it. With the gradient $(\nabla x)_n = x_{n+1}-x_n$ both follow from one matrix,
 $$M = \nabla^T\,\mathrm{diag}\,|d_n|^{1/2}\,\nabla, \qquad
   \dot x = L_-y,\quad \dot y = -L_+x, \qquad L_- = \mu - M,\quad L_+ = \mu - \tfrac32M.$$
-An eigenvector of $M$ with eigenvalue $m$ therefore moves for itself, with exponents
+Each eigenvector of $M$, with eigenvalue $m$, therefore moves independently, like $e^{\lambda t}$ with
 $$\lambda^2 = -(\mu-m)(\mu-\tfrac32m).$$
-The equation of the state says $Mu = \mu u$. Changing the sign of every second entry leaves $M$ no
-negative entry and makes $u$ a positive vector, so that by Perron and Frobenius $m_1 = \mu$ is
-simple and the largest: $0 \le m < \mu$ for all others. Hence a state is
-unstable if and only if the second eigenvalue exceeds $2\mu/3$, and then by one real pair for each
-such $m$. Where the contacts are slack $m = 0$ and $\lambda = \pm i\mu$, the essential spectrum. */
+Eq. (14) says $Mu = \mu u$. If the sign of every second entry is changed, $M$ has no negative entry and $u$
+is a positive vector, so that by the Perron–Frobenius theorem $m_1 = \mu$ is simple and the largest:
+$0 \le m < \mu$ for all others. Hence a state is unstable if and only if the second eigenvalue exceeds
+$2\mu/3$, and then with one real pair $\pm\lambda$ for each such $m$. Far out, where contacts are slack,
+$m = 0$ and $\lambda = \pm i\mu$: the essential spectrum. */
 
 #include <algorithm>
 #include <cmath>
@@ -49,9 +49,9 @@ std::vector<T> contact_roots(const Stationary<T>& state) {
 /**
 ## The spectrum of M
 
-The matrix is symmetric and tridiagonal, so its eigenvalues are found with an error of a rounding of
-the largest, in any precision, and no direction is lost: the pair of the phase, which makes the full
-matrix defective at $\lambda = 0$, is the simple eigenvalue $m_1 = \mu$ here. */
+The matrix $M$ is symmetric and tridiagonal, so its eigenvalues are found to a rounding error of the
+largest, in any precision. The invariance under a change of phase, $v \to e^{i\varphi}v$, which gives the
+full problem a defective double eigenvalue $\lambda = 0$, is here the simple eigenvalue $m_1 = \mu$. */
 template <class T>
 struct ContactSpectrum {
   T mu;
@@ -60,7 +60,7 @@ struct ContactSpectrum {
   Vector<T> second{};  ///< unit eigenvector of m[1], if asked for
 };
 
-/// Diagonal of M and the line beside it: each contact holds its two sites and couples them.
+/// Diagonal of M and the line beside it: each contact stiffens its two sites and couples them.
 template <class T>
 auto contact_matrix(const std::vector<T>& roots) {
   const auto contacts = Eigen::Index(roots.size());
@@ -76,9 +76,8 @@ auto contact_matrix(const std::vector<T>& roots) {
 }
 
 /**
-That $m_1 = \mu$ is known beforehand, so the computed value is a check of state and solver at once. We
-keep its defect and put $\mu$ itself in its place, for which the exponent of the phase is exactly
-zero. */
+Since $m_1 = \mu$ is known beforehand, the computed value checks state and solver at once. We keep its
+defect and put $\mu$ itself in its place, so that the exponent of the phase is exactly zero. */
 /// Throws std::runtime_error if Eigen's iteration does not converge.
 template <class T>
 ContactSpectrum<T> contact_spectrum(const Stationary<T>& state, bool vector = false) {
@@ -98,10 +97,10 @@ ContactSpectrum<T> contact_spectrum(const Stationary<T>& state, bool vector = fa
 }
 
 /**
-Eigenvalues can also be counted. As many are larger than $x$ as there are positive pivots in the
-elimination of $M-x$ (Sylvester), which needs a line a site and any number type; halving an interval
-then finds a single one to the last digit. The count at $\frac23\mu$ is the verdict itself: one for a
-stable state, $1+k$ for one with $k$ real pairs. */
+Eigenvalues can also be counted. By Sylvester's law of inertia as many are larger than $x$ as there are
+positive pivots in the elimination of $M-x$, one per site, which works in any number type; halving an
+interval then finds a single eigenvalue to the last digit. The count at $x = \frac23\mu$ is the verdict
+itself: one for a stable state, $1+k$ for one with $k$ real pairs. */
 template <class T>
 std::size_t eigenvalues_above(const std::vector<T>& roots, const T& x) {
   std::size_t count = 0;
@@ -117,7 +116,7 @@ std::size_t eigenvalues_above(const std::vector<T>& roots, const T& x) {
 }
 
 /**
-An interval shrinks by halving until no number of the format is left inside it, whatever the format. No
+The interval is halved until no number of the format is left inside it, whatever the format. So no
 tolerance has to be chosen, and the error is one rounding. */
 /// The k-th largest eigenvalue of M, k >= 1, between 0 and 2 mu, by halving.
 template <class T>
@@ -154,9 +153,9 @@ T instability_margin(const T& mu, const T& m) {
 }
 
 /**
-Since $m$ and $\lambda^2$ are real, an exponent is either real or imaginary, with an exact zero as its
-other part: a spectrum from $M$ cannot show a small growth that is made of rounding. */
-/// Both exponents of each m, two a site, as (real, imaginary): lambda with its sign, then -lambda.
+Since $m$ and $\lambda^2$ are real, an exponent is either real or imaginary, and its other part is exactly
+zero: a spectrum from $M$ cannot show a small growth that comes from rounding. */
+/// Both exponents of each m, two per site, as (real, imaginary): lambda, then -lambda.
 template <class T>
 std::vector<std::pair<T, T>> exponents(const ContactSpectrum<T>& spectrum) {
   std::vector<std::pair<T, T>> out;
@@ -172,9 +171,9 @@ std::vector<std::pair<T, T>> exponents(const ContactSpectrum<T>& spectrum) {
 /**
 ## How close to the edge
 
-The verdict is a sign, so it is worth nothing without an error. Two things could turn it: the mantissa,
-and the ends of the chain. We vary both, the first from double precision to `Fine`, the second by ten
-sites, and add what they do. */
+The verdict is a sign, so it is worth nothing without an error. Two things could turn it: rounding, and the
+ends of the chain. We vary both, the precision from double to `Fine` and the length by ten sites, and add
+the two changes. */
 /// The margin (m_2 - 2 mu / 3) / mu and |lambda| / mu.
 struct Margin {
   Estimate margin, exponent;
@@ -192,8 +191,8 @@ std::pair<double, double> margin_and_exponent(Centre centre, double mu, std::siz
 }
 
 /**
-Both numbers are pure numbers, free of the scale of $\mu$, so margins at different frequencies may be
-compared digit by digit. */
+Divided by $\mu$ both numbers are free of its scale, so margins at different frequencies may be compared
+digit by digit. */
 template <class Fine>
 Margin margin_of(Centre centre, double mu, std::size_t sites) {
   const auto [margin, exponent] = margin_and_exponent<Fine>(centre, mu, sites);
@@ -208,13 +207,13 @@ Margin margin_of(Centre centre, double mu, std::size_t sites) {
 /**
 ## The full matrix
 
-The article writes the perturbation as $a_ne^{\lambda t}+b_n^*e^{\lambda^*t}$ (Eq. (22)), with
-$x+iy = a+b^*$, and finds the exponents from a full matrix of $2N$ rows,
+The article writes the perturbation as $a_ne^{\lambda t}+b_n^*e^{\lambda^*t}$, Eq. (22), and finds the
+exponents from a full matrix of $2N$ rows; with our $x+iy = a+b^*$ at $t = 0$ this is
 $$i\lambda\begin{pmatrix}a\\b\end{pmatrix} =
   \begin{pmatrix}\mu-\frac54M & -\frac14M\\ \frac14M & -\mu+\frac54M\end{pmatrix}
   \begin{pmatrix}a\\b\end{pmatrix},$$
-because $\delta(z|z|^{1/2}) = |z|^{1/2}(\frac54\delta z+\frac14\delta z^*)$ for real $z$. We keep
-it as a check. Its entries come from the displacements, and nothing of its structure is used. */
+because $\delta(z|z|^{1/2}) = |z|^{1/2}(\frac54\delta z+\frac14\delta z^*)$ for real $z$. We keep it as a
+check: its entries come from the displacements, and nothing of its structure is used. */
 template <class T>
 auto full_matrix(const Stationary<T>& state) {
   using std::abs;
@@ -243,8 +242,8 @@ auto full_matrix(const Stationary<T>& state) {
 
 /**
 The eigenvalues $\kappa$ of this matrix are $i\lambda$. A solver for matrices without symmetry returns
-them in no order and with both parts rounded, which is why it serves as a witness and not as the
-method. */
+them in no particular order and with both parts rounded, which is why it serves as a check and not as the
+method. Throws std::runtime_error if it does not converge. */
 template <class T>
 std::vector<std::complex<T>> full_exponents(const Stationary<T>& state) {
   std::vector<std::complex<T>> out;
@@ -254,9 +253,9 @@ std::vector<std::complex<T>> full_exponents(const Stationary<T>& state) {
 }
 
 /**
-The pair nearest to zero, after the two zeros of the phase, is the pinning pair. What is left between
-the two routes to it, its wrong part included, says how well they agree; what is left of the zeros says
-how large a real part has to be before it means anything. */
+The pair nearest to zero, after the two zeros of the phase, is the pinning pair. The difference of the two
+routes to it, including the part that should vanish, shows how well they agree; and the computed zeros of
+the phase show how large a real part has to be before it means anything. */
 struct Remainders {
   double pair, zero;
 };
@@ -278,13 +277,13 @@ Remainders remainders(const Stationary<T>& state) {
 /**
 ## The pinning pair
 
-The second eigenvector $V$ of either breather looks like its derivative along the chain: it shifts
-the breather, and its partner $iV$ pushes it. In the coordinates $x = V\cdot\mathrm{Re}\,w$ and
-$y = V\cdot\mathrm{Im}\,w$ of a perturbation $w$ this is a pendulum near one of its rest positions,
-$\dot x = (\mu-m)y$, $\dot y = \frac32(m-\frac23\mu)x$. At the unstable one the growing direction is
-$y = \lambda x/(\mu-m)$, the decaying one has the other sign, and the left eigenvectors follow from
-the symplectic form: the growing share of a perturbation is $\frac12(x + (\mu-m)y/\lambda)$. A push
-counts $(\mu-m)/\lambda$ times as much as a shift of the same size. */
+The second eigenvector $V$ of $M$ looks like the derivative of the breather along the chain, around a bond
+as around a site: added to the field it shifts the breather, and $iV$ pushes it. In the coordinates
+$x = V\cdot\mathrm{Re}\,w$ and $y = V\cdot\mathrm{Im}\,w$ a perturbation $w$ moves like a pendulum near one
+of its rest positions, $\dot x = (\mu-m)y$, $\dot y = \frac32(m-\frac23\mu)x$. If the rest position is
+unstable, the growing direction is $y = \lambda x/(\mu-m)$ and the decaying one has the other sign. The
+growing share of a perturbation is then $\frac12(x + (\mu-m)y/\lambda)$: a push counts $(\mu-m)/\lambda$
+times as much as a shift of the same size. */
 struct PinningPair {
   Eigen::VectorXd V;
   double mu, m, rate;  ///< rate: |lambda|
@@ -298,8 +297,8 @@ struct PinningPair {
         push((mu - m) / rate) {}
 
   /**
-  Whoever perturbs a breather has a field in hand, whoever wants to foresee its fate needs $x$ and $y$.
-  The projection is exact, since $V$ has unit length and the eigenvectors of $M$ are orthogonal. */
+  A perturbation is given as a field, but its effect depends on $x$ and $y$. The projection is exact, since
+  $V$ has unit length and the eigenvectors of $M$ are orthogonal. */
   /// (x, y) of the perturbation `w`.
   std::complex<double> of(const Field& w) const {
     std::complex<double> sum = 0;

@@ -2,15 +2,12 @@
 /**
 # Stationary states of the DpS equation
 
-With $v_n = u_n e^{i\mu t}$ the normalised DpS equation becomes Eq. (14),
+Small static breathers are stationary states of the DpS equation. With $v_n = u_n e^{i\mu t}$, $u_n$ real,
+its normalised form Eq. (11) becomes Eq. (14),
 $$-\mu u_n = D_n - D_{n-1}, \qquad D_n = (u_{n+1}-u_n)\,|u_{n+1}-u_n|^{1/2},$$
-with $D = 0$ beyond free ends. Its localized solutions are the profiles of small static
-breathers, and this file computes them with relative accuracy at every site, down to the
-last one that the number format can represent.
-
-Sites carry the article's numbers: $1-N/2 \le n \le N/2$ on an even number of sites, where a
-bond-centred state has its centre in the contact of $n = 0$ and $n = 1$, and $|n| \le (N-1)/2$ on
-an odd number, where a site-centred state has its centre at $n = 0$. */
+with $D = 0$ beyond free ends. This file computes its localized solutions with the same relative accuracy
+at every site, down to the last one that the number format can represent. Sites are numbered as in
+sites.hpp. */
 
 #include <algorithm>
 #include <cmath>
@@ -29,9 +26,10 @@ an odd number, where a site-centred state has its centre at $n = 0$. */
 namespace lattice {
 
 /**
-The quasi-continuum profile has the compact envelope $g(x) = (3/10)^3\cos^6(x/3)$ for
-$|x| \le 3\pi/2$. At $\mu = 1$ it gives $u_n = (-1)^n[g(n)+g(n-1)]$ around a bond (Eq. (18)) and
-$u_n = (-1)^n[g(n+\frac12)+g(n-\frac12)]$ around a site (Eq. (19)). */
+To begin with we need an approximation. The article derives one by treating the envelope of the alternating
+$D_n$ as a function of a continuous variable, Eqs. (15) to (17): $g(x) = (3/10)^3\cos^6(x/3)$ for
+$|x| \le 3\pi/2$ and zero elsewhere. At $\mu = 1$ this gives $u_n = (-1)^n[g(n)+g(n-1)]$ around a bond,
+Eq. (18), and $u_n = (-1)^n[g(n+\frac12)+g(n-\frac12)]$ around a site, Eq. (19). */
 template <class T>
 T envelope(T x) {
   using std::abs;
@@ -50,14 +48,15 @@ T quasi_continuum(Centre centre, long n) {
 }
 
 /**
-A state keeps the strains from which it was made: they are what a neighbouring state starts from. */
+A state keeps the strains $u_{n+1}-u_n$ from which it was computed, so that a neighbouring state can start
+from them. */
 /// `strain[k]` is u_{k+1} - u_k for k >= 0, the right half of the contacts.
 template <class T>
 struct Stationary {
   Centre centre;
   T mu;
-  std::vector<T> u;             ///< one entry a site
-  std::vector<T> strain;        ///< one entry a contact of the right half that is not zero
+  std::vector<T> u;             ///< one entry per site
+  std::vector<T> strain;        ///< one entry per contact of the right half that is not zero
   std::vector<double> history;  ///< largest relative correction of each Newton step
 
   /// N = sum u_n^2.
@@ -79,12 +78,12 @@ struct Stationary {
 /**
 ## Unknowns
 
-Differences of the equation give one for the strains $r_n = u_{n+1}-u_n$ alone,
+The differences of neighbouring equations contain only the strains $r_n = u_{n+1}-u_n$,
 $$D_{n+1} - 2D_n + D_{n-1} + \mu r_n = 0, \qquad D_n = r_n|r_n|^{1/2}.$$
-It has two merits. In the tail it reads $r_n \approx -D_{n-1}/\mu$, each strain follows from the
-one before without cancellation, and $u_n = (D_{n-1}-D_n)/\mu$ is as accurate. And the symmetry
-is simple: $D_{-1} = D_1$ around a bond and $D_{-1} = -D_0$ around a site, so that the right half
-of the chain suffices and nothing is left along which a state could slide.
+This has two merits. In the tail it reads $r_n \approx -D_{n-1}/\mu$: each strain follows from the one
+before without cancellation, and $u_n = (D_{n-1}-D_n)/\mu$ is as accurate. And the symmetry is simple:
+$D_{-1} = D_1$ around a bond and $D_{-1} = -D_0$ around a site, so that the right half of the chain
+suffices and no direction is left in which a state could slide along the chain.
 
 ## Newton's method
 
@@ -118,8 +117,8 @@ Vector<T> newton_step(Centre centre, const T& mu, const std::vector<T>& r) {
 }
 
 /**
-The displacements follow from the forces, $u_n = (D_{n-1}-D_n)/\mu$, on the right half; the other
-half is their mirror image. */
+When the strains are known, the displacements follow from Eq. (14), $u_n = (D_{n-1}-D_n)/\mu$, on the right
+half; the other half is its mirror image. */
 template <class T>
 std::vector<T> displacements(Centre centre, const T& mu, const std::vector<T>& r,
                              std::size_t sites) {
@@ -138,9 +137,10 @@ std::vector<T> displacements(Centre centre, const T& mu, const std::vector<T>& r
 }
 
 /**
-The iteration stops when no strain is corrected by more than a hundred roundings, times $3/2$ for
-each site, because that is what a site of the tail does to a relative error. Convergence is
-quadratic, so the last correction leaves far less than it removed. */
+The iteration stops when no strain is corrected by more than a hundred roundings, times $3/2$ for each
+site, because $r_n \sim |r_{n-1}|^{3/2}$ makes a relative error that much larger from site to site.
+Convergence is quadratic, so what the last correction leaves is far smaller than what it removed. Throws
+std::runtime_error, with the history, if `most` steps are not enough. */
 template <class T>
 void converge_strains(Centre centre, const T& mu, std::vector<T>& r, int most,
                       std::vector<double>& history) {
@@ -169,11 +169,11 @@ void converge_strains(Centre centre, const T& mu, std::vector<T>& r, int most,
 /**
 ## From a short chain to a long one
 
-A wrong tail is fatal: an error of the centre enters the $k$-th site behind it with the
-exponent $(3/2)^k$. So we first solve on a short chain, with the quasi-continuum profile `start`
-as the guess, and lengthen it by a site at a time. Each new strain follows from its neighbour,
-and one or two Newton steps settle the rest. The tail ends where the strain falls below the
-normal numbers: what follows is zero for this number format. */
+A wrong tail in the guess is fatal, since an error of the centre enters the $k$-th site from it with the
+exponent $(3/2)^k$. So we first solve on a short chain, with the quasi-continuum profile `start` as the
+guess, and lengthen it by a site at a time. Each new strain follows from its neighbour, and one or two
+Newton steps do the rest. The tail ends where the strain is about to fall below the normal numbers; all
+that follows is zero in this number format. */
 /// Above it a number and its rounding error are both normal numbers of this type.
 template <class T>
 T least_exact() {
@@ -198,14 +198,14 @@ Stationary<T> stationary_from(Centre centre, const T& mu, std::vector<T> start, 
 }
 
 /**
-Four strains on the right half make the short chain: there the quasi-continuum profile is still a
-good guess. */
+The short chain has four strains on the right half, because so far the quasi-continuum profile is a good
+guess. */
 inline constexpr std::size_t short_chain = 4;
 
 /// The stationary state of frequency `mu` with the given centre on `sites` sites with free ends;
 /// its phase is that of Eqs. (18) and (19) (central contact of a bond-centred state compressed,
 /// central bead of a site-centred one displaced forward). Throws std::invalid_argument for impossible
-/// input and std::runtime_error, with the history, where Newton's method does not converge.
+/// input and std::runtime_error, with the history, if Newton's method does not converge.
 template <class T = double>
 Stationary<T> stationary(Centre centre, const T& mu, std::size_t sites, int most = 30) {
   if (!fits(centre, sites))

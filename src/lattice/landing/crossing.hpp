@@ -2,17 +2,18 @@
 /**
 # Crossing an interval between switchings
 
-A contact of overlap $x$ pushes with $x_+^{3/2}$. Where it opens or closes, at $t^*$,
-its overlap crosses zero at a finite speed, so along an orbit the force behaves like
-$(t-t^*)_+^{3/2}$ and the stiffness, its derivative, like $(t-t^*)_+^{1/2}$. A formula
-of any order that steps across $t^*$ with a step $h$ integrates these as if they were
-polynomials and errs by $h\cdot h^{3/2}$ in the state and by $h\cdot h^{1/2}$ in the
-tangent map. Ending a step at $t^*$ is not enough: the derivatives of the square root
-still blow up at the end of the step.
+Periodic orbits and their Floquet multipliers are wanted to the last digits, and switchings stand in the
+way. A contact of overlap $x$ pushes with $x_+^{3/2}$. Where it opens or closes, at $t^*$, its overlap
+crosses zero at a finite speed, so along an orbit the force behaves like $(t-t^*)_+^{3/2}$ and the
+stiffness, its derivative, like $(t-t^*)_+^{1/2}$. A formula of any order that takes a step $h$ across
+$t^*$ integrates these as if they were polynomials, and errs by $h\cdot h^{3/2}$ in the state and by
+$h\cdot h^{1/2}$ in the tangent map (tangent.hpp). Ending a step at $t^*$ is not enough: the derivatives of
+the square root still blow up at the end of the step.
 
-A change of the independent variable repairs this. With $t = t^* + u^2$ the root
-$(t-t^*)^{1/2} = u$ is a straight line, and the whole solution, which is a power series in
-$(t-t^*)^{1/2}$, becomes one in $u$. Its accuracy is then that of the formula again. */
+A change of the independent variable repairs this. With $t = t^* + u^2$ the root $(t-t^*)^{1/2} = u$
+becomes a straight line, and the whole solution, which is a power series in $(t-t^*)^{1/2}$, becomes one
+in $u$. The formula then has its full accuracy again. This file crosses an interval whose ends are
+switchings; landing.hpp finds the ends. */
 
 #include <algorithm>
 #include <cmath>
@@ -26,29 +27,31 @@ $(t-t^*)^{1/2}$, becomes one in $u$. Its accuracy is then that of the formula ag
 namespace lattice {
 
 /**
-An interval $[a, a+L]$ between two switchings needs the square at both ends, and the
-simplest map with that property is the cubic
+An interval $[a, a+L]$ between two switchings needs the square at both ends, and the simplest map with
+that property is the cubic
 $$t = a + L\,\varphi(s), \qquad \varphi(s) = 3s^2 - 2s^3, \qquad 0 \le s \le 1,$$
-for which $t - a \simeq 3Ls^2$ and $a + L - t \simeq 3L(1-s)^2$. We use it on every interval;
-at an end without a switching it does no harm. Unlike a cosine it needs no library
-function, so that its bits are the same everywhere.
+for which $t - a \simeq 3Ls^2$ and $a + L - t \simeq 3L(1-s)^2$. We use it on every interval; at an end
+without a switching it does no harm. Unlike a cosine it needs no library function, so that its bits are
+the same everywhere.
 
-The variational equations pass a switching without a jump. In general the derivative of
-the flow across a surface in phase space gains a term proportional to the jump of the
-vector field there. The contact force is continuous, the jump is zero, and that the
-switching time depends on the initial state does not matter to first order.
+The tangent map passes a switching without a jump. In general the derivative of a flow across a surface
+in phase space gains a term proportional to the jump of the vector field there. Here the contact force
+is continuous and the jump is zero; that the instant of switching depends on the initial state does not
+matter to first order.
 
-Only differences $\varphi(e)-\varphi(s)$ of the map are needed, and they factorise, so that
-short ones lose no digits to cancellation. */
+Only differences $\varphi(e)-\varphi(s)$ are needed, and they factorise, so that short ones lose no
+digits to cancellation. */
 template <class T>
 T span(T s, T e) {
   return (e - s) * (T(3) * (s + e) - T(2) * (s * s + s * e + e * e));
 }
 
 /**
-One number governs all: `tolerance` bounds the error of a step, relative to the
-amplitude for the orbit and absolute for a tangent of order one. The others follow
-from it unless they are set; they are explained where they are used. */
+A single number governs the accuracy: `tolerance` bounds the error of a step, relative to the amplitude
+for the orbit and absolute for a tangent of order one. By default it is 128 units in the last place. The
+other members rarely need to be set. `floor` is explained at `Care` in landing.hpp; `sight` is short
+against the period $2\pi$ of a well; and a number type with more digits needs more `levels` of the
+extrapolation below. */
 template <class T>
 struct Landing {
   T tolerance = T(128) * std::numeric_limits<T>::epsilon();
@@ -57,11 +60,11 @@ struct Landing {
   int levels = 2 + std::numeric_limits<T>::digits10 / 2;  ///< of the extrapolation, at most
 };
 
-/// What a flow did. `error` adds the estimates of all steps, in the tolerance's sense; where the
-/// solution runs away it exceeds one or is infinite, and the state is the last one computed.
+/// What a flow did. `error` is the sum of the estimates of all steps, measured like the tolerance; if
+/// the solution runs away it exceeds one or is infinite, and the state is the last one computed.
 template <class T>
 struct Flow {
-  std::size_t switchings = 0;   ///< contacts that opened or closed under our eyes
+  std::size_t switchings = 0;   ///< contacts that opened or closed at the end of an interval
   std::size_t unlanded = 0;     ///< contacts that did so in the middle of a step all the same
   std::size_t steps = 0;        ///< of the final passage; their column work is `column_sweeps`
   std::size_t evaluations = 0;  ///< of the force on the whole chain
@@ -72,8 +75,8 @@ struct Flow {
 };
 
 /**
-Two loops that the compiler vectorises: one entry of the extrapolation table from its
-two predecessors, and the forces and curvatures along the chain. */
+Two loops take most of the time and are left to the compiler to vectorise: one entry of the extrapolation
+table from its two predecessors, and the forces and curvatures (tangent.hpp) along the chain. */
 template <class T>
 LATTICE_WIDE void refine(T* __restrict__ a, const T* __restrict__ b, T gain, std::size_t count) {
   for (std::size_t k = 0; k < count; ++k) a[k] = b[k] + gain * (b[k] - a[k]);
@@ -91,17 +94,16 @@ LATTICE_WIDE void sweep_curvature(const Onsite onsite, const Contact contact,
 }
 
 /**
-The orbit travels with one column of the tangent, a probe. Its sole purpose is to show
-how accurate the columns will be, and whether the step suits them, before we carry all
-of them: the orbit is smoother than its tangent by one derivative and would be content
-with too little. Positions `y`, velocities `v`, the area and, if there is a probe, its two
-halves lie in one array.
+The orbit travels with one column of the tangent, a *probe*. It shows how accurate the columns will be, and
+whether the step suits them, before we carry all of them: the orbit is smoother than its tangent by one
+derivative and would be content with too long a step. Positions `y`, velocities `v`, the area and, if
+there is a probe, its two halves lie in one array.
 
-The area $\int\sum\mu_n\dot y_n^2\,dt$, which belongs to a periodic orbit as its energy does, travels
-along as one more position: while the chain drifts its velocities are constant, and so is
-the rate of the area. Its extrapolation is then as accurate as that of the orbit.
+The area $\mathcal A = \int\sum\mu_n\dot y_n^2\,dt$ over a period, the action by which section 3.2
+compares breathers, travels along as one more position: while the chain drifts its velocities are
+constant, and so is the rate of the area. Its extrapolation is then as accurate as that of the orbit.
 
-The leapfrog drifts, kicks and drifts, so that it never evaluates a contact at the very
+The leapfrog drifts, kicks and drifts, so that it never evaluates a contact at the very instant of a
 switching, where the square root would magnify rounding errors. */
 template <class T, class Onsite, class Contact>
 class Leapfrog {
@@ -111,7 +113,7 @@ class Leapfrog {
 
   /// `kicks` kicks from `s` to `s + h` on an interval of the given length; adds to `record`.
   void run(std::vector<T>& z, T length, T s, T h, std::size_t kicks, Record<T>& record);
-  /// One plain step.
+  /// One plain step of duration `dt`: drift for half of it, kick, drift for the other half.
   void step(std::vector<T>& z, T dt) {
     Record<T> unused;
     run(z, dt, T(0), T(1), 1, unused);
@@ -130,9 +132,9 @@ class Leapfrog {
 };
 
 /**
-Equal steps in $s$ are unequal ones in $t$. A kick lasts for the time between two whole
-steps, a drift for the time between two half steps; run backwards the sequence is the
-same, and so its error is a series in even powers of the step. */
+Equal steps in $s$ are unequal ones in $t$. A kick lasts for the time between two whole steps, a drift for
+the time between two half steps. The sequence is the same when run backwards, and so its error is a series
+in even powers of the step, as extrapolation wants it. */
 template <class T, class Onsite, class Contact>
 void Leapfrog<T, Onsite, Contact>::run(std::vector<T>& z, T length, T s, T h, std::size_t kicks,
                                        Record<T>& record) {
@@ -161,8 +163,7 @@ void Leapfrog<T, Onsite, Contact>::drift(std::vector<T>& z, T dt) const {
 }
 
 /**
-Forces and curvatures come from the same square roots. The contacts at the ends of the
-chain are settled by its boundary condition, as in chain.hpp. */
+A kick needs the forces, and its record the curvatures; both come from the same square roots. */
 template <class T, class Onsite, class Contact>
 void Leapfrog<T, Onsite, Contact>::kick(std::vector<T>& z, Curvature<T>& node) {
   const std::size_t n = chain_.sites;
@@ -176,7 +177,8 @@ void Leapfrog<T, Onsite, Contact>::kick(std::vector<T>& z, Curvature<T>& node) {
 }
 
 /**
-The sweep along the chain leaves out the two end contacts. */
+The vectorised sweep leaves out the two end contacts, which depend on the boundary condition
+(boundary.hpp), and the stiffnesses $\eta_n$; both follow here. */
 template <class T, class Onsite, class Contact>
 void Leapfrog<T, Onsite, Contact>::evaluate(const T* y, Curvature<T>& node) {
   const std::size_t n = chain_.sites;
@@ -196,8 +198,8 @@ void Leapfrog<T, Onsite, Contact>::evaluate(const T* y, Curvature<T>& node) {
 }
 
 /**
-A passage is the way across one interval: where it ends, the error met, and the records
-that the columns will follow. */
+A passage is the way across one interval: the state in which it ends, the sum of the errors of its steps,
+and the records that the columns will follow. */
 template <class T>
 struct Passage {
   std::vector<T> z;
@@ -206,16 +208,15 @@ struct Passage {
 };
 
 /**
-A step adds one leapfrog level after the other until the last two extrapolated values
-agree, so that a short interval costs two or three levels and a long one as many as the
-precision allows. Where they do not suffice the step is halved. We compare the value of
-$j$ levels with that of $j-1$, which estimates the error of the latter: the usual
-comparison within level $j$ is smaller by a factor $j^2$ and trusts the asymptotic
-series too early when a switching of the recent past is still near.
+A step adds one leapfrog level after another until the last two extrapolated values agree, so that a short
+interval costs two or three levels and a long one as many as the precision allows. If they do not suffice,
+the step is shortened. We compare the value of $j$ levels with that of $j-1$, which estimates the error
+of the latter. The usual comparison within level $j$ gives a number smaller by a factor $j^2$, and trusts
+the asymptotic series too early while a recent switching is still near.
 
-Agreement is measured on the orbit and on the probe. A runaway, a bead beyond the rim of
-a soft well, never agrees: a step of 1/16384 of the interval is taken as it is, and where
-the error then exceeds one the crossing gives up. */
+Agreement is measured on the orbit and on the probe. A runaway, a bead beyond the rim of a soft well,
+never agrees: a step of 1/16384 of the interval is accepted as it is, and if the error then exceeds one
+the crossing gives up. */
 template <class T, class Onsite, class Contact>
 class Crossing {
  public:
@@ -223,7 +224,8 @@ class Crossing {
       : chain_(chain), rule_(rule), amplitude_(amplitude) {
     rule_.tolerance = std::max(rule.tolerance, T(16) * std::numeric_limits<T>::epsilon());
   }
-  /// Crosses an interval of the given length from the positions, velocities and area in `z`.
+  /// Crosses an interval of the given length (in time) from the positions, velocities and area in `z`,
+  /// 2 * sites + 1 numbers; with `probe` it leaves records for the columns.
   Passage<T> cross(const std::vector<T>& z, T length, bool probe);
   std::size_t evaluations = 0;
 
@@ -240,8 +242,8 @@ class Crossing {
 };
 
 /**
-The first step tries the whole interval. The rest of it is always divided evenly, so
-that no sliver remains at its end. */
+The first step tries the whole interval. What remains is always divided evenly, so that no sliver is left
+at its end. */
 template <class T, class Onsite, class Contact>
 Passage<T> Crossing<T, Onsite, Contact>::cross(const std::vector<T>& z, T length, bool probe) {
   Passage<T> way{probe ? with_probe(z) : z, T(0), {}};
@@ -261,7 +263,7 @@ Passage<T> Crossing<T, Onsite, Contact>::cross(const std::vector<T>& z, T length
     }
 
     /**
-    The step is taken. If half of the levels were enough for it, the next one may be twice as long. */
+    The step is accepted. If half of the levels were enough for it, the next one may be twice as long. */
     way.z = std::move(end);
     way.error += error;
     s = pieces == T(1) ? T(1) : s + h;
@@ -274,8 +276,8 @@ Passage<T> Crossing<T, Onsite, Contact>::cross(const std::vector<T>& z, T length
 }
 
 /**
-A probe must not miss what another column would see, for instance because it has a symmetry of the
-orbit. It begins each interval with the same numbers between -1 and 1, without any symmetry. */
+A probe must not miss what another column would see, as it might if it shared a symmetry of the orbit. It
+begins each interval with the same numbers between $-1$ and 1, which have no symmetry. */
 template <class T, class Onsite, class Contact>
 std::vector<T> Crossing<T, Onsite, Contact>::with_probe(std::vector<T> z) const {
   for (std::size_t i = 0, n = 2 * chain_.sites; i < n; ++i)
@@ -284,9 +286,9 @@ std::vector<T> Crossing<T, Onsite, Contact>::with_probe(std::vector<T> z) const 
 }
 
 /**
-The table of the extrapolation holds increments, whose rounding errors are smaller than
-those of the values. After level $j$ its first entry is the polynomial in the square
-of the step through all $j$ results, taken at zero, by Neville's recursion. */
+The table of the extrapolation holds increments, whose rounding errors are smaller than those of the
+values. After level $j$ its first entry is the polynomial in the square of the step through all $j$
+results, taken at zero and computed by Neville's recursion. Returns the estimated error. */
 template <class T, class Onsite, class Contact>
 T Crossing<T, Onsite, Contact>::step(Leapfrog<T, Onsite, Contact>& leapfrog, std::vector<T>& z,
                                      T length, T s, T h, Record<T>& record) {
@@ -308,8 +310,8 @@ T Crossing<T, Onsite, Contact>::step(Leapfrog<T, Onsite, Contact>& leapfrog, std
 }
 
 /**
-The difference is taken relative to the amplitude for the orbit, to its square for the area
-and absolute for the probe. It is infinite where anything is not a number. */
+The difference of two extrapolated values is relative to the amplitude for the orbit, to its square for the
+area, and absolute for the probe. It is infinite if anything is not a finite number. */
 template <class T, class Onsite, class Contact>
 T Crossing<T, Onsite, Contact>::difference(const std::vector<T>& a, const std::vector<T>& b) const {
   const std::size_t orbit = 2 * chain_.sites;

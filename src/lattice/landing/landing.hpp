@@ -2,17 +2,17 @@
 /**
 # Landing on the switchings
 
-With crossing.hpp an interval without a switching costs little and is exact to the last
-digits, so the work left is to find out where the intervals end. We look ahead with
-a plain leapfrog and small steps, cross the interval up to the place where it saw a
-switching, correct that place with the overlap we find there, and repeat. The overlap's
-second derivative is known as well, it is in the forces, and the root of the parabola
-$x + \dot x\tau + \ddot x\tau^2/2$ makes the correction converge with order three: two or
-three passages suffice. The columns of a tangent follow the last one only.
+With crossing.hpp an interval without a switching (a contact that opens or closes) costs little and is
+exact to the last digits. What remains is to find out where the intervals end. We look ahead with a plain
+leapfrog and small steps, cross the interval up to the instant where it saw a switching, correct that
+instant with the overlap $x$ found there, and repeat. The second derivative of the overlap is known from
+the forces, and with the root of the parabola $x + \dot x\tau + \ddot x\tau^2/2$ the correction converges
+with order three: two or three passages suffice. The columns of a tangent (tangent.hpp) follow only the
+last one.
 
-Nothing depends on the look-out being right. The forces are those of the true contact law
-everywhere, never those of a contact held open or closed, and a switching that it missed
-shows after the passage as an overlap with the wrong sign, which we then land on. */
+The result does not rest on the look-out being right. The forces are those of the true contact law
+everywhere, never those of a contact held open or closed. A switching that the look-out missed shows
+after the passage as an overlap with the wrong sign, and we then land on it. */
 
 #include <algorithm>
 #include <cmath>
@@ -27,14 +27,15 @@ shows after the passage as an overlap with the wrong sign, which we then land on
 namespace lattice {
 
 /**
-Near its zero the motion of an overlap, positive where the contact is closed, is known
-from its value, speed and acceleration. The two roots of the parabola are computed in
-the form that does not cancel. */
+Near its zero the motion of an overlap (positive while the contact is closed) is known from its value `x`,
+speed `u` and acceleration `w`. The two roots of the parabola are computed in the form that loses no
+digits to cancellation. */
 template <class T>
 struct Overlap {
   T x, u, w;
 
-  /// Time from now to the root through which the overlap leaves `side`; infinity without one.
+  /// Time from now to the root through which the overlap leaves `side` (+1 closed, -1 open), negative if
+  /// it has passed; infinity if there is none.
   T leaves(int side) const {
     using std::sqrt;
     const T square = u * u - T(2) * x * w, none = std::numeric_limits<T>::infinity();
@@ -49,9 +50,9 @@ struct Overlap {
 };
 
 /**
-Between two steps of the look-out an overlap is well represented by the cubic that
-has its values and speeds. A contact may close and open again within a step; then
-the ends have the same sign and the cubic has an extremum of the other one. */
+Between two steps of the look-out an overlap is well represented by the cubic with the right values and
+speeds at both. A contact may close and open again within one step; both ends then have the same sign, and
+the cubic has an extremum of the opposite sign in between. */
 template <class T>
 struct Arc {
   T x0, u0, x1, u1, dt;
@@ -65,7 +66,8 @@ struct Arc {
     const T r = T(1) - s;
     return T(6) * s * r * (x1 - x0) / dt + r * (T(1) - T(3) * s) * u0 + s * (T(3) * s - T(2)) * u1;
   }
-  /// First place in (0, end) after which `holds` fails, by bisection.
+  /// First place in (0, end) after which `holds` fails, by bisection to 2^-24 of `end`: a landing
+  /// corrects the rest.
   template <class Holds>
   static T last(T end, Holds holds) {
     T low(0), high = end;
@@ -78,8 +80,8 @@ struct Arc {
 };
 
 /**
-What the look-out reports is a place ahead, where a contact switches (`crosses`) or comes
-so close to it that we have a look there. */
+The look-out reports an instant, `ahead` of now, at which the contact `bond` switches (`crosses`) or comes
+so close to it that we want to look there. */
 template <class T>
 struct Sight {
   static constexpr std::size_t none = std::size_t(-1);
@@ -88,6 +90,7 @@ struct Sight {
   bool crosses = false;
 };
 
+/// Sign and modulus, written out for every number type.
 template <class T>
 int sign_of(T x) {
   return x > T(0) ? 1 : x < T(0) ? -1 : 0;
@@ -98,17 +101,16 @@ T magnitude(T x) {
 }
 
 /**
-Two small numbers decide what is worth a landing. A switching at speed $u$ that lies
-inside a step of length $h$ makes an error of the order $0.1\,u^{1/2}h^{3/2}$ in the tangent
-and $0.1\,u^{3/2}h^{5/2}$ in the state, so that below `floor`, the square of the tolerance for a
-tangent and its power 3/4 for an orbit alone, there is no need. The tail of a breather falls
-double-exponentially and soon drops out, and with it the risk of chasing rounding errors.
-With a floor of zero every contact of the chain is landed on, however faint.
+Three small numbers decide what is worth a landing. A switching at speed $u$ inside a step of length $h$
+makes an error of the order $0.1\,u^{1/2}h^{3/2}$ in the tangent and $0.1\,u^{3/2}h^{5/2}$ in the state.
+There is no need to land if $u$ is below `floor`: the square of the tolerance for a tangent, its power
+3/4 for an orbit alone. The tail of a breather falls double-exponentially and soon drops out, and with it
+the risk of chasing rounding errors. With a floor of zero every contact is landed on, however faint.
 
-A landing that misses by $\delta$ costs $\delta^{3/2}$. Contacts within `slack`, the power 3/4
-of the tolerance, therefore switch together: those paired by symmetry need one landing. Where an
-overlap only touches zero, $x \simeq c(t-t^*)^2$, its stiffness has a corner there, of which a miss
-by $\delta$ keeps an error $\delta^2$: we land on such an extremum within `near`. */
+A landing that misses by $\delta$ costs an error $\delta^{3/2}$. Switchings within `slack`, the power 3/4
+of the tolerance, therefore count as one: a pair related by symmetry needs one landing. Where an overlap
+only touches zero, $x \simeq c(t-t^*)^2$, its stiffness has a corner, and a miss by $\delta$ leaves an
+error $\delta^2$: we land on such an extremum within `near`. */
 template <class T>
 struct Care {
   T floor, slack, near;
@@ -127,7 +129,8 @@ struct Care {
 };
 
 /**
-The scale of the orbit's error is its largest position or velocity at the start. */
+Errors of the orbit are relative to its amplitude, for which we take the largest position or velocity at
+the start. */
 template <class T>
 T largest(const State<T>& state) {
   T most(0);
@@ -136,7 +139,7 @@ T largest(const State<T>& state) {
   return most > T(0) ? most : T(1);
 }
 
-/// Largest difference of two states.
+/// Largest difference of two states in any position or velocity.
 template <class T>
 T largest_difference(const State<T>& a, const State<T>& b) {
   T most(0);
@@ -146,21 +149,21 @@ T largest_difference(const State<T>& a, const State<T>& b) {
 }
 
 /**
-A flight remembers on which side of zero each overlap is: +1 closed, -1 open, 0 not yet
-known (a bead at rest whose neighbour is at rest). Time is counted backwards, as what
-is left of the duration, so that tiny intervals are known to full relative precision. */
+A run from landing to landing is called a flight. It remembers on which side of zero each overlap is: $+1$
+closed, $-1$ open, 0 not yet known (both beads at rest). Time is counted backwards, as what is left of the
+duration, so that tiny intervals are known to full relative precision. */
 template <class T, class Onsite, class Contact>
 class Flight {
  public:
   Flight(const Chain<Onsite, Contact>& chain, const State<T>& state, T duration,
          const Landing<T>& rule, Tangent<T>* tangent);
   Flow<T> fly();
-  /// Positions, velocities and the area.
+  /// Positions, velocities and the area (crossing.hpp), 2 * sites + 1 numbers.
   const std::vector<T>& end() const { return z_; }
 
   /**
-  What a flight does in turn: it looks ahead, watching every contact, lands, corrects the place of the
-  landing, and when that is good enough arrives and settles on which side each contact is. */
+  A flight looks ahead, watching every contact, lands, corrects the instant of the landing, and once that
+  is good enough it arrives and settles on which side each contact is. Then it looks ahead again. */
  private:
   Overlap<T> overlap(const std::vector<T>& z, const std::vector<T>& a, std::size_t i) const;
   Sight<T> look();
@@ -184,8 +187,8 @@ class Flight {
 };
 
 /**
-A contact that begins at zero is on the side to which its speed carries it, or its
-acceleration where the beads start from rest. */
+A contact that begins exactly at zero is on the side to which its speed carries it, or its acceleration if
+the beads start from rest. */
 template <class T, class Onsite, class Contact>
 Flight<T, Onsite, Contact>::Flight(const Chain<Onsite, Contact>& chain, const State<T>& state,
                                    T duration, const Landing<T>& rule, Tangent<T>* tangent)
@@ -208,8 +211,8 @@ Flight<T, Onsite, Contact>::Flight(const Chain<Onsite, Contact>& chain, const St
 }
 
 /**
-Positions and velocities are in `z`, accelerations in `a`, which is empty where they do
-not matter. */
+Overlaps are differences of the chain's stretches. Positions and velocities are in `z`, accelerations in
+`a`, which may be empty if they do not matter. A missing contact counts as open. */
 template <class T, class Onsite, class Contact>
 Overlap<T> Flight<T, Onsite, Contact>::overlap(const std::vector<T>& z, const std::vector<T>& a,
                                                std::size_t i) const {
@@ -220,9 +223,9 @@ Overlap<T> Flight<T, Onsite, Contact>::overlap(const std::vector<T>& z, const st
 }
 
 /**
-Every landing either moves on or turns a contact over, but rounding could make a contact
-at rest at zero chatter. The number of landings is bounded; beyond it we fly straight
-to the end, with steps as short as the tolerance asks for. */
+Every landing either advances in time or changes the side of a contact, but rounding could make a contact
+that rests at zero chatter. So the number of landings is bounded, generously: 64 per contact and unit of
+time. Beyond that we fly straight to the end, with steps as short as the tolerance demands. */
 template <class T, class Onsite, class Contact>
 Flow<T> Flight<T, Onsite, Contact>::fly() {
   const double limit = 64 * (1 + double(left_)) * double(chain_.sites + 1);
@@ -233,8 +236,8 @@ Flow<T> Flight<T, Onsite, Contact>::fly() {
 }
 
 /**
-The look-out stops at the first step in which a contact switches. Among several in
-the same step the earliest counts; the others are found by the next look. */
+The look-out stops at the first step in which a contact switches. If several do so in the same step the
+earliest counts; the next look finds the others. */
 template <class T, class Onsite, class Contact>
 Sight<T> Flight<T, Onsite, Contact>::look() {
   Leapfrog<T, Onsite, Contact> scout(chain_, false);
@@ -256,9 +259,9 @@ Sight<T> Flight<T, Onsite, Contact>::look() {
 }
 
 /**
-A contact that turns round within 1/500 of its amplitude from zero may or may not have
-switched; the leapfrog cannot tell. We land on its extremum and see. `glanced_` keeps
-us from landing there again at the `start` of the next look. */
+A contact whose overlap turns round within 1/500 of its amplitude from zero may or may not have switched;
+the leapfrog, with steps of 0.05, cannot tell. We land on the extremum and see. `glanced_` keeps us from
+landing there again at the `start` of the next look. */
 template <class T, class Onsite, class Contact>
 void Flight<T, Onsite, Contact>::watch(const std::vector<T>& before, const std::vector<T>& now,
                                        T dt, std::size_t i, bool start, Sight<T>& first) {
@@ -271,8 +274,8 @@ void Flight<T, Onsite, Contact>::watch(const std::vector<T>& before, const std::
   }
 
   /**
-  A contact that ends a step on the other side has switched for certain. If it ends on its own side,
-  what happened in between shows only at the extremum. */
+  A contact that ends a step on the other side has certainly switched. If it ends on its own side, only the
+  extremum in between can show what happened. */
   const Arc<T> arc{o.x, o.u, p.x, p.u, dt};
   const auto stays = [&](T s) { return side * arc.value(s) > T(0); };
   Sight<T> found{dt, i, true};
@@ -291,10 +294,10 @@ void Flight<T, Onsite, Contact>::watch(const std::vector<T>& before, const std::
 }
 
 /**
-A landing rehearses once without the probe, to correct the target. It ends when the
-correction is too small to matter; whatever contact is found on the wrong side at the
-end of a passage switched within it, and becomes the target. After a dozen attempts, or
-on a runaway, or where landings are no longer `corrected`, the passage stands as it is. */
+A landing is rehearsed once without the probe, to correct its target. It ends when the correction is too
+small to matter. A contact that is found on the wrong side at the end of a passage has switched within it,
+and becomes the target. After a dozen attempts, in a runaway, or if landings are no longer to be
+`corrected`, the passage stands as it is. */
 template <class T, class Onsite, class Contact>
 void Flight<T, Onsite, Contact>::land(Sight<T> target, bool corrected) {
   for (int attempt = 0;; ++attempt) {
@@ -313,9 +316,9 @@ void Flight<T, Onsite, Contact>::land(Sight<T> target, bool corrected) {
 }
 
 /**
-Among the contacts on the wrong side and the one aimed at, the one that switched first
-is the next target; `ahead` is the time from the end of the passage to its switching, in
-general negative. A contact that does not switch after all shows us its extremum. */
+Of the contacts on the wrong side and the one aimed at, the one that switched first is the next target;
+`ahead` is the time from the end of the passage to its switching, in general negative. If the contact
+aimed at does not switch after all, we aim at its extremum. */
 template <class T, class Onsite, class Contact>
 Sight<T> Flight<T, Onsite, Contact>::correction(const std::vector<T>& z, const std::vector<T>& a,
                                                 const Sight<T>& target) const {
@@ -334,9 +337,9 @@ Sight<T> Flight<T, Onsite, Contact>::correction(const std::vector<T>& z, const s
 }
 
 /**
-The passage is final. The orbit moves, the columns follow along the records, and the
-contacts take their sides: at zero the speed decides, elsewhere the overlap. A stiffness
-of 1/64 of the tolerance is negligible to the columns. */
+The passage is final. The orbit moves on, the columns follow along the records, and the contacts take
+their sides: at zero the speed decides, elsewhere the overlap. To the columns a stiffness below 1/64 of
+the tolerance is negligible. */
 template <class T, class Onsite, class Contact>
 void Flight<T, Onsite, Contact>::arrive(const Passage<T>& way, const std::vector<T>& a,
                                         const Sight<T>& target) {
@@ -355,8 +358,8 @@ void Flight<T, Onsite, Contact>::arrive(const Passage<T>& way, const std::vector
 }
 
 /**
-A contact within `slack` of zero that moves away from its side has switched. One that is
-found elsewhere on the wrong side was not landed on, and is counted if it matters. */
+A contact that moves away from its side and is within `slack` of zero (in time) has switched. One that is
+found on the wrong side elsewhere was not landed on, and is counted as `unlanded` if it matters. */
 template <class T, class Onsite, class Contact>
 void Flight<T, Onsite, Contact>::settle(const Overlap<T>& o, int& side) {
   const bool live = std::max(magnitude(o.x), magnitude(o.u)) > care_.floor;
@@ -372,8 +375,9 @@ void Flight<T, Onsite, Contact>::settle(const Overlap<T>& o, int& side) {
 }
 
 /**
-This is what programs call. It advances `state` by `duration` and, if there is one, replaces
-`tangent` by its image under the derivative of the flow. */
+Programs call only what follows. `flow` advances `state` by `duration` and replaces `tangent`, if there
+is one, by its image under the derivative of the flow. A runaway raises no exception: it shows in the
+`error` of what is returned. */
 template <class T, class Onsite, class Contact>
 Flow<T> flow(const Chain<Onsite, Contact>& chain, State<T>& state, T duration,
              const Landing<T>& rule = {}, Tangent<T>* tangent = nullptr) {
@@ -391,7 +395,8 @@ Flow<T> flow(const Chain<Onsite, Contact>& chain, State<T>& state, T duration,
 }
 
 /**
-A flow is a stepper, too, one that needs no steps: they only say where it may be interrupted. */
+To compare it with other methods, a flow can be used as a stepper of integrate.hpp. It needs no steps; they
+only say where it may be interrupted. `advance` returns the number of site-force evaluations. */
 struct Landed {
   double step;
   template <class Chain>

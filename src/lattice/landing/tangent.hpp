@@ -2,14 +2,15 @@
 /**
 # The tangent map
 
-Newton's method and Floquet theory need the derivative of the flow. A small change
-$\delta y$ of an orbit obeys the variational equation
+Newton's method and Floquet theory need the derivative of the flow, the *tangent map*: by how much does
+the state at the end of a run change if that at its start is changed a little? A small change
+$\delta y$ of an orbit $y$ of the chain (chain.hpp) obeys the variational equation
 $$\mu_n\,\delta\ddot y_n = -\bigl(W''(y_n)+k_{n-1}+k_n\bigr)\,\delta y_n
   + k_{n-1}\,\delta y_{n-1} + k_n\,\delta y_{n+1},\qquad k_n = \eta_n V''(y_{n+1}-y_n),$$
-a linear system whose matrix is tridiagonal and the same for all the changes. We
-carry many of them at once, each a column of a matrix, and keep the columns next to
-each other in memory: the three coefficients of a row are then scalars, and the
-processor works on as many columns at a time as its vectors are wide. */
+where $k_n$ is the stiffness of the contact between the beads $n$ and $n+1$. The system is linear and
+its matrix tridiagonal and the same for all changes. We carry many of them at once, each a column of a
+matrix, and keep the entries of a row next to each other in memory: the three coefficients of the row are
+then scalars, and the processor works on as many columns at a time as its vectors are wide. */
 
 #include <algorithm>
 #include <cmath>
@@ -21,9 +22,10 @@ processor works on as many columns at a time as its vectors are wide. */
 namespace lattice {
 
 /**
-A tangent holds its columns as an array of `2 * sites` rows: those of the positions
-and then those of the velocities. The identity gives the monodromy matrix after one
-period; its first half, `sites` columns, are the changes of the initial positions. */
+A tangent holds its columns as an array of `2 * sites` rows: first those of the positions, then those of
+the velocities. It begins as the identity, or as its first `columns` columns. Carried along a periodic
+orbit for one period, the identity becomes the monodromy matrix, whose eigenvalues are the Floquet
+multipliers (floquet.hpp). Its first `sites` columns belong to changes of the initial positions. */
 template <class T>
 struct Tangent {
   std::size_t sites = 0, columns = 0;
@@ -41,8 +43,9 @@ struct Tangent {
 };
 
 /**
-At one instant the matrix is known from the curvatures of all wells and contacts. They
-are kept together with the duration of the kick and of the drift that they serve. */
+At one instant the matrix of the variational equation is known from the second derivatives of all wells and
+contacts, which we call curvatures. They are kept together with the duration of the kick and of the drift
+that they serve (schemes.hpp explains the two words). */
 template <class T>
 struct Curvature {
   T kick, drift;
@@ -50,9 +53,10 @@ struct Curvature {
 };
 
 /**
-One step of the integrator of crossing.hpp is a combination of leapfrog runs: level
-$j$ drifts by `lead[j - 1]` and then alternates $j$ kicks and drifts. Whoever computes
-the orbit records the curvatures that it meets; the columns follow afterwards. */
+Orbit and columns need not be computed together. A step of the integrator of crossing.hpp combines several
+leapfrog runs over the same interval: that of level $j$ drifts by `lead[j - 1]` and then alternates $j$
+kicks and drifts. The orbit is computed first and leaves a record of the curvatures that it met; the
+columns follow it afterwards. */
 template <class T>
 struct Record {
   T duration = 0;
@@ -63,9 +67,9 @@ struct Record {
 };
 
 /**
-The leapfrog runs of $1, 2, \dots, k$ kicks differ from the truth by a series in the
-even powers of the step. The polynomial in $1/j^2$ through their results, taken at
-zero, removes its first $k-1$ terms, and Lagrange's formula gives their weights,
+How are the runs combined? Those of $1, 2, \dots, k$ kicks differ from the exact solution by a series in
+even powers of their step. The polynomial in $1/j^2$ through their results, taken at zero, is free of its
+first $k-1$ terms, and Lagrange's formula gives the weights (Richardson extrapolation):
 $$w_j = \prod_{i \ne j} \frac{j^2}{j^2 - i^2}, \qquad \sum_j w_j = 1.$$ */
 template <class T>
 T extrapolation_weight(std::size_t j, std::size_t levels) {
@@ -76,8 +80,8 @@ T extrapolation_weight(std::size_t j, std::size_t levels) {
 }
 
 /**
-The work is done on a panel, a block of rows and columns of the tangent copied to a
-place of its own, its positions `y` and velocities `v` row by row. */
+The work is done on a panel, a block of rows and columns of the tangent that is copied to a place of its
+own, positions `y` and velocities `v` row by row. */
 template <class T>
 struct Panel {
   std::size_t rows = 0, columns = 0;
@@ -90,15 +94,15 @@ struct Panel {
   }
 };
 
-/// Coefficients of a row: own displacement, left and right neighbour.
+/// Coefficients of a row: of the own displacement, and of those of the left and right neighbour.
 template <class T>
 struct Row {
   T self, left, right;
 };
 
 /**
-The two loops below take all the time. The end rows of an open chain have a zero
-coefficient for the neighbour they lack, so the index may wrap around. */
+Nearly all the time is spent in the two loops below. The end rows of an open chain have a zero coefficient
+for the neighbour that they lack, so the index may wrap around as on a ring. */
 template <class T>
 LATTICE_WIDE void kick_panel(const Row<T>* row, const T* y, T* v, std::size_t rows,
                              std::size_t columns) {
@@ -121,12 +125,12 @@ LATTICE_WIDE void add_scaled(T* __restrict__ y, const T* __restrict__ v, T facto
 }
 
 /**
-Far from the centre of a breather the contacts hardly push, and a tangent does not
-notice an acceleration far below the precision asked for. Such sites move on their own in the
-well as it is at rest, and we know that motion exactly. The sites in between are the core:
-from the first to the last one with a contact whose stiffness over the mass exceeds
-`negligible` or a well whose curvature differs by more than that from its value at rest. Under
-precompression the contacts are stiff at rest, and the core is the whole chain. */
+Far from the centre of a breather (a vibration that is localized at a few sites) the contacts hardly push,
+and a tangent does not notice accelerations far below the precision asked for. There a change oscillates
+by itself in the well as it is at rest, and we know this motion exactly. The sites in between are the
+core: from the first to the last one with a contact whose stiffness over the mass exceeds `negligible`, or
+a well whose curvature differs from its value at rest by more than that. With precompression the contacts
+are stiff at rest, and the core is the whole chain. */
 template <class T, class Onsite, class Contact>
 Window core_of(const Chain<Onsite, Contact>& chain, const Record<T>& record, T negligible) {
   const std::size_t n = chain.sites;
@@ -151,8 +155,8 @@ Window core_of(const Chain<Onsite, Contact>& chain, const Record<T>& record, T n
 }
 
 /**
-The rows at one node come multiplied by the kick. At the edges of the core the contacts
-beyond are negligible or lead to a wall, and so they count in the diagonal alone. */
+The core's rows of the matrix come multiplied by the duration of the kick. The contacts across the edges
+of the core are negligible or lead to a wall, and so they count in the diagonal alone. */
 template <class T, class Onsite, class Contact>
 void rows_at(const Chain<Onsite, Contact>& chain, const Curvature<T>& node, Window core,
              std::vector<Row<T>>& rows) {
@@ -168,9 +172,9 @@ void rows_at(const Chain<Onsite, Contact>& chain, const Curvature<T>& node, Wind
 }
 
 /**
-Outside the core a change obeys $\mu\,\delta\ddot y = -K\,\delta y$ with the curvature $K = W''(0)$
-at rest. It turns by the angle $\omega t$, $\omega^2 = K/\mu$, in a well; without a well it drifts;
-and on the top of a hill, $K < 0$, the circular functions become hyperbolic ones. */
+Outside the core a change obeys $\mu\,\delta\ddot y = -K\,\delta y$ with the curvature $K = W''(0)$ at
+rest. In a well, $K > 0$, position and velocity turn by the angle $\omega t$ with $\omega^2 = K/\mu$;
+without a well they drift; and on top of a hill, $K < 0$, the circular functions become hyperbolic. */
 template <class T>
 struct AtRest {
   T y_y, y_v, v_y, v_v;
@@ -188,8 +192,8 @@ struct AtRest {
 };
 
 /**
-The whole step costs each of these sites one rotation of its columns, however many levels it took
-inside the core. */
+A whole step costs each of these sites one such rotation of its columns, however many levels it took in
+the core. */
 template <class T, class Onsite, class Contact>
 void rotate_outside(const Chain<Onsite, Contact>& chain, Window core, T duration,
                     Tangent<T>& tangent) {
@@ -206,8 +210,8 @@ void rotate_outside(const Chain<Onsite, Contact>& chain, Window core, T duration
 }
 
 /**
-A column that vanishes in the core, such as one that begins far out in the tail, remains
-zero there. Only the others are packed into the panel. */
+A column that vanishes throughout the core, such as one that begins far out in the tail, remains zero
+there. Only the others are packed into the panel. */
 template <class T>
 struct Packing {
   Window core;
@@ -230,9 +234,9 @@ struct Packing {
 };
 
 /**
-Now we carry the columns over one step. Every level starts from the same panel; the
-sum collects the weighted increments rather than the values, since that keeps the
-rounding of the larger weights away from the entries of order one. */
+Now we carry the columns over one step. Every level starts from the same panel. We sum the weighted
+increments rather than the weighted values, because the weights are large and alternate in sign, and
+their rounding would otherwise spoil the entries of order one. */
 template <class T, class Onsite, class Contact>
 void extrapolate_panel(const Chain<Onsite, Contact>& chain, const Record<T>& record, Window core,
                        Panel<T>& panel) {
@@ -260,7 +264,9 @@ void extrapolate_panel(const Chain<Onsite, Contact>& chain, const Record<T>& rec
 }
 
 /**
-The panel is padded to whole vectors of eight columns. */
+All together: `carry` replaces the columns of `tangent` by their images after the step that `record` holds.
+Accelerations below `negligible` (per unit of displacement) count as none. The panel is padded to whole
+vectors of eight columns. */
 template <class T, class Onsite, class Contact>
 void carry(const Chain<Onsite, Contact>& chain, const Record<T>& record, T negligible,
            Tangent<T>& tangent) {

@@ -2,9 +2,10 @@
 /**
 # Striking an array of cantilevers
 
-The first cantilever of a resting array gets a velocity, in metres a second, and a packet runs away
-from it. This file gives the run and its clock in milliseconds, watches the packet pass a
-given cantilever, and follows it for ten milliseconds if the array is damped. */
+In section 3.6 the first cantilever of a resting array is struck, Eq. (28): it gets the velocity $V$ in
+metres per second, and a packet runs away from it. The run is that of the dimensionless chain
+(cantilever.hpp); this file translates to and from SI units, watches the packet pass a given cantilever,
+and, if the array is damped, follows it for ten milliseconds. */
 
 #include <algorithm>
 #include <array>
@@ -21,7 +22,7 @@ given cantilever, and follows it for ten milliseconds if the array is damped. */
 
 namespace lattice {
 
-/// The packet did not do what its measurement needs.
+/// Thrown if the packet did not do what its measurement needs.
 struct NoPacket : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -37,23 +38,24 @@ struct ArrayImpact {
   double milliseconds(double t) const { return t * scales.tau_c() * 1e3; }
 };
 
-/// Step and sampling interval of a run, in units of tau_c; the step divides the interval.
+/// Largest step and sampling interval of a run, in units of tau_c.
 struct Resolution {
   double step, sample;
 };
 
-/// What one cantilever and the contact to its right do, in units of xi and tau_c.
+/// The motion of one cantilever and the push of the contact to its right, in units of xi and tau_c.
 struct Watched {
   std::vector<double> t, force, v, y;
 };
 
 /**
-The packet at one cantilever, in SI units: when the contact pushes hardest and how hard, the
-largest velocity and deflection, and the internal period. */
+The article quotes what the packet does at cantilever 80, in SI units: the largest push, velocity and
+deflection, and the internal period. To these we add the time of the strongest push, its arrival. */
 struct Pulse {
   double arrival, force, velocity, deflection, period;  // SI
 };
 
+/// The pulse at a watched cantilever; throws NoPacket if the packet did not pass it.
 inline Pulse pulse_of(const Watched& w, const Scales& s) {
   const auto push = strongest_push(w.t, w.force);
   if (!push) throw NoPacket("the packet did not pass the site at which it is watched");
@@ -63,13 +65,14 @@ inline Pulse pulse_of(const Watched& w, const Scales& s) {
 }
 
 /**
-The homogeneous array after an impact, up to a time in ms, watched at site `n` (from one). */
+One run of the homogeneous array gives both what one cantilever does and how the packet moves. */
 struct Way {
   Watched at;
   Track track;
   double drift;
 
-  /// Sites by which the energy centre moves on in `duration` after it has passed `site`.
+  /// Sites by which the energy centre moves on in `duration` (units of tau_c) after it has passed `site`.
+  /// Throws NoPacket if the run ends before.
   double travelled(double site, double duration) const {
     const auto &x = track.centre, &t = track.t;
     const auto from = std::size_t(std::lower_bound(x.begin(), x.end(), site) - x.begin());
@@ -81,7 +84,8 @@ struct Way {
 };
 
 /**
-Every sample is kept of the watched site; the packet's centre needs an eighth of them. */
+`pass` makes the run up to a time `until` in ms and watches site `n`, counted from one. At that site every
+sample is kept, since maxima are read from them; for the packet's centre every eighth is enough. */
 inline Way pass(const ArrayImpact& impact, std::size_t n, double until, const Resolution& r) {
   const auto chain = cantilever_chain(impact.array, 1);
   State<double> state = struck(chain.sites, impact.struck_velocity());
@@ -102,20 +106,22 @@ inline Way pass(const ArrayImpact& impact, std::size_t n, double until, const Re
 }
 
 /**
-`n` over the time at which the packet is strongest at site `n`, where `way` was watched; sites/s. */
+The article quotes a speed in sites per second and does not say how it was measured. One reading is a mean:
+`n` over the time at which the packet is strongest at site `n`, where `way` was watched. */
 inline double mean_speed(const Way& way, const ArrayImpact& impact, std::size_t n) {
   return double(n) / pulse_of(way.at, impact.scales).arrival;
 }
 
-/// How long, in ms, the force is above `threshold` times its maximum.
+/// How long, in ms, the packet's force at the watched contact is above `threshold` times its maximum.
 inline double duration_above(const Way& way, const ArrayImpact& impact, double threshold) {
   const double most = *std::max_element(way.at.force.begin(), way.at.force.end());
   return impact.milliseconds(time_above(way.at.t, way.at.force, threshold * most));
 }
 
 /**
-A map of forces: the strongest push, in newtons, of each contact within each of `bins` equal times
-until `end` (in ms), contact after contact. */
+Figure 24 is a map of forces in space and time, and a map of snapshots would miss most of the short
+pushes. So `strongest_forces` gives the strongest push, in newtons, of each contact within each of `bins`
+equal times until `end` (in ms): entry `bin * contacts + n`. */
 inline std::vector<double> strongest_forces(const ArrayImpact& impact, double ratio, double end,
                                             std::size_t bins) {
   const auto chain = cantilever_chain(impact.array, ratio);
@@ -136,8 +142,9 @@ inline std::vector<double> strongest_forces(const ArrayImpact& impact, double ra
 /**
 ## With damping
 
-In a damped array (damped.hpp) the packet reaches one contact after the other, each at the time of its
-strongest push. Between two of them it oscillates with the period of the later one. */
+How far does a packet come in a real array, which is damped (damped.hpp)? It reaches one contact after the
+other, each at the time of its strongest push, and between two of them it oscillates with the period of the
+later one. */
 struct Transit {
   double sites = 0, oscillations = 0;  ///< after 10 ms, from the first contact on
   double speed = 0, period = 0;        ///< sites/s and s, at the end
@@ -147,6 +154,7 @@ struct Transit {
 /// The strongest push of each contact, in the order of the contacts, or nothing where it is missing.
 using Pushes = std::vector<std::optional<Push>>;
 
+/// Sites and oscillations in the first 10 ms; throws NoPacket if the pushes do not reach so far.
 inline Transit journey_of(const ArrayImpact& impact, const Pushes& pushes) {
   const double end = impact.time(10);
   Transit out;
@@ -166,7 +174,9 @@ inline Transit journey_of(const ArrayImpact& impact, const Pushes& pushes) {
 }
 
 /**
-An impact with the damping rate `rate` of the velocities, in 1/s. */
+`travel` makes the run with the damping rate `rate` of the velocities, in 1/s. It looks at the first 40
+contacts, more than the packet passes in 10 ms, and goes on for 13 ms, so that the contact reached last has
+its strongest push within the run. */
 inline Transit travel(const ArrayImpact& impact, double rate, const Resolution& r) {
   const auto chain = cantilever_chain(impact.array, 1);
   const double end = impact.time(10), struck_v = impact.struck_velocity();

@@ -2,9 +2,9 @@
 /**
 # What we call a travelling breather, a trapped mode, a coincidence
 
-The article says these things in words. Here each of them becomes conditions on measured numbers
-(criterion.hpp), in functions without side effects, so that tests can feed them inputs for which
-the words would be wrong. */
+The article says in words that a wave is a travelling breather, that energy is trapped, that curves
+coincide. Here each such statement becomes a set of conditions on measured numbers (criterion.hpp), in
+functions without side effects, so that tests can feed them inputs for which the words would be wrong. */
 
 #include <algorithm>
 #include <cmath>
@@ -20,18 +20,19 @@ the words would be wrong. */
 namespace lattice {
 
 /**
-A packet is a travelling breather if it lasts: it moves at a constant speed and keeps its energy.
-We compare the first and the second half of its way, and allow a change of five per cent in speed
-and ten in energy, since a packet that has just been born is still shedding its tail. The front of
-a linear wave, whose width grows as the cube root of time, passes the first and fails the second.
-What stays behind is weak if it is weaker than the packet: no window of the same width holds as
-much. */
+A packet is a travelling breather if it lasts: it moves at a constant speed and keeps its energy. We
+compare the first and the second half of its way, and allow changes of five per cent in speed and ten in
+energy, since a young packet is still shedding its tail. The front of a linear wave train, whose width
+grows as the cube root of time, passes the first test and fails the second. What stays behind is weak if
+it is weaker than the packet: no window of the same width behind it holds as much energy. The limits are
+ours. */
 struct Journey {
   Estimate speed_change, energy_change;  ///< second half against first half, relative
   Estimate residue;                      ///< largest content of a window behind, over the packet's
 };
 
-/// Relative change of the packet's mean energy from the first half of its way to the second.
+/// Relative change of the packet's mean energy from the first half of its way to the second. Throws
+/// std::runtime_error if fewer than six samples lie beyond `fit_from`.
 inline double energy_change(const Track& track, double to = far_away) {
   const std::size_t end = track.until(to);
   std::size_t begin = 0;
@@ -48,8 +49,9 @@ inline double energy_change(const Track& track, double to = far_away) {
 }
 
 /**
-Largest energy in a window of the packet's width that lies at least a window's width behind it,
-over that of the packet around `peak`. */
+The strongest thing behind the packet is found by sliding a window of the same width: `residue` is the
+largest energy in a window that is separated from the packet's by at least its width, over that of the
+packet around `peak`. */
 inline double residue(const std::vector<double>& e, std::size_t peak) {
   const std::size_t m = packet_half_width;
   double most = 0;
@@ -57,6 +59,7 @@ inline double residue(const std::vector<double>& e, std::size_t peak) {
   return most / window_sum(e, peak);
 }
 
+/// Whether the packet of a journey is a travelling breather, in three conditions.
 inline Criterion travelling_breather(const Journey& journey) {
   const Estimate &speed = journey.speed_change, &energy = journey.energy_change;
   return {below("speed_change", {std::abs(speed.value), speed.error}, 0.05),
@@ -65,11 +68,11 @@ inline Criterion travelling_breather(const Journey& journey) {
 }
 
 /**
-How many sites carry a packet depends on where one stops counting. A packet of compact shape has a
-natural place: ahead of it nothing has moved yet, and the amplitude falls super-exponentially, by
-a factor of five, then fifteen, then two hundred from site to site. We therefore look at the
-*largest* amplitude that a site reaches at a given distance ahead of the peak, relative to the
-peak. */
+The article says that a packet is mainly supported by seven sites. How many there are depends on where one
+stops counting, but for a compact packet there is a natural place: ahead of it nothing has moved yet, and
+the amplitude falls super-exponentially, by a factor of five, then fifteen, then two hundred from site to
+site. We therefore look at the *largest* amplitude that a site reaches at a given distance ahead of the
+peak, relative to the peak. */
 class Front {
  public:
   /// Takes the density `e` of a packet whose largest site is `peak`.
@@ -97,20 +100,22 @@ inline Criterion supported_by(std::size_t sites, const Front& coarse, const Fron
 }
 
 /**
-Two curves coincide at small arguments if they meet there: their distance is below one per cent at
-the small end, and it grows with the argument. Curves that are merely similar keep a distance. */
+Two curves coincide at small arguments if they meet there: their distance is below one per cent at the
+small end, and at least twice as large farther on. Curves that are merely similar keep a distance
+everywhere. */
 struct Meeting {
   Estimate near, far;  ///< largest relative distance up to a small and up to a larger argument
 };
 
+/// Whether two curves meet at small arguments.
 inline Criterion meet(const Meeting& m) {
   return {below("near", m.near, 0.01),
           below("near_over_far", {m.near.value / m.far.value, m.near.error / m.far.value}, 0.5)};
 }
 
 /**
-An energy is trapped where it was put in if the boundary keeps more than the packet takes away; it
-is not trapped if the packet takes more. No number of our own is needed. */
+Energy is trapped where it was put in if the boundary keeps more of it than the packet takes away;
+otherwise it is not. This needs no number of our own. */
 inline Criterion trapped(const Estimate& boundary, const Estimate& packet) {
   return {above("boundary_over_packet",
                 {boundary.value / packet.value,
@@ -119,8 +124,9 @@ inline Criterion trapped(const Estimate& boundary, const Estimate& packet) {
 }
 
 /**
-Two excitations at the ends of a profile are both visible in it if each rises above everything that
-lies between them. Returns the height of the lower one over that of the highest wave between. */
+Figure 21 of the article shows a surface mode and a travelling breather that are "clearly visible". Two
+such excitations at the ends of a profile are visible if each rises above everything between them.
+`prominence` is the height of the lower one over that of the highest wave in between. */
 inline double prominence(const std::vector<double>& v, std::size_t peak, std::size_t near = 5) {
   const auto height = [&](std::size_t from, std::size_t to) {
     double most = 0;
@@ -134,15 +140,17 @@ inline double prominence(const std::vector<double>& v, std::size_t peak, std::si
 }
 
 /**
-A transition from breather to kink has been found if there are velocities of both kinds, all
-breathers lie below all that is certain to be a kink, and so few velocities stay undecided that no
-third regime can hide among them: we allow a twentieth of the scan. */
+In pendulum wells a strong impact sends out not a breather but a kink, after which the beads rest in
+another well. A transition from one to the other has been found if there are impact velocities of both
+kinds, all breathers lie below all that is certain to be a kink, and so few velocities stay undecided
+that no third regime can hide among them: we allow a twentieth of the scan. */
 struct Transition {
   std::size_t breathers, kinks;  ///< velocities below the last breather and from the first kink on
   double last_breather, first_kink;
   double undecided;  ///< share of the scan
 };
 
+/// Whether a scan of impact velocities shows the transition.
 inline Criterion transition(const Transition& t) {
   return {above("breathers", exact(double(t.breathers)), 0),
           above("kinks", exact(double(t.kinks)), 0),

@@ -2,10 +2,10 @@
 /**
 # When a kick frees a breather
 
-A breather that creeps feels a landscape with the period of the chain: troughs around one of its two
-centres, hills around the other. A kick (kick.hpp) frees it from a trough if it carries it over the hill.
-This file tells a free breather from a pinned one, says what linear theory expects, and finds the
-least kick that frees. */
+A breather that creeps along the chain feels an energy landscape with the period of the chain: if it is
+stable around a bond, there are troughs at the bonds and hills at the sites, otherwise the reverse. A kick
+(kick.hpp) frees it from a trough if it carries it over the hill. This file tells a free breather from a
+pinned one, says what linear theory expects, and finds the least kick that frees. */
 
 #include <Eigen/Dense>
 #include <cmath>
@@ -23,10 +23,11 @@ namespace lattice {
 /**
 ## Free or pinned
 
-A breather that starts in a trough of its landscape has a hill on either side, half a site away. It is
-free as soon as it stands well beyond the hill, and pinned once it has turned round before. */
+A breather that starts in a trough has a hill on either side, half a site away. It is free as soon as it is
+well beyond the hill, at 0.6 sites, and pinned if it has turned round before that, by 0.02 sites. */
 enum class Mobility { undecided, free, pinned };
 
+/// What a path, as far as it is known, says about its breather.
 inline Mobility mobility_of(const Creep& path) {
   const double far = path.farthest();
   if (far > 0.6) return Mobility::free;
@@ -36,21 +37,23 @@ inline Mobility mobility_of(const Creep& path) {
 /**
 ## What linear theory expects
 
-Close to a breather that starts at rest the map of one period has a slow plane: a shift $x$ of the
-positions and a push $z$ of the velocities with
+Close to a breather that starts at rest, the map of one period has a slow plane, spanned by a shift $x$ of
+the positions and a push $z$ of the velocities with
 $$A x = \cos\theta\,x,\quad
  A^Tz = \cos\theta\,z,\quad z^TBz = b\,z^Tx,$$
-where $A$ and $B$ are the changes of the final positions with the initial positions and velocities. Over
-many periods this is an oscillator (or its unstable twin) of squared frequency
-$\Omega^2 = 2(1-\cos\theta)/T^2$. Its *kinetic* energy after a kick $c\,g$ is
-$$K = \varphi\,\frac{c^2}2,\qquad \varphi = \frac{b\,(x\cdot g)^2}{T\,(x\cdot z)} .$$
-All but the small share $\varphi$ of the kick goes into the oscillation, that is, into the action. */
+where $A$ and $B$ are the derivatives of the final positions with respect to the initial positions and
+velocities. Over many periods this is an oscillator (or, if $\cos\theta > 1$, its unstable twin) of squared
+frequency $\Omega^2 = 2(1-\cos\theta)/T^2$. Its *kinetic* energy after a kick $c\,g$ is
+$$K = \varphi\,\frac{c^2}2,\qquad \varphi = \frac{b\,(x\cdot g)^2}{T\,(x\cdot z)}.$$
+Only the small share $\varphi$ of the kick moves the breather along; the rest goes into its internal
+oscillation and changes the action. */
 struct Pinning {
   double frequency2 = 0;  ///< Omega^2; negative for an unstable breather
   double share = 0;       ///< phi
 };
 
-/// An eigenvector with an eigenvalue near `value`, by inverse iteration from `guess`.
+/// The eigenvector whose eigenvalue is nearest to `value`, by inverse iteration from `guess`. The shift
+/// of 1e-5 keeps the matrix from being singular.
 inline Eigen::VectorXd eigenvector_near(const Eigen::MatrixXd& m, double value,
                                         Eigen::VectorXd guess) {
   const Eigen::PartialPivLU<Eigen::MatrixXd> shifted(
@@ -60,14 +63,15 @@ inline Eigen::VectorXd eigenvector_near(const Eigen::MatrixXd& m, double value,
 }
 
 /**
-The plane shares its multiplier, nearly one, with the phase of the oscillation, and symmetry separates
-the two: around a bond shifts are even under $n \to 1-n$ and the phase is odd; around a site half a
-period followed by $y_n \to -y_{-n}$ maps the phase to itself and reverses a shift. `basis` holds the
-directions that are left. */
+The multipliers of this plane, nearly one, cannot be told from that of a shift in time, which is exactly
+one (floquet.hpp), but symmetry separates the two. Around a bond a shift along the chain is even under
+$n \to 1-n$ and a shift in time is odd. Around a site half a period followed by $y_n \to -y_{-n}$ leaves
+a shift in time alone and reverses one along the chain. `basis` holds the directions that are left. */
 struct PeriodMap {
   Eigen::MatrixXd A, B, basis;
 };
 
+/// A, B and the basis: of one period around a bond, of half a period and the reflection around a site.
 template <class Onsite, class Contact>
 PeriodMap period_map(const Chain<Onsite, Contact>& chain, Centre centre, State<double> state,
                      double period, const Landing<double>& rule) {
@@ -90,7 +94,8 @@ PeriodMap period_map(const Chain<Onsite, Contact>& chain, Centre centre, State<d
 }
 
 /**
-Of the half map we take the square, which doubles its angle. */
+`pinning_of` returns frequency and share for the breather at rest in `start`. Around a site the map of
+half a period is squared, which doubles its angle. */
 template <class Onsite, class Contact>
 Pinning pinning_of(const Chain<Onsite, Contact>& chain, Centre centre, const State<double>& start,
                    double period, const Landing<double>& rule = {}) {
@@ -112,9 +117,10 @@ Pinning pinning_of(const Chain<Onsite, Contact>& chain, Centre centre, const Sta
 }
 
 /**
-The landscape is compared at equal action. With a hill of height `barrier` between trough and trough the
-breather is freed by a kick whose share is that hill. Masses may be negative, as they are here: then the
-trough is the *higher* of the two energies, and both signs turn round together. */
+Now the threshold. In the slow motion the action is constant, so the height of the hill is the barrier at
+equal area (breather.hpp), and the breather is freed by a kick whose share equals it. The effective mass
+may be negative, as it is here: then the trough is the *higher* of the two energies, and the barrier and
+the share change sign together. */
 inline double freeing_kick(double barrier, const Pinning& pinning) {
   return std::sqrt(2 * std::abs(barrier / pinning.share));
 }
@@ -122,14 +128,14 @@ inline double freeing_kick(double barrier, const Pinning& pinning) {
 /**
 ## From speeds to the threshold
 
-Close to the threshold a breather stays for long near the top of the hill, and to bisect between free and
-pinned costs a long run for every digit. What changes smoothly is the speed $V$ with which a free breather
-passes the top: its kinetic energy there is what the share of the kick leaves over the barrier, so that
+Close to the threshold a breather stays near the top of the hill for long, and to bisect between free and
+pinned would cost a long run for every digit. What changes smoothly is the speed $V$ with which a free
+breather passes the top. Its kinetic energy there is the share of the kick less the barrier, so that
 $V^2 \propto c^2 - c_c^2$, and two free breathers give $c_c$.
 
-Near the top the path is $X \simeq (V/\Omega)\sinh\Omega t$, a cubic, whose least slope is $V$. We fit one
-to all means within `reach` of the top. */
-/// The speed on the hill at `hill` sites from the start. Throws std::invalid_argument where fewer than
+Near the top the path is $X \simeq (V/\Omega)\sinh\Omega t$ with $\Omega$ the rate of the hill. There it is
+nearly a cubic whose least slope is $V$, and we fit one to all means within `reach` of the top. */
+/// The speed on the hill at `hill` sites from the start. Throws std::invalid_argument if fewer than
 /// eight means lie within `reach` of it.
 inline double hill_speed(const Creep& path, double hill = 0.5, double reach = 0.05) {
   std::vector<std::size_t> near;
@@ -150,8 +156,9 @@ inline double hill_speed(const Creep& path, double hill = 0.5, double reach = 0.
 }
 
 /**
-The straight line through the two squares is followed to zero. */
-/// The kick at which $V^2$ vanishes, from two kicks that free and their speeds on the hill.
+The straight line through the two values of $V^2$ against $c^2$ is followed to zero. */
+/// The kick at which $V^2$ vanishes, from two kicks that free and their speeds on the hill. Throws
+/// std::invalid_argument if the line has no zero at positive c.
 inline double threshold_from(double c1, double v1, double c2, double v2) {
   const double square = (c1 * c1 * v2 * v2 - c2 * c2 * v1 * v1) / (v2 * v2 - v1 * v1);
   if (!(square > 0)) throw std::invalid_argument("these two speeds show no threshold");
@@ -161,9 +168,10 @@ inline double threshold_from(double c1, double v1, double c2, double v2) {
 /**
 ## A pendulum
 
-If the landscape is a sine, the centre is a pendulum, and its mean speed over a whole site is an
-arithmetic-geometric mean: of the speeds on hill and in trough, $V$ and $(V^2+\Omega^2/\pi^2)^{1/2}$ for a
-start on a hill, or $V$ and $(V^2-\Omega^2/\pi^2)^{1/2}$ from a trough. */
+How does the speed of a freed breather depend on its kick? If the landscape is a sine, the centre moves
+like a pendulum, and its mean speed over a whole site is the arithmetic-geometric mean of the speeds on
+the hill and in the trough: $V$ and $(V^2+\Omega^2/\pi^2)^{1/2}$ for a start on a hill, $V$ and
+$(V^2-\Omega^2/\pi^2)^{1/2}$ from a trough. */
 inline double arithmetic_geometric(double a, double b) {
   while (std::abs(a - b) > 1e-14 * a) {
     const double mean = (a + b) / 2;
@@ -174,7 +182,7 @@ inline double arithmetic_geometric(double a, double b) {
 }
 
 /// Mean speed over a site of a pendulum that swings with `omega` in its trough and starts with speed
-/// `start` there or, with `on_hill`, at the top; zero where it does not get over.
+/// `start` there or, with `on_hill`, at the top; zero if it does not get over.
 inline double pendulum_speed(double start, double omega, bool on_hill) {
   const double well = omega / std::numbers::pi, square = start * start - well * well;
   if (on_hill) return arithmetic_geometric(std::hypot(start, well), start);

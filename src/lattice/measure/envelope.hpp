@@ -2,13 +2,14 @@
 /**
 # Envelopes
 
-Under precompression a packet is a carrier under an envelope. Where the motion is nearly harmonic
-with frequency $\omega$, velocity and acceleration are a quarter of a period apart, and
+Under precompression a packet is a wave, the carrier, with a slowly varying amplitude, its envelope. If the
+motion is nearly harmonic with frequency $\omega$, velocity and acceleration are a quarter of a period
+apart, and
 $$a_n = \sqrt{v_n^2 + (\ddot y_n/\omega)^2}, \qquad
   \omega^2 = \sum \ddot y_n^2 \Big/ \sum v_n^2$$
-is the amplitude of the velocity at site $n$, free of the carrier. A soliton of the NLS equation
-has the envelope $a\,\mathrm{sech}((n-n_0)/w)$, Eq. (38); how far a packet is from that form is a
-least-squares fit's residual. */
+is the amplitude of the velocity at site $n$, free of the carrier. A soliton of the NLS equation (nls.hpp)
+has the envelope $a\,\mathrm{sech}((n-n_0)/w)$, Eq. (38). How far a packet is from that form is seen from
+the residual of a least-squares fit. */
 
 #include <algorithm>
 #include <array>
@@ -32,8 +33,8 @@ inline Range around(std::size_t peak, std::size_t reach, std::size_t sites) {
 }
 
 /**
-A packet among phonons is not where the energy density has its largest peak, for a single site says
-little. We look for the site around which all sites within `reach` together hold the most energy. */
+Among phonons the largest single density need not belong to the packet. So we look for the site around
+which all sites within `reach` together hold the most energy. */
 inline std::size_t richest(const std::vector<double>& e, std::size_t reach) {
   double sum = window_sum(e, 0, reach), best = sum;
   std::size_t at = 0;
@@ -46,13 +47,14 @@ inline std::size_t richest(const std::vector<double>& e, std::size_t reach) {
 }
 
 /**
-The carrier's frequency belongs to the packet and not to its tail, so it is taken from the sites of
-`range`; with it the amplitude of the velocity follows there and everywhere. */
+The frequency of the carrier is that of the packet and not of the waves behind it, so it is taken from the
+sites of `range`; with it the amplitude of the velocity is computed everywhere. */
 struct Envelope {
   double omega = 0;
   std::vector<double> amplitude{};
 };
 
+/// Frequency of the carrier in `range` and amplitudes of all sites.
 template <class Onsite, class Contact>
 Envelope envelope(const Chain<Onsite, Contact>& chain, const State<double>& state, Range range) {
   const std::vector<double> a = accelerations(chain, state.y);
@@ -68,8 +70,8 @@ Envelope envelope(const Chain<Onsite, Contact>& chain, const State<double>& stat
 }
 
 /**
-The soliton's form has three parameters, its sites counted from one. How much of an envelope it does
-not explain is the `residual`, the root mean square deviation relative to the height. */
+The soliton's form has three parameters: height, centre (sites counted from one) and width. What it does
+not explain of an envelope is the `residual`, the root mean square deviation relative to the height. */
 struct Sech {
   double height = 0, centre = 0, width = 0, residual = 0;
   double at(double n) const { return height / std::cosh((n - centre) / width); }
@@ -84,9 +86,10 @@ inline double misfit(const Sech& f, const std::vector<double>& a, Range range) {
 }
 
 /**
-The three parameters follow from Gauss and Newton's method. Its matrix $m$ is the sum of the products of
-the derivatives of $f$ by height, centre and width, its right side $g$ that of their products with
-what is missing; the matrix has three rows, so Cramer's rule does. */
+The three parameters follow by the Gauss–Newton method. With $\nabla f$ the derivatives of the sech $f$
+with respect to height, centre and width, its matrix $m$ is the sum of $\nabla f\,\nabla f^T$ over the
+sites, its right-hand side $g$ that of $\nabla f\,(a_n - f)$. The matrix has three rows, so Cramer's rule
+will do. */
 inline double determinant(const double (&t)[3][3]) {
   return t[0][0] * (t[1][1] * t[2][2] - t[1][2] * t[2][1]) -
          t[0][1] * (t[1][0] * t[2][2] - t[1][2] * t[2][0]) +
@@ -114,8 +117,9 @@ inline std::array<double, 3> sech_step(const Sech& f, const std::vector<double>&
 }
 
 /**
-The sech that fits the values `a` in `range` best begins at their maximum with the given width. A
-step that does not lessen the misfit is halved; when no part of it does, we have arrived. */
+`fit_sech` returns the sech that fits the values `a` in `range` best. The iteration starts at their maximum
+with the given `width`. A step that does not lessen the misfit is halved; if no part of it does, we have
+arrived. */
 inline Sech fit_sech(const std::vector<double>& a, Range range, double width) {
   const auto first = a.begin() + std::ptrdiff_t(range.first),
              last = a.begin() + std::ptrdiff_t(range.last);

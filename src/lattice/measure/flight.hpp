@@ -2,13 +2,15 @@
 /**
 # An impact on a compressed chain
 
-A blow on the first bead of a compressed chain sends out phonons, and perhaps a packet that holds
-together. This file runs the experiment and tells the two apart.
+Section 4 strikes the first bead of a compressed chain. This sends out linear waves (phonons,
+dispersion.hpp) and perhaps a packet that holds together. This file makes the run and tells the two
+apart.
 
-Near the boundary contacts may open for a while, so until a settling time the contact-aware method
-integrates; after it the motion is smooth and a splitting of order six has its full order. Phonons
-run at any speed up to the largest group velocity $\omega'(q_c)$ and ahead of them the motion falls
-off super-exponentially, so a chain somewhat longer than the fastest phonon's way is endless. */
+Near the struck end contacts may open for a while, so the contact-aware method (contact_rkn.hpp) integrates
+until a settling time. After that the motion is smooth, and a splitting (schemes.hpp) has its full order
+six. Phonons travel at any speed up to the largest group velocity $\omega'(q_c)$, and ahead of them the
+motion falls off super-exponentially; so a chain somewhat longer than the way of the fastest phonon is as
+good as endless. */
 
 #include <algorithm>
 #include <cmath>
@@ -23,10 +25,11 @@ off super-exponentially, so a chain somewhat longer than the fastest phonon's wa
 
 namespace lattice {
 
-/// A blow of `velocity` on a chain with wells of anharmonicity `s`, compressed by `d` (zero: not).
+/// An impact of `velocity` on a chain with wells of anharmonicity `s`, compressed by `d` (zero: not).
 struct Launch {
   double s = 1, time = 724, velocity = 1.87, d = 0.5;
-  /// Fifteen per cent more than the fastest phonon's way, and a hundred sites.
+  /// Fifteen per cent more than the way of the fastest phonon, and a hundred sites. Without compression
+  /// there are no phonons, and a packet moves at about 0.3 sites per unit of time.
   std::size_t sites() const {
     const double v1 = d > 0 ? contact_series(d).v1 : 0;
     const double fastest = d > 0 ? phonon(inflection(v1), v1).group_velocity : 0.3;
@@ -36,11 +39,13 @@ struct Launch {
 };
 
 /**
-The packet is where the richest sites are. How it fares we read from few numbers at each instant: where
-it is, its share of the energy, the share of the first five sites, and the number of sites that
-share the energy. A packet counts with 20 sites on either side, its envelope is fitted to ten. */
+The packet is where most of the energy is (`richest` in envelope.hpp). How it fares is read from a few
+numbers at each instant: where it is, its share of the energy, the share of the first five sites, and the
+number of sites that share the energy. Packets under precompression are broader than those without it, so
+20 sites on either side belong to one; its envelope is fitted to ten. */
 inline constexpr std::size_t packet_reach = 20, envelope_reach = 10;
 
+/// Time, energy centre, shares of packet and boundary, and participation number at one instant.
 struct PacketSample {
   double t, centre, share, boundary, participation;
 };
@@ -52,13 +57,13 @@ inline PacketSample packet_sample(double t, const std::vector<double>& e) {
 }
 
 /**
-Is it a soliton? At a few times we keep the whole state with the amplitudes of the velocity and the
-sech that fits them around the packet's centre.
+Is it a soliton of the NLS equation, whose envelope is a sech (Eq. (38))? At a few times we keep the whole
+state, with the amplitudes of the velocity and the sech that fits them around the packet's centre.
 
-A sech explains the envelope if it deviates by less than a tenth of its height (root mean
-square over 21 sites), and if its top and its width lie within these sites; while a packet is
-still forming, we ask for top and width only. A train has a front crest, too, and over 21 sites a
-broad enough sech fits anything smooth: the share of the energy must decide first. */
+We say that a sech explains the envelope if it deviates by less than a tenth of its height (root mean
+square over 21 sites), and if its top and its width lie within these sites; while a packet is still
+`forming`, top and width are enough. The front of a wave train has a crest too, and over 21 sites a broad
+enough sech fits anything smooth; so the share of the energy must decide first. */
 struct Snapshot {
   State<double> state;
   double centre;
@@ -72,6 +77,7 @@ struct Snapshot {
   }
 };
 
+/// The snapshot of `state`, its sech fitted around the packet.
 template <class Onsite, class Contact>
 Snapshot snapshot(const Chain<Onsite, Contact>& chain, const State<double>& state) {
   const double centre = packet_sample(state.t, energy_density(chain, state)).centre;
@@ -82,8 +88,9 @@ Snapshot snapshot(const Chain<Onsite, Contact>& chain, const State<double>& stat
 }
 
 /**
-A run has a sample every unit of time, snapshots at the times asked for, and two warrants: how far the
-energy drifts, and when a contact was last open, for the late splitting relies on closed ones. */
+A run has a sample every unit of time and snapshots at the times asked for. It also records two things that
+tell whether it can be trusted: how far the energy drifts, and when a contact was last open, because the
+splitting of the later part relies on closed ones. */
 struct CompressedRun {
   State<double> end;
   std::vector<PacketSample> samples{};
@@ -100,8 +107,8 @@ struct FlightSteps {
 inline constexpr double settling_time = 40;
 
 /**
-The blow falls at $t = 0$. Without compression contacts open for ever, and the contact-aware
-method integrates all the time; with it we change methods at the settling time. */
+The impact takes place at $t = 0$. With compression we change methods at the settling time; without it
+contacts never cease to open, and the contact-aware method integrates all the time. */
 inline CompressedRun fly(const Launch& launch, const std::vector<double>& times,
                          FlightSteps steps) {
   const auto chain = launch.chain();
@@ -124,12 +131,12 @@ inline CompressedRun fly(const Launch& launch, const std::vector<double>& times,
 }
 
 /**
-What is a breather, and what a wave train? A breather keeps its energy: the packet's share is a
-constant power $t^0$. The front of a linear wave train spreads like $t^{1/3}$ and its share falls
-like $t^{-1/3}$. The line between them is the exponent $-1/6$, fitted over the last three quarters
-of a run. In the same way a surface mode keeps its share of the first five sites, while a train
-thins out there like $1/t$ or faster; the line is $-1/2$. A packet that comes back has a negative
-advance at some time: we take the smallest advance in 100 units of time over the mean one. */
+What is a breather, and what a wave train? A breather keeps its energy: the share of the packet goes like
+$t^0$. The front of a linear wave train spreads like $t^{1/3}$, and its share falls like $t^{-1/3}$. We
+draw the line half-way, at the exponent $-1/6$, fitted over the last three quarters of a run. In the same
+way a surface mode keeps its share of the first five sites, while a train thins out there like $1/t$ or
+faster; the line is $-1/2$. A packet that comes back moves backwards for some time: `steadiness` is the
+least advance in any 100 units of time over the mean one, and below a half we say that it returns. */
 struct Traits {
   double share, share_exponent, boundary, boundary_exponent, speed, steadiness;
   bool breather() const { return share_exponent > -1.0 / 6; }
@@ -138,8 +145,8 @@ struct Traits {
 };
 
 /**
-Lines through the last three quarters of the samples give all of these. A run needs more than 140
-units of time, for the advance is asked for over a hundred. */
+All of these come from straight lines through the last three quarters of the samples. A run must last more
+than 140 units of time, because the advance is taken over a hundred. */
 inline Traits traits(const std::vector<PacketSample>& samples) {
   std::vector<double> log_t, share, boundary, t, centre;
   for (const PacketSample& p : samples) {

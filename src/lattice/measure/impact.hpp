@@ -2,10 +2,11 @@
 /**
 # Striking a chain
 
-Several sections of the article strike the first bead of a resting chain and ask what
-travels away: with a linear, hard or soft well, with precompression, with a defect, and
-in the DpS limit. This file holds the question and the way it is watched; the answers
-belong to the chapters. */
+Several sections of the article strike the first bead of a resting chain, Eq. (26),
+$$y_n(0) = 0,\qquad \dot y_1(0) = v_0,\qquad \dot y_n(0) = 0 \text{ for } n \ge 2,$$
+and ask what travels away: with harmonic, hard or soft wells, with precompression, with a defect, and in
+the limit of small amplitude. This file makes the run and watches it; the answers belong to the
+programs. */
 
 #include <cmath>
 #include <cstddef>
@@ -20,7 +21,8 @@ belong to the chapters. */
 
 namespace lattice {
 
-/// An impact on the first of `sites` beads; dimensionless, as Eqs. (9), (10) and (26).
+/// An impact with `velocity` on the first of `sites` beads, followed for `time`; dimensionless, as in
+/// Eqs. (9), (10) and (26). By default that of the article's section 3.4, with v_0 = 1.87.
 struct Impact {
   double velocity = 1.87;
   Model model{};
@@ -42,7 +44,7 @@ inline State<double> struck(std::size_t sites, double velocity) {
 }
 
 /**
-What one run shows of its front-most packet and of what stays behind. */
+A run shows its front-most packet and what stays behind. */
 struct Outcome {
   Track track;
   State<double> end;
@@ -52,7 +54,7 @@ struct Outcome {
 };
 
 /**
-Total of a density. */
+Shares of the energy refer to its total, the sum of the density. */
 inline double total(const std::vector<double>& e) {
   return std::accumulate(e.begin(), e.end(), 0.0);
 }
@@ -64,9 +66,9 @@ inline double boundary_share(const std::vector<double>& e, std::size_t sites = 5
 }
 
 /**
-Follows the front-most packet, which is looked at after every sample, until its centre passes
-site `until` or the time is over. `watch(state, density)` sees every sample. The run stops at
-whole multiples of `each` samples only, so that runs with denser samples end at the same time. */
+`follow` makes the run. It tracks the front-most packet from sample to sample until its centre passes site
+`until` or the time is over. `watch(state, density)` sees every sample. The run stops at whole multiples of
+`each` samples only, so that runs with denser samples end at the same time. */
 template <class Stepper, class Watch>
 Outcome follow(const Stepper& stepper, const Impact& impact, double until, const Pace& pace,
                Watch watch, std::size_t each = 1) {
@@ -95,9 +97,9 @@ Outcome follow(const Stepper& stepper, const Impact& impact, double until, doubl
 }
 
 /**
-Follows a packet at two resolutions that agree to `tolerance` (see accuracy.hpp), by default in
-their end states. The finer one has steps half as long and twice the samples. Throws NotConverged.
-*/
+For the error of a speed the packet is followed at two resolutions that agree to `tolerance`
+(accuracy.hpp), by default in their end states. The finer one has half the step and twice the samples.
+Throws NotConverged. */
 template <class Differ = EndState>
 Refined<Outcome> follow_to(double tolerance, const Impact& impact, double until, double sample,
                            Differ differ = {}) {

@@ -2,12 +2,13 @@
 /**
 # Kicking a breather
 
-A breather at rest is pushed along the chain by a kick of the velocities in the direction of its
-discrete gradient,
-$$\dot y_n(0) = c\,g_n,\qquad g_n = \frac{y_{n+1}(0)-y_{n-1}(0)}{\bigl(\sum_m|y_{m+1}(0)-y_{m-1}(0)|^2\bigr)^{1/2}} .$$
-The norm of $g$ is one, so that the kick brings the kinetic energy $c^2/2$. (The article prints the
-formula without the square root, and with it neither the energy nor the speeds that it quotes.) This
-file kicks the breather and follows it as it creeps; whether it gets free is told in depinning.hpp. */
+Section 3.3 sets a static breather in motion by a kick: at an instant at which all beads are at rest they
+are given velocities in the direction of the breather's discrete gradient,
+$$\dot y_n(0) = c\,g_n,\qquad g_n = \frac{y_{n+1}(0)-y_{n-1}(0)}{\bigl(\sum_m|y_{m+1}(0)-y_{m-1}(0)|^2\bigr)^{1/2}}.$$
+The norm of $g$ is one, so that the kick adds the kinetic energy $c^2/2$. (The article prints the formula
+without the square root; with that one neither the energy $c^2/2$ nor the speeds that it quotes come out.)
+This file kicks the breather and follows it as it creeps along; depinning.hpp tells whether it gets
+free. */
 
 #include <algorithm>
 #include <cmath>
@@ -46,13 +47,14 @@ inline State<double> kicked(State<double> state, double c) {
 /**
 ## Following a breather that creeps
 
-The centre $X$ of Eq. (24) swings with every oscillation, because Eq. (23) gives the energy of a
-contact to the bead on its left. What creeps is its mean. We take 89 samples at intervals of
-$T_b(\sqrt5-1)/10$, together eleven periods: the golden ratio spreads them evenly over the phases of
-the oscillation. It also keeps the steps from falling on the same phases in every period, where the
-errors of a step would add up instead of cancelling. */
+The centre $X$ of Eq. (24) swings with every oscillation, because Eq. (23) assigns the energy of a contact
+to the bead on its left. What creeps is its mean. We take 89 samples at intervals of $T_b(\sqrt5-1)/10$,
+together eleven periods: since this is $T_b/5$ times the golden ratio 0.618, and 89 a Fibonacci number,
+they are spread evenly over the phases of the oscillation. It also keeps the steps from falling on the
+same phases in every period, where their errors would add up instead of cancelling. */
 inline constexpr std::size_t samples_of_a_mean = 89;
 
+/// Time between two samples of a breather with this period.
 inline double creep_sample(double period) {
   return period * (std::sqrt(5.0) - 1) / 10;
 }
@@ -63,7 +65,8 @@ inline double breather_place(const std::vector<double>& e) {
   return energy_centre(e, peak) - 0.5 * double(e.size() + 1);
 }
 
-/// The means of X at the middles of their intervals, and what the run says.
+/// The path of a creeping breather: the means of X, in sites from the middle of the chain, at the middles
+/// of their intervals, and the report of the run.
 struct Creep {
   std::vector<double> t{}, X{};
   double share = 1;  ///< the least share of the energy near the largest density
@@ -80,7 +83,8 @@ struct Creep {
 };
 
 /**
-What is read off a path. The farthest place is a distance from the start, whatever the direction. */
+Distances, speeds and the trust that a run deserves are read off a path. `farthest` is the largest distance
+from the start, in either direction. */
 inline double Creep::farthest() const {
   double far = 0;
   for (std::size_t k = 0; k < X.size(); ++k) far = std::max(far, std::abs(moved(k)));
@@ -97,7 +101,7 @@ inline Estimate Creep::speed(double from, double to) const {
 }
 
 /// `distance` over the time that it takes from mean `start` on, interpolated between two means. Throws
-/// std::runtime_error where the path does not lead so far.
+/// std::runtime_error if the path does not lead so far.
 inline double Creep::mean_speed(double distance, std::size_t start) const {
   for (std::size_t k = start + 1; k < t.size(); ++k) {
     const double now = std::abs(X[k] - X[start]), before = std::abs(X[k - 1] - X[start]);
@@ -110,14 +114,15 @@ inline double Creep::mean_speed(double distance, std::size_t start) const {
 }
 
 /**
-How many times the energy $c^2/2$ of a kick exceeds what the integration has gained or lost. The energy
-of the breather is `energy`, and the drift is relative to it. */
+A run says something about a kick only if the energy that the integration gains or loses is far below that
+of the kick. `drift_margin` is $c^2/2$ over this drift, which `run` gives relative to the breather's
+`energy`. */
 inline double Creep::drift_margin(double c, double energy) const {
   return c * c / 2 / energy / run.energy_drift;
 }
 
 /**
-A mean is finished with every eleventh period. It takes the energy density of all its samples. */
+The samples of eleven periods are added up to one mean of $X$. */
 struct MeanPlace {
   Creep path{};
   double sample, sum = 0;
@@ -137,8 +142,9 @@ struct MeanPlace {
 };
 
 /**
-`watch(creep, state, density)` sees every mean and may end the run by returning false. Samples are
-`sample` apart, in general `creep_sample`. */
+`creep` follows a kicked breather for about `duration`, a whole number of means. `watch(creep, state,
+density)` sees every mean and may end the run by returning false. Samples are `sample` apart, usually
+`creep_sample`. */
 template <class Stepper, class Onsite, class Contact, class Watch>
 Creep creep(const Stepper& stepper, const Chain<Onsite, Contact>& chain, const State<double>& start,
             double sample, double duration, Watch watch) {

@@ -2,14 +2,17 @@
 /**
 # Mean forces
 
-Integrate the equation of motion of bead $n$ over a time $T$ and divide by it:
+Section 2 of the article shows that a chain of beads that only repel cannot vibrate periodically and
+locally. Its argument is an average, which this file computes. Integrate the equation of motion of bead
+$n$ over a time $T$ and divide by $T$:
 $$\frac{\mu_n}{T}\bigl[\dot y_n\bigr]_0^T = \bar F_{n-1} - \bar F_n - \overline{W'(y_n)},\qquad
   \bar F_n = \frac1T\int_0^T f_n\,dt,$$
-with the push $f_n \ge 0$ of bead $n$ on bead $n+1$. On a periodic motion the left side vanishes.
-Neighbouring means then differ by the mean force of the well, and without wells not at all.
+with the push $f_n \ge 0$ of bead $n$ on bead $n+1$. In a periodic motion the left side vanishes over a
+period. Neighbouring mean pushes then differ by the mean force of the well, and without wells they are all
+equal: they cannot decay along the chain unless all are zero.
 
-The means are integrated along with the motion, by the adaptive integrator of GSL: a route that
-shares nothing with the one on which our orbits are found. */
+The means are integrated along with the motion, by the adaptive integrator of GSL: a route that shares
+nothing with the one by which our orbits are found. */
 
 #include <algorithm>
 #include <cstddef>
@@ -23,7 +26,7 @@ namespace lattice {
 /// Time averages over a flight, and where it ended.
 struct MeanForces {
   std::vector<double> contact;  ///< sites + 1 entries, as the contacts of boundary.hpp
-  std::vector<double> well;     ///< of W'(y_n), one entry a site
+  std::vector<double> well;     ///< of W'(y_n), one entry per site
   State<double> end;
 
   /// Difference of the largest and the least of the contacts from `first` to `last`.
@@ -42,7 +45,8 @@ struct MeanForces {
 };
 
 /**
-What the integration leaves, sorted: positions, velocities, integrals of pushes and of wells. */
+The integrator returns one long vector: positions, velocities, integrals of the pushes and of the forces of
+the wells. Here it is taken apart again. */
 inline MeanForces averages(const std::vector<double>& x, std::size_t n, double duration) {
   const auto part = [&](std::size_t first, std::size_t count) {
     return std::vector<double>(x.begin() + std::ptrdiff_t(first),
@@ -57,8 +61,8 @@ inline MeanForces averages(const std::vector<double>& x, std::size_t n, double d
 }
 
 /**
-The integrals are further unknowns of the same system of equations: positions, velocities, then those of
-the sites + 1 pushes and of the wells' forces. */
+The integrals are further unknowns of the same system of equations, $4N+1$ in all. Throws
+std::runtime_error if GSL cannot go on. */
 /// Averages over `duration`; `chain` has `sites`, `onsite`, `mass_of(n)`, `contact_push(chain, y, i)`.
 template <class AnyChain>
 MeanForces mean_forces(const AnyChain& chain, const State<double>& start, double duration,

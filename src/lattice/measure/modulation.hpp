@@ -2,13 +2,14 @@
 /**
 # A modulated phonon on a ring
 
-An unstable phonon does not stay uniform: a slight modulation of it grows until the energy has
-gathered in a packet. The experiment of Eq. (39) is a ring of $N$ beads that starts from a phonon of
-amplitude $a$, modulated by the part $b$ along the ring, and running to the right,
+In a compressed chain linear waves, phonons (dispersion.hpp), can travel. An unstable phonon does not stay
+uniform: a slight modulation of it grows until the energy has gathered in a packet. Eq. (39) shows this
+on a ring of $N$ beads that starts from a phonon of amplitude $a$ running to the right, modulated along
+the ring by the fraction $b$,
 $$x_n(0) = a\sin qn\,(1 + b\cos(2\pi n/N)), \qquad
   \dot x_n(0) = -a\,\omega\cos qn\,(1 + b\cos(2\pi n/N)).$$
-No contact ever opens, the motion is smooth, and a symplectic splitting of order six with fourteen
-stages (stepping/schemes.hpp) keeps its full order. */
+No contact ever opens, so the motion is smooth, and a symplectic splitting of order six with fourteen
+stages (schemes.hpp) keeps its full order. */
 
 #include <algorithm>
 #include <cmath>
@@ -41,8 +42,8 @@ struct ModulatedPhonon {
 };
 
 /**
-One long run answers two questions: what has become of the wave in the end, and whether that
-moves. For the second we follow the packet's centre during the last 60 units of time. */
+One long run answers two questions: what becomes of the wave in the end, and whether that moves. For the
+second we follow the packet's centre during the last 60 units of time, about ten oscillations. */
 struct Modulated {
   State<double> end;
   std::vector<double> density{}, t{}, centre{};
@@ -50,6 +51,7 @@ struct Modulated {
   Snapshot shown{};
 };
 
+/// The run of length `time`, with steps of at most `step`.
 inline Modulated modulate(const ModulatedPhonon& phonon, double time, double step) {
   const CompressedRing ring = phonon.ring();
   const Splitting stepper{blanes_moan_6_14(), step};
@@ -67,10 +69,10 @@ inline Modulated modulate(const ModulatedPhonon& phonon, double time, double ste
 }
 
 /**
-Is such a state a fact about the equations or about the integrator? Instability magnifies
-differences, so we let two runs go on side by side, with steps that differ by a factor of two, and
-look every 50 units of time whether their relative distance has reached a tenth; until then, and
-at most to the time `longest`, statements about the state are not statistical. */
+Is such a state a fact about the equations or about the integrator? An instability magnifies differences.
+So we let two runs go on side by side, with steps that differ by a factor of two, and check every 50
+units of time whether their relative distance has reached a tenth. Until then, and at most until
+`longest`, statements about the state are not merely statistical. */
 inline double agreement_time(const ModulatedPhonon& phonon, double longest) {
   const CompressedRing ring = phonon.ring();
   State<double> coarse = phonon.start(), fine = coarse;
@@ -82,10 +84,9 @@ inline double agreement_time(const ModulatedPhonon& phonon, double longest) {
 }
 
 /**
-A travelling breather has formed, we say, if the largest energy density is at least five times the
-mean, if no more than half of the sites share the energy (188 of 200 at the start of the
-article's run), and if the centre moves to the right at a speed that its error does not reach to
-zero. */
+We say that a travelling breather has formed if the largest energy density is more than five times the
+mean, if less than half of the sites share the energy (188 of 200 at the start of the article's run), and
+if the centre moves to the right at a speed larger than its error. */
 struct Formed {
   double peak_over_mean, participation, speed, speed_error;
   std::size_t sites;
@@ -94,6 +95,7 @@ struct Formed {
   }
 };
 
+/// The numbers by which a run is judged.
 inline Formed formed(const Modulated& m) {
   const std::size_t sites = m.density.size();
   const double mean = total(m.density) / double(sites);

@@ -2,11 +2,11 @@
 /**
 # Looking at a run
 
-A travelling breather is a packet of energy some seven sites wide that oscillates
-inside while it moves. This file turns snapshots of the energy density $e_n$ (Eq. (23) for the
-chain) into the quantities the article quotes: where the packet is,
+A travelling breather is a packet of energy, some seven sites wide, that moves along the chain while its
+beads oscillate. This file turns snapshots of the energy density $e_n$ (Eq. (23), chain.hpp) into the
+quantities that the article quotes: where the packet is,
 $$X = \frac{\sum_{|n-c|\le m} n\,e_n}{\sum_{|n-c|\le m} e_n} \qquad\text{(Eq. (24))},$$
-with its largest site $c$ and $m = 5$, how fast it goes, and how much energy it carries. */
+with $c$ the site of its largest density and $m = 5$, how fast it moves, and how much energy it carries. */
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +23,8 @@ with its largest site $c$ and $m = 5$, how fast it goes, and how much energy it 
 namespace lattice {
 
 /**
-Half-width m of the window around a packet's peak, as in the article (Eq. (24)). */
+Whatever belongs to a packet is summed over a window of $2m+1$ sites around its peak; $m = 5$ is the
+article's choice, below Eq. (24). */
 inline constexpr std::size_t packet_half_width = 5;
 
 /// Sum of `e` over the sites within `m` of `peak`.
@@ -33,7 +34,7 @@ inline double window_sum(const std::vector<double>& e, std::size_t peak,
   return std::accumulate(e.begin() + std::ptrdiff_t(lo), e.begin() + std::ptrdiff_t(hi), 0.0);
 }
 
-/// Energy centre X around `peak`, Eq. (24), in the article's counting (first site = 1).
+/// Energy centre X around the index `peak`, Eq. (24), in the article's counting (first site = 1).
 inline double energy_centre(const std::vector<double>& e, std::size_t peak,
                             std::size_t m = packet_half_width) {
   const std::size_t lo = peak > m ? peak - m : 0, hi = std::min(e.size(), peak + m + 1);
@@ -46,12 +47,12 @@ inline double energy_centre(const std::vector<double>& e, std::size_t peak,
 }
 
 /**
-An impact may launch several packets and leave a surface mode behind, either of
-which can carry more energy than the breather that travels ahead. The tracker
-therefore looks from the far end: the packet is the first site, coming from there,
-that is the largest within a window and whose window holds at least `share` of the
-total. Without precompression nothing runs ahead of the packet but its own
-super-exponentially small tail, so the result does not depend on `share`. */
+An impact may launch several packets and leave a vibration at the struck end, and any of these can carry
+more energy than the breather that travels ahead. The tracker therefore looks from the far end: the packet
+is at the first site, coming from there, that is the largest of its window and whose window holds at least
+`share` of the total energy. Without precompression nothing runs ahead of the packet but its own
+super-exponentially small tail, so the result does not depend on `share`. Returns the index of the site, or
+nothing if there is no such site. */
 inline std::optional<std::size_t> front_packet(const std::vector<double>& e, double share = 0.01,
                                                std::size_t m = packet_half_width) {
   const double total = std::accumulate(e.begin(), e.end(), 0.0);
@@ -67,7 +68,8 @@ inline std::optional<std::size_t> front_packet(const std::vector<double>& e, dou
 }
 
 /**
-Number of sites that share the energy: (sum e)^2 / sum e^2. */
+Localized or spread out? The participation number $(\sum e_n)^2/\sum e_n^2$ says how many sites share the
+energy: one if a single site has all of it, $N$ if all have the same. */
 inline double participation(const std::vector<double>& e) {
   double sum = 0, squares = 0;
   for (double x : e) {
@@ -78,9 +80,9 @@ inline double participation(const std::vector<double>& e) {
 }
 
 /**
-The speed is the slope of the centre $X(t)$, fitted only where the packet is far from
-the end where it was launched: the article says so without a number, so the window
-`from <= X <= to` is an argument here and is stated with every result. */
+A track collects what the packet does from sample to sample. Its speed is the slope of the centre $X(t)$.
+The article fits it only where the packet is far from the end where it was launched, and gives no number;
+so the stretch `from <= X <= to` is an argument here and is stated with every result. */
 struct Track {
   std::vector<double> t, centre, energy, peak;
 
@@ -93,9 +95,8 @@ struct Track {
   }
 
   /**
-  What happens to a packet after it has left the window, a reflection for example, does not count. So
-  the samples that do are those up to the first one whose centre lies beyond `to`, even if a later one
-  lies within again. */
+  What happens to a packet after it has left the stretch, a reflection for example, does not count. So
+  samples count up to the first one whose centre lies beyond `to`, even if a later one is back within. */
   std::size_t until(double to) const {
     return std::size_t(
         std::find_if(centre.begin(), centre.end(), [to](double x) { return x > to; }) -
@@ -123,7 +124,8 @@ struct Track {
 };
 
 /**
-A speed needs three samples, and an energy two neighbours of the instant that is asked for. */
+A speed needs at least three samples; an energy is interpolated between the two samples around the instant
+that is asked for. */
 inline std::optional<Line> Track::line(double from, double to) const {
   const auto [ts, xs] = between(from, to);
   if (ts.size() < 3) return std::nullopt;
@@ -138,10 +140,9 @@ inline double Track::energy_at(double x) const {
 }
 
 /**
-The maximum falls between two samples: a parabola through the highest one and its neighbours finds
-its height and where the centre is then. Only a maximum whose own centre lies in the window
-counts, not the flank of another one that the edge of the window cuts; the highest sample stands
-in where there is no maximum at all. */
+A maximum in time falls between two samples: the parabola through the highest one and its neighbours finds
+its height, and where the centre is then. Only a maximum whose own centre lies in the stretch counts, not
+the flank of one beyond its edge. If there is no maximum at all, the highest sample stands in for it. */
 inline double Track::largest_peak(double from, double to) const {
   double best = 0, highest = 0;
   const std::size_t end = std::min(until(to), t.size());
@@ -157,29 +158,29 @@ inline double Track::largest_peak(double from, double to) const {
   return best > 0 ? best : highest;
 }
 
-/// Where a run is followed for its packet alone.
+/// The observer of a run that is followed for its packet alone.
 struct Unwatched {
   template <class S, class D>
   void operator()(const S&, const D&) const {}
 };
 
 /**
-The packet's speed is the slope of its energy centre. The article fits it sufficiently far from
-the boundary, without a number; we fit from site 20 on. The tracker follows the front-most
-packet, because a second and slower one can carry as much energy (it does at $s = -1/6$). */
+Where does the stretch begin? Our choice is site 20, twice the packet's window away from the struck end.
+The front-most packet is followed, because a second and slower one can carry as much energy (as it does
+at $s = -1/6$). */
 inline constexpr double fit_from = 20, far_away = 1e9;
 
 /**
-Speed of a packet between `fit_from` and `to`, with the error of the fit; throws
-std::runtime_error if none came so far. */
+`packet_speed` is the speed of a packet between `fit_from` and `to`, in sites per unit of time, with the
+error of the fit. Throws std::runtime_error if no packet came so far. */
 inline Estimate packet_speed(const Track& track, double to = far_away) {
   const auto line = track.line(fit_from, to);
   if (!line) throw std::runtime_error("no packet passes site 20");
   return line->estimate();
 }
 
-/// Change of the speed from the first to the second half of the stretch, relative to the speed: it is
-/// small where a packet moves at a constant speed, which a good fit alone does not show.
+/// Change of the speed from the first to the second half of the stretch, relative to the speed: small if
+/// the packet moves at a constant speed, which a good fit alone does not show.
 inline Estimate speed_change(const Track& track, double to = far_away) {
   const auto [t, x] = track.between(fit_from, to);
   if (t.size() < 6) throw std::runtime_error("no packet passes site 20");

@@ -2,11 +2,11 @@
 /**
 # How long two runs stay together
 
-The motion of a chain is chaotic as soon as its contacts open and close, so two runs that differ by
-a rounding, by the step or by a digit of the initial state sooner or later part. Until then a
-trajectory is a fact about the chain; afterwards it is one possibility among many, and only
-statements about ensembles make sense. We say that two states have parted when they differ by
-a tenth of the largest displacement or velocity. */
+The motion of a chain whose contacts open and close is in general chaotic: two runs that differ by a
+rounding, by the step or by the last digit of the initial state will part sooner or later. Until then a
+trajectory is a fact about the chain; afterwards it is one possibility among many, and only statements
+about ensembles make sense. We say that two states have parted when they differ by a tenth of the largest
+displacement or velocity. */
 
 #include <cmath>
 #include <cstddef>
@@ -21,8 +21,8 @@ namespace lattice {
 inline constexpr double parted = 0.1;    ///< relative difference of the states
 inline constexpr double look_every = 2;  ///< units of time between two comparisons
 
-/// The time by which `a`, moved by `first`, and `b`, moved by `second`, have parted; infinite if
-/// they have not by `time`. Both states belong to `chain`.
+/// The time at which the states `a`, advanced by the stepper `first`, and `b`, advanced by `second`, are
+/// first seen to have parted; infinite if they have not by `time`. Both belong to `chain`.
 template <class First, class Second, class Chain>
 double parting_time(const First& first, State<double> a, const Second& second, State<double> b,
                     const Chain& chain, double time) {
@@ -38,8 +38,9 @@ double parting_time(const First& first, State<double> a, const Second& second, S
 }
 
 /**
-That time is a number like others: it depends on the steps of both runs, and it has an error. */
-/// The time of a parting from two steps. It is seen when we look, no sooner; `nan` if never.
+This time is a number like any other: it depends on the steps of the two runs, and has an error. */
+/// The time of parting, from two pairs of runs with different steps. A parting is noticed up to
+/// `look_every` late, which is added to the error; `nan` if there was none.
 inline Estimate parting(double coarse, double fine) {
   if (!std::isfinite(coarse) || !std::isfinite(fine)) return {std::nan(""), std::nan("")};
   Estimate when = compare(coarse, fine);

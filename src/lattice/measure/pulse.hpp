@@ -2,10 +2,11 @@
 /**
 # A packet passes
 
-At a fixed place a travelling breather is a train of pushes: the contact closes once in each internal
-period, harder and harder and then less and less. This file reads off such a train what experiments
-report: the strongest push and its time, the period, and how long it lasts. Samples are taken a
-fraction of a period apart, and parabolas and straight lines do the rest. */
+Seen from a fixed contact, a travelling breather is a train of pushes: the contact closes once in each
+internal period, harder and harder and then less and less. From such a train, sampled a fraction of a
+period apart, this file reads what an experiment would report: the strongest push and its time, the
+period, and how long the train lasts. Maxima are those of parabolas through three samples, crossings
+those of straight lines through two. */
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +21,7 @@ struct Top {
   double t, x;
 };
 
-/// The local maxima of equidistant samples, each from the parabola through its three highest ones.
+/// The local maxima of equidistant samples, each from the parabola through a sample and its neighbours.
 inline std::vector<Top> maxima(const std::vector<double>& t, const std::vector<double>& x) {
   std::vector<Top> tops;
   for (std::size_t i = 1; i + 1 < x.size(); ++i) {
@@ -32,7 +33,8 @@ inline std::vector<Top> maxima(const std::vector<double>& t, const std::vector<d
 }
 
 /**
-The highest of all local maxima of the modulus of `x`; zero if there is none. */
+A velocity or deflection is largest in either direction: `largest_modulus` is the highest local maximum of
+the modulus of `x`, or zero if there is none. */
 inline double largest_modulus(const std::vector<double>& t, std::vector<double> x) {
   for (double& value : x) value = std::abs(value);
   double most = 0;
@@ -45,7 +47,8 @@ struct Push {
   double t, force, period;
 };
 
-/// Nothing where the strongest push is the first or the last one: the packet has not passed.
+/// The strongest push of the samples `force`; nothing if it is the first or the last one, because the
+/// packet has then not passed.
 inline std::optional<Push> strongest_push(const std::vector<double>& t,
                                           const std::vector<double>& force) {
   const auto tops = maxima(t, force);
@@ -56,7 +59,8 @@ inline std::optional<Push> strongest_push(const std::vector<double>& t,
 }
 
 /**
-Times at which `x` passes `level` upwards, linear between the samples. */
+Periods and durations follow from crossings. Here are the times at which `x` passes `level` upwards, linear
+between the samples. */
 inline std::vector<double> upward_crossings(const std::vector<double>& t,
                                             const std::vector<double>& x, double level = 0) {
   std::vector<double> times;

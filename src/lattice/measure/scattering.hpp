@@ -2,16 +2,17 @@
 /**
 # Scattering at a defect
 
-One cantilever of an array has larger or smaller beads. A packet runs into it, and after a while
-its energy is divided among three parts of the array: the sites before the defect, the nine around
-it, and those behind. All shares refer to the energy of the impact, so that their sum differs from
-one by the drift of the run.
+In section 3.6 one cantilever of an array, the defect, has larger beads. A packet runs into it, and after a
+while its energy is divided among three parts of the array: the sites before the defect, the nine around
+it, and those behind. All shares refer to the energy of the impact, so that their sum differs from one by
+the drift of the run.
 
-Much of the energy never comes near the defect, because it stays behind in the wavetrain of the
-boundary. If a share $1-r_0$ passes the same place in an array without a defect, then the
-defect does to that share
+Much of the energy never comes near the defect, because it stays behind in the wave train near the struck
+end. If a share $1-r_0$ passes the same place in an array without a defect, then the defect divides that
+share as
 $$\frac{r-r_0}{1-r_0} + \frac{d}{1-r_0} + \frac{t}{1-r_0} = 1,$$
-with $r$, $d$, $t$ the shares of the three parts: the *net* reflected, remaining and transmitted energy. */
+with $r$, $d$, $t$ the shares of the three parts. These are the *net* reflected, remaining and transmitted
+energies. */
 
 #include <algorithm>
 #include <array>
@@ -26,6 +27,7 @@ with $r$, $d$, $t$ the shares of the three parts: the *net* reflected, remaining
 
 namespace lattice {
 
+/// Shares of the impact's energy before, near and behind the defect.
 struct Ledger {
   double reflected = 0, near = 0, transmitted = 0;
 
@@ -49,9 +51,10 @@ inline Ledger ledger_of(const ArrayImpact& impact, const std::vector<double>& de
 }
 
 /**
-Until the front of the packet arrives the defect rests exactly, so all the runs of a map share their
-way there. It ends where the fifth site before the defect has woken; that the defect itself is
-still asleep is checked. */
+Until the front of the packet arrives the defect is exactly at rest, so all runs that differ in the defect
+alone share the way there. `approach` makes it: it ends when the fifth site before the defect has begun to
+move, and checks that the one next to the defect has not. Throws NoPacket if this is not so within
+`patience`, in ms. */
 inline State<double> approach(const ArrayImpact& impact, double step, double patience = 200) {
   const auto chain = cantilever_chain(impact.array, 1);
   const std::size_t d = impact.array.defect - 1;
@@ -63,7 +66,7 @@ inline State<double> approach(const ArrayImpact& impact, double step, double pat
   return state;
 }
 
-/// The ledger ten milliseconds before the end and at the end.
+/// The ledger 10 ms before the end and at the end. `scatter` goes on from `approach` to `end` (ms).
 struct Scattering {
   Ledger earlier, later;
 };
@@ -81,8 +84,8 @@ inline Scattering scatter(const ArrayImpact& impact, double ratio, State<double>
 }
 
 /**
-One point of the map is computed with two steps. The common way and the run without a defect are
-computed once for each. */
+Every point of a map over the size of the defect is computed with two steps. The common way and the run
+without a defect are computed only once for each step. */
 struct Workshop {
   ArrayImpact impact;
   std::array<double, 2> steps;  ///< in units of tau_c, the larger one first
@@ -100,7 +103,8 @@ struct Workshop {
 };
 
 /**
-The shares with their errors; `near_earlier` belongs to ten milliseconds before the end. */
+The result for one defect are the shares with their errors; `near_earlier` belongs to ten milliseconds
+before the end. */
 struct Fractions {
   Estimate reflected, near, transmitted, near_earlier;
   Estimate net_reflected, net_near, net_transmitted;
@@ -126,7 +130,7 @@ struct Fractions {
 };
 
 /**
-The finer run gives the values. */
+The run with the smaller step gives the values, its difference from the other one the errors. */
 inline Fractions fractions(const Workshop& at, double ratio) {
   std::array<Scattering, 2> run;
   std::array<Ledger, 2> now, net;
@@ -147,8 +151,9 @@ inline Fractions fractions(const Workshop& at, double ratio) {
 /**
 ## What stays
 
-The energy around the defect as a function of time, the mean distribution of the energy, and the frequency
-of the defect, from the upward passages of its velocity through zero. */
+The article finds that a small part of the energy remains loosely trapped near the defect. To see what it
+is we record the energy around the defect as a function of time, the mean distribution of the energy, and
+the frequency of the defect, from the upward passages of its velocity through zero. */
 struct Stay {
   std::vector<double> t, near;  ///< ms, share of the energy on sites 96 to 104
   std::vector<double> density;  ///< mean share at each site from 65 to 100 ms
@@ -161,17 +166,18 @@ struct Stay {
   double kept() const { return at(100) / at(75); }
 };
 
-/// Whole turns of a bead over their time, between its first and last upward passage through zero.
+/// Angular frequency of a bead: its whole turns between the first and the last upward passage of its
+/// velocity through zero, over their time.
 inline double frequency_of(const Watched& bead) {
   const auto turns = upward_crossings(bead.t, bead.v);
   return 2 * std::numbers::pi * double(turns.size() - 1) / (turns.back() - turns.front());
 }
 
 /**
-The run is watched from 50 to 100 ms. Energies at a given time can be compared between two steps
-only if both runs are seen at the same instants, for a passing packet changes them by several
-per cent from one sample to the next. The frequency is read from the samples, and its error must show
-that: it takes them two steps apart. */
+The run is watched from 50 to 100 ms. Energies at a given time can be compared between two steps only if
+both runs are sampled at the same instants, because a passing packet changes them by several per cent
+from one sample to the next. The frequency is read from samples two steps apart, so that its error covers
+their distance as well. */
 inline Stay stay(const ArrayImpact& impact, double ratio, State<double> state,
                  const Resolution& r) {
   const auto chain = cantilever_chain(impact.array, ratio);
@@ -199,8 +205,9 @@ inline Stay stay(const ArrayImpact& impact, double ratio, State<double> state,
 }
 
 /**
-Energy is trapped if it does not leave, if there is more of it than in the wake that a packet leaves
-without any defect, and if it is densest at the defect or next to it. */
+We call energy trapped if at least 95 per cent of it stays from 75 to 100 ms, if there is more of it than
+in the wake that a packet leaves in an array without a defect, and if it is densest at the defect or next
+to it. */
 inline bool is_trapped(const Stay& stay, const Stay& without, std::size_t defect) {
   const auto begin = stay.density.begin() + std::ptrdiff_t(defect) - 4;
   const auto top = std::max_element(begin, begin + 9) - begin;

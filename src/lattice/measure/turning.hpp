@@ -2,11 +2,11 @@
 /**
 # A packet that turns round
 
-In a hard well a travelling breather may slow down, turn and come back to the end where it was
-launched. Its centre is that of the strongest site, Eq. (24), because a packet on its way
-back need not be the front-most one. The centre trembles with the internal oscillation, so that
-its velocity vanishes twice a period, and a turning point means something only for a smoothed
-path: the mean over a stated width with the weight $1+\cos(2\pi t/\text{width})$. */
+In hard wells, $s > 0$, a travelling breather slows down, turns and comes back to the end where it was
+launched (section 3.4). We follow its centre, Eq. (24), around the strongest site, because a packet on its
+way back need not be the front-most one. The centre trembles with the internal oscillation, so that its
+velocity vanishes twice per period, and a turning point has a meaning only for a smoothed path: the mean
+over a stated width with the weight $1+\cos(2\pi t/\text{width})$. */
 
 #include <algorithm>
 #include <cmath>
@@ -40,10 +40,10 @@ struct Path {
 };
 
 /**
-The weight of the smoothing falls to zero at the ends of its window together with its slope, so that
-an oscillation of more than a few periods a window is suppressed strongly, which a plain mean does
-only where the window happens to hold whole periods. At the ends of a path, where no window fits,
-nothing is said: half a window would shift the centre of a moving packet. */
+This weight and its slope fall to zero at the ends of the window, so that an oscillation with more than a
+few periods per window is strongly suppressed; a plain mean does so only if the window happens to hold
+whole periods. At the ends of a path, where no window fits, the smoothed path has no values: half a
+window would shift the centre of a moving packet. */
 
 /// The weighted mean of a path over windows of the given width in time, shorter by one width.
 /// Throws std::invalid_argument for fewer than three samples.
@@ -70,10 +70,9 @@ inline Path smooth(const Path& path, double width) {
 }
 
 /**
-A turning point is the extremum of the smoothed path. The samples are a fraction of a unit of time
-apart, and the parabola through three of them places the extremum between them, so that the time of
-an apex is not limited by the sampling. Where the three do not enclose an extremum the sample itself
-stands. */
+A turning point is an extremum of the smoothed path. The parabola through three samples places it between
+them, so that its time is not limited by the sampling. If the three do not enclose an extremum, the sample
+itself is taken. */
 
 /// A site and a time, `nan` where there are none.
 struct Moment {
@@ -82,7 +81,7 @@ struct Moment {
   bool found() const { return !std::isnan(time); }
 };
 
-/// The extremum of the parabola through three neighbouring samples.
+/// The extremum of the parabola through sample `i` and its neighbours.
 inline Moment vertex(const Path& path, std::size_t i) {
   if (i == 0 || i + 1 >= path.t.size()) return {path.centre[i], path.t[i]};
   const double rise = (path.centre[i + 1] - path.centre[i - 1]) / 2;
@@ -100,10 +99,10 @@ struct Turn {
 };
 
 /**
-A packet has turned when it has come back by `back` sites, more than it can move while it is
-caught between two sites; the apex is its furthest point. It has rebounded when it then moves out
-again by `again` sites. The first stop is sought beyond site `clear`, where the packet has
-detached itself from the end. */
+A packet has turned once it has come back by `back` sites, which is more than it moves to and fro while
+it is caught between two sites; the apex is its furthest point. It has rebounded once it then moves out
+again by `again` sites. The first stop is sought beyond site `clear`, where the packet has detached
+itself from the end. */
 inline Turn find_turn(const Path& path, double back = 5, double again = 3, double clear = 8) {
   Turn turn;
   std::size_t far = 0, near = 0;
@@ -127,10 +126,10 @@ inline Turn find_turn(const Path& path, double back = 5, double again = 3, doubl
 }
 
 /**
-The packets of this header are launched by an impact, and followed for long. A look at the chain
-every 0.2 units of time resolves the internal oscillation, whose period is about four; the smoothing
-covers four of these periods, which removes the ripple and is still short compared with the hundreds
-of units that a packet takes to turn. */
+The packets of this file are launched by an impact and followed for a long time. Sampling every 0.2 units
+of time resolves the internal oscillation, whose period is about four. The smoothing covers four of these
+periods, which removes the ripple and is still short compared with the hundreds of units that a packet
+takes to turn. */
 
 /// An impact on the first bead of a resting chain with quartic wells, Eqs. (9), (10) and (26).
 struct Strike {
@@ -150,8 +149,8 @@ struct Voyage {
 };
 
 /**
-A run keeps the path of the packet and the chain as it is at the end; whoever needs more, a map for
-instance, watches along. */
+A run keeps the path of the packet and the chain as it is at the end; whatever else is needed, such as a
+map of densities, `watch` collects. */
 
 /// Follows the strongest packet; `watch(state, density)` sees every sample.
 template <class Watch = Unwatched>
@@ -168,13 +167,14 @@ Voyage voyage(const ContactAware& stepper, const Strike& strike, Watch watch = {
 }
 
 /**
-A turning has an error from the step, and one from the width of the smoothing, which is our choice.
-The first is the difference of two runs; for the second we read the finer run once more with half
-the width, and add what this changes. */
+The time of a turn has one error from the step and one from the width of the smoothing, which is our
+choice. The first is the difference of two runs; for the second we read the finer run again with half the
+width and add what this changes. */
 struct TurnEstimate {
   Estimate stop_time, stop_site, apex_time, apex_site, return_time;
 };
 
+/// The turn of the finer of two runs, with both errors.
 inline TurnEstimate estimate_turn(const Voyage& coarse, const Voyage& fine) {
   const Turn a = coarse.turn(), b = fine.turn(), c = fine.turn(smoothing / 2);
   const auto both = [&](auto of) {
@@ -190,9 +190,9 @@ inline TurnEstimate estimate_turn(const Voyage& coarse, const Voyage& fine) {
 }
 
 /**
-Where a tolerance is stated, two runs agree if both have an apex and a rebound at the same site and
-time, or both have none (accuracy.hpp). Two runs without either would agree at any step, so their
-end states count as well, with a thousandth of their distance: what is asked for is the turning. */
+If a tolerance is stated (accuracy.hpp), two runs agree if both have an apex and a rebound at the same site
+and time, or if neither has one. Two runs without either would agree at any step, so their end states count
+as well, but only with a thousandth of their distance, since the question is the turn. */
 struct SameTurn {
   std::string name = "apex and rebound";
   double operator()(const Voyage& a, const Voyage& b) const {
@@ -208,27 +208,31 @@ struct SameTurn {
 };
 
 /**
-When a bound on the site is all that matters, the smoothed path is not needed: the mean over one
-internal period tells whether a packet has passed a site, has come back by five sites, or has
-never left the end. */
+For a map of which impacts turn round and which do not, the smoothed path is not needed: the mean over one
+internal period tells whether a packet has passed a given site, the horizon, has come back by five sites,
+or has never left the end. */
 enum class Fate : std::int64_t { escapes, turns, stays, undecided };
+/// A fate, and how far the packet came.
 struct Outlook {
   Fate fate = Fate::undecided;
   double apex = 0;  ///< furthest mean centre so far
 };
 
 /**
-Impacts of many decades need their own clock. The fastest motion is that of the well, of the contact
-or of the quartic term, whose rates grow like $v_0^{1/5}$ and $(s v_0^2)^{1/4}$: the samples and
-steps follow it. How long to wait is told by the slowest packet, that of the DpS limit, whose speed
-grows like $v_0^{1/2}$ and which crosses the horizon in the time `crossing`. We wait ten times as
-long, and call a packet that has not left the end after four crossings one that stays. */
+Impacts over many decades of the velocity $v_0$ need clocks of their own. The fastest motion is that of the
+well, of the contact or of the quartic term, with rates one, $v_0^{1/5}$ and $(s v_0^2)^{1/4}$; samples and
+steps follow it. How long to wait is decided by the slowest packets, those of the DpS limit, which move at
+$0.36\,(v_0/2)^{1/2}$ sites per unit of time (dps.hpp), with 0.4 as an upper limit, and reach the horizon in
+the time `crossing`. We wait ten times as long, and say of a packet that has not left the end after four
+crossings that it stays. After a strong impact everything is faster, so both times are divided by the
+largest rate. */
 struct Patience {
   double interval;  ///< between two looks
   double time;      ///< of the whole run
   double tired;     ///< when a packet near the end counts as one that stays
 };
 
+/// The clock for an impact of `velocity` in wells with anharmonicity `s`.
 inline Patience patience(double velocity, double s, double horizon) {
   const double rate =
       std::max({1.0, std::pow(velocity, 0.2), std::pow(s * velocity * velocity, 0.25)});
@@ -237,10 +241,10 @@ inline Patience patience(double velocity, double s, double horizon) {
 }
 
 /**
-The run ends as soon as the fate is known, since a map asks for thousands of them. Eight samples
-make about one internal period, and only their mean is looked at. */
+A map needs thousands of such runs, so each ends as soon as its fate is known. Eight samples make about one
+internal period, and only their mean counts. */
 
-/// The fate of a struck packet in front of site `horizon`, with steps halved `halvings` times.
+/// The fate of a struck packet before site `horizon`, with steps halved `halvings` times.
 inline Outlook probe(double velocity, double s, double horizon, int halvings) {
   const Patience wait = patience(velocity, s, horizon);
   const Chain<Quartic, Hertz> chain{std::size_t(horizon) + 20, {s}};

@@ -2,9 +2,10 @@
 /**
 # Waves on a ring, measured
 
-Two numbers that a theory of weakly nonlinear waves predicts can be read off a run on a ring: the
-mean frequency of an exact wave (waves/plane_wave.hpp), from the phase of its first Fourier
-component, and the rate at which a small modulation of it grows, from the side band $q + Q$. */
+The theory of weakly nonlinear waves (nls.hpp) predicts two numbers that can be read off a run on a ring:
+the mean frequency of an exact wave of wavenumber $q$ (plane_wave.hpp), from the phase of its first
+Fourier component, and the rate at which a small modulation of wavenumber $Q$ grows, from the side band
+$q + Q$. */
 
 #include <cmath>
 #include <complex>
@@ -28,9 +29,9 @@ inline std::complex<double> fourier(const State<double>& state, double wavenumbe
 }
 
 /**
-A frequency is an angle over a time. The phase of the wave's own component turns by $-\omega$ per unit
-of time; we add its changes from sample to sample over a number of periods, on a ring that holds a
-whole number of wavelengths. */
+A frequency is an angle over a time. The phase of the wave's own component turns by $-\omega$ per unit of
+time; we add up its changes from sample to sample over a number of periods, on a ring that holds a whole
+number of wavelengths. */
 template <class Stepper, class Onsite, class Contact>
 double measured_frequency(const Stepper& stepper, const Chain<Onsite, Contact>& chain,
                           const PlaneWave& wave, double periods) {
@@ -46,9 +47,10 @@ double measured_frequency(const Stepper& stepper, const Chain<Onsite, Contact>& 
 }
 
 /**
-The shift of this frequency is $\beta$ without any theory: a uniform wave of the NLS equation has
-$\omega_{nl}^2 = \omega^2 + 2\beta|A|^2$, and the exact wave has $a = 2|A|$. The linear frequency `omega` is
-that of Eq. (34). Two steps in time and two pairs of amplitudes tell the error. */
+From the shift of this frequency follows $\beta$, the coefficient of the NLS equation, without its
+formula: a uniform wave of that equation has $\omega_{nl}^2 = \omega^2 + 2\beta|A|^2$, and the exact wave
+has $a = 2|A|$. The linear frequency `omega` is that of Eq. (34). Two pairs of amplitudes lead to zero
+amplitude (instability.hpp), and two steps in time give the error. */
 template <class Onsite, class Contact>
 Estimate measured_beta(const Chain<Onsite, Contact>& ring, double q, double omega) {
   const auto from = [&](double step) {
@@ -63,9 +65,9 @@ Estimate measured_beta(const Chain<Onsite, Contact>& ring, double q, double omeg
 }
 
 /**
-Growth can be seen in a run as well. A modulation with `turns` periods on the ring starts with a
-relative amplitude of $10^{-6}$, and we lay a line through the logarithm of the side band between four and
-eight times 1 / `expected`, when the growing part has left the decaying one behind. */
+Growth can be seen in a run as well. A modulation with `turns` periods on the ring starts with a relative
+amplitude of $10^{-6}$, and a line is fitted to the logarithm of the side band from four to eight times
+1 / `expected`, when the growing part has left the decaying one behind. */
 template <class Stepper, class Onsite, class Contact>
 double measured_growth(const Stepper& stepper, const Chain<Onsite, Contact>& chain,
                        const PlaneWave& wave, int turns, double expected) {

@@ -2,16 +2,18 @@
 /**
 # Where the chain ends
 
-A chain of $N$ beads has $N + 1$ places for a contact: contact $i$ lies between the beads
-$i - 1$ and $i$, so that contact $0$ is left of the first bead and contact $N$ right of the
-last one. What is there is the boundary condition, and it is decided in this file only:
+A chain of $N$ beads, counted from zero, has $N + 1$ places for a contact: contact $i$ lies
+between beads $i - 1$ and $i$, so contact $0$ is to the left of the first bead and contact $N$
+to the right of the last. What is found at those two places is the boundary condition, and this
+is the only file that decides it:
 
         free       .   o---o---o   .        contacts 1 .. N-1
         fixed      |---o---o---o---|        0 and N lead to a wall, a bead that never moves
         periodic   (---o---o---o---)        0 and N are one contact, between last and first bead
 
-Forces, energies, curvatures, switchings and the tiles of a long run all ask the same three
-questions: is there a contact, how far is it stretched, and which stiffness is its own. */
+Forces, energies, second derivatives, the search for contacts that open or close, and the tiles
+of a long run (tiling.hpp) all ask the same three questions: is there a contact, how far is it
+stretched, and which stiffness belongs to it? */
 
 #include <cstddef>
 
@@ -24,8 +26,8 @@ enum class Ends { free, fixed, periodic };
 inline constexpr const char* ends_names[] = {"free", "fixed", "periodic"};
 
 /**
-The two ends of `sites` beads are kept apart, though those of a chain are alike: a tile of a chain that
-is computed by itself has a free end wherever it was cut, and the chain's own end elsewhere. */
+Both ends of a chain obey the same condition, and yet `Boundary` stores one for each: a piece of a
+chain that is computed by itself has a free end wherever it was cut, and the chain's own end elsewhere. */
 struct Boundary {
   std::size_t sites = 0;
   Ends first = Ends::free, last = Ends::free;
@@ -33,17 +35,18 @@ struct Boundary {
   Ends end_at(std::size_t i) const { return i == 0 ? first : last; }
   bool inside(std::size_t i) const { return i > 0 && i < sites; }
 
-  /// Whether contact `i` exists and acts on the bead or beads next to it.
+  /// Whether contact `i` exists, 0 <= i <= sites, and acts on the bead or beads next to it.
   bool pushes(std::size_t i) const { return inside(i) || end_at(i) != Ends::free; }
 
-  /// The same with every contact counted once: contact 0 of a ring is its contact `sites`.
+  /// The same with every contact counted once, as a sum of energies needs it: contact 0 of a ring is
+  /// its contact `sites`.
   bool counts(std::size_t i) const { return inside(i) || (pushes(i) && i == own(i)); }
 
   /// The index under which contact `i` has its stiffness.
   std::size_t own(std::size_t i) const { return i == 0 && first == Ends::periodic ? sites : i; }
 
-  /// Stretch of contact `i`, q[i] - q[i - 1], where a wall counts as a bead at rest. `q` may as well
-  /// be velocities or accelerations.
+  /// Stretch of contact `i`, q[i] - q[i - 1], where a wall counts as a bead at rest. `q` holds `sites`
+  /// positions, or velocities or accelerations, whose differences follow the same rule.
   template <class T>
   T stretch(const T* q, std::size_t i) const {
     if (inside(i)) [[likely]]

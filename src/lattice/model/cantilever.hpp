@@ -2,12 +2,12 @@
 /**
 # Decorated cantilevers
 
-A beam clamped at both ends carries two beads at its middle, and touches the beads of its neighbours
-with them. Reduced to its largest deflection $x_n$, an array of such beams has the
-Hamiltonian of Eq. (31),
+Section 3.6 of the article proposes an experiment: a row of elastic beams, each clamped at both ends
+and carrying two beads at its middle, with which it touches the beads of its neighbours. If each beam
+is described by its largest deflection $x_n$ alone, the Hamiltonian is that of Eq. (31),
 $$H = \sum_n \frac{m_n}{2}\,\dot x_n^2 + \frac k2\,x_n^2 + \frac25\,\gamma_n\,(x_n-x_{n+1})_+^{5/2}.$$
-This file derives its coefficients from the theory of beams and from Hertz's law, in SI units,
-and makes of them the dimensionless chain of Eq. (32). */
+This file derives the coefficients from beam theory and Hertz's law, in SI units, and turns them
+into the dimensionless chain of Eq. (32). */
 
 #include <array>
 #include <cmath>
@@ -22,19 +22,22 @@ namespace lattice {
 /**
 ## The beam
 
-A beam that vibrates with frequency $\omega$ obeys $EI\,u'''' = \rho A\,\omega^2 u$. We measure lengths in
-units of $\ell$ and put $x^4 = \rho A\,\omega^2\ell^4/(EI)$, so that $u'''' = x^4 u$. A force $F$ at the middle
-makes the shear jump, and by symmetry $F = -2\,u'''$ at the end of the left half. What a point
-mass of $\kappa$ beam masses at that place needs is $-\kappa x^4 u$. Hence the stiffness, in units of $EI/\ell^3$, is
-$$k(x) = -\frac{2\,u'''}{u}-\kappa\,x^4, \qquad u(0)=u'(0)=0,\quad u'(\tfrac12)=0,$$
-the static one is $k(0)$, and a free vibration has $k(x) = 0$. */
+The article replaces each beam by a spring and a point mass, with the rounded factors 192 and 0.38.
+To see what that costs we solve the beam itself. A beam of length $\ell$, bending stiffness $EI$ and
+mass $\rho A$ per unit length that vibrates with frequency $\omega$ obeys $EI\,u'''' = \rho A\,\omega^2 u$.
+In units of $\ell$, with $x^4 = \rho A\,\omega^2\ell^4/(EI)$, this is $u'''' = x^4 u$. A force $F$ at the
+middle makes the shear force jump there, and by symmetry $F = -2\,u'''$ at the end of the left half. A
+point mass of $\kappa$ beam masses at the same place takes up $-\kappa x^4 u$. Hence the stiffness against
+such a force, in units of $EI/\ell^3$, is
+$$k(x) = -\frac{2\,u'''}{u}-\kappa\,x^4, \qquad u(0)=u'(0)=0,\quad u'(\tfrac12)=0.$$
+The static stiffness is $k(0)$, and a free vibration has $k(x) = 0$. */
 struct ClampedBeam {
   std::size_t steps = 400;  ///< of the classical Runge-Kutta method on half of the beam
   double point_mass = 0;    ///< at the middle, in units of the beam's mass
 
   using Section = std::array<double, 4>;  ///< u and its first three derivatives
 
-  /// The solution that starts as `at`, at the middle of the beam.
+  /// The solution of u'''' = x4 u at the middle of the beam, if it starts as `at` at the clamped end.
   Section march(Section at, double x4) const {
     const double h = 0.5 / double(steps);
     const auto rate = [x4](const Section& s) { return Section{s[1], s[2], s[3], x4 * s[0]}; };
@@ -51,7 +54,8 @@ struct ClampedBeam {
   }
 
   /**
-  Two solutions leave the clamped end, and the one without a slope at the middle is their combination. */
+  The clamped end leaves two conditions open, $u''$ and $u'''$. So we march two solutions from there and
+  combine them into the one that has no slope at the middle. */
   /// Stiffness at the middle, in units of E I / l^3, at the dimensionless wavenumber x.
   double stiffness(double x) const {
     const double x4 = x * x * x * x;
@@ -61,7 +65,9 @@ struct ClampedBeam {
     return -2 * shear / u - point_mass * x4;
   }
 
-  /// The wavenumber of the slowest symmetric vibration, by bisection.
+  /// The wavenumber of the slowest symmetric vibration, by bisection. Without a point mass it is 4.73
+  /// and a mass lowers it, so that it lies between the two starting values; the next symmetric
+  /// vibration, at 11.0, does not. Sixty halvings leave less than the last digit.
   double wavenumber() const {
     double low = 0.1, high = 6;
     for (int k = 0; k < 60; ++k) {
@@ -73,7 +79,9 @@ struct ClampedBeam {
 };
 
 /**
-First positive root of cos(x) cosh(x) = 1, the wavenumber of the beam without a mass, by Newton. */
+The beam without a point mass has a textbook answer against which the march can be checked: its
+wavenumber is the first positive root of $\cos x\,\cosh x = 1$, about 4.73. Newton's method starts close
+by. */
 inline double clamped_root() {
   double x = 4.7;
   for (int k = 0; k < 8; ++k)
@@ -85,13 +93,14 @@ inline double clamped_root() {
 /**
 ## From SI to the chain
 
-A bead that collides with its neighbour at the speed $V$ is in contact for a time of order $\tau_h$
-and compressed by a length of order $\delta$; with the well come the period $2\pi\tau_c$ and the
-displacement $\xi$ at which both forces are equal:
+A chain in SI units becomes that of Eq. (9) once length and time are measured in suitable units. Two
+beads that collide at the speed $V$ touch for a time of order $\tau_h$ and are compressed by a length of
+order $\delta$. The well adds the period $2\pi\tau_c$, and the displacement $\xi$ at which its force
+equals that of a contact (section 3.5):
 $$\tau_h = \Bigl(\frac{m^2}{\gamma^2 V}\Bigr)^{1/5},\quad \delta = \Bigl(\frac{mV^2}{\gamma}\Bigr)^{2/5},\quad
 \tau_c = \sqrt{m/k},\quad \xi = (k/\gamma)^2,\quad \lambda = \frac{m}{k\,\tau_h^2}.$$
 In the units $\xi$ and $\tau_c$ the chain is that of Eq. (9), and the impact velocity
-is $V\tau_c/\xi = \lambda^{5/2}$, Eqs. (29) and (30). */
+is $V\tau_c/\xi = \lambda^{5/2}$, Eqs. (29) and (30). Speeds $V$ below are in m/s, results in SI units. */
 struct Scales {
   double m, k, gamma;  ///< kg, N/m, N/m^(3/2)
 
@@ -106,7 +115,8 @@ struct Scales {
 };
 
 /**
-An array of equal cantilevers, in SI units; the defaults are the article's steel and teflon. */
+The array itself is given by its materials and dimensions. All cantilevers are equal but for one, whose
+beads may be larger; the defaults are the article's values for steel beams and teflon beads. */
 struct CantileverArray {
   std::size_t sites = 200;
   std::size_t defect = 100;  ///< site whose beads have another radius, counted from one
@@ -114,10 +124,11 @@ struct CantileverArray {
   double length = 25e-3, width = 5e-3, thickness = 1e-3;          // m
   double bead_density = 2.2e3, bead_modulus = 1.46e9, nu = 0.46;  // kg/m^3, Pa, 1
   double radius = 2.38e-3;                                        // m
-  double beam_share = 0.38;  ///< effective mass of a beam over its mass, as printed
+  double beam_share = 0.38;  ///< effective mass of a beam over its mass, as printed in section 3.6
 
   /**
-  From these follow masses and stiffnesses. */
+  From these follow the masses and stiffnesses of section 3.6, in kg and N/m. A `ratio` is that of a
+  bead's radius to the usual one, $\tilde R_n$ in the article. */
   double area_moment() const { return width * thickness * thickness * thickness / 12; }
   double beam_mass() const { return beam_density * width * thickness * length; }
   double bead_mass(double ratio = 1) const {
@@ -129,28 +140,29 @@ struct CantileverArray {
   double stiffness() const {
     return 192 * beam_modulus * area_moment() / (length * length * length);
   }
-  /// Hertz's coefficient of two beads of radius R and the given Young's modulus.
+  /// Hertz's coefficient of two beads of radius R and the given Young's modulus (Pa), in N/m^(3/2).
   double gamma(double modulus) const {
     return modulus * std::sqrt(2 * radius) / (3 * (1 - nu * nu));
   }
   Scales scales() const { return {mass(), stiffness(), gamma(bead_modulus)}; }
 
-  /// mu of the defect, and eta of its two contacts.
+  /// mu_n of the defect in Eq. (32): its mass over that of the other cantilevers.
   double mu(double ratio) const { return mass(ratio) / mass(); }
   /// Frequency of the defect without its contacts, over that of the other cantilevers.
   double linear_frequency(double ratio) const { return 1 / std::sqrt(mu(ratio)); }
+  /// eta_n of its two contacts in Eq. (32).
   static double eta(double ratio) { return std::sqrt(2 * ratio / (1 + ratio)); }
 };
 
 /**
-All constants have a name and a unit, so that a program can list them. */
+A reader who builds such an array wants every constant in one table, with name and unit. */
 struct NamedScale {
   const char *name, *unit;
   double value;
 };
 
 /**
-What is given. */
+The first part of the table holds what we choose, materials and dimensions. */
 inline std::vector<NamedScale> given_scales(const CantileverArray& a) {
   return {{"beam_density", "kg/m^3", a.beam_density},
           {"beam_modulus", "Pa", a.beam_modulus},
@@ -164,7 +176,8 @@ inline std::vector<NamedScale> given_scales(const CantileverArray& a) {
 }
 
 /**
-What follows for an impact velocity `v`. */
+The second part holds what follows from it for an impact velocity `v` in m/s: the coefficients of
+Eq. (31), the scales, and the units in which the dimensionless chain is measured. */
 inline std::vector<NamedScale> derived_scales(const CantileverArray& a, double v) {
   const Scales s = a.scales();
   const double lambda = s.lambda(v);
@@ -188,8 +201,9 @@ inline std::vector<NamedScale> derived_scales(const CantileverArray& a, double v
 }
 
 /**
-A bead of radius $R_n$ makes its cantilever heavier and both its contacts stiffer,
-$\eta_n = [2R_nR_{n+1}/(R_n+R_{n+1})]^{1/2}$ in units of $R$. */
+A larger bead, of radius $R_n$, makes its cantilever heavier and both its contacts stiffer,
+$\eta_n = [2R_nR_{n+1}/(R_n+R_{n+1})]^{1/2}$ with radii in units of $R$. What follows is the chain of
+Eq. (32) with one such site, where the radius is `ratio` times the usual one. */
 inline Chain<Harmonic, Hertz> cantilever_chain(const CantileverArray& array, double ratio) {
   Chain<Harmonic, Hertz> chain{array.sites};
   std::vector<double> mass(array.sites, 1.0), eta(array.sites + 1, 1.0);

@@ -2,11 +2,16 @@
 /**
 # The chain
 
-Beads of mass $\mu_n$ sit in wells $W$ and push on their neighbours through
-contacts $V$ of stiffness $\eta_n$, Eq. (32) of the article:
+The article studies a row of beads, each held by a well of its own (a pendulum, an elastic beam) and
+pushing on its two neighbours. Bead $n$ has the mass $\mu_n$ and the displacement $y_n$; the wells have
+the potential $W$ (well.hpp), the contacts the potential $V$ (contact.hpp), and $\eta_n$ is the stiffness
+of the contact between the beads $n$ and $n+1$:
 $$\mu_n \ddot y_n = -W'(y_n) + \eta_n V'(y_{n+1}-y_n) - \eta_{n-1} V'(y_n-y_{n-1}).$$
-With $\mu_n = \eta_n = 1$ this is the chain of section 3, Eq. (6). Sites are
-counted from zero in the code and from one in tables, as in the article. */
+This is Eq. (32) with wells and contacts of any kind. With $\mu_n = \eta_n = 1$ it is the chain of
+section 3, whose Hamiltonian is Eq. (6):
+$$\mathcal H = \sum_n \tfrac12\,\dot y_n^2 + W(y_n) + V(y_{n+1}-y_n).$$
+Everything is dimensionless (cantilever.hpp has the units). Sites are counted from zero in the code and
+from one in tables, as in the article. */
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +27,7 @@ counted from zero in the code and from one in tables, as in the article. */
 
 namespace lattice {
 
-/// Positions and velocities at time `t`; both vectors have one entry a site.
+/// Positions and velocities at time `t`; both vectors have one entry per site.
 template <class T = double>
 struct State {
   std::vector<T> y, v;
@@ -31,22 +36,23 @@ struct State {
   explicit State(std::size_t sites) : y(sites, T(0)), v(sites, T(0)) {}
 };
 
-/// The sites `first <= n < last` that have woken; all the others are exactly at rest.
+/// The sites `first <= n < last` that have begun to move; all the others are exactly at rest.
 struct Window {
   std::size_t first = 0, last = 0;
   friend bool operator==(const Window&, const Window&) = default;
 };
 
 /**
-A chain is its two potentials, its length and its ends. `vary` sets masses and stiffnesses;
-where they are empty the chain is homogeneous and the shorter loop is selected. */
+A chain is defined by its two potentials, its length and its ends (boundary.hpp). `vary`, below, sets
+masses and stiffnesses; where their lists are empty the chain is homogeneous, and the inner loop is
+shorter. */
 template <class Onsite, class Contact>
 struct Chain {
   std::size_t sites = 0;
   Onsite onsite{};
   Contact contact{};
   Ends ends = Ends::free;
-  std::vector<double> mass{};          ///< mu_n, one entry a site
+  std::vector<double> mass{};          ///< mu_n, one entry per site
   std::vector<double> inverse_mass{};  ///< 1 / mu_n
   std::vector<double> eta{};           ///< sites + 1 entries; eta[i] is the contact of i-1 with i
 
@@ -56,9 +62,9 @@ struct Chain {
 };
 
 /**
-A wrong mass would make a run wrong without a sign, so every number is looked at when it enters.
-`mass` has one entry a site, `eta` one more; either may be empty, which means one everywhere. Throws
-std::invalid_argument where the lengths do not fit, a mass is not positive, a stiffness is negative,
+A wrong mass would spoil a run without any sign of it, so every number is checked when it enters.
+`mass` has one entry per site and `eta` one more; either may be empty, which means one everywhere. Throws
+std::invalid_argument if the lengths do not fit, a mass is not positive, a stiffness is negative,
 or a ring has two different stiffnesses for the contact of its last bead with its first. */
 template <class Onsite, class Contact>
 void vary(Chain<Onsite, Contact>& chain, const std::vector<double>& mass,
@@ -80,9 +86,10 @@ void vary(Chain<Onsite, Contact>& chain, const std::vector<double>& mass,
 }
 
 /**
-Whatever is computed beside the inner loop (an energy, a tangent, a switching) asks the chain the
-questions that follow, so that masses, stiffnesses and ends are treated alike everywhere. First:
-what does one unit of force do to bead `n`, $1/\mu_n$, in the precision of the run? */
+Whatever is computed outside the inner loop (an energy, a linearisation, the instant at which a contact
+opens) asks the chain the questions that follow, so that masses, stiffnesses and ends are treated alike
+everywhere. The first one is how much a unit of force accelerates bead `n`: $1/\mu_n$, in the precision
+of the run. */
 template <class T, class Onsite, class Contact>
 T lightness(const Chain<Onsite, Contact>& chain, std::size_t n) {
   if (chain.mass.empty()) return T(1);
@@ -102,7 +109,8 @@ bool touches(const Chain<Onsite, Contact>& chain, std::size_t i) {
   return chain.boundary().counts(i);
 }
 
-/// Push of contact `i`, between sites i - 1 and i, on the bead to its right.
+/// Push of contact `i`, between sites i - 1 and i, on the bead to its right; zero where there is no
+/// contact.
 template <class T, class Onsite, class Contact>
 inline T contact_push(const Chain<Onsite, Contact>& chain, const T* y, std::size_t i) {
   if (!chain.boundary().pushes(i)) return T(0);
@@ -110,17 +118,17 @@ inline T contact_push(const Chain<Onsite, Contact>& chain, const T* y, std::size
 }
 
 /**
-Ahead of a front the beads are at rest exactly, so they need no work. The window
-of woken sites grows by one whenever the contact at its edge begins to push: that
-test happens inside every force evaluation, hence a windowed run has the same bits
-as a run of the whole chain, and its cost does not depend on the chain's length. */
+An impact at one end reaches the far end late, and until then most beads are exactly at rest and need
+no work. So only a window of moving sites is computed. It grows by one site at either edge whenever the
+contact there begins to push. This is tested in every force evaluation; hence a windowed run has the same
+bits as a run of the whole chain, at a cost that does not depend on the chain's length. */
 template <class T, class Onsite, class Contact>
 void widen(const Chain<Onsite, Contact>& chain, const T* y, Window& window) {
   if (window.first > 0 && contact_push(chain, y, window.first) != T(0)) --window.first;
   if (window.last < chain.sites && contact_push(chain, y, window.last) != T(0)) ++window.last;
 }
 
-/// The smallest window that holds everything that moves; the whole chain if it is periodic.
+/// The smallest window that holds everything that is displaced or moves; the whole of a ring.
 template <class T, class Onsite, class Contact>
 Window waking(const Chain<Onsite, Contact>& chain, const State<T>& state) {
   if (chain.ends == Ends::periodic) return {0, chain.sites};
@@ -132,9 +140,9 @@ Window waking(const Chain<Onsite, Contact>& chain, const State<T>& state) {
 }
 
 /**
-The loops of kernel.hpp know nothing of windows, edges and ends; they need a range of sites, the
-pushes at its two edges and what is varied in between. First the window is widened and its
-edges are evaluated, `sweep(left, right)`. */
+The loops of kernel.hpp know nothing of windows and ends; they want a range of sites, the pushes at its
+two edges, and the masses and stiffnesses in between. So before each sweep the window is widened and the
+pushes `left` and `right` at its edges are evaluated. */
 template <class T, class Onsite, class Contact, class Sweep>
 void with_edges(const Chain<Onsite, Contact>& chain, const T* y, Window& window, Sweep sweep) {
   if (window.first == window.last) return;
@@ -142,8 +150,8 @@ void with_edges(const Chain<Onsite, Contact>& chain, const T* y, Window& window,
   sweep(contact_push(chain, y, window.first), contact_push(chain, y, window.last));
 }
 
-/// Runs `sweep(variation, at, count, left, right)` on the woken sites `at` and following, with the
-/// pushes at both edges and what is varied between them.
+/// Calls `sweep(variation, at, count, left, right)` for the `count` moving sites from `at` on, with the
+/// pushes at both edges and the masses and stiffnesses that are not one (`Variation` in kernel.hpp).
 template <class T, class Onsite, class Contact, class Sweep>
 void sweep_window(const Chain<Onsite, Contact>& chain, const T* y, Window& window, Sweep sweep) {
   with_edges(chain, y, window, [&](T left, T right) {
@@ -158,9 +166,10 @@ void sweep_window(const Chain<Onsite, Contact>& chain, const T* y, Window& windo
 }
 
 /**
-All integrators move the chain by one of two calls. Splittings kick and drift: velocities by `kick`
-times the accelerations, then positions by `drift` times the velocities, on all woken sites, added
-as `sum` does (kernel.hpp). The others ask for the accelerations `a` at positions `y`. */
+All integrators move the chain by one of two calls. Splitting methods (schemes.hpp) kick and drift: they
+change velocities by `kick` times the accelerations, then positions by `drift` times the velocities, at
+all moving sites; `sum` says how a small number is added to a large one (kernel.hpp). The other methods
+ask for the accelerations `a` at the positions `y`. */
 template <class T, class Onsite, class Contact, class Sum = PlainSum>
 void kick_drift(const Chain<Onsite, Contact>& chain, State<T>& state, Window& window, T kick,
                 T drift, const Sum& sum = {}) {
@@ -180,7 +189,7 @@ void accelerate(const Chain<Onsite, Contact>& chain, const T* y, T* a, Window& w
       });
 }
 
-/// Accelerations of the whole chain.
+/// Accelerations of the whole chain at the positions `y`, one entry per site.
 template <class T, class Onsite, class Contact>
 std::vector<T> accelerations(const Chain<Onsite, Contact>& chain, const std::vector<T>& y) {
   std::vector<T> a(chain.sites, T(0));
@@ -190,17 +199,18 @@ std::vector<T> accelerations(const Chain<Onsite, Contact>& chain, const std::vec
 }
 
 /**
-The energy at a site is its kinetic and well energy and that of the contact to
-its right, Eq. (23). (The factor $\gamma$ printed there is one in these units.)
-With fixed ends the first site also counts the contact with the left wall, so
-that the densities add up to the Hamiltonian, Eq. (6). */
+A packet is followed by where its energy is. The energy of a site is its kinetic energy, that of its well
+and that of the contact to its right, Eq. (23); without precompression and with $\eta_n = 1$
+$$e_n = \tfrac12\,\dot y_n^2 + W(y_n) + \tfrac25\,(y_n-y_{n+1})_+^{5/2}.$$
+(The factor $\gamma$ printed there is one in these units.) With fixed ends the first site also counts
+the contact with the left wall, so that the densities add up to the Hamiltonian, Eq. (6). */
 template <class T, class Onsite, class Contact>
 T contact_energy(const Chain<Onsite, Contact>& chain, const T* y, std::size_t i) {
   if (!touches(chain, i)) return T(0);
   return T(chain.eta_of(i)) * chain.contact.energy(stretch(chain, y, i));
 }
 
-/// Energy density e_n, one entry a site.
+/// Energy density e_n, one entry per site.
 template <class T, class Onsite, class Contact>
 std::vector<T> energy_density(const Chain<Onsite, Contact>& chain, const State<T>& state) {
   std::vector<T> e(chain.sites);
@@ -214,7 +224,8 @@ std::vector<T> energy_density(const Chain<Onsite, Contact>& chain, const State<T
 
 /**
 The Hamiltonian of Eq. (6) is the sum of these densities. It is always summed from the first site to
-the last, so that two runs of one state report the same bits. */
+the last, because sums of rounded numbers depend on their order, and equal states are to report equal
+bits. */
 template <class T, class Onsite, class Contact>
 T energy(const Chain<Onsite, Contact>& chain, const State<T>& state) {
   T sum(0);
@@ -222,7 +233,8 @@ T energy(const Chain<Onsite, Contact>& chain, const State<T>& state) {
   return sum;
 }
 
-/// Contact forces f_n of site n on n + 1 (>= 0 without precompression), `sites` entries.
+/// Contact forces of site n on n + 1, `sites` entries: not negative without precompression, and
+/// the article's f_n with the opposite sign.
 template <class T, class Onsite, class Contact>
 std::vector<T> contact_forces(const Chain<Onsite, Contact>& chain, const std::vector<T>& y) {
   std::vector<T> f(chain.sites);
@@ -231,14 +243,15 @@ std::vector<T> contact_forces(const Chain<Onsite, Contact>& chain, const std::ve
 }
 
 /**
-Small motions about `y`, phonons and the stability of a state at rest, are those of a matrix: the
-second derivatives of the potential energy, symmetric and tridiagonal. `off[n]` couples n and n + 1;
-its last entry couples the ends of a periodic chain. */
+Small motions about a state at rest, its phonons and its stability, follow from one matrix: the second
+derivatives of the potential energy at `y`, symmetric and tridiagonal. `diagonal` and `off` have one
+entry per site; `off[n]` couples n and n + 1, and its last entry couples the two ends of a ring. */
 template <class T>
 struct Hessian {
   std::vector<T> diagonal, off;
 };
 
+/// The second derivatives of the potential energy at the positions `y`.
 template <class T, class Onsite, class Contact>
 Hessian<T> linearise(const Chain<Onsite, Contact>& chain, const std::vector<T>& y) {
   const std::size_t n = chain.sites;

@@ -2,10 +2,11 @@
 /**
 # Contacts
 
-Beads that touch repel. Beside the members that every potential has (potential.hpp) a contact
-names its `opening()`, the relative displacement at which the beads separate, and the `exponent`
-with which the force begins there. A new contact is a struct in this file and its entry in the
-list at the end. */
+Beads that touch repel each other, and beads that do not touch ignore each other. It is this one-sided
+force that makes the chains of the article unlike other nonlinear lattices. Apart from the members that
+every potential has (potential.hpp), a contact names its `opening()`, the relative displacement
+$r = y_{n+1}-y_n$ at which the beads separate, and the `exponent` with which the force grows from there.
+A new contact is a struct in this file and an entry in the list at its end. */
 
 #include <array>
 #include <cmath>
@@ -15,7 +16,7 @@ list at the end. */
 
 namespace lattice {
 
-/// The power 3/2 with the sign of `x`, by a root that is rounded correctly everywhere.
+/// $|x|^{3/2}$ with the sign of `x`, by a square root, which every machine rounds alike.
 template <class T>
 T three_halves(T x) {
   using std::abs, std::sqrt;
@@ -23,16 +24,15 @@ T three_halves(T x) {
 }
 
 /**
-Two spheres repel with the 3/2 power of their overlap and do not attract, Eq. (7):
-$V(r) = \frac25 (-r)_+^{5/2}$. The power is written $x\sqrt x$, which is one correctly rounded root
-and one product: the same bits on every machine.
+Two elastic spheres repel with the 3/2 power of their overlap $-r$ and do not attract, Eq. (7):
+$V(r) = \frac25 (-r)_+^{5/2}$, where $(x)_+$ is $x$ if positive and zero otherwise. The power is
+written $x\sqrt x$, one correctly rounded root and one product: the same bits on every machine.
 
-The force carries an explicit `floor`: an overlap at or below it exerts no force
-at all. Ahead of a front the displacements fall double-exponentially and would
-otherwise crawl through subnormal numbers, which cost ten times as much. With
-the default $10^{-60}$ the neglected force is $10^{-90}$, and beads ahead of the
-front are at rest *exactly*, so that they need not be integrated. A static
-breather whose tail is itself the subject sets `floor = 0`. */
+The force has an explicit `floor`: an overlap at or below it exerts no force at all. Ahead of a front
+the displacements fall double-exponentially and would otherwise crawl through the subnormal numbers
+near $10^{-308}$, which cost the processor ten times as much. With the default of $10^{-60}$ the
+neglected force is $10^{-90}$, and beads ahead of the front are at rest *exactly*, so that they need not
+be integrated. Where the tail of a static breather is itself the subject, we set `floor = 0`. */
 struct Hertz {
   double floor = 1e-60;
   static constexpr const char* name = "hertz";
@@ -44,7 +44,7 @@ struct Hertz {
   }
 
   /**
-  Energy, force and stiffness all see this overlap, so that one at the floor counts in none of them. */
+  Energy, force and stiffness all use this overlap, so that one below the floor counts in none of them. */
   template <class T>
   T energy(T r) const {
     using std::sqrt;
@@ -69,11 +69,11 @@ struct Hertz {
 };
 
 /**
-A chain squeezed by $d$ at rest keeps its contacts closed under small motion and
-gains a phonon band, Eq. (33):
-$V(r) = \frac25 (d-r)_+^{5/2} + d^{3/2} r - \frac25 d^{5/2}$. Only the first term
-moves beads; the others make $V(0) = V'(0) = 0$. The contact now opens at
-$r = d$ instead of $r = 0$. */
+If neighbours are pressed together by $d$ at rest, small motions leave the contacts closed, and the chain
+carries linear waves (dispersion.hpp). The potential is that of Eq. (33):
+$V(r) = \frac25 (d-r)_+^{5/2} + d^{3/2} r - \frac25 d^{5/2}$. The linear term subtracts the constant force
+of the precompression, which cancels on every bead inside the chain, so that $V(0) = V'(0) = 0$. The
+contact now opens at $r = d$ instead of $r = 0$. */
 struct CompressedHertz {
   double d = 0;
   static constexpr const char* name = "hertz";
@@ -89,8 +89,8 @@ struct CompressedHertz {
   }
 
   /**
-  For a small $r$ the constant nearly cancels the power, so the two are subtracted before anything else
-  is added. */
+  For small $r$ the constant nearly cancels the power, so the two are subtracted before anything is
+  added. */
   template <class T>
   T energy(T r) const {
     using std::sqrt;
@@ -113,10 +113,10 @@ struct CompressedHertz {
 };
 
 /**
-Other contacts (cylinders, hollow spheres, rough tips) follow the same law with
-another exponent $\alpha \ge 1$: $V(r) = (d-r)_+^{\alpha+1}/(\alpha+1)$, made
-stationary at $r = 0$. The general power is slower and its last bit depends on
-the mathematical library; with $\alpha = 3/2$ it is the root of the other laws. */
+Other contacts (cylinders, hollow spheres, rough tips) follow the same law with another exponent
+$\alpha \ge 1$: $V(r) = (d-r)_+^{\alpha+1}/(\alpha+1)$, plus the terms that make $V(0) = V'(0) = 0$. The
+general power is slower, and its last bit depends on the mathematical library; for $\alpha = 3/2$ the
+square root of the other laws is used instead. */
 struct PowerContact {
   double exponent = 1.5;
   double d = 0;
@@ -129,7 +129,7 @@ struct PowerContact {
   }
 
   /**
-  The choice between the root and the general power depends on the parameter alone; it is the same for
+  The choice between the root and the general power depends on the exponent alone, so it is the same for
   all contacts of a chain. */
   template <class T>
   T power(T x) const {
@@ -152,8 +152,8 @@ struct PowerContact {
   }
 
   /**
-  The stiffness of an open contact must be set to zero, because the general power of zero is one where
-  its exponent, $\alpha-1$, is zero. */
+  An open contact has no stiffness. This needs saying for $\alpha = 1$, where the formula would give
+  $0^{\alpha-1} = 1$. */
   template <class T>
   T stiffness(T r) const {
     using std::pow, std::sqrt;
@@ -165,12 +165,12 @@ struct PowerContact {
 };
 
 /**
-A reader chooses a contact by name. Two types share the name `hertz`: the plain law, and the one that
-also has a precompression. */
+A program lets its reader choose a contact by name (potential.hpp). Two types share the name `hertz`: the
+plain law, and the one with a precompression. */
 using AnyContact = std::variant<Hertz, CompressedHertz, PowerContact>;
 
-/// The same law by its simplest type: without precompression the 3/2 law is that of Hertz, bit by
-/// bit, and a power of 3/2 is no general power.
+/// The same law by its simplest type: without precompression the 3/2 law is plain `Hertz`, with the
+/// same bits, and `PowerContact` with exponent 3/2 is one of the two laws of Hertz.
 inline AnyContact simplest(const AnyContact& contact) {
   const auto hertz = [](double d) { return d == 0 ? AnyContact{Hertz{}} : CompressedHertz{d}; };
   if (const auto* c = std::get_if<CompressedHertz>(&contact)) return hertz(c->d);

@@ -2,16 +2,15 @@
 /**
 # The inner loop
 
-Nearly all of the computing time is spent in the two loops of this file, so they
-are written for the machine. A first pass over a block of sites evaluates the
-contact forces, a second one the accelerations; each is a plain loop that the
-compiler vectorises, the block stays in the first-level cache, and the square
-root of the contact law is what limits the speed.
+Nearly all of the computing time is spent in the two loops of this file, which evaluate the right-hand
+side of the equations of motion in chain.hpp; so they are written for the machine. A first pass over a
+block of sites computes the contact forces, a second one the accelerations. Each is a plain loop that
+the compiler vectorises, the block stays in the first-level cache, and the speed is limited by the
+square root in the contact law.
 
-The loops are compiled several times, for wider and wider vectors, and the widest
-one that the processor has is chosen when the program starts. Every operation in
-them is a single IEEE operation on one site (the build forbids contracted
-multiply-adds), so all the versions give the same bits. */
+The loops are compiled several times, for wider and wider vectors, and the widest version that the
+processor can run is chosen when the program starts. Every operation in them is a single IEEE operation
+on one site (the build forbids fused multiply-adds), so all versions give the same bits. */
 
 #include <cstddef>
 #include <type_traits>
@@ -29,15 +28,16 @@ multiply-adds), so all the versions give the same bits. */
 
 namespace lattice {
 
-/// Sites handled between the two passes. With a block this short the processor takes the next
-/// block's roots while it is still updating the last one's sites; at 512 the rate is a quarter less.
+/// Sites handled between the two passes. With a block this short the processor begins the roots of the
+/// next block while it is still updating the sites of the last; with 512 sites the measured rate was one
+/// quarter lower.
 inline constexpr std::size_t kernel_block = 64;
 
 /**
-Beads may differ in mass and contacts in stiffness. What is not varied costs nothing: the choice
-is part of the type. The numbers are kept as they were given, in `double`; a run in double
-multiplies by the inverse mass, one in a wider type divides by the mass itself, so that it
-solves the same chain to all of its digits. */
+Beads may differ in mass and contacts in stiffness, and what does not vary should cost nothing: so the
+choice is part of the type. The numbers are kept as they were given, in `double`. A run in double
+multiplies by the inverse mass; one in a wider type divides by the mass itself, so that it solves the
+same chain to all of its digits. */
 template <bool stiff, bool heavy>
 struct Variation {
   const double* eta = nullptr;           ///< eta[i]: stiffness of the contact between i - 1 and i
@@ -63,7 +63,7 @@ struct Variation {
 };
 
 /**
-In the article's own chain nothing varies, and both functions hand on the force as it is. */
+In most of the article nothing varies, and both functions return the force unchanged. */
 struct Homogeneous {
   template <class T>
   T contact(std::size_t, T force) const {
@@ -76,9 +76,9 @@ struct Homogeneous {
 };
 
 /**
-A program learns only when it runs what is varied; the loops want it as a type. So the choice is made
-once a sweep, outside of the loops: `sweep(variation)` gets the type that fits, and null pointers stand
-for what is not varied. */
+What varies is known only when a program runs, but the loops want to know it when they are compiled. So
+the choice is made once per sweep, outside the loops: `sweep(variation)` is called with the type that
+fits. A null pointer stands for what does not vary. */
 template <class Sweep>
 void with_variation(const double* eta, const double* mass, const double* inverse_mass,
                     Sweep sweep) {
@@ -93,10 +93,10 @@ void with_variation(const double* eta, const double* mass, const double* inverse
 }
 
 /**
-Both loops below need the contact forces of one block. Contact `i` lies between
-sites `i` and `i + 1`; `push[k]` receives that of contact `lo - 1 + k`, the first
-entry being known from the block before and the last one, at the end of the
-range, from the boundary condition. */
+Both loops below need the contact forces of one block of sites, `lo` to `hi - 1`. `push[k]` receives
+that of contact `lo + k`, between sites `lo + k - 1` and `lo + k` (boundary.hpp). The first entry is
+known from the previous block, and at the end of the range the last one comes from the boundary
+condition. */
 template <class Along, class T, class Contact>
 inline __attribute__((always_inline)) void block_contacts(const Contact& contact, const T* y,
                                                           const Along& along, std::size_t lo,
@@ -109,8 +109,8 @@ inline __attribute__((always_inline)) void block_contacts(const Contact& contact
   if (hi == n) push[hi - lo] = right;
 }
 
-/// How a sweep adds a kick to velocity `i` and a drift to position `i`: here as the processor does,
-/// elsewhere (compensated.hpp) together with what earlier sums have lost.
+/// How a sweep adds a kick to velocity `i` and a drift to position `i`: here by a plain rounded sum, in
+/// compensated.hpp together with what the rounding of earlier sums has lost.
 struct PlainSum {
   template <class T>
   __attribute__((always_inline)) void kick(T& v, std::size_t, T term) const {
@@ -124,9 +124,9 @@ struct PlainSum {
 };
 
 /**
-A splitting method alternates kicks and drifts. Both touch the same site once its
-neighbours' old positions have been read, so one sweep does
-$v \leftarrow v + k\,\ddot y(y)$ and then $y \leftarrow y + d\,v$. */
+A splitting method alternates kicks of the velocities and drifts of the positions (schemes.hpp). A site
+may be drifted as soon as its neighbours have read its old position, so a single sweep does both:
+$v \leftarrow v + k\,\ddot y(y)$ and then $y \leftarrow y + d\,v$, with `kick` $k$ and `drift` $d$. */
 template <class Sum, class Along, class T, class Onsite, class Contact>
 LATTICE_WIDE void sweep_kick_drift(const Onsite onsite, const Contact contact, T* __restrict__ y,
                                    T* __restrict__ v, const Sum sum, const Along along,
@@ -146,7 +146,7 @@ LATTICE_WIDE void sweep_kick_drift(const Onsite onsite, const Contact contact, T
 
 /**
 Methods that combine the accelerations of several stages, such as that of contact_rkn.hpp, must keep
-them. For them the same two passes leave the accelerations `a` at positions `y`. */
+them. For these the same two passes write the accelerations at the positions `y` into `a`. */
 template <class Along, class T, class Onsite, class Contact>
 LATTICE_WIDE void sweep_acceleration(const Onsite onsite, const Contact contact,
                                      const T* __restrict__ y, T* __restrict__ a, const Along along,

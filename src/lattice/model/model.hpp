@@ -2,9 +2,9 @@
 /**
 # A model chosen at run time
 
-Which well and which contact a reader wants is known only when the program runs; the inner loop
-wants it when it is compiled. A `Model` holds the choice as a value, and `with_chain` turns it,
-once, into a chain of the right type. */
+Which well and which contact a reader wants is known only when the program runs, but the inner loop
+(kernel.hpp) is fast because it knows them when it is compiled. A `Model` holds the choice as a value,
+and `with_chain` turns it, once, into a chain of the right type. */
 
 #include <concepts>
 #include <cstddef>
@@ -15,7 +15,8 @@ once, into a chain of the right type. */
 
 namespace lattice {
 
-/// A well, a contact and what lies beyond the ends.
+/// A well, a contact and what lies beyond the ends; by default Eq. (9), harmonic wells (s = 0) and
+/// plain Hertzian contacts with free ends.
 struct Model {
   AnyOnsite onsite = Quartic{};
   AnyContact contact = Hertz{};
@@ -35,7 +36,8 @@ struct Model {
 
 /**
 Here the choice becomes a type: `use(chain)` is compiled for every pair of a well and a contact, and the
-one that `model` describes is called with a chain of `sites` beads. Its answer is returned. */
+version that fits `model` is called with a chain of `sites` beads. Returns what `use` returns, which must
+have the same type for all chains. */
 template <class Use>
 auto with_chain(const Model& model, std::size_t sites, Use use) {
   const auto build = [&](const auto& onsite, const auto& contact) {

@@ -2,10 +2,10 @@
 /**
 # Potentials and their names
 
-A chain needs two kinds of energy: the well $W(y)$ that holds each bead (well.hpp) and the
-contact $V(r)$ that couples neighbours (contact.hpp), with $r = y_{n+1} - y_n$. Both are small
-value types with the same three members, so that a chain is composed at compile
-time and its inner loop vectorises:
+A chain (chain.hpp) needs two kinds of potential energy: the well $W(y)$ that holds each bead (well.hpp)
+and the contact $V(r)$ that couples neighbours (contact.hpp), with $r = y_{n+1} - y_n$. Both are small
+value types with the same three members, so that a chain is put together when it is compiled and its
+inner loop vectorises:
 
 | member | meaning | well | contact |
 |---|---|---|---|
@@ -14,8 +14,9 @@ time and its inner loop vectorises:
 | `stiffness(x)` | second derivative | $W''(y)$ | $V''(r)$ |
 
 Every member is a template on the scalar, so the same text serves `double`, `long double` and 128-bit
-arithmetic. All quantities are dimensionless: the unit of time is that of the linear well, that of
-length makes the contact coefficient one. At rest `force(0)` and `energy(0)` are exactly zero. */
+arithmetic. All quantities are dimensionless: the unit of time makes the frequency of small oscillations
+in a well one, the unit of length does the same for the coefficient of the contact force. At rest
+`force(0)` and `energy(0)` are exactly zero. */
 
 #include <algorithm>
 #include <array>
@@ -32,10 +33,10 @@ length makes the contact coefficient one. At rest `force(0)` and `energy(0)` are
 namespace lattice {
 
 /**
-A reader picks potentials by name. So each one that stands in the list of its file says what it is
-called and which parameters it has, and the command line, its help and its errors follow. A
-parameter has a name, a meaning, the allowed range and the place where it is kept. Its default is its
-value in a potential that nobody has touched. */
+The reader of a program picks potentials by name. So each one says what it is called and which
+parameters it has, and from this the command line, its help and its error messages follow. A parameter
+has a name, a meaning, an allowed range and a place where it is stored. Its default is the value that it
+has in a freshly made potential. */
 template <class Potential>
 struct Parameter {
   const char* name;
@@ -44,25 +45,26 @@ struct Parameter {
   double Potential::*value;
 };
 
-/// The same without the type: what help and messages need.
+/// The same without the type of the potential, as help and messages need it.
 struct ParameterInfo {
   std::string name, meaning;
   double fallback, least, most;
 };
 
-/// Numbers given by name.
+/// Values of parameters by their names.
 using Settings = std::map<std::string, double>;
 
 /**
-The list of wells and that of contacts are types; to look a name up we must walk through them. Two
-visits do that: `use` is called with every parameter of a potential, of which most have none, and with
-a default value of every type in a list. */
+The lists of wells and of contacts are lists of types (`AnyOnsite`, `AnyContact`); to find a name we must
+walk through them. Two functions do that: the first calls `use` with every parameter of a potential (most
+have none), the second with a default value of every type in a list. */
 template <class Potential, class Use>
 void for_each_parameter(const Potential&, Use use) {
   if constexpr (requires { Potential::parameters(); })
     for (const Parameter<Potential>& p : Potential::parameters()) use(p);
 }
 
+/// Calls `use` with a default value of every type in the list `Any`.
 template <class Any, class Use>
 void for_each_potential(Use use) {
   [&]<std::size_t... i>(std::index_sequence<i...>) {
@@ -71,7 +73,7 @@ void for_each_potential(Use use) {
   (std::make_index_sequence<std::variant_size_v<Any>>{});
 }
 
-/// The names in a list, each once.
+/// The names in a list of potentials, each once.
 template <class Any>
 std::vector<std::string> names_of() {
   std::vector<std::string> names;
@@ -82,9 +84,9 @@ std::vector<std::string> names_of() {
 }
 
 /**
-Help has one line for each parameter, though several potentials may share it: here are those of the
-potentials called `name`, or with an empty name those of the whole list, each once and with the widest
-range. */
+The help shows one line for each parameter, though several potentials may share it. This function collects
+the parameters of the potentials called `name`, or of the whole list if the name is empty, each once and
+with the widest range. */
 template <class Any>
 std::vector<ParameterInfo> parameters_of(const std::string& name = "") {
   std::vector<ParameterInfo> all;
@@ -111,9 +113,9 @@ inline std::string comma_list(const std::vector<std::string>& words) {
 }
 
 /**
-Now the other direction, from what was typed to a potential. The parameters are set as far as they
-are given; the answer is whether the potential has all that are given. Throws std::invalid_argument
-for a value out of its range. */
+Now the other direction, from what was typed to a potential. `apply` sets those of the given parameters
+that the potential has, and returns whether it has them all. Throws std::invalid_argument if a value is
+out of range. */
 template <class Potential>
 bool apply(Potential& potential, const Settings& given) {
   std::size_t used = 0;
@@ -133,8 +135,8 @@ bool apply(Potential& potential, const Settings& given) {
 }
 
 /**
-Where no potential fits, the reader wants to know why in one line: the name is unknown, it lacks a
-parameter, or its parameters exclude each other. */
+If no potential fits, the reader should be told why in one line: the name is unknown, a parameter is not
+one of its own, or two parameters exclude each other. */
 template <class Any>
 std::string why_not_named(const std::string& name, const Settings& given) {
   const auto names = names_of<Any>();
@@ -150,9 +152,9 @@ std::string why_not_named(const std::string& name, const Settings& given) {
 }
 
 /**
-Types may share a name, the plain one first. We take the first in the list that is called `name` and
-has all the given parameters. Throws std::invalid_argument where there is none, or for a value out of
-its range. */
+Several types may share a name, the plainest first. `named` returns the first in the list that is called
+`name` and has all the given parameters. Throws std::invalid_argument if there is none, or if a value is
+out of range. */
 template <class Any>
 Any named(const std::string& name, const Settings& given = {}) {
   bool found = false;
@@ -165,7 +167,7 @@ Any named(const std::string& name, const Settings& given = {}) {
   return out;
 }
 
-/// Name and parameters in a line, such as `quartic, s = -0.5`.
+/// Name and parameters in one line, such as `quartic, s = -0.5`.
 template <class Any>
 std::string describe(const Any& any) {
   std::ostringstream text;

@@ -2,16 +2,18 @@
 /**
 # Counting sites
 
-A localized state sits around a site or around a bond. Sites carry the article's numbers:
-$1-N/2 \le n \le N/2$ on an even number of sites, where a bond-centred state has its centre in the
-contact of $n = 0$ and $n = 1$, and $|n| \le (N-1)/2$ on an odd number, where a site-centred state
-has its centre at $n = 0$. */
+A localized state is centred on a site or on the bond between two sites. In the middle of a finite chain
+the first needs an odd number $N$ of sites, the second an even one. Sites carry the article's numbers:
+for odd $N$ they are $|n| \le (N-1)/2$, and a site-centred state has its centre at $n = 0$; for even $N$
+they are $1-N/2 \le n \le N/2$, and a bond-centred state has its centre in the contact of $n = 0$ with
+$n = 1$. */
 
 #include <cstddef>
 
 namespace lattice {
 
-/// Site-centred: u_{-n} = u_n. Bond-centred: u_{1-n} = -u_n.
+/// Where the centre is. The profile u_n of the small-amplitude limit (stationary.hpp) has the symmetry
+/// u_{-n} = u_n if it is site-centred, u_{1-n} = -u_n if bond-centred.
 enum class Centre { site, bond };
 
 /// The article's number of the site with the given index, 0 <= index < sites.

@@ -2,9 +2,10 @@
 /**
 # Wells
 
-The well $W$ holds a bead at its place. Beside the members that every potential has
-(potential.hpp) a well may have a `rim()`, the displacement at which a bead is lost to it. A new
-well is a struct in this file and its entry in the list at the end; CONTRIBUTING.md adds one. */
+The well $W$ holds a bead near its place: gravity on a pendulum, or the elasticity of a beam. Apart from
+the members that every potential has (potential.hpp), a well may have a `rim()`, the displacement beyond
+which it no longer pulls a bead back. A new well is a struct in this file and an entry in the list at its
+end; CONTRIBUTING.md shows one being added. */
 
 #include <array>
 #include <cmath>
@@ -16,7 +17,7 @@ well is a struct in this file and its entry in the list at the end; CONTRIBUTING
 
 namespace lattice {
 
-/// No well at all: beads that are held by their neighbours alone.
+/// No well at all, W = 0, as in section 2: beads that only their neighbours hold.
 struct None {
   static constexpr const char* name = "none";
   template <class T>
@@ -34,8 +35,8 @@ struct None {
 };
 
 /**
-The well of the cradle in most of the article, Eq. (8), $W = y^2/2$, is linear: all that is nonlinear
-comes from the contacts. */
+In most of the article the well is harmonic, Eq. (8), $W = y^2/2$. Its force is linear, so that whatever
+is nonlinear comes from the contacts. */
 struct Harmonic {
   static constexpr const char* name = "harmonic";
   template <class T>
@@ -53,9 +54,9 @@ struct Harmonic {
 };
 
 /**
-How much does the well itself matter? The article varies the sign of its first correction, Eq. (10):
-$W = y^2/2 + s\,y^4/4$. For $s < 0$ the well has a rim at $|y| = (-s)^{-1/2}$ beyond which the motion
-runs away. */
+How much does the shape of the well matter? The article adds the first symmetric correction, of either
+sign, Eq. (10): $W = y^2/2 + s\,y^4/4$. A well with $s > 0$ is called hard, one with $s < 0$ soft; the
+soft one has a rim at $|y| = (-s)^{-1/2}$, beyond which a bead runs away. */
 struct Quartic {
   double s = 0;
   static constexpr const char* name = "quartic";
@@ -80,9 +81,9 @@ struct Quartic {
 };
 
 /**
-Gravity on a pendulum, section 3.4, gives $W = 1 - \cos y$, with rims at odd multiples of $\pi$ and
-another well beyond each. The energy is written with half the angle, which loses no digits near
-the bottom. */
+Gravity on a pendulum gives $W = 1 - \cos y$ (section 3.4), with rims at the odd multiples of $\pi$ and
+another well beyond each. The energy is computed as $2\sin^2(y/2)$, which loses no digits near the
+bottom. */
 struct Pendulum {
   static constexpr const char* name = "pendulum";
   double rim() const { return std::numbers::pi; }
@@ -106,8 +107,8 @@ struct Pendulum {
 };
 
 /**
-Whoever follows a bead wants to know whether it is lost, without asking which well it is in: the
-displacement at which it leaves is infinite where there is no rim. */
+Programs that follow a bead ask whether it has left its well, whatever the well. `rim_of` returns the
+displacement at which it leaves, infinity if the well has no rim. */
 template <class Onsite>
 double rim_of(const Onsite& onsite) {
   if constexpr (requires { onsite.rim(); })
@@ -119,6 +120,7 @@ double rim_of(const Onsite& onsite) {
 /// The wells that can be chosen by name; `std::visit` once at the edge of a program.
 using AnyOnsite = std::variant<None, Harmonic, Quartic, Pendulum>;
 
+/// The same for a well chosen by name.
 inline double rim_of(const AnyOnsite& any) {
   return std::visit([](const auto& onsite) { return rim_of(onsite); }, any);
 }

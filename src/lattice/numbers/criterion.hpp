@@ -2,9 +2,10 @@
 /**
 # Statements that can fail
 
-A statement in words is decided by conditions on numbers: a value with its error must lie on one
-side of a limit, error bar and all. A condition knows its margin, the distance that is left, so
-that a reader sees how narrowly it holds, and a test sees that a wrong input fails it. */
+Many claims of the article are words: stable, localized, nearly constant. Such a statement is decided by
+conditions on numbers: a value must lie on one side of a limit, error bar included. A condition knows its
+margin, the distance that is left, so that a reader sees how narrowly it holds, and a test can check that
+a wrong input fails it. */
 
 #include <algorithm>
 #include <string>
@@ -29,17 +30,21 @@ struct Condition {
   bool holds() const { return margin().value > margin().error; }
 };
 
+/// The condition that `value` lies above `limit`, by more than its error.
 inline Condition above(std::string name, const Estimate& value, double limit) {
   return {std::move(name), value, Condition::Side::above, limit};
 }
+/// The condition that `value` lies below `limit`, by more than its error.
 inline Condition below(std::string name, const Estimate& value, double limit) {
   return {std::move(name), value, Condition::Side::below, limit};
 }
 
 /**
-A statement holds if all its conditions do. */
+A statement often needs several conditions, and holds if all of them do. One without conditions could not
+fail, and so does not hold. */
 using Criterion = std::vector<Condition>;
 
+/// Whether there are conditions and all of them hold.
 inline bool holds(const Criterion& criterion) {
   return !criterion.empty() && std::all_of(criterion.begin(), criterion.end(),
                                            [](const Condition& c) { return c.holds(); });

@@ -26,7 +26,7 @@ Vector<T> solve_square(const Matrix<T>& matrix, const Vector<T>& right) {
 }
 
 /**
-Where a matrix has no structure that we use, all its eigenvalues are computed. */
+For matrices whose structure we do not use, all eigenvalues are computed. */
 /// All eigenvalues of a square matrix, in Eigen's order. Throws std::runtime_error where the iteration
 /// does not converge.
 template <class T>

@@ -2,8 +2,8 @@
 /**
 # A value with its error
 
-Every number that leaves a program either carries the difference of two really different
-computations of it, or is exact: counted, decided, or given. An error of zero that nobody has
+Every number that leaves a program either carries an error, the difference between two really different
+computations of it, or is exact: counted, decided, or given. An error of zero in a number that nobody has
 called exact is an omission. */
 
 #include <algorithm>
@@ -25,8 +25,9 @@ inline Estimate exact(double value) {
 }
 
 /**
-The finer of two results, with their difference as its error. Two that agree to the last digit
-are known to that digit and no better. */
+The usual error is that of two resolutions: `compare` returns the finer result with its difference from
+the coarser one. Two results that agree to the last digit are known to that digit and no better. If either
+is not a number, so is the error. */
 inline Estimate compare(double coarse, double fine) {
   const double rounding = std::numeric_limits<double>::epsilon() * std::abs(fine);
   const double least = std::max(rounding, std::numeric_limits<double>::min());
@@ -34,7 +35,7 @@ inline Estimate compare(double coarse, double fine) {
   return {fine, apart > least ? apart : std::isnan(apart) ? apart : least};
 }
 
-/// As above where the results have errors of their own: that of the finer one is added.
+/// The same for results that have errors of their own: that of the finer one is added.
 inline Estimate compare(const Estimate& coarse, const Estimate& fine) {
   Estimate both = compare(coarse.value, fine.value);
   both.error += fine.error;

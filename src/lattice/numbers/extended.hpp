@@ -2,8 +2,9 @@
 /**
 # Quadruple precision
 
-A few numbers are confirmed with a 113-bit mantissa. Compilers that know `__float128` compute
-with it three times as fast as Boost's own type of the same width; both give 34 digits. */
+Rounding errors of `double` would hide some numbers of the article, such as the smallest energy barriers.
+A few of them are therefore confirmed with a mantissa of 113 bits, 34 digits. Compilers that know
+`__float128` compute with it three times as fast as with Boost's own type of the same width. */
 
 #ifdef LATTICE_FLOAT128
 #include <boost/multiprecision/float128.hpp>

@@ -2,9 +2,10 @@
 /**
 # An independent integrator of ordinary differential equations
 
-Nobody should have to trust our steppers alone. This file wraps the adaptive methods of the GNU
-Scientific Library, by default that of Prince and Dormand of order eight (`rk8pd`): different
-methods, written by different people, that control their own error. */
+Nobody should have to trust our own steppers alone. This file wraps the adaptive methods of the GNU
+Scientific Library (GSL), by default that of Prince and Dormand of order eight (`rk8pd`): different
+methods, written by different people, that control their own error. They solve $\dot x = f(t, x)$ with
+$f$ given as a function. */
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>
@@ -50,8 +51,8 @@ class Reference {
   Reference& operator=(const Reference&) = delete;
 
   /**
-  One call carries `x` from time `t` to `t_end`; `t` is updated. Beside the status we look at the
-  values: a solution that runs away can become infinite while GSL still reports success. */
+  One call carries `x` from time `t` to `t_end`, and `t` is updated. Apart from the status we check the
+  values, because a solution that runs away can become infinite while GSL still reports success. */
   void advance(double& t, double t_end, std::vector<double>& x) {
     const int status = gsl_odeiv2_driver_apply(driver_.get(), &t, t_end, x.data());
     if (status != GSL_SUCCESS)
@@ -64,8 +65,8 @@ class Reference {
   std::size_t evaluations() const { return evaluations_; }
 
   /**
-  C knows no objects, so the object travels through GSL as a plain pointer and `call` finds it again.
-  The system must therefore stay where it is, and copies are forbidden. */
+  C knows no objects, so this one travels through GSL as a plain pointer from which `call` recovers it.
+  Therefore it must stay where it is, and copies are forbidden. */
  private:
   static int call(double t, const double* x, double* dx, void* self) {
     auto* me = static_cast<Reference*>(self);

@@ -2,8 +2,9 @@
 /**
 # Straight lines
 
-Speeds and orders are slopes. The standard error of a slope says how well it is known if the
-points do follow a line; whether they do is another question, which `bend` answers. */
+Speeds and orders of convergence are slopes of lines $x = a + b\,t$ through measured points. The standard
+error of a slope says how well it is known if the points follow a line; whether they do is another
+question, which `bend` answers. */
 
 #include <cmath>
 #include <cstddef>
@@ -15,7 +16,7 @@ points do follow a line; whether they do is another question, which `bend` answe
 
 namespace lattice {
 
-/// A straight line through points: slope, value at zero, standard error of the slope.
+/// A straight line through points: slope b, value a at t = 0, standard error of the slope.
 struct Line {
   double slope = 0, intercept = 0, slope_error = 0;
 
@@ -24,7 +25,8 @@ struct Line {
 };
 
 /**
-Least-squares line; throws std::invalid_argument with fewer than three points. */
+The line of least squares. Throws std::invalid_argument if there are fewer than three points, or not as
+many `x` as `t`. */
 inline Line fit_line(const std::vector<double>& t, const std::vector<double>& x) {
   if (t.size() != x.size() || t.size() < 3)
     throw std::invalid_argument("a line fit needs at least three points");
@@ -45,8 +47,9 @@ inline Line fit_line(const std::vector<double>& t, const std::vector<double>& x)
 }
 
 /**
-Whether points lie on a line: by how much the slopes of their first and second half differ,
-relative to the slope of all. Throws std::invalid_argument with fewer than six points. */
+Do the points lie on a line? `bend` returns by how much the slopes of their first and second half differ,
+relative to the slope of all of them, with the sum of both standard errors. Throws std::invalid_argument
+if there are fewer than six points. */
 inline Estimate bend(const std::vector<double>& t, const std::vector<double>& x) {
   const auto half = std::ptrdiff_t(t.size() / 2);
   const auto part = [](auto from, auto to) { return std::vector<double>(from, to); };

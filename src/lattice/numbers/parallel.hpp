@@ -2,11 +2,11 @@
 /**
 # Independent runs on all cores
 
-Sweeps consist of runs that know nothing of each other. Each worker takes the next
-index that nobody has taken, and each run writes only to its own slot, so the
-results do not depend on the number of cores or on who was faster. How many workers there are
-is set once for a program; by default it is the number of cores that the process may use, which
-a scheduler or `taskset` can make smaller than that of the machine. */
+To sweep a parameter is to make many runs that know nothing of each other, so they can share the cores.
+Each worker takes the next index that nobody has taken, and each run writes only to its own slot, so that
+the results depend neither on the number of cores nor on who was faster. The number of workers is set once
+for a program; by default it is the number of cores that the process may use, which a scheduler or
+`taskset` can make smaller than that of the machine. */
 
 #ifdef __linux__
 #include <sched.h>
@@ -27,7 +27,8 @@ a scheduler or `taskset` can make smaller than that of the machine. */
 namespace lattice {
 
 /**
-Long work shows a counter on a terminal and nothing in a log. */
+A sweep may take minutes, and whoever waits wants to see it move. `Progress` shows a counter on standard
+error if that is a terminal, and nothing in a log. */
 class Progress {
  public:
   Progress(std::string label, std::size_t total)
@@ -51,7 +52,7 @@ class Progress {
 };
 
 /**
-Cores that this process may use. */
+The default number of workers is that of the cores that this process may use. */
 inline std::size_t granted_cores() {
 #ifdef __linux__
   cpu_set_t set;
@@ -79,7 +80,8 @@ inline std::size_t threads() {
 }
 
 /**
-Calls `body(i)` for 0 <= i < count on all workers; rethrows the first exception. */
+Now the loop: `body(i)` is called for every `i` below `count`, in any order and on all workers. If one call
+throws, no further ones are begun, and the first exception is thrown again here. */
 template <class Body>
 void parallel_for(std::size_t count, Body body) {
   std::atomic<std::size_t> next{0};
@@ -103,7 +105,7 @@ void parallel_for(std::size_t count, Body body) {
 }
 
 /**
-The same with a counter under the name `label` on a terminal. */
+The same for long sweeps, with a counter under the name `label`. */
 template <class Body>
 void parallel_for(const std::string& label, std::size_t count, Body body) {
   Progress progress(label, count);

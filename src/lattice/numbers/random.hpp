@@ -2,9 +2,9 @@
 /**
 # Random numbers
 
-Random starts are drawn from GSL's Mersenne twister. Its seed stands beside every result, and the
-same seed gives the same numbers on every machine, which the distributions of the C++ library do
-not promise. */
+Some runs begin with a randomly perturbed state. The perturbations are drawn from GSL's Mersenne twister,
+whose seed stands beside every result: the same seed gives the same numbers on every machine, which the
+distributions of the C++ library do not promise. */
 
 #include <gsl/gsl_rng.h>
 
@@ -29,7 +29,7 @@ class Random {
   std::unique_ptr<gsl_rng, Free> source_;
 };
 
-/// Each entry changed by at most the share `relative` of itself.
+/// `x` with each entry changed by a random share of itself, at most `relative`.
 inline std::vector<double> shaken(std::vector<double> x, double relative, unsigned long seed) {
   Random random(seed);
   for (double& value : x) value *= 1 + random.uniform(-relative, relative);

@@ -2,11 +2,12 @@
 /**
 # Static breathers of the chain
 
-The breathers of section 3.2 are periodic orbits of a chain with free ends, found from the
-quasi-continuum profile of the DpS equation (Eqs. (18) to (20))
+A static breather is a vibration with one frequency $\omega_b$ that is localized at a few sites. Those of
+section 3.2 are periodic orbits of a chain with free ends. At small amplitude their profile $u_n$ is known
+approximately, in the quasi-continuum limit of the DpS equation (stationary.hpp), Eqs. (18) to (20):
 $$y_n(0) = 2\epsilon\,u_n,\qquad \epsilon = \bigl(2\tau_0(\omega_b-1)\bigr)^2.$$
-Close to $\omega_b = 1$ Newton's method converges from there. At higher frequencies we first
-follow the branch, so that there is never a doubt to which family a breather belongs. */
+Close to $\omega_b = 1$ Newton's method converges from there. To reach higher frequencies we follow the
+branch (continuation.hpp), so that there is never a doubt to which family a breather belongs. */
 
 #include <cmath>
 #include <cstddef>
@@ -22,6 +23,7 @@ follow the branch, so that there is never a doubt to which family a breather bel
 
 namespace lattice {
 
+/// Problems of shooting.hpp in the article's chain: quartic wells, Hertzian contacts.
 template <class T>
 using BreatherProblem = Shooting<T, Quartic, Hertz>;
 
@@ -29,7 +31,9 @@ using BreatherProblem = Shooting<T, Quartic, Hertz>;
 /// as it is half a period later.
 enum class Phase { compressed, stretched };
 
-/// The problem; the contacts have no floor, because the tail is part of the breather.
+/// The problem of a breather of frequency `omega` in wells with anharmonicity `s`, Eq. (10). The contacts
+/// have no floor, because the tail is part of the breather. Throws std::invalid_argument if the number of
+/// sites does not fit the centre.
 template <class T>
 BreatherProblem<T> breather_problem(Centre centre, const T& omega, double s, std::size_t sites) {
   if (sites < 3 || (sites % 2 == 0) != (centre == Centre::bond))
@@ -47,7 +51,7 @@ BreatherProblem<T> breather_problem(Centre centre, const T& omega, double s, std
 }
 
 /**
-Newton needs a guess, and close to $\omega_b = 1$ the quasi-continuum profile is one. */
+Newton's method needs a guess, and close to $\omega_b = 1$ the quasi-continuum profile is a good one. */
 /// The approximate breather of Eq. (20), at rest.
 inline State<double> ansatz(Centre centre, double omega, std::size_t sites,
                             Phase phase = Phase::compressed) {
@@ -58,10 +62,11 @@ inline State<double> ansatz(Centre centre, double omega, std::size_t sites,
   return state;
 }
 
-/// Up to this frequency Newton's method starts from the quasi-continuum profile.
+/// Up to this frequency, that of figure 4, Newton's method starts from the quasi-continuum profile.
 constexpr double direct_up_to = 1.1;
 
-/// The breather of a problem in double precision, on the branch that begins at omega_b = 1.
+/// The breather of a problem in double precision, on the branch that begins at omega_b = 1. Throws
+/// NoConvergence, and NoBranch if the branch does not reach the frequency.
 inline Orbit<double> find_breather(const BreatherProblem<double>& problem,
                                    Phase phase = Phase::compressed,
                                    const NewtonRule<double>& rule = {}) {
@@ -76,7 +81,7 @@ inline Orbit<double> find_breather(const BreatherProblem<double>& problem,
 }
 
 /**
-Double precision finds an orbit, a wider type confirms its digits. */
+Double precision finds an orbit, and a wider type confirms its digits (`polish`). */
 /// The same problem in another precision.
 template <class T>
 BreatherProblem<T> in_precision(const BreatherProblem<double>& problem) {
@@ -84,10 +89,10 @@ BreatherProblem<T> in_precision(const BreatherProblem<double>& problem) {
 }
 
 /**
-The force $|y|^{3/2}$ of the last bead on the one that is missing tells whether a chain is long
-enough. It compares with the force $(\omega_b^2-1)|y|$ that distinguishes the breather from a free
-oscillation: where the ratio is below the precision, longer chains give the same breather. The
-shortest such chain is read off a long one. */
+How long must a chain be? The last bead would push on the next one, which is missing, with the force
+$|y|^{3/2}$. We compare this with the force $(\omega_b^2-1)|y|$ at the centre, which distinguishes the
+breather from a free oscillation. If the ratio is below the precision, longer chains give the same
+breather. The shortest such chain is read off a long one. */
 template <class T>
 std::size_t sites_needed(const Orbit<T>& orbit, double precision) {
   const auto& y = orbit.start.y;
@@ -103,14 +108,14 @@ std::size_t sites_needed(const Orbit<T>& orbit, double precision) {
 }
 
 /**
-Whoever names a chain length gets that chain or a reason why not. */
+A reader who asks for a chain of some length gets that chain, or is told why it will not do. */
 /// A breather on a chain that can hold it.
 struct Fitted {
   BreatherProblem<double> problem;
   Orbit<double> orbit;
 };
 
-/// The chain cannot hold the breather's tail; it needs `needed` sites.
+/// Thrown if the chain cannot hold the breather's tail; it needs `needed` sites.
 struct ShortChain : std::invalid_argument {
   std::size_t needed;
   explicit ShortChain(std::size_t sites)
@@ -119,9 +124,10 @@ struct ShortChain : std::invalid_argument {
 };
 
 /**
-Far up a branch the breather of the longer chain is also the best guess for the shorter one. */
+So the breather is first found on a chain that is certainly long enough. Far up a branch it is also the
+best guess for the shorter one. */
 /// The breather on `sites` sites, which must hold its tail down to `precision`. With `sites` = 0
-/// the chain is as long as necessary but not shorter than `usual`.
+/// the chain is as long as necessary but not shorter than `usual`. Throws ShortChain, NoConvergence.
 inline Fitted fit_chain(Centre centre, double omega, double s, std::size_t sites, std::size_t usual,
                         double precision, Phase phase) {
   const std::size_t ample = 2 * usual - usual % 2;
@@ -140,10 +146,9 @@ inline Fitted fit_chain(Centre centre, double omega, double s, std::size_t sites
 }
 
 /**
-A breather can be shifted along the chain at almost no price, and the direction in which that happens
-is nearly the difference of its neighbours. */
-/// Discrete gradient of a profile, y_(n+1) - y_(n-1), zero at both ends: nearly the direction in
-/// which a breather can be shifted along the chain.
+A breather can be shifted along the chain at almost no cost in energy. Section 3.3 finds that the direction
+in which this happens, the pinning mode, is nearly the discrete gradient of its profile. */
+/// Discrete gradient of a profile, y_(n+1) - y_(n-1), not normalised, and zero at both ends.
 inline Vector<double> gradient(const std::vector<double>& y) {
   Vector<double> g = Vector<double>::Zero(Eigen::Index(y.size()));
   for (std::size_t i = 1; i + 1 < y.size(); ++i) g[Eigen::Index(i)] = y[i + 1] - y[i - 1];
@@ -158,11 +163,13 @@ inline double alignment(const Vector<double>& a, const Vector<double>& b) {
 /**
 ## The barrier
 
-Two breathers of the same frequency differ in energy by what the article calls the barrier.
-An effective Hamiltonian for the breather's position compares instead those of the same area
-$A = \oint\sum\dot y_n^2\,dt$. We keep the frequency of the bond-centred breather and correct that
-of the site-centred one until the areas agree. Along a branch $dE = dA/T_b$, so that the remaining
-difference of the areas is turned into energy, and what is neglected is of third order. */
+To move along the chain a breather passes from bond to site to bond, and if the energies of the two kinds
+differ there is a barrier (named after Peierls and Nabarro). The article, section 3.2, takes the
+difference at the same frequency. The effective Hamiltonian that it refers to compares breathers of the
+same area $\mathcal A = \oint\sum\dot y_n^2\,dt$ instead. We keep the frequency of the bond-centred
+breather and correct that of the site-centred one until the areas agree. Along a branch
+$dE = d\mathcal A/T_b$; this turns the remaining difference of the areas into energy, and what is
+neglected is of third order. */
 template <class T>
 struct Barrier {
   T equal_frequency{};  ///< E_site - E_bond at the same frequency
@@ -170,6 +177,8 @@ struct Barrier {
   T omega_site{};       ///< frequency of the site-centred breather of the bond-centred one's area
 };
 
+/// Both barriers, from the site-centred breather's problem and the two breathers of one frequency.
+/// Throws NoConvergence.
 template <class T>
 Barrier<T> barrier(const BreatherProblem<T>& site_problem, const Orbit<T>& site,
                    const Orbit<T>& bond, const NewtonRule<T>& rule = {}) {

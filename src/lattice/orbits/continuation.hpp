@@ -2,12 +2,12 @@
 /**
 # Following a branch
 
-Breathers come in families, and a family is a curve in the space of unknowns and one
-parameter, the frequency or the anharmonicity or any other number on which the problem depends.
-We follow the curve by its arclength: a step along the tangent, then Newton on the equations
-together with the condition that the correction be perpendicular to the tangent. Where the curve
-turns back in its parameter nothing special happens, because the parameter is an unknown like the
-others. */
+Breathers come in families, and a family is a curve in the space of the unknowns and one parameter: the
+frequency, the anharmonicity, or any other number on which the problem depends. If we prescribed the
+parameter and solved for the rest, we should be lost where the curve turns back in it (a *fold*). So we
+follow the curve by its arclength: a step along the tangent, then Newton's method on the equations
+together with the condition that the correction be perpendicular to the tangent. The parameter is an
+unknown like the others, and a fold is nothing special. */
 
 #include <algorithm>
 #include <cmath>
@@ -22,12 +22,14 @@ others. */
 namespace lattice {
 
 /**
-Close to $\omega_b = 1$ the positions are proportional to $\epsilon = (2\tau_0(\omega_b-1))^2$ and all
-but constant in these units. With the frequency we therefore follow $\xi$ and $\ell$ in
-$$y = (\omega_b-1)^2\,\xi,\qquad \omega_b = 1 + e^{\ell},$$
-in which the branch of the DpS equation is a straight line. Any other parameter is what it is. The
-derivative with respect to the frequency is exact; for another parameter it is a central
-difference, which decides only how fast the corrector converges and how long the steps are. */
+The families of the article begin at $\omega_b = 1$ with breathers of vanishing amplitude. Their positions
+are proportional to $\epsilon = (2\tau_0(\omega_b-1))^2$, Eq. (20), and nearly constant in units of it.
+Along the frequency we therefore follow $\xi$ and $\ell$, with
+$$y = (\omega_b-1)^2\,\xi,\qquad \omega_b = 1 + e^{\ell};$$
+in these coordinates the small-amplitude limit (the DpS equation, dps.hpp) is a straight line. Any other
+parameter is itself the coordinate $\ell$. The derivative with respect to the frequency is exact; with
+respect to another parameter it is a central difference, whose error affects only how fast the corrector
+converges and how long the steps are. */
 template <class Problem>
 struct Along {
   using T = typename Problem::Scalar;
@@ -56,7 +58,7 @@ struct Along {
 };
 
 /**
-Two parameters serve most chapters; any other is written where it is needed. */
+Two parameters serve most programs; any other can be written in the same way. */
 /// Along the frequency omega_b.
 template <class Problem>
 Along<Problem> along_omega() {
@@ -73,7 +75,8 @@ Along<Problem> along_s() {
           [](Problem& p, const T& s) { p.chain.onsite.s = double(s); }, 1.0 / 1024};
 }
 
-/// How long the steps are, in the length of (xi, ell), and how accurate the curve.
+/// How long the steps are, as lengths in the space of (xi, ell), where xi is scaled to a maximum of one,
+/// and how accurate the points are. Six corrections are enough if a step is not too long.
 struct Stride {
   double first = 0.1, least = 1e-4, most = 0.4;
   double tolerance = 1e-9;  ///< relative residual of the points on the curve
@@ -81,15 +84,15 @@ struct Stride {
 };
 
 /**
-A family need not have a member at every parameter. */
-/// The branch ends or turns back before the parameter that was asked for.
+A family need not have a member at every value of the parameter. */
+/// Thrown if the branch ends or turns back before the parameter that was asked for.
 struct NoBranch : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
 /**
-A branch stands at a point of the curve and can take a step. The vector `z` holds $\xi$ and, as
-its last entry, $\ell$. */
+A `Branch` stands at a point of the curve and can take a step. The vector `z` holds $\xi$ and, as its last
+entry, $\ell$. */
 template <class Problem>
 class Branch {
   using T = typename Problem::Scalar;
@@ -102,18 +105,21 @@ class Branch {
   T parameter() const { return along_.parameter(ell(z_)); }
   /// How the parameter changes along the curve; its sign changes at a fold.
   T slope() const { return tangent_[tangent_.size() - 1]; }
-  /// Moves one step on; throws NoConvergence where even the shortest one fails.
+  /// Takes one step; throws NoConvergence if even the shortest one fails.
   void advance();
-  /// Follows the branch through its next fold; returns the extreme parameter.
+  /// Follows the branch through its next fold and returns the extreme parameter; throws NoBranch if
+  /// there is none within `most_steps`.
   T fold(int most_steps = 400);
-  /// Follows the branch up to `target` and converges there to the accuracy of `rule`.
+  /// Follows the branch up to `target` and converges there to the accuracy of `rule`; throws NoBranch
+  /// if the branch turns back before.
   Orbit<T> reach(T target, int most_steps = 400);
   /// The problem and the unknowns at the point where the branch stands.
   Problem problem() const { return along_.at(problem_, parameter()); }
   Vector<T> unknowns() const { return unknowns(z_); }
 
   /**
-  Inside, $\xi$ is scaled to a maximum of one at the first point. */
+  Inside, $\xi$ is scaled to a maximum of one at the first point. The corrector solves with a matrix that
+  has one more row than there are equations, its border; the same matrix gives the tangent. */
  private:
   static T ell(const Vector<T>& z) { return z[z.size() - 1]; }
   Vector<T> unknowns(const Vector<T>& z) const {
@@ -130,7 +136,8 @@ class Branch {
     return solve_system<T>(all, right, rule_.rank);
   }
   /**
-  Three things are computed at a point, and one is corrected. */
+  At a point of the curve we need the shot, its derivative with respect to the parameter and the bordered
+  matrix; `correct` moves a predicted point onto the curve. */
   Shot<T> shot_at(const Vector<T>& z) const;
   Matrix<T> bordered(const Vector<T>& z, const Shot<T>& shot, const Vector<T>& border) const;
   Vector<T> parameter_derivative(const Vector<T>& z, const Shot<T>& shot) const;
@@ -147,7 +154,8 @@ class Branch {
 };
 
 /**
-At the first point the parameter is prescribed; what the equations then allow is the tangent. */
+At the first point the border prescribes the parameter: the tangent is the direction in which the equations
+remain true while $\ell$ grows. */
 template <class Problem>
 Branch<Problem>::Branch(Problem problem, Along<Problem> which, const Orbit<T>& start, int direction,
                         NewtonRule<T> rule, Stride stride)
@@ -168,15 +176,15 @@ Branch<Problem>::Branch(Problem problem, Along<Problem> which, const Orbit<T>& s
 }
 
 /**
-The equations are measured in units of the orbit's amplitude, as the unknowns are. */
+A shot at a point of the curve is one of the problem with that parameter. */
 template <class Problem>
 Shot<typename Problem::Scalar> Branch<Problem>::shot_at(const Vector<T>& z) const {
   return along_.at(problem_, along_.parameter(ell(z))).shoot(unknowns(z), rule_.landing);
 }
 
 /**
-The last coordinate enters the equations through the problem and, along the frequency, through the
-scale of the unknowns too. */
+The last coordinate enters the equations through the problem and, along the frequency, also through the
+scale $(\omega_b-1)^2 = e^{2\ell}$ of the unknowns. */
 template <class Problem>
 Vector<typename Problem::Scalar> Branch<Problem>::parameter_derivative(const Vector<T>& z,
                                                                        const Shot<T>& shot) const {
@@ -193,8 +201,9 @@ Vector<typename Problem::Scalar> Branch<Problem>::parameter_derivative(const Vec
 }
 
 /**
-The matrix of the corrector holds the equations' derivatives with respect to all coordinates, and
-below them a border that says which direction is not to be taken. */
+The matrix of the corrector holds the derivatives of the equations with respect to all coordinates, with
+each equation in units of the orbit's amplitude, and below them the border: the direction in which a
+correction must not go. */
 template <class Problem>
 Matrix<typename Problem::Scalar> Branch<Problem>::bordered(const Vector<T>& z, const Shot<T>& shot,
                                                            const Vector<T>& border) const {
@@ -211,8 +220,9 @@ Matrix<typename Problem::Scalar> Branch<Problem>::bordered(const Vector<T>& z, c
 }
 
 /**
-The corrector is Newton's method on $m$ equations and the condition that the correction is
-perpendicular to the tangent. The tangent at the new point comes from the last matrix. */
+The corrector is Newton's method on the equations and the condition that the correction be perpendicular
+to the tangent. The tangent at the new point comes from the last matrix; if that was singular the tangent
+is not a number, and the point is refused. Returns whether the point was reached. */
 template <class Problem>
 bool Branch<Problem>::correct(Vector<T>& z, const Vector<T>& tangent, Vector<T>& next_tangent) {
   history_.clear();
@@ -235,8 +245,8 @@ bool Branch<Problem>::correct(Vector<T>& z, const Vector<T>& tangent, Vector<T>&
 }
 
 /**
-A step that converges quickly makes the next one longer, one that fails or turns too
-sharply is repeated with half the length. */
+A step that converges quickly lets the next one be longer. One that fails, or after which the tangent has
+turned too sharply (by a cosine below 0.9, about 26 degrees), is repeated with half the length. */
 template <class Problem>
 void Branch<Problem>::advance() {
   for (;; length_ /= 2) {
@@ -255,8 +265,8 @@ void Branch<Problem>::advance() {
 }
 
 /**
-Across a fold $\ell$ has an extremum as a function of the arclength. The cubic with the values and
-slopes at both ends of the step that crossed it has it too. */
+At a fold $\ell$ has an extremum as a function of the arclength. We find it on the cubic that has the
+values and slopes of $\ell$ at both ends of the step across the fold (`Arc` of landing.hpp). */
 template <class Problem>
 typename Problem::Scalar Branch<Problem>::fold(int most_steps) {
   T slope_before = slope();
@@ -271,8 +281,8 @@ typename Problem::Scalar Branch<Problem>::fold(int most_steps) {
 }
 
 /**
-Between the last two points the target's unknowns are interpolated, and Newton's method
-finishes at the target itself. */
+To reach a given parameter we step beyond it, interpolate the unknowns between the last two points, and
+let Newton's method finish at the target itself. */
 template <class Problem>
 Orbit<typename Problem::Scalar> Branch<Problem>::reach(T target, int most_steps) {
   const T goal = along_.coordinate(target);

@@ -2,11 +2,15 @@
 /**
 # The mode of a defect
 
-A light defect is an oscillator faster than its neighbours, $\mu^{-1/2} > 1$, and from this linear frequency a
-family of breathers begins, as from $\omega_b = 1$ in the chain without a defect. Newton's method follows it
-from a guess in which the defect alone moves, with the amplitude $a$ at which its two contacts raise the
-frequency: the first harmonic of $|y|^{1/2}y$ gives $\mu\,\omega_b^2 \approx 1 + 0.915\,\eta\sqrt a$. We ask for
-evenness in time only; the mirror symmetry of the defect then comes out. */
+In section 3.6 a cantilever with other beads reflects a breather, and some of the energy stays with it. If
+the defect is light, $\mu < 1$, it is an oscillator of the frequency $\mu^{-1/2} > 1$, faster than its
+neighbours. From this frequency a family of localized periodic orbits begins, as from $\omega_b = 1$ in the
+chain without a defect. Newton's method follows it from a guess in which the defect alone moves. Its
+amplitude $a$ is that at which its two contacts, which together push back with $\eta\,|y|^{1/2}y$, raise
+the frequency to $\omega_b$. The first harmonic of this force, with the factor
+$\frac1\pi\int_0^{2\pi}|\cos\theta|^{5/2}d\theta \approx 0.915$, gives
+$\mu\,\omega_b^2 \approx 1 + 0.915\,\eta\sqrt a$. We demand evenness in time only; that the mode has the
+mirror symmetry of the defect is then a result. */
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +31,8 @@ inline constexpr std::size_t mode_sites = 31;
 
 using ModeProblem = Shooting<double, Harmonic, Hertz>;
 
-/// A defect in the middle of a short array, and the only symmetry that is imposed.
+/// The problem of a mode around a defect in the middle of a short array; `ratio` is that of the radii of
+/// its beads and the others (cantilever.hpp).
 inline ModeProblem mode_problem(const CantileverArray& array, double ratio) {
   CantileverArray piece = array;
   piece.sites = mode_sites, piece.defect = mode_sites / 2 + 1;
@@ -37,7 +42,10 @@ inline ModeProblem mode_problem(const CantileverArray& array, double ratio) {
 }
 
 /**
-The breather with a given energy; the fourth root of the energy is nearly linear in omega_b. */
+A mode in a run is compared with the member of the family that has the same energy. Newton's method in
+$\omega_b$ finds it quickly for the fourth root of the energy, which is nearly linear in $\omega_b$. We
+begin a little above the linear frequency and change $\omega_b$ by at most 0.01 at a time. Throws
+NoConvergence, and std::runtime_error if there is no such member within 40 steps. */
 inline Orbit<double> mode_of_energy(ModeProblem problem, double energy) {
   const std::size_t middle = mode_sites / 2;
   const double mu = problem.chain.mass_of(middle), eta = problem.chain.eta_of(middle);
@@ -59,7 +67,8 @@ inline Orbit<double> mode_of_energy(ModeProblem problem, double energy) {
 }
 
 /**
-The mean energy at each site over a period, from equidistant instants. */
+Next we need to know where the energy of the mode is: its mean over a period at each site, from `instants`
+equal intervals. */
 inline std::vector<double> mean_density(const ModeProblem& problem, const Orbit<double>& orbit,
                                         std::size_t instants) {
   std::vector<double> mean(mode_sites, 0.0);
@@ -74,7 +83,8 @@ inline std::vector<double> mean_density(const ModeProblem& problem, const Orbit<
 }
 
 /**
-How the energy of the nine sites around the defect is distributed, in a run and in the mode. */
+Whether what stays at the defect in a run is this mode is seen from how the energy is distributed over the
+nine sites around the defect, as shares of their sum. */
 struct Profile {
   std::vector<double> run, mode;
 
@@ -86,6 +96,7 @@ struct Profile {
   }
 };
 
+/// The shares in a run (`stay`) and in the mode, averaged over `instants` instants of a period.
 inline Profile profile(const CantileverArray& array, const ModeProblem& problem,
                        const Orbit<double>& orbit, const Stay& stay, std::size_t instants) {
   const auto piece = [](const std::vector<double>& all, std::size_t middle) {

@@ -2,17 +2,18 @@
 /**
 # Travelling breathers of the DpS equation
 
-At small amplitude a travelling breather of the chain becomes one of the DpS equation,
+A travelling breather of the chain repeats itself one site further on after the shift time $T$
+(travelling.hpp). At small amplitude it becomes one of the DpS equation, Eq. (12):
 $A_n(\tau+\tau_T) = e^{i\varphi}A_{n-1}(\tau)$, in which the phase turns by $\varphi$ from site to site
-($\varphi = -T$ modulo $2\pi$ for an orbit of the chain). The equation knows no scale, so that we may
-choose $\tau_T = 2\pi$; all others follow by $A \to aA$, $\tau \to a^{-1/2}\tau$.
+($\varphi = -T$ modulo $2\pi$). The equation has no scale of its own, so we may choose $\tau_T = 2\pi$; all
+other travelling breathers follow by $A \to aA$, $\tau \to a^{-1/2}\tau$.
 
 The sum $\sum_n A_n$ is conserved, hence $(e^{i\varphi}-1)\sum_nA_n = 0$: type I has $\varphi = 0$, type II
 a vanishing sum, as in the chain. With the symmetry $A_n(\tau) = -\bar A_{-n}(-\tau)$ and
 $w_n = e^{-i\varphi/2}A_n(\tau_T/2)$ the equations are
 $$\mathrm{Re}\,(w_n + w_{1-n}) = 0,\qquad \mathrm{Im}\,(w_n - w_{1-n}) = 0,\qquad n = 1,\dots,L+1.$$
-Again the first kind adds up to $V\sin(\varphi/2)$ with $\sum_nA_n(0) = iV$. We leave out the one with
-$n = 1$, and have a family with a member for every $\varphi$. */
+Those of the first kind add up to $V\sin(\varphi/2) = 0$, where $\sum_nA_n(0) = iV$. We leave out the one
+with $n = 1$ and obtain a family with a member for every $\varphi$. */
 
 #include <algorithm>
 #include <cmath>
@@ -29,9 +30,9 @@ $n = 1$, and have a family with a member for every $\varphi$. */
 namespace lattice {
 
 /**
-A problem in the sense of newton.hpp. The unknowns are the imaginary part at the centre and then real
-and imaginary parts of $A_1,\dots,A_L$ at $\tau = 0$. The flow is GSL's; the derivative is a central
-difference, which decides only how fast Newton's method converges. */
+This too is a problem for newton.hpp. The unknowns are the imaginary part of $A_0$ and then real and
+imaginary parts of $A_1,\dots,A_L$ at $\tau = 0$, with $L$ = `reach`. The flow is computed by GSL. The
+derivative is a central difference, whose error affects only how fast Newton's method converges. */
 struct DpsTravelling {
   using Scalar = double;
   std::size_t reach = 8;
@@ -51,7 +52,8 @@ struct DpsTravelling {
     return a;
   }
   /**
-  The equations are those at half the shift time, and we can always look at all of them. */
+  The equations hold at half the shift time. All of them are computed, because the one that is left out
+  shows whether a member is exact. */
   /// All equations, that of n = 1 first.
   Vector<double> misses(const Vector<double>& x) const {
     Field a = unfold(x);
@@ -92,7 +94,7 @@ struct DpsTravelling {
 };
 
 /**
-A member is described by what the chapter draws. */
+Of a member we keep what a program tabulates. */
 /// A member of the family: its field at tau = 0, V, norm and energy.
 struct DpsMember {
   double phase;
@@ -101,7 +103,7 @@ struct DpsMember {
   double V, norm, energy, residual;
 };
 
-/// Throws NoConvergence.
+/// The member near the unknowns `guess`. Throws NoConvergence.
 inline DpsMember dps_member(const DpsTravelling& problem, const Vector<double>& guess) {
   const Solution<double> found = solve<DpsTravelling, double>(problem, guess);
   const Field field = problem.unfold(found.x);
@@ -117,11 +119,12 @@ inline DpsMember dps_member(const DpsTravelling& problem, const Vector<double>& 
 }
 
 /**
-The first member is cut from the packet of an impact, whose phase hardly turns from site to site after
-a while. The instant is the one at which the front and the back of the packet have the same moduli;
-a common phase makes the centre imaginary, and a factor gives the packet our shift time. */
-/// Unknowns cut from the packet of a struck chain when it has passed site `from`; `speed` is that of
-/// the packet.
+For the first member we need a guess, and an impact provides it: it sends out a packet (section 3.4) whose
+phase soon hardly turns from site to site. We cut the packet out at the instant when its front and its back
+have the same moduli. A common phase makes the centre imaginary, and a factor gives the packet our shift
+time. The packet moves at about 0.36 sites per unit of $\tau$; the run lasts as if it were 0.34. */
+/// Unknowns cut from the packet of a struck chain once it has passed site `from`. Throws
+/// std::runtime_error if no packet passes.
 inline Vector<double> cut_dps_packet(double from, std::size_t reach) {
   const std::size_t sites = std::size_t(from) + 3 * reach;
   double least = 1e300, t0 = 0, x0 = 0, t1 = 0, x1 = 0;
@@ -138,7 +141,8 @@ inline Vector<double> cut_dps_packet(double from, std::size_t reach) {
              });
   if (best.empty() || !(x1 > x0)) throw std::runtime_error("no packet passes the site");
   /**
-  The cut is turned and scaled. */
+  What was cut out is turned and scaled. By the scaling law the amplitude goes with the inverse square of
+  the shift time, here the time from site to site of the packet. */
   const std::complex<double> turn =
       std::complex<double>(0, -1) * std::abs(best[centre]) / best[centre];
   const double root = (t1 - t0) / (x1 - x0) / DpsTravelling::shift_time, scale = root * root;

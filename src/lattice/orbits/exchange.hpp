@@ -2,10 +2,11 @@
 /**
 # Where two breathers exchange their stability
 
-The pinning pair of a breather is described by $\kappa = (\lambda+1/\lambda-2)/4$ (floquet.hpp), which
-changes its sign where the breather becomes stable. On a cut through the plane of $\omega_b$ and $s$ this
-happens at a point, and this file finds it: by the regula falsi in double precision, and by a last step
-in a wider type. */
+Section 3.3 of the article reports that a breather changes its stability at certain values of the
+anharmonicity $s$. The pair of Floquet multipliers $\lambda$, $1/\lambda$ that decides this, the pinning
+pair, is described by $\kappa = (\lambda+1/\lambda-2)/4$ (floquet.hpp), which is positive if the breather
+is unstable and negative if it is stable. On a cut through the plane of $\omega_b$ and $s$ the sign changes
+at a point. This file finds it: by regula falsi in double precision, and a last step in a wider type. */
 
 #include <array>
 #include <cmath>
@@ -24,8 +25,9 @@ in a wider type. */
 namespace lattice {
 
 /**
-Chains are long enough when the missing bead would be pushed less than rounding: 21 or 22 sites up to
-$\omega_b = 2$. */
+A chain is long enough if the bead missing at its end would be pushed by less than rounding
+(`sites_needed`): up to $\omega_b = 2$ this means 21 sites, or 22 around a bond. `more` adds to them, as
+a check. */
 struct Spot {
   double omega = 1.1, s = 0;
 };
@@ -33,7 +35,8 @@ inline BreatherProblem<double> problem_at(Centre centre, const Spot& spot, std::
   return breather_problem(centre, spot.omega, spot.s, (centre == Centre::site ? 21 : 22) + more);
 }
 
-/// The breather of a problem near that of another; positions grow with the square of omega_b - 1.
+/// The breather of a problem near that of another. The guess scales positions with the square of
+/// omega_b - 1, as in Eq. (20). Throws NoConvergence.
 inline Orbit<double> follow(const BreatherProblem<double>& problem, const Orbit<double>& from,
                             const NewtonRule<double>& how = {}) {
   const double growth = (problem.omega - 1) / (from.omega - 1);
@@ -41,14 +44,15 @@ inline Orbit<double> follow(const BreatherProblem<double>& problem, const Orbit<
 }
 
 /**
-Each number comes from two computations whose tolerances differ by a factor of 16; the coarser one has
-to find the orbit again from a point beside it. */
+No zero of $\kappa$ without its error: each spectrum comes from two computations whose tolerances differ by
+a factor of 16, and the coarser one has to find the orbit again from a point beside it. */
 struct Spectrum {
   std::vector<Pair> pairs;
   Vector<double> mode;  ///< of the pinning pair, positions at t = 0
   Estimate kappa() const { return {pairs.front().kappa.real(), pairs.front().error}; }
 };
 
+/// The pairs at the orbit of a problem, in type T, with their errors. Throws NoConvergence.
 template <class T>
 Spectrum spectrum(const BreatherProblem<double>& problem, const Orbit<double>& orbit) {
   const auto in_t = in_precision<T>(problem);
@@ -66,13 +70,14 @@ Spectrum spectrum(const BreatherProblem<double>& problem, const Orbit<double>& o
 /**
 ## A zero of $\kappa$
 
-A cut runs along $s$ or along $\omega_b$. The error of the zero is that of $\kappa$ over the slope. */
+A cut runs along $s$ at fixed $\omega_b$, or along $\omega_b$ at fixed $s$. */
 struct Cut {
   bool along_s = true;
   double fixed = 1.1;
   Spot at(double p) const { return along_s ? Spot{fixed, p} : Spot{p, fixed}; }
 };
 
+/// A zero of kappa on a cut, the slope of kappa there, and the breather.
 struct Exchange {
   Estimate place{};
   double slope = 0;
@@ -89,14 +94,15 @@ inline double quick_kappa(Centre centre, const Spot& spot, Orbit<double>& orbit,
 
 /**
 The search needs $\kappa$ at both ends of a bracket and an orbit nearby, which Newton's method follows from
-one trial to the next. The value at an end that stays is halved, so that it cannot stay for ever; the slope is
-that between the last two trials which are far enough apart to show it. */
+one trial to the next. An end of the bracket that stays has its value halved, so that it cannot stay for
+ever. The slope is that between the last two trials that are at least $10^{-4}$ apart; closer ones would
+show rounding. */
 struct Trial_kappa {
   double p, kappa;
 };
 
-/// The zero between two ends of opposite sign, until a step is shorter than `close`; its error is the
-/// last step.
+/// The zero between two ends where kappa has opposite signs. The search ends when a step is shorter than
+/// `close`; the error is the last step.
 inline Exchange exchange_between(Centre centre, const Cut& cut, Trial_kappa low, Trial_kappa high,
                                  Orbit<double> orbit, double close,
                                  const NewtonRule<double>& how = {}) {
@@ -117,7 +123,8 @@ inline Exchange exchange_between(Centre centre, const Cut& cut, Trial_kappa low,
 
 /**
 The last step is made with the wider type, from a point that double precision has brought as close as its
-rounding allows. The slope is known to a hundredth. */
+rounding allows. The error of the zero is that of $\kappa$ over the slope, plus a hundredth of the step,
+because the slope is known no better than that. */
 template <class T>
 Exchange polish_zero(Centre centre, const Cut& cut, Exchange found) {
   found.place.value -= quick_kappa(centre, cut.at(found.place.value), found.orbit) / found.slope;
@@ -130,8 +137,8 @@ Exchange polish_zero(Centre centre, const Cut& cut, Exchange found) {
   return found;
 }
 
-/// The exchange between `low` and `high`, from an orbit nearby. Throws NoBranch where kappa has the same
-/// sign at both ends.
+/// The exchange of stability between `low` and `high` on a cut, from an orbit nearby. Throws NoBranch if
+/// kappa has the same sign at both ends, NoConvergence if an orbit is not found.
 template <class T>
 Exchange exchange(Centre centre, const Cut& cut, double low, double high, Orbit<double> orbit) {
   const Trial_kappa below{low, quick_kappa(centre, cut.at(low), orbit)};

@@ -2,14 +2,15 @@
 /**
 # Floquet multipliers
 
-A small change $z$ of a periodic orbit becomes $Mz$ after one period, and the eigenvalues $\lambda$ of
-the monodromy matrix $M$, the multipliers, decide stability. In a Hamiltonian chain they come as
-$\lambda$ and $1/\lambda$, and one pair is always $+1$: a shift in time changes nothing, and a change
-of the energy only leads to a neighbouring orbit. That pair is *defective*, there is but one eigenvector
-for both. An error $\delta$ of $M$ moves its eigenvalues by $\sqrt\delta$, and a second pair near $+1$,
-that of a breather which can be shifted along the chain, is dragged along. So the multipliers near
-$+1$ should not be read off $M$. What we need is a quantity in which both pairs are far apart or one
-of them is absent. */
+Is a periodic orbit stable? A small change $z$ of it becomes $Mz$ after one period. The eigenvalues
+$\lambda$ of the monodromy matrix $M$, the Floquet multipliers, decide: the orbit is unstable if one of
+them lies outside the unit circle. In a Hamiltonian chain they come in pairs $\lambda$ and $1/\lambda$.
+One pair, that of the *phase*, is always $+1$: a shift in time changes nothing, and a change of the energy
+only leads to a neighbouring orbit. This pair is *defective*, both have the same eigenvector; an error
+$\delta$ of $M$ therefore moves its eigenvalues by $\sqrt\delta$. A breather that can almost freely be
+shifted along the chain has a second pair near $+1$, the *pinning pair*, which is dragged along. So the
+multipliers near $+1$ should not be read off $M$. What we need is a quantity in which the two pairs are
+far apart or that of the phase is absent. */
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -25,10 +26,10 @@ of them is absent. */
 namespace lattice {
 
 /**
-The derivative of the flow comes from the variational equations, landing on every switching
-(landing.hpp). What refuses an inaccurate flow for an orbit refuses it here. */
+The derivative of the flow comes from the variational equations, with a landing on every contact that opens
+or closes (tangent.hpp, landing.hpp). A flow that is too inaccurate for an orbit is refused here too. */
 /// Derivative of the flow from `start` over `duration`: 2N x 2N, positions before velocities.
-/// Throws NoConvergence where the flow is not accurate.
+/// Throws NoConvergence if the flow is not accurate.
 template <class T, class Onsite, class Contact>
 Matrix<T> monodromy(const Chain<Onsite, Contact>& chain, const State<T>& start, const T& duration,
                     const Landing<T>& rule = {}) {
@@ -42,8 +43,9 @@ Matrix<T> monodromy(const Chain<Onsite, Contact>& chain, const State<T>& start, 
 }
 
 /**
-The structure that we use belongs to positions and momenta, and the first thing to know about a
-computed map is by how much it misses that structure. */
+In positions and momenta the derivative of a Hamiltonian flow is symplectic, $F^T\Omega F = \Omega$ with
+$\Omega = \bigl(\begin{smallmatrix} 0 & 1\\ -1 & 0\end{smallmatrix}\bigr)$. We use this below, so the first
+thing to know about a computed map is by how much it fails to be. */
 /// The derivative in positions and momenta: velocities are multiplied by the masses.
 template <class T, class Onsite, class Contact>
 Matrix<T> in_momenta(const Chain<Onsite, Contact>& chain, Matrix<T> f) {
@@ -70,17 +72,18 @@ T symplectic_defect(const Matrix<T>& f) {
 /**
 ## Orbits that start from rest
 
-An orbit that is even in time rests at $t=0$ and at $T_b/2$. Let $A, B, C, D$ be the four blocks of the
-derivative $F$ of the flow from $0$ to $T_b/2$, in positions and momenta. The way back in time gives the
-second half of the period, $M = RF^{-1}RF$ with $R = \mathrm{diag}(1,-1)$, and the inverse of a
-symplectic matrix needs no elimination:
+An orbit that is even in time is at rest at $t=0$ and at $T_b/2$. Let $A, B, C, D$ be the four blocks of
+the derivative $F$ of the flow from $0$ to $T_b/2$, in positions and momenta. The second half of the
+period is the first one run backwards, $M = RF^{-1}RF$ with $R = \mathrm{diag}(1,-1)$, and the inverse of
+a symplectic matrix needs no elimination:
 $$M = \begin{pmatrix} 1+2K & 2D^TB\\ 2A^TC & 1+2K^T\end{pmatrix},\qquad K = B^TC,\qquad
 M + M^{-1} = \begin{pmatrix} 2+4K & 0\\ 0& 2+4K^T\end{pmatrix}.$$
 Each eigenvalue $\kappa$ of the $N\times N$ matrix $K$ is therefore one pair,
 $$\lambda + \frac1\lambda - 2 = 4\kappa,\qquad \lambda = 1 + 2\kappa \pm 2\sqrt{\kappa(1+\kappa)},$$
-and its eigenvector holds the positions of the mode. A real $\kappa$ in $[-1,0]$ is a stable pair, at
-the angle $2\arcsin\sqrt{-\kappa}$; $\kappa > 0$ is an unstable one, $\ln\lambda = 2\,\mathrm{arsinh}\sqrt\kappa$.
-The difference from two, in which all digits would be lost, never appears. */
+and its eigenvector holds the positions of the mode. A real $\kappa$ in $[-1,0]$ means a stable pair, at
+the angles $\pm 2\arcsin\sqrt{-\kappa}$; $\kappa > 0$ means an unstable one,
+$\ln\lambda = \pm 2\,\mathrm{arsinh}\sqrt\kappa$. Near $+1$ the difference $\lambda+1/\lambda-2$ would
+lose all digits; here it is never formed. */
 /// The matrix K of a half-period map in momenta.
 template <class T>
 Matrix<T> pair_matrix(const Matrix<T>& half) {
@@ -95,11 +98,11 @@ inline std::complex<double> multiplier(std::complex<double> kappa, int sign) {
 }
 
 /**
-The pair of the shift in time is removed exactly. Such a shift changes the momenta at $t=0$ by the
-force $f$ and arrives at $T_b/2$, where the chain is at rest again, without a change of the positions:
-$Bf = 0$, hence $f^TK = 0$. The image of $K$ is perpendicular to $f$, and $K$ restricted to these
-vectors has all eigenvalues but the zero of the phase. In the restricted matrix an eigenvalue near
-zero is a simple one, so that an error $\delta$ of the flow costs $\delta$. */
+The pair of the phase can be removed exactly. A shift in time changes the momenta at $t=0$ in proportion to
+the force $f$, and at $T_b/2$, where the chain is at rest again, it does not change the positions:
+$Bf = 0$, hence $f^TK = 0$. The image of $K$ is perpendicular to $f$, and $K$ restricted to such vectors
+has all eigenvalues but the zero of the phase. In the restricted matrix the eigenvalue of the pinning
+pair is a simple one, so that an error $\delta$ of the flow costs $\delta$ and not $\sqrt\delta$. */
 /// An orthonormal basis of all vectors perpendicular to `f`, by a Householder reflection.
 template <class T>
 Matrix<T> perpendicular_to(const Vector<T>& f) {
@@ -115,7 +118,7 @@ Matrix<T> perpendicular_to(const Vector<T>& f) {
 }
 
 /**
-How well $f^TK$ vanishes, and how well $F$ is symplectic, is kept with the pairs. */
+The result is a list of pairs. With it we keep how well $f^TK$ vanishes and $F$ is symplectic. */
 template <class T>
 struct Pairs {
   std::vector<std::complex<T>> kappa;  ///< all but that of the phase
@@ -126,8 +129,8 @@ struct Pairs {
 };
 
 /**
-The pairs are sorted by the modulus of $\kappa$, that is by their distance from $+1$; the first one is
-the pinning pair. */
+The pairs are sorted by the modulus of $\kappa$, that is by their distance from $+1$; the first one is the
+pinning pair. Throws NoConvergence if Eigen finds no eigenvalues. */
 /// Eigenvalues and the first mode of `k` restricted to the vectors perpendicular to `f`.
 template <class T>
 Pairs<T> pairs_of(const Matrix<T>& k, const Vector<T>& f) {
@@ -148,9 +151,10 @@ Pairs<T> pairs_of(const Matrix<T>& k, const Vector<T>& f) {
 }
 
 /**
-Together: half a period of the tangent, one product, one eigenvalue problem of half the usual size. */
+All together this costs half a period of the tangent, one product, and one eigenvalue problem of half the
+usual size. */
 /// The pairs of an orbit that begins at rest at `start`, even in time, with period `period`. Throws
-/// std::invalid_argument where it does not begin at rest, NoConvergence where the flow is inaccurate.
+/// std::invalid_argument if it does not begin at rest, NoConvergence if the flow is inaccurate.
 template <class T, class Onsite, class Contact>
 Pairs<T> floquet_pairs(const Chain<Onsite, Contact>& chain, const State<T>& start, const T& period,
                        const Landing<T>& rule = {}) {
@@ -168,10 +172,11 @@ Pairs<T> floquet_pairs(const Chain<Onsite, Contact>& chain, const State<T>& star
 /**
 ## Errors
 
-Two computations with different tolerances or types give two values of every $\kappa$. Their difference
-is the error, together with the symplectic defect of the finer one, which shows without any
-comparison. From $\kappa$ to the multiplier the error grows by $d\lambda/d\kappa \sim \kappa^{-1/2}$, up
-to the square root of the error where $\kappa$ is not told from zero. */
+No orbit should be called stable or unstable below the error of its multipliers. Computations with two
+tolerances or types give two values of every $\kappa$. We take their difference as the error and add the
+symplectic defect of the finer one, which needs no comparison. From $\kappa$ to the multiplier the error
+grows by $|d\lambda/d\kappa| \sim |\kappa|^{-1/2}$, up to the square root of the error if $\kappa$ cannot
+be told from zero. */
 struct Pair {
   std::complex<double> kappa;
   double error;
@@ -184,8 +189,8 @@ struct Pair {
 };
 
 /**
-Each eigenvalue of the finer computation is compared with the nearest one of the coarser that is not
-taken yet. */
+Two lists of eigenvalues have no common order. So each eigenvalue of the finer computation is compared with
+the nearest one of the coarser that has not been taken yet. */
 /// The pairs with their errors, in the order of `fine`.
 template <class C, class T>
 std::vector<Pair> compare_pairs(const Pairs<C>& coarse, const Pairs<T>& fine) {
@@ -209,11 +214,13 @@ std::vector<Pair> compare_pairs(const Pairs<C>& coarse, const Pairs<T>& fine) {
 /**
 ## Two other ways to the pinning pair
 
-Around a bond the reflection of the chain splits all changes into odd ones, with the shift in time
-among them, and even ones, with the pinning mode: the block of $K$ on even vectors needs no
-restriction. Around a site $F$ and the symmetry $S' = -P$ make a map whose square is $M$; it has the phase
-pair at $+1$ and the pinning pair at $-1$. As before, $-PA$ has the mean $\alpha$ of each pair as its
-eigenvalue, and $\kappa = \alpha^2 - 1$. */
+A stability verdict deserves a second route, and the symmetries of symmetry.hpp give one. For a
+bond-centred breather the reflection of the chain splits all changes into odd ones, to which the shift in
+time belongs, and even ones, to which the pinning mode belongs: the block of $K$ on even vectors needs no
+restriction. For a site-centred one $-PF$, half a period followed by the sign change and reflection of
+$S'$, is a map whose square is $M$; its phase pair is at $+1$ and its pinning pair near $-1$. By the
+argument from before, applied to this map, its first block $-PA$ has the mean $\alpha$ of the two
+multipliers of each pair as its eigenvalue, and $\kappa = \alpha^2 - 1$. */
 template <class T>
 T pinning_by_symmetry(const Matrix<T>& half, Centre centre) {
   const Eigen::Index n = half.rows() / 2, right = n / 2;
@@ -232,9 +239,9 @@ T pinning_by_symmetry(const Matrix<T>& half, Centre centre) {
 }
 
 /**
-The same from the monodromy matrix of whatever integrator: each of the four eigenvalues next to $+1$
-may be wrong by the root of the matrix's error, but not the sum of $(\lambda-1)^2/\lambda$. It is
-$8\kappa$, because the phase pair adds nothing. */
+The same can be had from the monodromy matrix of any integrator. Each of the four eigenvalues nearest to
+$+1$ may be wrong by the square root of the matrix's error, but not the sum of their
+$(\lambda-1)^2/\lambda$. It is $8\kappa$ of the pinning pair, because the phase pair adds nothing. */
 inline double quadruplet_kappa(const Matrix<double>& map) {
   std::vector<std::complex<double>> all = eigenvalues_of(map);
   std::sort(all.begin(), all.end(), [](auto a, auto b) {

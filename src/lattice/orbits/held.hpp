@@ -2,16 +2,17 @@
 /**
 # Breathers without a mirror, held at a centre
 
-Where the breather around a site and the one around a bond exchange their stability, breathers in
-between may exist, around no symmetric point of the chain. They rest at $t = 0$ like the others and
-obey $\dot y_n(T_b/2) = 0$, one equation a site; but the derivative of these equations is almost singular,
-because the breather can be shifted along the chain almost freely. What it lacks is a condition on the
-place, and what is determined in return is a parameter $p$ of the chain, $s$ or $\omega_b$. So we
-prescribe the centre
+Section 3.3 finds that site-centred and bond-centred breathers change their stability at certain values of
+$s$, and leaves open which new breathers branch off there. Such breathers have their centre between a site
+and a bond. They are at rest at $t = 0$ like the others and obey $\dot y_n(T_b/2) = 0$, one equation per
+site; but the derivative of these equations is almost singular, because the breather can be shifted along
+the chain almost freely. What is missing is a condition on its place. In return a parameter $p$ of the
+chain, $s$ or $\omega_b$, may be left open. So we prescribe the centre
 $$Q = \frac{\sum_n n\,\bigl(y_n(0)^2 + y_n(T_b/2)^2\bigr)}{\sum_n \bigl(y_n(0)^2+y_n(T_b/2)^2\bigr)},$$
-counted from the middle of the chain, and solve for the positions and for $p$. The family is the
-curve $p(Q)$. Around a site and around a bond the reflection exchanges the two times up to the sign of
-$y$, so that $Q$ is the site or the bond exactly; there $p$ is the branch point. */
+counted from the middle of the chain, and solve for the positions and for $p$. The family is the curve
+$p(Q)$. A reflection about its centre changes the sign of a bond-centred breather, and that of a
+site-centred one also exchanges the two times; in either case $Q$ is exactly the bond or the site, and $p$
+there is the branch point. */
 
 #include <cmath>
 #include <cstddef>
@@ -24,9 +25,9 @@ $y$, so that $Q$ is the site or the bond exactly; there $p$ is the branch point.
 namespace lattice {
 
 /**
-The unknowns are the positions at $t = 0$ and the parameter, the equations those of rest after half a
-period and that of the centre. */
-/// A problem in the sense of newton.hpp. The unknowns are the positions at t = 0 and the parameter.
+Like other orbits, a breather held at its centre is a problem for newton.hpp. The equations are those of
+rest after half a period and that of the centre. */
+/// The unknowns are the positions at t = 0 and the parameter.
 template <class P>
 struct Held {
   using Scalar = typename P::Scalar;
@@ -34,7 +35,7 @@ struct Held {
   P problem;             ///< even in time; its value of the parameter is not used
   Along<P> along;        ///< which parameter is unknown
   T centre{};            ///< Q, in sites from the middle of the chain
-  double change = 1e-5;  ///< of the central difference in the parameter
+  double change = 1e-5;  ///< of the central difference in the parameter, see `differentiate`
 
   std::string name() const { return "breather held at a centre"; }
   std::size_t sites() const { return problem.chain.sites; }
@@ -48,7 +49,8 @@ struct Held {
   Shot<T> shoot(const Vector<T>& x, const Landing<T>& rule, bool with_jacobian = true) const;
 
   /**
-  Half a period from the unknowns; places are counted from the middle of the chain. */
+  `fly` carries the chain through half a period from the unknowns; `place` counts from the middle of the
+  chain. */
  private:
   void differentiate(const Vector<T>& x, const Landing<T>& rule, const State<T>& end,
                      const Tangent<T>& tangent, const T& weight, Shot<T>& shot) const;
@@ -63,8 +65,8 @@ struct Held {
 };
 
 /**
-Positions and their equations are measured as in any other problem, the parameter and the centre in
-units of one. */
+The sizes of positions and their equations are those of the inner problem; the parameter and the centre are
+of order one. */
 template <class P>
 Sizes<typename P::Scalar> Held<P>::sizes(const Vector<T>& x, bool graded) const {
   const Sizes<T> inner = problem.sizes(x.head(x.size() - 1), graded);
@@ -75,8 +77,8 @@ Sizes<typename P::Scalar> Held<P>::sizes(const Vector<T>& x, bool graded) const 
 }
 
 /**
-The last equation is that of the centre. Its derivative needs the positions at $T_b/2$ as well, and
-these are in the same columns of the tangent. */
+A shot gives the velocities at $T_b/2$ and, as the last equation, the centre. The derivative of the latter
+needs the positions at $T_b/2$ as well; these are in the same columns of the tangent. */
 template <class P>
 Shot<typename P::Scalar> Held<P>::shoot(const Vector<T>& x, const Landing<T>& rule,
                                         bool with_jacobian) const {
@@ -99,9 +101,9 @@ Shot<typename P::Scalar> Held<P>::shoot(const Vector<T>& x, const Landing<T>& ru
 }
 
 /**
-For a parameter other than the frequency the chain offers no derivative, and we take a central
-difference. Its step is small, because almost nothing in these equations fixes $p$: their derivative
-along the pinning direction is as small as the barrier. */
+The flow's derivative with respect to a parameter is not computed, and we take a central difference
+instead. Its step is small, because almost nothing in these equations fixes $p$: along the direction in
+which the breather can be shifted their derivative is as small as the barrier (breather.hpp). */
 template <class P>
 void Held<P>::differentiate(const Vector<T>& x, const Landing<T>& rule, const State<T>& end,
                             const Tangent<T>& tangent, const T& weight, Shot<T>& shot) const {
@@ -127,13 +129,13 @@ void Held<P>::differentiate(const Vector<T>& x, const Landing<T>& rule, const St
 }
 
 /**
-From a breather with another centre Newton's first step would throw the parameter far away, since it is
-asked to balance a residual that has nothing to do with it; around a site or a bond, where the
-parameter does not act along the pinning direction at all, the matrix is even singular. So we first move
-the breather with the parameter as it is, and leave open what remains of the equations along the
-gradient $y_{n+1}-y_{n-1}$, almost the pinning direction. What remains is as small as the barrier, and
-Newton's method on all equations takes over. In double precision it finds the parameter only as well as
-rounding compares with the barrier; so a wider type takes over as soon as the breather is moved. */
+If Newton's method began with a breather of another centre, its first step would throw the parameter far
+away, since it would have to balance a residual that has nothing to do with it. Around a site or a bond the
+parameter does not act along the pinning direction at all, and the matrix is even singular. So we first
+move the breather at a fixed parameter, and allow the equations to fail along the gradient
+$y_{n+1}-y_{n-1}$, which is almost the pinning direction. This failure is as small as the barrier, and
+Newton's method on all equations can take over. In double precision it would find the parameter only as
+well as rounding compares with the barrier, so callers continue in a wider type. */
 /// The unknowns with the centre of `held` and the same parameter, from those near that centre.
 template <class P, class T = typename P::Scalar>
 Vector<T> moved_to_centre(const Held<P>& held, Vector<T> x, const Landing<T>& landing = {}) {

@@ -2,9 +2,10 @@
 /**
 # The kick that frees a breather
 
-A breather that is stable around its centre needs a kick of some size $c_c$ to leave it (depinning.hpp). This
-file predicts $c_c$ from one period of the tangent map and the barrier at equal area, and finds it in
-runs of the whole chain. */
+Section 3.3 kicks a breather along its pinning mode: each velocity is changed by $c\,g_n$, where $g_n$ is
+the normalised discrete gradient (kick.hpp). A stable breather is set in motion only if $c$ exceeds some
+$c_c$. This file predicts $c_c$ from one period of the tangent map and the barrier at equal area
+(depinning.hpp), and then finds it in runs of the whole chain. */
 
 #include <algorithm>
 #include <array>
@@ -24,14 +25,14 @@ runs of the whole chain. */
 namespace lattice {
 
 /**
-Whoever kicks needs a breather at rest on a chain that holds it, in linear wells. */
+To begin with we need a breather at rest on a chain that holds it, in harmonic wells as in the article. */
 struct RestingBreather {
   Centre centre = Centre::bond;
   Chain<Harmonic, Hertz> chain{};
   State<double> rest{};
   double period = 0, energy = 0;
 
-  /// The path after a kick, until `watch` says that it is enough.
+  /// The path after a kick of size `c`, until `watch` stops it or `time` is over.
   template <class Stepper, class Watch>
   Creep after(double c, const Stepper& stepper, double time, Watch watch) const {
     return creep(stepper, chain, kicked(rest, c), creep_sample(period), time, watch);
@@ -44,8 +45,9 @@ struct RestingBreather {
 };
 
 /**
-The chain is as long as it is told; one site more gives a site-centred breather its middle. */
-/// Throws ShortChain where the breather needs a longer one.
+The chain has the given number of sites, or one more if a site-centred breather needs a middle, and must
+hold the tail of the breather down to rounding, $10^{-16}$. */
+/// Throws ShortChain if the breather needs a longer chain, NoConvergence if it is not found.
 inline RestingBreather resting_breather(Centre centre, Phase phase, double omega,
                                         std::size_t sites) {
   const bool site = centre == Centre::site;
@@ -61,8 +63,10 @@ inline RestingBreather resting_breather(Centre centre, Phase phase, double omega
 /**
 ## Prediction
 
-The error comes from two tolerances of the tangent map and from the barrier. Where the breather is unstable
-any kick moves it, and there is neither a frequency nor a threshold. */
+A pinned breather oscillates about its centre, with the frequency of its pinning mode, and the kick that
+carries it over the barrier follows from the two (depinning.hpp). The error comes from two tolerances of
+the tangent map and from the barrier. If the breather is unstable any kick moves it, and there is neither
+a frequency nor a threshold. */
 struct Prediction {
   Estimate threshold{}, share{}, frequency{}, barrier{};
   bool exists() const { return frequency.value > 0; }
@@ -90,10 +94,11 @@ inline Prediction predict_threshold(const RestingBreather& at, const Estimate& b
 /**
 ## Runs
 
-A run ends as soon as its fate is decided: the breather is well past the hill or has turned round. Just at the
-threshold it would take for ever, so that ten times $1/\Omega$ is the limit, beyond which nothing is decided
-within $10^{-7}$ of it. */
-/// The path after a kick up to its decision; throws std::runtime_error if there is none in `limit`.
+A run ends as soon as its fate is decided: the breather is well past the top of the barrier, or it has
+turned round. Exactly at the threshold this would take for ever. With $\Omega$ the frequency of the
+pinning mode we allow ten times $1/\Omega$, in which all kicks are decided but those within $10^{-7}$ of
+the threshold. */
+/// The path after a kick up to its decision; throws std::runtime_error if there is none within `limit`.
 template <class Stepper>
 Creep decided_path(const RestingBreather& at, double c, const Stepper& stepper, double limit) {
   Creep path =
@@ -107,16 +112,18 @@ Creep decided_path(const RestingBreather& at, double c, const Stepper& stepper, 
 }
 
 /**
-Three kicks, 5, 20 and 40 per cent above the prediction, free the breather. The speeds with which the two
-weaker ones pass the hill lead to the threshold; with the third one instead of the second the extrapolation
-goes as far again, and the difference is its error. The least margin of the runs comes with it, $c^2/2$ over
-what they lost. */
+The threshold is extrapolated from runs above it. Three kicks, 5, 20 and 40 per cent above the prediction,
+free the breather. The speeds with which the two weaker ones pass the top of the barrier lead to the
+threshold; with the third instead of the second the extrapolation goes from twice as far, and the
+difference is its error. With the threshold we keep the least margin of the runs: $c^2/2$, the energy of
+the kick, over the energy that the integration lost. */
 struct FreeingKick {
   Estimate value{};
   double margin = std::numeric_limits<double>::infinity();
 };
 
-/// The error is that of the extrapolation. Throws std::runtime_error where a kick does not free.
+/// The threshold near `guess`, with the error of the extrapolation. Throws std::runtime_error if one of
+/// the kicks does not free the breather.
 inline FreeingKick freeing_kick_of(const RestingBreather& at, const Prediction& guess,
                                    const ContactAware& stepper) {
   const double limit = 10 / guess.frequency.value, least = guess.threshold.value;
@@ -136,7 +143,8 @@ inline FreeingKick freeing_kick_of(const RestingBreather& at, const Prediction& 
 }
 
 /**
-Two schemes give the rest of the error. The longest runs come first. */
+The rest of the error is that of the integration, and comes from two schemes. Those of the finer one take
+longest and come first. */
 /// One threshold for each breather and its prediction, with the margin of the finer scheme.
 inline std::vector<FreeingKick> freeing_kicks(const std::vector<RestingBreather>& at,
                                               const std::vector<Prediction>& guess,
@@ -153,9 +161,10 @@ inline std::vector<FreeingKick> freeing_kicks(const std::vector<RestingBreather>
 }
 
 /**
-That the threshold lies where we say is then seen directly: one per cent below it the breather must turn
-round, one per cent above it must get over. */
-/// Lowers the margin of `found` to that of these runs; throws std::runtime_error where a fate is another.
+An extrapolation is no proof, so finally the threshold is bracketed directly: one per cent below it the
+breather must turn round, one per cent above it must get over. */
+/// Lowers the margin of `found` to that of these runs if they have less; throws std::runtime_error if one
+/// of them ends otherwise.
 inline void confirm(const RestingBreather& at, const Prediction& guess, const ContactAware& stepper,
                     FreeingKick& found) {
   std::array<double, 2> margins{};

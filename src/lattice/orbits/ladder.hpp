@@ -2,9 +2,10 @@
 /**
 # Two families side by side
 
-The energies of site-centred and bond-centred breathers agree to six digits or more, so their
-difference is the hard part. A rung of the ladder holds the two breathers of one frequency and
-what their comparison gives at two resolutions. */
+The energies of site-centred and bond-centred breathers of one frequency agree to six digits or more, and
+the article wants their difference, the barrier (breather.hpp), from $\omega_b = 1$ to 2. So we follow both
+families side by side. A rung of the ladder holds the two breathers of one frequency and what their
+comparison gives at two resolutions. */
 
 #include <array>
 #include <cmath>
@@ -22,12 +23,12 @@ what their comparison gives at two resolutions. */
 namespace lattice {
 
 /**
-All ladders stand on chains of one length and are climbed at two tolerances, and double precision is
-checked against a wider type. */
+All ladders use chains of the same length and two tolerances, and double precision is checked against a
+wider type. */
 /// What double precision is checked against: a 64-bit mantissa where the processor has one.
 using Wide = long double;
 
-/// Lengths of the article's chains; one site more around a bond.
+/// Length of the article's chain (figure 4); one site more around a bond.
 constexpr std::size_t sites_of(Centre centre) {
   return centre == Centre::site ? 31 : 32;
 }
@@ -36,7 +37,7 @@ inline BreatherProblem<double> problem_of(Centre centre, double omega, double s 
   return breather_problem(centre, omega, s, sites_of(centre));
 }
 
-/// The rules of the two resolutions: tolerances 16 apart.
+/// The rules of the two resolutions: the default tolerance of `Landing`, or 16 times that if `coarser`.
 template <class T>
 NewtonRule<T> rule(int coarser) {
   NewtonRule<T> out;
@@ -46,18 +47,19 @@ NewtonRule<T> rule(int coarser) {
 }
 
 /**
-A rung holds the two breathers of one frequency, site-centred first, and what was measured on them. */
+Two breathers of one frequency, site-centred first, and what was measured on them make a rung. */
 struct Rung {
   double s = 0, omega = 0;
   std::array<Orbit<double>, 2> orbit{};  ///< site, bond
   std::array<Estimate, 2> energy{}, amplitude{};
+  /// The two barriers, E_site - E_bond, and the slope of the first one along the frequency.
   Estimate equal_frequency{}, equal_area{}, slope{};
-  bool wide = false;
+  bool wide = false;  ///< whether the wider type was needed
 };
 
 /**
-Two resolutions have to agree on all that is here. The coarser one starts a little beside the orbit,
-so that it has to find its own way back. */
+Each resolution measures everything on a rung for itself. The coarser one starts slightly off the orbit, by
+one part in a million, so that it has to find its own way back. */
 template <class T>
 struct Measured {
   std::array<Orbit<T>, 2> orbit;
@@ -78,15 +80,17 @@ struct Measured {
 };
 
 /**
-Their difference is the error. Comparison with quadruple precision shows errors of up to ten
-tolerances of the energy, so that the error is not taken to be below sixteen, 2048 roundings of
-`size`. A breather's $E - \mathcal A/T_b$ is stationary, and the barrier at equal area suffers less. */
+The difference of the two is the error, but it may be small by chance. Comparison with quadruple precision
+shows errors of the energy of up to ten tolerances, so we never take the error to be below sixteen: 2048
+roundings of `size`. At equal area a quarter of the energy serves as size: an orbit makes
+$E - \mathcal A/T_b$ stationary, and this barrier suffers less from an error of the orbit. */
 template <class T>
 Estimate agree(const T& coarse, const T& fine, const T& size) {
   const T floor = T(2048) * std::numeric_limits<T>::epsilon() * magnitude(size);
   return {double(fine), double(magnitude<T>(fine - coarse) + floor)};
 }
 
+/// Measures a rung in type T. Throws NoConvergence.
 template <class T>
 void measure_in(Rung& rung) {
   const Measured<T> fine(rung, 0), coarse(rung, 1);
@@ -106,21 +110,21 @@ void measure_in(Rung& rung) {
 }
 
 /**
-A barrier is a small difference of two energies. We ask for it to three parts in a thousand, and
-where double precision does not give that, the wider type measures again. */
+A barrier is a small difference of two large numbers. We want it to three parts in a thousand, and if
+double precision does not give that, the wider type measures again. */
 /// Whether a value is known to three parts in a thousand.
 inline bool settled(const Estimate& e) {
   return e.error <= 3e-3 * std::abs(e.value);
 }
-/// Measures in double precision and, where that does not settle both barriers, in the wider type.
+/// Measures in double precision and, if that does not settle both barriers, in the wider type.
 inline void measure(Rung& rung) {
   measure_in<double>(rung);
   if (!settled(rung.equal_frequency) || !settled(rung.equal_area)) measure_in<Wide>(rung);
 }
 
 /**
-Ladders are climbed along the branches, so that there is never a doubt to which family a breather
-belongs; a branch that folds ends its ladder. */
+A ladder is climbed along the two branches (continuation.hpp), so that there is never a doubt to which
+family a breather belongs. A branch that turns back in frequency ends its ladder. */
 /// One family at increasing frequencies, as far as it reaches.
 inline std::vector<Orbit<double>> climb(Centre centre, double s,
                                         const std::vector<double>& omegas) {
@@ -136,8 +140,8 @@ inline std::vector<Orbit<double>> climb(Centre centre, double s,
 
 using Ladder = std::vector<Rung>;
 
-/// Frequencies from 1.005 to 2 in `count` equal steps; for a soft well, whose branches fold, only up to
-/// 1.9 and in half the steps from 1.8 on.
+/// Frequencies: 1.005, then up to 2 in `count` equal steps from 1. For a soft well (s < 0), whose
+/// branches fold, only up to 1.9, and from 1.8 on in steps a fifth as long.
 inline std::vector<double> ladder_frequencies(double s, int count) {
   std::vector<double> out{1.005};
   for (int k = 1; k <= count; ++k) out.push_back(1 + double(k) / count);
@@ -148,7 +152,8 @@ inline std::vector<double> ladder_frequencies(double s, int count) {
 }
 
 /**
-The families know nothing of each other until their rungs are measured, and neither do the rungs. */
+The two families know nothing of each other until their rungs are measured, nor do the rungs; so first the
+families and then the rungs are computed in parallel. */
 /// Both families at these frequencies, as far as they reach, each rung measured by `measure_rung`.
 template <class Measure>
 Ladder climb_pairs(double s, const std::vector<double>& omegas, Measure measure_rung) {
@@ -163,8 +168,9 @@ Ladder climb_pairs(double s, const std::vector<double>& omegas, Measure measure_
 }
 
 /**
-Between two rungs there is always another: in the coordinates of continuation.hpp the branches are
-almost straight, and Newton's method starts from the point in between. */
+A zero of the barrier lies between two rungs, and to find it we need more rungs there. In the coordinates
+of continuation.hpp the branches are almost straight, so Newton's method starts from the point in
+between. */
 inline Rung rung_between(const Rung& left, const Rung& right, double omega) {
   Rung rung{left.s, omega};
   const auto scaled = [&](double from) { return std::pow((omega - 1) / (from - 1), 2); };
@@ -178,10 +184,11 @@ inline Rung rung_between(const Rung& left, const Rung& right, double omega) {
 }
 
 /**
-Between two rungs of opposite sign a barrier vanishes. The regula falsi, with the value of a point
-that stays halved so that it cannot stay for ever, closes in on the frequency in double precision.
-The last step is made with the wider type, and the error of the barrier there, over its slope, is
-the error of the zero. */
+If a barrier has opposite signs on two rungs, it vanishes between them. Regula falsi closes in on that
+frequency in double precision; an end of the bracket that stays has its value halved, so that it cannot
+stay for ever. The last step is made with the wider type. The error of the zero is that of the barrier
+there over its slope, plus a thousandth of the last step, since the slope is that of a chord. Throws
+std::runtime_error if the search does not close in. */
 inline Estimate zero_between(const Rung& left, const Rung& right, Estimate Rung::*gap) {
   Rung at;
   double low = left.omega, high = right.omega;

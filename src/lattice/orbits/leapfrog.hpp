@@ -2,12 +2,14 @@
 /**
 # Shooting by leapfrog
 
-Far from any orbit Newton's method asks for flights that are wild, and landing on all their switchings
-(landing.hpp) costs much for nothing. A search is better served by leapfrog steps of a fixed length,
+Far from any orbit the flights that Newton's method asks for are wild, and to land on every contact that
+opens or closes (landing.hpp) costs much for nothing. A search is better served by leapfrog steps of fixed
+length $h$,
 $$y \leftarrow y + \tfrac h2 v,\qquad v \leftarrow v + h\,a(y),\qquad y \leftarrow y + \tfrac h2 v,$$
-with the exact derivative of these. Orbits of this map have an error of the order $(\omega h)^2/24$; what
-a search finds is a guess for the exact flow. The sum of the kicks over a period of the map vanishes as the
-integral of the force does, bead by bead. */
+with $a(y)$ the accelerations, and by the exact derivative of these steps. Orbits of this map at frequency
+$\omega$ have a relative error of the order $(\omega h)^2/24$; what a search finds is a guess for the
+exact flow. The averaging argument of section 2 carries over to the map: on an orbit the kicks of each bead
+add up to zero over a period, as the integral of the force does. */
 
 #include <cstddef>
 
@@ -15,12 +17,12 @@ integral of the force does, bead by bead. */
 
 namespace lattice {
 
-/// A problem in the sense of newton.hpp. Unknowns and equations are measured in units of `scale`, so
-/// that an orbit which shrinks to rest converges, to rest.
+/// A problem in the sense of newton.hpp. Unknowns and equations are measured in units of the fixed number
+/// `scale`, so that a search whose orbit shrinks to nothing ends there, at rest.
 template <class Onsite, class Contact>
 struct LeapfrogShooting : Shooting<double, Onsite, Contact> {
   double scale = 1;
-  int steps = 128;  ///< a period; a multiple of the symmetry's parts
+  int steps = 128;  ///< per period; a multiple of the symmetry's parts
 
   Sizes<double> sizes(const Vector<double>& x, bool) const {
     const auto rows = Eigen::Index(this->symmetry.equations.size());
@@ -28,13 +30,14 @@ struct LeapfrogShooting : Shooting<double, Onsite, Contact> {
   }
   Shot<double> shoot(const Vector<double>& x, const Landing<double>& rule,
                      bool with_jacobian = true) const;
-  /// Makes `count` steps of a state and of a tangent, if there is one, and shows each to `watch(z)`.
+  /// Advances a state and its tangent, if there is one, by `count` steps and shows each to `watch(z)`.
   template <class Watch>
   void fly(State<double>& z, Tangent<double>* tangent, int count, Watch watch) const;
 };
 
 /**
-The derivative of a kick is the linearisation about the positions at which it is given. */
+The derivative of a drift is the drift itself; that of a kick is the linearisation (chain.hpp) about the
+positions at which the kick is given. */
 template <class Onsite, class Contact>
 void kick_tangent(const Chain<Onsite, Contact>& chain, const std::vector<double>& y, double h,
                   Tangent<double>& tangent) {
@@ -52,7 +55,7 @@ void kick_tangent(const Chain<Onsite, Contact>& chain, const std::vector<double>
 }
 
 /**
-The tangent follows its orbit step by step. */
+Since both are cheap here, the tangent simply follows its orbit step by step. */
 template <class Onsite, class Contact>
 template <class Watch>
 void LeapfrogShooting<Onsite, Contact>::fly(State<double>& z, Tangent<double>* tangent, int count,
@@ -74,7 +77,8 @@ void LeapfrogShooting<Onsite, Contact>::fly(State<double>& z, Tangent<double>* t
 }
 
 /**
-Residuals and derivatives follow from the symmetry's lists as in shooting.hpp. */
+A shot differs from that of shooting.hpp only in the flight: residuals and derivatives follow from the
+lists of the symmetry as they do there. */
 template <class Onsite, class Contact>
 Shot<double> LeapfrogShooting<Onsite, Contact>::shoot(const Vector<double>& x,
                                                       const Landing<double>&,

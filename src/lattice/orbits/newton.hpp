@@ -2,17 +2,20 @@
 /**
 # Newton's method
 
-One Newton serves every periodic orbit, because it knows only problems: something that turns a
-vector of unknowns into the residuals of its equations and their derivatives, and that says how
-large unknowns and equations are. This file holds the method, its history and its failures; what
-a problem is in a chain is told in shooting.hpp.
+To find $x$ with $f(x) = 0$, Newton's method repeats $x \leftarrow x - f'(x)^{-1} f(x)$ from a guess; once
+it is close, each step doubles the number of correct digits. Here $x$ is the initial state of a periodic
+orbit, as far as it is unknown, and $f$ says by how much the orbit fails to close (symmetry.hpp).
+
+The same code serves every periodic orbit, because it knows only *problems*: objects that turn a vector of
+unknowns into residuals and their derivatives, and that say how large unknowns and equations are. This
+file holds the method, its history and its failures; shooting.hpp makes a problem of a chain.
 
 A problem `P` has
 
 | member | meaning |
 |---|---|
 | `P::Scalar` | the number type |
-| `shoot(x, landing, with_jacobian)` | a `Shot`: residuals, derivatives, what the integrator says |
+| `shoot(x, landing, with_jacobian)` | a `Shot`: residuals, derivatives, report of the integrator |
 | `sizes(x, graded)` | the units in which unknowns and equations are measured |
 | `name()` | what is looked for, for messages | */
 
@@ -32,7 +35,7 @@ A problem `P` has
 
 namespace lattice {
 
-/// The largest modulus in a vector; infinite where anything is not a number.
+/// The largest modulus in a vector; infinite if any entry is not a finite number.
 template <class T>
 T sup(const Vector<T>& x) {
   T most(0);
@@ -45,8 +48,8 @@ T sup(const Vector<T>& x) {
 }
 
 /**
-Newton learns about a problem from one integration at a time. It says by how much the equations are
-missed, how that depends on the unknowns, and how accurate the flow was. */
+Newton's method learns about a problem from one integration at a time, a shot. It tells by how much the
+equations are missed, how that depends on the unknowns, and how accurate the flow was (landing.hpp). */
 template <class T>
 struct Shot {
   Vector<T> miss, miss_period;  ///< residuals and their derivative with respect to the period
@@ -63,14 +66,15 @@ struct Sizes {
 /**
 ## A step
 
-The tail of a breather falls double-exponentially, and an equation of the tail is smaller than one
-of the centre by as many orders of magnitude as the positions are. With each unknown and each
-equation in units of the local size, elimination keeps every position to the same relative
-accuracy.
+Each step solves a linear system, and its numbers differ vastly: the tail of a breather falls
+double-exponentially, $|y_{n+1}|\sim|y_n|^{3/2}$, and its equations are as small as its positions. If each
+unknown and each equation is measured in units of the local size (`Sizes`), elimination finds every
+position to the same relative accuracy.
 
-As many equations as unknowns are solved as they are. Otherwise, or where the problem leaves some
-direction free (`rank` > 0, the singular values below which a direction counts as free), the step is
-the shortest one that solves them in the sense of least squares. */
+If there are as many equations as unknowns the system is solved as it stands. Otherwise, or if the problem
+leaves a direction free, the step is the shortest one that solves the equations in the sense of least
+squares. A direction counts as free if its singular value, relative to the largest, is below `rank`, if
+that is positive. Least squares need a built-in type; others throw std::logic_error. */
 template <class T>
 Vector<T> solve_system(const Matrix<T>& matrix, const Vector<T>& right, double rank = 0) {
   if (matrix.rows() == matrix.cols() && rank <= 0) return solve_square(matrix, right);
@@ -83,7 +87,8 @@ Vector<T> solve_system(const Matrix<T>& matrix, const Vector<T>& right, double r
   }
 }
 
-/// The step in the units of `size`; `matrix` and `right` come as they are.
+/// The step x with matrix * x = right, computed in the units of `size` and returned in those of `matrix`
+/// and `right`.
 template <class T>
 Vector<T> solve_scaled(Matrix<T> matrix, Vector<T> right, const Sizes<T>& size, double rank) {
   for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
@@ -97,8 +102,9 @@ Vector<T> solve_scaled(Matrix<T> matrix, Vector<T> right, const Sizes<T>& size, 
 /**
 ## History and failure
 
-Residual and step are relative to the orbit's amplitude, or with `graded` to the local size, so that
-convergence is demanded of the tail as of the centre. */
+A result that has not converged must not leave a program unnoticed, so every iteration is recorded.
+Residual and step are relative to the amplitude of the orbit, or, if `graded`, to the local size, so that
+the tail has to converge as well as the centre. */
 struct Iteration {
   double residual, step;
 };
@@ -115,8 +121,8 @@ inline std::string to_text(const History& history) {
 }
 
 /**
-Where the method fails, the residuals of all iterations are the message: they tell a bad guess from
-an inaccurate flow or a branch that ends. */
+If the method fails, the residuals of all iterations are in the message: they tell whether the guess was
+bad, the flow inaccurate, or the branch at its end. */
 struct NoConvergence : std::runtime_error {
   History history;
   NoConvergence(const std::string& what, History steps)
@@ -124,23 +130,26 @@ struct NoConvergence : std::runtime_error {
         history(std::move(steps)) {}
 };
 
+/// How Newton's method proceeds and when it stops.
 template <class T>
 struct NewtonRule {
   Landing<T> landing{};
   int most = 30;        ///< iterations
   bool graded = false;  ///< demand relative accuracy of every site
   bool damped = false;  ///< halve a step until it lowers the residual
-  double rank = 0;      ///< see solve_scaled
-  /// A residual below which Newton may stop, as soon as it no longer falls.
+  double rank = 0;      ///< see solve_system
+  /// A residual below which the method may stop, as soon as the residual no longer falls. A shot of many
+  /// steps misses by some multiple of the tolerance of one; relative to the local size, in the tail, by
+  /// a thousand times more.
   T enough() const { return T(graded ? 65536 : 64) * landing.tolerance; }
 };
 
 /**
-An orbit is no better than the flow on which it stands. Every step of the integrator estimates its
-own error; where one could not meet the tolerance, or a contact that matters switched in the middle
-of a step, the residual means nothing and the orbit is refused. With a floor of zero every contact
-counts, however faint; those at the end of the tail switch at speeds below rounding, and their
-landings are not asked for (a wider type bounds what they cost). */
+An orbit is no better than the flow from which it was computed. Every step of the integrator estimates its
+own error. If one could not meet the tolerance, or if a contact that matters opened or closed in the middle
+of a step, the residual means nothing and the orbit is refused. With a floor of zero (`Landing`) every
+contact counts, however faint; those at the end of the tail switch at speeds below rounding and need not
+be landed on. What they cost is found by comparison with a wider type. */
 template <class T>
 bool is_accurate(const Flow<T>& flow, const Landing<T>& landing) {
   const T tolerance = std::max(landing.tolerance, T(16) * std::numeric_limits<T>::epsilon());
@@ -148,7 +157,7 @@ bool is_accurate(const Flow<T>& flow, const Landing<T>& landing) {
          flow.error <= tolerance * T(double(flow.steps + 1));
 }
 
-/// Where the iteration ended.
+/// Where the iteration ended: unknowns, the shot from there, and all iterations.
 template <class T>
 struct Solution {
   Vector<T> x;
@@ -156,11 +165,13 @@ struct Solution {
   History history;
 };
 
+/// The exception that names the problem and what went wrong.
 template <class Problem, class T>
 NoConvergence failure(const Problem& problem, const std::string& why, const Solution<T>& so_far) {
   return {problem.name() + ": " + why, so_far.history};
 }
 
+/// The solution, if its flow was accurate; throws NoConvergence otherwise.
 template <class Problem, class T>
 Solution<T> accepted(const Problem& problem, Solution<T> found, const NewtonRule<T>& rule) {
   if (is_accurate(found.shot.flow, rule.landing)) return found;
@@ -168,16 +179,16 @@ Solution<T> accepted(const Problem& problem, Solution<T> found, const NewtonRule
 }
 
 /**
-The residual is the largest of the equations, each in its unit. Far from any orbit a full step may
-lead farther away; a damped iteration then takes the largest half, quarter, ... of it that lowers
-the residual, and gives up below a thousandth. */
+The residual is that of the worst equation, each in its own unit. Far from any orbit a full step may lead
+even farther away. A damped iteration tries the step, its half, its quarter and so on until the residual
+falls, and gives up below a thousandth of the step. */
 template <class Problem, class T>
 T residual_of(const Problem& problem, const Shot<T>& shot, const Vector<T>& at,
               const NewtonRule<T>& rule) {
   return sup<T>(shot.miss.cwiseQuotient(problem.sizes(at, rule.graded).equation));
 }
 
-/// The share of the step from the best point so far; throws where none helps.
+/// The share of the step to be taken from the best point so far; throws NoConvergence if none helps.
 template <class Problem, class T>
 T damping(const Problem& problem, const Vector<T>& step, const T& last, const Solution<T>& best,
           const NewtonRule<T>& rule) {
@@ -192,9 +203,10 @@ T damping(const Problem& problem, const Vector<T>& step, const T& last, const So
 /**
 ## The iteration
 
-`Direction` gives the step from a shot: `newton` solves with the exact derivative, `polish` of
-shooting.hpp with one that was computed before. We stop where the residual, already small, no longer
-falls by a factor of four, and keep the better of the last two. Anything else is a failure. */
+Now everything is put together. `direction` gives the step from a shot: `solve`, below, uses the exact
+derivative, `polish` of shooting.hpp one that was computed before. We stop when the residual is small and
+no longer falls by a factor of four, and keep the better of the last two points; rounding then forbids
+more. Anything else is a failure. Throws NoConvergence. */
 template <class Problem, class T, class Direction>
 Solution<T> iterate(const Problem& problem, Vector<T> x, const NewtonRule<T>& rule, bool jacobian,
                     Direction direction) {
@@ -222,7 +234,8 @@ Solution<T> iterate(const Problem& problem, Vector<T> x, const NewtonRule<T>& ru
 }
 
 /**
-The plain method solves with the derivative at each point. Throws NoConvergence, with the history. */
+The plain method uses the derivative at each point. `solve` returns the solution near the guess `x`, or
+throws NoConvergence, with the history. */
 template <class Problem, class T = typename Problem::Scalar>
 Solution<T> solve(const Problem& problem, const Vector<T>& x, const NewtonRule<T>& rule = {}) {
   return iterate(problem, x, rule, true, [&](const Shot<T>& shot, const Vector<T>& at) {

@@ -2,13 +2,14 @@
 /**
 # Periodic orbits of a chain by shooting
 
-A breather returns after one period $T_b = 2\pi/\omega_b$. Taken literally this gives twice as
-many equations as sites, and a matrix that is almost singular: a shift in time leaves the
-equations true, and a shift along the chain nearly so. The symmetries of the orbit (symmetry.hpp)
-remove both directions and leave less to compute.
+A breather returns after one period $T_b = 2\pi/\omega_b$,
+$$y_n(T_b) = y_n(0),\qquad \dot y_n(T_b) = \dot y_n(0).$$
+Taken literally these are two equations per site, with an almost singular matrix: they remain true if the
+orbit is shifted in time, and nearly true if it is shifted along the chain. The symmetries of the orbit
+(symmetry.hpp) remove both directions and leave less to compute.
 
 A chain, a symmetry and a frequency make a problem in the sense of newton.hpp. The flow is that of
-landing.hpp, with its exact derivative. */
+landing.hpp, with its exact derivative (tangent.hpp). */
 
 #include <cmath>
 #include <cstddef>
@@ -27,14 +28,14 @@ landing.hpp, with its exact derivative. */
 
 namespace lattice {
 
-/// The ratio of a circle's circumference to its diameter in any precision.
+/// The number pi in any precision.
 template <class T>
 T circle_ratio() {
   using std::acos;
   return acos(T(-1));
 }
 
-/// A number far above the smallest one of the type, used where a size has vanished.
+/// A number well above the smallest one of the type, which stands for a size that has vanished.
 template <class T>
 T vanishing() {
   if constexpr (std::is_floating_point_v<T>)
@@ -44,7 +45,8 @@ T vanishing() {
 }
 
 /**
-The tangent of a flight has one column for each direction in a basis. */
+The derivative of a flight is wanted for some directions only. Its tangent has one column for each
+direction in a basis. */
 template <class T>
 Tangent<T> tangent_of(const Basis& basis, std::size_t sites) {
   Tangent<T> tangent(sites, basis.size());
@@ -55,7 +57,8 @@ Tangent<T> tangent_of(const Basis& basis, std::size_t sites) {
 }
 
 /**
-Symmetries count the entries of a state through: positions first, then velocities. */
+In a symmetry the entries of a state are numbered from 0 to $2N-1$, first positions, then velocities.
+`entry` finds them. */
 template <class T>
 const T& entry(const State<T>& state, std::size_t i) {
   const std::size_t n = state.y.size();
@@ -70,8 +73,9 @@ T& entry(State<T>& state, std::size_t i) {
 /**
 ## The problem
 
-The contacts of a localized orbit should have no floor, because the tail is part of it. Where the
-period is free it is the last unknown, and `omega` is not used. */
+A `Shooting` is the problem of finding a periodic orbit of `chain` with `symmetry`. The contacts of a
+localized orbit should have `floor = 0` (contact.hpp), because the tail is part of it. If the period is
+free it is the last unknown, and `omega` is not used. */
 template <class T, class Onsite, class Contact>
 struct Shooting {
   using Scalar = T;
@@ -91,7 +95,7 @@ struct Shooting {
 };
 
 /**
-Messages of Newton's method name the orbit that was looked for. */
+If Newton's method fails, its message names the orbit that was looked for. */
 template <class T, class Onsite, class Contact>
 std::string Shooting<T, Onsite, Contact>::name() const {
   char text[96];
@@ -104,7 +108,7 @@ std::string Shooting<T, Onsite, Contact>::name() const {
 }
 
 /**
-Unknowns and state translate into each other by the symmetry's lists. */
+The lists of the symmetry translate unknowns into a state and back. */
 /// The state at t = 0 that belongs to the unknowns.
 template <class T, class Onsite, class Contact>
 State<T> Shooting<T, Onsite, Contact>::unfold(const Vector<T>& x) const {
@@ -115,7 +119,7 @@ State<T> Shooting<T, Onsite, Contact>::unfold(const Vector<T>& x) const {
   return state;
 }
 
-/// The unknowns of a state, whose time is taken for the period where that is free.
+/// The unknowns of a state; its time is taken for the period if that is free.
 template <class T, class Onsite, class Contact>
 Vector<T> Shooting<T, Onsite, Contact>::fold(const State<T>& state) const {
   const std::size_t m = symmetry.unknowns.size();
@@ -131,9 +135,10 @@ Vector<T> Shooting<T, Onsite, Contact>::fold(const State<T>& state) const {
 /**
 ## Sizes
 
-The local size of an orbit is that of its positions and velocities at the start. Where a guess
-is zero, the law $|y_{n+1}|\sim|y_n|^{3/2}$ of the tail supplies a size, from the largest site
-outwards. */
+Newton's method wants to know how large each unknown is. The local size of an orbit is the larger of
+position and velocity at the start. A guess may be zero in the tail, where the breather is not; there
+the law $|y_{n+1}|\sim|y_n|^{3/2}$ of the tail, divided by 16 to be on the safe side, supplies a least
+size, from the largest site outwards. */
 template <class T>
 std::vector<T> local_sizes(const State<T>& state) {
   using std::sqrt;
@@ -154,8 +159,8 @@ std::vector<T> local_sizes(const State<T>& state) {
 }
 
 /**
-An unknown and an equation have the size of the site that they name first; a free period has the
-size one. Without `graded`, and for orbits that do not decay, the amplitude serves for all. */
+Unknowns and equations have the size of the site that they name first; a free period has the size one.
+Unless `graded`, and for orbits that do not decay in space, the amplitude of the orbit serves for all. */
 template <class T, class Onsite, class Contact>
 Sizes<T> Shooting<T, Onsite, Contact>::sizes(const Vector<T>& x, bool graded) const {
   const State<T> start = unfold(x);
@@ -175,7 +180,7 @@ Sizes<T> Shooting<T, Onsite, Contact>::sizes(const Vector<T>& x, bool graded) co
 /**
 ## A shot
 
-Residuals need the two ends of a flight and no derivative. */
+First the residuals, for which the two ends of a flight are enough. */
 template <class T, class Onsite, class Contact>
 Vector<T> Shooting<T, Onsite, Contact>::residuals(const State<T>& start,
                                                   const State<T>& end) const {
@@ -190,8 +195,8 @@ Vector<T> Shooting<T, Onsite, Contact>::residuals(const State<T>& start,
 }
 
 /**
-The rows of the Jacobian are the same combinations of the tangent's rows. A change of the period moves
-the end of the flight along the orbit, by the velocity over the number of parts. */
+Residuals are combinations of entries of the state, so the rows of their Jacobian are the same
+combinations of rows of the tangent. */
 template <class T>
 void add_slopes_of(const Symmetry& symmetry, const Tangent<T>& begin, const Tangent<T>& end,
                    Matrix<T>& jacobian) {
@@ -205,7 +210,9 @@ void add_slopes_of(const Symmetry& symmetry, const Tangent<T>& begin, const Tang
 }
 
 /**
-The columns of the tangent are the unknowns and nothing else. */
+A shot carries one column of the tangent for each unknown and no others. A change of the period by
+$\delta T$ moves the end of the flight along the orbit: by its rate of change there times $\delta T$ over
+the number of parts. */
 template <class T, class Onsite, class Contact>
 Shot<T> Shooting<T, Onsite, Contact>::shoot(const Vector<T>& x, const Landing<T>& rule,
                                             bool with_jacobian) const {
@@ -232,9 +239,10 @@ Shot<T> Shooting<T, Onsite, Contact>::shoot(const Vector<T>& x, const Landing<T>
 /**
 ## The orbit
 
-What follows from the last shot. Along a branch of orbits with a given frequency the unknowns change
-by `x_omega`; forces and velocities then give the derivative of the energy. The area
-$\oint\sum_n\mu_n\dot y_n^2\,dt$ of the whole period is that of its part, repeated. */
+An orbit is what programs want to know of a solution. Orbits of neighbouring frequencies form a branch,
+along which the unknowns change by `x_omega` per unit of frequency; with forces and velocities this gives
+the derivative of the energy. The area is $\mathcal A = \oint\sum_n\mu_n\dot y_n^2\,dt$ over the whole
+period. */
 template <class T>
 struct Orbit {
   Vector<T> x;        ///< unknowns at t = 0, see Shooting::unfold
@@ -257,7 +265,8 @@ struct Orbit {
 };
 
 /**
-Everything but the slopes is read off the last shot. */
+Everything but the two derivatives is read off the last shot; the area of the period is that of the
+computed part times the number of parts. */
 template <class T, class Onsite, class Contact>
 Orbit<T> describe(const Shooting<T, Onsite, Contact>& problem, const Solution<T>& found) {
   Orbit<T> orbit;
@@ -275,7 +284,8 @@ Orbit<T> describe(const Shooting<T, Onsite, Contact>& problem, const Solution<T>
 }
 
 /**
-The energy changes along the branch with the positions, against the forces, and with the velocities. */
+Along the branch the energy changes by minus the forces times the change of the positions, and by the
+momenta times the change of the velocities. */
 template <class T, class Onsite, class Contact>
 void add_slopes(const Shooting<T, Onsite, Contact>& problem, const Vector<T>& x_omega,
                 Orbit<T>& orbit) {
@@ -289,8 +299,10 @@ void add_slopes(const Shooting<T, Onsite, Contact>& problem, const Vector<T>& x_
 }
 
 /**
-This is what programs call. */
-/// The orbit near the guess `x`; throws NoConvergence.
+Most programs call only what follows: a problem, a guess, and Newton's method does the rest. The change
+along the branch comes almost for free, from the same matrix. */
+/// The orbit near the guess `x`, which has as many entries as the problem has unknowns (`fold` makes them
+/// from a state). Throws NoConvergence.
 template <class T, class Onsite, class Contact>
 Orbit<T> newton(const Shooting<T, Onsite, Contact>& problem, const Vector<T>& x,
                 const NewtonRule<T>& rule = {}) {
@@ -309,10 +321,10 @@ Orbit<T> newton(const Shooting<T, Onsite, Contact>& problem, const Vector<T>& x,
 /**
 ## The same orbit in another precision
 
-From an orbit that double precision has found, a wider type needs no derivative of its own: with the
-one from before each step gains as many digits as the derivative has, some twelve, and the columns
-of the tangent, which take most of the time, are not computed. Where this does not converge,
-Newton's method takes over. */
+Digits are confirmed by computing an orbit again in a wider type. If double precision has found it, the
+wider type needs no derivative of its own: with the old one each step gains as many digits as the
+derivative has, about twelve, and the columns of the tangent, which take most of the time, are not
+computed. If this does not converge, Newton's method takes over. Throws NoConvergence if that fails. */
 template <class T, class Onsite, class Contact, class From>
 Orbit<T> polish(const Shooting<T, Onsite, Contact>& problem, const Orbit<From>& from,
                 const NewtonRule<T>& rule = {}) {

@@ -2,14 +2,15 @@
 /**
 # Symmetries as values
 
-A periodic orbit is found by shooting: some entries of the initial state are unknown, the chain
-moves for a part of a period, and some combinations of entries must vanish at its end. Which
-entries, which part and which combinations is what a symmetry of the orbit decides. This file
-holds that knowledge, and nowhere else is it needed: a symmetry is a list of unknowns and a list
-of equations, both linear, and Newton's method reads them off.
+The article's breathers are periodic orbits of the chain (chain.hpp): vibrations that repeat themselves
+after a period $T_b = 2\pi/\omega_b$. We find them by *shooting*: some entries of the initial state are
+unknown, the chain moves for a part of a period, and certain combinations of entries must vanish when it
+ends. Which entries, which part and which combinations is decided by the symmetry of the orbit. All that
+knowledge is in this file: a symmetry is a list of unknowns and a list of equations, both linear, from
+which Newton's method (newton.hpp) takes what it needs.
 
-The state of $N$ sites is one vector of $2N$ entries, the positions and then the velocities. A
-`Term` is an entry with a sign, a sum of terms is a `Combination`. */
+The state of $N$ sites is one vector of $2N$ entries, first the positions, then the velocities. A `Term`
+is an entry with a sign, and a sum of terms is a `Combination`. */
 
 #include <cstddef>
 #include <stdexcept>
@@ -21,19 +22,22 @@ The state of $N$ sites is one vector of $2N$ entries, the positions and then the
 
 namespace lattice {
 
+/// An entry of the state, by its index, with a sign.
 struct Term {
   std::size_t index;
   double sign;
 };
 using Combination = std::vector<Term>;
-/// Directions in phase space, one a column.
+/// Directions in phase space, each of them a column of the tangent map (tangent.hpp).
 using Basis = std::vector<Combination>;
 
-/// A sum of entries at the end of the flight and of entries at its start, which must vanish.
+/// A sum of entries of the state at the end of the flight (the part of the period that is computed) and
+/// of the state at its start. It must vanish.
 struct Equation {
   Combination end{}, start{};
 };
 
+/// All that Newton's method has to know of an orbit's symmetry.
 struct Symmetry {
   std::string name;
   std::size_t sites = 0;
@@ -47,9 +51,9 @@ struct Symmetry {
 /**
 ## Static breathers
 
-A breather that is even in time starts from rest, so that the positions are the only unknowns,
-and it is even about $T_b/2$ as well. In a chain without any symmetry of its own (a defect, say)
-this is all there is: $\dot y_n(T_b/2) = 0$, as many equations as sites. */
+A breather that is even in time starts from rest, so that the positions are the only unknowns, and it is
+even about $T_b/2$ as well. If the chain has no symmetry of its own (because of a defect, say), this is all
+we have: $\dot y_n(T_b/2) = 0$, as many equations as sites, after half a period. */
 inline Symmetry even_in_time(std::size_t sites) {
   Symmetry s{.name = "time-even", .sites = sites, .parts = 2};
   for (std::size_t n = 0; n < sites; ++n) {
@@ -60,8 +64,8 @@ inline Symmetry even_in_time(std::size_t sites) {
 }
 
 /**
-Around a bond $y_{1-n} = -y_n$ holds for all times once it holds at the start. Half of the
-positions are unknown, and half of the equations above remain. */
+The article's bond-centred breathers obey $y_{1-n} = -y_n$, which holds at all times if it holds at the
+start. So half of the positions are unknown, and half of the equations above remain. */
 inline Symmetry bond_centred(std::size_t sites) {
   Symmetry s{.name = "bond-centred", .sites = sites, .parts = 2};
   for (std::size_t n = sites / 2; n < sites; ++n) {
@@ -72,10 +76,12 @@ inline Symmetry bond_centred(std::size_t sites) {
 }
 
 /**
-Around a site the orbit is invariant under $y_n(t) \to -y_{-n}(t+T_b/2)$. Combined with evenness
-this relates the times $T_b/4 \pm t$, and with the reflection $P : n \to -n$ it is enough that
-$(1+P)\,y(T_b/4) = 0$ and $(1-P)\,\dot y(T_b/4) = 0$: as many equations as sites, after a quarter of
-a period. */
+The site-centred ones have a symmetry that is less easy to see. A mirror image of the motion is no motion
+of the chain, because beads push and do not pull; but it is one if the signs are changed too. Section 3.2
+finds these breathers invariant under $S'$, $y_n(t) \to -y_{-n}(t+T_b/2)$. Combined with evenness this
+relates the times $T_b/4 \pm t$, and with the reflection $P : n \to -n$ it is enough that
+$(1+P)\,y(T_b/4) = 0$ and $(1-P)\,\dot y(T_b/4) = 0$: as many equations as sites, after a quarter of a
+period. */
 inline Symmetry site_centred(std::size_t sites) {
   Symmetry s{.name = "site-centred", .sites = sites, .parts = 4};
   for (std::size_t n = 0; n < sites; ++n) {
@@ -90,8 +96,9 @@ inline Symmetry site_centred(std::size_t sites) {
 }
 
 /**
-For comparison: the article asks of positions at rest that the whole state returns after the whole
-period, twice as many equations as unknowns, solved in the sense of least squares. */
+The article proceeds differently, and for comparison we can do the same: it starts from rest and requires
+that the whole state return after the whole period. These are twice as many equations as unknowns, to be
+solved in the sense of least squares. */
 inline Symmetry returning(std::size_t sites) {
   Symmetry s{.name = "returning", .sites = sites};
   for (std::size_t n = 0; n < sites; ++n) s.unknowns.push_back({{n, 1}});
@@ -107,11 +114,11 @@ inline Symmetry centred(Centre centre, std::size_t sites) {
 /**
 ## Travelling orbits
 
-A motion that repeats itself $m$ sites further after the time $T$ obeys
+A motion that repeats itself $m$ sites further on (`shift`) after the time $T$ obeys
 $y_n(t+T) = y_{n-m}(t)$. All positions and velocities are unknown. On a ring the sites are counted
-modulo $N$; on an open chain what comes from beyond its end is at rest. The equations allow a
-shift in time, and Newton's step is the shortest one that solves them (see newton.hpp). With
-$m = 0$ this is a periodic orbit without any symmetry. */
+modulo $N$; in an open chain what comes from beyond its end is at rest. The equations still allow a shift
+in time, so Newton's step is the shortest one that solves them (newton.hpp). With $m = 0$ this is a
+periodic orbit without any symmetry. */
 inline Symmetry travelling(std::size_t sites, std::size_t shift, bool ring,
                            bool free_period = false) {
   Symmetry s{.name = shift == 0 ? "periodic" : "travelling",
@@ -132,16 +139,17 @@ inline Symmetry travelling(std::size_t sites, std::size_t shift, bool ring,
 }
 
 /**
-If the travelling orbit is also invariant under $y_n(t) \to -y_{-n}(-t)$, which fixes the origin of
-time and removes the shift, its positions at $t = 0$ are odd and its velocities even in $n$. Together
-with $y_n(t+T) = y_{n-1}(t)$ this relates the times $T/2 \pm t$ and the sites $n$ and $1-n$:
+Some travelling orbits are also invariant under $y_n(t) \to -y_{-n}(-t)$. This fixes the origin of time, so
+that no shift is left: at $t = 0$ positions are odd and velocities even in $n$. Together with
+$y_n(t+T) = y_{n-1}(t)$ it relates the times $T/2 \pm t$ and the sites $n$ and $1-n$:
 $$y_n + y_{1-n} = 0,\qquad \dot y_n - \dot y_{1-n} = 0 \qquad\text{at } t = T/2,\ n = 1,\dots,L+1.$$
-The chain has the sites $-L \le n \le L+1$, the last of which begins at rest. With the unknowns
-$y_1,\dots,y_L$, $\dot y_0,\dots,\dot y_L$ and $T$ there are as many equations as unknowns.
+The chain has the sites $-L \le n \le L+1$ with $L$ = `reach`, and the last one begins at rest. With the
+unknowns $y_1,\dots,y_L$, $\dot y_0,\dots,\dot y_L$ and $T$ there are as many equations as unknowns.
 
-In a linear well $\sum_n(y_n + i\dot y_n)$ only turns. At $T = 2\pi k$ it returns, and the first
-equations, $n = 1,\dots,L+1$, then add up to zero whatever the unknowns are. So where the period is
-given, as $2\pi k$ in the linear well, we leave out the first one, and all is square again. */
+If $T$ is given there is one equation too many. We leave out the first one, that of the positions of 0
+and 1. In linear wells and at $T = 2\pi k$ nothing is lost by this: there $\sum_n(y_n + i\dot y_n)$ is
+imaginary at the start, only turns, and is imaginary again at $T/2$, so that the $L+1$ equations for
+positions add up to zero whatever the unknowns are (travelling.hpp has more on this sum). */
 inline Symmetry travelling_reversible(std::size_t reach, bool free_period) {
   const std::size_t n0 = reach, sites = 2 * reach + 2;
   Symmetry s{.name = "travelling", .sites = sites, .parts = 2, .free_period = free_period};
@@ -159,9 +167,10 @@ inline Symmetry travelling_reversible(std::size_t reach, bool free_period) {
 /**
 ## Blocks of perturbations
 
-A reflection that maps an orbit to itself splits its perturbations into even and odd ones, which
-the linearised flow does not mix. The columns of a block are $e_n \pm e_{mirror}$ for the right half
-of the chain (and $e_n$ alone for a central site), first for positions and then for velocities; the
+The stability of an orbit is easier to find if its perturbations fall into blocks: a reflection that maps
+the orbit to itself splits them into even and odd ones, which the linearised flow does not mix. With $e_n$
+the perturbation of entry $n$ alone, the columns of a block are $e_n \pm e_{mirror}$ for the right half of
+the chain (and $e_n$ alone for a central site), first for positions and then for velocities. The
 coefficients of a perturbation in the block are its entries on the right half. */
 inline Basis mirror_block(std::size_t sites, double sign) {
   Basis basis;

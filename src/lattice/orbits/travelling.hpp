@@ -2,14 +2,16 @@
 /**
 # Travelling breathers
 
-An exact travelling breather repeats itself one site further after the time $T$,
-$y_n(t+T) = y_{n-1}(t)$, and leaves nothing behind. In a linear well one sum decides what is
-possible. Contacts are forces between neighbours and cancel in $Z = \sum_n(y_n+i\dot y_n)$, so that
-$Z(t) = e^{-it}Z(0)$; and the shift does not change $Z$. Hence
+The article sees localized waves that travel along the chain and calls their exact counterpart an open
+problem (section 5). An exact travelling breather repeats itself one site further on after the *shift time*
+$T$, $y_n(t+T) = y_{n-1}(t)$, and leaves nothing behind. In linear wells one sum decides what is possible.
+The forces between neighbours cancel in $Z = \sum_n(y_n+i\dot y_n)$, so that $Z(t) = e^{-it}Z(0)$; and a
+shift by one site does not change $Z$. Hence
 $$(e^{-iT}-1)\,Z = 0:\qquad T = 2\pi k \text{ (type I)} \quad\text{or}\quad Z = 0 \text{ (type II)}.$$
-The equations of travelling_reversible (symmetry.hpp) without the first one have a solution for
-every $T$, a *family*. With $Z(0) = iV$, $V = \sum\dot y_n$, the equation that was left out reads
-$V\sin(T/2) = 0$. So along a family one number, $V$, shows where it passes through an exact orbit. */
+The equations of `travelling_reversible` (symmetry.hpp) without the first one have a solution for every
+$T$; these solutions form a *family*. With $Z(0) = iV$, $V = \sum\dot y_n$, the equation that was left
+out reads $V\sin(T/2) = 0$. So along a family a single number, $V$, shows where it passes through an
+exact orbit. */
 
 #include <algorithm>
 #include <cmath>
@@ -27,14 +29,15 @@ $V\sin(T/2) = 0$. So along a family one number, $V$, shows where it passes throu
 namespace lattice {
 
 /**
-The chain has the sites $-L \le n \le L+1$, with $L$ = `reach`. Both ends of a breather fall
-double-exponentially, and eight sites are enough for double precision and the next wider type. */
+The chain has the sites $-L \le n \le L+1$, with $L$ = `reach`. Both tails of a breather fall
+double-exponentially, and eight sites on either side are enough for double precision and the next wider
+type. */
 inline constexpr std::size_t usual_reach = 8;
 
 template <class T>
 using TravellingProblem = BreatherProblem<T>;
 
-/// The member of a family with the given shift time: all equations but the first.
+/// The problem of the member of a family with the given shift time: all equations but the first.
 template <class T>
 TravellingProblem<T> travelling_problem(const T& shift_time, double s = 0,
                                         std::size_t reach = usual_reach) {
@@ -47,14 +50,14 @@ TravellingProblem<T> travelling_problem(const T& shift_time, double s = 0,
   return problem;
 }
 
-/// Type I: k oscillations of a free bead from one site to the next.
+/// The problem of type I: a bead oscillates k times while the breather moves on by a site.
 template <class T>
 TravellingProblem<T> type_one(std::size_t k, std::size_t reach = usual_reach) {
   return travelling_problem<T>(T(2) * circle_ratio<T>() * T(double(k)), 0, reach);
 }
 
 /**
-With all equations the shift time is an unknown, and what is found is exact. */
+If all equations are imposed the shift time becomes an unknown, and what is found is exact. */
 template <class T>
 TravellingProblem<T> with_free_time(TravellingProblem<T> problem) {
   problem.symmetry = travelling_reversible(problem.chain.sites / 2 - 1, true);
@@ -70,8 +73,8 @@ Vector<T> with_time(const Vector<T>& x, const T& shift_time) {
 }
 
 /**
-What is read off an orbit: its shift time, its central velocity $\dot y_0$, whose sign tells two orbits
-of one family apart, and $V$. */
+Three numbers identify an orbit: its shift time, its central velocity $\dot y_0$, whose sign tells two
+orbits of the same $T$ apart, and $V$. */
 template <class T>
 T shift_time(const Orbit<T>& orbit) {
   return T(2) * circle_ratio<T>() / orbit.omega;
@@ -91,10 +94,11 @@ T velocity_sum(const Orbit<T>& orbit) {
 /**
 ## The first orbit
 
-A packet that has left the struck end is almost what we look for. We cut it out at an instant when
-its largest site passes through zero and the beads next to it are as nearly odd in position and
-even in velocity as they ever are. Ahead of the packet nothing has moved before, so we keep its
-front half and mirror it; the waves behind it stay out. */
+Where does the first guess come from? If the end of a chain is struck, a packet leaves it (section 3.4)
+that is almost what we look for. We cut it out at an instant when its largest site passes through zero
+and the beads next to it are as nearly odd in position and even in velocity as they ever are. Ahead of
+the packet nothing has moved before, so we keep its front half and mirror it; this leaves out the waves
+behind it. */
 
 /// By how much the neighbours of site `c` miss the symmetry, relative to their size.
 inline double asymmetry(const State<double>& z, std::size_t c, std::size_t width = 3) {
@@ -119,7 +123,8 @@ inline Vector<double> front_half(const State<double>& z, std::size_t c, std::siz
 }
 
 /**
-The zero of the largest site lies between two looks; a straight line between them is good enough. */
+The zero of the largest site lies between two samples of the run; linear interpolation between them is good
+enough for a guess. */
 /// The state at the part `w` of the way from one state to another.
 inline State<double> between(const State<double>& a, const State<double>& b, double w) {
   State<double> z = a;
@@ -131,9 +136,10 @@ inline State<double> between(const State<double>& a, const State<double>& b, dou
 }
 
 /**
-Of all such instants between two sites the most symmetrical one is taken. */
-/// Unknowns cut from the packet of an impact while its centre lies between two sites; the sign is that
-/// of the central velocity. Throws std::runtime_error where no packet passes.
+Of all such instants while the packet moves from one given site to another, the most symmetrical is
+taken. */
+/// Unknowns cut from the packet of an impact at `velocity` while its centre lies between the sites `from`
+/// and `to`; `sign` is that of the central velocity. Throws std::runtime_error if no packet passes.
 inline Vector<double> cut_packet(double velocity, double from, double to, int sign,
                                  std::size_t reach = usual_reach) {
   const Chain<Harmonic, Hertz> chain{std::size_t(to) + 2 * reach};
@@ -159,9 +165,10 @@ inline Vector<double> cut_packet(double velocity, double from, double to, int si
 /**
 ## From one orbit to the next
 
-Small orbits are those of the DpS equation, $y \propto 1/T^2$. In these units the members of type I
-change little with $1/k$, and a straight line through the last two predicts the next one. The tail
-is only scaled: it falls by many orders of magnitude and is no straight line. */
+From one orbit of type I we reach all others. Small orbits are those of the DpS equation
+(dps_travelling.hpp), $y \propto 1/T^2$. In units of $1/k^2$ the members of type I change little with
+$1/k$, and a straight line through the last two predicts the next one. The tail is only scaled: it falls
+by many orders of magnitude and does not follow a straight line. */
 class Staircase {
  public:
   /// The orbits with this sign of the central velocity.
@@ -172,12 +179,12 @@ class Staircase {
     remember(first);
   }
 
-  static constexpr std::size_t first = 5;  ///< k of the first orbit,
-  /// and the impact whose packet needs about as many oscillations for a site.
+  static constexpr std::size_t first = 5;  ///< k of the first orbit
+  /// The impact after which the packet moves by one site in about `first` oscillations.
   static constexpr double first_velocity = 0.0174;
 
   const Orbit<double>& orbit() const { return orbit_; }
-  /// Climbs on to k, in steps short enough for Newton's method. Throws NoConvergence.
+  /// Climbs up or down to k, in steps short enough for Newton's method. Throws NoConvergence.
   const Orbit<double>& reach(std::size_t k) {
     while (k_ != k) {
       const std::size_t up = std::min(k, k_ + 1 + k_ / 4);
@@ -187,15 +194,16 @@ class Staircase {
   }
 
   /**
-  Between large k the derivative of the last orbit serves the next one, too, which saves most of the
-  time. An odd difference of two k turns the phase at $T/2$ round, and the derivative its sign. */
+  At large k the derivative at the last orbit also serves the next one, which saves most of the time. If
+  two k differ by an odd number, the phase at $T/2$ differs by half a turn, and the derivative changes
+  its sign. */
  private:
   void remember(std::size_t k) {
     before_ = last_, last_ = orbit_.x * double(k * k);
     h_before_ = h_, h_ = 1 / double(k), k_ = k;
   }
   /**
-  A step predicts, scales and corrects. */
+  So a step predicts, scales and corrects. */
   void step(std::size_t k) {
     const double h = 1 / double(k);
     Vector<double> x = last_;
@@ -220,8 +228,10 @@ class Staircase {
 };
 
 /**
-An orbit found once has no error. Found again from another guess and with other steps, it has one. */
-/// The energy of an orbit of type I, found again from a guess that is shaken, at a coarser landing.
+An orbit that has been found only once has no error bar. So it is found again, from another guess and with
+other steps. */
+/// The energy of an orbit of type I, with the difference from that of the same orbit found from a guess
+/// that is slightly off, at eight times the tolerance.
 inline Estimate energy_of_type_one(std::size_t k, const Orbit<double>& orbit) {
   NewtonRule<double> coarse;
   coarse.landing.tolerance *= 8;
@@ -234,10 +244,11 @@ inline Estimate energy_of_type_one(std::size_t k, const Orbit<double>& orbit) {
 /**
 ## Along a family
 
-The shift time is changed in small steps; where $V$ changes its sign between two members, the family
-passes through an orbit of type II, which the secant method finds and the full equations confirm. */
+Now the shift time is changed in small steps. If $V$ changes its sign between two members, the family has
+passed through an orbit of type II, which the secant method finds and the full equations confirm. */
 
-/// The member with shift time `to`, from two neighbours `a` (optional, may be the same) and `b`.
+/// The member with shift time `to`, extrapolated from two neighbours `a` and `b`, which may be the same.
+/// Throws NoConvergence.
 inline Orbit<double> next_member(const Orbit<double>& a, const Orbit<double>& b, double to,
                                  std::size_t reach, const NewtonRule<double>& rule) {
   Vector<double> x = b.x;
@@ -248,7 +259,7 @@ inline Orbit<double> next_member(const Orbit<double>& a, const Orbit<double>& b,
   return newton(travelling_problem(to, 0, reach), x, rule);
 }
 
-/// The members from `start` to the shift time `to`, about `step` apart.
+/// The members from `start` to the shift time `to`, at most `step` apart. Throws NoConvergence.
 inline std::vector<Orbit<double>> follow_family(const Orbit<double>& start, double to, double step,
                                                 const NewtonRule<double>& rule = {}) {
   const std::size_t reach = start.start.y.size() / 2 - 1;
@@ -263,8 +274,9 @@ inline std::vector<Orbit<double>> follow_family(const Orbit<double>& start, doub
 }
 
 /**
-The secant method needs V alone. */
-/// The orbit of type II between two members with V of opposite signs, its shift time an unknown.
+The secant method looks for the zero of $V$ along the family; the last solution takes all equations and the
+shift time as an unknown. */
+/// The orbit of type II between two members with V of opposite signs.
 /// Throws NoConvergence.
 inline Orbit<double> type_two(Orbit<double> a, Orbit<double> b,
                               const NewtonRule<double>& rule = {}) {
@@ -283,7 +295,8 @@ inline Orbit<double> type_two(Orbit<double> a, Orbit<double> b,
 /**
 ## In a resting chain
 
-An orbit is laid into a chain at rest; what lies beyond its own reach is zero there. */
+To see an orbit travel we put it into a longer chain at rest, from site `place` on; beyond its own reach
+all is zero. */
 template <class T>
 State<T> embed(const State<T>& orbit, std::size_t sites, std::size_t place) {
   State<T> state(sites);
@@ -295,11 +308,12 @@ State<T> embed(const State<T>& orbit, std::size_t sites, std::size_t place) {
 /**
 ## Stability
 
-A small change of the orbit is another one after the shift: the flow over $T$, read one site
-further. What it leaves behind is gone for good, so that the map contracts; what remains near $+1$
-are two pairs, that of the shift in time with the change of the speed, which is defective, and
-that of the internal phase. Their sum of $(\lambda-1)^2/\lambda$ is $8\kappa$, in which the first
-pair has no part: $\kappa > 0$ is a growing phase, $\kappa < 0$ one that is held. */
+The stability of a travelling orbit is that of the flow over $T$, read one site further on: it maps a small
+change of the orbit to another one. Changes that the breather leaves behind are gone for good, so most
+multipliers lie inside the unit circle. Near $+1$ there remain two pairs: that of the shift in time with
+the change of the speed, which is defective (floquet.hpp), and that of the internal phase. The sum of
+$(\lambda-1)^2/\lambda$ over the four is $8\kappa$, to which the first pair contributes nothing: with
+$\kappa > 0$ a change of the phase grows, with $\kappa < 0$ it is held. */
 
 /// The derivative of the flow over one shift, read one site further; nothing enters from ahead.
 template <class T, class Onsite, class Contact>
@@ -314,7 +328,8 @@ Matrix<T> shifted_map(const Chain<Onsite, Contact>& chain, const State<T>& start
 }
 
 /**
-Its eigenvalues are sorted in two ways. */
+The eigenvalues of this map are the multipliers. Stability depends on the largest, the phase on those
+next to $+1$. */
 /// All multipliers, the largest first.
 template <class T>
 std::vector<std::complex<T>> multipliers_of(const Matrix<T>& map) {

@@ -2,8 +2,9 @@
 /**
 # Answering a statement
 
-The answer goes to the results, each condition and what is left of it to the facts, so that no
-verdict stands without its margin. */
+A yes-or-no statement of the article is decided by a criterion (criterion.hpp). The answer goes to the
+results of a program, and every condition with its margin to its facts, so that no verdict stands
+alone. */
 
 #include <string>
 
@@ -12,7 +13,8 @@ verdict stands without its margin. */
 
 namespace lattice {
 
-/// Decides claim `id`; facts are named after the part of the id behind its dot.
+/// Answers claim `id` in `report`. The facts are named after the part of the id behind its dot, followed
+/// by the name of the condition.
 inline void judge(Report& report, const std::string& id, const Criterion& criterion) {
   report.results.claim(id, holds(criterion));
   const std::string prefix = id.substr(id.find('.') + 1) + "_";

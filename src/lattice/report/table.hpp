@@ -2,18 +2,17 @@
 /**
 # Tables on disk
 
-Every number leaves a program as an ECSV 1.0 table: comma-separated rows under a
-commented YAML header that names each column, its unit and its meaning, and says
-which command made the file. gnuplot, pandas and astropy read it as it is, and the
-tests read the very files from which the figures are drawn.
+Every number leaves a program in an ECSV 1.0 table: comma-separated rows under a header in comments,
+written in YAML, that names each column, its unit and its meaning, and says which command made the file.
+gnuplot, pandas and astropy read it as it is, and the tests read the very files from which the figures
+are drawn.
 
-Numbers carry 17 significant digits, enough to restore the same bits. A file is
-written under a temporary name and renamed, so that an interrupted run leaves
-either the old file or the new one. No clock time enters, hence equal inputs give
-equal bytes.
+Numbers have 17 significant digits, enough to restore the same bits. A file is written under a temporary
+name and then renamed, so that an interrupted run leaves either the old file or the new one. It contains
+no time of day; hence equal inputs give equal bytes.
 
-A row is a line: a text with a line break is refused when it is written, and so is a file that has
-one when it is read. */
+A row is a line: text with a line break is refused when a table is written, and so is a file that has one
+when it is read. */
 
 #include <algorithm>
 #include <charconv>
@@ -39,14 +38,15 @@ using Cell = std::variant<double, std::int64_t, std::string>;
 
 enum class Kind { real, integer, text };
 
+/// The heading of a column.
 struct Column {
   std::string name, unit, description;
   Kind kind = Kind::real;
 };
 
 /**
-A table explains itself, so no column comes without a description. There are columns of numbers, of
-counts and of texts; the unit is empty for a dimensionless quantity. */
+A table should explain itself, so no column can be made without a description. There are columns of
+numbers, of counts and of texts; the unit is empty if the quantity is dimensionless. */
 inline Column number(std::string name, std::string description, std::string unit = "") {
   return {std::move(name), std::move(unit), std::move(description), Kind::real};
 }
@@ -61,14 +61,14 @@ inline Column label(std::string name, std::string description) {
 using Meta = std::vector<std::pair<std::string, std::string>>;
 
 /**
-A row that does not fit its columns would shift all that follows, and a misspelt column would be
-missed only by a reader: both are errors here, on the way in and on the way out. */
+A row that does not fit its columns would shift all that follows, and a misspelt column would go unnoticed
+until someone looked for it. Both are errors here, in writing as in reading. */
 struct Table {
   std::vector<Column> columns;
   std::vector<std::vector<Cell>> rows{};
   Meta meta{};
 
-  /// Appends a row; throws std::invalid_argument unless there is one cell of its kind a column.
+  /// Appends a row; throws std::invalid_argument unless it has one cell of the right kind per column.
   void add(std::vector<Cell> row) {
     bool fits = row.size() == columns.size();
     for (std::size_t i = 0; fits && i < row.size(); ++i)
@@ -85,8 +85,8 @@ struct Table {
   }
 
   /**
-  Tests and programs read columns by name, as the scripts of the figures do. Where numbers are asked
-  for, counts are converted. */
+  Tests and programs read columns by name, as the scripts of the figures do. Counts are converted if
+  numbers are asked for. Throws std::out_of_range if there is no such column. */
   std::vector<double> numbers(const std::string& name) const {
     const std::size_t at = find(name);
     std::vector<double> out;
@@ -107,8 +107,8 @@ struct Table {
 };
 
 /**
-Text and numbers are turned into each other here and nowhere else, independent of the reader's
-language: 17 significant digits restore every bit, and `nan` stands where there is no value. */
+Numbers become text and text becomes numbers here and nowhere else, whatever language the machine is set
+to: 17 significant digits restore every bit, and `nan` stands where there is no value. */
 inline std::string number_text(double x) {
   if (std::isnan(x)) return "nan";
   char buffer[32];
@@ -124,8 +124,8 @@ inline std::string short_text(double x) {
   return std::string(buffer, std::to_chars(buffer, buffer + sizeof buffer, x).ptr);
 }
 
-/// The number that the whole of `text` says, in decimal and with or without a sign; nothing if it
-/// says none. The only place where the programs read numbers.
+/// The decimal number, with or without a sign, that is the whole of `text`; nothing if it is none. All
+/// programs read their numbers through this function.
 inline std::optional<double> parse_number(std::string_view text) {
   if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
   double x = 0;
@@ -137,9 +137,9 @@ inline std::optional<double> parse_number(std::string_view text) {
 namespace ecsv {
 
 /**
-ECSV packs YAML into the comments of a CSV file, and each has its own idea of what must be quoted. In
-YAML a single quote is doubled, in CSV a double one; a line break, which would end a row or a comment,
-is refused by both. */
+ECSV puts YAML into the comments of a CSV file, and each has its own rules of quoting. In YAML a single
+quote is doubled, in CSV a double one. A line break, which would end a row or a comment, is refused in
+both. */
 inline const char* datatype(Kind kind) {
   return kind == Kind::real ? "float64" : kind == Kind::integer ? "int64" : "string";
 }
@@ -161,8 +161,8 @@ inline std::string quoted(const std::string& text) {
 }
 
 /**
-A text is quoted only where a comma, a quote or the sign of a comment would be misread, so that plain
-words stay plain for gnuplot. */
+A text is quoted only if it is empty or if a comma, a quote or the sign of a comment in it would be
+misread, so that plain words stay plain for gnuplot. */
 inline std::string cell_text(const Cell& cell) {
   if (const auto* x = std::get_if<double>(&cell)) return number_text(*x);
   if (const auto* k = std::get_if<std::int64_t>(&cell)) return std::to_string(*k);
@@ -174,8 +174,8 @@ inline std::string cell_text(const Cell& cell) {
 }
 
 /**
-Reading undoes the quoting. A line is split at the commas that stand outside of double quotes; if it
-ends inside of them a cell had a line break, and that throws std::runtime_error. */
+Reading undoes the quoting. A line is split at the commas outside double quotes. If it ends inside such
+quotes, a cell had a line break: throws std::runtime_error. */
 inline std::vector<std::string> fields(const std::string& line) {
   std::vector<std::string> out(1);
   bool inside = false;
@@ -195,7 +195,8 @@ inline std::vector<std::string> fields(const std::string& line) {
 }
 
 /**
-Of YAML we read only what we write: the value of `key` in a mapping on one line, or an empty text. */
+Of YAML we read only what we write: `yaml_value` is the value of `key` in a mapping on a single line, or an
+empty text if there is none. */
 inline std::string yaml_value(const std::string& line, const std::string& key) {
   const auto at = line.find(key + ": ");
   if (at == std::string::npos) return "";
@@ -211,7 +212,8 @@ inline std::string yaml_value(const std::string& line, const std::string& key) {
 }
 
 /**
-A cell that is not what its column promises is an error, never a zero. An empty number is `nan`. */
+A cell that is not what its column promises is an error (std::runtime_error), never a zero. An empty number
+is `nan`. */
 inline Cell parse(const std::string& text, Kind kind) {
   if (kind == Kind::text) return text;
   if (kind == Kind::real) {
@@ -230,8 +232,8 @@ inline Cell parse(const std::string& text, Kind kind) {
 }  // namespace ecsv
 
 /**
-Now the whole: first the columns, then who made the table, then the names and the rows, as ECSV 1.0
-orders them. Throws std::invalid_argument where a text has a line break. */
+Now the whole table, in the order of ECSV 1.0: first the columns, then who made it, then the names and the
+rows. Throws std::invalid_argument if a text has a line break. */
 inline std::string to_text(const Table& table) {
   std::ostringstream out;
   out << "# %ECSV 1.0\n# ---\n# delimiter: ','\n# datatype:\n";
@@ -254,9 +256,9 @@ inline std::string to_text(const Table& table) {
 }
 
 /**
-A reader must never find half a file, so `text` is written under a temporary name, which is then
-changed. What is no ordinary file (a device, a pipe) cannot be renamed and is written to as it is.
-Throws std::runtime_error and leaves nothing behind. */
+A reader must never find half a file, so `text` is written under a temporary name and the file renamed. If
+`path` is not an ordinary file (a device, a pipe) it is written to directly. Throws std::runtime_error on
+failure and leaves nothing behind. */
 inline void write_whole(const std::filesystem::path& path, const std::string& text) {
   std::error_code ignored, failed;
   const bool special =
@@ -275,13 +277,14 @@ inline void write_whole(const std::filesystem::path& path, const std::string& te
   throw std::runtime_error("cannot write " + path.string());
 }
 
+/// Writes a table; throws like `to_text` and `write_whole`.
 inline void write(const std::filesystem::path& path, const Table& table) {
   write_whole(path, to_text(table));
 }
 
 /**
-A line of the header describes a column until the line `meta:`, and an entry of the provenance
-from there on. */
+To read a table, its header is taken apart line by line: up to the line `meta:` a line describes a
+column, after it an entry of the provenance. */
 namespace ecsv {
 
 inline Column column_of(const std::string& line) {
@@ -308,8 +311,9 @@ inline std::vector<Cell> row_of(const std::string& line, const std::vector<Colum
 }  // namespace ecsv
 
 /**
-We read what `to_text` writes, and plain ECSV whose columns stand on one line each. The first line
-without a comment repeats the names of the columns; the rows follow. */
+`from_text` reads what `to_text` writes, and other ECSV files whose columns are described on one line
+each. The first line without a comment repeats the names of the columns; the rows follow. Throws
+std::runtime_error for a row or cell that does not fit. */
 inline Table from_text(std::istream& in) {
   Table table;
   bool header_done = false, in_meta = false;
@@ -331,8 +335,8 @@ inline Table from_text(std::istream& in) {
 }
 
 /**
-Whoever reads a table from `path` must learn from the message which file it was that failed: throws
-std::runtime_error with its name. */
+If a table cannot be read, the message must say which file it was: `read` throws std::runtime_error with
+the name of the file. */
 inline Table read(const std::filesystem::path& path) {
   std::ifstream in(path);
   if (!in) throw std::runtime_error("cannot read " + path.string());

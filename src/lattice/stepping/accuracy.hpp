@@ -2,18 +2,18 @@
 /**
 # Stating a tolerance instead of a step
 
-Nobody should have to guess a step. The functions of this file repeat a computation with
-half the step until two runs in a row agree, and hand out both: the finer one is the
-result, and whatever is derived from it has the difference to the coarser one as its
-error. That difference overestimates the error of the finer run, by a factor of about
-twenty at order 4.5, and it is what the tables quote.
+Nobody should have to guess a step. The functions of this file repeat a computation with half the step
+until two successive runs agree, and return both: the finer one is the result, and the error of whatever
+is derived from it is its difference from the coarser one. That difference overestimates the error of
+the finer run (by a factor $2^p - 1$ at order $p$, about twenty at the order 4.5 of contact_rkn.hpp), and
+it is what the tables quote.
 
-What must agree is for the caller to say: by default the end states, otherwise the number
-that will be reported, a velocity, a threshold or a share. Two runs that turn out to be the
-same run prove nothing, and are an error rather than an agreement.
+The caller says what must agree: by default the end states, otherwise the number that will be reported,
+such as a velocity, a threshold or a share. Two runs that turn out to be the same run prove nothing, and
+count as an error rather than an agreement.
 
-Where the motion is chaotic no step is small enough for a long run. The history of the
-attempts is then the message of the exception. */
+If the motion is chaotic, no step is small enough for a long run. The exception then carries the history
+of the attempts as its message. */
 
 #include <algorithm>
 #include <cmath>
@@ -28,14 +28,14 @@ attempts is then the message of the exception. */
 
 namespace lattice {
 
-/// Two resolutions did not agree as well as was asked for; the message holds the history.
+/// Thrown if two resolutions do not agree as well as was asked for; the message holds the history.
 struct NotConverged : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
 /**
-Largest difference of two states relative to the largest displacement or velocity; infinite if
-they belong to different times. */
+How far apart are two runs? We take the largest difference between the two states, relative to the
+largest displacement or velocity of the second. It is infinite if they belong to different times. */
 inline double distance(const State<double>& a, const State<double>& b) {
   if (a.t != b.t || a.y.size() != b.y.size()) return std::numeric_limits<double>::infinity();
   double apart = 0, scale = 0;
@@ -47,8 +47,9 @@ inline double distance(const State<double>& a, const State<double>& b) {
 }
 
 /**
-Down to ten digits the contact-aware scheme of Dormand, El-Mikkawy and Prince is the
-cheapest; beyond that the composition with fourteen stages has the smaller constant. */
+Which scheme is the cheapest depends on the tolerance: up to ten digits it is that of Dormand, El-Mikkawy
+and Prince, beyond that the splitting with fourteen force evaluations (schemes.hpp), whose errors are
+smaller. Both are used with the treatment of contacts of contact_rkn.hpp. */
 inline ContactAware stepper_for(double tolerance, double step, int halvings = 0) {
   ContactAware stepper{step};
   if (tolerance < 1e-10) stepper.base = nystrom(blanes_moan_6_14());
@@ -57,18 +58,19 @@ inline ContactAware stepper_for(double tolerance, double step, int halvings = 0)
 }
 
 /**
-A refinement begins with this step, or with one a sample where samples are closer, and halves it
-seven times at most. The fastest motion has a period of 2 pi. */
+A refinement begins with a step of 0.2, or one step per sample if samples are closer, and halves it at
+most seven times. The period of small oscillations in a well is $2\pi$, so that even the first step
+resolves the motion. */
 inline constexpr double largest_step = 0.2, smallest_step = 0.2 / 128;
 
-/// The pace of a refinement whose samples become denser together with the steps.
+/// The pace of a run in a refinement whose samples become denser together with the steps.
 inline Pace dense_pace(const ContactAware& stepper, double duration, double sample) {
   return denser_samples(pace(duration, sample, stepper.step), stepper.halvings);
 }
 
 /**
-What must agree: the end states. Two runs that both escape agree as far as the times of their
-escapes do. */
+What must agree is a function of two results. The first is the distance of their end states. If both runs
+escape, it is the relative difference of the times of escape. */
 struct EndState {
   std::string name = "end states";
 
@@ -81,7 +83,7 @@ struct EndState {
 };
 
 /**
-What must agree: a number that is read from each result, up to a relative difference. */
+The second is the relative difference of a number that is read from each result. */
 template <class Of>
 struct Reading {
   std::string name;
@@ -101,8 +103,8 @@ Reading<Of> reading(std::string name, Of of) {
 }
 
 /**
-The last two of a sequence of runs, the relative difference of what must agree, the finer step,
-and whether they agree to the tolerance. */
+A refinement returns the last two of its runs with the difference of what must agree, the finer step, and
+whether the tolerance was reached. */
 template <class Result>
 struct Refined {
   Result coarse, fine;
@@ -112,7 +114,7 @@ struct Refined {
   int halvings = 0;  ///< of the finer run
 };
 
-/// Whether two results come from one run made twice: as many steps, and the same bits at the end.
+/// Whether two results come from one run made twice: equal numbers of steps and equal bits at the end.
 template <class Result>
 bool same_run(const Result& a, const Result& b) {
   if constexpr (requires { a.run.steps, a.end.y; })
@@ -122,9 +124,9 @@ bool same_run(const Result& a, const Result& b) {
 }
 
 /**
-Repeats `compute(stepper)` until two results in a row agree to `tolerance` in the sense of
-`differ(coarse, fine)` or the smallest step is reached. Throws std::logic_error where `compute`
-does not heed the halvings of its stepper, so that two runs are one. */
+Now the refinement itself: `compute(stepper)` is repeated until two successive results agree to
+`tolerance` in the sense of `differ(coarse, fine)`, or the smallest step is reached. Throws
+std::logic_error if `compute` ignores the halvings of its stepper, so that both runs are the same. */
 template <class Compute, class Differ = EndState>
 auto refine(double tolerance, Compute compute, Differ differ = {}) {
   using Result = decltype(compute(stepper_for(tolerance, largest_step)));
@@ -146,7 +148,8 @@ auto refine(double tolerance, Compute compute, Differ differ = {}) {
 }
 
 /**
-As `refine`; throws NotConverged where the tolerance is not reached. */
+Most callers have no use for a result that has not converged. `converge` does the same as `refine` and
+throws NotConverged if the tolerance is not reached. */
 template <class Compute, class Differ = EndState>
 auto converge(double tolerance, Compute compute, Differ differ = {}) {
   auto pair = refine(tolerance, compute, differ);
@@ -158,9 +161,9 @@ auto converge(double tolerance, Compute compute, Differ differ = {}) {
 }
 
 /**
-This is `evolve` for those who state a tolerance: the relative error of the end state. The
-step is found by unobserved runs, `observe` sees only the one that counts, and the
-returned `error` is the distance between it and the run with twice the step. */
+Finally `evolve` of integrate.hpp for a stated tolerance, the relative error of the end state. The step
+is found in runs that nobody observes; `observe` sees only the last one, and the returned `error` is the
+distance between its end and that of the run with twice the step. Throws NotConverged like `converge`. */
 template <class Onsite, class Contact, class Observer>
 Run evolve_to(double tolerance, const Chain<Onsite, Contact>& chain, State<double>& state,
               double duration, double sample, Observer observe) {

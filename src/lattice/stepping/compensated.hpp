@@ -2,16 +2,16 @@
 /**
 # Compensated stepping
 
-A splitting is symplectic only as far as its sums are exact. Every stage adds a small kick
-to a large velocity and a small drift to a large position and rounds both, so that after
-$n$ stages the state has wandered by some $\sqrt n$ units in its last place, and so has
-the energy. In runs of $10^6$ steps and more, with steps short enough for the scheme, this
-is the larger of the two errors, and shorter steps make it worse.
+A splitting (schemes.hpp) is symplectic only as far as its sums are exact. Every stage adds a small kick
+to a large velocity and a small drift to a large position and rounds both, so that after $n$ stages the
+state has wandered by some $\sqrt n$ units in its last place, and so has the energy. In runs of $10^6$
+steps or more, with steps short enough for the scheme, rounding is the larger of the two errors, and
+shorter steps make it worse.
 
-What a sum of two numbers loses is itself a number, and two additions and three or four
-differences give it exactly, whichever of the two is larger (Knuth's two-sum). We keep it
-and add it to the next term. These operations would vanish if the compiler were allowed to
-treat sums as exact; it is not. A step takes twice the time of a plain one. */
+What the sum of two numbers loses to rounding is itself a floating-point number, and a few more additions
+and differences give it exactly, whichever of the two is larger (Knuth's two-sum). We keep it and add it
+to the next term. A compiler that was allowed to treat sums as exact would remove these operations; ours
+is not. A step takes twice the time of a plain one. */
 
 #include <cstddef>
 
@@ -23,7 +23,7 @@ treat sums as exact; it is not. A step takes twice the time of a plain one. */
 
 namespace lattice {
 
-/// `sum += term`, where `low` is what earlier additions have lost.
+/// `sum += term`, where `low` holds what earlier additions have lost and is brought up to date.
 template <class T>
 inline __attribute__((always_inline)) void add_exactly(T& sum, T& low, T term) {
   const T more = term + low, total = sum + more, added = total - sum;
@@ -31,8 +31,8 @@ inline __attribute__((always_inline)) void add_exactly(T& sum, T& low, T term) {
   sum = total;
 }
 
-/// The way of adding for the sweep of kernel.hpp; the low parts of positions and velocities, one
-/// entry a site.
+/// The way of adding for the sweep of kernel.hpp: what the positions and velocities have lost so far,
+/// one entry per site.
 template <class T>
 struct CompensatedSum {
   T* __restrict__ low_y, * __restrict__ low_v;
@@ -47,8 +47,8 @@ struct CompensatedSum {
 };
 
 /**
-The stepper keeps the low parts during a call of `advance`. Between two calls they are
-dropped: a run then rounds once a sample instead of twice a stage. */
+The stepper is a splitting with such sums. It keeps the lost parts during a call of `advance` and drops
+them between two calls: a run then rounds once per sample instead of twice per stage. */
 struct Compensated {
   Scheme scheme;
   double step;

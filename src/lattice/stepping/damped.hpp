@@ -2,19 +2,19 @@
 /**
 # Linear damping
 
-Friction takes away a fixed share of every velocity per unit of time,
-$$\ddot y_n = \frac{F_n}{\mu_n} - \nu_n\,\dot y_n .$$
-Without the forces this is solved exactly, $\dot y_n \to e^{-\nu_n\tau}\,\dot y_n$ at fixed
-positions, and without the friction we have good steppers. So we alternate the two (Strang): half a
-step of friction, a conservative step, half a step of friction. The order is two whatever the order
-of the conservative stepper, with an error in proportion to $\nu$; where $\nu_n = 0$ nothing happens
-at all. One rate for all sites makes a damped chain, rates that grow towards an end make an end that
-absorbs.
+Friction takes away a fixed share $\nu_n$ of every velocity per unit of time,
+$$\ddot y_n = \frac{F_n}{\mu_n} - \nu_n\,\dot y_n,$$
+where $F_n$ is the force of the well and the contacts (chain.hpp). Without the forces this is solved
+exactly, $\dot y_n \to e^{-\nu_n\tau}\,\dot y_n$ after a time $\tau$ at fixed positions, and without the
+friction we have good steppers. So we alternate the two (Strang): half a step of friction, a conservative
+step, half a step of friction. The order is two, whatever that of the conservative stepper, with an error
+proportional to $\nu$. One rate for all sites makes a damped chain; rates that grow towards an end make
+an end that absorbs waves.
 
-What the friction takes is known exactly, too: $\frac12\mu_n\dot y_n^2\,(1-e^{-2\nu_n\tau})$. Energy
-and dissipated energy together are constant but for the drift of the conservative stepper, and this
-sum replaces the energy in a run's report. It says nothing about the error of the alternation, which
-only a shorter step shows. */
+The energy that friction takes is also known exactly, $\frac12\mu_n\dot y_n^2\,(1-e^{-2\nu_n\tau})$. Energy
+and dissipated energy together are constant but for the drift of the conservative stepper, and this sum
+replaces the energy in the report of a run. It says nothing about the error of the alternation, which
+only a shorter step reveals. */
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +28,7 @@ only a shorter step shows. */
 
 namespace lattice {
 
-/// What a damped run keeps between its steps.
+/// What a damped run keeps from one step to the next.
 template <class T, class Memory>
 struct DampedMemory {
   Memory inner;                 ///< of the conservative stepper
@@ -37,14 +37,13 @@ struct DampedMemory {
   T dissipated = T(0);          ///< energy that the friction has taken so far
 };
 
-/// Stands where a stepper asks for no memory.
+/// Stands in for the memory of a stepper that needs none.
 struct NoMemory {};
 
 /**
-A stepper around a stepper. `nu` holds one rate for all sites, or one a site. Steps that follow
-each other share their friction, but each calls the conservative stepper anew, so that a splitting
-pays one force evaluation more a step. Without any friction the bits are those of the inner
-stepper. */
+The damped stepper is a stepper around a stepper. `nu` holds one rate for all sites, or one per site. Each
+step calls the conservative stepper anew, so that a splitting cannot merge its kicks across steps and
+pays one more force evaluation per step. Without any friction the bits are those of the inner stepper. */
 template <class Stepper>
 struct Damped {
   Stepper stepper;
@@ -52,7 +51,7 @@ struct Damped {
   double step;
   int halvings = 0;
 
-  /// Throws std::invalid_argument where a rate is negative or not finite.
+  /// Throws std::invalid_argument if there is no rate, or one is negative or not finite.
   Damped(Stepper inner, std::vector<double> rates)
       : stepper(std::move(inner)), nu(std::move(rates)), step(stepper.step) {
     if constexpr (requires { stepper.halvings; }) halvings = stepper.halvings;
@@ -63,9 +62,9 @@ struct Damped {
   Damped(Stepper inner, double rate) : Damped(std::move(inner), std::vector<double>{rate}) {}
 
   /**
-  A damped run has a past even where its stepper has none: the energy that has gone. So the memory
-  wraps that of the conservative stepper, if there is one. Here the chain is known for the first
-  time, and rates that do not fit its length are refused. */
+  A damped run must remember the energy that has gone, even if its stepper remembers nothing. So its
+  memory wraps that of the conservative stepper, if there is one. This is also where the chain is first
+  known: throws std::invalid_argument if the rates do not fit its length. */
 
   /// Memory for `advance`; one serves a whole run and holds its dissipated energy.
   template <class T, class Onsite, class Contact>
@@ -80,9 +79,9 @@ struct Damped {
   }
 
   /**
-  The alternation itself. Without friction the steps go to the conservative stepper all at once,
-  since rubbing with the factor one would still cut its run into single steps, and the merged kicks
-  of a splitting would round differently. */
+  Next comes the alternation itself. Without friction all steps go to the conservative stepper at once:
+  friction with the factor one would still cut its run into single steps, and the merged kicks of a
+  splitting would round differently. */
 
   /// Advances `state` by `count` steps of length `h`; returns the number of site-force evaluations.
   template <class T, class Onsite, class Contact, class Memory>
@@ -101,7 +100,7 @@ struct Damped {
     return work;
   }
 
-  /// The same with memory of its own; what is dissipated is not told.
+  /// The same with a memory of its own; the dissipated energy is not reported.
   template <class T, class Onsite, class Contact>
   double advance(const Chain<Onsite, Contact>& chain, State<T>& state, Window& window, double h,
                  std::size_t count) const {
@@ -111,8 +110,7 @@ struct Damped {
 
  private:
   /**
-  The conservative part is whatever stepper was given, called as it wants to be called, with memory
-  or without. */
+  The conservative step is that of the given stepper, which may want its memory or have none. */
   template <class T, class Onsite, class Contact, class Memory>
   double conserve(const Chain<Onsite, Contact>& chain, State<T>& state, Window& window, double h,
                   std::size_t count, DampedMemory<T, Memory>& at) const {
@@ -123,10 +121,10 @@ struct Damped {
   }
 
   /**
-  The friction of half a step, $x = \nu h/2$, leaves the share $e^{-x}$ of a velocity and takes the
-  share $1-e^{-2x}$ of its kinetic energy. At weak damping the second is a difference of two numbers
-  close to one, which `expm1` takes without loss: the books have to balance over millions of steps.
-  The friction acts on the woken sites, for those at rest have nothing to lose. */
+  With $x = \nu h/2$ the friction of half a step leaves the share $e^{-x}$ of a velocity and takes the
+  share $1-e^{-2x}$ of its kinetic energy. If damping is weak the latter is a small difference of two
+  numbers close to one, which `expm1` computes without loss: the energy budget has to balance over millions
+  of steps. Friction acts on the moving sites only, since those at rest have nothing to lose. */
   template <class T, class Memory>
   void prepare(double h, DampedMemory<T, Memory>& at) const {
     using std::exp, std::expm1;
@@ -139,7 +137,7 @@ struct Damped {
     at.step = h;
   }
 
-  /// Half a step of friction.
+  /// Half a step of friction at the sites of the window.
   template <class T, class Onsite, class Contact, class Memory>
   void rub(const Chain<Onsite, Contact>& chain, State<T>& state, Window window,
            DampedMemory<T, Memory>& at) const {
@@ -154,14 +152,14 @@ struct Damped {
 };
 
 /**
-Outside the stepper a damped run looks like any other, except that it also tells what friction
-took, and that its `energy_drift` is that of energy and dissipated energy together. `evolve` needs
-to see the books for this, so it gets a stepper whose memory is ours. */
+To its caller a damped run looks like any other, except that it also reports what friction took, and that
+its `energy_drift` is that of energy and dissipated energy together. For this we must be able to read the
+stepper's memory during the run, so `evolve` gets a stepper whose memory we own. */
 struct DampedRun : Run {
   double dissipated = 0;  ///< during the run
 };
 
-/// A damped stepper with its memory.
+/// A damped stepper with a memory that belongs to someone else.
 template <class Stepper, class Memory>
 struct WithLedger {
   const Damped<Stepper>& damped;
@@ -177,12 +175,11 @@ struct WithLedger {
 };
 
 /**
-Energy alone says nothing about a damped run, which is meant to lose it. What must not change is
-the sum of energy and dissipated energy, so the observer is wrapped: at each sample the sum is
-compared with the energy at the start. An observer that wants to know the dissipated energy takes
-it as a second argument. */
+The energy alone says nothing about a damped run, which is meant to lose it. What must not change is the
+sum of energy and dissipated energy, so we wrap the observer: at each sample the sum is compared with the
+energy at the start. An observer that wants to know the dissipated energy takes it as a second argument. */
 
-/// Runs `go(stepper, observer)` with the books kept.
+/// Calls `go(stepper, observer)`, which runs the chain, and keeps the energy budget meanwhile.
 template <class Stepper, class Onsite, class Contact, class Observer, class Go>
 DampedRun with_ledger(const Damped<Stepper>& damped, const Chain<Onsite, Contact>& chain,
                       const State<double>& start, Observer& observe, Go go) {
@@ -206,8 +203,9 @@ DampedRun with_ledger(const Damped<Stepper>& damped, const Chain<Onsite, Contact
 }
 
 /**
-A caller should not have to know whether friction is on. So `evolve` has the same two forms as in
-integrate.hpp, samples a stated time apart or at a given pace, and is chosen by the stepper. */
+A caller should not have to know whether there is friction. So `evolve` has the same two forms as in
+integrate.hpp, with samples a stated time apart or at a given pace, and the type of the stepper selects
+it. */
 template <class Stepper, class Onsite, class Contact, class Observer>
 DampedRun evolve(const Damped<Stepper>& damped, const Chain<Onsite, Contact>& chain,
                  State<double>& state, double duration, double sample, Observer observe) {

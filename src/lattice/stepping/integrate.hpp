@@ -2,17 +2,17 @@
 /**
 # Time stepping
 
-The Hamiltonian splits into a part that moves the beads, $\sum \dot y_n^2/2$, and a
-part that kicks them. Alternating exact kicks and drifts with suitable weights is
-symplectic, reversible and cheap; the weights are in schemes.hpp.
+The Hamiltonian, Eq. (6), is a sum of two parts that can each be solved exactly: the kinetic energy
+$\sum \dot y_n^2/2$ makes the beads drift at constant velocity, the potential energy kicks them at fixed
+positions. Alternating exact kicks and drifts with suitable weights is symplectic, reversible and cheap;
+the weights are in schemes.hpp.
 
-Contact limits them all. When a contact opens or closes at $t^*$ its force behaves
-like $(t-t^*)_+^{3/2}$: one derivative, no more. A step of length $h$ across such a
-point makes an error $O(h^{5/2})$ whatever the order of the scheme, because the
-quadrature of the force sees a function with a kink in its slope. In a chain the
-switchings come at a fixed rate per unit time, their errors have random signs and
-the observed order is about 2.5. A precompressed chain whose contacts stay closed
-recovers the full order. The tests measure both. */
+All such methods are limited by the contacts. We say that a contact *switches* when it opens or closes.
+If this happens at $t^*$, its force behaves like $(t-t^*)_+^{3/2}$, which has one derivative and no more.
+A step of length $h$ across $t^*$ therefore makes an error $O(h^{5/2})$, however high the order of the
+scheme. In a chain the number of switchings per unit of time is fixed and their errors have random signs,
+so that the observed order is about 2.5. A precompressed chain whose contacts stay closed recovers the
+full order. The tests measure both. */
 
 #include <algorithm>
 #include <cmath>
@@ -30,9 +30,9 @@ recovers the full order. The tests measure both. */
 namespace lattice {
 
 /**
-A run of many steps is one long list of stages, each a kick and a drift. Between two
-steps the last kick of the one and the first of the other are merged, so that `count`
-steps of a scheme with `m` kicks have `count * (m - 1) + 1` stages. */
+A run of many steps is one long list of stages, each a kick and a drift. Between two steps the last kick
+of one is merged with the first of the next, so that `count` steps of a scheme with `m` kicks have
+`count * (m - 1) + 1` stages. */
 template <class T>
 struct Stage {
   T kick, drift;
@@ -43,7 +43,8 @@ inline std::size_t stage_count(const Scheme& scheme, std::size_t steps) {
 }
 
 /**
-Stage `k` of a run with steps of length `h`. */
+Listing the stages of a long run would take more memory than the chain, so each is made when it is due:
+here stage `k` of a run of `steps` steps of length `h`. */
 template <class T>
 Stage<T> stage_at(const Scheme& scheme, double h, std::size_t steps, std::size_t k) {
   const std::size_t last = scheme.kick.size() - 1, i = k == steps * last ? last : k % last;
@@ -52,7 +53,8 @@ Stage<T> stage_at(const Scheme& scheme, double h, std::size_t steps, std::size_t
   return {kick + before, T(scheme.drift[i] * h)};
 }
 
-/// A splitting scheme with its step: the plainest stepper.
+/// A splitting scheme with the largest step that it may take: the plainest stepper. A stepper is
+/// anything that has a `step` and this `advance`.
 struct Splitting {
   Scheme scheme;
   double step;
@@ -72,9 +74,9 @@ struct Splitting {
 };
 
 /**
-A run is divided by numbers and not by lengths: `samples` equal intervals of `steps` equal
-steps each. Twice the number of either is then half the step exactly, whatever the length of a
-sample; a step that is shortened until it fits need not change at all when it is halved. */
+A run is divided by counts and not by lengths: into `samples` equal intervals of `steps` equal steps
+each. Doubling either count then halves the step exactly. Dividing by lengths would not do: where a step
+has to be shortened to fit an interval, half of it may end up as the same step. */
 struct Pace {
   double duration = 0;
   std::size_t samples = 0, steps = 1;
@@ -84,8 +86,10 @@ struct Pace {
 };
 
 /**
-The coarsest division of `duration` with samples at most `sample` apart and steps of at most
-`step`; no samples where the duration is zero. Throws std::invalid_argument for other input. */
+`pace` finds the coarsest division of `duration` with samples at most `sample` apart and steps of at most
+`step`; without duration there are no samples. The factor $1 - 10^{-12}$ keeps a quotient that rounding
+has put just above a whole number from adding one more interval. Throws std::invalid_argument if the
+duration is negative or not finite, or `sample` or `step` is not positive. */
 inline Pace pace(double duration, double sample, double step) {
   const bool good = duration >= 0 && duration < 1e15 && sample > 0 && step > 0;
   if (!good)
@@ -97,23 +101,24 @@ inline Pace pace(double duration, double sample, double step) {
 }
 
 /**
-Half the step, `times` times, at the same samples. */
+An error is found by repeating a run with a finer pace. There are two ways to refine: `shorter_steps`
+halves the step `times` times and keeps the samples where they are. */
 inline Pace shorter_steps(Pace p, int times) {
   p.steps <<= times;
   return p;
 }
 
-/// Half the step and half the interval between two samples, `times` times: for maxima and instants
-/// that are read from the samples, whose error must change together with that of the steps.
+/// Halves the step together with the interval between two samples, `times` times: for maxima and
+/// instants that are read from the samples, whose own error must shrink together with that of the steps.
 inline Pace denser_samples(Pace p, int times) {
   p.samples <<= times;
   return p;
 }
 
 /**
-A run reports how far it can be trusted. `energy_drift` is the largest relative
-deviation of the energy seen at the samples; `escape_time` is set where the solution
-leaves every bound, as it does beyond the rim of a soft well. */
+A run reports how far it can be trusted. `energy_drift` is the largest deviation of the energy seen at
+the samples, relative to the energy at the start; `escape_time` is the time of the first sample at which
+the solution has run away, as it does beyond the rim of a soft well. */
 struct Run {
   double energy_drift = 0;
   double work = 0;        ///< site-force evaluations
@@ -126,11 +131,13 @@ struct Run {
 };
 
 /**
-Displacements beyond this are a runaway: wells are of order one, and a bead that rolls over the
-rims of a pendulum potential travels at a speed of order ten. */
+A displacement beyond this counts as a runaway. Wells have a width of order one, and a bead that rolls
+over the rims of a pendulum potential travels at a speed of order ten, so that in no run of ours does one
+come near a million otherwise. */
 inline constexpr double escape_displacement = 1e6;
 
-/// Shows `state` to an observer, whose answer may be to stop; one that returns nothing goes on.
+/// Shows `state` to an observer, which may return false to stop the run; if it returns nothing the run
+/// goes on.
 template <class Observer>
 bool goes_on(Observer& observe, const State<double>& state) {
   if constexpr (std::is_same_v<decltype(observe(state)), bool>) return observe(state);
@@ -139,7 +146,8 @@ bool goes_on(Observer& observe, const State<double>& state) {
 }
 
 /**
-Some steppers keep work space between two calls of `advance`, the others do not ask for it. */
+Some steppers keep work space between two calls of `advance` (contact_rkn.hpp, damped.hpp), others need
+none. This function hides the difference. */
 template <class Stepper, class Onsite, class Contact>
 auto advance_with_memory(const Stepper& stepper, const Chain<Onsite, Contact>& chain) {
   if constexpr (requires { stepper.template memory<double>(chain); })
@@ -153,16 +161,16 @@ auto advance_with_memory(const Stepper& stepper, const Chain<Onsite, Contact>& c
     };
 }
 
-/// Whether every displacement is one that a chain of wells can have.
+/// Whether no displacement is a runaway.
 inline bool bounded(const State<double>& state) {
   return std::all_of(state.y.begin(), state.y.end(),
                      [](double y) { return std::abs(y) < escape_displacement; });
 }
 
 /**
-`evolve` carries a state forward at a given pace and shows it to `observe(state)` at the
-start and after every sample. It stops early when `observe` returns false, or when the
-solution escapes, in which case the escape itself is not shown. */
+`evolve` carries a state forward at a given pace and shows it to `observe(state)` at the start and after
+every sample. It stops early when `observe` returns false, or when the solution runs away; the runaway
+state is not shown. */
 template <class Stepper, class Onsite, class Contact, class Observer>
 Run evolve(const Stepper& stepper, const Chain<Onsite, Contact>& chain, State<double>& state,
            const Pace& pace, Observer observe) {
@@ -189,7 +197,8 @@ Run evolve(const Stepper& stepper, const Chain<Onsite, Contact>& chain, State<do
 }
 
 /**
-How often a stepper that a refinement hands out has been halved; zero for all others. */
+A refinement (accuracy.hpp) hands out steppers that say how often their step has been halved; for all
+others the answer is zero. */
 template <class Stepper>
 int halvings_of(const Stepper& stepper) {
   if constexpr (requires { stepper.halvings; }) return stepper.halvings;
@@ -202,7 +211,7 @@ Pace pace_for(const Stepper& stepper, double duration, double sample) {
   return shorter_steps(pace(duration, sample, stepper.step), halvings_of(stepper));
 }
 
-/// As `evolve` with a pace, for samples `sample` apart or a little less.
+/// As `evolve` with a pace, for a run of length `duration` with samples `sample` apart or a little less.
 template <class Stepper, class Onsite, class Contact, class Observer>
 Run evolve(const Stepper& stepper, const Chain<Onsite, Contact>& chain, State<double>& state,
            double duration, double sample, Observer observe) {
@@ -210,7 +219,7 @@ Run evolve(const Stepper& stepper, const Chain<Onsite, Contact>& chain, State<do
 }
 
 /**
-Where nothing needs to be watched. */
+The observer of a run of which only the end is wanted. */
 struct Unobserved {
   void operator()(const State<double>&) const {}
 };

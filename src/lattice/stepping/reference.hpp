@@ -2,7 +2,8 @@
 /**
 # The chain by an independent route
 
-The chain of beads integrated by GSL (gsl_ode.hpp), as the reference for our own steppers. */
+Our own steppers are compared with a program that shares nothing with them but the forces: the chain of
+beads integrated by the GNU Scientific Library (gsl_ode.hpp). */
 
 #include <cstddef>
 #include <vector>
@@ -13,7 +14,8 @@ The chain of beads integrated by GSL (gsl_ode.hpp), as the reference for our own
 namespace lattice {
 
 /**
-Carries `state` forward by `duration` with GSL; returns the number of force evaluations. */
+`evolve_reference` carries `state` forward by `duration` with the given local tolerance and returns the
+number of force evaluations. Throws std::runtime_error if GSL cannot go on. */
 template <class Onsite, class Contact>
 std::size_t evolve_reference(const Chain<Onsite, Contact>& chain, State<double>& state,
                              double duration, const Tolerance& tolerance) {

@@ -2,10 +2,12 @@
 /**
 # The coefficients
 
-Two families of time steppers share this file: splittings, which alternate kicks and drifts
-and are symplectic, and Runge-Kutta-Nystrom schemes, which combine accelerations taken at
-several instants of a step. Both are lists of numbers; what is done with them is told in
-integrate.hpp and contact_rkn.hpp. The tests measure every order that is claimed here. */
+Two families of time steppers share this file. *Splittings* alternate kicks (a change of the velocities
+at fixed positions) and drifts (a change of the positions at fixed velocities); they are symplectic,
+which keeps the energy error of a long run bounded. *Runge-Kutta-Nystrom schemes* combine accelerations
+taken at several instants of a step of length $h$. Both are lists of numbers; what is done with them
+stands in integrate.hpp and contact_rkn.hpp. The tests measure every order claimed here: a scheme has
+order $p$ if the error of a run of fixed duration falls like $h^p$. */
 
 #include <cstddef>
 #include <string>
@@ -14,29 +16,28 @@ integrate.hpp and contact_rkn.hpp. The tests measure every order that is claimed
 namespace lattice {
 
 /**
-A scheme is a list of pairs: kick by `kick[i]` h, then drift by `drift[i]` h. All are
-symmetric, so that a run can be reversed by turning the velocities round. Because a
-step ends with the operation with which the next one begins, a run of many steps
-merges the two; `order` is the order on a smooth problem. */
+A splitting is a list of pairs: kick by `kick[i]` h, then drift by `drift[i]` h. All of ours are
+symmetric, so that a run is retraced if all velocities are reversed. A step ends with the kind of
+operation with which the next one begins, and a run of many steps merges the two. `order` is that
+on a smooth problem, without contacts that open or close. */
 struct Scheme {
   std::string name;
   int order;
   std::vector<double> kick, drift;
 };
 
-/// Velocity Verlet: one force evaluation a step, order 2.
+/// Velocity Verlet: order 2, one force evaluation per step.
 inline Scheme verlet() {
   return {"verlet", 2, {0.5, 0.5}, {1.0, 0.0}};
 }
 
 /**
-Order two asks for many steps wherever many digits are wanted. The kinetic energy of a chain is
-quadratic in the velocities, so that some of the errors of a splitting vanish by themselves, and
-Blanes and Moan (J. Comput. Appl. Math. 142, 2002, table 3) spend the freedom which this leaves on
-making the others small: Runge-Kutta-Nystrom splittings with six evaluations of the force a step
-for order 4 and eleven for order 6. */
+With order two, many digits cost many steps. The kinetic energy of a chain is quadratic in the
+velocities, so that some of the errors of a splitting vanish by themselves. Blanes and Moan (J. Comput.
+Appl. Math. 142, 2002, table 3) use the freedom that this leaves to make the others small: their
+splittings need six force evaluations per step for order 4 and eleven for order 6. */
 
-/// Blanes and Moan: order 4, six force evaluations a step.
+/// Blanes and Moan: order 4, six force evaluations per step.
 inline Scheme blanes_moan_4() {
   const double b1 = 0.0829844064174052, b2 = 0.396309801498368, b3 = -0.0390563049223486;
   const double a1 = 0.245298957184271, a2 = 0.604872665711080, a3 = 0.5 - (a1 + a2);
@@ -44,7 +45,7 @@ inline Scheme blanes_moan_4() {
   return {"blanes-moan-4", 4, {b1, b2, b3, b4, b3, b2, b1}, {a1, a2, a3, a3, a2, a1, 0}};
 }
 
-/// Blanes and Moan (ibid.): order 6, eleven force evaluations a step.
+/// Blanes and Moan (ibid.): order 6, eleven force evaluations per step.
 inline Scheme blanes_moan_6() {
   const double b1 = 0.0414649985182624, b2 = 0.198128671918067, b3 = -0.0400061921041533;
   const double b4 = 0.0752539843015807, b5 = -0.0115113874206879;
@@ -59,11 +60,11 @@ inline Scheme blanes_moan_6() {
 }
 
 /**
-For the last digits the size of the error counts more than the cost of a step: the splitting with
-fourteen evaluations (ibid., SRKN 14a) has order 6, too, with smaller errors, and is what a
-tolerance of more than ten digits selects (accuracy.hpp). It begins and ends with a drift, hence the
-empty first and last kicks. One half of the coefficients is given; that the scheme is symmetric and
-carries the state by one whole step fixes the rest. */
+For the last digits the size of the error matters more than the cost of a step. The splitting with
+fourteen evaluations (ibid., SRKN 14a) also has order 6, but smaller errors, and is chosen when more
+than ten digits are asked for (accuracy.hpp). It begins and ends with a drift; hence the first and last
+kicks are zero. Only half of the coefficients are given; the rest follows because the scheme is
+symmetric and its kicks, like its drifts, add up to one whole step. */
 inline Scheme blanes_moan_6_14() {
   Scheme scheme{"blanes-moan-6-14",
                 6,
@@ -84,11 +85,12 @@ inline Scheme blanes_moan_6_14() {
 }
 
 /**
-The base step is a Runge-Kutta-Nystrom scheme for $\ddot y = g(y)$. Its stages are
+The second family solves $\ddot y = g(y)$ from accelerations at several stages $Y_i$ of a step; $y$ and
+$v$ are the positions and velocities at its start, $v'$ the velocities at its end:
 $$Y_i = y + c_i h v + h^2 \sum_{j<i} a_{ij}\, g(Y_j), \qquad
-v' = v + h \sum_i b_i\, g(Y_i),$$
-and we ask that the first one is the old state ($c = 0$) and the last one the new
-positions ($c = 1$). Then a step ends with the accelerations with which the next begins. */
+v' = v + h \sum_i b_i\, g(Y_i).$$
+We require that the first stage be the old state ($c = 0$) and the last one the new positions ($c = 1$).
+A step then ends with the accelerations with which the next begins, and one evaluation is saved. */
 struct Nystrom {
   std::string name;
   int order;                           ///< on a smooth problem
@@ -99,7 +101,7 @@ struct Nystrom {
 };
 
 /// Dormand, El-Mikkawy and Prince (IMA J. Numer. Anal. 7, 1987, pair 6(4) with six stages, the
-/// last of which is shared by neighbouring steps): five force evaluations a step.
+/// last of which is shared by neighbouring steps): order 6, five force evaluations per step.
 inline Nystrom dormand_prince_6() {
   return {"dormand-prince-6",
           6,
@@ -114,9 +116,9 @@ inline Nystrom dormand_prince_6() {
 }
 
 /**
-A splitting is such a scheme, too, so that the treatment of contacts serves both families: kick
-$j$ changes the velocity by $h k_j g(Y_j)$ at time $c_j h$, drifts carry it to stage $i$, and so
-$a_{ij} = k_j (c_i - c_j)$ and $b_j = k_j$. */
+A splitting can be written as such a scheme, so that the treatment of contacts in contact_rkn.hpp serves
+both families. Kick $j$ changes the velocity by $h k_j g(Y_j)$ at time $c_j h$, and the drifts from there
+to stage $i$ turn this into a change of position: $a_{ij} = k_j (c_i - c_j)$ and $b_j = k_j$. */
 inline Nystrom nystrom(const Scheme& scheme) {
   const std::size_t stages = scheme.kick.size();
   Nystrom base{scheme.name, scheme.order, std::vector<double>(stages, 0), {}, scheme.kick};
@@ -129,9 +131,9 @@ inline Nystrom nystrom(const Scheme& scheme) {
 }
 
 /**
-The best known method of all belongs here, too: where the forces do not depend on the velocities, the
-classical Runge-Kutta method of order four is such a scheme, with a fifth stage of no weight for the
-new positions. Whoever looks for the error of a computation that knew of no switchings needs it. */
+The best-known method of all is among them: if the forces do not depend on the velocities, the classical
+Runge-Kutta method of order four is such a scheme, with a fifth stage of zero weight for the new
+positions. We need it to find the errors of a computation that took no notice of opening contacts. */
 inline Nystrom classical_runge_kutta() {
   return {"runge-kutta-4",
           4,

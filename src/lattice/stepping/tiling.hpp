@@ -2,18 +2,18 @@
 /**
 # Long chains: tiles in time and threads
 
-Where all of a long chain moves, a plain run reads and writes every site once a stage,
-and the memory delivers the sites more slowly than the processor takes the roots. But
-nothing forces us to finish one stage everywhere before we begin the next: a site needs
-its neighbours at the stage before, no more. So we take a block of sites that fits in
-the first-level cache and do many stages there, each one shifted to the left by at least
-one site because the block's right edge has not got its neighbour's new position yet.
+In a plain run of a long chain that moves everywhere, each stage (a kick and a drift, integrate.hpp) reads
+and writes every site once, and the memory delivers the sites more slowly than the processor takes the
+square roots. But nothing forces us to finish one stage everywhere before the next begins: a site needs
+its two neighbours as the previous stage left them, no more. So we take a block of sites that fits in the
+first-level cache and do many stages there, each shifted to the left by at least one site, because the
+right edge of the block does not yet have its neighbour's new position.
 
         stage 2   ....]......]        ] right edge of a block; it moves left
         stage 1       ....]......]      from stage to stage
 
-The contact across such an edge is evaluated once, at the right moment, and kept for the
-next block. All operations are those of the plain run in another order, with the same bits. */
+The contact across such an edge is evaluated once, at the right moment, and kept for the next block. The
+operations are those of the plain run in another order, and the bits are the same. */
 
 #include <algorithm>
 #include <barrier>
@@ -30,14 +30,14 @@ next block. All operations are those of the plain run in another order, with the
 namespace lattice {
 
 /**
-Threads share the chain in the same spirit. Each one copies its part into memory of its
-own together with as many sites on either side as the pass has stages. The outermost of
-these ghosts lack a neighbour, so they are wrong after one stage; the error creeps
-inwards by one site a stage and is about to reach the part when the pass ends. Then the
-threads exchange the sites near the edges of their parts and go on.
+Threads share the chain in the same spirit. Many stages done together are called a pass. Each thread
+copies its part of the chain into memory of its own, together with as many sites on either side as a pass
+has stages. The outermost of these *ghosts* lack a neighbour, so they are wrong after one stage. The error
+creeps inwards by one site per stage and is about to reach the part when the pass ends; then the threads
+exchange the sites near the edges of their parts and go on.
 
-At an end of the chain there are no ghosts, the boundary condition holds there. On a
-ring they come from the other side, even if there is only one part. */
+There are no ghosts beyond an end of the chain, where the boundary condition holds. On a ring they come
+from the other side, even if there is only one part. */
 struct Part {
   std::size_t first = 0, last = 0;    ///< sites that belong to the thread
   std::size_t before = 0, after = 0;  ///< ghosts on either side
@@ -45,7 +45,8 @@ struct Part {
   std::size_t size() const { return before + (last - first) + after; }
 };
 
-/// Part `k` of `count`, with `depth` ghosts. A part is never shorter than its ghosts.
+/// Part `k` of `count`, with `depth` ghosts. The caller sees to it that no part has fewer sites than
+/// ghosts (`Tiled::parts_of`).
 inline Part part_of(std::size_t sites, bool ring, std::size_t k, std::size_t count,
                     std::size_t depth) {
   Part part{sites * k / count, sites * (k + 1) / count};
@@ -57,8 +58,8 @@ inline Part part_of(std::size_t sites, bool ring, std::size_t k, std::size_t cou
 }
 
 /**
-A tile is a part with its copies. The state itself is the board on which the threads
-leave the sites near their edges for each other; it is complete again after `store`. */
+A tile is a part of the chain together with its copies. The state itself serves as the board on which
+threads leave the sites near their edges for each other; it is complete again after `store`. */
 template <class T, class Onsite, class Contact>
 class Tile {
  public:
@@ -83,9 +84,9 @@ class Tile {
   Tile& operator=(const Tile&) = delete;
 
   /**
-  A thread reads its part once and writes it once; in between only what the neighbours need of it
-  travels. Ghosts are read before a pass, and the sites that are ghosts elsewhere are written after
-  it: `depth` of them, as many as the stages of a pass can spoil. */
+  A thread reads its part once and writes it once; in between it passes on only what its neighbours need.
+  Ghosts are read before a pass, and the sites that are ghosts elsewhere are written after it: `depth` of
+  them, as many as the stages of a pass can spoil. */
   void load(const State<T>& state) { read(state, 0, part_.size()); }
   void store(State<T>& state) const { write(state, part_.first, part_.last); }
 
@@ -103,9 +104,9 @@ class Tile {
 
  private:
   /**
-  How the copies lie in memory decides the speed. A cache line holds eight numbers; positions begin
-  with one, and velocities half a page of 4 kB away from them, because the processor takes equal
-  places in a page for equal addresses and waits. */
+  The placing of the copies in memory decides the speed. A cache line holds eight numbers, and positions
+  begin with one. Velocities begin half a page of 4 kB further on: a processor first compares only the
+  place of an address in its page, and waits where a read and a write agree in it. */
   static constexpr std::size_t line = 8, page = 512;
   std::size_t stride() const { return (part_.size() / page + 1) * page + page / 2; }
 
@@ -122,8 +123,8 @@ class Tile {
       state.y[n] = y_[i], state.v[n] = v_[i];
   }
   /**
-  The sweep over a part is that over a chain, so a part must say what its ends are. A cut is a free
-  end; so are both ends of a part of a ring, whose ghosts come round it. */
+  A part is swept like a chain, so it must say what its ends are. A cut is a free end; so are both ends of
+  a part of a ring, whose ghosts come from around it. */
   Boundary boundary() const {
     const auto end = [&](bool real) { return real ? chain_.ends : Ends::free; };
     return {part_.size(), end(part_.begins), end(part_.ends)};
@@ -140,8 +141,8 @@ class Tile {
 };
 
 /**
-The contact left of place `i`. Beyond the outermost ghost there is nothing; whatever that
-does to the ghosts stays with them. */
+The sweep needs the pushes at its edges. Here is that of the contact to the left of place `i`. Beyond the
+outermost ghost there is nothing, and the error that this makes stays among the ghosts. */
 template <class T, class Onsite, class Contact>
 T Tile<T, Onsite, Contact>::push(std::size_t i) const {
   const Boundary here = boundary();
@@ -163,8 +164,8 @@ void Tile<T, Onsite, Contact>::sweep(std::size_t from, std::size_t to, T left, T
 }
 
 /**
-One site a stage would do for the shift; with eight, the vectors of all stages begin at the
-same place of a cache line. The last block reaches the end of the part in every stage. */
+Now the stages of a pass. A shift of one site per stage would do; with eight, the vectors of all stages
+begin at the same place in a cache line. The last block reaches the end of the part in every stage. */
 inline constexpr std::size_t tile_shift = 8;
 
 template <class T, class Onsite, class Contact>
@@ -185,16 +186,17 @@ void Tile<T, Onsite, Contact>::pass(const std::vector<Stage<T>>& stages, std::si
 }
 
 /**
-The stepper that programs use. It takes plain stages until the whole chain is awake, and also
-where the chain is too short for tiles to be worth it; with `least` sites a thread it is not
-shared too finely. The copies take as much memory as the state. */
+Programs use all this through one stepper. It takes plain stages until the whole chain moves, and also if
+the chain is too short for tiles to pay; `least` keeps the chain from being shared too finely among
+threads. The copies take as much memory as the state. Threads, block, depth and `least` change the speed
+and nothing else. */
 struct Tiled {
   Scheme scheme;
   double step;
   std::size_t threads = lattice::threads();
   std::size_t block = 1024;     ///< sites; with their shift they fit in the first-level cache
-  std::size_t depth = 32;       ///< stages a pass
-  std::size_t least = 1 << 13;  ///< sites a thread; fewer are in the cache anyway
+  std::size_t depth = 32;       ///< stages per pass
+  std::size_t least = 1 << 13;  ///< sites per thread; fewer are in the cache anyway
 
   /// Advances `state` by `count` steps of length `h`; returns the number of site-force evaluations.
   template <class T, class Onsite, class Contact>
@@ -216,17 +218,17 @@ struct Tiled {
 
  private:
   /**
-  A thread costs its start and its copies. So each gets at least `least` sites, and never fewer than
-  it has ghosts. */
+  Starting a thread and filling its copies takes time, so each gets at least `least` sites, and never
+  fewer than it has ghosts. */
   std::size_t parts_of(std::size_t sites) const {
     const std::size_t most = sites / std::max(least, depth);
     return std::max<std::size_t>(1, std::min(threads, most));
   }
 
   /**
-  All threads take the same passes and meet twice in each: nobody may write the sites near its
-  edges before everybody has read them, and nobody may read them before all are written. After the
-  last pass the state is written as a whole, and no ghosts are needed any more. */
+  All threads make the same passes and wait for each other twice in each: none may write the sites near
+  its edges before all have read them, and none may read them before all have written. After the last pass
+  each thread writes its whole part, and ghosts are no longer needed. */
 
   /// Carries one tile through the stages `first <= k < last`.
   template <class T, class Onsite, class Contact, class StageAt, class Barrier>
@@ -247,8 +249,8 @@ struct Tiled {
   }
 
   /**
-  The parts are equal, so that nobody waits long for the others. The caller's thread takes the first
-  one: a chain of one part needs no other thread. */
+  The parts are of equal length, so that no thread waits long for the others. The caller's own thread takes
+  the first one; a chain of one part needs no other. */
   template <class T, class Onsite, class Contact, class StageAt>
   void share(const Chain<Onsite, Contact>& chain, State<T>& state, std::size_t first,
              std::size_t last, StageAt stage) const {

@@ -2,17 +2,18 @@
 /**
 # Linear waves of a compressed chain
 
-Squeezed contacts answer a small motion like springs. With $V$ of Eq. (33) and the relative
-displacement $r = y_{n+1} - y_n$,
+Contacts under a compression $d$ respond to small motions like springs. With $V$ of Eq. (33) and the
+relative displacement $r = y_{n+1} - y_n$,
 $$V'(r) = v_1 r + v_2 r^2 + v_3 r^3 + O(r^4), \qquad
-  v_1 = \tfrac32 d^{1/2},\quad v_2 = -\tfrac38 d^{-1/2},\quad v_3 = -\tfrac1{16} d^{-3/2},$$
-the linear part lets phonons $e^{i(qn - \omega t)}$ pass in a band, Eq. (34),
+  v_1 = \tfrac32 d^{1/2},\quad v_2 = -\tfrac38 d^{-1/2},\quad v_3 = -\tfrac1{16} d^{-3/2}.$$
+Because of the linear part, waves $e^{i(qn - \omega t)}$ can travel, which are called phonons. Their
+frequencies form a band, Eq. (34),
 $$\omega^2(q) = 1 + 2 v_1 (1 - \cos q), \qquad 0 \le q \le \pi.$$
-Two derivatives of $\omega$ matter later: the group velocity $c = \omega'$, with which packets
-travel, and the curvature $\omega'' = v_1\omega_2/\omega$, with which they spread. The curvature
-vanishes at one wavenumber $q_c$; there $c$ is largest, and nothing linear is faster.
+Two derivatives of $\omega$ matter later: the group velocity $c = \omega'$, with which packets travel, and
+the curvature $\omega'' = v_1\omega_2/\omega$, with which they spread. The curvature vanishes at one
+wavenumber $q_c$; there $c$ is largest, and nothing linear is faster.
 
-Everything is a template on the scalar: evaluated in two precisions, a formula tells its own
+Everything is a template on the scalar, so that a formula evaluated in two precisions shows its own
 rounding error. */
 
 #include <cmath>
@@ -26,7 +27,7 @@ struct ContactSeries {
   T v1, v2, v3;
 };
 
-/// The coefficients for the compression `d` > 0, from Eq. (33). Throws std::invalid_argument else.
+/// The coefficients for the compression `d`, from Eq. (33). Throws std::invalid_argument unless d > 0.
 template <class T>
 ContactSeries<T> contact_series(T d) {
   using std::sqrt;
@@ -36,9 +37,9 @@ ContactSeries<T> contact_series(T d) {
 }
 
 /**
-A packet needs three numbers of the band: its frequency, the group velocity $c = \omega'$ in sites per
-unit of time, and the reduced curvature $\omega_2$, which decides together with $\beta$ about its
-stability. They belong to one wavenumber and are computed together. */
+Of the band a packet of wavenumber $q$ needs three numbers: its frequency, the group velocity
+$c = \omega'$ in sites per unit of time, and the reduced curvature $\omega_2$, which together with a
+nonlinear coefficient decides whether it is stable (nls.hpp). They are computed together. */
 template <class T>
 struct Phonon {
   T omega, group_velocity, omega_2;
@@ -62,8 +63,8 @@ T upper_edge(T v1) {
 }
 
 /**
-The inflection solves $\cos q_c = v_1(1-\cos q_c)^2$, which is a quadratic equation for
-$x = 1 - \cos q_c$. Its positive root is written so that nothing cancels:
+The curvature vanishes at the inflection of the band, where $\cos q_c = v_1(1-\cos q_c)^2$. This is a
+quadratic equation for $x = 1 - \cos q_c$, and its positive root is written so that nothing cancels:
 $x = 2/(1+\sqrt{1+4v_1})$. */
 template <class T>
 T inflection(T v1) {

@@ -3,10 +3,10 @@
 # Growth of exact waves against the NLS equation
 
 What the NLS equation says about the stability of a phonon (nls.hpp) holds in the limit of small
-amplitude and slow modulations. An exact wave (plane_wave.hpp) of a small amplitude $a$ has growth
-rates too, eigenvalues into which $\beta$ does not enter, and a comparison of the two needs the limit $a \to 0$:
-what is even in $a$ has an expansion in $a^2$, two amplitudes remove the first correction, and the
-next pair tells the error. */
+amplitude and slow modulations. An exact wave (plane_wave.hpp) of small amplitude $a$ has growth rates
+too, eigenvalues whose computation knows nothing of the coefficient $\beta$ of that equation. To compare
+the two we need the limit $a \to 0$. A quantity that is even in $a$ has an expansion in $a^2$: two
+amplitudes remove the first correction, and the next pair gives the error. */
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,7 @@ next pair tells the error. */
 
 namespace lattice {
 
-/// The value at zero amplitude of a quantity with an expansion in its square.
+/// The value at zero amplitude of a quantity `of(a)` with an expansion in a^2, from a, a/2 and a/4.
 template <class Of>
 Estimate at_zero_amplitude(double a, Of of) {
   const double x = of(a), y = of(a / 2), z = of(a / 4);
@@ -26,9 +26,9 @@ Estimate at_zero_amplitude(double a, Of of) {
 }
 
 /**
-A compressed chain and a wavenumber: all that a comparison needs. NLS says that the fastest modulation
-grows at $|h||A|^2$, so the eigenvalue times $\omega|\omega_2|/|A|^2$ is a measured $\Phi$. It exists
-where $\Phi > 0$ only; on the other side the eigenvalues are imaginary. */
+A comparison belongs to a wavenumber and a compressed chain. According to the NLS equation the fastest
+modulation grows at the rate $|h||A|^2$, so the eigenvalue times $\omega|\omega_2|/|A|^2$ is a measured
+$\Phi$ (nls.hpp). This works only for $\Phi > 0$; otherwise the eigenvalues are imaginary. */
 struct PhaseOfWave {
   double q, d, s;
 
@@ -48,16 +48,16 @@ struct PhaseOfWave {
 };
 
 /**
-One envelope is not all that can grow: a modulation may have any wavenumber. Then the natural
-unit of growth is still NLS's $|h||A|^2$, whether or not it is ever reached. */
+Slow modulations are not all that can grow: a modulation may have any wavenumber. We measure its growth in
+units of $|h||A|^2$, the fastest of the NLS equation, whether or not that is ever reached. */
 inline double growth_over_nls(const PhaseOfWave& at, double a, double modulation,
                               std::size_t harmonics = 12) {
   return at.growth(a, modulation, harmonics) / (std::abs(at.nls().h()) * a * a / 4);
 }
 
 /**
-Near the edges of the band an instability begins or ends, and there we ask for slow modulations only:
-three of them about the scale $\sqrt{|h|a^2/(2|\omega''|)}$, at which the fastest would be. */
+At the edges of the range of unstable wavenumbers we want to know whether any slow modulation grows.
+Three of them are tried, around the scale $\sqrt{|h|a^2/(2|\omega''|)}$ of the fastest. */
 inline double slow_growth(const PhaseOfWave& at, double a) {
   const auto c = at.nls();
   const double slow = std::sqrt(std::abs(c.h() * a * a / (2 * c.curvature)));

@@ -2,16 +2,16 @@
 /**
 # Weakly nonlinear waves: the NLS equation
 
-A phonon of small amplitude, $y_n = \epsilon A e^{i(qn-\omega t)} + c.c.$ (Eq. (35)), has a slow
-envelope that obeys the nonlinear Schrödinger equation (36),
+A phonon of small amplitude (dispersion.hpp), $y_n = \epsilon A e^{i(qn-\omega t)} + c.c.$ (Eq. (35)),
+has a slowly varying envelope $A(\tau,\xi)$ in $\tau = \epsilon^2t$ and $\xi = \epsilon(n-ct)$, which
+obeys the nonlinear Schrödinger (NLS) equation, Eq. (36),
 $$i\,\partial_\tau A = -\tfrac12\omega''(q)\,\partial_\xi^2 A + h|A|^2A, \qquad h = \beta/\omega.$$
 Where does $\beta$ come from? Insert $A e^{i\theta} + A_2 e^{2i\theta} + c.c.$ with
-$\theta = qn - \omega t$. The quadratic part of the contact drives the second harmonic,
+$\theta = qn - \omega t$. The quadratic part of the contact force drives the second harmonic,
 $$A_2 = \frac{4i\,v_2\sin q\,(1-\cos q)}{3 + 4v_1(1-\cos q)^2}\,A^2,$$
-whose beat with the first one returns to frequency $\omega$, beside the cubic parts of contact and
-well. (The quadratic part has a mean as well, but it is the same in every contact and moves
-nothing, because a well holds each bead.) What balances at $e^{i\theta}$ is
-$\omega_{nl}^2 = \omega^2 + 2\beta|A|^2$ with
+whose product with the first returns to the frequency $\omega$, together with the cubic parts of contact
+and well. (The quadratic part also has a mean, but it is the same in every contact and so moves no bead.)
+At $e^{i\theta}$ the terms balance if $\omega_{nl}^2 = \omega^2 + 2\beta|A|^2$ with
 $$\beta = \frac{16v_2^2\sin^2q\,(1-\cos q)^2}{4v_1(1-\cos q)^2+3} +
   \tfrac32\left[4v_3(1-\cos q)^2 + s\right].$$ */
 
@@ -35,15 +35,16 @@ T nls_beta(T q, const ContactSeries<T>& v, T s) {
 }
 
 /**
-Whether a wave survives is a question of signs. A uniform wave is unstable against slow modulations
-where $\omega''h < 0$, that is where $\Phi = -\beta\,\omega_2 > 0$ (Eq. (37)); we keep all that the NLS
-equation says about one wavenumber in one place. */
+Whether a wave survives is a question of signs. A uniform wave is unstable against slow modulations if
+$\omega''h < 0$, that is if $\Phi = -\beta\,\omega_2 > 0$, Eq. (37). We keep in one place all that the NLS
+equation says about one wavenumber. */
 template <class T>
 struct Coefficients {
   T omega, group_velocity, curvature, beta, omega_2, phi;
   T h() const { return beta / omega; }
 };
 
+/// The coefficients at wavenumber `q` for the compression `d` > 0 and the anharmonicity `s`.
 template <class T>
 Coefficients<T> coefficients(T q, T d, T s) {
   const ContactSeries<T> v = contact_series(d);
@@ -53,10 +54,10 @@ Coefficients<T> coefficients(T q, T d, T s) {
 }
 
 /**
-How fast? A modulation of wavenumber $Q$ on the wave $y_n = a\sin(qn-\omega t)$, that is $|A| = a/2$,
-grows at the rate $\sigma(Q)$ with
+How fast does the instability grow? On the wave $y_n = a\sin(qn-\omega t)$, that is $|A| = a/2$ with
+$\epsilon = 1$, a modulation of wavenumber $Q$ grows at the rate $\sigma(Q)$ with
 $$\sigma^2 = \tfrac12|\omega''|Q^2\,\bigl(2|h||A|^2 - \tfrac12|\omega''|Q^2\bigr),$$
-which is at most $|h||A|^2$; we return zero where the wave is stable. */
+which is at most $|h||A|^2$. If the wave is stable, zero is returned. */
 template <class T>
 T nls_growth(const Coefficients<T>& at, T a, T modulation) {
   using std::sqrt;
@@ -73,9 +74,9 @@ T fastest_modulation(const Coefficients<T>& at, T a) {
 }
 
 /**
-Where the instability begins and how strong it gets, the curve of $\Phi$ itself tells. Bisection finds
-its zero between two wavenumbers, without the closed form of the inflection, so that one can check
-the other. Throws std::invalid_argument if $\Phi$ has the same sign at both. */
+Where the instability begins is a zero of $\Phi$. Bisection finds it between two wavenumbers without
+using the closed form of the inflection, so that one can check the other. Throws std::invalid_argument if
+$\Phi$ has the same sign at both. */
 inline double sign_change_of_phi(double d, double s, double low, double high) {
   const auto phi = [d, s](double q) { return coefficients(q, d, s).phi; };
   if (!(phi(low) * phi(high) < 0))
@@ -88,7 +89,8 @@ inline double sign_change_of_phi(double d, double s, double low, double high) {
   return (low + high) / 2;
 }
 
-/// The largest value of phi, zero if there is none above, on a grid of `points` + 1 wavenumbers.
+/// The largest value of phi on a grid of `points` + 1 wavenumbers from 0 to pi, or zero if all are
+/// negative.
 inline double largest_phi(double d, double s, std::size_t points) {
   double best = 0;
   for (std::size_t k = 0; k <= points; ++k)

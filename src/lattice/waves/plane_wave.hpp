@@ -2,18 +2,19 @@
 /**
 # Exact periodic waves and what becomes of a disturbance
 
-A wave of finite amplitude keeps its form: $y_n(t) = \varphi(\theta)$ with
-$\theta = qn - \omega t$ and $\varphi$ of period $2\pi$ solves
+A phonon (dispersion.hpp) is a wave of vanishing amplitude. There are also waves of finite amplitude that
+keep their form: $y_n(t) = \varphi(\theta)$ with $\theta = qn - \omega t$ is a solution if $\varphi$ has
+the period $2\pi$ and
 $$\omega^2\varphi'' + W'(\varphi) = V'(r) - V'(r^-), \qquad
   r(\theta) = \varphi(\theta+q) - \varphi(\theta),\quad r^-(\theta) = r(\theta-q).$$
-For an even well $\theta\to-\theta$, $\varphi\to-\varphi$ leaves this equation alone, so we look for
-odd waves $\varphi = \sum_k b_k \sin k\theta$ with $b_1 = a$ given and the frequency unknown. As long
-as all contacts stay closed, everything is analytic and the series converges geometrically.
+For an even well $\theta\to-\theta$, $\varphi\to-\varphi$ leaves this equation unchanged, so we look for
+odd waves $\varphi = \sum_k b_k \sin k\theta$ with $b_1 = a$ given and the frequency unknown. As long as
+all contacts stay closed everything is analytic, and the series converges geometrically.
 
-A disturbance $e^{iQn + \lambda t}p(\theta)$ of such a wave obeys a linear equation with coefficients
-of period $2\pi$. With the shift $S p = p(\theta+q)$ and $B = e^{iQ}S - 1$ it is
+A small disturbance $e^{iQn + \lambda t}p(\theta)$ of such a wave obeys a linear equation with
+coefficients of period $2\pi$. With the shift $S p = p(\theta+q)$ and $B = e^{iQ}S - 1$ it is
 $$(\lambda - \omega\partial_\theta)^2 p = -W''(\varphi)\,p - B^\dagger V''(r)\,B\,p,$$
-an eigenvalue problem on a grid of $\theta$, and the growth rate is the largest real part. */
+an eigenvalue problem on a grid of $\theta$. The growth rate is the largest real part of $\lambda$. */
 
 #include <algorithm>
 #include <cmath>
@@ -47,14 +48,15 @@ struct PlaneWave {
 };
 
 /**
-Newton's method needs the wave's equation at one $\theta$ and its derivatives by the unknowns. The
-amplitude $b_1$ is given, so the first place belongs to the frequency and the others to
+Newton's method needs the wave's equation at a given $\theta$ and its derivatives with respect to the
+unknowns. The amplitude $b_1$ is given, so the first entry belongs to the frequency and the others to
 $b_2, b_3, \dots$ */
 struct WaveEquation {
   double residual;
   Eigen::RowVectorXd slopes;
 };
 
+/// Residual and derivatives of the equation of `wave` at `theta`.
 template <class Onsite, class Contact>
 WaveEquation equation_at(const PlaneWave& wave, const Onsite& onsite, const Contact& contact,
                          double theta) {
@@ -77,8 +79,8 @@ WaveEquation equation_at(const PlaneWave& wave, const Onsite& onsite, const Cont
 }
 
 /**
-The equation is asked for at as many points as there are harmonics. One step corrects the wave and
-returns its size relative to the amplitude, by which we see whether Newton has settled. */
+The equation is imposed at as many points as there are harmonics. `improve` takes one step of Newton's
+method and returns its size, relative to the amplitude, which tells when to stop. */
 template <class Onsite, class Contact>
 double improve(PlaneWave& wave, const Onsite& onsite, const Contact& contact) {
   const Eigen::Index count = Eigen::Index(wave.b.size());
@@ -97,8 +99,9 @@ double improve(PlaneWave& wave, const Onsite& onsite, const Contact& contact) {
 }
 
 /**
-Newton starts from the phonon. Throws std::runtime_error if it does not settle or if the wave opens
-a contact, where the series would lose its convergence. */
+`plane_wave` starts from the phonon and returns the exact wave of wavenumber `q` and amplitude `a`. Throws
+std::runtime_error if Newton's method does not converge or if the wave opens a contact, since the series
+would then no longer converge geometrically. */
 template <class Onsite, class Contact>
 PlaneWave plane_wave(const Onsite& onsite, const Contact& contact, double q, double a,
                      std::size_t harmonics = 12) {
@@ -115,8 +118,8 @@ PlaneWave plane_wave(const Onsite& onsite, const Contact& contact, double q, dou
 }
 
 /**
-A run needs displacements and velocities. The ring's length is a whole number of wavelengths, and
-its first site is $n = 1$. */
+To let the wave run we need its displacements and velocities on a ring of `sites` beads, which must hold a
+whole number of wavelengths. The first site is $n = 1$. */
 inline State<double> on_ring(const PlaneWave& wave, std::size_t sites) {
   State<double> state(sites);
   for (std::size_t n = 0; n < sites; ++n) {
@@ -128,12 +131,14 @@ inline State<double> on_ring(const PlaneWave& wave, std::size_t sites) {
 }
 
 /**
-The disturbance lives on a grid of $\theta$, where derivative and shift by $q$ are full matrices: exact
-for every harmonic that the grid can hold, so that the growth rate converges like the wave. */
+A disturbance is represented by its values on a grid of $\theta$. Derivative and shift by $q$ are then full
+matrices, exact for every harmonic that the grid can hold, so that the growth rate converges like the
+wave. */
 struct PeriodicGrid {
   Eigen::MatrixXcd derivative, shift;
 };
 
+/// Both matrices for an odd number of `points` and the shift by `q`.
 inline PeriodicGrid periodic_grid(Eigen::Index points, double q) {
   using namespace std::complex_literals;
   const Eigen::Index top = (points - 1) / 2;
@@ -150,9 +155,9 @@ inline PeriodicGrid periodic_grid(Eigen::Index points, double q) {
 }
 
 /**
-With $w = (\lambda - \omega\partial_\theta)p$ as a second unknown the problem is linear in $\lambda$: the
-matrix of $(p, w)$ has the transport $\omega\partial_\theta$ on its diagonal, and the stiffness of well and
-contacts couples the two. */
+With $w = (\lambda - \omega\partial_\theta)p$ as a second unknown the problem becomes linear in
+$\lambda$: the matrix of $(p, w)$ has the transport term $\omega\partial_\theta$ on its diagonal, and the
+stiffnesses of well and contacts couple the two. */
 template <class Onsite, class Contact>
 Eigen::MatrixXcd linearisation(const PlaneWave& wave, const Onsite& onsite, const Contact& contact,
                                double modulation) {
@@ -177,7 +182,7 @@ Eigen::MatrixXcd linearisation(const PlaneWave& wave, const Onsite& onsite, cons
 }
 
 /**
-The wave is as unstable as its fastest disturbance of the wavenumber `modulation` relative to it. */
+The growth rate at a given wavenumber $Q$ of the disturbance, `modulation`, is that of its fastest mode. */
 template <class Onsite, class Contact>
 double growth_rate(const PlaneWave& wave, const Onsite& onsite, const Contact& contact,
                    double modulation) {
