@@ -277,7 +277,7 @@ inline Census tally(const std::vector<Trial>& trials, Course Trial::*run) {
 
 /**
 Does the pendulum predict these runs? Departures are compared one by one, and the largest relative
-difference counts. Pushes are compared with the one that frees: `over` counts the trials that are pushed
+difference counts. PushCounts are compared with the one that frees: `over` counts the trials that are pushed
 harder, `told` those whose fate is what this alone predicts. */
 inline double departure_difference(const std::vector<Trial>& trials, Course Trial::*run,
                                    const PinnedBreather& site) {
@@ -290,12 +290,13 @@ inline double departure_difference(const std::vector<Trial>& trials, Course Tria
 }
 
 /// How many trials are pushed harder than the push that frees, and how many fates that tells.
-struct Pushes {
+struct PushCounts {
   std::size_t over = 0, told = 0;
 };
 
-inline Pushes count_pushes(const std::vector<Trial>& trials, Course Trial::*run, double freeing) {
-  Pushes out;
+inline PushCounts count_pushes(const std::vector<Trial>& trials, Course Trial::*run,
+                               double freeing) {
+  PushCounts out;
   for (const Trial& trial : trials) {
     const bool pushed = std::abs(trial.kick.imag()) > freeing;
     out.over += pushed;

@@ -214,8 +214,6 @@ DampedRun evolve(const Damped<Stepper>& damped, const Chain<Onsite, Contact>& ch
   });
 }
 
-struct Pace;
-
 /// The same at a pace of samples and steps.
 template <class Stepper, class Onsite, class Contact, class Observer>
 DampedRun evolve(const Damped<Stepper>& damped, const Chain<Onsite, Contact>& chain,
