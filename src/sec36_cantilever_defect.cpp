@@ -232,7 +232,7 @@ void report_fits(Report& report, const ArrayImpact& impact, const Ways& runs) {
   };
   report.facts.add("speed_20_to_60", fitted(20, 60), "sites/s");
   report.facts.add("speed_60_to_100", fitted(60, 100), "sites/s");
-  report.facts.add("energy_drift", {runs[1].drift, runs[0].drift});
+  report.facts.add("energy_drift", compare(runs[0].drift, runs[1].drift));
 }
 
 /**

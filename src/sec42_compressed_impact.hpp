@@ -194,7 +194,7 @@ inline Table impact_quantities(const Launch& launch) {
   q.add("residual", compare(coarse.shown[0].sech.residual, fine.shown[0].sech.residual));
   q.add("energy_fraction", compare(a.share, b.share));
   q.add("boundary_energy_fraction", compare(a.boundary, b.boundary));
-  q.add("energy_drift", {fine.drift, coarse.drift});
+  q.add("energy_drift", compare(coarse.drift, fine.drift));
   return q.table;
 }
 
