@@ -142,15 +142,19 @@ it by its largest relative deviation, because a curved boundary would show at th
 and not in the mean. */
 struct Law {
   std::vector<double> root{}, kappa{};  ///< v0^(1/2) and kappa_c below the amplitude three
+  std::vector<double> error{};          ///< of kappa_c, relative
   Line line{};
   double at(double x) const { return line.intercept + line.slope * x; }
 };
 
 Law fit_law(const Threshold& b) {
   Law law;
-  for (std::size_t i = 0; i < b.size(); ++i)
-    if (b.velocity[i] < 3)
-      law.root.push_back(std::sqrt(b.velocity[i])), law.kappa.push_back(b.kappa(i));
+  for (std::size_t i = 0; i < b.size(); ++i) {
+    if (b.velocity[i] >= 3) continue;
+    law.root.push_back(std::sqrt(b.velocity[i]));
+    law.kappa.push_back(b.kappa(i));
+    law.error.push_back(b.s[i].error / b.s[i].value);
+  }
   law.line = fit_line(law.root, law.kappa);
   return law;
 }
@@ -160,14 +164,16 @@ The limit itself lies outside of the points. So the error of $\kappa_0$ is that 
 the distance of the points from $v_0=0$. */
 void add_law(Quantities& facts, const Law& law) {
   const double points = double(law.root.size());
-  double scatter = 0, square = 0;
+  Estimate scatter{};
+  double square = 0;
   for (std::size_t i = 0; i < law.root.size(); ++i) {
-    scatter = std::max(scatter, std::abs(law.kappa[i] / law.at(law.root[i]) - 1));
+    const double off = std::abs(law.kappa[i] / law.at(law.root[i]) - 1);
+    if (off > scatter.value) scatter = {off, law.error[i]};
     square += law.root[i] * law.root[i] / points;
   }
   facts.add("law_kappa_1", law.line.estimate());
   facts.add("law_kappa_0", {law.line.intercept, law.line.slope_error * std::sqrt(square)});
-  facts.add("law_largest_deviation", exact(scatter), "relative");
+  facts.add("law_largest_deviation", scatter, "relative");
   const double sum = std::accumulate(law.root.begin(), law.root.end(), 0.0);
   facts.add("law_mean_root", exact(sum / points));
 }
