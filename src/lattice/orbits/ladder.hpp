@@ -88,8 +88,7 @@ Estimate agree(const T& coarse, const T& fine, const T& size) {
 }
 
 template <class T>
-void measure_in(Rung& rung) {
-  const Measured<T> fine(rung, 0), coarse(rung, 1);
+void assess(Rung& rung, const Measured<T>& coarse, const Measured<T>& fine) {
   const T size = fine.orbit[1].energy;
   for (int k : {0, 1}) {
     const Orbit<T>&a = coarse.orbit[k], &b = fine.orbit[k];
@@ -103,6 +102,19 @@ void measure_in(Rung& rung) {
   };
   rung.slope = agree(slope(coarse), slope(fine), fine.orbit[1].energy_omega);
   rung.wide = sizeof(T) > sizeof(double);
+}
+
+/**
+A rung is measured at both tolerances. Where a search only has to be steered, the finer one and its floor
+are enough. */
+template <class T>
+void measure_in(Rung& rung) {
+  assess<T>(rung, {rung, 1}, {rung, 0});
+}
+template <class T>
+void measure_once(Rung& rung) {
+  const Measured<T> fine(rung, 0);
+  assess<T>(rung, fine, fine);
 }
 
 /**
@@ -191,7 +203,7 @@ inline Estimate zero_between(const Rung& left, const Rung& right, Estimate Rung:
     slope = (above - below) / (high - low);
     const double omega = std::clamp(low - below / slope, low, high);
     at = rung_between(left, right, omega);
-    measure_in<double>(at);
+    measure_once<double>(at);
     const double value = (at.*gap).value;
     const bool beyond = (value > 0) == (above > 0);
     (beyond ? high : low) = omega, (beyond ? above : below) = value;
