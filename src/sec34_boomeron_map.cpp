@@ -25,6 +25,7 @@ the turning against impact velocity and hardness and find the law of its boundar
 
 #include "lattice/measure/turning.hpp"
 #include "lattice/numbers/parallel.hpp"
+#include "lattice/report/judge.hpp"
 #include "lattice/report/program.hpp"
 #include "lattice/report/sweep.hpp"
 
@@ -232,12 +233,14 @@ void report_any_s(Report& report) {
     const double v = MapGrid::spaced(grid.slowest, grid.fastest, i, columns);
     for (int halvings : {0, 1}) moved[i] += probe(v, 0, horizon, halvings).fate != Fate::escapes;
   });
-  const bool linear_turns = std::any_of(moved.begin(), moved.end(), [](int m) { return m > 0; });
+  const double linear_turns = std::accumulate(moved.begin(), moved.end(), 0.0);
   const Estimate v0 = slowest_turning(report.quick);
   report.facts.add("v0_needed_at_s_0005", v0);
   report.facts.add("s_needed_at_190", critical_s(1.9, report.quick ? 6 : 10));
   const Fate beyond = probe(1.05 * (v0.value + v0.error), softest, horizon, 1).fate;
-  report.results.claim("boomeron.any_s", beyond == Fate::turns && !linear_turns);
+  judge(report, "boomeron.any_s",
+        {above("turns_beyond", exact(beyond == Fate::turns), 0.5),
+         below("turns_without_hardness", exact(linear_turns), 1)});
 }
 
 /**

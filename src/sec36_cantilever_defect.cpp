@@ -26,6 +26,7 @@ ones in part, and keeps a little energy (`cantilever.reflect16`, `cantilever.par
 #include "lattice/measure/collision.hpp"
 #include "lattice/measure/scattering.hpp"
 #include "lattice/numbers/parallel.hpp"
+#include "lattice/report/judge.hpp"
 #include "lattice/report/program.hpp"
 #include "lattice/report/sweep.hpp"
 #include "lattice/stepping/reference.hpp"
@@ -320,11 +321,11 @@ one radius to the next are smooth: a heavy defect reflects because its own frequ
 that of the packet, a light one because it is far above. */
 void report_shares(Report& report, const Workshop& workshop) {
   const Fractions large = fractions(workshop, 1.6), slight = fractions(workshop, 1.1);
-  const auto within = [](const Estimate& e, double low, double high) {
-    return e.value - e.error > low && e.value + e.error < high;
+  const auto between = [](const Estimate& e, double low, double high) {
+    return Criterion{above("least", e, low), below("most", e, high)};
   };
-  report.results.claim("cantilever.reflect16", within(large.net_reflected, 0.95, 1.0));
-  report.results.claim("cantilever.partial11", within(slight.net_transmitted, 0.1, 0.9));
+  judge(report, "cantilever.reflect16", between(large.net_reflected, 0.95, 1.0));
+  judge(report, "cantilever.partial11", between(slight.net_transmitted, 0.1, 0.9));
   const std::pair<std::string, const Fractions&> rows[] = {{"_16", large}, {"_11", slight}};
   for (const auto& [name, f] : rows) {
     for (const auto& named : f.named())
