@@ -417,8 +417,8 @@ void report_pendulum(Report& report, const std::vector<Group>& groups, const Bre
             compare(departure_difference(free, &Trial::rough, breathers.site),
                     departure_difference(free, &Trial::good, breathers.site)));
   const auto& bound = main_trials(groups, Case::bond);
-  const Pushes low = count_pushes(bound, &Trial::rough, push.value - push.error);
-  const Pushes high = count_pushes(bound, &Trial::good, push.value + push.error);
+  const PushCount low = count_pushes(bound, &Trial::rough, push.value - push.error);
+  const PushCount high = count_pushes(bound, &Trial::good, push.value + push.error);
   facts.add("pushed_over", compare(low.over, high.over));
   facts.add("told_by_push", compare(low.told, high.told));
   const auto drift = [&](Course Trial::*run) {

@@ -288,12 +288,13 @@ inline double departure_difference(const std::vector<Trial>& trials, Course Tria
   return apart;
 }
 
-struct Pushes {
+struct PushCount {
   std::size_t over = 0, told = 0;
 };
 
-inline Pushes count_pushes(const std::vector<Trial>& trials, Course Trial::*run, double freeing) {
-  Pushes out;
+inline PushCount count_pushes(const std::vector<Trial>& trials, Course Trial::*run,
+                              double freeing) {
+  PushCount out;
   for (const Trial& trial : trials) {
     const bool pushed = std::abs(trial.kick.imag()) > freeing;
     out.over += pushed;
