@@ -226,12 +226,14 @@ statement is a straight line of slope $\ln\frac32$ in this plot.
 Moduli far below the smallest double are drawn, so their logarithms are taken in quadruple
 precision. */
 Table profile_table(Centre centre) {
-  Table table{{count("n", "site", "site"), number("u", "stationary DpS breather, mu = 1"),
-               number("u_error", "difference of double and quadruple precision"),
-               number("quasi_continuum", "quasi-continuum profile"),
-               number("log10_u", "decimal logarithm of |u_n|"),
-               number("double_log", "ln(-ln|u_n|)"),
-               number("tail_line", "line of slope ln(3/2) through the last point")}};
+  Table table{
+      {count("n", "site", "site"), number("u", "stationary DpS breather, mu = 1"),
+       number("u_error", "difference of double and quadruple precision"),
+       number("quasi_continuum", "quasi-continuum profile"),
+       number("log10_u", "decimal logarithm of |u_n|"),
+       number("log10_quasi_continuum", "that of the profile's modulus; nan where it is zero"),
+       number("double_log", "ln(-ln|u_n|)"),
+       number("tail_line", "line of slope ln(3/2) through the last point")}};
   const std::size_t sites = chain_length(centre);
   const auto u = stationary<double>(centre, 1, sites).u;
   const auto exact = stationary<Quad>(centre, 1, sites).u;
@@ -239,8 +241,10 @@ Table profile_table(Centre centre) {
   for (std::size_t i = 0; i < sites; ++i) {
     const long n = site_number(i, sites), last = site_number(sites - 1, sites);
     const long distance = centre == Centre::bond && n < 1 ? 1 - n : std::abs(n);
-    table.add({std::int64_t(n), u[i], std::abs(rounded(Quad(u[i] - exact[i]))),
-               quasi_continuum(centre, n), rounded(Quad(log10(abs(exact[i])))), double_log(i),
+    const double near = quasi_continuum(centre, n);
+    table.add({std::int64_t(n), u[i], std::abs(rounded(Quad(u[i] - exact[i]))), near,
+               rounded(Quad(log10(abs(exact[i])))),
+               near != 0 ? std::log10(std::abs(near)) : std::nan(""), double_log(i),
                double_log(sites - 1) + double(distance - last) * std::log(1.5)});
   }
   return table;
