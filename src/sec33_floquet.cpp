@@ -121,6 +121,8 @@ Criterion four_near_one(const Census& chain, const Census& longer, const std::st
           below("not_at_edge_" + name, exact(std::abs(20 - added)), 0.5)};
 }
 
+/**
+The chain with ten sites more is asked only for its census. */
 void report_spectrum(Report& report) {
   std::vector<Column> columns = multiplier_columns();
   columns.push_back(count("bond", "1 around a bond, 0 around a site"));
