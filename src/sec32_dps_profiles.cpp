@@ -1,18 +1,22 @@
 /**
 # 3.2 Static breathers of the DpS equation
 
-Section 3.2 of James, Kevrekidis and Cuevas (Physica D 251, 2013) computes the two static
-breathers of the discrete p-Schrödinger (DpS) equation, one centred at a site and one between
-two sites, and compares them with an approximation that vanishes outside a few sites. This
-program computes both to the last digit, with their tails, and measures how good that
-approximation is. The breathers of the chain itself are the subject of a chapter of their own,
-which starts from the profiles of this one.
+In the limit of small amplitude a breather is a pattern that only turns, $v_n = u_n e^{i\mu t}$.
+There are two, both narrow, with neighbours on opposite sides:
 
-What is claimed, with the identifiers under which the answers are recorded:
+        around a site              around a bond
+              |                          |
+              |                          |     |
+        ---|--+--|---              ---|--+--|--+---
+           |     |                    |     |
+          -1  0  1                          |
+                                     -1  0  1  2
 
-- amplitudes are proportional to $\mu^2$ at unchanged width (`dps.scaling`);
-- the approximate profile is supported on $|x| \le 3\pi/2$ (`dps.qc_support`) and in
-  excellent agreement with the breathers (`dps.qc_site`, `dps.qc_bond`). */
+![Both breathers, their approximation and their tails.](fig:x03)
+
+Section 3.2 of James, Kevrekidis and Cuevas (Physica D 251, 2013) computes them and compares them with
+an approximation that vanishes outside a few sites. We compute both to the last digit, with their tails,
+and measure how good that approximation is. The breathers of the chain have a chapter of their own. */
 
 #include <gsl/gsl_integration.h>
 
@@ -32,6 +36,12 @@ What is claimed, with the identifiers under which the answers are recorded:
 
 using namespace lattice;
 
+/**
+What is claimed, with the identifiers under which the answers are recorded:
+
+- amplitudes are proportional to $\mu^2$ at unchanged width (`dps.scaling`);
+- the approximate profile is supported on $|x| \le 3\pi/2$ (`dps.qc_support`) and in
+  excellent agreement with the breathers (`dps.qc_site`, `dps.qc_bond`). */
 /// 113 bits, as IEEE quadruple precision: 34 digits, numbers down to 1e-4932.
 using Quad = boost::multiprecision::cpp_bin_float_quad;
 /// 50 digits, against which quadruple precision is judged.
@@ -47,8 +57,7 @@ and $v_n = u_n e^{i\mu t}$ with real $u_n$ turns it into Eq. (14) (dps/stationar
 with the sites' numbers). The far contacts are missing: the ends are free. Symmetric solutions
 $u_{-n} = u_n$ are site-centred, antisymmetric ones $u_{1-n} = -u_n$ bond-centred. A breather of
 the chain with frequency $\omega_b$ is then nearly $y_n = 2\epsilon\,u_n\cos\omega_b t$, where
-$\mu = 1$ and $\omega_b = 1 + \epsilon^{1/2}/(2\tau_0)$ (Eq. (20)).
- In the program
+$\mu = 1$ and $\omega_b = 1 + \epsilon^{1/2}/(2\tau_0)$ (Eq. (20)). In the program
 $\mu$ is `mu`, $u_n$ is `Stationary::u`, $w_n$ is `three_halves(strain[n])` and $g$ is
 `envelope`. */
 constexpr std::pair<Centre, const char*> centres[] = {{Centre::site, "site"},

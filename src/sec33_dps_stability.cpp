@@ -1,17 +1,17 @@
 /**
 # 3.3 Are the breathers of the DpS equation stable?
 
-Section 3.3 of James, Kevrekidis and Cuevas (Physica D 251, 2013) first asks for the stability of the
-static breathers in the limit of small amplitude. It linearises the discrete p-Schrödinger (DpS)
-equation about both of them, draws the eigenvalues, and lets the unstable one go. This program finds
-that both spectra hang on the sixth digit of one number, and watches what that means in time.
+Two static breathers are left in the limit of small amplitude. Does a small push stay small?
 
-What is claimed, with the identifiers under which the answers are recorded:
+        around a site: it leaves             around a bond: it stays
+                O   -->  lambda ~ mu              \   O O   /
+             __/ \__                               \_______/
 
-- the bond-centred breather is spectrally stable at $\mu = 1$ and 10 (`dps.bond_stable`);
-- the site-centred one has a real pair $\pm\lambda$, and $\lambda$ is linear in $\mu$
-  (`dps.site_growth`);
-- a random perturbation of amplitude 0.01 sets it in motion (`dps.instability_moves`). */
+![The site-centred breather has a real pair of exponents.](fig:09)
+
+Section 3.3 of James, Kevrekidis and Cuevas (Physica D 251, 2013) linearises the discrete p-Schrödinger
+(DpS) equation about both, draws the eigenvalues, and lets the unstable one go. Both spectra hang on the
+sixth digit of one number, and we watch what that means in time. */
 
 #include <algorithm>
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -27,6 +27,13 @@ What is claimed, with the identifiers under which the answers are recorded:
 
 using namespace lattice;
 
+/**
+What is claimed, with the identifiers under which the answers are recorded:
+
+- the bond-centred breather is spectrally stable at $\mu = 1$ and 10 (`dps.bond_stable`);
+- the site-centred one has a real pair $\pm\lambda$, and $\lambda$ is linear in $\mu$
+  (`dps.site_growth`);
+- a random perturbation of amplitude 0.01 sets it in motion (`dps.instability_moves`). */
 /// 113 bits, as IEEE quadruple precision.
 using Quadruple = boost::multiprecision::cpp_bin_float_quad;
 

@@ -3,15 +3,16 @@
 
 In a cradle a collision is over long before the pendulum has moved, and no travelling breather can be
 seen. Sections 3.5 and 3.6 of James, Kevrekidis and Cuevas (Physica D 251, 2013) propose stiff
-cantilevers with beads instead. We derive every constant in SI units, strike the array and send the
-packet to a defect. Claims: two colliding beads and the cradle (`scale.contact_time`,
-`scale.max_compression`, `scale.cradle`); a clamped beam (`beam.stiffness`, `beam.frequency`, `beam.mass`); the
-times of the array (`cantilever.tau_h`, `cantilever.tau_c`, `cantilever.lambda`); the packet at $n = 80$
-(`cantilever.speed`, `cantilever.bead_velocity`, `cantilever.deflection`, `cantilever.force`,
-`cantilever.duration`, `cantilever.period`); a defect with large beads reflects it, with slightly larger
-ones in part, and keeps a little energy (`cantilever.reflect16`, `cantilever.partial11`, and
-`cantilever.trapped` in sec36_trapped_mode.hpp); and in 10 ms it travels far enough to be seen (`outlook.travel_10ms`,
-`outlook.periods_10ms`). */
+cantilevers with beads instead, one of them with larger beads:
+
+       V      n = 1   2   3          99   100  101
+      --->       (o) (o) (o)   ...   (o) ( O ) (o)   ...     beads that touch their neighbours
+                  |   |   |           |    |    |
+               ===+===+===+===========+====+====+===         clamped at both ends
+
+![Contact forces after an impact, with larger beads at n = 100.](fig:24)
+
+We derive every constant in SI units, strike the array and send the packet to the defect. */
 
 #include <algorithm>
 #include <array>
@@ -35,6 +36,17 @@ ones in part, and keeps a little energy (`cantilever.reflect16`, `cantilever.par
 using namespace lattice;
 
 /**
+Claims: two colliding beads and the cradle (`scale.contact_time`, `scale.max_compression`, `scale.cradle`); a
+clamped beam (`beam.stiffness`, `beam.frequency`, `beam.mass`); the times of the array (`cantilever.tau_h`,
+`cantilever.tau_c`, `cantilever.lambda`); the packet at $n = 80$ (`cantilever.speed`,
+`cantilever.bead_velocity`, `cantilever.deflection`, `cantilever.force`, `cantilever.duration`,
+`cantilever.period`); a defect with large beads reflects it, with slightly larger ones in part, and keeps
+a little energy (`cantilever.reflect16`, `cantilever.partial11`, and `cantilever.trapped` in
+sec36_trapped_mode.hpp); and in 10 ms it travels far enough to be seen (`outlook.travel_10ms`,
+`outlook.periods_10ms`). */
+constexpr std::size_t watched_site = 80;
+
+/**
 ## Model
 
 A cantilever with beads of radius $R_n$ has one degree of freedom, its largest deflection $x_n$. In
@@ -52,7 +64,6 @@ which is $\lambda^{5/2}$ in these units, Eq. (29). All radii are equal but that 
 
 The constants are derived in cantilever.hpp. Hertz's coefficient takes the modulus of the beads,
 $\gamma = \mathcal E\sqrt{2R}/(3(1-\nu^2))$: the text prints the symbol of the beam's. */
-constexpr std::size_t watched_site = 80;
 constexpr double shown_until = 75;  // ms
 
 /**

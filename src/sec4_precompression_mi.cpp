@@ -1,18 +1,16 @@
 /**
 # 4 Precompression
 
-Section 4 of James, Kevrekidis and Cuevas (Physica D 251, 2013) squeezes the chain before it is
-struck. Closed contacts act like springs, phonons appear, and waves that travelled almost without
-loss in section 3 now disperse unless nonlinearity holds them together. This program draws figures
-25 to 28; the impact is told in sec42_compressed_impact.hpp. What is claimed, with identifiers:
+Squeeze the chain before it is struck. Closed contacts act like springs, phonons appear, and what travelled
+almost without loss in section 3 now disperses unless nonlinearity holds it together:
 
-- the contact has the expansion coefficients `pre.v1`, `pre.v2` and `pre.v3`, and the envelope of
-  a phonon obeys an NLS equation with the coefficient $\beta$ (`pre.beta`);
-- phonons are unstable where $\Phi > 0$: conditions at the edges of the band (`pre.edges`), a change
-  of sign at an inflection (`pre.inflection`), bands for three wells (`pre.phi`);
-- a slightly modulated phonon becomes a travelling breather (`pre.mi_run`);
-- an impact makes a travelling breather that does not turn round if $s = 1$ (`pre.impact_s1`), and
-  only a dispersive wave train if $s = 0$ or $s = -1/6$ (`pre.impact_other`). */
+       open      (o) (o) (o) (o)      nothing moves until beads touch
+       closed   >(o)(o)(o)(o)(o)<     ~~~~> phonons of frequency omega(q)
+
+![Where phonons are unstable, for three wells.](fig:25)
+
+Section 4 of James, Kevrekidis and Cuevas (Physica D 251, 2013) asks which waves are held together. This
+program draws figures 25 to 28; the impact is told in sec42_compressed_impact.hpp. */
 
 #include <algorithm>
 #include <array>
@@ -36,6 +34,18 @@ using namespace lattice;
 using std::numbers::pi;
 
 /**
+What is claimed, with identifiers:
+
+- the contact has the expansion coefficients `pre.v1`, `pre.v2` and `pre.v3`, and the envelope of
+  a phonon obeys an NLS equation with the coefficient $\beta$ (`pre.beta`);
+- phonons are unstable where $\Phi > 0$: conditions at the edges of the band (`pre.edges`), a change
+  of sign at an inflection (`pre.inflection`), bands for three wells (`pre.phi`);
+- a slightly modulated phonon becomes a travelling breather (`pre.mi_run`);
+- an impact makes a travelling breather that does not turn round if $s = 1$ (`pre.impact_s1`), and
+  only a dispersive wave train if $s = 0$ or $s = -1/6$ (`pre.impact_other`). */
+constexpr double compression = 0.5;
+
+/**
 ## Model
 
 The chain is that of Eq. (6) with the wells of Eq. (10) and the compressed contact of Eq. (33),
@@ -54,7 +64,6 @@ is smooth, with a linear part that makes phonons of frequency $\omega(q)$, Eq. (
 
 The library derives: `waves/dispersion.hpp` the band, `waves/nls.hpp` $\beta$,
 `waves/instability.hpp` growth, `measure/modulation.hpp` the ring, `measure/flight.hpp` the impact. */
-constexpr double compression = 0.5;
 constexpr std::array<double, 3> wells = {-1.0 / 6, 0, 1};
 const std::array<std::string, 3> well_names = {"_s_minus_1_6", "_s_0", "_s_1"};
 constexpr char speed_unit[] = "site per unit of time";
