@@ -156,14 +156,24 @@ and of the opposite sign. At $\omega_b = 1.001$ the ratio of the two sides is
 const std::pair<double, const char*> key_frequencies[] = {
     {1.001, "1001"}, {1.01, "101"}, {1.1, "110"}, {1.3, "130"}, {1.5, "150"}, {1.9, "190"}};
 
-Ladder key_ladder(bool quick) {
-  Ladder rungs;
-  for (double s : wells)
-    for (const auto& [omega, name] : key_frequencies) rungs.push_back({s, omega});
+/// Both breathers of a frequency, from the rungs beside it where there are any.
+Rung key_rung(const Ladder& ladder, double s, double omega) {
+  const auto right =
+      std::find_if(ladder.begin(), ladder.end(), [&](const Rung& r) { return r.omega > omega; });
+  if (right != ladder.begin() && right != ladder.end())
+    return rung_between(*std::prev(right), *right, omega);
+  Rung rung{s, omega};
+  for (int k : {0, 1}) rung.orbit[k] = find_breather(problem_of(both_centres[k], omega, s));
+  return rung;
+}
+
+Ladder key_ladder(const std::vector<Ladder>& ladders, bool quick) {
+  const std::size_t count = std::size(key_frequencies);
+  Ladder rungs(std::size(wells) * count);
   parallel_for(rungs.size(), [&](std::size_t i) {
-    Rung& r = rungs[i];
-    for (int k : {0, 1}) r.orbit[k] = find_breather(problem_of(both_centres[k], r.omega, r.s));
-    quick ? measure_in<double>(r) : measure_in<Wide>(r);
+    const std::size_t w = i / count;
+    rungs[i] = key_rung(ladders[w], wells[w], key_frequencies[i % count].first);
+    quick ? measure_in<double>(rungs[i]) : measure_in<Wide>(rungs[i]);
   });
   return rungs;
 }
@@ -356,7 +366,7 @@ int main(int argc, char** argv) {
     const auto ladders = climb_wells(program.quick ? 10 : 60);
     output.add("barriers", branch_table(ladders));
     if (!program.quick) report_zeros(report, ladders);
-    const Ladder key = key_ladder(program.quick);
+    const Ladder key = key_ladder(ladders, program.quick);
     report_key(report, key);
     report_folds(report, ladders[0].back());
     if (!program.quick) report_printed(report, key[std::size(key_frequencies) + 2].equal_frequency);

@@ -73,11 +73,6 @@ quadruple precision; the difference is the error. A remainder that is nothing bu
 its precision, so it is compared with that of the next longer mantissa, extended or 50 digits: it
 cannot be known better than to its own size. */
 
-/// The full run's chain: 31 sites around a site, 32 around a bond.
-std::size_t chain_length(Centre centre) {
-  return centre == Centre::site ? 31 : 32;
-}
-
 /// A number of any precision rounded to double.
 template <class T>
 double rounded(const T& x) {
@@ -87,8 +82,8 @@ double rounded(const T& x) {
 /// `of` applied to the state in both precisions.
 template <class Of>
 Estimate in_two_precisions(Centre centre, Of of) {
-  return compare(rounded(of(stationary<double>(centre, 1, chain_length(centre)))),
-                 rounded(of(stationary<Quad>(centre, 1, chain_length(centre)))));
+  return compare(rounded(of(stationary<double>(centre, 1, sites_of(centre)))),
+                 rounded(of(stationary<Quad>(centre, 1, sites_of(centre)))));
 }
 
 /**
@@ -103,7 +98,7 @@ Estimate rounding_at_least(Estimate e) {
 /// The remainder `of` the state in precision T, compared with the one in the longer precision.
 template <class T, class Longer, class Of>
 Estimate remainder(Centre centre, Of of) {
-  const std::size_t sites = chain_length(centre);
+  const std::size_t sites = sites_of(centre);
   return rounding_at_least<T>(compare(rounded(of(stationary<Longer>(centre, Longer(1), sites))),
                                       rounded(of(stationary<T>(centre, T(1), sites)))));
 }
@@ -243,7 +238,7 @@ Table profile_table(Centre centre) {
        number("log10_quasi_continuum", "that of the profile's modulus; nan where it is zero"),
        number("double_log", "ln(-ln|u_n|)"),
        number("tail_line", "line of slope ln(3/2) through the last point")}};
-  const std::size_t sites = chain_length(centre);
+  const std::size_t sites = sites_of(centre);
   const auto u = stationary<double>(centre, 1, sites).u;
   const auto exact = stationary<Quad>(centre, 1, sites).u;
   const auto double_log = [&](std::size_t i) { return rounded(Quad(log(-log(abs(exact[i]))))); };
@@ -331,8 +326,8 @@ Table tail_table() {
        number("ratio_error", "difference of double and quadruple precision, nan beyond double"),
        number("distance", "|ratio - 3/2| in quadruple precision")}};
   for (const auto& [centre, name] : centres) {
-    const auto one = stationary<double>(centre, 1, chain_length(centre));
-    const auto four = stationary<Quad>(centre, 1, chain_length(centre));
+    const auto one = stationary<double>(centre, 1, sites_of(centre));
+    const auto four = stationary<Quad>(centre, 1, sites_of(centre));
     for (std::size_t i = site_index(1, four.u.size()); i + 1 < four.u.size(); ++i) {
       const Quad ratio = log(abs(four.u[i + 1])) / log(abs(four.u[i]));
       const double coarse = one.u[i + 1] != 0
@@ -401,11 +396,11 @@ Line walk(Centre centre, int steps, std::vector<double>& widths) {
   using std::log;
   std::vector<double> x, y;
   for (int direction : {1, -1}) {
-    auto state = stationary<T>(centre, T(1), chain_length(centre));
+    auto state = stationary<T>(centre, T(1), sites_of(centre));
     for (int k = 1; k <= steps; ++k) {
       const T mu = exp2(T(direction * k) / T(8));
       std::vector<T> start(state.strain.begin(), state.strain.begin() + short_chain);
-      state = stationary_from<T>(centre, mu, std::move(start), chain_length(centre));
+      state = stationary_from<T>(centre, mu, std::move(start), sites_of(centre));
       std::vector<double> density;
       for (const T& u : state.u) density.push_back(rounded<T>(u * u / (mu * mu)));
       x.push_back(rounded<T>(log(mu)));
@@ -515,7 +510,7 @@ struct ProfileOptions {
 
 Table profile_command(const ProfileOptions& options) {
   const Centre centre = options.centre == "site" ? Centre::site : Centre::bond;
-  const std::size_t sites = options.sites ? options.sites : chain_length(centre);
+  const std::size_t sites = options.sites ? options.sites : sites_of(centre);
   if (!fits(centre, sites))
     throw UsageError("--sites: '" + std::to_string(sites) + "' does not fit a " + options.centre +
                      "-centred breather (allowed: an " + (centre == Centre::bond ? "even" : "odd") +

@@ -27,11 +27,6 @@ checked against a wider type. */
 /// What double precision is checked against: a 64-bit mantissa where the processor has one.
 using Wide = long double;
 
-/// Lengths of the article's chains; one site more around a bond.
-constexpr std::size_t sites_of(Centre centre) {
-  return centre == Centre::site ? 31 : 32;
-}
-inline constexpr Centre both_centres[] = {Centre::site, Centre::bond};
 inline BreatherProblem<double> problem_of(Centre centre, double omega, double s = 0) {
   return breather_problem(centre, omega, s, sites_of(centre));
 }
@@ -51,7 +46,8 @@ struct Rung {
   double s = 0, omega = 0;
   std::array<Orbit<double>, 2> orbit{};  ///< site, bond
   std::array<Estimate, 2> energy{}, amplitude{};
-  Estimate equal_frequency{}, equal_area{}, slope{};
+  Estimate equal_frequency{}, equal_area{};
+  Estimate slope{}, slope_area{};  ///< their derivatives with respect to omega
   bool wide = false;
 };
 
@@ -87,6 +83,11 @@ Estimate agree(const T& coarse, const T& fine, const T& size) {
   return {double(fine), double(magnitude<T>(fine - coarse) + floor)};
 }
 
+/**
+Both barriers have derivatives that cost nothing. At equal frequency it is the difference of those of the
+energies; at equal area $d\mathcal H = \omega\,d\mathcal A/2\pi$ along both families leaves
+$(\omega_{site}/\omega_b-1)\,\mathcal H'_{bond}$, where $\omega_{site}$ is the frequency of the site-centred
+breather of that area. */
 template <class T>
 void assess(Rung& rung, const Measured<T>& coarse, const Measured<T>& fine) {
   const T size = fine.orbit[1].energy;
@@ -101,20 +102,23 @@ void assess(Rung& rung, const Measured<T>& coarse, const Measured<T>& fine) {
     return m.orbit[0].energy_omega - m.orbit[1].energy_omega;
   };
   rung.slope = agree(slope(coarse), slope(fine), fine.orbit[1].energy_omega);
+  const auto slope_area = [&](const Measured<T>& m) {
+    return m.orbit[1].energy_omega * (m.gap.omega_site / T(rung.omega) - T(1));
+  };
+  rung.slope_area = agree(slope_area(coarse), slope_area(fine), fine.orbit[1].energy_omega);
   rung.wide = sizeof(T) > sizeof(double);
 }
 
 /**
-A rung is measured at both tolerances. Where a search only has to be steered, the finer one and its floor
-are enough. */
+A rung is measured at both tolerances; a search, which asks again and again, takes one at a time. */
 template <class T>
 void measure_in(Rung& rung) {
   assess<T>(rung, {rung, 1}, {rung, 0});
 }
 template <class T>
-void measure_once(Rung& rung) {
-  const Measured<T> fine(rung, 0);
-  assess<T>(rung, fine, fine);
+void measure_once(Rung& rung, int coarser = 0) {
+  const Measured<T> only(rung, coarser);
+  assess<T>(rung, only, only);
 }
 
 /**
@@ -190,33 +194,37 @@ inline Rung rung_between(const Rung& left, const Rung& right, double omega) {
 }
 
 /**
-Between two rungs of opposite sign a barrier vanishes. The regula falsi, with the value of a point
-that stays halved so that it cannot stay for ever, closes in on the frequency in double precision.
-The last step is made with the wider type, and the error of the barrier there, over its slope, is
-the error of the zero. */
+Between two rungs of opposite sign a barrier vanishes. Its derivative is known with it, so that Newton's
+method, kept between the rungs, finds the frequency in double precision in a few steps. */
 inline Estimate zero_between(const Rung& left, const Rung& right, Estimate Rung::*gap) {
+  const auto slope = gap == &Rung::equal_area ? &Rung::slope_area : &Rung::slope;
+  const double below = (left.*gap).value, above = (right.*gap).value;
+  const double width = right.omega - left.omega;
+  double low = left.omega, high = right.omega, omega = low - below * width / (above - below);
   Rung at;
-  double low = left.omega, high = right.omega;
-  double below = (left.*gap).value, above = (right.*gap).value, slope = 0;
-  int stays = 0;
-  for (int k = 0; k < 60; ++k) {
-    slope = (above - below) / (high - low);
-    const double omega = std::clamp(low - below / slope, low, high);
+  const auto newton_step = [&] { return (at.*gap).value / (at.*slope).value; };
+  for (int k = 0; k < 40; ++k) {
     at = rung_between(left, right, omega);
     measure_once<double>(at);
-    const double value = (at.*gap).value;
-    const bool beyond = (value > 0) == (above > 0);
-    (beyond ? high : low) = omega, (beyond ? above : below) = value;
-    const int side = beyond ? 1 : -1;
-    if (stays == side) (beyond ? below : above) /= 2;
-    stays = side;
-    if (std::abs(value) <= 4 * (at.*gap).error || high - low < 1e-9) break;
+    (((at.*gap).value > 0) == (above > 0) ? high : low) = omega;
+    const double step = newton_step(), next = omega - step;
+    omega = low < next && next < high ? next : (low + high) / 2;
+    if (std::abs(step) < 1e-4 * width || std::abs((at.*gap).value) < 4 * (at.*gap).error) break;
   }
-  measure_in<Wide>(at);
-  const double step = (at.*gap).value / slope;
-  if (!(std::abs(step) < 0.01 * (right.omega - left.omega)))
+
+  /**
+  Two more steps are made with the wider type, one at each tolerance. The last of them, which is what the two
+  tolerances and the curvature make of the zero, is its error, with that of the barrier there over its slope. */
+  double step = 0;
+  for (int coarser : {1, 0}) {
+    at = rung_between(left, right, omega);
+    measure_once<Wide>(at, coarser);
+    step = newton_step();
+    omega -= step;
+  }
+  if (!(std::abs(step) < 1e-3 * width))
     throw std::runtime_error("no zero of the barrier found near " + std::to_string(at.omega));
-  return {at.omega - step, std::abs((at.*gap).error / slope) + std::abs(step) * 1e-3 + 1e-15};
+  return {omega, std::abs((at.*gap).error / (at.*slope).value) + std::abs(step) + 1e-15};
 }
 
 }  // namespace lattice
