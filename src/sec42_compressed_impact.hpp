@@ -63,12 +63,10 @@ Ten runs do not know each other, and the longest takes as long as several of the
 the processors one by one. */
 inline std::vector<Experiment> experiments(bool quick) {
   std::vector<Experiment> all = planned(quick);
-  Progress progress("impacts", 2 * all.size());
-  parallel_for(2 * all.size(), [&](std::size_t i) {
+  parallel_for("impacts", 2 * all.size(), [&](std::size_t i) {
     Experiment& e = all[i / 2];
     (i % 2 ? e.fine : e.coarse) =
         fly(e.launch, e.times, i % 2 ? FlightSteps{}.halved() : FlightSteps{});
-    progress.tick();
   });
   return all;
 }
