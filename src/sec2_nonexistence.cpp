@@ -2,14 +2,15 @@
 # 2 No breathers without wells
 
 Section 2 of James, Kevrekidis and Cuevas (Physica D 251, 2013) proves that beads which only repel each
-other have no breathers. A bead that returns after a period has received no net momentum, so the mean push
-from its left equals that to its right (`thm.mean_force`):
+other have no breathers: no motion of theirs is both periodic in time and localized in space. A bead that
+returns after a period has received no net momentum, so the mean push from its left equals that from its
+right (`thm.mean_force`):
 
         . o --> o --> o --> o --> o .      mean force: the same at every contact,
               F     F     F     F          zero far away, hence zero everywhere
 
-Pushes that are never negative and zero in the mean are zero always: nothing moves. No computation proves
-a theorem, but ours could have refuted it, by an orbit with unequal means, a search that ends in a breather,
+A push that is never negative and zero in the mean is zero always: nothing moves. No computation proves a
+theorem, but ours could have refuted it, by an orbit with unequal means, a search that ends in a breather,
 or a localized state that stays together. Each instrument is also tried where it must find something.
 
 ![Mean contact forces are the same at every contact of free chains (a) and not in wells (b); how searches from
@@ -40,10 +41,11 @@ using namespace lattice;
 /**
 ## Model
 
-The chain is that of Eqs. (1) and (3), with masses, stiffnesses and exponents of its own at every place,
+The chain is that of Eqs. (1) and (3). Each bead has its own mass, each contact its stiffness and exponent,
 $$m_n\ddot x_n = V_n'(x_{n+1}-x_n) - V_{n-1}'(x_n-x_{n-1}),\qquad
-  V_n(x) = \frac{\gamma_n}{\alpha_n+1}\,(-x)_+^{\alpha_n+1},$$
-and for comparison that of section 3 with linear wells. All quantities are dimensionless.
+  V_n(x) = \frac{\gamma_n}{\alpha_n+1}\,(-x)_+^{\alpha_n+1}.$$
+We compare it with the chain of section 3, in which linear *wells*, springs of their own, tie the beads to
+their places. All quantities are dimensionless.
 
 | article | program | meaning |
 |---|---|---|
@@ -52,8 +54,8 @@ and for comparison that of section 3 with linear wells. All quantities are dimen
 | $\bar F_n$ | `MeanForces::contact` | mean push on bead $n$ from its left (up to the sign) |
 | $T$ | `period()` | period of the motion |
 
-The claim is judged by conditions on numbers, which the parts of this chapter contribute. Each stands where
-it is made, with its reason; the margins are among the facts. */
+The claim is decided by a list of conditions on numbers, to which each part of this chapter adds its own.
+Each condition is explained where it is made, and its margin is among the facts. */
 void append(Criterion& all, const Criterion& more) {
   all.insert(all.end(), more.begin(), more.end());
 }
@@ -61,11 +63,11 @@ void append(Criterion& all, const Criterion& more) {
 /**
 ## The identity (figure x16)
 
-On a localized motion of the free chain all means would be zero, and there is none. So the identity is
-checked on motions that fill a ring or a box (sec2_periodic_motions.hpp). Each is followed once more over
-its whole period with the means, at two tolerances, which give their errors. We judge by the spread of the
-mean force over the contacts, relative to the largest, and by how much the balance of a bead, with its
-well, is missed. */
+On a localized motion of the free chain all means would be zero, but no such motion exists. So we check
+the identity on motions that fill a ring or a box (sec2_periodic_motions.hpp). We follow each once more over
+a whole period, and integrate the means along with it at two tolerances, whose difference is the error. We
+judge by two numbers: the spread of the mean force over the contacts, relative to the largest, and the
+amount by which the balance of a bead, with the force of its well, is missed. */
 constexpr std::array tolerances{1e-11, 1e-13};
 
 struct Balance {
@@ -81,14 +83,14 @@ struct MeanTable {
                number("step", "mean force of this contact minus that of the next"),
                number("well", "mean force of the well on bead n, nan where there is no bead")}};
 
-  /// Both balances, and the rows of the table. Without walls or a ring the outermost contacts are none.
+  /// Both balances, and the rows of the table. Without walls or a ring the outermost contacts do not exist.
   template <class AnyChain>
   std::array<Balance, 2> add(const std::string& motion, const AnyChain& chain,
                              const State<double>& start, double period, bool ends_push);
 };
 
 /**
-The rows quote the finer of two integrations. */
+The figure needs the mean of every contact, not only the spread. The rows quote the finer integration. */
 template <class AnyChain>
 std::array<Balance, 2> MeanTable::add(const std::string& motion, const AnyChain& chain,
                                       const State<double>& start, double period, bool ends_push) {
@@ -111,9 +113,9 @@ std::array<Balance, 2> MeanTable::add(const std::string& motion, const AnyChain&
 }
 
 /**
-A free chain must have a mean force that is clearly not zero, or its being constant would mean
-nothing, and a spread below a hundred-millionth, errors included: what a double-precision orbit and a
-tolerance of a hundred-billionth leave lies below, any physics above. */
+A constant mean force would mean nothing if it were zero, so that of a free chain must exceed a thousandth
+of the amplitude. Its spread must stay below a hundred-millionth, errors included: orbits in double
+precision, followed at a tolerance of a hundred-billionth, leave less, and any physics would leave more. */
 constexpr double same = 1e-8;
 
 template <class AnyChain>
@@ -126,9 +128,11 @@ Criterion equal_means(MeanTable& means, const std::string& name, const AnyChain&
 }
 
 /**
-The ring of equal beads is equal by symmetry and only a check of the instrument. Masses and stiffnesses
-then differ from bead to bead, with $\alpha = 3/2$ on a ring and $\alpha = 2$ between walls, and in the last
-chain every contact has an exponent of its own. */
+We need chains on which only the theorem makes the means equal. On the ring of equal beads symmetry alone
+does, so this case only checks the instrument. Masses and stiffnesses then differ from bead to bead, with
+$\alpha = 3/2$ on a ring and $\alpha = 2$ between walls, and in the last chain every contact has an exponent
+of its own. The last condition is for a motion that must fail: the uneven ring from a start that is wrong
+by a thousandth at one bead, so that it does not return. */
 Criterion of_free_chains(MeanTable& means) {
   motions::FreeProblem ring{{8, {}, {1.5}, Ends::periodic}, {}, 1}, uneven_ring = ring;
   const Orbit<double> wave = motions::ring_wave(ring);
@@ -150,11 +154,8 @@ Criterion of_free_chains(MeanTable& means) {
 }
 
 /**
-The last condition is a motion that must fail: the uneven ring from a start that is wrong by a thousandth
-at one bead, which does not return.
-
-For the contrast, the breathers of section 3 at $\omega_b = 1.5$, on chains that hold their tails. There the
-spread must be of order one, and each bead be balanced by its well. */
+The contrast comes from the breathers of section 3 at $\omega_b = 1.5$, on chains long enough for their
+tails. There the spread must be of order one, and each bead must be balanced by its well. */
 Criterion of_wells(MeanTable& means) {
   Criterion all;
   for (Centre centre : {Centre::bond, Centre::site}) {
@@ -171,13 +172,13 @@ Criterion of_wells(MeanTable& means) {
 /**
 ## Searches
 
-Now we look for breathers of the free open chain by force. Three beads in the middle get random
-positions, in half of the searches velocities too, and damped Newton does what it can, towards the
-period of a breather with $\omega_b = 1.2$. That nothing is found means something only if the same search
-finds what exists, so each size of the starts has its control. Small ones, of the size of a breather, are
-tried in wells of unit stiffness, too. Large ones are of the size that motions of this frequency have
-without wells, $0.3$ for the standing wave of neighbours against each other; motions of a few beads exist between
-walls, and there we let the same search look for them with three beads. */
+Next we look for breathers of the free open chain by brute force. Three beads in the middle get random
+positions, and in half of the searches random velocities too; a damped Newton method then looks for a motion
+with the period of a breather, $\omega_b = 1.2$. Finding nothing means something only if the same search
+finds what does exist, so each series of searches, a *hunt*, has its control. Small starts, of the size of a
+breather, are also tried in wells of unit stiffness. Large starts have the size of motions of this frequency
+without wells: about $0.3$ when neighbours swing against each other. Such motions of a few beads exist
+between walls, and there the same search looks for them with three beads. */
 struct Hunt {
   std::string name;
   std::size_t sites;
@@ -191,8 +192,8 @@ const std::array<Hunt, 4> hunts{{{"free", 15, Ends::free, false, 0.02, 0.08},
                                  {"walls", 3, Ends::fixed, false, 0.3, 2}}};
 
 /**
-A search should be cheap, so the flights are made by leapfrog steps (leapfrog.hpp), for which the theorem
-holds as well. Search and start follow from the hunt and the seed alone. Odd seeds begin at rest. */
+A search should be cheap, so it moves the chain by leapfrog steps (leapfrog.hpp), for which the theorem
+holds as well. The hunt and the seed alone fix the search and its start. Odd seeds begin at rest. */
 template <class Onsite>
 using Search = LeapfrogShooting<Onsite, Hertz>;
 
@@ -219,11 +220,11 @@ std::pair<Search<Onsite>, State<double>> draw(const Hunt& hunt, unsigned long se
 }
 
 /**
-A search ends in one of five ways, and no other. It converges to something that rests, its displacements
-increasing with $n$ up to what rounding leaves; to a motion that is localized, its ends
-carrying less than a millionth of the energy; to a motion that is not; to something in doubt,
-which would have to be looked at; or it does not converge. The theorem says that the free chain knows
-the first and the last of these only. It would be refuted by one count in the other three. */
+To count the outcomes we need a complete list of them. A search can converge to a state of rest, with
+displacements that increase with $n$ up to rounding; to a localized motion, whose end beads carry less than
+a millionth of the energy; to a motion that is not localized; or to a doubtful case, which somebody would
+have to look at. Or it does not converge. On the free chain the theorem allows only the first and the last
+of these. One count in any of the other three would refute it. */
 enum class End { rest, localized, extended, doubtful, failed };
 constexpr std::array end_names{"rest", "localized", "extended", "doubtful", "failed"};
 
@@ -245,8 +246,9 @@ End classify(const Search<Onsite>& search, const State<double>& start) {
 }
 
 /**
-What moves has to stand the exact flow: Newton's method of the library starts from it, must not go
-further than a tenth of the orbit's size, and has to end in an orbit of the same kind. */
+The leapfrog chain is not the chain itself, so every motion that was found must stand the exact flow: the
+library's Newton method starts from it, may move it by no more than a tenth of its size, and must end
+in an orbit of the same kind. */
 template <class Onsite>
 struct Nearby : Shooting<double, Onsite, Hertz> {
   using Base = Shooting<double, Onsite, Hertz>;
@@ -270,7 +272,7 @@ bool confirmed(const Search<Onsite>& search, const Vector<double>& x, End end) t
 }
 
 /**
-A motion that is not confirmed is not dismissed, but in doubt. */
+A motion that fails this test is not dismissed: it is counted as doubtful. */
 template <class Onsite>
 End run_search(const Hunt& hunt, unsigned long seed, int steps) {
   const auto [search, start] = draw<Onsite>(hunt, seed, steps);
@@ -287,8 +289,8 @@ End run_search(const Hunt& hunt, unsigned long seed, int steps) {
 }
 
 /**
-The counts of a hunt at two lengths of the step. As numbers they have an error from both, to which we add
-that of a sample: another hundred seeds would give other counts. */
+The counts of a hunt depend on the length of the step and on the sample. Their error is the difference
+between two steps plus the statistical error: another hundred seeds would give other counts. */
 struct Counts {
   std::array<std::array<double, end_names.size()>, 2> of{};
   double all = 0;
@@ -303,7 +305,7 @@ struct Counts {
 };
 
 /**
-All searches know nothing of each other, and each kind of end is counted at both steps. */
+The searches are independent and run side by side. Each kind of end is counted at both steps. */
 Counts search_all(const Hunt& hunt, unsigned long seeds) {
   std::vector<End> ends(2 * seeds);
   parallel_for("searches, " + hunt.name, ends.size(), [&](std::size_t i) {
@@ -318,9 +320,9 @@ Counts search_all(const Hunt& hunt, unsigned long seeds) {
 }
 
 /**
-Of the free chain we ask that nothing moves and that more than half of the searches come to rest, or they
-would prove too little. Of the controls we ask more than one in twenty, a confirmed breather in
-wells and a motion between walls, or the search is blind. */
+In the free chain nothing may move, and more than half of the searches must come to rest, or they would
+prove too little. Of the controls more than one in twenty must find a confirmed breather in wells, or a
+motion between walls, or the search is blind. */
 Criterion found_in(const Hunt& hunt, const Counts& counts) {
   const Estimate moving = counts.sum({End::localized, End::extended, End::doubtful});
   const Estimate rest = counts.sum({End::rest});
@@ -332,7 +334,7 @@ Criterion found_in(const Hunt& hunt, const Counts& counts) {
 }
 
 /**
-The table has a column for each hunt and step. */
+The figure compares all hunts, so the table has a column for each hunt and step. */
 Criterion of_searches(Report& report) {
   const unsigned long seeds = report.quick ? 40 : 100;
   report.output.note("seed", "searches 1 to " + std::to_string(seeds) + ", unevenness 11 to 14");
@@ -356,9 +358,10 @@ Criterion of_searches(Report& report) {
 /**
 ## A localized state disperses (figure x16)
 
-The breather at $\omega_b = 1.5$ is put into a long chain, once with its wells and once without. We watch the
-energy on the nine sites around its centre, and the mean push of the contact beside its central bead from
-the start up to $t$. Two runs with different steps and samples agree to the errors in the table. */
+A third way to find a breather is to start from one. We put the breather at $\omega_b = 1.5$ into a long
+chain, once with its wells and once without, and watch two quantities: the energy on the nine sites around
+its centre, and the push of the contact beside its central bead, averaged from the start up to $t$. Two
+runs with different steps and samples agree to the errors in the table. */
 struct Course {
   std::vector<double> t, core, mean;
   std::int64_t woken = 0;  ///< sites that are not exactly at rest when the run ends
@@ -374,7 +377,7 @@ State<double> breather_in_long_chain() {
 }
 
 /**
-The samples are those of the steps, so that both become denser together. */
+The mean push is an integral over samples. They follow the steps, so that both become denser together. */
 template <class Onsite>
 Course course(double time, int halvings) {
   const Chain<Onsite, Hertz> chain{401};
@@ -398,10 +401,10 @@ Course course(double time, int halvings) {
 }
 
 /**
-A free state disperses if its core keeps less than a tenth of the energy and its mean force goes to zero
-like $1/t$, as it does when the impulse that the contact ever transmits is finite: over the second half of
-the time the mean must fall to a half, up to a tenth. In wells the core must keep more than 99 per cent and
-the mean force its value. Some beads must still be at rest, or the ends of the chain matter. */
+We call a free state dispersed if its core keeps less than a tenth of the energy and its mean force goes
+to zero like $1/t$, as it does when the contact transmits a finite impulse in all: over the second half of
+the time the mean must fall to one half, within a tenth. In wells the core must keep more than 99 per cent
+and the mean force its value. Some beads must still be at rest, or the ends of the chain would matter. */
 Estimate deviation(const Course& coarse, const Course& fine, double expected) {
   const auto late = [&](const Course& course) {
     return course.mean.back() / course.mean[course.mean.size() / 2] - expected;
@@ -429,7 +432,7 @@ Table dispersal_table() {
 }
 
 /**
-Each run has its drift of energy beside it. */
+A loss of energy by the integrator could pass for dispersal, so the drift stands beside each run. */
 Criterion of_dispersal(Report& report) {
   const double time = report.quick ? 60 : 200;
   std::array<Course, 4> runs;
@@ -457,9 +460,10 @@ Criterion of_dispersal(Report& report) {
 ## Results
 
 The mean forces of the uneven ring agree to [4e-12](num:sec2_nonexistence.mean_force_spread_uneven_ring) of
-themselves, those of a motion that misses its start by a thousandth only to
-[0.000756758](num:sec2_nonexistence.mean_force_spread_not_periodic). Of [100](num:sec2_nonexistence.searches) small starts
-in the free chain [100](num:sec2_nonexistence.mean_force_rest_free) end at rest and
+the largest; those of a motion that misses its start by a thousandth agree only to
+[0.000756758](num:sec2_nonexistence.mean_force_spread_not_periodic). Of
+[100](num:sec2_nonexistence.searches) small starts in the free chain
+[100](num:sec2_nonexistence.mean_force_rest_free) end at rest and
 [0](num:sec2_nonexistence.mean_force_moving_free) in a motion; in wells
 [2e1](num:sec2_nonexistence.mean_force_localized_wells) end in a breather. Of as many large ones
 [99](num:sec2_nonexistence.mean_force_rest_free_large) end at rest and
@@ -483,19 +487,20 @@ Results everything(Output& output, bool quick) {
 /**
 ## Differences and limits
 
-The article proves and does not compute, so every parameter here is ours. Small starts at $\omega_b = 1.2$
-were chosen so that those in wells succeed. Some of these end in doubt, more at the longer step: the
-barrier between a site and a bond is so low there that leapfrog steps have breathers centred in between
-which the exact flow has not. Between walls the search finds less the more beads there are; it is a weak
-instrument for motions of many beads, but a breather has few. Without wells contacts in the core still close
-now and then, more and more faintly, so we judge the fall of the mean and not silence. Where each
-contact has its own exponent the flow is GSL's on both routes, and only the identity is checked.
+The article proves and does not compute, so every parameter here is ours. The frequency of the searches,
+$\omega_b = 1.2$, was chosen so that those in wells succeed. Some of these end in doubt, more of them at the
+longer step: the energy barrier between a site and a bond is so low at this frequency that the leapfrog
+chain has breathers centred in between, which the exact flow does not have. Between walls the search finds
+less the more beads there are; it is a weak instrument for motions of many beads, but a breather has few.
+Without wells contacts in the core still close now and then, ever more faintly, so we judge the fall of the
+mean and do not wait for silence. Where each contact has its own exponent both the search and the check use
+GSL's integrator, and only the identity is tested.
 
 ## Extensions
 
-- Which periodic motions has the free chain between walls, and which of them are stable?
+- Which periodic motions does the free chain have between walls, and which of them are stable?
 - With attracting contacts (cohesion) the argument fails. How little attraction makes a breather?
-- What is the mean force in a ring that is compressed, as a function of the energy? */
+- What is the mean force in a compressed ring, as a function of the energy? */
 int main(int argc, char** argv) {
   Program program({"sec2_nonexistence", "2", "No breathers without wells (section 2)"}, argc, argv);
   program.everything = [&](Output& output) { return everything(output, program.quick); };

@@ -2,10 +2,10 @@
 /**
 # 2 Periodic motions of chains without wells
 
-The theorem of section 2 leaves room for motions that are not localized, and on these its identity
-can be checked. This part of the chapter of sec2_nonexistence.cpp finds some: a wave on a uniform ring,
-where the mean force is the same everywhere by symmetry alone, and standing waves of chains whose
-masses, stiffnesses and exponents differ from place to place, where only the theorem says so. */
+The theorem of section 2 allows motions that are not localized, and on these its identity can be tested.
+This part of the chapter of sec2_nonexistence.cpp finds some: a wave on a uniform ring, where symmetry
+alone makes the mean force the same everywhere, and standing waves of chains whose masses, stiffnesses
+and exponents differ from place to place, where only the theorem does. */
 
 #include <cmath>
 #include <cstddef>
@@ -24,17 +24,18 @@ using namespace lattice;
 using FreeChain = Chain<None, PowerContact>;
 using FreeProblem = Shooting<double, None, PowerContact>;
 
-/// Numbers that differ along the chain, one after the other by up to `by`.
+/// Numbers that vary along the chain, each within `by` of one.
 inline std::vector<double> uneven(std::size_t count, double by, unsigned long seed) {
   return shaken(std::vector<double>(count, 1), by, seed);
 }
 
 /**
-All have the frequency one; any other is a matter of scale. The push of an overlap $R\cos\phi$ has the
-first harmonic $0.457\,R^\alpha$ at $\alpha = 3/2$. In harmonic balance a wave of wave number $q$ on a
-uniform ring therefore has about the amplitude below, and Newton's method does the rest. At $q = \pi$
-this is a standing wave, from which we start on uneven chains. Displacements have no origin on a
-ring: the shortest step (`rank`) is taken among those that differ by a shift. */
+Newton's method needs a guess. All motions here have frequency one; any other is a matter of scale. The
+push of an overlap $R\cos\phi$ has the first harmonic $0.457\,R^\alpha$ at $\alpha = 3/2$; the factor is
+$1/(\sqrt2\,\tau_0)$ with the $\tau_0$ of section 3.1. If all other harmonics are neglected, a wave of wave
+number $q$ on a uniform ring has the amplitude computed below. At $q = \pi$ this is a standing wave, from
+which we start on uneven chains. On a ring the origin of the displacements is arbitrary: of all Newton steps
+that differ by a shift we take the shortest (`rank`). */
 inline double wave_amplitude(double q, double alpha) {
   const double reach = 2 * std::sin(q / 2);
   return std::pow(0.457 * std::pow(reach, alpha + 1), 1 / (1 - alpha));
@@ -64,10 +65,10 @@ inline Orbit<double> ring_wave(FreeProblem& problem) {
 }
 
 /**
-On an uneven chain nothing travels without change of form. There the motions that begin at rest
-and come to rest again after half a period are the simplest ones. Beads that all swing against their
-neighbours do so on a uniform ring; from there we make masses, stiffnesses and exponents uneven by
-degrees. */
+On an uneven chain nothing travels without a change of form, so we look for the simplest motions that
+remain: those that begin at rest and come to rest again after half a period. On a uniform ring beads that
+all swing against their neighbours do so; from there we make masses, stiffnesses and exponents uneven
+step by step. */
 inline constexpr int degrees = 4;
 
 inline State<double> zigzag(std::size_t sites) {
@@ -95,8 +96,8 @@ inline Orbit<double> standing_wave(FreeProblem& problem, double alpha) {
 }
 
 /**
-The library knows one exponent for a whole chain. Where every contact has another one, between two
-walls, the push is written here, and mean_force.hpp does the rest. */
+The library has one exponent for a whole chain, and the theorem holds for any. Where every contact between
+the two walls has its own, we write the push here, and mean_force.hpp does the rest. */
 struct MixedChain {
   std::size_t sites = 0;
   None onsite{};
@@ -110,8 +111,8 @@ inline double contact_push(const MixedChain& chain, const double* y, std::size_t
 }
 
 /**
-Newton's method knows only problems, so a chain that the library does not know can be one, too: it
-flies by GSL's integrator, and its derivatives are differences. */
+The library's Newton method accepts anything that can be shot and gives a Jacobian. For the mixed chain
+GSL's integrator does the shooting, and finite differences give the Jacobian. */
 struct MixedProblem {
   using Scalar = double;
   MixedChain chain;
@@ -133,7 +134,8 @@ struct MixedProblem {
 };
 
 /**
-The central difference is over a hundred-thousandth of the amplitude. */
+The difference is central, and its increment is a hundred-thousandth of the amplitude: then its error,
+of second order, does not slow Newton's method down. */
 inline Shot<double> MixedProblem::shoot(const Vector<double>& x, const Landing<double>&,
                                         bool jacobian) const {
   Shot<double> shot;
@@ -147,7 +149,8 @@ inline Shot<double> MixedProblem::shoot(const Vector<double>& x, const Landing<d
 }
 
 /**
-Masses and stiffnesses differ by 15 per cent, exponents lie between 1.4 and 1.8, by the given part. */
+The exponents are to differ as much as the masses do. At full unevenness, `part` = 1, masses and
+stiffnesses vary by 15 per cent and exponents lie between 1.4 and 1.8; all these numbers are our choice. */
 inline MixedProblem mixed_chain(double part) {
   MixedChain chain{5,
                    {},

@@ -3,14 +3,14 @@
 
 Section 2 of James, Kevrekidis and Cuevas (Physica D 251, 2013) ends with the remark that wells spoil the
 proof of its theorem, and section 3 finds breathers in them. What happens in between, to a breather whose
-wells are made softer and softer at a fixed period? It must be lost, and there are three ways: its branch may
-turn back, its size may diverge, or it may cease to be localized. We follow it to see:
+wells are made softer and softer at a fixed period? It must be lost, in one of three ways: its branch turns
+back, its size diverges, or it ceases to be localized. We follow it to see which:
 
         stiff wells     .  .  o  O  O  o  .  .          few beads share the mean force
         soft wells      o  o  O  O  O  O  o  o          many do, and it becomes the same for all
 
-![A breather spreads as its wells are made softer (a); width, amplitude and central mean force (b), which tends to
-the value that equal areas demand.](fig:x17) */
+![A breather spreads as its wells are made softer (a); width, amplitude and central mean force (b), which
+tends to the value that an equal-area rule demands.](fig:x17) */
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -33,9 +33,10 @@ using namespace lattice;
 
 The chain of Eq. (9) in wells $W = \kappa y^2/2$,
 $$\ddot y_n + \kappa\,y_n = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2},\qquad y_n(t+2\pi) = y_n(t),$$
-dimensionless. The substitution $y(t) = \kappa^2\,Y(\sqrt\kappa\,t)$ gives back unit wells, so the
-question is the same as that for high frequencies $\omega_b = 1/\sqrt\kappa$ there. We follow the branch in
-$\ln\kappa$ itself, with a well of our own, and keep the substitution for a check. */
+where everything is dimensionless. The substitution $y(t) = \kappa^2\,Y(\sqrt\kappa\,t)$ restores unit wells,
+so a soft well at period $2\pi$ is the same problem as a unit well at the high frequency
+$\omega_b = 1/\sqrt\kappa$. We follow the branch in $\ln\kappa$ itself, with a well of our own, and keep the
+substitution as a check. */
 struct Spring {
   double kappa = 1;
   static constexpr const char* name = "spring";
@@ -57,7 +58,7 @@ using SpringProblem = Shooting<double, Spring, Hertz>;
 /**
 ## The branch
 
-The start comes from the unit wells. */
+The branch must begin somewhere: the substitution turns a breather in unit wells into its first point. */
 /// The bond-centred breather of period 2 pi in springs with kappa = 1 / omega_b^2, by substitution.
 SpringProblem spring_problem(double kappa, std::size_t sites) {
   SpringProblem problem{{sites, {kappa}, {0}}, bond_centred(sites), 1};
@@ -70,9 +71,10 @@ Orbit<double> substituted(double kappa, std::size_t sites) {
 }
 
 /**
-The branch visits a ladder of stiffnesses, each a factor of $\sqrt2$ below the last. The width of a
-breather is the number of contacts that share its mean force, $(\sum\bar F_n)^2/\sum\bar F_n^2$. Chains of
-two lengths tell whether the ends matter. */
+The branch is stopped at a ladder of stiffnesses, each smaller than the one before by a factor of $\sqrt2$.
+With $\bar F_n$, the time average of the push of bead $n$ on bead $n+1$, the width of a breather is the
+number of contacts that share this force, $(\sum\bar F_n)^2/\sum\bar F_n^2$. Chains of two lengths tell
+whether the ends matter. */
 struct Rung {
   double kappa, amplitude, energy, width, central;
   std::vector<double> contact;
@@ -86,7 +88,7 @@ Rung rung_of(const SpringProblem& problem, const Orbit<double>& orbit) {
 }
 
 /**
-From rung to rung the branch is followed by its arclength, so that a fold would not go unnoticed. */
+From rung to rung we follow the branch by its arclength, so that a fold would be noticed. */
 std::vector<Rung> softer_and_softer(std::size_t sites, std::size_t rungs) {
   SpringProblem problem = spring_problem(0.5, sites);
   const Along<SpringProblem> along{
@@ -109,16 +111,17 @@ std::vector<Rung> softer_and_softer(std::size_t sites, std::size_t rungs) {
 /**
 ## What becomes of it
 
-On this ladder the branch does not turn back, the breather spreads. In a wide one neighbours swing against
-each other, $y_n = \bar y_n + (-1)^n a(t)$, at a mean distance $g$ that changes little from place to place:
+On this ladder the branch does not turn back; the breather spreads. In a wide breather neighbours swing
+against each other, $y_n = \bar y_n + (-1)^n a(t)$, at a mean distance $g$ that changes little from place to
+place:
 $$\ddot a = (-2a-g)_+^{3/2} - (2a-g)_+^{3/2}.$$
 At a fixed period such motions of the free chain have one parameter, so that $g$ is a function of
 the mean force $\bar F$. The means obey $\kappa\,\bar y_n = \bar F_{n-1}-\bar F_n$ and
 $g = \bar y_{n+1} - \bar y_n$, hence
 $$\bar F'' = -\kappa\,g(\bar F),\qquad \int_0^{\bar F_c} g\,d\bar F = 0.$$
-The first equation contains $\kappa$ as a scale of length and nowhere else: the width grows like
-$\kappa^{-1/2}$. The second follows from it after multiplication with $\bar F'$ and fixes the central force
-$\bar F_c$ for $\kappa \to 0$, a number that knows nothing of breathers and that they have to meet. */
+In the first equation $\kappa$ sets only the scale of length: the width grows like $\kappa^{-1/2}$. Multiplied
+by $\bar F'$ and integrated, it gives the second, a rule of equal areas for the central force $\bar F_c$ at
+$\kappa \to 0$. This number comes from the free chain alone, and the breathers must reach it. */
 struct Neighbours {
   double left_over, force, lagrangian;  ///< a at a quarter of the period; means over it
 };
@@ -142,10 +145,11 @@ Neighbours neighbours(double swing, double g, const Tolerance& tolerance) {
 }
 
 /**
-The integral need not be computed. With the mean Lagrangian $L$ of a bead, kinetic minus potential
-energy, $\bar F = dL/dg$ at a fixed period, because the action is stationary; so the integral is
-$g\bar F - L$, which vanishes with the force. For a given swing we look for the $g$ at which the period is $2\pi$, the chain's push
-being the weaker the larger $g$ is, and among the swings for the one at which the integral vanishes. */
+The integral need not be computed. Let $L$ be the mean Lagrangian of a bead, kinetic minus potential
+energy. Because the action is stationary, $\bar F = dL/dg$ at a fixed period, and the integral is
+$g\bar F - L$, which vanishes with the force. Two nested bisections do the rest. For a given swing we look
+for the $g$ at which the period is $2\pi$: the larger $g$, the weaker the push and the slower the swing.
+Among the swings we look for the one at which the integral vanishes. */
 template <class Good>
 double last_good(double good, double bad, Good is_good) {
   for (int k = 0; k < 60; ++k) {
@@ -172,10 +176,10 @@ double central_force(const Tolerance& tolerance) {
 ## Results (figure x17)
 
 The width grows with a power of $\kappa$ that tends to [-0.500](num:sec2_soft_wells.width_exponent), and the
-central mean force to [0.075986](num:sec2_soft_wells.central_limit), where the equal areas demand
-[0.0759928](num:sec2_soft_wells.central_theory). So the breather is not lost at any stiffness: its period kept, it
-turns into a motion of the free chain, with the same mean force at every contact, as the theorem
-demands, and it is no longer localized. */
+central mean force to [0.075986](num:sec2_soft_wells.central_limit), where the rule of equal areas demands
+[0.0759928](num:sec2_soft_wells.central_theory). So on our ladder, and in its limit law, the breather is not
+lost at any positive stiffness. At a fixed period it turns into a motion of the free chain, with the same
+mean force at every contact as the theorem demands, and it is no longer localized. */
 Table ladder_table(const std::array<std::vector<Rung>, 2>& ladder) {
   Table table{{number("kappa", "stiffness of the wells"),
                number("amplitude", "largest displacement at t = 0"),
@@ -196,7 +200,7 @@ Table ladder_table(const std::array<std::vector<Rung>, 2>& ladder) {
 }
 
 /**
-Profiles of the mean force are kept at every other rung. */
+The figure shows the breather spread, so we keep the profile of the mean force at every other rung. */
 constexpr std::array<std::size_t, 2> lengths{52, 64};
 
 Table profile_table(const std::array<std::vector<Rung>, 2>& ladder) {
@@ -215,8 +219,9 @@ Table profile_table(const std::array<std::vector<Rung>, 2>& ladder) {
 }
 
 /**
-Both limits are those of a parabola through three rungs, for the power from one rung to the next and for
-the central force; the three rungs before tell its error. */
+Both limits must be extrapolated to $\kappa = 0$. We do so with a parabola through the last three rungs, for
+the power from one rung to the next and for the central force. The error is the change from the parabola
+that starts one rung earlier. */
 double parabola_at_zero(const std::vector<double>& x, const std::vector<double>& y, std::size_t i) {
   const auto line = [&](std::size_t a, std::size_t b, double ya, double yb) {
     return (x[a] * yb - x[b] * ya) / (x[a] - x[b]);
@@ -239,7 +244,7 @@ Estimate width_power(const std::vector<Rung>& ladder) {
 }
 
 /**
-The central force needs no logarithm. */
+The central force is extrapolated as it is, without a logarithm. */
 Estimate central_limit(const std::vector<Rung>& ladder) {
   std::vector<double> x, y;
   for (const Rung& rung : ladder) {
@@ -250,7 +255,7 @@ Estimate central_limit(const std::vector<Rung>& ladder) {
 }
 
 /**
-The program has no claim of the article to answer; its results are facts. */
+The article claims nothing about soft wells, so the results are facts. */
 Results everything(Output& output, bool quick) {
   Report report{output, quick};
   const std::size_t rungs = quick ? 5 : 9;
@@ -278,15 +283,15 @@ Results everything(Output& output, bool quick) {
 /**
 ## Differences and limits
 
-The article asks nothing of this. Only bond-centred breathers in linear wells were followed, and a breather
-in very soft wells needs a chain longer than its width, which is where our ladder ends. The equation for
-$\bar F$ holds to the leading order in $\kappa$; its errors we did not bound.
+The article does not treat this question. We followed only bond-centred breathers in linear wells. A
+breather in very soft wells needs a chain longer than its width, and there our ladder ends. The equation
+for $\bar F$ holds to leading order in $\kappa$; we did not bound its error.
 
 ## Extensions
 
 - Integrate $\bar F'' = -\kappa\,g(\bar F)$ and lay its solution over the profiles of the figure.
 - Is the standing wave at the centre stable in the free chain, and the breather with it?
-- Does a breather in hardening wells, $W = y^4$, spread as well when they are made softer? */
+- Does a breather in hardening wells, $W \propto y^4$, also spread when they are made softer? */
 int main(int argc, char** argv) {
   Program program({"sec2_soft_wells", "2", "A breather in ever softer wells (section 2)"}, argc,
                   argv);

@@ -1,8 +1,8 @@
 /**
 # 3.1 The limit of small amplitude
 
-A gently moved cradle swings almost at the frequency of its wells, and contact only turns and
-exchanges the amplitudes slowly:
+A gently moved cradle swings almost at the frequency of its wells. The contacts change amplitudes and
+phases only slowly:
 
      y_n  |  /\  ..--''--..              A_n = |A_n| e^(i theta): the slow envelope
           | /  \/\  /\  /\ ''..          t   = fast time, one swing takes 2 pi
@@ -10,10 +10,10 @@ exchanges the amplitudes slowly:
 
 ![Error of the approximation against its size, and the local order.](fig:x02)
 
-Section 3.1 of James, Kevrekidis and Cuevas (Physica D 251, 2013) recalls the equation of this
-envelope, the discrete p-Schrödinger (DpS) equation, which has no parameter at all, and quotes how
-good the approximation is. We compute its one constant in two ways and measure its error over four
-decades. */
+Section 3.1 of James, Kevrekidis and Cuevas (Physica D 251, 2013) recalls the equation of this slow
+envelope, the discrete p-Schrödinger (DpS) equation, and quotes how good the approximation is. The equation
+has no free parameter. We compute its one constant, which sets the scale of time, in two ways, and measure
+the error of the approximation over four decades of amplitude. */
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_integration.h>
@@ -42,8 +42,8 @@ using namespace lattice;
   $t = O(\epsilon^{-1/2})$ (`dps.error_order`).
 
 The article has no figure here. To see what "at least up to" means we follow the motion to three
-horizons in the slow time $\tau = \epsilon^{1/2}t$. The program also offers the DpS impact for the
-reader's own use. */
+horizons in the slow time $\tau = \epsilon^{1/2}t$. The program can also strike a DpS chain with the
+reader's own parameters. */
 constexpr std::array<double, 3> horizons{1, 4, 10};
 
 /**
@@ -51,8 +51,8 @@ constexpr std::array<double, 3> horizons{1, 4, 10};
 
 The chain is that of Eq. (9) with linear wells, dimensionless as everywhere,
 $$\ddot y_n + y_n = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2}.$$
-At amplitude $\epsilon$ the right-hand side is smaller than the left by $\epsilon^{1/2}$. So a
-bead oscillates at the frequency of its well while its complex amplitude drifts in the slow
+At amplitude $\epsilon$ the right-hand side is smaller than the left by a factor $\epsilon^{1/2}$. So a
+bead oscillates at the frequency of its well while its complex amplitude $A_n$ drifts in the slow
 time $\tau = \epsilon^{1/2}t$, Eq. (13), as the DpS equation (12) says:
 $$y_n^{app}(t) = 2\epsilon\,\mathrm{Re}\,[A_n(\epsilon^{1/2}t)\,e^{it}], \qquad
 2i\tau_0\dot A_n = (A_{n+1}-A_n)|A_{n+1}-A_n|^{1/2} - (A_n-A_{n-1})|A_n-A_{n-1}|^{1/2}.$$
@@ -66,13 +66,13 @@ using Workspace = std::unique_ptr<gsl_integration_workspace, void (*)(gsl_integr
 
 Where does $\tau_0$ come from? Two neighbours with the amplitude difference
 $B = |B|e^{i\theta}$ have the relative displacement $2|B|\cos(t+\theta)$ in units of
-$\epsilon$. Their contact pushes during one half of the period only, with the 3/2 power of
-this number, and of that push only the part at the frequency of the well has a lasting
+$\epsilon$. Their contact pushes during one half of the period only, with the power 3/2 of
+this number. Of that push only the part at the frequency of the well has a lasting
 effect. Its coefficient is $|B|^{1/2}B/\tau_0$ with
 $$\frac1{\tau_0} = \frac1{2\pi}\int_{-\pi/2}^{\pi/2} (2\cos t)^{3/2}\cos t\,dt.$$
-The article prints the closed form of this integral. We evaluate the one with the constant
-$\Gamma(\frac14)$ and the other with GSL's adaptive quadrature, which copes with the powers of the
-distance that begin at the two ends; the difference is the error that we quote. */
+The article prints the closed form with $\Gamma(\frac14)$. We evaluate that form, and the integral itself
+with GSL's adaptive quadrature, which copes with the fractional powers at the two ends. The difference is
+the error that we quote. */
 double tau_0_by_quadrature() {
   const Workspace workspace(gsl_integration_workspace_alloc(200), gsl_integration_workspace_free);
   gsl_function push{[](double t, void*) {
@@ -93,11 +93,11 @@ double tau_0_by_quadrature() {
 ## How good is the approximation?
 
 We start the chain exactly where the approximation starts, follow both, and record the largest
-deviation of any bead up to $t = \tau\,\epsilon^{-1/2}$ for $\tau = 1$, 4 and 10. Two
-localized starts are enough to see that nothing depends on a lucky one: an `impact` on the first
+deviation of any bead up to $t = \tau\,\epsilon^{-1/2}$ for $\tau = 1$, 4 and 10. We use two
+localized starts, so that the result does not depend on a lucky choice: an `impact` on the first
 bead of a chain with a free end, $A_1 = -i$, and a `pair` of neighbours in the middle of a
-chain that are pushed together and released, $A_{16} = 1$ and $A_{17} = -1$. Nothing reaches
-the far ends. */
+chain that are pushed together and released, $A_{16} = 1$ and $A_{17} = -1$. Within these times nothing
+reaches the far ends. */
 constexpr std::size_t sites = 32;
 constexpr std::array<const char*, 2> starts{"impact", "pair"};
 
@@ -112,13 +112,13 @@ Field start_field(std::size_t which) {
 /**
 ## Method
 
-Three errors could be taken for that of the approximation: those of the chain's integration, of
+Three errors could be mistaken for that of the approximation: those of the chain's integration, of
 the DpS integration, and of the sampling of a maximum over time. The chain is moved by a
-Runge–Kutta–Nyström scheme that knows about contact (contact_rkn.hpp), the DpS equation by GSL's
-adaptive method of order eight. Every point is computed twice, the second time with half the step,
-twice the samples and a hundredth of the tolerance. What must agree is the *deviation*, the number
-that we want: the difference of the two is the error in the tables, and it must stay far below the
-deviation. */
+Runge–Kutta–Nyström scheme that treats the opening and closing of contacts (contact_rkn.hpp), the DpS
+equation by GSL's adaptive method of order eight. Every point is computed twice, the second time with
+half the step, twice the samples and a hundredth of the tolerance. What must agree is the *deviation*,
+the number that we want. The difference of the two is the error in the tables, and it must stay far
+below the deviation. */
 struct Resolution {
   int halvings;
   double tolerance;
@@ -126,8 +126,8 @@ struct Resolution {
 constexpr Resolution resolutions[] = {{0, 1e-9}, {1, 1e-11}};
 
 /**
-Here is the loop in time. Both equations run side by side: the chain's samples set the pace, and
-the DpS integrator is carried to the same instant of slow time. */
+The deviation compares both equations at the same instants, so they run side by side: the chain's samples
+set the pace, and the DpS integrator is carried to the same slow time. */
 std::array<double, 3> deviations(const Field& start, double eps, const Resolution& resolution) {
   const Chain<Harmonic, Hertz> chain{start.size()};
   State<double> state = dps_state(start, eps, 0);
@@ -154,8 +154,8 @@ std::array<double, 3> deviations(const Field& start, double eps, const Resolutio
 }
 
 /**
-The cost of a run grows like $\epsilon^{-1/2}$, so those with the smallest $\epsilon$ are begun
-first and both cores stay busy to the end. */
+The cost of a run grows like $\epsilon^{-1/2}$. The runs with the smallest $\epsilon$ begin first, so that
+no processor is left with a long run at the end. */
 struct Point {
   std::size_t start;
   double eps;
@@ -181,10 +181,11 @@ std::vector<Point> measure(double smallest, std::size_t per_decade) {
 /**
 ## The order (figure x02)
 
-The local order is the slope between two neighbouring values of $\epsilon$ in the doubly
-logarithmic plot. The next term of the expansion is smaller by $\epsilon^{1/2}$ only, so the
-local order approaches 3/2 slowly, and a fit over all points would mix the asymptotic law with
-its corrections. We quote the order between the two smallest $\epsilon$. */
+The claim is about a power law, so we need its exponent. The local order is the slope between two
+neighbouring values of $\epsilon$ in the doubly logarithmic plot. The next term of the expansion is
+smaller by a factor $\epsilon^{1/2}$ only, so the local order approaches 3/2 slowly, and a fit over all
+points would mix the asymptotic law with its corrections. We quote the order between the two smallest
+$\epsilon$. */
 struct Order {
   double eps;
   std::array<Estimate, 3> order{};
@@ -211,7 +212,8 @@ std::vector<Order> local_orders(const std::vector<Point>& points, std::size_t st
 }
 
 /**
-The tables of the figure. The lines of slope 3/2 pass through the points of smallest size. */
+The figure compares the errors with lines of slope 3/2, which pass through the points of smallest
+$\epsilon$. */
 Table error_table(const std::vector<Point>& points) {
   Table table{{count("start", "0: impact, 1: pair"),
                number("tau", "slow time up to which the error is taken"),
@@ -231,7 +233,7 @@ Table error_table(const std::vector<Point>& points) {
 }
 
 /**
-The local orders are arranged in the same way. */
+The second panel of the figure shows how slowly the local orders approach 3/2. */
 Table order_table(const std::vector<Point>& points) {
   Table table{{count("start", "0: impact, 1: pair"),
                number("tau", "slow time up to which the error is taken"),
@@ -246,8 +248,8 @@ Table order_table(const std::vector<Point>& points) {
 }
 
 /**
-The order that answers the claim is the mean over both starts and the three horizons; its error
-is the largest departure of any of the six, with their own errors added. */
+The claim asks for one order, so we average over both starts and the three horizons. The error is the
+largest departure of any of the six, with its own error added. */
 Estimate answer_order(const std::vector<Point>& points) {
   Estimate mean;
   std::vector<Estimate> last;
@@ -262,8 +264,9 @@ Estimate answer_order(const std::vector<Point>& points) {
 }
 
 /**
-The constants $C = \mathrm{error}/\epsilon^{3/2}$ are those of the smallest $\epsilon$, each
-with its change since the value before as the error. */
+An order without its constant does not say how large the error is. The constants
+$C = \mathrm{error}/\epsilon^{3/2}$ are taken at the smallest $\epsilon$, and the change from the next
+larger $\epsilon$ is their error. */
 void add_constants(Quantities& facts, const std::vector<Point>& points) {
   double worst = 0;
   for (std::size_t i = 1; i < points.size(); ++i) {
@@ -281,14 +284,14 @@ void add_constants(Quantities& facts, const std::vector<Point>& points) {
 }
 
 /**
-How far from the limit are sizes that a simulation would use? Two local orders of the impact at
-the longest horizon answer that: the first, and the one between `eps` and the next larger size. */
+How far from the limit are amplitudes that a simulation would use? Two local orders of the impact at
+the longest horizon answer that: the first, and the one between `eps` and the next larger amplitude. */
 Estimate order_down_to(const std::vector<Point>& points, double eps) {
   std::vector<Point> kept;
   for (const Point& p : points)
     if (p.start == 0 && p.eps > eps * (1 - 1e-9)) kept.push_back(p);
   if (kept.empty() || std::abs(kept.back().eps / eps - 1) > 1e-9)
-    throw Failure("no run has the size for which a local order is asked");
+    throw Failure("no run has the eps whose local order is wanted");
   return local_orders(kept, 0).back().order.back();
 }
 
@@ -296,16 +299,16 @@ Estimate order_down_to(const std::vector<Point>& points, double eps) {
 ## Results
 
 The time constant is [1.54506](num:dps.tau0). The order is [1.498](num:dps.error_order). At the largest
-sizes, between $\epsilon = 10^{-2}$ and $10^{-2.5}$, the impact has the local order
+amplitudes, between $\epsilon = 10^{-2}$ and $10^{-2.5}$, the impact has the local order
 [1.400](num:sec31_dps_limit.order_at_large_eps) at the longest horizon; between $10^{-3.5}$ and
-$10^{-4}$ it is [1.478](num:sec31_dps_limit.order_at_small_eps), and 3/2 emerges only below.
+$10^{-4}$ it is [1.478](num:sec31_dps_limit.order_at_small_eps), and it comes closer to 3/2 only below.
 
 For an impact the constants are [2.124](num:sec31_dps_limit.constant_impact_tau_1),
 [2.997](num:sec31_dps_limit.constant_impact_tau_4) and
 [6.61](num:sec31_dps_limit.constant_impact_tau_10) for $\tau \le 1$, 4 and 10, for the pair
 [4.48](num:sec31_dps_limit.constant_pair_tau_1), [7.017](num:sec31_dps_limit.constant_pair_tau_4) and
-[18.81](num:sec31_dps_limit.constant_pair_tau_10). The error of a computation is never more than
-[0.00413904](num:sec31_dps_limit.largest_resolution_error) of the error that it measures. */
+[18.81](num:sec31_dps_limit.constant_pair_tau_10). The numerical error of a deviation is at most
+[0.00413904](num:sec31_dps_limit.largest_resolution_error) of the deviation. */
 Results everything(Output& output, bool quick) {
   output.note("tolerance", "GSL " + short_text(resolutions[0].tolerance) + " and " +
                                short_text(resolutions[1].tolerance));
@@ -329,14 +332,14 @@ Results everything(Output& output, bool quick) {
 /**
 ## The DpS impact with your own parameters
 
-`sec31_dps_limit impact --tau 250` strikes the first site of a DpS chain, $A_1(0) = -i$, and
-measures the packet that runs away as the impact chapter does: its centre (site), its
-speed (sites per unit of $\tau$, fitted from site 20 to twenty sites before the far end), its
-amplitude (the largest $|A_n|$ while the centre moves over the last site), its share of the norm
-within five sites of its peak, and the share left on the first ten sites. All are dimensionless
-and hold for every $\epsilon$. The error is the difference of two runs, one of which has a
-thousand times the tolerance and half the samples, and for the speed also that of the fit. What
-does not exist is `nan`. */
+`sec31_dps_limit impact --tau 250` strikes the first site of a DpS chain, $A_1(0) = -i$, and measures
+the packet that runs away, in the way of the impact chapter (sec34_dps_impact.cpp). It prints the
+packet's centre (site), its speed (sites per unit of $\tau$, fitted from site 20 to twenty sites before
+the far end), its amplitude (the largest $|A_n|$ while the centre moves over the last site), its share of
+the norm within five sites of its peak, and the share left on the first ten sites. All are dimensionless
+and hold for every $\epsilon$. The error is the difference from a run with a thousand times the tolerance
+and half the samples; the speed also carries the error of the fit. A quantity that does not exist is
+`nan`. */
 struct ImpactOptions {
   double tau = 250;
   std::size_t sites = 0;  ///< 0: long enough for the packet
@@ -352,8 +355,8 @@ DpsOutcome run_impact(const ImpactOptions& options, double tolerance, double sam
 }
 
 /**
-Both runs at once, and the five quantities from each. The impact chapter measures the first ones
-in its own run, and a test compares them. */
+The error needs both runs, and both give the same five quantities. A test compares the first of them with
+those that the impact chapter measures in a run of its own. */
 Table impact_quantities(const ImpactOptions& options) {
   std::array<DpsOutcome, 2> runs;
   parallel_for(2,
@@ -382,24 +385,24 @@ Table impact_quantities(const ImpactOptions& options) {
 
 The article quotes the order from a theorem and gives neither constants nor a figure; the two
 starts, the three horizons and the range of $\epsilon$ are ours. The supremum is taken over
-positions and over sampled times. Over times much longer than $\epsilon^{-1/2}$ the theorem is
-silent: the impact chapter compares both equations at $\tau = 250$.
+positions and over sampled times. The theorem says nothing about times much longer than
+$\epsilon^{-1/2}$: the impact chapter compares both equations at $\tau = 250$.
 
-The `impact` command does not know whether its packet has met the far end. The default length
-avoids that; with `--sites` it is the reader's care. */
-void add_options(CLI::App& impact, ImpactOptions& options) {
+The `impact` command does not notice whether its packet has met the far end. The default length
+avoids that; with `--sites` the reader must take care. */
+void add_options(Command& impact, ImpactOptions& options) {
   impact.add_option("--tau", options.tau, "slow time of the run")->check(in_range(1, 1e4));
   impact.add_option("--sites", options.sites, "chain length (default: as long as needed)")
       ->check(in_range(2, 1e5));
   impact.add_option("--end", options.end, "end where the impact is: free or fixed")
-      ->check(CLI::IsMember({"free", "fixed"}));
+      ->check(one_of({"free", "fixed"}));
 }
 
 /**
 ## Extensions
 
-- The correction of relative size $\epsilon^{1/2}$ could be computed: which term of the
-  expansion does the local order show at $\epsilon = 10^{-2}$?
+- The correction of relative size $\epsilon^{1/2}$ could be computed: does it explain the local order at
+  $\epsilon = 10^{-2}$?
 - Does the constant grow like a power of the horizon for a stationary breather, whose phase is
   all that drifts?
 - How does the order change with the exponent of the contact? */
@@ -407,8 +410,8 @@ int main(int argc, char** argv) {
   Program program({"sec31_dps_limit", "3.1", "The DpS equation and its error (section 3.1)"}, argc,
                   argv);
   ImpactOptions options;
-  CLI::App* impact = program.command("impact", "the DpS impact: its packet and its residue",
-                                     [&] { return impact_quantities(options); });
+  Command* impact = program.command("impact", "the DpS impact: its packet and its residue",
+                                    [&] { return impact_quantities(options); });
   add_options(*impact, options);
   program.everything = [&](Output& output) { return everything(output, program.quick); };
   return program.run(argc, argv);

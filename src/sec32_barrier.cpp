@@ -3,7 +3,7 @@
 
 A breather that sits on a site can move to the next one only by way of a bond. If the breather
 around the bond has the higher energy, the difference is a hill to be climbed, the
-*Peierls-Nabarro barrier*; if it has the lower one, it is the site that lies on the hill:
+*Peierls-Nabarro barrier*; if it has the lower energy, it is the site that lies on the hill:
 
        energy     site      bond      site
                    __        __        __
@@ -12,8 +12,8 @@ around the bond has the higher energy, the difference is a hill to be climbed, t
          E_bond       \__/      \__/
 
 Section 3.2 of James, Kevrekidis and Cuevas (Physica D 251, 2013) finds that this hill is
-astonishingly flat, and calls it too hard to compare the two breathers at equal *area*, as one
-should. This program does both, with signs, and draws figure 07.
+astonishingly flat. It compares the two breathers at equal frequency; the comparison at equal *area*, which
+physics demands, it considers too difficult. This program does both, with signs, and draws figure 07.
 
 ![Energy barrier between both families, for three wells.](fig:07) */
 
@@ -47,24 +47,25 @@ const char* const names[] = {"soft", "linear", "hard"};
 /**
 ## Model
 
-The breathers are those of the chapter before, periodic motions of frequency $\omega_b$ in the chain
+The breathers are those of the previous chapter, periodic motions of frequency $\omega_b$ in the chain
 of Eqs. (6) and (10) with $s = -1/6$, $0$ and $1$, called the soft, the linear and the hard well. Of
 each we need the energy $\mathcal H$ and the area
 $$\mathcal A = \int_0^{2\pi/\omega_b}\sum_n\dot y_n^2\,dt .$$
 Why the area? A breather that creeps along the chain keeps its action, not its frequency, and an
 effective Hamiltonian for its position compares states of equal action; $\mathcal A$ is $2\pi$ times
-that. The article plots the difference at equal frequency instead, and without its sign. */
+that action. The article plots the difference at equal frequency instead, and without its sign. */
 enum Comparison : std::int64_t { equal_frequency = 1, equal_area = 2 };  // E_site - E_bond, signed
 
 /**
 ## Method
 
-The two energies agree to six digits and more, so each must be known to twelve. Along a family
-$d\mathcal H = \omega_b\,d\mathcal A/2\pi$. We change the frequency of the site-centred breather until the
-areas agree to first order, and turn what is left of their difference into energy; what is
-neglected is of third order (breather.hpp). All is computed at two tolerances. Where double precision
-leaves an error of more than three parts in a thousand, we repeat it with 64-bit mantissas. */
-/// One ladder a well: a rung holds the two breathers of one frequency.
+The two energies agree to six digits and more, so each must be known to twelve if the barrier is to have
+six. Along a family $d\mathcal H = \omega_b\,d\mathcal A/2\pi$. We change the frequency of the site-centred
+breather until the areas agree to first order, and convert what is left of their difference into energy;
+what we neglect is of third order (breather.hpp). All is computed at two tolerances. Where double precision
+leaves an error of more than three parts in a thousand, we repeat it with 64-bit mantissas. The frequencies
+form a *ladder*; each of its *rungs* holds the two breathers of one frequency. */
+/// One ladder for each well.
 std::vector<Ladder> climb_wells(int count) {
   std::vector<Ladder> ladders;
   for (double s : wells) ladders.push_back(climb_pairs(s, ladder_frequencies(s, count), measure));
@@ -76,7 +77,7 @@ std::vector<Ladder> climb_wells(int count) {
 
 The figure shows the energy of the bond-centred breather, the modulus of both barriers and the
 ratio of barrier to energy. Its logarithmic scale hides what matters most: both barriers change
-their signs, and each of the dips is a zero. */
+their signs, and each of the dips is a zero. The table therefore keeps the signs. */
 Table branch_table(const std::vector<Ladder>& ladders) {
   Table table{{number("s", "anharmonicity of the well"), number("omega", "frequency"),
                number("energy_bond", "energy, bond-centred"),
@@ -100,10 +101,10 @@ Table branch_table(const std::vector<Ladder>& ladders) {
 }
 
 /**
-Where neighbouring rungs have opposite signs there is a zero between them. In the linear well the
-barrier at equal frequency vanishes first at [1.01462](num:sec32_barrier.zero_linear1), and for the fifth
-time at [1.29969](num:sec32_barrier.zero_linear5): the small value that the article finds near $1.3$ owes
-its size to that zero. */
+The zeros themselves must be located. One lies wherever neighbouring rungs have opposite signs. In the linear
+well the barrier at equal frequency vanishes first at [1.01462](num:sec32_barrier.zero_linear1), and for the
+fifth time at [1.29969](num:sec32_barrier.zero_linear5): the article's barrier near $1.3$ is small because of
+that zero. */
 struct Zero {
   std::size_t well;
   Comparison kind;
@@ -129,7 +130,7 @@ std::vector<Zero> find_zeros(const std::vector<Ladder>& ladders) {
 }
 
 /**
-Those at equal frequency are numbered in the facts, well by well. */
+The text quotes some of the zeros, so those at equal frequency are numbered in the facts, well by well. */
 void report_zeros(Report& report, const std::vector<Ladder>& ladders) {
   Table table{{number("s", "anharmonicity of the well"),
                count("kind", "1 at equal frequency, 2 at equal area"),
@@ -148,11 +149,11 @@ void report_zeros(Report& report, const std::vector<Ladder>& ladders) {
 /**
 ## Six frequencies to all digits
 
-These rungs are computed with the wider type throughout. Close to $\omega_b = 1$ all energies follow
-the DpS scaling $E \propto (\omega_b-1)^4$, and with $d\mathcal H = \omega_b\,d\mathcal A/2\pi$ the barrier at
-equal area is then $-(\omega_b-1)/5$ times the one at equal frequency: smaller by orders of magnitude,
-and of the opposite sign. At $\omega_b = 1.001$ the ratio of the two sides is
-[1.01843](num:sec32_barrier.equal_area_law). */
+The claims speak of single frequencies, so these rungs are computed in the wider type throughout. Close to
+$\omega_b = 1$ all energies follow the DpS scaling $E \propto (\omega_b-1)^4$. With
+$d\mathcal H = \omega_b\,d\mathcal A/2\pi$ the barrier at equal area is then $-(\omega_b-1)/5$ times the one
+at equal frequency: smaller by orders of magnitude, and of the opposite sign. At $\omega_b = 1.001$ the
+computed ratio divided by this prediction is [1.01843](num:sec32_barrier.equal_area_law). */
 const std::pair<double, const char*> key_frequencies[] = {
     {1.001, "1001"}, {1.01, "101"}, {1.1, "110"}, {1.3, "130"}, {1.5, "150"}, {1.9, "190"}};
 
@@ -179,7 +180,7 @@ Ladder key_ladder(const std::vector<Ladder>& ladders, bool quick) {
 }
 
 /**
-With two values and their errors come the ratio and its error. */
+Ratios of two values need the errors of both. */
 Estimate ratio(const Estimate& a, const Estimate& b) {
   const double r = a.value / b.value;
   return {r, std::abs(r) * (a.error / std::abs(a.value) + b.error / std::abs(b.value))};
@@ -193,8 +194,8 @@ The article's numbers are answered from these rungs. Printed is $1.77\cdot10^{-1
 linear well, and we find [1.62422e-11](num:pn.omega11). At $1.5$ in the soft well we find
 [7.57142e-8](num:pn.omega15) instead of $10^{-4}$; the hard well has
 [-8.64349e-5](num:sec32_barrier.equal_frequency_hard_150) there, and the printed value probably belongs to it.
-At $1.3$ the soft barrier is [857.528](num:pn.harmonic_ratio) times the linear one and the hard barrier
-[24934.6](num:sec32_barrier.harmonic_ratio_hard) times. */
+At $1.3$ the soft barrier is [857.528](num:pn.harmonic_ratio) times the linear one, and the hard barrier is
+[24934.6](num:sec32_barrier.harmonic_ratio_hard) times the linear one. */
 void report_key(Report& report, const Ladder& rungs) {
   const std::size_t count = std::size(key_frequencies);
   const auto rung = [&](std::size_t w, std::size_t k) { return rungs[w * count + k]; };
@@ -223,9 +224,10 @@ void report_key(Report& report, const Ladder& rungs) {
 /**
 ## The end of the soft branches
 
-In the soft well the families do not reach $\omega_b = 2$: they turn back at a fold, where the
-stiffening contacts and the softening well balance, at [1.91163](num:sec32_barrier.fold_soft_site) (site)
-and [1.91172](num:sec32_barrier.fold_soft_bond) (bond). Both are located with two lengths of the steps. */
+How far do the branches go? In the soft well the families do not reach $\omega_b = 2$: they turn back at a
+fold, where the stiffening contacts and the softening well balance, at
+[1.91163](num:sec32_barrier.fold_soft_site) (site) and [1.91172](num:sec32_barrier.fold_soft_bond) (bond).
+Two runs with different step lengths locate each. */
 void report_folds(Report& report, const Rung& last) {
   std::array<double, 4> fold{};
   parallel_for(4, [&](std::size_t i) {
@@ -241,12 +243,13 @@ void report_folds(Report& report, const Rung& last) {
 /**
 ## Where the printed 1.77e-11 may come from
 
-A residual of $1.5\cdot10^{-9}$ is left not only by an approximate breather, but also by an exact one of a
-slightly different frequency: its phase is wrong at $T_b$. The energy of that breather differs by
+The article reports for one breather that Newton's method left a residual of $1.5\cdot10^{-9}$. Such a
+residual is left not only by an approximate breather, but also by an exact one of a slightly different
+frequency: its phase is wrong at $T_b$. The energy of that breather differs by
 $E'(\omega_b)\,\delta\omega$, and nothing in the residual tells the two cases apart. This difference is
 [1.59887e-12](num:sec32_barrier.hidden_energy), while the printed barrier exceeds ours by
 [1.45775e-12](num:sec32_barrier.printed_excess). So the printed residual is too large by an order of magnitude
-for the third digit of the printed barrier. That is all we can say: no computation of ours gives
+to secure the third digit of the printed barrier. We cannot say more: no computation of ours gives
 1.77 in particular. */
 double hidden_energy(double residual, double detuning) {
   auto problem = problem_of(Centre::site, 1.1);
@@ -261,10 +264,10 @@ double hidden_energy(double residual, double detuning) {
 }
 
 /**
-We also try what was common in 2011: adaptive Runge-Kutta integration, which does not know of the
-switchings, with the symmetric equations or with those of the article. The matrices stay those
-of the exact breather, which decides only how fast the iteration converges. What is left of the
-residual shows the noise of the integration. */
+An ordinary integrator could also be the cause, so we try some: adaptive Runge-Kutta integration, which steps
+across the switchings of the contacts, with the symmetric equations or with those of the article. The
+Jacobians are those of the exact breather, which affects only how fast the iteration converges. The residual
+that remains shows the noise of the integration. */
 struct Plain {
   double energy, residual;
 };
@@ -286,7 +289,7 @@ Plain plain_newton(const BreatherProblem<double>& problem, Vector<double> x, dou
 }
 
 /**
-One row for each pair of equations and tolerance. */
+The trials vary two things, the equations and the tolerance: one row for each pair. */
 void report_printed(Report& report, const Estimate& barrier) {
   Table table{{number("tolerance", "of the adaptive integration"),
                label("equations", "symmetric or full period map"),
@@ -315,7 +318,7 @@ void report_printed(Report& report, const Estimate& barrier) {
 ## A barrier with your own parameters
 
 `sec32_barrier barrier --omega 1.1` prints the barrier at equal frequency and at equal area, both
-with their sign, from two tolerances in the wider type. */
+with their signs, from two tolerances in the wider type. */
 struct BarrierOptions {
   double omega = 1.1, s = 0;
 };
@@ -335,29 +338,29 @@ Table barrier_command(const BarrierOptions& options) {
 ## What goes beyond the article
 
 The barrier at equal frequency has no fixed sign, and neither has the one at equal area; their zeros
-differ. Away from the zeros of the former the latter is smaller still, at $\omega_b = 1.1$ in the
-linear well [-2.35229e-13](num:sec32_barrier.equal_area_linear_110); next to a zero it need not be, at $1.3$ the
-two are [-5.22284e-12](num:sec32_barrier.equal_area_linear_130) and
+differ. Away from the zeros of the former the latter is smaller still, at $\omega_b = 1.1$ in the linear well
+[-2.35229e-13](num:sec32_barrier.equal_area_linear_110); there the bond is the stable centre although its
+energy is the higher one (sec33_mobility.cpp explains how that can be). Next to a zero it need not be
+smaller: at $1.3$ the two are [-5.22284e-12](num:sec32_barrier.equal_area_linear_130) and
 [-4.89193e-12](num:sec32_barrier.equal_frequency_linear_130).
 
 ## Differences and limits
 
-The article does not print the frequency up to which its soft and hard branches go. Ours end at
-$\omega_b = 2$, those of the soft well at $1.9$, just before their folds, which are located but not
-passed. The barrier says nothing of what lies between the two breathers: where it vanishes, other
-breathers, without symmetry, may exist; section 3.3 looks for them.
+The article does not print how far in frequency its soft and hard branches go. Ours end at $\omega_b = 2$,
+those of the soft well at $1.9$, just before their folds, which we locate but do not pass. The barrier says
+nothing about what lies between the two breathers; section 3.3 looks for breathers without symmetry there.
 
 ## Extensions
 
 - Follow the soft branch through its fold up to the rim of the well.
-- What becomes of the barrier at equal area with the anharmonicity of the well?
+- How does the barrier at equal area change with the anharmonicity of the well?
 - Other exponents of the contact: is there one for which the barrier vanishes altogether? */
 int main(int argc, char** argv) {
   Program program({"sec32_barrier", "3.2", "The barrier between two breathers (section 3.2)"}, argc,
                   argv);
   BarrierOptions options;
-  CLI::App* one = program.command("barrier", "energy between the two breathers, with its sign",
-                                  [&] { return barrier_command(options); });
+  Command* one = program.command("barrier", "energy between the two breathers, with its sign",
+                                 [&] { return barrier_command(options); });
   one->add_option("--omega", options.omega, "frequency omega_b > 1")->check(in_range(1.0001, 3));
   one->add_option("--s", options.s, "anharmonicity of the well")->check(in_range(-10, 10));
   program.everything = [&](Output& output) {

@@ -42,7 +42,7 @@ What is claimed, with the identifiers under which the answers are recorded:
 - amplitudes are proportional to $\mu^2$ at unchanged width (`dps.scaling`);
 - the approximate profile is supported on $|x| \le 3\pi/2$ (`dps.qc_support`) and in
   excellent agreement with the breathers (`dps.qc_site`, `dps.qc_bond`). */
-/// 113 bits, as IEEE quadruple precision: 34 digits, numbers down to 1e-4932.
+/// 113 bits, as in IEEE quadruple precision: 34 digits, numbers down to 1e-4932.
 using Quad = boost::multiprecision::cpp_bin_float_quad;
 /// 50 digits, against which quadruple precision is judged.
 using Fifty = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>,
@@ -52,26 +52,26 @@ using Fifty = boost::multiprecision::number<boost::multiprecision::cpp_bin_float
 ## Model
 
 In the rescaled time of Eq. (11) the DpS equation reads
-$$i\dot v_n = (v_{n+1}-v_n)|v_{n+1}-v_n|^{1/2} - (v_n-v_{n-1})|v_n-v_{n-1}|^{1/2},$$
-and $v_n = u_n e^{i\mu t}$ with real $u_n$ turns it into Eq. (14) (dps/stationary.hpp has it,
-with the sites' numbers). The far contacts are missing: the ends are free. Symmetric solutions
-$u_{-n} = u_n$ are site-centred, antisymmetric ones $u_{1-n} = -u_n$ bond-centred. A breather of
-the chain with frequency $\omega_b$ is then nearly $y_n = 2\epsilon\,u_n\cos\omega_b t$, where
-$\mu = 1$ and $\omega_b = 1 + \epsilon^{1/2}/(2\tau_0)$ (Eq. (20)). In the program
-$\mu$ is `mu`, $u_n$ is `Stationary::u`, $w_n$ is `three_halves(strain[n])` and $g$ is
-`envelope`. */
+$$i\dot v_n = (v_{n+1}-v_n)|v_{n+1}-v_n|^{1/2} - (v_n-v_{n-1})|v_n-v_{n-1}|^{1/2}.$$
+With $v_n = u_n e^{i\mu t}$ and real $u_n$ it becomes Eq. (14), $-\mu u_n = w_n - w_{n-1}$, where
+$w_n = d_n|d_n|^{1/2}$ is the force of the strain $d_n = u_{n+1}-u_n$. The ends are free: there the outer
+contact is missing. Symmetric solutions $u_{-n} = u_n$ are site-centred, antisymmetric ones
+$u_{1-n} = -u_n$ bond-centred. A breather of the chain with frequency $\omega_b$ is then nearly
+$y_n = 2\epsilon\,u_n\cos\omega_b t$, where $\mu = 1$ and $\omega_b = 1 + \epsilon^{1/2}/(2\tau_0)$
+(Eq. (20)). In the program $\mu$ is `mu`, $u_n$ is `Stationary::u`, $w_n$ is `three_halves(strain[n])`
+and the approximate envelope $g$ is `envelope`. */
 constexpr std::pair<Centre, const char*> centres[] = {{Centre::site, "site"},
                                                       {Centre::bond, "bond"}};
 
 /**
 ## Method
 
-Newton's method for the strains of one half of the chain, with relative corrections as unknowns
-(dps/stationary.hpp says why). Symmetry removes the only direction in which Newton's method
+We solve for the strains of one half of the chain by Newton's method, with relative corrections as
+unknowns (dps/stationary.hpp says why). The symmetry removes the only direction in which Newton's method
 could drift, so the linear systems are regular. Everything is computed in double and in
-quadruple precision; the difference is the error. A remainder that is nothing but rounding belongs to
-its precision, so it is compared with that of the next longer mantissa, extended or 50 digits: it
-cannot be known better than to its own size. */
+quadruple precision; the difference is the error. Where the exact value is zero, a computed remainder
+is pure rounding and belongs to its precision. It is compared with the remainder at the next longer
+mantissa, extended for double and 50 digits for quadruple, so its error is about as large as itself. */
 
 /// A number of any precision rounded to double.
 template <class T>
@@ -87,8 +87,8 @@ Estimate in_two_precisions(Centre centre, Of of) {
 }
 
 /**
-Remainders of numbers of size one are known no better than to one rounding. Two of them may agree by
-chance, above all where both are zero, and that is no convergence. */
+Two such remainders may agree by chance, above all where both are zero, and that is no convergence. Those
+of numbers of size one are therefore never known better than to one rounding. */
 template <class T>
 Estimate rounding_at_least(Estimate e) {
   e.error = std::max(e.error, rounded(std::numeric_limits<T>::epsilon()));
@@ -105,8 +105,8 @@ Estimate remainder(Centre centre, Of of) {
 
 /**
 Does the computed profile solve the equation? We insert it and divide by $\mu u_n$ at each site,
-so that the tail is tested as sharply as the centre. The last sites whose numbers are normal
-are included. */
+so that the tail is tested as sharply as the centre. Sites whose values are too small for the full
+mantissa are left out. */
 template <class T>
 double relative_residual(const Stationary<T>& state) {
   using std::abs;
@@ -135,9 +135,8 @@ T largest(const Stationary<T>& state) {
 /**
 ## Norm and contact sum
 
-Multiplying the equation by $u_n$ and summing by parts gives
-$\sum|u_{n+1}-u_n|^{5/2} = \mu N$ with $N = \sum u_n^2$: an identity that Newton's method does
-not know of. */
+Newton's method does not use every consequence of the equation, and one of them is a check. Multiplying by
+$u_n$ and summing by parts gives $\sum|u_{n+1}-u_n|^{5/2} = \mu N$ with the norm $N = \sum u_n^2$. */
 void report_norms(Quantities& facts) {
   for (const auto& [centre, name] : centres) {
     const std::string suffix = std::string("_") + name;
@@ -156,9 +155,9 @@ void report_norms(Quantities& facts) {
 }
 
 /**
-The norms of the two breathers are almost equal. Their difference decides how easily a small
-breather moves, because the energy of the chain's breather is close to $2\epsilon^2 N$ and the
-other centre has to be crossed on the way from site to site. */
+How easily does a small breather move? On the way from site to site it has to cross the other centre. The
+energy of the chain's breather is close to $2\epsilon^2 N$, so the difference of the two norms decides,
+and it is very small. */
 void report_gap(Quantities& facts) {
   const auto gap = [](auto one) {
     using T = decltype(one);
@@ -176,16 +175,16 @@ void report_gap(Quantities& facts) {
 /**
 ## The approximate profile
 
-The forces $w_n = D_n$ of both breathers alternate in sign with a smooth envelope,
-$w_n = (-1)^n f(n)$. Replacing $f(n\pm1)$ by three terms of a Taylor series gives Eq. (17),
-$F'' = -4F + F|F|^{-1/3}$, whose non-Lipschitz term lets a solution reach zero and stay there.
+The forces $w_n$ of both breathers alternate in sign with a smooth envelope, $w_n = (-1)^n f(n)$.
+Replacing $f(n\pm1)$ by three terms of a Taylor series gives Eq. (17), $F'' = -4F + F|F|^{-1/3}$. Its last
+term has an infinite slope at $F = 0$, which lets a solution reach zero and stay there.
 Multiplied by $F'$ and integrated with $F = F' = 0$ at the edge it becomes
 $F'^2 = \frac65F^{5/3} - 4F^2$. So $F$ is largest at $F^{1/3} = \frac3{10}$, and the half-width of
 the support is the integral of $dF/|F'|$ from zero to there.
 
 With $F = z^3$ the integrand behaves like an inverse square root at both ends. GSL has the
-Gauss rule for exactly that weight, Chebyshev's; we divide the integrand by the weight, apply the
-rule with 8 and with 16 nodes, and the difference is the error. */
+Gauss rule for exactly that weight, named after Chebyshev. We divide the integrand by the weight and apply
+the rule with 8 and with 16 nodes; the difference is the error. */
 double quasi_continuum_half_width(std::size_t nodes) {
   const double top = 0.3;
   using Rule =
@@ -205,8 +204,8 @@ double quasi_continuum_half_width(std::size_t nodes) {
 }
 
 /**
-Is the printed $g(x) = (3/10)^3\cos^6(x/3)$ that solution? Its second derivative by hand leaves
-nothing but rounding, which shrinks with the mantissa, and its zero is where the quadrature says. */
+Is the printed $g(x) = (3/10)^3\cos^6(x/3)$ that solution? We differentiate it twice by hand and insert it:
+what remains is rounding, which shrinks with the mantissa. And $g$ vanishes where the quadrature says. */
 template <class T>
 double printed_envelope_residual() {
   T worst = 0;
@@ -221,13 +220,13 @@ double printed_envelope_residual() {
 /**
 ## Breathers and approximation (figure x03)
 
-We draw both breathers with the approximation, then the same in moduli, and last
+The figure shows both breathers with the approximation, then the same in moduli, and last
 $\ln(-\ln|u_n|)$: the article calls the decay super-exponential, and the sharp form of that
 statement is a straight line of slope $\ln\frac32$ in this plot.
 
 ![Both breathers, the quasi-continuum profiles and the tails.](fig:x03)
 
-Moduli far below the smallest double are drawn, so their logarithms are taken in quadruple
+Some moduli are far below the smallest double, so their logarithms are taken in quadruple
 precision. */
 Table profile_table(Centre centre) {
   Table table{
@@ -255,7 +254,7 @@ Table profile_table(Centre centre) {
 }
 
 /**
-The agreement was called excellent, a word without a number. We give the number and pass no
+The article calls the agreement excellent, a word without a number. We give the number and pass no
 judgement: the largest difference over the sites relative to the largest displacement. */
 
 template <class T>
@@ -292,7 +291,7 @@ T norm_difference(const Stationary<T>& state) {
 }
 
 /**
-The first of the three differences answers the claims of both centres. */
+The claims speak of the whole profile, so the first of the three differences answers them. */
 void report_profiles(Output& output, Results& results, Quantities& facts) {
   const Estimate width = compare(quasi_continuum_half_width(8), quasi_continuum_half_width(16));
   results.add("dps.qc_support", width);
@@ -315,10 +314,10 @@ void report_profiles(Output& output, Results& results, Quantities& facts) {
 /**
 ## The tail
 
-Far from the centre $u_n$ is small against $u_{n-1}$, so $-\mu u_n \approx -D_{n-1}$ and
-$|u_n| \approx |u_{n-1}|^{3/2}/\mu$: at $\mu = 1$ the ratio $\ln|u_{n+1}|/\ln|u_n|$ tends to
-3/2, and so fast that its distance from 3/2 is, from one site to the next, raised to nearly the
-power 3/2 itself. We list it. */
+The super-exponential decay follows from the equation. Far from the centre $u_n$ is small against
+$u_{n-1}$, so $-\mu u_n \approx -w_{n-1}$ and $|u_n| \approx |u_{n-1}|^{3/2}/\mu$. At $\mu = 1$ the ratio
+$\ln|u_{n+1}|/\ln|u_n|$ therefore tends to 3/2. It does so very fast: from one site to the next its distance
+from 3/2 is raised to nearly the power 3/2. The table lists it. */
 Table tail_table() {
   Table table{
       {label("centre", "site or bond"), count("n", "site", "site"),
@@ -341,7 +340,7 @@ Table tail_table() {
 }
 
 /**
-The tail also says what the free ends can do: a contact that is missing would have pulled by the size of
+The tail also shows how little the free ends matter: a missing contact would have pulled by the size of
 the tail. We compare 15 sites with 31. The effect is smaller than the rounding of double precision, so
 quadruple precision is compared with 50 digits. */
 template <class T>
@@ -356,7 +355,7 @@ double free_end_effect() {
 }
 
 /**
-Two sites tell how fast the law is reached: at $n = 4$ the profile has just ended for the eye, at
+Two sites tell how fast the law is reached: at $n = 4$ the profile has just become invisible in a plot, at
 $n = 8$ it is far below anything that matters to the motion. */
 void report_tails(Output& output, Quantities& facts) {
   const Table table = tail_table();
@@ -379,17 +378,18 @@ void report_tails(Output& output, Quantities& facts) {
 /**
 ## Scaling with the frequency
 
-If $u$ solves the equation at $\mu = 1$, $\mu^2u$ solves it at $\mu$. Nothing of this may be put
-in by hand, so we walk from $\mu = 1$ to 64 and to 1/64 in steps of an eighth of an octave, each
-time starting Newton's method from the *unscaled* strains of the neighbour. The exponent is the
+If $u$ solves the equation at $\mu = 1$, $\mu^2u$ solves it at $\mu$. The computation must find this law
+without being told, so we walk from $\mu = 1$ to 64 and to 1/64 in steps of an eighth of an octave, and each
+time start Newton's method from the *unscaled* strains of the neighbour. The exponent is the
 slope of $\ln\max|u_n|$ against $\ln\mu$, the width is the participation number
-$(\sum u_n^2)^2/\sum u_n^4$. */
+$(\sum u_n^2)^2/\sum u_n^4$, the number of sites that share the norm. */
 struct Scaling {
   Estimate exponent{}, width{}, width_change{};
 };
 
 /**
-The short chain's four strains are all that one state hands to the next; the tail is built anew. */
+Each state starts from the four strains of a short chain around the centre of its neighbour; its tail is
+computed anew. */
 template <class T>
 Line walk(Centre centre, int steps, std::vector<double>& widths) {
   using std::exp2;
@@ -412,8 +412,8 @@ Line walk(Centre centre, int steps, std::vector<double>& widths) {
 }
 
 /**
-Double and extended precision walk separately. Their difference and the error of the fit make
-the error of the exponent. */
+The exponent needs an error. Double and extended precision walk separately; their difference and the error
+of the fit are added. */
 Scaling scaling(Centre centre, int steps) {
   Scaling out;
   std::vector<double> widths, widths_extended;
@@ -431,8 +431,8 @@ Scaling scaling(Centre centre, int steps) {
 }
 
 /**
-The exponent that answers the claim is the one of the two centres that is farther from 2. A quick run
-walks two octaves each way instead of six. */
+The claim has one exponent for both centres, so the one farther from 2 answers it. A quick run walks two
+octaves each way instead of six. */
 void report_scaling(Results& results, Quantities& facts, bool quick) {
   Estimate answer{2, 0};
   for (const auto& [centre, name] : centres) {
@@ -451,8 +451,8 @@ void report_scaling(Results& results, Quantities& facts, bool quick) {
 /**
 ## Results
 
-The amplitude grows with the exponent [2.00000](num:dps.scaling), and over 12 octaves of $\mu$ the width
-changes by a share of [7e-16](num:sec32_dps_profiles.width_change_site). The support of the
+The amplitude grows with the exponent [2.00000](num:dps.scaling), and over 12 octaves of $\mu$ the relative
+change of the width is [7e-16](num:sec32_dps_profiles.width_change_site). The support of the
 quasi-continuum profile has the half-width [4.71239](num:dps.qc_support).
 
 The approximation differs from the breathers by [0.0574512](num:sec32_dps_profiles.qc_difference_site) of
@@ -472,19 +472,18 @@ Results answer_claims(Output& output, Quantities& facts, bool quick) {
 /**
 The norms are [0.00536042](num:sec32_dps_profiles.norm_site) around a site and
 [0.00536041](num:sec32_dps_profiles.norm_bond) around a bond. The second minus the first, relative to the
-first, is [-1.33110e-6](num:sec32_dps_profiles.norm_gap_relative): so little, that small breathers move at
-the slightest push.
+first, is [-1.33110e-6](num:sec32_dps_profiles.norm_gap_relative). It is so small that tiny breathers move
+at the slightest push.
 
 ## Checks
 
 Inserted into the equation, the double-precision profiles leave at most
-[4e-16](num:sec32_dps_profiles.residual_site) and [4e-16](num:sec32_dps_profiles.residual_bond) of $\mu u_n$
-at any site, tails included. The identity of contact sum and norm holds to
+[4e-16](num:sec32_dps_profiles.residual_site) (site) and [4e-16](num:sec32_dps_profiles.residual_bond) (bond)
+of $\mu u_n$ at any site, tails included. The identity of contact sum and norm holds to
 [2e-34](num:sec32_dps_profiles.identity_quad_site) and
-[2e-34](num:sec32_dps_profiles.identity_quad_bond) in quadruple precision. The tail law is an
-independent route to the outer sites: at $n = 4$ the ratio is
-[1.49856](num:sec32_dps_profiles.tail_ratio_4_site), and four sites farther it differs from 3/2 by
-[1.0588e-12](num:sec32_dps_profiles.tail_distance_8_site). */
+[2e-34](num:sec32_dps_profiles.identity_quad_bond) in quadruple precision. The tail law checks the outer
+sites independently: at $n = 4$ the ratio is [1.49856](num:sec32_dps_profiles.tail_ratio_4_site), and at
+$n = 8$ it differs from 3/2 by [1.0588e-12](num:sec32_dps_profiles.tail_distance_8_site). */
 Results everything(Output& output, bool quick) {
   output.note("tolerance", "relative corrections of the strains below a hundred roundings");
   Quantities facts;
@@ -528,18 +527,18 @@ Table profile_command(const ProfileOptions& options) {
 /**
 ## Differences and limits
 
-The article prints no number for the agreement that it calls excellent. The largest difference is
-met one or two sites beside the largest displacement, where the approximate profile is too wide.
-Drawn at the size of the article's figure it is easily overlooked, and the approximation is a good
-first guess for Newton's method, which is its use there.
+The article prints no number for the agreement that it calls excellent. The largest difference occurs one
+or two sites beside the largest displacement, where the approximate profile is too wide. It is easily
+overlooked at the size of the article's figure, and the approximation is a good first guess for Newton's
+method, which is what the article uses it for.
 
 On a finite chain the free ends disturb the breather by the size of its tail: on 15 sites a
 site-centred one still differs from that on 31 sites by
-[1.15790e-21](num:sec32_dps_profiles.free_end_effect_15_sites), which is nothing in double precision. Tails end where
-the number format does; beyond, the tables say zero. */
-void add_options(CLI::App& profile, ProfileOptions& options) {
+[1.15790e-21](num:sec32_dps_profiles.free_end_effect_15_sites), which is nothing in double precision.
+Tails end where the number format does; beyond, the tables say zero. */
+void add_options(Command& profile, ProfileOptions& options) {
   profile.add_option("--centre", options.centre, "centre: site or bond")
-      ->check(CLI::IsMember({"site", "bond"}));
+      ->check(one_of({"site", "bond"}));
   profile.add_option("--mu", options.mu, "frequency of the stationary state")
       ->check(in_range(1e-6, 1e6));
   profile.add_option("--sites", options.sites, "chain length (default: 31 or 32)")
@@ -549,7 +548,7 @@ void add_options(CLI::App& profile, ProfileOptions& options) {
 /**
 ## Extensions
 
-- Replace the truncated Taylor series by one more term: does the difference fall below one per
+- Add one more term to the truncated Taylor series: does the difference fall below one per
   cent, and does the support remain compact?
 - The two norms are almost equal for the exponent 3/2. Are they for other exponents, and is there
   one at which they are equal?
@@ -560,8 +559,8 @@ int main(int argc, char** argv) {
       {"sec32_dps_profiles", "3.2", "Static breathers of the DpS equation (section 3.2)"}, argc,
       argv);
   ProfileOptions options;
-  CLI::App* profile = program.command("profile", "one breather beside its approximation",
-                                      [&] { return profile_command(options); });
+  Command* profile = program.command("profile", "one breather beside its approximation",
+                                     [&] { return profile_command(options); });
   add_options(*profile, options);
   program.everything = [&](Output& output) { return everything(output, program.quick); };
   return program.run(argc, argv);

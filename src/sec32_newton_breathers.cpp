@@ -1,9 +1,9 @@
 /**
 # 3.2 Static breathers of the chain
 
-Section 3.2 of James, Kevrekidis and Cuevas (Physica D 251, 2013) computes motions of the chain
+Section 3.2 of James, Kevrekidis and Cuevas (Physica D 251, 2013) computes breathers: motions of the chain
 that repeat themselves and stay where they are. Neighbours swing against each other, a few beads
-carry all of it, and the rest of the chain hardly knows:
+carry nearly all the energy, and the rest of the chain is almost at rest:
 
         around a site (n = 0)                  around a bond (n = 0, 1)
       -3   -2   -1    0    1    2    3       -2   -1    0    1    2    3
@@ -11,7 +11,7 @@ carry all of it, and the rest of the chain hardly knows:
 
 ![Bond-centred breathers.](fig:02)
 
-Both are found here by Newton's method with exact derivatives, and followed with their frequency.
+We find both kinds by Newton's method with exact derivatives, and follow them as their frequency changes.
 How much energy separates them is the question of the next chapter. */
 
 #include <algorithm>
@@ -35,10 +35,10 @@ using namespace lattice;
 /**
 What is claimed, with the identifiers under which the answers are recorded:
 
-- Newton's method reaches a residual of $1.5\cdot10^{-9}$ and a variation of $1.7\cdot10^{-11}$
+- Newton's method leaves a residual of $1.5\cdot10^{-9}$ and a last variation of $1.7\cdot10^{-11}$
   (`newton.residual`, `newton.variation`), and the breather persists (`newton.persistence`);
-- its tail falls super-exponentially (`newton.decay`), it is symmetric (`newton.symmetry`), and
-  close to the quasi-continuum profile when small (`newton.qc_small`);
+- the tail falls super-exponentially (`newton.decay`), and the breathers have symmetries in space and time
+  (`newton.symmetry`) and are close to the quasi-continuum profile when small (`newton.qc_small`);
 - the energies of both families are indistinguishable (`newton.energy_equal`). */
 constexpr double omega = 1.1;  // of the breather on which most is shown
 
@@ -51,11 +51,12 @@ $$\ddot y_n + y_n + s\,y_n^3 = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2},
 with free ends (Eqs. (6) and (9)), dimensionless. In the program `omega` is $\omega_b$, `Orbit::start`
 the breather at $t = 0$, where it is at rest, and `Orbit::energy` its energy $\mathcal H$, Eq. (6).
 
-We guess the positions from Eqs. (18) to (20), integrate to the end of a half or a quarter of a
-period, and let Newton's method remove what is missing there (symmetry.hpp says what that is). The
-integrator lands on every switching of a contact, because a step across it would spoil the orbit at
+We guess the positions from Eqs. (18) to (20) and integrate over a half or a quarter of a period. There the
+symmetry of the breather demands that certain combinations of positions and velocities vanish
+(symmetry.hpp), and Newton's method makes them vanish. The integrator lands on every *switching*, the
+opening or closing of a contact, because a step across it would spoil the orbit at
 $10^{-9}$ and its derivative much earlier (landing.hpp). Every number is computed at two tolerances
-or in two precisions, and carries the difference. */
+or in two precisions, and the difference is its error. */
 Orbit<double> article_breather(Centre centre, const NewtonRule<double>& rule) {
   const BreatherProblem<double> problem = problem_of(centre, omega);
   const State<double> guess = ansatz(centre, omega, problem.chain.sites);
@@ -65,9 +66,10 @@ Orbit<double> article_breather(Centre centre, const NewtonRule<double>& rule) {
 /**
 ## Convergence
 
-The article's residual is the distance from $Y(0)$ to $Y(T_b)$, relative to $Y(0)$, over a whole
-period and without any symmetry. We evaluate it for our breather, which was found on a quarter of
-one. A wider type evaluates it, too, and the difference is its error. */
+The article's residual is the distance from $Y(0)$ to $Y(T_b)$, relative to $Y(0)$, where $Y$ holds all
+positions and velocities: a whole period without any symmetry. We evaluate it for our breather, which was
+found on a quarter of one. Its error is the difference from the same flight in a wider type, which has a
+64-bit mantissa. */
 template <class T>
 T distance_after_period(const BreatherProblem<double>& problem, const State<double>& start) {
   const auto wide = in_precision<T>(problem);
@@ -79,12 +81,12 @@ T distance_after_period(const BreatherProblem<double>& problem, const State<doub
 }
 
 /**
-For comparison we solve the equations of the article, $Y(T_b) = Y(0)$, twice as many as unknowns, in
+For comparison we also solve the equations of the article, $Y(T_b) = Y(0)$, twice as many as unknowns, in
 the sense of least squares. A shift along the chain hardly violates them: the smallest singular
 value of their matrix belongs to a change of the positions that moves the breather sideways, the
-*pinning mode* of section 3.3, nearly the discrete gradient $y_{n+1}-y_{n-1}$
-([0.987389](num:sec32_newton_breathers.softest_along_gradient) is their cosine). Newton's method wanders
-along it: a small residual is followed by a large step. */
+*pinning mode* of section 3.3. It is nearly the discrete gradient $y_{n+1}-y_{n-1}$: the cosine of the angle
+between them is [0.987389](num:sec32_newton_breathers.softest_along_gradient). Newton's method wanders
+along this mode, and a small residual is followed by a large step. */
 struct FullMap {
   History history{};
   Vector<double> x{};
@@ -97,7 +99,8 @@ struct FullMap {
 };
 
 /**
-Each pass of this loop is one of the article's iterations: shoot over the whole period, solve, step. */
+To see this wandering we make the article's iterations one by one: shoot over the whole period,
+solve, step. */
 FullMap solve_full_map(int steps) {
   BreatherProblem<double> problem = problem_of(Centre::site, 1.1);
   problem.symmetry = returning(problem.chain.sites);
@@ -120,7 +123,7 @@ double condition(const Matrix<double>& matrix) {
 }
 
 /**
-Both ways start from the same profile, and their histories stand side by side in one table. */
+The two ways can be compared because they start from the same profile. Their histories share one table. */
 Table history_table(const History& symmetric, const History& full) {
   Table table{{label("equations", "symmetric or full period map"),
                count("iteration", "number of Newton steps made"),
@@ -133,8 +136,8 @@ Table history_table(const History& symmetric, const History& full) {
 }
 
 /**
-What the full map says is read after nine and after ten steps: the difference shows how much of it is
-the wandering. */
+How much of the full map's result is wandering? We read it after nine and after ten steps, and the difference
+tells. */
 void compare_with_full_map(Report& report, const Orbit<double>& orbit) {
   const FullMap full = solve_full_map(10), short_of = solve_full_map(9);
   report.facts.add("condition_full", compare(short_of.condition(), full.condition()));
@@ -152,13 +155,13 @@ void compare_with_full_map(Report& report, const Orbit<double>& orbit) {
 }
 
 /**
-The condition number of that matrix is [1.75392e6](num:sec32_newton_breathers.condition_full) instead of
-[22.3356](num:sec32_newton_breathers.condition_site); after ten steps a residual of
-[1e-14](num:sec32_newton_breathers.full_residual) still asks for a step of
+The condition number of the full map's matrix is [1.75392e6](num:sec32_newton_breathers.condition_full),
+that of the symmetric equations [22.3356](num:sec32_newton_breathers.condition_site). After ten steps of the
+full map a residual of [1e-14](num:sec32_newton_breathers.full_residual) still demands a step of
 [8e-9](num:sec32_newton_breathers.full_step). With the symmetric equations Newton's method needs
 [4](num:sec32_newton_breathers.newton_iterations) steps, the residual over the whole period is
 [4e-14](num:newton.residual) (printed: $1.5\cdot10^{-9}$) and the last variation
-[7e-14](num:newton.variation). */
+[7e-14](num:newton.variation) (printed: $1.7\cdot10^{-11}$). */
 void report_convergence(Report& report) {
   const auto problem = problem_of(Centre::site, omega);
   const Orbit<double> orbit = article_breather(Centre::site, rule<double>(0));
@@ -178,13 +181,13 @@ void report_convergence(Report& report) {
 /**
 ## Symmetry
 
-Both symmetries are built into our equations, so that they prove nothing about the breathers. We
-therefore look for them without any: all positions are unknown, the start is shaken by a thousandth
-at random (a recorded seed), and we ask only that the chain comes to rest at $T_b/2$. If the
-breathers have their symmetries of themselves, they come back: the images under
+Both symmetries are built into our equations, so they prove nothing about the breathers. We therefore
+look for the breathers without them: all positions are unknown, the start is shaken at random by a thousandth
+(a recorded seed), and we demand only that the chain comes to rest at $T_b/2$. If the breathers have
+their symmetries by nature, the symmetries come back: the images under
 $y_{1-n} = -y_n$ and $y_n(t) = -y_{-n}(t+T_b/2)$ then agree with the orbit far better than the guess
-did. What is left over is rounding times the condition of these equations, and shrinks with the
-precision; a breather that had no symmetry would keep the thousandth. */
+did. What is left is rounding times the condition number of these equations, and shrinks with the
+precision; a breather without symmetry would keep the thousandth. */
 template <class T>
 double broken_symmetry(Centre centre) {
   auto problem = in_precision<T>(problem_of(centre, 1.1));
@@ -218,16 +221,17 @@ void report_symmetry(Report& report) {
 /**
 ## Profiles (figures 02 and 03)
 
-The figures have three panels each: the stationary DpS breather and the breathers of the chain at
-$\omega_b = 1.01$ and $1.1$, with their quasi-continuum approximation.
+How good is the quasi-continuum approximation for the chain itself? The figures have three panels each: the
+stationary DpS breather, and the breathers of the chain at $\omega_b = 1.01$ and $1.1$, each with its
+approximation.
 
 ![Bond-centred breathers and their quasi-continuum approximation.](fig:02)
 ![Site-centred breathers and their quasi-continuum approximation.](fig:03)
 
-Two errors add up in the latter: the continuum differs from the DpS breather even in the limit, by
+Two errors add up. The continuum differs from the DpS breather even in the limit, by
 [0.0574512](num:sec32_newton_breathers.continuum_limit_site) around a site and
-[0.0614325](num:sec32_newton_breathers.continuum_limit_bond) around a bond, and the DpS equation from the
-chain. At $1.01$ the second takes a little off the first, at $1.1$ it has made the sum far larger. */
+[0.0614325](num:sec32_newton_breathers.continuum_limit_bond) around a bond. The DpS equation differs from the
+chain: at $1.01$ this takes a little off the first error, at $1.1$ it has made the sum far larger. */
 Estimate approximation_error(Centre centre, double omega) {
   const auto problem = problem_of(centre, omega);
   const auto off = [&](int coarser) {
@@ -252,7 +256,7 @@ double continuum_error(Centre centre) {
 }
 
 /**
-The article calls the approximation excellent at $1.01$ and worse at $1.1$. The listed claim is that
+The article calls the approximation excellent at $1.01$ and worse at $1.1$; the claim is this
 ordering. At $1.01$ the difference is [0.0511267](num:sec32_newton_breathers.continuum_101_site) of the
 amplitude around a site and [0.0475461](num:sec32_newton_breathers.continuum_101_bond) around a bond, at
 $1.1$ it is [0.117550](num:sec32_newton_breathers.continuum_110_site) and
@@ -278,7 +282,7 @@ Table profile_table(Centre centre) {
 }
 
 /**
-Each family answers for itself, and the ordering must hold for both beyond the errors. */
+The claim is made for both families, so the ordering must hold for each, beyond the errors. */
 void report_profiles(Report& report) {
   report.output.add("bond_profiles", profile_table(Centre::bond));
   report.output.add("site_profiles", profile_table(Centre::site));
@@ -301,8 +305,8 @@ void report_profiles(Report& report) {
 /**
 ## A hundred periods (figure 04)
 
-The site-centred breather is weakly unstable, so that rounding must grow. A second run with another
-tolerance measures its growth: the difference of the two is the error of the first. The article
+The site-centred breather is weakly unstable, so rounding errors must grow. A second run with another
+tolerance measures their growth: the difference of the two is the error of the first. The article
 finds the positions visually equal after a hundred periods; they have moved by
 [3e-12](num:newton.persistence) of the amplitude.
 
@@ -330,11 +334,12 @@ void report_persistence(Report& report) {
 /**
 ## The tail (figure 05)
 
-A bead far out is pushed by its inner neighbour alone, with the power $3/2$ of the latter's
-displacement, so that $\ln|y_{n+1}|/\ln|y_n| \to 3/2$: the decay is double-exponential. Newton's
-method is asked for the same relative accuracy at every site, and every contact, however faint, is
-landed on. Doubles end at $10^{-308}$, eight sites from the centre; with a wider exponent the tail
-can be followed further, and where both exist their difference is the error.
+How fast do the breathers decay? A bead far out is pushed by its inner neighbour alone, with the power $3/2$
+of the neighbour's displacement, so that $\ln|y_{n+1}|/\ln|y_n| \to 3/2$: the decay is double-exponential.
+Newton's method must reach the same relative accuracy at every site, and every contact, however faint, is
+landed on. Double precision ends at $10^{-308}$, beyond site
+[14](num:sec32_newton_breathers.tail_last_double). A wider type follows the tail to site
+[21](num:sec32_newton_breathers.tail_last_wide), and where both exist their difference is the error.
 
 ![The tail of the site-centred breather.](fig:05) */
 template <class T>
@@ -363,7 +368,7 @@ struct Tail {
 };
 
 /**
-The figure shows moduli on one side and, on the other, the straight line that the law demands of
+The figure tests the law by eye: moduli on one side and, on the other, the straight line that it demands of
 $\ln(-\ln|y_n|)$. */
 Table tail_table(const Tail& tail, long last_wide) {
   const double none = std::nan(""), end = double(std::log(tail.wide_size(last_wide)));
@@ -385,9 +390,9 @@ Table tail_table(const Tail& tail, long last_wide) {
 }
 
 /**
-Super-exponential decay is decided by the exponent at the last place where it can be formed: it must be
-within 0.005 of $3/2$, and its change since the place before counts as its error. An exponential tail would
-have the exponent one. */
+The exponent at the last place where it can be formed decides whether the decay is super-exponential: it
+must be within 0.005 of $3/2$, a bound of our choice, and its change since the place before counts as its
+error. An exponential tail would have the exponent one. */
 void report_tail(Report& report) {
   const Tail tail;
   long last = 0, last_wide = 0;
@@ -408,9 +413,9 @@ void report_tail(Report& report) {
 Both families are followed by arclength from $\omega_b = 1.001$ to $2$ (continuation.hpp). The
 article finds their energies indistinguishable. The largest relative difference is
 [1.18591e-6](num:newton.energy_equal), at $\omega_b =$
-[1.001](num:sec32_newton_breathers.largest_energy_difference_at): it grows towards $\omega_b = 1$, where
+[1.001](num:sec32_newton_breathers.largest_energy_difference_at). It grows towards $\omega_b = 1$, where
 it tends to that of the DpS norms, [-1.33110e-6](num:sec32_dps_profiles.norm_gap_relative) without its sign.
-What so small a difference does to the motion of a breather is told in the next chapter.
+What so small a difference does to the motion of a breather is the subject of section 3.3.
 
 ![Amplitude and energy of both families.](fig:06) */
 void report_branches(Report& report) {
@@ -440,7 +445,7 @@ void report_branches(Report& report) {
 }
 
 /**
-The whole chapter runs in the order in which it is told. */
+The program computes the parts of this chapter in the order in which they are told. */
 Results everything(Output& output, bool quick) {
   output.note("tolerance", "flow to 128 and 2048 roundings of the type");
   Report report{output, quick};
@@ -457,10 +462,10 @@ Results everything(Output& output, bool quick) {
 /**
 ## One breather with your own parameters
 
-`sec32_newton_breathers breather --centre site --omega 1.1` computes one breather. The chain must
-hold it: a bead at the end must not miss its neighbour, whose share we read off a longer
-chain. `--precision extended` repeats Newton's method in quadruple precision, and the error is
-then the difference from the wider type. */
+`sec32_newton_breathers breather --centre site --omega 1.1` computes one breather. The chain must be long
+enough for it: a bead at the end must not feel that its outer neighbour is missing, and a longer chain tells
+how much it would. `--precision extended` repeats Newton's method in quadruple precision; the error is
+then the difference from a 64-bit mantissa. */
 struct BreatherOptions {
   std::string centre = "site", phase = "compressed", precision = "double";
   double omega = 1.1, s = 0;
@@ -488,7 +493,7 @@ Fitted fitted(const BreatherOptions& options) {
 }
 
 /**
-Values are printed in the precision asked for; their errors come from the difference to another one.
+Values are printed in the chosen precision, and their errors are differences from another one.
 The residual is that of the whole period. */
 template <class T, class Other>
 Table breather_table(const BreatherProblem<T>& problem, const Orbit<T>& orbit,
@@ -509,7 +514,7 @@ Table breather_table(const BreatherProblem<T>& problem, const Orbit<T>& orbit,
 }
 
 /**
-A profile is wanted to relative accuracy at every site, tails included. */
+A reader of a profile may want its tail, so it is computed to relative accuracy at every site. */
 template <class T>
 Table breather_profile(const Orbit<T>& orbit) {
   Table table{{count("n", "site", "site"), number("y", "position at t = 0")}};
@@ -519,7 +524,8 @@ Table breather_profile(const Orbit<T>& orbit) {
 }
 
 /**
-Double precision finds the orbit, and each wider type confirms the one before. */
+Higher precision is expensive and needs a good start: double precision finds the orbit, and each wider type
+confirms the one before. */
 Table breather_command(const BreatherOptions& options) {
   const auto [problem, orbit] = fitted(options);
   if (options.profile && !options.extended()) {
@@ -541,10 +547,11 @@ Table breather_command(const BreatherOptions& options) {
 /**
 ## Differences and limits
 
-The article counts five iterations of its Gauss-Newton method; ours need as many or a few more,
-because they go on until rounding stops them. Its chain lengths are 31 and 99 around a site; around
-a bond we take one bead more. In other wells the branches of both families exist, too, and bifurcate
-from the chain at rest; those of the soft well fold back (see the next chapter).
+The article counts five iterations of its Gauss-Newton method. Ours continues until rounding stops it, and
+with the symmetric equations that takes [4](num:sec32_newton_breathers.newton_iterations). The article's
+chain lengths are 31 and 99 around a site; around a bond we take one bead more. Both families exist in
+other wells, too, and bifurcate from the chain at rest; those of the soft well fold back (see the next
+chapter).
 
 ## Extensions
 
@@ -555,13 +562,13 @@ int main(int argc, char** argv) {
   Program program({"sec32_newton_breathers", "3.2", "Static breathers of the chain (section 3.2)"},
                   argc, argv);
   BreatherOptions options;
-  CLI::App* one = program.command("breather", "one breather: amplitude, energy, area, residual",
-                                  [&] { return breather_command(options); });
+  Command* one = program.command("breather", "one breather: amplitude, energy, area, residual",
+                                 [&] { return breather_command(options); });
   one->add_option("--omega", options.omega, "frequency omega_b > 1")->check(in_range(1.0001, 3));
   one->add_option("--s", options.s, "anharmonicity of the well")->check(in_range(-10, 10));
   const auto among = [&](const char* name, std::string& into, std::vector<std::string> names,
                          const char* meaning) {
-    one->add_option(name, into, meaning)->check(CLI::IsMember(std::move(names)));
+    one->add_option(name, into, meaning)->check(one_of(names));
   };
   among("--centre", options.centre, {"site", "bond"}, "site or bond");
   one->add_option("--sites", options.sites, "chain length (default: 31 or 32)")

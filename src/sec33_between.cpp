@@ -2,12 +2,13 @@
 # 3.3 The breather in between
 
 Where does the stability of the two breathers change hands, and what happens there? Section 3.3 of
-James, Kevrekidis and Cuevas (Physica D 251, 2013) finds an exchange in $s$ at $\omega_b = 1.1$ and leaves the
-bifurcations to future work. This program draws the whole map and finds the breathers that are
-born: they are centred neither on a site nor on a bond.
+James, Kevrekidis and Cuevas (Physica D 251, 2013) finds that it does so in $s$ at $\omega_b = 1.1$
+and leaves the bifurcations to future work. This program maps the exchanges over the plane of
+$\omega_b$ and $s$ and finds the breathers that are born there: they are centred neither on a site nor on a
+bond. The landscapes below are drawn so that a stable breather sits in a valley.
 
-      energy landscape      both stable:              both unstable:
-      against the centre     site  between  bond       site  between  bond
+      landscape of          both stable:              both unstable:
+      the centre             site  between  bond       site  between  bond
                                     __                 __            __
                                  __/  \__               \__      __/
                                 /        \                 \____/
@@ -30,21 +31,17 @@ using namespace lattice;
 /**
 ## Model and method
 
-The chain is that of Eqs. (6) and (10). The pinning pair $\lambda, 1/\lambda$ of a breather is one number,
+The chain is that of Eqs. (6) and (10). The pinning pair $\lambda, 1/\lambda$ of a breather, the multipliers
+that belong to a shift along the chain, is one number
 $$\kappa = \tfrac14\Bigl(\lambda+\frac1\lambda-2\Bigr),$$
-positive where the breather is unstable (floquet.hpp).
-
-| symbol | program | meaning |
-|---|---|---|
-| $\omega_b$, $s$ | `omega`, `s` | frequency of the breather and anharmonicity of the wells |
-| $\kappa$ | `kappa` | of the pinning pair |
-| $Q$ | `centre` | centre of the breather, in sites from the middle of the chain |
+positive where the breather is unstable (floquet.hpp). In the program it is `kappa`, $\omega_b$ and $s$ are
+`omega` and `s`, and $Q$, `centre`, is the centre of a breather in sites from the middle of the chain.
 
 ## The exchange in the plane of $\omega_b$ and $s$ (figure x13)
 
-Is one exchange at $\omega_b = 1.1$ all there is? We compute $\kappa$ of the site-centred breather on a
+Is the exchange at $\omega_b = 1.1$ the only one? We compute $\kappa$ of the site-centred breather on a
 grid, following it in $s$ from the linear well until the family ends. Around a bond the sign is
-the opposite one, but for strips too narrow to be seen. On the grid a tolerance of $10^{-12}$ is enough,
+the opposite one, except in strips too narrow to be seen. On the grid a tolerance of $10^{-12}$ is enough,
 since $\kappa$ is of the order of $10^{-9}$ or more nearly everywhere.
 
 ![Which breather is stable, and where they change places.](fig:x13) */
@@ -57,8 +54,9 @@ struct Node {
 using Column_of_nodes = std::vector<Node>;
 
 /**
-A node is computed from the orbit of its neighbour, and left empty where the family ends: there Newton's
-method wanders off to large and costly motions, so that it gets only eight iterations. */
+A node is computed from the orbit of its neighbour, and left empty where the family ends. Beyond the end
+Newton's method wanders off to large and costly motions, so it gets only eight iterations. An amplitude that
+changes by more than 15 per cent from one well to the next betrays another family. */
 NewtonRule<double> chart_rule() {
   NewtonRule<double> how;
   how.landing.tolerance = 1e-12;
@@ -81,7 +79,8 @@ void visit(Node& node, const Orbit<double>& from) {
 }
 
 /**
-The linear well is followed in $\omega_b$ first; from each of its breathers we go up and down in $s$. The
+The nodes of one frequency form a column, and the columns can run side by side once each has a start. So we
+first follow the linear well in $\omega_b$; from each of its breathers we go up and down in $s$. The
 quick run ends at $\omega_b = 1.2$, after three pairs of exchanges. */
 std::vector<Column_of_nodes> chart(int frequencies, int wells, double top) {
   std::vector<Column_of_nodes> grid;
@@ -108,8 +107,8 @@ std::vector<Column_of_nodes> chart(int frequencies, int wells, double top) {
 }
 
 /**
-Wherever neighbours on the grid, along either axis, have opposite signs an exchange lies between
-them. */
+The curves of exchange pass between the nodes: wherever neighbours on the grid, along either axis, have
+opposite signs of $\kappa$, an exchange lies between them. */
 struct Crossing_place {
   Cut cut;
   Trial_kappa low, high;
@@ -136,7 +135,7 @@ std::vector<Crossing_place> crossings(const std::vector<Column_of_nodes>& grid) 
 }
 
 /**
-The chart itself, and the points of the curves. */
+The figure colours the plane by the sign of $\kappa$, which gets a column of its own. */
 Table chart_table(const std::vector<Column_of_nodes>& grid) {
   Table map{
       {number("omega", "frequency"), number("s", "anharmonicity"),
@@ -151,8 +150,8 @@ Table chart_table(const std::vector<Column_of_nodes>& grid) {
 }
 
 /**
-The exchanges are refined until a step is shorter than a thousandth, which no eye sees, and the next step is
-the error. */
+A curve for the eye needs no more than three digits: each exchange is refined until a step is shorter than a
+thousandth, and the next step is the error. */
 void refine_places(std::vector<Crossing_place>& places) {
   parallel_for("exchanges", places.size(), [&](std::size_t i) {
     Crossing_place& c = places[i];
@@ -166,7 +165,7 @@ void refine_places(std::vector<Crossing_place>& places) {
 }
 
 /**
-Those that are lost, near the end of a family, are counted. */
+Near the end of a family the search for an exchange may fail; the facts count how many were lost. */
 std::vector<Column_of_nodes> report_chart(Report& report) {
   auto grid = report.quick ? chart(12, 2, 1.2) : chart(80, 12, 2);
   auto places = crossings(grid);
@@ -189,11 +188,13 @@ std::vector<Column_of_nodes> report_chart(Report& report) {
 /**
 ## The linear well: six exchanges
 
-At $s = 0$ we locate all exchanges for both breathers in the wider type. From $\omega_b = 1$ on the
-bond is stable, as in the DpS equation, but only up to [1.01794](num:sec33_between.window_1); between the last
-two, [1.32615](num:sec33_between.window_5) and [1.49164](num:sec33_between.window_6), it is the site. The order of the two
-exchanges in a pair tells whether both breathers are stable in between or neither; those of the first pair
-lie too close to each other to be told apart. */
+At $s = 0$ we locate all exchanges for both breathers in a wider type (a 64-bit mantissa). Between two
+exchanges lies a *window* in which one of the two is stable. From $\omega_b = 1$ on it is the bond, as in the
+DpS equation, but only up to [1.01794](num:sec33_between.window_1); between the last two exchanges,
+[1.32615](num:sec33_between.window_5) and [1.49164](num:sec33_between.window_6), it is the site. Each exchange
+is a close pair, one of the site-centred and one of the bond-centred breather. The order of the two tells
+whether both breathers are stable between them or neither is; those of the first pair are too close to be
+told apart. */
 struct Window_edge {
   std::array<Exchange, 2> found;  ///< site, bond
   Estimate width() const {
@@ -209,8 +210,8 @@ struct Window_edge {
 };
 
 /**
-The middle row of the chart shows where to look; the shortest window is four of its steps. Around a bond the
-bracket is a little wider, because the two do not coincide. */
+The middle row of the chart shows where to look: even the shortest window is more than four of its steps wide.
+Around a bond the search interval is a little wider, because the two exchanges of a pair do not coincide. */
 std::vector<Window_edge> window_edges(const std::vector<Column_of_nodes>& grid, bool quick) {
   std::vector<std::pair<const Node*, const Node*>> pairs;
   const std::size_t middle = grid.front().size() / 2;
@@ -234,7 +235,7 @@ std::vector<Window_edge> window_edges(const std::vector<Column_of_nodes>& grid, 
 }
 
 /**
-The table has one row for each pair. */
+The figure marks the edges of the windows, so the table has one row for each pair of exchanges. */
 std::vector<Window_edge> report_windows(Report& report, const std::vector<Column_of_nodes>& grid) {
   const auto edges = window_edges(grid, report.quick);
   Table table{{number("omega_site", "exchange of the site-centred breather, s = 0"),
@@ -261,9 +262,10 @@ std::vector<Window_edge> report_windows(Report& report, const std::vector<Column
 /**
 ## The breather in between (figure x14)
 
-Where both breathers are stable, or both unstable, a third one must lie between them. We hold its centre
-$Q$ fixed and solve for its positions and for the parameter (held.hpp), from a site, $Q=0$, to the
-next bond, $Q=1/2$. The orbit of one centre is the guess for the next.
+Where both breathers are stable, or both unstable, a third one must lie between them. It can be shifted along
+the chain almost freely, so we prescribe its centre $Q$ and solve for its positions and for the parameter, $s$
+or $\omega_b$, at which it exists there (held.hpp). We go from a site, $Q=0$, to the next bond, $Q=1/2$; the
+orbit at one centre is the guess for the next.
 
 ![Centre, energy and stability of the breathers in between.](fig:x14) */
 struct Between {
@@ -281,10 +283,11 @@ Held<BreatherProblem<T>> held_problem(const Cut& cut, const Exchange& from, doub
 }
 
 /**
-Nothing but the barrier fixes the parameter, and in double precision its error is larger than the family is
-wide. So double precision only moves the breather to its centre, and the wider type solves for it from
-there, twice, with tolerances sixteen apart: two solutions that know nothing of each other. Their difference,
-together with what the symplectic defect makes of the parameter, is the error. */
+Only the tiny energy barrier between site and bond fixes the parameter, and in double precision the error of
+the parameter exceeds the whole interval on which the family exists. So double precision only moves the
+breather to its centre. From there the wider type solves for it twice and independently, with tolerances
+that differ by a factor of sixteen. The error is their difference plus what the violation of symplecticity
+of the linearised flow (`defect`) makes of the parameter. */
 Between describe_between(const Cut& cut, const Exchange& from, double centre,
                          const Vector<double>& near) {
   const auto held = held_problem<Wide>(cut, from, centre);
@@ -307,8 +310,8 @@ Between describe_between(const Cut& cut, const Exchange& from, double centre,
 }
 
 /**
-The orbit of one centre is moved to the next, and the guess of the parameter goes from one exchange to the
-other like the square of a sine. */
+Newton's method needs a guess at each centre. The orbit at one centre is moved to the next, and the guess of
+the parameter goes from one exchange to the other like the square of a sine. */
 std::vector<Between> between(const Cut& cut, const Window_edge& edge, int count) {
   const Exchange& from = edge.found[0];
   const auto n = Eigen::Index(from.orbit.start.y.size());
@@ -329,8 +332,8 @@ std::vector<Between> between(const Cut& cut, const Window_edge& edge, int count)
 }
 
 /**
-Its energy is compared with those of the symmetric breathers at the same parameters, hence at the same
-frequency: the share is zero at the site's energy and one at the bond's. */
+How does its energy change from a site to a bond? We compare it with those of the symmetric breathers at the
+same parameters, hence at the same frequency: the share is zero at the site's energy and one at the bond's. */
 double energy_share(const Cut& cut, const std::array<Exchange, 2>& ends, const Between& one) {
   std::array<Wide, 2> e{};
   for (std::size_t k : {0U, 1U}) {
@@ -343,7 +346,7 @@ double energy_share(const Cut& cut, const std::array<Exchange, 2>& ends, const B
 }
 
 /**
-The ends of the family are the exchanges themselves. */
+The family begins and ends at the two exchanges themselves, so they are the first and the last row. */
 Table between_table(const Cut& cut, const std::array<Exchange, 2>& ends,
                     const std::vector<Between>& family) {
   Table table{{number("centre", "Q, sites from the site at which it begins", "site"),
@@ -369,11 +372,12 @@ Table between_table(const Cut& cut, const std::array<Exchange, 2>& ends,
 /**
 At $\omega_b = 1.1$ the family exists on an interval of $s$ of length
 [3.22e-7](num:sec33_between.exchange_gap), and it is unstable, with $\kappa =$
-[1.262e-14](num:sec33_between.kappa_between_in_s) half way, at $s =$ [0.152520](num:sec33_between.middle_between_in_s): where both
-symmetric breathers are stable, what lies between them is the top of the hill. At $s = 0$ near the exchange
-[1.32615](num:sec33_between.window_5) it is the other way round: both symmetric breathers are unstable, and the
-stable breather is the one without symmetry, with $\kappa =$ [-1.73285e-11](num:sec33_between.kappa_between_in_omega) at
-$\omega_b =$ [1.32606](num:sec33_between.middle_between_in_omega). The quick run has the first of the two only. */
+[1.262e-14](num:sec33_between.kappa_between_in_s) half way, at $s =$
+[0.152520](num:sec33_between.middle_between_in_s): where both symmetric breathers are stable, the one between
+them sits on the hill. At $s = 0$ near the exchange [1.32615](num:sec33_between.window_5) it is the other way
+round: both symmetric breathers are unstable, and the stable breather is the one without symmetry, with
+$\kappa =$ [-1.73285e-11](num:sec33_between.kappa_between_in_omega) at $\omega_b =$
+[1.32606](num:sec33_between.middle_between_in_omega). The quick run has only the first of the two. */
 void report_between(Report& report, const std::vector<Window_edge>& edges) {
   const int count = report.quick ? 2 : 10;
   std::array<Exchange, 2> ends;
@@ -402,14 +406,14 @@ void report_between(Report& report, const std::vector<Window_edge>& edges) {
 ## Differences and limits
 
 The chart follows each family in $s$ only until Newton's method fails, which for soft wells is near the
-fold of the family. It shows the exchange of the pinning pair and nothing of other instabilities.
+fold of the family. It shows the exchange of the pinning pair and no other instability.
 
 ## Extensions
 
 - Follow the breather in between through the whole plane: where is it stable?
 - Does a kicked breather stop at the stable breather in between?
-- Three exchanges meeting in one point would need a second harmonic of the barrier that vanishes: is
-  there one in the plane? */
+- At a zero of the second harmonic of the barrier three curves of exchange would meet: is there one in the
+  plane? */
 int main(int argc, char** argv) {
   Program program({"sec33_between", "3.3", "Breathers centred nowhere (section 3.3)"}, argc, argv);
   program.everything = [&](Output& output) {

@@ -1,10 +1,10 @@
 /**
 # 3.3 Stability of the breathers
 
-A breather is stable if small changes stay small. Section 3.3 of James, Kevrekidis and Cuevas
-(Physica D 251, 2013) computes the Floquet multipliers of both breathers and finds four of them so
-close to $+1$ that the breathers are almost free to move. Which of the two is stable depends on the
-anharmonicity $s$ of the well: at some $s_0$ they change places.
+A breather is stable if small changes stay small. The Floquet multipliers $\lambda$ are the factors by which
+small changes grow in one period. Section 3.3 of James, Kevrekidis and Cuevas (Physica D 251, 2013) finds
+four of them so close to $+1$ that the breathers are almost free to move. Which of the two breathers is stable
+depends on the anharmonicity $s$ of the well: at some $s_0$ they change places.
 
         |lambda|                                  argument
            |  \  unstable                             |        _____  stable
@@ -13,8 +13,8 @@ anharmonicity $s$ of the well: at some $s_0$ they change places.
            +-------|---------- s                       +------|------ s
                   s_0                                        s_0
 
-The article prints $s_0 \approx 0.26$ around a bond and $0.05$ around a site. We find one number for
-both, up to the seventh digit, and between the two a breather that sits nowhere in particular. */
+The article prints $s_0 \approx 0.26$ around a bond and $0.05$ around a site. We find the two equal up to
+the seventh digit, and between them a breather that is centred neither on a site nor on a bond. */
 
 #include <algorithm>
 #include <array>
@@ -35,32 +35,32 @@ What is claimed, with the identifiers under which the answers are recorded:
 
 - four multipliers near $+1$, the others on the unit circle, accumulating at
   $e^{\pm 2\pi i/\omega_b}$ (`floquet.spectrum`);
-- the exchange at $\omega_b = 1.1$ (`floquet.s0_bond`, `floquet.s0_site`);
+- the exchange of stability at $\omega_b = 1.1$ (`floquet.s0_bond`, `floquet.s0_site`);
 - at $s = 0$ and $\omega_b = 1.1$ the site-centred breather is weakly unstable, the bond-centred one
   stable (`floquet.harmonic`);
 - unstable multipliers exceed one by less than $10^{-3}$ (`floquet.instability_size`);
-- the pinning mode is very close to the discrete gradient (`pinning.gradient`). */
+- the *pinning mode*, which shifts the breather along the chain, is very close to the discrete gradient
+  (`pinning.gradient`). */
 constexpr double omega_main = 1.1;
 
 /**
 ## Model and method
 
-The chain is that of Eqs. (6) and (10), the breathers those of section 3.2. A pair of multipliers
-$\lambda, 1/\lambda$ is one number
+The chain is that of Eqs. (6) and (10), the breathers those of section 3.2. Multipliers come in pairs
+$\lambda, 1/\lambda$. One pair is exactly $+1$ for every breather, the *phase pair*: a shift in time. The
+*pinning pair* belongs to a shift along the chain. Each pair is one number
 $$\kappa = \tfrac14\Bigl(\lambda+\frac1\lambda-2\Bigr),$$
-an eigenvalue of an $N\times N$ matrix made of half a period of the linearised flow, from which the pair
-of the phase is removed (floquet.hpp). The pair is unstable where $\kappa > 0$, and
-$\ln\lambda \simeq 2\sqrt\kappa$ there.
+an eigenvalue of an $N\times N$ matrix made of half a period of the linearised flow, from which the phase
+pair is removed (floquet.hpp). A pair is unstable where $\kappa > 0$, and there
+$\ln\lambda \simeq 2\sqrt\kappa$. The whole spectrum is computed on the article's chains of 31 and 32
+sites, the rest on shorter ones.
 
 | article | program | meaning |
 |---|---|---|
 | $\omega_b$, $s$ | `omega`, `s` | frequency and anharmonicity |
 | $\lambda$ | `multiplier` | Floquet multiplier |
 | $s_0^b$, $s_0^s$ | `exchange` | where $\kappa$ of the pinning pair changes its sign |
-| $g_n$ | `gradient` | discrete gradient, here of length one |
-
-The
-article's chains of 31 and 32 sites are used for the whole spectrum, shorter ones elsewhere. */
+| $g_n$ | `gradient` | discrete gradient, here of length one | */
 const char* name_of(Centre centre) {
   return centre == Centre::bond ? "bond" : "site";
 }
@@ -68,10 +68,11 @@ const char* name_of(Centre centre) {
 /**
 ## All multipliers at $\omega_b = 1.1$
 
-Of the whole spectrum we ask three things. Four multipliers lie near $+1$: the fourth is at a distance
-of [0.000214282](num:sec33_floquet.fourth_distance), the fifth at [0.229543](num:sec33_floquet.fifth_distance). No other pair
-leaves the unit circle by more than its error. And the others accumulate at $e^{\pm2\pi i/\omega_b}$:
-ten more sites add twenty multipliers there, within $10^{-9}$, and nowhere else. */
+What does the whole spectrum look like? We ask three things of it. Four multipliers lie near $+1$: the fourth
+is at a distance of [0.000214282](num:sec33_floquet.fourth_distance), the fifth at
+[0.229543](num:sec33_floquet.fifth_distance). No other pair leaves the unit circle by more than its error. And
+the others accumulate at $e^{\pm2\pi i/\omega_b}$: ten more sites add twenty multipliers there, within
+$10^{-9}$, and nowhere else. */
 struct Census {
   double fourth = 0, fifth = 0;
   bool others_stable = true;
@@ -90,8 +91,8 @@ Census census(const Spectrum& all, double omega) {
 }
 
 /**
-The table holds the multipliers of both breathers on the article's chains, with the two of the phase,
-which are exact. */
+A reader may want to draw the multipliers, so the table holds those of both breathers on the article's
+chains, with the two of the phase pair, which are exact. */
 std::vector<Column> multiplier_columns() {
   return {number("real", "real part"), number("imag", "imaginary part"),
           number("modulus", "its modulus"), number("argument", "its argument", "rad"),
@@ -110,8 +111,9 @@ void add_multipliers(Table& table, const Spectrum& all, const std::vector<Cell>&
 }
 
 /**
-The criterion fails with a fifth multiplier near one, with any pair off the circle, or with an
-accumulation elsewhere. It is put to a chain and to one that is ten sites longer. */
+The claim has three parts, and the criterion can fail in each: by a fifth multiplier near one, by a
+pair off the circle, or by an accumulation elsewhere. Near one means within 0.01, and the fifth multiplier
+must be farther away than 0.1; the article gives no bounds, and these are our choice. */
 Criterion four_near_one(const Census& chain, const Census& longer, const std::string& name) {
   const bool stable = chain.others_stable && longer.others_stable;
   const int added = longer.at_edge - chain.at_edge;
@@ -122,7 +124,7 @@ Criterion four_near_one(const Census& chain, const Census& longer, const std::st
 }
 
 /**
-The chain with ten sites more is asked only for its census. */
+It is put to both breathers, each on two chains, of which one is ten sites longer. */
 void report_spectrum(Report& report) {
   std::vector<Column> columns = multiplier_columns();
   columns.push_back(count("bond", "1 around a bond, 0 around a site"));
@@ -150,7 +152,7 @@ void report_spectrum(Report& report) {
 /**
 ## The quadruplet against $s$ (figures 11 and 12)
 
-We follow each breather from the linear well to both ends of $-1 \le s \le 1$.
+To see where the breathers change places we follow each from the linear well to both ends of $-1 \le s \le 1$.
 
 ![Arguments and moduli of the four multipliers near one, bond-centred.](fig:11)
 ![The same around a site.](fig:12) */
@@ -170,8 +172,8 @@ std::vector<Spectrum> along_wells(Centre centre, const std::vector<double>& well
 }
 
 /**
-A pair on the circle has modulus one exactly, and one on the axis the argument zero: which of the two it
-is, is the sign of $\kappa$. The columns are written with formulas that keep all digits of a small
+The sign of $\kappa$ tells what a figure of moduli and arguments must show. A pair on the circle has modulus
+one exactly, a pair on the real axis the argument zero. The formulas of the columns keep all digits of a small
 $\kappa$. */
 Table quadruplet_table(const std::vector<double>& wells, const std::vector<Spectrum>& all) {
   Table table{{number("s", "anharmonicity of the well"),
@@ -193,12 +195,12 @@ Table quadruplet_table(const std::vector<double>& wells, const std::vector<Spect
 }
 
 /**
-Multipliers leave $+1$ like square roots, so that the sweep is denser there. Its largest instability answers
-the article's closing remark; around a site it is
-[0.000583922](num:sec33_floquet.largest_excess). The error bar decides what may be said at $s = 0$: $\kappa$ is
-[1.14767e-8](num:sec33_floquet.kappa_site) around a site and [-1.14768e-8](num:sec33_floquet.kappa_bond) around a bond, so that
-the article's verdict stands, with a multiplier that exceeds one by
-[0.000214282](num:sec33_floquet.excess_site). */
+Near an exchange the multipliers leave $+1$ like square roots, so the sweep is denser there. Its largest
+instability answers the claim made in the article's conclusion; around a site it is
+[0.000583922](num:sec33_floquet.largest_excess). The error bar decides what may be said at $s = 0$. There
+$\kappa$ is [1.14767e-8](num:sec33_floquet.kappa_site) around a site and
+[-1.14768e-8](num:sec33_floquet.kappa_bond) around a bond. So the article's verdict stands, with a multiplier
+that exceeds one by [0.000214282](num:sec33_floquet.excess_site). */
 void report_wells(Report& report) {
   std::vector<double> wells;
   for (int steps = report.quick ? 4 : 40, k = -steps; k <= steps; ++k)
@@ -225,8 +227,9 @@ void report_wells(Report& report) {
 }
 
 /**
-The verdict at $s = 0$ is taken in the wider type, where an error of $\kappa$ is ten orders below the
-effect. As a check by another route the pair is also taken from the block of a symmetry. */
+A verdict must not lie within its error. At $s = 0$ it is therefore taken in a wider type (a 64-bit mantissa),
+where the error of $\kappa$ is eight orders of magnitude below $\kappa$. As an independent check the pinning
+pair is also computed from a matrix that the breather's symmetry has reduced. */
 void report_harmonic(Report& report) {
   std::array<Estimate, 2> kappa;
   for (std::size_t k : {0U, 1U}) {
@@ -247,9 +250,10 @@ void report_harmonic(Report& report) {
 }
 
 /**
-At $\omega_b = 1.1$ the two exchanges are [0.152519](num:floquet.s0_site) around a site and
-[0.152520](num:floquet.s0_bond) around a bond. They differ by [3.22e-7](num:sec33_floquet.exchange_gap), and in
-between both breathers are stable. The slope of $\kappa$ there is a difference quotient with two widths. */
+The claims ask for the two exchanges themselves. At $\omega_b = 1.1$ they are
+[0.152519](num:floquet.s0_site) around a site and [0.152520](num:floquet.s0_bond) around a bond. They differ
+by [3.22e-7](num:sec33_floquet.exchange_gap), and between them both breathers are stable. The slope of
+$\kappa$ there, a difference quotient with two widths, converts errors of $\kappa$ into errors of $s$. */
 void report_exchange(Report& report) {
   std::array<Exchange, 2> found;
   parallel_for(2, [&](std::size_t k) {
@@ -277,10 +281,11 @@ void report_exchange(Report& report) {
 /**
 ## The pinning mode is the gradient (figure 13)
 
-The eigenvector of the pinning pair, with vanishing velocities, against $y_{n+1}(0)-y_{n-1}(0)$, both of
-length one: the article's $g_n$ divides by the sum of the squares, but an energy of $c^2/2$ needs its
-square root. The cosine of the angle between them is [0.979741](num:sec33_floquet.cosine_bond) around a bond and
-[0.987389](num:sec33_floquet.cosine_site) around a site.
+What motion belongs to the pinning pair? We compare its eigenvector, with vanishing velocities, with
+$y_{n+1}(0)-y_{n-1}(0)$, both of length one. (The article's $g_n$ divides by the sum of the squares, but an
+energy of $c^2/2$ needs the square root of that sum.) The cosine of the angle between them is
+[0.979741](num:sec33_floquet.cosine_bond) around a bond and [0.987389](num:sec33_floquet.cosine_site) around a
+site.
 
 ![Pinning mode and discrete gradient.](fig:13) */
 Table mode_table(const Vector<double>& mode, const Vector<double>& g) {
@@ -296,8 +301,8 @@ Table mode_table(const Vector<double>& mode, const Vector<double>& g) {
 }
 
 /**
-The sign of the mode is that of the gradient. The smaller of the two cosines answers the claim, from two
-precisions. */
+An eigenvector has no sign of its own, so it gets that of the gradient. The smaller of the two cosines answers
+the claim, and its error comes from two precisions. */
 void report_mode(Report& report) {
   std::array<Estimate, 2> cosine;
   for (std::size_t k : {0U, 1U}) {
@@ -319,7 +324,7 @@ void report_mode(Report& report) {
 ## Your own breather
 
 `sec33_floquet multipliers --centre site --omega 1.1` prints all multipliers with their errors, those
-next to $+1$ first, and `sec33_floquet exchange --centre bond` where the stability changes. */
+next to $+1$ first; `sec33_floquet exchange --centre bond` prints where the stability changes. */
 struct Options : ChosenBreather {
   double s = 0;
 };
@@ -335,7 +340,8 @@ Table multipliers_command(const Options& options) {
 }
 
 /**
-All exchanges between $s=-1$ and $1$ are printed, the one nearest to the linear well first. */
+A breather may lose and regain its stability several times. All exchanges between $s=-1$ and $1$ are printed,
+the one nearest to the linear well first. */
 std::vector<Estimate> exchanges_on(Centre centre, double omega, int side) {
   std::vector<Estimate> found;
   Orbit<double> orbit = find_breather(problem_at(centre, {omega, 0}));
@@ -355,7 +361,7 @@ std::vector<Estimate> exchanges_on(Centre centre, double omega, int side) {
 }
 
 /**
-Where there is none, that is an error. */
+A user who asks for an exchange must not get an empty table: where there is none, that is an error. */
 Table exchange_command(const Options& options) {
   std::vector<Estimate> found = exchanges_on(options.kind(), options.omega, 1);
   for (const Estimate& e : exchanges_on(options.kind(), options.omega, -1)) found.push_back(e);
@@ -371,7 +377,7 @@ Table exchange_command(const Options& options) {
 }
 
 /**
-The parts in the order of the chapter. */
+The program computes the parts in the order of the chapter. */
 Results compute(Output& output, bool quick) {
   output.note("tolerance", "flow to 128 and 2048 roundings of the type");
   Report report{output, quick};
@@ -389,24 +395,24 @@ Results compute(Output& output, bool quick) {
 
 The printed exchanges, 0.26 and 0.05, are discrepant; the program `sec33_multiplier_errors` shows how a
 common tolerance produces such a pair out of one number. The verdict at $s = 0$ survives,
-because there $\kappa$ is far enough from zero, but not as a rule: the two breathers change places
-six times between $\omega_b = 1$ and 2, and at each exchange a third one appears: the program
-`sec33_between` shows where.
+because there $\kappa$ is far enough from zero. It is not a general rule: at $s = 0$ the two breathers change
+places six times between $\omega_b = 1$ and 2, and near an exchange a third breather lies between them. The
+program `sec33_between` finds the exchanges and follows two families of such breathers.
 
 ## Extensions
 
-- Follow the breather in between through the whole plane: where is it stable?
+- Follow the breather in between through the whole plane of $\omega_b$ and $s$: where is it stable?
 - The pairs beyond the first: is there a collision on the unit circle at higher frequencies?
 - Does a kicked breather stop at the stable breather in between? */
 int main(int argc, char** argv) {
   Program program({"sec33_floquet", "3.3", "Stability of the breathers (section 3.3)"}, argc, argv);
   Options options;
-  const auto add_common = [&](CLI::App* app) {
+  const auto add_common = [&](Command* app) {
     options.offer_centre(*app);
     app->add_option("--omega", options.omega, "frequency omega_b > 1")->check(in_range(1.0001, 3));
   };
-  CLI::App* one = program.command("multipliers", "all Floquet multipliers of one breather",
-                                  [&] { return multipliers_command(options); });
+  Command* one = program.command("multipliers", "all Floquet multipliers of one breather",
+                                 [&] { return multipliers_command(options); });
   add_common(one);
   one->add_option("--s", options.s, "anharmonicity of the well")->check(in_range(-10, 10));
   one->add_option("--sites", options.sites, "sites (default: as many as needed)")

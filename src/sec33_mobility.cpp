@@ -3,9 +3,9 @@
 
 Section 3.3 of James, Kevrekidis and Cuevas (Physica D 251, 2013) ends with a push. A breather of
 frequency 1.1 receives a kick along its pinning mode, a hundredth of its velocity, and glides off at a
-constant speed; a kick a hundred times smaller no longer frees it. Between the two lies a threshold, from
+constant speed; a kick nearly seventy times smaller does not free it. Between the two lies a threshold, from
 which the article reads the height of a barrier. This program repeats both experiments with the energy
-kept so well that it could not matter, draws figures 14 and 15, and then derives the threshold:
+conserved so well that its error cannot matter, draws figures 14 and 15, and then derives the threshold:
 
         landscape of the centre X          c small: swings about the bond
           __        __        __           c > c_c: over the site, and on
@@ -48,18 +48,18 @@ constexpr double omega_b = 1.1, strong = 2e-4, weak = 3e-6;
 ## Model
 
 The chain has linear wells, Eqs. (6) to (9), with free ends,
-$$\ddot y_n + y_n = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2},$$
-and starts from a breather at rest with velocities $c\,g_n$ (kick.hpp). We follow the energy centre $X$ of
-Eq. (24), $m = 5$, with the energy density of Eq. (23). A bond-centred breather can be kicked when its
-central contact is compressed or, half a period later, when it is stretched. The article does not say
-which; around a site the two are mirror images.
+$$\ddot y_n + y_n = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2}.$$
+It starts from a breather at rest with velocities $c\,g_n$ along the normalised discrete gradient (kick.hpp).
+We follow the energy centre $X$ of Eq. (24), $m = 5$, with the energy density of Eq. (23). A bond-centred
+breather can be kicked when its central contact is compressed or, half a period later, when it is stretched.
+The article does not say which; around a site the two are mirror images.
 
 | article | program | meaning |
 |---|---|---|
 | $c$, $g_n$ | `c`, `kick_direction` | size and direction of the kick |
 | $e_n$, $X$ | `energy_density`, `Creep::X` | energy density and centre |
 | $c_c$ | `threshold` | the kick that frees the bond-centred breather |
-| – | `Pinning` | $\Omega^2$ and $\varphi$, see the end of the chapter | */
+| – | `Pinning` | $\Omega^2$ and $\varphi$, explained with the threshold | */
 struct Case {
   const char* name;
   Centre centre;
@@ -80,13 +80,13 @@ Breathers all_ready(std::size_t around_site, std::size_t around_bond) {
 /**
 ## Method
 
-The kick is tiny beside the breather: $c^2/2$ is $10^{-4}$ of its energy for the strong kick and
-$3\cdot10^{-8}$ for the weak one. We ask that the relative drift of the energy stay a hundred times below
-that. Contact-aware steps (contact_rkn.hpp) keep this for $10^5$ periods; plain symplectic ones do not,
-because every switching costs them $h^{5/2}$. Where speeds are measured, order six with five forces a
-step is enough; what creeps for long takes the fourteen-stage base. Each run has a second one with another
-step or another scheme, and what they differ by is the error. Table `integrators` and figure x15 show the
-choice. */
+A kick is tiny beside the breather: $c^2/2$ is $10^{-4}$ of its energy for the strong kick and
+$3\cdot10^{-8}$ for the weak one. So the relative drift of the energy must stay a hundred times below
+that. Contact-aware steps, which correct for the opening and closing of contacts (contact_rkn.hpp), achieve
+this for $10^5$ periods; plain symplectic steps do not, because each such event costs them $h^{5/2}$. For the
+speeds a method of order six with five forces a step is enough; the long runs need one with fourteen stages.
+Each run has a second one with another step or another scheme, and the difference is the error. Table
+`integrators` and figure x15 show why we choose so. */
 struct Resolution {
   ContactAware speeds, paths, thresholds;
 };
@@ -105,9 +105,9 @@ Resolution coarse(bool quick = false) {
 /**
 ## A strong kick (figure 14)
 
-Over 32000 units of time, more than 5000 oscillations, the breathers cover some seventeen sites. The speed
-is the slope of $X$ from $t = 2000$ on; the slopes of the first and the second half of this window say
-whether it is constant. */
+Is the speed really constant? Over 32000 units of time, more than 5000 oscillations, the breathers cover some
+seventeen sites. The speed is the slope of $X$ from $t = 2000$ on; if it is constant, the two halves of this
+window have the same slope. */
 struct Glide {
   Creep path;
   Table map{{number("t", "time"), count("n", "site", "site"), number("e", "energy density")}};
@@ -128,7 +128,7 @@ Glide glide(const RestingBreather& at, const ContactAware& stepper, double time)
 }
 
 /**
-A glide has a direction, a speed has none. */
+The article prints speeds without a direction, so we drop the sign. */
 Estimate speed_of(const Creep& rough, const Creep& good, double from, double to) {
   const Estimate a = rough.speed(from, to), b = good.speed(from, to);
   return compare(Estimate{std::abs(a.value), 0}, Estimate{std::abs(b.value), b.error});
@@ -146,9 +146,9 @@ void report_glide(Report& report, std::size_t k, const Creep& rough, const Creep
 }
 
 /**
-A stretched central contact gives the printed speed of the bond-centred breather; a compressed one gives
-[0.000552678](num:sec33_mobility.speed_bond_compressed). The kick points to the right and the breather goes to the
-left: its mass is negative (see below). What comes back is the speed per kick. */
+Which phase did the article kick? A stretched central contact gives its speed of the bond-centred breather, a
+compressed one [0.000552678](num:sec33_mobility.speed_bond_compressed). The kick points to the right and the
+breather goes to the left: its mass is negative (see the threshold). We return the speed per kick. */
 std::array<double, 3> report_glides(Report& report) {
   const double time = report.quick ? 6000 : 32000;
   const Breathers at = all_ready(52, 52);
@@ -169,8 +169,8 @@ std::array<double, 3> report_glides(Report& report) {
 }
 
 /**
-The energy of the kick is a matter of the norm of $g$. With the printed denominator, the sum of squares
-and not its root, $g$ would be longer by the factor [63.0043](num:sec33_mobility.printed_norm), and the kick would
+The energy of the kick depends on the norm of $g$. With the printed denominator, the sum of squares and not
+its root, $g$ would be longer by the factor [63.0043](num:sec33_mobility.printed_norm), and the kick would
 tear the breather apart. */
 void report_kick_energy(Report& report, const RestingBreather& at) {
   double plain = 0;
@@ -187,15 +187,15 @@ void report_kick_energy(Report& report, const RestingBreather& at) {
 /**
 ## A weak kick (figure 15)
 
-Now $c = 3\cdot10^{-6}$. The site-centred breather travels, without a rest, from site to site: slowly over
-sites, which are its hills, faster over bonds. The bond-centred one swings.
+What does a kick below the barrier do? With $c = 3\cdot10^{-6}$ the site-centred breather travels
+without a stop from site to site: slowly over sites, which are its hills, faster over bonds. The bond-centred
+one swings.
 
 ![Energy centre after a weak kick.](fig:15)
 
 The answer to `moving.site_below` is the distance at the end of the run, where the breather still moves.
 The bond-centred one counts as pinned if it turns round before it comes near the next site, half a site away,
-in either phase and at both resolutions: the farthest place must be less than 0.45 from the start. A margin of
-the drift is an order of magnitude and no more. */
+in either phase and at both resolutions: its largest distance from the start must be less than 0.45. */
 struct Pair {
   Creep rough, good;
 };
@@ -212,7 +212,7 @@ std::array<Pair, 3> weak_paths(const Breathers& at, bool is_quick) {
 }
 
 /**
-One row for every eighth mean. */
+The centre creeps slowly, so every eighth of its means is enough for the figure. */
 Table path_table(const std::array<Pair, 3>& paths) {
   Table table{{number("t", "time")}};
   for (const Case& c : cases) {
@@ -234,7 +234,8 @@ Table path_table(const std::array<Pair, 3>& paths) {
 }
 
 /**
-The criterion would fail for a breather that stands on the hill or has passed it. */
+The verdict must be able to fail, and it does for a breather on the hill or beyond. The margin of the drift
+is an order of magnitude, so its error is put as large as itself. */
 void report_weak(Report& report, const Breathers& at) {
   const auto paths = weak_paths(at, report.quick);
   report.output.add("paths", path_table(paths));
@@ -262,13 +263,14 @@ void report_weak(Report& report, const Breathers& at) {
 /**
 ## The threshold, and why most of a kick is wasted
 
-A breather that creeps keeps its action, so that the landscape of its centre is the energy at *equal area*.
-The kick does not keep it: an oscillator of frequency one has an action as large as its energy, and nearly
-all of $c^2/2$ is spent on making the oscillation larger. Linear theory (depinning.hpp) gives the share
-$\varphi$ that is left as kinetic energy of the *centre*, from one period of the tangent map:
-[-0.0237402](num:sec33_mobility.kinetic_share_bond_stretched). The DpS equation has
+How large must a kick be? A breather that creeps keeps its action, so the landscape of its centre is the
+energy at *equal area*. The kick does not keep the action: an oscillator of frequency one has an action as
+large as its energy, and nearly all of $c^2/2$ goes into a larger oscillation. Linear theory
+(depinning.hpp) gives the share $\varphi$ that remains as kinetic energy of the *centre*, from one period of
+the tangent map: [-0.0237402](num:sec33_mobility.kinetic_share_bond_stretched). In the DpS equation
 $|\varphi| = (\omega_b-1)/3$ for $\omega_b \to 1$. The share is negative: the moving breather has *less*
-energy than the resting one of the same action, and the stable centre is the one of higher energy. So
+energy than the resting one of the same action. Its effective mass is negative, and the stable centre is
+the one of *higher* energy. So
 $$|\varphi|\,\frac{c_c^2}2 = |\tilde E_{PN}|,\qquad\text{not}\qquad \frac{c_c^2}2 = E_{PN}.$$ */
 Rung barriers_at(double omega) {
   Rung rung{0, omega};
@@ -280,9 +282,9 @@ Rung barriers_at(double omega) {
 /**
 Why did the article find its barriers to agree? In the limit $\omega_b \to 1$ the barrier at equal area is
 $(\omega_b-1)/5$ times the one at equal frequency, up to the sign, and $|\varphi|$ is $(\omega_b-1)/3$: two
-small factors of the same kind, which leave $c_c^2/2 = \frac35E_{PN}$. At $\omega_b = 1.1$ we find
-[0.61008](num:sec33_mobility.energy_ratio). So the two numbers have the same order of magnitude for a reason, but
-they are not the same number. */
+small factors of the same kind, which leave $c_c^2/2 = \frac35E_{PN}$. At $\omega_b = 1.1$ the factor is
+[0.61008](num:sec33_mobility.energy_ratio). So the two numbers have the same order of magnitude for a reason,
+but they are not the same number. */
 void report_predictions(Report& report, const std::vector<Prediction>& predictions,
                         const std::array<double, 3>& response) {
   for (std::size_t k = 1; k < 3; ++k) {
@@ -300,11 +302,10 @@ void report_predictions(Report& report, const std::vector<Prediction>& predictio
 }
 
 /**
-Now the runs. A few kicks beyond the prediction free the breather, and the square of the speed
-with which it passes the hill leads to the threshold (kicked.hpp), with two schemes. For the phase that
-answers the claim this is then seen directly: one per cent below the threshold the breather must turn
-round, one per cent above it must get over, or there is no answer. A threshold whose runs lost more than a
-hundredth of the kick's energy is refused. */
+The whole chain must confirm the prediction. Three kicks beyond it free the breather, and the square of the
+speed with which it passes the hill leads to the threshold (kicked.hpp), with two schemes. For the phase
+that answers the claim we also check directly: one per cent below the threshold it must turn round, one per
+cent above it must get over. Runs whose energy drifts by a hundredth of the kick are refused. */
 void report_thresholds(Report& report, const std::vector<FreeingKick>& found, const Rung& rung) {
   const double plain = std::abs(rung.equal_frequency.value);
   for (std::size_t k = 0; k < 2; ++k) {
@@ -326,8 +327,8 @@ void report_thresholds(Report& report, const std::vector<FreeingKick>& found, co
 /**
 ## Speed against kick (figure x15)
 
-If the landscape is a sine, the centre is a pendulum (depinning.hpp), which starts with a speed proportional to
-the kick. The runs take the time over one whole site, from the first mean on and from the second.
+How does the speed depend on the kick? In a sine landscape the centre is a pendulum (depinning.hpp), with an
+initial speed proportional to the kick. We time it over one site, from the first and the second mean of $X$.
 
 ![Mean speed against kick, and the drift of several integrators against their work.](fig:x15) */
 struct Speed_row {
@@ -344,7 +345,7 @@ Estimate speed_over_a_site(const RestingBreather& at, double c, const Resolution
 }
 
 /**
-One row for each kick and centre. */
+The kicks reach from just above the threshold of the bond to the strong kick; each makes one row. */
 void report_speeds(Report& report, const Breathers& at, const std::array<double, 3>& response,
                    double omega) {
   std::vector<Speed_row> rows;
@@ -370,10 +371,10 @@ void report_speeds(Report& report, const Breathers& at, const std::array<double,
 /**
 ## Which integrator
 
-The weakly kicked bond-centred breather for 5000 units of time, with every integrator that we have. Work is
-counted in forces on one site for one unit of time, which does not depend on the machine. Splittings lose at
-every switching, and compensated sums do not help, because rounding is not their trouble; landing on every
-switching is exact to the last digits and too dear for $10^5$ periods. */
+We compare every integrator that we have on the weakly kicked bond-centred breather, over 5000 units of time.
+Work is counted in forces on one site for one unit of time, which does not depend on the machine. Splittings
+lose accuracy wherever a contact opens or closes, and compensated sums do not help, because rounding is not
+the cause; landing on every such event is exact to the last digits and too expensive for $10^5$ periods. */
 struct Candidate {
   std::string name;
   double step;
@@ -398,7 +399,7 @@ std::vector<Candidate> candidates(const RestingBreather& at, double time) {
 }
 
 /**
-The table has one row for each integrator and step. */
+The figure draws drift against work, so the table has one row for each integrator and step. */
 void report_integrators(Report& report, const RestingBreather& at) {
   std::vector<Candidate> all = candidates(at, report.quick ? 500 : 5000);
   parallel_for("integrators", all.size(), [&](std::size_t i) { all[i].path = all[i].run(); });
@@ -415,13 +416,13 @@ void report_integrators(Report& report, const RestingBreather& at) {
 /**
 ## Where the printed numbers may come from
 
-An integrator that does not know of the switchings errs at each of them, and the error depends on where in
-its step the switching falls. If the period is a whole number of steps, this is the same place in every
-period: errors that would cancel add up, as long as the breather stays where it is. The integrator has a
-landscape of its own. We take the classical Runge-Kutta method with $T_b/k$ as its step, for several $k$,
-and the same with steps that are not in step with the period. Two of the article's experiments are repeated: the
-site-centred breather after the weak kick, and the bond-centred one after a kick of $5.5\cdot10^{-6}$, which
-lies between our threshold and the printed one. */
+An integrator that steps across the opening and closing of contacts errs at each of them, and the error
+depends on where in its step the event falls. If the steps are *locked*, a whole number of them to a period,
+this is the same place in every period: errors that would cancel add up, as long as the breather stays where
+it is. The integrator then has a landscape of its own. We take the classical Runge-Kutta method with $T_b/k$
+as its step, for several $k$, locked and not, and repeat two of the article's experiments: the site-centred
+breather after the weak kick, and the bond-centred one after a kick of $5.5\cdot10^{-6}$, which lies between
+our threshold and the printed one. */
 struct Trial {
   std::size_t which;
   double c, steps;
@@ -438,7 +439,7 @@ void run_trial(Trial& trial, const RestingBreather& at, double time) {
 }
 
 /**
-With an infinite `negligible` no contact is worth a correction. One row for each trial. */
+With an infinite `negligible` no contact is corrected. The table has one row for each trial. */
 void report_printed(Report& report, const Breathers& all) {
   std::vector<Trial> trials;
   for (double steps : {80, 120})
@@ -452,7 +453,7 @@ void report_printed(Report& report, const Breathers& all) {
                number("steps", "for one period"), count("locked", "1 where that number is whole"),
                number("energy_drift", "largest relative change of the energy"),
                number("farthest", "largest distance from the start", "site"),
-               number("travelled", "way at the end", "site")}};
+               number("travelled", "distance from the start at the end", "site")}};
   for (const Trial& r : trials)
     table.add({std::string(cases[r.which].name), r.c, r.steps, std::int64_t(r.locked),
                r.path.run.energy_drift, r.path.farthest(), std::abs(r.path.travelled())});
@@ -462,9 +463,9 @@ void report_printed(Report& report, const Breathers& all) {
 /**
 ## With your own parameters
 
-`sec33_mobility kick --centre bond --omega 1.1 --c 2e-4` kicks one breather. The run ends earlier where the
-breather comes within eight sites of an end of its chain. One that holds less than nine tenths of the
-energy after all has broken up, and that is an error; so is a chain too short for the breather. */
+`sec33_mobility kick --centre bond --omega 1.1 --c 2e-4` kicks one breather. The run ends early if the
+breather comes within eight sites of an end of its chain. If less than nine tenths of the energy stays
+together, the breather has broken up, and that is an error; so is a chain too short for the breather. */
 struct KickOptions : ChosenBreather {
   double c = 2e-4, time = 20000;
 };
@@ -476,7 +477,7 @@ RestingBreather ready_for(const KickOptions& options) {
 }
 
 /**
-Two step sizes, and the speed of a breather that has moved less than one site is `nan`. */
+Errors come from two step sizes. A breather that has moved less than one site has no speed: it is `nan`. */
 Table kick_command(const KickOptions& options) {
   const RestingBreather at = ready_for(options);
   const double room = 0.5 * double(at.chain.sites) - 8;
@@ -503,8 +504,7 @@ Table kick_command(const KickOptions& options) {
 }
 
 /**
-`sec33_mobility threshold --centre bond --omega 1.1` takes some seconds. An unstable centre has no threshold
-and is refused. */
+`sec33_mobility threshold --centre bond --omega 1.1` takes some seconds and refuses an unstable centre. */
 Table threshold_command(const KickOptions& options) {
   const RestingBreather at = ready_for(options);
   const Prediction p = predict_threshold(at, barriers_at(options.omega).equal_area);
@@ -533,17 +533,17 @@ Table threshold_command(const KickOptions& options) {
 |---|---|---|---|
 | speed, site | $5.446\cdot10^{-4}$ | [0.000544490](num:moving.v_site) | nothing to explain |
 | speed, bond | $5.364\cdot10^{-4}$ | [0.000536296](num:moving.v_bond) | central contact stretched at $t = 0$ |
-| way after the weak kick | 2 | [2.81675](num:moving.site_below), and on | perhaps locked steps |
+| distance after the weak kick | 2 | [2.81675](num:moving.site_below), and on | perhaps locked steps |
 | $c_c$ | $6.19\cdot10^{-6}$ | [4.45177e-6](num:moving.c_threshold) | perhaps locked steps |
 | $c_c^2/2$ | $1.92\cdot10^{-11}$ | [9.9091e-12](num:moving.pn_dynamic) | follows from $c_c$ |
 
-The prediction, [4.4516e-6](num:sec33_mobility.predicted_threshold_bond_stretched), agrees within its error; that of
-the pendulum is [4.45275e-6](num:sec33_mobility.threshold_of_pendulum_bond_stretched). With the central contact compressed the
-threshold is [4.31978e-6](num:sec33_mobility.threshold_bond_compressed). No trial of ours gives 6.19 in particular.
-Locked steps do pin the bond-centred breather at $5.5\cdot10^{-6}$, with a drift of the energy that is no
-larger than that of the same method with steps that are not locked, where it moves: a conserved energy is
-necessary and does not suffice. That this happened in the article is a conjecture. */
-void add_options(CLI::App& app, KickOptions& options) {
+The prediction, [4.4516e-6](num:sec33_mobility.predicted_threshold_bond_stretched), agrees within its error;
+that of the pendulum is [4.45275e-6](num:sec33_mobility.threshold_of_pendulum_bond_stretched). With the
+central contact compressed the threshold is [4.31978e-6](num:sec33_mobility.threshold_bond_compressed). No
+trial of ours gives 6.19 in particular. Locked steps do pin the bond-centred breather at $5.5\cdot10^{-6}$,
+with no more drift of the energy than steps that are not locked, with which it moves: a conserved energy is
+necessary but not sufficient. That this happened in the article is a conjecture. */
+void add_options(Command& app, KickOptions& options) {
   options.offer_centre(app);
   app.add_option("--omega", options.omega, "frequency omega_b > 1")->check(in_range(1.01, 2));
   options.offer_phase(app);
@@ -554,9 +554,9 @@ void add_options(CLI::App& app, KickOptions& options) {
 /**
 ## Extensions
 
-- The landscape is a sine to what accuracy, and where along $\omega_b$ does its second harmonic take over?
-- Does a breather at $c < c_c$ near an exchange swing about a centre that is neither site nor bond?
-- How long does a moving breather last, and what does it leave behind? */
+- How accurately is the landscape a sine, and where along $\omega_b$ does its second harmonic take over?
+- Near an exchange of stability, does a breather at $c < c_c$ swing about neither site nor bond?
+- How long does a moving breather last, and what does it lose on its way? */
 Results everything(Output& output, bool quick) {
   Report report{output, quick};
   output.note("sites", "52 and 53 for strong kicks, 22 to 31 otherwise");
@@ -581,19 +581,19 @@ Results everything(Output& output, bool quick) {
 }
 
 /**
-The subcommands share their options. */
+Both commands kick a breather, so they share their options. */
 int main(int argc, char** argv) {
   Program program({"sec33_mobility", "3.3", "Kicked breathers and their threshold (section 3.3)"},
                   argc, argv);
   KickOptions options;
   options.centre = "bond";
-  CLI::App* kick = program.command("kick", "speed of a breather after a kick",
-                                   [&] { return kick_command(options); });
+  Command* kick = program.command("kick", "speed of a breather after a kick",
+                                  [&] { return kick_command(options); });
   add_options(*kick, options);
   kick->add_option("--c", options.c, "size of the kick, a velocity")->check(in_range(1e-9, 1));
   kick->add_option("--time", options.time, "duration")->check(in_range(1000, 1e6));
-  CLI::App* threshold = program.command("threshold", "the kick that frees a stable breather",
-                                        [&] { return threshold_command(options); });
+  Command* threshold = program.command("threshold", "the kick that frees a stable breather",
+                                       [&] { return threshold_command(options); });
   add_options(*threshold, options);
   program.everything = [&](Output& output) { return everything(output, program.quick); };
   return program.run(argc, argv);

@@ -2,17 +2,18 @@
 # 3.3 How a multiplier goes wrong
 
 Four multipliers of a breather lie within a few $10^{-4}$ of $+1$, and whether one of them exceeds one
-decides its stability. Section 3.3 of James, Kevrekidis and Cuevas (Physica D 251, 2013) reads two
-exchanges of stability off them, at $s_0 \approx 0.26$ around a bond and $0.05$ around a site. The chapter
-before finds one number for both. This one asks which computations give the printed pair, and what an
-error of the monodromy matrix does to a verdict.
+decides its stability. Section 3.3 of James, Kevrekidis and Cuevas (Physica D 251, 2013) reads off them two
+values of the anharmonicity at which the stability changes, $s_0 \approx 0.26$ around a bond and $0.05$ around
+a site. The previous chapter finds one number for both. This one asks which computations give the printed
+pair, and what an error of the monodromy matrix, the derivative of the flow over one period, does to a
+verdict.
 
         exact                 matrix wrong by delta
           o                        o
         --@--  a double +1       o   o   four eigenvalues, sqrt(delta) away
           o                        o
 
-The claims are answered in the chapter before; what stands here is measured. */
+The claims are answered in the previous chapter; the results here are our own measurements. */
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -34,22 +35,24 @@ using namespace lattice;
 /**
 ## Model and method
 
-The chain is that of Eqs. (6) and (10) at $\omega_b = 1.1$. The breathers are accurate throughout, so that only
-the linearised flow is at fault. With $\kappa = (\lambda+1/\lambda-2)/4$ of the pinning pair (floquet.hpp) a
-breather is unstable where $\kappa>0$. From a matrix of any origin we take the symmetric function
+The chain is that of Eqs. (6) and (10) at $\omega_b = 1.1$. The breathers are accurate throughout, so that
+only the linearised flow is at fault. One pair of multipliers is exactly $+1$; of the other, the pinning pair
+$\lambda, 1/\lambda$ of a shift along the chain, we form $\kappa = (\lambda+1/\lambda-2)/4$ (floquet.hpp).
+The breather is unstable where $\kappa>0$. From a matrix of any origin we take the symmetric function
 $$\kappa \simeq \frac18\sum_{k=1}^4\frac{(\lambda_k-1)^2}{\lambda_k}$$
-of the four eigenvalues next to one, which does the matrix more justice than its eigenvalues would. */
+of the four eigenvalues next to one. It changes smoothly with the matrix, while each eigenvalue does not. */
 constexpr double omega_main = 1.1;
 
 /**
 ## What a defective $+1$ does to a verdict
 
-Suppose that we had read the multipliers off the monodromy matrix $M$ of the bond-centred breather,
-which is stable. We add noise of size $\delta$ to an accurate $M$ and look at the four eigenvalues next
-to $+1$. They move by $\delta^{1/2}$: the fitted exponent is [0.510](num:sec33_multiplier_errors.defect_slope). With
-$\delta = 10^{-6}$ a modulus exceeds one by [0.000495877](num:sec33_multiplier_errors.excess_of_noise), more than that of the
-truly unstable site-centred breather. The symmetric function of the four from which one may take
-$\kappa$ moves with the exponent [0.9997](num:sec33_multiplier_errors.kappa_slope). */
+The double $+1$ is *defective*: it has only one eigenvector. Suppose that we had read the multipliers off the
+monodromy matrix $M$ of the bond-centred breather, which is stable. We add noise of size $\delta$ to an
+accurate $M$ and look at the four eigenvalues next to $+1$. They move by $\delta^{1/2}$: the fitted exponent
+is [0.510](num:sec33_multiplier_errors.defect_slope). With $\delta = 10^{-6}$ a modulus exceeds one by
+[0.000495877](num:sec33_multiplier_errors.excess_of_noise), more than that of the truly unstable site-centred
+breather. The symmetric function of all four moves with the exponent
+[0.9997](num:sec33_multiplier_errors.kappa_slope). */
 struct Damage {
   double displacement = 0;  ///< of the four from where they belong, the largest
   double excess = 0;        ///< largest | |lambda| - 1 | of the four
@@ -71,8 +74,8 @@ Damage damage(const Matrix<double>& map, double kappa) {
 }
 
 /**
-The noise has recorded seeds, 1 to 8. Displacements and changes of $\kappa$ are geometric means over the
-seeds, the excess is the largest. */
+One sample of the noise would be an accident, so we take eight, with the recorded seeds 1 to 8. Displacements
+and changes of $\kappa$ are geometric means over the seeds; the excess is the largest. */
 Damage mean_damage(const Matrix<double>& map, double delta, double kappa) {
   double displacement = 0, change = 0;
   Damage out;
@@ -89,8 +92,8 @@ Damage mean_damage(const Matrix<double>& map, double delta, double kappa) {
 }
 
 /**
-A second series is no model: the same matrix from our integrator with its tolerance loosened, and the
-largest change of an entry for $\delta$. */
+Do real errors act like noise? A second series takes the same matrix from our integrator at looser and looser
+tolerances, with the largest change of an entry as $\delta$. */
 void add_loosened(Table& table, const BreatherProblem<double>& problem, const Orbit<double>& orbit,
                   double kappa) {
   const Matrix<double> map = monodromy(problem.chain, orbit.start, orbit.period());
@@ -105,7 +108,7 @@ void add_loosened(Table& table, const BreatherProblem<double>& problem, const Or
 }
 
 /**
-Both series stand in one table. */
+The two series are to be compared, so they share one table. */
 Table empty_defect_table() {
   return {{label("source", "noise, or a loosened tolerance"),
            number("delta", "size of the change of the matrix"),
@@ -115,7 +118,7 @@ Table empty_defect_table() {
 }
 
 /**
-The exponents come from straight lines through the logarithms. */
+Power laws are straight lines through the logarithms, and their slopes are the exponents. */
 void report_defect(Report& report) {
   const auto problem = problem_at(Centre::bond, {});
   const Orbit<double> orbit = find_breather(problem);
@@ -143,18 +146,18 @@ void report_defect(Report& report) {
 }
 
 /**
-## What prints 0.26 and 0.05
+## Which computations give 0.26 and 0.05
 
-Near the exchange $\kappa$ changes by [7.5451e-8](num:sec33_floquet.exchange_slope) per unit of $s$. An error of
-$10^{-8}$ of the symmetric function is then as good as a change of $s$ by a tenth. We compute the
-matrix by adaptive Runge-Kutta methods that know of no switchings, around accurate breathers, and look
-where the quadruplet says that the stability changes. A tolerance of $10^{-9}$, a common choice, gives
-[0.06](num:sec33_multiplier_errors.site_at_1e9) around a site and
-[0.217](num:sec33_multiplier_errors.bond_at_1e9) around a bond: a gap as in the article, 0.05 and 0.26, out of
-one and the same number. The zero even depends on where one samples, which is what the error says.
-At $10^{-11}$ the gap has closed to a thousandth. Difference quotients do not come near, with any
-increment: a contact that is barely open has a stiffness like the square root of the overlap, and
-so has their error. */
+Near the exchange of stability $\kappa$ changes by [7.5451e-8](num:sec33_floquet.exchange_slope) per unit of
+$s$. An error of $10^{-8}$ of the symmetric function is then as good as a change of $s$ by a tenth. We compute
+the matrix by adaptive Runge-Kutta methods that step across the opening and closing of contacts, around
+accurate breathers, and find where the four eigenvalues say that the stability changes. A method of order
+eight with a tolerance of $10^{-9}$, a common choice, gives [0.06](num:sec33_multiplier_errors.site_at_1e9)
+around a site and [0.217](num:sec33_multiplier_errors.bond_at_1e9) around a bond: a gap as in the article,
+0.05 and 0.26, out of one and the same number. The zero even depends on the values of $s$ that are sampled;
+this is its error. At $10^{-11}$ the gap has closed to a thousandth. Difference quotients do not come near,
+with any increment: the stiffness of a contact that is barely closed is like the square root of the overlap,
+so their error is like the square root of the increment. */
 struct Trial {
   std::string method;
   double setting;  ///< tolerance, or increment relative to the amplitude
@@ -162,7 +165,8 @@ struct Trial {
 };
 
 /**
-The variational equations of all columns are integrated together with the orbit. */
+The variational equations give the derivative of the flow, column by column. All columns are integrated
+together with the orbit. */
 Matrix<double> variational(const BreatherProblem<double>& problem, const Orbit<double>& orbit,
                            const Tolerance& tolerance) {
   const std::size_t n = problem.chain.sites, m = 2 * n;
@@ -188,8 +192,8 @@ Matrix<double> variational(const BreatherProblem<double>& problem, const Orbit<d
 }
 
 /**
-Difference quotients need nothing but the flow. They are central, with an increment relative to the
-amplitude. */
+Whoever has no variational equations may take difference quotients, which need nothing but the flow. Ours are
+central, with an increment relative to the amplitude. */
 Matrix<double> differences(const Orbit<double>& orbit, double increment,
                            const std::function<void(State<double>&)>& carry) {
   const std::size_t m = 2 * orbit.start.y.size();
@@ -208,8 +212,8 @@ Matrix<double> differences(const Orbit<double>& orbit, double increment,
 }
 
 /**
-Two methods with a tolerance for the variational equations, and an increment for the differences of a
-well resolved flow. */
+Which setting prints the article's pair? We vary the tolerance of two methods for the variational equations,
+and the increment for the differences of a well resolved flow. */
 std::vector<Trial> all_trials() {
   using P = BreatherProblem<double>;
   using O = Orbit<double>;
@@ -231,7 +235,8 @@ std::vector<Trial> all_trials() {
 }
 
 /**
-In each trial $\kappa$ is computed on a few wells, and its zero is read off between them. */
+Each trial must answer with a value of $s_0$, so $\kappa$ is computed in a few wells, on short chains, and its
+zero read off between them. */
 struct Reading {
   double zero = std::numeric_limits<double>::quiet_NaN();
   double error_of_matrix = 0;  ///< largest error of an entry in the linear well
@@ -256,7 +261,7 @@ Reading read_zero(const Trial& trial, Centre centre, int steps) {
 }
 
 /**
-One row for each trial; where there is no zero between $s=-1$ and $1$ the entry is empty. */
+The table has one row for each trial; where there is no zero between $s=-1$ and $1$ the entry is `nan`. */
 void report_printed(Report& report) {
   std::vector<Trial> trials = all_trials();
   if (report.quick) trials.resize(3);
@@ -286,13 +291,13 @@ void report_printed(Report& report) {
 /**
 ## Differences and limits
 
-The article does not say how its matrices were computed. That a tolerance of $10^{-9}$ gives its gap does not
-prove that it was used, only that it would have sufficed. In the trials the breathers are exact; those
+The article does not say how its matrices were computed. A tolerance of $10^{-9}$ would have sufficed to
+produce its gap; that does not prove that it was used. In the trials the breathers are exact; those
 of the article had residuals of $1.5\cdot10^{-9}$ besides.
 
 ## Extensions
 
-- Which part of the error comes from which switching? Land on the central contact only.
+- Which part of the error comes from which contact? Land on the switchings of the central contact only.
 - Does a symplectic integrator with fixed steps keep the double $+1$ together? */
 int main(int argc, char** argv) {
   Program program({"sec33_multiplier_errors", "3.3", "How a multiplier goes wrong (section 3.3)"},

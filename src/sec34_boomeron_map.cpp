@@ -1,10 +1,11 @@
 /**
 # 3.4 Which packets turn round
 
-Section 3.4 of James, Kevrekidis and Cuevas (Physica D 251, 2013) reports that the travelling
-breather launched by an impact turns round as soon as the wells are hard, "$s>0$ (we have checked it
-for $s\ge0.005$), but not for $s=0$" (`boomeron.any_s`), without saying for which impacts. We map
-the turning against impact velocity and hardness and find the law of its boundary.
+According to section 3.4 of James, Kevrekidis and Cuevas (Physica D 251, 2013) the packet launched by
+an impact seems to turn round as soon as the wells are hard: they checked $s\ge0.005$, and at $s=0$
+it does not turn (`boomeron.any_s`). They do not say for which impacts. We map the turning against
+impact velocity $v_0$ and hardness $s$ and find the law of its boundary. The model is that of the
+chapter before.
 
      log s |  .        turns, or never leaves the end
            |    ' .
@@ -34,24 +35,27 @@ using namespace lattice;
 /**
 ## What counts as turning
 
-The map of the figure decides each point by one criterion, the same for all decades of impacts. A
-packet has *turned* when its centre, averaged over one internal period, has come back by five sites,
-more than a packet swings that is caught between two sites. It has *escaped* when it passes site 40,
-and it *stays* if it never got beyond site 8. A turning further out than site 40 is an escape here;
-that is a limit of the map and no statement about the chain. */
+A map needs one criterion for all its points, although the impacts differ by orders of magnitude. A
+packet has *turned* when its centre, averaged over about one internal period, has come back by five
+sites; a packet that is caught between two sites swings by less. It has *escaped* when it passes
+site 40, and it *stays* if it never gets beyond site 8 (turning.hpp says how long we wait). A packet
+that turns further out than site 40 counts as escaped here; that is a limit of the map and no
+statement about the chain. */
 constexpr double horizon = 40;
 
 /**
 ## The scaling that decides
 
-A packet of amplitude $\epsilon$ feels the contacts as a relative force $\epsilon^{1/2}$ and the
-hardness as $s\epsilon^2$, in units in which the well is one. In the limit of small amplitude time
-scales out of the DpS equation with $\epsilon^{1/2}$, and only the ratio $\kappa = s\,v_0^{3/2}$ is
-left: what happens at which site can depend on nothing else. So we expect
+Where should the points of the map lie? Relative to the linear force of the well, a packet of
+amplitude $\epsilon$ feels the contacts with the strength $\epsilon^{1/2}$ and the hardness with
+$s\epsilon^2$. At small amplitude both are small, and the first only sets the time scale, as in the
+DpS equation. What happens at which site can then depend on nothing but their ratio, in which
+$\epsilon$ is $v_0$ up to a factor: $\kappa = s\,v_0^{3/2}$. So we expect packets to turn for $s$
+above
 $$s_c(v_0) = v_0^{-3/2}\,(\kappa_0 + \kappa_1 v_0^{1/2} + \dots),$$
-the second term being the first correction in $\epsilon^{1/2}$ to that limit. The boundary is thus a
-narrow band across many decades of $s$, and we place the points of each velocity at equal ratios of
-$\kappa$ instead of $s$. */
+where the second term is the first correction, in $\epsilon^{1/2}$, to that limit. The boundary thus
+crosses many decades of $s$ while $\kappa$ changes little, and we place the points of each velocity
+at equal ratios of $\kappa$. */
 struct MapGrid {
   std::size_t columns = 42, rows = 42;
   double slowest = 0.03, fastest = 200, least = 0.7, most = 20;  ///< of v0 and of kappa
@@ -64,8 +68,8 @@ struct MapGrid {
 constexpr double softest = 0.005;  // the smallest s of the article
 
 /**
-A map of this size takes a while, and an interrupted one should go on where it stopped. So its rows
-are kept as soon as they are known (sweep.hpp), under a name that holds whatever decides them. */
+A map of this size takes a while, and an interrupted one should go on where it stopped. So each row
+is stored as soon as it is known (sweep.hpp), together with all parameters that determine it. */
 Sweep map_sweep(const std::filesystem::path& folder, const MapGrid& grid) {
   const std::vector<Column> columns{
       number("velocity", "impact velocity"),
@@ -81,8 +85,8 @@ Sweep map_sweep(const std::filesystem::path& folder, const MapGrid& grid) {
 }
 
 /**
-Each point is decided at two steps. Where the two do not agree the motion is erratic, and a colour
-would be an accident: such a point is marked as undecided. */
+Each point is computed with two steps. Where they disagree on the fate, the motion is erratic and
+either answer would be an accident: such a point is marked as undecided. */
 void compute_map(Sweep& sweep, const MapGrid& grid, Part part) {
   sweep.compute(part, [&](std::size_t i) {
     const double v = grid.velocity(i), kappa = grid.kappa(i), s = kappa / (v * std::sqrt(v));
@@ -100,9 +104,9 @@ void compute_map(Sweep& sweep, const MapGrid& grid, Part part) {
 /**
 ## The law of the boundary
 
-A fit needs the boundary more finely than the colours of the map show it, so we bisect in $s$, at
-two steps. The error is their difference plus the last interval. A packet that has neither turned
-nor escaped in the time of a run counts with those that turn. */
+To fit the boundary we need it more precisely than the map shows it, so we bisect in $s$, with two
+steps. The error is their difference plus the last interval. A packet that has neither turned nor
+escaped by the end of a run is counted with those that turn. */
 Estimate critical_s(double velocity, int bisections) {
   const auto bisect = [&](int halvings) {
     double low = std::log(0.5), high = std::log(60.0);  // of kappa
@@ -118,8 +122,9 @@ Estimate critical_s(double velocity, int bisections) {
 }
 
 /**
-The impacts reach over four decades, from the limit in which the scaling should hold to amplitudes
-at which the linear part of the well hardly matters. */
+To test a limit the impacts must come close to it and also leave it. They span four decades, from
+amplitudes at which the scaling should hold to those at which the linear part of the well hardly
+matters. */
 struct Threshold {
   std::vector<double> velocity;
   std::vector<Estimate> s;
@@ -138,11 +143,11 @@ Threshold threshold(bool quick) {
 }
 
 /**
-The expected law is a line in $v_0^{1/2}$. We fit it where the amplitude is below three, and judge
-it by its largest relative deviation, because a curved boundary would show at the ends of the line
-and not in the mean. */
+The expected law is a line when $\kappa_c = s_c v_0^{3/2}$ is plotted against $v_0^{1/2}$. We fit it
+for $v_0 < 3$, a bound that is our choice, and judge it by its largest relative deviation, because a
+curved boundary would show at the ends of the line and not in the mean. */
 struct Law {
-  std::vector<double> root{}, kappa{};  ///< v0^(1/2) and kappa_c below the amplitude three
+  std::vector<double> root{}, kappa{};  ///< v0^(1/2) and kappa_c for v0 < 3
   std::vector<double> error{};          ///< of kappa_c, relative
   Line line{};
   double at(double x) const { return line.intercept + line.slope * x; }
@@ -161,8 +166,8 @@ Law fit_law(const Threshold& b) {
 }
 
 /**
-The limit itself lies outside of the points. So the error of $\kappa_0$ is that of the slope, times
-the distance of the points from $v_0=0$. */
+The limit $v_0=0$ lies outside the range of the points, and the error of the slope enters
+$\kappa_0$. So we take as its error that of the slope times the root mean square of $v_0^{1/2}$. */
 void add_law(Quantities& facts, const Law& law) {
   const double points = double(law.root.size());
   Estimate scatter{};
@@ -180,8 +185,8 @@ void add_law(Quantities& facts, const Law& law) {
 }
 
 /**
-Above $v_0=1$ we also give the plain power that a reader would draw through the points of a
-logarithmic plot, to compare it with the $-3/2$ of the limit. */
+Above $v_0=1$ we also fit the plain power law that a reader would draw through the points of a
+logarithmic plot, to compare its exponent with the $-3/2$ of the limit. */
 void report_law(Report& report) {
   const Threshold b = threshold(report.quick);
   const Law law = fit_law(b);
@@ -203,8 +208,8 @@ void report_law(Report& report) {
 /**
 ## Does every hard well turn packets?
 
-The claim that packets turn for $s\ge0.005$, and not for $s=0$, needs an impact. So at $s=0.005$ we
-bisect in $v_0$ for the slowest one that turns. */
+Whether packets turn at $s=0.005$, the smallest value of the article, depends on the impact. So we
+bisect in $v_0$ for the weakest impact whose packet turns. */
 Estimate slowest_turning(bool quick) {
   const double slowest = 20, fastest = MapGrid{}.fastest;
   const int bisections = quick ? 5 : 9;
@@ -222,8 +227,8 @@ Estimate slowest_turning(bool quick) {
 }
 
 /**
-The claim stands if a packet turns five per cent beyond that impact, outside of its error, and if
-none of the map's velocities makes the linear chain turn anything, at either of two steps. A single
+The claim holds if a packet turns at an impact five per cent stronger than that, its error included,
+and if at $s=0$ the packet escapes for every velocity of the map, with either of two steps. A single
 packet that turned at $s=0$ would refute it. */
 void report_any_s(Report& report) {
   const MapGrid grid;
@@ -246,16 +251,17 @@ void report_any_s(Report& report) {
 /**
 ## One part of the map
 
-`sec34_boomeron_map map --part 2/8 --folder rows` computes every eighth point from the second on,
-and keeps it in the folder; without `--part` it collects what all parts have left there, computes
-what is missing and prints the whole map. */
+The points of the map are independent, so several machines can share them.
+`sec34_boomeron_map map --part 2/8 --folder rows` computes every eighth point from the second on and
+keeps it in the folder; without `--part` the command collects what all parts have left there,
+computes what is missing and prints the whole map. */
 struct MapOptions {
   MapGrid grid{};
   std::string part = "1/1", folder = "build/data/sec34_boomeron_map";
 };
 
 void add_map(Program& program, MapOptions& options) {
-  CLI::App* map = program.command("map", "the map of turning, or a part of it", [&options] {
+  Command* map = program.command("map", "the map of turning, or a part of it", [&options] {
     const Part mine = parse_part(options.part);
     Sweep sweep = map_sweep(options.folder, options.grid);
     compute_map(sweep, options.grid, mine);
@@ -271,17 +277,16 @@ void add_map(Program& program, MapOptions& options) {
 /**
 ## Results
 
-For small and moderate impacts $\kappa_c = s_c v_0^{3/2}$ follows the expected line: $\kappa_0$ is
+For weak and moderate impacts $\kappa_c$ follows the expected line: $\kappa_0$ is
 [1.022](num:sec34_boomeron_map.law_kappa_0) and $\kappa_1$ is
-[0.99](num:sec34_boomeron_map.law_kappa_1), with no point further off than the relative
+[0.99](num:sec34_boomeron_map.law_kappa_1), and no point is further off than a fraction of
 [0.0149181](num:sec34_boomeron_map.law_largest_deviation). Strong impacts, for which the linear part
-of the well no longer matters, leave the line; above $v_0=1$ a plain power of
-[-1.236](num:sec34_boomeron_map.power_large_impacts) describes the boundary, but only as an average
-over a slope that changes. At $v_0=1.9$ a packet turns before site 40 if $s$ exceeds
-[0.908](num:sec34_boomeron_map.s_needed_at_190), and at $s=0.005$ it needs an impact of
-[128.4](num:sec34_boomeron_map.v0_needed_at_s_0005). At the article's velocities and $s=0.005$
-nothing turns there. The boundary belongs to site 40: how it depends on the distance is shown by
-`apex` in the map. */
+of the well no longer matters, leave the line. Above $v_0=1$ the boundary follows a power law with
+the exponent [-1.236](num:sec34_boomeron_map.power_large_impacts) on average, but its slope changes.
+At $v_0=1.9$ a packet turns before site 40 if $s$ exceeds
+[0.908](num:sec34_boomeron_map.s_needed_at_190). At $s=0.005$ that takes an impact of
+[128.4](num:sec34_boomeron_map.v0_needed_at_s_0005), far above the article's velocities. All this
+holds for turning before site 40; how far out packets turn is the column `apex` of the map. */
 Results reproduce(Report& report, MapGrid grid) {
   if (report.quick) grid.columns = grid.rows = 8;
   Sweep sweep = map_sweep(report.output.folder(), grid);
@@ -297,16 +302,17 @@ Results reproduce(Report& report, MapGrid grid) {
 /**
 ## Differences and limits
 
-A turning is never seen to be absent, only not seen up to site 40. The apex moves out steeply as
-$\kappa$ falls, so another horizon would change $\kappa_0$ a little and the exponent not at all.
-Deep inside the turning region the motion near the end is erratic, and the fate of single points
-there depends on the last digit; points at which two steps do not agree are marked as undecided.
+We cannot show that a packet never turns, only that it does not turn before site 40. The apex moves
+out steeply as $\kappa$ falls, so we expect another horizon to change $\kappa_0$ a little and the
+exponent of the limit not at all. For $\kappa$ far above the boundary the motion near the struck end
+is erratic and the fate of single points depends on the last digit; where two steps disagree, they
+are marked as undecided.
 
 ## Extensions
 
 - Is there a $\kappa$ below which a packet never turns, or does the apex grow without limit?
-- Derive $\kappa_0$ from the DpS equation with a cubic term, where it is a pure number.
-- Does the law hold for a struck chain with fixed end? */
+- Derive $\kappa_0$ from the DpS equation with a cubic term added, in which it is a pure number.
+- Does the law hold for a struck chain with a fixed end? */
 int main(int argc, char** argv) {
   Program program({"sec34_boomeron_map", "3.4", "Which packets turn round (section 3.4, s > 0)"},
                   argc, argv);

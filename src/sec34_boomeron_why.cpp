@@ -1,9 +1,9 @@
 /**
 # 3.4 Why packets turn round
 
-James, Kevrekidis and Cuevas (Physica D 251, 2013) have no clear explanation of the packets of
-section 3.4 that turn round in hard wells. They suspect the waves which are confined between the
-packet and the struck end, and close with the question. We ask it by experiments that can fail.
+James, Kevrekidis and Cuevas (Physica D 251, 2013) leave open why packets turn round in the hard
+wells of section 3.4. They suspect the waves that are confined between the packet and the struck
+end. We test this with experiments whose outcome could contradict it.
 
      waves     |~~~~~~~~~~~~~~~ (packet)              does it turn?
      behind    |xxxxxxxxx       (packet)              waves absorbed: still?
@@ -37,18 +37,19 @@ using namespace lattice;
 ## Model and method
 
 The chain is that of the other boomeron chapters, Eqs. (9), (10) and (26),
-$$\ddot y_n + y_n + s\,y_n^3 = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2} - \gamma_n\dot y_n,
+$$\ddot y_n + y_n + s\,y_n^3 = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2} - \nu_n\dot y_n,
   \qquad \dot y_n(0) = v_0\,\delta_{n,1},$$
-with $s=1$, $v_0=1.9$ and a damping $\gamma_n$ that is zero except where we absorb (damped.hpp).
-Each experiment is made at two steps, of the integration and of the damping at once. The criterion
-of the figure is that a packet has turned when it has come back by five sites (turning.hpp); one
-that is merely caught between two sites swings by less than one.
+with $s=1$, $v_0=1.9$ and a damping $\nu_n$ that is zero except where we absorb waves (damped.hpp).
+Each experiment is made with two steps, for integration and damping at once. A packet has turned
+when it has come back by five sites (turning.hpp); one that is only caught between two sites swings
+by less than one.
 
 | article | program | meaning |
 |---|---|---|
 | $s$, $v_0$ | `s`, `velocity` | the well and the impact |
 | $X$ | `Path::centre` | energy centre of the strongest packet, Eq. (24) |
-| $\mathcal A$ | `area` | $\int \sum \dot y_n^2\,dt$ over one internal period | */
+| – | `nu` | damping $\nu_n$ |
+| – | `area` | area in phase space, $\int \sum \dot y_n^2\,dt$ over one internal period | */
 constexpr double s = 1, velocity = 1.9, watched = 1000;
 constexpr std::size_t sites = 150;
 using HardChain = Chain<Quartic, Hertz>;
@@ -75,10 +76,12 @@ std::size_t strongest(const std::vector<double>& e) {
 /**
 ## The experiments
 
+If the waves turn the packet, it must not turn without them, so we take them away in three ways.
 *Behind* damps everything more than six sites behind the packet, so that no wave lies between it and
-the end. *End* damps the first site only, after the packet has left: waves stay, but are
-no longer returned. *Cut* takes the packet's own thirteen sites at a given time, displacements and
-velocities untouched, and puts them on a chain that is at rest otherwise and has no end nearby. */
+the end. *End* damps the first site only, after the packet has left: waves remain, but the end
+reflects fewer of them. *Cut* takes the packet's own thirteen sites at a given time, displacements
+and velocities untouched, and puts them on a chain that is otherwise at rest and has no end nearby.
+*/
 std::vector<double> rates(const Absorber& absorber, const HardChain& chain,
                           const State<double>& state) {
   if (absorber.rate == 0 || state.t < absorber.from) return {};
@@ -93,9 +96,9 @@ std::vector<double> rates(const Absorber& absorber, const HardChain& chain,
 }
 
 /**
-To cut is to copy the packet alone onto a longer chain, `shift` sites further on, with one site more
-on either side than its energy centre takes into account. If it behaves differently afterwards, the
-missing waves are the reason, or the missing end. */
+A cut copies only the packet onto a longer chain, `shift` sites further on, with one site more on
+either side than its energy centre takes into account. If it behaves differently afterwards, the
+reason is that the waves or the end are missing. */
 State<double> cut_out(const HardChain& chain, const State<double>& state, std::size_t shift) {
   constexpr std::size_t reach = 6;
   const std::size_t peak = strongest(energy_density(chain, state));
@@ -107,9 +110,9 @@ State<double> cut_out(const HardChain& chain, const State<double>& state, std::s
 }
 
 /**
-An absorber that follows the packet changes with it, so a run is made of short stretches of two
-steps each, with rates that are constant in one. The stretch shrinks with the step, so that the
-error of the moving absorber is seen by the comparison of two steps as well. */
+An absorber that follows the packet changes with it, so a run consists of short stretches of two
+steps each, with constant rates in each of them. The stretch shrinks with the step, so that the
+comparison of two steps also shows the error of the moving absorber. */
 void carry_on(const HardChain& chain, State<double>& state, const std::vector<double>& nu,
               double step) {
   const ContactAware stepper{step};
@@ -121,8 +124,8 @@ void carry_on(const HardChain& chain, State<double>& state, const std::vector<do
 }
 
 /**
-Now an experiment can be carried out. After a cut the centre is still told in sites of the old
-chain, and `watch` sees every stretch. */
+Now we can carry out an experiment and follow its packet. After a cut the centre is still given in
+sites of the old chain; `watch` sees the state before every stretch. */
 template <class Watch>
 Path perform(const Experiment& experiment, double step, double time, Watch watch) {
   HardChain chain{sites, {s}};
@@ -149,9 +152,10 @@ Path perform(const Experiment& experiment, double step, double time, Watch watch
 }
 
 /**
-The decision is one line: did the packet come back? With the waves it does, and the question is
-whether it does without. A packet that is cut out late has already been slowed down and may be
-caught by the lattice; the facts say how far each one moves in the last half of the time. */
+Seven experiments are made: the undisturbed run, the two absorbers, and cuts at four times. Of each
+we ask whether the packet comes back. A packet that is cut out late has already been slowed down and
+may be caught by the lattice, so the facts also say how far each one moves in the second half of the
+time. */
 std::vector<Experiment> experiments() {
   std::vector<Experiment> list{
       {"waves", {}, 0}, {"behind", {6, 0, 0.1, 0}, 0}, {"end", {0, 1, 0.2, 60}, 0}};
@@ -170,8 +174,7 @@ double advance(const Path& path, double from, double to) {
 }
 
 /**
-The figure draws the smoothed centres and energies. After a cut the first window of the smoothing
-still reaches back before it, so a path is drawn from the cut on. */
+The figure draws the smoothed centres and energies, after a cut only those from the cut on. */
 Table tracks(const std::vector<Experiment>& list) {
   Table table{{count("experiment",
                      "0 waves left, 1 absorbed behind, 2 absorbed at the end, then cut at "
@@ -187,8 +190,8 @@ Table tracks(const std::vector<Experiment>& list) {
 }
 
 /**
-Whether a packet came back must not depend on the step: where two steps disagree there is no answer,
-and the program says so and stops. */
+Whether a packet came back must not depend on the step: if two steps disagree there is no answer,
+and the program fails. */
 void add_experiment(Quantities& facts, const Experiment& e) {
   const auto turned = [](const Path& p) { return find_turn(smooth(p, smoothing)).apex.found(); };
   const auto late = [](const Path& p) { return advance(p, watched / 2, watched - 20); };
@@ -212,13 +215,15 @@ void report_experiments(Report& report) {
 /**
 ## Inside the packet
 
-If the packet is a breather that moves, its frequency, energy and area should follow those of the
-breathers at rest at the same $s$, computed by Newton's method for both families. The frequency is
-read from the upward zeros of $\sum(-1)^n y_n$ over the packet, which oscillates with the sign
-pattern of the breather; the area is the mean of $\sum\dot y_n^2$ over stretches of twenty units of
-time, times the period. Where a chain pins is told by the barrier $E_{\rm site}-E_{\rm bond}$ at
-equal area (chapter 3.2): it is a periodic force, of both signs within one site, and its size
-compares with the energy that the packet has for moving. */
+What is it that the waves turn? If the packet is a breather that moves, its frequency, energy and
+area should be related as in the breathers at rest of the same $s$, which we compute by Newton's
+method. The frequency is read from the upward zeros of $\sum(-1)^n y_n$ over the packet, since
+neighbours in a breather have opposite signs; the area is the mean of $\sum\dot y_n^2$ over
+stretches of twenty units of time, times the period.
+
+The lattice itself could stop a packet. Its barrier is the energy difference of site-centred and
+bond-centred breathers, $E_{\rm site}-E_{\rm bond}$, at equal area (chapter 3.2). It repeats itself
+from site to site, so the force that belongs to it has both signs within one site. */
 struct Inside {
   double t = 0, site = 0, energy = 0, area = 0, omega = 0;
 };
@@ -237,8 +242,8 @@ struct Gauge {
 };
 
 /**
-One look at the chain adds to the sums. The alternating sign of the pattern takes out long waves
-that run through the packet, which would shift the zeros of a single site. */
+Each look at the chain adds to the sums. The alternating sign cancels long waves that run through
+the packet; they would shift the zeros of a single site. */
 void Gauge::operator()(const State<double>& now) {
   const std::vector<double> e = energy_density(HardChain{now.y.size(), {s}}, now);
   const std::size_t peak = strongest(e), m = packet_half_width;
@@ -253,8 +258,8 @@ void Gauge::operator()(const State<double>& now) {
 }
 
 /**
-The frequency is the number of periods between the first and the last upward zero of a stretch over
-the time between them, each zero placed by a straight line between two looks. */
+To place a zero between two looks we draw a straight line. The frequency of a stretch then follows
+from the number of periods between its first and its last upward zero. */
 void Gauge::look_for_zero(double pattern, double t) {
   if (before < 0 && pattern >= 0) {
     last = before_t + (t - before_t) * before / (before - pattern);
@@ -278,9 +283,9 @@ std::vector<Inside> gauge(const Experiment& experiment, double step) {
 }
 
 /**
-What the packet is compared with are both families of breathers at rest, climbed rung by rung in
-frequency from the bottom of the packet's range on. The barrier is taken on the way, where both
-orbits of a rung are at hand. */
+For the comparison we need both families of breathers at rest over the packet's range of
+frequencies. We follow them in small steps of the frequency, each starting Newton's method from the
+breather before, and take the barrier on the way. */
 struct Family {
   std::vector<Orbit<double>> bond, site;
   std::vector<double> gap;  ///< E_site - E_bond at equal area
@@ -296,7 +301,8 @@ Family family() {
   return f;
 }
 
-/// A quantity of the bond-centred family at the frequency `omega`, between two of every `each` rungs.
+/// A quantity of the bond-centred family at the frequency `omega`, interpolated linearly between two of
+/// every `each` rungs.
 template <class Of>
 double at_frequency(const Family& f, double omega, Of of, std::size_t each = 1) {
   std::size_t k = each;
@@ -317,8 +323,7 @@ Estimate at_rest(const Family& f, const Estimate& omega, Of of) {
 }
 
 /**
-Both sides of the comparison become tables, the packet along its way and the breathers along their
-frequency, so that the figure can lay one over the other. */
+The figure draws the packet, as it moves, over the breathers at rest, so both become tables. */
 Table packet_inside(const std::vector<Inside>* rows) {
   Table along{{count("experiment", "0 waves left, 1 absorbed behind"), number("t", "time"),
                number("centre", "centre of the packet", "site"), number("energy", "its energy"),
@@ -341,8 +346,8 @@ Table breathers_at_rest(const Family& f) {
 }
 
 /**
-The facts are means over the times from 100, when the packet has left the end, to 300, before it
-turns, at two steps. The breather to compare with is the one of the same mean frequency. */
+For the facts we average from $t = 100$, when the packet has left the end, to $t = 300$, before it
+turns, and compare with the breather of the same mean frequency. */
 Estimate mean_inside(const std::vector<Inside>& coarse, const std::vector<Inside>& fine,
                      double Inside::*of) {
   const auto over = [&](const std::vector<Inside>& list) {
@@ -370,16 +375,18 @@ void compare_inside(Quantities& facts, const std::string& name, const Family& f,
 }
 
 /**
-Two packets are looked at, the one that turns and the one that does not because everything behind it
-is absorbed. If the waves feed the packet, the two should differ in energy.
+We compare two packets, the one that turns and the one that does not because everything behind it is
+absorbed. If the waves feed the packet, the two should differ in energy.
 
-The packet is a breather that moves: its frequency [1.68362](num:sec34_boomeron_why.omega_waves) and
-its area [5.9885](num:sec34_boomeron_why.area_waves) lie by those of a breather at rest, whose area
-at this frequency is [5.83399](num:sec34_boomeron_why.area_at_rest_waves). While it feeds on the
-waves it carries [1.48728](num:sec34_boomeron_why.energy_waves), without them
-[1.3694](num:sec34_boomeron_why.energy_behind). The barrier,
-[0.000398715](num:sec34_boomeron_why.barrier_waves), can hold a slow packet, which is what we see of
-late cuts, but being periodic it can neither slow one over many sites nor send it back. */
+The packet is close to a breather that moves: at its frequency,
+[1.68362](num:sec34_boomeron_why.omega_waves), its area is
+[5.9885](num:sec34_boomeron_why.area_waves) and that of a breather at rest
+[5.83399](num:sec34_boomeron_why.area_at_rest_waves). With the waves its energy is
+[1.48728](num:sec34_boomeron_why.energy_waves), without them
+[1.3694](num:sec34_boomeron_why.energy_behind), so they do feed it. The barrier,
+[0.000398715](num:sec34_boomeron_why.barrier_waves), can hold a slow packet, as we see after late
+cuts. But a force of both signs within one site can neither slow a packet over many sites nor send
+it back. */
 void report_inside(Report& report) {
   const std::vector<Experiment> list = experiments();
   const double step = report.quick ? 0.1 : 0.05;
@@ -396,10 +403,11 @@ void report_inside(Report& report) {
 ## Waves beside a breather at rest
 
 The last experiment reverses the first: instead of taking the waves away from a packet that turns,
-we give waves to a breather that rests. A bond-centred breather gets fifteen oscillating sites on
-one side, beyond its fifth neighbours, with phases drawn from a recorded seed. If waves pull, it
-moves towards them from either side; if they push, away. The linear well, in which nothing turns,
-serves as the control, with a breather of the same energy and the same waves. */
+we give waves to a breather at rest. On one side of a bond-centred breather, from its sixth
+neighbour on, we set fifteen sites oscillating, with phases drawn at random from a recorded seed. If
+waves pull, the breather moves towards them on whichever side they are; if they push, it moves away.
+The linear well, in which no packet turns, serves as the control, with a breather of the same energy
+and the same waves. */
 constexpr unsigned long seed = 20130502;
 constexpr double wave_amplitude = 0.15, wave_time = 300;
 
@@ -416,8 +424,8 @@ struct Trial {
 };
 
 /**
-The breather is laid into the middle of a quiet chain and the waves beside it; the displacement is
-told from the bond at which the breather rested. */
+We put the breather into the middle of a quiet chain and the waves beside it. Its displacement is
+measured from the bond at which it rested. */
 Path expose(const Trial& trial, const Orbit<double>& orbit, double step) {
   const std::size_t length = 160, first = 64, centre = first + orbit.start.y.size() / 2;
   const HardChain chain{length, {trial.well}};
@@ -438,8 +446,8 @@ Path expose(const Trial& trial, const Orbit<double>& orbit, double step) {
 }
 
 /**
-Chance decides much in a single draw, so there are many, and each is used four times: in both wells
-and on both sides, with the same phases, mirrored. What the four have in common cannot be chance. */
+The outcome of a single draw depends much on chance, so there are many draws, and each is used four
+times: in both wells and, mirrored, on both sides. */
 std::vector<Trial> trials(std::size_t count) {
   Random random(seed);
   std::vector<Trial> list;
@@ -454,8 +462,8 @@ std::vector<Trial> trials(std::size_t count) {
 
 /**
 The result for a well is the mean displacement towards the waves, with the standard error over the
-trials. We also count, at both steps, how many breathers moved towards the waves by more than a tenth of
-a site, and keep the largest difference of two steps in any trial, beside which the mean has to be seen. */
+trials. We also count, at both steps, the breathers that moved towards the waves by more than a tenth of a
+site, and note the largest difference between two steps in any trial, which must be far below the mean. */
 void add_pull(Quantities& facts, const std::vector<Trial>& list, double well) {
   double sum = 0, square = 0, steps = 0, n = 0;
   std::array<std::int64_t, 2> towards{};
@@ -476,7 +484,7 @@ void add_pull(Quantities& facts, const std::vector<Trial>& list, double well) {
 }
 
 /**
-The figure shows every trial and not only their mean, so that the reader sees how far chance goes.
+The figure shows every trial and not only their mean, so that the reader sees how much they scatter.
 */
 Table waves_beside(const std::vector<Trial>& list) {
   Table table{{number("s", "anharmonicity of the well"),
@@ -494,13 +502,13 @@ Table waves_beside(const std::vector<Trial>& list) {
 }
 
 /**
-The two breathers have the same energy, and both energies stand among the facts, so that the control
-can be checked.
+The frequencies of the two breathers are chosen such that their energies agree; both energies stand
+among the facts, so that this can be checked.
 
-A breather at rest that nothing else could move is drawn towards waves on either side, by
-[6.4](num:sec34_boomeron_why.pull_hard) sites in the share [1](num:sec34_boomeron_why.pulled_hard)
-of the trials; in the linear well the same waves move a breather of the same energy by
-[0.20](num:sec34_boomeron_why.pull_linear), and there nothing turns. */
+In the hard well the waves draw the breather towards them, by
+[6.4](num:sec34_boomeron_why.pull_hard) sites on average, in a fraction
+[1](num:sec34_boomeron_why.pulled_hard) of the trials. In the linear well the same waves move a
+breather of the same energy by [0.20](num:sec34_boomeron_why.pull_linear) sites. */
 void report_waves(Report& report) {
   std::vector<Trial> list = trials(report.quick ? 3 : 12);
   const double step = report.quick ? 0.2 : 0.1;
@@ -522,16 +530,16 @@ void report_waves(Report& report) {
 /**
 ## Results
 
-**The packet turns because of the waves that it left behind, as the article suspected, and they
-pull.** With the waves it comes back; with everything behind it absorbed it does not, nor if only
-the first site absorbs, and in the last half of the time it still moves on by
+**The packet turns because the waves that it left behind, which the article suspected, pull it
+back.** With the waves it comes back. With everything behind it absorbed it does not, nor if only
+the first site absorbs: in the second half of the time it still moves on by
 [13.1](num:sec34_boomeron_why.late_advance_behind) and
-[5.8](num:sec34_boomeron_why.late_advance_end) sites. Put on a quiet chain at time 60 or 120 it
-moves on as well; cut out later, when it is almost at rest, it is caught or creeps
-([-2.961](num:sec34_boomeron_why.late_advance_cut200) sites for a cut at 200,
-[-0.2285](num:sec34_boomeron_why.late_advance_cut300) at 300), but never returns. So the slowing
-down has two parts, a loss of speed that the packet brings along and that fades, and a backward
-force that needs waves. */
+[5.8](num:sec34_boomeron_why.late_advance_end) sites. Put on a quiet chain at $t = 60$ or 120 it
+moves on as well. Cut out later, when it is almost at rest, it is caught or creeps (by
+[-2.961](num:sec34_boomeron_why.late_advance_cut200) sites after a cut at $t = 200$ and
+[-0.2285](num:sec34_boomeron_why.late_advance_cut300) at 300), but does not come back within the
+time watched. So the slowing down has two parts: a loss of speed that needs no waves and that fades,
+and a backward force that needs them. */
 Results reproduce(Report& report) {
   report_experiments(report);
   report_inside(report);
@@ -543,22 +551,23 @@ Results reproduce(Report& report) {
 /**
 ## Differences and limits
 
-The packet does not turn where exact travelling breathers end (section 5). At its energy there are none
-at $s = 1$: the fastest one there has the speed [0.0539509](num:sec5_travelling_families.fastest_at_one) and the
-energy [0.00165802](num:sec5_travelling_families.fastest_energy_at_one).
+Exact travelling breathers (section 5) do not explain the turning. At the packet's energy we know of
+none at $s = 1$: the fastest one found there has the speed
+[0.0539509](num:sec5_travelling_families.fastest_at_one) and the energy
+[0.00165802](num:sec5_travelling_families.fastest_energy_at_one).
 
-Why waves pull we show but do not derive. A contact only pushes; that pushing from behind draws a
-packet back suggests a negative mass: in figure 23 neighbours in the packet oscillate in opposite
-phase, as at the upper edge of a band, while the waves behind it are long and in phase. Nor does the
-experiment say why the linear well's breather hardly answers; it may be heavier, or feed less. The
-amplitude of the waves in the last experiment, 0.15, is of the size of those behind the packet; the
-dependence on it was not mapped.
+We show that waves pull but do not derive it. A contact only pushes, and that a push from behind
+draws a packet back suggests a negative effective mass: in figure 23 neighbours in the packet
+oscillate in opposite phase, as at the upper edge of a band, while the waves behind it are long and
+in phase. Nor do we know why the breather of the linear well hardly responds; it may be heavier, or
+take less energy from the waves. The waves of the last experiment have the amplitude 0.15, about
+that of the waves behind the packet; the dependence on it was not mapped.
 
 ## Extensions
 
 - How does the pull depend on amplitude and frequency of the waves? Is there a frequency that pushes?
 - Measure the mass of both breathers by kicking them, and compare the ratio with that of the pulls.
-- Does a packet turn round in front of waves that come towards it? */
+- Does a packet also turn when waves come towards it? */
 int main(int argc, char** argv) {
   Program program({"sec34_boomeron_why", "3.4", "Why packets turn round (section 3.4, s > 0)"},
                   argc, argv);

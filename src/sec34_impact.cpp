@@ -1,8 +1,8 @@
 /**
 # 3.4 Strong impacts and soft wells
 
-Strike the first bead of a resting Newton's cradle, whose beads sit in wells and push their
-neighbours but never pull them. What runs away, and what stays?
+The impact of the chapter before was gentle. Now strike the first bead harder, and let the wells be
+soft: what runs away, and what stays?
 
       v0                                                 X(t)
      ---> (1)   (2)   (3)   (4)   (5)   (6)  ...  (n)    (n+1)   (n+2)
@@ -36,23 +36,24 @@ using namespace lattice;
 /**
 ## What is claimed
 
-Five statements are decided here, under these identifiers. Curves of speed and energy for several
-soft wells coincide at small impact (`impact.ampvel`) and fall behind the linear one at large
-impact (`impact.slower`), up to a blow-up (`impact.blowup`). What the packet lacks stays at the
-boundary as a surface mode (`impact.surface_mode`), which one snapshot shows (`impact.snapshot`).
-The weak impact is the chapter before; hard wells and pendulum wells have chapters of their own.
-No statement rests on a single run: two with different steps must agree to `tolerance`. */
+Five statements are decided here, under these identifiers. The curves of the packet's speed and
+energy density against impact velocity coincide for weak impacts, whatever the well
+(`impact.ampvel`). For strong impacts those of soft wells lie lower (`impact.slower`), up to a
+velocity at which the solution blows up (`impact.blowup`). The energy that the packet lacks stays
+at the boundary as a surface mode (`impact.surface_mode`), which one snapshot shows
+(`impact.snapshot`). Hard wells and pendulum wells have chapters of their own. No statement rests
+on a single run: two with different steps must agree to `tolerance`. */
 constexpr double tolerance = 1e-4;
 
 /**
 ## Model
 
-The beads obey Eq. (9) with the wells of Eq. (10), $W(y) = y^2/2 + s\,y^4/4$, after the impact of
-Eq. (26). All quantities are dimensionless and the end at $n = 1$ is free:
+The beads obey Eq. (9) with the wells of Eq. (10), $W(y) = y^2/2 + s\,y^4/4$, which are soft for
+$s < 0$. The first one is struck, Eq. (26). All quantities are dimensionless and both ends are free:
 $$\ddot y_n + y_n + s\,y_n^3 = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2}, \qquad
   y_n(0) = 0,\quad \dot y_n(0) = v_0\,\delta_{n,1}.$$
-Where the energy is, the density of Eq. (23) and its centre, Eq. (24), say. The sums run over the
-$m = 5$ sites on either side of the largest density $e_{n'}$ of the packet:
+The energy density of Eq. (23) and its centre, Eq. (24), say where the packet is. The sums run over
+the $m = 5$ sites on either side of the packet's largest density $e_{n'}$:
 $$e_n = \tfrac12\dot y_n^2 + W(y_n) + \tfrac25 (y_n-y_{n+1})_+^{5/2}, \qquad
   X = \frac{\sum_{n=n'-m}^{n'+m} n\,e_n}{\sum_{n=n'-m}^{n'+m} e_n}.$$
 
@@ -67,9 +68,10 @@ constexpr double fit_to = 60;  // the packet is measured between sites 20 and 60
 
 We want to see the motion, so here is the loop in time. Several packets may leave, and the slow
 ones can carry as much energy as the first; `front_packet` looks from the far end and takes the
-front-most. A run ends when that one has passed the stretch on which it is measured. It is seen at
-most 0.2 apart, and a run with half the step is seen twice as often, so that the error of a
-maximum between two samples shows in the difference; both end at an instant that both see. */
+front-most. A run ends when that one has passed the stretch on which it is measured. Samples are at
+most 0.2 apart, about a thirtieth of an internal period. A run with half the step takes twice as
+many, so that the error of a maximum between two samples shows in the difference of the runs; both
+runs end at an instant that both of them sample. */
 Outcome strike(const ContactAware& stepper, double s, double velocity, double time) {
   const Chain<Quartic, Hertz> chain{90, {s}};
   const std::size_t each = std::size_t(1) << stepper.halvings;
@@ -90,12 +92,12 @@ Outcome strike(const ContactAware& stepper, double s, double velocity, double ti
 /**
 ## Method
 
-Contact switches on and off all the time, and it spoils the order of ordinary integrators; we use
-a Runge–Kutta–Nyström method that knows about contact (contact_rkn.hpp says why that matters). We
-state a tolerance for the end state, relative to its largest entry: the step is halved until the
-*end states* of two runs in a row agree to it. Every derived number then carries the difference of
-these two runs, and a speed also the error of its fit. Beads ahead of the front rest exactly and
-cost nothing. */
+Contacts open and close all the time, which spoils the order of ordinary integrators, so we use a
+Runge–Kutta–Nyström method that knows about contacts (contact_rkn.hpp says why that matters). The
+step is halved until the *end states* of two successive runs agree to `tolerance`, relative to
+their largest entry. The error of every derived number is its difference between these two runs,
+for a speed with the error of its fit added. Beads ahead of the front are exactly at rest and cost
+nothing. */
 Refined<Outcome> strike_twice(double s, double velocity, double time) {
   return converge(
       tolerance, [&](const ContactAware& stepper) { return strike(stepper, s, velocity, time); },
@@ -106,9 +108,11 @@ Refined<Outcome> strike_twice(double s, double velocity, double time) {
 ## Speed and energy against impact velocity
 
 For each velocity of the sweep we ask for three numbers of the packet: the speed, which is the
-slope of the least-squares line through $X(t)$ between sites 20 and 60 (the article fits it
-"sufficiently far from the boundary" without a number), the largest $e_n$ on the same stretch, and
-the energy in the window when the packet passes site 60. */
+slope of the least-squares line through $X(t)$ between sites 20 and 60 (the article fits it away
+from the boundary and says no more); the largest $e_n$ on the same stretch; and the energy within
+$m$ sites of the peak when the packet passes site 60. How long to wait follows from the chapter
+before: at small $\epsilon = v_0/2$ a packet has the speed
+[0.36129](num:sec34_dps_impact.dps_speed) times $\epsilon^{1/2}$. */
 struct SweepPoint {
   double s, velocity;
   bool blows_up = false;
@@ -127,9 +131,10 @@ void measure(SweepPoint& point) {
 
 /**
 The article prints no values of $s$ for its curves; we take the linear well and the two soft ones
-that it uses elsewhere. A soft well lets go of a bead that passes its rim at $|y| = (-s)^{-1/2}$,
-so each has a largest velocity worth trying, and a range in which its blow-up is to be looked for.
-*/
+that it uses elsewhere. A soft well lets go of a bead that passes its rim at $|y| = (-s)^{-1/2}$:
+the bead runs away to infinity. So each soft well has a largest velocity worth trying, and a range
+in which its blow-up is looked for. Both are our choice; the criterion of the blow-up fails if the
+range misses one of its edges. */
 struct Well {
   double s;
   std::string name;
@@ -158,10 +163,10 @@ std::vector<Curve> velocity_sweep(double spacing) {
 /**
 ### Coincidence (`impact.ampvel`)
 
-As $v_0 \to 0$ the DpS equation takes over, which does not know $s$. So the curves must *meet*
+As $v_0 \to 0$ the DpS equation takes over, in which $s$ does not occur. So the curves must *meet*
 there: we ask that a soft curve differs from the linear one by less than one per cent in speed and
-peak density up to $v_0 = 0.05$, and that this is less than half of what it differs up to $v_0 =
-0.5$. Curves that are merely similar pass the first condition and fail the second. */
+peak density up to $v_0 = 0.05$, and that this difference is less than half of that up to
+$v_0 = 0.5$. Curves that are merely similar pass the first condition and fail the second. */
 template <class Of>
 Estimate largest_distance(const Curve& linear, const Curve& soft, double up_to, Of of) {
   Estimate largest;
@@ -175,7 +180,8 @@ Estimate largest_distance(const Curve& linear, const Curve& soft, double up_to, 
 }
 
 /**
-The three curves are compared in the same way; a condition is named after quantity and well. */
+Both soft curves are compared with the linear one in the same way, so the conditions are made by
+one function and named after quantity and well. */
 const auto speed_of = [](const SweepPoint& p) { return p.speed; };
 const auto peak_of = [](const SweepPoint& p) { return p.peak; };
 const auto energy_of = [](const SweepPoint& p) { return p.energy; };
@@ -205,9 +211,9 @@ Criterion coincidence(const std::vector<Curve>& curves) {
 /**
 ### Soft wells fall behind (`impact.slower`)
 
-From $v_0 = 0.3$ to the blow-up, where each curve ends, a soft well must lower speed, peak and
-energy at *every* velocity by more than the errors. The condition is put to the velocity where the
-deficit, less its error, is least. */
+For strong impacts, which for us begin at $v_0 = 0.3$, a soft well must lower speed, peak and
+energy by more than the errors at *every* velocity up to the blow-up, where its curve ends. It
+suffices to test the velocity at which the deficit, less its error, is least. */
 template <class Of>
 Estimate least_deficit(const Curve& linear, const Curve& soft, double from, Of of) {
   Estimate least{std::numeric_limits<double>::infinity(), 0};
@@ -237,11 +243,11 @@ Criterion falling_behind(const std::vector<Curve>& curves) {
 /**
 ### Blow-up (`impact.blowup`)
 
-Close to the threshold the outcome depends on details of the collisions, and islands of surviving
-velocities lie between escaping ones. We therefore quote a band, from the lowest velocity that
-escapes to the highest one that survives, on a fine grid and up to a stated time, before anything
-can return from the far end. Every velocity runs at both steps, and what must agree is the
-*outcome*; where it does not, the velocity counts for neither edge. */
+Close to the threshold the outcome depends on details of the collisions, and islands of velocities
+at which no bead escapes lie between velocities at which one does. So we quote not a threshold but a
+band, from the lowest velocity with an escape to the highest without, on a fine grid and up to a
+stated time, before anything can return from the far end. Every velocity is run with two steps, and
+what must agree is the *outcome*; where it does not, the velocity counts for neither edge. */
 struct Band {
   double first_escape, last_survivor, spacing, disputed;
 };
@@ -263,7 +269,7 @@ Band edges(const Well& well, const std::vector<double>& velocity,
 }
 
 /**
-The runs of one velocity know nothing of all the others, so they share the cores. */
+Runs at different velocities are independent, so they share the cores. */
 Band blowup_band(const Well& well, std::size_t count, double time, Table& scan) {
   std::vector<double> velocity(count), escape[2] = {velocity, velocity};
   parallel_for("blow-up band", count, [&](std::size_t i) {
@@ -280,10 +286,11 @@ Band blowup_band(const Well& well, std::size_t count, double time, Table& scan) 
 }
 
 /**
-There is a threshold if the scan begins with survivors and ends with escapes, and resolutions
-dispute less than a twentieth of it. One more condition comes from energy alone, and no
-integration can evade it: the impact must pay for the climb to the rim, $v_0^2/2 >
-W\bigl((-s)^{-1/2}\bigr) = 1/(4|s|)$, or nobody escapes. */
+The article's threshold exists if the scan begins with survivors and ends with escapes, and if the
+two resolutions disagree on less than a twentieth of it. One more condition follows from energy
+alone, whatever the integrator does: the impact must pay for the climb to the rim, or no bead
+escapes,
+$$v_0^2/2 > W\bigl((-s)^{-1/2}\bigr) = 1/(4|s|).$$ */
 Criterion threshold(const Well& well, const Band& band) {
   const Estimate first{band.first_escape, band.spacing}, last{band.last_survivor, band.spacing};
   return {above("first_escape_" + well.name, first, well.band_from),
@@ -293,9 +300,9 @@ Criterion threshold(const Well& well, const Band& band) {
 }
 
 /**
-Inside the band the few survivors can be faster: the collision that saves the first bead feeds the
-packet. The curves therefore end where the band begins, and the last 0.05 before it, where they
-become erratic, are marked in the table. */
+Inside the band the packets of the few survivors can be faster: the collision that keeps the first
+bead from escaping feeds the packet. The curves therefore end where the band begins. Their last
+points, up to 0.05 below the end, are erratic and are marked in the table. */
 Table sweep_table(const std::vector<Curve>& curves) {
   Table table{{number("s", "anharmonicity of the well"), number("velocity", "impact velocity"),
                number("speed", "of the centre between sites 20 and 60", "site per unit of time"),
@@ -314,8 +321,8 @@ Table sweep_table(const std::vector<Curve>& curves) {
 }
 
 /**
-Table and verdicts of the sweep. A curve ends one grid spacing before its band, and there no point
-of the sweep may blow up. */
+Here the sweep is tabulated and judged. A curve ends one grid spacing below its band, and no point
+that remains may blow up. */
 void report_sweep(Report& report) {
   auto curves = velocity_sweep(report.quick ? 0.05 : 0.01);
   Table scan{{number("s", "anharmonicity of the well"), number("velocity", "impact velocity"),
@@ -342,8 +349,9 @@ void report_sweep(Report& report) {
 /**
 ## The surface mode (figure 20)
 
-Much of the energy that the packet lacks stays at the boundary. We compare the contact forces
-$f_n = -(y_n-y_{n+1})_+^{3/2}$ for a linear and a very soft well after the same impact.
+The energy that the packet lacks must be somewhere, and figure 20 shows where. It compares the
+contact forces $f_n = -(y_n-y_{n+1})_+^{3/2}$ for a linear and a very soft well after the same
+impact.
 
 ![Contact forces for a linear and a very soft well.](fig:20) */
 void add_forces(Table& table, double s, double velocity) {
@@ -359,10 +367,10 @@ void add_forces(Table& table, double s, double velocity) {
 }
 
 /**
-Energy is *trapped* if the first five sites keep more of it than the packet takes away, when the
-packet passes site 60, long after the impact; it is not trapped if the packet takes more. This
-must come out differently for the two wells (`impact.surface_mode`), and the packet of the soft
-one must be slower. */
+To decide this we need a meaning of *trapped*: the first five sites hold more energy than the
+packet when the packet passes site 60, long after the impact. The claim (`impact.surface_mode`)
+holds if energy is trapped in the soft well and not in the linear one, and if the packet of the
+soft well is slower. */
 struct Shares {
   Estimate trapped, packet, speed;
 };
@@ -379,7 +387,7 @@ Shares shares(double s, double velocity) {
 }
 
 /**
-The condition of a trapped energy is put to the linear well with its sign turned. */
+So the same condition is used twice, for the linear well with its sense reversed. */
 Criterion surface_mode(const Shares& linear, const Shares& soft) {
   const double relative =
       soft.speed.error / soft.speed.value + linear.speed.error / linear.speed.value;
@@ -395,9 +403,9 @@ Criterion surface_mode(const Shares& linear, const Shares& soft) {
 /**
 ## A snapshot (figure 21)
 
-The article shows the velocities of all beads at one instant and sees the surface mode and the
-travelling breather in them. In between there are other waves, a slow second packet among them.
-Both are *visible* (`impact.snapshot`) if each rises above everything that lies between them.
+The article finds both the surface mode and the travelling breather in the velocities of all beads
+at one instant. In between there are other waves, a slow second packet among them. We call the two
+*visible* (`impact.snapshot`) if each rises above everything that lies between them.
 
 ![Surface mode and packet side by side.](fig:21) */
 struct Snapshot {
@@ -422,7 +430,7 @@ Table snapshot_table(const Snapshot& shot) {
 }
 
 /**
-The shares of the snapshot's run are reported as well, since it shows both excitations. */
+Since the snapshot shows both excitations, we report for its run, too, how they share the energy. */
 void report_surface(Report& report) {
   Table forces{{number("s", "anharmonicity of the well"), number("t", "time"),
                 count("n", "contact of sites n and n + 1", "site"),
@@ -447,20 +455,21 @@ void report_surface(Report& report) {
 /**
 ## Results
 
-At small impact the curves meet: up to $v_0 = 0.05$ the speeds for $s = -1/6$ differ from the
-linear ones by [2e-5](num:sec34_impact.ampvel_speed_s_1_6_near) relatively. Beyond, the soft wells
-fall behind. The band of the blow-up begins at [2.1130](num:sec34_impact.blowup_first_escape_s_1_6) and
-at [0.9665](num:sec34_impact.blowup_first_escape_s_0_7) for $s = -0.7$. There the first five sites keep
-[0.798578](num:sec34_impact.trapped_soft) of the energy and the packet takes
-[0.0650178](num:sec34_impact.packet_soft); with a linear well it is [0.0998175](num:sec34_impact.trapped_linear)
-against [0.441095](num:sec34_impact.packet_linear). In the snapshot the lower of the two excitations is
-[1.34120](num:sec34_impact.snapshot_prominence) times as high as the highest wave between them.
+For weak impacts the curves meet: up to $v_0 = 0.05$ the speeds for $s = -1/6$ differ from the
+linear ones by a fraction of [2e-5](num:sec34_impact.ampvel_speed_s_1_6_near), well within the
+error. For stronger ones the soft wells fall behind. The band of the blow-up begins at
+[2.1130](num:sec34_impact.blowup_first_escape_s_1_6) for $s = -1/6$ and at
+[0.9665](num:sec34_impact.blowup_first_escape_s_0_7) for $s = -0.7$. Just below the latter, at
+$v_0 = 0.94$, the first five sites keep [0.798578](num:sec34_impact.trapped_soft) of the energy and
+the packet takes [0.0650178](num:sec34_impact.packet_soft); with a linear well it is
+[0.0998175](num:sec34_impact.trapped_linear) against [0.441095](num:sec34_impact.packet_linear). In
+the snapshot the lower of the two excitations is [1.34120](num:sec34_impact.snapshot_prominence)
+times as high as the highest wave between them.
 
 ## Checks
 
-Every number comes from two runs whose end states agree to the tolerance. Here the struck chain of
-figure 20 takes the independent route, GSL's adaptive method of order eight, and must arrive at the
-same state. */
+A state on which our runs agree could still be wrong. So the struck chain of figure 20 is computed
+once more by an independent method, GSL's of order eight, and must arrive at the same state. */
 void report_check(Report& report) {
   const double time = 60;
   const auto runs = follow_to(1e-9, {0.94, -0.7, time, 40}, far_away, 1);
@@ -486,16 +495,17 @@ Results everything(Output& output, bool quick) {
 ## One impact with your own parameters
 
 `sec34_impact run --velocity 1.87 --s -0.1667 --time 587` measures a single impact in the same
-way, with any well and with precompression. The speed is fitted from site 20 to twenty sites
-before the far end, on the way out; where the packet never gets there it is `nan`. Over a long
-stretch a packet slows down as it sheds energy, so the value depends on the window. A runaway is a
-failure, because nothing of what was asked for exists then. */
+way, for any well and, with `--precompression`, for the compressed contacts of section 4. The speed
+is fitted on the way out, from site 20 to twenty sites before the far end; where the packet never
+gets there it is `nan`. Over a long stretch a packet slows down as it sheds energy, so the value
+depends on the window. If a bead runs away the command fails, because then there is no packet to
+measure. */
 struct RunOptions {
   Impact impact{1.87, {}, 600, 0};
   bool profile = false;
   double tolerance = ::tolerance;
 
-  /// Completes what the reader left open: a chain that the motion does not reach the end of.
+  /// Completes what the reader left open: a chain so long that the motion does not reach its end.
   Impact complete() const {
     Impact out = impact;
     if (out.sites == 0) out.sites = std::min<std::size_t>(100 + std::size_t(2 * out.time), 4000);
@@ -504,7 +514,8 @@ struct RunOptions {
 };
 
 /**
-A quantity that does not exist, as the speed of a packet that never came so far, is `nan`. */
+A run of any length must print something, so a quantity that does not exist, such as the speed of a
+packet that never came so far, is `nan`. */
 Table run_quantities(const Impact& impact, const Outcome& coarse, const Outcome& fine) {
   const double to = double(impact.sites) - 20, undefined = std::nan("");
   const auto both = [&](auto of) { return compare(of(coarse), of(fine)); };
@@ -532,7 +543,8 @@ Table run_quantities(const Impact& impact, const Outcome& coarse, const Outcome&
 }
 
 /**
-With `--profile` the state at the end is printed instead. */
+The reader may rather want to see the wave than to measure it: `--profile` prints the state at the
+end instead. */
 Table run_profile(const Outcome& fine) {
   Table table{{count("n", "site", "site"), number("y", "displacement"), number("v", "velocity"),
                number("e", "energy density")}};
@@ -557,10 +569,10 @@ Table run_command(const RunOptions& options) {
 The article does not say how far from the boundary it fits speeds, for which $s$ it draws figure
 19, or how it integrates; our choices stand where they are made. The ripple on the peak density of
 figure 19 is resolved and real: a packet passes a site in a time comparable to its internal
-period, and the largest value depends on how the two beats meet. Just below the blow-up band the
-soft curves become erratic: the first bead all but escapes, and what it gives back on its return
-feeds the packet. Their last points, marked in the figure, are right for their velocities, but a
-finer scan would find more structure.
+period, and the largest density depends on the phase between the two. Just below the blow-up band
+the soft curves become erratic, because the first bead almost escapes and feeds the packet when it
+returns. Their last points, marked in the figure, are right for their velocities, but a finer scan
+would find more structure.
 
 ## Extensions
 
@@ -571,8 +583,8 @@ int main(int argc, char** argv) {
   Program program({"sec34_impact", "3.4", "Impact at one end of the chain (section 3.4, s <= 0)"},
                   argc, argv);
   RunOptions options;
-  CLI::App* run = program.command("run", "one impact: speed, centre, energies of the packet",
-                                  [&] { return run_command(options); });
+  Command* run = program.command("run", "one impact: speed, centre, energies of the packet",
+                                 [&] { return run_command(options); });
   Impact& impact = options.impact;
   run->add_option("--velocity", impact.velocity, "impact velocity")->check(in_range(1e-6, 100));
   run->add_option("--time", impact.time, "length of the run")->check(in_range(1, 1e5));

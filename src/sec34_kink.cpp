@@ -12,8 +12,8 @@ swings over the top and comes down in the next well. What becomes of the travell
 
 ![What a struck chain of pendulums does, and two examples.](fig:x01)
 
-Section 3.4 of James, Kevrekidis and Cuevas (Physica D 251, 2013) closes with this remark and
-leaves the transition open; here we map it. */
+Section 3.4 of James, Kevrekidis and Cuevas (Physica D 251, 2013) answers in one sentence, without a
+figure, and leaves open how the transition happens; here we map it. */
 
 #include <algorithm>
 #include <cmath>
@@ -33,17 +33,17 @@ using namespace lattice;
 ## Claim and model
 
 At large impact velocity a *kink*, a step of one well that travels along the chain, replaces the
-breather, and beads are ejected at the far end (`impact.kink`; the article says so and shows
-nothing). The chain is that of Eq. (9) with another well,
+breather, and beads are ejected at the far end (`impact.kink`). The chain is that of Eq. (9) with
+another well,
 $$\ddot y_n + \sin y_n = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2}, \qquad
   \dot y_1(0) = v_0,$$
-dimensionless, with free ends. A bead that passes the rim at $y = \pi$ falls into the next
-well instead of running away. A bead never attracts its neighbour, so the first bead can
-also be thrown back over $y = -\pi$, and leaves.
+dimensionless, with free ends. A bead that passes the rim at $y = \pi$ falls into the next well
+instead of running away. Beads do not attract each other, so the first bead can also be thrown back
+over $y = -\pi$ and leave the chain.
 
-The same runs are made with two steps. What must agree are the integers below; where they do
-not, the velocity is marked and supports no statement. Close to the transition the outcome hangs on
-details of many collisions, and there the steps are halved once more. */
+Every run is made with two steps. What must agree are the numbers of beads counted below; where they
+do not, the velocity is marked and supports no statement. Close to the transition the outcome
+depends on details of many collisions, and there both steps are halved. */
 ContactAware stepper(double velocity, int halvings) {
   const bool close = velocity > 4.4 && velocity < 5;
   return stepper_for(1e-4, 0.1, halvings + (close ? 1 : 0));
@@ -52,10 +52,11 @@ ContactAware stepper(double velocity, int halvings) {
 /**
 ## What is counted
 
-We count the beads by the wells in which they are: `moved` have advanced by at least one. A kink
-that crosses the whole chain moves everybody. Beads in the far half that are further ahead than
-the middle of the chain have nobody in front of them and leave: `ejected_far`. Beads that have
-gone backwards over the rim are thrown out at the near end: `ejected_near`. */
+To tell breathers from kinks we count beads by the wells in which they are. `moved` have advanced by
+at least one well; a kink that crosses the whole chain moves all beads. `ejected_far` are the beads
+of the far half that have advanced by more wells than the bead in the middle of the chain: they have
+separated from it and leave at the far end. `ejected_near` have gone backwards over a rim and leave
+at the near end. */
 struct Counts {
   std::int64_t moved = 0, ejected_far = 0, ejected_near = 0;
   friend bool operator==(const Counts&, const Counts&) = default;
@@ -76,9 +77,9 @@ Counts count_wells(const State<double>& state) {
 /**
 ## One impact
 
-Just above the transition a kink creeps, may stop, and may come back; a count taken too early
-mistakes it for a state. So the loop in time waits until the counts have not changed while the time
-doubled, and gives up at `patience`: such a velocity is undecided. */
+Just above the transition a kink creeps, may stop, and may come back, so a count can be taken too
+early. The loop in time therefore goes on until the counts have stayed the same while the time
+doubled, and gives up at the time `patience`: such a velocity is undecided. */
 struct Options {
   double velocity = 5, patience = 3200;
   std::size_t sites = 50;
@@ -110,8 +111,8 @@ Verdict strike(const Options& options, const ContactAware& stepper) {
 /**
 ## The transition (figure x01)
 
-We scan the impact velocity, each one with two steps. Runs know nothing of each other and share
-the cores. */
+Now we scan the impact velocity, with two steps at each. The runs are independent and share the
+cores. */
 struct Point {
   double velocity = 0;
   Counts counts{};
@@ -133,7 +134,7 @@ std::vector<Point> scan(double from, double to, double spacing) {
 }
 
 /**
-The figure marks what stays undecided, so the table keeps it. */
+The figure marks the undecided velocities, so the table keeps them. */
 Table scan_table(const std::vector<Point>& points, std::size_t sites) {
   Table table{{number("velocity", "impact velocity"),
                number("moved", "share of the beads that advanced by a well"),
@@ -147,7 +148,8 @@ Table scan_table(const std::vector<Point>& points, std::size_t sites) {
 }
 
 /**
-Two examples, one velocity below the transition and one above, show the displacements over time. */
+To show what the counts mean, the figure has two examples, one below the transition and one above.
+*/
 Table examples() {
   Table table{{number("velocity", "impact velocity"), number("t", "time"),
                count("n", "site", "site"), number("wells", "displacement in units of 2 pi")}};
@@ -165,10 +167,10 @@ Table examples() {
 /**
 ## Where the kink takes over (`impact.kink`)
 
-Among the decided velocities we look for the end of the breathers, up to which nobody has moved
-on, and for the beginning of the certain kinks, from which on *every* impact moves the whole chain
-and ejects somebody at the far end. The statement holds if there are velocities of both kinds, in
-this order, and if a twentieth of the scan at most stays undecided, so that no third regime can
+The claim needs a criterion. Among the decided velocities we look for the last breather, up to which
+no bead has moved on, and for the first certain kink, from which on *every* impact moves the whole
+chain and ejects a bead at the far end. The statement holds if there are velocities of both kinds,
+in this order, and if at most a twentieth of the scan stays undecided, so that no third regime can
 hide there. */
 bool is_breather(const Point& p) {
   return p.counts.moved == 0;
@@ -191,11 +193,12 @@ Transition find_transition(std::vector<Point> points) {
 /**
 ## Results
 
-There are three regimes. A weak impact moves nobody. From [2.48](num:sec34_kink.first_thrown_back) on
-the recoil throws beads back at the near end, and the breather still travels. Between
-[4.66](num:sec34_kink.last_breather) and [4.72](num:sec34_kink.first_certain_kink) the kink takes over.
-Errors are the spacing of the scan; a share of [0.00569801](num:sec34_kink.kink_undecided) of the velocities
-stays undecided and supports no statement. */
+There are three regimes. A weak impact leaves every bead in its well. From
+$v_0 =$ [2.48](num:sec34_kink.first_thrown_back) on the recoil throws beads back at the near end
+while the breather still travels. Between [4.66](num:sec34_kink.last_breather) and
+[4.72](num:sec34_kink.first_certain_kink) the kink takes over. The error of these velocities is the
+spacing of the scan; a share of [0.00569801](num:sec34_kink.kink_undecided) of them stays undecided
+and supports no statement. */
 Results everything(Output& output, bool quick) {
   output.note("tolerance", "steps 0.1 and 0.05, half of that near the transition");
   const double spacing = quick ? 0.25 : 0.02;
@@ -218,7 +221,7 @@ Results everything(Output& output, bool quick) {
 /**
 ## One impact with your own parameters
 
-`sec34_kink run --velocity 5` prints the counts for one velocity, the difference of two
+`sec34_kink run --velocity 5` prints the counts for one velocity, with the difference of two
 resolutions as their error. It fails where they have not settled within `--patience`. */
 Table run_command(const Options& options) {
   const Verdict coarse = strike(options, stepper(options.velocity, 0)),
@@ -238,10 +241,10 @@ Table run_command(const Options& options) {
 /**
 ## Differences and limits
 
-The article gives no parameters, so the chain length, the patience and the scan are ours. A count
-that settles once may still change much later, and in a longer chain a slow kink may stop
-before the end. At high velocity several kinks follow each other, and which beads leave the far
-end then depends on all of them.
+The article gives no parameters, so chain length, patience and scan are our choice. A count that has
+settled may still change much later, and in a longer chain a slow kink may stop before the end. At
+high velocity several kinks follow each other, and which beads leave the far end then depends on all
+of them.
 
 ## Extensions
 
@@ -252,7 +255,7 @@ int main(int argc, char** argv) {
   Program program({"sec34_kink", "3.4", "Breather and kink in pendulum wells (section 3.4)"}, argc,
                   argv);
   Options options;
-  CLI::App* run =
+  Command* run =
       program.command("run", "one impact: who moved on", [&] { return run_command(options); });
   run->add_option("--velocity", options.velocity, "impact velocity")->check(in_range(1e-6, 100));
   run->add_option("--patience", options.patience, "longest wait for the counts to settle")

@@ -1,7 +1,7 @@
 /**
 # 3.5 and 3.6 Scales, decorated cantilevers, and a defect that reflects
 
-In a cradle a collision is over long before the pendulum has moved, and no travelling breather can be
+In a cradle a collision is over long before a pendulum has moved, so no travelling breather can be
 seen. Sections 3.5 and 3.6 of James, Kevrekidis and Cuevas (Physica D 251, 2013) propose stiff
 cantilevers with beads instead, one of them with larger beads:
 
@@ -49,35 +49,37 @@ constexpr std::size_t watched_site = 80;
 /**
 ## Model
 
-A cantilever with beads of radius $R_n$ has one degree of freedom, its largest deflection $x_n$. In
-units of $\xi$ and $\tau_c$ the array obeys Eq. (32),
+A cantilever with beads of radius $R_n$ has one degree of freedom, its largest deflection $x_n$. With
+$\xi$ as the unit of length and $\tau_c$ as that of time the array obeys Eq. (32),
 $$\mu_n\,\ddot y_n + y_n = -\eta_n\,(y_n-y_{n+1})_+^{3/2} + \eta_{n-1}\,(y_{n-1}-y_n)_+^{3/2},$$
-with $\mu_n = m_n/m$ and both ends free; the first cantilever starts with the velocity $V$, Eq. (28),
-which is $\lambda^{5/2}$ in these units, Eq. (29). All radii are equal but that at $n = 100$.
+with $\mu_n = m_n/m$ and both ends free. The first cantilever starts with the velocity $V$, Eq. (28),
+which is $\lambda^{5/2}$ in these units, Eq. (29). All radii but that at $n = 100$ are equal.
 
 | article | program | meaning | unit |
 |---|---|---|---|
-| $\tau_h$, $\tau_c$, $\xi$, $\lambda$ | `Scales` | times of collision and well, equal forces, ratio | s, s, m, 1 |
+| $\tau_h$, $\tau_c$ | `Scales` | times of a collision and of the linear oscillation | s |
+| $\xi$, $\lambda$ | `Scales` | where contact and linear force are equal; $(\tau_c/\tau_h)^2$, Eq. (30) | m, 1 |
 | $\mu_n$, $\eta_n$ | `mu`, `eta` | mass and contact stiffness, relative | 1 |
-| $\tilde R_{100}$ | `ratio` | radius of the defect's beads over the others' | 1 |
+| $\tilde R_{100}$ | `ratio` | radius of the defect's beads over that of the others | 1 |
 | $V$ | `velocity` | impact velocity | m/s |
 
-The constants are derived in cantilever.hpp. Hertz's coefficient takes the modulus of the beads,
-$\gamma = \mathcal E\sqrt{2R}/(3(1-\nu^2))$: the text prints the symbol of the beam's. */
+The constants are derived in cantilever.hpp. Hertz's coefficient needs the Young modulus of the
+beads, $\gamma = \mathcal E\sqrt{2R}/(3(1-\nu^2))$; the article prints the symbol of the beam's. */
 constexpr double shown_until = 75;  // ms
 
 /**
 ## Two beads
 
-The unit of every time is a collision, so we begin with one (collision.hpp). The integrated contact
-time and compression agree with the conservation of energy, $x = (5/8)^{2/5}\,\delta$. The printed 0.76 is
-not this value but $2^{-2/5}$: it balances $\frac12 m V^2$ with $\gamma\,x^{5/2}$, and so forgets the reduced
-mass and the factor of Hertz's energy.
+All scales rest on the collision of two beads, so we begin with one (collision.hpp); its units are
+$\tau_h$ and $\delta = (mV^2/\gamma)^{2/5}$. The integrated contact time and compression agree with the
+conservation of energy, which gives the largest compression $(5/8)^{2/5}\,\delta$. The printed 0.76 is
+not this value but $2^{-2/5}$: it equates $\frac12 m V^2$ with $\gamma\,x^{5/2}$, without the reduced
+mass and the factor 2/5 of Hertz's energy.
 
-The cradle's ratio has the fifth power of the contact time in it, and the rounding matters. With
-2.43 and $g = 10$ m/s² we obtain the printed value; with $g = 9.81$ m/s² and all digits
-of the contact time it is [1.86945e19](num:sec36_cantilever_defect.cradle_converged). Either way a cradle is
-nineteen orders of magnitude away from a breather. */
+The fifth power of the contact time enters the cradle's $\lambda^{5/2}$, and rounding matters. With the
+rounded contact time 2.43 and $g = 10$ m/s² we obtain the printed value; with $g = 9.81$ m/s² and all
+digits it is [1.86945e19](num:sec36_cantilever_defect.cradle_converged). Either way a cradle is
+extremely far from small $\lambda$, where breathers travel. */
 double cradle(double gravity, double contact_time) {
   return cradle_ratio(gravity, 0.5, 0.077e-3, contact_time);  // length in m, contact in s
 }
@@ -103,10 +105,12 @@ void report_collision(Report& report) {
 /**
 ## The beam and the scales
 
-For the beam we integrate $u'''' = x^4u$ along its half (cantilever.hpp). At $x = 0$ the solution is a cubic,
-which the Runge–Kutta method meets exactly, so that only rounding is left; the frequency has
-an independent route, $\cos x\cosh x = 1$. Two beads at the middle change the shape of the vibration,
-and the point mass is then an approximation: the frequency of the model is
+Stiffness and frequency of the beam are printed with two or three digits, so we compute them. We
+integrate $u'''' = x^4u$, with $x$ the wavenumber times the length, along half of the beam
+(cantilever.hpp). For the stiffness, $x = 0$, the solution is a cubic, which the Runge–Kutta method
+reproduces exactly, so that only rounding is left; for the frequency an independent route is
+$\cos x\cosh x = 1$. Two beads at the middle change the shape of the vibration, and replacing beam
+and beads by a point mass is then an approximation: the frequency of the model is
 [0.998945](num:sec36_cantilever_defect.point_mass_frequency_ratio) times that of the decorated beam. */
 void report_beam(Report& report, const CantileverArray& array) {
   const auto both = [](auto of) { return compare(of(200), of(400)); };
@@ -125,9 +129,9 @@ void report_beam(Report& report, const CantileverArray& array) {
 }
 
 /**
-The table of scales is what `scales` prints: the article's input, and everything that follows from
-it without error. The last rows show what the beam's modulus in place of the beads' would have
-meant: a $\lambda$ far from small. */
+To let the reader check every constant, `scales` prints them: the article's input and everything that
+follows from it in closed form. The last rows show that the beam's modulus in place of the beads'
+would have given a $\lambda$ that is not small. */
 Table scales_table(const ArrayImpact& impact) {
   const CantileverArray& a = impact.array;
   const Scales &s = impact.scales, steel{s.m, s.k, a.gamma(a.beam_modulus)};
@@ -146,9 +150,9 @@ Table scales_table(const ArrayImpact& impact) {
 }
 
 /**
-The schematic of figure 1 is drawn to these measures. Two beads at either side of each cantilever touch
-those of the next ones, so that the pitch is a thickness and four radii; the cradle's string is that
-of section 3.5, its bead is not given and only drawn. */
+Figure 1 is drawn to scale, so it needs these lengths. The two beads of each cantilever, one on either
+side, touch those of its neighbours, so that the pitch is one thickness and four radii. The cradle's
+string has the length of section 3.5; the size of its beads is not given there and is ours. */
 Table schematic_table(const CantileverArray& a) {
   Table table{{label("id", "part of the figure"), label("parameter", "what is measured"),
                number("value", "its size"), label("unit", "unit of the value")}};
@@ -164,7 +168,7 @@ Table schematic_table(const CantileverArray& a) {
 }
 
 /**
-Three of the scales are answers. */
+Three of the scales answer claims. */
 void report_scales(Report& report, const ArrayImpact& impact) {
   const Scales& s = impact.scales;
   report.output.add("scales", scales_table(impact));
@@ -177,12 +181,13 @@ void report_scales(Report& report, const ArrayImpact& impact) {
 /**
 ## The packet at $n = 80$
 
-What the numbers of the text mean is for us to find. We watch contact $n$, between $n$ and $n+1$, and
-site $n$ at closely spaced times (pulse.hpp). The *period* is half the time between the pushes
-before and after the strongest. The *duration* is that in which the force exceeds a thousandth of
-its maximum; the table `durations` shows other thresholds. The *speed* is $n$ over the time at
-which the force is largest there, counted from the impact: a mean over the whole way. The packet
-is faster at first, and slower by several per cent when it is measured far from the boundary. */
+The article prints six numbers without saying how they were measured, so we need definitions. We
+watch site $n$ and the contact between $n$ and $n+1$ at closely spaced times (pulse.hpp). The *period*
+is half the time between the pushes before and after the strongest. The *duration* is the time from
+the first to the last instant at which the force is a thousandth of its maximum; the table
+`durations` shows other thresholds. The *speed* is $n$ over the time from the impact to the largest
+force there, a mean over the whole way. The packet is faster at first, and several per cent slower
+when it is measured far from the boundary. */
 constexpr Resolution rough{0.1, 0.1}, fine{0.05, 0.05};
 
 Table durations_table(const Way& a, const Way& b, const ArrayImpact& impact) {
@@ -215,7 +220,7 @@ Estimate speed_of(const Ways& ways, const ArrayImpact& impact) {
 }
 
 /**
-Everything that the text says about this place is asked of both runs, in the units of the text. */
+All these numbers are read from both runs and given in the units of the article. */
 void report_packet(Report& report, const ArrayImpact& impact, const Ways& runs) {
   const auto answer = [&](const char* id, double Pulse::*of, double unit, const char* text) {
     const auto value = [&](const Way& way) { return pulse_of(way.at, impact.scales).*of * unit; };
@@ -236,7 +241,8 @@ void report_packet(Report& report, const ArrayImpact& impact, const Ways& runs) 
 }
 
 /**
-Speeds by the energy centre, Eq. (24), are slower than the mean over the whole way. */
+How much depends on the definition of the speed? For comparison we also fit the way of the energy
+centre, Eq. (24), on two stretches. */
 void report_fits(Report& report, const ArrayImpact& impact, const Ways& runs) {
   const double per_second = 1 / impact.scales.tau_c();
   const auto fitted = [&](double from, double to) {
@@ -250,9 +256,9 @@ void report_fits(Report& report, const ArrayImpact& impact, const Ways& runs) {
 /**
 ## Contact forces (figure 24)
 
-The article draws $f_n = -\gamma_n(x_n-x_{n+1})_+^{3/2}$ in newtons over space and time. A contact is open for more
-than half of each internal period, so that instants say little; we keep the strongest force
-within two linear periods.
+The article draws $f_n = -\gamma_n(x_n-x_{n+1})_+^{3/2}$ in newtons over space and time. A contact is
+open for more than half of each internal period, so that a snapshot says little; we keep the
+strongest force within intervals of about two linear periods.
 
 ![Contact forces for beads of 1.6 and of 1.1 radii at n = 100.](fig:24) */
 Table force_map(const ArrayImpact& impact, const std::vector<double>& ratios, std::size_t bins) {
@@ -275,13 +281,14 @@ Table force_map(const ArrayImpact& impact, const std::vector<double>& ratios, st
 /**
 ## Where the energy goes (figure x09)
 
-At 75 ms the packet has left the defect, and we divide the energy among the sites up to 95, those
-from 96 to 104 and the rest. Over half of it, [0.566749](num:sec36_cantilever_defect.left_behind), never comes so
-far and stays in the wavetrain of the boundary; the net shares count only what arrives
-(scattering.hpp). The radius of the defect's beads runs over a factor of four, their mass over
-one of 64. The points are independent: `map --part k/n` computes a part of them, an
-interrupted map goes on where it stopped, and what the parts have left in the folder is collected
-by the full run (sweep.hpp).
+The words "almost total" call for numbers. At 75 ms the packet has left the defect, and we divide the
+energy into what is on the sites up to 95 (reflected), from 96 to 104 (near the defect) and beyond
+(transmitted). Over half of it, [0.566749](num:sec36_cantilever_defect.left_behind), never gets so far
+and stays in the wave train of the boundary; the *net* shares count only what arrives
+(scattering.hpp). The sum of the three less one is the *ledger*. The radius of the defect's beads
+varies by a factor of four, their mass by one of 64. The points are independent: `map --part k/n`
+computes a part of them, an interrupted map goes on where it stopped, and the full run collects what
+the parts have left in the folder (sweep.hpp).
 
 ![Reflected, remaining and transmitted energy against the radius of the defect.](fig:x09) */
 std::vector<double> map_radii(bool quick) {
@@ -306,7 +313,7 @@ Sweep map_sweep(const std::filesystem::path& folder, bool quick) {
 }
 
 /**
-Two steps for every point; the ledger tells that the smaller one suffices. */
+Every point is computed with two steps, and the ledger shows whether the smaller one suffices. */
 Workshop workshop_for(const ArrayImpact& impact, bool quick) {
   if (quick) return {impact, {0.2, 0.1}, shown_until};
   return {impact, {0.1, 0.025}, shown_until};
@@ -326,10 +333,10 @@ void compute_map(Sweep& sweep, const Workshop& workshop, bool quick, Part part) 
 }
 
 /**
-We take *almost totally* for less than a twentieth of what arrives missing from the reflection, and
-*partial* for a transmission between a tenth and nine tenths of it. The steps in the shares from
-one radius to the next are smooth: a heavy defect reflects because its own frequency is far below
-that of the packet, a light one because it is far above. */
+To decide the claims we call a reflection *almost total* if more than 95 per cent of what arrives is
+reflected, and *partial* if between a tenth and nine tenths of it is transmitted. The shares change
+smoothly from one radius of the map to the next: a heavy defect reflects because its own frequency is
+far below that of the packet, a light one because it is far above. */
 void report_shares(Report& report, const Workshop& workshop) {
   const Fractions large = fractions(workshop, 1.6), slight = fractions(workshop, 1.1);
   const auto between = [](const Estimate& e, double low, double high) {
@@ -349,7 +356,8 @@ void report_shares(Report& report, const Workshop& workshop) {
 }
 
 /**
-The map itself comes last, because its rows wait in the folder until it is complete. */
+The map of all radii takes longest and comes last, because its rows are kept in the folder until all
+tables are written. */
 void report_map(Report& report, const Workshop& workshop, const std::filesystem::path& folder) {
   Sweep sweep = map_sweep(folder, report.quick);
   compute_map(sweep, workshop, report.quick, {});
@@ -370,11 +378,12 @@ void report_map(Report& report, const Workshop& workshop, const std::filesystem:
 /**
 ## The outlook: ten milliseconds
 
-The conclusion expects some 20 sites and 70 oscillations in 10 ms, the lifetime of breathers measured in
-diatomic chains, if damping changes speed and frequency moderately. Without damping we take the packet of
-figure 24 as it passes $n = 80$. With damping we strike an array whose cantilevers lose amplitude
-like $e^{-t/\tau}$, $\tau = 10$ ms, and, as a milder reading, energy like $e^{-t/\tau}$ (array_impact.hpp).
-The frequency hardly changes. The speed does: after 10 ms it is
+Would one see the packet in a laboratory? The article's conclusion expects about 20 sites and 70
+oscillations in 10 ms, the lifetime of breathers measured in diatomic chains, if damping changes speed
+and frequency moderately. Without damping we take the packet of figure 24 as it passes $n = 80$. With
+damping we strike an array whose cantilevers lose amplitude like $e^{-t/\tau}$, $\tau = 10$ ms, or, as
+a milder reading of the lifetime, energy like $e^{-t/\tau}$ (array_impact.hpp). The frequency hardly
+changes. The speed does: after 10 ms it is
 [1253.09](num:sec36_cantilever_defect.speed_amplitude_lifetime) sites/s in the first reading instead of
 [2074.83](num:sec36_cantilever_defect.speed_undamped) sites/s, and the distance
 [17.0208](num:sec36_cantilever_defect.sites_amplitude_lifetime) instead of
@@ -389,7 +398,7 @@ void report_outlook(Report& report, const ArrayImpact& impact, const Ways& ways)
 }
 
 /**
-The journeys begin with the impact, where the packet is fastest. */
+For the comparison with damping the 10 ms begin at the impact, where the packet is fastest. */
 void report_journeys(Report& report, const ArrayImpact& impact) {
   const std::pair<std::string, double> rates[] = {
       {"_undamped", 0}, {"_energy_lifetime", 100}, {"_amplitude_lifetime", 200}};
@@ -413,9 +422,10 @@ void report_journeys(Report& report, const ArrayImpact& impact) {
 /**
 ## Checks
 
-The ledger closes, to [4e-11](num:sec36_cantilever_defect.ledger_worst) at worst over the whole map.
-Here the array with a heavy defect, close enough to the impact to be hit hard, takes the
-independent route, GSL's adaptive method of order eight, and must arrive at the same state. */
+Over the whole map the ledger is zero to within [4e-11](num:sec36_cantilever_defect.ledger_worst). A
+conserved energy does not prove the forces right, so an array with a heavy defect, close enough to
+the impact to be hit hard, is also computed by an independent method, GSL's adaptive one of order
+eight, and must arrive at the same state. */
 void report_check(Report& report, const ArrayImpact& impact) {
   CantileverArray shorter = impact.array;
   shorter.sites = 30, shorter.defect = 8;
@@ -433,10 +443,10 @@ void report_check(Report& report, const ArrayImpact& impact) {
 /**
 ## One defect with your own radius
 
-`sec36_cantilever_defect run --radius 1.6` measures one defect in the same way, with any impact velocity
-for which the transmitted packet does not reach the far end in 75 ms. `scales` prints all constants for an
-impact velocity of your choice, and `map --part 2/8` one part of the map of figure x09, whose rows
-it leaves in `--folder` for the full run. */
+`sec36_cantilever_defect run --radius 1.6` measures one defect in the same way, with any impact
+velocity for which the transmitted packet does not reach the far end in 75 ms. `scales` prints all
+constants for an impact velocity of your choice, and `map --part 2/8` one part of the map of figure
+x09, whose rows it leaves in `--folder` for the full run. */
 struct Options {
   double radius = 1.6, velocity = 1;
   std::string part = "1/1", folder = "build/data/sec36_cantilever_defect";
@@ -468,7 +478,8 @@ Table map_command(const Options& options) {
 }
 
 /**
-A full run takes the sections in their order; `--quick` takes coarser steps and fewer radii. */
+A full run follows the chapter, with the maps at the end; `--quick` takes coarser steps and fewer
+radii. */
 Results everything(Output& output, bool quick) {
   Report report{output, quick};
   const ArrayImpact impact;
@@ -493,39 +504,39 @@ Results everything(Output& output, bool quick) {
 /**
 ## Differences and limits
 
-The article prints neither the definition of the speed nor that of the duration, and no energy at all
-for its reflections; ours stand where they are made. The duration depends on its threshold by
-steps of one internal period. A point mass stands for a beam with beads, which costs a tenth of a per
-cent of its frequency; twisting of the beams, their next modes (five times faster) and dissipation
-in the contacts are left out.
+The article defines neither the speed nor the duration and gives no energies for its reflections; our
+definitions stand where they are used. When its threshold is changed, the duration jumps by one
+internal period at a time. Replacing a beam with beads by a point mass costs a tenth of a per cent of
+its frequency; twisting of the beams, their higher modes and dissipation in the contacts are left
+out.
 
-The article sees a small part of the energy loosely trapped at 1.6 radii. We find a remainder of that
-size, [0.000767683](num:sec36_cantilever_defect.near_75_16), but it is smaller than what stays in the same place
-without any defect, sits before the defect and leaves.
+The article sees a small part of the energy loosely trapped at 1.6 radii. We find a small remainder,
+[0.000767683](num:sec36_cantilever_defect.near_75_16) of the energy. But without any defect more stays
+in the same place, and the remainder lies in front of the defect and leaves.
 
 ## Extensions
 
 - Which radius reflects best if two neighbouring cantilevers are changed, or if only the
   stiffness of the contact is ($\mu = 1$)?
-- How does the map change with the impact velocity? The DpS limit says: only through $\mu$ and
-  $\eta$ compared with $\lambda$.
-- Compute the multipliers of the trapped mode: is its swing from side to side one of them? */
+- How does the map change with the impact velocity? In the DpS limit only $\mu$ and $\eta$ compared
+  with $\lambda$ should matter.
+- Compute the Floquet multipliers of the trapped mode: is its swing from side to side one of them? */
 int main(int argc, char** argv) {
   Program program({"sec36_cantilever_defect", "3.5, 3.6",
                    "Decorated cantilevers and a defect that reflects (sections 3.5 and 3.6)"},
                   argc, argv);
   Options options;
-  CLI::App* run = program.command("run", "one defect: reflected, remaining, transmitted energy",
-                                  [&] { return run_command(options); });
+  Command* run = program.command("run", "one defect: reflected, remaining, transmitted energy",
+                                 [&] { return run_command(options); });
   run->add_option("--radius", options.radius, "radius of the defect's beads over the others'")
       ->check(in_range(0.1, 5));
   run->add_option("--velocity", options.velocity, "impact velocity in m/s")
       ->check(in_range(0.5, 2, "m/s"));
-  CLI::App* scales = program.command("scales", "all constants in SI units",
-                                     [&] { return scales_table(options.impact()); });
+  Command* scales = program.command("scales", "all constants in SI units",
+                                    [&] { return scales_table(options.impact()); });
   scales->add_option("--velocity", options.velocity, "impact velocity in m/s")
       ->check(in_range(1e-6, 1e3, "m/s"));
-  CLI::App* map =
+  Command* map =
       program.command("map", "a part of the map of defects", [&] { return map_command(options); });
   map->add_option("--part", options.part, "part k of n, as k/n")->check(part_text());
   map->add_option("--folder", options.folder, "folder in which the rows wait for the full run")

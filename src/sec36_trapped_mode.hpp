@@ -2,10 +2,10 @@
 /**
 # 3.6 Does energy stay at the defect? (figure x10)
 
-After the packet has been reflected, the article sees a small part of the energy trapped near the
-defect (`cantilever.trapped`). This part of the chapter of sec36_cantilever_defect.cpp, whose program runs
-it, says what we mean by *trapped*, follows the energy around defects of five radii, and finds the
-state in which a light defect keeps it. */
+After the packet has been reflected, the article sees a small part of the energy loosely trapped near
+the defect (`cantilever.trapped`). This part of the chapter belongs to the program
+sec36_cantilever_defect.cpp. It says what we mean by *trapped*, follows the energy around defects of
+five radii, and finds the state in which a light defect keeps it. */
 
 #include <array>
 #include <cstddef>
@@ -22,14 +22,15 @@ namespace trapped {
 using namespace lattice;
 
 /**
-A trapped mode has three marks (`is_trapped` of scattering.hpp): the energy around the defect does not
-leave, we ask for 95 per cent of it from 75 to 100 ms; it exceeds what a packet leaves
-in the same place without any defect; and its density is largest at the defect or beside it.
-Smaller beads show all three. Beads of 1.6 radii show none: what lingers is the packet's wake, on
-the side from which it came.
+To decide whether energy is trapped we ask for three things (`is_trapped` of scattering.hpp): the
+energy around the defect does not leave, that is, 95 per cent of it remain from 75 to 100 ms; it
+exceeds what a packet leaves in the same place without any defect; and its density is largest at the
+defect or beside it. Smaller beads show all three. Beads of 1.6 radii show none: what lingers there
+is the packet's wake, on the side from which it came.
 
-Smaller beads trap because a light defect is faster than its neighbours: a family of breathers begins
-at its linear frequency, and the packet leaves energy in one of them (defect_mode.hpp).
+Smaller beads trap energy because a light defect oscillates faster than its neighbours: a family of
+breathers begins at its linear frequency, and the packet leaves energy in one of them
+(defect_mode.hpp).
 
 ![Energy around the defect against time, and the mode in which it is trapped.](fig:x10) */
 inline Table trapping_table(const std::vector<double>& ratios,
@@ -46,9 +47,10 @@ inline Table trapping_table(const std::vector<double>& ratios,
 }
 
 /**
-The run and the breather are compared at equal energy around the defect, by their frequencies and by the
-overlap $1-\frac12\sum_n|p_n-q_n|$ of the distributions $p_n$, $q_n$ of their energy over the sites. The run also
-swings slowly from side to side, as a state does that is nearly but not quite the breather. */
+Is the trapped state really such a breather? We compare the two at equal energy around the defect, by
+their frequencies and by the overlap $1-\frac12\sum_n|p_n-q_n|$ of the distributions $p_n$, $q_n$ of
+their energy over the sites. The run also swings slowly from side to side, as a state does that is
+nearly but not quite the breather. */
 inline Table mode_table(const ArrayImpact& impact, const Profile& now, const Orbit<double>& orbit) {
   Table table{{count("n", "site", "site"), number("run", "share of the energy in the impact's run"),
                number("mode", "share of the energy in the breather"),
@@ -60,8 +62,9 @@ inline Table mode_table(const ArrayImpact& impact, const Profile& now, const Orb
 }
 
 /**
-An error of the energy that stayed moves the breather along its family; this and the mirrored equations
-tell how well it is known. */
+How well do we know this breather? An error of the energy that stayed moves it along its family, so we
+compute it at two energies. It should also be symmetric about the defect, so we note by how much it
+fails the equations for symmetric orbits. */
 inline void report_mode(Report& report, const ArrayImpact& impact, const std::array<Stay, 2>& stays,
                         double ratio) {
   const Estimate share = compare(stays[0].at(75), stays[1].at(75));
@@ -87,7 +90,8 @@ inline void report_mode(Report& report, const ArrayImpact& impact, const std::ar
 }
 
 /**
-Of the five radii that we follow, the first two are those of figure 24 and the third is no defect. */
+Now the energy around the defect is followed for five radii. The first two are those of figure 24, the
+third is no defect and serves for comparison, and two are smaller. */
 inline void report_trapping(Report& report, const ArrayImpact& impact) {
   const std::vector<double> ratios{1.6, 1.1, 1, 0.925, 0.8};
   const char* names[] = {"_16", "_11", "_without", "_0925", "_08"};

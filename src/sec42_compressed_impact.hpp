@@ -2,12 +2,13 @@
 /**
 # 4.2 An impact on a compressed chain (figures 27 and 28)
 
-In section 3.4 a blow on an uncompressed chain made a packet that crept away, came back, or stayed at
-the boundary. What does precompression change? This part of the chapter of section 4 strikes a chain
-whose contacts are closed by $d = 1/2$ and answers two claims: with hard wells a travelling
-breather forms that has a sech-like envelope and does not turn round (`pre.impact_s1`); with linear
-or soft wells there is a dispersive wave train only (`pre.impact_other`). Equations and symbols are those
-of sec4_precompression_mi.cpp, whose program runs it. */
+In section 3.4 a blow on an uncompressed chain made a packet that travelled away or turned round, and
+in soft wells a surface mode. What does precompression change? This part of the chapter of section 4
+strikes a chain whose contacts are compressed by $d = 1/2$ and answers two claims: in the hard wells
+$s = 1$ a travelling breather forms that has a sech-like envelope and does not turn round
+(`pre.impact_s1`); for $s = 0$ and $s = -1/6$ there is a dispersive wave train only
+(`pre.impact_other`). Equations and symbols are those of sec4_precompression_mi.cpp, whose program
+runs it. */
 
 #include <cmath>
 #include <cstddef>
@@ -23,15 +24,16 @@ namespace compressed {
 using namespace lattice;
 
 /**
-A blow of $v_0 = 1.87$ on the first bead, Eq. (26), opens contacts near the boundary, the last time at $t = 22$
-or earlier; after $t = 40$ we rely on closed ones. The chain is so long that its last bead has not
-moved at all when a run ends. How it is done, and by which criteria a breather, a surface mode and a
-boomerang are told apart, is written in measure/flight.hpp: the packet's share of the energy, the
-boundary's share and the packet's advance decide.
+We need to tell a breather, a wave train, a surface mode and a packet that returns apart. The packet's
+share of the energy, the boundary's share and the packet's advance decide; measure/flight.hpp gives
+the criteria. A blow of $v_0 = 1.87$ on the first bead, Eq. (26), opens contacts near the boundary for
+a while, the last time at $t =$ [22](num:sec4_precompression_mi.last_open_s_1) or earlier; after
+$t = 40$ the method relies on closed ones. The chain is so long that its last bead has not moved at
+all when a run ends.
 
-Three impacts of the article run at two resolutions, and so do two controls without precompression,
-whose outcome section 3.4 knows: the packet that returns ($s = 1$) and the surface mode
-($s = -1/6$). Criteria that missed these would be worth nothing. */
+The three impacts of the article run at two resolutions, and so do two controls without
+precompression, whose outcome is known from section 3.4: the packet that returns ($s = 1$) and the
+surface mode ($s = -1/6$). Criteria that missed these would be worthless. */
 struct Experiment {
   std::string name;
   Launch launch;
@@ -59,8 +61,8 @@ inline std::vector<Experiment> planned(bool quick) {
 }
 
 /**
-Ten runs do not know each other, and the longest takes as long as several of the others: they share
-the processors one by one. */
+The ten runs are independent, and the longest takes as long as several of the others, so they are
+handed to the processors one by one. */
 inline std::vector<Experiment> experiments(bool quick) {
   std::vector<Experiment> all = planned(quick);
   parallel_for("impacts", 2 * all.size(), [&](std::size_t i) {
@@ -72,8 +74,9 @@ inline std::vector<Experiment> experiments(bool quick) {
 }
 
 /**
-What decides goes to the facts, with the difference of the two resolutions; so do the warrants: drift of
-the energy, the last open contact, and the last bead, which must not have moved. */
+The quantities that decide go to the facts, with the difference of the two resolutions. So do those
+that justify the method: the drift of the energy, the time of the last open contact, and the velocity
+of the last bead, which must not have moved. */
 inline void add_traits(Quantities& facts, const Experiment& e) {
   const Traits coarse = traits(e.coarse.samples), fine = traits(e.fine.samples);
   const auto add = [&](const std::string& what, double Traits::*member, const char* unit = "") {
@@ -93,8 +96,8 @@ inline void add_traits(Quantities& facts, const Experiment& e) {
 }
 
 /**
-The profiles carry the envelope and the sech fitted to it; the history tells how the packet's share
-of the energy goes with time.
+For figures 27 and 28 we tabulate the velocities, their envelope and the sech fitted to it, and the
+packet's share of the energy as a function of time.
 
 ![Velocities at three times after an impact, s = 1.](fig:27)
 ![Wave trains for s = 0 and s = -1/6, and the packet's share of the energy.](fig:28) */
@@ -120,7 +123,8 @@ inline Table impact_profiles(const std::vector<Experiment>& all) {
 }
 
 /**
-A sample in five, and only after the boundary has let the packet go, is enough for the history. */
+For the history one sample in five is enough, from the time on at which the packet has left the
+boundary. */
 inline Table packet_history(const std::vector<Experiment>& all) {
   Table table{{number("s", "anharmonicity of the well"), number("t", "time"),
                number("centre", "centre of the packet", "site"),
@@ -135,8 +139,9 @@ inline Table packet_history(const std::vector<Experiment>& all) {
 }
 
 /**
-Whether the envelope is sech-like we ask at the three times of the article; at $t = 291$, where it says
-that the breather forms, for the top and the width only (flight.hpp). */
+Whether the envelope is sech-like we ask at the three times of the article. At $t = 291$, when
+according to the article the breather is forming, only its top and its width are judged
+(flight.hpp). */
 inline bool report_pulse(Report& report, const Experiment& e) {
   bool pulse = true;
   for (std::size_t k = 0; k < e.times.size(); ++k) {
@@ -156,8 +161,9 @@ inline bool report_pulse(Report& report, const Experiment& e) {
 }
 
 /**
-A breather has to keep its energy and never to return; a train keeps energy neither in a packet nor at
-the boundary. Neither verdict is given if a control comes out wrong. */
+Now the two claims can be decided. A breather has to keep its energy and must not return; a wave
+train keeps energy neither in a packet nor at the boundary. If a control comes out wrong, neither
+claim holds. */
 inline void report_impacts(Report& report) {
   const std::vector<Experiment> all = experiments(report.quick);
   for (const Experiment& e : all) add_traits(report.facts, e);
@@ -178,8 +184,8 @@ inline void report_impacts(Report& report) {
 }
 
 /**
-The subcommand `impact` does the same for one blow of your choice. A soft well from which a bead escapes
-before the end is a failure, for then there is no packet to report. */
+The subcommand `impact` does the same for one blow of your choice. It fails if a bead escapes from a
+soft well before the end, because then there is no packet to report. */
 inline Table impact_quantities(const Launch& launch) {
   const CompressedRun coarse = fly(launch, {launch.time}, {});
   const CompressedRun fine = fly(launch, {launch.time}, FlightSteps{}.halved());

@@ -51,19 +51,19 @@ constexpr double compression = 0.5;
 The chain is that of Eq. (6) with the wells of Eq. (10) and the compressed contact of Eq. (33),
 $$\ddot y_n + y_n + s\,y_n^3 = V'(y_{n+1}-y_n) - V'(y_n-y_{n-1}), \qquad
   V'(r) = d^{3/2} - (d-r)_+^{3/2}.$$
-Time and length are dimensionless as in section 3. A contact opens at $r = d$; until then the force
-is smooth, with a linear part that makes phonons of frequency $\omega(q)$, Eq. (34).
+All is dimensionless as in section 3. A contact opens at $r = d$; for smaller $r$ the force is
+smooth, and its linear part gives phonons the frequency $\omega(q)$, Eq. (34).
 
 | article | program | meaning |
 |---|---|---|
 | $d$ | `d` | compression of every contact at rest, 1/2 throughout |
 | $s$ | `s` | anharmonicity of the well |
 | $q$, $\omega$, $c$ | `q`, `omega`, `group_velocity` | wavenumber, frequency, group velocity |
-| $\beta$, $\omega_2$, $\Phi$ | `beta`, `omega_2`, `phi` | NLS coefficients, Eqs. (36) and (37) |
+| $\beta = \omega h$, $\omega_2$, $\Phi$ | `beta`, `omega_2`, `phi` | NLS coefficients, Eqs. (36) and (37) |
 | $a$, $b$, $N$ | `a`, `b`, `sites` | amplitude, modulation and ring of Eq. (39) |
 
-The library derives: `waves/dispersion.hpp` the band, `waves/nls.hpp` $\beta$,
-`waves/instability.hpp` growth, `measure/modulation.hpp` the ring, `measure/flight.hpp` the impact. */
+The library derives the band in `waves/dispersion.hpp`, $\beta$ in `waves/nls.hpp`, growth in
+`waves/instability.hpp`, the ring in `measure/modulation.hpp`, the impact in `measure/flight.hpp`. */
 constexpr std::array<double, 3> wells = {-1.0 / 6, 0, 1};
 const std::array<std::string, 3> well_names = {"_s_minus_1_6", "_s_0", "_s_1"};
 constexpr char speed_unit[] = "site per unit of time";
@@ -71,8 +71,8 @@ constexpr char speed_unit[] = "site per unit of time";
 /**
 ## The band and its inflection
 
-A formula has no step to halve, but it has rounding errors: we evaluate it in `double` and in
-`long double`, and the difference is its error. */
+The first numbers are values of formulas. A formula has no step to halve, but it has rounding errors:
+we evaluate it in `double` and in `long double`, and take the difference as its error. */
 template <class Formula>
 Estimate in_two_precisions(Formula formula) {
   return compare(double(formula(double(0))), double(formula(static_cast<long double>(0))));
@@ -100,8 +100,8 @@ Table band_quantities(double d, double s) {
 }
 
 /**
-At one wavenumber all coefficients come from one evaluation, so here the two precisions are two
-structures of which we compare the members. */
+At one wavenumber all coefficients come from one evaluation, so here we evaluate once in each
+precision and compare the coefficients one by one. */
 Table coefficient_quantities(double at, double d, double s) {
   Quantities q;
   const auto narrow = coefficients(at, d, s);
@@ -119,8 +119,8 @@ Table coefficient_quantities(double at, double d, double s) {
 }
 
 /**
-The expansion coefficients of the contact answer claims; edges and inflection of the band are facts
-for comparison, and $\Phi$ at the edges has a section of its own. */
+The expansion coefficients of the contact answer claims. The edges of the band and its inflection are
+recorded as facts; $\Phi$ at the edges has a section of its own. */
 void report_band(Report& report) {
   const auto v = [](auto of) {
     return in_two_precisions([&](auto zero) { return of(contact_series(zero + compression)); });
@@ -139,10 +139,12 @@ void report_band(Report& report) {
 /**
 ## Where phonons are unstable (figure 25)
 
-The curves of $\Phi$ for the three wells change sign at $q_c$. There is a band of instability for
-each of them, on the left of $q_c$ for $s \le 0$, where $\beta < 0$, and on its right for $s = 1$,
-where it ends before $\pi$ because $\beta$ changes sign as well. That $\Phi$ is much
-smaller for $s = 0$ we take to mean: its largest value is less than a tenth of the others'.
+A uniform phonon is unstable to slow modulations where $\Phi = -\beta\,\omega_2 > 0$, Eq. (37). So we
+tabulate $\Phi$ for the three wells. It changes sign at the inflection $q_c$ of $\omega(q)$. The band
+of instability lies to the left of $q_c$ for $s \le 0$, where $\beta < 0$, and to its right for
+$s = 1$, where it ends before $\pi$ because $\beta$ changes sign as well. That $\Phi$ is much smaller
+for $s = 0$, as the article says, we take to mean that its largest value is less than a tenth of the
+others'.
 
 ![The modulation coefficient of Eq. (37).](fig:25) */
 Table instability_table() {
@@ -159,7 +161,8 @@ Table instability_table() {
 }
 
 /**
-The largest values are read from two grids of wavenumbers, one with twice the points of the other. */
+The largest values have an error, so they are read from two grids of wavenumbers, one with twice the
+points of the other. */
 void report_phi(Report& report) {
   report.output.add("instability", instability_table());
   double largest[3], coarse[3];
@@ -175,9 +178,9 @@ void report_phi(Report& report) {
 }
 
 /**
-The inflection has a closed form. That $\Phi$ changes sign there we see without it: bisection
-between two wavenumbers at which $\Phi$ has opposite signs finds the same place in each well, and
-there the equation of the article is satisfied. */
+Does $\Phi$ really change sign at the inflection, for which there is a closed form? Bisection between
+two wavenumbers at which $\Phi$ has opposite signs does not know that form. It must find the same
+place in each well, and the equation $\cos q_c = v_1(1-\cos q_c)^2$ of the article must hold there. */
 void report_inflection(Report& report) {
   const double v1 = contact_series(compression).v1, q = inflection(v1), x = 1 - std::cos(q);
   double apart = std::abs(std::cos(q) / (v1 * x * x) - 1);
@@ -189,11 +192,11 @@ void report_inflection(Report& report) {
 /**
 ## Instability at the edges of the band
 
-The article's conditions are $s < 0$ at $q = 0$ and $16v_3 + s > 0$ at $q = \pi$. The formula says
-so identically: $\Phi(0) = -\frac32 s$ and $\Phi(\pi) = \frac32(16v_3+s)$. What the chain says we
-ask exact waves of amplitude 0.005 on both sides of each threshold, 0.05 away from it: modulations
-must grow on the unstable side, at NLS's rate within two per cent, and not at all on the other,
-where rounding leaves $10^{-15}$. */
+The article's conditions for instability are $s < 0$ at $q = 0$ and $16v_3 + s > 0$ at $q = \pi$. They
+follow from the formula, $\Phi(0) = -\frac32 s$ and $\Phi(\pi) = \frac32(16v_3+s)$. To test them in
+the chain itself we take exact nonlinear waves (waves/plane_wave.hpp) of amplitude 0.005, for $s$ on
+both sides of each threshold and 0.05 away from it. Modulations must grow on the unstable side, at
+the rate of the NLS equation within two per cent, and not at all on the other, but for rounding. */
 struct EdgeCase {
   double q, s;
   bool unstable;
@@ -207,8 +210,8 @@ std::array<EdgeCase, 4> edge_cases(double threshold) {
 }
 
 /**
-The formula's identities are tried on a range of wells that holds both thresholds, and growth with six
-and with twelve harmonics of the wave. */
+The two identities of the formula are tested over a range of wells that contains both thresholds, growth with
+six and with twelve harmonics of the wave. */
 void report_edges(Report& report) {
   const double threshold = -16 * contact_series(compression).v3, a = 0.005;
   double formula = 0, leftover = 0;
@@ -233,14 +236,15 @@ void report_edges(Report& report) {
 /**
 ## The coefficient, measured
 
-A uniform wave of the NLS equation has the frequency $\omega + h|A|^2$. In the chain we put the
-exact wave of amplitude $a = 2|A|$ on a ring, integrate it for 60 periods, and read its mean
-frequency from its phase (measure/wave_on_ring.hpp). The formula for $\beta$ does not enter anywhere.
+The printed formula for $\beta$ could contain a slip, so we measure $\beta$ in two ways that do not
+use it. First, a uniform wave of the NLS equation has the frequency $\omega + h|A|^2$. We put the
+exact wave of amplitude $a = 2|A|$ on a ring of beads, integrate it for 60 periods, and read its mean
+frequency from its phase (measure/wave_on_ring.hpp).
 
-The second measurement is the instability itself. A disturbance of the exact wave has a growth
-rate, an eigenvalue of its linearisation; NLS says that the fastest one grows at $|h||A|^2$. That
-gives $\Phi$, so both measurements are points on the curves of figure 25. Where $\Phi < 0$ the
-eigenvalues are imaginary and there is nothing to plot. */
+The second measurement is the instability itself. The growth rate of a disturbance is an eigenvalue
+of the linearisation about the exact wave, and by the NLS equation the fastest one grows at
+$|h||A|^2$. That gives $\Phi$, so both measurements are points on the curves of figure 25. Where
+$\Phi < 0$ the eigenvalues are imaginary and there is nothing to plot. */
 struct BetaPoint {
   PhaseOfWave phase;
   Coefficients<double> nls;
@@ -264,14 +268,15 @@ std::vector<BetaPoint> beta_points(bool quick) {
 }
 
 /**
-One envelope is not all that can grow. Two waves $q$ may scatter into two waves near $q - \pi$, because
-$2q$ and $2(q-\pi)$ differ by a whole turn; the frequencies fit for $q - \pi$ itself at
-$q = \pi/2$, and for a pair on either side of it at smaller $q$. For $s = 1$ and $q = \pi/2$ the
-reflected wave grows at [2.94567](num:sec4_precompression_mi.backscattering) times $|h||A|^2$, faster
-than any modulation, and for $s = 0$ and $q = 11\pi/24$ at
+Slow modulations are not all that can grow, so we must know where Eq. (36) misses something. Two
+waves $q$ may scatter into two waves near $q - \pi$, because $2q$ and $2(q-\pi)$ differ by a whole
+turn. The frequencies match for $q - \pi$ itself at $q = \pi/2$, and for a pair of waves on either
+side of it at smaller $q$. For $s = 1$ and $q = \pi/2$ the backscattered wave grows at
+[2.94567](num:sec4_precompression_mi.backscattering) times $|h||A|^2$, faster than any modulation.
+For $s = 0$ and $q = 11\pi/24$ it does so at
 [3.19518](num:sec4_precompression_mi.backscattering_where_stable) times, although $\Phi < 0$: Eq. (37)
-decides about slow modulations only. There the pair lies 11 steps of $2\pi/384$ to either side, and
-the amplitude is 0.1. */
+decides about slow modulations only. In that case the pair lies 11 steps of $2\pi/384$ to either
+side, and the amplitude is 0.1. */
 void report_backscattering(Report& report) {
   const PhaseOfWave resonant{pi / 2, compression, 1}, stable{11 * pi / 24, compression, 0};
   const double modulation = pi - 11 * 2 * pi / 384;
@@ -284,8 +289,8 @@ void report_backscattering(Report& report) {
 }
 
 /**
-We compare the growth where Eq. (36) can hold: not at $q = \pi/2$, and not within 0.05 of $q_c$,
-where the curvature vanishes and the fastest modulation is no longer slow.
+So we compare the growth only where Eq. (36) can hold: not at $q = \pi/2$, and not within 0.05 of
+$q_c$, where the curvature of $\omega(q)$ vanishes and the fastest modulation is no longer slow.
 
 ![Measured points on the curves of the NLS coefficient, and growth over the modulation's
 wavenumber.](fig:x07) */
@@ -334,8 +339,9 @@ void report_beta(Report& report) {
 }
 
 /**
-NLS knows only the limit of small amplitudes. The growth over the modulation's wavenumber shows what
-becomes of it at the amplitude 0.15 of figure 26, and at a third of that. */
+The NLS equation holds in the limit of small amplitudes. How far are we from it at the amplitude 0.15
+of figure 26? We tabulate the growth against the wavenumber of the modulation, for this amplitude and
+for a third of it. */
 Table growth_curves(double s, double q) {
   Table curves{{number("modulation", "wavenumber Q of the modulation", "1/site"),
                 number("a", "amplitude of the wave"), number("growth", "eigenvalue over |A|^2"),
@@ -355,8 +361,9 @@ Table growth_curves(double s, double q) {
 }
 
 /**
-The eigenvalue can be seen in a run. On a ring of 200 beads we disturb the exact wave of amplitude
-0.15 by $10^{-6}$ in the modulation $Q$ and fit the growth of the side band $q + Q$. */
+Eigenvalues should be visible in a run. On a ring of 200 beads we disturb the exact wave of amplitude
+0.15 by a modulation of wavenumber $Q$ and relative size $10^{-6}$, and fit the growth of the side
+band $q + Q$. */
 void report_growth(Report& report) {
   Table runs{{number("modulation", "wavenumber Q of the modulation", "1/site"),
               number("growth", "growth in a run over |A|^2"),
@@ -386,11 +393,11 @@ void report_growth(Report& report) {
 /**
 ## A modulated phonon becomes a travelling breather (figure 26)
 
-The article starts a ring of $N = 200$ beads from a phonon of amplitude $a = 0.15$ that varies by
-one per cent along the ring, Eq. (39). How the ring is run, and what we call a travelling breather,
-stands in measure/modulation.hpp: five times the mean energy density at one site, the energy on
-no more than half of the sites, and a centre that moves to the right. The ring with $s = 1$
-is the control: $\Phi(\pi/4) < 0$ there, and after the same time it must fail.
+Does the instability make a breather? The article starts a ring of $N = 200$ beads from a phonon of
+amplitude $a = 0.15$ that varies by one per cent along the ring, Eq. (39). We say that a travelling
+breather has formed (measure/modulation.hpp) if one site has five times the mean energy density, if
+fewer than half of the sites share the energy, and if the centre moves to the right. The ring with
+$s = 1$ is the control: there $\Phi(\pi/4) < 0$, and no breather may have formed after the same time.
 
 ![The initial phonon and the breather that it has become.](fig:26) */
 void add_ring(Output& output, const Modulated& coarse, const Modulated& fine) {
@@ -407,9 +414,9 @@ void add_ring(Output& output, const Modulated& coarse, const Modulated& fine) {
 }
 
 /**
-Is this state a fact about the equations or about the integrator? Two steps that differ by a factor
-of two agree to [3.46199e-6](num:sec4_precompression_mi.mi_state_error). We go on to see when they part, for
-statements about later times would be statistical: up to
+Is this state a fact about the equations or about the integrator? Two runs whose steps differ by a
+factor of two agree to [3.46199e-6](num:sec4_precompression_mi.mi_state_error). We also ask when they
+part, since statements about later times would be statistical: up to
 $t =$ [3.000e4](num:sec4_precompression_mi.mi_agreement_time), where we stop, they do not. */
 struct ModulatedRuns {
   Modulated coarse, fine, stable_coarse, stable_fine;
@@ -431,7 +438,8 @@ ModulatedRuns modulated_runs(bool quick) {
 }
 
 /**
-The verdict is asked of both resolutions, and the states must agree to a thousandth. */
+The claim holds if both resolutions show a breather, if their states agree to a thousandth, and if
+the control shows none. */
 void report_modulated(Report& report) {
   const ModulatedRuns runs = modulated_runs(report.quick);
   const Modulated &coarse = runs.coarse, &fine = runs.fine;
@@ -458,10 +466,10 @@ void report_modulated(Report& report) {
 /**
 ## Checks: the full order, and an independent route
 
-Without precompression a switching contact limits every splitting to about order 2.5 (appendix A).
-Here the modulated phonon keeps all contacts closed, and each method shows the order of its name;
-the struck chain up to $t = 30$ opens contacts and does not allow it. GSL's method of order eight
-arrives at the same states.
+A contact that opens or closes limits every splitting to about order 2.5 (appendix). The modulated
+phonon keeps all contacts closed, so each method must show the order in its name; the struck chain,
+up to $t = 30$, opens contacts, and the methods must lose it. As an independent route GSL's method of
+order eight must arrive at the same states.
 
 ![Error against step with closed and with opening contacts.](fig:x08) */
 struct OrderCase {
@@ -478,8 +486,8 @@ struct OrderCase {
   }
 };
 
-/// Errors of one method for halved steps; their slope where neither first transients nor rounding
-/// rule.
+/// Errors of one method for halved steps, and their slope on logarithmic axes between errors of 1e-2
+/// and 3e-12, where neither too long steps nor rounding dominate.
 Line order_of(const OrderCase& c, const Scheme& scheme, const State<double>& right, Table& table) {
   std::vector<double> x, y;
   for (double step = 0.5; step > 0.007; step /= 2) {
@@ -491,8 +499,8 @@ Line order_of(const OrderCase& c, const Scheme& scheme, const State<double>& rig
 }
 
 /**
-What is right? A contact-aware run with a very short step, once an adaptive integrator that shares
-nothing with it has confirmed its state. */
+To measure errors we need the right end state. It is that of a contact-aware run with a very short
+step, once an adaptive integrator that shares nothing with it has confirmed it. */
 State<double> confirmed_end(const OrderCase& c, Quantities& facts) {
   const State<double> right = c.run(ContactAware{1.0 / 256, nystrom(blanes_moan_6_14())});
   State<double> theirs = c.start;
@@ -505,7 +513,8 @@ State<double> confirmed_end(const OrderCase& c, Quantities& facts) {
 }
 
 /**
-If openings are to blame, all four methods must lose their order in the one case and none in the other. */
+If opening contacts are to blame, the methods lose their order in the one case and not in the other.
+Only Verlet's order of two lies below the limit and is kept in both. */
 void report_order(Report& report) {
   const ModulatedPhonon phonon;
   const OrderCase cases[] = {{"closed", phonon.ring(), phonon.start(), 50},
@@ -527,25 +536,26 @@ void report_order(Report& report) {
 /**
 ## One computation with your own parameters
 
-`coefficients` and `band` evaluate formulas, `impact` strikes a chain and reports the packet: its
+`coefficients` and `band` evaluate formulas. `impact` strikes a chain and reports the packet: its
 energy centre, the width of the sech that fits its envelope, and the share of the energy within 20
-sites. A soft well from which a bead escapes is a failure. */
+sites. It fails if a bead escapes from a soft well. */
 struct Options {
   double q = pi / 4, s = -1.0 / 6, d = compression;
   Launch launch{};
 };
 
 /**
-Outside the ranges of these options formulas lose their digits or runs their sense. */
+The ranges of these options exclude values at which a formula loses its digits or a run its meaning.
+*/
 void offer(Program& program, Options& o) {
-  CLI::App* at = program.command("coefficients", "the NLS coefficients at one wavenumber",
-                                 [&] { return coefficient_quantities(o.q, o.d, o.s); });
-  CLI::App* band = program.command("band", "edges and inflection of the phonon band",
-                                   [&] { return band_quantities(o.d, o.s); });
-  CLI::App* impact = program.command("impact", "one impact: centre, width and energy of the packet",
-                                     [&] { return compressed::impact_quantities(o.launch); });
+  Command* at = program.command("coefficients", "the NLS coefficients at one wavenumber",
+                                [&] { return coefficient_quantities(o.q, o.d, o.s); });
+  Command* band = program.command("band", "edges and inflection of the phonon band",
+                                  [&] { return band_quantities(o.d, o.s); });
+  Command* impact = program.command("impact", "one impact: centre, width and energy of the packet",
+                                    [&] { return compressed::impact_quantities(o.launch); });
   at->add_option("--q", o.q, "wavenumber")->check(in_range(0, 3.1415926535897932));
-  for (CLI::App* sub : {at, band}) {
+  for (Command* sub : {at, band}) {
     sub->add_option("--d", o.d, "compression of the contacts")->check(in_range(1e-6, 100));
     sub->add_option("--s", o.s, "anharmonicity of the well")->check(in_range(-100, 100));
   }
@@ -559,17 +569,18 @@ void offer(Program& program, Options& o) {
 /**
 ## Differences and limits
 
-All statements of the section stand. The printed $\beta$ is right, to
-[0.000324374](num:sec4_precompression_mi.beta_apart_by_shift) of itself at every wavenumber tried. The breather
-of $s = 1$ is still in the making at $t = 291$, where a sech misses its envelope by
-[0.102555](num:sec4_precompression_mi.breather_residual_t_291) of the height, and loses energy to its tail
-all the time. For the other wells we confirm what the article says with care: no breather on these
-time scales. For small $s$ the soliton of the NLS equation is too wide to form so early.
+All statements of the section hold. The printed $\beta$ is confirmed to a fraction of
+[0.000324374](num:sec4_precompression_mi.beta_apart_by_shift) at every wavenumber tried. The breather
+of $s = 1$ is still forming at $t = 291$, where the best sech misses its envelope by
+[0.102555](num:sec4_precompression_mi.breather_residual_t_291) of the height, and it loses energy to
+its tail all the time. For the other wells we confirm what the article says, with its restriction: no
+breather on these time scales. A likely reason is that for small $|s|$ the soliton of the NLS
+equation is too wide to form so early.
 
 ## Extensions
 
 - For which $s$ between 0 and 1 does the impact begin to make a breather?
-- What does the backscattering near $q = \pi/2$ grow into?
+- What becomes of the backscattered wave near $q = \pi/2$ when it has grown?
 - How do super-exponential tails become exponential ones as $d$ grows from zero? */
 int main(int argc, char** argv) {
   Program program(

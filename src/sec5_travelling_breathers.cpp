@@ -1,14 +1,14 @@
 /**
 # 5 Exact travelling breathers
 
-Struck chains send out breathers that travel. In the computations of James, Kevrekidis and Cuevas
-(Physica D 251, 2013) they shed a tail all the while, ever more slowly, and section 5 leaves open
-whether exact ones exist, which after a time $T$ are what they were, one site further:
+Struck chains send out breathers that travel. Those of section 3.4 of James, Kevrekidis and Cuevas
+(Physica D 251, 2013) shed a tail as they go, ever more weakly. Section 5 leaves open whether one can
+compute exact ones, which after a time $T$ are the same again, one site further:
 
       t = 0    .  .  o  O  o  .  .  .            y_n(t + T) = y_(n-1)(t)
       t = T    .  .  .  o  O  o  .  .            and nothing is left behind
 
-They do. In the linear well they travel at isolated speeds, and one sum says at which ones.
+One can. In the linear well they travel at isolated speeds, and one sum says at which.
 
 ![Exact travelling breathers, and a packet that sheds a tail.](fig:x18) */
 
@@ -31,36 +31,36 @@ using namespace lattice;
 /**
 ## The question
 
-The article computes travelling breathers by striking a chain and waiting, and names it an
-interesting open problem to compute exact ones by Newton's method. No number of the article is at
-stake, so that this chapter has no claims; its own statements are at the end, sorted by whether
-they are proved, computed or conjectured.
+The article generates travelling breathers by striking a chain and waiting, and calls the computation
+of exact ones by Newton's method an interesting open problem. It prints no number for them, so this
+chapter has no claims to answer. Two more chapters follow the exact orbits into other wells and compare
+them with packets; the last one sorts what is proved, computed and conjectured.
 
 ## Model
 
-Beads in linear wells, later in those of Eq. (10), with the contacts of Eq. (9),
-$$\ddot y_n + y_n + s\,y_n^3 = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2},$$
-dimensionless. In the program `shift_time` is $T$, the speed is $1/T$ sites per unit of time, `sign` is
-that of the velocity $\dot y_0(0)$ of the central bead, and `reach` is $L$: an orbit has the sites
-$-L \le n \le L+1$. */
+The wells are linear, later those of Eq. (10), and the contacts those of Eq. (9),
+$$\ddot y_n + y_n + s\,y_n^3 = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2}.$$
+All is dimensionless. In the program the *shift time* $T$ is `shift_time`, so that the speed is $1/T$
+sites per unit of time; `sign` is that of the velocity $\dot y_0(0)$ of the central bead; and `reach` is
+$L$, where an orbit has the sites $-L \le n \le L+1$. */
 constexpr double two_pi = 2 * std::numbers::pi;
 
 /**
 ## Why only certain speeds
 
-In the linear well contacts cancel in $Z = \sum_n (y_n + i\dot y_n)$, which therefore only turns,
-$Z(t) = e^{-it}Z(0)$. A shift does not change it, so $(e^{-iT}-1)Z = 0$: either $T = 2\pi k$, one
-site during $k$ oscillations of a free bead (type I), or $Z = 0$ (type II).
+In linear wells the contact forces cancel in the sum $Z = \sum_n (y_n + i\dot y_n)$, which therefore
+only rotates, $Z(t) = e^{-it}Z(0)$. A shift does not change $Z$, so $(e^{-iT}-1)Z = 0$: either
+$T = 2\pi k$, one site during $k$ oscillations of a free bead (type I), or $Z = 0$ (type II).
 
-The same sum says what a packet leaves behind. A bead that has been passed keeps
-$\dot y + iy \propto \int e^{it}(f_{n-1}-f_n)\,dt$, where $f_n$ is the force in its right contact; if the
-pulses repeat themselves after $T$ this is
-$$|1-e^{-iT}|\,|g(1)|,\qquad g(1) = \int e^{it}f_0(t)\,dt,$$
-and it vanishes in just these two cases, because $|g(1)|$ is what $|Z|$ is ahead of the contact.
+The same sum says what a packet leaves behind. A bead that has been passed keeps oscillating with the
+amplitude $|\int e^{it}(f_{n-1}-f_n)\,dt|$, where $f_n$ is the force in the contact on its right. If
+these pulses repeat themselves after $T$ from contact to contact, the amplitude is
+$$|1-e^{-iT}|\,|g(1)|,\qquad g(1) = \int e^{it}f_0(t)\,dt.$$
+It vanishes in just these two cases, because the pulse that has passed a contact is all that has
+changed the sum over the beads beyond it, and so $|g(1)| = |Z|$.
 
-We follow the families of travelling.hpp, which solve all equations but one, and look where $V$, with
-$Z = iV$ at $t = 0$, vanishes. First the orbits of type I, from a packet that was cut out of an
-impact. Each is found in double precision and again in a wider type, which gives its errors. */
+This chapter finds orbits of type I, starting from a packet cut out of an impact (travelling.hpp).
+Each is computed in double precision and again in a wider type, which gives its errors. */
 constexpr std::array signs{1, -1};
 
 struct Exact {
@@ -74,7 +74,8 @@ struct Exact {
 };
 
 /**
-A wider type needs the exact $2\pi k$, and no derivative of its own. */
+In the wider type the shift time must be $2\pi k$ with all its digits. The derivative for Newton's
+method may come from the orbit in double precision. */
 Exact confirmed(std::size_t k, int sign, const Orbit<double>& orbit) {
   NewtonRule<long double> rule;
   rule.landing.tolerance /= 2;
@@ -97,10 +98,11 @@ std::vector<Exact> type_one_orbits(int sign, const std::vector<std::size_t>& ks)
 /**
 ## How exact they are
 
-Three residuals are told apart: of the orbit that Newton's method finds in double precision, of the one
-that the wider type finds and double precision can print, and of the latter before it is rounded. The
-first two are evaluated in the wider type, for all equations, the one included that was not solved. A
-residual is rounding, and its error is as large as itself. */
+How well do these orbits satisfy the equations? Newton's method solves all but one of them; that one
+follows from the sum $Z$ and serves as a check. We distinguish three residuals: that of the orbit in
+double precision, that of the wider type's orbit rounded to double, as it can be printed, and that of
+the latter before rounding. The first two are evaluated in the wider type and for all equations. A
+residual is rounding only, so its error is as large as itself. */
 template <class T>
 double residual_in_wide(const Exact& e, const Vector<T>& x_given) {
   const auto problem = with_free_time(type_one<long double>(e.k));
@@ -110,8 +112,8 @@ double residual_in_wide(const Exact& e, const Vector<T>& x_given) {
 }
 
 /**
-The orbits of the two signs are told apart by more than a number: they are two phases of one
-oscillation, and what their energies differ by is all that holds the phase. */
+The energies deserve as much care as the residuals. The orbits of the two signs are the same packet
+with two internal phases, and the difference of their energies is all that could hold the phase. */
 void report_exactness(Report& report, const std::vector<Exact>& plus,
                       const std::vector<Exact>& minus) {
   double narrow = 0, rounded = 0, wide = 0;
@@ -137,14 +139,15 @@ void report_exactness(Report& report, const std::vector<Exact>& plus,
 /**
 ## Profiles, ends and maps (figure x18)
 
-At $t = 0$ positions are odd and velocities even, so that both ends are mirror images. Going out from the
-centre, each bead is moved by the power 3/2 of what moves its neighbour, and the orbit falls
-double-exponentially. Two lengths of the chain show whether the end matters. */
+An orbit is computed on a few sites, so we must show that its tails fit on them. At $t = 0$ positions
+are odd and velocities even, so both tails are mirror images. Going outwards, the force on each bead
+is the power 3/2 of its neighbour's displacement, so the orbit falls off double-exponentially. Two
+lengths of the chain show whether the end matters. */
 double log_size(const State<double>& z, std::size_t i, double amplitude) {
   return std::log10(std::max(std::abs(z.y[i]), std::abs(z.v[i])) / amplitude);
 }
 
-/// The orbit again on a longer chain, from a guess that is shaken so that Newton's method takes the
+/// The orbit again on a longer chain, from a guess that is disturbed so that Newton's method takes the
 /// steps that the new sites of the tail need.
 Orbit<double> lengthened(const Exact& e, std::size_t reach) {
   Vector<double> x = Vector<double>::Zero(2 * Eigen::Index(reach) + 1);
@@ -157,7 +160,7 @@ Orbit<double> lengthened(const Exact& e, std::size_t reach) {
 constexpr std::size_t longer = 9, shorter = usual_reach;
 
 /**
-The table holds one end only, the other being its image. */
+The table holds one half only, the other being its mirror image. */
 void add_profile(Table& table, const Exact& e, const Orbit<double>& orbit,
                  const Orbit<double>& check) {
   for (std::size_t j = 0; j <= shorter; ++j) {
@@ -170,8 +173,8 @@ void add_profile(Table& table, const Exact& e, const Orbit<double>& orbit,
 }
 
 /**
-Each orbit is computed on both chains, and the velocities of the short chain that the rest of the chapter
-uses are compared with those of the longest. */
+Each orbit shown is computed on both chains; the difference is the error in the table. The velocities
+of the orbit that the rest of the chapter uses are compared with those on the longer chain. */
 Table profiles(Report& report, const std::vector<Exact>& shown) {
   Table table{{count("k", "oscillations a site"), count("sign", "of the central velocity"),
                count("n", "site", "site"), number("y", "position at t = 0"),
@@ -196,8 +199,9 @@ Table profiles(Report& report, const std::vector<Exact>& shown) {
 }
 
 /**
-The maps show the energy density of an exact orbit and of an impact's packet of the same speed, each
-around the packet and on a logarithmic scale, on which a tail of a millionth would still be seen. */
+What does exact mean to the eye? The maps compare the energy density of an exact orbit with that of a
+struck packet of about the same speed, on a logarithmic scale, on which a tail of a millionth would
+still be seen. */
 template <class Onsite>
 void add_map(Table& table, int which, const Chain<Onsite, Hertz>& chain, State<double> state,
              double from, double first_site) {
@@ -225,8 +229,9 @@ Table maps(const Exact& orbit) {
 /**
 ## What an orbit leaves behind, and whether it is stable
 
-The orbit is carried on by exact flights, each over one shift, after which the frame moves on by one
-site. What stands at the last site of the frame is then left behind. */
+The equations cover one shift; now we let an orbit run on. It is integrated over one shift at a time by
+the method that lands on every opening and closing of a contact (landing.hpp), and then the frame moves
+on by one site. What the last site of the frame holds is left behind. */
 double left_behind(const TravellingProblem<double>& problem, const Orbit<double>& orbit,
                    std::size_t shifts, const Landing<double>& rule) {
   State<double> z = orbit.start;
@@ -244,8 +249,12 @@ double left_behind(const TravellingProblem<double>& problem, const Orbit<double>
 }
 
 /**
-Stability is that of the shifted map (travelling.hpp). The phase is judged by $\kappa$, all other
-multipliers by their moduli; those of the shift in time are one and no matter of stability. */
+Do small disturbances grow? The derivative of the flow over $T$, read one site further, is the *shifted
+map* (travelling.hpp), and its eigenvalues are the multipliers per shift. Two of them are one: they
+belong to a shift in time and a change of speed. The pair $\lambda$, $1/\lambda$ of the internal phase
+also lies close to one, so it is judged by $\kappa = (\lambda+\lambda^{-1}-2)/4$: the phase is held if
+$\kappa < 0$, and a disturbance grows if $\kappa > 0$. All other multipliers are judged by their
+moduli. */
 template <class T>
 std::pair<double, double> phase_and_rest(const TravellingProblem<T>& problem, const Orbit<T>& orbit,
                                          const Landing<T>& rule) {
@@ -266,9 +275,10 @@ Estimate largest_modulus(const Pair& phase, const Estimate& rest) {
 }
 
 /**
-For a thousand shifts a stepper is cheaper, and its error shows in what it leaves behind. The frame moves
-on by twenty sites at a time, and resting beads come in ahead. A hundred shifts are repeated by GSL, with
-which our steppers have nothing in common, in one long chain. */
+A long flight is the strictest test that an orbit leaves nothing behind. For a thousand shifts an
+ordinary stepper is cheaper; its error shows in what it leaves behind. The frame moves on by twenty
+sites at a time, and resting beads come in ahead. A hundred shifts are repeated by GSL, with which our
+steppers have nothing in common, in one long chain. */
 struct Flown {
   double left, off;  ///< left behind, and distance from the orbit where it should be
 };
@@ -281,7 +291,7 @@ double passed(const State<double>& z, std::size_t shifts) {
 }
 
 /**
-After each round, what has been passed is looked at and dropped. */
+After each round of twenty shifts we look at the beads that have been passed and drop them. */
 Flown by_steps(const Exact& e, std::size_t shifts, double step) {
   constexpr std::size_t round = 20;
   const Chain<Harmonic, Hertz> chain{round + 3 * usual_reach};
@@ -302,7 +312,7 @@ Flown by_steps(const Exact& e, std::size_t shifts, double step) {
 }
 
 /**
-The same by GSL. */
+GSL needs no frame: its chain holds all the sites that the packet passes. */
 Flown by_gsl(const Exact& e, std::size_t shifts, double tolerance) {
   const Chain<Harmonic, Hertz> chain{shifts + 3 * usual_reach};
   State<double> state = embed(e.orbit.start, chain.sites, 0);
@@ -313,7 +323,8 @@ Flown by_gsl(const Exact& e, std::size_t shifts, double tolerance) {
 }
 
 /**
-The orbit of $k = 1$ whose phase is held is flown; on the other one errors grow. */
+We fly the fastest orbit, $k = 1$, with the sign for which the phase is held; with the other sign
+errors would grow. */
 void report_flights(Report& report, const Exact& e) {
   const std::size_t many = report.quick ? 100 : 1000, few = report.quick ? 10 : 100;
   std::array<Flown, 4> f{};
@@ -330,8 +341,9 @@ void report_flights(Report& report, const Exact& e) {
 }
 
 /**
-The phase pair of both signs, and the next multiplier: everything else dies out, because waves cannot
-follow the orbit. */
+Two numbers describe the stability of an orbit: $\kappa$ of the phase, and the largest modulus of the
+other multipliers. These lie inside the unit circle, because a bead's free oscillation does not travel
+and is left behind by the orbit. */
 void report_stability(Report& report, const Exact& e) {
   const auto narrow = phase_and_rest(type_one<double>(e.k), e.orbit, {});
   const auto wide = phase_and_rest(type_one<long double>(e.k), e.wide, {});
@@ -348,8 +360,9 @@ void report_stability(Report& report, const Exact& e) {
 /**
 ## One orbit of the reader's choice
 
-At $s \ne 0$ no sum returns, the shift time is an unknown, and the branch that begins at $s = 0$ is
-followed. Where it folds before the $s$ that was asked for, we say where. */
+The command `orbit` computes one exact breather, also in other wells. At $s \ne 0$ the sum $Z$ no
+longer rotates freely, the shift time is an unknown, and we follow the branch of orbits that begins at
+$s = 0$. If it folds before the $s$ that was asked for, the command says where. */
 struct Choice {
   std::size_t k = 1, reach = usual_reach;
   std::string sign = "plus";
@@ -374,7 +387,7 @@ Branch<TravellingProblem<double>> branch_in_s(const Orbit<double>& start, int di
 }
 
 /**
-The two precisions of the answer. */
+Whatever was asked for, the answer comes in two precisions, which give its error. */
 Found found_with_free_time(const TravellingProblem<double>& problem, const Orbit<double>& orbit) {
   const auto wide = in_precision<long double>(problem);
   return {problem, orbit, wide, polish(wide, orbit)};
@@ -398,7 +411,8 @@ Found on_branch(const Choice& choice, const Orbit<double>& start) {
 }
 
 /**
-A chain is too short where the last bead moves so much that the missing one would be felt. */
+The reader may choose the length of the chain. It is too short if its last bead moves so much that the
+missing one would be felt. */
 void need_reach(const Choice& choice, const Orbit<double>& orbit) {
   State<double> half = orbit.start;
   auto problem = travelling_problem(shift_time(orbit), choice.s, choice.reach);
@@ -419,8 +433,9 @@ Found chosen_type_one(const Choice& choice) {
 }
 
 /**
-The nearest orbit without a tail may be of type I or, somewhat faster, of type II on the family that
-begins there. We follow the family that begins at the next multiple of $2\pi$ past the time asked for. */
+One can also ask for the orbit without a tail nearest to a shift time. It may be of type I, or of
+type II: those lie at somewhat shorter shift times, on families that begin at the orbits of type I (next
+chapter). We follow the family that begins at the next multiple of $2\pi$ above the time asked for. */
 Found chosen_near(const Choice& choice) {
   const auto above = std::size_t(std::max(1.0, std::ceil(choice.near / two_pi)));
   Staircase stairs(choice.sign == "plus" ? 1 : -1, choice.reach);
@@ -438,7 +453,7 @@ Found chosen_near(const Choice& choice) {
       candidates.push_back({problem, orbit, in_precision<long double>(problem), {}});
     }
   /**
-A time that is near none of them is answered with the nearest. */
+  If none of them is near, the command fails and names the nearest one. */
   const auto distance = [&](const Found& f) { return std::abs(shift_time(f.orbit) - choice.near); };
   Found best = *std::min_element(candidates.begin(), candidates.end(),
                                  [&](auto& a, auto& b) { return distance(a) < distance(b); });
@@ -451,7 +466,7 @@ A time that is near none of them is answered with the nearest. */
 }
 
 /**
-All quantities carry what two precisions or two tolerances differ by. */
+The residual is that of the profile as printed, so the wider orbit is rounded first. */
 double residual_of(const Found& f) {
   const Vector<double> printed = f.wide.x.cast<double>();
   const Vector<long double> x = printed.cast<long double>();
@@ -459,8 +474,9 @@ double residual_of(const Found& f) {
 }
 
 /**
-Times, speeds and energies are compared between double precision and the wider type; what is left behind
-and the multipliers of slow orbits, which take long, between two landings. */
+Every quantity needs an error. Times, speeds and energies are compared between double precision and
+the wider type; what is left behind, and the multipliers of slow orbits, for which the wider type would
+take long, between two tolerances of the landing. */
 Table orbit_table(const Found& f) {
   const auto peak = [](const auto& problem, const auto& orbit) {
     const auto e = energy_density(problem.chain, orbit.start);
@@ -475,7 +491,7 @@ Table orbit_table(const Found& f) {
                              : phase_and_rest(f.problem, f.orbit, fine);
   const Pair phase{better.first, compare(narrow.first, better.first).error};
   /**
-  A tail or a residual of rounding is reported as it is, since that is what is claimed to be small. */
+  A tail or a residual that is only rounding is printed as it is, because its smallness is the result. */
   Quantities q;
   q.add("shift_time", compare(t, t_wide), "time");
   q.add("speed", compare(1 / t, 1 / t_wide), "site per unit of time");
@@ -493,7 +509,7 @@ Table orbit_table(const Found& f) {
 }
 
 /**
-The profile is that of the wider type, rounded, and the residual is that of what is printed. */
+The profile is that of the wider type, rounded to double. */
 Table profile_table(const Found& f) {
   Table table{{count("n", "site", "site"), number("y", "position at t = 0"),
                number("v", "velocity at t = 0")}};
@@ -513,20 +529,20 @@ Table chosen(const Choice& choice) {
 /**
 ## Results
 
-There are two exact travelling breathers for every $k$ that we tried, found in
-[6](num:sec5_travelling_breathers.newton_steps_from_cut) steps from the cut of a packet, with residuals
-of [7e-14](num:sec5_travelling_breathers.residual_double) in double precision,
+There are two exact travelling breathers, one of each sign, for every $k$ that we tried. Newton's method
+finds the first in [6](num:sec5_travelling_breathers.newton_steps_from_cut) steps from the cut packet.
+The residuals are [7e-14](num:sec5_travelling_breathers.residual_double) in double precision,
 [3e-17](num:sec5_travelling_breathers.residual_wide) in the wider type and
-[8e-17](num:sec5_travelling_breathers.residual_rounded) when this is rounded. A thousand shifts leave
-[2e-14](num:sec5_travelling_breathers.left_by_thousand_shifts) of the amplitude behind, which is the error
-of the steps. The fastest, $k = 1$, has the speed $1/2\pi$ and the energy
-[0.180834](num:sec5_travelling_breathers.energy_plus); that of the other sign is higher by
-[7.843e-11](num:sec5_travelling_breathers.energy_difference) only. So little holds the internal phase, and the
-multipliers agree: with the sign plus $\kappa =$ [-8.8883e-11](num:sec5_travelling_breathers.kappa_k1_plus) and
-the phase is held, with the sign minus $\kappa =$ [8.888e-11](num:sec5_travelling_breathers.kappa_k1_minus) and
-it grows, by [1.8856e-5](num:sec5_travelling_breathers.growth_k1_minus) per shift. At $k = 2$ no difference is left
-above the errors. All other disturbances die out at least as
-[0.870581](num:sec5_travelling_breathers.next_modulus_k1_plus) per shift. */
+[8e-17](num:sec5_travelling_breathers.residual_rounded) after rounding. A thousand shifts leave
+[2e-14](num:sec5_travelling_breathers.left_by_thousand_shifts) of the amplitude behind, no more than the
+error of the steps. The fastest, $k = 1$, has the speed $1/(2\pi)$ and the energy
+[0.180834](num:sec5_travelling_breathers.energy_plus); with the other sign it is higher by only
+[7.843e-11](num:sec5_travelling_breathers.energy_difference). So little holds the internal phase, and the
+multipliers agree: $\kappa =$ [-8.8883e-11](num:sec5_travelling_breathers.kappa_k1_plus) with the sign plus,
+[8.888e-11](num:sec5_travelling_breathers.kappa_k1_minus) with the sign minus, a growth of
+[1.8856e-5](num:sec5_travelling_breathers.growth_k1_minus) per shift. At $k = 2$ no $\kappa$ is left above
+the errors. All other disturbances shrink, per shift at least to
+[0.870581](num:sec5_travelling_breathers.next_modulus_k1_plus) of their size. */
 Results reproduce(Report& report) {
   const std::vector<std::size_t> ks =
       report.quick ? std::vector<std::size_t>{1, 2, 3} : std::vector<std::size_t>{1, 2, 3, 4, 5};
@@ -546,13 +562,13 @@ Results reproduce(Report& report) {
 /**
 ## Limits and extensions
 
-The chapter on families follows the orbits into other wells; the one on packets asks what impacts have to do
-with them, and sorts what is proved from what is computed. Orbits that shift by several sites, or that turn
-their sign with each shift, were not looked for.
+Orbits that repeat themselves only after several sites, or with the opposite sign after each shift, were
+not looked for.
 
 - `sec5_travelling_breathers orbit --k 1 --sign minus` is weakly unstable. What does its phase do after
   a hundred thousand shifts?
-- `orbit --near 5.6` prints an orbit of type II. Is the nearest one always on the family that begins above?
+- `orbit --near 5.6` prints an orbit of type II. Is the nearest one always on the family that begins at
+  the next larger $2\pi k$?
 - Why do the energies of the two signs differ by so little, and by what law in $k$? */
 int main(int argc, char** argv) {
   Program program({"sec5_travelling_breathers", "5", "Exact travelling breathers (section 5)"},
@@ -562,21 +578,21 @@ int main(int argc, char** argv) {
     return reproduce(report);
   };
   /**
-The subcommand offers both ways to name an orbit. */
+  An orbit can be named by its $k$ or by a shift time near it. */
   Choice choice;
-  CLI::App* orbit =
+  Command* orbit =
       program.command("orbit", "one exact travelling breather", [&] { return chosen(choice); });
   auto* k =
       orbit->add_option("--k", choice.k, "oscillations a site, of type I")->check(in_range(1, 60));
   orbit->add_option("--sign", choice.sign, "of the central velocity at t = 0")
-      ->check(CLI::IsMember({"plus", "minus"}));
+      ->check(one_of({"plus", "minus"}));
   auto* s =
       orbit->add_option("--s", choice.s, "anharmonicity of the well")->check(in_range(-10, 10));
   orbit->add_option("--near", choice.near, "the orbit without a tail nearest to this shift time")
       ->check(in_range(4, 100))
       ->excludes(k)
       ->excludes(s)
-      ->default_str("none");
+      ->shows("none");
   orbit->add_option("--reach", choice.reach, "sites on either side of the centre")
       ->check(in_range(2, 10));
   orbit->add_flag("--profile", choice.profile, "the orbit at t = 0 instead of its quantities");

@@ -1,9 +1,9 @@
 /**
 # 5 Families of travelling breathers
 
-An exact travelling breather of the linear well needs the right speed: $T = 2\pi k$ for a shift by one
-site, or one of the times at which the sum $Z = \sum_n(y_n+i\dot y_n)$ vanishes. In between, a
-breather sheds a tail. This chapter follows the families on which both kinds lie:
+An exact travelling breather of the linear well needs the right speed. Its time $T$ for a shift by one
+site must be $2\pi k$ (type I) or such that the sum $Z = \sum_n(y_n+i\dot y_n)$ vanishes (type II). In
+between, a breather sheds a tail. This chapter follows the families on which both kinds lie:
 
         V ^   type I                          what is left behind ~ |1 - exp(-iT)| |V|
           |*
@@ -11,7 +11,7 @@ breather sheds a tail. This chapter follows the families on which both kinds lie
           |    * . _ o____._o__
           +----------------------->  2 pi k - T
 
-and continues the exact ones into soft and hard wells, where the two kinds meet and end.
+and continues the exact ones into soft wells, and into hard wells, in which the two kinds meet and end.
 
 ![What travelling breathers leave behind, against their shift time.](fig:x19) */
 
@@ -34,11 +34,12 @@ using namespace lattice;
 /**
 ## Model and method
 
-The chain is that of the chapter before, $\ddot y_n + y_n + s y_n^3$ on the left, Hertz contacts on the
-right. A family is what solves all equations of a travelling breather but one (travelling.hpp). It
-exists for every shift time $T$; the equation that is left over reads $V\sin(T/2) = 0$ in the linear
-well, with $V = \sum\dot y_n$ at $t = 0$, and each zero of $V$ is an exact orbit of type II. The full
-equations, with $T$ unknown, confirm it and give its digits in two precisions. */
+The chain is that of the chapter before: linear wells, and later those of Eq. (10). To find the orbits
+of type II we leave out one of the equations of a travelling breather (travelling.hpp). The others have
+a solution for every shift time $T$, and these solutions form a *family*. In the linear well the
+equation left out reads $V\sin(T/2) = 0$, with $V = \sum\dot y_n$ at $t = 0$. So $T = 2\pi k$ gives an
+orbit of type I, at which a family begins, and each zero of $V$ an orbit of type II. The full equations,
+with $T$ unknown, confirm the latter and give its digits in two precisions. */
 constexpr double two_pi = 2 * std::numbers::pi;
 
 struct Family {
@@ -49,7 +50,8 @@ struct Family {
 };
 
 /**
-What is shown: the first family with both signs, and three more. */
+We follow five families from their orbit of type I towards shorter shift times: that of $k = 1$ for both
+signs of the central velocity, and three more. A change of the sign of $V$ marks an orbit of type II. */
 std::vector<Family> families(bool quick) {
   if (quick) return {{1, 1, 0.88}, {2, 1, 1.85}};
   return {{1, 1, 0.70}, {1, -1, 0.70}, {2, 1, 1.50}, {3, 1, 2.60}, {4, 1, 3.70}};
@@ -66,11 +68,12 @@ void follow(Family& f, double step) {
 /**
 ## What is left behind (figure x19)
 
-A member is set free in a resting chain. It is no exact orbit and must shed what does not fit: behind it
-each bead keeps oscillating. If the pulses $f$ that pass through the contacts repeat themselves after
-$T$, its amplitude is $|1-e^{-iT}|\,|g(1)|$ with $g(1) = \int e^{it}f\,dt$. We measure both sides in the
-same flight. The integral needs no quadrature: the pulse is all that changes the sum $Z$ over the beads
-right of its contact, so that it is the difference of $e^{it}Z$ between the end and the beginning. */
+What does a member of a family do that is no exact orbit? We set it free in a resting chain, and behind
+it each bead keeps oscillating. By the chapter before, the amplitude is $|1-e^{-iT}|\,|g(1)|$ with
+$g(1) = \int e^{it}f\,dt$, if the pulses $f$ in the contacts repeat themselves after $T$. We measure both
+sides in the same flight. The integral needs no quadrature: only the pulse changes $e^{it}Z$ when the
+sum is taken over the beads on the right of its contact, so the integral is the difference of this
+quantity between the end and the beginning. */
 struct Left {
   double beads = 0, pulse = 0;  ///< both relative to the amplitude
 };
@@ -82,7 +85,8 @@ std::complex<double> sum_from(const State<double>& z, std::size_t first) {
 }
 
 /**
-The contact lies ahead of the packet at first; the four beads right of it are looked at when it has left. */
+The contact lies ahead of the packet at first; the four beads on its right are measured when the packet
+has left them behind. */
 Left set_free(const Orbit<double>& member, double step) {
   const Chain<Harmonic, Hertz> chain{64};
   const std::size_t contact = 2 * usual_reach, beads = 4;
@@ -99,10 +103,9 @@ Left set_free(const Orbit<double>& member, double step) {
 }
 
 /**
-The figure shows both, and $|V|$ beside them: ahead of the packet all is at rest, so the sum over what
-is right of a contact is the pulse that came through it, and $|g(1)| = |V|$ where nothing is shed. The
-error of the flight is that of the step. The error of $V$ is by how much the equation that was left
-out, computed for itself, differs from $V\sin(T/2)$: a check of the identity at every member. */
+The figure compares both with $|1-e^{-iT}|\,|V|$, since $|g(1)| = |V|$ as long as little is shed. The
+error of the flight is that of the step. For the error of $V$ we evaluate the equation that was left out
+and compare it with $V\sin(T/2)$, which also checks this identity for every member. */
 double missed_identity(const Orbit<double>& member) {
   const double time = shift_time(member);
   const auto problem = with_free_time(travelling_problem(time));
@@ -128,7 +131,8 @@ std::vector<Cell> row_of(const Family& f, const Orbit<double>& member, double st
 }
 
 /**
-Errors are told against the largest value, because these columns pass through zero. */
+The errors are to be compared with the largest value of their column, because these columns pass through
+zero. */
 Table left_behind(const std::vector<Family>& all, double step) {
   Table table{{count("k", "where the family begins"), count("sign", "of the central velocity"),
                number("turns", "shift time over 2 pi"), number("energy", "energy"),
@@ -150,8 +154,9 @@ Table left_behind(const std::vector<Family>& all, double step) {
 /**
 ## All orbits in one chart (figure x20)
 
-Orbits of type I, and those of type II of the families. Each is found twice. One of type I
-is found again from a guess that was shaken, at a coarser landing; one of type II in a wider type. */
+The chart shows the orbits of type I and those of type II on the families. An orbit found once has no
+error, so each is found twice: those of type I again from a disturbed guess and with a coarser landing,
+those of type II in a wider type. */
 struct Twice {
   int type;
   std::size_t k;
@@ -177,7 +182,8 @@ Twice type_two_twice(const Family& f, const Orbit<double>& orbit) {
 }
 
 /**
-The orbits of type I are climbed from the first one, down to the fastest and up to slow ones. */
+The orbits of type I follow from the first one that Newton's method finds, at $k = 5$: down to the
+fastest, $k = 1$, and up to slower ones. */
 std::vector<Twice> all_orbits(const std::vector<Family>& all, std::size_t slowest) {
   std::vector<std::vector<Twice>> lists(2 + all.size());
   parallel_for(lists.size(), [&](std::size_t i) {
@@ -198,7 +204,7 @@ std::vector<Twice> all_orbits(const std::vector<Family>& all, std::size_t slowes
 }
 
 /**
-The chart is drawn from their shift times and energies. */
+For the chart we need shift times and energies. */
 Table orbit_chart(const std::vector<Twice>& orbits) {
   Table table{{count("type", "1 or 2"), count("k", "where the family begins"),
                count("sign", "of the central velocity"), number("turns", "shift time over 2 pi"),
@@ -215,7 +221,7 @@ Table orbit_chart(const std::vector<Twice>& orbits) {
 }
 
 /**
-Some of them are facts: those of type II with one oscillation or a little less a site. */
+The facts hold those of type II on the family of $k = 1$, and how many orbits we found. */
 void report_orbits(Report& report, const std::vector<Twice>& orbits) {
   int count = 0, found[2] = {0, 0};
   for (const Twice& o : orbits) {
@@ -233,8 +239,10 @@ void report_orbits(Report& report, const std::vector<Twice>& orbits) {
 /**
 ## Soft and hard wells (figure x21)
 
-For $s \ne 0$ no sum returns and no speed is distinguished. But an exact orbit is a regular solution
-of square equations with $T$ unknown, and continues. We follow it by its arclength, through folds. */
+What happens to exact orbits in other wells? For $s \ne 0$ the sum $Z$ does not merely rotate, and it no
+longer tells which speeds are possible. But with $T$ as an unknown there are as many equations as
+unknowns, so a regular solution continues to $s \ne 0$. We follow it by its arclength, so that we can
+pass *folds*, at which a branch turns back in $s$ (continuation.hpp). */
 constexpr Stride in_s{.first = 0.02, .least = 1e-6, .most = 0.25};
 
 using Free = TravellingProblem<double>;
@@ -258,7 +266,8 @@ Place place(const Branch<Free>& branch) {
 }
 
 /**
-A branch is followed within bounds; beyond them it goes on. */
+A branch is followed for a given number of steps and within $|s| \le 3$ and $T \ge \pi$, which are our
+choice. */
 std::vector<Place> follow_branch(const Orbit<double>& start, int direction, int steps) {
   Branch<Free> branch = branch_from(start, direction, in_s);
   std::vector<Place> way{place(branch)};
@@ -275,7 +284,7 @@ std::vector<Place> follow_branch(const Orbit<double>& start, int direction, int 
 }
 
 /**
-Two strides give each fold and its error. */
+Each fold is computed with two lengths of the steps, which gives its error. */
 void report_folds(Report& report, const std::vector<Start>& starts) {
   std::vector<Estimate> folds(starts.size());
   parallel_for(starts.size(), [&](std::size_t i) {
@@ -291,7 +300,8 @@ void report_folds(Report& report, const std::vector<Start>& starts) {
 }
 
 /**
-Slow orbits hardly notice the well, and their branches need few steps. */
+For the figure each branch is followed in both directions of $s$. Slow orbits are small and hardly
+notice the quartic term, so their branches need few steps. */
 Table branch_table(const std::vector<Start>& starts, int steps) {
   Table table{{count("k", "where the branch begins at s = 0"),
                count("direction", "of s at the start"),
@@ -314,9 +324,9 @@ Table branch_table(const std::vector<Start>& starts, int steps) {
 /**
 ## The boomeron again
 
-At $s = 1$ a packet slows down and turns (section 3.4). If it followed exact orbits as it slows, it
-would turn where they end. So we draw its way, its speed against its energy, among the orbits that
-exist at $s = 1$. */
+In section 3.4 a packet slows down and turns at $s = 1$. Does it follow exact orbits as it slows down,
+and turn where they end? To see this we draw its speed against its energy, together with the orbits that
+we find at $s = 1$. */
 Path packet_at_one(double step) {
   const Chain<Quartic, Hertz> chain{160, {1}};
   State<double> state = struck(chain.sites, 1.9);
@@ -340,7 +350,8 @@ Table packet_table(const Path& p) {
 }
 
 /**
-A branch may pass $s = 1$ on its way out, and again after its fold. */
+We need the exact orbits at $s = 1$. A branch may pass this value on its way out, and again after its
+fold. */
 std::vector<Cell> crossing(std::size_t k, Branch<Free>& branch) {
   const Orbit<double> orbit = branch.reach(1);
   Free problem = branch.problem();
@@ -352,7 +363,7 @@ std::vector<Cell> crossing(std::size_t k, Branch<Free>& branch) {
 }
 
 /**
-A branch that folds before $s = 1$ has no orbit there, and none is listed. */
+A branch that folds below $s = 1$ has no orbit there, and none is listed. */
 Table exact_at_one(const std::vector<Start>& starts) {
   Table table{{count("k", "where the branch begins at s = 0"),
                number("speed", "speed", "site per unit of time"),
@@ -377,8 +388,8 @@ Table exact_at_one(const std::vector<Start>& starts) {
 }
 
 /**
-The answer needs two numbers for each side: how fast the fastest exact orbit at $s = 1$ is and how much
-energy it has, and how much the packet has when it is as fast as that. */
+To decide whether packet and exact orbits meet, we compare the energy of the fastest exact orbit at
+$s = 1$ with that of the packet when it has slowed down to the same speed. */
 void report_boomeron(Report& report, const Table& exact_orbits, const Path& coarse,
                      const Path& fine) {
   const auto speeds = exact_orbits.numbers("speed"), energies = exact_orbits.numbers("energy"),
@@ -400,15 +411,16 @@ void report_boomeron(Report& report, const Table& exact_orbits, const Path& coar
 /**
 ## Results
 
-**Between two exact orbits a travelling breather leaves behind what the sum says**, and nothing where
-$V$ vanishes. On the family that begins at $T = 2\pi$ the first orbit of type II follows at
+**Between two exact orbits a travelling breather leaves behind what the sum $Z$ predicts**, and nothing
+where $V$ vanishes. On the family that begins at $T = 2\pi$ the first orbit of type II lies at
 $T/2\pi =$ [0.897407](num:sec5_travelling_families.turns_type_two_1); in all we found
 [12](num:sec5_travelling_families.found_type_one) orbits of type I and
 [18](num:sec5_travelling_families.found_type_two) of type II.
 
-**Hard wells take the fast ones away.** In soft wells type I continues. In hard ones its branch meets that
-of type II in a fold, the sooner the faster it is: $k = 1$ at $s =$
-[0.0103021](num:sec5_travelling_families.fold_k1), $k = 2$ at [0.325575](num:sec5_travelling_families.fold_k2), $k = 3$ at
+**In hard wells the fast ones disappear.** In soft wells the orbits of type I continue. In hard ones their
+branch meets that of type II in a fold, at a smaller $s$ the faster the orbit is: for $k = 1$ at
+$s =$ [0.0103021](num:sec5_travelling_families.fold_k1), for $k = 2$ at
+[0.325575](num:sec5_travelling_families.fold_k2), for $k = 3$ at
 [1.90265](num:sec5_travelling_families.fold_k3). */
 void report_wells(Report& report, const std::vector<Start>& starts) {
   const bool quick = report.quick;
@@ -417,12 +429,12 @@ void report_wells(Report& report, const std::vector<Start>& starts) {
 }
 
 /**
-**The boomeron does not turn where exact orbits end.** The fastest exact orbit that we know at $s = 1$ has
-the speed [0.0539509](num:sec5_travelling_families.fastest_at_one) and the energy
-[0.00165802](num:sec5_travelling_families.fastest_energy_at_one). A packet as fast as that has
-[1.51933](num:sec5_travelling_families.packet_energy_then), hundreds of times as much. It is nowhere near an exact
-orbit: those of its speed and energy have folded far below $s = 1$. No exact orbit carries it, it must
-exchange energy with waves, and what turns it are the waves that it left behind (section 3.4). */
+**The boomeron does not turn where exact orbits end.** The fastest exact orbit that we know at $s = 1$
+has the speed [0.0539509](num:sec5_travelling_families.fastest_at_one) and the energy
+[0.00165802](num:sec5_travelling_families.fastest_energy_at_one). When the packet is as slow as that, it
+has the energy [1.51933](num:sec5_travelling_families.packet_energy_then), hundreds of times as much. So
+it is not near any exact orbit that we know. It exchanges energy with waves, and the waves that it left
+behind turn it (section 3.4). */
 Results reproduce(Report& report) {
   const bool quick = report.quick;
   std::vector<Family> all = families(quick);
@@ -451,13 +463,13 @@ Results reproduce(Report& report) {
 /**
 ## Limits
 
-Branches are followed within bounds, and where Newton's method fails, at a bead of the tail that only
-just touches, they stop. That nothing else exists at $s = 1$ is not proved; only what is connected with
-$s = 0$ was looked for.
+Branches are followed within bounds. They stop where Newton's method fails, at orbits in which a bead of
+the tail only just touches its neighbour. We do not prove that nothing else exists at $s = 1$; we looked
+only for what is connected with $s = 0$.
 
 ## Extensions
 
-- Are there orbits that shift by two sites, or by one site only after they have changed their sign?
+- Are there orbits that repeat themselves only after two sites, or with the opposite sign after one?
 - Follow type II into the limit of small amplitude: do all of them merge with type I?
 - Kick an exact orbit at $s = 0$ and watch its phase: how long does it take to lose the kick? */
 int main(int argc, char** argv) {

@@ -12,8 +12,8 @@ shed none, but travel at isolated speeds. Where does the packet go?
 
 ![The tail of an impact's packet falls, its speed does not lock.](fig:x22)
 
-It goes to neither of the exact ones. Its internal phase turns by less and less from site to site,
-and with the phase the tail dies out as a power of the way. */
+It does not lock to any of them. The phase of its internal oscillation turns by less and less from site
+to site, and with this angle the tail dies out as a power of the distance travelled. */
 
 #include <algorithm>
 #include <array>
@@ -35,20 +35,21 @@ using namespace lattice;
 /**
 ## Model
 
-The chain of Eq. (9) with linear wells, struck at its first bead, and its limit of small amplitude, the
-DpS equation (12),
+The chain is that of Eq. (9) with linear wells, struck at its first bead; its limit of small amplitude is
+the DpS equation (12),
 $$\ddot y_n + y_n = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2},\qquad
   2i\tau_0\dot A_n = D_n - D_{n-1},\quad D_n = (A_{n+1}-A_n)|A_{n+1}-A_n|^{1/2}.$$
-A bead that has been passed oscillates freely, $z_n = y_n + i\dot y_n \propto e^{-it}$, with an
-amplitude that does not change any more. Two numbers describe what a packet leaves behind: the
-amplitude $|z_n|$ and the angle $\varphi$ by which the phase turns from one bead to the next.
+A bead that has been passed oscillates freely, $z_n = y_n + i\dot y_n \propto e^{-it}$, with a constant
+amplitude. Two numbers describe what a packet leaves behind: the amplitude $|z_n|$ and the angle
+$\varphi$ by which the phase of $z_n$ turns from one bead to the next.
 
 ## A long run at little cost
 
-Waves behind the packet do not catch up with it: without precompression there is no sound, and a
-disturbance of size $\delta$ runs at a speed of order $\delta^{1/2}$ at most. So we keep a frame of
-sites around the packet, and move it on: beads far behind are dropped, beads at rest come in
-ahead. A second frame, half as long again, and a second step give the errors. */
+A power law shows only over many sites, but most of them need not be computed. Waves behind the packet
+do not catch up with it: without precompression there is no sound, and a disturbance of size $\delta$
+runs at a speed of order $\delta^{1/2}$. So we keep a frame of sites around the packet and move it on:
+beads far behind are dropped, beads at rest come in ahead. A second frame, half as long again, and half
+the step give the errors. */
 struct Course {
   std::vector<double> t, site, left, angle, energy, contact, speed;
 };
@@ -59,8 +60,8 @@ struct Frame {
 };
 
 /**
-The quantities of one row are means over the stretch since the last one: energy and contact energy
-tremble with the internal oscillation, and the speed of the centre does, too. */
+Energy, contact energy and speed of the packet fluctuate with its internal oscillation, so each row holds
+means over the stretch since the row before. */
 struct Stretch {
   double begin_t = 0, begin_x = 0, energy = 0, contact = 0, looks = 0;
 };
@@ -74,8 +75,8 @@ void move_on(State<double>& state, std::size_t drop) {
 }
 
 /**
-The bead eleven sites behind the largest one is out of the packet's reach; with the one behind it, it tells
-what is left behind and by which angle the phase turns. */
+To see what is left behind we look at the bead eleven sites behind the largest one, which is out of the
+packet's reach; with the next one behind it, it gives the angle of the phase. */
 /// Adds what is seen at one instant; a row is written when the centre has passed `next`.
 void look(Course& course, Stretch& s, const Chain<Harmonic, Hertz>& chain, const State<double>& now,
           std::size_t offset, double next) {
@@ -99,8 +100,9 @@ void look(Course& course, Stretch& s, const Chain<Harmonic, Hertz>& chain, const
 }
 
 /**
-The rows are chosen by the centre's site, twelve of them a decade, so that two runs can be compared row by
-row. The chain is looked at once in each unit of time. */
+Two runs can be compared row by row if the rows belong to the same sites. So a row is written when the
+centre passes certain sites, twelve to a decade from site 20 on. The chain is sampled once per unit of
+time. */
 Course long_run(double velocity, const Frame& frame, std::size_t rows) {
   const Chain<Harmonic, Hertz> chain{frame.sites};
   const auto steps = std::size_t(std::lround(1 / frame.step));
@@ -127,14 +129,15 @@ struct TwoCourses {
 /**
 ## The tail of a packet (figure x22)
 
-Late on the way the tail falls like $1/n$, and this is why. The phase of the pulses in the contacts
-turns by $\varphi$ from site to site, so that a bead keeps
-$|z| = |1-e^{i\varphi}|\,|g| \simeq |\varphi|\,|g|$, as behind an exact orbit, and takes away the
-energy $|z|^2/2$. The packet's own energy depends on $\varphi$ by a straight line,
-$E \simeq E_\infty + b\,\varphi$, for no symmetry turns $\varphi$ into $-\varphi$. Both together are
+How should the tail fall? The phase of the pulses in the contacts turns by $\varphi$ from site to site,
+so that a bead keeps the amplitude $|z| = |1-e^{i\varphi}|\,|g| \simeq |\varphi|\,|g|$, where $g$ is the
+integral $g(1)$ of the chapters before, and takes away the energy $|z|^2/2$. For small $\varphi$ the
+packet's own energy is linear in it, $E \simeq E_\infty + b\,\varphi$, since no symmetry turns $\varphi$
+into $-\varphi$. Both together give
 $$b\,\frac{d\varphi}{dn} = -\frac{g^2\varphi^2}{2},\qquad \frac1\varphi = \frac{g^2}{2b}\,n + \dots$$
-What does not change on the way is the energy in the contacts: a bead keeps none of it, because its
-neighbours oscillate nearly as it does itself. It is what selects the final speed. */
+So $\varphi$ and the tail should fall like $1/n$ in the end. What hardly changes on the way is the energy
+in the contacts: a bead keeps none of it, because its neighbours oscillate nearly as it does itself. We
+therefore expect the contact energy to select the final speed. */
 Line late_line(const std::vector<double>& x, const std::vector<double>& y, std::size_t skip) {
   const auto from = std::ptrdiff_t(skip);
   return fit_line({x.begin() + from, x.end()}, {y.begin() + from, y.end()});
@@ -152,10 +155,10 @@ struct CourseReading {
 };
 
 /**
-Exponents are those of the last decade of sites. The growth of $1/\varphi$ is taken from the last four
-rows, and so are $g$ and $b$ for its prediction. The final state is what lines through speed and
-energy against $\varphi$, in the last half decade, have at $\varphi = 0$; the errors are those of the runs,
-and that the lines are straight is assumed. */
+This law can be tested with what is read off a run. Exponents are those of the last decade of sites. The
+growth of $1/\varphi$ is taken from the last four rows, and so are $g$ and $b$ for its prediction. The
+final speed and energy are extrapolated to $\varphi = 0$ by straight lines through the last half decade.
+Their errors are the differences of the two runs; the error of taking a straight line is not included. */
 CourseReading read_off(const Course& c) {
   constexpr std::size_t decade = 12, few = 4;
   const std::size_t last = c.t.size() - 1, from = last - few;
@@ -179,9 +182,10 @@ CourseReading read_off(const Course& c) {
 }
 
 /**
-The final state should lie on the line of the exact orbits, between two of them. For four orbits of type I
-we take the scaled speed $cE^{-1/4}$ and the mean of the contact energy over a shift, scaled by its
-own law $c^5$, and interpolate at the speed of the packet. */
+If the final state is like an orbit of type I, it should lie on the line that joins these orbits. For
+four of them we take the speed $c$ and two quantities that change little along the line: the scaled speed
+$cE^{-1/4}$, and the mean contact energy over a shift divided by $c^5$. The powers are those of the DpS
+limit. A polynomial through the four gives the line at the speed of the packet. */
 struct ExactLine {
   std::vector<double> speed{}, scaled_speed{}, scaled_contact{};
 
@@ -198,7 +202,7 @@ struct ExactLine {
 };
 
 /**
-Four orbits make the line. */
+The contact energy of an orbit fluctuates, so it is averaged over a flight of one shift. */
 ExactLine exact_line() {
   ExactLine line;
   Staircase stairs(1);
@@ -220,7 +224,7 @@ ExactLine exact_line() {
 }
 
 /**
-For the figure the line becomes a curve. */
+For the figure the line becomes a curve of many points. */
 /// The line as a curve in the plane of shift time and energy; beyond k = 1 it is extrapolated.
 Table line_table(const ExactLine& line) {
   Table table{{count("exact", "1 for an orbit, 0 for a point between orbits"),
@@ -235,8 +239,8 @@ Table line_table(const ExactLine& line) {
 }
 
 /**
-Of each impact both runs are read in the same way, and their differences are the errors. */
-/// The facts of one impact; both runs are read in the same way.
+Both runs of an impact are read in the same way, and their differences are the errors. */
+/// The facts of one impact.
 void report_course(Report& report, const TwoCourses& p, const ExactLine& line) {
   const CourseReading c = read_off(p.coarse), f = read_off(p.fine);
   const std::string name = "_v" + short_text(100 * p.velocity);
@@ -270,7 +274,7 @@ void report_course(Report& report, const TwoCourses& p, const ExactLine& line) {
 }
 
 /**
-The courses, row by row, are what the figure shows. */
+The figure shows the courses row by row. */
 Table course_table(const std::vector<TwoCourses>& runs) {
   Table table{{number("velocity", "of the impact"), number("t", "time"),
                number("site", "centre of the packet", "site"), number("log_site", "its log10"),
@@ -285,7 +289,7 @@ Table course_table(const std::vector<TwoCourses>& runs) {
                number("energy", "mean energy of the packet"),
                number("contact", "mean contact energy of the packet")}};
   /**
-  Errors stand beside the two columns that the figure draws; the others are means that tremble. */
+  Errors stand beside the two columns that the figure draws; the others are means that fluctuate. */
   for (const TwoCourses& p : runs)
     for (std::size_t i = 0; i < p.fine.t.size(); ++i) {
       const Course &f = p.fine, &c = p.coarse;
@@ -300,9 +304,11 @@ Table course_table(const std::vector<TwoCourses>& runs) {
 /**
 ## The limit of small amplitude (figure x23)
 
-Small travelling breathers are those of the DpS equation (orbits/dps_travelling.hpp), with the same two
-types. There is one orbit of type I for each phase of a free factor, and nothing holds the phase:
-the two signs of the chain are two of them. We follow its family with the angle $\varphi$. */
+Do exact travelling breathers survive in the limit of small amplitude? There they are orbits of the DpS
+equation (orbits/dps_travelling.hpp), of the same two types. Since $A_n$ may be multiplied by any
+constant phase factor, nothing holds the internal phase in this limit: an orbit of type I is one of a
+whole circle of orbits, and the two signs of the chain are two of them. We follow its family with the
+angle $\varphi$ by which the phase turns from site to site. */
 std::vector<DpsMember> dps_family(double tolerance, double to, double step) {
   DpsTravelling problem;
   problem.tolerance = tolerance;
@@ -331,8 +337,8 @@ Table dps_table(const std::vector<DpsMember>& coarse, const std::vector<DpsMembe
 }
 
 /**
-Beside the exact orbit stands the packet of an impact, cut out at two sites and brought to the same shift
-time: the later, the nearer. */
+Does a struck DpS packet approach the exact orbit? Beside its profile we put that of the packet, cut out
+at site 20 and at site 100 and scaled to the same shift time. */
 Table dps_profiles(const DpsMember& exact, std::size_t reach) {
   Table table{{count("n", "site", "site"), number("re", "real part, exact"),
                number("im", "imaginary part, exact"), number("modulus", "modulus, exact"),
@@ -350,7 +356,8 @@ Table dps_profiles(const DpsMember& exact, std::size_t reach) {
 }
 
 /**
-The chain's orbits of type I come near to the limit as $1/k$. A parabola through the last three leads to it. */
+The chain's orbits of type I should tend to the DpS orbit as $k \to \infty$, with corrections in $1/k$. So
+we compute slow ones and extrapolate by a parabola in $1/k$ through the last three. */
 struct SmallOrbit {
   std::size_t k;
   int sign;
@@ -370,7 +377,7 @@ std::vector<SmallOrbit> small_orbits(int sign, std::size_t slowest) {
 }
 
 /**
-The extrapolation is made twice, with and without the slowest orbit. */
+To have an error the extrapolation is made twice, with and without the slowest orbit. */
 /// The value at 1/k = 0 of the parabola through three orbits, the last of which is `last`.
 double limit_of(const std::vector<SmallOrbit>& list, std::size_t last) {
   double sum = 0;
@@ -384,7 +391,7 @@ double limit_of(const std::vector<SmallOrbit>& list, std::size_t last) {
 }
 
 /**
-The two signs agree far better than they approach the limit. */
+Both signs are tabulated; they agree far better with each other than with the limit. */
 Table small_table(const std::vector<std::vector<SmallOrbit>>& lists) {
   Table table{{count("k", "oscillations a site"), count("sign", "of the central velocity"),
                number("inverse_k", "1 / k"),
@@ -408,8 +415,9 @@ void report_small(Report& report, std::size_t slowest) {
 }
 
 /**
-The constants of the limit: with $y_n = 2\epsilon\,\mathrm{Re}(A_ne^{it})$ a small orbit has
-$E = 2\epsilon^2\sum|A_n|^2$ and $c = \epsilon^{1/2}/\tau_T$. */
+To compare with the chain we need energy and speed of the DpS orbit, whose shift takes the slow time
+$\tau_T$. With $y_n = 2\epsilon\,\mathrm{Re}(A_ne^{it})$ they are $E = 2\epsilon^2\sum|A_n|^2$ and
+$c = \epsilon^{1/2}/\tau_T$, so that $E/c^4$ does not depend on $\epsilon$. */
 void report_dps(Report& report, const DpsMember& coarse, const DpsMember& fine) {
   const double time = DpsTravelling::shift_time;
   const auto constant = [&](const DpsMember& m) { return 2 * m.norm * std::pow(time, 4); };
@@ -422,18 +430,19 @@ void report_dps(Report& report, const DpsMember& coarse, const DpsMember& fine) 
 /**
 ## Results
 
-After sixteen thousand sites the bead that was struck at $v_0 = 0.66$ leaves behind amplitudes that fall with
-the exponent [-0.72067](num:sec5_travelling_packets.tail_exponent_v66), not yet the $-1$ of the law; but
-$1/\varphi$ already grows by [0.00208](num:sec5_travelling_packets.angle_growth_v66) per site, and the law,
-with $g$ and $b$ from the same run, says [0.0020](num:sec5_travelling_packets.angle_growth_predicted_v66). The
-packet tends to $T/2\pi =$ [1.15662](num:sec5_travelling_packets.final_turns_v66), a time of no exact orbit,
-and to a scaled speed $cE^{-1/4}$ of [0.254668](num:sec5_travelling_packets.final_scaled_speed_v66), where the
-line through the exact orbits has [0.254721](num:sec5_travelling_packets.type_one_scaled_speed_v66). Its contact
-energy was [0.0135176](num:sec5_travelling_packets.contact_energy_early_v66) at the hundredth site, is
-[0.013349](num:sec5_travelling_packets.contact_energy_late_v66) at the end, and that of an orbit of type I of
-the final speed would be [0.013326](num:sec5_travelling_packets.contact_energy_of_type_one_v66). So a packet
-becomes an orbit of type I whose internal phase is not locked to the shift, and its contact energy
-selects which; so it seems from two impacts. */
+After an impact with $v_0 = 0.66$ and sixteen thousand sites the tail falls with the exponent
+[-0.72067](num:sec5_travelling_packets.tail_exponent_v66), not yet the $-1$ of the law; but $1/\varphi$
+already grows by [0.00208](num:sec5_travelling_packets.angle_growth_v66) per site, and the law predicts
+[0.0020](num:sec5_travelling_packets.angle_growth_predicted_v66). The packet tends to
+$T/2\pi =$ [1.15662](num:sec5_travelling_packets.final_turns_v66), no time of an exact orbit that we know,
+and to the scaled speed [0.254668](num:sec5_travelling_packets.final_scaled_speed_v66), close to the
+[0.254721](num:sec5_travelling_packets.type_one_scaled_speed_v66) of the line. Its contact energy was
+[0.0135176](num:sec5_travelling_packets.contact_energy_early_v66) near site 100, is
+[0.013349](num:sec5_travelling_packets.contact_energy_late_v66) at the end, and would be
+[0.013326](num:sec5_travelling_packets.contact_energy_of_type_one_v66) on the line. The last two pairs
+differ by more than their errors, which do not include that of the way still to go. So, from two impacts,
+a packet seems to become an orbit of type I whose internal phase is not locked to the shift, and its
+contact energy seems to select which one. */
 void report_packets(Report& report, std::size_t rows) {
   std::vector<TwoCourses> runs{{0.66}, {1.5}};
   if (report.quick) runs.resize(1);
@@ -451,8 +460,9 @@ void report_packets(Report& report, std::size_t rows) {
 }
 
 /**
-The limit of the chain's orbits, [65.56](num:sec5_travelling_packets.limit_of_type_one), is the DpS orbit's
-[65.5523](num:sec5_travelling_packets.dps_energy_over_c4) for $E/c^4$; $cE^{-1/4}$ tends to
+In the limit of small amplitude $E/c^4$ of the chain's orbits tends to
+[65.56](num:sec5_travelling_packets.limit_of_type_one), and that of the DpS orbit is
+[65.5523](num:sec5_travelling_packets.dps_energy_over_c4), which means $cE^{-1/4} =$
 [0.351441](num:sec5_travelling_packets.dps_scaled_speed). */
 Results reproduce(Report& report) {
   const bool quick = report.quick;
@@ -471,15 +481,17 @@ Results reproduce(Report& report) {
 /**
 ## What is proved, what is computed, what is conjectured
 
-*Proved*: in the linear well an exact travelling breather has $T = 2\pi k$ or $Z = 0$; what periodic pulses
-leave behind is $|1-e^{-iT}|\,|g(1)|$; a family's last equation is $V\sin(T/2) = 0$.
+*Proved*: in the linear well an exact travelling breather has $T = 2\pi k$ or $Z = 0$; pulses that repeat
+themselves leave behind the amplitude $|1-e^{-iT}|\,|g(1)|$; the last equation of a family is
+$V\sin(T/2) = 0$.
 
-*Computed*: the orbits, to the residuals stated, two for each $k$ that was tried; those of type II; their
-folds in $s$; the multipliers; the limit. A computation to seventeen digits is no proof that an orbit
-exists, but a regular solution of square equations is what a proof by interval arithmetic would need.
+*Computed*: the orbits of type I, two for each $k$ that was tried, and those of type II, to the residuals
+stated; their folds in $s$; the multipliers; the limit of small amplitude. A computation to seventeen
+digits is no proof that an orbit exists. But a proof by interval arithmetic would start from just this: a
+regular solution of as many equations as unknowns.
 
-*Conjectured*: that there are two for every $k$; that the phase is held ever less, faster than any power of
-$1/k$; that the tail of a packet falls like $1/n$ in the end. */
+*Conjectured*: that there are two for every $k$; that what holds the phase decreases with $k$ faster than
+any power of $1/k$; that the tail of a packet falls like $1/n$ in the end. */
 int main(int argc, char** argv) {
   Program program({"sec5_travelling_packets", "5", "What becomes of a packet (section 5)"}, argc,
                   argv);
@@ -493,16 +505,18 @@ int main(int argc, char** argv) {
 /**
 ## For the article
 
-The open problem of section 5 can be answered. Exact travelling breathers exist in the chain with linear
-wells at isolated shift times, those at which the conserved rotation of $\sum(y_n+i\dot y_n)$ allows them:
-multiples of the bead's period, and times at which the sum vanishes. They are found by Newton's method
-from the packets that the article describes, and tend to a travelling breather of the DpS equation. In
-hard wells the fast ones disappear in folds, in soft wells they continue. The article's packets approach
-them without locking to one, and shed a tail that falls as a power of the distance. The reversal of
-direction at $s > 0$ has nothing to do with exact orbits.
+The article proposes to compute exact travelling breathers by Newton's method, and this works. In the
+chain with linear wells we find them at isolated shift times, at which the rotation of
+$\sum(y_n+i\dot y_n)$ allows them: multiples of the bead's period, and times at which the sum vanishes.
+Newton's method reaches them from the packets that the article describes. At small amplitude they tend to
+a travelling breather of the DpS equation; in hard wells the fast ones disappear in folds, in soft wells
+they continue. The article's packets approach the line that joins them without locking to any, and shed
+a tail that falls as a power of the distance. The reversal of direction at $s > 0$ is not explained by
+exact orbits.
 
 ## Extensions
 
 - Damp the chain slightly: does a packet pass along the line of type I, and does it stop at some $k$?
-- Give the first bead a second strike that cancels $Z$: is a packet with a small sum better from the start?
-- What is the exponent of the tail in a soft well, where no sum returns? */
+- Strike the first bead a second time such that $Z$ becomes zero: does the packet then shed less from the
+  start?
+- What is the exponent of the tail in a soft well, where $Z$ does not merely rotate? */

@@ -1,9 +1,9 @@
 /**
 # Appendix: what a switching contact does to an integrator
 
-All numbers of this repository come from integrating a force with a corner in its slope. Here we
-measure what that costs: how the error of a run and that of its derivative depend on the step,
-for ordinary integrators and for the two that know about contacts.
+Nearly all numbers of this book come from integrating a force that is not smooth where a contact
+opens or closes. Here we measure what that costs: how the error of a run and that of its derivative
+depend on the step, for ordinary integrators and for the two of ours that know about contacts.
 
      force                     o  samples of a formula with step h
        |              o--''
@@ -31,13 +31,15 @@ using namespace lattice;
 /**
 ## The orbit
 
-When a contact closes at $t^*$ its force begins like $(t-t^*)^{3/2}$. A formula that steps across
-$t^*$ misses a fixed fraction of the impulse $h\cdot h^{3/2}$, and so the error falls like
-$h^{5/2}$ whatever the order of the formula above two; Verlet keeps its own order, which is two.
-The contact-aware stepper replaces this one impulse by the exact one, and what is left is smaller.
+When a contact closes at $t^*$ its force begins like $(t-t^*)^{3/2}$. An integrator that steps
+across $t^*$ with the step $h$ misses a fixed fraction of an impulse of size $h\cdot h^{3/2}$. So its
+error falls like $h^{5/2}$, however high its order is for smooth forces; only Verlet keeps its order,
+which is two. The contact-aware stepper (contact_rkn.hpp) replaces this impulse by the exact one, and
+what is left is smaller.
 
-A strong impact on the chain with hard wells has many switchings of all kinds. Their errors have
-random signs, so we show the root mean square over four impact velocities. */
+To see this we need a run with many *switchings*, openings and closings of contacts: a strong impact
+on a chain with hard wells, $s = 1$. The errors of single switchings have random signs, so we show
+the root mean square over four impact velocities. */
 constexpr double velocities[]{1.6, 1.7, 1.8, 1.9};
 constexpr std::size_t sites = 100;
 constexpr double duration = 50;
@@ -51,8 +53,7 @@ State<double> struck_with(const Stepper& stepper, double velocity) {
 }
 
 /**
-The error of a state is its largest displacement error; of the four velocities we take the mean
-square. */
+For each velocity the error is the largest error of a displacement in the end state. */
 template <class Stepper>
 double orbit_error(const Stepper& stepper, const std::vector<State<double>>& exact) {
   double sum = 0;
@@ -66,15 +67,16 @@ double orbit_error(const Stepper& stepper, const std::vector<State<double>>& exa
   return std::sqrt(sum / double(exact.size()));
 }
 
-/// The references come from another base scheme with a small step; where they end is their distance
-/// from the contact-aware stepper's own base at that step.
+/// The table of errors, and how well they are known: the references come from another base scheme
+/// with a small step, and `rounding` is their distance from the contact-aware stepper at that step.
 struct Orbits {
   Table table;
   double rounding = 0;
 };
 
 /**
-Steps fall by $\sqrt2$, so that a jump from one to the next is not taken for a law. */
+Now all integrators run with the same steps. Each step is smaller than the one before by $\sqrt2$
+only, so that a jump between neighbours is not taken for a law. */
 Orbits orbit_errors(bool quick) {
   Table table{{number("step", "time step"), number("verlet", "error of velocity Verlet"),
                number("blanes_moan_4", "error of the splitting of order 4"),
@@ -97,11 +99,12 @@ Orbits orbit_errors(bool quick) {
 /**
 ## The tangent map
 
-The stiffness of a contact begins like $(t-t^*)^{1/2}$, so the derivative of the flow is worse off
-by one power: $h^{3/2}$. Floquet multipliers and Newton's method live on this matrix. We follow
-one column of it, the change caused by displacing the central bead, over one period of a
-breather: stage by stage with a splitting, and with the integrator that lands on every
-switching. */
+Floquet multipliers and Newton's method need the derivative of the flow with respect to the initial
+state, the *tangent map*. The stiffness of a contact begins like $(t-t^*)^{1/2}$, so its error falls
+more slowly by one power: like $h^{3/2}$. We follow one column of it, the change caused by displacing
+the central bead, over one period of a breather of frequency 1.1: with ordinary integrators and with
+the one that lands on every switching (landing.hpp). The breather's rounded positions are good
+enough for a comparison of integrators. */
 constexpr double period = 2 * std::numbers::pi / 1.1;
 
 State<double> breather() {
@@ -116,8 +119,9 @@ Chain<Harmonic, Hertz> cradle() {
 }
 
 /**
-A splitting carries the tangent along: the same kicks with the linearised force, the same drifts.
-*/
+An ordinary integrator can carry the tangent along. Ours are splittings, sequences of kicks by the
+force and drifts with the velocity; the tangent gets the same drifts, and kicks by the linearised
+force. */
 std::vector<double> column(const Scheme& scheme, std::size_t steps) {
   const auto chain = cradle();
   State<double> state = breather(), change(chain.sites);
@@ -139,8 +143,8 @@ std::vector<double> column(const Scheme& scheme, std::size_t steps) {
 }
 
 /**
-The other integrator steps to every switching instant and starts anew there; its smooth pieces
-know no corner. We also ask for the number of evaluations. */
+The other integrator steps exactly to every switching and starts anew there, so that each piece is
+smooth. It chooses its own steps, so we also count its force evaluations. */
 template <class T>
 std::vector<double> landed_column(T tolerance, double& evaluations) {
   State<T> state(31);
@@ -164,8 +168,8 @@ double largest_difference(const std::vector<double>& a, const std::vector<double
 }
 
 /**
-The step means nothing to an integrator that chooses its own, so the tangent is shown against
-the number of force evaluations in one period. */
+Integrators that choose their own steps cannot be compared at equal steps, so the error of the
+tangent is tabulated against the number of force evaluations in one period. */
 Table tangent_table(bool quick) {
   Table table{{label("method", "integrator"), number("evaluations", "force evaluations"),
                number("tangent", "largest error in the column")}};
@@ -185,13 +189,14 @@ Table tangent_table(bool quick) {
 /**
 ## Results (figure x05)
 
-Between neighbouring steps the errors jump, since they depend on where in a step the contacts
-happen to switch. A line fitted by least squares in the doubly logarithmic plot gives the orders
-[2.63](num:secA_integrators.order_blanes_moan_4) and [2.59](num:secA_integrators.order_blanes_moan_6) for
-the splittings of order four and six, both near 5/2, [2.003](num:secA_integrators.order_verlet) for
-Verlet and [4.5](num:secA_integrators.order_contact_aware) for the contact-aware stepper. It begins
-at the largest step and ends where an error is less than ten times
-[8e-14](num:secA_integrators.rounding), by which two references with the same small step differ. */
+The errors jump between neighbouring steps, since they depend on where in a step the contacts happen
+to switch. So we fit a line by least squares on logarithmic axes, from the largest step down to where
+an error is less than ten times [8e-14](num:secA_integrators.rounding), the difference of two
+references with the same small step. Its slope is the order:
+[2.63](num:secA_integrators.order_blanes_moan_4) and
+[2.59](num:secA_integrators.order_blanes_moan_6) for the splittings of order four and six, both near
+5/2, [2.003](num:secA_integrators.order_verlet) for Verlet, and
+[4.5](num:secA_integrators.order_contact_aware) for the contact-aware stepper. */
 Estimate order(const Orbits& orbits, const std::string& name) {
   const auto step = orbits.table.numbers("step"), error = orbits.table.numbers(name);
   std::vector<double> x, y;
@@ -220,9 +225,8 @@ Results everything(Output& output, bool quick) {
 /**
 ## Limits
 
-The error of an order is the standard error of the line's slope; it knows the jumps, but not that
-large steps may obey another law than small ones. The breather is a rounded profile, good enough
-for a comparison of integrators. */
+The error of an order is the standard error of the slope. It accounts for the jumps, but not for the
+possibility that large steps obey another law than small ones. */
 int main(int argc, char** argv) {
   Program program({"secA_integrators", "A", "Integrators and switching contacts (appendix)"}, argc,
                   argv);

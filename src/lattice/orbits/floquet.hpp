@@ -176,20 +176,6 @@ std::vector<std::complex<T>> eigenvalues_of(const Matrix<T>& matrix) {
 }
 
 /**
-Our own programs have the decompositions compiled once for all (tools/dense.cpp); others compile them
-where they include this file. */
-#ifdef LATTICE_COMPILED
-extern template double symplectic_defect(const Matrix<double>&);
-extern template long double symplectic_defect(const Matrix<long double>&);
-extern template Matrix<double> pair_matrix(const Matrix<double>&);
-extern template Matrix<long double> pair_matrix(const Matrix<long double>&);
-extern template Pairs<double> pairs_of(const Matrix<double>&, const Vector<double>&);
-extern template Pairs<long double> pairs_of(const Matrix<long double>&, const Vector<long double>&);
-extern template std::vector<std::complex<double>> eigenvalues_of(const Matrix<double>&);
-extern template std::vector<std::complex<long double>> eigenvalues_of(const Matrix<long double>&);
-#endif
-
-/**
 ## Errors
 
 Two computations with different tolerances or types give two values of every $\kappa$. Their difference

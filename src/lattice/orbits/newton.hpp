@@ -87,12 +87,6 @@ Vector<T> solve_system(const Matrix<T>& matrix, const Vector<T>& right, double r
   }
 }
 
-#ifdef LATTICE_COMPILED  // see tools/dense.cpp
-extern template Vector<double> solve_system(const Matrix<double>&, const Vector<double>&, double);
-extern template Vector<long double> solve_system(const Matrix<long double>&,
-                                                 const Vector<long double>&, double);
-#endif
-
 /// The step in the units of `size`; `matrix` and `right` come as they are.
 template <class T>
 Vector<T> solve_scaled(Matrix<T> matrix, Vector<T> right, const Sizes<T>& size, double rank) {

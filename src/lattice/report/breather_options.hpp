@@ -19,12 +19,12 @@ struct ChosenBreather {
 
   Centre kind() const { return centre == "site" ? Centre::site : Centre::bond; }
   Phase start() const { return phase == "stretched" ? Phase::stretched : Phase::compressed; }
-  void offer_centre(CLI::App& app) {
-    app.add_option("--centre", centre, "site or bond")->check(CLI::IsMember({"site", "bond"}));
+  void offer_centre(Command& app) {
+    app.add_option("--centre", centre, "site or bond")->check(one_of({"site", "bond"}));
   }
-  void offer_phase(CLI::App& app) {
+  void offer_phase(Command& app) {
     app.add_option("--phase", phase, "central contact of a bond-centred breather at t = 0")
-        ->check(CLI::IsMember({"compressed", "stretched"}));
+        ->check(one_of({"compressed", "stretched"}));
   }
 };
 

@@ -19,39 +19,25 @@ the chosen potential does not have is refused rather than ignored. */
 
 namespace lattice {
 
-/// Option check: one of `names`.
-inline CLI::Validator one_of(const std::vector<std::string>& names) {
-  return CLI::Validator(
-      [names](std::string& value) {
-        const bool known = std::find(names.begin(), names.end(), value) != names.end();
-        return known ? std::string()
-                     : "'" + value + "' is not one of the allowed names " + comma_list(names);
-      },
-      "{" + comma_list(names) + "}");
-}
-
 /**
 The two groups of options, for wells and for contacts, work alike: a name, and the
 parameters of all that are in the list. What was given is kept until the line is complete. */
 template <class Any>
 class PotentialOptions {
  public:
-  PotentialOptions(CLI::App& app, const std::string& option, const std::string& meaning,
+  PotentialOptions(Command& app, const std::string& option, const std::string& meaning,
                    const Any& fallback)
       : option_(option),
         name_(std::visit([](const auto& p) { return std::string(p.name); }, fallback)),
         fallback_(fallback),
-        choice_(app.add_option(option, name_, meaning)
-                    ->check(one_of(names_of<Any>()))
-                    ->capture_default_str()) {
+        choice_(app.add_option(option, name_, meaning)->check(one_of(names_of<Any>()))) {
     const auto all = parameters_of<Any>();
     values_.reserve(all.size());
     for (const ParameterInfo& p : all) {
       values_.push_back({p.name, value_in(fallback, p), nullptr});
       values_.back().option = app.add_option("--" + p.name, values_.back().value,
                                              p.meaning + " (" + comma_list(owners(p.name)) + ")")
-                                  ->check(in_range(p.least, p.most))
-                                  ->capture_default_str();
+                                  ->check(in_range(p.least, p.most));
     }
   }
   PotentialOptions(const PotentialOptions&) = delete;
@@ -69,8 +55,8 @@ class PotentialOptions {
   Any chosen() const {
     Settings given;
     for (const Value& v : values_)
-      if (v.option->count() > 0) given[v.name] = v.value;
-    if (given.empty() && choice_->count() == 0) return fallback_;
+      if (v.option->given()) given[v.name] = v.value;
+    if (given.empty() && !choice_->given()) return fallback_;
     try {
       return named<Any>(name_, given);
     } catch (const std::invalid_argument& error) {
@@ -83,7 +69,7 @@ class PotentialOptions {
   struct Value {
     std::string name;
     double value;
-    CLI::Option* option;
+    Option* option;
   };
 
   /**
@@ -113,17 +99,17 @@ class PotentialOptions {
   std::string option_, name_;
   Any fallback_;
   std::vector<Value> values_;  ///< never grows after construction: the options point into it
-  CLI::Option* choice_;
+  Option* choice_;
 };
 
 /**
 A program has a model with its own values before the line is read, and the reader's model after
-it. The options in between must live as long as the command, since CLI11 writes into them; so the
+it. The options in between must live as long as the command, since the values are written into them; so the
 command itself keeps them, in the call that it makes when the line is complete. */
 
 /// Adds `--onsite`, `--contact` and their parameters to a command; `model` holds the defaults and,
 /// once the command line is read, the choice. It must live as long as `app`.
-inline void add_model_options(CLI::App& app, Model& model) {
+inline void add_model_options(Command& app, Model& model) {
   struct Options {
     PotentialOptions<AnyOnsite> onsite;
     PotentialOptions<AnyContact> contact;
@@ -131,7 +117,7 @@ inline void add_model_options(CLI::App& app, Model& model) {
   auto options = std::shared_ptr<Options>(
       new Options{{app, "--onsite", "well of every bead", model.onsite},
                   {app, "--contact", "contact of two beads", model.contact}});
-  app.parse_complete_callback([options, &model] {
+  app.when_read([options, &model] {
     model.onsite = options->onsite.chosen();
     model.contact = options->contact.chosen();
   });
@@ -141,14 +127,14 @@ inline void add_model_options(CLI::App& app, Model& model) {
 What lies beyond the first and the last bead is a choice among few, and a name again. */
 
 /// Adds `--ends`; as above, `model` holds the default and must live as long as `app`.
-inline void add_ends_option(CLI::App& app, Model& model) {
+inline void add_ends_option(Command& app, Model& model) {
   const std::vector<std::string> names(std::begin(ends_names), std::end(ends_names));
   const auto choose = [&model, names](const std::string& name) {
     model.ends = Ends(std::find(names.begin(), names.end(), name) - names.begin());
   };
-  app.add_option_function<std::string>("--ends", choose, "ends of the chain")
+  app.add_option("--ends", choose, "ends of the chain")
       ->check(one_of(names))
-      ->default_str(ends_names[int(model.ends)]);
+      ->shows(ends_names[int(model.ends)]);
 }
 
 }  // namespace lattice

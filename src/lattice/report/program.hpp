@@ -5,22 +5,16 @@
 Every chapter is a program with the same manners. Without a subcommand it computes
 everything its section shows and writes tables to `--out`; a subcommand computes
 one thing with the reader's parameters and prints a table. This file holds what
-they share: provenance, results, progress and errors; options.hpp holds how options are read.
+they share: provenance, results, progress and errors; options.hpp holds what a chapter says of its
+options, and frame.hpp how the line is read.
 
 Bad input ends with exit code 2 and one line that names the option, the value and
 what is allowed. A computation that does not deliver what it promised ends with exit
 code 1. In neither case is a file left behind. */
 
-#include <gsl/gsl_errno.h>
-
-#include <CLI/CLI.hpp>
-#include <cerrno>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <functional>
-#include <iostream>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -178,170 +172,27 @@ subcommand, and turns exceptions into exit codes. Chapters register what they of
 with `command` and set `everything`. */
 class Program {
  public:
-  Program(Identity identity, int argc, char** argv)
-      : identity_(std::move(identity)),
-        app_(identity_.title, identity_.name),
-        command_(command_text(identity_.name, argc, argv)) {
-    gsl_set_error_handler_off();  // its errors are ours to report, not a reason to abort
-    app_.option_defaults()->always_capture_default();
-    app_.formatter(std::make_shared<Help>());
-    app_.set_version_flag("--version", identity_.name + " " LATTICE_VERSION " (" LATTICE_BUILD
-                                                        "; " LATTICE_LIBRARIES ")");
-    app_.add_option("--out", out_, "folder for the tables of a full run")
-        ->check(not_empty())
-        ->default_str("build/data/" + identity_.name);
-    app_.add_flag("--quick", quick, "coarse parameters: seconds, for trying out");
-    add_threads(app_);
-    app_.require_subcommand(0, 1);
-  }
+  Program(Identity identity, int argc, char** argv);
+  ~Program();
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
 
-  /**
-  What a subcommand computes is a function from its options to one table, `compute`; the chapter sets
-  the options on the app that is returned. */
-  CLI::App* command(const std::string& name, const std::string& help,
-                    std::function<Table()> compute) {
-    CLI::App* sub = app_.add_subcommand(name, help);
-    sub->add_option("--output", output_, "file to write (default: standard output)")
-        ->check(not_empty());
-    add_threads(*sub);
-    sub->footer(
-        "A quantity that does not exist, such as the speed of a packet that never left, is "
-        "nan.");
-    commands_.emplace_back(sub, std::move(compute));
-    return sub;
-  }
+  /// What a subcommand computes is a function from its options to one table, `compute`; the chapter
+  /// adds the options to the command that is returned.
+  Command* command(const std::string& name, const std::string& help,
+                   std::function<Table()> compute);
 
   /// The full computation of the section.
   std::function<Results(Output&)> everything;
   bool quick = false;
 
-  /**
-  All that can go wrong arrives here as an exception, and this is the only place that knows exit
-  codes: 2 for input that cannot be used, 1 for a computation that failed. */
-  int run(int argc, char** argv) {
-    try {
-      settle_options(app_);
-      for (const auto& [sub, compute] : commands_) settle_options(*sub);
-      app_.parse(argc, argv);
-      set_threads(threads_ > 0 ? threads_ : granted());
-      for (const auto& [sub, compute] : commands_)
-        if (sub->parsed()) return print(*sub, compute);
-      return run_everything();
-    } catch (const CLI::Success& success) {
-      return app_.exit(success);
-    } catch (const CLI::ParseError& error) {
-      return complain(error.what(), 2);
-    } catch (const UsageError& error) {
-      return complain(error.what(), 2);
-    } catch (const std::exception& error) {
-      return complain(error.what(), 1);
-    }
-  }
+  /// Reads the line and computes; the exit code is 2 for input that cannot be used and 1 for a
+  /// computation that failed.
+  int run(int argc, char** argv);
 
  private:
-  /**
-  A job on a shared machine must not take more cores than it was given. Beside the cores that the
-  system grants we obey Slurm, which may have given the task fewer. */
-  void add_threads(CLI::App& app) {
-    app.add_option("--threads", threads_,
-                   "threads, on which no result depends (default: the cores granted)")
-        ->check(in_range(1, 1024));
-  }
-
-  static std::size_t granted() {
-    const char* share = std::getenv("SLURM_CPUS_PER_TASK");
-    const auto number = share ? parse_number(share) : std::nullopt;
-    const std::size_t cores = granted_cores();
-    return number && *number >= 1 && *number < double(cores) ? std::size_t(*number) : cores;
-  }
-
-  int complain(std::string message, int code) const {
-    for (char& c : message)
-      if (c == '\n') c = ' ';
-    std::cerr << identity_.name << ": " << message << '\n';
-    return code;
-  }
-
-  /**
-  Who made the table: everything needed to make it again, and no clock time, which would make equal
-  runs differ. */
-  Provenance provenance(const CLI::App& app) const {
-    const char* revision = std::getenv("LATTICE_REVISION");
-    return {{{"program", identity_.name},
-             {"section", identity_.section},
-             {"command", command_},
-             {"seed", "none: no random numbers"},
-             {"revision", revision && *revision ? revision : LATTICE_VERSION},
-             {"build", LATTICE_BUILD},
-             {"libraries", LATTICE_LIBRARIES}},
-            recorded_options(app)};
-  }
-
-  /**
-  Nobody wants to learn after hours of work that `file` in `folder` cannot be written, so we make the
-  folder and try at once, under a temporary name. What exists and is no ordinary file (a device, a
-  pipe) is taken as it is. */
-  static void need_writable(const std::filesystem::path& folder, const std::string& file,
-                            const std::string& option) {
-    std::error_code error, ignored;
-    std::filesystem::create_directories(folder, error);
-    const std::filesystem::path path = folder / file, part = path.string() + ".part";
-    if (!error && std::filesystem::exists(path, error) &&
-        !std::filesystem::is_regular_file(path, ignored))
-      return;
-    if (!error) {
-      const bool known = std::filesystem::exists(part, ignored);
-      errno = 0;
-      if (!std::ofstream(part, std::ios::app)) error.assign(errno, std::generic_category());
-      if (!known) std::filesystem::remove(part, ignored);
-    }
-    if (error)
-      throw UsageError(option + ": cannot write to '" + path.string() + "': " + error.message() +
-                       " (allowed: a place where you may write)");
-  }
-
-  /**
-  A subcommand prints its table or writes it to `--output`; options of a full run mean nothing to it,
-  and rather than ignore them we say so. */
-  int print(const CLI::App& sub, const std::function<Table()>& compute) {
-    for (const char* option : {"--out", "--quick"})
-      if (app_.count(option) > 0)
-        throw UsageError(std::string(option) + ": has no meaning before '" + sub.get_name() +
-                         "' (allowed: in a full run, without a subcommand)");
-    if (!output_.empty()) {
-      const std::filesystem::path path(output_), parent = path.parent_path();
-      std::error_code ignored;
-      if (path.filename().empty() || std::filesystem::is_directory(path, ignored))
-        throw UsageError("--output: '" + output_ + "' is a folder (allowed: a file)");
-      need_writable(parent.empty() ? "." : parent, path.filename().string(), "--output");
-    }
-    const Table table = provenance(sub).sign(compute());
-    if (!output_.empty()) {
-      write(output_, table);
-    } else if (!(std::cout << to_text(table) << std::flush)) {
-      throw Failure("cannot write to standard output");
-    }
-    return 0;
-  }
-
-  /**
-  A full run removes the old `results.ecsv` before it begins: as long as there is none, the folder is
-  not complete. */
-  int run_everything() {
-    if (out_.empty()) out_ = "build/data/" + identity_.name;
-    need_writable(out_, "results.ecsv", "--out");
-    std::error_code ignored;
-    std::filesystem::remove(std::filesystem::path(out_) / "results.ecsv", ignored);
-    Output output(out_, provenance(app_));
-    output.finish(everything(output));
-    return 0;
-  }
-
-  Identity identity_;
-  CLI::App app_;
-  std::string command_, out_, output_;
-  std::size_t threads_ = 0;
-  std::vector<std::pair<CLI::App*, std::function<Table()>>> commands_;
+  struct Frame;
+  std::unique_ptr<Frame> frame_;
 };
 
 }  // namespace lattice

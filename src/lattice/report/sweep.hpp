@@ -12,7 +12,6 @@ Rows wait in files `.NAME.rows-k-of-n` of the folder. Their first line is a key 
 parameters and the program, down to the bytes of its executable; rows under another key are
 ignored. A line that an interruption cut short has no end and is ignored as well. */
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
@@ -25,6 +24,7 @@ ignored. A line that an interruption cut short has no end and is ignored as well
 #include <vector>
 
 #include "lattice/numbers/parallel.hpp"
+#include "lattice/report/options.hpp"
 #include "lattice/report/table.hpp"
 
 namespace lattice {
@@ -42,24 +42,23 @@ inline Part parse_part(const std::string& text) {
   const bool digits = text.find_first_not_of("0123456789/") == std::string::npos;
   if (!digits || text.size() > 13 || std::sscanf(text.c_str(), "%lu/%lu%c", &k, &n, &rest) != 2 ||
       k < 1 || k > n || n > 100000)
-    throw std::invalid_argument("'" + text + "' is not k/n with 1 <= k <= n <= 100000");
+    throw std::invalid_argument(text + " is not k/n with 1 <= k <= n <= 100000");
   return {k, n};
 }
 
 /**
 On a command line a part is an option like others. */
 /// Option check: a part as k/n.
-inline CLI::Validator part_text() {
-  return CLI::Validator(
-      [](std::string& value) {
-        try {
-          parse_part(value);
-        } catch (const std::invalid_argument& error) {
-          return std::string(error.what());
-        }
-        return std::string();
-      },
-      "k/n");
+inline Check part_text() {
+  const auto complaint = [](const std::string& value) {
+    try {
+      parse_part(value);
+    } catch (const std::invalid_argument& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  return {complaint, "k/n"};
 }
 
 /**
@@ -156,7 +155,7 @@ class Sweep {
 
   static std::string line(std::size_t i, const Row& cells) {
     std::string text = std::to_string(i);
-    for (const Cell& cell : cells) text += "," + ecsv::cell_text(cell);
+    for (const Cell& cell : cells) text.append(1, ',').append(ecsv::cell_text(cell));
     return text + "\n";
   }
 

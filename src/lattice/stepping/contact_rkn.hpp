@@ -290,31 +290,10 @@ struct ContactAware {
     return advance(chain, state, window, h, count, at);
   }
 
-  /**
-  A step is the ordinary one first and the corrections after it. The last stage is the new state,
-  corrected in place, and its accelerations are those with which the next step begins: swapping
-  the two costs nothing, and the force is evaluated once less. */
-
   /// Advances `state` by `count` steps of length `h`; returns the number of site-force evaluations.
   template <class T, class Onsite, class Contact>
   double advance(const Chain<Onsite, Contact>& chain, State<T>& state, Window& window, double h,
-                 std::size_t count, NystromMemory<T>& at) const {
-    const std::size_t last = base.last();
-    at.prepare(base, h);
-    accelerate(chain, state.y.data(), at.a[0].data(), window);
-    double work = double(window.last - window.first);
-    for (std::size_t k = 0; k < count; ++k) {
-      for (std::size_t i = 1; i <= last; ++i) {
-        combine(state.y, state.v, base.c[i] * h, at.sums[i], window, at, at.y[i]);
-        accelerate(chain, at.y[i].data(), at.a[i].data(), window);
-        work += double(window.last - window.first);
-      }
-      combine(state.v, state.v, 0, at.sums.back(), window, at, at.v);
-      correct(chain, state, window, T(h), at);
-      std::swap(state.y, at.y[last]), std::swap(state.v, at.v), std::swap(at.a[0], at.a[last]);
-    }
-    return work;
-  }
+                 std::size_t count, NystromMemory<T>& at) const;
 
  private:
   /**
@@ -458,5 +437,29 @@ struct ContactAware {
     for (std::size_t i : at.contacts) at.correction[i] = {};
   }
 };
+
+/**
+A step is the ordinary one first and the corrections after it. The last stage is the new state,
+corrected in place, and its accelerations are those with which the next step begins: swapping
+the two costs nothing, and the force is evaluated once less. */
+template <class T, class Onsite, class Contact>
+double ContactAware::advance(const Chain<Onsite, Contact>& chain, State<T>& state, Window& window,
+                             double h, std::size_t count, NystromMemory<T>& at) const {
+  const std::size_t last = base.last();
+  at.prepare(base, h);
+  accelerate(chain, state.y.data(), at.a[0].data(), window);
+  double work = double(window.last - window.first);
+  for (std::size_t k = 0; k < count; ++k) {
+    for (std::size_t i = 1; i <= last; ++i) {
+      combine(state.y, state.v, base.c[i] * h, at.sums[i], window, at, at.y[i]);
+      accelerate(chain, at.y[i].data(), at.a[i].data(), window);
+      work += double(window.last - window.first);
+    }
+    combine(state.v, state.v, 0, at.sums.back(), window, at, at.v);
+    correct(chain, state, window, T(h), at);
+    std::swap(state.y, at.y[last]), std::swap(state.v, at.v), std::swap(at.a[0], at.a[last]);
+  }
+  return work;
+}
 
 }  // namespace lattice

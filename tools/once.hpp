@@ -1,0 +1,82 @@
+#pragma once
+// What all programs have in common is read once, as a precompiled header, and compiled once, in
+// tools/once_*.cpp. The library does not need these files: a program without them compiles the same
+// functions itself, to the same bits, in three times the time.
+
+#include <Eigen/Dense>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "lattice/dps/spectrum.hpp"
+#include "lattice/numbers/extended.hpp"
+#include "lattice/orbits/continuation.hpp"
+#include "lattice/orbits/floquet.hpp"
+#include "lattice/orbits/travelling.hpp"
+#include "lattice/waves/plane_wave.hpp"
+
+namespace lattice {
+
+// The inner loops of the chains that a reader may choose by name.
+#define LATTICE_LOOPS(words, T, Onsite, Contact)                                                  \
+  words void accelerate(const Chain<Onsite, Contact>&, const T*, T*, Window&);                    \
+  words double ContactAware::advance(const Chain<Onsite, Contact>&, State<T>&, Window&, double,   \
+                                     std::size_t, NystromMemory<T>&) const;
+
+#define LATTICE_NAMED_LOOPS(words)                   \
+  LATTICE_LOOPS(words, double, Quartic, Hertz)       \
+  LATTICE_LOOPS(words, double, Harmonic, Hertz)      \
+  LATTICE_LOOPS(words, double, Pendulum, Hertz)      \
+  LATTICE_LOOPS(words, double, None, Hertz)          \
+  LATTICE_LOOPS(words, double, Quartic, CompressedHertz)  \
+  LATTICE_LOOPS(words, double, Harmonic, CompressedHertz) \
+  LATTICE_LOOPS(words, double, Pendulum, CompressedHertz) \
+  LATTICE_LOOPS(words, double, None, CompressedHertz)     \
+  LATTICE_LOOPS(words, double, Quartic, PowerContact)     \
+  LATTICE_LOOPS(words, double, Harmonic, PowerContact)    \
+  LATTICE_LOOPS(words, double, Pendulum, PowerContact)    \
+  LATTICE_LOOPS(words, double, None, PowerContact)
+
+// Flights and orbits of the article's own chain.
+#define LATTICE_FLIGHTS(words, T, Onsite, Contact)                                               \
+  words Flow<T> flow(const Chain<Onsite, Contact>&, State<T>&, T, const Landing<T>&, Tangent<T>*); \
+  words Matrix<T> monodromy(const Chain<Onsite, Contact>&, const State<T>&, const T&,            \
+                            const Landing<T>&);
+
+#define LATTICE_ORBITS(words, T, Onsite, Contact)                                                \
+  words struct Shooting<T, Onsite, Contact>;                                                     \
+  words Solution<T> solve(const Shooting<T, Onsite, Contact>&, const Vector<T>&,                 \
+                          const NewtonRule<T>&);                                                 \
+  words Orbit<T> newton(const Shooting<T, Onsite, Contact>&, const Vector<T>&,                   \
+                        const NewtonRule<T>&);                                                   \
+  words Orbit<T> polish(const Shooting<T, Onsite, Contact>&, const Orbit<double>&,               \
+                        const NewtonRule<T>&);                                                   \
+  words Pairs<T> floquet_pairs(const Chain<Onsite, Contact>&, const State<T>&, const T&,         \
+                               const Landing<T>&);
+
+// Eigen's decompositions.
+#define LATTICE_DENSE(words, T)                                                                  \
+  words Vector<T> solve_system(const Matrix<T>&, const Vector<T>&, double);                      \
+  words Vector<T> solve_scaled(Matrix<T>, Vector<T>, const Sizes<T>&, double);                   \
+  words T symplectic_defect(const Matrix<T>&);                                                   \
+  words Matrix<T> pair_matrix(const Matrix<T>&);                                                 \
+  words Pairs<T> pairs_of(const Matrix<T>&, const Vector<T>&);                                   \
+  words std::vector<std::complex<T>> eigenvalues_of(const Matrix<T>&);                           \
+  words std::vector<std::complex<T>> multipliers_of(const Matrix<T>&);                           \
+  words Stationary<T> stationary_from(Centre, const T&, std::vector<T>, std::size_t, int);       \
+  words ContactSpectrum<T> contact_spectrum(const Stationary<T>&, bool);                         \
+  words std::vector<std::complex<T>> full_exponents(const Stationary<T>&);
+
+LATTICE_NAMED_LOOPS(extern template)
+LATTICE_FLIGHTS(extern template, double, Quartic, Hertz)
+LATTICE_FLIGHTS(extern template, long double, Quartic, Hertz)
+LATTICE_ORBITS(extern template, double, Quartic, Hertz)
+LATTICE_ORBITS(extern template, long double, Quartic, Hertz)
+extern template class Branch<Shooting<double, Quartic, Hertz>>;
+LATTICE_DENSE(extern template, double)
+LATTICE_DENSE(extern template, long double)
+
+}  // namespace lattice

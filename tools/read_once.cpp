@@ -1,1 +1,0 @@
-// Nothing of its own: it gives the programs their precompiled headers (see CMakeLists.txt).
