@@ -1,7 +1,6 @@
 """Figure x03: static DpS breathers, their quasi-continuum profiles and their tails."""
 
 import matplotlib.pyplot as plt
-import numpy as np
 
 import draw
 
@@ -25,9 +24,8 @@ for axes, table, color, marker, name in [(left, site, BLUE, "o", "a"),
 for table, color, marker, name in [(site, BLUE, "o", "site"), (bond, VERMILION, "s", "bond")]:
     moduli.plot(table["n"], table["log10_u"], marker + "-", color=color, ms=3, lw=0.6,
                 mfc="none", mew=0.8, label=f"{name}-centred")
-    inside = table["quasi_continuum"] != 0
-    moduli.plot(table["n"][inside], np.log10(np.abs(table["quasi_continuum"][inside])), marker,
-                color="black", ms=1.6, mew=0, zorder=3)
+    moduli.plot(table["n"], table["log10_quasi_continuum"], marker, color="black", ms=1.6, mew=0,
+                zorder=3)
     right_half = table["n"] >= 1
     tails.plot(table["n"][right_half], table["tail_line"][right_half], "-", color=GREY, lw=0.8)
     tails.plot(table["n"][right_half], table["double_log"][right_half], marker, color=color, ms=3,

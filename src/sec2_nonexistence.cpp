@@ -448,7 +448,7 @@ Criterion of_dispersal(Report& report) {
       table.add({name, fine.t[i], fine.core[i], std::abs(fine.core[i] - coarse.core[i]),
                  fine.mean[i], std::abs(fine.mean[i] - coarse.mean[i])});
     report.facts.add("mean_" + name, compare(coarse.mean.back(), fine.mean.back()));
-    report.facts.add("drift_" + name, {fine.run.energy_drift, coarse.run.energy_drift});
+    report.facts.add("drift_" + name, compare(coarse.run.energy_drift, fine.run.energy_drift));
   }
   report.output.add("dispersal", std::move(table));
   Criterion all = disperses(runs[0], runs[1]);

@@ -280,7 +280,7 @@ void add_constants(Quantities& facts, const std::vector<Point>& points) {
           compare(constant(before), constant(p)));
     }
   }
-  facts.add("largest_resolution_error", exact(worst), "share of the error");
+  facts.add("largest_resolution_error", compare(0.0, worst), "share of the error");
 }
 
 /**

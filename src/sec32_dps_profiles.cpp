@@ -1,18 +1,22 @@
 /**
 # 3.2 Static breathers of the DpS equation
 
-Section 3.2 of James, Kevrekidis and Cuevas (Physica D 251, 2013) computes the two static
-breathers of the discrete p-Schrödinger (DpS) equation, one centred at a site and one between
-two sites. It compares them with a *quasi-continuum* approximation, which replaces the envelope of the
-profile by a smooth function and vanishes outside a few sites. This program computes both breathers to
-the last digit, with their tails, and measures how good that approximation is. The breathers of the chain
-itself have a chapter of their own, which starts from these profiles.
+In the limit of small amplitude a breather is a pattern that only turns, $v_n = u_n e^{i\mu t}$.
+There are two, both narrow, with neighbours on opposite sides:
 
-What is claimed, with the identifiers under which the answers are recorded:
+        around a site              around a bond
+              |                          |
+              |                          |     |
+        ---|--+--|---              ---|--+--|--+---
+           |     |                    |     |
+          -1  0  1                          |
+                                     -1  0  1  2
 
-- amplitudes are proportional to $\mu^2$ at unchanged width (`dps.scaling`);
-- the approximate profile is supported on $|x| \le 3\pi/2$ (`dps.qc_support`) and in
-  excellent agreement with the breathers (`dps.qc_site`, `dps.qc_bond`). */
+![Both breathers, their approximation and their tails.](fig:x03)
+
+Section 3.2 of James, Kevrekidis and Cuevas (Physica D 251, 2013) computes them and compares them with
+an approximation that vanishes outside a few sites. We compute both to the last digit, with their tails,
+and measure how good that approximation is. The breathers of the chain have a chapter of their own. */
 
 #include <gsl/gsl_integration.h>
 
@@ -32,6 +36,12 @@ What is claimed, with the identifiers under which the answers are recorded:
 
 using namespace lattice;
 
+/**
+What is claimed, with the identifiers under which the answers are recorded:
+
+- amplitudes are proportional to $\mu^2$ at unchanged width (`dps.scaling`);
+- the approximate profile is supported on $|x| \le 3\pi/2$ (`dps.qc_support`) and in
+  excellent agreement with the breathers (`dps.qc_site`, `dps.qc_bond`). */
 /// 50 digits, against which quadruple precision is judged.
 using Fifty = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>,
                                             boost::multiprecision::et_off>;
@@ -61,11 +71,6 @@ quadruple precision; the difference is the error. Where the exact value is zero,
 is pure rounding and belongs to its precision. It is compared with the remainder at the next longer
 mantissa, extended for double and 50 digits for quadruple, so its error is about as large as itself. */
 
-/// The full run's chain: 31 sites around a site, 32 around a bond.
-std::size_t chain_length(Centre centre) {
-  return centre == Centre::site ? 31 : 32;
-}
-
 /// A number of any precision rounded to double.
 template <class T>
 double rounded(const T& x) {
@@ -75,8 +80,8 @@ double rounded(const T& x) {
 /// `of` applied to the state in both precisions.
 template <class Of>
 Estimate in_two_precisions(Centre centre, Of of) {
-  return compare(rounded(of(stationary<double>(centre, 1, chain_length(centre)))),
-                 rounded(of(stationary<Quadruple>(centre, 1, chain_length(centre)))));
+  return compare(rounded(of(stationary<double>(centre, 1, sites_of(centre)))),
+                 rounded(of(stationary<Quadruple>(centre, 1, sites_of(centre)))));
 }
 
 /**
@@ -91,7 +96,7 @@ Estimate rounding_at_least(Estimate e) {
 /// The remainder `of` the state in precision T, compared with the one in the longer precision.
 template <class T, class Longer, class Of>
 Estimate remainder(Centre centre, Of of) {
-  const std::size_t sites = chain_length(centre);
+  const std::size_t sites = sites_of(centre);
   return rounding_at_least<T>(compare(rounded(of(stationary<Longer>(centre, Longer(1), sites))),
                                       rounded(of(stationary<T>(centre, T(1), sites)))));
 }
@@ -222,23 +227,27 @@ statement is a straight line of slope $\ln\frac32$ in this plot.
 Some moduli are far below the smallest double, so their logarithms are taken in quadruple
 precision. */
 Table profile_table(Centre centre) {
-  Table table{{count("n", "site", "site"), number("u", "stationary DpS breather, mu = 1"),
-               number("u_error", "difference of double and quadruple precision"),
-               number("quasi_continuum", "quasi-continuum profile"),
-               number("log10_u", "decimal logarithm of |u_n|"),
-               number("double_log", "ln(-ln|u_n|)"),
-               number("tail_line", "line of slope ln(3/2) through the last point")}};
-  const std::size_t sites = chain_length(centre);
+  Table table{
+      {count("n", "site", "site"), number("u", "stationary DpS breather, mu = 1"),
+       number("u_error", "difference of double and quadruple precision"),
+       number("quasi_continuum", "quasi-continuum profile"),
+       number("log10_u", "decimal logarithm of |u_n|"),
+       number("log10_quasi_continuum", "that of the profile's modulus; nan where it is zero"),
+       number("double_log", "ln(-ln|u_n|)"),
+       number("tail_line", "slope ln(3/2), through the last point")}};
+  const std::size_t sites = sites_of(centre);
   const auto u = stationary<double>(centre, 1, sites).u;
-  const auto exact = stationary<Quadruple>(centre, 1, sites).u;
+  const auto wide = stationary<Quadruple>(centre, 1, sites).u;
   const auto double_log = [&](std::size_t i) {
-    return rounded(Quadruple(log(-log(abs(exact[i])))));
+    return rounded(Quadruple(log(-log(abs(wide[i])))));
   };
   for (std::size_t i = 0; i < sites; ++i) {
     const long n = site_number(i, sites), last = site_number(sites - 1, sites);
     const long distance = centre == Centre::bond && n < 1 ? 1 - n : std::abs(n);
-    table.add({std::int64_t(n), u[i], std::abs(rounded(Quadruple(u[i] - exact[i]))),
-               quasi_continuum(centre, n), rounded(Quadruple(log10(abs(exact[i])))), double_log(i),
+    const double near = quasi_continuum(centre, n);
+    table.add({std::int64_t(n), u[i], std::abs(rounded(Quadruple(u[i] - wide[i]))), near,
+               rounded(Quadruple(log10(abs(wide[i])))),
+               near != 0 ? std::log10(std::abs(near)) : std::nan(""), double_log(i),
                double_log(sites - 1) + double(distance - last) * std::log(1.5)});
   }
   return table;
@@ -316,8 +325,8 @@ Table tail_table() {
        number("ratio_error", "difference of double and quadruple precision, nan beyond double"),
        number("distance", "|ratio - 3/2| in quadruple precision")}};
   for (const auto& [centre, name] : centres) {
-    const auto one = stationary<double>(centre, 1, chain_length(centre));
-    const auto four = stationary<Quadruple>(centre, 1, chain_length(centre));
+    const auto one = stationary<double>(centre, 1, sites_of(centre));
+    const auto four = stationary<Quadruple>(centre, 1, sites_of(centre));
     for (std::size_t i = site_index(1, four.u.size()); i + 1 < four.u.size(); ++i) {
       const Quadruple ratio = log(abs(four.u[i + 1])) / log(abs(four.u[i]));
       const double coarse = one.u[i + 1] != 0
@@ -389,11 +398,11 @@ Line walk(Centre centre, int steps, std::vector<double>& widths) {
   using std::log;
   std::vector<double> x, y;
   for (int direction : {1, -1}) {
-    auto state = stationary<T>(centre, T(1), chain_length(centre));
+    auto state = stationary<T>(centre, T(1), sites_of(centre));
     for (int k = 1; k <= steps; ++k) {
       const T mu = exp2(T(direction * k) / T(8));
       std::vector<T> start(state.strain.begin(), state.strain.begin() + short_chain);
-      state = stationary_from<T>(centre, mu, std::move(start), chain_length(centre));
+      state = stationary_from<T>(centre, mu, std::move(start), sites_of(centre));
       std::vector<double> density;
       for (const T& u : state.u) density.push_back(rounded<T>(u * u / (mu * mu)));
       x.push_back(rounded<T>(log(mu)));
@@ -502,7 +511,7 @@ struct ProfileOptions {
 
 Table profile_command(const ProfileOptions& options) {
   const Centre centre = options.centre == "site" ? Centre::site : Centre::bond;
-  const std::size_t sites = options.sites ? options.sites : chain_length(centre);
+  const std::size_t sites = options.sites ? options.sites : sites_of(centre);
   if (!fits(centre, sites))
     throw UsageError("--sites: '" + std::to_string(sites) + "' does not fit a " + options.centre +
                      "-centred breather (allowed: an " + (centre == Centre::bond ? "even" : "odd") +

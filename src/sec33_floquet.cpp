@@ -26,6 +26,7 @@ the seventh digit, and between them a breather that is centred neither on a site
 #include "lattice/numbers/parallel.hpp"
 #include "lattice/orbits/exchange.hpp"
 #include "lattice/report/breather_options.hpp"
+#include "lattice/report/judge.hpp"
 
 using namespace lattice;
 
@@ -110,14 +111,25 @@ void add_multipliers(Table& table, const Spectrum& all, const std::vector<Cell>&
 }
 
 /**
-The claim has three parts, and the criterion below can fail in each: by a fifth multiplier near one, by a
+The claim has three parts, and the criterion can fail in each: by a fifth multiplier near one, by a
 pair off the circle, or by an accumulation elsewhere. Near one means within 0.01, and the fifth multiplier
 must be farther away than 0.1; the article gives no bounds, and these are our choice. */
+Criterion four_near_one(const Census& chain, const Census& longer, const std::string& name) {
+  const bool stable = chain.others_stable && longer.others_stable;
+  const int added = longer.at_edge - chain.at_edge;
+  return {below("fourth_" + name, compare(longer.fourth, chain.fourth), 0.01),
+          above("fifth_" + name, compare(longer.fifth, chain.fifth), 0.1),
+          above("others_stable_" + name, exact(stable), 0.5),
+          below("not_at_edge_" + name, exact(std::abs(20 - added)), 0.5)};
+}
+
+/**
+It is put to both breathers, each on two chains, of which one is ten sites longer. */
 void report_spectrum(Report& report) {
   std::vector<Column> columns = multiplier_columns();
   columns.push_back(count("bond", "1 around a bond, 0 around a site"));
   Table table{columns};
-  bool holds = true;
+  Criterion structure;
   for (Centre centre : both_centres) {
     std::array<Census, 2> found;
     for (std::size_t more : {0U, 10U}) {
@@ -126,16 +138,15 @@ void report_spectrum(Report& report) {
       found[more / 10] = census(all, omega_main);
       if (more == 0) add_multipliers(table, all, {std::int64_t(centre == Centre::bond)});
     }
-    const Census &a = found[0], &b = found[1];
-    holds = holds && a.fourth < 0.01 && a.fifth > 0.1 && a.others_stable && b.others_stable &&
-            b.at_edge - a.at_edge == 20;
+    for (const Condition& c : four_near_one(found[0], found[1], name_of(centre)))
+      structure.push_back(c);
     if (centre == Centre::bond) continue;
-    report.facts.add("fourth_distance", compare(b.fourth, a.fourth));
-    report.facts.add("fifth_distance", compare(b.fifth, a.fifth));
-    report.facts.add("at_edge", exact(a.at_edge));
+    report.facts.add("fourth_distance", compare(found[1].fourth, found[0].fourth));
+    report.facts.add("fifth_distance", compare(found[1].fifth, found[0].fifth));
+    report.facts.add("at_edge", exact(found[0].at_edge));
   }
   report.output.add("multipliers", std::move(table));
-  report.results.claim("floquet.spectrum", holds);
+  judge(report, "floquet.spectrum", structure);
 }
 
 /**
@@ -212,7 +223,7 @@ void report_wells(Report& report) {
   }
   report.facts.add("largest_excess", largest);
   report.facts.add("others_stable", exact(others_stable));
-  report.results.claim("floquet.instability_size", largest.value + largest.error < 1e-3);
+  judge(report, "floquet.instability_size", {below("largest", largest, 1e-3)});
 }
 
 /**
@@ -235,8 +246,7 @@ void report_harmonic(Report& report) {
   report.facts.add("excess_site", {multiplier(site.kappa, 1).real() - 1, site.multiplier_error()});
   report.facts.add("angle_bond", {2 * std::asin(std::sqrt(-kappa[1].value)),
                                   kappa[1].error / std::sqrt(-kappa[1].value)});
-  report.results.claim("floquet.harmonic",
-                       kappa[0].value > kappa[0].error && kappa[1].value < -kappa[1].error);
+  judge(report, "floquet.harmonic", {above("site", kappa[0], 0), below("bond", kappa[1], 0)});
 }
 
 /**

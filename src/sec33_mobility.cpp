@@ -141,7 +141,7 @@ void report_glide(Report& report, std::size_t k, const Creep& rough, const Creep
   report.facts.add("speed" + name, speed, unit);
   report.facts.add("speed_first_half" + name, speed_of(rough, good, from, middle), unit);
   report.facts.add("speed_second_half" + name, speed_of(rough, good, middle, to), unit);
-  report.facts.add("drift_strong" + name, {good.run.energy_drift, rough.run.energy_drift});
+  report.facts.add("drift_strong" + name, compare(rough.run.energy_drift, good.run.energy_drift));
   if (k < 2) report.results.add(k ? "moving.v_bond" : "moving.v_site", speed, unit);
 }
 
@@ -497,7 +497,7 @@ Table kick_command(const KickOptions& options) {
                              ? compare(runs[0].speed(0, ends), runs[1].speed(0, ends))
                              : Estimate{none, none};
   q.add("velocity", speed, "site per unit of time");
-  q.add("drift", {runs[1].run.energy_drift, runs[0].run.energy_drift}, "relative");
+  q.add("drift", compare(runs[0].run.energy_drift, runs[1].run.energy_drift), "relative");
   q.add("sites_travelled", compare(runs[0].travelled(), runs[1].travelled()), "site");
   q.add("time", exact(runs[1].run.t_end));
   return q.table;

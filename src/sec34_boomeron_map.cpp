@@ -26,6 +26,7 @@ chapter before.
 
 #include "lattice/measure/turning.hpp"
 #include "lattice/numbers/parallel.hpp"
+#include "lattice/report/judge.hpp"
 #include "lattice/report/program.hpp"
 #include "lattice/report/sweep.hpp"
 
@@ -147,15 +148,19 @@ for $v_0 < 3$, a bound that is our choice, and judge it by its largest relative 
 curved boundary would show at the ends of the line and not in the mean. */
 struct Law {
   std::vector<double> root{}, kappa{};  ///< v0^(1/2) and kappa_c for v0 < 3
+  std::vector<double> error{};          ///< of kappa_c, relative
   Line line{};
   double at(double x) const { return line.intercept + line.slope * x; }
 };
 
 Law fit_law(const Threshold& b) {
   Law law;
-  for (std::size_t i = 0; i < b.size(); ++i)
-    if (b.velocity[i] < 3)
-      law.root.push_back(std::sqrt(b.velocity[i])), law.kappa.push_back(b.kappa(i));
+  for (std::size_t i = 0; i < b.size(); ++i) {
+    if (b.velocity[i] >= 3) continue;
+    law.root.push_back(std::sqrt(b.velocity[i]));
+    law.kappa.push_back(b.kappa(i));
+    law.error.push_back(b.s[i].error / b.s[i].value);
+  }
   law.line = fit_line(law.root, law.kappa);
   return law;
 }
@@ -165,14 +170,16 @@ The limit $v_0=0$ lies outside the range of the points, and the error of the slo
 $\kappa_0$. So we take as its error that of the slope times the root mean square of $v_0^{1/2}$. */
 void add_law(Quantities& facts, const Law& law) {
   const double points = double(law.root.size());
-  double scatter = 0, square = 0;
+  Estimate scatter{};
+  double square = 0;
   for (std::size_t i = 0; i < law.root.size(); ++i) {
-    scatter = std::max(scatter, std::abs(law.kappa[i] / law.at(law.root[i]) - 1));
+    const double off = std::abs(law.kappa[i] / law.at(law.root[i]) - 1);
+    if (off > scatter.value) scatter = {off, law.error[i]};
     square += law.root[i] * law.root[i] / points;
   }
   facts.add("law_kappa_1", law.line.estimate());
   facts.add("law_kappa_0", {law.line.intercept, law.line.slope_error * std::sqrt(square)});
-  facts.add("law_largest_deviation", exact(scatter), "relative");
+  facts.add("law_largest_deviation", scatter, "relative");
   const double sum = std::accumulate(law.root.begin(), law.root.end(), 0.0);
   facts.add("law_mean_root", exact(sum / points));
 }
@@ -231,12 +238,14 @@ void report_any_s(Report& report) {
     const double v = MapGrid::spaced(grid.slowest, grid.fastest, i, columns);
     for (int halvings : {0, 1}) moved[i] += probe(v, 0, horizon, halvings).fate != Fate::escapes;
   });
-  const bool linear_turns = std::any_of(moved.begin(), moved.end(), [](int m) { return m > 0; });
+  const double linear_turns = std::accumulate(moved.begin(), moved.end(), 0.0);
   const Estimate v0 = slowest_turning(report.quick);
   report.facts.add("v0_needed_at_s_0005", v0);
   report.facts.add("s_needed_at_190", critical_s(1.9, report.quick ? 6 : 10));
   const Fate beyond = probe(1.05 * (v0.value + v0.error), softest, horizon, 1).fate;
-  report.results.claim("boomeron.any_s", beyond == Fate::turns && !linear_turns);
+  judge(report, "boomeron.any_s",
+        {above("turns_beyond", exact(beyond == Fate::turns), 0.5),
+         below("turns_without_hardness", exact(linear_turns), 1)});
 }
 
 /**

@@ -112,7 +112,7 @@ inline void report_trapping(Report& report, const ArrayImpact& impact) {
     report.facts.add(std::string("kept") + names[i], both([](const Stay& s) { return s.kept(); }));
     report.facts.add(std::string("at_defect") + names[i],
                      both([&](const Stay& s) { return s.density[at]; }), "share of the energy");
-    report.facts.add(std::string("trapped") + names[i], exact(stuck(i, 1u)));
+    report.facts.add(std::string("trapped") + names[i], compare(stuck(i, 0u), stuck(i, 1u)));
   }
   report_mode(report, impact, stays[3], ratios[3]);
 }

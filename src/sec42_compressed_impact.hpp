@@ -65,12 +65,10 @@ The ten runs are independent, and the longest takes as long as several of the ot
 handed to the processors one by one. */
 inline std::vector<Experiment> experiments(bool quick) {
   std::vector<Experiment> all = planned(quick);
-  Progress progress("impacts", 2 * all.size());
-  parallel_for(2 * all.size(), [&](std::size_t i) {
+  parallel_for("impacts", 2 * all.size(), [&](std::size_t i) {
     Experiment& e = all[i / 2];
     (i % 2 ? e.fine : e.coarse) =
         fly(e.launch, e.times, i % 2 ? FlightSteps{}.halved() : FlightSteps{});
-    progress.tick();
   });
   return all;
 }
@@ -200,7 +198,7 @@ inline Table impact_quantities(const Launch& launch) {
   q.add("residual", compare(coarse.shown[0].sech.residual, fine.shown[0].sech.residual));
   q.add("energy_fraction", compare(a.share, b.share));
   q.add("boundary_energy_fraction", compare(a.boundary, b.boundary));
-  q.add("energy_drift", {fine.drift, coarse.drift});
+  q.add("energy_drift", compare(coarse.drift, fine.drift));
   return q.table;
 }
 

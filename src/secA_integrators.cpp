@@ -215,7 +215,7 @@ Results everything(Output& output, bool quick) {
   const Orbits orbits = orbit_errors(quick);
   for (const char* name : {"verlet", "blanes_moan_4", "blanes_moan_6", "contact_aware"})
     facts.add(std::string("order_") + name, order(orbits, name));
-  facts.add("rounding", exact(orbits.rounding));
+  facts.add("rounding", compare(0.0, orbits.rounding));
   output.add("error_orbit", orbits.table);
   output.add("error_tangent", tangent_table(quick));
   output.add("facts", facts.table);

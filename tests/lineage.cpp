@@ -163,6 +163,13 @@ TEST_CASE("includes obey the order of the rooms", "[lineage]") {
   for (const auto& circle : circles(includes)) FAIL_CHECK(circle);
 }
 
+TEST_CASE("no two headers of the library define one type", "[lineage]") {
+  std::map<std::string, std::string> texts;
+  for (const auto& path : files("src/lattice", {".hpp"}))
+    texts[path.string()] = text_of(root / path);
+  for (const auto& name : defined_twice(texts)) FAIL_CHECK(name);
+}
+
 TEST_CASE("the drawing in CONTRIBUTING.md shows every room", "[lineage]") {
   const std::string text = text_of(root / "CONTRIBUTING.md");
   for (const auto& entry : fs::directory_iterator(root / "src/lattice")) {

@@ -1,21 +1,13 @@
 // Periodic orbits: residuals, symmetries, quadratic convergence, branches, folds, precisions, barriers.
 
 #include "check.hpp"
-#include "lattice/orbits/breather.hpp"
+#include "lattice/orbits/ladder.hpp"
 
 using namespace lattice;
 
 namespace {
 
 using Problem = BreatherProblem<double>;
-
-std::size_t sites_of(Centre centre) {
-  return centre == Centre::site ? 31 : 32;
-}
-
-BreatherProblem<double> problem_of(Centre centre, double omega, double s = 0) {
-  return breather_problem(centre, omega, s, sites_of(centre));
-}
 
 double farthest_apart(const State<double>& a, const State<double>& b, double sign = 1) {
   double d = 0;
@@ -240,4 +232,23 @@ TEST_CASE("near omega_b = 1 the barrier at equal area follows the scaling law",
     before = std::abs(off);
   }
   CHECK(before < 0.03);
+}
+
+TEST_CASE("a zero of the barrier does not depend on the rungs around it",
+          "[convergence][periodic]") {
+  const auto zero = [](double from, double to, Estimate Rung::*gap) {
+    Rung rungs[] = {{0, from}, {0, to}};
+    for (Rung& r : rungs) {
+      for (int k : {0, 1}) r.orbit[k] = find_breather(problem_of(both_centres[k], r.omega));
+      measure(r);
+    }
+    return zero_between(rungs[0], rungs[1], gap);
+  };
+  const auto agree = [](const Estimate& a, const Estimate& b) {
+    CAPTURE(a.value, a.error, b.value, b.error);
+    CHECK(std::abs(a.value - b.value) <= a.error + b.error);
+    CHECK(a.error < 1e-8);
+  };
+  agree(zero(1.05, 1.075, &Rung::equal_frequency), zero(1.06, 1.065, &Rung::equal_frequency));
+  agree(zero(1.01, 1.025, &Rung::equal_area), zero(1.016, 1.02, &Rung::equal_area));
 }

@@ -62,3 +62,15 @@ TEST_CASE("an arrow up, sideways, out or round is seen", "[unit]") {
   CHECK(circles({{"lattice/model/a.hpp", {"\"lattice/model/b.hpp\""}}, {"lattice/model/b.hpp", {}}})
             .empty());
 }
+
+TEST_CASE("one name for two types is seen", "[unit]") {
+  const auto twice = [](const std::string& a, const std::string& b) {
+    return defined_twice({{"a.hpp", a}, {"b.hpp", b}}).size();
+  };
+  CHECK(twice("struct Part {\n};\n", "struct Part {\n};\n") == 1);
+  CHECK(twice("struct Part {\n};\n", "using Part = int;\n") == 1);
+  CHECK(twice("enum class Part { a, b };\n", "class Part : Whole {\n};\n") == 1);
+  CHECK(twice("struct Part {\n};\n", "struct Whole {\n  struct Part {\n  };\n};\n") == 0);
+  CHECK(twice("struct Part {\n};\n", "struct Part;\nstruct Party {\n};\n") == 0);
+  CHECK(twice("struct Part {\n};\nstruct Part {\n};\n", "") == 0);
+}

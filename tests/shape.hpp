@@ -133,3 +133,24 @@ inline std::vector<std::string> circles(const Includes& includes) {
   }
   return out;
 }
+
+/// Types that two headers define under one name. The library is one namespace, so that whoever includes
+/// both could not compile; most chapters include only one, and nobody notices. `texts` by header.
+inline std::vector<std::string> defined_twice(const std::map<std::string, std::string>& texts) {
+  static const std::regex type(
+      "(?:(?:struct|class|enum class|enum) (\\w+)(?: [^<]*)?|using (\\w+) =.*)");
+  std::map<std::string, std::string> home;
+  std::vector<std::string> out;
+  for (const auto& [header, text] : texts) {
+    std::istringstream in(text);
+    std::smatch found;
+    for (std::string line; std::getline(in, line);) {
+      if (!std::regex_match(line, found, type)) continue;
+      const std::string name = found[1].matched ? found[1] : found[2];
+      const auto [at, fresh] = home.emplace(name, header);
+      if (!fresh && at->second != header)
+        out.push_back(name + " in " + at->second + " and " + header);
+    }
+  }
+  return out;
+}

@@ -290,13 +290,13 @@ inline double departure_difference(const std::vector<Trial>& trials, Course Tria
 }
 
 /// How many trials are pushed harder than the push that frees, and how many fates that tells.
-struct PushCounts {
+struct PushCount {
   std::size_t over = 0, told = 0;
 };
 
-inline PushCounts count_pushes(const std::vector<Trial>& trials, Course Trial::*run,
-                               double freeing) {
-  PushCounts out;
+inline PushCount count_pushes(const std::vector<Trial>& trials, Course Trial::*run,
+                              double freeing) {
+  PushCount out;
   for (const Trial& trial : trials) {
     const bool pushed = std::abs(trial.kick.imag()) > freeing;
     out.over += pushed;

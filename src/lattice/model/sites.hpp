@@ -15,6 +15,12 @@ namespace lattice {
 /// Where the centre is. The profile u_n of the small-amplitude limit (stationary.hpp) has the symmetry
 /// u_{-n} = u_n if it is site-centred, u_{1-n} = -u_n if bond-centred.
 enum class Centre { site, bond };
+inline constexpr Centre both_centres[] = {Centre::site, Centre::bond};
+
+/// Lengths of the article's chains; one site more around a bond.
+constexpr std::size_t sites_of(Centre centre) {
+  return centre == Centre::site ? 31 : 32;
+}
 
 /// The article's number of the site with the given index, 0 <= index < sites.
 inline long site_number(std::size_t index, std::size_t sites) {

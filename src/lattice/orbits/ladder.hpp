@@ -28,11 +28,6 @@ wider type. */
 /// What double precision is checked against: a 64-bit mantissa where the processor has one.
 using Wide = long double;
 
-/// Length of the article's chain (figure 4); one site more around a bond.
-constexpr std::size_t sites_of(Centre centre) {
-  return centre == Centre::site ? 31 : 32;
-}
-inline constexpr Centre both_centres[] = {Centre::site, Centre::bond};
 inline BreatherProblem<double> problem_of(Centre centre, double omega, double s = 0) {
   return breather_problem(centre, omega, s, sites_of(centre));
 }
@@ -52,9 +47,9 @@ struct Rung {
   double s = 0, omega = 0;
   std::array<Orbit<double>, 2> orbit{};  ///< site, bond
   std::array<Estimate, 2> energy{}, amplitude{};
-  /// The two barriers, E_site - E_bond, and the slope of the first one along the frequency.
-  Estimate equal_frequency{}, equal_area{}, slope{};
-  bool wide = false;  ///< whether the wider type was needed
+  Estimate equal_frequency{}, equal_area{};  ///< the two barriers, E_site - E_bond
+  Estimate slope{}, slope_area{};            ///< their derivatives with respect to omega
+  bool wide = false;                         ///< whether the wider type was needed
 };
 
 /**
@@ -90,10 +85,13 @@ Estimate agree(const T& coarse, const T& fine, const T& size) {
   return {double(fine), double(magnitude<T>(fine - coarse) + floor)};
 }
 
-/// Measures a rung in type T. Throws NoConvergence.
+/**
+Both barriers have derivatives that cost nothing. At equal frequency it is the difference of those of the
+energies; at equal area $d\mathcal H = \omega\,d\mathcal A/2\pi$ along both families leaves
+$(\omega_{site}/\omega_b-1)\,\mathcal H'_{bond}$, where $\omega_{site}$ is the frequency of the site-centred
+breather of that area. */
 template <class T>
-void measure_in(Rung& rung) {
-  const Measured<T> fine(rung, 0), coarse(rung, 1);
+void assess(Rung& rung, const Measured<T>& coarse, const Measured<T>& fine) {
   const T size = fine.orbit[1].energy;
   for (int k : {0, 1}) {
     const Orbit<T>&a = coarse.orbit[k], &b = fine.orbit[k];
@@ -106,14 +104,30 @@ void measure_in(Rung& rung) {
     return m.orbit[0].energy_omega - m.orbit[1].energy_omega;
   };
   rung.slope = agree(slope(coarse), slope(fine), fine.orbit[1].energy_omega);
+  const auto slope_area = [&](const Measured<T>& m) {
+    return m.orbit[1].energy_omega * (m.gap.omega_site / T(rung.omega) - T(1));
+  };
+  rung.slope_area = agree(slope_area(coarse), slope_area(fine), fine.orbit[1].energy_omega);
   rung.wide = sizeof(T) > sizeof(double);
 }
 
 /**
-A barrier is a small difference of two large numbers. We want it to three parts in a thousand, and if
-double precision does not give that, the wider type measures again. */
-/// Whether a value is known to three parts in a thousand.
-inline bool settled(const Estimate& e) {
+A rung is measured at both tolerances; a search, which asks again and again, takes one at a time. */
+template <class T>
+void measure_in(Rung& rung) {
+  assess<T>(rung, {rung, 1}, {rung, 0});
+}
+template <class T>
+void measure_once(Rung& rung, int coarser = 0) {
+  const Measured<T> only(rung, coarser);
+  assess<T>(rung, only, only);
+}
+
+A barrier is a small difference of two large numbers.We want it to three parts in a thousand,
+    and if double precision does not give that,
+    the wider type measures again.*/
+        /// Whether a value is known to three parts in a thousand.
+        inline bool settled(const Estimate&e) {
   return e.error <= 3e-3 * std::abs(e.value);
 }
 /// Measures in double precision and, if that does not settle both barriers, in the wider type.
@@ -184,34 +198,37 @@ inline Rung rung_between(const Rung& left, const Rung& right, double omega) {
 }
 
 /**
-If a barrier has opposite signs on two rungs, it vanishes between them. Regula falsi closes in on that
-frequency in double precision; an end of the bracket that stays has its value halved, so that it cannot
-stay for ever. The last step is made with the wider type. The error of the zero is that of the barrier
-there over its slope, plus a thousandth of the last step, since the slope is that of a chord. Throws
-std::runtime_error if the search does not close in. */
+Between two rungs of opposite sign a barrier vanishes. Its derivative is known with it, so that Newton's
+method, kept between the rungs, finds the frequency in double precision in a few steps. */
 inline Estimate zero_between(const Rung& left, const Rung& right, Estimate Rung::*gap) {
+  const auto slope = gap == &Rung::equal_area ? &Rung::slope_area : &Rung::slope;
+  const double below = (left.*gap).value, above = (right.*gap).value;
+  const double width = right.omega - left.omega;
+  double low = left.omega, high = right.omega, omega = low - below * width / (above - below);
   Rung at;
-  double low = left.omega, high = right.omega;
-  double below = (left.*gap).value, above = (right.*gap).value, slope = 0;
-  int stays = 0;
-  for (int k = 0; k < 60; ++k) {
-    slope = (above - below) / (high - low);
-    const double omega = std::clamp(low - below / slope, low, high);
+  const auto newton_step = [&] { return (at.*gap).value / (at.*slope).value; };
+  for (int k = 0; k < 40; ++k) {
     at = rung_between(left, right, omega);
-    measure_in<double>(at);
-    const double value = (at.*gap).value;
-    const bool beyond = (value > 0) == (above > 0);
-    (beyond ? high : low) = omega, (beyond ? above : below) = value;
-    const int side = beyond ? 1 : -1;
-    if (stays == side) (beyond ? below : above) /= 2;
-    stays = side;
-    if (std::abs(value) <= 4 * (at.*gap).error || high - low < 1e-9) break;
+    measure_once<double>(at);
+    (((at.*gap).value > 0) == (above > 0) ? high : low) = omega;
+    const double step = newton_step(), next = omega - step;
+    omega = low < next && next < high ? next : (low + high) / 2;
+    if (std::abs(step) < 1e-4 * width || std::abs((at.*gap).value) < 4 * (at.*gap).error) break;
   }
-  measure_in<Wide>(at);
-  const double step = (at.*gap).value / slope;
-  if (!(std::abs(step) < 0.01 * (right.omega - left.omega)))
+
+  /**
+  Two more steps are made with the wider type, one at each tolerance. The last of them, which is what the two
+  tolerances and the curvature make of the zero, is its error, with that of the barrier there over its slope. */
+  double step = 0;
+  for (int coarser : {1, 0}) {
+    at = rung_between(left, right, omega);
+    measure_once<Wide>(at, coarser);
+    step = newton_step();
+    omega -= step;
+  }
+  if (!(std::abs(step) < 1e-3 * width))
     throw std::runtime_error("no zero of the barrier found near " + std::to_string(at.omega));
-  return {at.omega - step, std::abs((at.*gap).error / slope) + std::abs(step) * 1e-3 + 1e-15};
+  return {omega, std::abs((at.*gap).error / (at.*slope).value) + std::abs(step) + 1e-15};
 }
 
 }  // namespace lattice

@@ -38,7 +38,7 @@ exchange the sites near the edges of their parts and go on.
 
 There are no ghosts beyond an end of the chain, where the boundary condition holds. On a ring they come
 from the other side, even if there is only one part. */
-struct Part {
+struct Strip {
   std::size_t first = 0, last = 0;    ///< sites that belong to the thread
   std::size_t before = 0, after = 0;  ///< ghosts on either side
   bool begins = false, ends = false;  ///< whether an end of an open chain belongs to it
@@ -47,9 +47,9 @@ struct Part {
 
 /// Part `k` of `count`, with `depth` ghosts. The caller sees to it that no part has fewer sites than
 /// ghosts (`Tiled::parts_of`).
-inline Part part_of(std::size_t sites, bool ring, std::size_t k, std::size_t count,
-                    std::size_t depth) {
-  Part part{sites * k / count, sites * (k + 1) / count};
+inline Strip part_of(std::size_t sites, bool ring, std::size_t k, std::size_t count,
+                     std::size_t depth) {
+  Strip part{sites * k / count, sites * (k + 1) / count};
   part.begins = k == 0 && !ring;
   part.ends = k + 1 == count && !ring;
   part.before = part.begins ? 0 : depth;
@@ -63,7 +63,7 @@ threads leave the sites near their edges for each other; it is complete again af
 template <class T, class Onsite, class Contact>
 class Tile {
  public:
-  Tile(const Chain<Onsite, Contact>& chain, const Part& part, std::size_t depth)
+  Tile(const Chain<Onsite, Contact>& chain, const Strip& part, std::size_t depth)
       : chain_(chain),
         part_(part),
         left_(depth),
@@ -133,7 +133,7 @@ class Tile {
   void sweep(std::size_t from, std::size_t to, T left, T right, const Stage<T>& stage);
 
   const Chain<Onsite, Contact>& chain_;
-  Part part_;
+  Strip part_;
   std::vector<T> left_;  ///< for every stage the contact at the edge where the last block stopped
   std::unique_ptr<T[]> room_;
   T *y_, *v_;  ///< in `room_`

@@ -58,11 +58,11 @@ inline double growth_over_nls(const PhaseOfWave& at, double a, double modulation
 /**
 At the edges of the range of unstable wavenumbers we want to know whether any slow modulation grows.
 Three of them are tried, around the scale $\sqrt{|h|a^2/(2|\omega''|)}$ of the fastest. */
-inline double slow_growth(const PhaseOfWave& at, double a) {
+inline double slow_growth(const PhaseOfWave& at, double a, std::size_t harmonics = 12) {
   const auto c = at.nls();
   const double slow = std::sqrt(std::abs(c.h() * a * a / (2 * c.curvature)));
   double growth = 0;
-  for (double m : {0.5, 1.0, 1.5}) growth = std::max(growth, at.growth(a, m * slow));
+  for (double m : {0.5, 1.0, 1.5}) growth = std::max(growth, at.growth(a, m * slow, harmonics));
   return growth;
 }
 
