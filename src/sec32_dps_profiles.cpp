@@ -235,20 +235,19 @@ Table profile_table(Centre centre) {
        number("log10_quasi_continuum", "that of the profile's modulus; nan where it is zero"),
        number("double_log", "ln(-ln|u_n|)"),
        number("tail_line", "slope ln(3/2), through the last point")}};
-  const std::size_t sites = sites_of(centre);
-  const auto u = stationary<double>(centre, 1, sites).u;
-  const auto wide = stationary<Quadruple>(centre, 1, sites).u;
+  const auto u = stationary<double>(centre, 1, sites_of(centre)).u;
+  const auto wide = stationary<Quadruple>(centre, 1, u.size()).u;
   const auto double_log = [&](std::size_t i) {
     return rounded(Quadruple(log(-log(abs(wide[i])))));
   };
-  for (std::size_t i = 0; i < sites; ++i) {
-    const long n = site_number(i, sites), last = site_number(sites - 1, sites);
+  for (std::size_t i = 0; i < u.size(); ++i) {
+    const long n = site_number(i, u.size()), last = site_number(u.size() - 1, u.size());
     const long distance = centre == Centre::bond && n < 1 ? 1 - n : std::abs(n);
     const double near = quasi_continuum(centre, n);
     table.add({std::int64_t(n), u[i], std::abs(rounded(Quadruple(u[i] - wide[i]))), near,
                rounded(Quadruple(log10(abs(wide[i])))),
                near != 0 ? std::log10(std::abs(near)) : std::nan(""), double_log(i),
-               double_log(sites - 1) + double(distance - last) * std::log(1.5)});
+               double_log(u.size() - 1) + double(distance - last) * std::log(1.5)});
   }
   return table;
 }

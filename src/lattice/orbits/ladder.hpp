@@ -123,11 +123,11 @@ void measure_once(Rung& rung, int coarser = 0) {
   assess<T>(rung, only, only);
 }
 
-A barrier is a small difference of two large numbers.We want it to three parts in a thousand,
-    and if double precision does not give that,
-    the wider type measures again.*/
-        /// Whether a value is known to three parts in a thousand.
-        inline bool settled(const Estimate&e) {
+/**
+A barrier is a small difference of two large numbers. We want it to three parts in a thousand, and if
+double precision does not give that, the wider type measures again. */
+/// Whether a value is known to three parts in a thousand.
+inline bool settled(const Estimate& e) {
   return e.error <= 3e-3 * std::abs(e.value);
 }
 /// Measures in double precision and, if that does not settle both barriers, in the wider type.
