@@ -6,7 +6,7 @@ import re
 
 import colour
 import prose
-from bind import PageBinding, broken, command_of, escape, facts, spelled, spoken, unit
+from bind import PageBinding, broken, command_of, escape, facts, spelled, spoken, typeset_number, unit
 from record import read_table
 
 BOOK = "Breathers with Hertzian contacts"
@@ -422,11 +422,10 @@ does not survive a converged computation it says what does, and why.</p>
                 for part in re.split(r"\n\s*\n", block.text):
                     words = part.strip()
                     if words and not words.startswith(("#", "!", "|", "-")) and not part.startswith("    "):
-                        text = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", re.sub(r"[*`]", "", words))
-                        text = re.sub(r"\s+", " ", text)
-                        if "$" in text:
-                            text = text[: text.index("$")].rsplit(". ", 1)[0] + "."
-                        return escape(text)
+                        pieces = beginning(words).split("$")
+                        pieces[::2] = [typeset_number(escape(piece)) for piece in pieces[::2]]
+                        pieces[1::2] = [f'<span class="math inline">\\({escape(tex)}\\)</span>' for tex in pieces[1::2]]
+                        return "".join(pieces)
         return ""
 
     def search_page(self):
@@ -459,6 +458,18 @@ does not survive a converged computation it says what does, and why.</p>
         rows = ",\n".join(json.dumps(entry, ensure_ascii=False) for entry in self.search)
         out["search-index.js"] = f"window.SEARCH = [\n{rows}\n];\n"
         return out
+
+
+def beginning(paragraph):
+    """The first sentences of a paragraph of Markdown, without marks, links and names of statements."""
+    text = re.sub(r"\s*\((?:`[a-z0-9_.]+`(?:,? and |,\s)?)+[^)]*\)", "", re.sub(r"\s+", " ", paragraph))
+    text = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", re.sub(r"[*`]", "", re.sub(r":$", ".", text)))
+    out = ""
+    for sentence in re.split(r"(?<=[.?!]) (?=[A-Z])", text):
+        if len(out) > 150 and not out.count("$") % 2:
+            break
+        out += " " + sentence
+    return out.strip()
 
 
 def arrow(rel, title):

@@ -21,6 +21,7 @@ import bind  # noqa: E402
 import browse  # noqa: E402
 import check  # noqa: E402
 import colour  # noqa: E402
+import pages  # noqa: E402
 import prose  # noqa: E402
 import record  # noqa: E402
 import source  # noqa: E402
@@ -292,6 +293,12 @@ class Repository(unittest.TestCase):
         self.assertIn("a line", self.page("fig-01.html"))
         self.assertIn("what quantity is", self.page("fig-01.html"))
         self.assertIn('["sec1_demo.html#results"', self.page("search-index.js"))
+
+    def test_a_summary_is_whole_sentences(self):
+        long = "word " * 40 + "end."
+        self.assertEqual(pages.beginning(f"It is *so* (`a.b`, `c.d` and `e.f` in x.hpp) at\n$x. Y = 1$. {long} Not this."),
+                         f"It is so at $x. Y = 1$. {long}")
+        self.assertEqual(pages.beginning("See [Chapter](x.html) (or not):"), "See Chapter (or not).")
 
     def test_claims_are_spelled(self):
         self.assertEqual(bind.spelled("E_PN near omega_b = 1.01 for s = -1/6, at most 1.5e-9"),
