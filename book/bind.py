@@ -30,11 +30,48 @@ def typeset_number(text):
                   lambda m: f"{'' if m[1] == '1' else m[1] + '·'}10<sup>{'−' if m[2] else ''}{m[3]}</sup>", text)
 
 
+GREEK = {"pi": "π", "eps": "ε", "omega": "ω", "tau": "τ", "mu": "μ", "lambda": "λ", "beta": "β", "gamma": "γ",
+         "delta": "δ", "Phi": "Φ", "Gamma": "Γ"}
+SIGNS = {">=": "≥", "<=": "≤", "+-": "±", "->": "→", " - ": " − "}
+WORDED = re.compile(r"\b(?P<base>[A-Za-z]+)_(?P<below>\([^)]*\)|[A-Za-z0-9]+)(?![\w.])|\^(?P<above>\([^)]*\)|-?[0-9/]+|[A-Za-z0-9]+)"
+                    r"|\b(?P<greek>" + "|".join(GREEK) + r")\b|(?P<root>\bsqrt(?=\())|(?P<sign>>=|<=|\+-|->| - )"
+                    r"|(?<![\w)])(?P<minus>-)(?=[A-Za-z(])")
+
+
+def spelled(text):
+    """What the list of claims writes for every reader, `E_PN for omega_b = 1.1`, as a page shows it."""
+    def piece(m):
+        if m["base"]:
+            return f'{GREEK.get(m["base"], m["base"])}<sub>{worded(m["below"].strip("()"))}</sub>'
+        if m["above"]:
+            return f'<sup>{worded(m["above"].strip("()")).replace("-", "−")}</sup>'
+        return GREEK[m["greek"]] if m["greek"] else "√" if m["root"] else "−" if m["minus"] else SIGNS[m["sign"]]
+
+    def worded(text):
+        out, done = [], 0
+        for m in WORDED.finditer(text):
+            out += [typeset_number(escape(text[done:m.start()])), piece(m)]
+            done = m.end()
+        return "".join(out) + typeset_number(escape(text[done:]))
+
+    return worded(text)
+
+
+def unit(text):
+    """A unit of a table as a page shows it."""
+    return escape({"um": "µm"}.get(text, text))
+
+
 def agreement(tolerance):
     """A tolerance of paper/published.ecsv in words."""
     kind, _, size = tolerance.partition(" ")
     words = {"rel": "to a relative ", "abs": "to "}
     return typeset_number(words[kind] + size) if kind in words else escape(tolerance)
+
+
+def broken(name):
+    """A long name that may be broken behind a point, a slash or an underscore."""
+    return re.sub(r"([_./])(?=\w)(?!ecsv)", r"\1<wbr>", escape(name))
 
 
 def spoken(figure):
@@ -119,12 +156,12 @@ class Binder:
         if f.unit == "claim":
             return f.shown
         shown, error = typeset_number(f.shown), typeset_number(f.shown_error)
-        unit = " " + escape(f.unit) if f.unit else ""
+        size = " " + unit(f.unit) if f.unit else ""
         if f.kind == "residue":
-            return f"{shown}{unit} (made of rounding: only its size counts)"
+            return f"{shown}{size} (made of rounding: only its size counts)"
         if f.error == 0:
-            return f"{shown}{unit}, exact"
-        return f"{shown} ± {error}{unit}"
+            return f"{shown}{size}, exact"
+        return f"{shown} ± {error}{size}"
 
     def verdict(self, claim):
         return f'<span class="verdict {claim["status"]}">{claim["status"]}</span>'
@@ -133,20 +170,20 @@ class Binder:
         name = f"data/{program}/{table}.ecsv"
         if not os.path.exists(os.path.join(self.record.data, program, table + ".ecsv")):
             return f"<code>build/{name}</code>"
-        return f'<a href="{name}" download>{program}/{table}.ecsv</a>'
+        return f'<a href="{name}" download>{broken(f"{program}/{table}.ecsv")}</a>'
 
     def number_record(self, quote):
         f, claim, rows = quote.finding, quote.claim, []
         rows.append(("here", self.value(quote)))
         if claim:
-            printed = typeset_number(escape(claim["printed"])) + (" " + escape(claim["unit"]) if claim["unit"] else "")
+            printed = spelled(claim["printed"]) + (" " + unit(claim["unit"]) if claim["unit"] else "")
             place = escape(self.where(claim["where"]))
             rows.append(("article", f"{printed or 'a statement'} <small>({place})</small>"))
             if claim["tolerance"]:
                 rows.append(("agreement", f"asked for: {agreement(claim['tolerance'])}"))
             rows.append(("verdict", f'{self.verdict(claim)} <a href="published.html#{f.id}">in the table</a>'))
             if claim["reason"]:
-                rows.append(("why", typeset_number(escape(claim["reason"]))))
+                rows.append(("why", spelled(claim["reason"])))
         rows.append(("computed by", self.places(quote)))
         row = f", row {quote.row}" if quote.row else ""
         rows.append(("stored in", f"{self.data_link(f.program, quote.table)}{row}"))
@@ -156,9 +193,9 @@ class Binder:
         cost = self.record.cost(f.program)
         rows.append(("command", f"<code>{self.record.command(f.program)}</code>"
                      + (f" ({cost} on two cores)" if cost else "")))
-        title = escape(claim["quantity"]) if claim else escape(f.id.replace("_", " "))
+        title = spelled(claim["quantity"]) if claim else escape(f.id.replace("_", " "))
         where = f"published.html#{f.id}" if claim else f"numbers.html#{quote.id}"
-        return (f'<h3>{title} <a href="{where}"><code>{escape(quote.id)}</code></a></h3>' + facts(rows))
+        return (f'<h3>{title} <a href="{where}"><code>{broken(quote.id)}</code></a></h3>' + facts(rows))
 
     def figure_record(self, id):
         return f"<h3>{spoken(id)}</h3>" + facts(self.figure_facts(id))

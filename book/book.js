@@ -135,5 +135,6 @@
     query.value = new URLSearchParams(location.search).get("q") || "";
     query.addEventListener("input", search);
     search();
+    query.focus({ preventScroll: true });
   }
 })();

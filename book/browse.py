@@ -147,6 +147,7 @@ LOOK = """(() => {
   for (const button of document.querySelectorAll("button[popovertarget]"))
     if (!button.popoverTargetElement) out.push("opens nothing: " + button.textContent);
   if (!document.querySelector("h1")) out.push("no title");
+  if ([...document.querySelectorAll("[hidden]")].some((e) => e.getClientRects().length)) out.push("shows what is hidden");
   return out;
 })()"""
 
@@ -177,6 +178,7 @@ USE = {
       })()""",
     "search.html": """(() => {
         const query = document.getElementById("query");
+        if (scrollY || document.activeElement !== query) return "the search does not open at its field";
         query.value = "surface mode"; query.dispatchEvent(new Event("input"));
         const links = [...document.querySelectorAll("#results a")].map((a) => a.getAttribute("href"));
         return links.some((l) => l.startsWith("sec34_impact.html#")) ? "" : "the search does not find the surface mode: " + links;

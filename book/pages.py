@@ -6,7 +6,7 @@ import re
 
 import colour
 import prose
-from bind import PageBinding, command_of, escape, facts, spoken, typeset_number
+from bind import PageBinding, broken, command_of, escape, facts, spelled, spoken, typeset_number, unit
 from record import read_table
 
 BOOK = "Breathers with Hertzian contacts"
@@ -81,7 +81,7 @@ class Book:
 <form action="search.html" role="search"><input type="search" name="q" placeholder="Search ( / )" aria-label="Search the book"></form>
 <button type="button" class="button" id="theme" hidden>Light / dark</button></header>
 <div class="frame">
-<nav class="side" aria-label="Contents"><details open><summary>Contents</summary>
+<nav class="side" aria-label="Contents"><details open><summary>Contents</summary><script>if (!matchMedia("(min-width: 60.01rem)").matches) document.currentScript.parentNode.open = false;</script>
 {self.side(name, headings)}
 </details></nav>
 <main id="main">
@@ -198,14 +198,14 @@ class Book:
     def claim_row(self, claim, short=False):
         id, cells = claim["id"], []
         finding = self.record.quotable.get(id)
-        printed = typeset_number(escape(claim["printed"])) + (f' {escape(claim["unit"])}' if claim["unit"] else "")
+        printed = spelled(claim["printed"]) + (f' {unit(claim["unit"])}' if claim["unit"] else "")
         quote = self.record.quote(id) if finding else None
         here = self.binder.value(quote) if quote else ""
         place = escape(self.binder.where(claim["where"]))
         link = f"published.html#{id}" if short else ""
-        name = f'<a href="{link}"><code>{id}</code></a>' if short else f"<code>{id}</code>"
-        reason = f'<small>{typeset_number(escape(claim["reason"]))}</small>' if claim["reason"] and not short else ""
-        cells.append(("", f'{name}<small>{escape(claim["quantity"])}{"" if short else " (" + place + ")"}</small>', id))
+        name = f'<a href="{link}"><code>{broken(id)}</code></a>' if short else f"<code>{broken(id)}</code>"
+        reason = f'<small>{spelled(claim["reason"])}</small>' if claim["reason"] and not short else ""
+        cells.append(("", f'{name}<small>{spelled(claim["quantity"])}{"" if short else " (" + place + ")"}</small>', id))
         if not short:
             cells.append(("section", escape(claim["section"]), claim["section"]))
         cells.append(("article", printed, claim["printed"]))
@@ -264,7 +264,7 @@ computed. A value carries the error that computations of different resolution le
             quote = self.record.quote(id)
             chapter = self.binder.by_path.get(f"src/{f.program}.cpp")
             code = [f'<a href="{self.binder.by_path[p.path].page}#L{p.first}">code</a>' for p in quote.places[:1]]
-            rows.append(f'<tr id="{id}"><td><code>{escape(f.id)}</code></td>'
+            rows.append(f'<tr id="{id}"><td><code>{broken(f.id)}</code></td>'
                         f'<td data-label="program"><a href="{chapter.page}">{f.program}</a></td>'
                         f'<td data-label="value" data-key="{f.value!r}">{self.binder.value(quote)}</td>'
                         f'<td>{", ".join(code + self.quotations(id))}</td></tr>' if chapter else "")
@@ -319,7 +319,7 @@ routes, laws of our own.</p>
             if not os.path.exists(path):
                 continue
             read = read_table(path)
-            columns = "".join(f"<tr><td><code>{escape(c.name)}</code></td><td>{escape(c.unit)}</td><td>{escape(c.description)}</td></tr>"
+            columns = "".join(f"<tr><td><code>{broken(c.name)}</code></td><td>{unit(c.unit)}</td><td>{escape(c.description)}</td></tr>"
                               for c in read.columns)
             tables += (f'<h3 id="table-{table}">{binder.data_link(figure["program"], table)}, {len(read.rows)} rows</h3>'
                        f'<div class="scroll" tabindex="0"><table><thead><tr><th>column</th><th>unit</th><th>meaning</th></tr></thead>'
@@ -422,17 +422,16 @@ does not survive a converged computation it says what does, and why.</p>
                 for part in re.split(r"\n\s*\n", block.text):
                     words = part.strip()
                     if words and not words.startswith(("#", "!", "|", "-")) and not part.startswith("    "):
-                        text = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", re.sub(r"[*`]", "", words))
-                        text = re.sub(r"\s+", " ", text)
-                        if "$" in text:
-                            text = text[: text.index("$")].rsplit(". ", 1)[0] + "."
-                        return escape(text)
+                        pieces = beginning(words).split("$")
+                        pieces[::2] = [typeset_number(escape(piece)) for piece in pieces[::2]]
+                        pieces[1::2] = [f'<span class="math inline">\\({escape(tex)}\\)</span>' for tex in pieces[1::2]]
+                        return "".join(pieces)
         return ""
 
     def search_page(self):
         body = """<h1>Search</h1>
 <p>Every word must occur in a section, a statement, a caption, or a remark of the library.</p>
-<input type="search" id="query" aria-label="Search for" autofocus><p id="count" role="status"></p>
+<input type="search" id="query" aria-label="Search for"><p id="count" role="status"></p>
 <noscript><p>The search needs JavaScript; the contents, and the search of your browser, do not.</p></noscript>
 <ol class="results" id="results"></ol>"""
         return self.page("search.html", "Search", body, scripts='<script src="search-index.js"></script>\n')
@@ -459,6 +458,18 @@ does not survive a converged computation it says what does, and why.</p>
         rows = ",\n".join(json.dumps(entry, ensure_ascii=False) for entry in self.search)
         out["search-index.js"] = f"window.SEARCH = [\n{rows}\n];\n"
         return out
+
+
+def beginning(paragraph):
+    """The first sentences of a paragraph of Markdown, without marks, links and names of statements."""
+    text = re.sub(r"\s*\((?:`[a-z0-9_.]+`(?:,? and |,\s)?)+[^)]*\)", "", re.sub(r"\s+", " ", paragraph))
+    text = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", re.sub(r"[*`]", "", re.sub(r":$", ".", text)))
+    out = ""
+    for sentence in re.split(r"(?<=[.?!]) (?=[A-Z])", text):
+        if len(out) > 150 and not out.count("$") % 2:
+            break
+        out += " " + sentence
+    return out.strip()
 
 
 def arrow(rel, title):

@@ -116,6 +116,8 @@ def greek(match):
 def plain(page):
     """The words of a piece of HTML; a formula is its TeX."""
     page = MATH.sub(lambda m: html.escape(GREEK.sub(greek, unwrapped(html.unescape(m.group(2))))), page)
+    page = re.sub(r"<sup>(.*?)</sup>", r"^\1", page)
+    page = re.sub(r"</?(?:a|b|button|code|em|i|small|span|strong|sub|wbr)\b[^>]*>", "", page)
     return re.sub(r"\s+", " ", html.unescape(re.sub(r"<[^>]+>", " ", page))).strip()
 
 

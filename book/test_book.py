@@ -21,6 +21,7 @@ import bind  # noqa: E402
 import browse  # noqa: E402
 import check  # noqa: E402
 import colour  # noqa: E402
+import pages  # noqa: E402
 import prose  # noqa: E402
 import record  # noqa: E402
 import source  # noqa: E402
@@ -293,6 +294,20 @@ class Repository(unittest.TestCase):
         self.assertIn("what quantity is", self.page("fig-01.html"))
         self.assertIn('["sec1_demo.html#results"', self.page("search-index.js"))
 
+    def test_a_summary_is_whole_sentences(self):
+        long = "word " * 40 + "end."
+        self.assertEqual(pages.beginning(f"It is *so* (`a.b`, `c.d` and `e.f` in x.hpp) at\n$x. Y = 1$. {long} Not this."),
+                         f"It is so at $x. Y = 1$. {long}")
+        self.assertEqual(pages.beginning("See [Chapter](x.html) (or not):"), "See Chapter (or not).")
+
+    def test_claims_are_spelled(self):
+        self.assertEqual(bind.spelled("E_PN near omega_b = 1.01 for s = -1/6, at most 1.5e-9"),
+                         "E<sub>PN</sub> near ω<sub>b</sub> = 1.01 for s = −1/6, at most 1.5·10<sup>−9</sup>")
+        self.assertEqual(bind.spelled("y_(-n)(t), 1 - cos q, x^(5/2), O(eps^-1/2), s >= 2, two-way & sqrt(2)"),
+                         "y<sub>−n</sub>(t), 1 − cos q, x<sup>5/2</sup>, O(ε<sup>−1/2</sup>), s ≥ 2, two-way &amp; √(2)")
+        self.assertEqual(bind.spelled("see sec34_impact.cpp"), "see sec34_impact.cpp")
+        self.assertEqual(bind.broken("a.b_c"), "a.<wbr>b_<wbr>c")
+
     @needs_tools
     def test_prose_survives(self):
         texts = ["Take Chain<double> & co.", "```\nnot closed", "> quoted", "| a | b |\n|---|---|\n| $|x|$ | `a|b` |",
@@ -302,7 +317,7 @@ class Repository(unittest.TestCase):
         self.assertIn("Chain&lt;double&gt; &amp; co.", pages[0])
         self.assertEqual(prose.formulas(pages[3]), [("\\(|x|\\)", False)])
         self.assertEqual(pages[4].count("<figure>"), 2)
-        self.assertEqual(prose.plain("<p>a <b>b</b> &lt; c</p>"), "a b < c")
+        self.assertEqual(prose.plain("<p>a (<b>b</b>) &lt; 10<sup>−3</sup></p><p>c</p>"), "a (b) < 10^−3 c")
 
     @needs_tools
     def test_twice_the_same_bytes(self):

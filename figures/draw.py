@@ -62,9 +62,10 @@ def where(table, column, value):
     return {name: entries[keep] for name, entries in table.items()}
 
 
-def letter(axes, text, color="black"):
-    """A panel letter in the upper left corner."""
-    axes.text(0.03, 0.97, f"({text})", transform=axes.transAxes, va="top", color=color)
+def letter(axes, text, color="black", x=0.03):
+    """A panel letter in the upper left corner; with x > 0.5 in the right one."""
+    axes.text(x, 0.97, f"({text})", transform=axes.transAxes, va="top", color=color,
+              ha="right" if x > 0.5 else "left")
 
 
 def save(figure, out):

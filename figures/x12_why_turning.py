@@ -54,6 +54,7 @@ d.set(xlabel="time $t$", ylabel="displacement (site)", xlim=(0, 300), ylim=(-12,
 d.text(0.45, 0.88, "waves on the right", transform=d.transAxes, ha="center")
 d.text(0.62, 0.05, "waves on the left", transform=d.transAxes, ha="center")
 d.legend(loc="lower left")
-for axes, name in zip((a, b, c, d), "abcd"):
+for axes, name in zip((a, c, d), "acd"):
     draw.letter(axes, name)
+draw.letter(b, "b", x=0.97)
 draw.save(figure, out)

@@ -32,5 +32,5 @@ axes[3].semilogy(exact["speed"], exact["energy"], "o", ms=4, mfc="none", color="
 axes[3].set(xlabel="speed (sites/time)", ylabel="energy", xlim=(0, 0.16), ylim=(1e-4, 5))
 axes[3].legend(loc="center right", fontsize=7)
 for panel, name in zip(axes, "abcd"):
-    draw.letter(panel, name)
+    panel.set_title(f"({name})", loc="left", pad=3)
 draw.save(figure, out)

@@ -40,6 +40,9 @@ TEST_CASE("numbers and words become TeX", "[unit]") {
   CHECK(tex::value("does not hold") == "does not hold");
   CHECK(tex::text("E_PN for omega_b = 1.1") == "$E_{\\mathrm{PN}}$ for $\\omega_{b}$ = 1.1");
   CHECK(tex::text("y_(1-n) = -y_n") == "$y_{1-n}$ = $-y_{n}$");
+  CHECK(tex::text("W = 1 - cos y, A(0) = -i well-known") ==
+        "W = 1 $-$ cos y, A(0) = $-$i well-known");
+  CHECK(tex::unit("um") == "$\\mu$m");
   CHECK(tex::text("c_c^2/2") == "$c_{c}$$^{2}$/2");
   CHECK(tex::text("O(eps^-1/2), s >= 5 %") == "O($\\epsilon$$^{-1/2}$), s $\\ge$ 5 \\%");
   CHECK(tex::text("1e-14 to 1e-15") ==

@@ -63,6 +63,11 @@ inline std::string escaped(const std::string& text) {
   return out;
 }
 
+/// A unit of a table as TeX sets it.
+inline std::string unit(const std::string& name) {
+  return name == "um" ? "$\\mu$m" : escaped(name);
+}
+
 /**
 The list of claims is written for every reader, `E_PN for omega_b = 1.1`. Subscripts, powers, Greek
 names, numbers with a sign or an exponent and inequalities become mathematics, the rest stays text. */
@@ -72,7 +77,7 @@ inline std::string text(const std::string& plain) {
       R"(|\^(\([^)]*\)|-[0-9/]+|[A-Za-z0-9]+))"                    // 3: a power
       R"(|(-?\d+(?:\.\d+)?e-?\d+|-\d+(?:\.\d+)?))"                 // 4: a number
       R"(|\b(pi|eps|omega|tau|mu|lambda|beta|Phi|Gamma|delta)\b)"  // 5: a Greek name
-      R"(|(>=|<=|\+-))");                                          // 6: a relation
+      R"(|(>=|<=|\+-)|(= | )-(?= |i\b))");                         // 6: a relation, 7: a minus
   std::string out;
   auto done = plain.cbegin();
   for (std::sregex_iterator m(plain.begin(), plain.end(), form), end; m != end; ++m) {
@@ -88,6 +93,8 @@ inline std::string text(const std::string& plain) {
       out += value(m->str(4));
     } else if ((*m)[5].matched) {
       out += "$" + name(m->str(5)) + "$";
+    } else if ((*m)[7].matched) {
+      out += m->str(7) + "$-$";
     } else {
       out += m->str(6) == ">=" ? "$\\ge$" : m->str(6) == "<=" ? "$\\le$" : "$\\pm$";
     }
@@ -182,8 +189,8 @@ inline std::string claim_rows(const std::vector<Claim>& claims, const Findings& 
     const Finding f = open ? Finding{} : found->second;
     const bool worded = !f.unit.empty() && f.unit != "claim";
     out += "\\claim{" + tex::escaped(c.id) + "}{" + tex::text(c.quantity) + "}{" +
-           tex::text(c.printed) + (c.unit.empty() ? "" : " " + tex::escaped(c.unit)) + "}{" +
-           (open ? "" : tex::value(shown(f))) + (worded ? " " + tex::escaped(f.unit) : "") + "}{" +
+           tex::text(c.printed) + (c.unit.empty() ? "" : " " + tex::unit(c.unit)) + "}{" +
+           (open ? "" : tex::value(shown(f))) + (worded ? " " + tex::unit(f.unit) : "") + "}{" +
            (open ? "" : tex::value(shown_error(f))) + "}{" +
            (open ? "open" : verdict(c, {f.value, f.error, f.unit})) + "}\n";
   }

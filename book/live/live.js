@@ -98,7 +98,8 @@ window.Live = (() => {
       for (const [name, words, , , , symbol] of this.fields()) {
         const input = make("input", { type: "text", name, value: shown(this.ask[name]), autocomplete: "off", spellcheck: "false" });
         this.inputs[name] = input;
-        form.append(make("label", {}, `${symbol}, ${words} `, input));
+        const [letter, ...below] = symbol.split("_");
+        form.append(make("label", {}, letter, ...below.map((text) => make("sub", {}, text)), `, ${words} `, input));
       }
       for (const [name, words, options] of this.choices()) {
         const select = make("select", { name });
