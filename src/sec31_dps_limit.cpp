@@ -308,7 +308,7 @@ For an impact the constants are [2.124](num:sec31_dps_limit.constant_impact_tau_
 [6.61](num:sec31_dps_limit.constant_impact_tau_10) for $\tau \le 1$, 4 and 10, for the pair
 [4.48](num:sec31_dps_limit.constant_pair_tau_1), [7.017](num:sec31_dps_limit.constant_pair_tau_4) and
 [18.81](num:sec31_dps_limit.constant_pair_tau_10). The numerical error of a deviation is at most
-[0.00413904](num:sec31_dps_limit.largest_resolution_error) of the deviation. */
+[0.004](num:sec31_dps_limit.largest_resolution_error) of the deviation. */
 Results everything(Output& output, bool quick) {
   output.note("tolerance", "GSL " + short_text(resolutions[0].tolerance) + " and " +
                                short_text(resolutions[1].tolerance));

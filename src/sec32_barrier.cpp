@@ -194,7 +194,7 @@ The article's numbers are answered from these rungs. Printed is $1.77\cdot10^{-1
 linear well, and we find [1.62422e-11](num:pn.omega11). At $1.5$ in the soft well we find
 [7.57142e-8](num:pn.omega15) instead of $10^{-4}$; the hard well has
 [-8.64349e-5](num:sec32_barrier.equal_frequency_hard_150) there, and the printed value probably belongs to it.
-At $1.3$ the soft barrier is [857.528](num:pn.harmonic_ratio) times the linear one, and the hard barrier is
+At $1.3$ the soft barrier is [857.527](num:pn.harmonic_ratio) times the linear one, and the hard barrier is
 [24934.6](num:sec32_barrier.harmonic_ratio_hard) times the linear one. */
 void report_key(Report& report, const Ladder& rungs) {
   const std::size_t count = std::size(key_frequencies);

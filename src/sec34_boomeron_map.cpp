@@ -280,7 +280,7 @@ void add_map(Program& program, MapOptions& options) {
 For weak and moderate impacts $\kappa_c$ follows the expected line: $\kappa_0$ is
 [1.022](num:sec34_boomeron_map.law_kappa_0) and $\kappa_1$ is
 [0.99](num:sec34_boomeron_map.law_kappa_1), and no point is further off than a fraction of
-[0.0149181](num:sec34_boomeron_map.law_largest_deviation). Strong impacts, for which the linear part
+[0.015](num:sec34_boomeron_map.law_largest_deviation). Strong impacts, for which the linear part
 of the well no longer matters, leave the line. Above $v_0=1$ the boundary follows a power law with
 the exponent [-1.236](num:sec34_boomeron_map.power_large_impacts) on average, but its slope changes.
 At $v_0=1.9$ a packet turns before site 40 if $s$ exceeds

@@ -381,10 +381,10 @@ absorbed. If the waves feed the packet, the two should differ in energy.
 The packet is close to a breather that moves: at its frequency,
 [1.68362](num:sec34_boomeron_why.omega_waves), its area is
 [5.9885](num:sec34_boomeron_why.area_waves) and that of a breather at rest
-[5.83399](num:sec34_boomeron_why.area_at_rest_waves). With the waves its energy is
+[5.83](num:sec34_boomeron_why.area_at_rest_waves). With the waves its energy is
 [1.48728](num:sec34_boomeron_why.energy_waves), without them
 [1.3694](num:sec34_boomeron_why.energy_behind), so they do feed it. The barrier,
-[0.000398715](num:sec34_boomeron_why.barrier_waves), can hold a slow packet, as we see after late
+[0.00040](num:sec34_boomeron_why.barrier_waves), can hold a slow packet, as we see after late
 cuts. But a force of both signs within one site can neither slow a packet over many sites nor send
 it back. */
 void report_inside(Report& report) {
