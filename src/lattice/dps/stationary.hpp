@@ -178,7 +178,7 @@ that follows is zero in this number format. */
 template <class T>
 T least_exact() {
   using std::ldexp;
-  return ldexp(T(1), std::numeric_limits<T>::min_exponent - 1) / std::numeric_limits<T>::epsilon();
+  return ldexp(T(1), std::numeric_limits<T>::min_exponent) / std::numeric_limits<T>::epsilon();
 }
 
 template <class T>
