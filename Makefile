@@ -145,7 +145,7 @@ test-weaver:
 run-tests: programs
 	@cmake --build $(B) --parallel $(JOBS) > $(B)/build.log 2>&1 || { cat $(B)/build.log; exit 1; }
 	@$(MAKE) test-weaver
-	@cd $(B) && PYTHON="$(PYTHON)" ctest $(CTEST_ARGS)
+	@cd $(B) && PYTHON="$(PYTHON)" ctest -j $(JOBS) $(CTEST_ARGS)
 
 ## bench: time our integrators against GSL and Boost.odeint (ten minutes, not part of the tests)
 .PHONY: bench
