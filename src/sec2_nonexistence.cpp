@@ -55,10 +55,9 @@ their places. All quantities are dimensionless.
 | $T$ | `period()` | period of the motion |
 
 The claim is decided by a list of conditions on numbers, to which each part of this chapter adds its own.
-Each condition is explained where it is made, and its margin is among the facts. */
-void append(Criterion& all, const Criterion& more) {
-  all.insert(all.end(), more.begin(), more.end());
-}
+Each condition is explained where it is made, and its margin is among the facts. Means are integrated at two
+tolerances. */
+constexpr std::array tolerances{1e-11, 1e-13};
 
 /**
 ## The identity (figure x16)
@@ -68,8 +67,6 @@ the identity on motions that fill a ring or a box (sec2_periodic_motions.hpp). W
 a whole period, and integrate the means along with it at two tolerances, whose difference is the error. We
 judge by two numbers: the spread of the mean force over the contacts, relative to the largest, and the
 amount by which the balance of a bead, with the force of its well, is missed. */
-constexpr std::array tolerances{1e-11, 1e-13};
-
 struct Balance {
   double largest = 0, spread = 0, imbalance = 0;
 };

@@ -212,8 +212,7 @@ void report_symmetry(Report& report) {
   for (Centre centre : both_centres) {
     const std::string name = centre == Centre::site ? "site" : "bond";
     const double left = broken_symmetry<double>(centre), wide = broken_symmetry<Wide>(centre);
-    symmetric.push_back(below("broken_" + name, compare(0.0, wide), 1e-9));
-    symmetric.push_back(below("share_of_double_" + name, compare(0.0, wide / left), 0.1));
+    append(symmetric, named(name, symmetric_by_nature(left, wide)));
   }
   judge(report, "newton.symmetry", symmetric);
 }
@@ -288,14 +287,13 @@ void report_profiles(Report& report) {
   report.output.add("site_profiles", profile_table(Centre::site));
   Criterion ordered;
   for (Centre centre : both_centres) {
-    const std::string name = centre == Centre::site ? "_site" : "_bond";
+    const std::string name = centre == Centre::site ? "site" : "bond";
     const Estimate small = approximation_error(centre, 1.01);
     const Estimate large = approximation_error(centre, 1.1);
-    const Estimate worse{large.value - small.value, large.error + small.error};
-    ordered.push_back(above("worse" + name, worse, 0));
-    report.facts.add("continuum_101" + name, small, "relative to amplitude");
-    report.facts.add("continuum_110" + name, large, "relative to amplitude");
-    report.facts.add("continuum_limit" + name,
+    append(ordered, named(name, worse_when_large(small, large)));
+    report.facts.add("continuum_101_" + name, small, "relative to amplitude");
+    report.facts.add("continuum_110_" + name, large, "relative to amplitude");
+    report.facts.add("continuum_limit_" + name,
                      compare(continuum_error<double>(centre), continuum_error<Wide>(centre)),
                      "relative to amplitude");
   }
@@ -399,8 +397,7 @@ void report_tail(Report& report) {
   while (tail.wide_size(last_wide + 1) > 0) ++last_wide;
   while (tail.size(last + 1) > 1e-300) ++last;
   const double exponent = tail.exponent(last_wide - 1), before = tail.exponent(last_wide - 2);
-  const Estimate off{std::abs(exponent - 1.5), std::abs(exponent - before)};
-  judge(report, "newton.decay", {below("from_three_halves", off, 0.005)});
+  judge(report, "newton.decay", super_exponential(before, exponent));
   report.facts.add("tail_exponent", compare(before, exponent));
   report.facts.add("tail_last_double", exact(double(last)), "site");
   report.facts.add("tail_last_wide", exact(double(last_wide)), "site");

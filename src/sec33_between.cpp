@@ -165,7 +165,9 @@ void refine_places(std::vector<Crossing_place>& places) {
 }
 
 /**
-Near the end of a family the search for an exchange may fail; the facts count how many were lost. */
+What is counted are the edges of this grid across which the sign of $\kappa$ changes: the number tells how many
+searches were made, and depends on the grid. Near the end of a family a search may fail; the facts count how
+many were lost. */
 std::vector<Column_of_nodes> report_chart(Report& report) {
   auto grid = report.quick ? chart(12, 2, 1.2) : chart(80, 12, 2);
   auto places = crossings(grid);
@@ -178,8 +180,9 @@ std::vector<Column_of_nodes> report_chart(Report& report) {
     const Spot spot = c.cut.at(c.found.place.value);
     if (c.good) curve.add({spot.omega, spot.s, c.found.place.error});
   }
-  report.facts.add("chart_exchanges", exact(double(places.size())));
-  report.facts.add("chart_lost", exact(lost));
+  report.facts.add("chart_exchanges", exact(double(places.size())),
+                   "edges of this grid that an exchange crosses");
+  report.facts.add("chart_lost", exact(lost), "of these edges");
   report.output.add("chart", chart_table(grid));
   report.output.add("exchange_curves", std::move(curve));
   return grid;

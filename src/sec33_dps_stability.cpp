@@ -27,6 +27,7 @@ means in time. What is claimed, with the identifiers under which the answers are
 #include "lattice/dps/motion.hpp"
 #include "lattice/numbers/extended.hpp"
 #include "lattice/numbers/parallel.hpp"
+#include "lattice/report/judge.hpp"
 #include "lattice/report/program.hpp"
 
 using namespace lattice;
@@ -111,19 +112,19 @@ Margin margin_of(Centre centre, double mu) {
 
 /**
 The claim is decided by a sign that must be certain. The bond-centred breather is stable if its margin is
-negative at both frequencies, by a hundred times the error; a sign within the error would count as a
-failure. */
+negative at both frequencies, by a hundred times the error (`surely_stable` of motion.hpp); a sign within
+that would count as a failure. */
 void report_margins(Report& report) {
-  bool stable = true;
+  Criterion stable;
   for (const auto& [centre, name] : centres)
     for (const double mu : {1.0, 10.0}) {
       const Margin found = margin_of<Quadruple>(centre, mu);
       const std::string suffix = std::string("_") + name + (mu > 1 ? "_mu10" : "");
       report.facts.add("margin" + suffix, found.margin, "mu");
       report.facts.add("exponent" + suffix, found.exponent, "mu");
-      if (centre == Centre::bond) stable = stable && found.certain() && !found.unstable();
+      if (centre == Centre::bond) stable.push_back(surely_stable(mu > 1 ? "mu10" : "mu1", found));
     }
-  report.results.claim("dps.bond_stable", stable);
+  judge(report, "dps.bond_stable", stable);
 }
 
 /**
@@ -140,19 +141,17 @@ void report_growth(Report& report) {
                number("line", "slope at mu = 1 times mu", "1 per unit of time"),
                number("ratio", "growth rate over mu")}};
   const double slope = margin_of<long double>(Centre::site, 1).exponent.value;
-  double apart = 0, bare = 0;
-  bool unstable = true;
+  Estimate apart{}, weakest{1};
   for (const double mu : mus) {
     const Margin found = margin_of<long double>(Centre::site, mu);
     const Estimate& rate = found.exponent;
     table.add({mu, mu * rate.value, mu * rate.error, mu * slope, rate.value});
-    bare = std::max(bare, std::abs(rate.value / slope - 1));
-    apart = std::max(apart, std::abs(rate.value / slope - 1) + rate.error / slope);
-    unstable = unstable && found.certain() && found.unstable();
+    apart = larger(apart, relative_distance(rate, slope));
+    weakest = smaller(weakest, found.safe());
   }
   report.output.add("growth", table);
-  report.facts.add("linearity", compare(bare, apart));
-  report.results.claim("dps.site_growth", unstable && apart < 1e-8);
+  report.facts.add("linearity", compare(0.0, apart.value + apart.error));
+  judge(report, "dps.site_growth", linear_growth(weakest, apart));
 }
 
 /**
@@ -305,15 +304,8 @@ $|X| > 1$: a breather that only falls into the trough beside it swings back befo
 statistical. It holds if at least half of the sixteen seeds move and none of the sixteen controls
 does, and if both tolerances give every breather the same fate. */
 void judge_motion(Report& report, const std::vector<Group>& groups) {
-  const auto agreed = [](const std::vector<Trial>& trials) {
-    return std::all_of(trials.begin(), trials.end(),
-                       [](const Trial& t) { return moved(t.good) == moved(t.rough); });
-  };
-  const auto& free = main_trials(groups, Case::site);
-  const auto& held = main_trials(groups, Case::control);
-  const bool moves = 2 * tally(free, &Trial::good).moved >= free.size();
-  const bool stays = tally(held, &Trial::good).moved == 0;
-  report.results.claim("dps.instability_moves", agreed(free) && agreed(held) && moves && stays);
+  judge(report, "dps.instability_moves",
+        moved_by_instability(main_trials(groups, Case::site), main_trials(groups, Case::control)));
 }
 
 /**

@@ -304,8 +304,7 @@ void report_ensemble(Report& report) {
     return compare(mean_deviation(coarse, from, to), mean_deviation(fine, from, to));
   };
   const Estimate early = over(0, 850), late = over(report.quick ? 1900 : 2000, time);
-  judge(report, "boomeron.erratic",
-        {below("spread_until_return", early, 0.25), above("spread_late", late, 3)});
+  judge(report, "boomeron.erratic", erratic_packets(early, late));
 }
 
 /**
@@ -432,14 +431,9 @@ void report_force(Report& report, const Moments& reads) {
   report.facts.add("force_190_bend", list[6].seen.bend);
   report.facts.add("force_linear_well", list[8].seen.force, unit);
   const bool slows = only_slows_down(report, step);
-  const double share = std::abs(slow.value / fast.value);
-  const Estimate weaker{share, (slow.error + share * fast.error) / std::abs(fast.value)};
-  judge(report, "boomeron.moderate",
-        {above("slows", exact(slows), 0.5), below("force_over_190", weaker, 0.5)});
+  judge(report, "boomeron.moderate", slowed_packet(slows, slow, fast));
   judge(report, "boomeron.reversal",
-        {above("apex_time", reads[2].apex_time, 0), below("force_out", fast, 0),
-         below("force_back", back, 0),
-         below("return_time_error", exact(reads[2].return_time.error), 10)});
+        reversed_packet(reads[2].apex_time, fast, back, reads[2].return_time));
   report.results.add("boomeron.turning_time", reads[1].stop_time);
 }
 

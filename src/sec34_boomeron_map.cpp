@@ -243,9 +243,7 @@ void report_any_s(Report& report) {
   report.facts.add("v0_needed_at_s_0005", v0);
   report.facts.add("s_needed_at_190", critical_s(1.9, report.quick ? 6 : 10));
   const Fate beyond = probe(1.05 * (v0.value + v0.error), softest, horizon, 1).fate;
-  judge(report, "boomeron.any_s",
-        {above("turns_beyond", exact(beyond == Fate::turns), 0.5),
-         below("turns_without_hardness", exact(linear_turns), 1)});
+  judge(report, "boomeron.any_s", every_hard_well(beyond, linear_turns));
 }
 
 /**

@@ -20,6 +20,7 @@ The answer, with its evidence, stands under *Results*. */
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -461,26 +462,32 @@ std::vector<Trial> trials(std::size_t count) {
 }
 
 /**
-The result for a well is the mean displacement towards the waves, with the standard error over the
-trials. We also count, at both steps, the breathers that moved towards the waves by more than a tenth of a
-site, and note the largest difference between two steps in any trial, which must be far below the mean. */
+The result for a well is the mean displacement towards the waves. The two sides of one draw share their
+phases and are not independent, so the standard error is that of the draws, each the mean of its two sides.
+We also count, at both steps, the breathers that moved towards the waves by more than a tenth of a site, and
+note the largest difference between two steps in any trial, which must be far below the mean. */
 void add_pull(Quantities& facts, const std::vector<Trial>& list, double well) {
-  double sum = 0, square = 0, steps = 0, n = 0;
+  std::vector<double> draws(list.size() / 4, 0.0);
   std::array<std::int64_t, 2> towards{};
-  for (const Trial& t : list) {
+  double steps = 0;
+  for (std::size_t k = 0; k < list.size(); ++k) {
+    const Trial& t = list[k];
     if (t.well != well) continue;
     const double x = t.side * t.moved(t.path), rough = t.side * t.moved(t.coarse);
-    sum += x, square += x * x, ++n;
+    draws[k / 4] += x / 2;
     towards[0] += rough > 0.1, towards[1] += x > 0.1;
     steps = std::max(steps, std::abs(x - rough));
   }
-  const double mean = sum / n, error = std::sqrt((square / n - mean * mean) / (n - 1));
+  const double n = double(draws.size()),
+               mean = std::accumulate(draws.begin(), draws.end(), 0.0) / n;
+  double square = 0;
+  for (double x : draws) square += (x - mean) * (x - mean);
+  const double error = std::sqrt(square / (n - 1) / n);
   const std::string name = well > 0 ? "_hard" : "_linear";
   facts.add("pull" + name, {mean, error}, "site towards the waves");
   facts.add("pull_steps" + name, compare(0.0, steps), "largest difference of two steps");
   const Estimate pulled = compare(towards[0], towards[1]);
-  facts.add("pulled" + name, {pulled.value / n, pulled.error / n, pulled.is_exact},
-            "share of the trials");
+  facts.add("pulled" + name, quotient(pulled, exact(2 * n)), "share of the trials");
 }
 
 /**

@@ -186,15 +186,6 @@ const auto speed_of = [](const SweepPoint& p) { return p.speed; };
 const auto peak_of = [](const SweepPoint& p) { return p.peak; };
 const auto energy_of = [](const SweepPoint& p) { return p.energy; };
 
-Criterion named(const std::string& name, Criterion criterion) {
-  for (Condition& c : criterion) c.name = name + "_" + c.name;
-  return criterion;
-}
-
-void append(Criterion& all, const Criterion& more) {
-  all.insert(all.end(), more.begin(), more.end());
-}
-
 Criterion coincidence(const std::vector<Curve>& curves) {
   Criterion all;
   for (std::size_t w : {1, 2}) {

@@ -339,11 +339,8 @@ smoothly from one radius of the map to the next: a heavy defect reflects because
 far below that of the packet, a light one because it is far above. */
 void report_shares(Report& report, const Workshop& workshop) {
   const Fractions large = fractions(workshop, 1.6), slight = fractions(workshop, 1.1);
-  const auto between = [](const Estimate& e, double low, double high) {
-    return Criterion{above("least", e, low), below("most", e, high)};
-  };
-  judge(report, "cantilever.reflect16", between(large.net_reflected, 0.95, 1.0));
-  judge(report, "cantilever.partial11", between(slight.net_transmitted, 0.1, 0.9));
+  judge(report, "cantilever.reflect16", almost_total(large.net_reflected));
+  judge(report, "cantilever.partial11", partial(slight.net_transmitted));
   const std::pair<std::string, const Fractions&> rows[] = {{"_16", large}, {"_11", slight}};
   for (const auto& [name, f] : rows) {
     for (const auto& named : f.named())

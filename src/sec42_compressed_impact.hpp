@@ -17,6 +17,7 @@ runs it. */
 
 #include "lattice/measure/flight.hpp"
 #include "lattice/numbers/parallel.hpp"
+#include "lattice/report/judge.hpp"
 #include "lattice/report/program.hpp"
 
 namespace compressed {
@@ -40,10 +41,9 @@ struct Experiment {
   std::vector<double> times;
   CompressedRun coarse{}, fine{};
 
-  /// Whether `of` is true of the traits of both runs.
-  template <class Of>
-  bool always(Of of) const {
-    return of(traits(coarse.samples)) && of(traits(fine.samples));
+  /// The criterion `of` on the traits of both runs; its conditions are named after the experiment.
+  Criterion judged(Criterion of(const Traits&, const Traits&)) const {
+    return named(name, of(traits(coarse.samples), traits(fine.samples)));
   }
 };
 
@@ -142,12 +142,12 @@ inline Table packet_history(const std::vector<Experiment>& all) {
 Whether the envelope is sech-like we ask at the three times of the article. At $t = 291$, when
 according to the article the breather is forming, only its top and its width are judged
 (flight.hpp). */
-inline bool report_pulse(Report& report, const Experiment& e) {
-  bool pulse = true;
+inline Criterion report_pulse(Report& report, const Experiment& e) {
+  Criterion pulse;
   for (std::size_t k = 0; k < e.times.size(); ++k) {
     const Snapshot &coarse = e.coarse.shown[k], &fine = e.fine.shown[k];
-    pulse = pulse && coarse.sech_like(k == 0) && fine.sech_like(k == 0);
     const std::string at = "_t_" + std::to_string(int(e.times[k]));
+    append(pulse, named("sech" + at, sech_like(coarse, fine, k == 0)));
     const auto add = [&](const std::string& what, double Sech::*member, const char* unit = "") {
       report.facts.add("breather_" + what + at, compare(coarse.sech.*member, fine.sech.*member),
                        unit);
@@ -161,26 +161,28 @@ inline bool report_pulse(Report& report, const Experiment& e) {
 }
 
 /**
-Now the two claims can be decided. A breather has to keep its energy and must not return; a wave
-train keeps energy neither in a packet nor at the boundary. If a control comes out wrong, neither
-claim holds. */
+Now the two claims can be decided. A breather has to keep its energy and must not return, and its envelope
+is to be explained by a sech; a wave train keeps energy neither in a packet nor at the boundary. If a control
+comes out wrong, neither claim holds, because the conditions could then not tell these outcomes apart. */
 inline void report_impacts(Report& report) {
   const std::vector<Experiment> all = experiments(report.quick);
   for (const Experiment& e : all) add_traits(report.facts, e);
   report.output.add("impact_profiles", impact_profiles(all));
   report.output.add("packet_history", packet_history(all));
-  const bool pulse = report_pulse(report, all[0]);
+  const Criterion pulse = report_pulse(report, all[0]);
   for (std::size_t i : {1, 2}) {
     const Sech &coarse = all[i].coarse.shown[0].sech, &fine = all[i].fine.shown[0].sech;
     report.facts.add("front_width_" + all[i].name, compare(coarse.width, fine.width), "site");
   }
-  const auto breather = [](const Traits& x) { return x.breather() && !x.returns(); };
-  const auto train = [](const Traits& x) { return !x.breather() && !x.surface_mode(); };
-  const bool controls = all[3].always([](const Traits& x) { return x.returns(); }) &&
-                        all[4].always([](const Traits& x) { return x.surface_mode(); });
-  report.results.claim("pre.impact_s1", controls && pulse && all[0].always(breather));
-  report.results.claim("pre.impact_other",
-                       controls && all[1].always(train) && all[2].always(train));
+  Criterion controls = all[3].judged(returning_packet);
+  append(controls, all[4].judged(lasting_surface_mode));
+  Criterion made = all[0].judged(lasting_breather), trains = all[1].judged(mere_train);
+  append(made, pulse);
+  append(made, controls);
+  append(trains, all[2].judged(mere_train));
+  append(trains, controls);
+  judge(report, "pre.impact_s1", made);
+  judge(report, "pre.impact_other", trains);
 }
 
 /**

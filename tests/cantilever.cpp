@@ -142,14 +142,18 @@ TEST_CASE("each mark of a trapped mode can fail", "[unit][cantilever]") {
   Stay without{{75, 100}, {1e-3, 1e-3}, std::vector<double>(21, 0.1)};
   Stay good{{75, 100}, {1e-2, 0.99e-2}, std::vector<double>(21, 0.0)};
   good.density[10] = 1;
-  CHECK(is_trapped(good, without, 10));
+  const auto stays = [&](const Stay& s) {
+    return holds(trapped_at(10, {s, s}, {without, without}));
+  };
+  CHECK(stays(good));
   Stay leaving = good, faint = good, beside = good;
   leaving.near[1] = 0.7e-2;
-  CHECK_FALSE(is_trapped(leaving, without, 10));
+  CHECK_FALSE(stays(leaving));
   faint.near = {0.9e-3, 0.9e-3};
-  CHECK_FALSE(is_trapped(faint, without, 10));
+  CHECK_FALSE(stays(faint));
   beside.density[7] = 2;
-  CHECK_FALSE(is_trapped(beside, without, 10));
+  CHECK_FALSE(stays(beside));
+  CHECK_FALSE(holds(trapped_at(10, {leaving, good}, {without, without})));
 }
 
 TEST_CASE("the mode of a light defect is a breather", "[property][cantilever]") {

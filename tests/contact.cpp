@@ -318,6 +318,7 @@ TEST_CASE("tiny contacts in a tail are neither missed nor looped on", "[property
   const auto f = flow(chain, s, 6.0, rule);
   CHECK(f.steps < 5000);
   CHECK(f.switchings > 10);
+  CHECK(f.unlanded == 0);
   const auto fine = landed<long double>(chain, start, 6);
   for (std::size_t n = 0; n < 12; ++n) check_close(s.y[n], double(fine.y[n]), 0, 1e-9);
   State<double> rest(12);

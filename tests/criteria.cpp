@@ -6,7 +6,12 @@
 
 #include "check.hpp"
 #include "lattice/dps/impact.hpp"
+#include "lattice/dps/motion.hpp"
 #include "lattice/measure/impact.hpp"
+#include "lattice/measure/scattering.hpp"
+#include "lattice/measure/turning.hpp"
+#include "lattice/orbits/exchange.hpp"
+#include "lattice/waves/instability.hpp"
 
 using namespace lattice;
 
@@ -72,6 +77,39 @@ Front compact(double width) {
   return front;
 }
 
+/// Which conditions fail, one name after the other.
+std::string failing(const Criterion& criterion) {
+  std::string names;
+  for (const Condition& c : criterion)
+    if (!c.holds()) names += (names.empty() ? "" : " ") + c.name;
+  return names;
+}
+
+/// Breathers of which the first `moving` pass a site, as both tolerances say.
+std::vector<Trial> breathers(std::size_t count, std::size_t moving) {
+  std::vector<Trial> list(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    list[k].good.t = {0, 1};
+    list[k].good.X = {0, k < moving ? 1.4 : 0.4};
+    list[k].rough = list[k].good;
+  }
+  return list;
+}
+
+/// A spectrum on `sites` sites: the pair of `second` beside the pinning pair, all others at the edge.
+Spectrum spectrum_with(std::size_t sites, std::complex<double> second) {
+  const double edge = -std::pow(std::sin(M_PI / 1.1), 2);
+  Spectrum all{{{1e-8, 1e-12}, {second, 1e-12}}, {}};
+  while (all.pairs.size() + 1 < sites) all.pairs.push_back({edge, 1e-12});
+  return all;
+}
+
+/// The worst that is wrong with the four multipliers near one of such a chain.
+std::string wrong_with(std::complex<double> second, std::size_t longer = 41) {
+  return failing(four_near_one(quadruplet(spectrum_with(31, second), 1.1),
+                               quadruplet(spectrum_with(longer, second), 1.1)));
+}
+
 }  // namespace
 
 TEST_CASE("a condition counts its error bar", "[unit][criteria]") {
@@ -118,6 +156,7 @@ TEST_CASE("similar curves do not meet", "[unit][criteria]") {
   CHECK_FALSE(holds(meet({{0.02, 1e-5}, {0.2, 1e-5}})));   // too far apart
   CHECK_FALSE(holds(meet({{5e-3, 1e-5}, {5e-3, 1e-5}})));  // parallel
   CHECK_FALSE(holds(meet({{1e-4, 9e-3}, {1e-2, 9e-3}})));  // not known well enough
+  CHECK_FALSE(holds(meet({{4e-3, 0}, {1e-2, 5e-3}})));     // nor is the far distance
 }
 
 TEST_CASE("energy is trapped where more stays than leaves", "[unit][criteria]") {
@@ -150,4 +189,103 @@ TEST_CASE("a transition needs both sides, in order, and few doubts", "[unit][cri
   CHECK_FALSE(holds(transition({100, 0, 4.6, std::nan(""), 0.01})));
   CHECK_FALSE(holds(transition({100, 80, 4.8, 4.7, 0.01})));
   CHECK_FALSE(holds(transition({100, 80, 4.6, 4.7, 0.2})));
+}
+
+TEST_CASE("a stable sign must be safe, and growth linear", "[unit][criteria]") {
+  CHECK(surely_stable("x", {{-5e-6, 1e-9}, {}}).holds());
+  CHECK_FALSE(surely_stable("x", {{-5e-6, 1e-7}, {}}).holds());  // a sign within a hundred errors
+  const Margin site = margin_of<long double>(Centre::site, 1, 25),
+               bond = margin_of<long double>(Centre::bond, 1, 24);
+  CHECK(surely_stable("x", bond).holds());
+  CHECK_FALSE(surely_stable("x", site).holds());
+  CHECK(holds(linear_growth(site.safe(), {1e-12, 1e-12})));
+  CHECK(failing(linear_growth(bond.safe(), {1e-12, 1e-12})) == "weakest");
+  const Estimate root = relative_distance({std::sqrt(1.0001), 0}, 1);  // lambda ~ sqrt(mu)
+  CHECK(failing(linear_growth(site.safe(), root)) == "variation");
+}
+
+TEST_CASE("an instability moves many, and not what it does not reach", "[unit][criteria]") {
+  const auto moves = [](const auto& trials, const auto& controls) {
+    return failing(moved_by_instability(trials, controls));
+  };
+  CHECK(moves(breathers(16, 8), breathers(16, 0)).empty());
+  CHECK(moves(breathers(16, 7), breathers(16, 0)) == "trials");
+  CHECK(moves(breathers(16, 16), breathers(16, 1)) == "controls");
+  auto torn = breathers(16, 16);
+  torn[3].rough.X = {0, 0.9};
+  CHECK(moves(torn, breathers(16, 0)) == "torn");
+}
+
+TEST_CASE("four multipliers near one, no more and no fewer", "[unit][criteria]") {
+  CHECK(wrong_with(-0.013).empty());
+  CHECK(wrong_with(-1e-4) == "fifth");
+  CHECK(wrong_with(0.013) == "others_stable");
+  CHECK(wrong_with({-0.5, 0.1}) == "others_stable");
+  CHECK(wrong_with(-0.013, 40) == "not_at_edge");
+  CHECK(holds(small_instability({6e-4, 1e-6})));
+  CHECK_FALSE(holds(small_instability({2e-3, 1e-6})));
+  CHECK(holds(bond_alone_stable({1e-8, 1e-15}, {-1e-8, 1e-15})));
+  CHECK(failing(bond_alone_stable({1e-8, 1e-15}, {1e-8, 1e-15})) == "bond");
+  CHECK(failing(bond_alone_stable({1e-8, 1e-7}, {-1e-8, 1e-7})) == "site bond");
+}
+
+TEST_CASE("breathers are symmetric, steep, and worse approximated when large", "[unit][criteria]") {
+  CHECK(holds(symmetric_by_nature(5e-11, 2e-14)));
+  CHECK(failing(symmetric_by_nature(1e-3, 1e-3)) == "broken share_of_double");
+  CHECK(failing(symmetric_by_nature(5e-11, 4e-11)) == "share_of_double");
+  // The exponents of the tails |y_n| = exp(-2^n), exp(-1.5^n) and exp(-n) at n = 20.
+  CHECK(holds(super_exponential(1.5, 1.5)));
+  CHECK_FALSE(holds(super_exponential(2, 2)));
+  CHECK_FALSE(holds(super_exponential(20.0 / 19, 21.0 / 20)));
+  CHECK(holds(worse_when_large({0.05, 1e-12}, {0.12, 1e-12})));
+  CHECK_FALSE(holds(worse_when_large({0.12, 1e-12}, {0.05, 1e-12})));
+  CHECK_FALSE(holds(worse_when_large({0.05, 0.04}, {0.12, 0.04})));
+}
+
+TEST_CASE("a packet is reversed, slowed or erratic only by evidence", "[unit][criteria]") {
+  const Estimate pulled{-6e-4, 1e-5}, never{std::nan(""), std::nan("")};
+  CHECK(holds(reversed_packet({400, 1}, pulled, pulled, {900, 2})));
+  CHECK(failing(reversed_packet(never, pulled, pulled, {900, 2})) == "apex_time");
+  CHECK(failing(reversed_packet({400, 1}, {6e-4, 1e-5}, pulled, {900, 2})) == "force_out");
+  CHECK(failing(reversed_packet({400, 1}, pulled, {-1e-5, 2e-5}, {900, 2})) == "force_back");
+  CHECK(failing(reversed_packet({400, 1}, pulled, pulled, never)) == "return_time_error");
+  CHECK(holds(slowed_packet(true, {-1e-4, 1e-5}, pulled)));
+  CHECK(failing(slowed_packet(false, {-1e-4, 1e-5}, pulled)) == "slows");
+  CHECK(failing(slowed_packet(true, {-5e-4, 1e-5}, pulled)) == "force_over_190");
+  CHECK(failing(slowed_packet(true, {-1e-4, 1e-5}, {-6e-4, 2e-3})) == "force_over_190");
+  CHECK(holds(erratic_packets({0.1, 0.01}, {6, 0.5})));
+  CHECK(failing(erratic_packets({6, 0.5}, {6, 0.5})) == "spread_until_return");
+  CHECK(failing(erratic_packets({0.1, 0.01}, {0.2, 0.01})) == "spread_late");
+  CHECK(holds(every_hard_well(Fate::turns, 0)));
+  CHECK(failing(every_hard_well(Fate::escapes, 0)) == "turns_beyond");
+  CHECK(failing(every_hard_well(Fate::turns, 1)) == "turns_without_hardness");
+}
+
+TEST_CASE("a reflection is total, partial or neither", "[unit][criteria]") {
+  CHECK(holds(almost_total({0.99, 1e-3})));
+  CHECK_FALSE(holds(almost_total({0.9, 1e-3})));
+  CHECK_FALSE(holds(almost_total({1.01, 1e-3})));  // more than what arrives
+  CHECK(holds(partial({0.3, 1e-3})));
+  CHECK(failing(partial({0.05, 1e-3})) == "least");
+  CHECK(failing(partial({0.95, 1e-3})) == "most");
+}
+
+TEST_CASE("the instability of phonons is tested where it can fail", "[property][criteria]") {
+  const double d = 0.5, v1 = contact_series(d).v1, threshold = -16 * contact_series(d).v3;
+  CHECK(holds(sign_changes_at(inflection(v1), d, {-1.0 / 6, 0, 1})));
+  CHECK_FALSE(holds(sign_changes_at(1.000001 * inflection(v1), d, {-1.0 / 6, 0, 1})));
+  CHECK(holds(opens_at_edges(d, threshold)));
+  CHECK(failing(opens_at_edges(d, threshold + 0.1)) == "formula stable_side");
+  CHECK(failing(opens_at_edges(d, threshold - 0.1)) == "formula growth");
+  const auto largest = [&](double s) {
+    return std::array{largest_phi(d, -1.0 / 6, 400), largest_phi(d, s, 400),
+                      largest_phi(d, 1, 400)};
+  };
+  CHECK(holds(small_in_linear_wells(largest(0), largest(0))));
+  CHECK(failing(small_in_linear_wells(largest(0.3), largest(0.3))) == "ratio_s_0");
+  const double beta = coefficients(1.0, d, 1.0).beta;
+  const auto off = [&](double by) { return relative_distance({beta * by, 1e-6}, beta); };
+  CHECK(holds(confirmed_beta(off(1.0001), off(0.9999))));
+  CHECK(failing(confirmed_beta(off(1.01), off(1))) == "shift");
+  CHECK(failing(confirmed_beta(off(1), off(0.99))) == "growth");
 }

@@ -170,6 +170,14 @@ TEST_CASE("no two headers of the library define one type", "[lineage]") {
   for (const auto& name : defined_twice(texts)) FAIL_CHECK(name);
 }
 
+TEST_CASE("no verdict without its margins", "[lineage]") {
+  for (const auto& path : sources()) {
+    CAPTURE(path);
+    CHECK((path.filename() == "judge.hpp" ||
+           text_of(root / path).find(".claim(") == std::string::npos));
+  }
+}
+
 TEST_CASE("the drawing in CONTRIBUTING.md shows every room", "[lineage]") {
   const std::string text = text_of(root / "CONTRIBUTING.md");
   for (const auto& entry : fs::directory_iterator(root / "src/lattice")) {

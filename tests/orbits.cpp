@@ -143,6 +143,10 @@ TEST_CASE("an orbit is refused where its flow is not accurate", "[unit][orbits]"
   };
   CHECK_NOTHROW(solve(Careless{good}, orbit.x));
   CHECK_THROWS_AS(solve(Careless{good, 1}, orbit.x), NoConvergence);
+  NewtonRule<double> every;  // lands on every switching, and still may not miss one that matters
+  every.landing.floor = 0;
+  CHECK_NOTHROW(solve(Careless{good}, orbit.x, every));
+  CHECK_THROWS_AS(solve(Careless{good, 1}, orbit.x, every), NoConvergence);
   CHECK_THROWS_AS(solve(Careless{good, 0, 1e-9}, orbit.x), NoConvergence);
   // The same by an integrator that is given too few levels and too large a tolerance to hide it.
   NewtonRule<double> coarse;

@@ -18,6 +18,7 @@ a complete elliptic integral, for which the arithmetic-geometric mean suffices. 
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <numbers>
 #include <stdexcept>
@@ -26,6 +27,7 @@ a complete elliptic integral, for which the arithmetic-geometric mean suffices. 
 #include <vector>
 #include "lattice/dps/evolve.hpp"
 #include "lattice/dps/spectrum.hpp"
+#include "lattice/numbers/criterion.hpp"
 #include "lattice/numbers/line_fit.hpp"
 #include "lattice/numbers/random.hpp"
 
@@ -313,6 +315,36 @@ inline double largest_drift(const std::vector<Trial>& trials, Course Trial::*run
   for (const Trial& trial : trials)
     drift = std::max({drift, (trial.*run).energy_drift, (trial.*run).norm_drift});
   return drift;
+}
+
+/**
+## The statements of section 3.3
+
+Stability is a sign, and `Margin::safe` (spectrum.hpp) must have it beyond its error. That the growth rate is
+linear in $\mu$ is tested by its ratio to $\mu$, which may vary by a fraction of $10^{-8}$. The instability
+moves breathers if at least half of those under noise move, none of the `controls` does, whose noise lacks
+the pinning pair, and both tolerances give every breather the same fate; the bounds are ours. */
+/// Around a bond, from its margin.
+inline Condition surely_stable(const std::string& name, const Margin& found) {
+  return below(name, found.safe(), 0);
+}
+
+/// Around a site, from the safe margin closest to zero and the largest variation of the rate over mu.
+inline Criterion linear_growth(const Estimate& weakest, const Estimate& variation) {
+  return {above("weakest", weakest, 0), below("variation", variation, 1e-8)};
+}
+
+/// From trials at both tolerances.
+inline Criterion moved_by_instability(const std::vector<Trial>& trials,
+                                      const std::vector<Trial>& controls) {
+  std::int64_t torn = 0;
+  for (const auto* list : {&trials, &controls})
+    for (const Trial& trial : *list) torn += moved(trial.good) != moved(trial.rough);
+  const auto count = [](const std::vector<Trial>& list) {
+    return compare(tally(list, &Trial::rough).moved, tally(list, &Trial::good).moved);
+  };
+  return {above("trials", count(trials), (double(trials.size()) - 1) / 2),
+          below("controls", count(controls), 0.5), below("torn", exact(double(torn)), 0.5)};
 }
 
 }  // namespace lattice

@@ -177,8 +177,8 @@ the two changes. */
 /// The margin (m_2 - 2 mu / 3) / mu and |lambda| / mu.
 struct Margin {
   Estimate margin, exponent;
-  bool certain() const { return std::abs(margin.value) > 100 * margin.error; }
-  bool unstable() const { return margin.value > 0; }
+  /// The margin with its error a hundredfold, by which a verdict must stay clear of the edge.
+  Estimate safe() const { return {margin.value, 100 * margin.error}; }
 };
 
 /// (m_2 - 2 mu / 3) / mu and |lambda| / mu, computed with numbers of type T.

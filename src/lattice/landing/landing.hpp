@@ -105,7 +105,9 @@ Three small numbers decide what is worth a landing. A switching at speed $u$ ins
 makes an error of the order $0.1\,u^{1/2}h^{3/2}$ in the tangent and $0.1\,u^{3/2}h^{5/2}$ in the state.
 There is no need to land if $u$ is below `floor`: the square of the tolerance for a tangent, its power
 3/4 for an orbit alone. The tail of a breather falls double-exponentially and soon drops out, and with it
-the risk of chasing rounding errors. With a floor of zero every contact is landed on, however faint.
+the risk of chasing rounding errors. With a floor of zero every contact is landed on, however faint, as
+far as rounding allows; a landing that is missed counts as a fault only above `serious`, the floor that
+the tolerance would have set.
 
 A landing that misses by $\delta$ costs an error $\delta^{3/2}$. Switchings within `slack`, the power 3/4
 of the tolerance, therefore count as one: a pair related by symmetry needs one landing. Where an overlap
@@ -113,12 +115,14 @@ only touches zero, $x \simeq c(t-t^*)^2$, its stiffness has a corner, and a miss
 error $\delta^2$: we land on such an extremum within `near`. */
 template <class T>
 struct Care {
-  T floor, slack, near;
+  T floor, serious, slack, near;
 
   Care(const Landing<T>& rule, T amplitude, bool tangent) {
     using std::sqrt;
     const T fine = tangent ? rule.tolerance : rule.tolerance * amplitude;
-    floor = rule.floor >= T(0) ? rule.floor : tangent ? fine * fine / T(16) : power34(fine);
+    const T by_tolerance = tangent ? fine * fine / T(16) : power34(fine);
+    floor = rule.floor >= T(0) ? rule.floor : by_tolerance;
+    serious = std::max(floor, by_tolerance);
     slack = power34(rule.tolerance) / T(4);
     near = sqrt(rule.tolerance) / T(16);
   }
@@ -359,17 +363,17 @@ void Flight<T, Onsite, Contact>::arrive(const Passage<T>& way, const std::vector
 
 /**
 A contact that moves away from its side and is within `slack` of zero (in time) has switched. One that is
-found on the wrong side elsewhere was not landed on, and is counted as `unlanded` if it matters. */
+found on the wrong side elsewhere was not landed on, and is counted as `unlanded` if that is serious. */
 template <class T, class Onsite, class Contact>
 void Flight<T, Onsite, Contact>::settle(const Overlap<T>& o, int& side) {
-  const bool live = std::max(magnitude(o.x), magnitude(o.u)) > care_.floor;
-  if (live && magnitude(o.x) <= T(2) * care_.slack * magnitude(o.u)) {
+  const T size = std::max(magnitude(o.x), magnitude(o.u));
+  if (size > care_.floor && magnitude(o.x) <= T(2) * care_.slack * magnitude(o.u)) {
     if (T(side) * o.u < T(0)) {
       ++flow_.switchings;
       side = sign_of(o.u);
     }
   } else if (T(side) * o.x < T(0)) {
-    flow_.unlanded += live;
+    flow_.unlanded += size > care_.serious;
     side = sign_of(o.x);
   }
 }

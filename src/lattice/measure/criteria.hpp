@@ -109,18 +109,14 @@ struct Meeting {
 
 /// Whether two curves meet at small arguments.
 inline Criterion meet(const Meeting& m) {
-  return {below("near", m.near, 0.01),
-          below("near_over_far", {m.near.value / m.far.value, m.near.error / m.far.value}, 0.5)};
+  return {below("near", m.near, 0.01), below("near_over_far", quotient(m.near, m.far), 0.5)};
 }
 
 /**
 Energy is trapped where it was put in if the boundary keeps more of it than the packet takes away;
 otherwise it is not. This needs no number of our own. */
 inline Criterion trapped(const Estimate& boundary, const Estimate& packet) {
-  return {above("boundary_over_packet",
-                {boundary.value / packet.value,
-                 (boundary.error + packet.error * boundary.value / packet.value) / packet.value},
-                1)};
+  return {above("boundary_over_packet", quotient(boundary, packet), 1)};
 }
 
 /**

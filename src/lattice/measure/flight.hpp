@@ -20,6 +20,8 @@ good as endless. */
 
 #include "lattice/measure/envelope.hpp"
 #include "lattice/measure/impact.hpp"
+#include "lattice/numbers/criterion.hpp"
+#include "lattice/numbers/estimate.hpp"
 #include "lattice/stepping/contact_rkn.hpp"
 #include "lattice/waves/dispersion.hpp"
 
@@ -69,13 +71,18 @@ struct Snapshot {
   double centre;
   Envelope envelope;
   Sech sech;
-
-  bool sech_like(bool forming) const {
-    const double reach = double(envelope_reach);
-    return std::abs(sech.centre - centre) < reach && sech.width < reach &&
-           (forming || sech.residual < 0.1);
-  }
 };
+
+/// From the snapshots of two runs: a sech explains the envelope.
+inline Criterion sech_like(const Snapshot& coarse, const Snapshot& fine, bool forming) {
+  const auto off = [](const Snapshot& shot) { return std::abs(shot.sech.centre - shot.centre); };
+  const double reach = double(envelope_reach);
+  Criterion all{below("top", compare(off(coarse), off(fine)), reach),
+                below("width", compare(coarse.sech.width, fine.sech.width), reach)};
+  if (!forming)
+    all.push_back(below("residual", compare(coarse.sech.residual, fine.sech.residual), 0.1));
+  return all;
+}
 
 /// The snapshot of `state`, its sech fitted around the packet.
 template <class Onsite, class Contact>
@@ -139,10 +146,32 @@ faster; the line is $-1/2$. A packet that comes back moves backwards for some ti
 least advance in any 100 units of time over the mean one, and below a half we say that it returns. */
 struct Traits {
   double share, share_exponent, boundary, boundary_exponent, speed, steadiness;
-  bool breather() const { return share_exponent > -1.0 / 6; }
-  bool surface_mode() const { return boundary_exponent > -0.5; }
-  bool returns() const { return !(steadiness > 0.5); }
+
+  /// One trait with its error from a coarser run.
+  Estimate with(const Traits& coarse, double Traits::*of) const {
+    return compare(coarse.*of, this->*of);
+  }
 };
+
+/// From the traits of two runs: a breather, which keeps its energy and does not return.
+inline Criterion lasting_breather(const Traits& coarse, const Traits& fine) {
+  return {above("packet_exponent", fine.with(coarse, &Traits::share_exponent), -1.0 / 6),
+          above("steadiness", fine.with(coarse, &Traits::steadiness), 0.5)};
+}
+
+/// A wave train, which keeps energy neither in a packet nor at the boundary.
+inline Criterion mere_train(const Traits& coarse, const Traits& fine) {
+  return {below("packet_exponent", fine.with(coarse, &Traits::share_exponent), -1.0 / 6),
+          below("boundary_exponent", fine.with(coarse, &Traits::boundary_exponent), -0.5)};
+}
+
+/// A packet that returns, and a surface mode: what runs without compression must show.
+inline Criterion returning_packet(const Traits& coarse, const Traits& fine) {
+  return {below("steadiness", fine.with(coarse, &Traits::steadiness), 0.5)};
+}
+inline Criterion lasting_surface_mode(const Traits& coarse, const Traits& fine) {
+  return {above("boundary_exponent", fine.with(coarse, &Traits::boundary_exponent), -0.5)};
+}
 
 /**
 All of these come from straight lines through the last three quarters of the samples. A run must last more

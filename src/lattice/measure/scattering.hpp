@@ -23,6 +23,7 @@ energies. */
 #include <vector>
 
 #include "lattice/measure/array_impact.hpp"
+#include "lattice/numbers/criterion.hpp"
 #include "lattice/numbers/estimate.hpp"
 
 namespace lattice {
@@ -149,6 +150,18 @@ inline Fractions fractions(const Workshop& at, double ratio) {
 }
 
 /**
+A reflection is almost total if more than 95 per cent of what arrives is reflected, and partial if between a
+tenth and nine tenths of it is transmitted; the bounds are ours. */
+/// From the net reflected energy.
+inline Criterion almost_total(const Estimate& reflected) {
+  return within(reflected, 0.95, 1);
+}
+/// From the net transmitted energy.
+inline Criterion partial(const Estimate& transmitted) {
+  return within(transmitted, 0.1, 0.9);
+}
+
+/**
 ## What stays
 
 The article finds that a small part of the energy remains loosely trapped near the defect. To see what it
@@ -208,10 +221,17 @@ inline Stay stay(const ArrayImpact& impact, double ratio, State<double> state,
 We call energy trapped if at least 95 per cent of it stays from 75 to 100 ms, if there is more of it than
 in the wake that a packet leaves in an array without a defect, and if it is densest at the defect or next
 to it. */
-inline bool is_trapped(const Stay& stay, const Stay& without, std::size_t defect) {
-  const auto begin = stay.density.begin() + std::ptrdiff_t(defect) - 4;
-  const auto top = std::max_element(begin, begin + 9) - begin;
-  return stay.kept() > 0.95 && stay.at(75) > without.at(75) && top >= 3 && top <= 5;
+/// From runs with two steps, the finer one second; `defect` counts sites from zero.
+inline Criterion trapped_at(std::size_t defect, const std::array<Stay, 2>& stay,
+                            const std::array<Stay, 2>& without) {
+  const auto off = [&](const Stay& s) {
+    const auto begin = s.density.begin() + std::ptrdiff_t(defect) - 4;
+    return std::abs(std::max_element(begin, begin + 9) - begin - 4);
+  };
+  const auto there = [](const std::array<Stay, 2>& s) { return compare(s[0].at(75), s[1].at(75)); };
+  return {above("kept", compare(stay[0].kept(), stay[1].kept()), 0.95),
+          above("over_wake", quotient(there(stay), there(without)), 1),
+          below("top_from_defect", compare(off(stay[0]), off(stay[1])), 1.5)};
 }
 
 }  // namespace lattice

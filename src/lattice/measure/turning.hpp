@@ -21,6 +21,7 @@ over a stated width with the weight $1+\cos(2\pi t/\text{width})$. */
 #include <vector>
 
 #include "lattice/measure/impact.hpp"
+#include "lattice/numbers/criterion.hpp"
 #include "lattice/numbers/estimate.hpp"
 #include "lattice/stepping/accuracy.hpp"
 
@@ -267,6 +268,40 @@ inline Outlook probe(double velocity, double s, double horizon, int halvings) {
   evolve(ContactAware{step}, chain, state,
          shorter_steps(pace(wait.time, wait.interval, step), halvings), look);
   return out;
+}
+
+/**
+What the article says of such packets in words becomes conditions (criterion.hpp); the bounds are ours, and
+the chapters give the reasons. A packet is reversed if it has an apex, if the force on it points backward on
+the way out and on the way back, and if the time of its rebound is known within ten units. Another is only
+slowed down, moderately, if it does not turn and is pulled less than half as much. */
+/// From the time of the apex, the forces on both ways and the time of the rebound.
+inline Criterion reversed_packet(const Estimate& apex_time, const Estimate& out,
+                                 const Estimate& back, const Estimate& return_time) {
+  return {above("apex_time", apex_time, 0), below("force_out", out, 0),
+          below("force_back", back, 0), below("return_time_error", exact(return_time.error), 10)};
+}
+
+/// From whether it `slows` down without turning, and the forces on it and on one that turns.
+inline Criterion slowed_packet(bool slows, const Estimate& force, const Estimate& turning_force) {
+  const Estimate share = quotient(force, turning_force);
+  return {above("slows", exact(slows), 0.5),
+          below("force_over_190", {std::abs(share.value), share.error}, 0.5)};
+}
+
+/**
+An ensemble of such packets becomes erratic if its centres stay together within a quarter of a site on the
+way out and back, and spread over more than three long after. That every hard well turns packets is tested
+in the softest one, and that it takes a hard well, in the linear one. */
+/// From the spread of an ensemble until the return and late.
+inline Criterion erratic_packets(const Estimate& early, const Estimate& late) {
+  return {below("spread_until_return", early, 0.25), above("spread_late", late, 3)};
+}
+
+/// From the fate of a strong impact on the softest well and the number of packets that turned without one.
+inline Criterion every_hard_well(Fate beyond, double turned_without) {
+  return {above("turns_beyond", exact(beyond == Fate::turns), 0.5),
+          below("turns_without_hardness", exact(turned_without), 1)};
 }
 
 }  // namespace lattice

@@ -44,6 +44,22 @@ A statement often needs several conditions, and holds if all of them do. One wit
 fail, and so does not hold. */
 using Criterion = std::vector<Condition>;
 
+/// The value lies between two limits, by more than its error on either side.
+inline Criterion within(const Estimate& value, double low, double high) {
+  return {above("least", value, low), below("most", value, high)};
+}
+
+/// The same conditions, their names after `prefix`.
+inline Criterion named(const std::string& prefix, Criterion criterion) {
+  for (Condition& c : criterion) c.name = prefix + "_" + c.name;
+  return criterion;
+}
+
+/// Adds the conditions of `more` to `all`.
+inline void append(Criterion& all, const Criterion& more) {
+  all.insert(all.end(), more.begin(), more.end());
+}
+
 /// Whether there are conditions and all of them hold.
 inline bool holds(const Criterion& criterion) {
   return !criterion.empty() && std::all_of(criterion.begin(), criterion.end(),

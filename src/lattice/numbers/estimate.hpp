@@ -42,6 +42,30 @@ inline Estimate compare(const Estimate& coarse, const Estimate& fine) {
   return both;
 }
 
+/**
+Estimates are compared with each other and with what is expected; errors go along. */
+/// a / b with the errors of both.
+inline Estimate quotient(const Estimate& a, const Estimate& b) {
+  const double ratio = a.value / b.value;
+  return {ratio, (a.error + std::abs(ratio) * b.error) / std::abs(b.value),
+          a.is_exact && b.is_exact};
+}
+
+/// How far `e` is from `expected`, as a fraction of `expected`.
+inline Estimate relative_distance(const Estimate& e, double expected) {
+  return {std::abs(e.value / expected - 1), e.error / std::abs(expected), e.is_exact};
+}
+
+/// Whichever of two estimates may be the larger one, its error included.
+inline Estimate larger(const Estimate& a, const Estimate& b) {
+  return a.value + a.error < b.value + b.error ? b : a;
+}
+
+/// Whichever of two estimates may be the smaller one.
+inline Estimate smaller(const Estimate& a, const Estimate& b) {
+  return b.value - b.error < a.value - a.error ? b : a;
+}
+
 /// Counts are exact as soon as two resolutions agree on them.
 template <std::integral Count>
 Estimate compare(Count coarse, Count fine) {

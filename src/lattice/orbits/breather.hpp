@@ -19,6 +19,8 @@ branch (continuation.hpp), so that there is never a doubt to which family a brea
 
 #include "lattice/dps/dps.hpp"
 #include "lattice/dps/stationary.hpp"
+#include "lattice/numbers/criterion.hpp"
+#include "lattice/numbers/estimate.hpp"
 #include "lattice/orbits/continuation.hpp"
 
 namespace lattice {
@@ -194,6 +196,34 @@ Barrier<T> barrier(const BreatherProblem<T>& site_problem, const Orbit<T>& site,
   out.equal_area = moved.energy + (bond.area - moved.area) / shifted.period() - bond.energy;
   out.omega_site = shifted.omega;
   return out;
+}
+
+/**
+## What is said of breathers in words
+
+Three statements of section 3.2 are decided by conditions (criterion.hpp), with bounds of our choice. A
+breather has a symmetry by nature if it returns after a perturbation of $10^{-3}$ that breaks it: down to a
+millionth of that in the wider type, and to at most a tenth of what double precision leaves, since rounding
+shrinks with the precision and a missing symmetry does not. */
+/// What is `left` of the asymmetry in double precision and in a `wide` type, relative to the amplitude.
+inline Criterion symmetric_by_nature(double left, double wide) {
+  return {below("broken", compare(0.0, wide), 1e-9),
+          below("share_of_double", compare(0.0, wide / left), 0.1)};
+}
+
+/**
+A tail decays super-exponentially if the exponent $\ln|y_{n+1}|/\ln|y_n|$ is $3/2$ within 0.005 at the last
+place where it can be formed, its change since the place before counted as its error. It is one for an
+exponential tail. An approximation is worse at the larger of two frequencies if its error there exceeds the
+other by more than both are uncertain. */
+/// From the exponent at the last place and at the one before.
+inline Criterion super_exponential(double before, double last) {
+  return {below("from_three_halves", {std::abs(last - 1.5), std::abs(last - before)}, 0.005)};
+}
+
+/// From the errors of an approximation at a small and at a large frequency.
+inline Criterion worse_when_large(const Estimate& small, const Estimate& large) {
+  return {above("worse", {large.value - small.value, large.error + small.error}, 0)};
 }
 
 }  // namespace lattice

@@ -13,6 +13,7 @@ unknown like the others, and a fold is nothing special. */
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -221,8 +222,8 @@ Matrix<typename Problem::Scalar> Branch<Problem>::bordered(const Vector<T>& z, c
 
 /**
 The corrector is Newton's method on the equations and the condition that the correction be perpendicular
-to the tangent. The tangent at the new point comes from the last matrix; if that was singular the tangent
-is not a number, and the point is refused. Returns whether the point was reached. */
+to the tangent. The tangent at the new point comes from the last matrix; if that was singular its length is
+zero or not a finite number, and the point is refused. Returns whether the point was reached. */
 template <class Problem>
 bool Branch<Problem>::correct(Vector<T>& z, const Vector<T>& tangent, Vector<T>& next_tangent) {
   history_.clear();
@@ -236,8 +237,9 @@ bool Branch<Problem>::correct(Vector<T>& z, const Vector<T>& tangent, Vector<T>&
     const Matrix<T> all = bordered(z, shot, tangent);
     if (residual <= T(stride_.tolerance)) {
       next_tangent = along(all);
-      next_tangent /= next_tangent.norm();
-      return sup(next_tangent) <= T(2);
+      const T norm = next_tangent.norm();
+      next_tangent /= norm;
+      return norm > T(0) && norm < std::numeric_limits<T>::infinity();
     }
     z -= solve_system<T>(all, right, rule_.rank);
   }

@@ -17,6 +17,7 @@ at a point. This file finds it: by regula falsi in double precision, and a last 
 #include <utility>
 #include <vector>
 
+#include "lattice/numbers/criterion.hpp"
 #include "lattice/numbers/estimate.hpp"
 #include "lattice/orbits/breather.hpp"
 #include "lattice/orbits/floquet.hpp"
@@ -65,6 +66,53 @@ Spectrum spectrum(const BreatherProblem<double>& problem, const Orbit<double>& o
   };
   const Pairs<T> fine = pairs(0);
   return {compare_pairs(pairs(1), fine), fine.mode.template cast<double>()};
+}
+
+/**
+The article says that four multipliers lie near $+1$, the others on the unit circle, and that these
+accumulate at $e^{\pm2\pi i/\omega_b}$. The phase pair makes two of the four; a `Quadruplet` records how far
+from $+1$ the others come and how many multipliers sit at the point of accumulation. */
+struct Quadruplet {
+  double fourth = 0, fifth = 0;  ///< distance from +1 of the fourth and the fifth multiplier
+  bool others_stable = true;     ///< no pair but the first leaves the circle by more than its error
+  int at_edge = 0;               ///< multipliers at the accumulation, within 1e-9 in kappa
+};
+
+/// The quadruplet of a spectrum at the frequency `omega`.
+inline Quadruplet quadruplet(const Spectrum& all, double omega) {
+  Quadruplet q{std::abs(multiplier(all.pairs[0].kappa, 1) - 1.0),
+               std::abs(multiplier(all.pairs[1].kappa, 1) - 1.0)};
+  const double edge = -std::pow(std::sin(circle_ratio<double>() / omega), 2);
+  for (std::size_t k = 1; k < all.pairs.size(); ++k) {
+    q.others_stable = q.others_stable && !all.pairs[k].is_unstable();
+    q.at_edge += std::abs(all.pairs[k].kappa - edge) < 1e-9 ? 2 : 0;
+  }
+  return q;
+}
+
+/**
+A fifth multiplier near one fails the statement, and so does a pair off the circle or an accumulation
+elsewhere: ten more sites must add their twenty multipliers at the edge. Near one means within 0.01, and the
+fifth must be farther away than 0.1; these bounds are ours. An instability is small if the multiplier
+exceeds one by less than $10^{-3}$, and two breathers are told apart by the signs of their $\kappa$. */
+/// From a chain and one that is ten sites longer.
+inline Criterion four_near_one(const Quadruplet& chain, const Quadruplet& longer) {
+  const bool stable = chain.others_stable && longer.others_stable;
+  const int added = longer.at_edge - chain.at_edge;
+  return {below("fourth", compare(longer.fourth, chain.fourth), 0.01),
+          above("fifth", compare(longer.fifth, chain.fifth), 0.1),
+          above("others_stable", exact(stable), 0.5),
+          below("not_at_edge", exact(std::abs(20 - added)), 0.5)};
+}
+
+/// From the largest excess of a multiplier over one.
+inline Criterion small_instability(const Estimate& excess) {
+  return {below("largest", excess, 1e-3)};
+}
+
+/// From the kappa of both breathers: the one around a site unstable, that around a bond stable.
+inline Criterion bond_alone_stable(const Estimate& site, const Estimate& bond) {
+  return {above("site", site, 0), below("bond", bond, 0)};
 }
 
 /**

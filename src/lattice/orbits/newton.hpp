@@ -147,14 +147,11 @@ struct NewtonRule {
 /**
 An orbit is no better than the flow from which it was computed. Every step of the integrator estimates its
 own error. If one could not meet the tolerance, or if a contact that matters opened or closed in the middle
-of a step, the residual means nothing and the orbit is refused. With a floor of zero (`Landing`) every
-contact counts, however faint; those at the end of the tail switch at speeds below rounding and need not
-be landed on. What they cost is found by comparison with a wider type. */
+of a step (`unlanded`), the residual means nothing and the orbit is refused. */
 template <class T>
 bool is_accurate(const Flow<T>& flow, const Landing<T>& landing) {
   const T tolerance = std::max(landing.tolerance, T(16) * std::numeric_limits<T>::epsilon());
-  return (flow.unlanded == 0 || landing.floor == T(0)) &&
-         flow.error <= tolerance * T(double(flow.steps + 1));
+  return flow.unlanded == 0 && flow.error <= tolerance * T(double(flow.steps + 1));
 }
 
 /// Where the iteration ended: unknowns, the shot from there, and all iterations.
