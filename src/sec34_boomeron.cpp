@@ -72,11 +72,10 @@ using HardChain = Chain<Quartic, Hertz>;
 /**
 ## The motion (figure 22)
 
-A packet pulsates while it travels, and a map that samples the pulsation at nearly its own rate
-shows stripes that do not exist. So figure 22 shows the energy density averaged over about one
-internal period, and over one unit of time in the zoom. The dashed line marks the time after which
-the motion is no longer determined by what we know of the impact; what the map shows beyond it is
-one possibility among many. */
+A packet pulsates while it travels, and a map that samples the pulsation at nearly its own rate shows
+stripes that do not exist. So figure 22 shows the energy density averaged over about one internal period,
+and over one unit of time in the zoom. The dashed line marks the time after which the motion is no longer
+determined by what we know of the impact; what the map shows beyond it is one possibility among many. */
 struct Frame {
   std::int64_t panel;
   double velocity, from, to, interval;
@@ -176,10 +175,9 @@ Moments report_turns(Report& report) {
 ## How long the motion is determined
 
 The motion is chaotic, so two runs that differ by as little as a rounding error part sooner or later
-(parting.hpp says what we call parted). We measure when this happens, for one impact computed with
-two steps and for two impacts that differ by a fraction $\delta$. The article prints its impact
-velocities with two or three digits; half a unit of the last digit of 1.87 means
-$\delta\approx 3\cdot10^{-3}$. */
+(parting.hpp says what we call parted). We measure when this happens, for one impact computed with two steps
+and for two impacts that differ by a fraction $\delta$. The article prints its impact velocities with two or
+three digits; half a unit of the last digit of 1.87 means $\delta\approx 3\cdot10^{-3}$. */
 /// The time when two struck chains have parted; infinite if they have not by `time`.
 double decorrelation(const ContactAware& first, double velocity, const ContactAware& second,
                      double other, double s, double time, std::size_t sites = 150) {
