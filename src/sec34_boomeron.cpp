@@ -175,9 +175,10 @@ Moments report_turns(Report& report) {
 ## How long the motion is determined
 
 The motion is chaotic, so two runs that differ by as little as a rounding error part sooner or later
-(parting.hpp says what we call parted). We measure when this happens, for one impact computed with two steps
-and for two impacts that differ by a fraction $\delta$. The article prints its impact velocities with two or
-three digits; half a unit of the last digit of 1.87 means $\delta\approx 3\cdot10^{-3}$. */
+(parting.hpp says what we call parted). We measure when this happens, for one impact computed with
+two steps and for two impacts that differ by a fraction $\delta$. The article prints its impact
+velocities with two or three digits; half a unit of the last digit of 1.87 means
+$\delta\approx 3\cdot10^{-3}$. */
 /// The time when two struck chains have parted; infinite if they have not by `time`.
 double decorrelation(const ContactAware& first, double velocity, const ContactAware& second,
                      double other, double s, double time, std::size_t sites = 150) {
