@@ -468,17 +468,14 @@ the largest; those of a motion that misses its start by a thousandth agree only 
 [29](num:sec2_nonexistence.mean_force_moving_walls) find one. Without wells
 [0.00162601](num:sec2_nonexistence.mean_force_core_free) of the energy stays in the core, with them
 [0.999982](num:sec2_nonexistence.mean_force_core_wells). */
-Results everything(Output& output, bool quick) {
-  Report report{output, quick};
+void everything(Report& report) {
   MeanTable means;
   Criterion all = of_free_chains(means);
   append(all, of_wells(means));
   append(all, of_searches(report));
   append(all, of_dispersal(report));
   judge(report, "thm.mean_force", all);
-  output.add("mean_forces", std::move(means.table));
-  output.add("facts", report.facts.table);
-  return report.results;
+  report.output.add("mean_forces", std::move(means.table));
 }
 
 /**
@@ -500,6 +497,6 @@ GSL's integrator, and only the identity is tested.
 - What is the mean force in a compressed ring, as a function of the energy? */
 int main(int argc, char** argv) {
   Program program({"sec2_nonexistence", "2", "No breathers without wells (section 2)"}, argc, argv);
-  program.everything = [&](Output& output) { return everything(output, program.quick); };
+  program.everything = everything;
   return program.run(argc, argv);
 }

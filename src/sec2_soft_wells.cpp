@@ -256,13 +256,12 @@ Estimate central_limit(const std::vector<Rung>& ladder) {
 
 /**
 The article claims nothing about soft wells, so the results are facts. */
-Results everything(Output& output, bool quick) {
-  Report report{output, quick};
-  const std::size_t rungs = quick ? 5 : 9;
+void everything(Report& report) {
+  const std::size_t rungs = report.quick ? 5 : 9;
   std::array<std::vector<Rung>, 2> ladder;
   parallel_for(2, [&](std::size_t k) { ladder[k] = softer_and_softer(lengths[k], rungs); });
-  output.add("softer_wells", ladder_table(ladder));
-  output.add("softer_profiles", profile_table(ladder));
+  report.output.add("softer_wells", ladder_table(ladder));
+  report.output.add("softer_profiles", profile_table(ladder));
   const Rung &shorter = ladder[0].back(), &last = ladder[1].back();
   report.facts.add("width_exponent", compare(width_power(ladder[0]), width_power(ladder[1])));
   report.facts.add("central_limit", compare(central_limit(ladder[0]), central_limit(ladder[1])));
@@ -276,8 +275,6 @@ Results everything(Output& output, bool quick) {
   };
   report.facts.add("substitution_difference", compare(missed(0), missed(1)),
                    "relative to the amplitude");
-  output.add("facts", report.facts.table);
-  return report.results;
 }
 
 /**
@@ -295,6 +292,6 @@ for $\bar F$ holds to leading order in $\kappa$; we did not bound its error.
 int main(int argc, char** argv) {
   Program program({"sec2_soft_wells", "2", "A breather in ever softer wells (section 2)"}, argc,
                   argv);
-  program.everything = [&](Output& output) { return everything(output, program.quick); };
+  program.everything = everything;
   return program.run(argc, argv);
 }

@@ -309,24 +309,20 @@ For an impact the constants are [2.124](num:sec31_dps_limit.constant_impact_tau_
 [4.48](num:sec31_dps_limit.constant_pair_tau_1), [7.017](num:sec31_dps_limit.constant_pair_tau_4) and
 [18.81](num:sec31_dps_limit.constant_pair_tau_10). The numerical error of a deviation is at most
 [0.004](num:sec31_dps_limit.largest_resolution_error) of the deviation. */
-Results everything(Output& output, bool quick) {
-  output.note("tolerance", "GSL " + short_text(resolutions[0].tolerance) + " and " +
-                               short_text(resolutions[1].tolerance));
-  Results results;
-  Quantities facts;
+void everything(Report& report) {
+  report.output.note("tolerance", "GSL " + short_text(resolutions[0].tolerance) + " and " +
+                                      short_text(resolutions[1].tolerance));
   const double quadrature = tau_0_by_quadrature();
-  results.add("dps.tau0", compare(quadrature, tau_0()));
-  facts.add("tau_0_by_quadrature", compare(tau_0(), quadrature));
+  report.results.add("dps.tau0", compare(quadrature, tau_0()));
+  report.facts.add("tau_0_by_quadrature", compare(tau_0(), quadrature));
 
-  const auto points = measure(quick ? 1e-4 : 1e-6, 2);
-  results.add("dps.error_order", answer_order(points));
-  facts.add("order_at_large_eps", local_orders(points, 0).front().order.back());
-  facts.add("order_at_small_eps", order_down_to(points, 1e-4));
-  add_constants(facts, points);
-  output.add("dps_error", error_table(points));
-  output.add("dps_order", order_table(points));
-  output.add("facts", facts.table);
-  return results;
+  const auto points = measure(report.quick ? 1e-4 : 1e-6, 2);
+  report.results.add("dps.error_order", answer_order(points));
+  report.facts.add("order_at_large_eps", local_orders(points, 0).front().order.back());
+  report.facts.add("order_at_small_eps", order_down_to(points, 1e-4));
+  add_constants(report.facts, points);
+  report.output.add("dps_error", error_table(points));
+  report.output.add("dps_order", order_table(points));
 }
 
 /**
@@ -413,6 +409,6 @@ int main(int argc, char** argv) {
   Command* impact = program.command("impact", "the DpS impact: its packet and its residue",
                                     [&] { return impact_quantities(options); });
   add_options(*impact, options);
-  program.everything = [&](Output& output) { return everything(output, program.quick); };
+  program.everything = everything;
   return program.run(argc, argv);
 }

@@ -57,7 +57,7 @@ contact is missing. Symmetric solutions $u_{-n} = u_n$ are site-centred, antisym
 $u_{1-n} = -u_n$ bond-centred. A breather of the chain with frequency $\omega_b$ is then nearly
 $y_n = 2\epsilon\,u_n\cos\omega_b t$, where $\mu = 1$ and $\omega_b = 1 + \epsilon^{1/2}/(2\tau_0)$
 (Eq. (20)). In the program $\mu$ is `mu`, $u_n$ is `Stationary::u`, $w_n$ is `three_halves(strain[n])`
-and the approximate envelope $g$ is `envelope`. */
+and the approximate envelope $g$ is `quasi_continuum_envelope`. */
 constexpr std::pair<Centre, const char*> centres[] = {{Centre::site, "site"},
                                                       {Centre::bond, "bond"}};
 
@@ -209,10 +209,11 @@ double printed_envelope_residual() {
   T worst = 0;
   for (int k = 0; k < 100; ++k) {
     const T x = T(0.047) * T(k), c = std::cos(x / 3), s = std::sin(x / 3), c4 = c * c * c * c;
-    const T second = T(27) / 9000 * (30 * c4 * s * s - 6 * c4 * c * c), g = envelope(x);
+    const T second = T(27) / 9000 * (30 * c4 * s * s - 6 * c4 * c * c),
+            g = quasi_continuum_envelope(x);
     worst = std::max(worst, std::abs(second + 4 * g - std::cbrt(g * g)));
   }
-  return double(worst / envelope(T(0)));
+  return double(worst / quasi_continuum_envelope(T(0)));
 }
 
 /**
@@ -463,11 +464,9 @@ At the largest displacement the differences are
 [0.000187130](num:sec32_dps_profiles.qc_peak_difference_bond), in the norm
 [0.0600350](num:sec32_dps_profiles.qc_norm_difference_site) and
 [0.0600365](num:sec32_dps_profiles.qc_norm_difference_bond). */
-Results answer_claims(Output& output, Quantities& facts, bool quick) {
-  Results results;
-  report_profiles(output, results, facts);
-  report_scaling(results, facts, quick);
-  return results;
+void answer_claims(Report& report) {
+  report_profiles(report.output, report.results, report.facts);
+  report_scaling(report.results, report.facts, report.quick);
 }
 
 /**
@@ -485,15 +484,12 @@ of $\mu u_n$ at any site, tails included. The identity of contact sum and norm h
 [2e-34](num:sec32_dps_profiles.identity_quad_bond) in quadruple precision. The tail law checks the outer
 sites independently: at $n = 4$ the ratio is [1.49856](num:sec32_dps_profiles.tail_ratio_4_site), and at
 $n = 8$ it differs from 3/2 by [1.0588e-12](num:sec32_dps_profiles.tail_distance_8_site). */
-Results everything(Output& output, bool quick) {
-  output.note("tolerance", "relative corrections of the strains below a hundred roundings");
-  Quantities facts;
-  report_norms(facts);
-  report_gap(facts);
-  report_tails(output, facts);
-  Results results = answer_claims(output, facts, quick);
-  output.add("facts", facts.table);
-  return results;
+void everything(Report& report) {
+  report.output.note("tolerance", "relative corrections of the strains below a hundred roundings");
+  report_norms(report.facts);
+  report_gap(report.facts);
+  report_tails(report.output, report.facts);
+  answer_claims(report);
 }
 
 /**
@@ -563,6 +559,6 @@ int main(int argc, char** argv) {
   Command* profile = program.command("profile", "one breather beside its approximation",
                                      [&] { return profile_command(options); });
   add_options(*profile, options);
-  program.everything = [&](Output& output) { return everything(output, program.quick); };
+  program.everything = everything;
   return program.run(argc, argv);
 }

@@ -419,13 +419,10 @@ fold of the family. It shows the exchange of the pinning pair and no other insta
   plane? */
 int main(int argc, char** argv) {
   Program program({"sec33_between", "3.3", "Breathers centred nowhere (section 3.3)"}, argc, argv);
-  program.everything = [&](Output& output) {
-    output.note("tolerance", "flow to 128 and 2048 roundings of the type");
-    Report report{output, program.quick};
+  program.everything = [](Report& report) {
+    report.output.note("tolerance", "flow to 128 and 2048 roundings of the type");
     const auto grid = report_chart(report);
     report_between(report, report_windows(report, grid));
-    output.add("facts", report.facts.table);
-    return report.results;
   };
   return program.run(argc, argv);
 }

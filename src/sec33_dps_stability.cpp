@@ -505,14 +505,11 @@ of the noise, counts $(\mu-m_2)/|\lambda|$, some two hundred times, as much as a
 push that frees a bond-centred breather, [0.006542](num:sec33_dps_stability.freeing_push), is less than the
 amplitude of the noise. The noise exceeds it for [5](num:sec33_dps_stability.pushed_over) seeds, and the push
 alone predicts the fate of [16](num:sec33_dps_stability.told_by_push). */
-Results everything(Output& output, bool quick) {
-  Report report{output, quick};
-  output.note("seed",
-              "GSL mt19937, seeds in the tables of trials; map: " + std::to_string(map_seed));
+void everything(Report& report) {
+  report.output.note(
+      "seed", "GSL mt19937, seeds in the tables of trials; map: " + std::to_string(map_seed));
   report_spectra(report);
   report_motion(report);
-  output.add("facts", report.facts.table);
-  return report.results;
 }
 
 /**
@@ -580,6 +577,6 @@ int main(int argc, char** argv) {
   Command* spectrum = program.command("spectrum", "all exponents of a breather",
                                       [&] { return spectrum_command(options); });
   add_options(*spectrum, options);
-  program.everything = [&](Output& output) { return everything(output, program.quick); };
+  program.everything = everything;
   return program.run(argc, argv);
 }

@@ -348,16 +348,13 @@ Table exchange_command(const Options& options) {
 
 /**
 The program computes the parts in the order of the chapter. */
-Results compute(Output& output, bool quick) {
-  output.note("tolerance", "flow to 128 and 2048 roundings of the type");
-  Report report{output, quick};
+void compute(Report& report) {
+  report.output.note("tolerance", "flow to 128 and 2048 roundings of the type");
   report_spectrum(report);
   report_wells(report);
   report_harmonic(report);
   report_exchange(report);
   report_mode(report);
-  output.add("facts", report.facts.table);
-  return report.results;
 }
 
 /**
@@ -389,6 +386,6 @@ int main(int argc, char** argv) {
       ->check(in_range(3, 1000));
   add_common(program.command("exchange", "anharmonicity at which the stability changes",
                              [&] { return exchange_command(options); }));
-  program.everything = [&](Output& output) { return compute(output, program.quick); };
+  program.everything = compute;
   return program.run(argc, argv);
 }

@@ -557,9 +557,8 @@ void add_options(Command& app, KickOptions& options) {
 - How accurately is the landscape a sine, and where along $\omega_b$ does its second harmonic take over?
 - Near an exchange of stability, does a breather at $c < c_c$ swing about neither site nor bond?
 - How long does a moving breather last, and what does it lose on its way? */
-Results everything(Output& output, bool quick) {
-  Report report{output, quick};
-  output.note("sites", "52 and 53 for strong kicks, 22 to 31 otherwise");
+void everything(Report& report) {
+  report.output.note("sites", "52 and 53 for strong kicks, 22 to 31 otherwise");
   const Breathers at = all_ready(26, 22);
   report_kick_energy(report, at[1]);
   const std::array<double, 3> response = report_glides(report);
@@ -570,14 +569,13 @@ Results everything(Output& output, bool quick) {
     predictions.push_back(predict_threshold(bond, rung.equal_area));
   report_predictions(report, predictions, response);
   report_weak(report, at);
-  auto found = freeing_kicks(bonds, predictions, coarse(quick).thresholds, fine(quick).thresholds);
-  if (!quick) confirm(bonds[0], predictions[0], fine().thresholds, found[0]);
+  auto found = freeing_kicks(bonds, predictions, coarse(report.quick).thresholds,
+                             fine(report.quick).thresholds);
+  if (!report.quick) confirm(bonds[0], predictions[0], fine().thresholds, found[0]);
   report_thresholds(report, found, rung);
   report_speeds(report, at, response, predictions[0].frequency.value);
   report_integrators(report, at[1]);
   report_printed(report, at);
-  output.add("facts", report.facts.table);
-  return report.results;
 }
 
 /**
@@ -595,6 +593,6 @@ int main(int argc, char** argv) {
   Command* threshold = program.command("threshold", "the kick that frees a stable breather",
                                        [&] { return threshold_command(options); });
   add_options(*threshold, options);
-  program.everything = [&](Output& output) { return everything(output, program.quick); };
+  program.everything = everything;
   return program.run(argc, argv);
 }

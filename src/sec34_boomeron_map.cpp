@@ -285,16 +285,14 @@ At $v_0=1.9$ a packet turns before site 40 if $s$ exceeds
 [0.908](num:sec34_boomeron_map.s_needed_at_190). At $s=0.005$ that takes an impact of
 [128.4](num:sec34_boomeron_map.v0_needed_at_s_0005), far above the article's velocities. All this
 holds for turning before site 40; how far out packets turn is the column `apex` of the map. */
-Results reproduce(Report& report, MapGrid grid) {
+void reproduce(Report& report, MapGrid grid) {
   if (report.quick) grid.columns = grid.rows = 8;
   Sweep sweep = map_sweep(report.output.folder(), grid);
   compute_map(sweep, grid, {});
   report.output.add("reversal_map", sweep.table());
   report_law(report);
   report_any_s(report);
-  report.output.add("facts", report.facts.table);
   sweep.forget();
-  return report.results;
 }
 
 /**
@@ -316,9 +314,6 @@ int main(int argc, char** argv) {
                   argc, argv);
   MapOptions options;
   add_map(program, options);
-  program.everything = [&](Output& output) {
-    Report report{output, program.quick};
-    return reproduce(report, options.grid);
-  };
+  program.everything = [&](Report& report) { reproduce(report, options.grid); };
   return program.run(argc, argv);
 }

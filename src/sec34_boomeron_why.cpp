@@ -547,12 +547,10 @@ moves on as well. Cut out later, when it is almost at rest, it is caught or cree
 [-0.2285](num:sec34_boomeron_why.late_advance_cut300) at 300), but does not come back within the
 time watched. So the slowing down has two parts: a loss of speed that needs no waves and that fades,
 and a backward force that needs them. */
-Results reproduce(Report& report) {
+void reproduce(Report& report) {
   report_experiments(report);
   report_inside(report);
   report_waves(report);
-  report.output.add("facts", report.facts.table);
-  return report.results;
 }
 
 /**
@@ -578,9 +576,6 @@ that of the waves behind the packet; the dependence on it was not mapped.
 int main(int argc, char** argv) {
   Program program({"sec34_boomeron_why", "3.4", "Why packets turn round (section 3.4, s > 0)"},
                   argc, argv);
-  program.everything = [&](Output& output) {
-    Report report{output, program.quick};
-    return reproduce(report);
-  };
+  program.everything = reproduce;
   return program.run(argc, argv);
 }

@@ -373,18 +373,15 @@ ahead of the peak reach [0.0593544](num:sec34_dps_impact.support_outermost) and
 The norm of the DpS equation and the energy of the chain must be conserved. They drift by
 [5e-14](num:sec34_dps_impact.dps_norm_drift) and
 [4e-11](num:sec34_dps_impact.lattice_energy_drift) of themselves. */
-Results everything(Output& output, bool quick) {
-  Report report{output, quick};
+void everything(Report& report) {
   Resolution resolution;
-  if (quick) resolution = {1e-3, 1e-9, 100, 500};
-  output.note("tolerance", "end state " + short_text(resolution.tolerance) + ", GSL " +
-                               short_text(resolution.dps_tolerance));
+  if (report.quick) resolution = {1e-3, 1e-9, 100, 500};
+  report.output.note("tolerance", "end state " + short_text(resolution.tolerance) + ", GSL " +
+                                      short_text(resolution.dps_tolerance));
   const DpsPair dps = dps_runs(report, resolution);
   report_dps(report, dps);
   report_comparison(report, dps, resolution);
   report_trials(report, resolution);
-  output.add("facts", report.facts.table);
-  return report.results;
 }
 
 /**
@@ -405,6 +402,6 @@ packet is narrower than seven sites: five hold
 int main(int argc, char** argv) {
   Program program({"sec34_dps_impact", "3.4", "Impact in the DpS equation and in the chain"}, argc,
                   argv);
-  program.everything = [&](Output& output) { return everything(output, program.quick); };
+  program.everything = everything;
   return program.run(argc, argv);
 }

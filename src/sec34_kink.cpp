@@ -199,13 +199,12 @@ while the breather still travels. Between [4.66](num:sec34_kink.last_breather) a
 [4.72](num:sec34_kink.first_certain_kink) the kink takes over. The error of these velocities is the
 spacing of the scan; a share of [0.00569801](num:sec34_kink.kink_undecided) of them stays undecided
 and supports no statement. */
-Results everything(Output& output, bool quick) {
-  output.note("tolerance", "steps 0.1 and 0.05, half of that near the transition");
-  const double spacing = quick ? 0.25 : 0.02;
+void everything(Report& report) {
+  report.output.note("tolerance", "steps 0.1 and 0.05, half of that near the transition");
+  const double spacing = report.quick ? 0.25 : 0.02;
   const auto points = scan(1, 8, spacing);
-  output.add("kink_transition", scan_table(points, Options{}.sites));
-  output.add("kink_examples", examples());
-  Report report{output, quick};
+  report.output.add("kink_transition", scan_table(points, Options{}.sites));
+  report.output.add("kink_examples", examples());
   const Transition found = find_transition(points);
   judge(report, "impact.kink", transition(found));
   report.facts.add("last_breather", {found.last_breather, spacing});
@@ -214,8 +213,6 @@ Results everything(Output& output, bool quick) {
     return p.decided && p.counts.ejected_near > 0;
   });
   if (back != points.end()) report.facts.add("first_thrown_back", {back->velocity, spacing});
-  output.add("facts", report.facts.table);
-  return report.results;
 }
 
 /**
@@ -261,6 +258,6 @@ int main(int argc, char** argv) {
   run->add_option("--patience", options.patience, "longest wait for the counts to settle")
       ->check(in_range(400, 1e5));
   run->add_option("--sites", options.sites, "chain length")->check(in_range(2, 1e5));
-  program.everything = [&](Output& output) { return everything(output, program.quick); };
+  program.everything = everything;
   return program.run(argc, argv);
 }

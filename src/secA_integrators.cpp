@@ -209,17 +209,14 @@ Estimate order(const Orbits& orbits, const std::string& name) {
   return line.estimate();
 }
 
-Results everything(Output& output, bool quick) {
-  output.note("tolerance", "references at step 1/1024 and in the wider type");
-  Quantities facts;
-  const Orbits orbits = orbit_errors(quick);
+void everything(Report& report) {
+  report.output.note("tolerance", "references at step 1/1024 and in the wider type");
+  const Orbits orbits = orbit_errors(report.quick);
   for (const char* name : {"verlet", "blanes_moan_4", "blanes_moan_6", "contact_aware"})
-    facts.add(std::string("order_") + name, order(orbits, name));
-  facts.add("rounding", compare(0.0, orbits.rounding));
-  output.add("error_orbit", orbits.table);
-  output.add("error_tangent", tangent_table(quick));
-  output.add("facts", facts.table);
-  return {};
+    report.facts.add(std::string("order_") + name, order(orbits, name));
+  report.facts.add("rounding", compare(0.0, orbits.rounding));
+  report.output.add("error_orbit", orbits.table);
+  report.output.add("error_tangent", tangent_table(report.quick));
 }
 
 /**
@@ -230,6 +227,6 @@ possibility that large steps obey another law than small ones. */
 int main(int argc, char** argv) {
   Program program({"secA_integrators", "A", "Integrators and switching contacts (appendix)"}, argc,
                   argv);
-  program.everything = [&](Output& output) { return everything(output, program.quick); };
+  program.everything = everything;
   return program.run(argc, argv);
 }

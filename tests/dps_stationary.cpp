@@ -132,8 +132,8 @@ TEST_CASE("the quasi-continuum profile is close and compact", "[unit][dps]") {
     CHECK(quasi_continuum(centre, 6) == 0);
     CHECK(quasi_continuum(centre, 3) * quasi_continuum(centre, 4) < 0);
   }
-  CHECK(envelope(4.7) > 0);
-  CHECK(envelope(4.72) == 0);
+  CHECK(quasi_continuum_envelope(4.7) > 0);
+  CHECK(quasi_continuum_envelope(4.72) == 0);
 }
 
 TEST_CASE("stationary states that cannot be are refused", "[unit][dps]") {

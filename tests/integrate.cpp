@@ -155,6 +155,10 @@ TEST_CASE("the chain agrees with GSL's adaptive method", "[property]") {
   ours = after(Splitting{blanes_moan_6(), 1e-3}, chain, ours, 30);
   evolve_reference(chain, theirs, 30, 1e-13);
   check_close(difference(ours, theirs), 0, 2e-8);
+  check_close(distance_from_reference(chain, struck(40, 0.9), 30, ours, 1e-6), 0, 1e-7);
+  ours.v[3] += 1e-5;  // a state that GSL does not confirm is refused
+  CHECK_THROWS_AS(distance_from_reference(chain, struck(40, 0.9), 30, ours, 1e-6),
+                  std::runtime_error);
 }
 
 TEST_CASE("a runaway is seen and stops the run", "[unit]") {

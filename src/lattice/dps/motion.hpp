@@ -34,7 +34,7 @@ a complete elliptic integral, for which the arithmetic-geometric mean suffices. 
 namespace lattice {
 
 /// Centre of |v_n|^4 in sites, counted from the rest position of a breather with this centre.
-inline double breather_place(Centre centre, const Field& v) {
+inline double quartic_centre(Centre centre, const Field& v) {
   double sum = 0, moment = 0;
   for (std::size_t i = 0; i < v.size(); ++i) {
     const double weight = std::norm(v[i]) * std::norm(v[i]);
@@ -140,7 +140,7 @@ Course follow_breather(const PinnedBreather& breather, Field v, double time,
   out.norm_drift = evolve_dps(equation, v, time, std::size_t(std::ceil(accuracy.samples * time)),
                               accuracy.tolerance, [&](double t, const Field& now) {
                                 out.t.push_back(t);
-                                out.X.push_back(breather_place(breather.centre, now));
+                                out.X.push_back(quartic_centre(breather.centre, now));
                                 out.energy_drift =
                                     std::max(out.energy_drift, std::abs(energy(now) / start - 1));
                                 watch(t, now);

@@ -31,7 +31,7 @@ $D_n$ as a function of a continuous variable, Eqs. (15) to (17): $g(x) = (3/10)^
 $|x| \le 3\pi/2$ and zero elsewhere. At $\mu = 1$ this gives $u_n = (-1)^n[g(n)+g(n-1)]$ around a bond,
 Eq. (18), and $u_n = (-1)^n[g(n+\frac12)+g(n-\frac12)]$ around a site, Eq. (19). */
 template <class T>
-T envelope(T x) {
+T quasi_continuum_envelope(T x) {
   using std::abs;
   using std::cos;
   if (!(abs(x) < T(3) * std::numbers::pi_v<double> / T(2))) return T(0);
@@ -43,7 +43,7 @@ T envelope(T x) {
 template <class T = double>
 T quasi_continuum(Centre centre, long n) {
   const T x = centre == Centre::bond ? T(n) : T(n) + T(0.5);
-  const T u = envelope<T>(x) + envelope<T>(x - T(1));
+  const T u = quasi_continuum_envelope<T>(x) + quasi_continuum_envelope<T>(x - T(1));
   return n % 2 == 0 ? u : T(0) - u;
 }
 

@@ -6,9 +6,9 @@ With crossing.hpp an interval without a switching (a contact that opens or close
 exact to the last digits. What remains is to find out where the intervals end. We look ahead with a plain
 leapfrog and small steps, cross the interval up to the instant where it saw a switching, correct that
 instant with the overlap $x$ found there, and repeat. The second derivative of the overlap is known from
-the forces, and with the root of the parabola $x + \dot x\tau + \ddot x\tau^2/2$ the correction converges
-with order three: two or three passages suffice. The columns of a tangent (tangent.hpp) follow only the
-last one.
+the forces, and with the root of the parabola $x + \dot x\tau + \ddot x\tau^2/2$ (overlap.hpp) the
+correction converges with order three: two or three passages suffice. The columns of a tangent
+(tangent.hpp) follow only the last one.
 
 The result does not rest on the look-out being right. The forces are those of the true contact law
 everywhere, never those of a contact held open or closed. A switching that the look-out missed shows
@@ -17,67 +17,14 @@ after the passage as an overlap with the wrong sign, and we then land on it. */
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 #include "lattice/landing/crossing.hpp"
+#include "lattice/landing/overlap.hpp"
 #include "lattice/landing/tangent.hpp"
 #include "lattice/model/chain.hpp"
 
 namespace lattice {
-
-/**
-Near its zero the motion of an overlap (positive while the contact is closed) is known from its value `x`,
-speed `u` and acceleration `w`. The two roots of the parabola are computed in the form that loses no
-digits to cancellation. */
-template <class T>
-struct Overlap {
-  T x, u, w;
-
-  /// Time from now to the root through which the overlap leaves `side` (+1 closed, -1 open), negative if
-  /// it has passed; infinity if there is none.
-  T leaves(int side) const {
-    using std::sqrt;
-    const T square = u * u - T(2) * x * w, none = std::numeric_limits<T>::infinity();
-    if (!(square >= T(0))) return none;
-    const bool departs = T(side) * u < T(0);
-    const T q = u < T(0) ? sqrt(square) - u : -(u + sqrt(square));
-    if (departs) return T(2) * x / q;
-    return w != T(0) ? q / w : none;
-  }
-  /// Time from now to the extremum.
-  T turns() const { return w != T(0) ? -u / w : std::numeric_limits<T>::infinity(); }
-};
-
-/**
-Between two steps of the look-out an overlap is well represented by the cubic with the right values and
-speeds at both. A contact may close and open again within one step; both ends then have the same sign, and
-the cubic has an extremum of the opposite sign in between. */
-template <class T>
-struct Arc {
-  T x0, u0, x1, u1, dt;
-
-  T value(T s) const {
-    const T r = T(1) - s;
-    return r * r * ((T(1) + T(2) * s) * x0 + s * dt * u0) +
-           s * s * ((T(1) + T(2) * r) * x1 - r * dt * u1);
-  }
-  T slope(T s) const {
-    const T r = T(1) - s;
-    return T(6) * s * r * (x1 - x0) / dt + r * (T(1) - T(3) * s) * u0 + s * (T(3) * s - T(2)) * u1;
-  }
-  /// First place in (0, end) after which `holds` fails, by bisection to 2^-24 of `end`: a landing
-  /// corrects the rest.
-  template <class Holds>
-  static T last(T end, Holds holds) {
-    T low(0), high = end;
-    for (int i = 0; i < 24; ++i) {
-      const T middle = (low + high) / T(2);
-      (holds(middle) ? low : high) = middle;
-    }
-    return high;
-  }
-};
 
 /**
 The look-out reports an instant, `ahead` of now, at which the contact `bond` switches (`crosses`) or comes
@@ -89,16 +36,6 @@ struct Sight {
   std::size_t bond = none;
   bool crosses = false;
 };
-
-/// Sign and modulus, written out for every number type.
-template <class T>
-int sign_of(T x) {
-  return x > T(0) ? 1 : x < T(0) ? -1 : 0;
-}
-template <class T>
-T magnitude(T x) {
-  return x < T(0) ? -x : x;
-}
 
 /**
 Three small numbers decide what is worth a landing. A switching at speed $u$ inside a step of length $h$

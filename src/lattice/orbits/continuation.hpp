@@ -268,7 +268,7 @@ void Branch<Problem>::advance() {
 
 /**
 At a fold $\ell$ has an extremum as a function of the arclength. We find it on the cubic that has the
-values and slopes of $\ell$ at both ends of the step across the fold (`Arc` of landing.hpp). */
+values and slopes of $\ell$ at both ends of the step across the fold (`Arc` of overlap.hpp). */
 template <class Problem>
 typename Problem::Scalar Branch<Problem>::fold(int most_steps) {
   T slope_before = slope();

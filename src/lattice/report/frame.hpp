@@ -226,7 +226,7 @@ struct Program::Frame {
   static void need_writable(const std::filesystem::path& folder, const std::string& file,
                             const std::string& option);
   int print(const CLI::App& sub, const std::function<Table()>& compute);
-  int run_everything(const std::function<Results(Output&)>& everything);
+  int run_everything(const std::function<void(Report&)>& everything, bool quick);
 };
 
 /**
@@ -276,7 +276,7 @@ LATTICE_ONCE int Program::run(int argc, char** argv) {
     set_threads(frame.threads > 0 ? frame.threads : Frame::granted());
     for (const auto& [sub, compute] : frame.computations)
       if (sub->parsed()) return frame.print(*sub, compute);
-    return frame.run_everything(everything);
+    return frame.run_everything(everything, quick);
   } catch (const CLI::Success& success) {
     return frame.app.exit(success);
   } catch (const CLI::ParseError& error) {
@@ -377,13 +377,17 @@ LATTICE_ONCE int Program::Frame::print(const CLI::App& sub, const std::function<
 /**
 A full run removes the old `results.ecsv` before it begins: as long as there is none, the folder is
 not complete. */
-LATTICE_ONCE int Program::Frame::run_everything(const std::function<Results(Output&)>& everything) {
+LATTICE_ONCE int Program::Frame::run_everything(const std::function<void(Report&)>& everything,
+                                                bool quick) {
   if (out.empty()) out = "build/data/" + identity.name;
   need_writable(out, "results.ecsv", "--out");
   std::error_code ignored;
   std::filesystem::remove(std::filesystem::path(out) / "results.ecsv", ignored);
   Output output(out, provenance(app));
-  output.finish(everything(output));
+  Report report{output, quick};
+  everything(report);
+  output.add("facts", report.facts.table);
+  output.finish(report.results);
   return 0;
 }
 

@@ -182,8 +182,8 @@ class Program {
   Command* command(const std::string& name, const std::string& help,
                    std::function<Table()> compute);
 
-  /// The full computation of the section.
-  std::function<Results(Output&)> everything;
+  /// The full computation of the section. What it has reported is written when it has succeeded.
+  std::function<void(Report&)> everything;
   bool quick = false;
 
   /// Reads the line and computes; the exit code is 2 for input that cannot be used and 1 for a

@@ -6,10 +6,13 @@ Our own steppers are compared with a program that shares nothing with them but t
 beads integrated by the GNU Scientific Library (gsl_ode.hpp). */
 
 #include <cstddef>
+#include <sstream>
+#include <stdexcept>
 #include <vector>
 
 #include "lattice/model/chain.hpp"
 #include "lattice/numbers/gsl_ode.hpp"
+#include "lattice/stepping/accuracy.hpp"
 
 namespace lattice {
 
@@ -35,6 +38,23 @@ std::size_t evolve_reference(const Chain<Onsite, Contact>& chain, State<double>&
   std::copy_n(x.begin() + std::ptrdiff_t(n), n, state.v.begin());
   state.t = t;
   return reference.evaluations();
+}
+
+/**
+A chapter asks it whether a state that our own stepper has reached is right. The local tolerance is so small
+that GSL's own error does not matter. */
+/// The `distance` (accuracy.hpp) of `end` from where GSL arrives that leaves `start` for `duration`.
+/// Throws std::runtime_error unless it is below `bound`.
+template <class Onsite, class Contact>
+double distance_from_reference(const Chain<Onsite, Contact>& chain, State<double> start,
+                               double duration, const State<double>& end, double bound) {
+  evolve_reference(chain, start, duration, 1e-13);
+  start.t = end.t;
+  const double apart = distance(start, end);
+  if (apart < bound) return apart;
+  std::ostringstream text;
+  text << "our integrator and GSL's disagree by " << apart << " (allowed: " << bound << ")";
+  throw std::runtime_error(text.str());
 }
 
 }  // namespace lattice
