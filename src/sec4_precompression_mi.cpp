@@ -379,7 +379,7 @@ void add_ring(Output& output, const Modulated& coarse, const Modulated& fine) {
 Is this state a fact about the equations or about the integrator? Two runs whose steps differ by a
 factor of two agree to [3e-6](num:sec4_precompression_mi.mi_state_error). We also ask when they
 part, since statements about later times would be statistical: up to
-$t =$ [3.000e4](num:sec4_precompression_mi.mi_agreement_time), where we stop, they do not. */
+$t =$ [30000](num:sec4_precompression_mi.mi_agreement_time), where we stop, they do not. */
 struct ModulatedRuns {
   Modulated coarse, fine, stable_coarse, stable_fine;
   Estimate agree{};
