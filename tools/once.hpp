@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "lattice/dps/spectrum.hpp"
+#include "lattice/measure/depinning.hpp"
 #include "lattice/numbers/extended.hpp"
 #include "lattice/orbits/continuation.hpp"
 #include "lattice/orbits/floquet.hpp"
@@ -75,18 +76,22 @@ namespace lattice {
   words Stationary<Quadruple> stationary_from(Centre, const Quadruple&, std::vector<Quadruple>, \
                                               std::size_t, int);
 
-// Complex matrices occur in double precision only.
-#define LATTICE_COMPLEX(words) \
-  words std::vector<std::complex<double>> eigenvalues_of(const Matrix<std::complex<double>>&);
+// Some tasks occur in double precision only.
+#define LATTICE_DOUBLE(words)                                                                   \
+  words std::vector<std::complex<double>> eigenvalues_of(const Matrix<std::complex<double>>&);  \
+  words Vector<double> least_squares(const Matrix<double>&, const Vector<double>&);             \
+  words Pinning pinning_of(const Chain<Harmonic, Hertz>&, Centre, const State<double>&, double, \
+                           const Landing<double>&);
 
-LATTICE_COMPLEX(extern template)
 LATTICE_NAMED_LOOPS(extern template)
 LATTICE_FLIGHTS(extern template, double, Quartic, Hertz)
 LATTICE_FLIGHTS(extern template, long double, Quartic, Hertz)
+LATTICE_FLIGHTS(extern template, double, Harmonic, Hertz)
 LATTICE_ORBITS(extern template, double, Quartic, Hertz)
 LATTICE_ORBITS(extern template, long double, Quartic, Hertz)
 extern template class Branch<Shooting<double, Quartic, Hertz>>;
 LATTICE_DENSE(extern template, double)
+LATTICE_DOUBLE(extern template)
 LATTICE_DENSE(extern template, long double)
 LATTICE_WIDEST(extern template)
 

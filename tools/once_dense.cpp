@@ -4,5 +4,5 @@
 
 namespace lattice {
 LATTICE_DENSE(template, double)
-LATTICE_COMPLEX(template)
+LATTICE_DOUBLE(template)
 }  // namespace lattice

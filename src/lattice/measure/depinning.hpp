@@ -7,7 +7,6 @@ stable around a bond, there are troughs at the bonds and hills at the sites, oth
 (kick.hpp) frees it from a trough if it carries it over the hill. This file tells a free breather from a
 pinned one, says what linear theory expects, and finds the least kick that frees. */
 
-#include <Eigen/Dense>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -17,6 +16,7 @@ pinned one, says what linear theory expects, and finds the least kick that frees
 #include "lattice/landing/landing.hpp"
 #include "lattice/measure/kick.hpp"
 #include "lattice/model/sites.hpp"
+#include "lattice/numbers/dense.hpp"
 
 namespace lattice {
 
@@ -54,11 +54,10 @@ struct Pinning {
 
 /// The eigenvector whose eigenvalue is nearest to `value`, by inverse iteration from `guess`. The shift
 /// of 1e-5 keeps the matrix from being singular.
-inline Eigen::VectorXd eigenvector_near(const Eigen::MatrixXd& m, double value,
-                                        Eigen::VectorXd guess) {
-  const Eigen::PartialPivLU<Eigen::MatrixXd> shifted(
-      m - (value + 1e-5) * Eigen::MatrixXd::Identity(m.rows(), m.cols()));
-  for (int k = 0; k < 20; ++k) guess = shifted.solve(guess).normalized();
+inline Vector<double> eigenvector_near(const Matrix<double>& m, double value,
+                                       Vector<double> guess) {
+  const Matrix<double> shifted = m - (value + 1e-5) * Matrix<double>::Identity(m.rows(), m.cols());
+  for (int k = 0; k < 20; ++k) guess = solve_square(shifted, guess).normalized();
   return guess;
 }
 
@@ -68,7 +67,7 @@ one (floquet.hpp), but symmetry separates the two. Around a bond a shift along t
 $n \to 1-n$ and a shift in time is odd. Around a site half a period followed by $y_n \to -y_{-n}$ leaves
 a shift in time alone and reverses one along the chain. `basis` holds the directions that are left. */
 struct PeriodMap {
-  Eigen::MatrixXd A, B, basis;
+  Matrix<double> A, B, basis;
 };
 
 /// A, B and the basis: of one period around a bond, of half a period and the reflection around a site.
@@ -79,7 +78,7 @@ PeriodMap period_map(const Chain<Onsite, Contact>& chain, Centre centre, State<d
   const bool site = centre == Centre::site;
   Tangent<double> tangent(chain.sites, 2 * chain.sites);
   flow(chain, state, site ? period / 2 : period, rule, &tangent);
-  PeriodMap map{Eigen::MatrixXd(n, n), Eigen::MatrixXd(n, n), Eigen::MatrixXd::Identity(n, n)};
+  PeriodMap map{Matrix<double>(n, n), Matrix<double>(n, n), Matrix<double>::Identity(n, n)};
   for (Eigen::Index i = 0; i < n; ++i)
     for (Eigen::Index k = 0; k < n; ++k) {
       const auto row = std::size_t(site ? n - 1 - i : i);
@@ -87,7 +86,7 @@ PeriodMap period_map(const Chain<Onsite, Contact>& chain, Centre centre, State<d
       map.B(i, k) = (site ? -1 : 1) * tangent(row, std::size_t(k + n));
     }
   if (site) return map;
-  map.basis = Eigen::MatrixXd::Zero(n, n / 2);
+  map.basis = Matrix<double>::Zero(n, n / 2);
   for (Eigen::Index i = 0; i < n / 2; ++i)
     map.basis(i, i) = map.basis(n - 1 - i, i) = std::sqrt(0.5);
   return map;
@@ -100,15 +99,15 @@ template <class Onsite, class Contact>
 Pinning pinning_of(const Chain<Onsite, Contact>& chain, Centre centre, const State<double>& start,
                    double period, const Landing<double>& rule = {}) {
   const PeriodMap map = period_map(chain, centre, start, period, rule);
-  const Eigen::MatrixXd A = map.basis.transpose() * map.A * map.basis;
-  const Eigen::MatrixXd B = map.basis.transpose() * map.B * map.basis;
+  const Matrix<double> A = map.basis.transpose() * map.A * map.basis;
+  const Matrix<double> B = map.basis.transpose() * map.B * map.basis;
   const std::vector<double> direction = kick_direction(start.y);
-  const Eigen::VectorXd g =
+  const Vector<double> g =
       map.basis.transpose() *
-      Eigen::Map<const Eigen::VectorXd>(direction.data(), Eigen::Index(direction.size()));
+      Eigen::Map<const Vector<double>>(direction.data(), Eigen::Index(direction.size()));
   const double near = centre == Centre::site ? -1 : 1;
-  const Eigen::VectorXd x = eigenvector_near(A, near, g);
-  const Eigen::VectorXd z = eigenvector_near(A.transpose(), near, g);
+  const Vector<double> x = eigenvector_near(A, near, g);
+  const Vector<double> z = eigenvector_near(A.transpose(), near, g);
   const double cosine = z.dot(A * x) / z.dot(x), b = z.dot(B * z) / z.dot(x), part = x.dot(g);
   const double share = b * part * part / (period * x.dot(z));
   const double miss = 2 * (1 - std::abs(cosine)) / (period * period);
@@ -143,15 +142,15 @@ inline double hill_speed(const Creep& path, double hill = 0.5, double reach = 0.
     if (std::abs(std::abs(path.moved(k)) - hill) <= reach) near.push_back(k);
   if (near.size() < 8) throw std::invalid_argument("too few means of the path lie on the hill");
   const double first = path.t[near.front()], last = path.t[near.back()], half = (last - first) / 2;
-  Eigen::MatrixXd power(Eigen::Index(near.size()), 4);
-  Eigen::VectorXd place(power.rows());
+  Matrix<double> power(Eigen::Index(near.size()), 4);
+  Vector<double> place(power.rows());
   for (Eigen::Index i = 0; i < power.rows(); ++i) {
     const std::size_t k = near[std::size_t(i)];
     const double u = (path.t[k] - first) / half - 1;
     power.row(i) << 1, u, u * u, u * u * u;
     place[i] = std::abs(path.moved(k)) - hill;
   }
-  const Eigen::Vector4d a = power.colPivHouseholderQr().solve(place);
+  const Vector<double> a = least_squares(power, place);
   return (a[3] > 0 ? a[1] - a[2] * a[2] / (3 * a[3]) : a[1]) / half;
 }
 

@@ -26,6 +26,14 @@ Vector<T> solve_square(const Matrix<T>& matrix, const Vector<T>& right) {
 }
 
 /**
+More equations than unknowns are met as well as possible. */
+/// The x for which the norm of matrix * x - right is least; the columns of `matrix` are independent.
+template <class T>
+Vector<T> least_squares(const Matrix<T>& matrix, const Vector<T>& right) {
+  return matrix.colPivHouseholderQr().solve(right);
+}
+
+/**
 For matrices whose structure we do not use, all eigenvalues are computed. */
 /// All eigenvalues of a square matrix, in Eigen's order. Throws std::runtime_error where the iteration
 /// does not converge.
