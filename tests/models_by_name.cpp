@@ -144,17 +144,11 @@ TEST_CASE("the name of a program's own well changes nothing", "[cli][model]") {
 }
 
 TEST_CASE("a packet turns round in the well and with the contact that were named", "[cli][model]") {
-  const std::string turns = "sec34_boomeron run --time 700 ";  // it has turned by then
-  const std::string plain = rows(turns), harder = rows(turns + "--s 1.2");
-  CHECK(rows(turns + "--onsite quartic --contact hertz") == plain);
-  CHECK(rows(turns + "--contact power --alpha 1.5") == plain);
-  CHECK(rows(turns + "--onsite quartic --s 1.2") == harder);
-  CHECK(harder != plain);
-  const auto apex = [&](const std::string& more) {
-    return quantity(call(turns + more), "apex_site");
-  };
-  CHECK(apex("") > 10);
-  CHECK(std::isnan(apex("--onsite harmonic")));
+  const std::string turns = "sec34_boomeron run --time 800 ";  // it has turned by then
+  const Result plain = call(turns), harder = call(turns + "--onsite quartic --s 1.2");
+  REQUIRE(plain.code == 0);
+  CHECK(quantity(plain, "apex_site") > quantity(harder, "apex_site") + 1);
+  CHECK(rows(turns + "--onsite quartic --contact power --alpha 1.5") == body(plain.output));
   CHECK(call(boomeron + "--s 300").code == 0);
 }
 
@@ -180,7 +174,7 @@ TEST_CASE("breathers of pendulums are periodic orbits by an independent route", 
                                            centre + " --omega " + std::to_string(omega))
                                       .numbers("y");
     REQUIRE(y.size() >= 31);
-    CHECK(missed<Pendulum>(y, omega) < 1e-10);
+    CHECK(missed<Pendulum>(y, omega) < 1e-9);
     CHECK(missed<Harmonic>(y, omega) > 1e-5);  // in another well it is none
   }
 }
@@ -202,8 +196,8 @@ TEST_CASE("small breathers of pendulums are those of the quartic well with s = -
 }
 
 TEST_CASE("an orbit in a named well is confirmed by wider types", "[cli][model]") {
-  const Result narrow = call(breather + "--onsite pendulum --omega 1.3"),
-               wide = call(breather + "--onsite pendulum --omega 1.3 --precision extended");
+  const Result narrow = call(breather + "--onsite pendulum"),
+               wide = call(breather + "--onsite pendulum --precision extended");
   REQUIRE(wide.code == 0);
   for (const char* name : {"amplitude", "energy", "area"}) {
     CAPTURE(name);

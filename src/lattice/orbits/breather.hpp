@@ -63,7 +63,9 @@ BreatherProblem<T, Onsite> breather_problem(Centre centre, const T& omega, const
   problem.omega = omega;
   return problem;
 }
-/// The same in wells with anharmonicity `s`, Eq. (10).
+
+/**
+The article's wells are named by their anharmonicity $s$, Eq. (10). */
 template <class T>
 BreatherProblem<T> breather_problem(Centre centre, const T& omega, double s, std::size_t sites) {
   return breather_problem(centre, omega, Quartic{s}, sites);

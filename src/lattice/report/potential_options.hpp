@@ -96,6 +96,10 @@ class PotentialOptions {
         if (p.name == name) out.push_back(potential);
     return out;
   }
+
+  /**
+  The program's own potential is asked in the same way, by the name of a parameter, for the value that it has
+  before the line is read. */
   static std::optional<double> value_in(const Any& any, const std::string& name) {
     std::optional<double> value;
     const auto look = [&](const auto& potential) {
