@@ -27,6 +27,7 @@ How much energy separates them is the question of the next chapter. */
 #include "lattice/numbers/random.hpp"
 #include "lattice/orbits/breather.hpp"
 #include "lattice/orbits/ladder.hpp"
+#include "lattice/report/breather_options.hpp"
 #include "lattice/report/judge.hpp"
 #include "lattice/report/program.hpp"
 
@@ -459,38 +460,20 @@ void everything(Report& report) {
 `sec32_newton_breathers breather --centre site --omega 1.1` computes one breather. The chain must be long
 enough for it: a bead at the end must not feel that its outer neighbour is missing, and a longer chain tells
 how much it would. `--precision extended` repeats Newton's method in quadruple precision; the error is
-then the difference from a 64-bit mantissa. */
-struct BreatherOptions {
-  std::string centre = "site", phase = "compressed", precision = "double";
-  double omega = 1.1, s = 0;
-  std::size_t sites = 0;
+then the difference from a 64-bit mantissa. `--onsite pendulum` takes another well. All have the same
+frequency at rest, so that their families begin alike, and each is followed from there. */
+struct BreatherOptions : ChosenBreather {
+  std::string precision = "double";
   bool profile = false;
 
-  Centre kind() const { return centre == "site" ? Centre::site : Centre::bond; }
-  Phase start() const { return phase == "compressed" ? Phase::compressed : Phase::stretched; }
   bool extended() const { return precision == "extended"; }
 };
-
-Fitted fitted(const BreatherOptions& options) {
-  if (options.sites && !fits(options.kind(), options.sites))
-    throw UsageError("--sites: " + std::to_string(options.sites) + " does not fit --centre " +
-                     options.centre + " (allowed: " + (options.centre == "site" ? "odd" : "even") +
-                     " numbers)");
-  try {
-    return fit_chain(options.kind(), options.omega, options.s, options.sites,
-                     sites_of(options.kind()), options.extended() ? 1e-34 : 1e-17, options.start());
-  } catch (const ShortChain& error) {
-    throw UsageError("--sites: " + std::to_string(options.sites) +
-                     " cannot hold this breather's tail (allowed: " + std::to_string(error.needed) +
-                     " or more)");
-  }
-}
 
 /**
 Values are printed in the chosen precision, and their errors are differences from another one.
 The residual is that of the whole period. */
 template <class T, class Other>
-Table breather_table(const BreatherProblem<T>& problem, const Orbit<T>& orbit,
+Table breather_table(const BreatherProblem<T, NamedWell>& problem, const Orbit<T>& orbit,
                      const Orbit<Other>& other, const Landing<T>& landing) {
   State<T> end = orbit.start;
   const Flow<T> run = flow(problem.chain, end, problem.period(), landing);
@@ -521,7 +504,7 @@ Table breather_profile(const Orbit<T>& orbit) {
 Higher precision is expensive and needs a good start: double precision finds the orbit, and each wider type
 confirms the one before. */
 Table breather_command(const BreatherOptions& options) {
-  const auto [problem, orbit] = fitted(options);
+  const auto [problem, orbit] = find_chosen(options, options.extended() ? 1e-34 : 1e-17);
   if (options.profile && !options.extended()) {
     NewtonRule<double> graded = rule<double>(0);
     graded.graded = true;
@@ -559,17 +542,13 @@ int main(int argc, char** argv) {
   Command* one = program.command("breather", "one breather: amplitude, energy, area, residual",
                                  [&] { return breather_command(options); });
   one->add_option("--omega", options.omega, "frequency omega_b > 1")->check(in_range(1.0001, 3));
-  one->add_option("--s", options.s, "anharmonicity of the well")->check(in_range(-10, 10));
-  const auto among = [&](const char* name, std::string& into, std::vector<std::string> names,
-                         const char* meaning) {
-    one->add_option(name, into, meaning)->check(one_of(names));
-  };
-  among("--centre", options.centre, {"site", "bond"}, "site or bond");
+  options.offer_well(*one);
+  options.offer_centre(*one);
   one->add_option("--sites", options.sites, "chain length (default: 31 or 32)")
       ->check(in_range(3, 1001));
-  among("--precision", options.precision, {"double", "extended"}, "double or extended");
-  among("--phase", options.phase, {"compressed", "stretched"},
-        "central contact of a bond-centred breather at t = 0");
+  one->add_option("--precision", options.precision, "double or extended")
+      ->check(one_of({"double", "extended"}));
+  options.offer_phase(*one);
   one->add_flag("--profile", options.profile, "print the positions n,y instead");
   program.everything = everything;
   return program.run(argc, argv);

@@ -294,16 +294,10 @@ void report_mode(Report& report) {
 ## Your own breather
 
 `sec33_floquet multipliers --centre site --omega 1.1` prints all multipliers with their errors, those
-next to $+1$ first; `sec33_floquet exchange --centre bond` prints where the stability changes. */
-struct Options : ChosenBreather {
-  double s = 0;
-};
-
-Table multipliers_command(const Options& options) {
-  const Fitted found = on_chosen_chain(options, [&] {
-    return fit_chain(options.kind(), options.omega, options.s, options.sites,
-                     sites_of(options.kind()), 1e-17, Phase::compressed);
-  });
+next to $+1$ first, for wells of any name (`--onsite pendulum`); `sec33_floquet exchange --centre bond`
+prints where the stability changes in the article's. */
+Table multipliers_command(const ChosenBreather& options) {
+  const auto found = find_chosen(options, 1e-17);
   Table table{multiplier_columns()};
   add_multipliers(table, spectrum<Wide>(found.problem, found.orbit));
   return table;
@@ -332,7 +326,7 @@ std::vector<Estimate> exchanges_on(Centre centre, double omega, int side) {
 
 /**
 A user who asks for an exchange must not get an empty table: where there is none, that is an error. */
-Table exchange_command(const Options& options) {
+Table exchange_command(const ChosenBreather& options) {
   std::vector<Estimate> found = exchanges_on(options.kind(), options.omega, 1);
   for (const Estimate& e : exchanges_on(options.kind(), options.omega, -1)) found.push_back(e);
   if (found.empty())
@@ -373,7 +367,7 @@ program `sec33_between` finds the exchanges and follows two families of such bre
 - Does a kicked breather stop at the stable breather in between? */
 int main(int argc, char** argv) {
   Program program({"sec33_floquet", "3.3", "Stability of the breathers (section 3.3)"}, argc, argv);
-  Options options;
+  ChosenBreather options;
   const auto add_common = [&](Command* app) {
     options.offer_centre(*app);
     app->add_option("--omega", options.omega, "frequency omega_b > 1")->check(in_range(1.0001, 3));
@@ -381,7 +375,7 @@ int main(int argc, char** argv) {
   Command* one = program.command("multipliers", "all Floquet multipliers of one breather",
                                  [&] { return multipliers_command(options); });
   add_common(one);
-  one->add_option("--s", options.s, "anharmonicity of the well")->check(in_range(-10, 10));
+  options.offer_well(*one);
   one->add_option("--sites", options.sites, "sites (default: as many as needed)")
       ->check(in_range(3, 1000));
   add_common(program.command("exchange", "anharmonicity at which the stability changes",

@@ -21,13 +21,13 @@ their direction. How far does it get, and for how long can its motion be known?
 #include <utility>
 #include <vector>
 
-#include "lattice/measure/impact.hpp"
+#include "lattice/measure/chosen.hpp"
 #include "lattice/measure/parting.hpp"
 #include "lattice/measure/turning.hpp"
 #include "lattice/numbers/parallel.hpp"
 #include "lattice/numbers/random.hpp"
 #include "lattice/report/judge.hpp"
-#include "lattice/report/program.hpp"
+#include "lattice/report/model_options.hpp"
 #include "lattice/stepping/reference.hpp"
 
 using namespace lattice;
@@ -180,10 +180,11 @@ two steps and for two impacts that differ by a fraction $\delta$. The article pr
 velocities with two or three digits; half a unit of the last digit of 1.87 means
 $\delta\approx 3\cdot10^{-3}$. */
 /// The time when two struck chains have parted; infinite if they have not by `time`.
+template <class Struck>
 double decorrelation(const ContactAware& first, double velocity, const ContactAware& second,
-                     double other, double s, double time, std::size_t sites = 150) {
-  return parting_time(first, struck(sites, velocity), second, struck(sites, other),
-                      HardChain{sites, {s}}, time);
+                     double other, const Struck& chain, double time) {
+  return parting_time(first, struck(chain.sites, velocity), second, struck(chain.sites, other),
+                      chain, time);
 }
 
 /**
@@ -203,7 +204,8 @@ std::vector<TwoImpacts> part_pairs(bool quick) {
   parallel_for(pairs.size(), [&](std::size_t i) {
     TwoImpacts& p = pairs[i];
     const auto at = [&](double shrink) {
-      return decorrelation({p.coarse * shrink}, v, {p.fine * shrink}, v * (1 + p.delta), 1, time);
+      return decorrelation({p.coarse * shrink}, v, {p.fine * shrink}, v * (1 + p.delta),
+                           HardChain{150, {1}}, time);
     };
     p.when = at(1);
     if (p.delta > 0) p.check = at(2);
@@ -503,25 +505,24 @@ void report_check(Report& report) {
 `sec34_boomeron run --velocity 1.9 --s 1 --time 1000` prints apex, rebound, and the time at which
 two impacts that differ by a fraction $10^{-8}$ have parted, looked for up to four times as long.
 What did not happen in the given time is `nan`. The step is halved until apex and rebound agree to
-the tolerance; where they never do, the motion became chaotic first, and the command fails. The
-chain has more sites than the run has units of time, so that a packet that escapes never reaches its
-far end. */
+the tolerance; where they never do, the motion became chaotic first, and the command fails. Well and
+contact may be others, by name, and the chain is so long that nothing returns from its far end. */
 struct RunOptions {
-  Strike strike;
-  double tolerance = 1e-3;
+  double velocity = 1.9, time = 1000, tolerance = 1e-3;
+  Model model{1};
 };
 
 Table run_command(const RunOptions& options) {
-  Strike strike = options.strike;
-  strike.sites = std::size_t(strike.time) + 100;
+  const double v = options.velocity, time = options.time;
+  const ChosenChain chain = endless(options.model, v, time);
   const auto runs = converge(
-      options.tolerance, [&](const ContactAware& stepper) { return voyage(stepper, strike); },
+      options.tolerance, [&](const ContactAware& at) { return voyage(at, chain, v, time); },
       SameTurn{});
+  if (std::abs(runs.fine.end.v.back()) > 1e-9 * v) throw Failure("the motion reaches the far end");
   const TurnEstimate read = estimate_turn(runs.coarse, runs.fine);
-  const double v = strike.velocity;
   const auto neighbours = [&](int more) {
     const ContactAware at = stepper_for(options.tolerance, largest_step, runs.halvings + more);
-    return decorrelation(at, v, at, v * (1 + 1e-8), strike.s, 4 * strike.time, strike.sites);
+    return decorrelation(at, v, at, v * (1 + 1e-8), chain, 4 * time);
   };
   Quantities q;
   q.add("apex_site", read.apex_site, "site");
@@ -533,14 +534,13 @@ Table run_command(const RunOptions& options) {
 
 /**
 The ranges of the options exclude inputs for which the question has no answer: a run too short for
-the smoothing, a velocity at which nothing moves. */
+the smoothing, a velocity at which nothing moves, a soft quartic well. */
 void add_run(Program& program, RunOptions& options) {
   Command* run = program.command("run", "one impact: apex, rebound, decorrelation",
                                  [&options] { return run_command(options); });
-  run->add_option("--velocity", options.strike.velocity, "impact velocity")
-      ->check(in_range(1e-3, 100));
-  run->add_option("--s", options.strike.s, "anharmonicity of the well")->check(in_range(0, 1000));
-  run->add_option("--time", options.strike.time, "length of the run")->check(in_range(50, 1e5));
+  run->add_option("--velocity", options.velocity, "impact velocity")->check(in_range(1e-3, 100));
+  add_model_options(*run, options.model, {{"s", {0, 1000}}});
+  run->add_option("--time", options.time, "length of the run")->check(in_range(50, 1e5));
   run->add_option("--tolerance", options.tolerance, "relative error allowed in apex and rebound")
       ->check(in_range(1e-8, 0.1));
 }

@@ -252,8 +252,9 @@ int main(int argc, char** argv) {
   Program program({"sec34_kink", "3.4", "Breather and kink in pendulum wells (section 3.4)"}, argc,
                   argv);
   Options options;
-  Command* run =
-      program.command("run", "one impact: who moved on", [&] { return run_command(options); });
+  Command* run = program.command(
+      "run", "one impact: who moved on (pendulums: a kink needs a well beside every well)",
+      [&] { return run_command(options); });
   run->add_option("--velocity", options.velocity, "impact velocity")->check(in_range(1e-6, 100));
   run->add_option("--patience", options.patience, "longest wait for the counts to settle")
       ->check(in_range(400, 1e5));

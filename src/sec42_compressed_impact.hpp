@@ -18,6 +18,7 @@ runs it. */
 #include "lattice/measure/flight.hpp"
 #include "lattice/numbers/parallel.hpp"
 #include "lattice/report/judge.hpp"
+#include "lattice/report/model_options.hpp"
 #include "lattice/report/program.hpp"
 
 namespace compressed {
@@ -186,11 +187,22 @@ inline void report_impacts(Report& report) {
 }
 
 /**
-The subcommand `impact` does the same for one blow of your choice. It fails if a bead escapes from a
-soft well before the end, because then there is no packet to report. */
-inline Table impact_quantities(const Launch& launch) {
-  const CompressedRun coarse = fly(launch, {launch.time}, {});
-  const CompressedRun fine = fly(launch, {launch.time}, FlightSteps{}.halved());
+The subcommand `impact` does the same for one blow of your choice, in wells of any name; the contact, whose
+compression is the subject, stays. The named wells all have the phonons of the harmonic one, on which the
+length of the chain rests. It fails if a bead escapes from a soft well before the end, because then there is
+no packet to report. */
+struct OneImpact {
+  Launch launch{};
+  NamedWell well{Quartic{1}};
+
+  Table quantities() const;
+  void offer(Program& program);
+};
+
+inline Table OneImpact::quantities() const {
+  const Chain<NamedWell, CompressedHertz> chain{launch.sites(), well, {launch.d}};
+  const CompressedRun coarse = fly(launch, chain, {launch.time}, {});
+  const CompressedRun fine = fly(launch, chain, {launch.time}, FlightSteps{}.halved());
   if (fine.shown.empty() || coarse.shown.empty())
     throw Failure("the solution blows up: --velocity is beyond the threshold of this well");
   const PacketSample &a = coarse.samples.back(), &b = fine.samples.back();
@@ -202,6 +214,17 @@ inline Table impact_quantities(const Launch& launch) {
   q.add("boundary_energy_fraction", compare(a.boundary, b.boundary));
   q.add("energy_drift", compare(coarse.drift, fine.drift));
   return q.table;
+}
+
+/**
+Its options are those of an impact without compression, with ranges in which phonons exist. */
+inline void OneImpact::offer(Program& program) {
+  Command* impact = program.command("impact", "one impact: centre, width and energy of the packet",
+                                    [this] { return quantities(); });
+  add_well_options(*impact, well.well, "the phonons are others");
+  impact->add_option("--time", launch.time, "length of the run")->check(in_range(1, 2e4));
+  impact->add_option("--velocity", launch.velocity, "impact velocity")->check(in_range(1e-6, 100));
+  impact->add_option("--d", launch.d, "compression of the contacts")->check(in_range(1e-3, 10));
 }
 
 }  // namespace compressed

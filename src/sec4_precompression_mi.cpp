@@ -499,7 +499,7 @@ energy centre, the width of the sech that fits its envelope, and the share of th
 sites. It fails if a bead escapes from a soft well. */
 struct Options {
   double q = pi / 4, s = -1.0 / 6, d = compression;
-  Launch launch{};
+  compressed::OneImpact impact{};
 };
 
 /**
@@ -510,18 +510,12 @@ void offer(Program& program, Options& o) {
                                 [&] { return coefficient_quantities(o.q, o.d, o.s); });
   Command* band = program.command("band", "edges and inflection of the phonon band",
                                   [&] { return band_quantities(o.d, o.s); });
-  Command* impact = program.command("impact", "one impact: centre, width and energy of the packet",
-                                    [&] { return compressed::impact_quantities(o.launch); });
   at->add_option("--q", o.q, "wavenumber")->check(in_range(0, 3.1415926535897932));
   for (Command* sub : {at, band}) {
     sub->add_option("--d", o.d, "compression of the contacts")->check(in_range(1e-6, 100));
     sub->add_option("--s", o.s, "anharmonicity of the well")->check(in_range(-100, 100));
   }
-  impact->add_option("--s", o.launch.s, "anharmonicity of the well")->check(in_range(-10, 10));
-  impact->add_option("--time", o.launch.time, "length of the run")->check(in_range(1, 2e4));
-  impact->add_option("--velocity", o.launch.velocity, "impact velocity")
-      ->check(in_range(1e-6, 100));
-  impact->add_option("--d", o.launch.d, "compression of the contacts")->check(in_range(1e-3, 10));
+  o.impact.offer(program);
 }
 
 /**

@@ -41,7 +41,7 @@ namespace lattice {
   LATTICE_LOOPS(words, double, Pendulum, PowerContact)    \
   LATTICE_LOOPS(words, double, None, PowerContact)
 
-// Flights and orbits of the article's own chain.
+// Flights and orbits of the article's own chain, and of those in wells of any name.
 #define LATTICE_FLIGHTS(words, T, Onsite, Contact)                                                 \
   words Flow<T> flow(const Chain<Onsite, Contact>&, State<T>&, T, const Landing<T>&, Tangent<T>*); \
   words Matrix<T> monodromy(const Chain<Onsite, Contact>&, const State<T>&, const T&,              \
@@ -57,6 +57,20 @@ namespace lattice {
                         const NewtonRule<T>&);                                           \
   words Pairs<T> floquet_pairs(const Chain<Onsite, Contact>&, const State<T>&, const T&, \
                                const Landing<T>&);
+
+// Breathers of a family, from its beginning.
+#define LATTICE_FAMILY(words, Onsite)                                                       \
+  words class Branch<Shooting<double, Onsite, Hertz>>;                                      \
+  words Orbit<double> find_breather(const Shooting<double, Onsite, Hertz>&, Phase,          \
+                                    const NewtonRule<double>&);                             \
+  words FittedIn<Onsite> fit_chain(Centre, double, const Onsite&, std::size_t, std::size_t, \
+                                   double, Phase);
+
+// Runs of a chain that is chosen when the program runs.
+#define LATTICE_CHOSEN(words)                                                                   \
+  words Run evolve_chosen(const ContactAware&, const ChosenChain&, State<double>&, const Pace&, \
+                          const Look&);                                                         \
+  words std::vector<double> energy_density(const ChosenChain&, const State<double>&);
 
 // Eigen's decompositions.
 #define LATTICE_DENSE(words, T)                                                            \
@@ -89,7 +103,13 @@ LATTICE_FLIGHTS(extern template, long double, Quartic, Hertz)
 LATTICE_FLIGHTS(extern template, double, Harmonic, Hertz)
 LATTICE_ORBITS(extern template, double, Quartic, Hertz)
 LATTICE_ORBITS(extern template, long double, Quartic, Hertz)
-extern template class Branch<Shooting<double, Quartic, Hertz>>;
+LATTICE_FAMILY(extern template, Quartic)
+LATTICE_FLIGHTS(extern template, double, NamedWell, Hertz)
+LATTICE_FLIGHTS(extern template, long double, NamedWell, Hertz)
+LATTICE_ORBITS(extern template, double, NamedWell, Hertz)
+LATTICE_ORBITS(extern template, long double, NamedWell, Hertz)
+LATTICE_FAMILY(extern template, NamedWell)
+LATTICE_CHOSEN(extern template)
 LATTICE_DENSE(extern template, double)
 LATTICE_DOUBLE(extern template)
 LATTICE_DENSE(extern template, long double)

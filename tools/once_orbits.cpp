@@ -8,5 +8,5 @@ LATTICE_FLIGHTS(template, long double, Quartic, Hertz)
 LATTICE_FLIGHTS(template, double, Harmonic, Hertz)
 LATTICE_ORBITS(template, double, Quartic, Hertz)
 LATTICE_ORBITS(template, long double, Quartic, Hertz)
-template class Branch<Shooting<double, Quartic, Hertz>>;
+LATTICE_FAMILY(template, Quartic)
 }  // namespace lattice

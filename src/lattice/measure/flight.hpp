@@ -115,10 +115,11 @@ inline constexpr double settling_time = 40;
 
 /**
 The impact takes place at $t = 0$. With compression we change methods at the settling time; without it
-contacts never cease to open, and the contact-aware method integrates all the time. */
-inline CompressedRun fly(const Launch& launch, const std::vector<double>& times,
-                         FlightSteps steps) {
-  const auto chain = launch.chain();
+contacts never cease to open, and the contact-aware method integrates all the time. The wells of `chain` may
+be of any kind. */
+template <class Onsite>
+CompressedRun fly(const Launch& launch, const Chain<Onsite, CompressedHertz>& chain,
+                  const std::vector<double>& times, FlightSteps steps) {
   CompressedRun out{struck(chain.sites, launch.velocity)};
   const auto watch = [&](const State<double>& now) {
     if (!out.samples.empty() && now.t == out.samples.back().t) return;
@@ -135,6 +136,11 @@ inline CompressedRun fly(const Launch& launch, const std::vector<double>& times,
   if (first < launch.time && !run.escaped())
     out.drift += evolve(late, chain, out.end, launch.time - first, 1, watch).energy_drift;
   return out;
+}
+/// The same in quartic wells.
+inline CompressedRun fly(const Launch& launch, const std::vector<double>& times,
+                         FlightSteps steps) {
+  return fly(launch, launch.chain(), times, steps);
 }
 
 /**

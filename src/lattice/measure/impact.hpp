@@ -15,6 +15,7 @@ programs. */
 #include <utility>
 #include <vector>
 
+#include "lattice/measure/chosen.hpp"
 #include "lattice/measure/observe.hpp"
 #include "lattice/model/model.hpp"
 #include "lattice/stepping/accuracy.hpp"
@@ -72,21 +73,20 @@ inline double boundary_share(const std::vector<double>& e, std::size_t sites = 5
 template <class Stepper, class Watch>
 Outcome follow(const Stepper& stepper, const Impact& impact, double until, const Pace& pace,
                Watch watch, std::size_t each = 1) {
-  return with_chain(impact, [&](const auto& chain) {
-    Outcome out;
-    out.end = struck(impact.sites, impact.velocity);
-    std::size_t k = 0;
-    out.run = evolve(stepper, chain, out.end, pace, [&](const State<double>& now) {
-      out.density = energy_density(chain, now);
-      watch(now, std::as_const(out.density));
-      if (k++ == 0) return true;
-      for (double y : now.y) out.reach = std::max(out.reach, std::abs(y));
-      const auto site = front_packet(out.density);
-      if (site) out.track.add(now.t, out.density, *site);
-      return (k - 1) % each != 0 || !site || out.track.centre.back() < until;
-    });
-    return out;
+  const ChosenChain chain{impact.sites, impact.model};
+  Outcome out;
+  out.end = struck(impact.sites, impact.velocity);
+  std::size_t k = 0;
+  out.run = evolve(stepper, chain, out.end, pace, [&](const State<double>& now) {
+    out.density = energy_density(chain, now);
+    watch(now, std::as_const(out.density));
+    if (k++ == 0) return true;
+    for (double y : now.y) out.reach = std::max(out.reach, std::abs(y));
+    const auto site = front_packet(out.density);
+    if (site) out.track.add(now.t, out.density, *site);
+    return (k - 1) % each != 0 || !site || out.track.centre.back() < until;
   });
+  return out;
 }
 
 /// As above, with samples `sample` apart or a little less.

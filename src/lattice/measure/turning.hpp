@@ -153,18 +153,25 @@ struct Voyage {
 A run keeps the path of the packet and the chain as it is at the end; whatever else is needed, such as a
 map of densities, `watch` collects. */
 
-/// Follows the strongest packet; `watch(state, density)` sees every sample.
-template <class Watch = Unwatched>
-Voyage voyage(const ContactAware& stepper, const Strike& strike, Watch watch = {}) {
-  const Chain<Quartic, Hertz> chain{strike.sites, {strike.s}};
+/// Follows the strongest packet after an impact on any `chain`; `watch(state, density)` sees every sample.
+template <class Struck, class Watch = Unwatched>
+Voyage voyage(const ContactAware& stepper, const Struck& chain, double velocity, double time,
+              Watch watch = {}) {
   Voyage out;
-  out.end = struck(strike.sites, strike.velocity);
-  out.run = evolve(stepper, chain, out.end, strike.time, sampling, [&](const State<double>& now) {
+  out.end = struck(chain.sites, velocity);
+  out.run = evolve(stepper, chain, out.end, time, sampling, [&](const State<double>& now) {
     const std::vector<double> density = energy_density(chain, now);
     out.path.add(now.t, density);
     watch(now, density);
   });
   return out;
+}
+
+/// The same in quartic wells.
+template <class Watch = Unwatched>
+Voyage voyage(const ContactAware& stepper, const Strike& strike, Watch watch = {}) {
+  const Chain<Quartic, Hertz> chain{strike.sites, {strike.s}};
+  return voyage(stepper, chain, strike.velocity, strike.time, watch);
 }
 
 /**

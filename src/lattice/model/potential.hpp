@@ -53,6 +53,8 @@ struct ParameterInfo {
 
 /// Values of parameters by their names.
 using Settings = std::map<std::string, double>;
+/// Ranges that a program allows instead of those of the potentials, by the names of the parameters.
+using Ranges = std::map<std::string, std::pair<double, double>>;
 
 /**
 The lists of wells and of contacts are lists of types (`AnyOnsite`, `AnyContact`); to find a name we must
@@ -115,17 +117,19 @@ inline std::string comma_list(const std::vector<std::string>& words) {
 /**
 Now the other direction, from what was typed to a potential. `apply` sets those of the given parameters
 that the potential has, and returns whether it has them all. Throws std::invalid_argument if a value is
-out of range. */
+out of range, be it the potential's or one of `own`. */
 template <class Potential>
-bool apply(Potential& potential, const Settings& given) {
+bool apply(Potential& potential, const Settings& given, const Ranges& own = {}) {
   std::size_t used = 0;
   for_each_parameter(potential, [&](const Parameter<Potential>& p) {
     const auto found = given.find(p.name);
     if (found == given.end()) return;
-    if (!(found->second >= p.least && found->second <= p.most)) {
+    const auto range = own.find(p.name);
+    const auto [least, most] = range == own.end() ? std::pair(p.least, p.most) : range->second;
+    if (!(found->second >= least && found->second <= most)) {
       std::ostringstream text;
-      text << p.name << " = " << found->second << " is not in the allowed range [" << p.least
-           << ", " << p.most << "]";
+      text << p.name << " = " << found->second << " is not in the allowed range [" << least << ", "
+           << most << "]";
       throw std::invalid_argument(text.str());
     }
     potential.*p.value = found->second;
@@ -156,12 +160,12 @@ Several types may share a name, the plainest first. `named` returns the first in
 `name` and has all the given parameters. Throws std::invalid_argument if there is none, or if a value is
 out of range. */
 template <class Any>
-Any named(const std::string& name, const Settings& given = {}) {
+Any named(const std::string& name, const Settings& given = {}, const Ranges& own = {}) {
   bool found = false;
   Any out;
   for_each_potential<Any>([&](auto potential) {
     if (found || name != potential.name) return;
-    if (apply(potential, given)) out = potential, found = true;
+    if (apply(potential, given, own)) out = potential, found = true;
   });
   if (!found) throw std::invalid_argument(why_not_named<Any>(name, given));
   return out;

@@ -125,4 +125,26 @@ inline double rim_of(const AnyOnsite& any) {
   return std::visit([](const auto& onsite) { return rim_of(onsite); }, any);
 }
 
+/**
+A long run should know its well when it is compiled (model.hpp). Where a computation is short but long to
+compile, such as Newton's method in several precisions, it is better to decide anew in every call: then
+all wells are one type and are compiled once, and the numbers are those of the well itself, to the bit. */
+struct NamedWell {
+  AnyOnsite well = Quartic{};
+
+  template <class T>
+  T energy(T y) const {
+    return std::visit([&](const auto& w) -> T { return w.energy(y); }, well);
+  }
+  template <class T>
+  T force(T y) const {
+    return std::visit([&](const auto& w) -> T { return w.force(y); }, well);
+  }
+  template <class T>
+  T stiffness(T y) const {
+    return std::visit([&](const auto& w) -> T { return w.stiffness(y); }, well);
+  }
+  double rim() const { return rim_of(well); }
+};
+
 }  // namespace lattice

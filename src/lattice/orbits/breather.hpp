@@ -25,31 +25,50 @@ branch (continuation.hpp), so that there is never a doubt to which family a brea
 
 namespace lattice {
 
-/// Problems of shooting.hpp in the article's chain: quartic wells, Hertzian contacts.
-template <class T>
-using BreatherProblem = Shooting<T, Quartic, Hertz>;
+/// Problems of shooting.hpp in a chain with Hertzian contacts; in the article's the wells are quartic.
+template <class T, class Onsite = Quartic>
+using BreatherProblem = Shooting<T, Onsite, Hertz>;
+
+/// A well is a value with members, and no number, which would stand for the s of a quartic one.
+template <class Onsite>
+concept IsWell = requires(const Onsite& well) {
+  well.stiffness(0.0);
+};
 
 /// A bond-centred breather at t = 0: its central contact is compressed, as in Eq. (18), or stretched,
 /// as it is half a period later.
 enum class Phase { compressed, stretched };
 
-/// The problem of a breather of frequency `omega` in wells with anharmonicity `s`, Eq. (10). The contacts
-/// have no floor, because the tail is part of the breather. Throws std::invalid_argument if the number of
-/// sites does not fit the centre.
-template <class T>
-BreatherProblem<T> breather_problem(Centre centre, const T& omega, double s, std::size_t sites) {
+/**
+In the limit of small amplitude only the frequency of a well at rest counts, and the unit of time makes it
+one. So the families begin in the same way in wells of any shape, and what follows asks for nothing else. */
+/// The problem of a breather of frequency `omega` in wells of a kind. The contacts have no floor, because
+/// the tail is part of the breather. Throws std::invalid_argument if the number of sites does not fit the
+/// centre or the frequency of a bead at rest is not one.
+template <class T, IsWell Onsite>
+BreatherProblem<T, Onsite> breather_problem(Centre centre, const T& omega, const Onsite& well,
+                                            std::size_t sites) {
   if (sites < 3 || (sites % 2 == 0) != (centre == Centre::bond))
     throw std::invalid_argument(
         "a bond-centred breather needs an even number of sites, at least 4,"
         " and a site-centred one an odd number, at least 3 (got " +
         std::to_string(sites) + ")");
-  BreatherProblem<T> problem;
+  if (well.stiffness(0.0) != 1)
+    throw std::invalid_argument("a breather needs wells whose frequency at rest is one");
+  BreatherProblem<T, Onsite> problem;
   problem.chain.sites = sites;
-  problem.chain.onsite.s = s;
+  problem.chain.onsite = well;
   problem.chain.contact.floor = 0;
   problem.symmetry = centred(centre, sites);
   problem.omega = omega;
   return problem;
+}
+
+/**
+The article's wells are named by their anharmonicity $s$, Eq. (10). */
+template <class T>
+BreatherProblem<T> breather_problem(Centre centre, const T& omega, double s, std::size_t sites) {
+  return breather_problem(centre, omega, Quartic{s}, sites);
 }
 
 /**
@@ -69,24 +88,24 @@ constexpr double direct_up_to = 1.1;
 
 /// The breather of a problem in double precision, on the branch that begins at omega_b = 1. Throws
 /// NoConvergence, and NoBranch if the branch does not reach the frequency.
-inline Orbit<double> find_breather(const BreatherProblem<double>& problem,
-                                   Phase phase = Phase::compressed,
-                                   const NewtonRule<double>& rule = {}) {
-  BreatherProblem<double> nearby = problem;
+template <class Onsite>
+Orbit<double> find_breather(const BreatherProblem<double, Onsite>& problem,
+                            Phase phase = Phase::compressed, const NewtonRule<double>& rule = {}) {
+  BreatherProblem<double, Onsite> nearby = problem;
   nearby.omega = std::min(problem.omega, direct_up_to);
   const Centre centre = problem.chain.sites % 2 == 0 ? Centre::bond : Centre::site;
   const State<double> guess = ansatz(centre, nearby.omega, problem.chain.sites, phase);
   const Orbit<double> start = newton(nearby, nearby.fold(guess), rule);
   if (nearby.omega == problem.omega) return start;
-  Branch branch(nearby, along_omega<BreatherProblem<double>>(), start, 1, rule);
+  Branch branch(nearby, along_omega<BreatherProblem<double, Onsite>>(), start, 1, rule);
   return branch.reach(problem.omega);
 }
 
 /**
 Double precision finds an orbit, and a wider type confirms its digits (`polish`). */
 /// The same problem in another precision.
-template <class T>
-BreatherProblem<T> in_precision(const BreatherProblem<double>& problem) {
+template <class T, class Onsite>
+BreatherProblem<T, Onsite> in_precision(const BreatherProblem<double, Onsite>& problem) {
   return {problem.chain, problem.symmetry, T(problem.omega)};
 }
 
@@ -112,10 +131,12 @@ std::size_t sites_needed(const Orbit<T>& orbit, double precision) {
 /**
 A reader who asks for a chain of some length gets that chain, or is told why it will not do. */
 /// A breather on a chain that can hold it.
-struct Fitted {
-  BreatherProblem<double> problem;
+template <class Onsite>
+struct FittedIn {
+  BreatherProblem<double, Onsite> problem;
   Orbit<double> orbit;
 };
+using Fitted = FittedIn<Quartic>;
 
 /// Thrown if the chain cannot hold the breather's tail; it needs `needed` sites.
 struct ShortChain : std::invalid_argument {
@@ -130,14 +151,15 @@ So the breather is first found on a chain that is certainly long enough. Far up 
 best guess for the shorter one. */
 /// The breather on `sites` sites, which must hold its tail down to `precision`. With `sites` = 0
 /// the chain is as long as necessary but not shorter than `usual`. Throws ShortChain, NoConvergence.
-inline Fitted fit_chain(Centre centre, double omega, double s, std::size_t sites, std::size_t usual,
-                        double precision, Phase phase) {
+template <IsWell Onsite>
+FittedIn<Onsite> fit_chain(Centre centre, double omega, const Onsite& well, std::size_t sites,
+                           std::size_t usual, double precision, Phase phase) {
   const std::size_t ample = 2 * usual - usual % 2;
-  const Orbit<double> orbit = find_breather(breather_problem(centre, omega, s, ample), phase);
+  const Orbit<double> orbit = find_breather(breather_problem(centre, omega, well, ample), phase);
   const std::size_t needed = sites_needed(orbit, precision);
   const std::size_t n = sites ? sites : std::max(needed, usual);
   if (n < needed) throw ShortChain(needed);
-  const auto problem = breather_problem(centre, omega, s, n);
+  const auto problem = breather_problem(centre, omega, well, n);
   if (omega <= direct_up_to) return {problem, find_breather(problem, phase)};
   State<double> start(n);
   const long shift = (long(n) - long(ample)) / 2;
@@ -145,6 +167,11 @@ inline Fitted fit_chain(Centre centre, double omega, double s, std::size_t sites
     if (i - shift >= 0 && i - shift < long(ample))
       start.y[std::size_t(i)] = orbit.start.y[std::size_t(i - shift)];
   return {problem, newton(problem, problem.fold(start))};
+}
+/// The same in wells with anharmonicity `s`.
+inline Fitted fit_chain(Centre centre, double omega, double s, std::size_t sites, std::size_t usual,
+                        double precision, Phase phase) {
+  return fit_chain(centre, omega, Quartic{s}, sites, usual, precision, phase);
 }
 
 /**

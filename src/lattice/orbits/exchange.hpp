@@ -54,8 +54,8 @@ struct Spectrum {
 };
 
 /// The pairs at the orbit of a problem, in type T, with their errors. Throws NoConvergence.
-template <class T>
-Spectrum spectrum(const BreatherProblem<double>& problem, const Orbit<double>& orbit) {
+template <class T, class Onsite>
+Spectrum spectrum(const BreatherProblem<double, Onsite>& problem, const Orbit<double>& orbit) {
   const auto in_t = in_precision<T>(problem);
   const auto pairs = [&](int coarser) {
     Orbit<double> guess = orbit;

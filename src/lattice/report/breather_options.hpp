@@ -2,12 +2,13 @@
 /**
 # Choosing a breather on the command line
 
-A breather is named by its centre, its frequency and, around a bond, the phase at $t = 0$; how many sites
-it needs follows from that. Who names a chain length as well gets that chain, or is told why not. */
+A breather is named by its centre, its frequency, the well of the beads and, around a bond, the phase at
+$t = 0$; how many sites it needs follows from that. Who names a chain length as well gets that chain, or is told why not. */
 
 #include <string>
 
 #include "lattice/orbits/breather.hpp"
+#include "lattice/report/model_options.hpp"
 #include "lattice/report/program.hpp"
 
 namespace lattice {
@@ -16,6 +17,7 @@ struct ChosenBreather {
   std::string centre = "site", phase = "compressed";
   double omega = 1.1;
   std::size_t sites = 0;  ///< 0: as many as needed
+  NamedWell onsite{};
 
   Centre kind() const { return centre == "site" ? Centre::site : Centre::bond; }
   Phase start() const { return phase == "stretched" ? Phase::stretched : Phase::compressed; }
@@ -26,6 +28,7 @@ struct ChosenBreather {
     app.add_option("--phase", phase, "central contact of a bond-centred breather at t = 0")
         ->check(one_of({"compressed", "stretched"}));
   }
+  void offer_well(Command& app) { add_well_options(app, onsite.well, "there is no breather"); }
 };
 
 /**
@@ -43,6 +46,15 @@ auto on_chosen_chain(const ChosenBreather& chosen, Make make) {
     throw UsageError(sites + " cannot hold this breather's tail (allowed: " +
                      std::to_string(error.needed) + " or more)");
   }
+}
+
+/// The breather that was chosen, on a chain of about the article's length that holds its tail down to
+/// `precision`. Throws UsageError, NoConvergence.
+inline FittedIn<NamedWell> find_chosen(const ChosenBreather& chosen, double precision) {
+  return on_chosen_chain(chosen, [&] {
+    return fit_chain(chosen.kind(), chosen.omega, chosen.onsite, chosen.sites,
+                     sites_of(chosen.kind()), precision, chosen.start());
+  });
 }
 
 }  // namespace lattice

@@ -15,13 +15,8 @@ not include it: our own programs have it compiled once for all (tools/frame.cpp)
 #include <iostream>
 
 #include "lattice/model/model.hpp"
+#include "lattice/report/potential_options.hpp"
 #include "lattice/report/program.hpp"
-
-#ifndef LATTICE_ONCE_COMPILED
-#define LATTICE_ONCE inline
-#else
-#define LATTICE_ONCE
-#endif
 
 namespace lattice {
 

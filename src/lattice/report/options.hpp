@@ -21,6 +21,13 @@ frame.hpp alone: its headers take longer to compile than a chapter. */
 
 #include "lattice/report/table.hpp"
 
+// What reads the command line is the same in every program: our own have it compiled once for all.
+#ifndef LATTICE_ONCE_COMPILED
+#define LATTICE_ONCE inline
+#else
+#define LATTICE_ONCE
+#endif
+
 namespace lattice {
 
 /// The reader's input cannot be used: exit code 2.

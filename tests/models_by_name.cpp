@@ -1,0 +1,224 @@
+// Wells and contacts by name in the programs beside sec34_impact: which are offered, what is refused, and
+// that a well chosen when the program runs is the well itself.
+
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "check_potential.hpp"
+#include "lattice/measure/chosen.hpp"
+#include "lattice/measure/flight.hpp"
+#include "lattice/measure/turning.hpp"
+#include "lattice/orbits/breather.hpp"
+#include "lattice/stepping/reference.hpp"
+#include "run.hpp"
+
+using namespace lattice;
+
+namespace {
+
+const std::string breather = "sec32_newton_breathers breather ";
+const std::string multipliers = "sec33_floquet multipliers ";
+const std::string compressed_impact = "sec4_precompression_mi impact --time 100 ";
+const std::string boomeron = "sec34_boomeron run --time 100 ";
+const std::vector<std::string> with_wells{breather, multipliers, compressed_impact};
+
+/// The table without its header, which tells the command.
+std::string rows(const std::string& command) {
+  const Result answer = call(command);
+  CAPTURE(command, answer.errors);
+  REQUIRE(answer.code == 0);
+  return body(answer.output);
+}
+
+/// Exit code 2 and one line that contains `what`.
+void check_refused(const std::string& command, const std::string& what) {
+  const Result answer = call(command);
+  CAPTURE(command, answer.errors);
+  CHECK(answer.code == 2);
+  CHECK(answer.error_lines() == 1);
+  CHECK(answer.output.empty());
+  CHECK(answer.errors.find(what) != std::string::npos);
+}
+
+Table table_of(const std::string& command) {
+  const Result answer = call(command);
+  CAPTURE(command, answer.errors);
+  REQUIRE(answer.code == 0);
+  std::istringstream in(answer.output);
+  return from_text(in);
+}
+
+/// By how much a chain with these wells misses its start after one period, relative to the amplitude.
+template <class Onsite>
+double missed(const std::vector<double>& y, double omega) {
+  Chain<Onsite, Hertz> chain{y.size()};
+  chain.contact.floor = 0;
+  State<double> start(y.size());
+  start.y = y;
+  State<double> end = start;
+  evolve_reference(chain, end, 2 * std::acos(-1.0) / omega, 1e-13);
+  end.t = start.t;
+  return distance(end, start);
+}
+
+}  // namespace
+
+TEST_CASE("a well chosen at run time has the bits of the well itself", "[unit][potential][model]") {
+  const auto same = [](auto well) {
+    const NamedWell chosen{well};
+    for (double y : {-1.7, -1e-3, 0.0, 0.4, 2.5}) {
+      CHECK(chosen.energy(y) == well.energy(y));
+      CHECK(chosen.force(y) == well.force(y));
+      CHECK(chosen.stiffness(y) == well.stiffness(y));
+      CHECK(chosen.force((long double)y) == well.force((long double)y));
+    }
+    CHECK(rim_of(chosen) == rim_of(well));
+    check_well(chosen);
+  };
+  same(Harmonic{});
+  same(Quartic{-0.5});
+  same(Pendulum{});
+}
+
+TEST_CASE("a chain chosen at run time moves like the chain itself", "[unit][model]") {
+  const auto same = [](const Model& model, const auto& chain) {
+    const Voyage chosen = voyage({0.1}, ChosenChain{chain.sites, model}, 1.9, 60);
+    const Voyage own = voyage({0.1}, chain, 1.9, 60);
+    CHECK(chosen.path.centre == own.path.centre);
+    CHECK(chosen.end.v == own.end.v);
+    CHECK(chosen.run.energy_drift == own.run.energy_drift);
+  };
+  same(Pendulum{}, Chain<Pendulum, Hertz>{40});
+  same({Quartic{1}, CompressedHertz{0.5}}, Chain<Quartic, CompressedHertz>{40, {1}, {0.5}});
+}
+
+TEST_CASE("a chain is long enough for what travels in it", "[unit][model]") {
+  struct Run {
+    Model model;
+    double velocity, time;
+  };
+  for (const auto& [model, velocity, time] : {Run{1, 1.9, 200},
+                                              {None{}, 1.9, 200},
+                                              {None{}, 100, 60},
+                                              {{None{}, CompressedHertz{4}}, 1, 60}}) {
+    const ChosenChain chain = endless(model, velocity, time);
+    const Voyage seen = voyage({0.05}, chain, velocity, time);
+    CAPTURE(velocity, chain.sites);
+    CHECK(chain.sites < 4 * std::size_t(time) + 100);
+    CHECK(std::abs(seen.end.v.back()) < 1e-12);
+  }
+}
+
+TEST_CASE("every command answers a wrong well in one line", "[cli][model]") {
+  for (const std::string& command : {breather, multipliers, compressed_impact, boomeron}) {
+    check_refused(command + "--onsite cubic", "none, harmonic, quartic, pendulum");
+    check_refused(command + "--onsite pendulum --s 0.1", "--s: 'pendulum' has no parameter s");
+    check_refused(command + "--onsite harmonic --s 0", "--s: 'harmonic' has no parameter s");
+    check_refused(command + "--onsite quartic --s nan", "--s");
+  }
+  const std::string why = "'none' holds no bead, and without a well ";
+  const std::string others = " (allowed: harmonic, quartic, pendulum)";
+  check_refused(breather + "--onsite none", why + "there is no breather" + others);
+  check_refused(multipliers + "--onsite none", why + "there is no breather" + others);
+  check_refused(compressed_impact + "--onsite none", why + "the phonons are others" + others);
+  check_refused(compressed_impact + "--contact power", "--contact");
+  check_refused(boomeron + "--contact glue", "hertz, power");
+  check_refused(boomeron + "--alpha 2", "--alpha: 'hertz' has no parameter alpha");
+  check_refused(boomeron + "--onsite quartic --s -0.1", "[0, 1000]");
+}
+
+TEST_CASE("the name of a program's own well changes nothing", "[cli][model]") {
+  for (const std::string& command : with_wells) {
+    CAPTURE(command);
+    const std::string plain = rows(command), other = rows(command + "--s 0.3");
+    CHECK(rows(command + "--onsite quartic") == plain);
+    CHECK(rows(command + "--onsite quartic --s 0.3") == other);
+    CHECK(other != plain);
+    const std::string harmonic = rows(command + "--onsite harmonic");
+    CHECK(harmonic == rows(command + "--s 0"));  // the same well by another type
+    CHECK(harmonic != other);
+    CHECK(rows(command + "--onsite pendulum") != harmonic);
+  }
+}
+
+TEST_CASE("a packet turns round in the well and with the contact that were named", "[cli][model]") {
+  const std::string turns = "sec34_boomeron run --time 800 ";  // it has turned by then
+  const Result plain = call(turns), harder = call(turns + "--onsite quartic --s 1.2");
+  REQUIRE(plain.code == 0);
+  CHECK(quantity(plain, "apex_site") > quantity(harder, "apex_site") + 1);
+  CHECK(rows(turns + "--onsite quartic --contact power --alpha 1.5") == body(plain.output));
+  CHECK(call(boomeron + "--s 300").code == 0);
+}
+
+TEST_CASE("the header does not record a parameter that the well lacks", "[cli][model]") {
+  const auto parameters = [](const std::string& command) {
+    for (const auto& [name, value] : table_of(command).meta)
+      if (name == "parameters") return value;
+    return std::string();
+  };
+  CHECK(parameters(boomeron).find("onsite = quartic, s = 1,") != std::string::npos);
+  CHECK(parameters(boomeron + "--onsite pendulum").find("s = none") != std::string::npos);
+  CHECK(parameters(breather + "--onsite quartic").find("s = 0,") != std::string::npos);
+}
+
+TEST_CASE("breathers of pendulums are periodic orbits by an independent route", "[cli][model]") {
+  struct Wanted {
+    std::string centre;
+    double omega;
+  };
+  for (const auto& [centre, omega] : {Wanted{"site", 1.1}, {"bond", 1.5}}) {
+    CAPTURE(centre, omega);
+    const std::vector<double> y = table_of(breather + "--onsite pendulum --profile --centre " +
+                                           centre + " --omega " + std::to_string(omega))
+                                      .numbers("y");
+    REQUIRE(y.size() >= 31);
+    CHECK(missed<Pendulum>(y, omega) < 1e-9);
+    CHECK(missed<Harmonic>(y, omega) > 1e-5);  // in another well it is none
+  }
+}
+
+TEST_CASE("small breathers of pendulums are those of the quartic well with s = -1/6",
+          "[cli][model]") {
+  const std::string near = " --s -0.16666666666666666";
+  for (const char* name : {"amplitude", "energy", "area"}) {
+    CAPTURE(name);
+    const double pendulum = quantity(call(breather + "--onsite pendulum"), name);
+    check_close(pendulum, quantity(call(breather + near), name), 0, 1e-7);
+    CHECK(std::abs(pendulum / quantity(call(breather), name) - 1) > 1e-5);
+  }
+  const auto pinning = [](const std::string& options) {
+    return table_of(multipliers + options).numbers("modulus")[2] - 1;
+  };
+  check_close(pinning("--onsite pendulum"), pinning(near), 0, 1e-3);
+  CHECK(pinning("--onsite pendulum") > 1.2 * pinning(""));
+}
+
+TEST_CASE("an orbit in a named well is confirmed by wider types", "[cli][model]") {
+  const Result narrow = call(breather + "--onsite pendulum"),
+               wide = call(breather + "--onsite pendulum --precision extended");
+  REQUIRE(wide.code == 0);
+  for (const char* name : {"amplitude", "energy", "area"}) {
+    CAPTURE(name);
+    CHECK(quantity(wide, name, "error") < 1e-14 * quantity(wide, name));
+    check_close(quantity(narrow, name), quantity(wide, name), 0, 1e-12);
+  }
+}
+
+TEST_CASE("breathers begin only in wells of frequency one", "[unit][model]") {
+  CHECK_THROWS_AS(breather_problem(Centre::site, 1.1, None{}, 31), std::invalid_argument);
+  CHECK_THROWS_AS(breather_problem(Centre::site, 1.1, NamedWell{None{}}, 31),
+                  std::invalid_argument);
+  CHECK_NOTHROW(breather_problem(Centre::site, 1.1, NamedWell{Pendulum{}}, 31));
+}
+
+TEST_CASE("the compressed impact strikes the well that was named", "[cli][model]") {
+  const Launch launch{0, 100};
+  const Chain<Pendulum, CompressedHertz> chain{launch.sites(), {}, {launch.d}};
+  const CompressedRun own = fly(launch, chain, {launch.time}, FlightSteps{}.halved());
+  const Result r = call(compressed_impact + "--onsite pendulum");
+  REQUIRE(r.code == 0);
+  CHECK(quantity(r, "centre") == own.samples.back().centre);
+  CHECK(quantity(r, "energy_fraction") == own.samples.back().share);
+}
