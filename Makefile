@@ -49,10 +49,14 @@ images := $(svgs) $(svgs:.svg=.pdf) $(svgs:.svg=.png)
 .PHONY: figures test all-figures all-data programs install-deps burn help readme refresh lock summary
 .PHONY: $(foreach i,$(ids),$(if $(filter x%,$(i)),$(i),fig$(i)))
 
+# A program uses all cores, a drawing only one.
+side_by_side = $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS))
+
 ## figures: compute and draw everything, then compare with the article
 figures: install-deps
 	@mkdir -p $(D)/report && date +%s > $(D)/report/start
-	@$(MAKE) all-figures
+	@$(MAKE) all-data
+	@$(MAKE) $(side_by_side) all-figures
 	@$(MAKE) summary
 
 ## test: everything the tests need (data and figures), then the tests

@@ -2,24 +2,23 @@
 
 #include "lattice/dps/stationary.hpp"
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
-#include <boost/multiprecision/eigen.hpp>
 #include <complex>
 
 #include "check.hpp"
 #include "lattice/dps/dps.hpp"
 #include "lattice/dps/impact.hpp"
 #include "lattice/measure/impact.hpp"
+#include "lattice/numbers/extended.hpp"
 
 using namespace lattice;
-using Quad = boost::multiprecision::cpp_bin_float_quad;
+using Quad = Quadruple;
 
 namespace {
 
 /// Largest residual of -mu u_n = D_n - D_{n-1} relative to mu |u_n|, written out independently.
 template <class T>
 T residual(const Stationary<T>& s) {
-  const T least = std::numeric_limits<T>::min() / std::numeric_limits<T>::epsilon();
+  const T least = least_exact<T>();
   const auto size = [](T x) { return x < T(0) ? T(-x) : x; };
   const auto pull = [&](std::size_t i) {
     if (i == 0 || i >= s.u.size()) return T(0);
