@@ -2,8 +2,9 @@
 /**
 # How the command line is read
 
-CLI11 reads the command line, and only this file knows it. A program that defines LATTICE_ONCE_COMPILED does
-not include it: our own programs have it compiled once for all (tools/frame.cpp). */
+CLI11 reads the command line, and only this file knows it. It takes longer to compile than a chapter, so
+our own programs share one compiled copy (tools/once_frame.cpp) and define LATTICE_ONCE_COMPILED; any other
+program that includes this file compiles it itself. */
 
 #include <gsl/gsl_errno.h>
 
