@@ -11,7 +11,6 @@
 #include "lattice/numbers/extended.hpp"
 
 using namespace lattice;
-using Quad = Quadruple;
 
 namespace {
 
@@ -58,10 +57,10 @@ TEST_CASE("stationary states solve their equation in every precision", "[unit][d
       const std::size_t n = sites + (centre == Centre::site);
       CAPTURE(int(centre), n);
       const auto one = stationary<double>(centre, 1, n);
-      const auto quad = stationary<Quad>(centre, 1, n);
+      const auto quad = stationary<Quadruple>(centre, 1, n);
       CHECK(residual(one) < 2e-15);
       CHECK(residual(stationary<long double>(centre, 1, n)) < 2e-15L);
-      CHECK(residual(quad) < Quad(4e-33));
+      CHECK(residual(quad) < Quadruple(4e-33));
       check_symmetry(one);
       check_symmetry(quad);
       for (std::size_t i = 0; i < n; ++i) {
@@ -78,11 +77,11 @@ TEST_CASE("contact sum and norm", "[unit][dps]") {
       check_close(s.contact_sum(), mu * s.norm(), 0, 1e-14);
     }
   // Our digits, found again by quadruple precision on another chain length.
-  const auto site = stationary<Quad>(Centre::site, 1, 51).norm();
-  const auto bond = stationary<Quad>(Centre::bond, 1, 50).norm();
+  const auto site = stationary<Quadruple>(Centre::site, 1, 51).norm();
+  const auto bond = stationary<Quadruple>(Centre::bond, 1, 50).norm();
   check_close(static_cast<double>(site), 0.0053604202279709888, 0, 1e-15);
   check_close(static_cast<double>(bond), 0.0053604130927007855, 0, 1e-15);
-  check_close(static_cast<double>(Quad(bond - site)), -7.1352702032507e-9, 0, 1e-13);
+  check_close(static_cast<double>(Quadruple(bond - site)), -7.1352702032507e-9, 0, 1e-13);
 }
 
 TEST_CASE("amplitude scales as the square of the frequency", "[property][dps]") {

@@ -24,24 +24,6 @@ const std::string compressed_impact = "sec4_precompression_mi impact --time 100 
 const std::string boomeron = "sec34_boomeron run --time 100 ";
 const std::vector<std::string> with_wells{breather, multipliers, compressed_impact};
 
-/// The table without its header, which tells the command.
-std::string rows(const std::string& command) {
-  const Result answer = call(command);
-  CAPTURE(command, answer.errors);
-  REQUIRE(answer.code == 0);
-  return body(answer.output);
-}
-
-/// Exit code 2 and one line that contains `what`.
-void check_refused(const std::string& command, const std::string& what) {
-  const Result answer = call(command);
-  CAPTURE(command, answer.errors);
-  CHECK(answer.code == 2);
-  CHECK(answer.error_lines() == 1);
-  CHECK(answer.output.empty());
-  CHECK(answer.errors.find(what) != std::string::npos);
-}
-
 Table table_of(const std::string& command) {
   const Result answer = call(command);
   CAPTURE(command, answer.errors);
