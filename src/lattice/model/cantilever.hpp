@@ -204,8 +204,8 @@ inline std::vector<NamedScale> derived_scales(const CantileverArray& a, double v
 A larger bead, of radius $R_n$, makes its cantilever heavier and both its contacts stiffer,
 $\eta_n = [2R_nR_{n+1}/(R_n+R_{n+1})]^{1/2}$ with radii in units of $R$. What follows is the chain of
 Eq. (32) with one such site, where the radius is `ratio` times the usual one. */
-inline Chain<Harmonic, Hertz> cantilever_chain(const CantileverArray& array, double ratio) {
-  Chain<Harmonic, Hertz> chain{array.sites};
+inline Chain cantilever_chain(const CantileverArray& array, double ratio) {
+  Chain chain{array.sites};
   std::vector<double> mass(array.sites, 1.0), eta(array.sites + 1, 1.0);
   mass[array.defect - 1] = array.mu(ratio);
   eta[array.defect - 1] = eta[array.defect] = CantileverArray::eta(ratio);

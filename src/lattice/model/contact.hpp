@@ -164,19 +164,70 @@ struct PowerContact {
   double opening() const { return d; }
 };
 
+/// A contact law that the list does not know (potential.hpp), with its opening and its exponent, which
+/// the law's struct names like those above.
+struct OwnContact : OwnPotential {
+  double exponent = 1.5;
+  OwnContact() = default;
+  template <class P>
+  explicit OwnContact(P contact)
+      : OwnPotential(contact), exponent(contact.exponent), opening_(contact.opening()) {}
+  double opening() const { return opening_; }
+
+ private:
+  double opening_ = 0;
+};
+
 /**
-A program lets its reader choose a contact by name (potential.hpp). Two types share the name `hertz`: the
-plain law, and the one with a precompression. */
-using AnyContact = std::variant<Hertz, CompressedHertz, PowerContact>;
+Like a well, a contact is one of a list or of the caller's own, and is made from one of these structs. A
+program lets its reader choose one by name (potential.hpp). Two types share the name `hertz`: the plain law,
+and the one with a precompression. */
+struct Contact : std::variant<Hertz, CompressedHertz, PowerContact, OwnContact> {
+  Contact() = default;
+  template <class P>
+  requires(!std::is_same_v<P, Contact> && IsPotential<P>) Contact(P contact)
+      : variant(kept(std::move(contact))) {}
+
+  /// The contact as what it is. Throws std::bad_variant_access if it is another one.
+  template <class P>
+  const P& as() const {
+    if constexpr (requires { std::get<P>(*this); })
+      return std::get<P>(*this);
+    else
+      return std::get<OwnContact>(*this).template as<P>();
+  }
+
+  template <class T>
+  T energy(T r) const {
+    return std::visit([&](const auto& c) -> T { return c.energy(r); }, *this);
+  }
+  template <class T>
+  T force(T r) const {
+    return std::visit([&](const auto& c) -> T { return c.force(r); }, *this);
+  }
+  template <class T>
+  T stiffness(T r) const {
+    return std::visit([&](const auto& c) -> T { return c.stiffness(r); }, *this);
+  }
+  double opening() const {
+    return std::visit([](const auto& c) { return c.opening(); }, *this);
+  }
+  double exponent() const {
+    return std::visit([](const auto& c) { return c.exponent; }, *this);
+  }
+
+ private:
+  template <class P>
+  static auto kept(P contact) {
+    if constexpr (std::is_constructible_v<variant, P>)
+      return contact;
+    else
+      return OwnContact(std::move(contact));
+  }
+};
 
 /// The same law by its simplest type: without precompression the 3/2 law is plain `Hertz`, with the
 /// same bits, and `PowerContact` with exponent 3/2 is one of the two laws of Hertz.
-inline AnyContact simplest(const AnyContact& contact) {
-  const auto hertz = [](double d) { return d == 0 ? AnyContact{Hertz{}} : CompressedHertz{d}; };
-  if (const auto* c = std::get_if<CompressedHertz>(&contact)) return hertz(c->d);
-  if (const auto* c = std::get_if<PowerContact>(&contact); c && c->exponent == 1.5)
-    return hertz(c->d);
-  return contact;
-}
+Contact simplest(const Contact& contact);
 
 }  // namespace lattice

@@ -4,8 +4,7 @@
 
 A chain (chain.hpp) needs two kinds of potential energy: the well $W(y)$ that holds each bead (well.hpp)
 and the contact $V(r)$ that couples neighbours (contact.hpp), with $r = y_{n+1} - y_n$. Both are small
-value types with the same three members, so that a chain is put together when it is compiled and its
-inner loop vectorises:
+value types with the same three members:
 
 | member | meaning | well | contact |
 |---|---|---|---|
@@ -20,12 +19,14 @@ in a well one, the unit of length does the same for the coefficient of the conta
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <limits>
 #include <map>
+#include <memory>
 #include <sstream>
 #include <stdexcept>
 #include <string>
-#include <tuple>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -57,8 +58,134 @@ using Settings = std::map<std::string, double>;
 using Ranges = std::map<std::string, std::pair<double, double>>;
 
 /**
-The lists of wells and of contacts are lists of types (`AnyOnsite`, `AnyContact`); to find a name we must
-walk through them. Two functions do that: the first calls `use` with every parameter of a potential (most
+Not every potential is in a list. Any struct with the three functions can stand in a chain: it is kept behind
+the six functions below, three in double and three in extended precision, each of which treats a row of
+numbers at once. So a potential of one's own costs little more than the others. It has no name for the
+command line. */
+class OwnPotential {
+ public:
+  OwnPotential() = default;
+  template <class P>
+  explicit OwnPotential(P potential) : kept_(std::make_shared<const Of<P>>(std::move(potential))) {}
+
+  static constexpr const char* name = "own";
+
+  /// The same functions as those of other potentials. In other types than double and long double they
+  /// throw std::logic_error.
+  template <class T>
+  T energy(T x) const {
+    return energies(&x, &x, 1), x;
+  }
+  template <class T>
+  T force(T x) const {
+    return forces(&x, &x, 1), x;
+  }
+  template <class T>
+  T stiffness(T x) const {
+    return stiffnesses(&x, &x, 1), x;
+  }
+
+  /// Each for a row of `n` numbers.
+  template <class T>
+  void energies(const T* x, T* out, std::size_t n) const {
+    if constexpr (known<T>) return kept_->energies(x, out, n);
+    throw std::logic_error(narrow);
+  }
+  template <class T>
+  void forces(const T* x, T* out, std::size_t n) const {
+    if constexpr (known<T>) return kept_->forces(x, out, n);
+    throw std::logic_error(narrow);
+  }
+  template <class T>
+  void stiffnesses(const T* x, T* out, std::size_t n) const {
+    if constexpr (known<T>) return kept_->stiffnesses(x, out, n);
+    throw std::logic_error(narrow);
+  }
+
+  /// The struct itself. Throws std::bad_variant_access if it is another one.
+  template <class P>
+  const P& as() const {
+    if (!kept_ || kept_->type() != &Of<P>::tag) throw std::bad_variant_access();
+    return static_cast<const Of<P>&>(*kept_).potential;
+  }
+
+ private:
+  template <class T>
+  static constexpr bool known = std::is_same_v<T, double> || std::is_same_v<T, long double>;
+  static constexpr const char* narrow =
+      "a potential of one's own is known in double and extended precision only";
+
+  struct Functions {
+    virtual ~Functions() = default;
+    virtual const void* type() const = 0;
+    virtual void energies(const double*, double*, std::size_t) const = 0;
+    virtual void forces(const double*, double*, std::size_t) const = 0;
+    virtual void stiffnesses(const double*, double*, std::size_t) const = 0;
+    virtual void energies(const long double*, long double*, std::size_t) const = 0;
+    virtual void forces(const long double*, long double*, std::size_t) const = 0;
+    virtual void stiffnesses(const long double*, long double*, std::size_t) const = 0;
+  };
+
+  template <class P>
+  struct Of final : Functions {
+    P potential;
+    static constexpr char tag = 0;
+    explicit Of(P p) : potential(std::move(p)) {}
+    template <class T, class F>
+    static void each(const T* x, T* out, std::size_t n, F of) {
+      for (std::size_t i = 0; i < n; ++i) out[i] = of(x[i]);
+    }
+    const void* type() const override { return &tag; }
+    void energies(const double* x, double* out, std::size_t n) const override {
+      each(x, out, n, [this](double u) { return potential.energy(u); });
+    }
+    void forces(const double* x, double* out, std::size_t n) const override {
+      each(x, out, n, [this](double u) { return potential.force(u); });
+    }
+    void stiffnesses(const double* x, double* out, std::size_t n) const override {
+      each(x, out, n, [this](double u) { return potential.stiffness(u); });
+    }
+    void energies(const long double* x, long double* out, std::size_t n) const override {
+      each(x, out, n, [this](long double u) { return potential.energy(u); });
+    }
+    void forces(const long double* x, long double* out, std::size_t n) const override {
+      each(x, out, n, [this](long double u) { return potential.force(u); });
+    }
+    void stiffnesses(const long double* x, long double* out, std::size_t n) const override {
+      each(x, out, n, [this](long double u) { return potential.stiffness(u); });
+    }
+  };
+
+  std::shared_ptr<const Functions> kept_{};
+};
+
+/// A struct with the three functions of a potential.
+template <class P>
+concept IsPotential = requires(const P& p, double x) {
+  p.energy(x);
+  p.force(x);
+  p.stiffness(x);
+};
+
+/// Forces and stiffnesses at a row of numbers.
+template <class P, class T>
+void forces_of(const P& potential, const T* x, T* out, std::size_t n) {
+  if constexpr (std::is_base_of_v<OwnPotential, P>)
+    potential.forces(x, out, n);
+  else
+    for (std::size_t i = 0; i < n; ++i) out[i] = potential.force(x[i]);
+}
+template <class P, class T>
+void stiffnesses_of(const P& potential, const T* x, T* out, std::size_t n) {
+  if constexpr (std::is_base_of_v<OwnPotential, P>)
+    potential.stiffnesses(x, out, n);
+  else
+    for (std::size_t i = 0; i < n; ++i) out[i] = potential.stiffness(x[i]);
+}
+
+/**
+The lists of wells and of contacts are variants over types (`Well`, `Contact`); to find a name we must walk
+through them. Two functions do that: the first calls `use` with every parameter of a potential (most
 have none), the second with a default value of every type in a list. */
 template <class Potential, class Use>
 void for_each_parameter(const Potential&, Use use) {
@@ -66,13 +193,16 @@ void for_each_parameter(const Potential&, Use use) {
     for (const Parameter<Potential>& p : Potential::parameters()) use(p);
 }
 
-/// Calls `use` with a default value of every type in the list `Any`.
+/// Calls `use` with a default value of every type in the list `Any` that has a name of its own.
 template <class Any, class Use>
 void for_each_potential(Use use) {
-  [&]<std::size_t... i>(std::index_sequence<i...>) {
-    (use(std::variant_alternative_t<i, Any>{}), ...);
-  }
-  (std::make_index_sequence<std::variant_size_v<Any>>{});
+  const auto walk = [&]<class... Potential>(const std::variant<Potential...>*) {
+    const auto one = [&]<class P>(const P*) {
+      if constexpr (!std::is_base_of_v<OwnPotential, P>) use(P{});
+    };
+    (one(static_cast<const Potential*>(nullptr)), ...);
+  };
+  walk(static_cast<const Any*>(nullptr));
 }
 
 /// The names in a list of potentials, each once.

@@ -5,7 +5,7 @@
 The well $W$ holds a bead near its place: gravity on a pendulum, or the elasticity of a beam. Apart from
 the members that every potential has (potential.hpp), a well may have a `rim()`, the displacement beyond
 which it no longer pulls a bead back. A new well is a struct in this file and an entry in the list at its
-end; CONTRIBUTING.md shows one being added. */
+end; CONTRIBUTING.md shows one being added. A struct that is in no list serves as well. */
 
 #include <array>
 #include <cmath>
@@ -117,34 +117,59 @@ double rim_of(const Onsite& onsite) {
     return std::numeric_limits<double>::infinity();
 }
 
-/// The wells that can be chosen by name; `std::visit` once at the edge of a program.
-using AnyOnsite = std::variant<None, Harmonic, Quartic, Pendulum>;
+/// A well that the list does not know (potential.hpp), with its rim.
+struct OwnWell : OwnPotential {
+  OwnWell() = default;
+  template <class P>
+  explicit OwnWell(P well) : OwnPotential(well), edge_(rim_of(well)) {}
+  double rim() const { return edge_; }
 
-/// The same for a well chosen by name.
-inline double rim_of(const AnyOnsite& any) {
-  return std::visit([](const auto& onsite) { return rim_of(onsite); }, any);
-}
+ private:
+  double edge_ = std::numeric_limits<double>::infinity();
+};
 
 /**
-A long run should know its well when it is compiled (model.hpp). Where a computation is short but long to
-compile, such as Newton's method in several precisions, it is better to decide anew in every call: then
-all wells are one type and are compiled once, and the numbers are those of the well itself, to the bit. */
-struct NamedWell {
-  AnyOnsite well = Quartic{};
+A chain holds a well of this list or one of the caller's own, and has the same type whichever it is. A well is
+made from one of these structs: `chain.well = Quartic{0.5}` sets it and `chain.well.as<Quartic>().s` reads
+it. Its functions choose anew in every call; the loops along a chain choose once (chain.hpp). */
+struct Well : std::variant<None, Harmonic, Quartic, Pendulum, OwnWell> {
+  Well() : variant(Harmonic{}) {}
+  template <class P>
+  requires(!std::is_same_v<P, Well> && IsPotential<P>) Well(P well) : variant(kept(std::move(well))) {}
+
+  /// The well as what it is. Throws std::bad_variant_access if it is another one.
+  template <class P>
+  const P& as() const {
+    if constexpr (requires { std::get<P>(*this); })
+      return std::get<P>(*this);
+    else
+      return std::get<OwnWell>(*this).template as<P>();
+  }
 
   template <class T>
   T energy(T y) const {
-    return std::visit([&](const auto& w) -> T { return w.energy(y); }, well);
+    return std::visit([&](const auto& w) -> T { return w.energy(y); }, *this);
   }
   template <class T>
   T force(T y) const {
-    return std::visit([&](const auto& w) -> T { return w.force(y); }, well);
+    return std::visit([&](const auto& w) -> T { return w.force(y); }, *this);
   }
   template <class T>
   T stiffness(T y) const {
-    return std::visit([&](const auto& w) -> T { return w.stiffness(y); }, well);
+    return std::visit([&](const auto& w) -> T { return w.stiffness(y); }, *this);
   }
-  double rim() const { return rim_of(well); }
+  double rim() const {
+    return std::visit([](const auto& w) { return rim_of(w); }, *this);
+  }
+
+ private:
+  template <class P>
+  static auto kept(P well) {
+    if constexpr (std::is_constructible_v<variant, P>)
+      return well;
+    else
+      return OwnWell(std::move(well));
+  }
 };
 
 }  // namespace lattice

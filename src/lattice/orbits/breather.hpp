@@ -9,31 +9,17 @@ $$y_n(0) = 2\epsilon\,u_n,\qquad \epsilon = \bigl(2\tau_0(\omega_b-1)\bigr)^2.$$
 Close to $\omega_b = 1$ Newton's method converges from there. To reach higher frequencies we follow the
 branch (continuation.hpp), so that there is never a doubt to which family a breather belongs. */
 
-#include <cmath>
 #include <cstddef>
-#include <limits>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "lattice/dps/dps.hpp"
-#include "lattice/dps/stationary.hpp"
 #include "lattice/numbers/criterion.hpp"
 #include "lattice/numbers/estimate.hpp"
 #include "lattice/orbits/continuation.hpp"
+#include "lattice/orbits/shooting.hpp"
 
 namespace lattice {
-
-/// Problems of shooting.hpp in a chain with Hertzian contacts; in the article's the wells are quartic.
-template <class T, class Onsite = Quartic>
-using BreatherProblem = Shooting<T, Onsite, Hertz>;
-
-/// A well is a value with members, and no number, which would stand for the s of a quartic one.
-template <class Onsite>
-concept IsWell = requires(const Onsite& well) {
-  well.stiffness(0.0);
-};
 
 /// A bond-centred breather at t = 0: its central contact is compressed, as in Eq. (18), or stretched,
 /// as it is half a period later.
@@ -45,67 +31,35 @@ one. So the families begin in the same way in wells of any shape, and what follo
 /// The problem of a breather of frequency `omega` in wells of a kind. The contacts have no floor, because
 /// the tail is part of the breather. Throws std::invalid_argument if the number of sites does not fit the
 /// centre or the frequency of a bead at rest is not one.
-template <class T, IsWell Onsite>
-BreatherProblem<T, Onsite> breather_problem(Centre centre, const T& omega, const Onsite& well,
-                                            std::size_t sites) {
-  if (sites < 3 || (sites % 2 == 0) != (centre == Centre::bond))
-    throw std::invalid_argument(
-        "a bond-centred breather needs an even number of sites, at least 4,"
-        " and a site-centred one an odd number, at least 3 (got " +
-        std::to_string(sites) + ")");
-  if (well.stiffness(0.0) != 1)
-    throw std::invalid_argument("a breather needs wells whose frequency at rest is one");
-  BreatherProblem<T, Onsite> problem;
-  problem.chain.sites = sites;
-  problem.chain.onsite = well;
-  problem.chain.contact.floor = 0;
-  problem.symmetry = centred(centre, sites);
-  problem.omega = omega;
-  return problem;
-}
+template <class T>
+Shooting<T> breather_problem(Centre centre, const T& omega, const Well& well, std::size_t sites);
 
 /**
 The article's wells are named by their anharmonicity $s$, Eq. (10). */
 template <class T>
-BreatherProblem<T> breather_problem(Centre centre, const T& omega, double s, std::size_t sites) {
-  return breather_problem(centre, omega, Quartic{s}, sites);
+Shooting<T> breather_problem(Centre centre, const T& omega, double s, std::size_t sites) {
+  return breather_problem(centre, omega, Well(Quartic{s}), sites);
 }
 
 /**
 Newton's method needs a guess, and close to $\omega_b = 1$ the quasi-continuum profile is a good one. */
 /// The approximate breather of Eq. (20), at rest.
-inline State<double> ansatz(Centre centre, double omega, std::size_t sites,
-                            Phase phase = Phase::compressed) {
-  const double scale = 2 * breather_eps(omega) * (phase == Phase::stretched ? -1 : 1);
-  State<double> state(sites);
-  for (std::size_t i = 0; i < sites; ++i)
-    state.y[i] = scale * quasi_continuum(centre, site_number(i, sites));
-  return state;
-}
+State<double> ansatz(Centre centre, double omega, std::size_t sites,
+                     Phase phase = Phase::compressed);
 
 /// Up to this frequency, that of figure 4, Newton's method starts from the quasi-continuum profile.
 constexpr double direct_up_to = 1.1;
 
 /// The breather of a problem in double precision, on the branch that begins at omega_b = 1. Throws
 /// NoConvergence, and NoBranch if the branch does not reach the frequency.
-template <class Onsite>
-Orbit<double> find_breather(const BreatherProblem<double, Onsite>& problem,
-                            Phase phase = Phase::compressed, const NewtonRule<double>& rule = {}) {
-  BreatherProblem<double, Onsite> nearby = problem;
-  nearby.omega = std::min(problem.omega, direct_up_to);
-  const Centre centre = problem.chain.sites % 2 == 0 ? Centre::bond : Centre::site;
-  const State<double> guess = ansatz(centre, nearby.omega, problem.chain.sites, phase);
-  const Orbit<double> start = newton(nearby, nearby.fold(guess), rule);
-  if (nearby.omega == problem.omega) return start;
-  Branch branch(nearby, along_omega<BreatherProblem<double, Onsite>>(), start, 1, rule);
-  return branch.reach(problem.omega);
-}
+Orbit<double> find_breather(const Shooting<double>& problem, Phase phase = Phase::compressed,
+                            const NewtonRule<double>& rule = {});
 
 /**
 Double precision finds an orbit, and a wider type confirms its digits (`polish`). */
 /// The same problem in another precision.
-template <class T, class Onsite>
-BreatherProblem<T, Onsite> in_precision(const BreatherProblem<double, Onsite>& problem) {
+template <class T>
+Shooting<T> in_precision(const Shooting<double>& problem) {
   return {problem.chain, problem.symmetry, T(problem.omega)};
 }
 
@@ -115,28 +69,15 @@ $|y|^{3/2}$. We compare this with the force $(\omega_b^2-1)|y|$ at the centre, w
 breather from a free oscillation. If the ratio is below the precision, longer chains give the same
 breather. The shortest such chain is read off a long one. */
 template <class T>
-std::size_t sites_needed(const Orbit<T>& orbit, double precision) {
-  const auto& y = orbit.start.y;
-  const double omega = double(orbit.omega);
-  const double bound = precision * (omega * omega - 1) * double(orbit.amplitude);
-  const auto weak = [&](std::size_t i) {
-    const double edge = std::abs(double(y[i]));
-    return edge * std::sqrt(edge) < bound;
-  };
-  std::size_t cut = 0;
-  while (2 * cut + 4 < y.size() && weak(cut + 1) && weak(y.size() - 2 - cut)) ++cut;
-  return y.size() - 2 * cut;
-}
+std::size_t sites_needed(const Orbit<T>& orbit, double precision);
 
 /**
 A reader who asks for a chain of some length gets that chain, or is told why it will not do. */
 /// A breather on a chain that can hold it.
-template <class Onsite>
-struct FittedIn {
-  BreatherProblem<double, Onsite> problem;
+struct Fitted {
+  Shooting<double> problem;
   Orbit<double> orbit;
 };
-using Fitted = FittedIn<Quartic>;
 
 /// Thrown if the chain cannot hold the breather's tail; it needs `needed` sites.
 struct ShortChain : std::invalid_argument {
@@ -151,23 +92,8 @@ So the breather is first found on a chain that is certainly long enough. Far up 
 best guess for the shorter one. */
 /// The breather on `sites` sites, which must hold its tail down to `precision`. With `sites` = 0
 /// the chain is as long as necessary but not shorter than `usual`. Throws ShortChain, NoConvergence.
-template <IsWell Onsite>
-FittedIn<Onsite> fit_chain(Centre centre, double omega, const Onsite& well, std::size_t sites,
-                           std::size_t usual, double precision, Phase phase) {
-  const std::size_t ample = 2 * usual - usual % 2;
-  const Orbit<double> orbit = find_breather(breather_problem(centre, omega, well, ample), phase);
-  const std::size_t needed = sites_needed(orbit, precision);
-  const std::size_t n = sites ? sites : std::max(needed, usual);
-  if (n < needed) throw ShortChain(needed);
-  const auto problem = breather_problem(centre, omega, well, n);
-  if (omega <= direct_up_to) return {problem, find_breather(problem, phase)};
-  State<double> start(n);
-  const long shift = (long(n) - long(ample)) / 2;
-  for (long i = 0; i < long(n); ++i)
-    if (i - shift >= 0 && i - shift < long(ample))
-      start.y[std::size_t(i)] = orbit.start.y[std::size_t(i - shift)];
-  return {problem, newton(problem, problem.fold(start))};
-}
+Fitted fit_chain(Centre centre, double omega, const Well& well, std::size_t sites,
+                 std::size_t usual, double precision, Phase phase);
 /// The same in wells with anharmonicity `s`.
 inline Fitted fit_chain(Centre centre, double omega, double s, std::size_t sites, std::size_t usual,
                         double precision, Phase phase) {
@@ -178,16 +104,10 @@ inline Fitted fit_chain(Centre centre, double omega, double s, std::size_t sites
 A breather can be shifted along the chain at almost no cost in energy. Section 3.3 finds that the direction
 in which this happens, the pinning mode, is nearly the discrete gradient of its profile. */
 /// Discrete gradient of a profile, y_(n+1) - y_(n-1), not normalised, and zero at both ends.
-inline Vector<double> gradient(const std::vector<double>& y) {
-  Vector<double> g = Vector<double>::Zero(Eigen::Index(y.size()));
-  for (std::size_t i = 1; i + 1 < y.size(); ++i) g[Eigen::Index(i)] = y[i + 1] - y[i - 1];
-  return g;
-}
+Vector<double> gradient(const std::vector<double>& y);
 
 /// Cosine of the angle between two directions, without sign.
-inline double alignment(const Vector<double>& a, const Vector<double>& b) {
-  return std::abs(a.dot(b)) / (a.norm() * b.norm());
-}
+double alignment(const Vector<double>& a, const Vector<double>& b);
 
 /**
 ## The barrier
@@ -209,21 +129,8 @@ struct Barrier {
 /// Both barriers, from the site-centred breather's problem and the two breathers of one frequency.
 /// Throws NoConvergence.
 template <class T>
-Barrier<T> barrier(const BreatherProblem<T>& site_problem, const Orbit<T>& site,
-                   const Orbit<T>& bond, const NewtonRule<T>& rule = {}) {
-  Barrier<T> out;
-  out.equal_frequency = site.energy - bond.energy;
-  const T area_omega = site_problem.period() * site.energy_omega;
-  const T change = (bond.area - site.area) / area_omega;
-  BreatherProblem<T> shifted = site_problem;
-  shifted.omega += change;
-  Orbit<T> guess = site;
-  guess.x += change * site.x_omega;
-  const Orbit<T> moved = polish(shifted, guess, rule);
-  out.equal_area = moved.energy + (bond.area - moved.area) / shifted.period() - bond.energy;
-  out.omega_site = shifted.omega;
-  return out;
-}
+Barrier<T> barrier(const Shooting<T>& site_problem, const Orbit<T>& site, const Orbit<T>& bond,
+                   const NewtonRule<T>& rule = {});
 
 /**
 ## What is said of breathers in words
@@ -233,10 +140,7 @@ breather has a symmetry by nature if it returns after a perturbation of $10^{-3}
 millionth of that in the wider type, and to at most a tenth of what double precision leaves, since rounding
 shrinks with the precision and a missing symmetry does not. */
 /// What is `left` of the asymmetry in double precision and in a `wide` type, relative to the amplitude.
-inline Criterion symmetric_by_nature(double left, double wide) {
-  return {below("broken", compare(0.0, wide), 1e-9),
-          below("share_of_double", compare(0.0, wide / left), 0.1)};
-}
+Criterion symmetric_by_nature(double left, double wide);
 
 /**
 A tail decays super-exponentially if the exponent $\ln|y_{n+1}|/\ln|y_n|$ is $3/2$ within 0.005 at the last
@@ -244,13 +148,9 @@ place where it can be formed, its change since the place before counted as its e
 exponential tail. An approximation is worse at the larger of two frequencies if its error there exceeds the
 other by more than both are uncertain. */
 /// From the exponent at the last place and at the one before.
-inline Criterion super_exponential(double before, double last) {
-  return {below("from_three_halves", {std::abs(last - 1.5), std::abs(last - before)}, 0.005)};
-}
+Criterion super_exponential(double before, double last);
 
 /// From the errors of an approximation at a small and at a large frequency.
-inline Criterion worse_when_large(const Estimate& small, const Estimate& large) {
-  return {above("worse", {large.value - small.value, large.error + small.error}, 0)};
-}
+Criterion worse_when_large(const Estimate& small, const Estimate& large);
 
 }  // namespace lattice

@@ -12,13 +12,10 @@ shifted along the chain has a second pair near $+1$, the *pinning pair*, which i
 multipliers near $+1$ should not be read off $M$. What we need is a quantity in which the two pairs are
 far apart or that of the phase is absent. */
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <cstddef>
-#include <stdexcept>
-#include <utility>
+#include <type_traits>
 #include <vector>
 
 #include "lattice/orbits/shooting.hpp"
@@ -30,44 +27,21 @@ The derivative of the flow comes from the variational equations, with a landing 
 or closes (tangent.hpp, landing.hpp). A flow that is too inaccurate for an orbit is refused here too. */
 /// Derivative of the flow from `start` over `duration`: 2N x 2N, positions before velocities.
 /// Throws NoConvergence if the flow is not accurate.
-template <class T, class Onsite, class Contact>
-Matrix<T> monodromy(const Chain<Onsite, Contact>& chain, const State<T>& start, const T& duration,
-                    const Landing<T>& rule = {}) {
-  State<T> end = start;
-  Tangent<T> tangent(chain.sites, 2 * chain.sites);
-  if (!is_accurate(flow(chain, end, duration, rule, &tangent), rule))
-    throw NoConvergence("the flow is not accurate enough for multipliers", {});
-  const auto n = Eigen::Index(2 * chain.sites);
-  return Eigen::Map<Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
-      tangent.entries.data(), n, n);
-}
+template <class T>
+Matrix<T> monodromy(const Chain& chain, const State<T>& start, const std::type_identity_t<T>& duration,
+                    const Landing<T>& rule = {});
 
 /**
 In positions and momenta the derivative of a Hamiltonian flow is symplectic, $F^T\Omega F = \Omega$ with
 $\Omega = \bigl(\begin{smallmatrix} 0 & 1\\ -1 & 0\end{smallmatrix}\bigr)$. We use this below, so the first
 thing to know about a computed map is by how much it fails to be. */
 /// The derivative in positions and momenta: velocities are multiplied by the masses.
-template <class T, class Onsite, class Contact>
-Matrix<T> in_momenta(const Chain<Onsite, Contact>& chain, Matrix<T> f) {
-  const auto n = Eigen::Index(chain.sites);
-  for (Eigen::Index i = 0; i < n && !chain.mass.empty(); ++i) {
-    f.row(n + i) *= T(chain.mass_of(std::size_t(i)));
-    f.col(n + i) /= T(chain.mass_of(std::size_t(i)));
-  }
-  return f;
-}
+template <class T>
+Matrix<T> in_momenta(const Chain& chain, Matrix<T> f);
 
 /// Largest entry of F^T Omega F - Omega, zero for the derivative of an exact flow in momenta.
 template <class T>
-T symplectic_defect(const Matrix<T>& f) {
-  const Eigen::Index n = f.rows() / 2;
-  Matrix<T> turned(2 * n, 2 * n);
-  turned << f.bottomRows(n), -f.topRows(n);
-  Matrix<T> defect = f.transpose() * turned;
-  defect.topRightCorner(n, n).diagonal().array() -= T(1);
-  defect.bottomLeftCorner(n, n).diagonal().array() += T(1);
-  return sup<T>(defect.reshaped());
-}
+T symplectic_defect(const Matrix<T>& f);
 
 /**
 ## Orbits that start from rest
@@ -86,16 +60,10 @@ $\ln\lambda = \pm 2\,\mathrm{arsinh}\sqrt\kappa$. Near $+1$ the difference $\lam
 lose all digits; here it is never formed. */
 /// The matrix K of a half-period map in momenta.
 template <class T>
-Matrix<T> pair_matrix(const Matrix<T>& half) {
-  const Eigen::Index n = half.rows() / 2;
-  return half.topRightCorner(n, n).transpose() * half.bottomLeftCorner(n, n);
-}
+Matrix<T> pair_matrix(const Matrix<T>& half);
 
 /// The two multipliers of a pair: `sign` > 0 gives the larger one, or the one above the real axis.
-inline std::complex<double> multiplier(std::complex<double> kappa, int sign) {
-  const std::complex<double> root = std::sqrt(kappa * (1.0 + kappa));
-  return 1.0 + 2.0 * (kappa + double(sign) * root);
-}
+std::complex<double> multiplier(std::complex<double> kappa, int sign);
 
 /**
 The pair of the phase can be removed exactly. A shift in time changes the momenta at $t=0$ in proportion to
@@ -105,17 +73,7 @@ has all eigenvalues but the zero of the phase. In the restricted matrix the eige
 pair is a simple one, so that an error $\delta$ of the flow costs $\delta$ and not $\sqrt\delta$. */
 /// An orthonormal basis of all vectors perpendicular to `f`, by a Householder reflection.
 template <class T>
-Matrix<T> perpendicular_to(const Vector<T>& f) {
-  Vector<T> u = f / f.norm();
-  Eigen::Index top = 0;
-  u.cwiseAbs().maxCoeff(&top);
-  u[top] += u[top] > T(0) ? T(1) : T(-1);
-  u /= u.norm();
-  const Matrix<T> all = Matrix<T>::Identity(f.size(), f.size()) - T(2) * u * u.transpose();
-  Matrix<T> basis(f.size(), f.size() - 1);
-  basis << all.leftCols(top), all.rightCols(f.size() - 1 - top);
-  return basis;
-}
+Matrix<T> perpendicular_to(const Vector<T>& f);
 
 /**
 The result is a list of pairs. With it we keep how well $f^TK$ vanishes and $F$ is symplectic. */
@@ -133,41 +91,16 @@ The pairs are sorted by the modulus of $\kappa$, that is by their distance from 
 pinning pair. Throws NoConvergence if Eigen finds no eigenvalues. */
 /// Eigenvalues and the first mode of `k` restricted to the vectors perpendicular to `f`.
 template <class T>
-Pairs<T> pairs_of(const Matrix<T>& k, const Vector<T>& f) {
-  const Matrix<T> basis = perpendicular_to(f);
-  const Eigen::EigenSolver<Matrix<T>> solver(basis.transpose() * k * basis);
-  if (solver.info() != Eigen::Success) throw NoConvergence("no eigenvalues", {});
-  std::vector<std::pair<std::complex<T>, Eigen::Index>> all;
-  for (Eigen::Index i = 0; i < k.rows() - 1; ++i) all.emplace_back(solver.eigenvalues()[i], i);
-  std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
-    return std::norm(a.first) < std::norm(b.first);
-  });
-  Pairs<T> pairs;
-  for (const auto& one : all) pairs.kappa.push_back(one.first);
-  pairs.mode = basis * solver.eigenvectors().col(all.front().second).real();
-  pairs.mode /= pairs.mode.norm();
-  pairs.phase_error = sup<T>(k.transpose() * f / f.norm());
-  return pairs;
-}
+Pairs<T> pairs_of(const Matrix<T>& k, const Vector<T>& f);
 
 /**
 All together this costs half a period of the tangent, one product, and one eigenvalue problem of half the
 usual size. */
 /// The pairs of an orbit that begins at rest at `start`, even in time, with period `period`. Throws
 /// std::invalid_argument if it does not begin at rest, NoConvergence if the flow is inaccurate.
-template <class T, class Onsite, class Contact>
-Pairs<T> floquet_pairs(const Chain<Onsite, Contact>& chain, const State<T>& start, const T& period,
-                       const Landing<T>& rule = {}) {
-  for (const T& v : start.v)
-    if (v != T(0)) throw std::invalid_argument("the orbit must begin at rest");
-  const Matrix<T> half = in_momenta(chain, monodromy(chain, start, period / T(2), rule));
-  const std::vector<T> a = accelerations(chain, start.y);
-  Vector<T> force(Eigen::Index(a.size()));
-  for (std::size_t n = 0; n < a.size(); ++n) force[Eigen::Index(n)] = T(chain.mass_of(n)) * a[n];
-  Pairs<T> pairs = pairs_of(pair_matrix(half), force);
-  pairs.defect = symplectic_defect(half);
-  return pairs;
-}
+template <class T>
+Pairs<T> floquet_pairs(const Chain& chain, const State<T>& start, const std::type_identity_t<T>& period,
+                       const Landing<T>& rule = {});
 
 /**
 ## Errors
@@ -193,23 +126,7 @@ Two lists of eigenvalues have no common order. So each eigenvalue of the finer c
 the nearest one of the coarser that has not been taken yet. */
 /// The pairs with their errors, in the order of `fine`.
 template <class C, class T>
-std::vector<Pair> compare_pairs(const Pairs<C>& coarse, const Pairs<T>& fine) {
-  using Narrow = std::complex<double>;
-  std::vector<std::complex<T>> left;
-  for (const auto& k : coarse.kappa) left.emplace_back(T(k.real()), T(k.imag()));
-  std::vector<Pair> out;
-  for (const std::complex<T>& here : fine.kappa) {
-    const auto nearest = std::min_element(left.begin(), left.end(), [&](auto a, auto b) {
-      return std::norm(a - here) < std::norm(b - here);
-    });
-    const std::complex<T> apart = *nearest - here;
-    left.erase(nearest);
-    out.push_back(
-        {Narrow(double(here.real()), double(here.imag())),
-         std::abs(Narrow(double(apart.real()), double(apart.imag()))) + double(fine.defect)});
-  }
-  return out;
-}
+std::vector<Pair> compare_pairs(const Pairs<C>& coarse, const Pairs<T>& fine);
 
 /**
 ## Two other ways to the pinning pair
@@ -222,35 +139,12 @@ $S'$, is a map whose square is $M$; its phase pair is at $+1$ and its pinning pa
 argument from before, applied to this map, its first block $-PA$ has the mean $\alpha$ of the two
 multipliers of each pair as its eigenvalue, and $\kappa = \alpha^2 - 1$. */
 template <class T>
-T pinning_by_symmetry(const Matrix<T>& half, Centre centre) {
-  const Eigen::Index n = half.rows() / 2, right = n / 2;
-  Matrix<T> block;
-  if (centre == Centre::bond) {
-    const Matrix<T> k = pair_matrix(half);
-    block =
-        k.bottomRightCorner(right, right) + k.bottomLeftCorner(right, right).rowwise().reverse();
-  } else {
-    block = Matrix<T>::Identity(n, n) - Matrix<T>(half.topLeftCorner(n, n).colwise().reverse());
-  }
-  const std::vector<std::complex<T>> all = eigenvalues_of(block);
-  const auto nearer = [](const auto& a, const auto& b) { return std::norm(a) < std::norm(b); };
-  const T value = std::min_element(all.begin(), all.end(), nearer)->real();
-  return centre == Centre::bond ? value : value * (value - T(2));
-}
+T pinning_by_symmetry(const Matrix<T>& half, Centre centre);
 
 /**
 The same can be had from the monodromy matrix of any integrator. Each of the four eigenvalues nearest to
 $+1$ may be wrong by the square root of the matrix's error, but not the sum of their
 $(\lambda-1)^2/\lambda$. It is $8\kappa$ of the pinning pair, because the phase pair adds nothing. */
-inline double quadruplet_kappa(const Matrix<double>& map) {
-  std::vector<std::complex<double>> all = eigenvalues_of(map);
-  std::sort(all.begin(), all.end(), [](auto a, auto b) {
-    return std::pair(std::abs(a - 1.0), a.imag()) < std::pair(std::abs(b - 1.0), b.imag());
-  });
-  std::complex<double> sum = 0;
-  for (std::size_t i = 0; i < std::min<std::size_t>(4, all.size()); ++i)
-    sum += (all[i] - 1.0) * (all[i] - 1.0) / all[i];
-  return sum.real() / 8;
-}
+double quadruplet_kappa(const Matrix<double>& map);
 
 }  // namespace lattice

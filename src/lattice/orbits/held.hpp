@@ -28,18 +28,17 @@ namespace lattice {
 Like other orbits, a breather held at its centre is a problem for newton.hpp. The equations are those of
 rest after half a period and that of the centre. */
 /// The unknowns are the positions at t = 0 and the parameter.
-template <class P>
+template <class T>
 struct Held {
-  using Scalar = typename P::Scalar;
-  using T = Scalar;
-  P problem;             ///< even in time; its value of the parameter is not used
-  Along<P> along;        ///< which parameter is unknown
+  using Scalar = T;
+  Shooting<T> problem;             ///< even in time; its value of the parameter is not used
+  Along<T> along;        ///< which parameter is unknown
   T centre{};            ///< Q, in sites from the middle of the chain
   double change = 1e-5;  ///< of the central difference in the parameter, see `differentiate`
 
   std::string name() const { return "breather held at a centre"; }
   std::size_t sites() const { return problem.chain.sites; }
-  P at(const Vector<T>& x) const { return along.at(problem, x[x.size() - 1]); }
+  Shooting<T> at(const Vector<T>& x) const { return along.at(problem, x[x.size() - 1]); }
   State<T> start(const Vector<T>& x) const {
     State<T> state(sites());
     for (std::size_t n = 0; n < sites(); ++n) state.y[n] = x[Eigen::Index(n)];
@@ -57,76 +56,12 @@ struct Held {
   T place(std::size_t n) const { return T(double(n)) - T(double(sites() - 1)) / T(2); }
   State<T> fly(const Vector<T>& x, const Landing<T>& rule, Flow<T>& report,
                Tangent<T>* tangent) const {
-    const P there = at(x);
+    const Shooting<T> there = at(x);
     State<T> z = start(x);
     report = flow(there.chain, z, there.period() / T(2), rule, tangent);
     return z;
   }
 };
-
-/**
-The sizes of positions and their equations are those of the inner problem; the parameter and the centre are
-of order one. */
-template <class P>
-Sizes<typename P::Scalar> Held<P>::sizes(const Vector<T>& x, bool graded) const {
-  const Sizes<T> inner = problem.sizes(x.head(x.size() - 1), graded);
-  Sizes<T> out{Vector<T>::Ones(x.size()), Vector<T>::Ones(x.size())};
-  out.unknown.head(x.size() - 1) = inner.unknown;
-  out.equation.head(x.size() - 1) = inner.equation;
-  return out;
-}
-
-/**
-A shot gives the velocities at $T_b/2$ and, as the last equation, the centre. The derivative of the latter
-needs the positions at $T_b/2$ as well; these are in the same columns of the tangent. */
-template <class P>
-Shot<typename P::Scalar> Held<P>::shoot(const Vector<T>& x, const Landing<T>& rule,
-                                        bool with_jacobian) const {
-  const std::size_t n = sites();
-  const auto last = Eigen::Index(n);
-  Tangent<T> tangent(n, with_jacobian ? n : 0);
-  Shot<T> shot;
-  const State<T> end = fly(x, rule, shot.flow, with_jacobian ? &tangent : nullptr);
-  T weight(0), moment(0);
-  for (std::size_t i = 0; i < n; ++i) {
-    const T w = x[Eigen::Index(i)] * x[Eigen::Index(i)] + end.y[i] * end.y[i];
-    weight += w;
-    moment += w * place(i);
-  }
-  shot.miss.resize(last + 1);
-  for (std::size_t i = 0; i < n; ++i) shot.miss[Eigen::Index(i)] = end.v[i];
-  shot.miss[last] = moment / weight - centre;
-  if (with_jacobian) differentiate(x, rule, end, tangent, weight, shot);
-  return shot;
-}
-
-/**
-The flow's derivative with respect to a parameter is not computed, and we take a central difference
-instead. Its step is small, because almost nothing in these equations fixes $p$: along the direction in
-which the breather can be shifted their derivative is as small as the barrier (breather.hpp). */
-template <class P>
-void Held<P>::differentiate(const Vector<T>& x, const Landing<T>& rule, const State<T>& end,
-                            const Tangent<T>& tangent, const T& weight, Shot<T>& shot) const {
-  const std::size_t n = sites();
-  const auto last = Eigen::Index(n);
-  Vector<T> more = x, less = x;
-  more[last] += T(change);
-  less[last] -= T(change);
-  Flow<T> unused;
-  const State<T> up = fly(more, rule, unused, nullptr), down = fly(less, rule, unused, nullptr);
-  shot.jacobian = Matrix<T>::Zero(last + 1, last + 1);
-  for (std::size_t i = 0; i < n; ++i) {
-    const auto row = Eigen::Index(i);
-    const T lever = T(2) * (place(i) - centre - shot.miss[last]) / weight;
-    for (std::size_t k = 0; k < n; ++k) {
-      shot.jacobian(row, Eigen::Index(k)) = tangent(n + i, k);
-      shot.jacobian(last, Eigen::Index(k)) += lever * end.y[i] * tangent(i, k);
-    }
-    shot.jacobian(last, row) += lever * x[row];
-    shot.jacobian(row, last) = (up.v[i] - down.v[i]) / (T(2) * T(change));
-    shot.jacobian(last, last) += lever * end.y[i] * (up.y[i] - down.y[i]) / (T(2) * T(change));
-  }
-}
 
 /**
 If Newton's method began with a breather of another centre, its first step would throw the parameter far
@@ -137,19 +72,7 @@ $y_{n+1}-y_{n-1}$, which is almost the pinning direction. This failure is as sma
 Newton's method on all equations can take over. In double precision it would find the parameter only as
 well as rounding compares with the barrier, so callers continue in a wider type. */
 /// The unknowns with the centre of `held` and the same parameter, from those near that centre.
-template <class P, class T = typename P::Scalar>
-Vector<T> moved_to_centre(const Held<P>& held, Vector<T> x, const Landing<T>& landing = {}) {
-  const Eigen::Index n = x.size() - 1;
-  for (int k = 0; k < 4; ++k) {
-    const Shot<T> shot = held.shoot(x, landing);
-    Matrix<T> matrix = shot.jacobian;
-    for (Eigen::Index i = 0; i < n; ++i)
-      matrix(i, n) = i > 0 && i + 1 < n ? x[i + 1] - x[i - 1] : T(0);
-    matrix(n, n) = T(0);
-    const Vector<T> step = solve_scaled<T>(matrix, shot.miss, held.sizes(x, true), 0);
-    x.head(n) -= step.head(n);
-  }
-  return x;
-}
+template <class T>
+Vector<T> moved_to_centre(const Held<T>& held, Vector<T> x, const Landing<T>& landing = {});
 
 }  // namespace lattice

@@ -19,14 +19,9 @@ A problem `P` has
 | `sizes(x, graded)` | the units in which unknowns and equations are measured |
 | `name()` | what is looked for, for messages | */
 
-#include <Eigen/Dense>
-#include <cmath>
-#include <cstddef>
-#include <cstdio>
-#include <limits>
+#include <functional>
 #include <stdexcept>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -37,15 +32,7 @@ namespace lattice {
 
 /// The largest modulus in a vector; infinite if any entry is not a finite number.
 template <class T>
-T sup(const Vector<T>& x) {
-  T most(0);
-  for (Eigen::Index i = 0; i < x.size(); ++i) {
-    if (!(magnitude(x[i]) < std::numeric_limits<T>::infinity()))
-      return std::numeric_limits<T>::infinity();
-    most = std::max(most, magnitude(x[i]));
-  }
-  return most;
-}
+T sup(const Vector<T>& x);
 
 /**
 Newton's method learns about a problem from one integration at a time, a shot. It tells by how much the
@@ -76,28 +63,12 @@ leaves a direction free, the step is the shortest one that solves the equations 
 squares. A direction counts as free if its singular value, relative to the largest, is below `rank`, if
 that is positive. Least squares need a built-in type; others throw std::logic_error. */
 template <class T>
-Vector<T> solve_system(const Matrix<T>& matrix, const Vector<T>& right, double rank = 0) {
-  if (matrix.rows() == matrix.cols() && rank <= 0) return solve_square(matrix, right);
-  if constexpr (std::is_floating_point_v<T>) {
-    Eigen::CompleteOrthogonalDecomposition<Matrix<T>> shortest;
-    if (rank > 0) shortest.setThreshold(T(rank));
-    return shortest.compute(matrix).solve(right);
-  } else {
-    throw std::logic_error("this type solves as many equations as unknowns, no others");
-  }
-}
+Vector<T> solve_system(const Matrix<T>& matrix, const Vector<T>& right, double rank = 0);
 
 /// The step x with matrix * x = right, computed in the units of `size` and returned in those of `matrix`
 /// and `right`.
 template <class T>
-Vector<T> solve_scaled(Matrix<T> matrix, Vector<T> right, const Sizes<T>& size, double rank) {
-  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
-    for (Eigen::Index k = 0; k < matrix.cols(); ++k)
-      matrix(i, k) *= size.unknown[k] / size.equation[i];
-    right[i] /= size.equation[i];
-  }
-  return solve_system<T>(matrix, right, rank).cwiseProduct(size.unknown);
-}
+Vector<T> solve_scaled(Matrix<T> matrix, Vector<T> right, const Sizes<T>& size, double rank);
 
 /**
 ## History and failure
@@ -110,15 +81,7 @@ struct Iteration {
 };
 using History = std::vector<Iteration>;
 
-inline std::string to_text(const History& history) {
-  std::string text;
-  for (const Iteration& i : history) {
-    char buffer[48];
-    std::snprintf(buffer, sizeof buffer, "%s%.1e", text.empty() ? "" : ", ", i.residual);
-    text += buffer;
-  }
-  return text;
-}
+std::string to_text(const History& history);
 
 /**
 If the method fails, the residuals of all iterations are in the message: they tell whether the guess was
@@ -149,10 +112,7 @@ An orbit is no better than the flow from which it was computed. Every step of th
 own error. If one could not meet the tolerance, or if a contact that matters opened or closed in the middle
 of a step (`unlanded`), the residual means nothing and the orbit is refused. */
 template <class T>
-bool is_accurate(const Flow<T>& flow, const Landing<T>& landing) {
-  const T tolerance = std::max(landing.tolerance, T(16) * std::numeric_limits<T>::epsilon());
-  return flow.unlanded == 0 && flow.error <= tolerance * T(double(flow.steps + 1));
-}
+bool is_accurate(const Flow<T>& flow, const Landing<T>& landing);
 
 /// Where the iteration ended: unknowns, the shot from there, and all iterations.
 template <class T>
@@ -162,39 +122,24 @@ struct Solution {
   History history;
 };
 
-/// The exception that names the problem and what went wrong.
-template <class Problem, class T>
-NoConvergence failure(const Problem& problem, const std::string& why, const Solution<T>& so_far) {
-  return {problem.name() + ": " + why, so_far.history};
-}
-
-/// The solution, if its flow was accurate; throws NoConvergence otherwise.
-template <class Problem, class T>
-Solution<T> accepted(const Problem& problem, Solution<T> found, const NewtonRule<T>& rule) {
-  if (is_accurate(found.shot.flow, rule.landing)) return found;
-  throw failure(problem, "the integration is not accurate enough for an orbit", found);
-}
-
 /**
-The residual is that of the worst equation, each in its own unit. Far from any orbit a full step may lead
-even farther away. A damped iteration tries the step, its half, its quarter and so on until the residual
-falls, and gives up below a thousandth of the step. */
-template <class Problem, class T>
-T residual_of(const Problem& problem, const Shot<T>& shot, const Vector<T>& at,
-              const NewtonRule<T>& rule) {
-  return sup<T>(shot.miss.cwiseQuotient(problem.sizes(at, rule.graded).equation));
-}
+What the method sees of a problem are these three functions. Any object with members of these names will do. */
+template <class T>
+struct NewtonProblem {
+  std::function<Shot<T>(const Vector<T>& x, const Landing<T>&, bool with_jacobian)> shoot;
+  std::function<Sizes<T>(const Vector<T>& x, bool graded)> sizes;
+  std::function<std::string()> name;
+};
 
-/// The share of the step to be taken from the best point so far; throws NoConvergence if none helps.
-template <class Problem, class T>
-T damping(const Problem& problem, const Vector<T>& step, const T& last, const Solution<T>& best,
-          const NewtonRule<T>& rule) {
-  for (T share(1); share > T(1e-3); share /= T(2)) {
-    const Vector<T> trial = best.x - share * step;
-    const Shot<T> shot = problem.shoot(trial, rule.landing, false);
-    if (residual_of(problem, shot, trial, rule) < last) return share;
-  }
-  throw failure(problem, "no step lowers the residual", best);
+/// `problem` as Newton's method sees it; it must live as long.
+template <class P>
+NewtonProblem<typename P::Scalar> seen(const P& problem) {
+  using T = typename P::Scalar;
+  return {[&](const Vector<T>& x, const Landing<T>& landing, bool with_jacobian) {
+            return problem.shoot(x, landing, with_jacobian);
+          },
+          [&](const Vector<T>& x, bool graded) { return problem.sizes(x, graded); },
+          [&] { return problem.name(); }};
 }
 
 /**
@@ -204,40 +149,22 @@ Now everything is put together. `direction` gives the step from a shot: `solve`,
 derivative, `polish` of shooting.hpp one that was computed before. We stop when the residual is small and
 no longer falls by a factor of four, and keep the better of the last two points; rounding then forbids
 more. Anything else is a failure. Throws NoConvergence. */
-template <class Problem, class T, class Direction>
-Solution<T> iterate(const Problem& problem, Vector<T> x, const NewtonRule<T>& rule, bool jacobian,
-                    Direction direction) {
-  Solution<T> best{x, {}, {}};
-  T last = std::numeric_limits<T>::infinity();
-  for (int i = 0; i <= rule.most; ++i) {
-    Shot<T> shot = problem.shoot(x, rule.landing, jacobian);
-    const T residual = residual_of(problem, shot, x, rule);
-    best.history.push_back({double(residual), 0});
-    if (!(residual < T(rule.graded ? 1e300 : 1e3)))
-      throw failure(problem, "Newton runs away", best);
-    const bool small = last <= rule.enough(), better = residual < last;
-    if (better || !small) best.shot = std::move(shot), best.x = x;
-    if (small && !(residual < last / T(4))) {
-      if (!better) best.history.pop_back();
-      return accepted(problem, std::move(best), rule);
-    }
-    last = residual;
-    const Vector<T> step = direction(best.shot, x), unit = problem.sizes(x, rule.graded).unknown;
-    best.history.back().step = double(sup<T>(step.cwiseQuotient(unit)));
-    x -= (rule.damped && last > rule.enough() ? damping(problem, step, last, best, rule) : T(1)) *
-         step;
-  }
-  throw failure(problem, "Newton does not converge", best);
-}
+template <class T>
+using Direction = std::function<Vector<T>(const Shot<T>&, const Vector<T>& x)>;
+
+template <class T>
+Solution<T> iterate(const NewtonProblem<T>& problem, Vector<T> x, const NewtonRule<T>& rule,
+                    bool jacobian, const Direction<T>& direction);
 
 /**
 The plain method uses the derivative at each point. `solve` returns the solution near the guess `x`, or
 throws NoConvergence, with the history. */
-template <class Problem, class T = typename Problem::Scalar>
-Solution<T> solve(const Problem& problem, const Vector<T>& x, const NewtonRule<T>& rule = {}) {
-  return iterate(problem, x, rule, true, [&](const Shot<T>& shot, const Vector<T>& at) {
-    return solve_scaled<T>(shot.jacobian, shot.miss, problem.sizes(at, true), rule.rank);
-  });
+template <class T>
+Solution<T> solve(const NewtonProblem<T>& problem, const Vector<T>& x, const NewtonRule<T>& rule = {});
+
+template <class P, class T = typename P::Scalar>
+Solution<T> solve(const P& problem, const Vector<T>& x, const NewtonRule<T>& rule = {}) {
+  return solve(seen(problem), x, rule);
 }
 
 }  // namespace lattice

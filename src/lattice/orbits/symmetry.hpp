@@ -54,26 +54,12 @@ struct Symmetry {
 A breather that is even in time starts from rest, so that the positions are the only unknowns, and it is
 even about $T_b/2$ as well. If the chain has no symmetry of its own (because of a defect, say), this is all
 we have: $\dot y_n(T_b/2) = 0$, as many equations as sites, after half a period. */
-inline Symmetry even_in_time(std::size_t sites) {
-  Symmetry s{.name = "time-even", .sites = sites, .parts = 2};
-  for (std::size_t n = 0; n < sites; ++n) {
-    s.unknowns.push_back({{n, 1}});
-    s.equations.push_back({{{sites + n, 1}}});
-  }
-  return s;
-}
+Symmetry even_in_time(std::size_t sites);
 
 /**
 The article's bond-centred breathers obey $y_{1-n} = -y_n$, which holds at all times if it holds at the
 start. So half of the positions are unknown, and half of the equations above remain. */
-inline Symmetry bond_centred(std::size_t sites) {
-  Symmetry s{.name = "bond-centred", .sites = sites, .parts = 2};
-  for (std::size_t n = sites / 2; n < sites; ++n) {
-    s.unknowns.push_back({{n, 1}, {sites - 1 - n, -1}});
-    s.equations.push_back({{{sites + n, 1}}});
-  }
-  return s;
-}
+Symmetry bond_centred(std::size_t sites);
 
 /**
 The site-centred ones have a symmetry that is less easy to see. A mirror image of the motion is no motion
@@ -82,34 +68,16 @@ finds these breathers invariant under $S'$, $y_n(t) \to -y_{-n}(t+T_b/2)$. Combi
 relates the times $T_b/4 \pm t$, and with the reflection $P : n \to -n$ it is enough that
 $(1+P)\,y(T_b/4) = 0$ and $(1-P)\,\dot y(T_b/4) = 0$: as many equations as sites, after a quarter of a
 period. */
-inline Symmetry site_centred(std::size_t sites) {
-  Symmetry s{.name = "site-centred", .sites = sites, .parts = 4};
-  for (std::size_t n = 0; n < sites; ++n) {
-    const std::size_t mirror = sites - 1 - n;
-    s.unknowns.push_back({{n, 1}});
-    if (n >= sites / 2)
-      s.equations.push_back({{{n, 1}, {mirror, 1}}});
-    else
-      s.equations.push_back({{{sites + n, 1}, {sites + mirror, -1}}});
-  }
-  return s;
-}
+Symmetry site_centred(std::size_t sites);
 
 /**
 The article proceeds differently, and for comparison we can do the same: it starts from rest and requires
 that the whole state return after the whole period. These are twice as many equations as unknowns, to be
 solved in the sense of least squares. */
-inline Symmetry returning(std::size_t sites) {
-  Symmetry s{.name = "returning", .sites = sites};
-  for (std::size_t n = 0; n < sites; ++n) s.unknowns.push_back({{n, 1}});
-  for (std::size_t i = 0; i < 2 * sites; ++i) s.equations.push_back({{{i, 1}}, {{i, -1}}});
-  return s;
-}
+Symmetry returning(std::size_t sites);
 
 /// The symmetry of a static breather with the given centre.
-inline Symmetry centred(Centre centre, std::size_t sites) {
-  return centre == Centre::bond ? bond_centred(sites) : site_centred(sites);
-}
+Symmetry centred(Centre centre, std::size_t sites);
 
 /**
 ## Travelling orbits
@@ -119,24 +87,8 @@ $y_n(t+T) = y_{n-m}(t)$. All positions and velocities are unknown. On a ring the
 modulo $N$; in an open chain what comes from beyond its end is at rest. The equations still allow a shift
 in time, so Newton's step is the shortest one that solves them (newton.hpp). With $m = 0$ this is a
 periodic orbit without any symmetry. */
-inline Symmetry travelling(std::size_t sites, std::size_t shift, bool ring,
-                           bool free_period = false) {
-  Symmetry s{.name = shift == 0 ? "periodic" : "travelling",
-             .sites = sites,
-             .free_period = free_period,
-             .decays = !ring};
-  for (std::size_t i = 0; i < 2 * sites; ++i) {
-    const std::size_t half = i / sites * sites, n = i - half;
-    s.unknowns.push_back({{i, 1}});
-    Equation equation{{{i, 1}}, {}};
-    if (n >= shift)
-      equation.start = {{half + n - shift, -1}};
-    else if (ring)
-      equation.start = {{half + n + sites - shift, -1}};
-    s.equations.push_back(equation);
-  }
-  return s;
-}
+Symmetry travelling(std::size_t sites, std::size_t shift, bool ring,
+                           bool free_period = false);
 
 /**
 Some travelling orbits are also invariant under $y_n(t) \to -y_{-n}(-t)$. This fixes the origin of time, so
@@ -150,19 +102,7 @@ If $T$ is given there is one equation too many. We leave out the first one, that
 and 1. In linear wells and at $T = 2\pi k$ nothing is lost by this: there $\sum_n(y_n + i\dot y_n)$ is
 imaginary at the start, only turns, and is imaginary again at $T/2$, so that the $L+1$ equations for
 positions add up to zero whatever the unknowns are (travelling.hpp has more on this sum). */
-inline Symmetry travelling_reversible(std::size_t reach, bool free_period) {
-  const std::size_t n0 = reach, sites = 2 * reach + 2;
-  Symmetry s{.name = "travelling", .sites = sites, .parts = 2, .free_period = free_period};
-  for (std::size_t n = 1; n <= reach; ++n) s.unknowns.push_back({{n0 + n, 1}, {n0 - n, -1}});
-  s.unknowns.push_back({{sites + n0, 1}});
-  for (std::size_t n = 1; n <= reach; ++n)
-    s.unknowns.push_back({{sites + n0 + n, 1}, {sites + n0 - n, 1}});
-  for (std::size_t n = 1; n <= reach + 1; ++n) {
-    if (n > 1 || free_period) s.equations.push_back({{{n0 + n, 1}, {n0 + 1 - n, 1}}});
-    s.equations.push_back({{{sites + n0 + n, 1}, {sites + n0 + 1 - n, -1}}});
-  }
-  return s;
-}
+Symmetry travelling_reversible(std::size_t reach, bool free_period);
 
 /**
 ## Blocks of perturbations
@@ -172,24 +112,9 @@ the orbit to itself splits them into even and odd ones, which the linearised flo
 the perturbation of entry $n$ alone, the columns of a block are $e_n \pm e_{mirror}$ for the right half of
 the chain (and $e_n$ alone for a central site), first for positions and then for velocities. The
 coefficients of a perturbation in the block are its entries on the right half. */
-inline Basis mirror_block(std::size_t sites, double sign) {
-  Basis basis;
-  for (std::size_t half : {std::size_t(0), sites})
-    for (std::size_t n = sites / 2; n < sites; ++n) {
-      const std::size_t mirror = sites - 1 - n;
-      if (mirror != n)
-        basis.push_back({{half + n, 1}, {half + mirror, sign}});
-      else if (sign > 0)
-        basis.push_back({{half + n, 1}});
-    }
-  return basis;
-}
+Basis mirror_block(std::size_t sites, double sign);
 
 /// All perturbations, in the order of the state's entries.
-inline Basis all_directions(std::size_t sites) {
-  Basis basis;
-  for (std::size_t i = 0; i < 2 * sites; ++i) basis.push_back({{i, 1}});
-  return basis;
-}
+Basis all_directions(std::size_t sites);
 
 }  // namespace lattice

@@ -36,26 +36,13 @@ struct NotConverged : std::runtime_error {
 /**
 How far apart are two runs? We take the largest difference between the two states, relative to the
 largest displacement or velocity of the second. It is infinite if they belong to different times. */
-inline double distance(const State<double>& a, const State<double>& b) {
-  if (a.t != b.t || a.y.size() != b.y.size()) return std::numeric_limits<double>::infinity();
-  double apart = 0, scale = 0;
-  for (std::size_t n = 0; n < a.y.size(); ++n) {
-    apart = std::max({apart, std::abs(a.y[n] - b.y[n]), std::abs(a.v[n] - b.v[n])});
-    scale = std::max({scale, std::abs(b.y[n]), std::abs(b.v[n])});
-  }
-  return scale > 0 ? apart / scale : apart;
-}
+double distance(const State<double>& a, const State<double>& b);
 
 /**
 Which scheme is the cheapest depends on the tolerance: up to ten digits it is that of Dormand, El-Mikkawy
 and Prince, beyond that the splitting with fourteen force evaluations (schemes.hpp), whose errors are
 smaller. Both are used with the treatment of contacts of contact_rkn.hpp. */
-inline ContactAware stepper_for(double tolerance, double step, int halvings = 0) {
-  ContactAware stepper{step};
-  if (tolerance < 1e-10) stepper.base = nystrom(blanes_moan_6_14());
-  stepper.halvings = halvings;
-  return stepper;
-}
+ContactAware stepper_for(double tolerance, double step, int halvings = 0);
 
 /**
 A refinement begins with a step of 0.2, or one step per sample if samples are closer, and halves it at
@@ -164,8 +151,8 @@ auto converge(double tolerance, Compute compute, Differ differ = {}) {
 Finally `evolve` of integrate.hpp for a stated tolerance, the relative error of the end state. The step
 is found in runs that nobody observes; `observe` sees only the last one, and the returned `error` is the
 distance between its end and that of the run with twice the step. Throws NotConverged like `converge`. */
-template <class Onsite, class Contact, class Observer>
-Run evolve_to(double tolerance, const Chain<Onsite, Contact>& chain, State<double>& state,
+template <class Observer>
+Run evolve_to(double tolerance, const Chain& chain, State<double>& state,
               double duration, double sample, Observer observe) {
   struct End {
     State<double> end;

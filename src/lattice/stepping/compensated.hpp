@@ -31,21 +31,6 @@ inline __attribute__((always_inline)) void add_exactly(T& sum, T& low, T term) {
   sum = total;
 }
 
-/// The way of adding for the sweep of kernel.hpp: what the positions and velocities have lost so far,
-/// one entry per site.
-template <class T>
-struct CompensatedSum {
-  T* __restrict__ low_y, * __restrict__ low_v;
-
-  __attribute__((always_inline)) void kick(T& v, std::size_t i, T term) const {
-    add_exactly(v, low_v[i], term);
-  }
-  __attribute__((always_inline)) void drift(T& y, std::size_t i, T term) const {
-    add_exactly(y, low_y[i], term);
-  }
-  CompensatedSum from(std::size_t site) const { return {low_y + site, low_v + site}; }
-};
-
 /**
 The stepper is a splitting with such sums. It keeps the lost parts during a call of `advance` and drops
 them between two calls: a run then rounds once per sample instead of twice per stage. */
@@ -54,19 +39,8 @@ struct Compensated {
   double step;
 
   /// Advances `state` by `count` steps of length `h`; returns the number of site-force evaluations.
-  template <class T, class Onsite, class Contact>
-  double advance(const Chain<Onsite, Contact>& chain, State<T>& state, Window& window, double h,
-                 std::size_t count) const {
-    State<T> low(chain.sites);
-    const CompensatedSum<T> sum{low.y.data(), low.v.data()};
-    double work = 0;
-    for (std::size_t k = 0; k < stage_count(scheme, count); ++k) {
-      const Stage<T> stage = stage_at<T>(scheme, h, count, k);
-      kick_drift(chain, state, window, stage.kick, stage.drift, sum);
-      work += double(window.last - window.first);
-    }
-    return work;
-  }
+  double advance(const Chain& chain, State<double>& state, Window& window, double h,
+                 std::size_t count) const;
 };
 
 }  // namespace lattice

@@ -67,8 +67,8 @@ struct Damped {
   known: throws std::invalid_argument if the rates do not fit its length. */
 
   /// Memory for `advance`; one serves a whole run and holds its dissipated energy.
-  template <class T, class Onsite, class Contact>
-  auto memory(const Chain<Onsite, Contact>& chain) const {
+  template <class T>
+  auto memory(const Chain& chain) const {
     if (nu.size() != 1 && nu.size() != chain.sites)
       throw std::invalid_argument("damping needs one rate, or one rate a site");
     if constexpr (requires { stepper.template memory<T>(chain); })
@@ -84,8 +84,8 @@ struct Damped {
   splitting would round differently. */
 
   /// Advances `state` by `count` steps of length `h`; returns the number of site-force evaluations.
-  template <class T, class Onsite, class Contact, class Memory>
-  double advance(const Chain<Onsite, Contact>& chain, State<T>& state, Window& window, double h,
+  template <class T, class Memory>
+  double advance(const Chain& chain, State<T>& state, Window& window, double h,
                  std::size_t count, DampedMemory<T, Memory>& at) const {
     const bool frictionless =
         std::all_of(nu.begin(), nu.end(), [](double rate) { return rate == 0; });
@@ -101,8 +101,8 @@ struct Damped {
   }
 
   /// The same with a memory of its own; the dissipated energy is not reported.
-  template <class T, class Onsite, class Contact>
-  double advance(const Chain<Onsite, Contact>& chain, State<T>& state, Window& window, double h,
+  template <class T>
+  double advance(const Chain& chain, State<T>& state, Window& window, double h,
                  std::size_t count) const {
     auto at = memory<T>(chain);
     return advance(chain, state, window, h, count, at);
@@ -111,8 +111,8 @@ struct Damped {
  private:
   /**
   The conservative step is that of the given stepper, which may want its memory or have none. */
-  template <class T, class Onsite, class Contact, class Memory>
-  double conserve(const Chain<Onsite, Contact>& chain, State<T>& state, Window& window, double h,
+  template <class T, class Memory>
+  double conserve(const Chain& chain, State<T>& state, Window& window, double h,
                   std::size_t count, DampedMemory<T, Memory>& at) const {
     if constexpr (std::is_same_v<Memory, NoMemory>)
       return stepper.advance(chain, state, window, h, count);
@@ -138,8 +138,8 @@ struct Damped {
   }
 
   /// Half a step of friction at the sites of the window.
-  template <class T, class Onsite, class Contact, class Memory>
-  void rub(const Chain<Onsite, Contact>& chain, State<T>& state, Window window,
+  template <class T, class Memory>
+  void rub(const Chain& chain, State<T>& state, Window window,
            DampedMemory<T, Memory>& at) const {
     T sum(0);
     for (std::size_t n = window.first; n < window.last; ++n) {
@@ -167,8 +167,7 @@ struct WithLedger {
   double step;
   int halvings;
 
-  template <class Onsite, class Contact>
-  double advance(const Chain<Onsite, Contact>& chain, State<double>& state, Window& window,
+  double advance(const Chain& chain, State<double>& state, Window& window,
                  double h, std::size_t count) const {
     return damped.advance(chain, state, window, h, count, memory);
   }
@@ -180,8 +179,8 @@ sum of energy and dissipated energy, so we wrap the observer: at each sample the
 energy at the start. An observer that wants to know the dissipated energy takes it as a second argument. */
 
 /// Calls `go(stepper, observer)`, which runs the chain, and keeps the energy budget meanwhile.
-template <class Stepper, class Onsite, class Contact, class Observer, class Go>
-DampedRun with_ledger(const Damped<Stepper>& damped, const Chain<Onsite, Contact>& chain,
+template <class Stepper, class Observer, class Go>
+DampedRun with_ledger(const Damped<Stepper>& damped, const Chain& chain,
                       const State<double>& start, Observer& observe, Go go) {
   auto memory = damped.template memory<double>(chain);
   const WithLedger<Stepper, decltype(memory)> stepper{damped, memory, damped.step, damped.halvings};
@@ -206,8 +205,8 @@ DampedRun with_ledger(const Damped<Stepper>& damped, const Chain<Onsite, Contact
 A caller should not have to know whether there is friction. So `evolve` has the same two forms as in
 integrate.hpp, with samples a stated time apart or at a given pace, and the type of the stepper selects
 it. */
-template <class Stepper, class Onsite, class Contact, class Observer>
-DampedRun evolve(const Damped<Stepper>& damped, const Chain<Onsite, Contact>& chain,
+template <class Stepper, class Observer>
+DampedRun evolve(const Damped<Stepper>& damped, const Chain& chain,
                  State<double>& state, double duration, double sample, Observer observe) {
   return with_ledger(damped, chain, state, observe, [&](const auto& stepper, const auto& watch) {
     return evolve(stepper, chain, state, duration, sample, watch);
@@ -215,8 +214,8 @@ DampedRun evolve(const Damped<Stepper>& damped, const Chain<Onsite, Contact>& ch
 }
 
 /// The same at a pace of samples and steps.
-template <class Stepper, class Onsite, class Contact, class Observer>
-DampedRun evolve(const Damped<Stepper>& damped, const Chain<Onsite, Contact>& chain,
+template <class Stepper, class Observer>
+DampedRun evolve(const Damped<Stepper>& damped, const Chain& chain,
                  State<double>& state, const Pace& pace, Observer observe) {
   return with_ledger(damped, chain, state, observe, [&](const auto& stepper, const auto& watch) {
     return evolve(stepper, chain, state, pace, watch);

@@ -14,15 +14,12 @@ scheme. In a chain the number of switchings per unit of time is fixed and their 
 so that the observed order is about 2.5. A precompressed chain whose contacts stay closed recovers the
 full order. The tests measure both. */
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
-#include <stdexcept>
-#include <string>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 #include "lattice/model/chain.hpp"
 #include "lattice/stepping/schemes.hpp"
@@ -38,20 +35,13 @@ struct Stage {
   T kick, drift;
 };
 
-inline std::size_t stage_count(const Scheme& scheme, std::size_t steps) {
-  return steps > 0 ? steps * (scheme.kick.size() - 1) + 1 : 0;
-}
+std::size_t stage_count(const Scheme& scheme, std::size_t steps);
 
 /**
 Listing the stages of a long run would take more memory than the chain, so each is made when it is due:
 here stage `k` of a run of `steps` steps of length `h`. */
 template <class T>
-Stage<T> stage_at(const Scheme& scheme, double h, std::size_t steps, std::size_t k) {
-  const std::size_t last = scheme.kick.size() - 1, i = k == steps * last ? last : k % last;
-  const bool merged = i == 0 && k > 0;
-  const T kick = T(scheme.kick[i] * h), before = merged ? T(scheme.kick[last] * h) : T(0);
-  return {kick + before, T(scheme.drift[i] * h)};
-}
+Stage<T> stage_at(const Scheme& scheme, double h, std::size_t steps, std::size_t k);
 
 /// A splitting scheme with the largest step that it may take: the plainest stepper. A stepper is
 /// anything that has a `step` and this `advance`.
@@ -60,17 +50,9 @@ struct Splitting {
   double step;
 
   /// Advances `state` by `count` steps of length `h`; returns the number of site-force evaluations.
-  template <class T, class Onsite, class Contact>
-  double advance(const Chain<Onsite, Contact>& chain, State<T>& state, Window& window, double h,
-                 std::size_t count) const {
-    double work = 0;
-    for (std::size_t k = 0; k < stage_count(scheme, count); ++k) {
-      const Stage<T> stage = stage_at<T>(scheme, h, count, k);
-      kick_drift(chain, state, window, stage.kick, stage.drift);
-      work += double(window.last - window.first);
-    }
-    return work;
-  }
+  template <class T>
+  double advance(const Chain& chain, State<T>& state, Window& window, double h,
+                 std::size_t count) const;
 };
 
 /**
@@ -90,30 +72,16 @@ struct Pace {
 `step`; without duration there are no samples. The factor $1 - 10^{-12}$ keeps a quotient that rounding
 has put just above a whole number from adding one more interval. Throws std::invalid_argument if the
 duration is negative or not finite, or `sample` or `step` is not positive. */
-inline Pace pace(double duration, double sample, double step) {
-  const bool good = duration >= 0 && duration < 1e15 && sample > 0 && step > 0;
-  if (!good)
-    throw std::invalid_argument("a run needs a finite duration and positive samples and steps");
-  Pace p{duration, std::size_t(std::ceil(duration / sample * (1 - 1e-12)))};
-  if (p.samples > 0) p.steps = std::size_t(std::ceil(p.interval() / step * (1 - 1e-12)));
-  p.steps = std::max<std::size_t>(p.steps, 1);
-  return p;
-}
+Pace pace(double duration, double sample, double step);
 
 /**
 An error is found by repeating a run with a finer pace. There are two ways to refine: `shorter_steps`
 halves the step `times` times and keeps the samples where they are. */
-inline Pace shorter_steps(Pace p, int times) {
-  p.steps <<= times;
-  return p;
-}
+Pace shorter_steps(Pace p, int times);
 
 /// Halves the step together with the interval between two samples, `times` times: for maxima and
 /// instants that are read from the samples, whose own error must shrink together with that of the steps.
-inline Pace denser_samples(Pace p, int times) {
-  p.samples <<= times;
-  return p;
-}
+Pace denser_samples(Pace p, int times);
 
 /**
 A run reports how far it can be trusted. `energy_drift` is the largest deviation of the energy seen at
@@ -147,9 +115,13 @@ bool goes_on(Observer& observe, const State<double>& state) {
 
 /**
 Some steppers keep work space between two calls of `advance` (contact_rkn.hpp, damped.hpp), others need
-none. This function hides the difference. */
-template <class Stepper, class Onsite, class Contact>
-auto advance_with_memory(const Stepper& stepper, const Chain<Onsite, Contact>& chain) {
+none. To a run both look alike. */
+using Advance = std::function<double(State<double>&, Window&, double h, std::size_t count)>;
+using Look = std::function<bool(const State<double>&)>;
+
+/// The stepper at work on a chain. Both must live as long as what is returned.
+template <class Stepper>
+Advance advance_of(const Stepper& stepper, const Chain& chain) {
   if constexpr (requires { stepper.template memory<double>(chain); })
     return [&, memory = stepper.template memory<double>(chain)](
                State<double>& state, Window& window, double h, std::size_t n) mutable {
@@ -161,39 +133,18 @@ auto advance_with_memory(const Stepper& stepper, const Chain<Onsite, Contact>& c
     };
 }
 
-/// Whether no displacement is a runaway.
-inline bool bounded(const State<double>& state) {
-  return std::all_of(state.y.begin(), state.y.end(),
-                     [](double y) { return std::abs(y) < escape_displacement; });
-}
-
 /**
 `evolve` carries a state forward at a given pace and shows it to `observe(state)` at the start and after
 every sample. It stops early when `observe` returns false, or when the solution runs away; the runaway
 state is not shown. */
-template <class Stepper, class Onsite, class Contact, class Observer>
-Run evolve(const Stepper& stepper, const Chain<Onsite, Contact>& chain, State<double>& state,
-           const Pace& pace, Observer observe) {
-  const double start = energy(chain, state), scale = start != 0 ? std::abs(start) : 1;
-  const double t0 = state.t, interval = pace.interval();
-  Window window = waking(chain, state);
-  auto advance = advance_with_memory(stepper, chain);
-  Run run{.t_end = t0};
-  if (!goes_on(observe, state)) return run;
-  for (std::size_t k = 1; k <= pace.samples; ++k) {
-    run.work += advance(state, window, pace.step(), pace.steps);
-    run.steps += pace.steps;
-    state.t = t0 + interval * double(k);
-    const double e = energy(chain, state);
-    if (!std::isfinite(e) || !bounded(state)) {
-      run.escape_time = state.t;
-      break;
-    }
-    run.energy_drift = std::max(run.energy_drift, std::abs(e - start) / scale);
-    run.t_end = state.t;
-    if (!goes_on(observe, state)) break;
-  }
-  return run;
+Run evolve(const Advance& advance, const Chain& chain, State<double>& state, const Pace& pace,
+           const Look& look);
+
+template <class Stepper, class Observer>
+Run evolve(const Stepper& stepper, const Chain& chain, State<double>& state, const Pace& pace,
+           Observer observe) {
+  return evolve(advance_of(stepper, chain), chain, state, pace,
+                Look([&](const State<double>& now) { return goes_on(observe, now); }));
 }
 
 /**
@@ -212,9 +163,9 @@ Pace pace_for(const Stepper& stepper, double duration, double sample) {
 }
 
 /// As `evolve` with a pace, for a run of length `duration` with samples `sample` apart or a little less.
-template <class Stepper, class Onsite, class Contact, class Observer>
-Run evolve(const Stepper& stepper, const Chain<Onsite, Contact>& chain, State<double>& state,
-           double duration, double sample, Observer observe) {
+template <class Stepper, class Observer>
+Run evolve(const Stepper& stepper, const Chain& chain, State<double>& state, double duration,
+           double sample, Observer observe) {
   return evolve(stepper, chain, state, pace_for(stepper, duration, sample), std::move(observe));
 }
 

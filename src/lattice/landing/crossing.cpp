@@ -1,0 +1,222 @@
+#include "lattice/landing/crossing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "lattice/landing/columns.hpp"
+#include "lattice/model/typed.hpp"
+
+namespace lattice {
+namespace {
+
+/**
+Two loops take most of the time and are left to the compiler to vectorise: one entry of the extrapolation
+table from its two predecessors, and the forces and curvatures (tangent.hpp) along the chain. */
+template <class T>
+LATTICE_WIDE void refine(T* __restrict__ a, const T* __restrict__ b, T gain, std::size_t count) {
+  for (std::size_t k = 0; k < count; ++k) a[k] = b[k] + gain * (b[k] - a[k]);
+}
+
+template <class T, class C>
+LATTICE_WIDE void sweep_curvature(const C contact, const T* __restrict__ y, std::size_t n,
+                                  T* __restrict__ push, T* __restrict__ link) {
+  for (std::size_t i = 1; i < n; ++i) {
+    push[i] = contact.force(y[i] - y[i - 1]);
+    link[i] = contact.stiffness(y[i] - y[i - 1]);
+  }
+}
+
+/// A potential of the caller's own has no loop of ours, and wider numbers do not fit into vectors.
+template <class T, class C>
+void curvatures_of(const C& contact, const T* y, std::size_t n, T* push, T* link) {
+  if constexpr (std::is_same_v<C, OwnContact>) {
+    std::vector<T> r(n);
+    for (std::size_t i = 1; i < n; ++i) r[i] = y[i] - y[i - 1];
+    if (n < 2) return;
+    contact.forces(r.data() + 1, push + 1, n - 1);
+    contact.stiffnesses(r.data() + 1, link + 1, n - 1);
+  } else if constexpr (std::is_same_v<T, double>) {
+    sweep_curvature(contact, y, n, push, link);
+  } else {
+    for (std::size_t i = 1; i < n; ++i) {
+      push[i] = contact.force(y[i] - y[i - 1]);
+      link[i] = contact.stiffness(y[i] - y[i - 1]);
+    }
+  }
+}
+
+}  // namespace
+
+template <class T>
+void Leapfrog<T>::step(std::vector<T>& z, T dt) {
+  Record<T> unused;
+  run(z, dt, T(0), T(1), 1, unused);
+}
+
+/**
+Equal steps in $s$ are unequal ones in $t$. A kick lasts for the time between two whole steps, a drift for
+the time between two half steps. The sequence is the same when run backwards, and so its error is a series
+in even powers of the step, as extrapolation wants it. */
+template <class T>
+void Leapfrog<T>::run(std::vector<T>& z, T length, T s, T h, std::size_t kicks,
+                                       Record<T>& record) {
+  const T half = h / T(double(2 * kicks));
+  const auto at = [&](std::size_t i) { return i == 2 * kicks ? s + h : s + half * T(double(i)); };
+  record.lead.push_back(length * span(at(0), at(1)));
+  drift(z, record.lead.back());
+  for (std::size_t i = 1; i < 2 * kicks; i += 2) {
+    Curvature<T> node{length * span(at(i - 1), at(i + 1)),
+                      length * span(at(i), at(std::min(i + 2, 2 * kicks))),
+                      std::vector<T>(chain_.sites), std::vector<T>(chain_.sites + 1, T(0))};
+    kick(z, node);
+    drift(z, node.drift);
+    if (probe_) record.nodes.push_back(std::move(node));
+  }
+}
+
+template <class T>
+void Leapfrog<T>::drift(std::vector<T>& z, T dt) const {
+  const std::size_t n = chain_.sites;
+  add_scaled(z.data(), z.data() + n, dt, n);
+  T rate(0);
+  for (std::size_t i = 0; i < n; ++i) rate += T(chain_.mass_of(i)) * z[n + i] * z[n + i];
+  z[2 * n] += rate * dt;
+  if (probe_) add_scaled(z.data() + 2 * n + 1, z.data() + 3 * n + 1, dt, n);
+}
+
+/**
+A kick needs the forces, and its record the curvatures; both come from the same square roots. */
+template <class T>
+void Leapfrog<T>::kick(std::vector<T>& z, Curvature<T>& node) {
+  const std::size_t n = chain_.sites;
+  evaluate(z.data(), node);
+  detail::with_kind(chain_.well, [&](const auto& well) { forces_of(well, z.data(), pull_.data(), n); });
+  for (std::size_t i = 0; i < n; ++i)
+    z[n + i] += node.kick * lightness<T>(chain_, i) *
+                (pull_[i] + (push_[i] - push_[i + 1]));
+  if (!probe_) return;
+  rows_at(chain_, node, {0, n}, rows_);
+  kick_panel(rows_.data(), z.data() + 2 * n + 1, z.data() + 3 * n + 1, n, 1);
+}
+
+/**
+The vectorised sweep leaves out the two end contacts, which depend on the boundary condition
+(boundary.hpp), and the stiffnesses $\eta_n$; both follow here. */
+template <class T>
+void Leapfrog<T>::evaluate(const T* y, Curvature<T>& node) {
+  const std::size_t n = chain_.sites;
+  ++evaluations;
+  detail::with_kind(chain_.contact, [&](const auto& contact) {
+    curvatures_of(contact, y, n, push_.data(), node.link.data());
+  });
+  detail::with_kind(chain_.well, [&](const auto& well) { stiffnesses_of(well, y, node.well.data(), n); });
+  for (std::size_t i : {std::size_t(0), n}) {
+    push_[i] = contact_push(chain_, y, i);
+    node.link[i] = chain_.boundary().pushes(i)
+                       ? T(chain_.eta_of(i)) * chain_.contact.stiffness(stretch(chain_, y, i))
+                       : T(0);
+  }
+  for (std::size_t i = 1; i < n && !chain_.eta.empty(); ++i) {
+    push_[i] *= T(chain_.eta[i]);
+    node.link[i] *= T(chain_.eta[i]);
+  }
+}
+
+template <class T>
+Crossing<T>::Crossing(const Chain& chain, const Landing<T>& rule, T amplitude)
+    : chain_(chain), rule_(rule), amplitude_(amplitude) {
+  rule_.tolerance = std::max(rule.tolerance, T(16) * std::numeric_limits<T>::epsilon());
+}
+
+/**
+The first step tries the whole interval. What remains is always divided evenly, so that no sliver is left
+at its end. */
+template <class T>
+Passage<T> Crossing<T>::cross(const std::vector<T>& z, T length, bool probe) {
+  Passage<T> way{probe ? with_probe(z) : z, T(0), {}};
+  Leapfrog<T> leapfrog(chain_, probe);
+  const T shortest = T(1) / T(16384);
+  T s(0), h(1);
+  while (s < T(1) && way.error <= T(1)) {
+    const T pieces = T(int((T(1) - s) / h * T(0.999)) + 1);
+    h = (T(1) - s) / pieces;
+    Record<T> record;
+    record.duration = length * span(s, s + h);
+    std::vector<T> end = way.z;
+    const T error = step(leapfrog, end, length, s, h, record);
+    if (error > rule_.tolerance && h > shortest) {
+      h *= error > T(100) * rule_.tolerance ? T(0.5) : T(0.75);
+      continue;
+    }
+
+    /**
+    The step is accepted. If half of the levels were enough for it, the next one may be twice as long. */
+    way.z = std::move(end);
+    way.error += error;
+    s = pieces == T(1) ? T(1) : s + h;
+    if (record.levels() <= std::size_t(rule_.levels + 1) / 2) h *= T(2);
+    way.records.push_back(std::move(record));
+  }
+  evaluations += leapfrog.evaluations;
+  way.z.resize(2 * chain_.sites + 1);
+  return way;
+}
+
+/**
+A probe must not miss what another column would see, as it might if it shared a symmetry of the orbit. It
+begins each interval with the same numbers between $-1$ and 1, which have no symmetry. */
+template <class T>
+std::vector<T> Crossing<T>::with_probe(std::vector<T> z) const {
+  for (std::size_t i = 0, n = 2 * chain_.sites; i < n; ++i)
+    z.push_back(T(int(7 * i % 11) - 5) / T(5));
+  return z;
+}
+
+/**
+The table of the extrapolation holds increments, whose rounding errors are smaller than those of the
+values. After level $j$ its first entry is the polynomial in the square of the step through all $j$
+results, taken at zero and computed by Neville's recursion. Returns the estimated error. */
+template <class T>
+T Crossing<T>::step(Leapfrog<T>& leapfrog, std::vector<T>& z,
+                                     T length, T s, T h, Record<T>& record) {
+  table_.clear();
+  T error = std::numeric_limits<T>::infinity();
+  for (std::size_t j = 1; j <= std::size_t(rule_.levels) && !(error <= rule_.tolerance); ++j) {
+    const std::vector<T> previous = j > 1 ? table_.front() : z;
+    table_.push_back(z);
+    leapfrog.run(table_.back(), length, s, h, j, record);
+    add_scaled(table_.back().data(), z.data(), T(-1), z.size());
+    for (std::size_t i = j - 1; i > 0; --i) {
+      const T ratio = T(double(j)) / T(double(i)), gain = T(1) / (ratio * ratio - T(1));
+      refine(table_[i - 1].data(), table_[i].data(), gain, z.size());
+    }
+    if (j > 1) error = difference(table_.front(), previous);
+  }
+  add_scaled(z.data(), table_.front().data(), T(1), z.size());
+  return error;
+}
+
+/**
+The difference of two extrapolated values is relative to the amplitude for the orbit, to its square for the
+area, and absolute for the probe. It is infinite if anything is not a finite number. */
+template <class T>
+T Crossing<T>::difference(const std::vector<T>& a, const std::vector<T>& b) const {
+  const std::size_t orbit = 2 * chain_.sites;
+  T worst[3] = {T(0), T(0), T(0)}, sum(0);
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    const T d = a[k] - b[k], size = d < T(0) ? -d : d;
+    T& most = worst[k < orbit ? 0 : k == orbit ? 1 : 2];
+    most = size > most ? size : most;
+    sum += size;
+  }
+  if (!(sum < std::numeric_limits<T>::infinity())) return std::numeric_limits<T>::infinity();
+  return std::max({worst[0] / amplitude_, worst[1] / (amplitude_ * amplitude_), worst[2]});
+}
+
+#define LATTICE_INSTANCES(T)  \
+  template class Leapfrog<T>; \
+  template class Crossing<T>;
+#include "lattice/model/instances.hpp"
+
+}  // namespace lattice

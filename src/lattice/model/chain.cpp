@@ -1,0 +1,130 @@
+#include "lattice/model/chain.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "lattice/model/typed.hpp"
+
+namespace lattice {
+
+#ifndef LATTICE_QUADRUPLE
+void vary(Chain& chain, const std::vector<double>& mass, const std::vector<double>& eta) {
+  if ((!mass.empty() && mass.size() != chain.sites) ||
+      (!eta.empty() && eta.size() != chain.sites + 1))
+    throw std::invalid_argument("a chain of N sites needs N masses and N + 1 contact stiffnesses");
+  if (!std::all_of(mass.begin(), mass.end(), [](double m) { return m > 0 && std::isfinite(m); }))
+    throw std::invalid_argument("every mass must be finite and > 0");
+  if (!std::all_of(eta.begin(), eta.end(), [](double k) { return k >= 0 && std::isfinite(k); }))
+    throw std::invalid_argument("every contact stiffness must be finite and >= 0");
+  if (chain.ends == Ends::periodic && !eta.empty() && eta.front() != eta.back())
+    throw std::invalid_argument("the first and last stiffness of a ring are those of one contact");
+  chain.eta = eta;
+  chain.mass = mass;
+  chain.inverse_mass.resize(mass.size());
+  std::transform(mass.begin(), mass.end(), chain.inverse_mass.begin(),
+                 [](double m) { return 1 / m; });
+}
+#endif
+
+template <class T>
+Window waking(const Chain& chain, const State<T>& state) {
+  if (chain.ends == Ends::periodic) return {0, chain.sites};
+  std::size_t first = 0, last = chain.sites;
+  const auto rests = [&](std::size_t n) { return state.y[n] == T(0) && state.v[n] == T(0); };
+  while (first < last && rests(first)) ++first;
+  while (last > first && rests(last - 1)) --last;
+  return {first, last};
+}
+
+template <class T>
+detail::Accelerate<T> detail::accelerator(const Chain& chain) {
+  return with_pair<T>(chain, []<class W, class C>(const W&, const C&) -> Accelerate<T> {
+    return [](const Chain& c, const T* y, T* a, Window& window) {
+      accelerate(c, known<W>(c.well), known<C>(c.contact), y, a, window);
+    };
+  });
+}
+
+template <class T>
+void accelerate(const Chain& chain, const T* y, T* a, Window& window) {
+  detail::accelerator<T>(chain)(chain, y, a, window);
+}
+
+template <class T>
+std::vector<T> accelerations(const Chain& chain, const std::vector<T>& y) {
+  std::vector<T> a(chain.sites, T(0));
+  Window all{0, chain.sites};
+  accelerate(chain, y.data(), a.data(), all);
+  return a;
+}
+
+/**
+The densities of wells and of contacts are added in one pass each, because each pass knows one potential. The
+sums are still formed in one order: kinetic energy, well, contact to the right, and for the first site the
+contact to the left. */
+template <class T>
+std::vector<T> energy_density(const Chain& chain, const State<T>& state) {
+  std::vector<T> e(chain.sites);
+  detail::with_kind(chain.well, [&](const auto& well) {
+    for (std::size_t n = 0; n < chain.sites; ++n)
+      e[n] = T(chain.mass_of(n)) * state.v[n] * state.v[n] / T(2) + well.energy(state.y[n]);
+  });
+  const T* y = state.y.data();
+  detail::with_kind(chain.contact, [&](const auto& contact) {
+    const auto of = [&](std::size_t i) {
+      if (!touches(chain, i)) return T(0);
+      return T(T(chain.eta_of(i)) * contact.energy(stretch(chain, y, i)));
+    };
+    for (std::size_t n = 0; n < chain.sites; ++n) e[n] = e[n] + of(n + 1);
+    if (chain.sites > 0) e[0] += of(0);
+  });
+  return e;
+}
+
+template <class T>
+T energy(const Chain& chain, const State<T>& state) {
+  T sum(0);
+  for (const T& e : energy_density(chain, state)) sum += e;
+  return sum;
+}
+
+template <class T>
+std::vector<T> contact_forces(const Chain& chain, const std::vector<T>& y) {
+  std::vector<T> f(chain.sites);
+  detail::with_kind(chain.contact, [&](const auto& contact) {
+    for (std::size_t n = 0; n < chain.sites; ++n)
+      f[n] = detail::push_at(chain, contact, y.data(), n + 1);
+  });
+  return f;
+}
+
+template <class T>
+Hessian<T> linearise(const Chain& chain, const std::vector<T>& y) {
+  const std::size_t n = chain.sites;
+  const bool ring = chain.ends == Ends::periodic;
+  Hessian<T> h{std::vector<T>(n), std::vector<T>(n, T(0))};
+  detail::with_kind(chain.well,
+                    [&](const auto& well) { stiffnesses_of(well, y.data(), h.diagonal.data(), n); });
+  for (std::size_t i = 0; i <= n; ++i) {
+    if (!touches(chain, i)) continue;
+    const T k = T(chain.eta_of(i)) * chain.contact.stiffness(stretch(chain, y.data(), i));
+    if (i > 0) h.diagonal[i - 1] += k;
+    if (i < n || ring) h.diagonal[i % n] += k;
+    if (chain.boundary().inside(i) || ring) h.off[i - 1] = -k;
+  }
+  return h;
+}
+
+#define LATTICE_INSTANCES(T)                                                        \
+  template detail::Accelerate<T> detail::accelerator<T>(const Chain&);              \
+  template Window waking<T>(const Chain&, const State<T>&);                         \
+  template void accelerate<T>(const Chain&, const T*, T*, Window&);                 \
+  template std::vector<T> accelerations<T>(const Chain&, const std::vector<T>&);    \
+  template std::vector<T> energy_density<T>(const Chain&, const State<T>&);         \
+  template T energy<T>(const Chain&, const State<T>&);                              \
+  template std::vector<T> contact_forces<T>(const Chain&, const std::vector<T>&);   \
+  template Hessian<T> linearise<T>(const Chain&, const std::vector<T>&);
+#include "lattice/model/instances.hpp"
+
+}  // namespace lattice

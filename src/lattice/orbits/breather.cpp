@@ -1,0 +1,130 @@
+#include "lattice/orbits/breather.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lattice/dps/dps.hpp"
+#include "lattice/dps/stationary.hpp"
+
+namespace lattice {
+
+#ifndef LATTICE_QUADRUPLE
+State<double> ansatz(Centre centre, double omega, std::size_t sites,
+                            Phase phase) {
+  const double scale = 2 * breather_eps(omega) * (phase == Phase::stretched ? -1 : 1);
+  State<double> state(sites);
+  for (std::size_t i = 0; i < sites; ++i)
+    state.y[i] = scale * quasi_continuum(centre, site_number(i, sites));
+  return state;
+}
+
+Orbit<double> find_breather(const Shooting<double>& problem,
+                            Phase phase, const NewtonRule<double>& rule) {
+  Shooting<double> nearby = problem;
+  nearby.omega = std::min(problem.omega, direct_up_to);
+  const Centre centre = problem.chain.sites % 2 == 0 ? Centre::bond : Centre::site;
+  const State<double> guess = ansatz(centre, nearby.omega, problem.chain.sites, phase);
+  const Orbit<double> start = newton(nearby, nearby.fold(guess), rule);
+  if (nearby.omega == problem.omega) return start;
+  Branch branch(nearby, along_omega<double>(), start, 1, rule);
+  return branch.reach(problem.omega);
+}
+
+Fitted fit_chain(Centre centre, double omega, const Well& well, std::size_t sites,
+                           std::size_t usual, double precision, Phase phase) {
+  const std::size_t ample = 2 * usual - usual % 2;
+  const Orbit<double> orbit = find_breather(breather_problem(centre, omega, well, ample), phase);
+  const std::size_t needed = sites_needed(orbit, precision);
+  const std::size_t n = sites ? sites : std::max(needed, usual);
+  if (n < needed) throw ShortChain(needed);
+  const auto problem = breather_problem(centre, omega, well, n);
+  if (omega <= direct_up_to) return {problem, find_breather(problem, phase)};
+  State<double> start(n);
+  const long shift = (long(n) - long(ample)) / 2;
+  for (long i = 0; i < long(n); ++i)
+    if (i - shift >= 0 && i - shift < long(ample))
+      start.y[std::size_t(i)] = orbit.start.y[std::size_t(i - shift)];
+  return {problem, newton(problem, problem.fold(start))};
+}
+Vector<double> gradient(const std::vector<double>& y) {
+  Vector<double> g = Vector<double>::Zero(Eigen::Index(y.size()));
+  for (std::size_t i = 1; i + 1 < y.size(); ++i) g[Eigen::Index(i)] = y[i + 1] - y[i - 1];
+  return g;
+}
+
+double alignment(const Vector<double>& a, const Vector<double>& b) {
+  return std::abs(a.dot(b)) / (a.norm() * b.norm());
+}
+
+Criterion symmetric_by_nature(double left, double wide) {
+  return {below("broken", compare(0.0, wide), 1e-9),
+          below("share_of_double", compare(0.0, wide / left), 0.1)};
+}
+
+Criterion super_exponential(double before, double last) {
+  return {below("from_three_halves", {std::abs(last - 1.5), std::abs(last - before)}, 0.005)};
+}
+
+Criterion worse_when_large(const Estimate& small, const Estimate& large) {
+  return {above("worse", {large.value - small.value, large.error + small.error}, 0)};
+}
+#endif
+
+template <class T>
+Shooting<T> breather_problem(Centre centre, const T& omega, const Well& well,
+                                            std::size_t sites) {
+  if (sites < 3 || (sites % 2 == 0) != (centre == Centre::bond))
+    throw std::invalid_argument(
+        "a bond-centred breather needs an even number of sites, at least 4,"
+        " and a site-centred one an odd number, at least 3 (got " +
+        std::to_string(sites) + ")");
+  if (well.stiffness(0.0) != 1)
+    throw std::invalid_argument("a breather needs wells whose frequency at rest is one");
+  Shooting<T> problem;
+  problem.chain.sites = sites;
+  problem.chain.well = well;
+  problem.chain.contact = Hertz{.floor = 0};
+  problem.symmetry = centred(centre, sites);
+  problem.omega = omega;
+  return problem;
+}
+
+template <class T>
+std::size_t sites_needed(const Orbit<T>& orbit, double precision) {
+  const auto& y = orbit.start.y;
+  const double omega = double(orbit.omega);
+  const double bound = precision * (omega * omega - 1) * double(orbit.amplitude);
+  const auto weak = [&](std::size_t i) {
+    const double edge = std::abs(double(y[i]));
+    return edge * std::sqrt(edge) < bound;
+  };
+  std::size_t cut = 0;
+  while (2 * cut + 4 < y.size() && weak(cut + 1) && weak(y.size() - 2 - cut)) ++cut;
+  return y.size() - 2 * cut;
+}
+
+template <class T>
+Barrier<T> barrier(const Shooting<T>& site_problem, const Orbit<T>& site,
+                   const Orbit<T>& bond, const NewtonRule<T>& rule) {
+  Barrier<T> out;
+  out.equal_frequency = site.energy - bond.energy;
+  const T area_omega = site_problem.period() * site.energy_omega;
+  const T change = (bond.area - site.area) / area_omega;
+  Shooting<T> shifted = site_problem;
+  shifted.omega += change;
+  Orbit<T> guess = site;
+  guess.x += change * site.x_omega;
+  const Orbit<T> moved = polish(shifted, guess, rule);
+  out.equal_area = moved.energy + (bond.area - moved.area) / shifted.period() - bond.energy;
+  out.omega_site = shifted.omega;
+  return out;
+}
+
+#define LATTICE_INSTANCES(T)                                                                    \
+  template Shooting<T> breather_problem<T>(Centre, const T&, const Well&, std::size_t);         \
+  template std::size_t sites_needed<T>(const Orbit<T>&, double);                                \
+  template Barrier<T> barrier<T>(const Shooting<T>&, const Orbit<T>&, const Orbit<T>&,          \
+                                 const NewtonRule<T>&);
+#include "lattice/model/instances.hpp"
+
+}  // namespace lattice

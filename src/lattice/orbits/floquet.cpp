@@ -1,0 +1,162 @@
+#include "lattice/orbits/floquet.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <cstddef>
+#include <stdexcept>
+#include <utility>
+
+namespace lattice {
+
+template <class T>
+Matrix<T> monodromy(const Chain& chain, const State<T>& start, const std::type_identity_t<T>& duration,
+                    const Landing<T>& rule) {
+  State<T> end = start;
+  Tangent<T> tangent(chain.sites, 2 * chain.sites);
+  if (!is_accurate(flow(chain, end, duration, rule, &tangent), rule))
+    throw NoConvergence("the flow is not accurate enough for multipliers", {});
+  const auto n = Eigen::Index(2 * chain.sites);
+  return Eigen::Map<Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
+      tangent.entries.data(), n, n);
+}
+
+template <class T>
+Matrix<T> in_momenta(const Chain& chain, Matrix<T> f) {
+  const auto n = Eigen::Index(chain.sites);
+  for (Eigen::Index i = 0; i < n && !chain.mass.empty(); ++i) {
+    f.row(n + i) *= T(chain.mass_of(std::size_t(i)));
+    f.col(n + i) /= T(chain.mass_of(std::size_t(i)));
+  }
+  return f;
+}
+
+template <class T>
+T symplectic_defect(const Matrix<T>& f) {
+  const Eigen::Index n = f.rows() / 2;
+  Matrix<T> turned(2 * n, 2 * n);
+  turned << f.bottomRows(n), -f.topRows(n);
+  Matrix<T> defect = f.transpose() * turned;
+  defect.topRightCorner(n, n).diagonal().array() -= T(1);
+  defect.bottomLeftCorner(n, n).diagonal().array() += T(1);
+  return sup<T>(defect.reshaped());
+}
+
+template <class T>
+Matrix<T> pair_matrix(const Matrix<T>& half) {
+  const Eigen::Index n = half.rows() / 2;
+  return half.topRightCorner(n, n).transpose() * half.bottomLeftCorner(n, n);
+}
+
+std::complex<double> multiplier(std::complex<double> kappa, int sign) {
+  const std::complex<double> root = std::sqrt(kappa * (1.0 + kappa));
+  return 1.0 + 2.0 * (kappa + double(sign) * root);
+}
+
+template <class T>
+Matrix<T> perpendicular_to(const Vector<T>& f) {
+  Vector<T> u = f / f.norm();
+  Eigen::Index top = 0;
+  u.cwiseAbs().maxCoeff(&top);
+  u[top] += u[top] > T(0) ? T(1) : T(-1);
+  u /= u.norm();
+  const Matrix<T> all = Matrix<T>::Identity(f.size(), f.size()) - T(2) * u * u.transpose();
+  Matrix<T> basis(f.size(), f.size() - 1);
+  basis << all.leftCols(top), all.rightCols(f.size() - 1 - top);
+  return basis;
+}
+
+template <class T>
+Pairs<T> pairs_of(const Matrix<T>& k, const Vector<T>& f) {
+  const Matrix<T> basis = perpendicular_to(f);
+  const Eigen::EigenSolver<Matrix<T>> solver(basis.transpose() * k * basis);
+  if (solver.info() != Eigen::Success) throw NoConvergence("no eigenvalues", {});
+  std::vector<std::pair<std::complex<T>, Eigen::Index>> all;
+  for (Eigen::Index i = 0; i < k.rows() - 1; ++i) all.emplace_back(solver.eigenvalues()[i], i);
+  std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
+    return std::norm(a.first) < std::norm(b.first);
+  });
+  Pairs<T> pairs;
+  for (const auto& one : all) pairs.kappa.push_back(one.first);
+  pairs.mode = basis * solver.eigenvectors().col(all.front().second).real();
+  pairs.mode /= pairs.mode.norm();
+  pairs.phase_error = sup<T>(k.transpose() * f / f.norm());
+  return pairs;
+}
+
+template <class T>
+Pairs<T> floquet_pairs(const Chain& chain, const State<T>& start, const std::type_identity_t<T>& period,
+                       const Landing<T>& rule) {
+  for (const T& v : start.v)
+    if (v != T(0)) throw std::invalid_argument("the orbit must begin at rest");
+  const Matrix<T> half = in_momenta(chain, monodromy<T>(chain, start, period / T(2), rule));
+  const std::vector<T> a = accelerations(chain, start.y);
+  Vector<T> force(Eigen::Index(a.size()));
+  for (std::size_t n = 0; n < a.size(); ++n) force[Eigen::Index(n)] = T(chain.mass_of(n)) * a[n];
+  Pairs<T> pairs = pairs_of(pair_matrix(half), force);
+  pairs.defect = symplectic_defect(half);
+  return pairs;
+}
+
+template <class C, class T>
+std::vector<Pair> compare_pairs(const Pairs<C>& coarse, const Pairs<T>& fine) {
+  using Narrow = std::complex<double>;
+  std::vector<std::complex<T>> left;
+  for (const auto& k : coarse.kappa) left.emplace_back(T(k.real()), T(k.imag()));
+  std::vector<Pair> out;
+  for (const std::complex<T>& here : fine.kappa) {
+    const auto nearest = std::min_element(left.begin(), left.end(), [&](auto a, auto b) {
+      return std::norm(a - here) < std::norm(b - here);
+    });
+    const std::complex<T> apart = *nearest - here;
+    left.erase(nearest);
+    out.push_back(
+        {Narrow(double(here.real()), double(here.imag())),
+         std::abs(Narrow(double(apart.real()), double(apart.imag()))) + double(fine.defect)});
+  }
+  return out;
+}
+
+template <class T>
+T pinning_by_symmetry(const Matrix<T>& half, Centre centre) {
+  const Eigen::Index n = half.rows() / 2, right = n / 2;
+  Matrix<T> block;
+  if (centre == Centre::bond) {
+    const Matrix<T> k = pair_matrix(half);
+    block =
+        k.bottomRightCorner(right, right) + k.bottomLeftCorner(right, right).rowwise().reverse();
+  } else {
+    block = Matrix<T>::Identity(n, n) - Matrix<T>(half.topLeftCorner(n, n).colwise().reverse());
+  }
+  const std::vector<std::complex<T>> all = eigenvalues_of(block);
+  const auto nearer = [](const auto& a, const auto& b) { return std::norm(a) < std::norm(b); };
+  const T value = std::min_element(all.begin(), all.end(), nearer)->real();
+  return centre == Centre::bond ? value : value * (value - T(2));
+}
+
+double quadruplet_kappa(const Matrix<double>& map) {
+  std::vector<std::complex<double>> all = eigenvalues_of(map);
+  std::sort(all.begin(), all.end(), [](auto a, auto b) {
+    return std::pair(std::abs(a - 1.0), a.imag()) < std::pair(std::abs(b - 1.0), b.imag());
+  });
+  std::complex<double> sum = 0;
+  for (std::size_t i = 0; i < std::min<std::size_t>(4, all.size()); ++i)
+    sum += (all[i] - 1.0) * (all[i] - 1.0) / all[i];
+  return sum.real() / 8;
+}
+
+#define LATTICE_INSTANCES(T)                                                                  \
+  template Matrix<T> monodromy<T>(const Chain&, const State<T>&, const T&, const Landing<T>&); \
+  template Matrix<T> in_momenta<T>(const Chain&, Matrix<T>);                                  \
+  template T symplectic_defect<T>(const Matrix<T>&);                                          \
+  template Matrix<T> pair_matrix<T>(const Matrix<T>&);                                        \
+  template Matrix<T> perpendicular_to<T>(const Vector<T>&);                                   \
+  template Pairs<T> pairs_of<T>(const Matrix<T>&, const Vector<T>&);                          \
+  template Pairs<T> floquet_pairs<T>(const Chain&, const State<T>&, const T&,                 \
+                                     const Landing<T>&);                                      \
+  template std::vector<Pair> compare_pairs<T, T>(const Pairs<T>&, const Pairs<T>&);           \
+  template T pinning_by_symmetry<T>(const Matrix<T>&, Centre);
+#include "lattice/model/instances.hpp"
+
+template std::vector<Pair> compare_pairs<double, long double>(const Pairs<double>&,
+                                                              const Pairs<long double>&);
+
+}  // namespace lattice

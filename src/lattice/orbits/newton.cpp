@@ -1,0 +1,145 @@
+#include "lattice/orbits/newton.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <type_traits>
+
+namespace lattice {
+
+#ifndef LATTICE_QUADRUPLE
+std::string to_text(const History& history) {
+  std::string text;
+  for (const Iteration& i : history) {
+    char buffer[48];
+    std::snprintf(buffer, sizeof buffer, "%s%.1e", text.empty() ? "" : ", ", i.residual);
+    text += buffer;
+  }
+  return text;
+}
+#endif
+
+template <class T>
+T sup(const Vector<T>& x) {
+  T most(0);
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    if (!(magnitude(x[i]) < std::numeric_limits<T>::infinity()))
+      return std::numeric_limits<T>::infinity();
+    most = std::max(most, magnitude(x[i]));
+  }
+  return most;
+}
+
+template <class T>
+Vector<T> solve_system(const Matrix<T>& matrix, const Vector<T>& right, double rank) {
+  if (matrix.rows() == matrix.cols() && rank <= 0) return solve_square(matrix, right);
+  if constexpr (std::is_floating_point_v<T>) {
+    Eigen::CompleteOrthogonalDecomposition<Matrix<T>> shortest;
+    if (rank > 0) shortest.setThreshold(T(rank));
+    return shortest.compute(matrix).solve(right);
+  } else {
+    throw std::logic_error("this type solves as many equations as unknowns, no others");
+  }
+}
+
+template <class T>
+Vector<T> solve_scaled(Matrix<T> matrix, Vector<T> right, const Sizes<T>& size, double rank) {
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+    for (Eigen::Index k = 0; k < matrix.cols(); ++k)
+      matrix(i, k) *= size.unknown[k] / size.equation[i];
+    right[i] /= size.equation[i];
+  }
+  return solve_system<T>(matrix, right, rank).cwiseProduct(size.unknown);
+}
+
+template <class T>
+bool is_accurate(const Flow<T>& flow, const Landing<T>& landing) {
+  const T tolerance = std::max(landing.tolerance, T(16) * std::numeric_limits<T>::epsilon());
+  return flow.unlanded == 0 && flow.error <= tolerance * T(double(flow.steps + 1));
+}
+
+namespace {
+
+/// The exception that names the problem and what went wrong.
+template <class T>
+NoConvergence failure(const NewtonProblem<T>& problem, const std::string& why, const Solution<T>& so_far) {
+  return {problem.name() + ": " + why, so_far.history};
+}
+
+/// The solution, if its flow was accurate; throws NoConvergence otherwise.
+template <class T>
+Solution<T> accepted(const NewtonProblem<T>& problem, Solution<T> found, const NewtonRule<T>& rule) {
+  if (is_accurate(found.shot.flow, rule.landing)) return found;
+  throw failure(problem, "the integration is not accurate enough for an orbit", found);
+}
+
+/**
+The residual is that of the worst equation, each in its own unit. Far from any orbit a full step may lead
+even farther away. A damped iteration tries the step, its half, its quarter and so on until the residual
+falls, and gives up below a thousandth of the step. */
+template <class T>
+T residual_of(const NewtonProblem<T>& problem, const Shot<T>& shot, const Vector<T>& at,
+              const NewtonRule<T>& rule) {
+  return sup<T>(shot.miss.cwiseQuotient(problem.sizes(at, rule.graded).equation));
+}
+
+/// The share of the step to be taken from the best point so far; throws NoConvergence if none helps.
+template <class T>
+T damping(const NewtonProblem<T>& problem, const Vector<T>& step, const T& last, const Solution<T>& best,
+          const NewtonRule<T>& rule) {
+  for (T share(1); share > T(1e-3); share /= T(2)) {
+    const Vector<T> trial = best.x - share * step;
+    const Shot<T> shot = problem.shoot(trial, rule.landing, false);
+    if (residual_of(problem, shot, trial, rule) < last) return share;
+  }
+  throw failure(problem, "no step lowers the residual", best);
+}
+
+}  // namespace
+
+template <class T>
+Solution<T> iterate(const NewtonProblem<T>& problem, Vector<T> x, const NewtonRule<T>& rule, bool jacobian,
+                    const Direction<T>& direction) {
+  Solution<T> best{x, {}, {}};
+  T last = std::numeric_limits<T>::infinity();
+  for (int i = 0; i <= rule.most; ++i) {
+    Shot<T> shot = problem.shoot(x, rule.landing, jacobian);
+    const T residual = residual_of(problem, shot, x, rule);
+    best.history.push_back({double(residual), 0});
+    if (!(residual < T(rule.graded ? 1e300 : 1e3)))
+      throw failure(problem, "Newton runs away", best);
+    const bool small = last <= rule.enough(), better = residual < last;
+    if (better || !small) best.shot = std::move(shot), best.x = x;
+    if (small && !(residual < last / T(4))) {
+      if (!better) best.history.pop_back();
+      return accepted(problem, std::move(best), rule);
+    }
+    last = residual;
+    const Vector<T> step = direction(best.shot, x), unit = problem.sizes(x, rule.graded).unknown;
+    best.history.back().step = double(sup<T>(step.cwiseQuotient(unit)));
+    x -= (rule.damped && last > rule.enough() ? damping(problem, step, last, best, rule) : T(1)) *
+         step;
+  }
+  throw failure(problem, "Newton does not converge", best);
+}
+
+template <class T>
+Solution<T> solve(const NewtonProblem<T>& problem, const Vector<T>& x, const NewtonRule<T>& rule) {
+  return iterate<T>(problem, x, rule, true, [&](const Shot<T>& shot, const Vector<T>& at) {
+    return solve_scaled<T>(shot.jacobian, shot.miss, problem.sizes(at, true), rule.rank);
+  });
+}
+
+#define LATTICE_INSTANCES(T)                                                                 \
+  template T sup<T>(const Vector<T>&);                                                       \
+  template Vector<T> solve_system<T>(const Matrix<T>&, const Vector<T>&, double);            \
+  template Vector<T> solve_scaled<T>(Matrix<T>, Vector<T>, const Sizes<T>&, double);         \
+  template bool is_accurate<T>(const Flow<T>&, const Landing<T>&);                           \
+  template Solution<T> iterate<T>(const NewtonProblem<T>&, Vector<T>, const NewtonRule<T>&, bool,  \
+                                  const Direction<T>&);                                      \
+  template Solution<T> solve<T>(const NewtonProblem<T>&, const Vector<T>&, const NewtonRule<T>&);
+#include "lattice/model/instances.hpp"
+
+}  // namespace lattice

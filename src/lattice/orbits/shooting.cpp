@@ -1,0 +1,251 @@
+#include "lattice/orbits/shooting.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <limits>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace lattice {
+namespace {
+
+/// A number well above the smallest one of the type, which stands for a size that has vanished.
+template <class T>
+T vanishing() {
+  if constexpr (std::is_floating_point_v<T>)
+    return T(1024) * std::numeric_limits<T>::min();
+  else
+    return T(1e-300);
+}
+
+}  // namespace
+
+template <class T>
+Tangent<T> tangent_of(const Basis& basis, std::size_t sites) {
+  Tangent<T> tangent(sites, basis.size());
+  std::fill(tangent.entries.begin(), tangent.entries.end(), T(0));
+  for (std::size_t k = 0; k < basis.size(); ++k)
+    for (const Term& term : basis[k]) tangent(term.index, k) = T(term.sign);
+  return tangent;
+}
+
+/**
+If Newton's method fails, its message names the orbit that was looked for. */
+template <class T>
+std::string Shooting<T>::name() const {
+  char text[96];
+  if (symmetry.free_period)
+    std::snprintf(text, sizeof text, "%s orbit", symmetry.name.c_str());
+  else
+    std::snprintf(text, sizeof text, "%s orbit at omega_b = %.6g", symmetry.name.c_str(),
+                  double(omega));
+  return text;
+}
+
+/**
+The lists of the symmetry translate unknowns into a state and back. */
+/// The state at t = 0 that belongs to the unknowns.
+template <class T>
+State<T> Shooting<T>::unfold(const Vector<T>& x) const {
+  State<T> state(chain.sites);
+  for (std::size_t k = 0; k < symmetry.unknowns.size(); ++k)
+    for (const Term& term : symmetry.unknowns[k])
+      entry(state, term.index) += T(term.sign) * x[Eigen::Index(k)];
+  return state;
+}
+
+/// The unknowns of a state; its time is taken for the period if that is free.
+template <class T>
+Vector<T> Shooting<T>::fold(const State<T>& state) const {
+  const std::size_t m = symmetry.unknowns.size();
+  Vector<T> x(Eigen::Index(m + (symmetry.free_period ? 1 : 0)));
+  for (std::size_t k = 0; k < m; ++k) {
+    const Term& term = symmetry.unknowns[k].front();
+    x[Eigen::Index(k)] = T(term.sign) * entry(state, term.index);
+  }
+  if (symmetry.free_period) x[Eigen::Index(m)] = state.t;
+  return x;
+}
+
+/**
+## Sizes
+
+Newton's method wants to know how large each unknown is. The local size of an orbit is the larger of
+position and velocity at the start. A guess may be zero in the tail, where the breather is not; there
+the law $|y_{n+1}|\sim|y_n|^{3/2}$ of the tail, divided by 16 to be on the safe side, supplies a least
+size, from the largest site outwards. */
+template <class T>
+std::vector<T> local_sizes(const State<T>& state) {
+  using std::sqrt;
+  const std::size_t n = state.y.size();
+  std::vector<T> size(n);
+  std::size_t top = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    size[i] = std::max(magnitude(state.y[i]), magnitude(state.v[i]));
+    if (size[i] > size[top]) top = i;
+  }
+  const auto tail = [&](std::size_t i, std::size_t inner) {
+    const T law = (size[inner] < T(1) ? sqrt(size[inner]) : T(1)) * size[inner] / T(16);
+    size[i] = std::max({size[i], law, vanishing<T>()});
+  };
+  for (std::size_t i = top + 1; i < n; ++i) tail(i, i - 1);
+  for (std::size_t i = top; i-- > 0;) tail(i, i + 1);
+  return size;
+}
+
+/**
+Unknowns and equations have the size of the site that they name first; a free period has the size one.
+Unless `graded`, and for orbits that do not decay in space, the amplitude of the orbit serves for all. */
+template <class T>
+Sizes<T> Shooting<T>::sizes(const Vector<T>& x, bool graded) const {
+  const State<T> start = unfold(x);
+  const std::size_t n = chain.sites;
+  const std::vector<T> local =
+      graded && symmetry.decays ? local_sizes(start) : std::vector<T>(n, largest(start));
+  Sizes<T> out;
+  out.unknown = Vector<T>::Ones(x.size());
+  out.equation.resize(Eigen::Index(symmetry.equations.size()));
+  for (std::size_t k = 0; k < symmetry.unknowns.size(); ++k)
+    out.unknown[Eigen::Index(k)] = local[symmetry.unknowns[k].front().index % n];
+  for (std::size_t i = 0; i < symmetry.equations.size(); ++i)
+    out.equation[Eigen::Index(i)] = local[symmetry.equations[i].end.front().index % n];
+  return out;
+}
+
+/**
+## A shot
+
+First the residuals, for which the two ends of a flight are enough. */
+template <class T>
+Vector<T> Shooting<T>::residuals(const State<T>& start,
+                                                  const State<T>& end) const {
+  Vector<T> miss = Vector<T>::Zero(Eigen::Index(symmetry.equations.size()));
+  for (std::size_t i = 0; i < symmetry.equations.size(); ++i) {
+    T& sum = miss[Eigen::Index(i)];
+    for (const Term& term : symmetry.equations[i].end) sum += T(term.sign) * entry(end, term.index);
+    for (const Term& term : symmetry.equations[i].start)
+      sum += T(term.sign) * entry(start, term.index);
+  }
+  return miss;
+}
+
+/**
+Residuals are combinations of entries of the state, so the rows of their Jacobian are the same
+combinations of rows of the tangent. */
+template <class T>
+void add_slopes_of(const Symmetry& symmetry, const Tangent<T>& begin, const Tangent<T>& end,
+                   Matrix<T>& jacobian) {
+  for (std::size_t i = 0; i < symmetry.equations.size(); ++i)
+    for (std::size_t k = 0; k < symmetry.unknowns.size(); ++k) {
+      T& sum = jacobian(Eigen::Index(i), Eigen::Index(k));
+      for (const Term& term : symmetry.equations[i].end) sum += T(term.sign) * end(term.index, k);
+      for (const Term& term : symmetry.equations[i].start)
+        sum += T(term.sign) * begin(term.index, k);
+    }
+}
+
+/**
+A shot carries one column of the tangent for each unknown and no others. A change of the period by
+$\delta T$ moves the end of the flight along the orbit: by its rate of change there times $\delta T$ over
+the number of parts. */
+template <class T>
+Shot<T> Shooting<T>::shoot(const Vector<T>& x, const Landing<T>& rule,
+                                            bool with_jacobian) const {
+  const State<T> start = unfold(x);
+  State<T> z = start;
+  const Tangent<T> first =
+      with_jacobian ? tangent_of<T>(symmetry.unknowns, chain.sites) : Tangent<T>(0, 0);
+  Tangent<T> tangent = first;
+  Shot<T> shot;
+  shot.flow =
+      flow(chain, z, period(x) / T(symmetry.parts), rule, with_jacobian ? &tangent : nullptr);
+  State<T> rate(chain.sites);
+  rate.y = z.v;
+  rate.v = accelerations(chain, z.y);
+  shot.miss = residuals(start, z);
+  shot.miss_period = residuals(State<T>(chain.sites), rate) / T(symmetry.parts);
+  if (!with_jacobian) return shot;
+  shot.jacobian = Matrix<T>::Zero(shot.miss.size(), x.size());
+  add_slopes_of(symmetry, first, tangent, shot.jacobian);
+  if (symmetry.free_period) shot.jacobian.col(x.size() - 1) = shot.miss_period;
+  return shot;
+}
+
+/**
+Everything but the two derivatives is read off the last shot; the area of the period is that of the
+computed part times the number of parts. */
+template <class T>
+Orbit<T> describe(const Shooting<T>& problem, const Solution<T>& found) {
+  Orbit<T> orbit;
+  orbit.x = found.x;
+  orbit.start = problem.unfold(found.x);
+  orbit.omega = T(2) * circle_ratio<T>() / problem.period(found.x);
+  if (!problem.symmetry.free_period) orbit.omega = problem.omega;
+  orbit.energy = energy(problem.chain, orbit.start);
+  orbit.area = T(problem.symmetry.parts) * found.shot.flow.area;
+  orbit.amplitude = largest(orbit.start);
+  orbit.history = found.history;
+  orbit.switchings = found.shot.flow.switchings;
+  orbit.error = found.shot.flow.error;
+  return orbit;
+}
+
+/**
+Along the branch the energy changes by minus the forces times the change of the positions, and by the
+momenta times the change of the velocities. */
+template <class T>
+void add_slopes(const Shooting<T>& problem, const Vector<T>& x_omega,
+                Orbit<T>& orbit) {
+  orbit.x_omega = x_omega;
+  const std::vector<T> a = accelerations(problem.chain, orbit.start.y);
+  const State<T> rate = problem.unfold(x_omega);
+  orbit.energy_omega = T(0);
+  for (std::size_t n = 0; n < a.size(); ++n)
+    orbit.energy_omega +=
+        T(problem.chain.mass_of(n)) * (orbit.start.v[n] * rate.v[n] - a[n] * rate.y[n]);
+}
+
+template <class T>
+Orbit<T> newton(const Shooting<T>& problem, const Vector<T>& x,
+                const NewtonRule<T>& rule) {
+  const Solution<T> found = solve(seen(problem), x, rule);
+  Orbit<T> orbit = describe(problem, found);
+  orbit.jacobian = found.shot.jacobian.template cast<double>();
+  if (problem.symmetry.free_period) return orbit;
+  const T longer = -problem.period() / problem.omega;  // derivative of the period
+  add_slopes<T>(problem,
+                -solve_scaled<T>(found.shot.jacobian, longer * found.shot.miss_period,
+                                 problem.sizes(found.x, true), rule.rank),
+                orbit);
+  return orbit;
+}
+
+template <class T, class From>
+Orbit<T> polish(const Shooting<T>& problem, const Orbit<From>& from,
+                const NewtonRule<T>& rule) {
+  const Vector<T> guess = from.x.template cast<T>();
+  Solution<T> found;
+  try {
+    found = iterate<T>(seen(problem), guess, rule, false, [&](const Shot<T>& shot, const Vector<T>& at) {
+      const Sizes<T> size = problem.sizes(at, true);
+      return solve_scaled<T>(from.jacobian.template cast<T>(), shot.miss, size, rule.rank);
+    });
+  } catch (const NoConvergence&) {
+    return newton(problem, guess, rule);
+  }
+  Orbit<T> orbit = describe(problem, found);
+  orbit.jacobian = from.jacobian;
+  if (from.x_omega.size() > 0) add_slopes<T>(problem, from.x_omega.template cast<T>(), orbit);
+  return orbit;
+}
+
+#define LATTICE_INSTANCES(T)                                                                 \
+  template Tangent<T> tangent_of<T>(const Basis&, std::size_t);                              \
+  template struct Shooting<T>;                                                               \
+  template Orbit<T> newton<T>(const Shooting<T>&, const Vector<T>&, const NewtonRule<T>&);   \
+  template Orbit<T> polish<T, double>(const Shooting<T>&, const Orbit<double>&,              \
+                                      const NewtonRule<T>&);
+#include "lattice/model/instances.hpp"
+
+}  // namespace lattice

@@ -1,0 +1,99 @@
+#include "lattice/orbits/symmetry.hpp"
+
+namespace lattice {
+
+Symmetry even_in_time(std::size_t sites) {
+  Symmetry s{.name = "time-even", .sites = sites, .parts = 2};
+  for (std::size_t n = 0; n < sites; ++n) {
+    s.unknowns.push_back({{n, 1}});
+    s.equations.push_back({{{sites + n, 1}}});
+  }
+  return s;
+}
+
+Symmetry bond_centred(std::size_t sites) {
+  Symmetry s{.name = "bond-centred", .sites = sites, .parts = 2};
+  for (std::size_t n = sites / 2; n < sites; ++n) {
+    s.unknowns.push_back({{n, 1}, {sites - 1 - n, -1}});
+    s.equations.push_back({{{sites + n, 1}}});
+  }
+  return s;
+}
+
+Symmetry site_centred(std::size_t sites) {
+  Symmetry s{.name = "site-centred", .sites = sites, .parts = 4};
+  for (std::size_t n = 0; n < sites; ++n) {
+    const std::size_t mirror = sites - 1 - n;
+    s.unknowns.push_back({{n, 1}});
+    if (n >= sites / 2)
+      s.equations.push_back({{{n, 1}, {mirror, 1}}});
+    else
+      s.equations.push_back({{{sites + n, 1}, {sites + mirror, -1}}});
+  }
+  return s;
+}
+
+Symmetry returning(std::size_t sites) {
+  Symmetry s{.name = "returning", .sites = sites};
+  for (std::size_t n = 0; n < sites; ++n) s.unknowns.push_back({{n, 1}});
+  for (std::size_t i = 0; i < 2 * sites; ++i) s.equations.push_back({{{i, 1}}, {{i, -1}}});
+  return s;
+}
+
+Symmetry centred(Centre centre, std::size_t sites) {
+  return centre == Centre::bond ? bond_centred(sites) : site_centred(sites);
+}
+
+Symmetry travelling(std::size_t sites, std::size_t shift, bool ring,
+                           bool free_period) {
+  Symmetry s{.name = shift == 0 ? "periodic" : "travelling",
+             .sites = sites,
+             .free_period = free_period,
+             .decays = !ring};
+  for (std::size_t i = 0; i < 2 * sites; ++i) {
+    const std::size_t half = i / sites * sites, n = i - half;
+    s.unknowns.push_back({{i, 1}});
+    Equation equation{{{i, 1}}, {}};
+    if (n >= shift)
+      equation.start = {{half + n - shift, -1}};
+    else if (ring)
+      equation.start = {{half + n + sites - shift, -1}};
+    s.equations.push_back(equation);
+  }
+  return s;
+}
+
+Symmetry travelling_reversible(std::size_t reach, bool free_period) {
+  const std::size_t n0 = reach, sites = 2 * reach + 2;
+  Symmetry s{.name = "travelling", .sites = sites, .parts = 2, .free_period = free_period};
+  for (std::size_t n = 1; n <= reach; ++n) s.unknowns.push_back({{n0 + n, 1}, {n0 - n, -1}});
+  s.unknowns.push_back({{sites + n0, 1}});
+  for (std::size_t n = 1; n <= reach; ++n)
+    s.unknowns.push_back({{sites + n0 + n, 1}, {sites + n0 - n, 1}});
+  for (std::size_t n = 1; n <= reach + 1; ++n) {
+    if (n > 1 || free_period) s.equations.push_back({{{n0 + n, 1}, {n0 + 1 - n, 1}}});
+    s.equations.push_back({{{sites + n0 + n, 1}, {sites + n0 + 1 - n, -1}}});
+  }
+  return s;
+}
+
+Basis mirror_block(std::size_t sites, double sign) {
+  Basis basis;
+  for (std::size_t half : {std::size_t(0), sites})
+    for (std::size_t n = sites / 2; n < sites; ++n) {
+      const std::size_t mirror = sites - 1 - n;
+      if (mirror != n)
+        basis.push_back({{half + n, 1}, {half + mirror, sign}});
+      else if (sign > 0)
+        basis.push_back({{half + n, 1}});
+    }
+  return basis;
+}
+
+Basis all_directions(std::size_t sites) {
+  Basis basis;
+  for (std::size_t i = 0; i < 2 * sites; ++i) basis.push_back({{i, 1}});
+  return basis;
+}
+
+}  // namespace lattice

@@ -1,0 +1,96 @@
+#include "lattice/stepping/integrate.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "lattice/model/typed.hpp"
+
+namespace lattice {
+
+#ifndef LATTICE_QUADRUPLE
+std::size_t stage_count(const Scheme& scheme, std::size_t steps) {
+  return steps > 0 ? steps * (scheme.kick.size() - 1) + 1 : 0;
+}
+
+Pace pace(double duration, double sample, double step) {
+  const bool good = duration >= 0 && duration < 1e15 && sample > 0 && step > 0;
+  if (!good)
+    throw std::invalid_argument("a run needs a finite duration and positive samples and steps");
+  Pace p{duration, std::size_t(std::ceil(duration / sample * (1 - 1e-12)))};
+  if (p.samples > 0) p.steps = std::size_t(std::ceil(p.interval() / step * (1 - 1e-12)));
+  p.steps = std::max<std::size_t>(p.steps, 1);
+  return p;
+}
+
+Pace shorter_steps(Pace p, int times) {
+  p.steps <<= times;
+  return p;
+}
+
+Pace denser_samples(Pace p, int times) {
+  p.samples <<= times;
+  return p;
+}
+
+namespace {
+
+/// Whether no displacement is a runaway.
+bool bounded(const State<double>& state) {
+  return std::all_of(state.y.begin(), state.y.end(),
+                     [](double y) { return std::abs(y) < escape_displacement; });
+}
+
+}  // namespace
+
+Run evolve(const Advance& advance, const Chain& chain, State<double>& state, const Pace& pace,
+           const Look& look) {
+  const double start = energy(chain, state), scale = start != 0 ? std::abs(start) : 1;
+  const double t0 = state.t, interval = pace.interval();
+  Window window = waking(chain, state);
+  Run run{.t_end = t0};
+  if (!look(state)) return run;
+  for (std::size_t k = 1; k <= pace.samples; ++k) {
+    run.work += advance(state, window, pace.step(), pace.steps);
+    run.steps += pace.steps;
+    state.t = t0 + interval * double(k);
+    const double e = energy(chain, state);
+    if (!std::isfinite(e) || !bounded(state)) {
+      run.escape_time = state.t;
+      break;
+    }
+    run.energy_drift = std::max(run.energy_drift, std::abs(e - start) / scale);
+    run.t_end = state.t;
+    if (!look(state)) break;
+  }
+  return run;
+}
+#endif
+
+template <class T>
+Stage<T> stage_at(const Scheme& scheme, double h, std::size_t steps, std::size_t k) {
+  const std::size_t last = scheme.kick.size() - 1, i = k == steps * last ? last : k % last;
+  const bool merged = i == 0 && k > 0;
+  const T kick = T(scheme.kick[i] * h), before = merged ? T(scheme.kick[last] * h) : T(0);
+  return {kick + before, T(scheme.drift[i] * h)};
+}
+
+template <class T>
+double Splitting::advance(const Chain& chain, State<T>& state, Window& window, double h,
+                          std::size_t count) const {
+  const auto move = detail::plain_kick_drifter<T>(chain);
+  double work = 0;
+  for (std::size_t k = 0; k < stage_count(scheme, count); ++k) {
+    const Stage<T> stage = stage_at<T>(scheme, h, count, k);
+    move(chain, state, window, stage.kick, stage.drift, {});
+    work += double(window.last - window.first);
+  }
+  return work;
+}
+
+#define LATTICE_INSTANCES(T)                                                              \
+  template Stage<T> stage_at<T>(const Scheme&, double, std::size_t, std::size_t);         \
+  template double Splitting::advance<T>(const Chain&, State<T>&, Window&, double,         \
+                                        std::size_t) const;
+#include "lattice/model/instances.hpp"
+
+}  // namespace lattice
