@@ -45,7 +45,7 @@ void roots(benchmark::State& state) {
 /// The acceleration of the whole chain, as the peers call it.
 template <class Onsite>
 void force(benchmark::State& state, Onsite onsite) {
-  const Chain<Onsite, Hertz> chain{std::size_t(state.range(0)), onsite};
+  const Chain chain{std::size_t(state.range(0)), onsite};
   const State<double> s = swell(chain.sites);
   std::vector<double> a(chain.sites);
   Window all{0, chain.sites};
@@ -60,7 +60,7 @@ void force(benchmark::State& state, Onsite onsite) {
 /// A stepper on a chain of which everything moves; a hundred steps a call.
 template <class Onsite, class Stepper>
 void steps(benchmark::State& state, Onsite onsite, Stepper stepper) {
-  const Chain<Onsite, Hertz> chain{std::size_t(state.range(0)), onsite};
+  const Chain chain{std::size_t(state.range(0)), onsite};
   State<double> s = swell(chain.sites);
   Window all{0, chain.sites};
   double work = 0;

@@ -21,7 +21,7 @@ namespace bench {
 
 using Quad = boost::multiprecision::float128;
 using lattice::Harmonic, lattice::Hertz, lattice::Landing, lattice::Tangent;
-using Cradle = lattice::Chain<Harmonic, Hertz>;
+using Cradle = lattice::Chain;
 
 constexpr double breather_frequency = 1.1;
 inline const double period = 2 * std::numbers::pi / breather_frequency;

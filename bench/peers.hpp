@@ -30,7 +30,7 @@ A problem is a chain, its start and its duration. The judge sees the state every
 template <class Onsite>
 struct Problem {
   std::string name;
-  Chain<Onsite, lattice::Hertz> chain;
+  Chain chain;
   State<double> start;
   double time, sample = 100, compare_at = 100;
   Numbers reference{};
@@ -57,19 +57,19 @@ class Judge {
 
 /// The two ways to evaluate the force.
 struct OurForce {
-  template <class Onsite>
-  void operator()(const Chain<Onsite, lattice::Hertz>& chain, const double* y, double* a) const {
+  void operator()(const Chain& chain, const double* y, double* a) const {
     Window all{0, chain.sites};
     accelerate(chain, y, a, all);
   }
 };
 
+template <class Onsite>
 struct TypedForce {
-  template <class Onsite>
-  void operator()(const Chain<Onsite, lattice::Hertz>& chain, const double* y, double* a) const {
+  void operator()(const Chain& chain, const double* y, double* a) const {
+    const Onsite well = chain.well.template as<Onsite>();
     const std::size_t n = chain.sites;
     for (std::size_t i = 0; i < n; ++i) {
-      a[i] = chain.onsite.force(y[i]);
+      a[i] = well.force(y[i]);
       if (i > 0) a[i] += std::pow(std::max(y[i - 1] - y[i], 0.0), 1.5);
       if (i + 1 < n) a[i] -= std::pow(std::max(y[i] - y[i + 1], 0.0), 1.5);
     }
@@ -98,7 +98,7 @@ Score carry_samples(const Problem<Onsite>& p, Advance advance) {
 /// The equations of motion as a first-order system; counts its evaluations.
 template <class Onsite, class Force>
 struct FirstOrder {
-  const Chain<Onsite, lattice::Hertz>& chain;
+  const Chain& chain;
   double& count;
   void operator()(double, const double* z, double* dz) const {
     const std::size_t n = chain.sites;

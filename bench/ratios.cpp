@@ -116,7 +116,7 @@ State<double> swell(std::size_t sites) {
 
 void race_long_chains(Book& book, int rounds) {
   for (std::size_t sites : {1000, 10000, 100000, 1000000}) {
-    const Chain<Quartic, Hertz> chain{sites, {1}};
+    const Chain chain{sites, Quartic{1}};
     const std::size_t steps = std::max<std::size_t>(100, 20000000 / sites);
     const double h = 0.01;
     State<double> shared = swell(sites), tiled = shared, plain = shared;
@@ -161,7 +161,7 @@ double resident_megabytes() {
 }
 
 void measure_memory(Book& book) {
-  const Chain<Quartic, Hertz> chain{1000000, {1}};
+  const Chain chain{1000000, Quartic{1}};
   State<double> s = swell(chain.sites);
   const double before = resident_megabytes();
   evolve(Tiled{verlet(), 0.01}, chain, s, 0.5, 0.25, Unobserved{});
@@ -205,7 +205,7 @@ double root_rate(std::size_t sites, std::size_t repeats) {
 template <class Onsite, class Stepper>
 double step_rate(const Onsite& onsite, const Stepper& stepper, std::size_t sites,
                  double (*clock)() = cpu_time) {
-  const Chain<Onsite, Hertz> chain{sites, onsite};
+  const Chain chain{sites, onsite};
   State<double> s = swell(sites);
   Window all{0, sites};
   const double start = clock();

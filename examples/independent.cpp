@@ -6,7 +6,7 @@
 using namespace lattice;
 
 int main() {
-  const Chain<Quartic, Hertz> chain{20, {-1.0 / 6}};
+  const Chain chain{20, Quartic{-1.0 / 6}};
   auto ours = struck(20, 1.5), theirs = ours;
   evolve(ContactAware{0.01}, chain, ours, 10, 10, Unobserved{});
   evolve_reference(chain, theirs, 10, 1e-12);

@@ -131,10 +131,10 @@ $\alpha = 3/2$ on a ring and $\alpha = 2$ between walls, and in the last chain e
 of its own. The last condition is for a motion that must fail: the uneven ring from a start that is wrong
 by a thousandth at one bead, so that it does not return. */
 Criterion of_free_chains(MeanTable& means) {
-  motions::FreeProblem ring{{8, {}, {1.5}, Ends::periodic}, {}, 1}, uneven_ring = ring;
+  Shooting<double> ring{{8, None{}, PowerContact{1.5}, Ends::periodic}, {}, 1}, uneven_ring = ring;
   const Orbit<double> wave = motions::ring_wave(ring);
   const Orbit<double> standing = motions::standing_wave(uneven_ring, 1.5);
-  motions::FreeProblem walls{{6, {}, {1.5}, Ends::fixed}, {}, 1};
+  Shooting<double> walls{{6, None{}, PowerContact{1.5}, Ends::fixed}, {}, 1};
   const Orbit<double> between = motions::standing_wave(walls, 2);
   Criterion all = equal_means(means, "ring_wave", ring.chain, wave.start, 8 * wave.period());
   append(all,
@@ -191,17 +191,14 @@ const std::array<Hunt, 4> hunts{{{"free", 15, Ends::free, false, 0.02, 0.08},
 /**
 A search should be cheap, so it moves the chain by leapfrog steps (leapfrog.hpp), for which the theorem
 holds as well. The hunt and the seed alone fix the search and its start. Odd seeds begin at rest. */
-template <class Onsite>
-using Search = LeapfrogShooting<Onsite, Hertz>;
+using Search = LeapfrogShooting;
 
-template <class Onsite>
-std::pair<Search<Onsite>, State<double>> draw(const Hunt& hunt, unsigned long seed, int steps) {
+std::pair<Search, State<double>> draw(const Hunt& hunt, unsigned long seed, int steps) {
   const std::size_t sites = hunt.sites, middle = sites / 2;
   const bool at_rest = seed % 2 == 1;
-  Search<Onsite> search;
-  search.chain.sites = sites;
-  search.chain.ends = hunt.ends;
-  search.chain.contact.floor = 0;
+  Search search;
+  search.chain = {sites, hunt.wells ? Well{Harmonic{}} : Well{None{}}, Hertz{.floor = 0},
+                  hunt.ends};
   search.omega = 1.2;
   search.steps = steps;
   search.symmetry = at_rest ? even_in_time(sites) : travelling(sites, 0, false);
@@ -225,8 +222,7 @@ of these. One count in any of the other three would refute it. */
 enum class End { rest, localized, extended, doubtful, failed };
 constexpr std::array end_names{"rest", "localized", "extended", "doubtful", "failed"};
 
-template <class Onsite>
-End classify(const Search<Onsite>& search, const State<double>& start) {
+End classify(const Search& search, const State<double>& start) {
   State<double> z = start;
   double swing = 0, overlap = 0;
   search.fly(z, nullptr, search.steps, [&](const State<double>& now) {
@@ -246,9 +242,8 @@ End classify(const Search<Onsite>& search, const State<double>& start) {
 The leapfrog chain is not the chain itself, so every motion that was found must stand the exact flow: the
 library's Newton method starts from it, may move it by no more than a tenth of its size, and must end
 in an orbit of the same kind. */
-template <class Onsite>
-struct Nearby : Shooting<double, Onsite, Hertz> {
-  using Base = Shooting<double, Onsite, Hertz>;
+struct Nearby : Shooting<double> {
+  using Base = Shooting<double>;
   Vector<double> from;
 
   Shot<double> shoot(const Vector<double>& x, const Landing<double>& rule,
@@ -258,9 +253,8 @@ struct Nearby : Shooting<double, Onsite, Hertz> {
   }
 };
 
-template <class Onsite>
-bool confirmed(const Search<Onsite>& search, const Vector<double>& x, End end) try {
-  const Nearby<Onsite> nearby{search, x};
+bool confirmed(const Search& search, const Vector<double>& x, End end) try {
+  const Nearby nearby{search, x};
   NewtonRule<double> rule;
   if (search.symmetry.parts == 1) rule.rank = 1e-9;  // such orbits may be shifted in time
   return classify(search, nearby.unfold(solve(nearby, x, rule).x)) == end;
@@ -270,9 +264,8 @@ bool confirmed(const Search<Onsite>& search, const Vector<double>& x, End end) t
 
 /**
 A motion that fails this test is not dismissed: it is counted as doubtful. */
-template <class Onsite>
 End run_search(const Hunt& hunt, unsigned long seed, int steps) {
-  const auto [search, start] = draw<Onsite>(hunt, seed, steps);
+  const auto [search, start] = draw(hunt, seed, steps);
   NewtonRule<double> rule = motions::free_rule();
   rule.most = 200;
   try {
@@ -308,8 +301,7 @@ Counts search_all(const Hunt& hunt, unsigned long seeds) {
   parallel_for("searches, " + hunt.name, ends.size(), [&](std::size_t i) {
     const unsigned long seed = i / 2 + 1;
     const int steps = i % 2 == 0 ? 128 : 256;
-    ends[i] =
-        hunt.wells ? run_search<Harmonic>(hunt, seed, steps) : run_search<None>(hunt, seed, steps);
+    ends[i] = run_search(hunt, seed, steps);
   });
   Counts counts{{}, double(seeds)};
   for (std::size_t i = 0; i < ends.size(); ++i) counts.of[i % 2][std::size_t(ends[i])] += 1;
@@ -375,9 +367,8 @@ State<double> breather_in_long_chain() {
 
 /**
 The mean push is an integral over samples. They follow the steps, so that both become denser together. */
-template <class Onsite>
-Course course(double time, int halvings) {
-  const Chain<Onsite, Hertz> chain{401};
+Course course(const Well& well, double time, int halvings) {
+  const Chain chain{401, well};
   State<double> state = breather_in_long_chain();
   const double all = energy(chain, state);
   const Pace p = denser_samples(pace(time, 0.05, 0.05), halvings);
@@ -435,7 +426,7 @@ Criterion of_dispersal(Report& report) {
   std::array<Course, 4> runs;
   parallel_for(4, [&](std::size_t k) {
     const int halvings = int(k % 2);
-    runs[k] = k < 2 ? course<None>(time, halvings) : course<Harmonic>(time, halvings);
+    runs[k] = course(k < 2 ? Well{None{}} : Well{Harmonic{}}, time, halvings);
   });
   Table table = dispersal_table();
   for (std::size_t c : {0, 1}) {

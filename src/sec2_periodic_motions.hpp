@@ -21,9 +21,6 @@ namespace motions {
 
 using namespace lattice;
 
-using FreeChain = Chain<None, PowerContact>;
-using FreeProblem = Shooting<double, None, PowerContact>;
-
 /// Numbers that vary along the chain, each within `by` of one.
 inline std::vector<double> uneven(std::size_t count, double by, unsigned long seed) {
   return shaken(std::vector<double>(count, 1), by, seed);
@@ -50,13 +47,13 @@ inline NewtonRule<double> free_rule() {
 }
 
 /// A wave of wave number 6 pi / N and frequency one, which moves on by one site in the time q.
-inline Orbit<double> ring_wave(FreeProblem& problem) {
+inline Orbit<double> ring_wave(Shooting<double>& problem) {
   const std::size_t sites = problem.chain.sites;
   const double q = 6 * std::numbers::pi / double(sites);
   problem.symmetry = travelling(sites, 1, true);
   problem.omega = 2 * std::numbers::pi / q;
   State<double> guess(sites);
-  const double amplitude = wave_amplitude(q, problem.chain.contact.exponent);
+  const double amplitude = wave_amplitude(q, problem.chain.contact.exponent());
   for (std::size_t n = 0; n < sites; ++n) {
     guess.y[n] = amplitude * std::cos(q * double(n));
     guess.v[n] = amplitude * std::sin(q * double(n));
@@ -79,8 +76,8 @@ inline State<double> zigzag(std::size_t sites) {
 }
 
 /// The chain of `problem` with the given exponent, masses and stiffnesses that differ by 15 per cent.
-inline Orbit<double> standing_wave(FreeProblem& problem, double alpha) {
-  FreeChain& chain = problem.chain;
+inline Orbit<double> standing_wave(Shooting<double>& problem, double alpha) {
+  Chain& chain = problem.chain;
   problem.symmetry = even_in_time(chain.sites);
   Orbit<double> orbit;
   orbit.x = problem.fold(zigzag(chain.sites));
@@ -89,7 +86,7 @@ inline Orbit<double> standing_wave(FreeProblem& problem, double alpha) {
     std::vector<double> eta = uneven(chain.sites + 1, 0.15 * part, 12);
     if (chain.ends == Ends::periodic) eta.back() = eta.front();
     vary(chain, uneven(chain.sites, 0.15 * part, 11), eta);
-    chain.contact.exponent = 1.5 + part * (alpha - 1.5);
+    chain.contact = PowerContact{1.5 + part * (alpha - 1.5)};
     orbit = newton(problem, orbit.x, free_rule());
   }
   return orbit;
@@ -100,7 +97,7 @@ The library has one exponent for a whole chain, and the theorem holds for any. W
 the two walls has its own, we write the push here, and mean_force.hpp does the rest. */
 struct MixedChain {
   std::size_t sites = 0;
-  None onsite{};
+  None well{};
   std::vector<double> mass{}, stiffness{}, exponent{};
   double mass_of(std::size_t n) const { return mass[n]; }
 };

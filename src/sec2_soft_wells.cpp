@@ -53,16 +53,14 @@ struct Spring {
     return T(kappa);
   }
 };
-using SpringProblem = Shooting<double, Spring, Hertz>;
 
 /**
 ## The branch
 
 The branch must begin somewhere: the substitution turns a breather in unit wells into its first point. */
 /// The bond-centred breather of period 2 pi in springs with kappa = 1 / omega_b^2, by substitution.
-SpringProblem spring_problem(double kappa, std::size_t sites) {
-  SpringProblem problem{{sites, {kappa}, {0}}, bond_centred(sites), 1};
-  return problem;
+Shooting<double> spring_problem(double kappa, std::size_t sites) {
+  return {{sites, Spring{kappa}, Hertz{0}}, bond_centred(sites), 1};
 }
 
 Orbit<double> substituted(double kappa, std::size_t sites) {
@@ -80,20 +78,25 @@ struct Rung {
   std::vector<double> contact;
 };
 
-Rung rung_of(const SpringProblem& problem, const Orbit<double>& orbit) {
+Rung rung_of(const Shooting<double>& problem, const Orbit<double>& orbit) {
   const MeanForces means = mean_forces(problem.chain, orbit.start, orbit.period(), 1e-11);
   const auto& f = means.contact;
-  return {problem.chain.onsite.kappa, orbit.amplitude, orbit.energy,
-          participation(f),           f[f.size() / 2], f};
+  return {problem.chain.well.as<Spring>().kappa,
+          orbit.amplitude,
+          orbit.energy,
+          participation(f),
+          f[f.size() / 2],
+          f};
 }
 
 /**
 From rung to rung we follow the branch by its arclength, so that a fold would be noticed. */
 std::vector<Rung> softer_and_softer(std::size_t sites, std::size_t rungs) {
-  SpringProblem problem = spring_problem(0.5, sites);
-  const Along<SpringProblem> along{
-      "ln kappa", [](const SpringProblem& p) { return std::log(p.chain.onsite.kappa); },
-      [](SpringProblem& p, const double& l) { p.chain.onsite.kappa = std::exp(l); }, 1e-4};
+  Shooting<double> problem = spring_problem(0.5, sites);
+  const Along<double> along{
+      "ln kappa",
+      [](const Shooting<double>& p) { return std::log(p.chain.well.as<Spring>().kappa); },
+      [](Shooting<double>& p, const double& l) { p.chain.well = Spring{std::exp(l)}; }, 1e-4};
   Orbit<double> orbit = substituted(0.5, sites);
   std::vector<Rung> out{rung_of(problem, orbit)};
   Stride stride;
@@ -102,7 +105,7 @@ std::vector<Rung> softer_and_softer(std::size_t sites, std::size_t rungs) {
     Branch branch(problem, along, orbit, -1, {}, stride);
     const double goal = std::log(0.5) - 0.5 * std::numbers::ln2 * double(k);
     orbit = branch.reach(goal);
-    problem.chain.onsite.kappa = std::exp(goal);
+    problem.chain.well = Spring{std::exp(goal)};
     out.push_back(rung_of(problem, orbit));
   }
   return out;

@@ -129,7 +129,7 @@ constexpr Resolution resolutions[] = {{0, 1e-9}, {1, 1e-11}};
 The deviation compares both equations at the same instants, so they run side by side: the chain's samples
 set the pace, and the DpS integrator is carried to the same slow time. */
 std::array<double, 3> deviations(const Field& start, double eps, const Resolution& resolution) {
-  const Chain<Harmonic, Hertz> chain{start.size()};
+  const Chain chain{start.size()};
   State<double> state = dps_state(start, eps, 0);
   Reference slow(Dps{start.size()}, 2 * start.size(), resolution.tolerance);
   std::vector<double> x;

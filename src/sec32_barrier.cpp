@@ -231,9 +231,8 @@ Two runs with different step lengths locate each. */
 void report_folds(Report& report, const Rung& last) {
   std::array<double, 4> fold{};
   parallel_for(4, [&](std::size_t i) {
-    Branch branch(problem_of(both_centres[i / 2], last.omega, last.s),
-                  along_omega<BreatherProblem<double>>(), last.orbit[i / 2], 1, {},
-                  {.first = 0.05, .most = i % 2 ? 0.1 : 0.2});
+    Branch branch(problem_of(both_centres[i / 2], last.omega, last.s), along_omega<double>(),
+                  last.orbit[i / 2], 1, {}, {.first = 0.05, .most = i % 2 ? 0.1 : 0.2});
     fold[i] = branch.fold();
   });
   report.facts.add("fold_soft_site", compare(fold[0], fold[1]));
@@ -272,7 +271,7 @@ struct Plain {
   double energy, residual;
 };
 
-Plain plain_newton(const BreatherProblem<double>& problem, Vector<double> x, double tolerance) {
+Plain plain_newton(const Shooting<double>& problem, Vector<double> x, double tolerance) {
   const Matrix<double> matrix = problem.shoot(x, {}).jacobian;
   const Sizes<double> size = problem.sizes(x, false);
   const Tolerance both(0.01 * tolerance, tolerance, gsl_odeiv2_step_rk8pd);
@@ -300,7 +299,7 @@ void report_printed(Report& report, const Estimate& barrier) {
     for (double tolerance : {1e-8, 1e-9, 1e-10, 1e-11, 1e-12}) {
       std::array<Plain, 2> ends{};
       parallel_for(2, [&](std::size_t k) {
-        BreatherProblem<double> problem = problem_of(both_centres[k], 1.1);
+        Shooting<double> problem = problem_of(both_centres[k], 1.1);
         const State<double> start = find_breather(problem).start;
         if (full) problem.symmetry = returning(problem.chain.sites);
         ends[k] = plain_newton(problem, problem.fold(start), tolerance);

@@ -59,7 +59,7 @@ opening or closing of a contact, because a step across it would spoil the orbit 
 $10^{-9}$ and its derivative much earlier (landing.hpp). Every number is computed at two tolerances
 or in two precisions, and the difference is its error. */
 Orbit<double> article_breather(Centre centre, const NewtonRule<double>& rule) {
-  const BreatherProblem<double> problem = problem_of(centre, omega);
+  const Shooting<double> problem = problem_of(centre, omega);
   const State<double> guess = ansatz(centre, omega, problem.chain.sites);
   return newton(problem, problem.fold(guess), rule);
 }
@@ -72,7 +72,7 @@ positions and velocities: a whole period without any symmetry. We evaluate it fo
 found on a quarter of one. Its error is the difference from the same flight in a wider type, which has a
 64-bit mantissa. */
 template <class T>
-T distance_after_period(const BreatherProblem<double>& problem, const State<double>& start) {
+T distance_after_period(const Shooting<double>& problem, const State<double>& start) {
   const auto wide = in_precision<T>(problem);
   State<T> begin(start.y.size());
   for (std::size_t n = 0; n < start.y.size(); ++n) begin.y[n] = T(start.y[n]);
@@ -103,7 +103,7 @@ struct FullMap {
 To see this wandering we make the article's iterations one by one: shoot over the whole period,
 solve, step. */
 FullMap solve_full_map(int steps) {
-  BreatherProblem<double> problem = problem_of(Centre::site, 1.1);
+  Shooting<double> problem = problem_of(Centre::site, 1.1);
   problem.symmetry = returning(problem.chain.sites);
   FullMap out;
   out.x = problem.fold(ansatz(Centre::site, 1.1, problem.chain.sites));
@@ -473,8 +473,8 @@ struct BreatherOptions : ChosenBreather {
 Values are printed in the chosen precision, and their errors are differences from another one.
 The residual is that of the whole period. */
 template <class T, class Other>
-Table breather_table(const BreatherProblem<T, NamedWell>& problem, const Orbit<T>& orbit,
-                     const Orbit<Other>& other, const Landing<T>& landing) {
+Table breather_table(const Shooting<T>& problem, const Orbit<T>& orbit, const Orbit<Other>& other,
+                     const Landing<T>& landing) {
   State<T> end = orbit.start;
   const Flow<T> run = flow(problem.chain, end, problem.period(), landing);
   const T miss = largest_difference(end, orbit.start) / orbit.amplitude;

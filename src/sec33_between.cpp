@@ -278,11 +278,10 @@ struct Between {
 };
 
 template <class T>
-Held<BreatherProblem<T>> held_problem(const Cut& cut, const Exchange& from, double centre) {
-  using Problem = BreatherProblem<T>;
-  Problem problem = in_precision<T>(problem_at(Centre::site, cut.at(from.place.value)));
+Held<T> held_problem(const Cut& cut, const Exchange& from, double centre) {
+  Shooting<T> problem = in_precision<T>(problem_at(Centre::site, cut.at(from.place.value)));
   problem.symmetry = even_in_time(problem.chain.sites);
-  return {problem, cut.along_s ? along_s<Problem>() : along_omega<Problem>(), T(centre)};
+  return {problem, cut.along_s ? along_s<T>() : along_omega<T>(), T(centre)};
 }
 
 /**

@@ -94,7 +94,7 @@ Damage mean_damage(const Matrix<double>& map, double delta, double kappa) {
 /**
 Do real errors act like noise? A second series takes the same matrix from our integrator at looser and looser
 tolerances, with the largest change of an entry as $\delta$. */
-void add_loosened(Table& table, const BreatherProblem<double>& problem, const Orbit<double>& orbit,
+void add_loosened(Table& table, const Shooting<double>& problem, const Orbit<double>& orbit,
                   double kappa) {
   const Matrix<double> map = monodromy(problem.chain, orbit.start, orbit.period());
   for (int power = -4; power >= -12; --power) {
@@ -161,13 +161,13 @@ so their error is like the square root of the increment. */
 struct Trial {
   std::string method;
   double setting;  ///< tolerance, or increment relative to the amplitude
-  std::function<Matrix<double>(const BreatherProblem<double>&, const Orbit<double>&)> map;
+  std::function<Matrix<double>(const Shooting<double>&, const Orbit<double>&)> map;
 };
 
 /**
 The variational equations give the derivative of the flow, column by column. All columns are integrated
 together with the orbit. */
-Matrix<double> variational(const BreatherProblem<double>& problem, const Orbit<double>& orbit,
+Matrix<double> variational(const Shooting<double>& problem, const Orbit<double>& orbit,
                            const Tolerance& tolerance) {
   const std::size_t n = problem.chain.sites, m = 2 * n;
   std::vector<double> z(orbit.start.y);
@@ -215,7 +215,7 @@ Matrix<double> differences(const Orbit<double>& orbit, double increment,
 Which setting prints the article's pair? We vary the tolerance of two methods for the variational equations,
 and the increment for the differences of a well resolved flow. */
 std::vector<Trial> all_trials() {
-  using P = BreatherProblem<double>;
+  using P = Shooting<double>;
   using O = Orbit<double>;
   std::vector<Trial> out;
   for (const auto* method : {gsl_odeiv2_step_rk8pd, gsl_odeiv2_step_rkf45})

@@ -21,7 +21,6 @@ their direction. How far does it get, and for how long can its motion be known?
 #include <utility>
 #include <vector>
 
-#include "lattice/measure/chosen.hpp"
 #include "lattice/measure/parting.hpp"
 #include "lattice/measure/turning.hpp"
 #include "lattice/numbers/parallel.hpp"
@@ -67,7 +66,6 @@ $$e_n = \tfrac12\dot y_n^2 + W(y_n) + V(y_{n+1}-y_n),\qquad
 |---|---|---|
 | $\dot y_1(0) = v_0$, $s$ | `velocity`, `s` | impact velocity, anharmonicity of the well |
 | $X$, $e_n$ | `Path::centre`, `energy_density` | energy centre and density | */
-using HardChain = Chain<Quartic, Hertz>;
 
 /**
 ## The motion (figure 22)
@@ -205,7 +203,7 @@ std::vector<TwoImpacts> part_pairs(bool quick) {
     TwoImpacts& p = pairs[i];
     const auto at = [&](double shrink) {
       return decorrelation({p.coarse * shrink}, v, {p.fine * shrink}, v * (1 + p.delta),
-                           HardChain{150, {1}}, time);
+                           Chain{150, Quartic{1}}, time);
     };
     p.when = at(1);
     if (p.delta > 0) p.check = at(2);
@@ -486,7 +484,7 @@ agree within $10^{-7}$, far below the errors of this chapter's numbers. For the 
 would be slow, we use another scheme of our own, with fourteen stages. */
 void report_check(Report& report) {
   const Strike strike{1.9, 1, 100, 60};
-  const double apart = distance_from_reference(HardChain{strike.sites, {strike.s}},
+  const double apart = distance_from_reference(Chain{strike.sites, Quartic{strike.s}},
                                                struck(strike.sites, strike.velocity), strike.time,
                                                voyage({0.0125}, strike).end, 1e-7);
   report.facts.add("independent_route_difference", compare(0.0, apart));
@@ -509,12 +507,12 @@ the tolerance; where they never do, the motion became chaotic first, and the com
 contact may be others, by name, and the chain is so long that nothing returns from its far end. */
 struct RunOptions {
   double velocity = 1.9, time = 1000, tolerance = 1e-3;
-  Model model{1};
+  Chain chain{0, Quartic{1}};
 };
 
 Table run_command(const RunOptions& options) {
   const double v = options.velocity, time = options.time;
-  const ChosenChain chain = endless(options.model, v, time);
+  const Chain chain = endless(options.chain, v, time);
   const auto runs = converge(
       options.tolerance, [&](const ContactAware& at) { return voyage(at, chain, v, time); },
       SameTurn{});
@@ -539,7 +537,7 @@ void add_run(Program& program, RunOptions& options) {
   Command* run = program.command("run", "one impact: apex, rebound, decorrelation",
                                  [&options] { return run_command(options); });
   run->add_option("--velocity", options.velocity, "impact velocity")->check(in_range(1e-3, 100));
-  add_model_options(*run, options.model, {{"s", {0, 1000}}});
+  add_model_options(*run, options.chain, {{"s", {0, 1000}}});
   run->add_option("--time", options.time, "length of the run")->check(in_range(50, 1e5));
   run->add_option("--tolerance", options.tolerance, "relative error allowed in apex and rebound")
       ->check(in_range(1e-8, 0.1));

@@ -53,7 +53,6 @@ by less than one.
 | – | `area` | area in phase space, $\int \sum \dot y_n^2\,dt$ over one internal period | */
 constexpr double s = 1, velocity = 1.9, watched = 1000;
 constexpr std::size_t sites = 150;
-using HardChain = Chain<Quartic, Hertz>;
 
 /// Damping of what lies more than `behind` sites behind the packet, or on the first `first` sites,
 /// from a time on. Zero sites: none.
@@ -83,7 +82,7 @@ the end. *End* damps the first site only, after the packet has left: waves remai
 reflects fewer of them. *Cut* takes the packet's own thirteen sites at a given time, displacements
 and velocities untouched, and puts them on a chain that is otherwise at rest and has no end nearby.
 */
-std::vector<double> rates(const Absorber& absorber, const HardChain& chain,
+std::vector<double> rates(const Absorber& absorber, const Chain& chain,
                           const State<double>& state) {
   if (absorber.rate == 0 || state.t < absorber.from) return {};
   std::size_t until = absorber.first;
@@ -100,7 +99,7 @@ std::vector<double> rates(const Absorber& absorber, const HardChain& chain,
 A cut copies only the packet onto a longer chain, `shift` sites further on, with one site more on
 either side than its energy centre takes into account. If it behaves differently afterwards, the
 reason is that the waves or the end are missing. */
-State<double> cut_out(const HardChain& chain, const State<double>& state, std::size_t shift) {
+State<double> cut_out(const Chain& chain, const State<double>& state, std::size_t shift) {
   constexpr std::size_t reach = 6;
   const std::size_t peak = strongest(energy_density(chain, state));
   State<double> alone(chain.sites + shift);
@@ -114,7 +113,7 @@ State<double> cut_out(const HardChain& chain, const State<double>& state, std::s
 An absorber that follows the packet changes with it, so a run consists of short stretches of two
 steps each, with constant rates in each of them. The stretch shrinks with the step, so that the
 comparison of two steps also shows the error of the moving absorber. */
-void carry_on(const HardChain& chain, State<double>& state, const std::vector<double>& nu,
+void carry_on(const Chain& chain, State<double>& state, const std::vector<double>& nu,
               double step) {
   const ContactAware stepper{step};
   const Pace pace{2 * step, 1, 2};
@@ -129,7 +128,7 @@ Now we can carry out an experiment and follow its packet. After a cut the centre
 sites of the old chain; `watch` sees the state before every stretch. */
 template <class Watch>
 Path perform(const Experiment& experiment, double step, double time, Watch watch) {
-  HardChain chain{sites, {s}};
+  Chain chain{sites, Quartic{s}};
   State<double> state = struck(sites, velocity);
   const std::size_t shift = 80;
   const double stretch = 2 * step;
@@ -246,7 +245,7 @@ struct Gauge {
 Each look at the chain adds to the sums. The alternating sign cancels long waves that run through
 the packet; they would shift the zeros of a single site. */
 void Gauge::operator()(const State<double>& now) {
-  const std::vector<double> e = energy_density(HardChain{now.y.size(), {s}}, now);
+  const std::vector<double> e = energy_density(Chain{now.y.size(), Quartic{s}}, now);
   const std::size_t peak = strongest(e), m = packet_half_width;
   double pattern = 0;
   for (std::size_t n = peak > m ? peak - m : 0; n <= peak + m; ++n) {
@@ -429,7 +428,7 @@ We put the breather into the middle of a quiet chain and the waves beside it. It
 measured from the bond at which it rested. */
 Path expose(const Trial& trial, const Orbit<double>& orbit, double step) {
   const std::size_t length = 160, first = 64, centre = first + orbit.start.y.size() / 2;
-  const HardChain chain{length, {trial.well}};
+  const Chain chain{length, Quartic{trial.well}};
   State<double> state(length);
   for (std::size_t i = 0; i < orbit.start.y.size(); ++i)
     if (std::abs(orbit.start.y[i]) > 1e-30) state.y[first + i] = orbit.start.y[i];

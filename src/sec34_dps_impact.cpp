@@ -171,7 +171,7 @@ maximum of the oscillation $\cos t$ is missed by 0.05 of phase at most.
 ![Chain and DpS approximation at the end of the run.](fig:17)
 ![Energy density of both.](fig:18) */
 ChainImpact chain_run(const ContactAware& stepper, std::size_t rows) {
-  const Chain<Harmonic, Hertz> chain{sites};
+  const Chain chain{sites};
   const double duration = tau_end / std::sqrt(eps), one_site = 1 / 0.0109;
   const Pace pace = dense_pace(stepper, duration, duration / double(rows * 200));
   ChainImpact out{struck(sites, 2 * eps), {}};  // Eq. (26)
@@ -220,7 +220,7 @@ Table density_maps(const ChainImpact& run) {
   Table table{{number("t", "time"), count("n", "site", "site"),
                number("e_lattice", "energy density of the chain"),
                number("e_dps", "energy density of the DpS approximation")}};
-  const Chain<Harmonic, Hertz> chain{sites};
+  const Chain chain{sites};
   std::size_t row = 0;
   follow_dps(Dps{sites}, dps_impact(sites), tau_end, run.maps.size() - 1, 1e-11,
              [&](double tau, const Field& field) {

@@ -73,7 +73,7 @@ most 0.2 apart, about a thirtieth of an internal period. A run with half the ste
 many, so that the error of a maximum between two samples shows in the difference of the runs; both
 runs end at an instant that both of them sample. */
 Outcome strike(const ContactAware& stepper, double s, double velocity, double time) {
-  const Chain<Quartic, Hertz> chain{90, {s}};
+  const Chain chain{90, Quartic{s}};
   const std::size_t each = std::size_t(1) << stepper.halvings;
   Outcome out;
   out.end = struck(chain.sites, velocity);  // Eq. (26)
@@ -266,7 +266,7 @@ Band blowup_band(const Well& well, std::size_t count, double time, Table& scan) 
   parallel_for("blow-up band", count, [&](std::size_t i) {
     velocity[i] = well.band_from + (well.band_to - well.band_from) * double(i) / double(count - 1);
     for (int k : {0, 1}) {
-      const Chain<Quartic, Hertz> chain{100, {well.s}};
+      const Chain chain{100, Quartic{well.s}};
       State<double> state = struck(chain.sites, velocity[i]);
       const Run run =
           evolve(stepper_for(tolerance, largest_step, k), chain, state, time, 2, Unobserved{});
@@ -347,7 +347,7 @@ impact.
 ![Contact forces for a linear and a very soft well.](fig:20) */
 void add_forces(Table& table, double s, double velocity) {
   const std::size_t shown = 60;
-  const Chain<Quartic, Hertz> chain{80, {s}};
+  const Chain chain{80, Quartic{s}};
   State<double> state = struck(chain.sites, velocity);
   evolve(stepper_for(tolerance, largest_step, 2), chain, state, 300, 0.5,
          [&](const State<double>& now) {
@@ -405,7 +405,7 @@ struct Snapshot {
 };
 
 Snapshot snapshot(double s, double velocity, double time) {
-  const auto runs = follow_to(tolerance, {velocity, s, time, 160}, far_away, 1);
+  const auto runs = follow_to(tolerance, {velocity, {160, Quartic{s}}, time}, far_away, 1);
   const auto rises = [](const Outcome& out) {
     return prominence(out.end.v, *front_packet(out.density));
   };
@@ -463,9 +463,9 @@ A state on which our runs agree could still be wrong. So the struck chain of fig
 once more by an independent method, GSL's of order eight, and must arrive at the same state. */
 void report_check(Report& report) {
   const double time = 60;
-  const auto runs = follow_to(1e-9, {0.94, -0.7, time, 40}, far_away, 1);
-  const double apart = distance_from_reference(Chain<Quartic, Hertz>{40, {-0.7}}, struck(40, 0.94),
-                                               time, runs.fine.end, 1e-8);
+  const auto runs = follow_to(1e-9, {0.94, {40, Quartic{-0.7}}, time}, far_away, 1);
+  const double apart = distance_from_reference(Chain{40, Quartic{-0.7}}, struck(40, 0.94), time,
+                                               runs.fine.end, 1e-8);
   report.facts.add("independent_route_difference", {apart, runs.error});
 }
 
@@ -486,14 +486,15 @@ gets there it is `nan`. Over a long stretch a packet slows down as it sheds ener
 depends on the window. If a bead runs away the command fails, because then there is no packet to
 measure. */
 struct RunOptions {
-  Impact impact{1.87, {}, 600, 0};
+  Impact impact{1.87, {0, Quartic{}}, 600};
   bool profile = false;
   double tolerance = ::tolerance;
 
   /// Completes what the reader left open: a chain so long that the motion does not reach its end.
   Impact complete() const {
     Impact out = impact;
-    if (out.sites == 0) out.sites = std::min<std::size_t>(100 + std::size_t(2 * out.time), 4000);
+    std::size_t& sites = out.chain.sites;
+    if (sites == 0) sites = std::min<std::size_t>(100 + std::size_t(2 * out.time), 4000);
     return out;
   }
 };
@@ -502,7 +503,7 @@ struct RunOptions {
 A run of any length must print something, so a quantity that does not exist, such as the speed of a
 packet that never came so far, is `nan`. */
 Table run_quantities(const Impact& impact, const Outcome& coarse, const Outcome& fine) {
-  const double to = double(impact.sites) - 20, undefined = std::nan("");
+  const double to = double(impact.chain.sites) - 20, undefined = std::nan("");
   const auto both = [&](auto of) { return compare(of(coarse), of(fine)); };
   const auto tracked = [&](auto of) {
     return both([&](const Outcome& out) { return out.track.t.empty() ? undefined : of(out); });
@@ -523,7 +524,7 @@ Table run_quantities(const Impact& impact, const Outcome& coarse, const Outcome&
         both([](const Outcome& out) { return boundary_share(out.density); }));
   q.add("energy_drift", compare(coarse.run.energy_drift, fine.run.energy_drift));
   q.add("escaped",
-        both([&](const Outcome& out) { return int(out.reach > rim_of(impact.model.onsite)); }));
+        both([&](const Outcome& out) { return int(out.reach > impact.chain.well.rim()); }));
   return q.table;
 }
 
@@ -573,9 +574,9 @@ int main(int argc, char** argv) {
   Impact& impact = options.impact;
   run->add_option("--velocity", impact.velocity, "impact velocity")->check(in_range(1e-6, 100));
   run->add_option("--time", impact.time, "length of the run")->check(in_range(1, 1e5));
-  run->add_option("--sites", impact.sites, "chain length (default: as long as needed)")
+  run->add_option("--sites", impact.chain.sites, "chain length (default: as long as needed)")
       ->check(in_range(2, 1e6));
-  add_model_options(*run, impact.model);
+  add_model_options(*run, impact.chain);
   run->add_option("--tolerance", options.tolerance, "relative error allowed in the end state")
       ->check(in_range(1e-11, 0.1));
   run->add_flag("--profile", options.profile, "print the final profile n,y,v,e instead");

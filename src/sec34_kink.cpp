@@ -92,7 +92,7 @@ struct Verdict {
 };
 
 Verdict strike(const Options& options, const ContactAware& stepper) {
-  const Chain<Pendulum, Hertz> chain{options.sites};
+  const Chain chain{options.sites, Pendulum{}};
   State<double> state = struck(options.sites, options.velocity);
   Verdict verdict;
   double next = first_look;
@@ -154,7 +154,7 @@ Table examples() {
   Table table{{number("velocity", "impact velocity"), number("t", "time"),
                count("n", "site", "site"), number("wells", "displacement in units of 2 pi")}};
   for (double velocity : {2.0, 5.0}) {
-    const Chain<Pendulum, Hertz> chain{Options{}.sites};
+    const Chain chain{Options{}.sites, Pendulum{}};
     State<double> state = struck(chain.sites, velocity);
     evolve(stepper(velocity, 1), chain, state, 100, 0.5, [&](const State<double>& now) {
       for (std::size_t n = 0; n < now.y.size(); ++n)

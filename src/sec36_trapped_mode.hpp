@@ -70,8 +70,8 @@ misses the equations for symmetric orbits, and by how much its own. Both are rou
 the precision, so the orbit is computed in two types, and the difference is the error. */
 /// Relative to the amplitude: what is missed of the mode's own equations, and of the symmetric ones.
 template <class T>
-std::array<double, 2> misses(const ModeProblem& problem, const Orbit<double>& orbit) {
-  Shooting<T, Harmonic, Hertz> in_t{problem.chain, problem.symmetry, T(problem.omega)};
+std::array<double, 2> misses(const Shooting<double>& problem, const Orbit<double>& orbit) {
+  Shooting<T> in_t{problem.chain, problem.symmetry, T(problem.omega)};
   const Orbit<T> mode = polish(in_t, orbit);
   in_t.symmetry = site_centred(mode_sites);
   const Shot<T> shot = in_t.shoot(in_t.fold(mode.start), {}, false);
@@ -84,7 +84,7 @@ inline void report_mode(Report& report, const ArrayImpact& impact, const std::ar
                         double ratio) {
   const Estimate share = compare(stays[0].at(75), stays[1].at(75));
   const double unit = impact.struck_velocity() * impact.struck_velocity() / 2;
-  ModeProblem problem = mode_problem(impact.array, ratio);
+  Shooting<double> problem = mode_problem(impact.array, ratio);
   const Orbit<double> orbit = mode_of_energy(problem, share.value * unit);
   const Orbit<double> moved = mode_of_energy(problem, (share.value + share.error) * unit);
   const Profile now = profile(impact.array, problem, orbit, stays[1], 256);

@@ -193,14 +193,14 @@ length of the chain rests. It fails if a bead escapes from a soft well before th
 no packet to report. */
 struct OneImpact {
   Launch launch{};
-  NamedWell well{Quartic{1}};
+  Well well = Quartic{1};
 
   Table quantities() const;
   void offer(Program& program);
 };
 
 inline Table OneImpact::quantities() const {
-  const Chain<NamedWell, CompressedHertz> chain{launch.sites(), well, {launch.d}};
+  const Chain chain{launch.sites(), well, CompressedHertz{launch.d}};
   const CompressedRun coarse = fly(launch, chain, {launch.time}, {});
   const CompressedRun fine = fly(launch, chain, {launch.time}, FlightSteps{}.halved());
   if (fine.shown.empty() || coarse.shown.empty())
@@ -221,7 +221,7 @@ Its options are those of an impact without compression, with ranges in which pho
 inline void OneImpact::offer(Program& program) {
   Command* impact = program.command("impact", "one impact: centre, width and energy of the packet",
                                     [this] { return quantities(); });
-  add_well_options(*impact, well.well, "the phonons are others");
+  add_well_options(*impact, well, "the phonons are others");
   impact->add_option("--time", launch.time, "length of the run")->check(in_range(1, 2e4));
   impact->add_option("--velocity", launch.velocity, "impact velocity")->check(in_range(1e-6, 100));
   impact->add_option("--d", launch.d, "compression of the contacts")->check(in_range(1e-3, 10));

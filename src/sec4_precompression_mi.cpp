@@ -331,11 +331,11 @@ void report_growth(Report& report) {
               number("growth_error", "difference of two steps")}};
   const ModulatedPhonon phonon;
   const CompressedRing ring = phonon.ring();
-  const PlaneWave wave = plane_wave(ring.onsite, ring.contact, phonon.q, phonon.a);
+  const PlaneWave wave = plane_wave(ring.well, ring.contact, phonon.q, phonon.a);
   Estimate apart;
   for (int turns = 1; turns <= 3; ++turns) {
     const double modulation = 2 * pi * turns / double(ring.sites), unit = 0.15 * 0.15 / 4;
-    const double rate = growth_rate(wave, ring.onsite, ring.contact, modulation);
+    const double rate = growth_rate(wave, ring.well, ring.contact, modulation);
     const auto run = [&](double step) {
       return measured_growth(Splitting{blanes_moan_6_14(), step}, ring, wave, turns, rate);
     };

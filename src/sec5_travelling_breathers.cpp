@@ -202,9 +202,8 @@ Table profiles(Report& report, const std::vector<Exact>& shown) {
 What does exact mean to the eye? The maps compare the energy density of an exact orbit with that of a
 struck packet of about the same speed, on a logarithmic scale, on which a tail of a millionth would
 still be seen. */
-template <class Onsite>
-void add_map(Table& table, int which, const Chain<Onsite, Hertz>& chain, State<double> state,
-             double from, double first_site) {
+void add_map(Table& table, int which, const Chain& chain, State<double> state, double from,
+             double first_site) {
   const double duration = 12 * two_pi;
   evolve(ContactAware{0.05}, chain, state, from, 1, Unobserved{});
   const double start = state.t;
@@ -219,7 +218,7 @@ void add_map(Table& table, int which, const Chain<Onsite, Hertz>& chain, State<d
 Table maps(const Exact& orbit) {
   Table table{{count("packet", "0 exact, 1 of an impact"), number("t", "time"),
                count("n", "site", "site"), number("log_e", "log10 of the energy density")}};
-  const Chain<Harmonic, Hertz> chain{120};
+  const Chain chain{120};
   add_map(table, 0, chain, embed(orbit.orbit.start, chain.sites, 0), 0, 0);
   const double arrival = 47 * two_pi;  // the packet has then come to site 50 or so
   add_map(table, 1, chain, struck(chain.sites, 0.6676), arrival, 40);
@@ -232,8 +231,8 @@ Table maps(const Exact& orbit) {
 The equations cover one shift; now we let an orbit run on. It is integrated over one shift at a time by
 the method that lands on every opening and closing of a contact (landing.hpp), and then the frame moves
 on by one site. What the last site of the frame holds is left behind. */
-double left_behind(const TravellingProblem<double>& problem, const Orbit<double>& orbit,
-                   std::size_t shifts, const Landing<double>& rule) {
+double left_behind(const Shooting<double>& problem, const Orbit<double>& orbit, std::size_t shifts,
+                   const Landing<double>& rule) {
   State<double> z = orbit.start;
   const double time = shift_time(orbit);
   double left = 0;
@@ -256,7 +255,7 @@ also lies close to one, so it is judged by $\kappa = (\lambda+\lambda^{-1}-2)/4$
 $\kappa < 0$, and a disturbance grows if $\kappa > 0$. All other multipliers are judged by their
 moduli. */
 template <class T>
-std::pair<double, double> phase_and_rest(const TravellingProblem<T>& problem, const Orbit<T>& orbit,
+std::pair<double, double> phase_and_rest(const Shooting<T>& problem, const Orbit<T>& orbit,
                                          const Landing<T>& rule) {
   const auto all = multipliers_of(shifted_map(problem.chain, orbit.start, shift_time(orbit), rule));
   T rest(0);
@@ -294,7 +293,7 @@ double passed(const State<double>& z, std::size_t shifts) {
 After each round of twenty shifts we look at the beads that have been passed and drop them. */
 Flown by_steps(const Exact& e, std::size_t shifts, double step) {
   constexpr std::size_t round = 20;
-  const Chain<Harmonic, Hertz> chain{round + 3 * usual_reach};
+  const Chain chain{round + 3 * usual_reach};
   const State<double> start = embed(e.orbit.start, chain.sites, 0);
   State<double> state = start;
   const auto steps = std::size_t(std::ceil(e.shift_time() / step));
@@ -314,7 +313,7 @@ Flown by_steps(const Exact& e, std::size_t shifts, double step) {
 /**
 GSL needs no frame: its chain holds all the sites that the packet passes. */
 Flown by_gsl(const Exact& e, std::size_t shifts, double tolerance) {
-  const Chain<Harmonic, Hertz> chain{shifts + 3 * usual_reach};
+  const Chain chain{shifts + 3 * usual_reach};
   State<double> state = embed(e.orbit.start, chain.sites, 0);
   evolve_reference(chain, state, double(shifts) * e.shift_time(), Tolerance(tolerance));
   const State<double> ought = embed(e.orbit.start, chain.sites, shifts);
@@ -371,24 +370,24 @@ struct Choice {
 };
 
 struct Found {
-  TravellingProblem<double> problem;
+  Shooting<double> problem;
   Orbit<double> orbit;
-  TravellingProblem<long double> wide_problem;
+  Shooting<long double> wide_problem;
   Orbit<long double> wide;
 };
 
 constexpr Stride in_s{.first = 0.02, .least = 1e-6, .most = 0.3};
 
-Branch<TravellingProblem<double>> branch_in_s(const Orbit<double>& start, int direction) {
+Branch<double> branch_in_s(const Orbit<double>& start, int direction) {
   const double time = shift_time(start);
   auto problem = with_free_time(travelling_problem(time, 0, start.start.y.size() / 2 - 1));
   const Vector<double> x = start.x.size() % 2 ? with_time(start.x, time) : start.x;
-  return {problem, along_s<TravellingProblem<double>>(), newton(problem, x), direction, {}, in_s};
+  return {problem, along_s<double>(), newton(problem, x), direction, {}, in_s};
 }
 
 /**
 Whatever was asked for, the answer comes in two precisions, which give its error. */
-Found found_with_free_time(const TravellingProblem<double>& problem, const Orbit<double>& orbit) {
+Found found_with_free_time(const Shooting<double>& problem, const Orbit<double>& orbit) {
   const auto wide = in_precision<long double>(problem);
   return {problem, orbit, wide, polish(wide, orbit)};
 }
@@ -399,7 +398,7 @@ Found on_branch(const Choice& choice, const Orbit<double>& start) {
   try {
     const Orbit<double> orbit = branch.reach(choice.s);
     auto problem = branch.problem();
-    problem.chain.onsite.s = choice.s;
+    problem.chain.well = Quartic{choice.s};
     return found_with_free_time(problem, orbit);
   } catch (const NoBranch&) {
     auto again = branch_in_s(start, direction);

@@ -88,7 +88,7 @@ std::complex<double> sum_from(const State<double>& z, std::size_t first) {
 The contact lies ahead of the packet at first; the four beads on its right are measured when the packet
 has left them behind. */
 Left set_free(const Orbit<double>& member, double step) {
-  const Chain<Harmonic, Hertz> chain{64};
+  const Chain chain{64};
   const std::size_t contact = 2 * usual_reach, beads = 4;
   const double time = shift_time(member);
   State<double> state = embed(member.start, chain.sites, 0);
@@ -245,23 +245,22 @@ unknowns, so a regular solution continues to $s \ne 0$. We follow it by its arcl
 pass *folds*, at which a branch turns back in $s$ (continuation.hpp). */
 constexpr Stride in_s{.first = 0.02, .least = 1e-6, .most = 0.25};
 
-using Free = TravellingProblem<double>;
 using Start = std::pair<std::size_t, Orbit<double>>;  ///< k and its orbit at s = 0
 
-Branch<Free> branch_from(const Orbit<double>& start, int direction, const Stride& stride) {
-  const Free problem = with_free_time(travelling_problem(shift_time(start)));
+Branch<double> branch_from(const Orbit<double>& start, int direction, const Stride& stride) {
+  const Shooting<double> problem = with_free_time(travelling_problem(shift_time(start)));
   const Orbit<double> orbit = newton(problem, with_time(start.x, shift_time(start)));
-  return {problem, along_s<Free>(), orbit, direction, {}, stride};
+  return {problem, along_s<double>(), orbit, direction, {}, stride};
 }
 
 /// A point of a branch.
 struct Place {
   double s, turns, energy;
 };
-Place place(const Branch<Free>& branch) {
-  const Free problem = branch.problem();
+Place place(const Branch<double>& branch) {
+  const Shooting<double> problem = branch.problem();
   const Vector<double> x = branch.unknowns();
-  return {problem.chain.onsite.s, x[x.size() - 1] / two_pi,
+  return {problem.chain.well.as<Quartic>().s, x[x.size() - 1] / two_pi,
           energy(problem.chain, problem.unfold(x))};
 }
 
@@ -269,7 +268,7 @@ Place place(const Branch<Free>& branch) {
 A branch is followed for a given number of steps and within $|s| \le 3$ and $T \ge \pi$, which are our
 choice. */
 std::vector<Place> follow_branch(const Orbit<double>& start, int direction, int steps) {
-  Branch<Free> branch = branch_from(start, direction, in_s);
+  Branch<double> branch = branch_from(start, direction, in_s);
   std::vector<Place> way{place(branch)};
   try {
     for (int i = 0; i < steps; ++i) {
@@ -328,7 +327,7 @@ In section 3.4 a packet slows down and turns at $s = 1$. Does it follow exact or
 and turn where they end? To see this we draw its speed against its energy, together with the orbits that
 we find at $s = 1$. */
 Path packet_at_one(double step) {
-  const Chain<Quartic, Hertz> chain{160, {1}};
+  const Chain chain{160, Quartic{1}};
   State<double> state = struck(chain.sites, 1.9);
   Path path;
   evolve(ContactAware{step}, chain, state, 400, 0.5,
@@ -352,10 +351,10 @@ Table packet_table(const Path& p) {
 /**
 We need the exact orbits at $s = 1$. A branch may pass this value on its way out, and again after its
 fold. */
-std::vector<Cell> crossing(std::size_t k, Branch<Free>& branch) {
+std::vector<Cell> crossing(std::size_t k, Branch<double>& branch) {
   const Orbit<double> orbit = branch.reach(1);
-  Free problem = branch.problem();
-  problem.chain.onsite.s = 1;
+  Shooting<double> problem = branch.problem();
+  problem.chain.well = Quartic{1};
   const auto wide = polish(in_precision<long double>(problem), orbit);
   const Estimate speed = compare(1 / shift_time(orbit), 1 / double(shift_time(wide))),
                  energy = compare(orbit.energy, double(wide.energy));
@@ -372,7 +371,7 @@ Table exact_at_one(const std::vector<Start>& starts) {
   std::vector<std::vector<std::vector<Cell>>> rows(starts.size());
   parallel_for(starts.size(), [&](std::size_t i) {
     const std::size_t k = starts[i].first;
-    Branch<Free> branch = branch_from(starts[i].second, 1, in_s);
+    Branch<double> branch = branch_from(starts[i].second, 1, in_s);
     try {
       rows[i].push_back(crossing(k, branch));
       if (k > 3) return;

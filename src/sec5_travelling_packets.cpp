@@ -78,7 +78,7 @@ void move_on(State<double>& state, std::size_t drop) {
 To see what is left behind we look at the bead eleven sites behind the largest one, which is out of the
 packet's reach; with the next one behind it, it gives the angle of the phase. */
 /// Adds what is seen at one instant; a row is written when the centre has passed `next`.
-void look(Course& course, Stretch& s, const Chain<Harmonic, Hertz>& chain, const State<double>& now,
+void look(Course& course, Stretch& s, const Chain& chain, const State<double>& now,
           std::size_t offset, double next) {
   const auto e = energy_density(chain, now);
   const auto peak = front_packet(e);
@@ -104,7 +104,7 @@ Two runs can be compared row by row if the rows belong to the same sites. So a r
 centre passes certain sites, twelve to a decade from site 20 on. The chain is sampled once per unit of
 time. */
 Course long_run(double velocity, const Frame& frame, std::size_t rows) {
-  const Chain<Harmonic, Hertz> chain{frame.sites};
+  const Chain chain{frame.sites};
   const auto steps = std::size_t(std::lround(1 / frame.step));
   State<double> state = struck(chain.sites, velocity);
   Course course;
@@ -233,7 +233,7 @@ ExactLine exact_line() {
   for (std::size_t k : {7, 6, 5, 4, 3, 2, 1}) {
     const Orbit<double> orbit = stairs.reach(k);
     const double time = 2 * std::numbers::pi * double(k), c = 1 / time;
-    const Chain<Harmonic, Hertz> chain{24};
+    const Chain chain{24};
     State<double> state = embed(orbit.start, chain.sites, 0);
     const std::size_t samples = 400 * k;
     double contact = 0;

@@ -46,7 +46,7 @@ constexpr double duration = 50;
 
 template <class Stepper>
 State<double> struck_with(const Stepper& stepper, double velocity) {
-  const Chain<Quartic, Hertz> chain{sites, {1}};
+  const Chain chain{sites, Quartic{1}};
   State<double> state = struck(sites, velocity);
   evolve(stepper, chain, state, duration, duration, Unobserved{});
   return state;
@@ -114,8 +114,8 @@ State<double> breather() {
   return state;
 }
 
-Chain<Harmonic, Hertz> cradle() {
-  return {31, {}, {0.0}};
+Chain cradle() {
+  return {31, Harmonic{}, Hertz{0}};
 }
 
 /**

@@ -17,7 +17,7 @@ using namespace lattice;
 
 namespace {
 
-const Chain<Quartic, Hertz> hard{40, {1}};
+const Chain hard{40, Quartic{1}};
 
 /// A result for `refine`: the struck chain after ten units of time, seen every `sample`.
 struct Struck {
@@ -75,7 +75,7 @@ TEST_CASE("two identical runs are refused as a proof of agreement", "[unit][accu
   // A chain at rest has the same bits at every step, and that is no mistake.
   const auto rest = [](const ContactAware& stepper) {
     Struck out{State<double>(5), {}};
-    out.run = evolve(stepper, Chain<Quartic, Hertz>{5, {1}}, out.end, 10, 1, Unobserved{});
+    out.run = evolve(stepper, Chain{5, Quartic{1}}, out.end, 10, 1, Unobserved{});
     return out;
   };
   CHECK(refine(1e-6, rest).converged);
@@ -104,8 +104,8 @@ TEST_CASE("a run of no duration returns its start", "[unit][accuracy]") {
   auto s = struck(10, 1);
   const auto start = s;
   int shown = 0;
-  const Run run = evolve_to(1e-9, Chain<Quartic, Hertz>{10, {1}}, s, 0, 1,
-                            [&](const State<double>&) { ++shown; });
+  const Run run =
+      evolve_to(1e-9, Chain{10, Quartic{1}}, s, 0, 1, [&](const State<double>&) { ++shown; });
   CHECK(shown == 1);
   CHECK(run.steps == 0);
   CHECK(s.y == start.y);

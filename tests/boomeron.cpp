@@ -98,7 +98,7 @@ TEST_CASE("the apex converges with the step", "[convergence][boomeron]") {
 }
 
 TEST_CASE("runs part the later the less they differ", "[unit][boomeron]") {
-  const Chain<Quartic, Hertz> chain{60, {1}};
+  const Chain chain{60, Quartic{1}};
   const ContactAware stepper{0.1};
   const auto time = [&](double delta) {
     return parting_time(stepper, struck(60, 1.9), stepper, struck(60, 1.9 * (1 + delta)), chain,

@@ -22,7 +22,6 @@ State<double> shaken(std::size_t sites, unsigned seed = 1) {
   return s;
 }
 
-template <class Chain>
 double potential_energy(const Chain& chain, std::vector<double> y) {
   State<double> s(chain.sites);
   s.y = std::move(y);
@@ -30,7 +29,6 @@ double potential_energy(const Chain& chain, std::vector<double> y) {
 }
 
 /// Fourth-order difference quotient of the potential energy along site n.
-template <class Chain>
 double slope(const Chain& chain, const std::vector<double>& y, std::size_t n) {
   const auto d = [&](double h) {
     auto a = y, b = y;
@@ -45,9 +43,9 @@ template <class Check>
 void for_all_ends(Check check) {
   for (Ends ends : {Ends::free, Ends::fixed, Ends::periodic}) {
     CAPTURE(int(ends));
-    Chain<Quartic, Hertz> plain{12, {0.7}, {}, ends};
+    Chain plain{12, Quartic{0.7}, {}, ends};
     check(plain);
-    Chain<Quartic, Hertz> varied = plain;
+    Chain varied = plain;
     std::vector<double> mass(12, 1), eta(13, 1);
     mass[5] = 2.5, mass[11] = 0.3;
     eta[5] = 1.3, eta[6] = 0.7;
@@ -58,7 +56,7 @@ void for_all_ends(Check check) {
     check(varied);
     vary(varied, {}, eta);
     check(varied);
-    Chain<None, PowerContact> bare{12, {}, {2, 0.2}, ends};
+    Chain bare{12, None{}, PowerContact{2, 0.2}, ends};
     vary(bare, mass, eta);
     check(bare);
   }
@@ -148,12 +146,12 @@ TEST_CASE("every contact exists where its end says so", "[unit][chain]") {
 
 TEST_CASE("contact forces sum to zero", "[property][chain]") {
   // Without wells (subtracted here) a free chain feels no net force: the third law.
-  Chain<Quartic, Hertz> chain{40, {0.3}};
+  Chain chain{40, Quartic{0.3}};
   const auto y = shaken(40).y;
   const auto a = accelerations(chain, y);
   double net = 0, scale = 0;
   for (std::size_t n = 0; n < 40; ++n) {
-    net += a[n] - chain.onsite.force(y[n]);
+    net += a[n] - chain.well.force(y[n]);
     scale += std::abs(a[n]);
   }
   check_close(net, 0, 1e-14 * scale);
@@ -170,7 +168,7 @@ TEST_CASE("the energy density adds up to the energy", "[unit][chain]") {
 }
 
 TEST_CASE("the chain is symmetric under n -> -n with y -> -y", "[property][chain]") {
-  const Chain<Quartic, Hertz> chain{31, {1}};
+  const Chain chain{31, Quartic{1}};
   auto y = shaken(31).y;
   auto mirrored = y;
   for (std::size_t n = 0; n < 31; ++n) mirrored[n] = -y[30 - n];
@@ -209,15 +207,15 @@ TEST_CASE("the linearisation is the derivative of the force", "[unit][chain]") {
 
 TEST_CASE("a chain of equal masses given one by one has the bits of the plain chain",
           "[unit][chain]") {
-  Chain<Quartic, Hertz> plain{700, {0.7}};
-  Chain<Quartic, Hertz> varied = plain;
+  Chain plain{700, Quartic{0.7}};
+  Chain varied = plain;
   vary(varied, std::vector<double>(700, 1), std::vector<double>(701, 1));
   const auto y = shaken(700).y;
   CHECK(accelerations(plain, y) == accelerations(varied, y));
 }
 
 TEST_CASE("impossible masses are refused", "[unit][chain]") {
-  Chain<Harmonic, Hertz> chain{3};
+  Chain chain{3};
   CHECK_THROWS_AS(vary(chain, {1, 1}, {1, 1, 1, 1}), std::invalid_argument);
   CHECK_THROWS_AS(vary(chain, {1, 0, 1}, {1, 1, 1, 1}), std::invalid_argument);
   CHECK_THROWS_AS(vary(chain, {1, std::nan(""), 1}, {}), std::invalid_argument);

@@ -13,13 +13,13 @@ using namespace lattice;
 
 namespace {
 
-template <class Stepper, class Chain>
+template <class Stepper>
 State<double> after(const Stepper& stepper, const Chain& chain, State<double> s, double time) {
   evolve(stepper, chain, s, time, time, Unobserved{});
   return s;
 }
 
-template <class T = double, class Chain>
+template <class T = double>
 State<T> landed(const Chain& chain, const State<double>& start, double time,
                 Tangent<T>* tangent = nullptr) {
   State<T> s(chain.sites);
@@ -34,7 +34,7 @@ template <class Make>
 double impact_error(double h, Make make) {
   double squares = 0;
   for (double v0 : {1.3, 1.4, 1.5, 1.6, 1.7, 1.8, 1.9}) {
-    const Chain<Quartic, Hertz> chain{60, {1}};
+    const Chain chain{60, Quartic{1}};
     const auto exact = after(ContactAware{0.004}, chain, struck(60, v0), 20);
     squares += std::pow(distance(after(make(h), chain, struck(60, v0), 20), exact), 2);
   }
@@ -59,7 +59,7 @@ State<double> random_state(std::size_t sites, double size, unsigned seed) {
 }  // namespace
 
 TEST_CASE("base schemes have order six where contacts stay closed", "[convergence][contact]") {
-  const Chain<Quartic, CompressedHertz> ring{20, {1}, {2}, Ends::periodic};
+  const Chain ring{20, Quartic{1}, CompressedHertz{2}, Ends::periodic};
   State<double> wave(20);
   for (int n = 0; n < 20; ++n) wave.y[n] = 0.3 * std::sin(0.3 * M_PI * n);
   const auto exact = after(ContactAware{0.01}, ring, wave, 5);
@@ -85,7 +85,7 @@ TEST_CASE("the correction restores the order across switching contacts", "[conve
 }
 
 TEST_CASE("the order at t = 100 on the hard impact is at least 4.5", "[convergence][contact]") {
-  const Chain<Quartic, Hertz> chain{200, {1}};
+  const Chain chain{200, Quartic{1}};
   const auto exact = after(ContactAware{0.004}, chain, struck(200, 1.9), 100);
   const auto error = [&](double h) {
     double worst = 0;
@@ -108,12 +108,12 @@ TEST_CASE("three families agree on the same problems", "[property][contact]") {
     check_close(distance(after(Splitting{blanes_moan_6(), 5e-4}, chain, start, time), land), 0,
                 1e-8);
   };
-  compare(Chain<Quartic, Hertz>{30, {1}}, struck(30, 1.9), 15);
-  compare(Chain<Harmonic, Hertz>{12}, random_state(12, 1, 3), 10);
-  compare(Chain<Quartic, CompressedHertz>{12, {-0.1}, {0.3}, Ends::fixed}, random_state(12, 0.6, 5),
+  compare(Chain{30, Quartic{1}}, struck(30, 1.9), 15);
+  compare(Chain{12}, random_state(12, 1, 3), 10);
+  compare(Chain{12, Quartic{-0.1}, CompressedHertz{0.3}, Ends::fixed}, random_state(12, 0.6, 5),
           10);
-  compare(Chain<Pendulum, Hertz>{12, {}, {}, Ends::periodic}, random_state(12, 1, 7), 10);
-  Chain<Harmonic, Hertz> varied{12};
+  compare(Chain{12, Pendulum{}, {}, Ends::periodic}, random_state(12, 1, 7), 10);
+  Chain varied{12};
   std::vector<double> mass(12, 1), eta(13, 1);
   mass[4] = 3, eta[4] = 0.6, eta[5] = 1.4;
   vary(varied, mass, eta);
@@ -123,7 +123,7 @@ TEST_CASE("three families agree on the same problems", "[property][contact]") {
 TEST_CASE("any exponent is corrected", "[property][contact]") {
   for (double alpha : {1.25, 1.4, 2.0, 2.5}) {
     CAPTURE(alpha);
-    const Chain<Quartic, PowerContact> chain{20, {0.5}, {alpha, 0}};
+    const Chain chain{20, Quartic{0.5}, PowerContact{alpha, 0}};
     const auto exact = after(ContactAware{0.004}, chain, struck(20, 1.5), 15);
     const double with = distance(after(corrected(0.05), chain, struck(20, 1.5), 15), exact);
     const double without = distance(after(uncorrected(0.05), chain, struck(20, 1.5), 15), exact);
@@ -144,16 +144,16 @@ TEST_CASE("a windowed contact-aware run has the bits of the full run", "[propert
     CHECK(windowed.y == full.y);
     CHECK(windowed.v == full.v);
   };
-  same(Chain<Quartic, Hertz>{120, {1}}, struck(120, 1.9));
+  same(Chain{120, Quartic{1}}, struck(120, 1.9));
   State<double> middle(160);
   middle.v[80] = 1;
-  same(Chain<Harmonic, Hertz>{160}, middle);
-  same(Chain<Quartic, CompressedHertz>{400, {1}, {0.5}}, struck(400, 1.9));
+  same(Chain{160}, middle);
+  same(Chain{400, Quartic{1}, CompressedHertz{0.5}}, struck(400, 1.9));
 }
 
 TEST_CASE("contact-aware runs are symmetric, conserve energy and can be reversed",
           "[property][contact]") {
-  const Chain<Quartic, Hertz> chain{31, {1}};
+  const Chain chain{31, Quartic{1}};
   const auto start = random_state(31, 0.8, 11);
   State<double> mirrored(31);
   for (std::size_t n = 0; n < 31; ++n) {
@@ -183,7 +183,6 @@ struct Graze {
 /// Follows two beads that reach `turn`, where both rest, after one unit of time, and leave it as
 /// they came. The truth is computed without any look-out: since the instant is known, a run with
 /// 64-bit mantissas ends there and another one begins.
-template <class Chain>
 Graze graze(const Chain& chain, const State<double>& turn) {
   const auto past = landed<long double>(chain, turn, 1);
   State<double> start(2);
@@ -227,7 +226,7 @@ void check_graze(const Graze& found, double gap) {
 
 // The wells have the frequencies 1 and 1/2, so that beads that swing out together part by themselves.
 TEST_CASE("beads that almost or just touch are followed exactly", "[property][contact][landing]") {
-  Chain<Harmonic, Hertz> chain{2};
+  Chain chain{2};
   vary(chain, {1, 4}, {});
   for (double lift : lifts()) {
     State<double> turn(2);
@@ -237,7 +236,7 @@ TEST_CASE("beads that almost or just touch are followed exactly", "[property][co
 }
 
 TEST_CASE("beads that almost or just part are followed exactly", "[property][contact][landing]") {
-  const Chain<Harmonic, CompressedHertz> chain{2, {}, {0.25}};
+  const Chain chain{2, {}, CompressedHertz{0.25}};
   for (double lift : lifts()) {
     State<double> turn(2);
     turn.y = {-0.125 * (1 + lift), 0.125 * (1 + lift)};
@@ -246,7 +245,7 @@ TEST_CASE("beads that almost or just part are followed exactly", "[property][con
 }
 
 TEST_CASE("a tolerance is met and reported", "[property][contact]") {
-  const Chain<Quartic, Hertz> chain{60, {1}};
+  const Chain chain{60, Quartic{1}};
   const auto exact = after(ContactAware{0.004}, chain, struck(60, 1.9), 20);
   for (double tolerance : {1e-3, 1e-5, 1e-7, 1e-9}) {
     auto s = struck(60, 1.9);
@@ -258,7 +257,7 @@ TEST_CASE("a tolerance is met and reported", "[property][contact]") {
 }
 
 TEST_CASE("a tolerance that chaos forbids is refused with its history", "[property][contact]") {
-  const Chain<Quartic, Hertz> chain{20, {1}};
+  const Chain chain{20, Quartic{1}};
   auto s = random_state(20, 1.5, 13);
   std::string message;
   try {
@@ -270,7 +269,7 @@ TEST_CASE("a tolerance that chaos forbids is refused with its history", "[proper
 }
 
 TEST_CASE("the landing flow is exact, reversible and conserves energy", "[property][landing]") {
-  const Chain<Quartic, Hertz> chain{16, {0.5}, {.floor = 0}};
+  const Chain chain{16, Quartic{0.5}, Hertz{.floor = 0}};
   const auto start = random_state(16, 1, 17);
   auto s = start;
   const auto there = flow(chain, s, 12.0);
@@ -285,7 +284,7 @@ TEST_CASE("the landing flow is exact, reversible and conserves energy", "[proper
 
 TEST_CASE("the tangent map is the derivative, symplectic, and good to twelve digits",
           "[property][landing]") {
-  const Chain<Quartic, Hertz> chain{8, {0.5}, {.floor = 0}};
+  const Chain chain{8, Quartic{0.5}, Hertz{.floor = 0}};
   const auto start = random_state(8, 0.7, 19);
   Tangent<double> m(8, 16);
   Tangent<long double> fine(8, 16);
@@ -308,7 +307,7 @@ TEST_CASE("the tangent map is the derivative, symplectic, and good to twelve dig
 }
 
 TEST_CASE("tiny contacts in a tail are neither missed nor looped on", "[property][landing]") {
-  const Chain<Harmonic, Hertz> chain{12, {}, {.floor = 0}};
+  const Chain chain{12, {}, Hertz{.floor = 0}};
   State<double> s(12);
   for (std::size_t n = 0; n < 12; ++n)
     s.y[n] = (n % 2 ? -0.1 : 0.1) * std::pow(10.0, -3.0 * double(n));  // down to 1e-34

@@ -18,8 +18,8 @@ double difference(const State<double>& a, const State<double>& b) {
 }
 
 /// A wave on a ring whose contacts stay closed.
-using Ring = Chain<Quartic, CompressedHertz>;
-const Ring ring{20, {1}, {2}, Ends::periodic};
+
+const Chain ring{20, Quartic{1}, CompressedHertz{2}, Ends::periodic};
 
 State<double> wave() {
   State<double> s(20);
@@ -37,7 +37,7 @@ State<double> after(const Stepper& stepper, double time) {
 }  // namespace
 
 TEST_CASE("one damped bead follows the closed form", "[unit][damped]") {
-  const Chain<Harmonic, Hertz> chain{1};
+  const Chain chain{1};
   const double nu = 0.2, time = 10, omega = std::sqrt(1 - nu * nu / 4);
   const double decay = std::exp(-nu * time / 2), c = std::cos(omega * time);
   const double sine = std::sin(omega * time) / omega;
@@ -66,7 +66,7 @@ TEST_CASE("the order is two with any conservative stepper", "[convergence][dampe
 }
 
 TEST_CASE("energy and dissipated energy add up", "[property][damped]") {
-  Chain<Quartic, Hertz> chain{80, {1}};
+  Chain chain{80, Quartic{1}};
   std::vector<double> mass(80), nu(80, 0);
   for (std::size_t n = 0; n < 80; ++n) mass[n] = 1 + 0.3 * double(n % 4);
   for (std::size_t n = 0; n < 30; ++n) nu[n] = 0.002 * double(1 + n);
@@ -92,7 +92,7 @@ TEST_CASE("energy and dissipated energy add up", "[property][damped]") {
 }
 
 TEST_CASE("an end that absorbs lets little return", "[property][damped]") {
-  const Chain<Harmonic, CompressedHertz> chain{120, {}, {0.5}};
+  const Chain chain{120, {}, CompressedHertz{0.5}};
   std::vector<double> nu(120, 0);
   for (std::size_t n = 60; n < 120; ++n) nu[n] = 0.5 * std::pow(double(n - 59) / 60, 2);
   State<double> open = struck(120, 0.05), absorbing = open;
@@ -104,7 +104,7 @@ TEST_CASE("an end that absorbs lets little return", "[property][damped]") {
 }
 
 TEST_CASE("without friction the bits are those of the stepper", "[unit][damped]") {
-  const Chain<Quartic, Hertz> chain{60, {1}};
+  const Chain chain{60, Quartic{1}};
   const auto same = [&](const auto& stepper) {
     State<double> a = struck(60, 1.9), b = a, c = a;
     const Run plain = evolve(stepper, chain, a, 40, 10, Unobserved{});

@@ -54,7 +54,7 @@ TEST_CASE("the approximation approaches the chain as eps goes to zero", "[proper
     Field field = dps_impact(20);
     evolve_dps(Dps{20}, field, tau, 1, 1e-12, Unwatched{});
     State<double> chain = struck(20, 2 * eps);
-    evolve(Splitting{blanes_moan_6(), 0.02}, Chain<Harmonic, Hertz>{20}, chain, t, t, Unobserved{});
+    evolve(Splitting{blanes_moan_6(), 0.02}, Chain{20}, chain, t, t, Unobserved{});
     const auto y = dps_state(field, eps, t).y;
     double error = 0;
     for (std::size_t n = 0; n < 20; ++n) error = std::max(error, std::abs(y[n] - chain.y[n]));

@@ -11,7 +11,7 @@ using namespace lattice;
 
 namespace {
 
-template <class Stepper, class Chain>
+template <class Stepper>
 void show(const Stepper& stepper, const Chain& chain, State<double> state) {
   evolve(stepper, chain, state, 30, 30, Unobserved{});
   for (std::size_t n = 0; n < chain.sites; n += 1 + chain.sites / 40) {
@@ -21,7 +21,6 @@ void show(const Stepper& stepper, const Chain& chain, State<double> state) {
   }
 }
 
-template <class Chain>
 void show(const Chain& chain, const State<double>& state) {
   show(Splitting{blanes_moan_6(), 0.05}, chain, state);
   show(ContactAware{0.05}, chain, state);
@@ -31,13 +30,13 @@ void show(const Chain& chain, const State<double>& state) {
 }  // namespace
 
 int main() {
-  show(Chain<Quartic, Hertz>{50, {1}}, struck(50, 1.9));
-  show(Chain<Pendulum, Hertz>{50}, struck(50, 2));
+  show(Chain{50, Quartic{1}}, struck(50, 1.9));
+  show(Chain{50, Pendulum{}}, struck(50, 2));
   State<double> wave(1000);
   for (std::size_t n = 0; n < 1000; ++n) wave.y[n] = 0.3 * std::sin(0.1 * double(n * n % 97));
-  show(Chain<Quartic, CompressedHertz>{1000, {-0.2}, {0.5}, Ends::periodic}, wave);
-  show(Chain<Harmonic, Hertz>{1000, {}, {}, Ends::fixed}, wave);
-  Chain<Harmonic, Hertz> varied{1000};
+  show(Chain{1000, Quartic{-0.2}, CompressedHertz{0.5}, Ends::periodic}, wave);
+  show(Chain{1000, {}, {}, Ends::fixed}, wave);
+  Chain varied{1000};
   std::vector<double> mass(1000, 1), eta(1001, 1);
   for (std::size_t n = 0; n < 1000; n += 7) mass[n] = 1.5, eta[n] = 0.8;
   vary(varied, mass, eta);

@@ -13,7 +13,7 @@ using namespace lattice;
 
 namespace {
 
-using Problem = BreatherProblem<double>;
+using Problem = Shooting<double>;
 
 Problem small_problem(Centre centre, double omega, double s = 0) {
   return breather_problem(centre, omega, s, centre == Centre::site ? 15 : 16);
@@ -152,7 +152,7 @@ TEST_CASE("a breather held at a site or bond stands at the exchange", "[property
   Problem problem = small_problem(Centre::site, 1.1, 0.15);
   const Orbit<double> orbit = find_breather(problem);
   problem.symmetry = even_in_time(15);
-  Held<Problem> held{problem, along_s<Problem>(), 0.2};
+  Held<double> held{problem, along_s<double>(), 0.2};
   Vector<double> x(16);
   x << problem.fold(orbit.start), 0.15;
   const Shot<double> shot = held.shoot(x, {});
@@ -177,9 +177,9 @@ TEST_CASE("a breather in between is found twice, by solutions of their own",
   Vector<double> x(22);
   x << site.x, 0.1525196;
   const Vector<Wide> near =
-      moved_to_centre(Held<Problem>{problem, along_s<Problem>(), 0.25}, x).cast<Wide>();
-  using WideProblem = BreatherProblem<Wide>;
-  const Held<WideProblem> held{in_precision<Wide>(problem), along_s<WideProblem>(), Wide(0.25)};
+      moved_to_centre(Held<double>{problem, along_s<double>(), 0.25}, x).cast<Wide>();
+  using WideProblem = Shooting<Wide>;
+  const Held<Wide> held{in_precision<Wide>(problem), along_s<Wide>(), Wide(0.25)};
   const Wide fine = solve(held, near, rule<Wide>(0)).x[21];
   const Wide coarse = solve(held, near, rule<Wide>(1)).x[21];
   CHECK(double(fine) > 0.15251949);  // the exchange around a site

@@ -23,8 +23,8 @@ void check_values(const Potential& p, double x, double energy, double force, dou
 }
 
 /// Three beads of masses 2, 3, 5 with stiffnesses 2, 3, 4, 2, the ends' first and last.
-Chain<Harmonic, Hertz> three_beads(Ends ends) {
-  Chain<Harmonic, Hertz> chain{3, {}, {}, ends};
+Chain three_beads(Ends ends) {
+  Chain chain{3, {}, {}, ends};
   vary(chain, {2, 3, 5}, {2, 3, 4, 2});
   return chain;
 }
@@ -237,7 +237,7 @@ TEST_CASE("the map of an interval and the extrapolation by hand", "[unit][formul
 
 TEST_CASE("the tangent by difference quotients, inside the core and outside", "[unit][formulas]") {
   constexpr std::size_t sites = 16, last = sites - 1;
-  Chain<Quartic, Hertz> chain{sites, {0.5}};
+  Chain chain{sites, Quartic{0.5}};
   std::vector<double> mass(sites, 1), eta(sites + 1, 1);
   mass[1] = 2, mass[last] = 4;
   eta[1] = 0.7, eta[2] = 1.3;
@@ -273,7 +273,7 @@ TEST_CASE("the tangent by difference quotients, inside the core and outside", "[
 TEST_CASE("the extrapolation is worth its name", "[unit][formulas]") {
   // A wrong extrapolation still arrives, because its error is seen and the steps become short: 398 of
   // them instead of 10 for a single bead, 1220 instead of 45 for six.
-  Chain<Quartic, Hertz> one{1, {1}}, six{6, {1}};
+  Chain one{1, Quartic{1}}, six{6, Quartic{1}};
   State<double> turned(1);
   turned.y[0] = 0.5;
   const auto smooth = flow(one, turned, 3.0);
@@ -289,7 +289,7 @@ TEST_CASE("the extrapolation is worth its name", "[unit][formulas]") {
 }
 
 TEST_CASE("the area counts the masses", "[unit][formulas]") {
-  Chain<Harmonic, Hertz> chain{1};
+  Chain chain{1};
   vary(chain, {4}, {1, 1});
   State<double> s(1);
   s.y[0] = 0.3;
@@ -303,7 +303,7 @@ TEST_CASE("a contact-aware run across switchings agrees with the landing", "[uni
   // stages' shift it errs by 3e-9 or 1e-10.
   for (double d : {0.0, 0.3}) {
     CAPTURE(d);
-    Chain<Quartic, CompressedHertz> chain{6, {1}, {d}, Ends::fixed};
+    Chain chain{6, Quartic{1}, CompressedHertz{d}, Ends::fixed};
     vary(chain, {1, 2, 1, 1, 1.5, 1}, {1, 0.6, 1.4, 1, 1, 0.8, 1});
     auto aware = struck(6, 1.5), landed = aware;
     Window all{0, 6};

@@ -19,7 +19,7 @@ double difference(const State<double>& a, const State<double>& b) {
   return d;
 }
 
-template <class Stepper, class Chain>
+template <class Stepper>
 State<double> after(const Stepper& stepper, const Chain& chain, State<double> s, double time) {
   evolve(stepper, chain, s, time, time, Unobserved{});
   return s;
@@ -31,7 +31,7 @@ double measured_order(const Scheme& scheme, const std::vector<double>& steps) {
   for (double h : steps) {
     double error = 0;
     for (double v0 : {1.3, 1.5, 1.7, 1.9}) {
-      const Chain<Quartic, Hertz> chain{60, {1}};
+      const Chain chain{60, Quartic{1}};
       const auto exact = after(Splitting{blanes_moan_6(), 5e-4}, chain, struck(60, v0), 20);
       error += difference(after(Splitting{scheme, h}, chain, struck(60, v0), 20), exact);
     }
@@ -45,7 +45,7 @@ double measured_order(const Scheme& scheme, const std::vector<double>& steps) {
 
 /// A wave on a compressed ring whose contacts never open.
 struct Smooth {
-  Chain<Quartic, CompressedHertz> chain{20, {1}, {2}, Ends::periodic};
+  Chain chain{20, Quartic{1}, CompressedHertz{2}, Ends::periodic};
   State<double> start{20};
   Smooth() {
     for (int n = 0; n < 20; ++n) start.y[n] = 0.3 * std::sin(0.1 * M_PI * n * 3);
@@ -81,7 +81,7 @@ TEST_CASE("switching contacts hold every splitting near order 2.5", "[convergenc
 }
 
 TEST_CASE("a run is undone by turning the velocities round", "[property]") {
-  const Chain<Quartic, Hertz> chain{60, {1}};
+  const Chain chain{60, Quartic{1}};
   for (const Scheme& scheme : {verlet(), blanes_moan_4(), blanes_moan_6()}) {
     CAPTURE(scheme.name);
     auto s = after(Splitting{scheme, 0.05}, chain, struck(60, 1.9), 20);
@@ -96,7 +96,7 @@ TEST_CASE("a run is undone by turning the velocities round", "[property]") {
 
 TEST_CASE("one step is symplectic", "[property]") {
   // The Jacobian M of a step satisfies M^T J M = J; central differences give it to 1e-8.
-  const Chain<Quartic, Hertz> chain{4, {0.5}};
+  const Chain chain{4, Quartic{0.5}};
   State<double> s(4);
   s.y = {0.31, -0.22, 0.17, 0.4};
   s.v = {0.1, 0.3, -0.2, 0.05};
@@ -127,7 +127,7 @@ TEST_CASE("one step is symplectic", "[property]") {
 }
 
 TEST_CASE("energy drift is small and reported", "[property]") {
-  const Chain<Quartic, Hertz> chain{200, {1}};
+  const Chain chain{200, Quartic{1}};
   auto s = struck(200, 1.9);
   const Run run = evolve(Splitting{blanes_moan_6(), 0.02}, chain, s, 200, 1, Unobserved{});
   CHECK(run.energy_drift > 0);
@@ -136,7 +136,7 @@ TEST_CASE("energy drift is small and reported", "[property]") {
 }
 
 TEST_CASE("a windowed run has the bits of the full run", "[property][window]") {
-  const Chain<Quartic, Hertz> chain{120, {1}};
+  const Chain chain{120, Quartic{1}};
   const Splitting stepper{blanes_moan_6(), 0.05};
   auto windowed = struck(120, 1.9), full = windowed;
   Window some = waking(chain, windowed), all{0, 120};
@@ -150,7 +150,7 @@ TEST_CASE("a windowed run has the bits of the full run", "[property][window]") {
 }
 
 TEST_CASE("the chain agrees with GSL's adaptive method", "[property]") {
-  const Chain<Quartic, Hertz> chain{40, {-0.3}};
+  const Chain chain{40, Quartic{-0.3}};
   auto ours = struck(40, 0.9), theirs = ours;
   ours = after(Splitting{blanes_moan_6(), 1e-3}, chain, ours, 30);
   evolve_reference(chain, theirs, 30, 1e-13);
@@ -162,7 +162,7 @@ TEST_CASE("the chain agrees with GSL's adaptive method", "[property]") {
 }
 
 TEST_CASE("a runaway is seen and stops the run", "[unit]") {
-  const Chain<Quartic, Hertz> chain{30, {-0.7}};
+  const Chain chain{30, Quartic{-0.7}};
   auto s = struck(30, 1.3);
   int shown = 0;
   const Run run =

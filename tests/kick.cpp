@@ -14,7 +14,7 @@ using namespace lattice;
 namespace {
 
 struct Resting {
-  Chain<Harmonic, Hertz> chain;
+  Chain chain;
   State<double> state;
   double period;
 };
@@ -186,7 +186,7 @@ TEST_CASE("three free breathers know the kick that frees", "[published][kick]") 
 }
 
 TEST_CASE("the classical Runge-Kutta method is a scheme without velocities", "[unit][kick]") {
-  Chain<Harmonic, Hertz> chain{2};
+  Chain chain{2};
   State<double> state(2);
   state.y = {1, 1};  // no contact is closed; the textbook's step is Taylor's series to h^4
   Window all{0, 2};

@@ -12,8 +12,8 @@ namespace {
 
 /// A chain of six unequal beads between walls, at rest and far from equilibrium.
 template <class Onsite>
-std::pair<Chain<Onsite, Hertz>, State<double>> walled() {
-  Chain<Onsite, Hertz> chain{6, {}, {}, Ends::fixed};
+std::pair<Chain, State<double>> walled() {
+  Chain chain{6, Onsite{}, {}, Ends::fixed};
   vary(chain, shaken(std::vector<double>(6, 1), 0.3, 1), shaken(std::vector<double>(7, 1), 0.3, 2));
   State<double> state(6);
   for (std::size_t n = 0; n < 6; ++n) state.y[n] = (n % 2 == 0 ? 0.3 : -0.2) + 0.01 * double(n);
@@ -38,7 +38,7 @@ TEST_CASE("mean forces change the momentum of every bead", "[property][mean_forc
 
 TEST_CASE("one bead between walls: the mean force by hand", "[unit][mean_force]") {
   // Twice per period the bead turns, and each wall gives it the impulse 2 v that it needs.
-  Chain<None, Hertz> chain{1, {}, {}, Ends::fixed};
+  Chain chain{1, None{}, {}, Ends::fixed};
   State<double> state(1);
   state.v[0] = 0.5;
   // Half a period by the energy: quarter from y = 0 to the turning point.
@@ -67,12 +67,12 @@ TEST_CASE("a breather balances with its wells and with nothing else", "[property
   State<double> wrong = orbit.start;
   wrong.y[10] *= 1.001;
   CHECK(mean_forces(problem.chain, wrong, orbit.period(), 1e-12).imbalance() > 1e-7);
-  Chain<None, Hertz> free{21};
+  Chain free{21, None{}};
   CHECK(mean_forces(free, orbit.start, orbit.period(), 1e-12).imbalance() > 1e-4);
 }
 
 TEST_CASE("shooting by leapfrog has the exact derivative of its map", "[unit][orbits]") {
-  LeapfrogShooting<Harmonic, Hertz> problem;
+  LeapfrogShooting problem;
   problem.chain = walled<Harmonic>().first;
   problem.symmetry = travelling(6, 0, false);
   problem.omega = 1.3;

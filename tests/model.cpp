@@ -1,6 +1,6 @@
-// The model as a value: the chain that it stands for, and the options with which a reader asks.
+// Well and contact as values, and the options with which a reader asks.
 
-#include "lattice/model/model.hpp"
+#include "lattice/model/chain.hpp"
 
 #include <string>
 #include <type_traits>
@@ -19,24 +19,16 @@ std::string impact(const std::string& options) {
 
 }  // namespace
 
-TEST_CASE("a model becomes the chain of its types", "[unit][model]") {
-  const auto is = [](const Model& model, auto onsite, auto contact) {
-    return with_chain(model, 7, [&](const auto& chain) {
-      CHECK(chain.sites == 7);
-      CHECK(chain.ends == model.ends);
-      using Expected = Chain<decltype(onsite), decltype(contact)>;
-      return std::is_same_v<std::decay_t<decltype(chain)>, Expected>;
-    });
-  };
-  CHECK(is({}, Quartic{}, Hertz{}));
-  CHECK(is(-0.5, Quartic{}, Hertz{}));
-  CHECK(is(Pendulum{}, Pendulum{}, Hertz{}));
-  CHECK(is({None{}, CompressedHertz{0.5}, Ends::periodic}, None{}, CompressedHertz{}));
-  CHECK(is({Harmonic{}, CompressedHertz{0}}, Harmonic{}, Hertz{}));
-  CHECK(is({Harmonic{}, PowerContact{1.5, 0.5}}, Harmonic{}, CompressedHertz{}));
-  CHECK(is({Harmonic{}, PowerContact{2, 0}}, Harmonic{}, PowerContact{}));
-  const auto rim = [](const auto& chain) { return rim_of(chain.onsite); };
-  check_close(with_chain(Model(-0.5), 3, rim), std::sqrt(2.0), 1e-15);
+TEST_CASE("a well and a contact are what they were made from", "[unit][model]") {
+  const Chain chain{7, Quartic{-0.5}, CompressedHertz{0.5}, Ends::periodic};
+  CHECK(chain.well.as<Quartic>().s == -0.5);
+  CHECK(chain.contact.as<CompressedHertz>().d == 0.5);
+  CHECK(std::holds_alternative<Harmonic>(Chain{}.well));
+  CHECK(std::holds_alternative<Hertz>(Chain{}.contact));
+  CHECK_THROWS_AS(chain.well.as<Pendulum>(), std::bad_variant_access);
+  check_close(chain.well.rim(), std::sqrt(2.0), 1e-15);
+  CHECK(chain.contact.opening() == 0.5);
+  CHECK(chain.contact.exponent() == 1.5);
 }
 
 TEST_CASE("options choose well and contact by name", "[cli][model]") {

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "check_potential.hpp"
-#include "lattice/measure/chosen.hpp"
 #include "lattice/measure/flight.hpp"
 #include "lattice/measure/turning.hpp"
 #include "lattice/orbits/breather.hpp"
@@ -35,8 +34,8 @@ Table table_of(const std::string& command) {
 /// By how much a chain with these wells misses its start after one period, relative to the amplitude.
 template <class Onsite>
 double missed(const std::vector<double>& y, double omega) {
-  Chain<Onsite, Hertz> chain{y.size()};
-  chain.contact.floor = 0;
+  Chain chain{y.size(), Onsite{}};
+  chain.contact = Hertz{.floor = 0};
   State<double> start(y.size());
   start.y = y;
   State<double> end = start;
@@ -49,7 +48,7 @@ double missed(const std::vector<double>& y, double omega) {
 
 TEST_CASE("a well chosen at run time has the bits of the well itself", "[unit][potential][model]") {
   const auto same = [](auto well) {
-    const NamedWell chosen{well};
+    const Well chosen{well};
     for (double y : {-1.7, -1e-3, 0.0, 0.4, 2.5}) {
       CHECK(chosen.energy(y) == well.energy(y));
       CHECK(chosen.force(y) == well.force(y));
@@ -64,28 +63,16 @@ TEST_CASE("a well chosen at run time has the bits of the well itself", "[unit][p
   same(Pendulum{});
 }
 
-TEST_CASE("a chain chosen at run time moves like the chain itself", "[unit][model]") {
-  const auto same = [](const Model& model, const auto& chain) {
-    const Voyage chosen = voyage({0.1}, ChosenChain{chain.sites, model}, 1.9, 60);
-    const Voyage own = voyage({0.1}, chain, 1.9, 60);
-    CHECK(chosen.path.centre == own.path.centre);
-    CHECK(chosen.end.v == own.end.v);
-    CHECK(chosen.run.energy_drift == own.run.energy_drift);
-  };
-  same(Pendulum{}, Chain<Pendulum, Hertz>{40});
-  same({Quartic{1}, CompressedHertz{0.5}}, Chain<Quartic, CompressedHertz>{40, {1}, {0.5}});
-}
-
 TEST_CASE("a chain is long enough for what travels in it", "[unit][model]") {
   struct Run {
-    Model model;
+    Chain chain;
     double velocity, time;
   };
-  for (const auto& [model, velocity, time] : {Run{1, 1.9, 200},
-                                              {None{}, 1.9, 200},
-                                              {None{}, 100, 60},
-                                              {{None{}, CompressedHertz{4}}, 1, 60}}) {
-    const ChosenChain chain = endless(model, velocity, time);
+  for (const auto& [like, velocity, time] : {Run{{0, Quartic{1}}, 1.9, 200},
+                                             {{0, None{}}, 1.9, 200},
+                                             {{0, None{}}, 100, 60},
+                                             {{0, None{}, CompressedHertz{4}}, 1, 60}}) {
+    const Chain chain = endless(like, velocity, time);
     const Voyage seen = voyage({0.05}, chain, velocity, time);
     CAPTURE(velocity, chain.sites);
     CHECK(chain.sites < 4 * std::size_t(time) + 100);
@@ -190,14 +177,13 @@ TEST_CASE("an orbit in a named well is confirmed by wider types", "[cli][model]"
 
 TEST_CASE("breathers begin only in wells of frequency one", "[unit][model]") {
   CHECK_THROWS_AS(breather_problem(Centre::site, 1.1, None{}, 31), std::invalid_argument);
-  CHECK_THROWS_AS(breather_problem(Centre::site, 1.1, NamedWell{None{}}, 31),
-                  std::invalid_argument);
-  CHECK_NOTHROW(breather_problem(Centre::site, 1.1, NamedWell{Pendulum{}}, 31));
+  CHECK_THROWS_AS(breather_problem(Centre::site, 1.1, Well{None{}}, 31), std::invalid_argument);
+  CHECK_NOTHROW(breather_problem(Centre::site, 1.1, Well{Pendulum{}}, 31));
 }
 
 TEST_CASE("the compressed impact strikes the well that was named", "[cli][model]") {
   const Launch launch{0, 100};
-  const Chain<Pendulum, CompressedHertz> chain{launch.sites(), {}, {launch.d}};
+  const Chain chain{launch.sites(), Pendulum{}, CompressedHertz{launch.d}};
   const CompressedRun own = fly(launch, chain, {launch.time}, FlightSteps{}.halved());
   const Result r = call(compressed_impact + "--onsite pendulum");
   REQUIRE(r.code == 0);

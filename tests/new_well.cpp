@@ -1,9 +1,8 @@
 // The worked example of CONTRIBUTING.md: a well that the library does not know, added here in
-// fifteen lines, checked, put in the list, struck and refined, without touching anything else.
+// fifteen lines, checked, put in a list, struck and refined, without touching anything else.
 
 #include "check_potential.hpp"
 #include "lattice/measure/impact.hpp"
-#include "lattice/model/model.hpp"
 
 using namespace lattice;
 
@@ -37,7 +36,7 @@ struct Struck {
 };
 
 Struck strike(double step) {
-  const Chain<Cosh, Hertz> chain{60};
+  const Chain chain{60, Cosh{}};
   Struck out{struck(60, 1.5), {}};
   out.run = evolve(ContactAware{step}, chain, out.end, 60, 60, Unobserved{});
   return out;
@@ -63,5 +62,5 @@ TEST_CASE("a chain of new wells is struck, and the run converges", "[convergence
   CHECK(second < first / 8);  // at least order three where contacts switch
   CHECK(second < 1e-5);
   CHECK(fine.run.energy_drift < 1e-6);
-  CHECK(front_packet(energy_density(Chain<Cosh, Hertz>{60}, fine.end)).value_or(0) > 5);
+  CHECK(front_packet(energy_density(Chain{60, Cosh{}}, fine.end)).value_or(0) > 5);
 }

@@ -9,7 +9,7 @@ using namespace lattice;
 
 namespace {
 
-using Problem = BreatherProblem<double>;
+using Problem = Shooting<double>;
 
 /// Largest difference of the state after one period, shifted back by `shift` sites on a ring, from
 /// the start.
@@ -58,7 +58,7 @@ TEST_CASE("a wave on a ring travels one site in the time it is asked to", "[prop
   Problem problem;
   problem.chain.sites = sites;
   problem.chain.ends = Ends::periodic;
-  problem.chain.contact.floor = 0;
+  problem.chain.contact = Hertz{.floor = 0};
   problem.symmetry = travelling(sites, 1, true);
   State<double> guess(sites);
   for (std::size_t n = 0; n < sites; ++n) {

@@ -7,7 +7,7 @@ using namespace lattice;
 
 namespace {
 
-using Problem = BreatherProblem<double>;
+using Problem = Shooting<double>;
 
 double farthest_apart(const State<double>& a, const State<double>& b, double sign = 1) {
   double d = 0;
@@ -22,7 +22,7 @@ State<double> mirrored(State<double> s) {
   return s;
 }
 
-State<double> after(const BreatherProblem<double>& p, State<double> s, double time) {
+State<double> after(const Shooting<double>& p, State<double> s, double time) {
   flow(p.chain, s, time);
   return s;
 }
@@ -127,7 +127,7 @@ TEST_CASE("along a branch dE = dA / T, and the energy's derivative is exact",
 
 TEST_CASE("the area is the integral of twice the kinetic energy", "[unit][periodic]") {
   // A single bead: y = a cos t with the area pi a^2 over 2 pi.
-  Chain<Harmonic, Hertz> chain;
+  Chain chain;
   chain.sites = 1;
   State<double> s(1);
   s.y[0] = 0.3;
@@ -140,8 +140,8 @@ TEST_CASE("a breather does not depend on how it was reached", "[property][period
     const auto p = problem_of(centre, 1.1, 0.5);
     const Orbit<double> direct = find_breather(p);
     const auto low = problem_of(centre, 1.03, 0.5), linear = problem_of(centre, 1.1, 0);
-    Branch rising(low, along_omega<Problem>(), find_breather(low), 1);
-    Branch hardening(linear, along_s<Problem>(), find_breather(linear), 1);
+    Branch rising(low, along_omega<double>(), find_breather(low), 1);
+    Branch hardening(linear, along_s<double>(), find_breather(linear), 1);
     for (const Orbit<double>& other : {rising.reach(1.1), hardening.reach(0.5)}) {
       CHECK(sup<double>(other.x - direct.x) < 1e-12 * direct.amplitude);
       check_close(other.energy, direct.energy, 0, 1e-12);
@@ -151,7 +151,7 @@ TEST_CASE("a breather does not depend on how it was reached", "[property][period
 
 TEST_CASE("a branch passes its fold", "[property][periodic]") {
   const auto p = problem_of(Centre::bond, 1.2, -1);
-  Branch branch(p, along_omega<Problem>(), find_breather(p), 1);
+  Branch branch(p, along_omega<double>(), find_breather(p), 1);
   const double fold = branch.fold();
   CHECK(branch.slope() < 0);
   CHECK(fold > 1.6);

@@ -23,14 +23,14 @@ TEST_CASE("wells: force is minus the gradient, stiffness its slope", "[unit][pot
     CAPTURE(s);
     check_well(Quartic{s});
   }
-  for_each_potential<AnyOnsite>([](const auto& well) {
+  for_each_potential<Well>([](const auto& well) {
     CAPTURE(well.name);
     check_well(well);
   });
 }
 
 TEST_CASE("contacts: the same, and where they open", "[unit][potential]") {
-  for_each_potential<AnyContact>([](const auto& contact) {
+  for_each_potential<Contact>([](const auto& contact) {
     CAPTURE(contact.name);
     check_contact(contact);
   });
@@ -67,17 +67,17 @@ TEST_CASE("potentials work in extended precision", "[unit][potential]") {
 }
 
 TEST_CASE("potentials are found by name and parameters", "[unit][potential]") {
-  const std::string wells = comma_list(names_of<AnyOnsite>());
-  const std::string contacts = comma_list(names_of<AnyContact>());
+  const std::string wells = comma_list(names_of<Well>());
+  const std::string contacts = comma_list(names_of<Contact>());
   CHECK(wells.find("none, harmonic, quartic, pendulum") == 0);
   CHECK(contacts.find("hertz, power") == 0);  // each name once
-  CHECK(std::get<Quartic>(named<AnyOnsite>("quartic", {{"s", -0.5}})).s == -0.5);
-  CHECK(std::holds_alternative<Hertz>(named<AnyContact>("hertz")));
-  CHECK(std::get<CompressedHertz>(named<AnyContact>("hertz", {{"precompression", 0.5}})).d == 0.5);
-  const auto power = named<AnyContact>("power", {{"alpha", 2}, {"precompression", 0.5}});
+  CHECK(std::get<Quartic>(named<Well>("quartic", {{"s", -0.5}})).s == -0.5);
+  CHECK(std::holds_alternative<Hertz>(named<Contact>("hertz")));
+  CHECK(std::get<CompressedHertz>(named<Contact>("hertz", {{"precompression", 0.5}})).d == 0.5);
+  const auto power = named<Contact>("power", {{"alpha", 2}, {"precompression", 0.5}});
   CHECK(std::get<PowerContact>(power).exponent == 2);
   CHECK(std::get<PowerContact>(power).d == 0.5);
-  CHECK(describe(named<AnyOnsite>("quartic", {{"s", -0.5}})) == "quartic, s = -0.5");
+  CHECK(describe(named<Well>("quartic", {{"s", -0.5}})) == "quartic, s = -0.5");
 }
 
 TEST_CASE("a law that is Hertz's becomes Hertz", "[unit][potential]") {
@@ -88,14 +88,11 @@ TEST_CASE("a law that is Hertz's becomes Hertz", "[unit][potential]") {
 }
 
 TEST_CASE("what is not known is refused in one line that says what is", "[unit][potential]") {
-  const std::string wells = comma_list(names_of<AnyOnsite>());
-  CHECK(refusal<AnyOnsite>("cubic", {}) == "'cubic' is not one of " + wells);
-  CHECK(refusal<AnyOnsite>("pendulum", {{"s", 0}}) ==
-        "'pendulum' has no parameter s (it has none)");
-  CHECK(refusal<AnyOnsite>("quartic", {{"s", 11}}) ==
-        "s = 11 is not in the allowed range [-10, 10]");
-  CHECK(refusal<AnyOnsite>("quartic", {{"s", std::nan("")}}).find("allowed range") !=
-        std::string::npos);
-  CHECK(refusal<AnyContact>("hertz", {{"alpha", 2}}) ==
+  const std::string wells = comma_list(names_of<Well>());
+  CHECK(refusal<Well>("cubic", {}) == "'cubic' is not one of " + wells);
+  CHECK(refusal<Well>("pendulum", {{"s", 0}}) == "'pendulum' has no parameter s (it has none)");
+  CHECK(refusal<Well>("quartic", {{"s", 11}}) == "s = 11 is not in the allowed range [-10, 10]");
+  CHECK(refusal<Well>("quartic", {{"s", std::nan("")}}).find("allowed range") != std::string::npos);
+  CHECK(refusal<Contact>("hertz", {{"alpha", 2}}) ==
         "'hertz' has no parameter alpha (it has precompression)");
 }

@@ -35,7 +35,7 @@ State<T> stirred(std::size_t sites) {
   return s;
 }
 
-template <class T, class Chain>
+template <class T>
 Tangent<T> tangent_of(const Chain& chain, State<T> state, T time) {
   Tangent<T> tangent(chain.sites, 2 * chain.sites);
   const Flow<T> f = flow(chain, state, time, {}, &tangent);
@@ -45,7 +45,6 @@ Tangent<T> tangent_of(const Chain& chain, State<T> state, T time) {
 
 /// Against extended precision, whose core is another one, and against difference quotients. At a
 /// contact that just touches these err by the square root of h.
-template <class Chain>
 void check_tangent(const Chain& chain, double time) {
   const std::size_t n = chain.sites;
   const auto fine = tangent_of(chain, stirred<long double>(n), (long double)time);
@@ -81,22 +80,22 @@ std::vector<double> uneven(std::size_t sites) {
 }  // namespace
 
 TEST_CASE("the tangent of a chain without wells", "[property][tangent]") {
-  Chain<None, Hertz> chain{10, {}, {.floor = 0}};
+  Chain chain{10, None{}, Hertz{.floor = 0}};
   check_tangent(chain, 1.5);
   vary(chain, uneven(10), {});
   check_tangent(chain, 1.5);
 }
 
 TEST_CASE("the tangent on the top of a hill", "[property][tangent]") {
-  Chain<Hill, Hertz> chain{10, {}, {.floor = 0}};
+  Chain chain{10, Hill{}, Hertz{.floor = 0}};
   check_tangent(chain, 1.5);
   vary(chain, uneven(10), {});
   check_tangent(chain, 1.5);
 }
 
 TEST_CASE("the tangent of a precompressed chain, with and without wells", "[property][tangent]") {
-  check_tangent(Chain<None, CompressedHertz>{10, {}, {0.5}}, 1.5);
-  check_tangent(Chain<Harmonic, CompressedHertz>{10, {}, {0.5}, Ends::periodic}, 1.5);
+  check_tangent(Chain{10, None{}, CompressedHertz{0.5}}, 1.5);
+  check_tangent(Chain{10, {}, CompressedHertz{0.5}, Ends::periodic}, 1.5);
 }
 
 TEST_CASE("at rest the tangent is drift, rotation or growth, exactly", "[unit][tangent]") {
@@ -110,13 +109,13 @@ TEST_CASE("at rest the tangent is drift, rotation or growth, exactly", "[unit][t
         check_close(t(i, k), same ? entry : 0, 1e-13);
       }
   };
-  check(Chain<None, Hertz>{4}, 1, time, 0);
-  check(Chain<Harmonic, Hertz>{4}, std::cos(time), std::sin(time), -std::sin(time));
-  check(Chain<Hill, Hertz>{4}, std::cosh(time), std::sinh(time), std::sinh(time));
+  check(Chain{4, None{}}, 1, time, 0);
+  check(Chain{4}, std::cos(time), std::sin(time), -std::sin(time));
+  check(Chain{4, Hill{}}, std::cosh(time), std::sinh(time), std::sinh(time));
 }
 
 TEST_CASE("a bead light enough to feel a faint contact belongs to the core", "[unit][tangent]") {
-  Chain<Harmonic, Hertz> chain{3, {}, {.floor = 0}};
+  Chain chain{3, {}, Hertz{.floor = 0}};
   Record<double> record;
   record.nodes.push_back({0, 0, {1, 1, 1}, {0, 1e-18, 0, 0}});
   CHECK(core_of(chain, record, 1e-16) == Window{3, 3});

@@ -19,7 +19,6 @@ State<double> shaken(std::size_t sites) {
   return s;
 }
 
-template <class Chain>
 void check_same(const Chain& chain, const Tiled& tiled, std::size_t steps) {
   const Splitting plain{tiled.scheme, tiled.step};
   auto a = shaken(chain.sites), b = a;
@@ -31,7 +30,6 @@ void check_same(const Chain& chain, const Tiled& tiled, std::size_t steps) {
   CHECK(a.v == b.v);
 }
 
-template <class Chain>
 void check_all_tiles(const Chain& chain) {
   for (std::size_t threads : {1, 2, 3, 7})
     for (std::size_t block : {1, 64, 300})
@@ -44,14 +42,14 @@ void check_all_tiles(const Chain& chain) {
 TEST_CASE("a tiled run has the bits of the plain run", "[property][tiling]") {
   for (Ends ends : {Ends::free, Ends::fixed, Ends::periodic})
     for (std::size_t sites : {40, 41, 127, 1000, 2500})
-      check_all_tiles(Chain<Quartic, Hertz>{sites, {1}, {}, ends});
-  check_all_tiles(Chain<Pendulum, CompressedHertz>{777, {}, {0.3}, Ends::periodic});
+      check_all_tiles(Chain{sites, Quartic{1}, {}, ends});
+  check_all_tiles(Chain{777, Pendulum{}, CompressedHertz{0.3}, Ends::periodic});
 }
 
 TEST_CASE("so has one of a varied chain", "[property][tiling]") {
   for (Ends ends : {Ends::free, Ends::fixed, Ends::periodic})
     for (int varied : {1, 2, 3}) {
-      Chain<Harmonic, Hertz> chain{600, {}, {}, ends};
+      Chain chain{600, {}, {}, ends};
       std::vector<double> mass(varied & 1 ? 600 : 0), eta(varied & 2 ? 601 : 0);
       for (std::size_t n = 0; n < mass.size(); ++n) mass[n] = 1 + 0.1 * double(n % 7);
       for (std::size_t n = 0; n < eta.size(); ++n) eta[n] = 1 + 0.2 * double(n % 5);
@@ -65,7 +63,7 @@ TEST_CASE("so has one of a varied chain", "[property][tiling]") {
 }
 
 TEST_CASE("so has one in extended precision", "[property][tiling]") {
-  Chain<Quartic, Hertz> chain{200, {1}, {}, Ends::fixed};
+  Chain chain{200, Quartic{1}, {}, Ends::fixed};
   std::vector<double> mass(200);
   for (std::size_t n = 0; n < 200; ++n) mass[n] = 1 + 0.1 * double(n % 7);
   vary(chain, mass, {});
@@ -80,14 +78,14 @@ TEST_CASE("so has one in extended precision", "[property][tiling]") {
 }
 
 TEST_CASE("chunks of any length, long runs and default tiles", "[property][tiling]") {
-  const Chain<Quartic, Hertz> chain{30000, {1}};
+  const Chain chain{30000, Quartic{1}};
   for (std::size_t steps : {0, 1, 2, 3, 31, 32, 33, 100})
     check_same(chain, {verlet(), 0.05}, steps);
   check_same(chain, {blanes_moan_6_14(), 0.05}, 9);
 }
 
 TEST_CASE("a tiled run of a sleeping chain falls back and wakes it", "[property][tiling]") {
-  const Chain<Quartic, Hertz> chain{300, {1}};
+  const Chain chain{300, Quartic{1}};
   auto a = struck(300, 1.9), b = a;
   evolve(Splitting{blanes_moan_6(), 0.05}, chain, a, 400, 50, Unobserved{});
   evolve(Tiled{blanes_moan_6(), 0.05, 2, 64, 16, 50}, chain, b, 400, 50, Unobserved{});

@@ -19,7 +19,7 @@ Vector<double> all_equations(const Orbit<double>& orbit, double s = 0) {
 
 /// Largest amplitude left behind by `shifts` shifts, relative to the orbit's.
 double left_behind(const Orbit<double>& orbit, std::size_t shifts) {
-  const Chain<Harmonic, Hertz> chain{shifts + 24};
+  const Chain chain{shifts + 24};
   State<double> state = embed(orbit.start, chain.sites, 0);
   evolve(stepper_for(1e-12, 0.025), chain, state, double(shifts) * shift_time(orbit), 10,
          Unobserved{});
@@ -129,14 +129,14 @@ TEST_CASE("a branch in s folds, and says where", "[property][travelling]") {
   const auto problem = with_free_time(type_one<double>(1));
   const Orbit<double> start = newton(problem, with_time(first_orbit(1).x, 2 * pi));
   const auto branch = [&] {
-    return Branch(problem, along_s<TravellingProblem<double>>(), start, 1, {},
+    return Branch(problem, along_s<double>(), start, 1, {},
                   {.first = 0.02, .least = 1e-6, .most = 0.1});
   };
   check_close(branch().fold(), 0.010302, 0, 1e-3);
   CHECK_THROWS_AS(branch().reach(1), NoBranch);
-  const Orbit<double> soft = Branch(problem, along_s<TravellingProblem<double>>(), start, -1, {},
-                                    {.first = 0.02, .least = 1e-6, .most = 0.1})
-                                 .reach(-0.1);
+  const Orbit<double> soft =
+      Branch(problem, along_s<double>(), start, -1, {}, {.first = 0.02, .least = 1e-6, .most = 0.1})
+          .reach(-0.1);
   CHECK(shift_time(soft) > 2 * pi * 1.01);
 }
 

@@ -17,7 +17,6 @@ namespace {
 
 const double d = 0.5;
 const CompressedHertz contact{d};
-using Ring = Chain<Quartic, CompressedHertz>;
 
 /// Relative deviation of beta from the frequency of an exact wave, at zero amplitude.
 double beta_from_wave(double q, double s) {
@@ -55,7 +54,7 @@ TEST_CASE("the contact's series is that of its force", "[unit]") {
 
 TEST_CASE("phonons diagonalise the linearised ring", "[property]") {
   const std::size_t sites = 24;
-  const Ring ring{sites, {0.3}, contact, Ends::periodic};
+  const Chain ring{sites, Quartic{0.3}, contact, Ends::periodic};
   const auto h = linearise(ring, std::vector<double>(sites, 0.0));
   for (int k = 0; k <= 12; ++k) {
     const double q = 2 * pi * k / double(sites);
@@ -108,8 +107,8 @@ TEST_CASE("beta is the frequency shift of an exact wave; no term of it can be sp
 
 TEST_CASE("an exact wave keeps its form and frequency in a run", "[property]") {
   const double q = 2 * pi * 5 / 24, a = 0.12;
-  const Ring ring{24, {1}, contact, Ends::periodic};
-  const PlaneWave wave = plane_wave(ring.onsite, contact, q, a);
+  const Chain ring{24, Quartic{1}, contact, Ends::periodic};
+  const PlaneWave wave = plane_wave(ring.well, contact, q, a);
   State<double> state = on_ring(wave, 24);
   const double start = energy(ring, state);
   evolve(Splitting{blanes_moan_6_14(), 0.1}, ring, state, 2 * pi / wave.omega, 1, Unobserved{});
@@ -159,9 +158,9 @@ TEST_CASE("growth gives phi without the formula for beta", "[property]") {
 
 TEST_CASE("a wave of wavenumber pi/2 is scattered back", "[property]") {
   const double q = pi / 2, a = 0.08;
-  const Ring ring{16, {1}, contact, Ends::periodic};
-  const PlaneWave wave = plane_wave(ring.onsite, contact, q, a);
-  const double rate = growth_rate(wave, ring.onsite, contact, pi);
+  const Chain ring{16, Quartic{1}, contact, Ends::periodic};
+  const PlaneWave wave = plane_wave(ring.well, contact, q, a);
+  const double rate = growth_rate(wave, ring.well, contact, pi);
   CHECK(rate > 2 * coefficients(q, d, 1.0).h() * a * a / 4);
   State<double> state = on_ring(wave, 16);
   for (std::size_t n = 0; n < 16; ++n) state.y[n] += 1e-8 * std::cos(q * double(n + 1) + 0.3);
@@ -176,8 +175,8 @@ TEST_CASE("a wave of wavenumber pi/2 is scattered back", "[property]") {
 }
 
 TEST_CASE("order six where contacts stay closed", "[convergence]") {
-  const Ring ring{24, {-1.0 / 6}, contact, Ends::periodic};
-  const PlaneWave wave = plane_wave(ring.onsite, contact, pi / 4, 0.15);
+  const Chain ring{24, Quartic{-1.0 / 6}, contact, Ends::periodic};
+  const PlaneWave wave = plane_wave(ring.well, contact, pi / 4, 0.15);
   const auto run = [&](const Scheme& scheme, double step) {
     State<double> state = on_ring(wave, 24);
     evolve(Splitting{scheme, step}, ring, state, 20, 20, Unobserved{});
@@ -209,8 +208,8 @@ TEST_CASE("a sech is found, and other pulses are told from it", "[unit]") {
 }
 
 TEST_CASE("the envelope of a wave is its amplitude, and the richest sites are found", "[unit]") {
-  const Ring ring{48, {-1.0 / 6}, contact, Ends::periodic};
-  const PlaneWave wave = plane_wave(ring.onsite, contact, pi / 4, 1e-3);
+  const Chain ring{48, Quartic{-1.0 / 6}, contact, Ends::periodic};
+  const PlaneWave wave = plane_wave(ring.well, contact, pi / 4, 1e-3);
   const Envelope e = envelope(ring, on_ring(wave, 48), {0, 48});
   check_close(e.omega, wave.omega, 0, 1e-4);
   for (double x : e.amplitude) check_close(x, 1e-3 * wave.omega, 0, 1e-2);

@@ -95,7 +95,7 @@ void report_multipliers(const Fitted& found, const Orbit<double>& rough) {
 The path of the centre comes from two runs with different steps. It says something only while the
 energy drifts by far less than the kick has brought. */
 Creep follow(const Fitted& found, const Request& r, int halvings) {
-  const Chain<Quartic, Hertz> chain{found.problem.chain.sites, {r.s}};
+  const Chain chain{found.problem.chain.sites, Quartic{r.s}};
   const ContactAware stepper{halvings ? 0.05 : 0.1};
   const double sample = creep_sample(found.problem.period());
   return creep(stepper, chain, kicked(found.orbit.start, r.kick), sample, r.time,

@@ -21,11 +21,10 @@ struct Request {
 };
 
 Impact impact_of(const Request& r) {
-  const AnyOnsite well = r.pendulum != 0 ? named<AnyOnsite>("pendulum", {})
-                                         : named<AnyOnsite>("quartic", {{"s", r.s}});
-  Model model(well, CompressedHertz{r.precompression});
-  if (r.precompression == 0) model.contact = Hertz{};
-  return {r.velocity, model, r.time, std::size_t(r.sites)};
+  const Well well =
+      r.pendulum != 0 ? named<Well>("pendulum", {}) : named<Well>("quartic", {{"s", r.s}});
+  const Contact contact = simplest(CompressedHertz{r.precompression});
+  return {r.velocity, {std::size_t(r.sites), well, contact}, r.time};
 }
 
 /// Shows about `rows` of the samples of a run, whatever their number.
@@ -39,7 +38,7 @@ struct Rows {
     if (now.t < impact.time * double(shown) / request.rows && now.t < impact.time) return;
     ++shown;
     if (request.forces == 0) return page_row(halvings, now.t, density.data(), density.size());
-    const auto force = with_chain(impact, [&](const auto& c) { return contact_forces(c, now.y); });
+    const auto force = contact_forces(impact.chain, now.y);
     page_row(halvings, now.t, force.data(), density.size());
   }
 };
@@ -82,8 +81,7 @@ void report(const Impact& impact, const Facts& facts) {
                 [](const Outcome& o) { return o.track.energy.back() / total(o.density); });
   facts.add("boundary_energy_fraction", [](const Outcome& o) { return boundary_share(o.density); });
   facts.add("energy_drift", [](const Outcome& o) { return o.run.energy_drift; });
-  facts.add("escaped",
-            [&](const Outcome& o) { return int(o.reach > rim_of(impact.model.onsite)); });
+  facts.add("escaped", [&](const Outcome& o) { return int(o.reach > impact.chain.well.rim()); });
 }
 
 /**

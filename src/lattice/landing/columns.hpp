@@ -41,8 +41,7 @@ LATTICE_WIDE void add_scaled(T* __restrict__ y, const T* __restrict__ v, T facto
 The core's rows of the matrix come multiplied by the duration of the kick. The contacts across the edges
 of the core are negligible or lead to a wall, and so they count in the diagonal alone. */
 template <class T>
-void rows_at(const Chain& chain, const Curvature<T>& node, Window core,
-             std::vector<Row<T>>& rows) {
+void rows_at(const Chain& chain, const Curvature<T>& node, Window core, std::vector<Row<T>>& rows) {
   const bool ring = chain.ends == Ends::periodic;
   rows.resize(core.last - core.first);
   for (std::size_t n = core.first; n < core.last; ++n) {

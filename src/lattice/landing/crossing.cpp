@@ -59,8 +59,7 @@ Equal steps in $s$ are unequal ones in $t$. A kick lasts for the time between tw
 the time between two half steps. The sequence is the same when run backwards, and so its error is a series
 in even powers of the step, as extrapolation wants it. */
 template <class T>
-void Leapfrog<T>::run(std::vector<T>& z, T length, T s, T h, std::size_t kicks,
-                                       Record<T>& record) {
+void Leapfrog<T>::run(std::vector<T>& z, T length, T s, T h, std::size_t kicks, Record<T>& record) {
   const T half = h / T(double(2 * kicks));
   const auto at = [&](std::size_t i) { return i == 2 * kicks ? s + h : s + half * T(double(i)); };
   record.lead.push_back(length * span(at(0), at(1)));
@@ -91,10 +90,10 @@ template <class T>
 void Leapfrog<T>::kick(std::vector<T>& z, Curvature<T>& node) {
   const std::size_t n = chain_.sites;
   evaluate(z.data(), node);
-  detail::with_kind(chain_.well, [&](const auto& well) { forces_of(well, z.data(), pull_.data(), n); });
+  detail::with_kind(chain_.well,
+                    [&](const auto& well) { forces_of(well, z.data(), pull_.data(), n); });
   for (std::size_t i = 0; i < n; ++i)
-    z[n + i] += node.kick * lightness<T>(chain_, i) *
-                (pull_[i] + (push_[i] - push_[i + 1]));
+    z[n + i] += node.kick * lightness<T>(chain_, i) * (pull_[i] + (push_[i] - push_[i + 1]));
   if (!probe_) return;
   rows_at(chain_, node, {0, n}, rows_);
   kick_panel(rows_.data(), z.data() + 2 * n + 1, z.data() + 3 * n + 1, n, 1);
@@ -110,7 +109,8 @@ void Leapfrog<T>::evaluate(const T* y, Curvature<T>& node) {
   detail::with_kind(chain_.contact, [&](const auto& contact) {
     curvatures_of(contact, y, n, push_.data(), node.link.data());
   });
-  detail::with_kind(chain_.well, [&](const auto& well) { stiffnesses_of(well, y, node.well.data(), n); });
+  detail::with_kind(chain_.well,
+                    [&](const auto& well) { stiffnesses_of(well, y, node.well.data(), n); });
   for (std::size_t i : {std::size_t(0), n}) {
     push_[i] = contact_push(chain_, y, i);
     node.link[i] = chain_.boundary().pushes(i)
@@ -178,8 +178,8 @@ The table of the extrapolation holds increments, whose rounding errors are small
 values. After level $j$ its first entry is the polynomial in the square of the step through all $j$
 results, taken at zero and computed by Neville's recursion. Returns the estimated error. */
 template <class T>
-T Crossing<T>::step(Leapfrog<T>& leapfrog, std::vector<T>& z,
-                                     T length, T s, T h, Record<T>& record) {
+T Crossing<T>::step(Leapfrog<T>& leapfrog, std::vector<T>& z, T length, T s, T h,
+                    Record<T>& record) {
   table_.clear();
   T error = std::numeric_limits<T>::infinity();
   for (std::size_t j = 1; j <= std::size_t(rule_.levels) && !(error <= rule_.tolerance); ++j) {

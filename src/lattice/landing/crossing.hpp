@@ -138,8 +138,7 @@ class Crossing {
 
  private:
   std::vector<T> with_probe(std::vector<T> z) const;
-  T step(Leapfrog<T>& leapfrog, std::vector<T>& z, T length, T s, T h,
-         Record<T>& record);
+  T step(Leapfrog<T>& leapfrog, std::vector<T>& z, T length, T s, T h, Record<T>& record);
   T difference(const std::vector<T>& a, const std::vector<T>& b) const;
 
   const Chain& chain_;

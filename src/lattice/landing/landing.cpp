@@ -55,8 +55,8 @@ duration, so that tiny intervals are known to full relative precision. */
 template <class T>
 class Flight {
  public:
-  Flight(const Chain& chain, const State<T>& state, T duration,
-         const Landing<T>& rule, Tangent<T>* tangent);
+  Flight(const Chain& chain, const State<T>& state, T duration, const Landing<T>& rule,
+         Tangent<T>* tangent);
   Flow<T> fly();
   /// Positions, velocities and the area (crossing.hpp), 2 * sites + 1 numbers.
   const std::vector<T>& end() const { return z_; }
@@ -90,8 +90,8 @@ class Flight {
 A contact that begins exactly at zero is on the side to which its speed carries it, or its acceleration if
 the beads start from rest. */
 template <class T>
-Flight<T>::Flight(const Chain& chain, const State<T>& state,
-                                   T duration, const Landing<T>& rule, Tangent<T>* tangent)
+Flight<T>::Flight(const Chain& chain, const State<T>& state, T duration, const Landing<T>& rule,
+                  Tangent<T>* tangent)
     : chain_(chain),
       tangent_(tangent),
       rule_(rule),
@@ -115,7 +115,7 @@ Overlaps are differences of the chain's stretches. Positions and velocities are 
 `a`, which may be empty if they do not matter. A missing contact counts as open. */
 template <class T>
 Overlap<T> Flight<T>::overlap(const std::vector<T>& z, const std::vector<T>& a,
-                                               std::size_t i) const {
+                              std::size_t i) const {
   if (!touches(chain_, i)) return {T(-1), T(0), T(0)};
   return {T(chain_.contact.opening()) - stretch(chain_, z.data(), i),
           -stretch(chain_, z.data() + chain_.sites, i),
@@ -163,8 +163,8 @@ A contact whose overlap turns round within 1/500 of its amplitude from zero may 
 the leapfrog, with steps of 0.05, cannot tell. We land on the extremum and see. `glanced_` keeps us from
 landing there again at the `start` of the next look. */
 template <class T>
-void Flight<T>::watch(const std::vector<T>& before, const std::vector<T>& now,
-                                       T dt, std::size_t i, bool start, Sight<T>& first) {
+void Flight<T>::watch(const std::vector<T>& before, const std::vector<T>& now, T dt, std::size_t i,
+                      bool start, Sight<T>& first) {
   const Overlap<T> o = overlap(before, {}, i), p = overlap(now, {}, i);
   const T size = std::max({magnitude(o.x), magnitude(o.u), magnitude(p.x), magnitude(p.u)});
   const T side = T(side_[i]);
@@ -221,7 +221,7 @@ Of the contacts on the wrong side and the one aimed at, the one that switched fi
 aimed at does not switch after all, we aim at its extremum. */
 template <class T>
 Sight<T> Flight<T>::correction(const std::vector<T>& z, const std::vector<T>& a,
-                                                const Sight<T>& target) const {
+                               const Sight<T>& target) const {
   Sight<T> first{T(0)};
   const auto reachable = [&](T t) { return magnitude(t) < T(1) && target.ahead + t > T(0); };
   for (std::size_t i = 0; i <= chain_.sites; ++i) {
@@ -241,8 +241,7 @@ The passage is final. The orbit moves on, the columns follow along the records, 
 their sides: at zero the speed decides, elsewhere the overlap. To the columns a stiffness below 1/64 of
 the tolerance is negligible. */
 template <class T>
-void Flight<T>::arrive(const Passage<T>& way, const std::vector<T>& a,
-                                        const Sight<T>& target) {
+void Flight<T>::arrive(const Passage<T>& way, const std::vector<T>& a, const Sight<T>& target) {
   z_ = way.z;
   left_ = target.ahead < left_ && way.error <= T(1) ? left_ - target.ahead : T(0);
   flow_.error += way.error;
@@ -292,7 +291,7 @@ Flow<T> flow(const Chain& chain, State<T>& state, std::type_identity_t<T> durati
   return result;
 }
 
-#define LATTICE_INSTANCES(T)                                                              \
+#define LATTICE_INSTANCES(T) \
   template Flow<T> flow<T>(const Chain&, State<T>&, T, const Landing<T>&, Tangent<T>*);
 #include "lattice/model/instances.hpp"
 

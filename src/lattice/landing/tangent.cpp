@@ -78,8 +78,7 @@ struct AtRest {
 A whole step costs each of these sites one such rotation of its columns, however many levels it took in
 the core. */
 template <class T>
-void rotate_outside(const Chain& chain, Window core, T duration,
-                    Tangent<T>& tangent) {
+void rotate_outside(const Chain& chain, Window core, T duration, Tangent<T>& tangent) {
   for (std::size_t n = 0; n < chain.sites; ++n) {
     if (n >= core.first && n < core.last) continue;
     const AtRest<T> turn(chain.well.stiffness(T(0)) * lightness<T>(chain, n), duration);
@@ -121,8 +120,7 @@ Now we carry the columns over one step. Every level starts from the same panel. 
 increments rather than the weighted values, because the weights are large and alternate in sign, and
 their rounding would otherwise spoil the entries of order one. */
 template <class T>
-void extrapolate_panel(const Chain& chain, const Record<T>& record, Window core,
-                       Panel<T>& panel) {
+void extrapolate_panel(const Chain& chain, const Record<T>& record, Window core, Panel<T>& panel) {
   const std::size_t count = panel.y.size();
   std::vector<Row<T>> rows;
   std::vector<T> y, v, dy(count, T(0)), dv(count, T(0));
@@ -171,9 +169,9 @@ void carry(const Chain& chain, const Record<T>& record, std::type_identity_t<T> 
   });
 }
 
-#define LATTICE_INSTANCES(T)                                                                  \
-  template T extrapolation_weight<T>(std::size_t, std::size_t);                               \
-  template Window core_of<T>(const Chain&, const Record<T>&, T);                              \
+#define LATTICE_INSTANCES(T)                                     \
+  template T extrapolation_weight<T>(std::size_t, std::size_t);  \
+  template Window core_of<T>(const Chain&, const Record<T>&, T); \
   template void carry<T>(const Chain&, const Record<T>&, T, Tangent<T>&);
 #include "lattice/model/instances.hpp"
 

@@ -23,14 +23,7 @@ struct Collision {
 };
 
 /// The collision, integrated with steps of length `step` until t = 4, when it is over.
-inline Collision collide(double step) {
-  const Chain<None, Hertz> beads{2};
-  State<double> after = struck(2, 1), middle = after;
-  evolve(ContactAware{step}, beads, after, 4, 4, Unobserved{});
-  const double contact = 2 * after.y[0];
-  evolve(ContactAware{step}, beads, middle, contact / 2, contact / 2, Unobserved{});
-  return {contact, middle.y[0] - middle.y[1]};
-}
+Collision collide(double step);
 
 /**
 Conservation of energy gives the same without integration in time. The relative motion carries
@@ -39,20 +32,13 @@ $\frac25\gamma\,x^{5/2} = \frac14 m V^2$, so $x = (5/8)^{2/5}\,\delta$. The cont
 quadrature of $1/\dot x$,
 $$t = \frac{2x}{V}\int_0^1\frac{ds}{\sqrt{1-s^{5/2}}} = \frac{4\sqrt\pi}{5}\,
 \frac{\Gamma(2/5)}{\Gamma(9/10)}\,\Bigl(\frac58\Bigr)^{2/5}\tau_h.$$ */
-inline Collision collision_by_energy() {
-  const double x = std::pow(0.625, 0.4);
-  const double quadrature = 0.4 * std::sqrt(std::numbers::pi) * std::tgamma(0.4) / std::tgamma(0.9);
-  return {2 * x * quadrature, x};
-}
+Collision collision_by_energy();
 
 /**
 Compared with such a collision a cradle's pendulum is very slow. With $k/m = g/L$ the ratio of the two
 times enters as $\lambda^{5/2} = (L/(g\,\tau_h^2))^{5/2}$, Eqs. (29) and (30), and $\tau_h$ follows from
 a contact time measured in seconds (`measured`) and the same time in units of $\tau_h$
 (`contact_time`). */
-inline double cradle_ratio(double gravity, double length, double measured, double contact_time) {
-  const double tau_h = measured / contact_time, lambda = length / (gravity * tau_h * tau_h);
-  return lambda * lambda * std::sqrt(lambda);
-}
+double cradle_ratio(double gravity, double length, double measured, double contact_time);
 
 }  // namespace lattice

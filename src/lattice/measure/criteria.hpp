@@ -33,39 +33,16 @@ struct Journey {
 
 /// Relative change of the packet's mean energy from the first half of its way to the second. Throws
 /// std::runtime_error if fewer than six samples lie beyond `fit_from`.
-inline double energy_change(const Track& track, double to = far_away) {
-  const std::size_t end = track.until(to);
-  std::size_t begin = 0;
-  while (begin < end && track.centre[begin] < fit_from) ++begin;
-  if (end < begin + 6) throw std::runtime_error("no packet passes site 20");
-  const std::size_t half = (begin + end) / 2;
-  const auto mean = [&](std::size_t from, std::size_t until) {
-    double sum = 0;
-    for (std::size_t i = from; i < until; ++i) sum += track.energy[i];
-    return sum / double(until - from);
-  };
-  const double first = mean(begin, half), second = mean(half, end);
-  return second / first - 1;
-}
+double energy_change(const Track& track, double to = far_away);
 
 /**
 The strongest thing behind the packet is found by sliding a window of the same width: `residue` is the
 largest energy in a window that is separated from the packet's by at least its width, over that of the
 packet around `peak`. */
-inline double residue(const std::vector<double>& e, std::size_t peak) {
-  const std::size_t m = packet_half_width;
-  double most = 0;
-  for (std::size_t n = m; n + 4 * m < peak; ++n) most = std::max(most, window_sum(e, n));
-  return most / window_sum(e, peak);
-}
+double residue(const std::vector<double>& e, std::size_t peak);
 
 /// Whether the packet of a journey is a travelling breather, in three conditions.
-inline Criterion travelling_breather(const Journey& journey) {
-  const Estimate &speed = journey.speed_change, &energy = journey.energy_change;
-  return {below("speed_change", {std::abs(speed.value), speed.error}, 0.05),
-          below("energy_change", {std::abs(energy.value), energy.error}, 0.1),
-          below("residue", journey.residue, 1)};
-}
+Criterion travelling_breather(const Journey& journey);
 
 /**
 The article says that a packet is mainly supported by seven sites. How many there are depends on where one
@@ -91,13 +68,7 @@ class Front {
 
 /// A packet of `sites` sites, an odd number: on its undisturbed side the outermost of them exceeds
 /// one per cent of the peak and the next one does not. A hundredth is what a drawing still shows.
-inline Criterion supported_by(std::size_t sites, const Front& coarse, const Front& fine) {
-  const auto amplitude = [&](std::size_t k) {
-    return compare(coarse.amplitude(k), fine.amplitude(k));
-  };
-  return {above("outermost", amplitude(sites / 2), 0.01),
-          below("next", amplitude(sites / 2 + 1), 0.01)};
-}
+Criterion supported_by(std::size_t sites, const Front& coarse, const Front& fine);
 
 /**
 Two curves coincide at small arguments if they meet there: their distance is below one per cent at the
@@ -108,32 +79,18 @@ struct Meeting {
 };
 
 /// Whether two curves meet at small arguments.
-inline Criterion meet(const Meeting& m) {
-  return {below("near", m.near, 0.01), below("near_over_far", quotient(m.near, m.far), 0.5)};
-}
+Criterion meet(const Meeting& m);
 
 /**
 Energy is trapped where it was put in if the boundary keeps more of it than the packet takes away;
 otherwise it is not. This needs no number of our own. */
-inline Criterion trapped(const Estimate& boundary, const Estimate& packet) {
-  return {above("boundary_over_packet", quotient(boundary, packet), 1)};
-}
+Criterion trapped(const Estimate& boundary, const Estimate& packet);
 
 /**
 Figure 21 of the article shows a surface mode and a travelling breather that are "clearly visible". Two
 such excitations at the ends of a profile are visible if each rises above everything between them.
 `prominence` is the height of the lower one over that of the highest wave in between. */
-inline double prominence(const std::vector<double>& v, std::size_t peak, std::size_t near = 5) {
-  const auto height = [&](std::size_t from, std::size_t to) {
-    double most = 0;
-    for (std::size_t n = from; n < std::min(to, v.size()); ++n)
-      most = std::max(most, std::abs(v[n]));
-    return most;
-  };
-  const std::size_t m = packet_half_width, behind = peak > m ? peak - m : 0;
-  const double between = height(near + m, behind), packet = height(behind, peak + m + 1);
-  return std::min(height(0, near), packet) / between;
-}
+double prominence(const std::vector<double>& v, std::size_t peak, std::size_t near = 5);
 
 /**
 In pendulum wells a strong impact sends out not a breather but a kink, after which the beads rest in
@@ -147,11 +104,6 @@ struct Transition {
 };
 
 /// Whether a scan of impact velocities shows the transition.
-inline Criterion transition(const Transition& t) {
-  return {above("breathers", exact(double(t.breathers)), 0),
-          above("kinks", exact(double(t.kinks)), 0),
-          above("order", exact(t.first_kink - t.last_breather), 0),
-          below("undecided", exact(t.undecided), 0.05)};
-}
+Criterion transition(const Transition& t);
 
 }  // namespace lattice

@@ -28,11 +28,7 @@ well beyond the hill, at 0.6 sites, and pinned if it has turned round before tha
 enum class Mobility { undecided, free, pinned };
 
 /// What a path, as far as it is known, says about its breather.
-inline Mobility mobility_of(const Creep& path) {
-  const double far = path.farthest();
-  if (far > 0.6) return Mobility::free;
-  return std::abs(path.travelled()) < far - 0.02 ? Mobility::pinned : Mobility::undecided;
-}
+Mobility mobility_of(const Creep& path);
 
 /**
 ## What linear theory expects
@@ -54,12 +50,7 @@ struct Pinning {
 
 /// The eigenvector whose eigenvalue is nearest to `value`, by inverse iteration from `guess`. The shift
 /// of 1e-5 keeps the matrix from being singular.
-inline Vector<double> eigenvector_near(const Matrix<double>& m, double value,
-                                       Vector<double> guess) {
-  const Matrix<double> shifted = m - (value + 1e-5) * Matrix<double>::Identity(m.rows(), m.cols());
-  for (int k = 0; k < 20; ++k) guess = solve_square(shifted, guess).normalized();
-  return guess;
-}
+Vector<double> eigenvector_near(const Matrix<double>& m, double value, Vector<double> guess);
 
 /**
 The multipliers of this plane, nearly one, cannot be told from that of a shift in time, which is exactly
@@ -71,58 +62,21 @@ struct PeriodMap {
 };
 
 /// A, B and the basis: of one period around a bond, of half a period and the reflection around a site.
-template <class Onsite, class Contact>
-PeriodMap period_map(const Chain<Onsite, Contact>& chain, Centre centre, State<double> state,
-                     double period, const Landing<double>& rule) {
-  const auto n = Eigen::Index(chain.sites);
-  const bool site = centre == Centre::site;
-  Tangent<double> tangent(chain.sites, 2 * chain.sites);
-  flow(chain, state, site ? period / 2 : period, rule, &tangent);
-  PeriodMap map{Matrix<double>(n, n), Matrix<double>(n, n), Matrix<double>::Identity(n, n)};
-  for (Eigen::Index i = 0; i < n; ++i)
-    for (Eigen::Index k = 0; k < n; ++k) {
-      const auto row = std::size_t(site ? n - 1 - i : i);
-      map.A(i, k) = (site ? -1 : 1) * tangent(row, std::size_t(k));
-      map.B(i, k) = (site ? -1 : 1) * tangent(row, std::size_t(k + n));
-    }
-  if (site) return map;
-  map.basis = Matrix<double>::Zero(n, n / 2);
-  for (Eigen::Index i = 0; i < n / 2; ++i)
-    map.basis(i, i) = map.basis(n - 1 - i, i) = std::sqrt(0.5);
-  return map;
-}
+PeriodMap period_map(const Chain& chain, Centre centre, State<double> state, double period,
+                     const Landing<double>& rule);
 
 /**
 `pinning_of` returns frequency and share for the breather at rest in `start`. Around a site the map of
 half a period is squared, which doubles its angle. */
-template <class Onsite, class Contact>
-Pinning pinning_of(const Chain<Onsite, Contact>& chain, Centre centre, const State<double>& start,
-                   double period, const Landing<double>& rule = {}) {
-  const PeriodMap map = period_map(chain, centre, start, period, rule);
-  const Matrix<double> A = map.basis.transpose() * map.A * map.basis;
-  const Matrix<double> B = map.basis.transpose() * map.B * map.basis;
-  const std::vector<double> direction = kick_direction(start.y);
-  const Vector<double> g =
-      map.basis.transpose() *
-      Eigen::Map<const Vector<double>>(direction.data(), Eigen::Index(direction.size()));
-  const double near = centre == Centre::site ? -1 : 1;
-  const Vector<double> x = eigenvector_near(A, near, g);
-  const Vector<double> z = eigenvector_near(A.transpose(), near, g);
-  const double cosine = z.dot(A * x) / z.dot(x), b = z.dot(B * z) / z.dot(x), part = x.dot(g);
-  const double share = b * part * part / (period * x.dot(z));
-  const double miss = 2 * (1 - std::abs(cosine)) / (period * period);
-  if (centre == Centre::bond) return {miss, share};
-  return {2 * (1 + std::abs(cosine)) * miss, 2 * cosine * share};
-}
+Pinning pinning_of(const Chain& chain, Centre centre, const State<double>& start, double period,
+                   const Landing<double>& rule = {});
 
 /**
 Now the threshold. In the slow motion the action is constant, so the height of the hill is the barrier at
 equal area (breather.hpp), and the breather is freed by a kick whose share equals it. The effective mass
 may be negative, as it is here: then the trough is the *higher* of the two energies, and the barrier and
 the share change sign together. */
-inline double freeing_kick(double barrier, const Pinning& pinning) {
-  return std::sqrt(2 * std::abs(barrier / pinning.share));
-}
+double freeing_kick(double barrier, const Pinning& pinning);
 
 /**
 ## From speeds to the threshold
@@ -136,33 +90,13 @@ Near the top the path is $X \simeq (V/\Omega)\sinh\Omega t$ with $\Omega$ the ra
 nearly a cubic whose least slope is $V$, and we fit one to all means within `reach` of the top. */
 /// The speed on the hill at `hill` sites from the start. Throws std::invalid_argument if fewer than
 /// eight means lie within `reach` of it.
-inline double hill_speed(const Creep& path, double hill = 0.5, double reach = 0.05) {
-  std::vector<std::size_t> near;
-  for (std::size_t k = 0; k < path.X.size(); ++k)
-    if (std::abs(std::abs(path.moved(k)) - hill) <= reach) near.push_back(k);
-  if (near.size() < 8) throw std::invalid_argument("too few means of the path lie on the hill");
-  const double first = path.t[near.front()], last = path.t[near.back()], half = (last - first) / 2;
-  Matrix<double> power(Eigen::Index(near.size()), 4);
-  Vector<double> place(power.rows());
-  for (Eigen::Index i = 0; i < power.rows(); ++i) {
-    const std::size_t k = near[std::size_t(i)];
-    const double u = (path.t[k] - first) / half - 1;
-    power.row(i) << 1, u, u * u, u * u * u;
-    place[i] = std::abs(path.moved(k)) - hill;
-  }
-  const Vector<double> a = least_squares(power, place);
-  return (a[3] > 0 ? a[1] - a[2] * a[2] / (3 * a[3]) : a[1]) / half;
-}
+double hill_speed(const Creep& path, double hill = 0.5, double reach = 0.05);
 
 /**
 The straight line through the two values of $V^2$ against $c^2$ is followed to zero. */
 /// The kick at which $V^2$ vanishes, from two kicks that free and their speeds on the hill. Throws
 /// std::invalid_argument if the line has no zero at positive c.
-inline double threshold_from(double c1, double v1, double c2, double v2) {
-  const double square = (c1 * c1 * v2 * v2 - c2 * c2 * v1 * v1) / (v2 * v2 - v1 * v1);
-  if (!(square > 0)) throw std::invalid_argument("these two speeds show no threshold");
-  return std::sqrt(square);
-}
+double threshold_from(double c1, double v1, double c2, double v2);
 
 /**
 ## A pendulum
@@ -171,21 +105,10 @@ How does the speed of a freed breather depend on its kick? If the landscape is a
 like a pendulum, and its mean speed over a whole site is the arithmetic-geometric mean of the speeds on
 the hill and in the trough: $V$ and $(V^2+\Omega^2/\pi^2)^{1/2}$ for a start on a hill, $V$ and
 $(V^2-\Omega^2/\pi^2)^{1/2}$ from a trough. */
-inline double arithmetic_geometric(double a, double b) {
-  while (std::abs(a - b) > 1e-14 * a) {
-    const double mean = (a + b) / 2;
-    b = std::sqrt(a * b);
-    a = mean;
-  }
-  return a;
-}
+double arithmetic_geometric(double a, double b);
 
 /// Mean speed over a site of a pendulum that swings with `omega` in its trough and starts with speed
 /// `start` there or, with `on_hill`, at the top; zero if it does not get over.
-inline double pendulum_speed(double start, double omega, bool on_hill) {
-  const double well = omega / std::numbers::pi, square = start * start - well * well;
-  if (on_hill) return arithmetic_geometric(std::hypot(start, well), start);
-  return square > 0 ? arithmetic_geometric(start, std::sqrt(square)) : 0;
-}
+double pendulum_speed(double start, double omega, bool on_hill);
 
 }  // namespace lattice

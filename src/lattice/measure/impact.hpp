@@ -15,34 +15,31 @@ programs. */
 #include <utility>
 #include <vector>
 
-#include "lattice/measure/chosen.hpp"
 #include "lattice/measure/observe.hpp"
-#include "lattice/model/model.hpp"
+#include "lattice/model/chain.hpp"
 #include "lattice/stepping/accuracy.hpp"
 
 namespace lattice {
 
-/// An impact with `velocity` on the first of `sites` beads, followed for `time`; dimensionless, as in
+/// An impact with `velocity` on the first bead of `chain`, followed for `time`; dimensionless, as in
 /// Eqs. (9), (10) and (26). By default that of the article's section 3.4, with v_0 = 1.87.
 struct Impact {
   double velocity = 1.87;
-  Model model{};
+  Chain chain{100};
   double time = 600;
-  std::size_t sites = 100;
 };
 
-/// Hands the chain that is struck to `use` (model.hpp).
-template <class Use>
-auto with_chain(const Impact& impact, Use use) {
-  return with_chain(impact.model, impact.sites, std::move(use));
-}
-
 /// The chain at rest but for its first bead, Eq. (26).
-inline State<double> struck(std::size_t sites, double velocity) {
-  State<double> state(sites);
-  state.v[0] = velocity;
-  return state;
-}
+State<double> struck(std::size_t sites, double velocity);
+
+/**
+A far end that the motion reaches sends it back, and what comes back is no property of the impact. How long
+must a chain be? Packets in wells move by less than a site per unit of time, unless the impact is so strong
+that the wells hardly matter. What then travels are the pulses of a chain without wells, and their speed
+grows with the power 1/5 of the impact velocity. If the contacts are compressed sound comes first, with at
+most the root of their stiffness at rest. */
+/// `chain` at a length that an impact of `velocity` does not cross within `time`.
+Chain endless(Chain chain, double velocity, double time);
 
 /**
 A run shows its front-most packet and what stays behind. */
@@ -56,15 +53,10 @@ struct Outcome {
 
 /**
 Shares of the energy refer to its total, the sum of the density. */
-inline double total(const std::vector<double>& e) {
-  return std::accumulate(e.begin(), e.end(), 0.0);
-}
+double total(const std::vector<double>& e);
 
 /// Share of the first `sites` sites in a density: what an impact leaves at the boundary.
-inline double boundary_share(const std::vector<double>& e, std::size_t sites = 5) {
-  return std::accumulate(e.begin(), e.begin() + std::ptrdiff_t(std::min(sites, e.size())), 0.0) /
-         total(e);
-}
+double boundary_share(const std::vector<double>& e, std::size_t sites = 5);
 
 /**
 `follow` makes the run. It tracks the front-most packet from sample to sample until its centre passes site
@@ -73,9 +65,9 @@ inline double boundary_share(const std::vector<double>& e, std::size_t sites = 5
 template <class Stepper, class Watch>
 Outcome follow(const Stepper& stepper, const Impact& impact, double until, const Pace& pace,
                Watch watch, std::size_t each = 1) {
-  const ChosenChain chain{impact.sites, impact.model};
+  const Chain& chain = impact.chain;
   Outcome out;
-  out.end = struck(impact.sites, impact.velocity);
+  out.end = struck(chain.sites, impact.velocity);
   std::size_t k = 0;
   out.run = evolve(stepper, chain, out.end, pace, [&](const State<double>& now) {
     out.density = energy_density(chain, now);

@@ -25,24 +25,10 @@ namespace lattice {
 
 /// The direction of a kick: y_(n+1) - y_(n-1), with beads at rest beyond both ends, over its norm.
 /// Throws std::invalid_argument for a profile without a gradient.
-inline std::vector<double> kick_direction(const std::vector<double>& y) {
-  std::vector<double> g(y.size());
-  double squares = 0;
-  for (std::size_t n = 0; n < y.size(); ++n) {
-    g[n] = (n + 1 < y.size() ? y[n + 1] : 0) - (n > 0 ? y[n - 1] : 0);
-    squares += g[n] * g[n];
-  }
-  if (!(squares > 0)) throw std::invalid_argument("a chain at rest has no direction for a kick");
-  for (double& x : g) x /= std::sqrt(squares);
-  return g;
-}
+std::vector<double> kick_direction(const std::vector<double>& y);
 
 /// The state after a kick of size `c` (a velocity; the kinetic energy grows by c^2/2 if it was zero).
-inline State<double> kicked(State<double> state, double c) {
-  const std::vector<double> g = kick_direction(state.y);
-  for (std::size_t n = 0; n < g.size(); ++n) state.v[n] += c * g[n];
-  return state;
-}
+State<double> kicked(State<double> state, double c);
 
 /**
 ## Following a breather that creeps
@@ -55,15 +41,10 @@ same phases in every period, where their errors would add up instead of cancelli
 inline constexpr std::size_t samples_of_a_mean = 89;
 
 /// Time between two samples of a breather with this period.
-inline double creep_sample(double period) {
-  return period * (std::sqrt(5.0) - 1) / 10;
-}
+double creep_sample(double period);
 
 /// Sites from the middle of the chain to the energy centre, Eq. (24), about the largest density.
-inline double breather_place(const std::vector<double>& e) {
-  const std::size_t peak = std::size_t(std::max_element(e.begin(), e.end()) - e.begin());
-  return energy_centre(e, peak) - 0.5 * double(e.size() + 1);
-}
+double breather_place(const std::vector<double>& e);
 
 /// The path of a creeping breather: the means of X, in sites from the middle of the chain, at the middles
 /// of their intervals, and the report of the run.
@@ -81,45 +62,6 @@ struct Creep {
   double mean_speed(double distance, std::size_t start = 0) const;
   double drift_margin(double c, double energy) const;
 };
-
-/**
-Distances, speeds and the trust that a run deserves are read off a path. `farthest` is the largest distance
-from the start, in either direction. */
-inline double Creep::farthest() const {
-  double far = 0;
-  for (std::size_t k = 0; k < X.size(); ++k) far = std::max(far, std::abs(moved(k)));
-  return far;
-}
-
-/// Slope of X between two times, with the error of the fit; throws std::invalid_argument if fewer
-/// than three means lie there.
-inline Estimate Creep::speed(double from, double to) const {
-  std::vector<double> ts, xs;
-  for (std::size_t k = 0; k < t.size(); ++k)
-    if (t[k] >= from && t[k] <= to) ts.push_back(t[k]), xs.push_back(X[k]);
-  return fit_line(ts, xs).estimate();
-}
-
-/// `distance` over the time that it takes from mean `start` on, interpolated between two means. Throws
-/// std::runtime_error if the path does not lead so far.
-inline double Creep::mean_speed(double distance, std::size_t start) const {
-  for (std::size_t k = start + 1; k < t.size(); ++k) {
-    const double now = std::abs(X[k] - X[start]), before = std::abs(X[k - 1] - X[start]);
-    if (now < distance) continue;
-    const double since = t[k - 1] + (t[k] - t[k - 1]) * (distance - before) / (now - before);
-    return distance / (since - t[start]);
-  }
-  throw std::runtime_error("the kicked breather does not travel " + std::to_string(distance) +
-                           " sites");
-}
-
-/**
-A run says something about a kick only if the energy that the integration gains or loses is far below that
-of the kick. `drift_margin` is $c^2/2$ over this drift, which `run` gives relative to the breather's
-`energy`. */
-inline double Creep::drift_margin(double c, double energy) const {
-  return c * c / 2 / energy / run.energy_drift;
-}
 
 /**
 The samples of eleven periods are added up to one mean of $X$. */
@@ -145,9 +87,9 @@ struct MeanPlace {
 `creep` follows a kicked breather for about `duration`, a whole number of means. `watch(creep, state,
 density)` sees every mean and may end the run by returning false. Samples are `sample` apart, usually
 `creep_sample`. */
-template <class Stepper, class Onsite, class Contact, class Watch>
-Creep creep(const Stepper& stepper, const Chain<Onsite, Contact>& chain, const State<double>& start,
-            double sample, double duration, Watch watch) {
+template <class Stepper, class Watch>
+Creep creep(const Stepper& stepper, const Chain& chain, const State<double>& start, double sample,
+            double duration, Watch watch) {
   const std::size_t means = std::size_t(duration / (sample * double(samples_of_a_mean)) + 0.5);
   Pace pace{sample * double(samples_of_a_mean * means), samples_of_a_mean * means};
   pace.steps =
@@ -166,9 +108,9 @@ Creep creep(const Stepper& stepper, const Chain<Onsite, Contact>& chain, const S
 
 /**
 Most runs are followed to their end. */
-template <class Stepper, class Onsite, class Contact>
-Creep creep(const Stepper& stepper, const Chain<Onsite, Contact>& chain, const State<double>& start,
-            double sample, double duration) {
+template <class Stepper>
+Creep creep(const Stepper& stepper, const Chain& chain, const State<double>& start, double sample,
+            double duration) {
   return creep(stepper, chain, start, sample, duration,
                [](const Creep&, const State<double>&, const auto&) { return true; });
 }

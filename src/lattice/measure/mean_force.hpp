@@ -47,23 +47,12 @@ struct MeanForces {
 /**
 The integrator returns one long vector: positions, velocities, integrals of the pushes and of the forces of
 the wells. Here it is taken apart again. */
-inline MeanForces averages(const std::vector<double>& x, std::size_t n, double duration) {
-  const auto part = [&](std::size_t first, std::size_t count) {
-    return std::vector<double>(x.begin() + std::ptrdiff_t(first),
-                               x.begin() + std::ptrdiff_t(first + count));
-  };
-  MeanForces means{part(2 * n, n + 1), part(3 * n + 1, n), State<double>(n)};
-  for (auto* all : {&means.contact, &means.well})
-    for (double& value : *all) value /= duration;
-  means.end.y = part(0, n);
-  means.end.v = part(n, n);
-  return means;
-}
+MeanForces averages(const std::vector<double>& x, std::size_t n, double duration);
 
 /**
 The integrals are further unknowns of the same system of equations, $4N+1$ in all. Throws
 std::runtime_error if GSL cannot go on. */
-/// Averages over `duration`; `chain` has `sites`, `onsite`, `mass_of(n)`, `contact_push(chain, y, i)`.
+/// Averages over `duration`; `chain` has `sites`, `well`, `mass_of(n)`, `contact_push(chain, y, i)`.
 template <class AnyChain>
 MeanForces mean_forces(const AnyChain& chain, const State<double>& start, double duration,
                        const Tolerance& tolerance) {
@@ -74,7 +63,7 @@ MeanForces mean_forces(const AnyChain& chain, const State<double>& start, double
   const auto rhs = [&](double, const double* z, double* dz) {
     for (std::size_t i = 0; i <= n; ++i) dz[2 * n + i] = contact_push(chain, z, i);
     for (std::size_t i = 0; i < n; ++i) {
-      const double pull = -chain.onsite.force(z[i]);
+      const double pull = -chain.well.force(z[i]);
       dz[3 * n + 1 + i] = pull;
       dz[i] = z[n + i];
       dz[n + i] = (dz[2 * n + i] - dz[2 * n + i + 1] - pull) / chain.mass_of(i);

@@ -23,7 +23,7 @@ inline constexpr double look_every = 2;  ///< units of time between two comparis
 
 /// The time at which the states `a`, advanced by the stepper `first`, and `b`, advanced by `second`, are
 /// first seen to have parted; infinite if they have not by `time`. Both belong to `chain`.
-template <class First, class Second, class Chain>
+template <class First, class Second>
 double parting_time(const First& first, State<double> a, const Second& second, State<double> b,
                     const Chain& chain, double time) {
   double when = std::numeric_limits<double>::infinity();
@@ -41,11 +41,6 @@ double parting_time(const First& first, State<double> a, const Second& second, S
 This time is a number like any other: it depends on the steps of the two runs, and has an error. */
 /// The time of parting, from two pairs of runs with different steps. A parting is noticed up to
 /// `look_every` late, which is added to the error; `nan` if there was none.
-inline Estimate parting(double coarse, double fine) {
-  if (!std::isfinite(coarse) || !std::isfinite(fine)) return {std::nan(""), std::nan("")};
-  Estimate when = compare(coarse, fine);
-  when.error += look_every;
-  return when;
-}
+Estimate parting(double coarse, double fine);
 
 }  // namespace lattice

@@ -48,27 +48,7 @@ window would shift the centre of a moving packet. */
 
 /// The weighted mean of a path over windows of the given width in time, shorter by one width.
 /// Throws std::invalid_argument for fewer than three samples.
-inline Path smooth(const Path& path, double width) {
-  if (path.t.size() < 3) throw std::invalid_argument("a path needs at least three samples");
-  const double sample = path.t[1] - path.t[0];
-  const auto reach = std::size_t(std::lround(width / 2 / sample));
-  std::vector<double> weight(2 * reach + 1);
-  for (std::size_t k = 0; k < weight.size(); ++k)
-    weight[k] = 1 + std::cos(std::numbers::pi * (double(k) - double(reach)) / double(reach + 1));
-  const double sum = std::accumulate(weight.begin(), weight.end(), 0.0);
-  Path out;
-  for (std::size_t i = reach; i + reach < path.t.size(); ++i) {
-    const auto mean = [&](const std::vector<double>& x) {
-      return std::inner_product(weight.begin(), weight.end(), x.begin() + std::ptrdiff_t(i - reach),
-                                0.0) /
-             sum;
-    };
-    out.t.push_back(path.t[i]);
-    out.centre.push_back(mean(path.centre));
-    out.energy.push_back(mean(path.energy));
-  }
-  return out;
-}
+Path smooth(const Path& path, double width);
 
 /**
 A turning point is an extremum of the smoothed path. The parabola through three samples places it between
@@ -83,14 +63,7 @@ struct Moment {
 };
 
 /// The extremum of the parabola through sample `i` and its neighbours.
-inline Moment vertex(const Path& path, std::size_t i) {
-  if (i == 0 || i + 1 >= path.t.size()) return {path.centre[i], path.t[i]};
-  const double rise = (path.centre[i + 1] - path.centre[i - 1]) / 2;
-  const double bend = path.centre[i + 1] - 2 * path.centre[i] + path.centre[i - 1];
-  if (bend == 0 || std::abs(rise) > std::abs(bend)) return {path.centre[i], path.t[i]};
-  const double shift = -rise / bend;
-  return {path.centre[i] + shift * rise / 2, path.t[i] + shift * (path.t[1] - path.t[0])};
-}
+Moment vertex(const Path& path, std::size_t i);
 
 /// What a turning packet does, in this order.
 struct Turn {
@@ -104,27 +77,7 @@ A packet has turned once it has come back by `back` sites, which is more than it
 it is caught between two sites; the apex is its furthest point. It has rebounded once it then moves out
 again by `again` sites. The first stop is sought beyond site `clear`, where the packet has detached
 itself from the end. */
-inline Turn find_turn(const Path& path, double back = 5, double again = 3, double clear = 8) {
-  Turn turn;
-  std::size_t far = 0, near = 0;
-  bool turned = false;
-  const std::vector<double>& x = path.centre;
-  for (std::size_t i = 1; i < x.size(); ++i) {
-    if (!turn.stop.found() && x[i - 1] > clear && x[i] < x[i - 1]) turn.stop = vertex(path, i - 1);
-    if (!turned) {
-      if (x[i] > x[far]) far = i;
-      turned = x[i] < x[far] - back;
-      near = i;
-      if (turned) turn.apex = vertex(path, far);
-    } else if (x[i] < x[near]) {
-      near = i;
-    } else if (x[i] > x[near] + again) {
-      turn.rebound = vertex(path, near);
-      break;
-    }
-  }
-  return turn;
-}
+Turn find_turn(const Path& path, double back = 5, double again = 3, double clear = 8);
 
 /**
 The packets of this file are launched by an impact and followed for a long time. Sampling every 0.2 units
@@ -154,8 +107,8 @@ A run keeps the path of the packet and the chain as it is at the end; whatever e
 map of densities, `watch` collects. */
 
 /// Follows the strongest packet after an impact on any `chain`; `watch(state, density)` sees every sample.
-template <class Struck, class Watch = Unwatched>
-Voyage voyage(const ContactAware& stepper, const Struck& chain, double velocity, double time,
+template <class Watch = Unwatched>
+Voyage voyage(const ContactAware& stepper, const Chain& chain, double velocity, double time,
               Watch watch = {}) {
   Voyage out;
   out.end = struck(chain.sites, velocity);
@@ -170,7 +123,7 @@ Voyage voyage(const ContactAware& stepper, const Struck& chain, double velocity,
 /// The same in quartic wells.
 template <class Watch = Unwatched>
 Voyage voyage(const ContactAware& stepper, const Strike& strike, Watch watch = {}) {
-  const Chain<Quartic, Hertz> chain{strike.sites, {strike.s}};
+  const Chain chain{strike.sites, Quartic{strike.s}};
   return voyage(stepper, chain, strike.velocity, strike.time, watch);
 }
 
@@ -183,19 +136,7 @@ struct TurnEstimate {
 };
 
 /// The turn of the finer of two runs, with both errors.
-inline TurnEstimate estimate_turn(const Voyage& coarse, const Voyage& fine) {
-  const Turn a = coarse.turn(), b = fine.turn(), c = fine.turn(smoothing / 2);
-  const auto both = [&](auto of) {
-    Estimate e = compare(of(a), of(b));
-    e.error += std::abs(of(c) - of(b));
-    return e;
-  };
-  return {both([](const Turn& t) { return t.stop.time; }),
-          both([](const Turn& t) { return t.stop.site; }),
-          both([](const Turn& t) { return t.apex.time; }),
-          both([](const Turn& t) { return t.apex.site; }),
-          both([](const Turn& t) { return t.rebound.time; })};
-}
+TurnEstimate estimate_turn(const Voyage& coarse, const Voyage& fine);
 
 /**
 If a tolerance is stated (accuracy.hpp), two runs agree if both have an apex and a rebound at the same site
@@ -241,41 +182,14 @@ struct Patience {
 };
 
 /// The clock for an impact of `velocity` in wells with anharmonicity `s`.
-inline Patience patience(double velocity, double s, double horizon) {
-  const double rate =
-      std::max({1.0, std::pow(velocity, 0.2), std::pow(s * velocity * velocity, 0.25)});
-  const double crossing = horizon / std::min(0.36 * std::sqrt(velocity / 2), 0.4);
-  return {0.8 / rate, 10 * crossing / rate, 4 * crossing / rate};
-}
+Patience patience(double velocity, double s, double horizon);
 
 /**
 A map needs thousands of such runs, so each ends as soon as its fate is known. Eight samples make about one
 internal period, and only their mean counts. */
 
 /// The fate of a struck packet before site `horizon`, with steps halved `halvings` times.
-inline Outlook probe(double velocity, double s, double horizon, int halvings) {
-  const Patience wait = patience(velocity, s, horizon);
-  const Chain<Quartic, Hertz> chain{std::size_t(horizon) + 20, {s}};
-  State<double> state = struck(chain.sites, velocity);
-  Outlook out;
-  Path period;
-  const auto look = [&](const State<double>& now) {
-    period.add(now.t, energy_density(chain, now));
-    if (period.t.size() < 8) return true;
-    double x = 0;
-    for (double c : period.centre) x += c / 8;
-    period = {};
-    out.apex = std::max(out.apex, x);
-    if (x > horizon) out.fate = Fate::escapes;
-    if (x < out.apex - 5) out.fate = Fate::turns;
-    if (now.t > wait.tired && out.apex < 8) out.fate = Fate::stays;
-    return out.fate == Fate::undecided;
-  };
-  const double step = wait.interval / 4;
-  evolve(ContactAware{step}, chain, state,
-         shorter_steps(pace(wait.time, wait.interval, step), halvings), look);
-  return out;
-}
+Outlook probe(double velocity, double s, double horizon, int halvings);
 
 /**
 What the article says of such packets in words becomes conditions (criterion.hpp); the bounds are ours, and
@@ -283,32 +197,20 @@ the chapters give the reasons. A packet is reversed if it has an apex, if the fo
 the way out and on the way back, and if the time of its rebound is known within ten units. Another is only
 slowed down, moderately, if it does not turn and is pulled less than half as much. */
 /// From the time of the apex, the forces on both ways and the time of the rebound.
-inline Criterion reversed_packet(const Estimate& apex_time, const Estimate& out,
-                                 const Estimate& back, const Estimate& return_time) {
-  return {above("apex_time", apex_time, 0), below("force_out", out, 0),
-          below("force_back", back, 0), below("return_time_error", exact(return_time.error), 10)};
-}
+Criterion reversed_packet(const Estimate& apex_time, const Estimate& out, const Estimate& back,
+                          const Estimate& return_time);
 
 /// From whether it `slows` down without turning, and the forces on it and on one that turns.
-inline Criterion slowed_packet(bool slows, const Estimate& force, const Estimate& turning_force) {
-  const Estimate share = quotient(force, turning_force);
-  return {above("slows", exact(slows), 0.5),
-          below("force_over_190", {std::abs(share.value), share.error}, 0.5)};
-}
+Criterion slowed_packet(bool slows, const Estimate& force, const Estimate& turning_force);
 
 /**
 An ensemble of such packets becomes erratic if its centres stay together within a quarter of a site on the
 way out and back, and spread over more than three long after. That every hard well turns packets is tested
 in the softest one, and that it takes a hard well, in the linear one. */
 /// From the spread of an ensemble until the return and late.
-inline Criterion erratic_packets(const Estimate& early, const Estimate& late) {
-  return {below("spread_until_return", early, 0.25), above("spread_late", late, 3)};
-}
+Criterion erratic_packets(const Estimate& early, const Estimate& late);
 
 /// From the fate of a strong impact on the softest well and the number of packets that turned without one.
-inline Criterion every_hard_well(Fate beyond, double turned_without) {
-  return {above("turns_beyond", exact(beyond == Fate::turns), 0.5),
-          below("turns_without_hardness", exact(turned_without), 1)};
-}
+Criterion every_hard_well(Fate beyond, double turned_without);
 
 }  // namespace lattice

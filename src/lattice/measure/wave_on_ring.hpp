@@ -20,21 +20,15 @@ $q + Q$. */
 namespace lattice {
 
 /// Fourier sum over the sites n = 1, 2, ... of y + i v / omega.
-inline std::complex<double> fourier(const State<double>& state, double wavenumber, double omega) {
-  std::complex<double> sum = 0;
-  for (std::size_t n = 0; n < state.y.size(); ++n)
-    sum += std::complex<double>(state.y[n], state.v[n] / omega) *
-           std::polar(1.0, -wavenumber * double(n + 1));
-  return sum;
-}
+std::complex<double> fourier(const State<double>& state, double wavenumber, double omega);
 
 /**
 A frequency is an angle over a time. The phase of the wave's own component turns by $-\omega$ per unit of
 time; we add up its changes from sample to sample over a number of periods, on a ring that holds a whole
 number of wavelengths. */
-template <class Stepper, class Onsite, class Contact>
-double measured_frequency(const Stepper& stepper, const Chain<Onsite, Contact>& chain,
-                          const PlaneWave& wave, double periods) {
+template <class Stepper>
+double measured_frequency(const Stepper& stepper, const Chain& chain, const PlaneWave& wave,
+                          double periods) {
   State<double> state = on_ring(wave, chain.sites);
   const double time = 2 * std::numbers::pi * periods / wave.omega;
   double turned = 0, last = 0;
@@ -51,26 +45,15 @@ From the shift of this frequency follows $\beta$, the coefficient of the NLS equ
 formula: a uniform wave of that equation has $\omega_{nl}^2 = \omega^2 + 2\beta|A|^2$, and the exact wave
 has $a = 2|A|$. The linear frequency `omega` is that of Eq. (34). Two pairs of amplitudes lead to zero
 amplitude (instability.hpp), and two steps in time give the error. */
-template <class Onsite, class Contact>
-Estimate measured_beta(const Chain<Onsite, Contact>& ring, double q, double omega) {
-  const auto from = [&](double step) {
-    return at_zero_amplitude(0.04, [&](double a) {
-      const PlaneWave wave = plane_wave(ring.onsite, ring.contact, q, a);
-      const double nonlinear =
-          measured_frequency(Splitting{blanes_moan_6_14(), step}, ring, wave, 60);
-      return (nonlinear * nonlinear - omega * omega) / (a * a / 2);
-    });
-  };
-  return compare(from(0.2), from(0.1));
-}
+Estimate measured_beta(const Chain& ring, double q, double omega);
 
 /**
 Growth can be seen in a run as well. A modulation with `turns` periods on the ring starts with a relative
 amplitude of $10^{-6}$, and a line is fitted to the logarithm of the side band from four to eight times
 1 / `expected`, when the growing part has left the decaying one behind. */
-template <class Stepper, class Onsite, class Contact>
-double measured_growth(const Stepper& stepper, const Chain<Onsite, Contact>& chain,
-                       const PlaneWave& wave, int turns, double expected) {
+template <class Stepper>
+double measured_growth(const Stepper& stepper, const Chain& chain, const PlaneWave& wave, int turns,
+                       double expected) {
   State<double> state = on_ring(wave, chain.sites);
   const double modulation = 2 * std::numbers::pi * turns / double(chain.sites);
   for (std::size_t n = 0; n < chain.sites; ++n) {

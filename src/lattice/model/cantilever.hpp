@@ -82,13 +82,7 @@ struct ClampedBeam {
 The beam without a point mass has a textbook answer against which the march can be checked: its
 wavenumber is the first positive root of $\cos x\,\cosh x = 1$, about 4.73. Newton's method starts close
 by. */
-inline double clamped_root() {
-  double x = 4.7;
-  for (int k = 0; k < 8; ++k)
-    x -= (std::cos(x) * std::cosh(x) - 1) /
-         (std::cos(x) * std::sinh(x) - std::sin(x) * std::cosh(x));
-  return x;
-}
+double clamped_root();
 
 /**
 ## From SI to the chain
@@ -163,54 +157,17 @@ struct NamedScale {
 
 /**
 The first part of the table holds what we choose, materials and dimensions. */
-inline std::vector<NamedScale> given_scales(const CantileverArray& a) {
-  return {{"beam_density", "kg/m^3", a.beam_density},
-          {"beam_modulus", "Pa", a.beam_modulus},
-          {"length", "m", a.length},
-          {"width", "m", a.width},
-          {"thickness", "m", a.thickness},
-          {"bead_density", "kg/m^3", a.bead_density},
-          {"bead_modulus", "Pa", a.bead_modulus},
-          {"poisson_ratio", "", a.nu},
-          {"bead_radius", "m", a.radius}};
-}
+std::vector<NamedScale> given_scales(const CantileverArray& a);
 
 /**
 The second part holds what follows from it for an impact velocity `v` in m/s: the coefficients of
 Eq. (31), the scales, and the units in which the dimensionless chain is measured. */
-inline std::vector<NamedScale> derived_scales(const CantileverArray& a, double v) {
-  const Scales s = a.scales();
-  const double lambda = s.lambda(v);
-  return {{"area_moment", "m^4", a.area_moment()},
-          {"beam_mass", "kg", a.beam_mass()},
-          {"bead_mass", "kg", a.bead_mass()},
-          {"effective_mass", "kg", s.m},
-          {"stiffness", "N/m", s.k},
-          {"gamma", "N/m^(3/2)", s.gamma},
-          {"tau_h", "s", s.tau_h(v)},
-          {"tau_c", "s", s.tau_c()},
-          {"linear_period", "s", 2 * std::numbers::pi * s.tau_c()},
-          {"delta", "m", s.delta(v)},
-          {"hertz_stiffness", "N/m", s.gamma * std::sqrt(s.delta(v))},
-          {"xi", "m", s.xi()},
-          {"lambda", "", lambda},
-          {"lambda_5_2", "", lambda * lambda * std::sqrt(lambda)},
-          {"unit_velocity", "m/s", s.unit_velocity()},
-          {"unit_force", "N", s.unit_force()},
-          {"unit_energy", "J", s.unit_energy()}};
-}
+std::vector<NamedScale> derived_scales(const CantileverArray& a, double v);
 
 /**
 A larger bead, of radius $R_n$, makes its cantilever heavier and both its contacts stiffer,
 $\eta_n = [2R_nR_{n+1}/(R_n+R_{n+1})]^{1/2}$ with radii in units of $R$. What follows is the chain of
 Eq. (32) with one such site, where the radius is `ratio` times the usual one. */
-inline Chain cantilever_chain(const CantileverArray& array, double ratio) {
-  Chain chain{array.sites};
-  std::vector<double> mass(array.sites, 1.0), eta(array.sites + 1, 1.0);
-  mass[array.defect - 1] = array.mu(ratio);
-  eta[array.defect - 1] = eta[array.defect] = CantileverArray::eta(ratio);
-  vary(chain, mass, eta);
-  return chain;
-}
+Chain cantilever_chain(const CantileverArray& array, double ratio);
 
 }  // namespace lattice

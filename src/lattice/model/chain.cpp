@@ -19,11 +19,14 @@ void vary(Chain& chain, const std::vector<double>& mass, const std::vector<doubl
     throw std::invalid_argument("every contact stiffness must be finite and >= 0");
   if (chain.ends == Ends::periodic && !eta.empty() && eta.front() != eta.back())
     throw std::invalid_argument("the first and last stiffness of a ring are those of one contact");
-  chain.eta = eta;
-  chain.mass = mass;
-  chain.inverse_mass.resize(mass.size());
-  std::transform(mass.begin(), mass.end(), chain.inverse_mass.begin(),
-                 [](double m) { return 1 / m; });
+  const bool varies = !mass.empty() || !eta.empty();
+  const auto given = [&](const std::vector<double>& all, std::size_t count) {
+    return varies && all.empty() ? std::vector<double>(count, 1) : all;
+  };
+  chain.eta = given(eta, chain.sites + 1);
+  chain.mass = given(mass, chain.sites);
+  chain.inverse_mass = chain.mass;
+  for (double& m : chain.inverse_mass) m = 1 / m;
 }
 #endif
 
@@ -104,8 +107,8 @@ Hessian<T> linearise(const Chain& chain, const std::vector<T>& y) {
   const std::size_t n = chain.sites;
   const bool ring = chain.ends == Ends::periodic;
   Hessian<T> h{std::vector<T>(n), std::vector<T>(n, T(0))};
-  detail::with_kind(chain.well,
-                    [&](const auto& well) { stiffnesses_of(well, y.data(), h.diagonal.data(), n); });
+  detail::with_kind(
+      chain.well, [&](const auto& well) { stiffnesses_of(well, y.data(), h.diagonal.data(), n); });
   for (std::size_t i = 0; i <= n; ++i) {
     if (!touches(chain, i)) continue;
     const T k = T(chain.eta_of(i)) * chain.contact.stiffness(stretch(chain, y.data(), i));
@@ -116,14 +119,14 @@ Hessian<T> linearise(const Chain& chain, const std::vector<T>& y) {
   return h;
 }
 
-#define LATTICE_INSTANCES(T)                                                        \
-  template detail::Accelerate<T> detail::accelerator<T>(const Chain&);              \
-  template Window waking<T>(const Chain&, const State<T>&);                         \
-  template void accelerate<T>(const Chain&, const T*, T*, Window&);                 \
-  template std::vector<T> accelerations<T>(const Chain&, const std::vector<T>&);    \
-  template std::vector<T> energy_density<T>(const Chain&, const State<T>&);         \
-  template T energy<T>(const Chain&, const State<T>&);                              \
-  template std::vector<T> contact_forces<T>(const Chain&, const std::vector<T>&);   \
+#define LATTICE_INSTANCES(T)                                                      \
+  template detail::Accelerate<T> detail::accelerator<T>(const Chain&);            \
+  template Window waking<T>(const Chain&, const State<T>&);                       \
+  template void accelerate<T>(const Chain&, const T*, T*, Window&);               \
+  template std::vector<T> accelerations<T>(const Chain&, const std::vector<T>&);  \
+  template std::vector<T> energy_density<T>(const Chain&, const State<T>&);       \
+  template T energy<T>(const Chain&, const State<T>&);                            \
+  template std::vector<T> contact_forces<T>(const Chain&, const std::vector<T>&); \
   template Hessian<T> linearise<T>(const Chain&, const std::vector<T>&);
 #include "lattice/model/instances.hpp"
 

@@ -42,8 +42,8 @@ struct Window {
 A chain is defined by its length, its two potentials and its ends (boundary.hpp); by default it is that of
 Eq. (9), with harmonic wells, plain Hertzian contacts and free ends. It is a plain value, whatever its
 potentials are: a loop along the chain asks once which they are and is then as fast as one written for them.
-`vary`, below, sets masses and stiffnesses; where their lists are empty the chain is homogeneous, and the
-inner loop is shorter. */
+`vary`, below, sets masses and stiffnesses; without them the chain is homogeneous, and the inner loop is
+shorter. */
 struct Chain {
   std::size_t sites = 0;
   Well well{};

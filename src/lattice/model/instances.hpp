@@ -1,10 +1,12 @@
 // Included at the end of a `.cpp`, inside the namespace, after LATTICE_INSTANCES(T) has listed what there
-// is for a number type T. The library is compiled in double and extended precision; where there is Boost
-// the same files are compiled once more, in quadruple precision alone (numbers/extended.hpp).
+// is for a number type T: in double and, but for the browser, in extended precision. A few files are
+// compiled once more in quadruple precision, which needs Boost (CMakeLists.txt, numbers/extended.hpp).
 #ifdef LATTICE_QUADRUPLE
 LATTICE_INSTANCES(Quadruple)
 #else
 LATTICE_INSTANCES(double)
+#ifndef __wasm__
 LATTICE_INSTANCES(long double)
+#endif
 #endif
 #undef LATTICE_INSTANCES

@@ -38,27 +38,21 @@ Beads may differ in mass and contacts in stiffness, and what does not vary shoul
 choice is part of the type. The numbers are kept as they were given, in `double`. A run in double
 multiplies by the inverse mass; one in a wider type divides by the mass itself, so that it solves the
 same chain to all of its digits. */
-template <bool stiff, bool heavy>
-struct Variation {
+struct Varied {
   const double* eta = nullptr;           ///< eta[i]: stiffness of the contact between i - 1 and i
   const double* mass = nullptr;          ///< mu_n
   const double* inverse_mass = nullptr;  ///< 1 / mu_n, rounded
 
   template <class T>
   T contact(std::size_t i, T force) const {
-    if constexpr (stiff)
-      return T(eta[i]) * force;
-    else
-      return force;
+    return T(eta[i]) * force;
   }
   template <class T>
   T bead(std::size_t n, T force) const {
-    if constexpr (heavy && std::is_same_v<T, double>)
+    if constexpr (std::is_same_v<T, double>)
       return force * inverse_mass[n];
-    else if constexpr (heavy)
-      return force / T(mass[n]);
     else
-      return force;
+      return force / T(mass[n]);
   }
 };
 
@@ -78,16 +72,11 @@ struct Homogeneous {
 /**
 What varies is known only when a program runs, but the loops want to know it when they are compiled. So
 the choice is made once per sweep, outside the loops: `sweep(variation)` is called with the type that
-fits. A null pointer stands for what does not vary. */
+fits. Null pointers stand for a homogeneous chain. */
 template <class Sweep>
-void with_variation(const double* eta, const double* mass, const double* inverse_mass,
-                    Sweep sweep) {
-  if (eta && mass)
-    sweep(Variation<true, true>{eta, mass, inverse_mass});
-  else if (eta)
-    sweep(Variation<true, false>{eta, nullptr, nullptr});
-  else if (mass)
-    sweep(Variation<false, true>{nullptr, mass, inverse_mass});
+void with_variation(const Varied& varied, Sweep sweep) {
+  if (varied.mass)
+    sweep(varied);
   else
     sweep(Homogeneous{});
 }

@@ -19,8 +19,8 @@ namespace lattice::detail {
 
 /**
 Potentials of the caller's own are known by what they do to a row of numbers (potential.hpp). A chain with
-such a one, and every chain in a number type wider than `double`, whose arithmetic takes longer than the
-choice, is swept block by block, and well and contact are chosen once for a block. */
+such a one is swept block by block, and well and contact are chosen once for a block. So is a chain whose
+arithmetic takes longer than the choice: with contacts of any exponent, or in a type wider than `double`. */
 template <class P, class Use>
 void with_kind(const P& potential, Use use) {
   std::visit([&](const auto& known) { use(known); }, potential);
@@ -65,7 +65,7 @@ void widen(const Chain& chain, const C& contact, const T* y, Window& window) {
 }
 
 /// Calls `sweep(variation, at, count, left, right)` for the `count` moving sites from `at` on, with the
-/// pushes at both edges and the masses and stiffnesses that are not one (`Variation` in kernel.hpp).
+/// pushes at both edges and the masses and stiffnesses that are not one (`Varied` in kernel.hpp).
 template <class T, class C, class Sweep>
 void sweep_window(const Chain& chain, const C& contact, const T* y, Window& window, Sweep sweep) {
   if (window.first == window.last) return;
@@ -75,7 +75,7 @@ void sweep_window(const Chain& chain, const C& contact, const T* y, Window& wind
   const auto from = [&](const std::vector<double>& all) {
     return all.empty() ? nullptr : all.data() + window.first;
   };
-  with_variation(from(chain.eta), from(chain.mass), from(chain.inverse_mass),
+  with_variation({from(chain.eta), from(chain.mass), from(chain.inverse_mass)},
                  [&](const auto& along) {
                    sweep(along, window.first, window.last - window.first, left, right);
                  });
@@ -142,7 +142,8 @@ auto with_pair(const Chain& chain, Use use) {
   if constexpr (std::is_same_v<T, double>)
     return std::visit(
         [&]<class W, class C>(const W& well, const C& contact) {
-          if constexpr (std::is_same_v<W, OwnWell> || std::is_same_v<C, OwnContact>)
+          if constexpr (std::is_same_v<W, OwnWell> || std::is_same_v<C, OwnContact> ||
+                        std::is_same_v<C, PowerContact>)
             return use(chain.well, chain.contact);
           else
             return use(well, contact);
@@ -180,14 +181,9 @@ KickDrift<T, Sum> kick_drifter(const Chain& chain) {
 template <class T>
 KickDrift<T, PlainSum> plain_kick_drifter(const Chain& chain);
 
-/// What varies along `n` sites, from the first of them on; null where nothing does.
-struct Variations {
-  const double *eta, *mass, *inverse_mass;
-};
-
 /// A kick and a drift of `n` sites by themselves, with the pushes at both edges (kick_drift.cpp).
 template <class T>
-using BareKickDrift = void (*)(const Chain&, T* y, T* v, const Variations&, std::size_t n, T left,
+using BareKickDrift = void (*)(const Chain&, T* y, T* v, const Varied&, std::size_t n, T left,
                                T right, const T& kick, const T& drift);
 template <class T>
 BareKickDrift<T> bare_kick_drifter(const Chain& chain);

@@ -135,7 +135,8 @@ it. Its functions choose anew in every call; the loops along a chain choose once
 struct Well : std::variant<None, Harmonic, Quartic, Pendulum, OwnWell> {
   Well() : variant(Harmonic{}) {}
   template <class P>
-  requires(!std::is_same_v<P, Well> && IsPotential<P>) Well(P well) : variant(kept(std::move(well))) {}
+  requires(!std::is_same_v<P, Well> && IsPotential<P>) Well(P well)
+      : variant(kept(std::move(well))) {}
 
   /// The well as what it is. Throws std::bad_variant_access if it is another one.
   template <class P>

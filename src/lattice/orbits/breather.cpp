@@ -8,9 +8,7 @@
 
 namespace lattice {
 
-#ifndef LATTICE_QUADRUPLE
-State<double> ansatz(Centre centre, double omega, std::size_t sites,
-                            Phase phase) {
+State<double> ansatz(Centre centre, double omega, std::size_t sites, Phase phase) {
   const double scale = 2 * breather_eps(omega) * (phase == Phase::stretched ? -1 : 1);
   State<double> state(sites);
   for (std::size_t i = 0; i < sites; ++i)
@@ -18,8 +16,8 @@ State<double> ansatz(Centre centre, double omega, std::size_t sites,
   return state;
 }
 
-Orbit<double> find_breather(const Shooting<double>& problem,
-                            Phase phase, const NewtonRule<double>& rule) {
+Orbit<double> find_breather(const Shooting<double>& problem, Phase phase,
+                            const NewtonRule<double>& rule) {
   Shooting<double> nearby = problem;
   nearby.omega = std::min(problem.omega, direct_up_to);
   const Centre centre = problem.chain.sites % 2 == 0 ? Centre::bond : Centre::site;
@@ -31,7 +29,7 @@ Orbit<double> find_breather(const Shooting<double>& problem,
 }
 
 Fitted fit_chain(Centre centre, double omega, const Well& well, std::size_t sites,
-                           std::size_t usual, double precision, Phase phase) {
+                 std::size_t usual, double precision, Phase phase) {
   const std::size_t ample = 2 * usual - usual % 2;
   const Orbit<double> orbit = find_breather(breather_problem(centre, omega, well, ample), phase);
   const std::size_t needed = sites_needed(orbit, precision);
@@ -68,11 +66,8 @@ Criterion super_exponential(double before, double last) {
 Criterion worse_when_large(const Estimate& small, const Estimate& large) {
   return {above("worse", {large.value - small.value, large.error + small.error}, 0)};
 }
-#endif
-
 template <class T>
-Shooting<T> breather_problem(Centre centre, const T& omega, const Well& well,
-                                            std::size_t sites) {
+Shooting<T> breather_problem(Centre centre, const T& omega, const Well& well, std::size_t sites) {
   if (sites < 3 || (sites % 2 == 0) != (centre == Centre::bond))
     throw std::invalid_argument(
         "a bond-centred breather needs an even number of sites, at least 4,"
@@ -104,8 +99,8 @@ std::size_t sites_needed(const Orbit<T>& orbit, double precision) {
 }
 
 template <class T>
-Barrier<T> barrier(const Shooting<T>& site_problem, const Orbit<T>& site,
-                   const Orbit<T>& bond, const NewtonRule<T>& rule) {
+Barrier<T> barrier(const Shooting<T>& site_problem, const Orbit<T>& site, const Orbit<T>& bond,
+                   const NewtonRule<T>& rule) {
   Barrier<T> out;
   out.equal_frequency = site.energy - bond.energy;
   const T area_omega = site_problem.period() * site.energy_omega;
@@ -120,10 +115,10 @@ Barrier<T> barrier(const Shooting<T>& site_problem, const Orbit<T>& site,
   return out;
 }
 
-#define LATTICE_INSTANCES(T)                                                                    \
-  template Shooting<T> breather_problem<T>(Centre, const T&, const Well&, std::size_t);         \
-  template std::size_t sites_needed<T>(const Orbit<T>&, double);                                \
-  template Barrier<T> barrier<T>(const Shooting<T>&, const Orbit<T>&, const Orbit<T>&,          \
+#define LATTICE_INSTANCES(T)                                                            \
+  template Shooting<T> breather_problem<T>(Centre, const T&, const Well&, std::size_t); \
+  template std::size_t sites_needed<T>(const Orbit<T>&, double);                        \
+  template Barrier<T> barrier<T>(const Shooting<T>&, const Orbit<T>&, const Orbit<T>&,  \
                                  const NewtonRule<T>&);
 #include "lattice/model/instances.hpp"
 

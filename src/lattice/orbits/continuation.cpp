@@ -13,7 +13,7 @@ At the first point the border prescribes the parameter: the tangent is the direc
 remain true while $\ell$ grows. */
 template <class T>
 Branch<T>::Branch(Shooting<T> problem, Along<T> which, const Orbit<T>& start, int direction,
-                        NewtonRule<T> rule, Stride stride)
+                  NewtonRule<T> rule, Stride stride)
     : problem_(std::move(problem)),
       along_(std::move(which)),
       rule_(rule),
@@ -41,8 +41,7 @@ Shot<T> Branch<T>::shot_at(const Vector<T>& z) const {
 The last coordinate enters the equations through the problem and, along the frequency, also through the
 scale $(\omega_b-1)^2 = e^{2\ell}$ of the unknowns. */
 template <class T>
-Vector<T> Branch<T>::parameter_derivative(const Vector<T>& z,
-                                                                       const Shot<T>& shot) const {
+Vector<T> Branch<T>::parameter_derivative(const Vector<T>& z, const Shot<T>& shot) const {
   const T value = along_.parameter(ell(z));
   if (along_.is_frequency()) {
     const T longer = -along_.at(problem_, value).period() / value;
@@ -61,7 +60,7 @@ each equation in units of the orbit's amplitude, and below them the border: the 
 correction must not go. */
 template <class T>
 Matrix<T> Branch<T>::bordered(const Vector<T>& z, const Shot<T>& shot,
-                                                           const Vector<T>& border) const {
+                              const Vector<T>& border) const {
   const Eigen::Index m = z.size() - 1, rows = shot.miss.size();
   const T scale = along_.scale(ell(z));
   const Vector<T> size = amplitude(z);

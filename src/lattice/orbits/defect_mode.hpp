@@ -29,58 +29,22 @@ namespace lattice {
 /// Sites of the piece of chain that holds the mode, with its tail down to rounding.
 inline constexpr std::size_t mode_sites = 31;
 
-using ModeProblem = Shooting<double, Harmonic, Hertz>;
-
 /// The problem of a mode around a defect in the middle of a short array; `ratio` is that of the radii of
 /// its beads and the others (cantilever.hpp).
-inline ModeProblem mode_problem(const CantileverArray& array, double ratio) {
-  CantileverArray piece = array;
-  piece.sites = mode_sites, piece.defect = mode_sites / 2 + 1;
-  ModeProblem problem{cantilever_chain(piece, ratio), even_in_time(mode_sites)};
-  problem.chain.contact.floor = 0;
-  return problem;
-}
+Shooting<double> mode_problem(const CantileverArray& array, double ratio);
 
 /**
 A mode in a run is compared with the member of the family that has the same energy. Newton's method in
 $\omega_b$ finds it quickly for the fourth root of the energy, which is nearly linear in $\omega_b$. We
 begin a little above the linear frequency and change $\omega_b$ by at most 0.01 at a time. Throws
 NoConvergence, and std::runtime_error if there is no such member within 40 steps. */
-inline Orbit<double> mode_of_energy(ModeProblem problem, double energy) {
-  const std::size_t middle = mode_sites / 2;
-  const double mu = problem.chain.mass_of(middle), eta = problem.chain.eta_of(middle);
-  problem.omega = 1 / std::sqrt(mu) + 0.005;
-  const double root = (problem.omega * problem.omega * mu - 1) / (0.915 * eta);
-  State<double> guess(mode_sites);
-  guess.y[middle] = root * root;
-  Orbit<double> orbit = newton(problem, problem.fold(guess));
-  const auto fourth_root = [](double x) { return std::sqrt(std::sqrt(x)); };
-  for (int k = 0; k < 40; ++k) {
-    const double now = fourth_root(orbit.energy);
-    const double step = 4 * now * now * now * (fourth_root(energy) - now) / orbit.energy_omega;
-    if (std::abs(orbit.energy / energy - 1) < 1e-10) return orbit;
-    const double change = std::clamp(step, -0.01, 0.01);
-    problem.omega += change;
-    orbit = newton(problem, Vector<double>(orbit.x + change * orbit.x_omega));
-  }
-  throw std::runtime_error("no breather of the defect with the energy asked for was found");
-}
+Orbit<double> mode_of_energy(Shooting<double> problem, double energy);
 
 /**
 Next we need to know where the energy of the mode is: its mean over a period at each site, from `instants`
 equal intervals. */
-inline std::vector<double> mean_density(const ModeProblem& problem, const Orbit<double>& orbit,
-                                        std::size_t instants) {
-  std::vector<double> mean(mode_sites, 0.0);
-  State<double> state = orbit.start;
-  const double period = 2 * std::numbers::pi / orbit.omega, parts = double(instants);
-  evolve(ContactAware{0.05}, problem.chain, state, period, period / parts,
-         [&](const State<double>& now) {
-           const auto e = energy_density(problem.chain, now);
-           for (std::size_t n = 0; n < mode_sites; ++n) mean[n] += e[n] / (parts + 1);
-         });
-  return mean;
-}
+std::vector<double> mean_density(const Shooting<double>& problem, const Orbit<double>& orbit,
+                                 std::size_t instants);
 
 /**
 Whether what stays at the defect in a run is this mode is seen from how the energy is distributed over the
@@ -97,17 +61,7 @@ struct Profile {
 };
 
 /// The shares in a run (`stay`) and in the mode, averaged over `instants` instants of a period.
-inline Profile profile(const CantileverArray& array, const ModeProblem& problem,
-                       const Orbit<double>& orbit, const Stay& stay, std::size_t instants) {
-  const auto piece = [](const std::vector<double>& all, std::size_t middle) {
-    std::vector<double> part(all.begin() + std::ptrdiff_t(middle) - 4,
-                             all.begin() + std::ptrdiff_t(middle) + 5);
-    const double sum = std::accumulate(part.begin(), part.end(), 0.0);
-    for (double& x : part) x /= sum;
-    return part;
-  };
-  return {piece(stay.density, array.defect - 1),
-          piece(mean_density(problem, orbit, instants), mode_sites / 2)};
-}
+Profile profile(const CantileverArray& array, const Shooting<double>& problem,
+                const Orbit<double>& orbit, const Stay& stay, std::size_t instants);
 
 }  // namespace lattice

@@ -8,8 +8,8 @@
 namespace lattice {
 
 template <class T>
-Matrix<T> monodromy(const Chain& chain, const State<T>& start, const std::type_identity_t<T>& duration,
-                    const Landing<T>& rule) {
+Matrix<T> monodromy(const Chain& chain, const State<T>& start,
+                    const std::type_identity_t<T>& duration, const Landing<T>& rule) {
   State<T> end = start;
   Tangent<T> tangent(chain.sites, 2 * chain.sites);
   if (!is_accurate(flow(chain, end, duration, rule, &tangent), rule))
@@ -83,8 +83,8 @@ Pairs<T> pairs_of(const Matrix<T>& k, const Vector<T>& f) {
 }
 
 template <class T>
-Pairs<T> floquet_pairs(const Chain& chain, const State<T>& start, const std::type_identity_t<T>& period,
-                       const Landing<T>& rule) {
+Pairs<T> floquet_pairs(const Chain& chain, const State<T>& start,
+                       const std::type_identity_t<T>& period, const Landing<T>& rule) {
   for (const T& v : start.v)
     if (v != T(0)) throw std::invalid_argument("the orbit must begin at rest");
   const Matrix<T> half = in_momenta(chain, monodromy<T>(chain, start, period / T(2), rule));
@@ -143,20 +143,16 @@ double quadruplet_kappa(const Matrix<double>& map) {
   return sum.real() / 8;
 }
 
-#define LATTICE_INSTANCES(T)                                                                  \
-  template Matrix<T> monodromy<T>(const Chain&, const State<T>&, const T&, const Landing<T>&); \
-  template Matrix<T> in_momenta<T>(const Chain&, Matrix<T>);                                  \
-  template T symplectic_defect<T>(const Matrix<T>&);                                          \
-  template Matrix<T> pair_matrix<T>(const Matrix<T>&);                                        \
-  template Matrix<T> perpendicular_to<T>(const Vector<T>&);                                   \
-  template Pairs<T> pairs_of<T>(const Matrix<T>&, const Vector<T>&);                          \
-  template Pairs<T> floquet_pairs<T>(const Chain&, const State<T>&, const T&,                 \
-                                     const Landing<T>&);                                      \
-  template std::vector<Pair> compare_pairs<T, T>(const Pairs<T>&, const Pairs<T>&);           \
+#define LATTICE_INSTANCES(T)                                                                      \
+  template Matrix<T> monodromy<T>(const Chain&, const State<T>&, const T&, const Landing<T>&);    \
+  template Matrix<T> in_momenta<T>(const Chain&, Matrix<T>);                                      \
+  template T symplectic_defect<T>(const Matrix<T>&);                                              \
+  template Matrix<T> pair_matrix<T>(const Matrix<T>&);                                            \
+  template Matrix<T> perpendicular_to<T>(const Vector<T>&);                                       \
+  template Pairs<T> pairs_of<T>(const Matrix<T>&, const Vector<T>&);                              \
+  template Pairs<T> floquet_pairs<T>(const Chain&, const State<T>&, const T&, const Landing<T>&); \
+  template std::vector<Pair> compare_pairs<T, T>(const Pairs<T>&, const Pairs<T>&);               \
   template T pinning_by_symmetry<T>(const Matrix<T>&, Centre);
 #include "lattice/model/instances.hpp"
-
-template std::vector<Pair> compare_pairs<double, long double>(const Pairs<double>&,
-                                                              const Pairs<long double>&);
 
 }  // namespace lattice

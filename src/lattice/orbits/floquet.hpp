@@ -28,8 +28,8 @@ or closes (tangent.hpp, landing.hpp). A flow that is too inaccurate for an orbit
 /// Derivative of the flow from `start` over `duration`: 2N x 2N, positions before velocities.
 /// Throws NoConvergence if the flow is not accurate.
 template <class T>
-Matrix<T> monodromy(const Chain& chain, const State<T>& start, const std::type_identity_t<T>& duration,
-                    const Landing<T>& rule = {});
+Matrix<T> monodromy(const Chain& chain, const State<T>& start,
+                    const std::type_identity_t<T>& duration, const Landing<T>& rule = {});
 
 /**
 In positions and momenta the derivative of a Hamiltonian flow is symplectic, $F^T\Omega F = \Omega$ with
@@ -99,8 +99,8 @@ usual size. */
 /// The pairs of an orbit that begins at rest at `start`, even in time, with period `period`. Throws
 /// std::invalid_argument if it does not begin at rest, NoConvergence if the flow is inaccurate.
 template <class T>
-Pairs<T> floquet_pairs(const Chain& chain, const State<T>& start, const std::type_identity_t<T>& period,
-                       const Landing<T>& rule = {});
+Pairs<T> floquet_pairs(const Chain& chain, const State<T>& start,
+                       const std::type_identity_t<T>& period, const Landing<T>& rule = {});
 
 /**
 ## Errors

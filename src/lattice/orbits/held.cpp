@@ -18,8 +18,7 @@ Sizes<T> Held<T>::sizes(const Vector<T>& x, bool graded) const {
 A shot gives the velocities at $T_b/2$ and, as the last equation, the centre. The derivative of the latter
 needs the positions at $T_b/2$ as well; these are in the same columns of the tangent. */
 template <class T>
-Shot<T> Held<T>::shoot(const Vector<T>& x, const Landing<T>& rule,
-                                        bool with_jacobian) const {
+Shot<T> Held<T>::shoot(const Vector<T>& x, const Landing<T>& rule, bool with_jacobian) const {
   const std::size_t n = sites();
   const auto last = Eigen::Index(n);
   Tangent<T> tangent(n, with_jacobian ? n : 0);
@@ -81,8 +80,8 @@ Vector<T> moved_to_centre(const Held<T>& held, Vector<T> x, const Landing<T>& la
   return x;
 }
 
-#define LATTICE_INSTANCES(T)  \
-  template struct Held<T>;    \
+#define LATTICE_INSTANCES(T) \
+  template struct Held<T>;   \
   template Vector<T> moved_to_centre<T>(const Held<T>&, Vector<T>, const Landing<T>&);
 #include "lattice/model/instances.hpp"
 

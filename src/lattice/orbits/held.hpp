@@ -31,7 +31,7 @@ rest after half a period and that of the centre. */
 template <class T>
 struct Held {
   using Scalar = T;
-  Shooting<T> problem;             ///< even in time; its value of the parameter is not used
+  Shooting<T> problem;   ///< even in time; its value of the parameter is not used
   Along<T> along;        ///< which parameter is unknown
   T centre{};            ///< Q, in sites from the middle of the chain
   double change = 1e-5;  ///< of the central difference in the parameter, see `differentiate`

@@ -28,7 +28,7 @@ namespace lattice {
 To begin with we need a breather at rest on a chain that holds it, in harmonic wells as in the article. */
 struct RestingBreather {
   Centre centre = Centre::bond;
-  Chain<Harmonic, Hertz> chain{};
+  Chain chain{};
   State<double> rest{};
   double period = 0, energy = 0;
 
@@ -48,17 +48,7 @@ struct RestingBreather {
 The chain has the given number of sites, or one more if a site-centred breather needs a middle, and must
 hold the tail of the breather down to rounding, $10^{-16}$. */
 /// Throws ShortChain if the breather needs a longer chain, NoConvergence if it is not found.
-inline RestingBreather resting_breather(Centre centre, Phase phase, double omega,
-                                        std::size_t sites) {
-  const bool site = centre == Centre::site;
-  const Fitted found =
-      fit_chain(centre, omega, 0, site ? sites | 1 : sites, site ? 23 : 22, 1e-16, phase);
-  return {centre,
-          {found.problem.chain.sites},
-          found.orbit.start,
-          found.problem.period(),
-          found.orbit.energy};
-}
+RestingBreather resting_breather(Centre centre, Phase phase, double omega, std::size_t sites);
 
 /**
 ## Prediction
@@ -73,23 +63,7 @@ struct Prediction {
 };
 
 /// From the barrier at equal area, E_site - E_bond; without a frequency if the breather is unstable.
-inline Prediction predict_threshold(const RestingBreather& at, const Estimate& barrier) {
-  std::array<Pinning, 2> found;
-  for (std::size_t i = 0; i < 2; ++i) {
-    Landing<double> rule;
-    if (i == 0) rule.tolerance *= 16;
-    found[i] = pinning_of(at.chain, at.centre, at.rest, at.period, rule);
-  }
-  const auto pair = [&](auto of) { return compare(of(found[0]), of(found[1])); };
-  Prediction out;
-  out.share = pair([](const Pinning& p) { return p.share; });
-  out.barrier = barrier;
-  if (!(found[1].frequency2 > 0)) return out;
-  out.frequency = pair([](const Pinning& p) { return std::sqrt(p.frequency2); });
-  out.threshold = pair([&](const Pinning& p) { return freeing_kick(barrier.value, p); });
-  out.threshold.error += 0.5 * out.threshold.value * std::abs(barrier.error / barrier.value);
-  return out;
-}
+Prediction predict_threshold(const RestingBreather& at, const Estimate& barrier);
 
 /**
 ## Runs
@@ -124,59 +98,23 @@ struct FreeingKick {
 
 /// The threshold near `guess`, with the error of the extrapolation. Throws std::runtime_error if one of
 /// the kicks does not free the breather.
-inline FreeingKick freeing_kick_of(const RestingBreather& at, const Prediction& guess,
-                                   const ContactAware& stepper) {
-  const double limit = 10 / guess.frequency.value, least = guess.threshold.value;
-  const std::array<double, 3> c{1.05 * least, 1.2 * least, 1.4 * least};
-  std::array<double, 3> v{};
-  FreeingKick out;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Creep path = decided_path(at, c[i], stepper, limit);
-    if (mobility_of(path) != Mobility::free)
-      throw std::runtime_error("a kick above the prediction leaves the breather pinned");
-    v[i] = hill_speed(path);
-    out.margin = std::min(out.margin, path.drift_margin(c[i], at.energy));
-  }
-  out.value =
-      compare(threshold_from(c[0], v[0], c[2], v[2]), threshold_from(c[0], v[0], c[1], v[1]));
-  return out;
-}
+FreeingKick freeing_kick_of(const RestingBreather& at, const Prediction& guess,
+                            const ContactAware& stepper);
 
 /**
 The rest of the error is that of the integration, and comes from two schemes. Those of the finer one take
 longest and come first. */
 /// One threshold for each breather and its prediction, with the margin of the finer scheme.
-inline std::vector<FreeingKick> freeing_kicks(const std::vector<RestingBreather>& at,
-                                              const std::vector<Prediction>& guess,
-                                              const ContactAware& coarse,
-                                              const ContactAware& fine) {
-  const std::size_t n = at.size();
-  std::vector<FreeingKick> found(2 * n);
-  parallel_for("thresholds", 2 * n, [&](std::size_t i) {
-    found[i] = freeing_kick_of(at[i % n], guess[i % n], i < n ? fine : coarse);
-  });
-  for (std::size_t i = 0; i < n; ++i) found[i].value = compare(found[n + i].value, found[i].value);
-  found.resize(n);
-  return found;
-}
+std::vector<FreeingKick> freeing_kicks(const std::vector<RestingBreather>& at,
+                                       const std::vector<Prediction>& guess,
+                                       const ContactAware& coarse, const ContactAware& fine);
 
 /**
 An extrapolation is no proof, so finally the threshold is bracketed directly: one per cent below it the
 breather must turn round, one per cent above it must get over. */
 /// Lowers the margin of `found` to that of these runs if they have less; throws std::runtime_error if one
 /// of them ends otherwise.
-inline void confirm(const RestingBreather& at, const Prediction& guess, const ContactAware& stepper,
-                    FreeingKick& found) {
-  std::array<double, 2> margins{};
-  parallel_for("bracket", 2, [&](std::size_t i) {
-    const double c = (i ? 1.01 : 0.99) * found.value.value;
-    const Creep path = decided_path(at, c, stepper, 10 / guess.frequency.value);
-    if (mobility_of(path) != (i ? Mobility::free : Mobility::pinned))
-      throw std::runtime_error("the threshold is not within one per cent of " +
-                               std::to_string(1e6 * found.value.value) + "e-6");
-    margins[i] = path.drift_margin(c, at.energy);
-  });
-  found.margin = std::min({found.margin, margins[0], margins[1]});
-}
+void confirm(const RestingBreather& at, const Prediction& guess, const ContactAware& stepper,
+             FreeingKick& found);
 
 }  // namespace lattice

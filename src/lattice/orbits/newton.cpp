@@ -64,13 +64,15 @@ namespace {
 
 /// The exception that names the problem and what went wrong.
 template <class T>
-NoConvergence failure(const NewtonProblem<T>& problem, const std::string& why, const Solution<T>& so_far) {
+NoConvergence failure(const NewtonProblem<T>& problem, const std::string& why,
+                      const Solution<T>& so_far) {
   return {problem.name() + ": " + why, so_far.history};
 }
 
 /// The solution, if its flow was accurate; throws NoConvergence otherwise.
 template <class T>
-Solution<T> accepted(const NewtonProblem<T>& problem, Solution<T> found, const NewtonRule<T>& rule) {
+Solution<T> accepted(const NewtonProblem<T>& problem, Solution<T> found,
+                     const NewtonRule<T>& rule) {
   if (is_accurate(found.shot.flow, rule.landing)) return found;
   throw failure(problem, "the integration is not accurate enough for an orbit", found);
 }
@@ -87,8 +89,8 @@ T residual_of(const NewtonProblem<T>& problem, const Shot<T>& shot, const Vector
 
 /// The share of the step to be taken from the best point so far; throws NoConvergence if none helps.
 template <class T>
-T damping(const NewtonProblem<T>& problem, const Vector<T>& step, const T& last, const Solution<T>& best,
-          const NewtonRule<T>& rule) {
+T damping(const NewtonProblem<T>& problem, const Vector<T>& step, const T& last,
+          const Solution<T>& best, const NewtonRule<T>& rule) {
   for (T share(1); share > T(1e-3); share /= T(2)) {
     const Vector<T> trial = best.x - share * step;
     const Shot<T> shot = problem.shoot(trial, rule.landing, false);
@@ -100,8 +102,8 @@ T damping(const NewtonProblem<T>& problem, const Vector<T>& step, const T& last,
 }  // namespace
 
 template <class T>
-Solution<T> iterate(const NewtonProblem<T>& problem, Vector<T> x, const NewtonRule<T>& rule, bool jacobian,
-                    const Direction<T>& direction) {
+Solution<T> iterate(const NewtonProblem<T>& problem, Vector<T> x, const NewtonRule<T>& rule,
+                    bool jacobian, const Direction<T>& direction) {
   Solution<T> best{x, {}, {}};
   T last = std::numeric_limits<T>::infinity();
   for (int i = 0; i <= rule.most; ++i) {
@@ -132,13 +134,13 @@ Solution<T> solve(const NewtonProblem<T>& problem, const Vector<T>& x, const New
   });
 }
 
-#define LATTICE_INSTANCES(T)                                                                 \
-  template T sup<T>(const Vector<T>&);                                                       \
-  template Vector<T> solve_system<T>(const Matrix<T>&, const Vector<T>&, double);            \
-  template Vector<T> solve_scaled<T>(Matrix<T>, Vector<T>, const Sizes<T>&, double);         \
-  template bool is_accurate<T>(const Flow<T>&, const Landing<T>&);                           \
-  template Solution<T> iterate<T>(const NewtonProblem<T>&, Vector<T>, const NewtonRule<T>&, bool,  \
-                                  const Direction<T>&);                                      \
+#define LATTICE_INSTANCES(T)                                                                      \
+  template T sup<T>(const Vector<T>&);                                                            \
+  template Vector<T> solve_system<T>(const Matrix<T>&, const Vector<T>&, double);                 \
+  template Vector<T> solve_scaled<T>(Matrix<T>, Vector<T>, const Sizes<T>&, double);              \
+  template bool is_accurate<T>(const Flow<T>&, const Landing<T>&);                                \
+  template Solution<T> iterate<T>(const NewtonProblem<T>&, Vector<T>, const NewtonRule<T>&, bool, \
+                                  const Direction<T>&);                                           \
   template Solution<T> solve<T>(const NewtonProblem<T>&, const Vector<T>&, const NewtonRule<T>&);
 #include "lattice/model/instances.hpp"
 

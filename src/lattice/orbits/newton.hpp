@@ -160,7 +160,8 @@ Solution<T> iterate(const NewtonProblem<T>& problem, Vector<T> x, const NewtonRu
 The plain method uses the derivative at each point. `solve` returns the solution near the guess `x`, or
 throws NoConvergence, with the history. */
 template <class T>
-Solution<T> solve(const NewtonProblem<T>& problem, const Vector<T>& x, const NewtonRule<T>& rule = {});
+Solution<T> solve(const NewtonProblem<T>& problem, const Vector<T>& x,
+                  const NewtonRule<T>& rule = {});
 
 template <class P, class T = typename P::Scalar>
 Solution<T> solve(const P& problem, const Vector<T>& x, const NewtonRule<T>& rule = {}) {

@@ -118,8 +118,7 @@ Sizes<T> Shooting<T>::sizes(const Vector<T>& x, bool graded) const {
 
 First the residuals, for which the two ends of a flight are enough. */
 template <class T>
-Vector<T> Shooting<T>::residuals(const State<T>& start,
-                                                  const State<T>& end) const {
+Vector<T> Shooting<T>::residuals(const State<T>& start, const State<T>& end) const {
   Vector<T> miss = Vector<T>::Zero(Eigen::Index(symmetry.equations.size()));
   for (std::size_t i = 0; i < symmetry.equations.size(); ++i) {
     T& sum = miss[Eigen::Index(i)];
@@ -150,8 +149,7 @@ A shot carries one column of the tangent for each unknown and no others. A chang
 $\delta T$ moves the end of the flight along the orbit: by its rate of change there times $\delta T$ over
 the number of parts. */
 template <class T>
-Shot<T> Shooting<T>::shoot(const Vector<T>& x, const Landing<T>& rule,
-                                            bool with_jacobian) const {
+Shot<T> Shooting<T>::shoot(const Vector<T>& x, const Landing<T>& rule, bool with_jacobian) const {
   const State<T> start = unfold(x);
   State<T> z = start;
   const Tangent<T> first =
@@ -195,8 +193,7 @@ Orbit<T> describe(const Shooting<T>& problem, const Solution<T>& found) {
 Along the branch the energy changes by minus the forces times the change of the positions, and by the
 momenta times the change of the velocities. */
 template <class T>
-void add_slopes(const Shooting<T>& problem, const Vector<T>& x_omega,
-                Orbit<T>& orbit) {
+void add_slopes(const Shooting<T>& problem, const Vector<T>& x_omega, Orbit<T>& orbit) {
   orbit.x_omega = x_omega;
   const std::vector<T> a = accelerations(problem.chain, orbit.start.y);
   const State<T> rate = problem.unfold(x_omega);
@@ -207,8 +204,7 @@ void add_slopes(const Shooting<T>& problem, const Vector<T>& x_omega,
 }
 
 template <class T>
-Orbit<T> newton(const Shooting<T>& problem, const Vector<T>& x,
-                const NewtonRule<T>& rule) {
+Orbit<T> newton(const Shooting<T>& problem, const Vector<T>& x, const NewtonRule<T>& rule) {
   const Solution<T> found = solve(seen(problem), x, rule);
   Orbit<T> orbit = describe(problem, found);
   orbit.jacobian = found.shot.jacobian.template cast<double>();
@@ -222,15 +218,15 @@ Orbit<T> newton(const Shooting<T>& problem, const Vector<T>& x,
 }
 
 template <class T, class From>
-Orbit<T> polish(const Shooting<T>& problem, const Orbit<From>& from,
-                const NewtonRule<T>& rule) {
+Orbit<T> polish(const Shooting<T>& problem, const Orbit<From>& from, const NewtonRule<T>& rule) {
   const Vector<T> guess = from.x.template cast<T>();
   Solution<T> found;
   try {
-    found = iterate<T>(seen(problem), guess, rule, false, [&](const Shot<T>& shot, const Vector<T>& at) {
-      const Sizes<T> size = problem.sizes(at, true);
-      return solve_scaled<T>(from.jacobian.template cast<T>(), shot.miss, size, rule.rank);
-    });
+    found = iterate<T>(
+        seen(problem), guess, rule, false, [&](const Shot<T>& shot, const Vector<T>& at) {
+          const Sizes<T> size = problem.sizes(at, true);
+          return solve_scaled<T>(from.jacobian.template cast<T>(), shot.miss, size, rule.rank);
+        });
   } catch (const NoConvergence&) {
     return newton(problem, guess, rule);
   }
@@ -240,11 +236,11 @@ Orbit<T> polish(const Shooting<T>& problem, const Orbit<From>& from,
   return orbit;
 }
 
-#define LATTICE_INSTANCES(T)                                                                 \
-  template Tangent<T> tangent_of<T>(const Basis&, std::size_t);                              \
-  template struct Shooting<T>;                                                               \
-  template Orbit<T> newton<T>(const Shooting<T>&, const Vector<T>&, const NewtonRule<T>&);   \
-  template Orbit<T> polish<T, double>(const Shooting<T>&, const Orbit<double>&,              \
+#define LATTICE_INSTANCES(T)                                                               \
+  template Tangent<T> tangent_of<T>(const Basis&, std::size_t);                            \
+  template struct Shooting<T>;                                                             \
+  template Orbit<T> newton<T>(const Shooting<T>&, const Vector<T>&, const NewtonRule<T>&); \
+  template Orbit<T> polish<T, double>(const Shooting<T>&, const Orbit<double>&,            \
                                       const NewtonRule<T>&);
 #include "lattice/model/instances.hpp"
 

@@ -44,8 +44,7 @@ Symmetry centred(Centre centre, std::size_t sites) {
   return centre == Centre::bond ? bond_centred(sites) : site_centred(sites);
 }
 
-Symmetry travelling(std::size_t sites, std::size_t shift, bool ring,
-                           bool free_period) {
+Symmetry travelling(std::size_t sites, std::size_t shift, bool ring, bool free_period) {
   Symmetry s{.name = shift == 0 ? "periodic" : "travelling",
              .sites = sites,
              .free_period = free_period,

@@ -87,8 +87,7 @@ $y_n(t+T) = y_{n-m}(t)$. All positions and velocities are unknown. On a ring the
 modulo $N$; in an open chain what comes from beyond its end is at rest. The equations still allow a shift
 in time, so Newton's step is the shortest one that solves them (newton.hpp). With $m = 0$ this is a
 periodic orbit without any symmetry. */
-Symmetry travelling(std::size_t sites, std::size_t shift, bool ring,
-                           bool free_period = false);
+Symmetry travelling(std::size_t sites, std::size_t shift, bool ring, bool free_period = false);
 
 /**
 Some travelling orbits are also invariant under $y_n(t) \to -y_{-n}(-t)$. This fixes the origin of time, so

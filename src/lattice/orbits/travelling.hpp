@@ -34,17 +34,13 @@ double-exponentially, and eight sites on either side are enough for double preci
 type. */
 inline constexpr std::size_t usual_reach = 8;
 
-template <class T>
-using TravellingProblem = BreatherProblem<T>;
-
 /// The problem of the member of a family with the given shift time: all equations but the first.
 template <class T>
-TravellingProblem<T> travelling_problem(const T& shift_time, double s = 0,
-                                        std::size_t reach = usual_reach) {
-  TravellingProblem<T> problem;
+Shooting<T> travelling_problem(const T& shift_time, double s = 0, std::size_t reach = usual_reach) {
+  Shooting<T> problem;
   problem.chain.sites = 2 * reach + 2;
-  problem.chain.onsite.s = s;
-  problem.chain.contact.floor = 0;
+  problem.chain.well = Quartic{s};
+  problem.chain.contact = Hertz{.floor = 0};
   problem.symmetry = travelling_reversible(reach, false);
   problem.omega = T(2) * circle_ratio<T>() / shift_time;
   return problem;
@@ -52,14 +48,14 @@ TravellingProblem<T> travelling_problem(const T& shift_time, double s = 0,
 
 /// The problem of type I: a bead oscillates k times while the breather moves on by a site.
 template <class T>
-TravellingProblem<T> type_one(std::size_t k, std::size_t reach = usual_reach) {
+Shooting<T> type_one(std::size_t k, std::size_t reach = usual_reach) {
   return travelling_problem<T>(T(2) * circle_ratio<T>() * T(double(k)), 0, reach);
 }
 
 /**
 If all equations are imposed the shift time becomes an unknown, and what is found is exact. */
 template <class T>
-TravellingProblem<T> with_free_time(TravellingProblem<T> problem) {
+Shooting<T> with_free_time(Shooting<T> problem) {
   problem.symmetry = travelling_reversible(problem.chain.sites / 2 - 1, true);
   return problem;
 }
@@ -101,66 +97,24 @@ the packet nothing has moved before, so we keep its front half and mirror it; th
 behind it. */
 
 /// By how much the neighbours of site `c` miss the symmetry, relative to their size.
-inline double asymmetry(const State<double>& z, std::size_t c, std::size_t width = 3) {
-  double miss = 0, size = 0;
-  for (std::size_t j = 1; j <= width; ++j) {
-    const double y = z.y[c + j] + z.y[c - j], v = z.v[c + j] - z.v[c - j];
-    miss += y * y + v * v;
-    size += z.y[c + j] * z.y[c + j] + z.v[c + j] * z.v[c + j] + z.y[c - j] * z.y[c - j] +
-            z.v[c - j] * z.v[c - j];
-  }
-  return miss / size;
-}
+double asymmetry(const State<double>& z, std::size_t c, std::size_t width = 3);
 
 /// The unknowns of the front half of the packet around site `c`.
-inline Vector<double> front_half(const State<double>& z, std::size_t c, std::size_t reach) {
-  Vector<double> x(2 * Eigen::Index(reach) + 1);
-  for (std::size_t j = 0; j <= reach; ++j) {
-    if (j > 0) x[Eigen::Index(j) - 1] = z.y[c + j];
-    x[Eigen::Index(reach + j)] = z.v[c + j];
-  }
-  return x;
-}
+Vector<double> front_half(const State<double>& z, std::size_t c, std::size_t reach);
 
 /**
 The zero of the largest site lies between two samples of the run; linear interpolation between them is good
 enough for a guess. */
 /// The state at the part `w` of the way from one state to another.
-inline State<double> between(const State<double>& a, const State<double>& b, double w) {
-  State<double> z = a;
-  for (std::size_t n = 0; n < z.y.size(); ++n) {
-    z.y[n] += w * (b.y[n] - a.y[n]);
-    z.v[n] += w * (b.v[n] - a.v[n]);
-  }
-  return z;
-}
+State<double> between(const State<double>& a, const State<double>& b, double w);
 
 /**
 Of all such instants while the packet moves from one given site to another, the most symmetrical is
 taken. */
 /// Unknowns cut from the packet of an impact at `velocity` while its centre lies between the sites `from`
 /// and `to`; `sign` is that of the central velocity. Throws std::runtime_error if no packet passes.
-inline Vector<double> cut_packet(double velocity, double from, double to, int sign,
-                                 std::size_t reach = usual_reach) {
-  const Chain<Harmonic, Hertz> chain{std::size_t(to) + 2 * reach};
-  State<double> state = struck(chain.sites, velocity), before = state;
-  Vector<double> best;
-  double least = 1e300;
-  evolve(ContactAware{0.1}, chain, state, 1e6, 0.1, [&](const State<double>& now) {
-    const auto e = energy_density(chain, now);
-    const auto c = front_packet(e);
-    const double centre = c ? energy_centre(e, *c) : 0;
-    if (centre > from && before.y[*c] * now.y[*c] < 0 && sign * now.v[*c] > 0) {
-      const State<double> z = between(before, now, before.y[*c] / (before.y[*c] - now.y[*c]));
-      const double miss = asymmetry(z, *c);
-      if (miss < least) least = miss, best = front_half(z, *c, reach);
-    }
-    before = now;
-    return centre < to;
-  });
-  if (best.size() == 0) throw std::runtime_error("no packet passes between the sites");
-  return best;
-}
+Vector<double> cut_packet(double velocity, double from, double to, int sign,
+                          std::size_t reach = usual_reach);
 
 /**
 ## From one orbit to the next
@@ -174,7 +128,7 @@ class Staircase {
   /// The orbits with this sign of the central velocity.
   explicit Staircase(int sign, std::size_t reach = usual_reach, NewtonRule<double> rule = {})
       : reach_(reach), rule_(rule) {
-    const TravellingProblem<double> problem = type_one<double>(first, reach);
+    const Shooting<double> problem = type_one<double>(first, reach);
     orbit_ = newton(problem, cut_packet(first_velocity, 15, 30, sign, reach), rule);
     remember(first);
   }
@@ -215,7 +169,7 @@ class Staircase {
     Orbit<double> guess = orbit_;
     guess.x = x / double(k * k);
     if ((k + k_) % 2) guess.jacobian = -guess.jacobian;
-    const TravellingProblem<double> problem = type_one<double>(k, reach_);
+    const Shooting<double> problem = type_one<double>(k, reach_);
     orbit_ = k > 2 * first ? polish(problem, guess, rule_) : newton(problem, guess.x, rule_);
     remember(k);
   }
@@ -232,14 +186,7 @@ An orbit that has been found only once has no error bar. So it is found again, f
 other steps. */
 /// The energy of an orbit of type I, with the difference from that of the same orbit found from a guess
 /// that is slightly off, at eight times the tolerance.
-inline Estimate energy_of_type_one(std::size_t k, const Orbit<double>& orbit) {
-  NewtonRule<double> coarse;
-  coarse.landing.tolerance *= 8;
-  Orbit<double> shaken = orbit;
-  shaken.x *= 1 + 1e-7;
-  const auto problem = type_one<double>(k, orbit.start.y.size() / 2 - 1);
-  return compare(polish(problem, shaken, coarse).energy, orbit.energy);
-}
+Estimate energy_of_type_one(std::size_t k, const Orbit<double>& orbit);
 
 /**
 ## Along a family
@@ -249,48 +196,19 @@ passed through an orbit of type II, which the secant method finds and the full e
 
 /// The member with shift time `to`, extrapolated from two neighbours `a` and `b`, which may be the same.
 /// Throws NoConvergence.
-inline Orbit<double> next_member(const Orbit<double>& a, const Orbit<double>& b, double to,
-                                 std::size_t reach, const NewtonRule<double>& rule) {
-  Vector<double> x = b.x;
-  const double ta = shift_time(a), tb = shift_time(b), top = sup(b.x);
-  if (ta != tb)
-    for (Eigen::Index i = 0; i < x.size(); ++i)
-      if (std::abs(x[i]) > 1e-5 * top) x[i] += (b.x[i] - a.x[i]) * (to - tb) / (tb - ta);
-  return newton(travelling_problem(to, 0, reach), x, rule);
-}
+Orbit<double> next_member(const Orbit<double>& a, const Orbit<double>& b, double to,
+                          std::size_t reach, const NewtonRule<double>& rule);
 
 /// The members from `start` to the shift time `to`, at most `step` apart. Throws NoConvergence.
-inline std::vector<Orbit<double>> follow_family(const Orbit<double>& start, double to, double step,
-                                                const NewtonRule<double>& rule = {}) {
-  const std::size_t reach = start.start.y.size() / 2 - 1;
-  const double from = shift_time(start);
-  const auto count = std::size_t(std::ceil(std::abs(to - from) / step));
-  std::vector<Orbit<double>> members{start};
-  for (std::size_t i = 1; i <= count; ++i) {
-    const double t = from + (to - from) * double(i) / double(count);
-    members.push_back(next_member(members[i > 1 ? i - 2 : 0], members.back(), t, reach, rule));
-  }
-  return members;
-}
+std::vector<Orbit<double>> follow_family(const Orbit<double>& start, double to, double step,
+                                         const NewtonRule<double>& rule = {});
 
 /**
 The secant method looks for the zero of $V$ along the family; the last solution takes all equations and the
 shift time as an unknown. */
 /// The orbit of type II between two members with V of opposite signs.
 /// Throws NoConvergence.
-inline Orbit<double> type_two(Orbit<double> a, Orbit<double> b,
-                              const NewtonRule<double>& rule = {}) {
-  const std::size_t reach = a.start.y.size() / 2 - 1;
-  for (int i = 0; i < 30 && std::abs(velocity_sum(b)) > 1e-12; ++i) {
-    const double va = velocity_sum(a), vb = velocity_sum(b), ta = shift_time(a);
-    const double t = shift_time(b) - vb * (shift_time(b) - ta) / (vb - va);
-    if (t == shift_time(b)) break;
-    Orbit<double> c = next_member(a, b, t, reach, rule);
-    a = std::move(b), b = std::move(c);
-  }
-  return newton(with_free_time(travelling_problem(shift_time(b), 0, reach)),
-                with_time(b.x, shift_time(b)), rule);
-}
+Orbit<double> type_two(Orbit<double> a, Orbit<double> b, const NewtonRule<double>& rule = {});
 
 /**
 ## In a resting chain
@@ -316,9 +234,9 @@ $(\lambda-1)^2/\lambda$ over the four is $8\kappa$, to which the first pair cont
 $\kappa > 0$ a change of the phase grows, with $\kappa < 0$ it is held. */
 
 /// The derivative of the flow over one shift, read one site further; nothing enters from ahead.
-template <class T, class Onsite, class Contact>
-Matrix<T> shifted_map(const Chain<Onsite, Contact>& chain, const State<T>& start, const T& time,
-                      const Landing<T>& rule = {}) {
+template <class T>
+Matrix<T> shifted_map(const Chain& chain, const State<T>& start,
+                      const std::type_identity_t<T>& time, const Landing<T>& rule = {}) {
   const Matrix<T> map = monodromy(chain, start, time, rule);
   const Eigen::Index n = Eigen::Index(chain.sites);
   Matrix<T> shifted = Matrix<T>::Zero(2 * n, 2 * n);

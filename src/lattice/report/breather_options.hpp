@@ -17,7 +17,7 @@ struct ChosenBreather {
   std::string centre = "site", phase = "compressed";
   double omega = 1.1;
   std::size_t sites = 0;  ///< 0: as many as needed
-  NamedWell onsite{};
+  Well onsite = Quartic{};
 
   Centre kind() const { return centre == "site" ? Centre::site : Centre::bond; }
   Phase start() const { return phase == "stretched" ? Phase::stretched : Phase::compressed; }
@@ -28,7 +28,7 @@ struct ChosenBreather {
     app.add_option("--phase", phase, "central contact of a bond-centred breather at t = 0")
         ->check(one_of({"compressed", "stretched"}));
   }
-  void offer_well(Command& app) { add_well_options(app, onsite.well, "there is no breather"); }
+  void offer_well(Command& app) { add_well_options(app, onsite, "there is no breather"); }
 };
 
 /**
@@ -50,7 +50,7 @@ auto on_chosen_chain(const ChosenBreather& chosen, Make make) {
 
 /// The breather that was chosen, on a chain of about the article's length that holds its tail down to
 /// `precision`. Throws UsageError, NoConvergence.
-inline FittedIn<NamedWell> find_chosen(const ChosenBreather& chosen, double precision) {
+inline Fitted find_chosen(const ChosenBreather& chosen, double precision) {
   return on_chosen_chain(chosen, [&] {
     return fit_chain(chosen.kind(), chosen.omega, chosen.onsite, chosen.sites,
                      sites_of(chosen.kind()), precision, chosen.start());

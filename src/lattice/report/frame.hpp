@@ -15,7 +15,7 @@ program that includes this file compiles it itself. */
 #include <fstream>
 #include <iostream>
 
-#include "lattice/model/model.hpp"
+#include "lattice/model/chain.hpp"
 #include "lattice/report/potential_options.hpp"
 #include "lattice/report/program.hpp"
 

@@ -10,7 +10,7 @@ reader's choice, only the well is offered. */
 
 #include <string>
 
-#include "lattice/model/model.hpp"
+#include "lattice/model/chain.hpp"
 #include "lattice/report/program.hpp"
 
 namespace lattice {
@@ -22,7 +22,7 @@ parameter may have another range in a program than elsewhere. */
 /// Adds `--onsite`, `--contact` and their parameters to a command; `model` holds the defaults and,
 /// once the command line is read, the choice. It must live as long as `app`. Parameters of wells may have
 /// ranges of the program's `own`.
-void add_model_options(Command& app, Model& model, const Ranges& own = {});
+void add_model_options(Command& app, Chain& model, const Ranges& own = {});
 
 /**
 A breather begins as the vibration of a bead in its well, and phonons are vibrations of a chain of such
@@ -31,12 +31,12 @@ bead with the frequency one, which the unit of time makes of every frequency. */
 
 /// Adds `--onsite` and its parameters alone. A well that does not hold its bead is refused because
 /// `without` a well something is missing.
-void add_well_options(Command& app, AnyOnsite& well, const std::string& without);
+void add_well_options(Command& app, Well& well, const std::string& without);
 
 /**
 What lies beyond the first and the last bead is a choice among few, and a name again. */
 
 /// Adds `--ends`; as above, `model` holds the default and must live as long as `app`.
-void add_ends_option(Command& app, Model& model);
+void add_ends_option(Command& app, Chain& model);
 
 }  // namespace lattice

@@ -2,7 +2,7 @@
 /**
 # How potentials are chosen on the command line
 
-The options of model_options.hpp at work. Each list of potentials, `AnyOnsite` and `AnyContact`, says which
+The options of model_options.hpp at work. Each list of potentials, `Well` and `Contact`, says which
 names and which parameters there are, so nothing is listed here. A program that defines LATTICE_ONCE_COMPILED
 does not include this file, which like frame.hpp is then compiled once for all. */
 
@@ -124,29 +124,29 @@ class PotentialOptions {
 /**
 The options must live as long as the command, since the values are written into them; so the command itself
 keeps them, in the call that it makes when the line is complete. */
-LATTICE_ONCE void add_model_options(Command& app, Model& model, const Ranges& own) {
+LATTICE_ONCE void add_model_options(Command& app, Chain& model, const Ranges& own) {
   struct Options {
-    PotentialOptions<AnyOnsite> onsite;
-    PotentialOptions<AnyContact> contact;
+    PotentialOptions<Well> onsite;
+    PotentialOptions<Contact> contact;
   };
   auto options = std::shared_ptr<Options>(
-      new Options{{app, "--onsite", "well of every bead", model.onsite, own},
+      new Options{{app, "--onsite", "well of every bead", model.well, own},
                   {app, "--contact", "contact of two beads", model.contact}});
   app.when_read([options, &model] {
-    model.onsite = options->onsite.chosen();
-    model.contact = options->contact.chosen();
+    model.well = options->onsite.chosen();
+    model.contact = simplest(options->contact.chosen());
   });
 }
 
 /**
 The same for the well alone, which must hold its bead. */
-LATTICE_ONCE void add_well_options(Command& app, AnyOnsite& well, const std::string& without) {
+LATTICE_ONCE void add_well_options(Command& app, Well& well, const std::string& without) {
   const auto options =
-      std::make_shared<PotentialOptions<AnyOnsite>>(app, "--onsite", "well of every bead", well);
+      std::make_shared<PotentialOptions<Well>>(app, "--onsite", "well of every bead", well);
   app.when_read([options, &well, without] {
     const auto holds = [](const auto& w) { return w.stiffness(0.0) == 1; };
     std::vector<std::string> allowed;
-    for_each_potential<AnyOnsite>([&](const auto& w) {
+    for_each_potential<Well>([&](const auto& w) {
       if (holds(w)) allowed.push_back(w.name);
     });
     well = options->chosen();
@@ -158,7 +158,7 @@ LATTICE_ONCE void add_well_options(Command& app, AnyOnsite& well, const std::str
 
 /**
 The names of the ends are those of boundary.hpp. */
-LATTICE_ONCE void add_ends_option(Command& app, Model& model) {
+LATTICE_ONCE void add_ends_option(Command& app, Chain& model) {
   const std::vector<std::string> names(std::begin(ends_names), std::end(ends_names));
   const auto choose = [&model, names](const std::string& name) {
     model.ends = Ends(std::find(names.begin(), names.end(), name) - names.begin());

@@ -152,8 +152,8 @@ Finally `evolve` of integrate.hpp for a stated tolerance, the relative error of 
 is found in runs that nobody observes; `observe` sees only the last one, and the returned `error` is the
 distance between its end and that of the run with twice the step. Throws NotConverged like `converge`. */
 template <class Observer>
-Run evolve_to(double tolerance, const Chain& chain, State<double>& state,
-              double duration, double sample, Observer observe) {
+Run evolve_to(double tolerance, const Chain& chain, State<double>& state, double duration,
+              double sample, Observer observe) {
   struct End {
     State<double> end;
     Run run;

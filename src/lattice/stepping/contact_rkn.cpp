@@ -147,8 +147,8 @@ struct NystromStep {
   }
 
   /// The overlap of contact `i` in the step that has just been tried.
-  Quintic<T> overlap_during(const State<T>& state,
-                            std::size_t i, T h, const NystromMemory<T>& at) const {
+  Quintic<T> overlap_during(const State<T>& state, std::size_t i, T h,
+                            const NystromMemory<T>& at) const {
     const T d = T(contact.opening()), half = h * h / T(2);
     const std::vector<T>&y = at.y[base.last()], &a = at.a[base.last()];
     const auto across = [&](const std::vector<T>& q) { return stretch(chain, q.data(), i); };
@@ -160,8 +160,7 @@ struct NystromStep {
   Few contacts switch in a step, but all have to be looked at. Those between two beads are tested in one
   vectorised pass without branches, after which the flagged ones are gathered. The contacts at the ends of
   the chain depend on the boundary condition and are tested one by one. */
-  void find(const State<T>& state, Window window, T h,
-            NystromMemory<T>& at) const {
+  void find(const State<T>& state, Window window, T h, NystromMemory<T>& at) const {
     const std::size_t n = chain.sites, left = std::max<std::size_t>(window.first, 1) - 1;
     const std::size_t inner = std::min(window.last, n - 1) - left;
     const auto try_end = [&](std::size_t i) {
@@ -171,8 +170,7 @@ struct NystromStep {
     at.contacts.clear();
     if (chain.boundary().pushes(0) && window.first == 0) try_end(0);
     sweep_singular<T>(state.y.data() + left, state.v.data() + left, at.y[base.last()].data() + left,
-                      at.v.data() + left, T(contact.opening()), h, at.small, at.flag.data(),
-                      inner);
+                      at.v.data() + left, T(contact.opening()), h, at.small, at.flag.data(), inner);
     for (std::size_t k = 0; k < inner; ++k)
       if (at.flag[k]) at.contacts.push_back(left + 1 + k);
     if (chain.boundary().pushes(n) && window.last == n) try_end(n);
@@ -182,8 +180,7 @@ struct NystromStep {
   What contact `i` is owed is its true impulse less the one that the stages gave it, and likewise for the
   moments. A force that is always there, like that of precompression, cancels in the difference; we leave
   it out of both terms, so that it does not spoil the last digits. */
-  Impulse<T> defect(const State<T>& state, std::size_t i, T h,
-                    const NystromMemory<T>& at) const {
+  Impulse<T> defect(const State<T>& state, std::size_t i, T h, const NystromMemory<T>& at) const {
     const std::size_t last = base.last();
     const Quintic<T> x = overlap_during(state, i, h, at);
     const T d = T(contact.opening()), eta = T(chain.eta_of(i)), open = contact.force(d);
@@ -215,8 +212,7 @@ struct NystromStep {
     }
   }
 
-  void exchange_impulses(Window& window,
-                         NystromMemory<T>& at) const {
+  void exchange_impulses(Window& window, NystromMemory<T>& at) const {
     std::vector<T>& y = at.y[base.last()];
     near_contacts(at, 1, [&](std::size_t n) {
       const T inverse = lightness<T>(chain, n);
@@ -234,8 +230,7 @@ struct NystromStep {
   positions, and the velocities get the second-moment term of the formula, $K$ times `shift`. Here $K$ is
   the stiffness of everything else that acts on the bead: its well, and those contacts which need no
   correction themselves. */
-  void repair_forces(Window window,
-                     NystromMemory<T>& at) const {
+  void repair_forces(Window window, NystromMemory<T>& at) const {
     std::vector<T>&y = at.y[base.last()], &a = at.a[base.last()];
     const auto pull = [&](std::size_t i) {
       if (at.correction[i].velocity != T(0) || push_at(chain, contact, y.data(), i) == T(0))
@@ -256,8 +251,7 @@ struct NystromStep {
   /**
   All corrections are computed before any is made, so that left and right are treated alike. At the end the
   memory is cleared again at the sites that were touched. */
-  void correct(const State<T>& state, Window& window, T h,
-               NystromMemory<T>& at) const {
+  void correct(const State<T>& state, Window& window, T h, NystromMemory<T>& at) const {
     if (window.first != window.last) find(state, window, h, at);
     if (at.contacts.empty()) return;
     for (std::size_t i : at.contacts) at.correction[i] = defect(state, i, h, at);

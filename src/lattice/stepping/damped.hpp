@@ -85,8 +85,8 @@ struct Damped {
 
   /// Advances `state` by `count` steps of length `h`; returns the number of site-force evaluations.
   template <class T, class Memory>
-  double advance(const Chain& chain, State<T>& state, Window& window, double h,
-                 std::size_t count, DampedMemory<T, Memory>& at) const {
+  double advance(const Chain& chain, State<T>& state, Window& window, double h, std::size_t count,
+                 DampedMemory<T, Memory>& at) const {
     const bool frictionless =
         std::all_of(nu.begin(), nu.end(), [](double rate) { return rate == 0; });
     if (frictionless) return conserve(chain, state, window, h, count, at);
@@ -112,8 +112,8 @@ struct Damped {
   /**
   The conservative step is that of the given stepper, which may want its memory or have none. */
   template <class T, class Memory>
-  double conserve(const Chain& chain, State<T>& state, Window& window, double h,
-                  std::size_t count, DampedMemory<T, Memory>& at) const {
+  double conserve(const Chain& chain, State<T>& state, Window& window, double h, std::size_t count,
+                  DampedMemory<T, Memory>& at) const {
     if constexpr (std::is_same_v<Memory, NoMemory>)
       return stepper.advance(chain, state, window, h, count);
     else
@@ -139,8 +139,7 @@ struct Damped {
 
   /// Half a step of friction at the sites of the window.
   template <class T, class Memory>
-  void rub(const Chain& chain, State<T>& state, Window window,
-           DampedMemory<T, Memory>& at) const {
+  void rub(const Chain& chain, State<T>& state, Window window, DampedMemory<T, Memory>& at) const {
     T sum(0);
     for (std::size_t n = window.first; n < window.last; ++n) {
       const std::size_t i = nu.size() == 1 ? 0 : n;
@@ -167,8 +166,8 @@ struct WithLedger {
   double step;
   int halvings;
 
-  double advance(const Chain& chain, State<double>& state, Window& window,
-                 double h, std::size_t count) const {
+  double advance(const Chain& chain, State<double>& state, Window& window, double h,
+                 std::size_t count) const {
     return damped.advance(chain, state, window, h, count, memory);
   }
 };
@@ -180,8 +179,8 @@ energy at the start. An observer that wants to know the dissipated energy takes 
 
 /// Calls `go(stepper, observer)`, which runs the chain, and keeps the energy budget meanwhile.
 template <class Stepper, class Observer, class Go>
-DampedRun with_ledger(const Damped<Stepper>& damped, const Chain& chain,
-                      const State<double>& start, Observer& observe, Go go) {
+DampedRun with_ledger(const Damped<Stepper>& damped, const Chain& chain, const State<double>& start,
+                      Observer& observe, Go go) {
   auto memory = damped.template memory<double>(chain);
   const WithLedger<Stepper, decltype(memory)> stepper{damped, memory, damped.step, damped.halvings};
   const double energy0 = energy(chain, start), scale = energy0 != 0 ? std::abs(energy0) : 1;
@@ -206,8 +205,8 @@ A caller should not have to know whether there is friction. So `evolve` has the 
 integrate.hpp, with samples a stated time apart or at a given pace, and the type of the stepper selects
 it. */
 template <class Stepper, class Observer>
-DampedRun evolve(const Damped<Stepper>& damped, const Chain& chain,
-                 State<double>& state, double duration, double sample, Observer observe) {
+DampedRun evolve(const Damped<Stepper>& damped, const Chain& chain, State<double>& state,
+                 double duration, double sample, Observer observe) {
   return with_ledger(damped, chain, state, observe, [&](const auto& stepper, const auto& watch) {
     return evolve(stepper, chain, state, duration, sample, watch);
   });
@@ -215,8 +214,8 @@ DampedRun evolve(const Damped<Stepper>& damped, const Chain& chain,
 
 /// The same at a pace of samples and steps.
 template <class Stepper, class Observer>
-DampedRun evolve(const Damped<Stepper>& damped, const Chain& chain,
-                 State<double>& state, const Pace& pace, Observer observe) {
+DampedRun evolve(const Damped<Stepper>& damped, const Chain& chain, State<double>& state,
+                 const Pace& pace, Observer observe) {
   return with_ledger(damped, chain, state, observe, [&](const auto& stepper, const auto& watch) {
     return evolve(stepper, chain, state, pace, watch);
   });

@@ -87,10 +87,10 @@ double Splitting::advance(const Chain& chain, State<T>& state, Window& window, d
   return work;
 }
 
-#define LATTICE_INSTANCES(T)                                                              \
-  template Stage<T> stage_at<T>(const Scheme&, double, std::size_t, std::size_t);         \
-  template double Splitting::advance<T>(const Chain&, State<T>&, Window&, double,         \
-                                        std::size_t) const;
+#define LATTICE_INSTANCES(T)                                                                   \
+  template Stage<T> stage_at<T>(const Scheme&, double, std::size_t, std::size_t);              \
+  template double Splitting::advance<T>(const Chain&, State<T>&, Window&, double, std::size_t) \
+      const;
 #include "lattice/model/instances.hpp"
 
 }  // namespace lattice

@@ -7,8 +7,8 @@
 
 namespace lattice {
 
-std::size_t evolve_reference(const Chain& chain, State<double>& state,
-                             double duration, const Tolerance& tolerance) {
+std::size_t evolve_reference(const Chain& chain, State<double>& state, double duration,
+                             const Tolerance& tolerance) {
   const std::size_t n = chain.sites;
   std::vector<double> x(state.y);
   x.insert(x.end(), state.v.begin(), state.v.end());
@@ -27,8 +27,8 @@ std::size_t evolve_reference(const Chain& chain, State<double>& state,
   return reference.evaluations();
 }
 
-double distance_from_reference(const Chain& chain, State<double> start,
-                               double duration, const State<double>& end, double bound) {
+double distance_from_reference(const Chain& chain, State<double> start, double duration,
+                               const State<double>& end, double bound) {
   evolve_reference(chain, start, duration, 1e-13);
   start.t = end.t;
   const double apart = distance(start, end);

@@ -16,8 +16,8 @@ namespace lattice {
 /**
 `evolve_reference` carries `state` forward by `duration` with the given local tolerance and returns the
 number of force evaluations. Throws std::runtime_error if GSL cannot go on. */
-std::size_t evolve_reference(const Chain& chain, State<double>& state,
-                             double duration, const Tolerance& tolerance);
+std::size_t evolve_reference(const Chain& chain, State<double>& state, double duration,
+                             const Tolerance& tolerance);
 
 /**
 A chapter asks it whether a state that our own stepper has reached is right. The local tolerance is so small

@@ -1,0 +1,136 @@
+#include "lattice/orbits/ladder.hpp"
+
+namespace lattice {
+
+template <class T>
+Measured<T>::Measured(const Rung& rung, int coarser) {
+  const NewtonRule<T> how = rule<T>(coarser);
+  const auto problem = [&](Centre c) { return in_precision<T>(problem_of(c, rung.omega, rung.s)); };
+  for (int k : {0, 1}) {
+    Orbit<double> guess = rung.orbit[k];
+    if (coarser) guess.x *= 1.000001;
+    orbit[k] = polish(problem(both_centres[k]), guess, how);
+  }
+  gap = barrier(problem(Centre::site), orbit[0], orbit[1], how);
+}
+
+template <class T>
+void assess(Rung& rung, const Measured<T>& coarse, const Measured<T>& fine) {
+  const T size = fine.orbit[1].energy;
+  for (int k : {0, 1}) {
+    const Orbit<T>&a = coarse.orbit[k], &b = fine.orbit[k];
+    rung.energy[k] = agree(a.energy, b.energy, b.energy);
+    rung.amplitude[k] = agree(a.amplitude, b.amplitude, b.amplitude);
+  }
+  rung.equal_frequency = agree(coarse.gap.equal_frequency, fine.gap.equal_frequency, size);
+  rung.equal_area = agree<T>(coarse.gap.equal_area, fine.gap.equal_area, size / T(4));
+  const auto slope = [](const Measured<T>& m) {
+    return m.orbit[0].energy_omega - m.orbit[1].energy_omega;
+  };
+  rung.slope = agree(slope(coarse), slope(fine), fine.orbit[1].energy_omega);
+  const auto slope_area = [&](const Measured<T>& m) {
+    return m.orbit[1].energy_omega * (m.gap.omega_site / T(rung.omega) - T(1));
+  };
+  rung.slope_area = agree(slope_area(coarse), slope_area(fine), fine.orbit[1].energy_omega);
+  rung.wide = sizeof(T) > sizeof(double);
+}
+
+template <class T>
+void measure_in(Rung& rung) {
+  assess<T>(rung, {rung, 1}, {rung, 0});
+}
+
+template <class T>
+void measure_once(Rung& rung, int coarser) {
+  const Measured<T> only(rung, coarser);
+  assess<T>(rung, only, only);
+}
+
+void measure(Rung& rung) {
+  measure_in<double>(rung);
+  if (!settled(rung.equal_frequency) || !settled(rung.equal_area)) measure_in<Wide>(rung);
+}
+
+std::vector<Orbit<double>> climb(Centre centre, double s, const std::vector<double>& omegas) {
+  const auto problem = problem_of(centre, omegas.front(), s);
+  std::vector<Orbit<double>> orbits{find_breather(problem)};
+  Branch branch(problem, along_omega<double>(), orbits.front(), 1);
+  try {
+    for (std::size_t k = 1; k < omegas.size(); ++k) orbits.push_back(branch.reach(omegas[k]));
+  } catch (const NoBranch&) {
+  }
+  return orbits;
+}
+
+std::vector<double> ladder_frequencies(double s, int count) {
+  std::vector<double> out{1.005};
+  for (int k = 1; k <= count; ++k) out.push_back(1 + double(k) / count);
+  if (s >= 0) return out;
+  std::erase_if(out, [](double omega) { return omega > 1.8; });
+  for (int k = 1; k <= count / 2; ++k) out.push_back(1.8 + 0.2 * double(k) / count);
+  return out;
+}
+
+Ladder climb_pairs(double s, const std::vector<double>& omegas,
+                   const std::function<void(Rung&)>& measure_rung) {
+  std::array<std::vector<Orbit<double>>, 2> families;
+  parallel_for(2, [&](std::size_t k) { families[k] = climb(both_centres[k], s, omegas); });
+  Ladder ladder;
+  const auto& [site, bond] = families;
+  for (std::size_t k = 0; k < std::min(site.size(), bond.size()); ++k)
+    ladder.push_back({s, site[k].omega, {site[k], bond[k]}});
+  parallel_for("branches", ladder.size(), [&](std::size_t i) { measure_rung(ladder[i]); });
+  return ladder;
+}
+
+Rung rung_between(const Rung& left, const Rung& right, double omega) {
+  Rung rung{left.s, omega};
+  const auto scaled = [&](double from) { return std::pow((omega - 1) / (from - 1), 2); };
+  const double part =
+      std::log((omega - 1) / (left.omega - 1)) / std::log((right.omega - 1) / (left.omega - 1));
+  for (int k : {0, 1})
+    rung.orbit[k] = newton(problem_of(both_centres[k], omega, left.s),
+                           Vector<double>((1 - part) * scaled(left.omega) * left.orbit[k].x +
+                                          part * scaled(right.omega) * right.orbit[k].x));
+  return rung;
+}
+
+Estimate zero_between(const Rung& left, const Rung& right, Estimate Rung::*gap) {
+  const auto slope = gap == &Rung::equal_area ? &Rung::slope_area : &Rung::slope;
+  const double below = (left.*gap).value, above = (right.*gap).value;
+  const double width = right.omega - left.omega;
+  double low = left.omega, high = right.omega, omega = low - below * width / (above - below);
+  Rung at;
+  const auto newton_step = [&] { return (at.*gap).value / (at.*slope).value; };
+  for (int k = 0; k < 40; ++k) {
+    at = rung_between(left, right, omega);
+    measure_once<double>(at);
+    (((at.*gap).value > 0) == (above > 0) ? high : low) = omega;
+    const double step = newton_step(), next = omega - step;
+    omega = low < next && next < high ? next : (low + high) / 2;
+    if (std::abs(step) < 1e-4 * width || std::abs((at.*gap).value) < 4 * (at.*gap).error) break;
+  }
+
+  /**
+  Two more steps are made with the wider type, one at each tolerance. The last of them, which is what the two
+  tolerances and the curvature make of the zero, is its error, with that of the barrier there over its slope. */
+  double step = 0;
+  for (int coarser : {1, 0}) {
+    at = rung_between(left, right, omega);
+    measure_once<Wide>(at, coarser);
+    step = newton_step();
+    omega -= step;
+  }
+  if (!(std::abs(step) < 1e-3 * width))
+    throw std::runtime_error("no zero of the barrier found near " + std::to_string(at.omega));
+  return {omega, std::abs((at.*gap).error / (at.*slope).value) + std::abs(step) + 1e-15};
+}
+
+#define LATTICE_INSTANCES(T)                                              \
+  template struct Measured<T>;                                            \
+  template void assess<T>(Rung&, const Measured<T>&, const Measured<T>&); \
+  template void measure_in<T>(Rung&);                                     \
+  template void measure_once<T>(Rung&, int);
+#include "lattice/model/instances.hpp"
+
+}  // namespace lattice
