@@ -11,13 +11,10 @@
 #include <string>
 #include <vector>
 
-#include "lattice/dps/spectrum.hpp"
 #include "lattice/measure/depinning.hpp"
-#include "lattice/numbers/extended.hpp"
 #include "lattice/orbits/continuation.hpp"
 #include "lattice/orbits/floquet.hpp"
 #include "lattice/orbits/travelling.hpp"
-#include "lattice/waves/plane_wave.hpp"
 
 namespace lattice {
 
@@ -72,28 +69,16 @@ namespace lattice {
                           const Look&);                                                         \
   words std::vector<double> energy_density(const ChosenChain&, const State<double>&);
 
-// Eigen's decompositions.
-#define LATTICE_DENSE(words, T)                                                            \
-  words Vector<T> solve_square(const Matrix<T>&, const Vector<T>&);                        \
-  words Vector<T> solve_system(const Matrix<T>&, const Vector<T>&, double);                \
-  words Vector<T> solve_scaled(Matrix<T>, Vector<T>, const Sizes<T>&, double);             \
-  words T symplectic_defect(const Matrix<T>&);                                             \
-  words Matrix<T> pair_matrix(const Matrix<T>&);                                           \
-  words Pairs<T> pairs_of(const Matrix<T>&, const Vector<T>&);                             \
-  words std::vector<std::complex<T>> eigenvalues_of(const Matrix<T>&);                     \
-  words Stationary<T> stationary_from(Centre, const T&, std::vector<T>, std::size_t, int); \
-  words ContactSpectrum<T> contact_spectrum(const Stationary<T>&, bool);
-
-// What is confirmed in quadruple precision needs less.
-#define LATTICE_WIDEST(words)                                                                   \
-  words Vector<Quadruple> solve_square(const Matrix<Quadruple>&, const Vector<Quadruple>&);     \
-  words Stationary<Quadruple> stationary_from(Centre, const Quadruple&, std::vector<Quadruple>, \
-                                              std::size_t, int);
+// What Newton's method and multipliers need of Eigen.
+#define LATTICE_DENSE(words, T)                                                \
+  words Vector<T> solve_system(const Matrix<T>&, const Vector<T>&, double);    \
+  words Vector<T> solve_scaled(Matrix<T>, Vector<T>, const Sizes<T>&, double); \
+  words T symplectic_defect(const Matrix<T>&);                                 \
+  words Matrix<T> pair_matrix(const Matrix<T>&);                               \
+  words Pairs<T> pairs_of(const Matrix<T>&, const Vector<T>&);
 
 // Some tasks occur in double precision only.
 #define LATTICE_DOUBLE(words)                                                                   \
-  words std::vector<std::complex<double>> eigenvalues_of(const Matrix<std::complex<double>>&);  \
-  words Vector<double> least_squares(const Matrix<double>&, const Vector<double>&);             \
   words Pinning pinning_of(const Chain<Harmonic, Hertz>&, Centre, const State<double>&, double, \
                            const Landing<double>&);
 
@@ -113,6 +98,5 @@ LATTICE_CHOSEN(extern template)
 LATTICE_DENSE(extern template, double)
 LATTICE_DOUBLE(extern template)
 LATTICE_DENSE(extern template, long double)
-LATTICE_WIDEST(extern template)
 
 }  // namespace lattice

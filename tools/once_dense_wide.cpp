@@ -4,5 +4,4 @@
 
 namespace lattice {
 LATTICE_DENSE(template, long double)
-LATTICE_WIDEST(template)
 }  // namespace lattice

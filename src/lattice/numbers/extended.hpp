@@ -13,6 +13,8 @@ A few of them are therefore confirmed with a mantissa of 113 bits, 34 digits. Co
 #endif
 #include <boost/multiprecision/eigen.hpp>
 
+#include "lattice/numbers/dense.hpp"
+
 namespace lattice {
 
 #ifdef LATTICE_FLOAT128
@@ -20,5 +22,9 @@ using Quadruple = boost::multiprecision::float128;
 #else
 using Quadruple = boost::multiprecision::cpp_bin_float_quad;
 #endif
+
+/// The solution of matrix * x = right for a square, regular matrix (dense.hpp).
+template <>
+Vector<Quadruple> solve_square(const Matrix<Quadruple>& matrix, const Vector<Quadruple>& right);
 
 }  // namespace lattice

@@ -13,11 +13,8 @@ Two derivatives of $\omega$ matter later: the group velocity $c = \omega'$, with
 the curvature $\omega'' = v_1\omega_2/\omega$, with which they spread. The curvature vanishes at one
 wavenumber $q_c$; there $c$ is largest, and nothing linear is faster.
 
-Everything is a template on the scalar, so that a formula evaluated in two precisions shows its own
-rounding error. */
-
-#include <cmath>
-#include <stdexcept>
+Everything is a template on the scalar, `double` or `long double`, so that a formula evaluated in both
+shows its own rounding error. */
 
 namespace lattice {
 
@@ -29,12 +26,7 @@ struct ContactSeries {
 
 /// The coefficients for the compression `d`, from Eq. (33). Throws std::invalid_argument unless d > 0.
 template <class T>
-ContactSeries<T> contact_series(T d) {
-  using std::sqrt;
-  if (!(d > T(0))) throw std::invalid_argument("a phonon band needs a compression d > 0");
-  const T root = sqrt(d);
-  return {T(3) / T(2) * root, -T(3) / T(8) / root, -T(1) / T(16) / (d * root)};
-}
+ContactSeries<T> contact_series(T d);
 
 /**
 Of the band a packet of wavenumber $q$ needs three numbers: its frequency, the group velocity
@@ -49,27 +41,16 @@ struct Phonon {
 
 /// The phonon of wavenumber `q`, Eq. (34) and its derivatives (text after Eq. (36)).
 template <class T>
-Phonon<T> phonon(T q, T v1) {
-  using std::cos, std::sin, std::sqrt;
-  const T square = T(1) + T(2) * v1 * (T(1) - cos(q)), omega = sqrt(square);
-  return {omega, v1 * sin(q) / omega, cos(q) - v1 * sin(q) * sin(q) / square};
-}
+Phonon<T> phonon(T q, T v1);
 
 /// Upper edge of the band, at q = pi; the lower one, at q = 0, is 1.
 template <class T>
-T upper_edge(T v1) {
-  using std::sqrt;
-  return sqrt(T(1) + T(4) * v1);
-}
+T upper_edge(T v1);
 
 /**
-The curvature vanishes at the inflection of the band, where $\cos q_c = v_1(1-\cos q_c)^2$. This is a
-quadratic equation for $x = 1 - \cos q_c$, and its positive root is written so that nothing cancels:
-$x = 2/(1+\sqrt{1+4v_1})$. */
+The curvature vanishes at the inflection of the band, where $\cos q_c = v_1(1-\cos q_c)^2$. */
+/// The wavenumber q_c of the inflection.
 template <class T>
-T inflection(T v1) {
-  using std::acos, std::sqrt;
-  return acos(T(1) - T(2) / (T(1) + sqrt(T(1) + T(4) * v1)));
-}
+T inflection(T v1);
 
 }  // namespace lattice

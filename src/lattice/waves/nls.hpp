@@ -15,11 +15,7 @@ At $e^{i\theta}$ the terms balance if $\omega_{nl}^2 = \omega^2 + 2\beta|A|^2$ w
 $$\beta = \frac{16v_2^2\sin^2q\,(1-\cos q)^2}{4v_1(1-\cos q)^2+3} +
   \tfrac32\left[4v_3(1-\cos q)^2 + s\right].$$ */
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <numbers>
-#include <stdexcept>
 
 #include "lattice/waves/dispersion.hpp"
 
@@ -27,12 +23,7 @@ namespace lattice {
 
 /// NLS coefficient beta(q) for the well's anharmonicity s (text after Eq. (36)).
 template <class T>
-T nls_beta(T q, const ContactSeries<T>& v, T s) {
-  using std::cos, std::sin;
-  const T x = (T(1) - cos(q)) * (T(1) - cos(q));
-  return T(16) * v.v2 * v.v2 * sin(q) * sin(q) * x / (T(4) * v.v1 * x + T(3)) +
-         T(3) / T(2) * (T(4) * v.v3 * x + s);
-}
+T nls_beta(T q, const ContactSeries<T>& v, T s);
 
 /**
 Whether a wave survives is a question of signs. A uniform wave is unstable against slow modulations if
@@ -46,56 +37,30 @@ struct Coefficients {
 
 /// The coefficients at wavenumber `q` for the compression `d` > 0 and the anharmonicity `s`.
 template <class T>
-Coefficients<T> coefficients(T q, T d, T s) {
-  const ContactSeries<T> v = contact_series(d);
-  const Phonon<T> p = phonon(q, v.v1);
-  const T beta = nls_beta(q, v, s);
-  return {p.omega, p.group_velocity, p.curvature(v.v1), beta, p.omega_2, -beta * p.omega_2};
-}
+Coefficients<T> coefficients(T q, T d, T s);
 
 /**
 How fast does the instability grow? On the wave $y_n = a\sin(qn-\omega t)$, that is $|A| = a/2$ with
 $\epsilon = 1$, a modulation of wavenumber $Q$ grows at the rate $\sigma(Q)$ with
 $$\sigma^2 = \tfrac12|\omega''|Q^2\,\bigl(2|h||A|^2 - \tfrac12|\omega''|Q^2\bigr),$$
-which is at most $|h||A|^2$. If the wave is stable, zero is returned. */
+which is at most $|h||A|^2$. */
+/// The growth rate sigma of a wave of amplitude `a` at this wavenumber, zero if the wave is stable.
 template <class T>
-T nls_growth(const Coefficients<T>& at, T a, T modulation) {
-  using std::sqrt;
-  const T spread = at.curvature * modulation * modulation / T(2);
-  const T square = -spread * (spread + at.h() * a * a / T(2));
-  return square > T(0) ? sqrt(square) : T(0);
-}
+T nls_growth(const Coefficients<T>& at, T a, T modulation);
 
 /// The modulation that grows fastest, at the rate |h| a^2 / 4; only where phi > 0.
 template <class T>
-T fastest_modulation(const Coefficients<T>& at, T a) {
-  using std::sqrt;
-  return sqrt(-at.h() * a * a / (T(2) * at.curvature));
-}
+T fastest_modulation(const Coefficients<T>& at, T a);
 
 /**
 Where the instability begins is a zero of $\Phi$. Bisection finds it between two wavenumbers without
-using the closed form of the inflection, so that one can check the other. Throws std::invalid_argument if
-$\Phi$ has the same sign at both. */
-inline double sign_change_of_phi(double d, double s, double low, double high) {
-  const auto phi = [d, s](double q) { return coefficients(q, d, s).phi; };
-  if (!(phi(low) * phi(high) < 0))
-    throw std::invalid_argument("phi does not change its sign between the two wavenumbers");
-  const bool rises = phi(high) > 0;
-  for (int i = 0; i < 60; ++i) {
-    const double middle = (low + high) / 2;
-    ((phi(middle) > 0) == rises ? high : low) = middle;
-  }
-  return (low + high) / 2;
-}
+using the closed form of the inflection, so that one can check the other. */
+/// The zero of phi between the wavenumbers `low` and `high`. Throws std::invalid_argument if phi has the
+/// same sign at both.
+double sign_change_of_phi(double d, double s, double low, double high);
 
 /// The largest value of phi on a grid of `points` + 1 wavenumbers from 0 to pi, or zero if all are
 /// negative.
-inline double largest_phi(double d, double s, std::size_t points) {
-  double best = 0;
-  for (std::size_t k = 0; k <= points; ++k)
-    best = std::max(best, coefficients(std::numbers::pi * double(k) / double(points), d, s).phi);
-  return best;
-}
+double largest_phi(double d, double s, std::size_t points);
 
 }  // namespace lattice
