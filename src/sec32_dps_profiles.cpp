@@ -21,7 +21,6 @@ and measure how good that approximation is. The breathers of the chain have a ch
 #include <gsl/gsl_integration.h>
 
 #include <algorithm>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -41,12 +40,8 @@ What is claimed, with the identifiers under which the answers are recorded:
 
 - amplitudes are proportional to $\mu^2$ at unchanged width (`dps.scaling`);
 - the approximate profile is supported on $|x| \le 3\pi/2$ (`dps.qc_support`) and in
-  excellent agreement with the breathers (`dps.qc_site`, `dps.qc_bond`). */
-/// 50 digits, against which quadruple precision is judged.
-using Fifty = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>,
-                                            boost::multiprecision::et_off>;
+  excellent agreement with the breathers (`dps.qc_site`, `dps.qc_bond`).
 
-/**
 ## Model
 
 In the rescaled time of Eq. (11) the DpS equation reads
@@ -145,10 +140,10 @@ void report_norms(Quantities& facts) {
       return std::abs(rounded(s.contact_sum() / (s.mu * s.norm()) - 1));
     };
     facts.add("identity" + suffix, remainder<double, long double>(centre, broken));
-    facts.add("identity_quad" + suffix, remainder<Quadruple, Fifty>(centre, broken));
+    facts.add("identity_quad" + suffix, remainder<Quadruple, FiftyDigits>(centre, broken));
     const auto residual = [](const auto& s) { return relative_residual(s); };
     facts.add("residual" + suffix, remainder<double, long double>(centre, residual));
-    facts.add("residual_quad" + suffix, remainder<Quadruple, Fifty>(centre, residual));
+    facts.add("residual_quad" + suffix, remainder<Quadruple, FiftyDigits>(centre, residual));
   }
 }
 
@@ -373,7 +368,7 @@ void report_tails(Output& output, Quantities& facts) {
       }
   }
   facts.add("free_end_effect_15_sites",
-            compare(free_end_effect<Quadruple>(), free_end_effect<Fifty>()));
+            compare(free_end_effect<Quadruple>(), free_end_effect<FiftyDigits>()));
   output.add("tails", table);
 }
 

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Compiles the live pages from the library's headers: build.sh FOLDER makes FOLDER/*.wasm. Where
+# Compiles the live pages and what they need of the library: build.sh FOLDER makes FOLDER/*.wasm. Where
 # the compiler for the browser is missing it says so, and the book is woven without live pages.
 set -eu
 out=$1
@@ -13,29 +13,63 @@ if ! command -v clang++-14 >/dev/null || ! command -v wasm-ld-14 >/dev/null || [
   exit 0
 fi
 mkdir -p "$out"
-# Whether the module is newer than everything that its compiler has read.
+pages="breather strike defect"
+# Whether the object $1 is newer than everything that its compiler has read.
 is_new() {
-  [ -e "$out/$1.wasm" ] && [ -e "$out/$1.d" ] || return 1
+  [ -e "$1.o" ] && [ -e "$1.d" ] || return 1
   # shellcheck disable=SC2046
-  changed=$(find "$0" $(sed 's/^[^:]*://; s/\\$//' "$out/$1.d") -newer "$out/$1.wasm") || return 1
+  changed=$(find "$0" $(sed 's/^[^:]*://; s/\\$//' "$1.d") -newer "$1.o") || return 1
   [ -z "$changed" ]
 }
 
-build() {
-  wasm=$out/$1.wasm
-  is_new "$1" && return
+# Compiles $1 into the object $2, without its ending.
+compile() {
+  is_new "$2" && return
   clang++-14 --target=wasm32-wasi -std=c++20 -O2 -fexceptions -fno-rtti -ffp-contract=off \
-    -fno-math-errno -msimd128 -I"$root/src" -I/usr/include/eigen3 -MMD -c "$here/$1.cpp" \
-    -o "$out/$1.o"
-  # The linker is called by itself: the driver may run an optimiser that breaks vector instructions.
-  wasm-ld-14 --stack-first -z stack-size=262144 --no-entry --strip-all --gc-sections \
-    --export=__wasm_call_ctors -L/usr/lib/wasm32-wasi "$out/$1.o" -lc++ -lc++abi -lc "$runtime" \
-    -o "$wasm.part"
-  mv "$wasm.part" "$wasm"
+    -fno-math-errno -msimd128 -I"$root/src" -I/usr/include/eigen3 -MMD -c "$1" -o "$2.part.o" \
+    -MF "$2.d"
+  mv "$2.part.o" "$2.o"
 }
 
-build breather &
-one=$!
-build strike
-build defect
-wait $one
+# The sources of the library that stand beside the headers which the objects have read.
+needed() {
+  sed 's/^[^:]*://; s/\\$//' "$@" | tr ' ' '\n' | sed -n 's|^.*/\(lattice/.*\)\.hpp$|\1|p' | sort -u |
+    while read -r part; do
+      if [ -e "$root/src/$part.cpp" ]; then echo "$part"; fi
+    done
+}
+
+# The pages first, then what they need, then what that needs, until nothing is added.
+running=
+for page in $pages; do
+  compile "$here/$page.cpp" "$out/$page" &
+  running="$running $!"
+done
+for process in $running; do wait "$process"; done
+parts=
+lists=$(for page in $pages; do echo "$out/$page.d"; done)
+while
+  # shellcheck disable=SC2086
+  more=$(needed $lists)
+  [ "$more" != "$parts" ]
+do
+  running=
+  for part in $more; do
+    object=$out/$(echo "$part" | tr / -)
+    compile "$root/src/$part.cpp" "$object" &
+    running="$running $!"
+    case $lists in *"$object.d"*) ;; *) lists="$lists $object.d" ;; esac
+  done
+  for process in $running; do wait "$process"; done
+  parts=$more
+done
+
+# The linker is called by itself: the driver may run an optimiser that breaks vector instructions.
+objects=$(for part in $parts; do echo "$out/$(echo "$part" | tr / -).o"; done)
+for page in $pages; do
+  # shellcheck disable=SC2086
+  wasm-ld-14 --stack-first -z stack-size=262144 --no-entry --strip-all --gc-sections \
+    --export=__wasm_call_ctors -L/usr/lib/wasm32-wasi "$out/$page.o" $objects -lc++ -lc++abi -lc \
+    "$runtime" -o "$out/$page.wasm.part"
+  mv "$out/$page.wasm.part" "$out/$page.wasm"
+done

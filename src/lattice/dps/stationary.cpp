@@ -150,5 +150,6 @@ Stationary<T> stationary(Centre centre, const T& mu, std::size_t sites, int most
 LATTICE_STATIONARY(double)
 LATTICE_STATIONARY(long double)
 LATTICE_STATIONARY(Quadruple)
+LATTICE_STATIONARY(FiftyDigits)
 
 }  // namespace lattice

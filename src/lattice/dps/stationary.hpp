@@ -55,7 +55,7 @@ inline constexpr std::size_t short_chain = 4;
 /// its phase is that of Eqs. (18) and (19) (central contact of a bond-centred state compressed,
 /// central bead of a site-centred one displaced forward). Throws std::invalid_argument for impossible
 /// input and std::runtime_error, with the history, if `most` Newton steps on one length do not converge.
-/// T is double, long double or Quadruple.
+/// T is double, long double or one of extended.hpp.
 template <class T = double>
 Stationary<T> stationary(Centre centre, const T& mu, std::size_t sites, int most = 30);
 

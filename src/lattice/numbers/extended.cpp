@@ -9,4 +9,10 @@ Vector<Quadruple> solve_square(const Matrix<Quadruple>& matrix, const Vector<Qua
   return matrix.partialPivLu().solve(right);
 }
 
+template <>
+Vector<FiftyDigits> solve_square(const Matrix<FiftyDigits>& matrix,
+                                 const Vector<FiftyDigits>& right) {
+  return matrix.partialPivLu().solve(right);
+}
+
 }  // namespace lattice
