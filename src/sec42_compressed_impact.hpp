@@ -15,11 +15,11 @@ runs it. */
 #include <string>
 #include <vector>
 
-#include "lattice/measure/flight.hpp"
 #include "lattice/numbers/parallel.hpp"
 #include "lattice/report/judge.hpp"
 #include "lattice/report/model_options.hpp"
 #include "lattice/report/program.hpp"
+#include "sec4/flight.hpp"
 
 namespace compressed {
 
@@ -27,7 +27,7 @@ using namespace lattice;
 
 /**
 We need to tell a breather, a wave train, a surface mode and a packet that returns apart. The packet's
-share of the energy, the boundary's share and the packet's advance decide; measure/flight.hpp gives
+share of the energy, the boundary's share and the packet's advance decide; sec4/flight.hpp gives
 the criteria. A blow of $v_0 = 1.87$ on the first bead, Eq. (26), opens contacts near the boundary for
 a while, the last time at $t =$ [22](num:sec4_precompression_mi.last_open_s_1) or earlier; after
 $t = 40$ the method relies on closed ones. The chain is so long that its last bead has not moved at

@@ -21,13 +21,13 @@ program draws figures 25 to 28; the impact is told in sec42_compressed_impact.hp
 #include <utility>
 #include <vector>
 
-#include "lattice/measure/modulation.hpp"
-#include "lattice/measure/wave_on_ring.hpp"
 #include "lattice/numbers/parallel.hpp"
 #include "lattice/report/judge.hpp"
 #include "lattice/report/program.hpp"
 #include "lattice/stepping/reference.hpp"
-#include "lattice/waves/instability.hpp"
+#include "sec4/instability.hpp"
+#include "sec4/modulation.hpp"
+#include "sec4/wave_on_ring.hpp"
 #include "sec42_compressed_impact.hpp"
 
 using namespace lattice;
@@ -62,8 +62,8 @@ smooth, and its linear part gives phonons the frequency $\omega(q)$, Eq. (34).
 | $\beta = \omega h$, $\omega_2$, $\Phi$ | `beta`, `omega_2`, `phi` | NLS coefficients, Eqs. (36) and (37) |
 | $a$, $b$, $N$ | `a`, `b`, `sites` | amplitude, modulation and ring of Eq. (39) |
 
-The library derives the band in `waves/dispersion.hpp`, $\beta$ in `waves/nls.hpp`, growth in
-`waves/instability.hpp`, the ring in `measure/modulation.hpp`, the impact in `measure/flight.hpp`. */
+The library derives the band in `sec4/dispersion.hpp`, $\beta$ in `sec4/nls.hpp`, growth in
+`sec4/instability.hpp`, the ring in `sec4/modulation.hpp`, the impact in `sec4/flight.hpp`. */
 constexpr std::array<double, 3> wells = {-1.0 / 6, 0, 1};
 const std::array<std::string, 3> well_names = {"_s_minus_1_6", "_s_0", "_s_1"};
 constexpr char speed_unit[] = "site per unit of time";
@@ -188,11 +188,11 @@ void report_inflection(Report& report) {
 
 The article's conditions for instability are $s < 0$ at $q = 0$ and $16v_3 + s > 0$ at $q = \pi$. They
 follow from the formula, $\Phi(0) = -\frac32 s$ and $\Phi(\pi) = \frac32(16v_3+s)$. To test them in
-the chain itself we take exact nonlinear waves (waves/plane_wave.hpp) of amplitude 0.005, for $s$ on
+the chain itself we take exact nonlinear waves (sec4/plane_wave.hpp) of amplitude 0.005, for $s$ on
 both sides of each threshold and 0.05 away from it. Modulations must grow on the unstable side, at
 the rate of the NLS equation within two per cent, and not at all on the other, but for rounding. The two
 identities are tested over a range of wells that contains both thresholds, growth with six and with twelve
-harmonics of the wave (`opens_at_edges` of waves/instability.hpp). */
+harmonics of the wave (`opens_at_edges` of sec4/instability.hpp). */
 void report_edges(Report& report) {
   const double threshold = -16 * contact_series(compression).v3;
   judge(report, "pre.edges", opens_at_edges(compression, threshold));
@@ -204,7 +204,7 @@ void report_edges(Report& report) {
 The printed formula for $\beta$ could contain a slip, so we measure $\beta$ in two ways that do not
 use it. First, a uniform wave of the NLS equation has the frequency $\omega + h|A|^2$. We put the
 exact wave of amplitude $a = 2|A|$ on a ring of beads, integrate it for 60 periods, and read its mean
-frequency from its phase (measure/wave_on_ring.hpp).
+frequency from its phase (sec4/wave_on_ring.hpp).
 
 The second measurement is the instability itself. The growth rate of a disturbance is an eigenvalue
 of the linearisation about the exact wave, and by the NLS equation the fastest one grows at
@@ -356,7 +356,7 @@ void report_growth(Report& report) {
 
 Does the instability make a breather? The article starts a ring of $N = 200$ beads from a phonon of
 amplitude $a = 0.15$ that varies by one per cent along the ring, Eq. (39). We say that a travelling
-breather has formed (measure/modulation.hpp) if one site has five times the mean energy density, if
+breather has formed (sec4/modulation.hpp) if one site has five times the mean energy density, if
 fewer than half of the sites share the energy, and if the centre moves to the right. The ring with
 $s = 1$ is the control: there $\Phi(\pi/4) < 0$, and after the same time no site may have five times
 the mean.

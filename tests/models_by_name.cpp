@@ -8,11 +8,11 @@
 
 #include "check_potential.hpp"
 #include "lattice/measure/chosen.hpp"
-#include "lattice/measure/flight.hpp"
 #include "lattice/measure/turning.hpp"
 #include "lattice/orbits/breather.hpp"
 #include "lattice/stepping/reference.hpp"
 #include "run.hpp"
+#include "sec4/flight.hpp"
 
 using namespace lattice;
 

@@ -63,6 +63,17 @@ TEST_CASE("an arrow up, sideways, out or round is seen", "[unit]") {
             .empty());
 }
 
+TEST_CASE("a shelf that uses another one is seen", "[unit]") {
+  const auto foreign = [](const std::string& to) {
+    return foreign_shelves({{"sec4/a.cpp", {to}}}).size();
+  };
+  CHECK(foreign("\"lattice/model/a.hpp\"") == 0);
+  CHECK(foreign("\"sec4/b.hpp\"") == 0);
+  CHECK(foreign("<vector>") == 0);
+  CHECK(foreign("\"sec5/b.hpp\"") == 1);
+  CHECK(foreign("\"sec42_part.hpp\"") == 1);
+}
+
 TEST_CASE("one name for two types is seen", "[unit]") {
   const auto twice = [](const std::string& a, const std::string& b) {
     return defined_twice({{"a.hpp", a}, {"b.hpp", b}}).size();

@@ -1,4 +1,4 @@
-#include "lattice/waves/plane_wave.hpp"
+#include "sec4/plane_wave.hpp"
 
 #include <algorithm>
 #include <cmath>

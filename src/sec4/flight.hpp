@@ -18,12 +18,12 @@ good as endless. */
 #include <limits>
 #include <vector>
 
-#include "lattice/measure/envelope.hpp"
 #include "lattice/measure/impact.hpp"
 #include "lattice/numbers/criterion.hpp"
 #include "lattice/numbers/estimate.hpp"
 #include "lattice/stepping/contact_rkn.hpp"
-#include "lattice/waves/dispersion.hpp"
+#include "sec4/dispersion.hpp"
+#include "sec4/envelope.hpp"
 
 namespace lattice {
 

@@ -1,4 +1,4 @@
-#include "lattice/waves/instability.hpp"
+#include "sec4/instability.hpp"
 
 #include <algorithm>
 #include <cmath>

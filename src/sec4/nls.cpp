@@ -1,4 +1,4 @@
-#include "lattice/waves/nls.hpp"
+#include "sec4/nls.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "lattice/waves/dispersion.hpp"
+#include "sec4/dispersion.hpp"
 
 #include <cmath>
 #include <stdexcept>

@@ -17,7 +17,7 @@ $$\beta = \frac{16v_2^2\sin^2q\,(1-\cos q)^2}{4v_1(1-\cos q)^2+3} +
 
 #include <cstddef>
 
-#include "lattice/waves/dispersion.hpp"
+#include "sec4/dispersion.hpp"
 
 namespace lattice {
 

@@ -17,9 +17,9 @@ stages (schemes.hpp) keeps its full order. */
 #include <numbers>
 #include <vector>
 
-#include "lattice/measure/flight.hpp"
 #include "lattice/numbers/criterion.hpp"
 #include "lattice/numbers/estimate.hpp"
+#include "sec4/flight.hpp"
 
 namespace lattice {
 

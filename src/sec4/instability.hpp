@@ -13,8 +13,8 @@ amplitudes remove the first correction, and the next pair gives the error. */
 
 #include "lattice/numbers/criterion.hpp"
 #include "lattice/numbers/estimate.hpp"
-#include "lattice/waves/nls.hpp"
-#include "lattice/waves/plane_wave.hpp"
+#include "sec4/nls.hpp"
+#include "sec4/plane_wave.hpp"
 
 namespace lattice {
 

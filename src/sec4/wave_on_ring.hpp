@@ -15,7 +15,7 @@ $q + Q$. */
 
 #include "lattice/numbers/line_fit.hpp"
 #include "lattice/stepping/integrate.hpp"
-#include "lattice/waves/instability.hpp"
+#include "sec4/instability.hpp"
 
 namespace lattice {
 
