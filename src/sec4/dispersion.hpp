@@ -29,7 +29,7 @@ template <class T>
 ContactSeries<T> contact_series(T d);
 
 /**
-Of the band a packet of wavenumber $q$ needs three numbers: its frequency, the group velocity
+A packet of wavenumber $q$ takes three numbers from the band: its frequency, the group velocity
 $c = \omega'$ in sites per unit of time, and the reduced curvature $\omega_2$, which together with a
 nonlinear coefficient decides whether it is stable (nls.hpp). They are computed together. */
 template <class T>

@@ -41,8 +41,8 @@ struct PhaseOfWave {
 };
 
 /**
-Slow modulations are not all that can grow: a modulation may have any wavenumber. We measure its growth in
-units of $|h||A|^2$, the fastest of the NLS equation, whether or not that is ever reached. */
+Not only slow modulations can grow: a modulation may have any wavenumber. We measure its growth in units of
+$|h||A|^2$, the largest rate of the NLS equation, whether or not that is ever reached. */
 /// That growth, of the exact wave of amplitude `a`.
 double growth_over_nls(const PhaseOfWave& at, double a, double modulation,
                        std::size_t harmonics = 12);

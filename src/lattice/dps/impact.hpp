@@ -25,7 +25,7 @@ DpsOutcome follow_dps(const Dps& dps, const Field& start, double duration, std::
                       const Tolerance& tolerance, const DpsObserver& watch);
 
 /**
-The amplitude of a packet swings while it moves from site to site. So `packet_amplitude` is the largest
+The amplitude of a packet oscillates while it moves from site to site. So `packet_amplitude` is the largest
 $|A_n|$ while the centre moves over the last site of its track. */
 double packet_amplitude(const Track& track);
 

@@ -116,7 +116,7 @@ struct Noise {
 
 /**
 To first order the noise moves the breather only through its component along the pinning pair. A trial
-notes that component together with the runs, so that we can ask later whether it predicts them. It can
+records that component together with the runs, so that we can ask later whether it predicts them. It can
 also be removed from the noise, which leaves a control that differs in nothing else. */
 struct Trial {
   std::size_t seed;
@@ -126,7 +126,7 @@ struct Trial {
 };
 
 /// Breather plus noise, the latter with or without (`pinned` false) its component along the pinning pair;
-/// notes that component in `trial`.
+/// records that component in `trial`.
 Field perturbed(const PinnedBreather& breather, const Noise& noise, bool pinned, Trial& trial);
 
 /**

@@ -48,7 +48,7 @@ The first guess is the quasi-continuum profile. A wrong tail in it would be fata
 centre enters the $k$-th site from it with the exponent $(3/2)^k$. So we first solve on a short chain and
 lengthen it by a site at a time; each new strain follows from its neighbour, and one or two steps of
 Newton's method do the rest. */
-/// Strains of the short chain's right half: so few the quasi-continuum profile gives well enough.
+/// Strains of the short chain's right half, so few that the quasi-continuum profile is a good guess.
 inline constexpr std::size_t short_chain = 4;
 
 /// The stationary state of frequency `mu` with the given centre on `sites` sites with free ends;

@@ -2,7 +2,7 @@
 /**
 # Statements that can fail
 
-Many claims of the article are words: stable, localized, nearly constant. Such a statement is decided by
+Many claims of the article are made in words: stable, localized, nearly constant. Such a statement is decided by
 conditions on numbers: a value must lie on one side of a limit, error bar included. A condition knows its
 margin, the distance that is left to the limit, so that a reader sees how narrowly it holds and a test can
 check that wrong input violates it. */

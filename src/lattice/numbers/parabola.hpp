@@ -3,8 +3,8 @@
 # Between the samples
 
 The largest value of a sampled quantity lies between two samples, and so does the instant at which a
-packet turns. The parabola through a sample and its two neighbours places both, with an error of third order
-in the distance of the samples. */
+packet turns. The parabola through a sample and its two neighbours finds both: the instant to second order in
+the distance of the samples, the value to third. */
 
 namespace lattice {
 
