@@ -30,6 +30,7 @@ and measure how good that approximation is. The breathers of the chain have a ch
 
 #include "lattice/dps/stationary.hpp"
 #include "lattice/measure/observe.hpp"
+#include "lattice/model/contact.hpp"
 #include "lattice/numbers/extended.hpp"
 #include "lattice/report/program.hpp"
 
