@@ -15,6 +15,8 @@ for a program; by default it is the number of cores that the process may use, wh
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
+#include <condition_variable>
 #include <cstddef>
 #include <cstdio>
 #include <exception>
@@ -27,21 +29,38 @@ for a program; by default it is the number of cores that the process may use, wh
 namespace lattice {
 
 /**
-A sweep may take minutes, and whoever waits wants to see it move. `Progress` shows a counter on standard
-error if that is a terminal, and nothing in a log. */
+Whoever waits wants to see that something moves. On a terminal, and never in a log, standard error shows one
+line that is overwritten: `Progress` counts the parts of a sweep or the hundredths of a run, and where
+nobody counts `Heartbeat` shows the seconds. */
+namespace detail {
+inline std::atomic<int> counting{0};  ///< how many show their progress now
+
+/// Whether somebody is there to see it; a test may say so.
+inline bool watched() {
+  return isatty(STDERR_FILENO) != 0;
+}
+}  // namespace detail
+
 class Progress {
  public:
   Progress(std::string label, std::size_t total)
-      : label_(std::move(label)), total_(total), shown_(isatty(STDERR_FILENO) != 0) {}
+      : label_(std::move(label)), total_(total), shown_(detail::watched()) {
+    ++detail::counting;
+  }
   ~Progress() {
+    --detail::counting;
     if (shown_) std::fprintf(stderr, "\r\033[K");
   }
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
   /// One more part is done. Safe to call from several threads.
-  void tick() {
-    const std::size_t k = ++done_;
-    if (shown_) std::fprintf(stderr, "\r%s %zu/%zu", label_.c_str(), k, total_);
+  void tick() { reach(done_ + 1); }
+  /// `k` parts are done; what was reached before is not shown again.
+  void reach(std::size_t k) {
+    std::size_t before = done_;
+    while (k > before && !done_.compare_exchange_weak(before, k)) {
+    }
+    if (shown_ && k > before) std::fprintf(stderr, "\r%s %zu/%zu", label_.c_str(), k, total_);
   }
 
  private:
@@ -49,6 +68,39 @@ class Progress {
   std::size_t total_;
   std::atomic<std::size_t> done_{0};
   bool shown_;
+};
+
+/// Shows `label` and the seconds since it was made, once a second, while nobody shows a `Progress`.
+class Heartbeat {
+ public:
+  explicit Heartbeat(std::string label) {
+    if (detail::watched())
+      beating_ = std::thread([this, label = std::move(label)] {
+        std::unique_lock lock(guard_);
+        for (int seconds = 1; !over_.wait_for(lock, std::chrono::seconds(1), [&] { return done_; });
+             ++seconds)
+          if (detail::counting == 0)
+            std::fprintf(stderr, "\r%s %d s\033[K", label.c_str(), seconds);
+      });
+  }
+  ~Heartbeat() {
+    if (!beating_.joinable()) return;
+    {
+      const std::lock_guard lock(guard_);
+      done_ = true;
+    }
+    over_.notify_one();
+    beating_.join();
+    std::fprintf(stderr, "\r\033[K");
+  }
+  Heartbeat(const Heartbeat&) = delete;
+  Heartbeat& operator=(const Heartbeat&) = delete;
+
+ private:
+  std::mutex guard_;
+  std::condition_variable over_;
+  bool done_ = false;
+  std::thread beating_;
 };
 
 /**
