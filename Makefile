@@ -10,10 +10,10 @@
 SHELL := /bin/sh
 .DELETE_ON_ERROR:
 .SUFFIXES:
-.SECONDARY:
 MAKEFLAGS += --no-builtin-rules --no-print-directory
 
 B := build
+.PRECIOUS: $(B)/bin/%
 # QUICK=0 and QUICK=no mean what they say.
 quick := $(filter-out 0 no off false,$(QUICK))
 D := $(B)$(if $(quick),/quick)
@@ -60,8 +60,8 @@ side_by_side = $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS))
 
 ## figures: compute and draw everything, then compare with the article
 figures: install-deps
-	@sh tools/configure.sh $(B)
 	@sh tools/need-tools.sh "$(PYTHON)"
+	@sh tools/configure.sh $(B)
 	@mkdir -p $(D)/report && date +%s > $(D)/report/start
 	@sh tools/tables.sh $(D)/data
 	@$(MAKE) all-data
@@ -94,13 +94,8 @@ $(B)/bin/%: programs
 	@test -x $@
 
 $(D)/data/%/results.ecsv: $(B)/bin/%
-	@mkdir -p $(D)/report/cost $(@D)
-	@echo "  compute  $*"
-	@start=$$(date +%s.%N); $(LAUNCH) $< --out $(@D) $(if $(quick),--quick) $(threads) && \
-	  echo "$$start $$(date +%s.%N)" | awk '{ printf "%.1f\n", $$2 - $$1 }' > $(D)/report/cost/$*
-
-# Tables are written before the results, which say that a run is complete.
-$(D)/data/%.ecsv: ;
+	@sh tools/compute.sh $< $@ $(D)/report/cost/$* \
+	  $(LAUNCH) $< --out $(@D) $(if $(quick),--quick) $(threads)
 
 # $(1) id, $(2) program, $(3) script, $(4) tables
 define figure
@@ -117,6 +112,9 @@ $(call tables,$(2),$(4)): $(D)/data/$(2)/results.ecsv
 endef
 need_python = test -n "$(PYTHON)" || { echo "no python3 with matplotlib found (set PYTHON=...)"; exit 1; };
 $(foreach r,$(rows),$(eval $(call figure,$(call field,$(r),1),$(call field,$(r),2),$(call field,$(r),3),$(call field,$(r),4))))
+
+# A table comes with the results, which are written last and say that a run is complete.
+$(sort $(foreach r,$(rows),$(call tables,$(call field,$(r),2),$(call field,$(r),4)))): ;
 
 # fig7 is fig07, x1 is x01.
 .PHONY: $(patsubst 0%,fig%,$(filter 0%,$(ids))) $(patsubst x0%,x%,$(filter x0%,$(ids)))
@@ -222,6 +220,11 @@ gallery: all-figures
 .PHONY: mutants
 mutants: install-deps
 	@$(or $(PYTHON),python3) tools/mutants.py $(MUTANTS)
+
+## fresh: the README's commands, make book and make paper in a bare Debian root (SUITE=trixie; takes root)
+.PHONY: fresh
+fresh:
+	@sh tools/fresh.sh $(SUITE)
 
 ## install-deps: install the Debian packages of apt-packages.txt that are missing
 install-deps:

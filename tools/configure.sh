@@ -10,7 +10,7 @@ case $here in
 esac
 # A log of yesterday must not be shown as today's cause.
 rm -f "$build/configure.log" "$build/build.log" 2>/dev/null || true
-{ mkdir -p "$build" && : > "$build/configure.log"; } 2>/dev/null ||
+(mkdir -p "$build" && : > "$build/configure.log") 2>/dev/null ||
   refuse "cannot write to $here/$build (allowed: a checkout in which you may write)"
 if [ -f "$build/CMakeCache.txt" ]; then
   home=$(sed -n 's/^CMAKE_HOME_DIRECTORY:INTERNAL=//p' "$build/CMakeCache.txt")

@@ -1,11 +1,11 @@
 #!/bin/sh
-# Makes one drawing, $1, under a temporary name, and gives it its own name only if it is whole:
+# Makes one drawing, $1, under a temporary name of its own, and gives it its own name only if it is whole:
 #   draw.sh OUT.svg DATA SCRIPT      a script of figures/ draws from the tables below DATA
 #   draw.sh OUT.pdf|OUT.png IN.svg   the same picture in another form
 # gnuplot ends with success also where it could not write, so its picture comes through a pipe, whose
 # end notices, and every form has an end that a cut file lacks.
 set -eu
-out=$1 part=$1.part
+out=$1 part=$1.$$.part
 refuse() {
   rm -f "$part"
   echo "$out: $1" >&2
