@@ -64,6 +64,7 @@ echo "$commands" > "$logs/commands"
 while read -r command; do
   log="$logs/$(echo "$command" | tr ' ' -)"
   start=$(date +%s)
+  [ ! -t 1 ] || printf '  fresh    %s: %s ...\r' "$suite" "$command"
   if inside "$command" > "$log" 2>&1; then said=passes lines=6; else said=FAILS lines=80 bad=1; fi
   echo "  fresh    $suite: $command $said after $(($(date +%s) - start)) s"
   tail -n $lines "$log" | sed 's/^/           | /'
