@@ -18,6 +18,7 @@ grep -q 'sec33_mobility threshold [0-9]* s' said || fail "a threshold does not s
 [ -s said ] && fail "a run talks into a log"
 
 # A long run keeps two states and not its history.
+# shellcheck disable=SC3045
 (ulimit -v 150000 && "$bin/sec34_boomeron" run --time 3000 > table 2> said) || fail "a long run takes more than 150 MB"
 
 # The tolerance is what it says: the difference of two steps, and a smaller one costs a smaller step.

@@ -9,7 +9,7 @@ if command -v flock >/dev/null 2>&1; then
   exec 9> "${cost%/*}/.${cost##*/}.lock"
   flock 9
   # Another make was here first.
-  [ -f "$results" ] && [ "$results" -nt "$program" ] && exit 0
+  [ -n "$(find "$results" -newer "$program" 2>/dev/null)" ] && exit 0
 fi
 echo "  compute  ${program##*/}"
 start=$(date +%s.%N)
