@@ -255,7 +255,7 @@ keeps it in the folder; without `--part` the command collects what all parts hav
 computes what is missing and prints the whole map. */
 struct MapOptions {
   MapGrid grid{};
-  std::string part = "1/1", folder = "build/data/sec34_boomeron_map";
+  std::string part = "1/1", folder{};
 };
 
 void add_map(Program& program, MapOptions& options) {
@@ -267,7 +267,9 @@ void add_map(Program& program, MapOptions& options) {
   });
   map->add_option("--part", options.part, "k/n: every n-th point from the k-th on")
       ->check(part_text());
-  map->add_option("--folder", options.folder, "where rows wait for each other")->check(not_empty());
+  map->add_option("--folder", options.folder,
+                  "where rows wait for each other (default: nothing is kept)")
+      ->check(not_empty());
   map->add_option("--columns", options.grid.columns, "impact velocities")->check(in_range(2, 1000));
   map->add_option("--rows", options.grid.rows, "anharmonicities")->check(in_range(2, 1000));
 }

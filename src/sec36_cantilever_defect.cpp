@@ -444,7 +444,7 @@ constants for an impact velocity of your choice, and `map --part 2/8` one part o
 x09, whose rows it leaves in `--folder` for the full run. */
 struct Options {
   double radius = 1.6, velocity = 1;
-  std::string part = "1/1", folder = "build/data/sec36_cantilever_defect";
+  std::string part = "1/1", folder{};
   ArrayImpact impact() const { return ArrayImpact{.velocity = velocity}; }
 };
 
@@ -531,7 +531,8 @@ int main(int argc, char** argv) {
   Command* map =
       program.command("map", "a part of the map of defects", [&] { return map_command(options); });
   map->add_option("--part", options.part, "part k of n, as k/n")->check(part_text());
-  map->add_option("--folder", options.folder, "folder in which the rows wait for the full run")
+  map->add_option("--folder", options.folder,
+                  "where rows wait for each other and the full run (default: nothing is kept)")
       ->check(not_empty());
 
   program.everything = everything;

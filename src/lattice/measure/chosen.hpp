@@ -17,6 +17,7 @@ the bit. */
 #include <variant>
 #include <vector>
 
+#include "lattice/measure/parting.hpp"
 #include "lattice/model/model.hpp"
 #include "lattice/stepping/contact_rkn.hpp"
 
@@ -48,6 +49,16 @@ template <class T>
 std::vector<T> energy_density(const ChosenChain& chosen, const State<T>& state) {
   return with_chain(chosen.model, chosen.sites,
                     [&](const auto& chain) { return energy_density(chain, state); });
+}
+
+/// When two runs of a chosen chain part (parting.hpp); `watch(t)` is called after each look.
+template <class Stepper>
+double parting_time(const Stepper& first, const State<double>& a, const Stepper& second,
+                    const State<double>& b, const ChosenChain& chosen, double time,
+                    const std::function<void(double)>& watch) {
+  return with_chain(chosen.model, chosen.sites, [&](const auto& chain) {
+    return parting_time(first, a, second, b, chain, time, watch);
+  });
 }
 
 using Look = std::function<bool(const State<double>&)>;

@@ -6,6 +6,8 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
+#include <condition_variable>
 #include <cstdio>
 #include <exception>
 #include <mutex>
@@ -69,16 +71,58 @@ void parallel_for(const std::string& label, std::size_t count,
   });
 }
 
+namespace {
+std::atomic<int> counting{0};  // how many show their progress now
+
+bool watched() {
+  return isatty(STDERR_FILENO) != 0;
+}
+}  // namespace
+
 Progress::Progress(std::string label, std::size_t total)
-    : label_(std::move(label)), total_(total), shown_(isatty(STDERR_FILENO) != 0) {}
+    : label_(std::move(label)), total_(total), shown_(watched()) {
+  ++counting;
+}
 
 Progress::~Progress() {
+  --counting;
   if (shown_) std::fprintf(stderr, "\r\033[K");
 }
 
-void Progress::tick() {
-  const std::size_t k = ++done_;
-  if (shown_) std::fprintf(stderr, "\r%s %zu/%zu", label_.c_str(), k, total_);
+void Progress::reach(std::size_t k) {
+  std::size_t before = done_;
+  while (k > before && !done_.compare_exchange_weak(before, k)) {
+  }
+  if (shown_ && k > before) std::fprintf(stderr, "\r%s %zu/%zu", label_.c_str(), k, total_);
 }
+
+struct Heartbeat::Beat {
+  explicit Beat(std::string label) : label_(std::move(label)), thread_([this] { run(); }) {}
+  ~Beat() {
+    {
+      const std::lock_guard lock(guard_);
+      done_ = true;
+    }
+    over_.notify_one();
+    thread_.join();
+    std::fprintf(stderr, "\r\033[K");
+  }
+  void run() {
+    std::unique_lock lock(guard_);
+    for (int s = 1; !over_.wait_for(lock, std::chrono::seconds(1), [&] { return done_; }); ++s)
+      if (counting == 0) std::fprintf(stderr, "\r%s %d s\033[K", label_.c_str(), s);
+  }
+
+  std::string label_;
+  std::mutex guard_{};
+  std::condition_variable over_{};
+  bool done_ = false;
+  std::thread thread_;  // last, so that all it needs is there
+};
+
+Heartbeat::Heartbeat(std::string label)
+    : beat_(watched() ? std::make_unique<Beat>(std::move(label)) : nullptr) {}
+
+Heartbeat::~Heartbeat() = default;
 
 }  // namespace lattice

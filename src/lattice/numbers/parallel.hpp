@@ -11,6 +11,7 @@ can make smaller than that of the machine. */
 #include <atomic>
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <string>
 
 namespace lattice {
@@ -35,8 +36,9 @@ void parallel_for(const std::string& label, std::size_t count,
                   const std::function<void(std::size_t)>& body);
 
 /**
-A sweep may take minutes, and whoever waits likes to see that it moves. `Progress` shows a counter on
-standard error if that is a terminal, and nothing in a log. */
+Whoever waits wants to see that something moves. On a terminal, and never in a log, standard error shows one
+line that is overwritten: `Progress` counts the parts of a sweep or the hundredths of a run, and where
+nobody counts `Heartbeat` shows the seconds. */
 class Progress {
  public:
   /// A counter up to `total` under the name `label`.
@@ -46,13 +48,28 @@ class Progress {
   Progress& operator=(const Progress&) = delete;
 
   /// One more part is done. Safe to call from several threads.
-  void tick();
+  void tick() { reach(done_ + 1); }
+  /// `k` parts are done; what was reached before is not shown again.
+  void reach(std::size_t k);
 
  private:
   std::string label_;
   std::size_t total_;
   std::atomic<std::size_t> done_{0};
   bool shown_;
+};
+
+/// Shows `label` and the seconds since it was made, once a second, while nobody shows a `Progress`.
+class Heartbeat {
+ public:
+  explicit Heartbeat(std::string label);
+  ~Heartbeat();
+  Heartbeat(const Heartbeat&) = delete;
+  Heartbeat& operator=(const Heartbeat&) = delete;
+
+ private:
+  struct Beat;
+  std::unique_ptr<Beat> beat_;
 };
 
 }  // namespace lattice

@@ -361,7 +361,10 @@ LATTICE_ONCE int Program::Frame::print(const CLI::App& sub, const std::function<
       throw UsageError("--output: '" + output + "' is a folder (allowed: a file)");
     need_writable(parent.empty() ? "." : parent, path.filename().string(), "--output");
   }
-  const Table table = provenance(sub).sign(compute());
+  const Table table = [&] {
+    const Heartbeat alive(identity.name + " " + sub.get_name());
+    return provenance(sub).sign(compute());
+  }();
   if (!output.empty()) {
     write(output, table);
   } else if (!(std::cout << to_text(table) << std::flush)) {
@@ -381,7 +384,10 @@ LATTICE_ONCE int Program::Frame::run_everything(const std::function<void(Report&
   std::filesystem::remove(std::filesystem::path(out) / "results.ecsv", ignored);
   Output output(out, provenance(app));
   Report report{output, quick};
-  everything(report);
+  {
+    const Heartbeat alive(identity.name);
+    everything(report);
+  }
   output.add("facts", report.facts.table);
   output.finish(report.results);
   return 0;

@@ -10,7 +10,8 @@ missing. A row has the same bits wherever it was computed, hence the tables have
 
 Rows wait in files `.NAME.rows-k-of-n` of the folder. Their first line is a key that names the
 parameters and the program, down to the bytes of its executable; rows under another key are
-ignored. A line that an interruption cut short has no end and is ignored as well. */
+ignored. Each line ends with a checksum of its own, and one that was cut short by an interruption or
+changed by hand is computed again. Without a folder nothing is kept. */
 
 #include <cstdint>
 #include <cstdio>
@@ -62,12 +63,17 @@ inline Check part_text() {
 }
 
 /**
-A number that changes with the program that runs: of its executable where the system shows it. */
+Rows and programs are told apart by a short hash of their bytes (FNV-1a). */
+inline std::string fingerprint(std::istream& bytes) {
+  std::uint64_t hash = 14695981039346656037ULL;
+  for (char c; bytes.get(c);) hash = (hash ^ std::uint8_t(c)) * 1099511628211ULL;
+  return std::to_string(hash);
+}
+
+/// A number that changes with the program that runs: of its executable where the system shows it.
 inline std::string executable_fingerprint() {
   std::ifstream self("/proc/self/exe", std::ios::binary);
-  std::uint64_t hash = 14695981039346656037ULL;  // FNV-1a
-  for (char c; self.get(c);) hash = (hash ^ std::uint8_t(c)) * 1099511628211ULL;
-  return std::to_string(hash);
+  return fingerprint(self);
 }
 
 /**
@@ -98,7 +104,8 @@ class Sweep {
     for (std::size_t i = 0; i < rows_.size(); ++i)
       if (part.holds(i) && rows_[i].empty()) open.push_back(i);
     if (open.empty()) return;
-    std::ofstream kept = reopen(part);
+    std::ofstream kept;
+    if (!folder_.empty()) kept = reopen(part);
     std::mutex guard;
     Progress progress(name_, open.size());
     parallel_for(open.size(), [&](std::size_t j) {
@@ -148,6 +155,7 @@ class Sweep {
   std::vector<std::filesystem::path> files() const {
     std::vector<std::filesystem::path> found;
     std::error_code none;
+    if (folder_.empty()) return found;
     for (const auto& entry : std::filesystem::directory_iterator(folder_, none))
       if (entry.path().filename().string().rfind(prefix(), 0) == 0) found.push_back(entry.path());
     return found;
@@ -156,7 +164,12 @@ class Sweep {
   static std::string line(std::size_t i, const Row& cells) {
     std::string text = std::to_string(i);
     for (const Cell& cell : cells) text.append(1, ',').append(ecsv::cell_text(cell));
-    return text + "\n";
+    return text + "," + sum_of(text) + "\n";
+  }
+
+  static std::string sum_of(const std::string& text) {
+    std::istringstream bytes(text);
+    return fingerprint(bytes);
   }
 
   /**
@@ -168,7 +181,10 @@ class Sweep {
       std::string text;
       if (!std::getline(in, text) || text != key_) continue;
       while (std::getline(in, text) && !in.eof()) {
-        const auto fields = ecsv::fields(text);
+        const auto end = text.rfind(',');
+        if (end == std::string::npos || text.substr(end + 1) != sum_of(text.substr(0, end)))
+          continue;
+        const auto fields = ecsv::fields(text.substr(0, end));
         if (fields.size() != columns_.size() + 1) continue;
         const std::size_t i = std::stoul(fields[0]);
         Row cells;
