@@ -22,6 +22,7 @@ code 1. In neither case is a file left behind. */
 
 #include "lattice/numbers/estimate.hpp"
 #include "lattice/numbers/parallel.hpp"
+#include "lattice/report/checksum.hpp"
 #include "lattice/report/options.hpp"
 #include "lattice/report/table.hpp"
 
@@ -142,11 +143,18 @@ class Output {
   void add(const std::string& name, Table table) { tables_.emplace_back(name, std::move(table)); }
   /// Where the tables go; work in progress may wait there under a name that begins with a dot.
   const std::filesystem::path& folder() const { return folder_; }
-  /// Writes all tables, `results` last: its presence means that the folder is complete.
+  /// Writes all tables, then their checksums, and `results` last: its presence means that the folder is
+  /// complete.
   void finish(const Results& results) {
     add("results", results.table);
-    for (const auto& [name, table] : tables_)
-      write(folder_ / (name + ".ecsv"), provenance_.sign(table));
+    std::string sums;
+    for (const auto& [name, table] : tables_) {
+      const std::string file = name + ".ecsv", text = to_text(provenance_.sign(table));
+      std::istringstream lines(text);
+      sums += table_checksum(lines) + "  " + file + '\n';
+      if (&table == &tables_.back().second) write_whole(folder_ / checksums_name, sums);
+      write_whole(folder_ / file, text);
+    }
   }
 
  private:
