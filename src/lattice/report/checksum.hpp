@@ -103,6 +103,8 @@ inline std::string sha256_of(std::string text) {
   return out;
 }
 
+/**
+Only rows count, and the line with the names of the columns. */
 /// The checksum of a table: of its text without the lines that begin with `#`.
 inline std::string table_checksum(std::istream& in) {
   std::string rows;
@@ -124,6 +126,9 @@ inline std::map<std::string, std::string> read_checksums(const std::filesystem::
   return out;
 }
 
+/**
+Every table must be on the list, and the list holds nothing else: a table that an earlier program left in the
+folder could still be drawn. */
 /// One line for each table of `folder` that is not what its program wrote, is missing or is unknown.
 inline std::vector<std::string> altered_tables(const std::filesystem::path& folder) {
   auto sums = read_checksums(folder);

@@ -143,8 +143,10 @@ class Output {
   void add(const std::string& name, Table table) { tables_.emplace_back(name, std::move(table)); }
   /// Where the tables go; work in progress may wait there under a name that begins with a dot.
   const std::filesystem::path& folder() const { return folder_; }
-  /// Writes all tables, then their checksums, and `results` last: its presence means that the folder is
-  /// complete.
+
+  /**
+  A run is complete when its results are there, so they are written last. */
+  /// Writes all tables, then their checksums, and `results`.
   void finish(const Results& results) {
     add("results", results.table);
     std::string sums;
