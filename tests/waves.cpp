@@ -7,7 +7,7 @@
 #include "lattice/measure/flight.hpp"
 #include "lattice/measure/modulation.hpp"
 #include "lattice/measure/wave_on_ring.hpp"
-#include "lattice/report/table.hpp"
+#include "report/table.hpp"
 #include "lattice/waves/instability.hpp"
 
 using namespace lattice;

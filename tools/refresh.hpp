@@ -27,7 +27,7 @@ change a digit of a rounding residue; that fresh and locked values agree is asse
 #include <utility>
 #include <vector>
 
-#include "lattice/report/claims.hpp"
+#include "report/claims.hpp"
 #include "lock.hpp"
 
 namespace lattice {

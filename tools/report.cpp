@@ -12,7 +12,7 @@ tables of README.md and ARTIFACT.md; with `--check` it only says whether there i
 #include <iostream>
 #include <map>
 
-#include "lattice/report/claims.hpp"
+#include "report/claims.hpp"
 #include "lock.hpp"
 #include "macros.hpp"
 #include "refresh.hpp"
