@@ -28,9 +28,9 @@ their direction. How far does it get, and for how long can its motion be known?
 #include "lattice/measure/turning.hpp"
 #include "lattice/numbers/parallel.hpp"
 #include "lattice/numbers/random.hpp"
-#include "lattice/report/judge.hpp"
-#include "lattice/report/model_options.hpp"
 #include "lattice/stepping/reference.hpp"
+#include "report/model_options.hpp"
+#include "report/program.hpp"
 
 using namespace lattice;
 
@@ -511,22 +511,35 @@ What did not happen in the given time is `nan`. The step is halved until apex an
 to the tolerance; where they never do, the motion became chaotic first, and the command fails. What is left
 of their difference is printed as `step_difference`. The errors of the times are larger: they hold what
 another width of the smoothing would change, and no step makes that smaller. Well and contact may be
-others, by name, and the chain is so long that nothing returns from its far end. */
-struct RunOptions {
+others, by name, and the chain is so long that nothing returns from its far end. The ranges
+exclude inputs for which the question has no answer: a run too short for the smoothing, a velocity at which
+nothing moves, a soft quartic well. */
+struct OneTurn {
+  static constexpr const char *name = "run", *meaning = "one impact: apex, rebound, decorrelation";
   double velocity = 1.9, time = 1000, tolerance = 1e-3;
   Model model{1};
+
+  void parameters(Parameters& p) {
+    p.add("velocity", velocity, "impact velocity", {1e-3, 100});
+    add_well(p, model.onsite, {{"s", {0, 1000}}});
+    add_contact(p, model.contact);
+    p.add("time", time, "length of the run", {50, 1e5});
+    p.add("tolerance", tolerance,
+          "relative difference of apex and rebound allowed between two steps", {1e-8, 0.1});
+  }
+  Table table() const;
 };
 
-Table run_command(const RunOptions& options) {
-  const double v = options.velocity, time = options.time;
-  const ChosenChain chain = endless(options.model, v, time);
+Table OneTurn::table() const {
+  const double v = velocity;
+  const ChosenChain chain = endless(model, v, time);
   const auto shown = [](const std::string& label, double until) {
     return [until, progress = std::make_shared<Progress>(label, 100)](double t) {
       progress->reach(std::size_t(100 * t / until));
     };
   };
   const auto runs = converge(
-      options.tolerance,
+      tolerance,
       [&](const ContactAware& at) {
         const auto show = shown("step " + short_text(std::ldexp(at.step, -at.halvings)), time);
         return voyage(at, chain, v, time,
@@ -536,7 +549,7 @@ Table run_command(const RunOptions& options) {
   if (std::abs(runs.fine.end.v.back()) > 1e-9 * v) throw Failure("the motion reaches the far end");
   const TurnEstimate read = estimate_turn(runs.coarse, runs.fine);
   const auto neighbours = [&](int more) {
-    const ContactAware at = stepper_for(options.tolerance, largest_step, runs.halvings + more);
+    const ContactAware at = stepper_for(tolerance, largest_step, runs.halvings + more);
     return decorrelation(at, v, at, v * (1 + 1e-8), chain, 4 * time,
                          shown("two impacts", 4 * time));
   };
@@ -547,20 +560,6 @@ Table run_command(const RunOptions& options) {
   q.add("decorrelation_time", parting(neighbours(0), neighbours(1)));
   q.add("step_difference", exact(runs.error), "relative");
   return q.table;
-}
-
-/**
-The ranges of the options exclude inputs for which the question has no answer: a run too short for
-the smoothing, a velocity at which nothing moves, a soft quartic well. */
-void add_run(Program& program, RunOptions& options) {
-  Command* run = program.command("run", "one impact: apex, rebound, decorrelation",
-                                 [&options] { return run_command(options); });
-  run->add_option("--velocity", options.velocity, "impact velocity")->check(in_range(1e-3, 100));
-  add_model_options(*run, options.model, {{"s", {0, 1000}}});
-  run->add_option("--time", options.time, "length of the run")->check(in_range(50, 1e5));
-  run->add_option("--tolerance", options.tolerance,
-                  "relative difference of apex and rebound allowed between two steps")
-      ->check(in_range(1e-8, 0.1));
 }
 
 /**
@@ -599,10 +598,10 @@ outside the figure: at site [183.239](num:sec34_boomeron.apex_site_150) and time
 - Does the return start where the packet's frequency meets that of a pinned breather?
 - What becomes of the turning with damping of the size of an experiment's? */
 int main(int argc, char** argv) {
-  Program program({"sec34_boomeron", "3.4", "Packets that turn round in hard wells (section 3.4)"},
-                  argc, argv);
-  RunOptions options;
-  add_run(program, options);
-  program.everything = reproduce;
-  return program.run(argc, argv);
+  return run({"sec34_boomeron",
+              "3.4",
+              "Packets that turn round in hard wells (section 3.4)",
+              reproduce,
+              {command<OneTurn>()}},
+             argc, argv);
 }

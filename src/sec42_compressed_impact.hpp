@@ -16,9 +16,8 @@ runs it. */
 #include <vector>
 
 #include "lattice/numbers/parallel.hpp"
-#include "lattice/report/judge.hpp"
-#include "lattice/report/model_options.hpp"
-#include "lattice/report/program.hpp"
+#include "report/model_options.hpp"
+#include "report/program.hpp"
 #include "sec4/flight.hpp"
 
 namespace compressed {
@@ -192,14 +191,21 @@ compression is the subject, stays. The named wells all have the phonons of the h
 length of the chain rests. It fails if a bead escapes from a soft well before the end, because then there is
 no packet to report. */
 struct OneImpact {
+  static constexpr const char *name = "impact",
+                              *meaning = "one impact: centre, width and energy of the packet";
   Launch launch{};
   NamedWell well{Quartic{1}};
 
-  Table quantities() const;
-  void offer(Program& program);
+  void parameters(Parameters& p) {
+    add_holding_well(p, well.well, "the phonons are others");
+    p.add("time", launch.time, "length of the run", {1, 2e4});
+    p.add("velocity", launch.velocity, "impact velocity", {1e-6, 100});
+    p.add("d", launch.d, "compression of the contacts", {1e-3, 10});
+  }
+  Table table() const;
 };
 
-inline Table OneImpact::quantities() const {
+inline Table OneImpact::table() const {
   const Chain<NamedWell, CompressedHertz> chain{launch.sites(), well, {launch.d}};
   const CompressedRun coarse = fly(launch, chain, {launch.time}, {});
   const CompressedRun fine = fly(launch, chain, {launch.time}, FlightSteps{}.halved());
@@ -214,17 +220,6 @@ inline Table OneImpact::quantities() const {
   q.add("boundary_energy_fraction", compare(a.boundary, b.boundary));
   q.add("energy_drift", compare(coarse.drift, fine.drift));
   return q.table;
-}
-
-/**
-Its options are those of an impact without compression, with ranges in which phonons exist. */
-inline void OneImpact::offer(Program& program) {
-  Command* impact = program.command("impact", "one impact: centre, width and energy of the packet",
-                                    [this] { return quantities(); });
-  add_well_options(*impact, well.well, "the phonons are others");
-  impact->add_option("--time", launch.time, "length of the run")->check(in_range(1, 2e4));
-  impact->add_option("--velocity", launch.velocity, "impact velocity")->check(in_range(1e-6, 100));
-  impact->add_option("--d", launch.d, "compression of the contacts")->check(in_range(1e-3, 10));
 }
 
 }  // namespace compressed

@@ -22,9 +22,8 @@ program draws figures 25 to 28; the impact is told in sec42_compressed_impact.hp
 #include <vector>
 
 #include "lattice/numbers/parallel.hpp"
-#include "lattice/report/judge.hpp"
-#include "lattice/report/program.hpp"
 #include "lattice/stepping/reference.hpp"
+#include "report/program.hpp"
 #include "sec4/instability.hpp"
 #include "sec4/modulation.hpp"
 #include "sec4/wave_on_ring.hpp"
@@ -497,25 +496,42 @@ void report_order(Report& report) {
 `coefficients` and `band` evaluate formulas. `impact` strikes a chain and reports the packet: its
 energy centre, the width of the sech that fits its envelope, and the share of the energy within 20
 sites. It fails if a bead escapes from a soft well. */
-struct Options {
-  double q = pi / 4, s = -1.0 / 6, d = compression;
-  compressed::OneImpact impact{};
+struct Band {
+  static constexpr const char *name = "band", *meaning = "edges and inflection of the phonon band";
+  double d = compression, s = -1.0 / 6;
+
+  /**
+  The ranges exclude values at which a formula loses its digits or a run its meaning. */
+  void parameters(Parameters& p) {
+    p.add("d", d, "compression of the contacts", {1e-6, 100});
+    p.add("s", s, "anharmonicity of the well", {-100, 100});
+  }
+  Table table() const { return band_quantities(d, s); }
 };
 
-/**
-The ranges of these options exclude values at which a formula loses its digits or a run its meaning.
-*/
-void offer(Program& program, Options& o) {
-  Command* at = program.command("coefficients", "the NLS coefficients at one wavenumber",
-                                [&] { return coefficient_quantities(o.q, o.d, o.s); });
-  Command* band = program.command("band", "edges and inflection of the phonon band",
-                                  [&] { return band_quantities(o.d, o.s); });
-  at->add_option("--q", o.q, "wavenumber")->check(in_range(0, 3.1415926535897932));
-  for (Command* sub : {at, band}) {
-    sub->add_option("--d", o.d, "compression of the contacts")->check(in_range(1e-6, 100));
-    sub->add_option("--s", o.s, "anharmonicity of the well")->check(in_range(-100, 100));
+struct OneWavenumber : Band {
+  static constexpr const char *name = "coefficients",
+                              *meaning = "the NLS coefficients at one wavenumber";
+  double q = pi / 4;
+
+  void parameters(Parameters& p) {
+    p.add("q", q, "wavenumber", {0, pi});
+    Band::parameters(p);
   }
-  o.impact.offer(program);
+  Table table() const { return coefficient_quantities(q, d, s); }
+};
+
+void reproduce(Report& report) {
+  report_band(report);
+  report_inflection(report);
+  report_phi(report);
+  report_edges(report);
+  report_backscattering(report);
+  report_beta(report);
+  report_growth(report);
+  report_modulated(report);
+  compressed::report_impacts(report);
+  report_order(report);
 }
 
 /**
@@ -535,22 +551,10 @@ equation is too wide to form so early.
 - What becomes of the backscattered wave near $q = \pi/2$ when it has grown?
 - How do super-exponential tails become exponential ones as $d$ grows from zero? */
 int main(int argc, char** argv) {
-  Program program(
-      {"sec4_precompression_mi", "4", "Precompression: modulation and impact (section 4)"}, argc,
-      argv);
-  Options options;
-  offer(program, options);
-  program.everything = [](Report& report) {
-    report_band(report);
-    report_inflection(report);
-    report_phi(report);
-    report_edges(report);
-    report_backscattering(report);
-    report_beta(report);
-    report_growth(report);
-    report_modulated(report);
-    compressed::report_impacts(report);
-    report_order(report);
-  };
-  return program.run(argc, argv);
+  return run({"sec4_precompression_mi",
+              "4",
+              "Precompression: modulation and impact (section 4)",
+              reproduce,
+              {command<OneWavenumber>(), command<Band>(), command<compressed::OneImpact>()}},
+             argc, argv);
 }

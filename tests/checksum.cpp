@@ -1,13 +1,13 @@
 // Checksums: SHA-256 by the examples of its standard, and a table that was altered is found.
 
-#include "lattice/report/checksum.hpp"
+#include "report/checksum.hpp"
 
 #include <unistd.h>
 
 #include <cstdlib>
 
 #include "check.hpp"
-#include "lattice/report/program.hpp"
+#include "report/program.hpp"
 
 using namespace lattice;
 namespace fs = std::filesystem;

@@ -1,6 +1,6 @@
 // What programs share beneath their options: headers, threads, and GSL that reports instead of aborting.
 
-#include "lattice/report/program.hpp"
+#include "report/program.hpp"
 
 #include <set>
 #include <thread>

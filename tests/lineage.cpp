@@ -10,7 +10,7 @@
 
 #include "../tools/refresh.hpp"
 #include "check.hpp"
-#include "lattice/report/claims.hpp"
+#include "report/claims.hpp"
 #include "shape.hpp"
 
 using namespace lattice;

@@ -7,8 +7,8 @@
 #include "../tools/lock.hpp"
 #include "certain.hpp"
 #include "check.hpp"
-#include "lattice/report/checksum.hpp"
-#include "lattice/report/claims.hpp"
+#include "report/checksum.hpp"
+#include "report/claims.hpp"
 
 using namespace lattice;
 namespace fs = std::filesystem;

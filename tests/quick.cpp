@@ -12,7 +12,7 @@
 
 #include "../tools/lock.hpp"
 #include "check.hpp"
-#include "lattice/report/checksum.hpp"
+#include "report/checksum.hpp"
 
 using namespace lattice;
 namespace fs = std::filesystem;

@@ -4,7 +4,7 @@
 #include <map>
 
 #include "check.hpp"
-#include "lattice/report/table.hpp"
+#include "report/table.hpp"
 #include "sec4/flight.hpp"
 #include "sec4/instability.hpp"
 #include "sec4/modulation.hpp"

@@ -1,35 +1,23 @@
-#pragma once
 /**
-# Checksums of tables
+# SHA-256
 
-A table that was edited by hand, cut short or mixed with another run looks like any other, and a figure
-drawn from it is wrong without a sign. So every full run leaves a list `SHA256SUMS` beside its tables, in
-the format of `sha256sum`: a checksum and a name in each line. Checksums leave out the header of a table,
-which tells the command and the build, and cover all lines that do not begin with `#`; hence
+The checksum of checksum.hpp is that of the standard FIPS 180-4, whose examples the tests repeat. */
 
-    grep -v '^#' speeds.ecsv | sha256sum
-
-prints the checksum that the list has for `speeds.ecsv`. */
+#include "report/checksum.hpp"
 
 #include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <filesystem>
 #include <fstream>
-#include <iterator>
-#include <map>
-#include <sstream>
-#include <string>
-#include <vector>
 
 namespace lattice {
 
 /**
-The checksum is SHA-256 (FIPS 180-4). Its constants are the first 32 binary digits behind the point of the
-square roots of the first eight primes, from which the state starts, and of the cube roots of the first
-sixty-four, one for each round. A `double` has digits enough for them. */
+The constants are the first 32 binary digits behind the point of the square roots of the first eight primes,
+from which the state starts, and of the cube roots of the first sixty-four, one for each round. A `double`
+has digits enough for them. */
 namespace sha256 {
 
 using Word = std::uint32_t;
@@ -39,7 +27,7 @@ struct Constants {
   std::array<Word, 64> rounds{};
 };
 
-inline Constants from_primes() {
+Constants from_primes() {
   const auto digits = [](double root) { return Word((root - std::floor(root)) * 0x1p32); };
   Constants out;
   unsigned p = 2;
@@ -56,8 +44,8 @@ inline Constants from_primes() {
 /**
 Sixteen words of a block are stretched to sixty-four, and each of them stirs the state once; the letters are
 those of the standard. */
-inline void stir(std::array<Word, 8>& state, const unsigned char* block,
-                 const std::array<Word, 64>& rounds) {
+void stir(std::array<Word, 8>& state, const unsigned char* block,
+          const std::array<Word, 64>& rounds) {
   std::array<Word, 64> w;
   for (std::size_t t = 0; t < 16; ++t)
     w[t] = Word(block[4 * t]) << 24 | Word(block[4 * t + 1]) << 16 | Word(block[4 * t + 2]) << 8 |
@@ -83,8 +71,7 @@ inline void stir(std::array<Word, 8>& state, const unsigned char* block,
 
 /**
 The text is filled up to whole blocks of 64 bytes, with its length in bits at the end. */
-/// SHA-256 of `text` as 64 hexadecimal digits.
-inline std::string sha256_of(std::string text) {
+std::string sha256_of(std::string text) {
   static const sha256::Constants constants = sha256::from_primes();
   const std::uint64_t bits = 8 * std::uint64_t(text.size());
   text += '\x80';
@@ -103,22 +90,14 @@ inline std::string sha256_of(std::string text) {
   return out;
 }
 
-/**
-Only rows count, and the line with the names of the columns. */
-/// The checksum of a table: of its text without the lines that begin with `#`.
-inline std::string table_checksum(std::istream& in) {
+std::string table_checksum(std::istream& in) {
   std::string rows;
   for (std::string line; std::getline(in, line);)
     if (line.empty() || line.front() != '#') rows += line + '\n';
   return sha256_of(std::move(rows));
 }
 
-/**
-Whoever reads tables asks first whether they are what the program wrote. */
-constexpr const char* checksums_name = "SHA256SUMS";
-
-/// The checksum of every name in the list of `folder`; empty if there is no list.
-inline std::map<std::string, std::string> read_checksums(const std::filesystem::path& folder) {
+std::map<std::string, std::string> read_checksums(const std::filesystem::path& folder) {
   std::map<std::string, std::string> out;
   std::ifstream in(folder / checksums_name);
   for (std::string line; std::getline(in, line);)
@@ -129,8 +108,7 @@ inline std::map<std::string, std::string> read_checksums(const std::filesystem::
 /**
 Every table must be on the list, and the list holds nothing else: a table that an earlier program left in the
 folder could still be drawn. */
-/// One line for each table of `folder` that is not what its program wrote, is missing or is unknown.
-inline std::vector<std::string> altered_tables(const std::filesystem::path& folder) {
+std::vector<std::string> altered_tables(const std::filesystem::path& folder) {
   auto sums = read_checksums(folder);
   std::vector<std::string> out;
   if (sums.empty()) out.push_back((folder / checksums_name).string() + ": no checksums");

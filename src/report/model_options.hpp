@@ -10,33 +10,37 @@ reader's choice, only the well is offered. */
 
 #include <string>
 
-#include "lattice/model/model.hpp"
-#include "lattice/report/program.hpp"
+#include "lattice/model/boundary.hpp"
+#include "lattice/model/contact.hpp"
+#include "lattice/model/well.hpp"
+#include "report/parameters.hpp"
 
 namespace lattice {
 
 /**
-A program has a model with its own values before the line is read, and the reader's model after it. A
+A program has wells and contacts of its own before the line is read, and the reader's after it. A
 parameter may have another range in a program than elsewhere. */
 
-/// Adds `--onsite`, `--contact` and their parameters to a command; `model` holds the defaults and,
-/// once the command line is read, the choice. It must live as long as `app`. Parameters of wells may have
-/// ranges of the program's `own`.
-void add_model_options(Command& app, Model& model, const Ranges& own = {});
+/// Adds `--onsite` and its parameters; `well` holds the default and, once the line is read, the choice. It
+/// must live as long as `p`. Parameters may have ranges of the program's `own`.
+void add_well(Parameters& p, AnyOnsite& well, const Ranges& own = {});
+
+/// Adds `--contact` and its parameters in the same way.
+void add_contact(Parameters& p, AnyContact& contact);
 
 /**
 A breather begins as the vibration of a bead in its well, and phonons are vibrations of a chain of such
 beads; without a well there is neither. Where this is the subject, the wells on offer are those that hold a
 bead with the frequency one, which the unit of time makes of every frequency. */
 
-/// Adds `--onsite` and its parameters alone. A well that does not hold its bead is refused because
-/// `without` a well something is missing.
-void add_well_options(Command& app, AnyOnsite& well, const std::string& without);
+/// As `add_well`; a well that does not hold its bead is refused because `without` a well something is
+/// missing.
+void add_holding_well(Parameters& p, AnyOnsite& well, const std::string& without);
 
 /**
 What lies beyond the first and the last bead is a choice among few, and a name again. */
 
-/// Adds `--ends`; as above, `model` holds the default and must live as long as `app`.
-void add_ends_option(Command& app, Model& model);
+/// Adds `--ends`; as above, `ends` holds the default.
+void add_ends(Parameters& p, Ends& ends);
 
 }  // namespace lattice

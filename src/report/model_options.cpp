@@ -1,23 +1,22 @@
-#pragma once
 /**
 # How potentials are chosen on the command line
 
-The options of model_options.hpp at work. Each list of potentials, `AnyOnsite` and `AnyContact`, says which
-names and which parameters there are, so nothing is listed here. A program that defines LATTICE_ONCE_COMPILED
-does not include this file, which like frame.hpp is then compiled once for all. */
+Each list of potentials, `AnyOnsite` and `AnyContact`, says which names and which parameters there are, so
+nothing is listed here. */
+
+#include "report/model_options.hpp"
 
 #include <algorithm>
 #include <iterator>
 #include <memory>
 #include <optional>
 #include <stdexcept>
-#include <string>
 #include <utility>
 #include <vector>
 
-#include "lattice/report/model_options.hpp"
-
 namespace lattice {
+
+namespace {
 
 /**
 The two groups of options, for wells and for contacts, work alike: a name, and the
@@ -25,23 +24,21 @@ parameters of all that are in the list. What was given is kept until the line is
 template <class Any>
 class PotentialOptions {
  public:
-  PotentialOptions(Command& app, const std::string& option, const std::string& meaning,
-                   const Any& fallback, const Ranges& own = {})
-      : option_(option),
-        name_(name_of(fallback)),
-        fallback_(fallback),
-        own_(own),
-        choice_(app.add_option(option, name_, meaning)->check(one_of(names_of<Any>()))) {
+  PotentialOptions(Parameters& p, const std::string& option, const std::string& meaning,
+                   const Any& fallback, const Ranges& own)
+      : option_(option), name_(name_of(fallback)), fallback_(fallback), own_(own) {
+    p.add(option, name_, meaning, names_of<Any>());
     const auto all = parameters_of<Any>();
     values_.reserve(all.size());
-    for (const ParameterInfo& p : all) {
-      const auto range = own.find(p.name);
-      const auto [least, most] = range == own.end() ? std::pair(p.least, p.most) : range->second;
-      const std::optional<double> usual = value_in(fallback, p.name);
-      values_.push_back({p.name, usual.value_or(p.fallback), usual, nullptr});
-      values_.back().option = app.add_option("--" + p.name, values_.back().value,
-                                             p.meaning + " (" + comma_list(owners(p.name)) + ")")
-                                  ->check(in_range(least, most));
+    for (const ParameterInfo& info : all) {
+      const auto range = own.find(info.name);
+      const auto [least, most] =
+          range == own.end() ? std::pair(info.least, info.most) : range->second;
+      const std::optional<double> usual = value_in(fallback, info.name);
+      values_.push_back({info.name, usual.value_or(info.fallback), usual, nullptr});
+      values_.back().option =
+          &p.add(info.name, values_.back().value,
+                 info.meaning + " (" + comma_list(owners(info.name)) + ")", {least, most});
     }
   }
   PotentialOptions(const PotentialOptions&) = delete;
@@ -71,7 +68,7 @@ class PotentialOptions {
     try {
       return named<Any>(name_, given, own_);
     } catch (const std::invalid_argument& error) {
-      throw UsageError((typed.empty() ? option_ : "--" + typed.begin()->first) + ": " +
+      throw UsageError("--" + (typed.empty() ? option_ : typed.begin()->first) + ": " +
                        error.what());
     }
   }
@@ -118,54 +115,50 @@ class PotentialOptions {
   Any fallback_;
   Ranges own_;
   std::vector<Value> values_;  ///< never grows after construction: the options point into it
-  Option* choice_;
 };
 
+}  // namespace
+
 /**
-The options must live as long as the command, since the values are written into them; so the command itself
-keeps them, in the call that it makes when the line is complete. */
-LATTICE_ONCE void add_model_options(Command& app, Model& model, const Ranges& own) {
-  struct Options {
-    PotentialOptions<AnyOnsite> onsite;
-    PotentialOptions<AnyContact> contact;
-  };
-  auto options = std::shared_ptr<Options>(
-      new Options{{app, "--onsite", "well of every bead", model.onsite, own},
-                  {app, "--contact", "contact of two beads", model.contact}});
-  app.when_read([options, &model] {
-    model.onsite = options->onsite.chosen();
-    model.contact = options->contact.chosen();
-  });
+The options must live as long as the parameters, since the values are written into them; so the parameters
+themselves keep them, in the call that they make when the line is complete. */
+void add_well(Parameters& p, AnyOnsite& well, const Ranges& own) {
+  const auto options =
+      std::make_shared<PotentialOptions<AnyOnsite>>(p, "onsite", "well of every bead", well, own);
+  p.when_read([options, &well] { well = options->chosen(); });
+}
+
+void add_contact(Parameters& p, AnyContact& contact) {
+  const auto options = std::make_shared<PotentialOptions<AnyContact>>(
+      p, "contact", "contact of two beads", contact, Ranges{});
+  p.when_read([options, &contact] { contact = options->chosen(); });
 }
 
 /**
-The same for the well alone, which must hold its bead. */
-LATTICE_ONCE void add_well_options(Command& app, AnyOnsite& well, const std::string& without) {
-  const auto options =
-      std::make_shared<PotentialOptions<AnyOnsite>>(app, "--onsite", "well of every bead", well);
-  app.when_read([options, &well, without] {
+The same for a well that must hold its bead. */
+void add_holding_well(Parameters& p, AnyOnsite& well, const std::string& without) {
+  add_well(p, well);
+  p.when_read([&well, without] {
     const auto holds = [](const auto& w) { return w.stiffness(0.0) == 1; };
     std::vector<std::string> allowed;
     for_each_potential<AnyOnsite>([&](const auto& w) {
       if (holds(w)) allowed.push_back(w.name);
     });
-    well = options->chosen();
+    const auto name = [](const auto& w) { return std::string(w.name); };
     if (!std::visit(holds, well))
-      throw UsageError("--onsite: '" + options->name() + "' holds no bead, and without a well " +
-                       without + " (allowed: " + comma_list(allowed) + ")");
+      throw UsageError("--onsite: '" + std::visit(name, well) +
+                       "' holds no bead, and without a well " + without +
+                       " (allowed: " + comma_list(allowed) + ")");
   });
 }
 
 /**
 The names of the ends are those of boundary.hpp. */
-LATTICE_ONCE void add_ends_option(Command& app, Model& model) {
-  const std::vector<std::string> names(std::begin(ends_names), std::end(ends_names));
-  const auto choose = [&model, names](const std::string& name) {
-    model.ends = Ends(std::find(names.begin(), names.end(), name) - names.begin());
-  };
-  app.add_option("--ends", choose, "ends of the chain")
-      ->check(one_of(names))
-      ->shows(ends_names[int(model.ends)]);
+void add_ends(Parameters& p, Ends& ends) {
+  std::vector<std::pair<std::string, Ends>> names;
+  for (std::size_t k = 0; k < std::size(ends_names); ++k)
+    names.emplace_back(ends_names[k], Ends(k));
+  p.add("ends", ends, "ends of the chain", names);
 }
 
 }  // namespace lattice

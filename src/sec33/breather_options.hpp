@@ -8,27 +8,28 @@ $t = 0$; how many sites it needs follows from that. Who names a chain length as 
 #include <string>
 
 #include "lattice/orbits/breather.hpp"
-#include "lattice/report/model_options.hpp"
-#include "lattice/report/program.hpp"
+#include "report/model_options.hpp"
+#include "report/program.hpp"
 
 namespace lattice {
 
 struct ChosenBreather {
-  std::string centre = "site", phase = "compressed";
+  Centre centre = Centre::site;
+  Phase phase = Phase::compressed;
   double omega = 1.1;
   std::size_t sites = 0;  ///< 0: as many as needed
   NamedWell onsite{};
 
-  Centre kind() const { return centre == "site" ? Centre::site : Centre::bond; }
-  Phase start() const { return phase == "stretched" ? Phase::stretched : Phase::compressed; }
-  void offer_centre(Command& app) {
-    app.add_option("--centre", centre, "site or bond")->check(one_of({"site", "bond"}));
+  void add_centre(Parameters& p) {
+    p.add("centre", centre, "where the breather is centred",
+          {{"site", Centre::site}, {"bond", Centre::bond}});
   }
-  void offer_phase(Command& app) {
-    app.add_option("--phase", phase, "central contact of a bond-centred breather at t = 0")
-        ->check(one_of({"compressed", "stretched"}));
+  void add_omega(Parameters& p) { p.add("omega", omega, "frequency omega_b > 1", {1.0001, 3}); }
+  void add_phase(Parameters& p) {
+    p.add("phase", phase, "central contact of a bond-centred breather at t = 0",
+          {{"compressed", Phase::compressed}, {"stretched", Phase::stretched}});
   }
-  void offer_well(Command& app) { add_well_options(app, onsite.well, "there is no breather"); }
+  void add_well(Parameters& p) { add_holding_well(p, onsite.well, "there is no breather"); }
 };
 
 /**
@@ -37,9 +38,10 @@ What comes from a chain that does not fit is a complaint about `--sites`. */
 template <class Make>
 auto on_chosen_chain(const ChosenBreather& chosen, Make make) {
   const std::string sites = "--sites: " + std::to_string(chosen.sites);
-  if (chosen.sites && !fits(chosen.kind(), chosen.sites))
-    throw UsageError(sites + " does not fit --centre " + chosen.centre + " (allowed: " +
-                     (chosen.kind() == Centre::site ? "odd" : "even") + " numbers)");
+  const bool around_site = chosen.centre == Centre::site;
+  if (chosen.sites && !fits(chosen.centre, chosen.sites))
+    throw UsageError(sites + " does not fit --centre " + (around_site ? "site" : "bond") +
+                     " (allowed: " + (around_site ? "odd" : "even") + " numbers)");
   try {
     return make();
   } catch (const ShortChain& error) {
@@ -52,8 +54,8 @@ auto on_chosen_chain(const ChosenBreather& chosen, Make make) {
 /// `precision`. Throws UsageError, NoConvergence.
 inline FittedIn<NamedWell> find_chosen(const ChosenBreather& chosen, double precision) {
   return on_chosen_chain(chosen, [&] {
-    return fit_chain(chosen.kind(), chosen.omega, chosen.onsite, chosen.sites,
-                     sites_of(chosen.kind()), precision, chosen.start());
+    return fit_chain(chosen.centre, chosen.omega, chosen.onsite, chosen.sites,
+                     sites_of(chosen.centre), precision, chosen.phase);
   });
 }
 

@@ -1,49 +1,20 @@
-#pragma once
 /**
-# Published against reproduced
+# How a printed number is read and compared */
 
-`paper/published.ecsv` lists what the article states, each row with the tolerance that was fixed before
-anything was computed. This file compares a row with a computed value. The tests and the report both call
-it, so there is only one notion of agreement, and one vocabulary:
-
-- `reproduced`: a printed number, met within its tolerance;
-- `holds`: a yes-or-no statement that our criterion confirms;
-- `discrepant`: a printed number missed, or a statement that fails;
-- `measured`: the article uses a word without a number; we give the number and pass no judgement;
-- `unresolved`: the error bar does not allow a verdict, which no test accepts;
-- `open`: not answered yet. */
+#include "report/claims.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
-#include <filesystem>
-#include <map>
+#include <limits>
 #include <numbers>
-#include <optional>
 #include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
 
-#include "lattice/report/table.hpp"
+#include "report/table.hpp"
 
 namespace lattice {
 
-/// One row of `paper/published.ecsv`.
-struct Claim {
-  std::string id, section, where, quantity, printed, unit, kind, tolerance, note, program, status,
-      reason;
-};
-
-/// A computed answer.
-struct Answer {
-  double value = 0, error = 0;
-  std::string unit;
-};
-
-/**
-Claims come from one table, a row each, whose columns have the names of the fields. Throws like `read` and
-`Table::texts`. */
-inline std::vector<Claim> read_claims(const std::filesystem::path& path) {
+std::vector<Claim> read_claims(const std::filesystem::path& path) {
   const Table t = read(path);
   std::vector<Claim> claims(t.rows.size());
   const std::pair<const char*, std::string Claim::*> fields[] = {
@@ -60,10 +31,7 @@ inline std::vector<Claim> read_claims(const std::filesystem::path& path) {
   return claims;
 }
 
-/**
-Answers come from the `results.ecsv` that each program leaves in its folder under `data`. The keys are
-program and id. */
-inline std::map<std::pair<std::string, std::string>, Answer> read_answers(
+std::map<std::pair<std::string, std::string>, Answer> read_answers(
     const std::filesystem::path& data) {
   std::map<std::pair<std::string, std::string>, Answer> answers;
   for (const auto& folder : std::filesystem::directory_iterator(data)) {
@@ -92,7 +60,7 @@ struct Numeral {
   std::string rest;
 };
 
-inline std::optional<Numeral> leading_number(const std::string& text) {
+std::optional<Numeral> leading_number(const std::string& text) {
   double value = 0;
   const auto [end, ec] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (ec != std::errc()) return std::nullopt;
@@ -109,7 +77,7 @@ inline std::optional<Numeral> leading_number(const std::string& text) {
 /**
 `parse_printed` accepts a number and the few words that the list of claims puts behind one; any other word
 makes it a statement, and nothing is returned. */
-inline std::optional<Printed> parse_printed(const std::string& text) {
+std::optional<Printed> parse_printed(const std::string& text) {
   const auto first = leading_number(text);
   if (!first) return std::nullopt;
   Printed p{first->value, first->value, first->half_digit};
@@ -138,7 +106,7 @@ inline std::optional<Printed> parse_printed(const std::string& text) {
 The tolerance of the row turns the printed number into an interval of values that agree with it. Without a
 tolerance the printed digits must be met. Throws std::runtime_error for a tolerance that is none of
 these. */
-inline std::pair<double, double> agreement(const Printed& p, const std::string& tolerance) {
+std::pair<double, double> agreement(const Printed& p, const std::string& tolerance) {
   if (tolerance == "at most") return {-std::numeric_limits<double>::infinity(), p.high};
   if (tolerance == "order of magnitude") return {p.low / 10, p.high * 10};
   if (tolerance.empty()) return {p.low - p.half_digit, p.high + p.half_digit};
@@ -153,12 +121,7 @@ inline std::pair<double, double> agreement(const Printed& p, const std::string& 
   return {p.low - amount, p.high + amount};
 }
 
-/**
-The row and the answer decide together. An answer with the unit `claim` is a yes or a no, which is no
-answer to a printed number; a number that answers a word is a measurement. Only a printed number is
-compared with the answer, and if the error bar straddles an edge of the interval of agreement there is no
-verdict. */
-inline std::string verdict(const Claim& claim, const Answer& answer) {
+std::string verdict(const Claim& claim, const Answer& answer) {
   if (!std::isfinite(answer.value) || !std::isfinite(answer.error)) return "unresolved";
   const auto printed = parse_printed(claim.printed);
   const bool in_words = claim.kind == "claim" || !printed;
