@@ -10,15 +10,19 @@
 SHELL := /bin/sh
 .DELETE_ON_ERROR:
 .SUFFIXES:
-.SECONDARY:
 MAKEFLAGS += --no-builtin-rules --no-print-directory
 
 B := build
-D := $(B)$(if $(QUICK),/quick)
+.PRECIOUS: $(B)/bin/%
+# QUICK=0 and QUICK=no mean what they say.
+quick := $(filter-out 0 no off false,$(QUICK))
+D := $(B)$(if $(quick),/quick)
 LAUNCH ?=
-CTEST_ARGS ?= --output-on-failure --timeout 900
-ifndef PYTHON
-PYTHON = $(eval PYTHON := $(shell for p in python3 /usr/bin/python3; do \
+CTEST_ARGS := --output-on-failure --timeout 900
+# PYTHON=... on the command line is taken at its word; one that the shell exports is only tried first.
+ifneq ($(origin PYTHON),command line)
+pythons := $(PYTHON)
+PYTHON = $(eval PYTHON := $(shell for p in $(pythons) python3 /usr/bin/python3; do \
            $$p -c 'import matplotlib' 2>/dev/null && { echo $$p; break; }; done))$(PYTHON)
 endif
 # nproc counts the cores that this shell may use; Slurm may have granted the task fewer.
@@ -34,12 +38,14 @@ threads = $(if $(THREADS),--threads $(THREADS),$(if $(findstring srun,$(LAUNCH))
 export SOURCE_DATE_EPOCH := 1370000000
 export LC_ALL := C.UTF-8
 export MATPLOTLIBRC := figures
+export MPLBACKEND := Agg
 export PYTHONDONTWRITEBYTECODE := 1
 export LATTICE_REVISION := $(shell git describe --always --dirty --abbrev=12 2>/dev/null)
 
 # figures/figures.ecsv says which program and which script make each figure.
-rows := $(shell awk -F, '!/^\#/ && $$1 != "id" { print $$1 "|" $$4 "|" $$5 }' figures/figures.ecsv)
+rows := $(shell awk -F, '!/^\#/ && $$1 != "id" { gsub(" ", ":", $$7); print $$1 "|" $$4 "|" $$5 "|" $$7 }' figures/figures.ecsv)
 field = $(word $(2),$(subst |, ,$(1)))
+tables = $(foreach t,$(subst :, ,$(2)),$(D)/data/$(1)/$(t).ecsv)
 ids := $(foreach r,$(rows),$(call field,$(r),1))
 chapters := $(basename $(notdir $(wildcard src/sec*.cpp)))
 results := $(foreach p,$(chapters),$(D)/data/$(p)/results.ecsv)
@@ -54,13 +60,18 @@ side_by_side = $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS))
 
 ## figures: compute and draw everything, then compare with the article
 figures: install-deps
+	@sh tools/need-tools.sh "$(PYTHON)"
+	@sh tools/configure.sh $(B)
 	@mkdir -p $(D)/report && date +%s > $(D)/report/start
+	@sh tools/tables.sh $(D)/data
 	@$(MAKE) all-data
 	@$(MAKE) $(side_by_side) all-figures
 	@$(MAKE) summary
 
 ## test: everything the tests need (data and figures), then the tests
 test: install-deps
+	@sh tools/need-tools.sh "$(PYTHON)"
+	@sh tools/tables.sh $(D)/data
 	@$(MAKE) all-figures
 	@$(MAKE) run-tests
 
@@ -69,11 +80,10 @@ all-data: $(results)
 
 ## programs: build build/bin/<program>
 # A single figure needs only its own program.
-TARGETS ?= programs
+TARGETS := programs
 programs: configure
 	@test -x $(B)/bin/report || echo "  build    programs (a few minutes the first time; $(B)/build.log)"
-	@cmake --build $(B) --parallel $(JOBS) --target $(TARGETS) > $(B)/build.log 2>&1 || \
-	  { cat $(B)/build.log; exit 1; }
+	@sh tools/build.sh $(B) $(JOBS) $(TARGETS)
 
 .PHONY: configure
 configure:
@@ -84,25 +94,27 @@ $(B)/bin/%: programs
 	@test -x $@
 
 $(D)/data/%/results.ecsv: $(B)/bin/%
-	@mkdir -p $(D)/report/cost $(@D)
-	@echo "  compute  $*"
-	@start=$$(date +%s.%N); $(LAUNCH) $< --out $(@D) $(if $(QUICK),--quick) $(threads) && \
-	  echo "$$start $$(date +%s.%N)" | awk '{ printf "%.1f\n", $$2 - $$1 }' > $(D)/report/cost/$*
+	@sh tools/compute.sh $< $@ $(D)/report/cost/$* \
+	  $(LAUNCH) $< --out $(@D) $(if $(quick),--quick) $(threads)
 
-# $(1) id, $(2) program, $(3) script
+# $(1) id, $(2) program, $(3) script, $(4) tables
 define figure
 $(if $(filter x%,$(1)),$(1),fig$(1)): install-deps
+	@sh tools/need-tools.sh "$$(PYTHON)"
+	@sh tools/tables.sh $(D)/data
 	@$$(MAKE) TARGETS=$(2) $(foreach e,svg pdf png,$(D)/figures/$(basename $(3)).$(e))
-$(D)/figures/$(basename $(3)).svg: figures/$(3) $(D)/data/$(2)/results.ecsv \
+$(D)/figures/$(basename $(3)).svg: figures/$(3) $(D)/data/$(2)/results.ecsv $(call tables,$(2),$(4)) tools/draw.sh \
     $(if $(filter %.gp,$(3)),figures/style.gp,figures/draw.py figures/matplotlibrc)
 	@mkdir -p $$(@D)
 	@echo "  draw     $(basename $(3))"
-	@$(if $(filter %.gp,$(3)),gnuplot -e "data='$(D)/data'; out='$$@.part'" $$<,\
-	  $$(need_python) "$$(PYTHON)" $$< $(D)/data $$@.part)
-	@mv $$@.part $$@
+	@PYTHON="$$(PYTHON)" sh tools/draw.sh $$@ $(D)/data $$<
+$(call tables,$(2),$(4)): $(D)/data/$(2)/results.ecsv
 endef
 need_python = test -n "$(PYTHON)" || { echo "no python3 with matplotlib found (set PYTHON=...)"; exit 1; };
-$(foreach r,$(rows),$(eval $(call figure,$(call field,$(r),1),$(call field,$(r),2),$(call field,$(r),3))))
+$(foreach r,$(rows),$(eval $(call figure,$(call field,$(r),1),$(call field,$(r),2),$(call field,$(r),3),$(call field,$(r),4))))
+
+# A table comes with the results, which are written last and say that a run is complete.
+$(sort $(foreach r,$(rows),$(call tables,$(call field,$(r),2),$(call field,$(r),4)))): ;
 
 # fig7 is fig07, x1 is x01.
 .PHONY: $(patsubst 0%,fig%,$(filter 0%,$(ids))) $(patsubst x0%,x%,$(filter x0%,$(ids)))
@@ -110,9 +122,9 @@ $(foreach i,$(patsubst 0%,%,$(filter 0%,$(ids))),$(eval fig$(i): fig0$(i)))
 $(foreach i,$(patsubst x0%,%,$(filter x0%,$(ids))),$(eval x$(i): x0$(i)))
 
 %.pdf: %.svg
-	@rsvg-convert --format pdf $< --output $@.part && mv $@.part $@
+	@sh tools/draw.sh $@ $<
 %.png: %.svg
-	@rsvg-convert --zoom 2.5 $< --output $@.part && mv $@.part $@
+	@sh tools/draw.sh $@ $<
 
 summary: programs
 	@echo
@@ -145,11 +157,20 @@ test-book: test-weaver
 test-weaver:
 	@$(weaver)/test_book.py
 
+# Folders that have the name of something that can be made.
+.PHONY: tests examples src
+tests: test
+src: programs
+## examples: build the programs of examples/ against the installed library and run them
+examples: programs
+	@cd $(B) && ctest -R '^install$$' $(CTEST_ARGS)
+
 .PHONY: run-tests
 run-tests: programs
-	@cmake --build $(B) --parallel $(JOBS) > $(B)/build.log 2>&1 || { cat $(B)/build.log; exit 1; }
+	@echo "  build    tests"
+	@sh tools/build.sh $(B) $(JOBS) all
 	@$(MAKE) test-weaver
-	@cd $(B) && PYTHON="$(PYTHON)" ctest -j $(JOBS) $(CTEST_ARGS)
+	@cd $(B) && ctest -j $(JOBS) $(CTEST_ARGS)
 
 ## bench: time our integrators against GSL and Boost.odeint (ten minutes, not part of the tests)
 .PHONY: bench
@@ -199,6 +220,11 @@ gallery: all-figures
 .PHONY: mutants
 mutants: install-deps
 	@$(or $(PYTHON),python3) tools/mutants.py $(MUTANTS)
+
+## fresh: the README's commands, make book and make paper in a bare Debian root (SUITE=trixie; takes root)
+.PHONY: fresh
+fresh:
+	@sh tools/fresh.sh $(SUITE)
 
 ## install-deps: install the Debian packages of apt-packages.txt that are missing
 install-deps:

@@ -19,7 +19,7 @@ median of the rounds counts. */
 #include <string>
 #include <vector>
 
-#include "lattice/report/table.hpp"
+#include "report/table.hpp"
 
 namespace bench {
 

@@ -13,11 +13,11 @@ to run; the ratios, taken within one run, hardly do. */
 #include <iostream>
 
 #include "lattice/measure/impact.hpp"
-#include "lattice/report/program.hpp"
 #include "lattice/stepping/compensated.hpp"
 #include "lattice/stepping/tiling.hpp"
 #include "monodromy.hpp"
 #include "peers.hpp"
+#include "report/program.hpp"
 
 using namespace lattice;
 using namespace bench;

@@ -15,7 +15,6 @@ ROOM_IDEAS = {
     "model": "wells, contacts, masses, damping, ends: forces, energies, the inner loop",
     "stepping": "long runs: splittings, the contact-aware stepper, a stated tolerance",
     "landing": "orbit and tangent map to the last digits, landing on every switching",
-    "waves": "linear and weakly nonlinear waves under precompression",
     "measure": "striking and following: packets, turning points, scattering, criteria",
     "dps": "the limit of small amplitude",
     "orbits": "one Newton's method for every periodic orbit, branches, barriers",

@@ -160,7 +160,7 @@ def in_order_of_need(sources):
     return order
 
 
-ROOMS = ["numbers", "model", "stepping", "landing", "waves", "measure", "dps", "orbits", "report"]
+ROOMS = ["numbers", "model", "stepping", "landing", "measure", "dps", "orbits", "report"]
 
 
 def find_sources(root, order=()):

@@ -30,10 +30,9 @@ small and large starts end (c); energy and mean force of a localized state (d, e
 #include "lattice/numbers/random.hpp"
 #include "lattice/orbits/breather.hpp"
 #include "lattice/orbits/leapfrog.hpp"
-#include "lattice/report/judge.hpp"
-#include "lattice/report/program.hpp"
 #include "lattice/stepping/contact_rkn.hpp"
 #include "lattice/stepping/integrate.hpp"
+#include "report/program.hpp"
 #include "sec2_periodic_motions.hpp"
 
 using namespace lattice;
@@ -459,7 +458,7 @@ the largest; those of a motion that misses its start by a thousandth agree only 
 [29](num:sec2_nonexistence.mean_force_moving_walls) find one. Without wells
 [0.00162601](num:sec2_nonexistence.mean_force_core_free) of the energy stays in the core, with them
 [0.999982](num:sec2_nonexistence.mean_force_core_wells). */
-void everything(Report& report) {
+void reproduce(Report& report) {
   MeanTable means;
   Criterion all = of_free_chains(means);
   append(all, of_wells(means));
@@ -487,7 +486,6 @@ GSL's integrator, and only the identity is tested.
 - With attracting contacts (cohesion) the argument fails. How little attraction makes a breather?
 - What is the mean force in a compressed ring, as a function of the energy? */
 int main(int argc, char** argv) {
-  Program program({"sec2_nonexistence", "2", "No breathers without wells (section 2)"}, argc, argv);
-  program.everything = everything;
-  return program.run(argc, argv);
+  return run({"sec2_nonexistence", "2", "No breathers without wells (section 2)", reproduce}, argc,
+             argv);
 }

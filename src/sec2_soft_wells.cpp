@@ -24,7 +24,7 @@ tends to the value that an equal-area rule demands.](fig:x17) */
 #include "lattice/numbers/gsl_ode.hpp"
 #include "lattice/numbers/parallel.hpp"
 #include "lattice/orbits/breather.hpp"
-#include "lattice/report/program.hpp"
+#include "report/program.hpp"
 
 using namespace lattice;
 
@@ -259,7 +259,7 @@ Estimate central_limit(const std::vector<Rung>& ladder) {
 
 /**
 The article claims nothing about soft wells, so the results are facts. */
-void everything(Report& report) {
+void reproduce(Report& report) {
   const std::size_t rungs = report.quick ? 5 : 9;
   std::array<std::vector<Rung>, 2> ladder;
   parallel_for(2, [&](std::size_t k) { ladder[k] = softer_and_softer(lengths[k], rungs); });
@@ -293,8 +293,6 @@ for $\bar F$ holds to leading order in $\kappa$; we did not bound its error.
 - Is the standing wave at the centre stable in the free chain, and the breather with it?
 - Does a breather in hardening wells, $W \propto y^4$, also spread when they are made softer? */
 int main(int argc, char** argv) {
-  Program program({"sec2_soft_wells", "2", "A breather in ever softer wells (section 2)"}, argc,
-                  argv);
-  program.everything = everything;
-  return program.run(argc, argv);
+  return run({"sec2_soft_wells", "2", "A breather in ever softer wells (section 2)", reproduce},
+             argc, argv);
 }

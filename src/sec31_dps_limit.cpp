@@ -29,8 +29,8 @@ the error of the approximation over four decades of amplitude. */
 #include "lattice/dps/impact.hpp"
 #include "lattice/measure/impact.hpp"
 #include "lattice/numbers/parallel.hpp"
-#include "lattice/report/program.hpp"
 #include "lattice/stepping/accuracy.hpp"
+#include "report/program.hpp"
 
 using namespace lattice;
 
@@ -309,7 +309,7 @@ For an impact the constants are [2.124](num:sec31_dps_limit.constant_impact_tau_
 [4.48](num:sec31_dps_limit.constant_pair_tau_1), [7.017](num:sec31_dps_limit.constant_pair_tau_4) and
 [18.81](num:sec31_dps_limit.constant_pair_tau_10). The numerical error of a deviation is at most
 [0.004](num:sec31_dps_limit.largest_resolution_error) of the deviation. */
-void everything(Report& report) {
+void reproduce(Report& report) {
   report.output.note("tolerance", "GSL " + short_text(resolutions[0].tolerance) + " and " +
                                       short_text(resolutions[1].tolerance));
   const double quadrature = tau_0_by_quadrature();
@@ -336,16 +336,25 @@ the norm within five sites of its peak, and the share left on the first ten site
 and hold for every $\epsilon$. The error is the difference from a run with a thousand times the tolerance
 and half the samples; the speed also carries the error of the fit. A quantity that does not exist is
 `nan`. */
-struct ImpactOptions {
+struct DpsStrike {
+  static constexpr const char *name = "impact",
+                              *meaning = "the DpS impact: its packet and its residue";
   double tau = 250;
   std::size_t sites = 0;  ///< 0: long enough for the packet
-  std::string end = "free";
+  Ends end = Ends::free;
+
+  void parameters(Parameters& p) {
+    p.add("tau", tau, "slow time of the run", {1, 1e4});
+    p.add("sites", sites, "chain length (default: as long as needed)", {2, 1e5});
+    p.add("end", end, "end where the impact is", {{"free", Ends::free}, {"fixed", Ends::fixed}});
+  }
+  Table table() const;
 };
 
-DpsOutcome run_impact(const ImpactOptions& options, double tolerance, double samples_per_tau) {
+DpsOutcome run_impact(const DpsStrike& options, double tolerance, double samples_per_tau) {
   std::size_t n = options.sites;
   if (n == 0) n = 20 + std::size_t(std::ceil(0.4 * options.tau));
-  const Dps dps{n, options.end == "fixed" ? Ends::fixed : Ends::free};
+  const Dps dps{n, options.end};
   const auto samples = std::size_t(std::ceil(samples_per_tau * std::max(options.tau, 25.0)));
   return follow_dps(dps, dps_impact(n), options.tau, samples, tolerance, Unwatched{});
 }
@@ -353,10 +362,9 @@ DpsOutcome run_impact(const ImpactOptions& options, double tolerance, double sam
 /**
 The error needs both runs, and both give the same five quantities. A test compares the first of them with
 those that the impact chapter measures in a run of its own. */
-Table impact_quantities(const ImpactOptions& options) {
+Table DpsStrike::table() const {
   std::array<DpsOutcome, 2> runs;
-  parallel_for(2,
-               [&](std::size_t k) { runs[k] = run_impact(options, k ? 1e-11 : 1e-8, k ? 4 : 2); });
+  parallel_for(2, [&](std::size_t k) { runs[k] = run_impact(*this, k ? 1e-11 : 1e-8, k ? 4 : 2); });
   const auto both = [&](auto of) {
     const bool none = runs[0].track.t.empty() || runs[1].track.t.empty();
     return none ? Estimate{std::nan(""), std::nan("")} : compare(of(runs[0]), of(runs[1]));
@@ -385,16 +393,8 @@ positions and over sampled times. The theorem says nothing about times much long
 $\epsilon^{-1/2}$: the impact chapter compares both equations at $\tau = 250$.
 
 The `impact` command does not notice whether its packet has met the far end. The default length
-avoids that; with `--sites` the reader must take care. */
-void add_options(Command& impact, ImpactOptions& options) {
-  impact.add_option("--tau", options.tau, "slow time of the run")->check(in_range(1, 1e4));
-  impact.add_option("--sites", options.sites, "chain length (default: as long as needed)")
-      ->check(in_range(2, 1e5));
-  impact.add_option("--end", options.end, "end where the impact is: free or fixed")
-      ->check(one_of({"free", "fixed"}));
-}
+avoids that; with `--sites` the reader must take care.
 
-/**
 ## Extensions
 
 - The correction of relative size $\epsilon^{1/2}$ could be computed: does it explain the local order at
@@ -403,12 +403,10 @@ void add_options(Command& impact, ImpactOptions& options) {
   all that drifts?
 - How does the order change with the exponent of the contact? */
 int main(int argc, char** argv) {
-  Program program({"sec31_dps_limit", "3.1", "The DpS equation and its error (section 3.1)"}, argc,
-                  argv);
-  ImpactOptions options;
-  Command* impact = program.command("impact", "the DpS impact: its packet and its residue",
-                                    [&] { return impact_quantities(options); });
-  add_options(*impact, options);
-  program.everything = everything;
-  return program.run(argc, argv);
+  return run({"sec31_dps_limit",
+              "3.1",
+              "The DpS equation and its error (section 3.1)",
+              reproduce,
+              {command<DpsStrike>()}},
+             argc, argv);
 }

@@ -28,8 +28,8 @@ physics demands, it considers too difficult. This program does both, with signs,
 #include "lattice/numbers/parallel.hpp"
 #include "lattice/orbits/breather.hpp"
 #include "lattice/orbits/ladder.hpp"
-#include "lattice/report/program.hpp"
 #include "lattice/stepping/reference.hpp"
+#include "report/program.hpp"
 
 using namespace lattice;
 
@@ -318,14 +318,21 @@ void report_printed(Report& report, const Estimate& barrier) {
 
 `sec32_barrier barrier --omega 1.1` prints the barrier at equal frequency and at equal area, both
 with their signs, from two tolerances in the wider type. */
-struct BarrierOptions {
+struct Barrier {
+  static constexpr const char *name = "barrier",
+                              *meaning = "energy between the two breathers, with its sign";
   double omega = 1.1, s = 0;
+
+  void parameters(Parameters& p) {
+    p.add("omega", omega, "frequency omega_b > 1", {1.0001, 3});
+    p.add("s", s, "anharmonicity of the well", {-10, 10});
+  }
+  Table table() const;
 };
 
-Table barrier_command(const BarrierOptions& options) {
-  Rung rung{options.s, options.omega};
-  for (int k : {0, 1})
-    rung.orbit[k] = find_breather(problem_of(both_centres[k], options.omega, options.s));
+Table Barrier::table() const {
+  Rung rung{s, omega};
+  for (int k : {0, 1}) rung.orbit[k] = find_breather(problem_of(both_centres[k], omega, s));
   measure_in<Wide>(rung);
   Quantities q;
   q.add("equal_frequency", rung.equal_frequency);
@@ -354,23 +361,22 @@ nothing about what lies between the two breathers; section 3.3 looks for breathe
 - Follow the soft branch through its fold up to the rim of the well.
 - How does the barrier at equal area change with the anharmonicity of the well?
 - Other exponents of the contact: is there one for which the barrier vanishes altogether? */
+void reproduce(Report& report) {
+  report.output.note("tolerance", "flow to 128 and 2048 roundings of the type");
+  const auto ladders = climb_wells(report.quick ? 10 : 60);
+  report.output.add("barriers", branch_table(ladders));
+  if (!report.quick) report_zeros(report, ladders);
+  const Ladder key = key_ladder(ladders, report.quick);
+  report_key(report, key);
+  report_folds(report, ladders[0].back());
+  if (!report.quick) report_printed(report, key[std::size(key_frequencies) + 2].equal_frequency);
+}
+
 int main(int argc, char** argv) {
-  Program program({"sec32_barrier", "3.2", "The barrier between two breathers (section 3.2)"}, argc,
-                  argv);
-  BarrierOptions options;
-  Command* one = program.command("barrier", "energy between the two breathers, with its sign",
-                                 [&] { return barrier_command(options); });
-  one->add_option("--omega", options.omega, "frequency omega_b > 1")->check(in_range(1.0001, 3));
-  one->add_option("--s", options.s, "anharmonicity of the well")->check(in_range(-10, 10));
-  program.everything = [](Report& report) {
-    report.output.note("tolerance", "flow to 128 and 2048 roundings of the type");
-    const auto ladders = climb_wells(report.quick ? 10 : 60);
-    report.output.add("barriers", branch_table(ladders));
-    if (!report.quick) report_zeros(report, ladders);
-    const Ladder key = key_ladder(ladders, report.quick);
-    report_key(report, key);
-    report_folds(report, ladders[0].back());
-    if (!report.quick) report_printed(report, key[std::size(key_frequencies) + 2].equal_frequency);
-  };
-  return program.run(argc, argv);
+  return run({"sec32_barrier",
+              "3.2",
+              "The barrier between two breathers (section 3.2)",
+              reproduce,
+              {command<Barrier>()}},
+             argc, argv);
 }

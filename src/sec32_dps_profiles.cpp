@@ -21,7 +21,6 @@ and measure how good that approximation is. The breathers of the chain have a ch
 #include <gsl/gsl_integration.h>
 
 #include <algorithm>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -31,8 +30,9 @@ and measure how good that approximation is. The breathers of the chain have a ch
 
 #include "lattice/dps/stationary.hpp"
 #include "lattice/measure/observe.hpp"
+#include "lattice/model/contact.hpp"
 #include "lattice/numbers/extended.hpp"
-#include "lattice/report/program.hpp"
+#include "report/program.hpp"
 
 using namespace lattice;
 
@@ -41,12 +41,8 @@ What is claimed, with the identifiers under which the answers are recorded:
 
 - amplitudes are proportional to $\mu^2$ at unchanged width (`dps.scaling`);
 - the approximate profile is supported on $|x| \le 3\pi/2$ (`dps.qc_support`) and in
-  excellent agreement with the breathers (`dps.qc_site`, `dps.qc_bond`). */
-/// 50 digits, against which quadruple precision is judged.
-using Fifty = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>,
-                                            boost::multiprecision::et_off>;
+  excellent agreement with the breathers (`dps.qc_site`, `dps.qc_bond`).
 
-/**
 ## Model
 
 In the rescaled time of Eq. (11) the DpS equation reads
@@ -145,10 +141,10 @@ void report_norms(Quantities& facts) {
       return std::abs(rounded(s.contact_sum() / (s.mu * s.norm()) - 1));
     };
     facts.add("identity" + suffix, remainder<double, long double>(centre, broken));
-    facts.add("identity_quad" + suffix, remainder<Quadruple, Fifty>(centre, broken));
+    facts.add("identity_quad" + suffix, remainder<Quadruple, FiftyDigits>(centre, broken));
     const auto residual = [](const auto& s) { return relative_residual(s); };
     facts.add("residual" + suffix, remainder<double, long double>(centre, residual));
-    facts.add("residual_quad" + suffix, remainder<Quadruple, Fifty>(centre, residual));
+    facts.add("residual_quad" + suffix, remainder<Quadruple, FiftyDigits>(centre, residual));
   }
 }
 
@@ -373,7 +369,7 @@ void report_tails(Output& output, Quantities& facts) {
       }
   }
   facts.add("free_end_effect_15_sites",
-            compare(free_end_effect<Quadruple>(), free_end_effect<Fifty>()));
+            compare(free_end_effect<Quadruple>(), free_end_effect<FiftyDigits>()));
   output.add("tails", table);
 }
 
@@ -484,7 +480,7 @@ of $\mu u_n$ at any site, tails included. The identity of contact sum and norm h
 [2e-34](num:sec32_dps_profiles.identity_quad_bond) in quadruple precision. The tail law checks the outer
 sites independently: at $n = 4$ the ratio is [1.49856](num:sec32_dps_profiles.tail_ratio_4_site), and at
 $n = 8$ it differs from 3/2 by [1.0588e-12](num:sec32_dps_profiles.tail_distance_8_site). */
-void everything(Report& report) {
+void reproduce(Report& report) {
   report.output.note("tolerance", "relative corrections of the strains below a hundred roundings");
   report_norms(report.facts);
   report_gap(report.facts);
@@ -498,25 +494,33 @@ void everything(Report& report) {
 `sec32_dps_profiles profile --centre bond --mu 1 --sites 20` prints a breather beside its
 quasi-continuum profile. A bond-centred breather needs an even number of sites, a site-centred
 one an odd number. */
-struct ProfileOptions {
-  std::string centre = "site";
+struct OneProfile {
+  static constexpr const char *name = "profile", *meaning = "one breather beside its approximation";
+  Centre centre = Centre::site;
   double mu = 1;
   std::size_t sites = 0;  ///< 0: as in the full run
+
+  void parameters(Parameters& p) {
+    p.add("centre", centre, "where the breather is centred",
+          {{"site", Centre::site}, {"bond", Centre::bond}});
+    p.add("mu", mu, "frequency of the stationary state", {1e-6, 1e6});
+    p.add("sites", sites, "chain length (default: 31 or 32)", {2, 1e5});
+  }
+  Table table() const;
 };
 
-Table profile_command(const ProfileOptions& options) {
-  const Centre centre = options.centre == "site" ? Centre::site : Centre::bond;
-  const std::size_t sites = options.sites ? options.sites : sites_of(centre);
-  if (!fits(centre, sites))
-    throw UsageError("--sites: '" + std::to_string(sites) + "' does not fit a " + options.centre +
-                     "-centred breather (allowed: an " + (centre == Centre::bond ? "even" : "odd") +
-                     " number)");
-  const auto state = stationary<double>(centre, options.mu, sites);
+Table OneProfile::table() const {
+  const std::size_t length = sites ? sites : sites_of(centre);
+  if (!fits(centre, length))
+    throw UsageError("--sites: '" + std::to_string(length) +
+                     "' does not fit this centre (allowed: " +
+                     (centre == Centre::bond ? "even" : "odd") + " numbers)");
+  const auto state = stationary<double>(centre, mu, length);
   Table table{{count("n", "site", "site"), number("u", "stationary DpS breather"),
                number("quasi_continuum", "quasi-continuum profile")}};
-  for (std::size_t i = 0; i < sites; ++i) {
-    const long n = site_number(i, sites);
-    table.add({std::int64_t(n), state.u[i], options.mu * options.mu * quasi_continuum(centre, n)});
+  for (std::size_t i = 0; i < length; ++i) {
+    const long n = site_number(i, length);
+    table.add({n, state.u[i], mu * mu * quasi_continuum(centre, n)});
   }
   return table;
 }
@@ -532,17 +536,8 @@ method, which is what the article uses it for.
 On a finite chain the free ends disturb the breather by the size of its tail: on 15 sites a
 site-centred one still differs from that on 31 sites by
 [1.15790e-21](num:sec32_dps_profiles.free_end_effect_15_sites), which is nothing in double precision.
-Tails end where the number format does; beyond, the tables say zero. */
-void add_options(Command& profile, ProfileOptions& options) {
-  profile.add_option("--centre", options.centre, "centre: site or bond")
-      ->check(one_of({"site", "bond"}));
-  profile.add_option("--mu", options.mu, "frequency of the stationary state")
-      ->check(in_range(1e-6, 1e6));
-  profile.add_option("--sites", options.sites, "chain length (default: 31 or 32)")
-      ->check(in_range(2, 1e5));
-}
+Tails end where the number format does; beyond, the tables say zero.
 
-/**
 ## Extensions
 
 - Add one more term to the truncated Taylor series: does the difference fall below one per
@@ -552,13 +547,10 @@ void add_options(Command& profile, ProfileOptions& options) {
 - The strains obey a two-dimensional map. Draw its stable and unstable manifolds and find the
   breathers with two or more humps. */
 int main(int argc, char** argv) {
-  Program program(
-      {"sec32_dps_profiles", "3.2", "Static breathers of the DpS equation (section 3.2)"}, argc,
-      argv);
-  ProfileOptions options;
-  Command* profile = program.command("profile", "one breather beside its approximation",
-                                     [&] { return profile_command(options); });
-  add_options(*profile, options);
-  program.everything = everything;
-  return program.run(argc, argv);
+  return run({"sec32_dps_profiles",
+              "3.2",
+              "Static breathers of the DpS equation (section 3.2)",
+              reproduce,
+              {command<OneProfile>()}},
+             argc, argv);
 }

@@ -27,9 +27,8 @@ How much energy separates them is the question of the next chapter. */
 #include "lattice/numbers/random.hpp"
 #include "lattice/orbits/breather.hpp"
 #include "lattice/orbits/ladder.hpp"
-#include "lattice/report/breather_options.hpp"
-#include "lattice/report/judge.hpp"
-#include "lattice/report/program.hpp"
+#include "report/program.hpp"
+#include "sec33/breather_options.hpp"
 
 using namespace lattice;
 
@@ -444,7 +443,7 @@ void report_branches(Report& report) {
 
 /**
 The program computes the parts of this chapter in the order in which they are told. */
-void everything(Report& report) {
+void reproduce(Report& report) {
   report.output.note("tolerance", "flow to 128 and 2048 roundings of the type");
   report_convergence(report);
   report_symmetry(report);
@@ -462,11 +461,23 @@ enough for it: a bead at the end must not feel that its outer neighbour is missi
 how much it would. `--precision extended` repeats Newton's method in quadruple precision; the error is
 then the difference from a 64-bit mantissa. `--onsite pendulum` takes another well. All have the same
 frequency at rest, so that their families begin alike, and each is followed from there. */
-struct BreatherOptions : ChosenBreather {
+struct OneBreather : ChosenBreather {
+  static constexpr const char *name = "breather",
+                              *meaning = "one breather: amplitude, energy, area, residual";
   std::string precision = "double";
   bool profile = false;
 
   bool extended() const { return precision == "extended"; }
+  void parameters(Parameters& p) {
+    add_omega(p);
+    add_well(p);
+    add_centre(p);
+    p.add("sites", sites, "chain length (default: 31 or 32)", {3, 1001});
+    p.add("precision", precision, "of the orbit", {"double", "extended"});
+    add_phase(p);
+    p.add("profile", profile, "print the positions n,y instead");
+  }
+  Table table() const;
 };
 
 /**
@@ -503,22 +514,22 @@ Table breather_profile(const Orbit<T>& orbit) {
 /**
 Higher precision is expensive and needs a good start: double precision finds the orbit, and each wider type
 confirms the one before. */
-Table breather_command(const BreatherOptions& options) {
-  const auto [problem, orbit] = find_chosen(options, options.extended() ? 1e-34 : 1e-17);
-  if (options.profile && !options.extended()) {
+Table OneBreather::table() const {
+  const auto [problem, orbit] = find_chosen(*this, extended() ? 1e-34 : 1e-17);
+  if (profile && !extended()) {
     NewtonRule<double> graded = rule<double>(0);
     graded.graded = true;
     graded.landing.floor = 0;
     return breather_profile(polish(problem, orbit, graded));
   }
   const auto wide = polish(in_precision<Wide>(problem), orbit, rule<Wide>(0));
-  if (!options.extended()) return breather_table(problem, orbit, wide, {});
+  if (!extended()) return breather_table(problem, orbit, wide, {});
   NewtonRule<Quadruple> deep;
   deep.landing.tolerance = Quadruple(1e-27);
   const auto quadruple = in_precision<Quadruple>(problem);
   const auto deepest = polish(quadruple, wide, deep);
-  return options.profile ? breather_profile(deepest)
-                         : breather_table(quadruple, deepest, wide, deep.landing);
+  return profile ? breather_profile(deepest)
+                 : breather_table(quadruple, deepest, wide, deep.landing);
 }
 
 /**
@@ -536,20 +547,10 @@ chapter).
 - How does the tail change for a contact of another exponent?
 - Are there breathers around two neighbouring sites that swing in phase? */
 int main(int argc, char** argv) {
-  Program program({"sec32_newton_breathers", "3.2", "Static breathers of the chain (section 3.2)"},
-                  argc, argv);
-  BreatherOptions options;
-  Command* one = program.command("breather", "one breather: amplitude, energy, area, residual",
-                                 [&] { return breather_command(options); });
-  one->add_option("--omega", options.omega, "frequency omega_b > 1")->check(in_range(1.0001, 3));
-  options.offer_well(*one);
-  options.offer_centre(*one);
-  one->add_option("--sites", options.sites, "chain length (default: 31 or 32)")
-      ->check(in_range(3, 1001));
-  one->add_option("--precision", options.precision, "double or extended")
-      ->check(one_of({"double", "extended"}));
-  options.offer_phase(*one);
-  one->add_flag("--profile", options.profile, "print the positions n,y instead");
-  program.everything = everything;
-  return program.run(argc, argv);
+  return run({"sec32_newton_breathers",
+              "3.2",
+              "Static breathers of the chain (section 3.2)",
+              reproduce,
+              {command<OneBreather>()}},
+             argc, argv);
 }

@@ -24,7 +24,7 @@ The article claims nothing here; what we find is measured. */
 #include "lattice/numbers/parallel.hpp"
 #include "lattice/orbits/exchange.hpp"
 #include "lattice/orbits/held.hpp"
-#include "lattice/report/program.hpp"
+#include "report/program.hpp"
 
 using namespace lattice;
 
@@ -416,12 +416,13 @@ fold of the family. It shows the exchange of the pinning pair and no other insta
 - Does a kicked breather stop at the stable breather in between?
 - At a zero of the second harmonic of the barrier three curves of exchange would meet: is there one in the
   plane? */
+void reproduce(Report& report) {
+  report.output.note("tolerance", "flow to 128 and 2048 roundings of the type");
+  const auto grid = report_chart(report);
+  report_between(report, report_windows(report, grid));
+}
+
 int main(int argc, char** argv) {
-  Program program({"sec33_between", "3.3", "Breathers centred nowhere (section 3.3)"}, argc, argv);
-  program.everything = [](Report& report) {
-    report.output.note("tolerance", "flow to 128 and 2048 roundings of the type");
-    const auto grid = report_chart(report);
-    report_between(report, report_windows(report, grid));
-  };
-  return program.run(argc, argv);
+  return run({"sec33_between", "3.3", "Breathers centred nowhere (section 3.3)", reproduce}, argc,
+             argv);
 }

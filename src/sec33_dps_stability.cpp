@@ -27,8 +27,7 @@ means in time. What is claimed, with the identifiers under which the answers are
 #include "lattice/dps/motion.hpp"
 #include "lattice/numbers/extended.hpp"
 #include "lattice/numbers/parallel.hpp"
-#include "lattice/report/judge.hpp"
-#include "lattice/report/program.hpp"
+#include "report/program.hpp"
 
 using namespace lattice;
 
@@ -505,7 +504,7 @@ of the noise, counts $(\mu-m_2)/|\lambda|$, some two hundred times, as much as a
 push that frees a bond-centred breather, [0.006542](num:sec33_dps_stability.freeing_push), is less than the
 amplitude of the noise. The noise exceeds it for [5](num:sec33_dps_stability.pushed_over) seeds, and the push
 alone predicts the fate of [16](num:sec33_dps_stability.told_by_push). */
-void everything(Report& report) {
+void reproduce(Report& report) {
   report.output.note(
       "seed", "GSL mt19937, seeds in the tables of trials; map: " + std::to_string(map_seed));
   report_spectra(report);
@@ -528,29 +527,27 @@ most a fraction of [1e-10](num:sec33_dps_stability.largest_drift); the freeing p
 
 `sec33_dps_stability spectrum --centre bond --mu 1 --sites 32` prints all exponents, two for each site: first
 the two zeros of the phase, then the pinning pair, then the rest. */
-struct SpectrumOptions {
-  std::string centre = "site";
+struct OneSpectrum {
+  static constexpr const char *name = "spectrum", *meaning = "all exponents of a breather";
+  Centre centre = Centre::site;
   double mu = 1;
   std::size_t sites = 0;  ///< 0: as in the full run
+
+  void parameters(Parameters& p) {
+    p.add("centre", centre, "where the breather is centred",
+          {{"site", Centre::site}, {"bond", Centre::bond}});
+    p.add("mu", mu, "frequency of the breather", {1e-6, 1e6});
+    p.add("sites", sites, "chain length (default: 31 or 32)", {8, 1001});
+  }
+  Table table() const {
+    const std::size_t length = sites ? sites : sites_of(centre);
+    if (!fits(centre, length))
+      throw UsageError("--sites: '" + std::to_string(length) +
+                       "' does not fit this centre (allowed: " +
+                       (centre == Centre::bond ? "even" : "odd") + " numbers)");
+    return spectrum_table(centre, mu, length);
+  }
 };
-
-Table spectrum_command(const SpectrumOptions& options) {
-  const Centre centre = options.centre == "site" ? Centre::site : Centre::bond;
-  const std::size_t sites = options.sites ? options.sites : sites_of(centre);
-  if (!fits(centre, sites))
-    throw UsageError("--sites: '" + std::to_string(sites) + "' does not fit a " + options.centre +
-                     "-centred breather (allowed: an " + (centre == Centre::bond ? "even" : "odd") +
-                     " number)");
-  return spectrum_table(centre, options.mu, sites);
-}
-
-void add_options(Command& spectrum, SpectrumOptions& options) {
-  spectrum.add_option("--centre", options.centre, "centre: site or bond")
-      ->check(one_of({"site", "bond"}));
-  spectrum.add_option("--mu", options.mu, "frequency of the breather")->check(in_range(1e-6, 1e6));
-  spectrum.add_option("--sites", options.sites, "chain length (default: 31 or 32)")
-      ->check(in_range(8, 1001));
-}
 
 /**
 ## Differences and limits
@@ -571,12 +568,10 @@ frees nearly all. Speeds are those over the first site that is crossed.
 - For which other exponent of the contact is the margin zero, and what moves there?
 - How does a moving packet lose its speed in the end, and to what? */
 int main(int argc, char** argv) {
-  Program program({"sec33_dps_stability", "3.3", "Stability of the DpS breathers (section 3.3)"},
-                  argc, argv);
-  SpectrumOptions options;
-  Command* spectrum = program.command("spectrum", "all exponents of a breather",
-                                      [&] { return spectrum_command(options); });
-  add_options(*spectrum, options);
-  program.everything = everything;
-  return program.run(argc, argv);
+  return run({"sec33_dps_stability",
+              "3.3",
+              "Stability of the DpS breathers (section 3.3)",
+              reproduce,
+              {command<OneSpectrum>()}},
+             argc, argv);
 }

@@ -25,8 +25,8 @@ the seventh digit, and between them a breather that is centred neither on a site
 
 #include "lattice/numbers/parallel.hpp"
 #include "lattice/orbits/exchange.hpp"
-#include "lattice/report/breather_options.hpp"
-#include "lattice/report/judge.hpp"
+#include "report/program.hpp"
+#include "sec33/breather_options.hpp"
 
 using namespace lattice;
 
@@ -296,11 +296,23 @@ void report_mode(Report& report) {
 `sec33_floquet multipliers --centre site --omega 1.1` prints all multipliers with their errors, those
 next to $+1$ first, for wells of any name (`--onsite pendulum`); `sec33_floquet exchange --centre bond`
 prints where the stability changes in the article's. */
-Table multipliers_command(const ChosenBreather& options) {
-  const auto found = find_chosen(options, 1e-17);
-  Table table{multiplier_columns()};
-  add_multipliers(table, spectrum<Wide>(found.problem, found.orbit));
-  return table;
+struct Multipliers : ChosenBreather {
+  static constexpr const char *name = "multipliers",
+                              *meaning = "all Floquet multipliers of one breather";
+  void parameters(Parameters& p) {
+    add_centre(p);
+    add_omega(p);
+    add_well(p);
+    p.add("sites", sites, "sites (default: as many as needed)", {3, 1000});
+  }
+  Table table() const;
+};
+
+Table Multipliers::table() const {
+  const auto found = find_chosen(*this, 1e-17);
+  Table out{multiplier_columns()};
+  add_multipliers(out, spectrum<Wide>(found.problem, found.orbit));
+  return out;
 }
 
 /**
@@ -326,12 +338,22 @@ std::vector<Estimate> exchanges_on(Centre centre, double omega, int side) {
 
 /**
 A user who asks for an exchange must not get an empty table: where there is none, that is an error. */
-Table exchange_command(const ChosenBreather& options) {
-  std::vector<Estimate> found = exchanges_on(options.kind(), options.omega, 1);
-  for (const Estimate& e : exchanges_on(options.kind(), options.omega, -1)) found.push_back(e);
+struct Exchanges : ChosenBreather {
+  static constexpr const char *name = "exchange",
+                              *meaning = "anharmonicity at which the stability changes";
+  void parameters(Parameters& p) {
+    add_centre(p);
+    add_omega(p);
+  }
+  Table table() const;
+};
+
+Table Exchanges::table() const {
+  std::vector<Estimate> found = exchanges_on(centre, omega, 1);
+  for (const Estimate& e : exchanges_on(centre, omega, -1)) found.push_back(e);
   if (found.empty())
     throw Failure("no exchange of stability between s = -1 and 1 at omega_b = " +
-                  std::to_string(options.omega));
+                  std::to_string(omega));
   std::sort(found.begin(), found.end(),
             [](auto a, auto b) { return std::abs(a.value) < std::abs(b.value); });
   Quantities q;
@@ -342,7 +364,7 @@ Table exchange_command(const ChosenBreather& options) {
 
 /**
 The program computes the parts in the order of the chapter. */
-void compute(Report& report) {
+void reproduce(Report& report) {
   report.output.note("tolerance", "flow to 128 and 2048 roundings of the type");
   report_spectrum(report);
   report_wells(report);
@@ -366,20 +388,10 @@ program `sec33_between` finds the exchanges and follows two families of such bre
 - The pairs beyond the first: is there a collision on the unit circle at higher frequencies?
 - Does a kicked breather stop at the stable breather in between? */
 int main(int argc, char** argv) {
-  Program program({"sec33_floquet", "3.3", "Stability of the breathers (section 3.3)"}, argc, argv);
-  ChosenBreather options;
-  const auto add_common = [&](Command* app) {
-    options.offer_centre(*app);
-    app->add_option("--omega", options.omega, "frequency omega_b > 1")->check(in_range(1.0001, 3));
-  };
-  Command* one = program.command("multipliers", "all Floquet multipliers of one breather",
-                                 [&] { return multipliers_command(options); });
-  add_common(one);
-  options.offer_well(*one);
-  one->add_option("--sites", options.sites, "sites (default: as many as needed)")
-      ->check(in_range(3, 1000));
-  add_common(program.command("exchange", "anharmonicity at which the stability changes",
-                             [&] { return exchange_command(options); }));
-  program.everything = compute;
-  return program.run(argc, argv);
+  return run({"sec33_floquet",
+              "3.3",
+              "Stability of the breathers (section 3.3)",
+              reproduce,
+              {command<Multipliers>(), command<Exchanges>()}},
+             argc, argv);
 }

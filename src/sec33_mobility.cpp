@@ -27,9 +27,9 @@ conserved so well that its error cannot matter, draws figures 14 and 15, and the
 #include "lattice/numbers/parallel.hpp"
 #include "lattice/orbits/kicked.hpp"
 #include "lattice/orbits/ladder.hpp"
-#include "lattice/report/breather_options.hpp"
-#include "lattice/report/judge.hpp"
 #include "lattice/stepping/compensated.hpp"
+#include "report/program.hpp"
+#include "sec33/breather_options.hpp"
 
 using namespace lattice;
 
@@ -466,29 +466,45 @@ void report_printed(Report& report, const Breathers& all) {
 `sec33_mobility kick --centre bond --omega 1.1 --c 2e-4` kicks one breather. The run ends early if the
 breather comes within eight sites of an end of its chain. If less than nine tenths of the energy stays
 together, the breather has broken up, and that is an error; so is a chain too short for the breather. */
-struct KickOptions : ChosenBreather {
-  double c = 2e-4, time = 20000;
+struct Kicked : ChosenBreather {
+  Kicked() { centre = Centre::bond; }
+  void parameters(Parameters& p) {
+    add_centre(p);
+    p.add("omega", omega, "frequency omega_b > 1", {1.01, 2});
+    add_phase(p);
+    p.add("sites", sites, "chain length (default: 52 or 53)", {8, 400});
+  }
+  RestingBreather at_rest() const {
+    return on_chosen_chain(
+        *this, [&] { return resting_breather(centre, phase, omega, sites ? sites : 52); });
+  }
 };
-RestingBreather ready_for(const KickOptions& options) {
-  const std::size_t sites = options.sites ? options.sites : 52;
-  return on_chosen_chain(options, [&] {
-    return resting_breather(options.kind(), options.start(), options.omega, sites);
-  });
-}
+
+struct Kick : Kicked {
+  static constexpr const char *name = "kick", *meaning = "speed of a breather after a kick";
+  double c = 2e-4, time = 20000;
+
+  void parameters(Parameters& p) {
+    Kicked::parameters(p);
+    p.add("c", c, "size of the kick, a velocity", {1e-9, 1});
+    p.add("time", time, "duration", {1000, 1e6});
+  }
+  Table table() const;
+};
 
 /**
 Errors come from two step sizes. A breather that has moved less than one site has no speed: it is `nan`. */
-Table kick_command(const KickOptions& options) {
-  const RestingBreather at = ready_for(options);
+Table Kick::table() const {
+  const RestingBreather at = at_rest();
   const double room = 0.5 * double(at.chain.sites) - 8;
   std::array<Creep, 2> runs;
   parallel_for(2, [&](std::size_t i) {
-    runs[i] = at.after(options.c, ContactAware{i ? 0.05 : 0.1}, options.time,
+    runs[i] = at.after(c, ContactAware{i ? 0.05 : 0.1}, time,
                        [&](const Creep& path, const State<double>&, const auto&) {
                          return path.share > 0.9 && std::abs(path.travelled()) < room;
                        });
     if (runs[i].share <= 0.9 || runs[i].run.escaped())
-      throw Failure("the breather breaks up after a kick of " + short_text(options.c));
+      throw Failure("the breather breaks up after a kick of " + short_text(c));
   });
   const double ends = std::min(runs[0].run.t_end, runs[1].run.t_end);
   const double way = std::abs(runs[1].travelled()), none = std::nan("");
@@ -505,12 +521,17 @@ Table kick_command(const KickOptions& options) {
 
 /**
 `sec33_mobility threshold --centre bond --omega 1.1` takes some seconds and refuses an unstable centre. */
-Table threshold_command(const KickOptions& options) {
-  const RestingBreather at = ready_for(options);
-  const Prediction p = predict_threshold(at, barriers_at(options.omega).equal_area);
+struct Threshold : Kicked {
+  static constexpr const char *name = "threshold",
+                              *meaning = "the kick that frees a stable breather";
+  Table table() const;
+};
+
+Table Threshold::table() const {
+  const RestingBreather at = at_rest();
+  const Prediction p = predict_threshold(at, barriers_at(omega).equal_area);
   if (!p.exists())
-    throw UsageError("--centre: a " + options.centre +
-                     "-centred breather at omega_b = " + short_text(options.omega) +
+    throw UsageError("--centre: this breather at omega_b = " + short_text(omega) +
                      " is unstable and any kick moves it (allowed: the other centre)");
   if (!(p.frequency.value > 1e-5))
     throw Failure("so close to an exchange of stability the breather swings too slowly");
@@ -542,22 +563,14 @@ that of the pendulum is [4.45275e-6](num:sec33_mobility.threshold_of_pendulum_bo
 central contact compressed the threshold is [4.31978e-6](num:sec33_mobility.threshold_bond_compressed). No
 trial of ours gives 6.19 in particular. Locked steps do pin the bond-centred breather at $5.5\cdot10^{-6}$,
 with no more drift of the energy than steps that are not locked, with which it moves: a conserved energy is
-necessary but not sufficient. That this happened in the article is a conjecture. */
-void add_options(Command& app, KickOptions& options) {
-  options.offer_centre(app);
-  app.add_option("--omega", options.omega, "frequency omega_b > 1")->check(in_range(1.01, 2));
-  options.offer_phase(app);
-  app.add_option("--sites", options.sites, "chain length (default: 52 or 53)")
-      ->check(in_range(8, 400));
-}
+necessary but not sufficient. That this happened in the article is a conjecture.
 
-/**
 ## Extensions
 
 - How accurately is the landscape a sine, and where along $\omega_b$ does its second harmonic take over?
 - Near an exchange of stability, does a breather at $c < c_c$ swing about neither site nor bond?
 - How long does a moving breather last, and what does it lose on its way? */
-void everything(Report& report) {
+void reproduce(Report& report) {
   report.output.note("sites", "52 and 53 for strong kicks, 22 to 31 otherwise");
   const Breathers at = all_ready(26, 22);
   report_kick_energy(report, at[1]);
@@ -578,21 +591,11 @@ void everything(Report& report) {
   report_printed(report, at);
 }
 
-/**
-Both commands kick a breather, so they share their options. */
 int main(int argc, char** argv) {
-  Program program({"sec33_mobility", "3.3", "Kicked breathers and their threshold (section 3.3)"},
-                  argc, argv);
-  KickOptions options;
-  options.centre = "bond";
-  Command* kick = program.command("kick", "speed of a breather after a kick",
-                                  [&] { return kick_command(options); });
-  add_options(*kick, options);
-  kick->add_option("--c", options.c, "size of the kick, a velocity")->check(in_range(1e-9, 1));
-  kick->add_option("--time", options.time, "duration")->check(in_range(1000, 1e6));
-  Command* threshold = program.command("threshold", "the kick that frees a stable breather",
-                                       [&] { return threshold_command(options); });
-  add_options(*threshold, options);
-  program.everything = everything;
-  return program.run(argc, argv);
+  return run({"sec33_mobility",
+              "3.3",
+              "Kicked breathers and their threshold (section 3.3)",
+              reproduce,
+              {command<Kick>(), command<Threshold>()}},
+             argc, argv);
 }

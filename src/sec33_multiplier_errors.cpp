@@ -27,8 +27,8 @@ The claims are answered in the previous chapter; the results here are our own me
 #include "lattice/numbers/parallel.hpp"
 #include "lattice/numbers/random.hpp"
 #include "lattice/orbits/exchange.hpp"
-#include "lattice/report/program.hpp"
 #include "lattice/stepping/reference.hpp"
+#include "report/program.hpp"
 
 using namespace lattice;
 
@@ -299,15 +299,16 @@ of the article had residuals of $1.5\cdot10^{-9}$ besides.
 
 - Which part of the error comes from which contact? Land on the switchings of the central contact only.
 - Does a symplectic integrator with fixed steps keep the double $+1$ together? */
+void reproduce(Report& report) {
+  report.output.note("tolerance",
+                     "flow to 128 and 2048 roundings of the type, unless a table says else");
+  report.output.note("seed", "1 to 8 for the noise on the matrix");
+  report_defect(report);
+  report_printed(report);
+}
+
 int main(int argc, char** argv) {
-  Program program({"sec33_multiplier_errors", "3.3", "How a multiplier goes wrong (section 3.3)"},
-                  argc, argv);
-  program.everything = [](Report& report) {
-    report.output.note("tolerance",
-                       "flow to 128 and 2048 roundings of the type, unless a table says else");
-    report.output.note("seed", "1 to 8 for the noise on the matrix");
-    report_defect(report);
-    report_printed(report);
-  };
-  return program.run(argc, argv);
+  return run(
+      {"sec33_multiplier_errors", "3.3", "How a multiplier goes wrong (section 3.3)", reproduce},
+      argc, argv);
 }

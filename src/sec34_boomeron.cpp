@@ -17,6 +17,8 @@ their direction. How far does it get, and for how long can its motion be known?
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,9 +27,9 @@ their direction. How far does it get, and for how long can its motion be known?
 #include "lattice/measure/turning.hpp"
 #include "lattice/numbers/parallel.hpp"
 #include "lattice/numbers/random.hpp"
-#include "lattice/report/judge.hpp"
-#include "lattice/report/model_options.hpp"
 #include "lattice/stepping/reference.hpp"
+#include "report/model_options.hpp"
+#include "report/program.hpp"
 
 using namespace lattice;
 
@@ -179,10 +181,11 @@ velocities with two or three digits; half a unit of the last digit of 1.87 means
 $\delta\approx 3\cdot10^{-3}$. */
 /// The time when two struck chains have parted; infinite if they have not by `time`.
 template <class Struck>
-double decorrelation(const ContactAware& first, double velocity, const ContactAware& second,
-                     double other, const Struck& chain, double time) {
+double decorrelation(
+    const ContactAware& first, double velocity, const ContactAware& second, double other,
+    const Struck& chain, double time, const std::function<void(double)>& watch = [](double) {}) {
   return parting_time(first, struck(chain.sites, velocity), second, struck(chain.sites, other),
-                      chain, time);
+                      chain, time, watch);
 }
 
 /**
@@ -502,45 +505,59 @@ void report_check(Report& report) {
 
 `sec34_boomeron run --velocity 1.9 --s 1 --time 1000` prints apex, rebound, and the time at which
 two impacts that differ by a fraction $10^{-8}$ have parted, looked for up to four times as long.
-What did not happen in the given time is `nan`. The step is halved until apex and rebound agree to
-the tolerance; where they never do, the motion became chaotic first, and the command fails. Well and
-contact may be others, by name, and the chain is so long that nothing returns from its far end. */
-struct RunOptions {
+What did not happen in the given time is `nan`. The step is halved until apex and rebound of two runs agree
+to the tolerance; where they never do, the motion became chaotic first, and the command fails. What is left
+of their difference is printed as `step_difference`. The errors of the times are larger: they hold what
+another width of the smoothing would change, and no step makes that smaller. Well and contact may be
+others, by name, and the chain is so long that nothing returns from its far end. The ranges
+exclude inputs for which the question has no answer: a run too short for the smoothing, a velocity at which
+nothing moves, a soft quartic well. */
+struct OneTurn {
+  static constexpr const char *name = "run", *meaning = "one impact: apex, rebound, decorrelation";
   double velocity = 1.9, time = 1000, tolerance = 1e-3;
-  Chain chain{0, Quartic{1}};
+  Chain like{0, Quartic{1}};
+
+  void parameters(Parameters& p) {
+    p.add("velocity", velocity, "impact velocity", {1e-3, 100});
+    add_well(p, like.well, {{"s", {0, 1000}}});
+    add_contact(p, like.contact);
+    p.add("time", time, "length of the run", {50, 1e5});
+    p.add("tolerance", tolerance,
+          "relative difference of apex and rebound allowed between two steps", {1e-8, 0.1});
+  }
+  Table table() const;
 };
 
-Table run_command(const RunOptions& options) {
-  const double v = options.velocity, time = options.time;
-  const Chain chain = endless(options.chain, v, time);
+Table OneTurn::table() const {
+  const double v = velocity;
+  const Chain chain = endless(like, v, time);
+  const auto shown = [](const std::string& label, double until) {
+    return [until, progress = std::make_shared<Progress>(label, 100)](double t) {
+      progress->reach(std::size_t(100 * t / until));
+    };
+  };
   const auto runs = converge(
-      options.tolerance, [&](const ContactAware& at) { return voyage(at, chain, v, time); },
+      tolerance,
+      [&](const ContactAware& at) {
+        const auto show = shown("step " + short_text(std::ldexp(at.step, -at.halvings)), time);
+        return voyage(at, chain, v, time,
+                      [&](const State<double>& now, const auto&) { show(now.t); });
+      },
       SameTurn{});
   if (std::abs(runs.fine.end.v.back()) > 1e-9 * v) throw Failure("the motion reaches the far end");
   const TurnEstimate read = estimate_turn(runs.coarse, runs.fine);
   const auto neighbours = [&](int more) {
-    const ContactAware at = stepper_for(options.tolerance, largest_step, runs.halvings + more);
-    return decorrelation(at, v, at, v * (1 + 1e-8), chain, 4 * time);
+    const ContactAware at = stepper_for(tolerance, largest_step, runs.halvings + more);
+    return decorrelation(at, v, at, v * (1 + 1e-8), chain, 4 * time,
+                         shown("two impacts", 4 * time));
   };
   Quantities q;
   q.add("apex_site", read.apex_site, "site");
   q.add("apex_time", read.apex_time);
   q.add("return_time", read.return_time);
   q.add("decorrelation_time", parting(neighbours(0), neighbours(1)));
+  q.add("step_difference", exact(runs.error), "relative");
   return q.table;
-}
-
-/**
-The ranges of the options exclude inputs for which the question has no answer: a run too short for
-the smoothing, a velocity at which nothing moves, a soft quartic well. */
-void add_run(Program& program, RunOptions& options) {
-  Command* run = program.command("run", "one impact: apex, rebound, decorrelation",
-                                 [&options] { return run_command(options); });
-  run->add_option("--velocity", options.velocity, "impact velocity")->check(in_range(1e-3, 100));
-  add_model_options(*run, options.chain, {{"s", {0, 1000}}});
-  run->add_option("--time", options.time, "length of the run")->check(in_range(50, 1e5));
-  run->add_option("--tolerance", options.tolerance, "relative error allowed in apex and rebound")
-      ->check(in_range(1e-8, 0.1));
 }
 
 /**
@@ -579,10 +596,10 @@ outside the figure: at site [183.239](num:sec34_boomeron.apex_site_150) and time
 - Does the return start where the packet's frequency meets that of a pinned breather?
 - What becomes of the turning with damping of the size of an experiment's? */
 int main(int argc, char** argv) {
-  Program program({"sec34_boomeron", "3.4", "Packets that turn round in hard wells (section 3.4)"},
-                  argc, argv);
-  RunOptions options;
-  add_run(program, options);
-  program.everything = reproduce;
-  return program.run(argc, argv);
+  return run({"sec34_boomeron",
+              "3.4",
+              "Packets that turn round in hard wells (section 3.4)",
+              reproduce,
+              {command<OneTurn>()}},
+             argc, argv);
 }

@@ -26,9 +26,8 @@ chapter before.
 
 #include "lattice/measure/turning.hpp"
 #include "lattice/numbers/parallel.hpp"
-#include "lattice/report/judge.hpp"
-#include "lattice/report/program.hpp"
-#include "lattice/report/sweep.hpp"
+#include "report/program.hpp"
+#include "report/sweep.hpp"
 
 using namespace lattice;
 
@@ -93,7 +92,7 @@ void compute_map(Sweep& sweep, const MapGrid& grid, Part part) {
     const double none = std::nan("");
     const Outlook coarse = probe(v, s, horizon, 0), fine = probe(v, s, horizon, 1);
     const Fate fate = coarse.fate == fine.fate ? fine.fate : Fate::undecided;
-    Sweep::Row row{v, s, kappa};
+    Row row{v, s, kappa};
     row.emplace_back(std::int64_t(fate));
     for (double x : {fine.apex, std::abs(fine.apex - coarse.apex)})
       row.emplace_back(fate == Fate::turns ? x : none);
@@ -253,24 +252,25 @@ The points of the map are independent, so several machines can share them.
 `sec34_boomeron_map map --part 2/8 --folder rows` computes every eighth point from the second on and
 keeps it in the folder; without `--part` the command collects what all parts have left there,
 computes what is missing and prints the whole map. */
-struct MapOptions {
+struct TurningMap {
+  static constexpr const char *name = "map", *meaning = "the map of turning, or a part of it";
   MapGrid grid{};
-  std::string part = "1/1", folder = "build/data/sec34_boomeron_map";
-};
+  std::string part = "1/1", folder{};
 
-void add_map(Program& program, MapOptions& options) {
-  Command* map = program.command("map", "the map of turning, or a part of it", [&options] {
-    const Part mine = parse_part(options.part);
-    Sweep sweep = map_sweep(options.folder, options.grid);
-    compute_map(sweep, options.grid, mine);
+  void parameters(Parameters& p) {
+    p.add("part", part, "k/n: every n-th point from the k-th on", part_text());
+    p.add("folder", folder, "where rows wait for each other (default: nothing is kept)",
+          writable_folder());
+    p.add("columns", grid.columns, "impact velocities", {2, 1000});
+    p.add("rows", grid.rows, "anharmonicities", {2, 1000});
+  }
+  Table table() const {
+    const Part mine = parse_part(part);
+    Sweep sweep = map_sweep(folder, grid);
+    compute_map(sweep, grid, mine);
     return sweep.table(mine);
-  });
-  map->add_option("--part", options.part, "k/n: every n-th point from the k-th on")
-      ->check(part_text());
-  map->add_option("--folder", options.folder, "where rows wait for each other")->check(not_empty());
-  map->add_option("--columns", options.grid.columns, "impact velocities")->check(in_range(2, 1000));
-  map->add_option("--rows", options.grid.rows, "anharmonicities")->check(in_range(2, 1000));
-}
+  }
+};
 
 /**
 ## Results
@@ -285,7 +285,8 @@ At $v_0=1.9$ a packet turns before site 40 if $s$ exceeds
 [0.908](num:sec34_boomeron_map.s_needed_at_190). At $s=0.005$ that takes an impact of
 [128.4](num:sec34_boomeron_map.v0_needed_at_s_0005), far above the article's velocities. All this
 holds for turning before site 40; how far out packets turn is the column `apex` of the map. */
-void reproduce(Report& report, MapGrid grid) {
+void reproduce(Report& report) {
+  MapGrid grid;
   if (report.quick) grid.columns = grid.rows = 8;
   Sweep sweep = map_sweep(report.output.folder(), grid);
   compute_map(sweep, grid, {});
@@ -310,10 +311,10 @@ are marked as undecided.
 - Derive $\kappa_0$ from the DpS equation with a cubic term added, in which it is a pure number.
 - Does the law hold for a struck chain with a fixed end? */
 int main(int argc, char** argv) {
-  Program program({"sec34_boomeron_map", "3.4", "Which packets turn round (section 3.4, s > 0)"},
-                  argc, argv);
-  MapOptions options;
-  add_map(program, options);
-  program.everything = [&](Report& report) { reproduce(report, options.grid); };
-  return program.run(argc, argv);
+  return run({"sec34_boomeron_map",
+              "3.4",
+              "Which packets turn round (section 3.4, s > 0)",
+              reproduce,
+              {command<TurningMap>()}},
+             argc, argv);
 }

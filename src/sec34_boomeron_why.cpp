@@ -29,8 +29,8 @@ The answer, with its evidence, stands under *Results*. */
 #include "lattice/numbers/parallel.hpp"
 #include "lattice/numbers/random.hpp"
 #include "lattice/orbits/ladder.hpp"
-#include "lattice/report/program.hpp"
 #include "lattice/stepping/damped.hpp"
+#include "report/program.hpp"
 
 using namespace lattice;
 
@@ -573,8 +573,7 @@ that of the waves behind the packet; the dependence on it was not mapped.
 - Measure the mass of both breathers by kicking them, and compare the ratio with that of the pulls.
 - Does a packet also turn when waves come towards it? */
 int main(int argc, char** argv) {
-  Program program({"sec34_boomeron_why", "3.4", "Why packets turn round (section 3.4, s > 0)"},
-                  argc, argv);
-  program.everything = reproduce;
-  return program.run(argc, argv);
+  return run(
+      {"sec34_boomeron_why", "3.4", "Why packets turn round (section 3.4, s > 0)", reproduce}, argc,
+      argv);
 }

@@ -25,8 +25,7 @@ extended wave train that the boundary goes on emitting. We compute both and comp
 #include "lattice/dps/impact.hpp"
 #include "lattice/measure/criteria.hpp"
 #include "lattice/measure/impact.hpp"
-#include "lattice/report/judge.hpp"
-#include "lattice/report/program.hpp"
+#include "report/program.hpp"
 
 using namespace lattice;
 
@@ -373,7 +372,7 @@ ahead of the peak reach [0.0593544](num:sec34_dps_impact.support_outermost) and
 The norm of the DpS equation and the energy of the chain must be conserved. They drift by
 [5e-14](num:sec34_dps_impact.dps_norm_drift) and
 [4e-11](num:sec34_dps_impact.lattice_energy_drift) of themselves. */
-void everything(Report& report) {
+void reproduce(Report& report) {
   Resolution resolution;
   if (report.quick) resolution = {1e-3, 1e-9, 100, 500};
   report.output.note("tolerance", "end state " + short_text(resolution.tolerance) + ", GSL " +
@@ -400,8 +399,6 @@ packet is narrower than seven sites: five hold
   $\tau = 250$. When do chain and approximation part for other $\epsilon$?
 - The last chapters find exact travelling breathers. How close does the DpS packet come to one? */
 int main(int argc, char** argv) {
-  Program program({"sec34_dps_impact", "3.4", "Impact in the DpS equation and in the chain"}, argc,
-                  argv);
-  program.everything = everything;
-  return program.run(argc, argv);
+  return run({"sec34_dps_impact", "3.4", "Impact in the DpS equation and in the chain", reproduce},
+             argc, argv);
 }

@@ -26,10 +26,9 @@ the first beads, the *surface mode*. */
 #include "lattice/measure/criteria.hpp"
 #include "lattice/measure/impact.hpp"
 #include "lattice/numbers/parallel.hpp"
-#include "lattice/report/judge.hpp"
-#include "lattice/report/model_options.hpp"
-#include "lattice/report/program.hpp"
 #include "lattice/stepping/reference.hpp"
+#include "report/model_options.hpp"
+#include "report/program.hpp"
 
 using namespace lattice;
 
@@ -469,7 +468,7 @@ void report_check(Report& report) {
   report.facts.add("independent_route_difference", {apart, runs.error});
 }
 
-void everything(Report& report) {
+void reproduce(Report& report) {
   report.output.note("tolerance", "end state " + short_text(tolerance));
   report_sweep(report);
   report_surface(report);
@@ -485,10 +484,23 @@ is fitted on the way out, from site 20 to twenty sites before the far end; where
 gets there it is `nan`. Over a long stretch a packet slows down as it sheds energy, so the value
 depends on the window. If a bead runs away the command fails, because then there is no packet to
 measure. */
-struct RunOptions {
+struct OneImpact {
+  static constexpr const char *name = "run",
+                              *meaning = "one impact: speed, centre, energies of the packet";
   Impact impact{1.87, {0, Quartic{}}, 600};
   bool profile = false;
   double tolerance = ::tolerance;
+
+  void parameters(Parameters& p) {
+    p.add("velocity", impact.velocity, "impact velocity", {1e-6, 100});
+    p.add("time", impact.time, "length of the run", {1, 1e5});
+    p.add("sites", impact.chain.sites, "chain length (default: as long as needed)", {2, 1e6});
+    add_well(p, impact.chain.well);
+    add_contact(p, impact.chain.contact);
+    p.add("tolerance", tolerance, "relative error allowed in the end state", {1e-11, 0.1});
+    p.add("profile", profile, "print the final profile n,y,v,e instead");
+  }
+  Table table() const;
 
   /// Completes what the reader left open: a chain so long that the motion does not reach its end.
   Impact complete() const {
@@ -539,14 +551,14 @@ Table run_profile(const Outcome& fine) {
   return table;
 }
 
-Table run_command(const RunOptions& options) {
-  const Impact impact = options.complete();
-  const auto runs = follow_to(options.tolerance, impact, far_away, 0.2);
+Table OneImpact::table() const {
+  const Impact whole = complete();
+  const auto runs = follow_to(tolerance, whole, far_away, 0.2);
   const Outcome &coarse = runs.coarse, &fine = runs.fine;
   if (fine.run.escaped())
     throw Failure("the solution blows up at t = " + std::to_string(fine.run.escape_time) +
                   ": --velocity is beyond the threshold of this well");
-  return options.profile ? run_profile(fine) : run_quantities(impact, coarse, fine);
+  return profile ? run_profile(fine) : run_quantities(whole, coarse, fine);
 }
 
 /**
@@ -566,21 +578,10 @@ would find more structure.
 - What do the islands of survival in `blowup_scan` look like on a finer grid?
 - Is the surface mode a time-periodic breather of the half-chain? Compute it by Newton. */
 int main(int argc, char** argv) {
-  Program program({"sec34_impact", "3.4", "Impact at one end of the chain (section 3.4, s <= 0)"},
-                  argc, argv);
-  RunOptions options;
-  Command* run = program.command("run", "one impact: speed, centre, energies of the packet",
-                                 [&] { return run_command(options); });
-  Impact& impact = options.impact;
-  run->add_option("--velocity", impact.velocity, "impact velocity")->check(in_range(1e-6, 100));
-  run->add_option("--time", impact.time, "length of the run")->check(in_range(1, 1e5));
-  run->add_option("--sites", impact.chain.sites, "chain length (default: as long as needed)")
-      ->check(in_range(2, 1e6));
-  add_model_options(*run, impact.chain);
-  run->add_option("--tolerance", options.tolerance, "relative error allowed in the end state")
-      ->check(in_range(1e-11, 0.1));
-  run->add_flag("--profile", options.profile, "print the final profile n,y,v,e instead");
-
-  program.everything = everything;
-  return program.run(argc, argv);
+  return run({"sec34_impact",
+              "3.4",
+              "Impact at one end of the chain (section 3.4, s <= 0)",
+              reproduce,
+              {command<OneImpact>()}},
+             argc, argv);
 }

@@ -24,8 +24,7 @@ figure, and leaves open how the transition happens; here we map it. */
 #include "lattice/measure/criteria.hpp"
 #include "lattice/measure/impact.hpp"
 #include "lattice/numbers/parallel.hpp"
-#include "lattice/report/judge.hpp"
-#include "lattice/report/program.hpp"
+#include "report/program.hpp"
 
 using namespace lattice;
 
@@ -80,9 +79,20 @@ Counts count_wells(const State<double>& state) {
 Just above the transition a kink creeps, may stop, and may come back, so a count can be taken too
 early. The loop in time therefore goes on until the counts have stayed the same while the time
 doubled, and gives up at the time `patience`: such a velocity is undecided. */
-struct Options {
+struct Strike {
+  static constexpr const char *name = "run",
+                              *meaning =
+                                  "one impact: who moved on (pendulums: a kink needs a well "
+                                  "beside every well)";
   double velocity = 5, patience = 3200;
   std::size_t sites = 50;
+
+  void parameters(Parameters& p) {
+    p.add("velocity", velocity, "impact velocity", {1e-6, 100});
+    p.add("patience", patience, "longest wait for the counts to settle", {400, 1e5});
+    p.add("sites", sites, "chain length", {2, 1e5});
+  }
+  Table table() const;
 };
 constexpr double first_look = 100;  // a kink needs about sixty units of time for the fifty sites
 
@@ -91,9 +101,9 @@ struct Verdict {
   bool settled = false;
 };
 
-Verdict strike(const Options& options, const ContactAware& stepper) {
-  const Chain chain{options.sites, Pendulum{}};
-  State<double> state = struck(options.sites, options.velocity);
+Verdict follow(const Strike& impact, const ContactAware& stepper) {
+  const Chain chain{impact.sites, Pendulum{}};
+  State<double> state = struck(impact.sites, impact.velocity);
   Verdict verdict;
   double next = first_look;
   const auto look = [&](const State<double>& now) {
@@ -104,65 +114,25 @@ Verdict strike(const Options& options, const ContactAware& stepper) {
     next *= 2;
     return !verdict.settled;
   };
-  evolve(stepper, chain, state, options.patience, first_look, look);
+  evolve(stepper, chain, state, impact.patience, first_look, look);
   return verdict;
 }
 
 /**
-## The transition (figure x01)
-
-Now we scan the impact velocity, with two steps at each. The runs are independent and share the
-cores. */
+Among the velocities of a scan some stay undecided: their counts have not settled, or differ at two steps. */
 struct Point {
   double velocity = 0;
   Counts counts{};
-  bool decided = false;  ///< settled, and the same at both steps
-};
+  bool decided = false;
 
-std::vector<Point> scan(double from, double to, double spacing) {
-  std::vector<Point> points(std::size_t(std::lround((to - from) / spacing)) + 1);
-  parallel_for("impact velocities", points.size(), [&](std::size_t i) {
-    Point& p = points[i];
-    p.velocity = from + spacing * double(i);
-    const Options options{.velocity = p.velocity};
-    const Verdict coarse = strike(options, stepper(options.velocity, 0)),
-                  fine = strike(options, stepper(options.velocity, 1));
-    p.counts = fine.counts;
-    p.decided = coarse.settled && fine.settled && fine.counts == coarse.counts;
-  });
-  return points;
-}
-
-/**
-The figure marks the undecided velocities, so the table keeps them. */
-Table scan_table(const std::vector<Point>& points, std::size_t sites) {
-  Table table{{number("velocity", "impact velocity"),
-               number("moved", "share of the beads that advanced by a well"),
-               count("ejected_far", "beads thrown off the far end"),
-               count("ejected_near", "beads thrown back at the near end"),
-               count("decided", "1 where the counts have settled and agree at two steps")}};
-  for (const Point& p : points)
-    table.add({p.velocity, double(p.counts.moved) / double(sites), p.counts.ejected_far,
-               p.counts.ejected_near, std::int64_t(p.decided)});
-  return table;
-}
-
-/**
-To show what the counts mean, the figure has two examples, one below the transition and one above.
-*/
-Table examples() {
-  Table table{{number("velocity", "impact velocity"), number("t", "time"),
-               count("n", "site", "site"), number("wells", "displacement in units of 2 pi")}};
-  for (double velocity : {2.0, 5.0}) {
-    const Chain chain{Options{}.sites, Pendulum{}};
-    State<double> state = struck(chain.sites, velocity);
-    evolve(stepper(velocity, 1), chain, state, 100, 0.5, [&](const State<double>& now) {
-      for (std::size_t n = 0; n < now.y.size(); ++n)
-        table.add({velocity, now.t, std::int64_t(n + 1), now.y[n] / (2 * std::numbers::pi)});
-    });
+  void measure() {
+    const Strike impact{.velocity = velocity};
+    const Verdict coarse = follow(impact, stepper(velocity, 0)),
+                  fine = follow(impact, stepper(velocity, 1));
+    counts = fine.counts;
+    decided = coarse.settled && fine.settled && fine.counts == coarse.counts;
   }
-  return table;
-}
+};
 
 /**
 ## Where the kink takes over (`impact.kink`)
@@ -176,7 +146,7 @@ bool is_breather(const Point& p) {
   return p.counts.moved == 0;
 }
 bool is_kink(const Point& p) {
-  return p.counts.ejected_far > 0 && p.counts.moved == std::int64_t(Options{}.sites);
+  return p.counts.ejected_far > 0 && p.counts.moved == std::int64_t(Strike{}.sites);
 }
 
 Transition find_transition(std::vector<Point> points) {
@@ -191,24 +161,55 @@ Transition find_transition(std::vector<Point> points) {
 }
 
 /**
-## Results
+## The transition (figure x01)
 
-There are three regimes. A weak impact leaves every bead in its well. From
+Now we scan the impact velocity. The runs are independent and share the cores. There are three regimes. A weak impact leaves every bead in its well. From
 $v_0 =$ [2.48](num:sec34_kink.first_thrown_back) on the recoil throws beads back at the near end
 while the breather still travels. Between [4.66](num:sec34_kink.last_breather) and
 [4.72](num:sec34_kink.first_certain_kink) the kink takes over. The error of these velocities is the
 spacing of the scan; a share of [0.00569801](num:sec34_kink.kink_undecided) of them stays undecided
 and supports no statement. */
-void everything(Report& report) {
+void reproduce(Report& report) {
   report.output.note("tolerance", "steps 0.1 and 0.05, half of that near the transition");
-  const double spacing = report.quick ? 0.25 : 0.02;
-  const auto points = scan(1, 8, spacing);
-  report.output.add("kink_transition", scan_table(points, Options{}.sites));
-  report.output.add("kink_examples", examples());
+  const std::size_t sites = Strike{}.sites;
+
+  // Two impacts, one below the transition and one above, show what the counts mean
+  Table examples{number("velocity", "impact velocity"), number("t", "time"),
+                 count("n", "site", "site"), number("wells", "displacement in units of 2 pi")};
+  for (double velocity : {2.0, 5.0}) {
+    const Chain chain{sites, Pendulum{}};
+    State<double> state = struck(sites, velocity);
+    evolve(stepper(velocity, 1), chain, state, 100, 0.5, [&](const State<double>& now) {
+      for (std::size_t n = 0; n < now.y.size(); ++n)
+        examples.add({velocity, now.t, n + 1, now.y[n] / (2 * std::numbers::pi)});
+    });
+  }
+  report.output.add("kink_examples", std::move(examples));
+
+  // The scan; the figure marks the undecided velocities, so the table keeps them
+  const double from = 1, to = 8, spacing = report.quick ? 0.25 : 0.02;
+  std::vector<Point> points(std::size_t(std::lround((to - from) / spacing)) + 1);
+  for (std::size_t i = 0; i < points.size(); ++i) points[i].velocity = from + spacing * double(i);
+  Table scan{number("velocity", "impact velocity"),
+             number("moved", "share of the beads that advanced by a well"),
+             count("ejected_far", "beads thrown off the far end"),
+             count("ejected_near", "beads thrown back at the near end"),
+             count("decided", "1 where the counts have settled and agree at two steps")};
+  const auto row = [&](Point& p) {
+    p.measure();
+    return Row{p.velocity, double(p.counts.moved) / double(sites), p.counts.ejected_far,
+               p.counts.ejected_near, p.decided};
+  };
+  scan.fill(points, row, "impact velocities");
+  report.output.add("kink_transition", std::move(scan));
+
+  // Between the last breather and the first certain kink the regime changes
   const Transition found = find_transition(points);
   judge(report, "impact.kink", transition(found));
   report.facts.add("last_breather", {found.last_breather, spacing});
   report.facts.add("first_certain_kink", {found.first_kink, spacing});
+
+  // The recoil throws beads back already at smaller velocities
   const auto back = std::find_if(points.begin(), points.end(), [](const Point& p) {
     return p.decided && p.counts.ejected_near > 0;
   });
@@ -220,9 +221,9 @@ void everything(Report& report) {
 
 `sec34_kink run --velocity 5` prints the counts for one velocity, with the difference of two
 resolutions as their error. It fails where they have not settled within `--patience`. */
-Table run_command(const Options& options) {
-  const Verdict coarse = strike(options, stepper(options.velocity, 0)),
-                fine = strike(options, stepper(options.velocity, 1));
+Table Strike::table() const {
+  const Verdict coarse = follow(*this, stepper(velocity, 0)),
+                fine = follow(*this, stepper(velocity, 1));
   if (!coarse.settled || !fine.settled)
     throw Failure("the counts have not settled: --patience is too short, or the motion is erratic");
   const auto both = [&](std::int64_t Counts::*count) {
@@ -249,16 +250,10 @@ of them.
 - How does the number of ejected beads grow with the velocity?
 - What is left of the transition with precompression? */
 int main(int argc, char** argv) {
-  Program program({"sec34_kink", "3.4", "Breather and kink in pendulum wells (section 3.4)"}, argc,
-                  argv);
-  Options options;
-  Command* run = program.command(
-      "run", "one impact: who moved on (pendulums: a kink needs a well beside every well)",
-      [&] { return run_command(options); });
-  run->add_option("--velocity", options.velocity, "impact velocity")->check(in_range(1e-6, 100));
-  run->add_option("--patience", options.patience, "longest wait for the counts to settle")
-      ->check(in_range(400, 1e5));
-  run->add_option("--sites", options.sites, "chain length")->check(in_range(2, 1e5));
-  program.everything = everything;
-  return program.run(argc, argv);
+  return run({"sec34_kink",
+              "3.4",
+              "Breather and kink in pendulum wells (section 3.4)",
+              reproduce,
+              {command<Strike>()}},
+             argc, argv);
 }

@@ -27,10 +27,9 @@ We derive every constant in SI units, strike the array and send the packet to th
 #include "lattice/measure/collision.hpp"
 #include "lattice/measure/scattering.hpp"
 #include "lattice/numbers/parallel.hpp"
-#include "lattice/report/judge.hpp"
-#include "lattice/report/program.hpp"
-#include "lattice/report/sweep.hpp"
 #include "lattice/stepping/reference.hpp"
+#include "report/program.hpp"
+#include "report/sweep.hpp"
 #include "sec36_trapped_mode.hpp"
 
 using namespace lattice;
@@ -324,7 +323,7 @@ void compute_map(Sweep& sweep, const Workshop& workshop, bool quick, Part part) 
   sweep.compute(part, [&](std::size_t i) {
     const Fractions f = fractions(workshop, radii[i]);
     const double mu = workshop.impact.array.mu(radii[i]);
-    Sweep::Row row{radii[i], mu, workshop.impact.array.linear_frequency(radii[i])};
+    Row row{radii[i], mu, workshop.impact.array.linear_frequency(radii[i])};
     for (const auto& named : f.named())
       row.insert(row.end(), {named.share.value, named.share.error});
     row.push_back(f.ledger.value);
@@ -438,44 +437,74 @@ void report_check(Report& report, const ArrayImpact& impact) {
 /**
 ## One defect with your own radius
 
-`sec36_cantilever_defect run --radius 1.6` measures one defect in the same way, with any impact
+`sec36_cantilever_defect run --ratio 1.6` measures one defect in the same way, with any impact
 velocity for which the transmitted packet does not reach the far end in 75 ms. `scales` prints all
 constants for an impact velocity of your choice, and `map --part 2/8` one part of the map of figure
 x09, whose rows it leaves in `--folder` for the full run. */
-struct Options {
-  double radius = 1.6, velocity = 1;
-  std::string part = "1/1", folder = "build/data/sec36_cantilever_defect";
-  ArrayImpact impact() const { return ArrayImpact{.velocity = velocity}; }
+struct OneDefect {
+  static constexpr const char *name = "run",
+                              *meaning = "one defect: reflected, remaining, transmitted energy";
+  double ratio = 1.6, velocity = 1;
+
+  void parameters(Parameters& p) {
+    p.add("ratio", ratio, "radius of the defect's beads over that of the others", {0.1, 5})
+        .formerly("radius");
+    p.add("velocity", velocity, "impact velocity in m/s", {0.5, 2, "m/s"});
+  }
+  Table table() const;
+};
+
+struct Scales {
+  static constexpr const char *name = "scales", *meaning = "all constants in SI units";
+  double velocity = 1;
+
+  void parameters(Parameters& p) {
+    p.add("velocity", velocity, "impact velocity in m/s", {1e-6, 1e3, "m/s"});
+  }
+  Table table() const { return scales_table(ArrayImpact{.velocity = velocity}); }
+};
+
+struct DefectMap {
+  static constexpr const char *name = "map", *meaning = "a part of the map of defects";
+  std::string part = "1/1", folder{};
+
+  void parameters(Parameters& p) {
+    p.add("part", part, "part k of n, as k/n", part_text());
+    p.add("folder", folder,
+          "where rows wait for each other and the full run (default: nothing is kept)",
+          writable_folder());
+  }
+  Table table() const;
 };
 
 /**
 The quantities of `run` are those of the map, with the speed and the constants of the defect. */
-Table run_command(const Options& options) {
-  const ArrayImpact impact = options.impact();
+Table OneDefect::table() const {
+  const ArrayImpact impact{.velocity = velocity};
   const Workshop workshop = workshop_for(impact, false);
-  const Fractions f = fractions(workshop, options.radius);
+  const Fractions f = fractions(workshop, ratio);
   Quantities q;
   for (const auto& named : f.named()) q.add(named.name, named.share, named.unit);
   q.add("ledger", f.ledger);
   q.add("speed", speed_of(pass_twice(impact), impact), "sites/s");
-  q.add("mu", exact(impact.array.mu(options.radius)));
-  q.add("eta", exact(CantileverArray::eta(options.radius)));
-  q.add("linear_frequency", exact(impact.array.linear_frequency(options.radius)), "1 / tau_c");
+  q.add("mu", exact(impact.array.mu(ratio)));
+  q.add("eta", exact(CantileverArray::eta(ratio)));
+  q.add("linear_frequency", exact(impact.array.linear_frequency(ratio)), "1 / tau_c");
   return q.table;
 }
 
-Table map_command(const Options& options) {
-  const Part part = parse_part(options.part);
-  Sweep sweep = map_sweep(options.folder, false);
-  if (sweep.known(part) < sweep.size(part))
-    compute_map(sweep, workshop_for(ArrayImpact{}, false), false, part);
-  return sweep.table(part);
+Table DefectMap::table() const {
+  const Part mine = parse_part(part);
+  Sweep sweep = map_sweep(folder, false);
+  if (sweep.known(mine) < sweep.size(mine))
+    compute_map(sweep, workshop_for(ArrayImpact{}, false), false, mine);
+  return sweep.table(mine);
 }
 
 /**
 A full run follows the chapter, with the maps at the end; `--quick` takes coarser steps and fewer
 radii. */
-void everything(Report& report) {
+void reproduce(Report& report) {
   const ArrayImpact impact;
   report_collision(report);
   report_beam(report, impact.array);
@@ -514,26 +543,10 @@ in the same place, and the remainder lies in front of the defect and leaves.
   with $\lambda$ should matter.
 - Compute the Floquet multipliers of the trapped mode: is its swing from side to side one of them? */
 int main(int argc, char** argv) {
-  Program program({"sec36_cantilever_defect", "3.5, 3.6",
-                   "Decorated cantilevers and a defect that reflects (sections 3.5 and 3.6)"},
-                  argc, argv);
-  Options options;
-  Command* run = program.command("run", "one defect: reflected, remaining, transmitted energy",
-                                 [&] { return run_command(options); });
-  run->add_option("--radius", options.radius, "radius of the defect's beads over the others'")
-      ->check(in_range(0.1, 5));
-  run->add_option("--velocity", options.velocity, "impact velocity in m/s")
-      ->check(in_range(0.5, 2, "m/s"));
-  Command* scales = program.command("scales", "all constants in SI units",
-                                    [&] { return scales_table(options.impact()); });
-  scales->add_option("--velocity", options.velocity, "impact velocity in m/s")
-      ->check(in_range(1e-6, 1e3, "m/s"));
-  Command* map =
-      program.command("map", "a part of the map of defects", [&] { return map_command(options); });
-  map->add_option("--part", options.part, "part k of n, as k/n")->check(part_text());
-  map->add_option("--folder", options.folder, "folder in which the rows wait for the full run")
-      ->check(not_empty());
-
-  program.everything = everything;
-  return program.run(argc, argv);
+  return run({"sec36_cantilever_defect",
+              "3.5, 3.6",
+              "Decorated cantilevers and a defect that reflects (sections 3.5 and 3.6)",
+              reproduce,
+              {command<OneDefect>(), command<Scales>(), command<DefectMap>()}},
+             argc, argv);
 }

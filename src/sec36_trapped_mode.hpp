@@ -16,8 +16,7 @@ five radii, and finds the state in which a light defect keeps it. */
 #include "lattice/numbers/parallel.hpp"
 #include "lattice/orbits/defect_mode.hpp"
 #include "lattice/orbits/ladder.hpp"
-#include "lattice/report/judge.hpp"
-#include "lattice/report/program.hpp"
+#include "report/program.hpp"
 
 namespace trapped {
 

@@ -15,11 +15,10 @@ runs it. */
 #include <string>
 #include <vector>
 
-#include "lattice/measure/flight.hpp"
 #include "lattice/numbers/parallel.hpp"
-#include "lattice/report/judge.hpp"
-#include "lattice/report/model_options.hpp"
-#include "lattice/report/program.hpp"
+#include "report/model_options.hpp"
+#include "report/program.hpp"
+#include "sec4/flight.hpp"
 
 namespace compressed {
 
@@ -27,7 +26,7 @@ using namespace lattice;
 
 /**
 We need to tell a breather, a wave train, a surface mode and a packet that returns apart. The packet's
-share of the energy, the boundary's share and the packet's advance decide; measure/flight.hpp gives
+share of the energy, the boundary's share and the packet's advance decide; sec4/flight.hpp gives
 the criteria. A blow of $v_0 = 1.87$ on the first bead, Eq. (26), opens contacts near the boundary for
 a while, the last time at $t =$ [22](num:sec4_precompression_mi.last_open_s_1) or earlier; after
 $t = 40$ the method relies on closed ones. The chain is so long that its last bead has not moved at
@@ -192,14 +191,21 @@ compression is the subject, stays. The named wells all have the phonons of the h
 length of the chain rests. It fails if a bead escapes from a soft well before the end, because then there is
 no packet to report. */
 struct OneImpact {
+  static constexpr const char *name = "impact",
+                              *meaning = "one impact: centre, width and energy of the packet";
   Launch launch{};
   Well well = Quartic{1};
 
-  Table quantities() const;
-  void offer(Program& program);
+  void parameters(Parameters& p) {
+    add_holding_well(p, well, "the phonons are others");
+    p.add("time", launch.time, "length of the run", {1, 2e4});
+    p.add("velocity", launch.velocity, "impact velocity", {1e-6, 100});
+    p.add("d", launch.d, "compression of the contacts", {1e-3, 10});
+  }
+  Table table() const;
 };
 
-inline Table OneImpact::quantities() const {
+inline Table OneImpact::table() const {
   const Chain chain{launch.sites(), well, CompressedHertz{launch.d}};
   const CompressedRun coarse = fly(launch, chain, {launch.time}, {});
   const CompressedRun fine = fly(launch, chain, {launch.time}, FlightSteps{}.halved());
@@ -214,17 +220,6 @@ inline Table OneImpact::quantities() const {
   q.add("boundary_energy_fraction", compare(a.boundary, b.boundary));
   q.add("energy_drift", compare(coarse.drift, fine.drift));
   return q.table;
-}
-
-/**
-Its options are those of an impact without compression, with ranges in which phonons exist. */
-inline void OneImpact::offer(Program& program) {
-  Command* impact = program.command("impact", "one impact: centre, width and energy of the packet",
-                                    [this] { return quantities(); });
-  add_well_options(*impact, well, "the phonons are others");
-  impact->add_option("--time", launch.time, "length of the run")->check(in_range(1, 2e4));
-  impact->add_option("--velocity", launch.velocity, "impact velocity")->check(in_range(1e-6, 100));
-  impact->add_option("--d", launch.d, "compression of the contacts")->check(in_range(1e-3, 10));
 }
 
 }  // namespace compressed

@@ -21,13 +21,12 @@ program draws figures 25 to 28; the impact is told in sec42_compressed_impact.hp
 #include <utility>
 #include <vector>
 
-#include "lattice/measure/modulation.hpp"
-#include "lattice/measure/wave_on_ring.hpp"
 #include "lattice/numbers/parallel.hpp"
-#include "lattice/report/judge.hpp"
-#include "lattice/report/program.hpp"
 #include "lattice/stepping/reference.hpp"
-#include "lattice/waves/instability.hpp"
+#include "report/program.hpp"
+#include "sec4/instability.hpp"
+#include "sec4/modulation.hpp"
+#include "sec4/wave_on_ring.hpp"
 #include "sec42_compressed_impact.hpp"
 
 using namespace lattice;
@@ -62,8 +61,8 @@ smooth, and its linear part gives phonons the frequency $\omega(q)$, Eq. (34).
 | $\beta = \omega h$, $\omega_2$, $\Phi$ | `beta`, `omega_2`, `phi` | NLS coefficients, Eqs. (36) and (37) |
 | $a$, $b$, $N$ | `a`, `b`, `sites` | amplitude, modulation and ring of Eq. (39) |
 
-The library derives the band in `waves/dispersion.hpp`, $\beta$ in `waves/nls.hpp`, growth in
-`waves/instability.hpp`, the ring in `measure/modulation.hpp`, the impact in `measure/flight.hpp`. */
+The library derives the band in `sec4/dispersion.hpp`, $\beta$ in `sec4/nls.hpp`, growth in
+`sec4/instability.hpp`, the ring in `sec4/modulation.hpp`, the impact in `sec4/flight.hpp`. */
 constexpr std::array<double, 3> wells = {-1.0 / 6, 0, 1};
 const std::array<std::string, 3> well_names = {"_s_minus_1_6", "_s_0", "_s_1"};
 constexpr char speed_unit[] = "site per unit of time";
@@ -188,11 +187,11 @@ void report_inflection(Report& report) {
 
 The article's conditions for instability are $s < 0$ at $q = 0$ and $16v_3 + s > 0$ at $q = \pi$. They
 follow from the formula, $\Phi(0) = -\frac32 s$ and $\Phi(\pi) = \frac32(16v_3+s)$. To test them in
-the chain itself we take exact nonlinear waves (waves/plane_wave.hpp) of amplitude 0.005, for $s$ on
+the chain itself we take exact nonlinear waves (sec4/plane_wave.hpp) of amplitude 0.005, for $s$ on
 both sides of each threshold and 0.05 away from it. Modulations must grow on the unstable side, at
 the rate of the NLS equation within two per cent, and not at all on the other, but for rounding. The two
 identities are tested over a range of wells that contains both thresholds, growth with six and with twelve
-harmonics of the wave (`opens_at_edges` of waves/instability.hpp). */
+harmonics of the wave (`opens_at_edges` of sec4/instability.hpp). */
 void report_edges(Report& report) {
   const double threshold = -16 * contact_series(compression).v3;
   judge(report, "pre.edges", opens_at_edges(compression, threshold));
@@ -204,7 +203,7 @@ void report_edges(Report& report) {
 The printed formula for $\beta$ could contain a slip, so we measure $\beta$ in two ways that do not
 use it. First, a uniform wave of the NLS equation has the frequency $\omega + h|A|^2$. We put the
 exact wave of amplitude $a = 2|A|$ on a ring of beads, integrate it for 60 periods, and read its mean
-frequency from its phase (measure/wave_on_ring.hpp).
+frequency from its phase (sec4/wave_on_ring.hpp).
 
 The second measurement is the instability itself. The growth rate of a disturbance is an eigenvalue
 of the linearisation about the exact wave, and by the NLS equation the fastest one grows at
@@ -356,7 +355,7 @@ void report_growth(Report& report) {
 
 Does the instability make a breather? The article starts a ring of $N = 200$ beads from a phonon of
 amplitude $a = 0.15$ that varies by one per cent along the ring, Eq. (39). We say that a travelling
-breather has formed (measure/modulation.hpp) if one site has five times the mean energy density, if
+breather has formed (sec4/modulation.hpp) if one site has five times the mean energy density, if
 fewer than half of the sites share the energy, and if the centre moves to the right. The ring with
 $s = 1$ is the control: there $\Phi(\pi/4) < 0$, and after the same time no site may have five times
 the mean.
@@ -497,25 +496,42 @@ void report_order(Report& report) {
 `coefficients` and `band` evaluate formulas. `impact` strikes a chain and reports the packet: its
 energy centre, the width of the sech that fits its envelope, and the share of the energy within 20
 sites. It fails if a bead escapes from a soft well. */
-struct Options {
-  double q = pi / 4, s = -1.0 / 6, d = compression;
-  compressed::OneImpact impact{};
+struct Band {
+  static constexpr const char *name = "band", *meaning = "edges and inflection of the phonon band";
+  double d = compression, s = -1.0 / 6;
+
+  /**
+  The ranges exclude values at which a formula loses its digits or a run its meaning. */
+  void parameters(Parameters& p) {
+    p.add("d", d, "compression of the contacts", {1e-6, 100});
+    p.add("s", s, "anharmonicity of the well", {-100, 100});
+  }
+  Table table() const { return band_quantities(d, s); }
 };
 
-/**
-The ranges of these options exclude values at which a formula loses its digits or a run its meaning.
-*/
-void offer(Program& program, Options& o) {
-  Command* at = program.command("coefficients", "the NLS coefficients at one wavenumber",
-                                [&] { return coefficient_quantities(o.q, o.d, o.s); });
-  Command* band = program.command("band", "edges and inflection of the phonon band",
-                                  [&] { return band_quantities(o.d, o.s); });
-  at->add_option("--q", o.q, "wavenumber")->check(in_range(0, 3.1415926535897932));
-  for (Command* sub : {at, band}) {
-    sub->add_option("--d", o.d, "compression of the contacts")->check(in_range(1e-6, 100));
-    sub->add_option("--s", o.s, "anharmonicity of the well")->check(in_range(-100, 100));
+struct OneWavenumber : Band {
+  static constexpr const char *name = "coefficients",
+                              *meaning = "the NLS coefficients at one wavenumber";
+  double q = pi / 4;
+
+  void parameters(Parameters& p) {
+    p.add("q", q, "wavenumber", {0, pi});
+    Band::parameters(p);
   }
-  o.impact.offer(program);
+  Table table() const { return coefficient_quantities(q, d, s); }
+};
+
+void reproduce(Report& report) {
+  report_band(report);
+  report_inflection(report);
+  report_phi(report);
+  report_edges(report);
+  report_backscattering(report);
+  report_beta(report);
+  report_growth(report);
+  report_modulated(report);
+  compressed::report_impacts(report);
+  report_order(report);
 }
 
 /**
@@ -535,22 +551,10 @@ equation is too wide to form so early.
 - What becomes of the backscattered wave near $q = \pi/2$ when it has grown?
 - How do super-exponential tails become exponential ones as $d$ grows from zero? */
 int main(int argc, char** argv) {
-  Program program(
-      {"sec4_precompression_mi", "4", "Precompression: modulation and impact (section 4)"}, argc,
-      argv);
-  Options options;
-  offer(program, options);
-  program.everything = [](Report& report) {
-    report_band(report);
-    report_inflection(report);
-    report_phi(report);
-    report_edges(report);
-    report_backscattering(report);
-    report_beta(report);
-    report_growth(report);
-    report_modulated(report);
-    compressed::report_impacts(report);
-    report_order(report);
-  };
-  return program.run(argc, argv);
+  return run({"sec4_precompression_mi",
+              "4",
+              "Precompression: modulation and impact (section 4)",
+              reproduce,
+              {command<OneWavenumber>(), command<Band>(), command<compressed::OneImpact>()}},
+             argc, argv);
 }

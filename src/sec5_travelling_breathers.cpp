@@ -23,8 +23,8 @@ One can. In the linear well they travel at isolated speeds, and one sum says at 
 
 #include "lattice/numbers/parallel.hpp"
 #include "lattice/orbits/travelling.hpp"
-#include "lattice/report/program.hpp"
 #include "lattice/stepping/reference.hpp"
+#include "report/program.hpp"
 
 using namespace lattice;
 
@@ -362,11 +362,27 @@ void report_stability(Report& report, const Exact& e) {
 The command `orbit` computes one exact breather, also in other wells. At $s \ne 0$ the sum $Z$ no
 longer rotates freely, the shift time is an unknown, and we follow the branch of orbits that begins at
 $s = 0$. If it folds before the $s$ that was asked for, the command says where. */
-struct Choice {
+struct OneOrbit {
+  static constexpr const char *name = "orbit", *meaning = "one exact travelling breather";
   std::size_t k = 1, reach = usual_reach;
   std::string sign = "plus";
   double s = 0, near = 0;
   bool profile = false;
+
+  /**
+  An orbit can be named by its $k$ or by a shift time near it. */
+  void parameters(Parameters& p) {
+    const Option& type_one = p.add("k", k, "oscillations a site, of type I", {1, 60});
+    p.add("sign", sign, "of the central velocity at t = 0", {"plus", "minus"});
+    const Option& well = p.add("s", s, "anharmonicity of the well", {-10, 10});
+    p.add("near", near, "the orbit without a tail nearest to this shift time", {4, 100})
+        .excludes(type_one)
+        .excludes(well)
+        .shows("none");
+    p.add("reach", reach, "sites on either side of the centre", {2, 10});
+    p.add("profile", profile, "the orbit at t = 0 instead of its quantities");
+  }
+  Table table() const;
 };
 
 struct Found {
@@ -392,7 +408,7 @@ Found found_with_free_time(const Shooting<double>& problem, const Orbit<double>&
   return {problem, orbit, wide, polish(wide, orbit)};
 }
 
-Found on_branch(const Choice& choice, const Orbit<double>& start) {
+Found on_branch(const OneOrbit& choice, const Orbit<double>& start) {
   const int direction = choice.s > 0 ? 1 : -1;
   auto branch = branch_in_s(start, direction);
   try {
@@ -412,7 +428,7 @@ Found on_branch(const Choice& choice, const Orbit<double>& start) {
 /**
 The reader may choose the length of the chain. It is too short if its last bead moves so much that the
 missing one would be felt. */
-void need_reach(const Choice& choice, const Orbit<double>& orbit) {
+void need_reach(const OneOrbit& choice, const Orbit<double>& orbit) {
   State<double> half = orbit.start;
   auto problem = travelling_problem(shift_time(orbit), choice.s, choice.reach);
   flow(problem.chain, half, shift_time(orbit) / 2);
@@ -423,7 +439,7 @@ void need_reach(const Choice& choice, const Orbit<double>& orbit) {
                      short_text(edge) + " of the amplitude (allowed: more sites, at most 10)");
 }
 
-Found chosen_type_one(const Choice& choice) {
+Found chosen_type_one(const OneOrbit& choice) {
   Staircase stairs(choice.sign == "plus" ? 1 : -1, choice.reach);
   const Orbit<double> orbit = stairs.reach(choice.k);
   if (choice.s != 0) return on_branch(choice, orbit);
@@ -435,7 +451,7 @@ Found chosen_type_one(const Choice& choice) {
 One can also ask for the orbit without a tail nearest to a shift time. It may be of type I, or of
 type II: those lie at somewhat shorter shift times, on families that begin at the orbits of type I (next
 chapter). We follow the family that begins at the next multiple of $2\pi$ above the time asked for. */
-Found chosen_near(const Choice& choice) {
+Found chosen_near(const OneOrbit& choice) {
   const auto above = std::size_t(std::max(1.0, std::ceil(choice.near / two_pi)));
   Staircase stairs(choice.sign == "plus" ? 1 : -1, choice.reach);
   const Orbit<double> start = stairs.reach(above);
@@ -519,10 +535,10 @@ Table profile_table(const Found& f) {
   return table;
 }
 
-Table chosen(const Choice& choice) {
-  const Found f = choice.near > 0 ? chosen_near(choice) : chosen_type_one(choice);
-  need_reach(choice, f.orbit);
-  return choice.profile ? profile_table(f) : orbit_table(f);
+Table OneOrbit::table() const {
+  const Found f = near > 0 ? chosen_near(*this) : chosen_type_one(*this);
+  need_reach(*this, f.orbit);
+  return profile ? profile_table(f) : orbit_table(f);
 }
 
 /**
@@ -568,27 +584,10 @@ not looked for.
   the next larger $2\pi k$?
 - Why do the energies of the two signs differ by so little, and by what law in $k$? */
 int main(int argc, char** argv) {
-  Program program({"sec5_travelling_breathers", "5", "Exact travelling breathers (section 5)"},
-                  argc, argv);
-  program.everything = reproduce;
-  /**
-  An orbit can be named by its $k$ or by a shift time near it. */
-  Choice choice;
-  Command* orbit =
-      program.command("orbit", "one exact travelling breather", [&] { return chosen(choice); });
-  auto* k =
-      orbit->add_option("--k", choice.k, "oscillations a site, of type I")->check(in_range(1, 60));
-  orbit->add_option("--sign", choice.sign, "of the central velocity at t = 0")
-      ->check(one_of({"plus", "minus"}));
-  auto* s =
-      orbit->add_option("--s", choice.s, "anharmonicity of the well")->check(in_range(-10, 10));
-  orbit->add_option("--near", choice.near, "the orbit without a tail nearest to this shift time")
-      ->check(in_range(4, 100))
-      ->excludes(k)
-      ->excludes(s)
-      ->shows("none");
-  orbit->add_option("--reach", choice.reach, "sites on either side of the centre")
-      ->check(in_range(2, 10));
-  orbit->add_flag("--profile", choice.profile, "the orbit at t = 0 instead of its quantities");
-  return program.run(argc, argv);
+  return run({"sec5_travelling_breathers",
+              "5",
+              "Exact travelling breathers (section 5)",
+              reproduce,
+              {command<OneOrbit>()}},
+             argc, argv);
 }

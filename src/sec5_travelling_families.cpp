@@ -27,7 +27,7 @@ and continues the exact ones into soft wells, and into hard wells, in which the 
 #include "lattice/measure/turning.hpp"
 #include "lattice/numbers/parallel.hpp"
 #include "lattice/orbits/travelling.hpp"
-#include "lattice/report/program.hpp"
+#include "report/program.hpp"
 
 using namespace lattice;
 
@@ -470,8 +470,7 @@ only for what is connected with $s = 0$.
 - Follow type II into the limit of small amplitude: do all of them merge with type I?
 - Kick an exact orbit at $s = 0$ and watch its phase: how long does it take to lose the kick? */
 int main(int argc, char** argv) {
-  Program program({"sec5_travelling_families", "5", "Families of travelling breathers (section 5)"},
-                  argc, argv);
-  program.everything = reproduce;
-  return program.run(argc, argv);
+  return run(
+      {"sec5_travelling_families", "5", "Families of travelling breathers (section 5)", reproduce},
+      argc, argv);
 }

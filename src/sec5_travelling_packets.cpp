@@ -28,7 +28,7 @@ to site, and with this angle the tail dies out as a power of the distance travel
 #include "lattice/numbers/parallel.hpp"
 #include "lattice/orbits/dps_travelling.hpp"
 #include "lattice/orbits/travelling.hpp"
-#include "lattice/report/program.hpp"
+#include "report/program.hpp"
 
 using namespace lattice;
 
@@ -527,10 +527,8 @@ regular solution of as many equations as unknowns.
 *Conjectured*: that there are two for every $k$; that what holds the phase decreases with $k$ faster than
 any power of $1/k$; that the tail of a packet falls like $1/n$ in the end. */
 int main(int argc, char** argv) {
-  Program program({"sec5_travelling_packets", "5", "What becomes of a packet (section 5)"}, argc,
-                  argv);
-  program.everything = reproduce;
-  return program.run(argc, argv);
+  return run({"sec5_travelling_packets", "5", "What becomes of a packet (section 5)", reproduce},
+             argc, argv);
 }
 
 /**

@@ -23,8 +23,8 @@ depend on the step, for ordinary integrators and for the two of ours that know a
 #include "lattice/landing/landing.hpp"
 #include "lattice/measure/impact.hpp"
 #include "lattice/measure/observe.hpp"
-#include "lattice/report/program.hpp"
 #include "lattice/stepping/contact_rkn.hpp"
+#include "report/program.hpp"
 
 using namespace lattice;
 
@@ -209,7 +209,7 @@ Estimate order(const Orbits& orbits, const std::string& name) {
   return line.estimate();
 }
 
-void everything(Report& report) {
+void reproduce(Report& report) {
   report.output.note("tolerance", "references at step 1/1024 and in the wider type");
   const Orbits orbits = orbit_errors(report.quick);
   for (const char* name : {"verlet", "blanes_moan_4", "blanes_moan_6", "contact_aware"})
@@ -225,8 +225,6 @@ void everything(Report& report) {
 The error of an order is the standard error of the slope. It accounts for the jumps, but not for the
 possibility that large steps obey another law than small ones. */
 int main(int argc, char** argv) {
-  Program program({"secA_integrators", "A", "Integrators and switching contacts (appendix)"}, argc,
-                  argv);
-  program.everything = everything;
-  return program.run(argc, argv);
+  return run({"secA_integrators", "A", "Integrators and switching contacts (appendix)", reproduce},
+             argc, argv);
 }

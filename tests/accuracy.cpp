@@ -11,7 +11,7 @@
 #include "check.hpp"
 #include "lattice/measure/impact.hpp"
 #include "lattice/numbers/parallel.hpp"
-#include "lattice/report/table.hpp"
+#include "report/table.hpp"
 
 using namespace lattice;
 

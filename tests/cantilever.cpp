@@ -7,7 +7,7 @@
 #include "check.hpp"
 #include "lattice/measure/collision.hpp"
 #include "lattice/orbits/defect_mode.hpp"
-#include "lattice/report/sweep.hpp"
+#include "report/sweep.hpp"
 
 using namespace lattice;
 namespace fs = std::filesystem;
@@ -201,7 +201,7 @@ std::size_t work(Sweep& sweep, Part part) {
   std::atomic<std::size_t> count{0};
   sweep.compute(part, [&](std::size_t i) {
     ++count;
-    return Sweep::Row{double(i), double(i * i) / 3};
+    return Row{double(i), double(i * i) / 3};
   });
   return count;
 }
@@ -237,13 +237,36 @@ TEST_CASE("an interrupted map goes on where it stopped", "[unit][cantilever]") {
   CHECK(other.known() == 0);
 }
 
+TEST_CASE("a row that was changed by hand is computed again", "[unit][cantilever]") {
+  Folder folder;
+  Sweep first = squares(folder.path);
+  const std::size_t all = work(first, {});
+  const auto file = fs::directory_iterator(folder.path)->path();
+  std::ifstream in(file);
+  std::string text((std::istreambuf_iterator<char>(in)), {});
+  const auto at = text.find("\n3,3,3,");
+  REQUIRE(at != std::string::npos);
+  text[at + 5] = '4';
+  write_whole(file, text);
+  CHECK(squares(folder.path).known() == all - 1);
+}
+
+TEST_CASE("without a folder a map keeps nothing", "[unit][cantilever]") {
+  Sweep sweep = squares("");
+  const std::size_t all = work(sweep, {});
+  CHECK(sweep.known() == all);
+  CHECK(sweep.table().rows.size() == all);
+  sweep.forget();
+  CHECK(squares("").known() == 0);
+}
+
 TEST_CASE("a row that failed is not kept", "[unit][cantilever]") {
   Folder folder;
   Sweep sweep = squares(folder.path);
   CHECK_THROWS_AS(sweep.compute({},
                                 [](std::size_t i) {
                                   if (i == 4) throw std::runtime_error("no");
-                                  return Sweep::Row{double(i), 1.0};
+                                  return Row{double(i), 1.0};
                                 }),
                   std::runtime_error);
   CHECK(squares(folder.path).known() < 10);

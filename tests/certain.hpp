@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "lattice/report/table.hpp"
+#include "report/table.hpp"
 
 /// The value against whose modulus the error of row `i` is judged.
 inline double judged_against(const std::vector<double>& x, std::size_t i, const std::string& how) {

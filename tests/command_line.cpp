@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "check.hpp"
-#include "lattice/report/table.hpp"
+#include "report/table.hpp"
 #include "run.hpp"
 
 using namespace lattice;

@@ -11,7 +11,7 @@
 #include "lattice/measure/scattering.hpp"
 #include "lattice/measure/turning.hpp"
 #include "lattice/orbits/exchange.hpp"
-#include "lattice/waves/instability.hpp"
+#include "sec4/instability.hpp"
 
 using namespace lattice;
 

@@ -8,6 +8,7 @@
 #include "lattice/dps/dps.hpp"
 #include "lattice/landing/landing.hpp"
 #include "lattice/measure/impact.hpp"
+#include "lattice/numbers/parabola.hpp"
 #include "lattice/stepping/compensated.hpp"
 
 using namespace lattice;
@@ -356,4 +357,13 @@ TEST_CASE("the DpS equation by hand", "[unit][formulas]") {
   check_all(later.y, {-1});
   check_all(later.v, {-0.5});
   CHECK(dps_impact(2)[0] == std::complex<double>(0, -1));
+}
+
+TEST_CASE("the vertex of a parabola through three samples, by hand", "[unit][formulas]") {
+  // 3 - 2 (x - 1/4)^2 at -1, 0 and 1
+  const Parabola top(-0.125, 2.875, 1.875);
+  check_close(top.slope, 1, 1e-15);
+  check_close(top.bend, -4, 1e-15);
+  check_close(top.vertex(), 0.25, 1e-15);
+  check_close(top.extremum(), 3, 1e-15);
 }

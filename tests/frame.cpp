@@ -1,6 +1,6 @@
 // What programs share beneath their options: headers, threads, and GSL that reports instead of aborting.
 
-#include "lattice/report/program.hpp"
+#include "report/program.hpp"
 
 #include <set>
 #include <thread>
@@ -48,11 +48,10 @@ TEST_CASE("work is shared by as many threads as were asked for", "[unit][frame]"
 
 TEST_CASE("GSL reports and never aborts", "[unit][frame]") {
   const auto decay = [](double, const double* x, double* dx) { dx[0] = -x[0]; };
-  using Decay = decltype(decay);
-  CHECK_THROWS_AS((Reference<Decay>(decay, 1, -1.0)), std::invalid_argument);
-  CHECK_THROWS_AS((Reference<Decay>(decay, 0, 1e-8)), std::invalid_argument);
+  CHECK_THROWS_AS(Reference(decay, 1, -1.0), std::invalid_argument);
+  CHECK_THROWS_AS(Reference(decay, 0, 1e-8), std::invalid_argument);
   const auto never = [](double, const double*, double* dx) { dx[0] = std::nan(""); };
-  Reference<decltype(never)> lost(never, 1, 1e-8);
+  Reference lost(never, 1, 1e-8);
   double t = 0;
   std::vector<double> x{1};
   CHECK_THROWS_AS(lost.advance(t, 1, x), std::runtime_error);

@@ -3,7 +3,7 @@
 # the folder of the figures.
 set -eu
 root=$1 figures=$2
-python=${PYTHON:-python3}
+for python in python3 /usr/bin/python3; do "$python" -c 'import matplotlib' 2>/dev/null && break; done
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 check() { "$python" "$root/tools/gallery.py" "$figures" "$1" --check; }

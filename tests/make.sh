@@ -36,7 +36,16 @@ echo "${0##*/} $*" >> "$STUB_LOG"
 [ -z "$out" ] && exit 0
 rm -f "$out/results.ecsv"
 sleep "${STUB_SLEEP:-0}"
-echo done > "$out/results.ecsv"
+# The tables of its figures, their checksums, and last the results.
+cd "$out"
+for table in $(awk -F, -v me="${0##*/}" '$4 == me { print $7 }' "$STUB_FIGURES"); do
+  printf '# header\nx\n1\n' > "$table.ecsv"
+done
+echo done > results.ecsv.new
+for table in *.ecsv; do
+  printf '%s  %s\n' "$(grep -v '^#' "$table" | sha256sum | cut -c -64)" "$table"
+done > SHA256SUMS
+mv results.ecsv.new results.ecsv
 STUB
 stub srun <<'STUB'
 #!/bin/sh
@@ -44,10 +53,10 @@ echo "launched" >> "$STUB_LOG"
 shift
 exec "$@"
 STUB
-export STUB_PROGRAM="$scratch/bin/program"
+export STUB_PROGRAM="$scratch/bin/program" STUB_FIGURES="$here/figures/figures.ecsv"
 PATH="$scratch/bin:$PATH"
-unset MAKEFLAGS MAKELEVEL MFLAGS SLURM_CPUS_PER_TASK
-fail() { echo "$1"; cat "$STUB_LOG"; exit 1; }
+unset PYTHON MAKEFLAGS MAKELEVEL MFLAGS SLURM_CPUS_PER_TASK QUICK LAUNCH THREADS DEPS CXXFLAGS
+fail() { echo "$1"; cat "$STUB_LOG"; [ ! -f "$scratch/out" ] || cat "$scratch/out"; exit 1; }
 run() { : > "$STUB_LOG"; make DEPS=skip "$@" > "$scratch/out" 2>&1 || { cat "$scratch/out"; fail "make $*"; }; }
 cd "$here"
 chapters=$(find src -name 'sec*.cpp' | wc -l)
@@ -73,6 +82,63 @@ SLURM_CPUS_PER_TASK=1 run all-data B=six
 grep -q -- '--threads 1' "$STUB_LOG" || fail "the grant of Slurm is ignored"
 run all-data QUICK=1
 [ "$(grep -c -- '--out build/quick/data/.* --quick' "$STUB_LOG")" = "$chapters" ] || fail "QUICK=1"
+rm -r build/quick
+run all-data QUICK=0 B=seven
+[ -d seven/data ] || fail "QUICK=0 is quick"
+
+# Two makes at once, and one whose files are from tomorrow.
+STUB_SLEEP=0.1 make DEPS=skip all-data B=eight > "$scratch/other" 2>&1 &
+STUB_SLEEP=0.1 run all-data B=eight
+wait $! || { cat "$scratch/other"; fail "one of two makes at once"; }
+[ "$(grep -c -- --out "$STUB_LOG")" = "$chapters" ] || fail "two makes at once compute twice"
+touch -d tomorrow src/*.cpp figures/*.gp
+run all-data
+
+# Who cannot write is told so, and not what went wrong yesterday.
+mkdir closed
+echo "error of yesterday" > closed/build.log
+if [ "$(id -u)" = 0 ]; then
+  chown -R 65534 closed && chmod 555 closed && chmod -R a+rX "$scratch"
+  as_other="setpriv --reuid=65534 --regid=65534 --clear-groups"
+else
+  chmod 555 closed && as_other=
+fi
+$as_other make DEPS=skip all-data B=closed > "$scratch/out" 2>&1 && fail "a closed folder is built in"
+grep -q 'cannot write to' "$scratch/out" || { cat "$scratch/out"; fail "a closed folder is not named"; }
+grep -q yesterday "$scratch/out" && fail "an old log is shown as the cause"
+chmod 755 closed
+
+# A path that CMake or make cannot use is refused in one line.
+mkdir "$scratch/a;b"
+cp -r Makefile tools figures src apt-packages.txt "$scratch/a;b"
+(cd "$scratch/a;b" && make DEPS=skip all-data > "$scratch/out" 2>&1) && fail "a path with a semicolon is taken"
+grep -q "has a character in its name" "$scratch/out" || { cat "$scratch/out"; fail "the path is not named"; }
+
+# Without the tools that draw nothing is computed in vain.
+mkdir "$scratch/few"
+for tool in sh awk sed grep nproc date mkdir git id dirname cat rm touch make; do
+  ln -s "$(command -v $tool)" "$scratch/few/$tool"
+done
+: > "$STUB_LOG"
+PATH="$scratch/few" make DEPS=skip figures B=nine > "$scratch/out" 2>&1 && fail "figures without gnuplot"
+grep -q 'missing: gnuplot' "$scratch/out" || { cat "$scratch/out"; fail "gnuplot is not missed"; }
+grep -q -- --out "$STUB_LOG" && fail "computed before gnuplot is missed"
+
+# Names of folders are names of targets too.
+make -n tests DEPS=skip 2>&1 | grep -q ctest || fail "make tests tests nothing"
+make -n examples DEPS=skip 2>&1 | grep -q ctest || fail "make examples does nothing"
+
+# On a terminal one sees what is compiled, elsewhere not.
+stub slow <<'STUB'
+#!/bin/sh
+echo "[ 50%] Building CXX object CMakeFiles/x.dir/src/sec2_nonexistence.cpp.o"
+STUB
+mkdir "$scratch/terminal"
+cp "$scratch/bin/slow" "$scratch/terminal/cmake"
+PATH="$scratch/terminal:$PATH" script -qec "sh tools/build.sh build 1 programs" /dev/null < /dev/null > "$scratch/out" 2>&1
+grep -q '50%.*sec2_nonexistence' "$scratch/out" || { cat "$scratch/out"; fail "compiling shows nothing on a terminal"; }
+PATH="$scratch/terminal:$PATH" sh tools/build.sh build 1 programs > "$scratch/out" 2>&1
+[ -s "$scratch/out" ] && fail "compiling talks into a log"
 
 # A run that is killed leaves no answer, and the next make goes on where it was.
 rm build/data/*/results.ecsv
@@ -97,16 +163,34 @@ run all-data
 # The python that can draw is found, and PYTHON= is taken as one word.
 cd "$here"
 script=$(cd figures && ls x01_*.py)
-echo 'import sys; open(sys.argv[2], "w").write("drawn")' > "figures/$script"
 printf '#!/bin/sh\nexit 1\n' | stub python3
 stub rsvg-convert <<'STUB'
 #!/bin/sh
 while [ $# -gt 1 ]; do shift; done
-echo image > "$1"
+printf 'image\n%%%%EOF IEND\n' > "$1"
+STUB
+echo 'import sys; open(sys.argv[2], "w").write("drawn</svg>")' > "figures/$script"
+stub gnuplot <<'STUB'
+#!/bin/sh
+echo "<svg></svg>"
 STUB
 if /usr/bin/python3 -c 'import matplotlib' 2>/dev/null; then
   run x01
-  [ "$(cat build/figures/"${script%.py}".svg)" = drawn ] || fail "no figure"
+  [ "$(cat build/figures/"${script%.py}".svg)" = "drawn</svg>" ] || fail "no figure"
+  # One that the shell exports is only tried: it need not be able to draw.
+  rm -f build/figures/x01*
+  PYTHON=python3 run x01
+  # A table that is not what its program wrote is drawn by nobody; one that is gone is computed again.
+  table=build/data/sec34_kink/kink_transition.ecsv
+  run x01
+  grep -q draw "$scratch/out" && fail "a figure is drawn again without a reason"
+  sed -i s/1/2/ $table
+  make DEPS=skip x01 > "$scratch/out" 2>&1 && fail "a changed table is drawn"
+  grep -q "$table: not what sec34_kink wrote" "$scratch/out" || { cat "$scratch/out"; fail "the table is not named"; }
+  rm $table
+  run x01
+  [ "$(grep -c 'sec34_kink --out' "$STUB_LOG")" = 1 ] || fail "a missing table is not computed again"
+  grep -q 'draw *x01' "$scratch/out" || fail "a new table is not drawn"
 fi
 rm -f build/figures/x01*
 cp /usr/bin/python3 "$scratch/a b/python3" 2>/dev/null || exit 0

@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "check_potential.hpp"
-#include "lattice/measure/flight.hpp"
 #include "lattice/measure/turning.hpp"
 #include "lattice/orbits/breather.hpp"
 #include "lattice/stepping/reference.hpp"
 #include "run.hpp"
+#include "sec4/flight.hpp"
 
 using namespace lattice;
 
@@ -65,7 +65,7 @@ TEST_CASE("a well chosen at run time has the bits of the well itself", "[unit][p
 
 TEST_CASE("a chain is long enough for what travels in it", "[unit][model]") {
   struct Run {
-    Chain chain;
+    Chain like;
     double velocity, time;
   };
   for (const auto& [like, velocity, time] : {Run{{0, Quartic{1}}, 1.9, 200},

@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "check.hpp"
-#include "lattice/report/table.hpp"
+#include "report/table.hpp"
 
 using namespace lattice;
 

@@ -7,7 +7,8 @@
 #include "../tools/lock.hpp"
 #include "certain.hpp"
 #include "check.hpp"
-#include "lattice/report/claims.hpp"
+#include "report/checksum.hpp"
+#include "report/claims.hpp"
 
 using namespace lattice;
 namespace fs = std::filesystem;
@@ -73,6 +74,11 @@ TEST_CASE("what we found stays what we found", "[published]") {
     CHECK(d.what == Difference::What::moved);
     CHECK(d.distance <= 1);
   }
+}
+
+TEST_CASE("every table is what its program wrote", "[published]") {
+  for (const auto& program : programs_of(root / "src"))
+    for (const auto& complaint : altered_tables(data / program)) FAIL_CHECK(complaint);
 }
 
 TEST_CASE("what is plotted is known to one per cent, and says where it comes from", "[published]") {

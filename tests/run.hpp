@@ -12,7 +12,7 @@
 #include <string>
 
 #include "check.hpp"
-#include "lattice/report/table.hpp"
+#include "report/table.hpp"
 
 /// One word for the shell, whatever characters a path has.
 inline std::string word(const std::filesystem::path& path) {

@@ -73,9 +73,9 @@ inline std::vector<std::string> misquoted(const std::string& text) {
 /// The rooms of the library and their floors: an arrow goes down or stays in its room, and rooms of
 /// one floor do not know each other.
 inline const std::map<std::string, int>& floors() {
-  static const std::map<std::string, int> all{{"numbers", 0}, {"model", 1},  {"stepping", 2},
-                                              {"landing", 2}, {"waves", 2},  {"measure", 3},
-                                              {"dps", 4},     {"orbits", 5}, {"report", 6}};
+  static const std::map<std::string, int> all{{"numbers", 0}, {"model", 1},   {"stepping", 2},
+                                              {"landing", 2}, {"measure", 3}, {"dps", 4},
+                                              {"orbits", 5},  {"report", 6}};
   return all;
 }
 
@@ -111,6 +111,19 @@ inline std::vector<std::string> forbidden_arrows(const Includes& includes) {
       if (!inside || (other != room && floor_of(other) >= floor_of(room))) out.push_back(arrow);
     }
   }
+  return out;
+}
+
+/// Includes by which a file on a section's shelf reaches for another section's shelf or for a chapter.
+inline std::vector<std::string> foreign_shelves(const Includes& includes) {
+  std::vector<std::string> out;
+  for (const auto& [file, targets] : includes)
+    for (const auto& quoted : targets) {
+      const std::string target = quoted.substr(1, quoted.size() - 2);
+      const std::string shelf = file.substr(0, file.find('/') + 1);
+      if (quoted.front() == '"' && target.rfind("lattice/", 0) != 0 && target.rfind(shelf, 0) != 0)
+        out.push_back(file + " -> " + target);
+    }
   return out;
 }
 

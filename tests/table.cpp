@@ -1,6 +1,6 @@
 // ECSV: what is written is read back, bit by bit, and no half file is left.
 
-#include "lattice/report/table.hpp"
+#include "report/table.hpp"
 
 #include <cstring>
 

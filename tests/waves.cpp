@@ -4,11 +4,11 @@
 #include <map>
 
 #include "check.hpp"
-#include "lattice/measure/flight.hpp"
-#include "lattice/measure/modulation.hpp"
-#include "lattice/measure/wave_on_ring.hpp"
-#include "lattice/report/table.hpp"
-#include "lattice/waves/instability.hpp"
+#include "report/table.hpp"
+#include "sec4/flight.hpp"
+#include "sec4/instability.hpp"
+#include "sec4/modulation.hpp"
+#include "sec4/wave_on_ring.hpp"
 
 using namespace lattice;
 using std::numbers::pi;

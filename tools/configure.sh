@@ -4,7 +4,14 @@
 set -eu
 build=$1
 here=$(pwd -P)
-mkdir -p "$build"
+refuse() { echo "$1" >&2; exit 1; }
+case $here in
+*[\"\;\#\$\\]*) refuse "the folder '$here' has a character in its name that CMake or make cannot use (allowed: all but \" ; # \$ \\)" ;;
+esac
+# A log of yesterday must not be shown as today's cause.
+rm -f "$build/configure.log" "$build/build.log" 2>/dev/null || true
+(mkdir -p "$build" && : > "$build/configure.log") 2>/dev/null ||
+  refuse "cannot write to $here/$build (allowed: a checkout in which you may write)"
 if [ -f "$build/CMakeCache.txt" ]; then
   home=$(sed -n 's/^CMAKE_HOME_DIRECTORY:INTERNAL=//p' "$build/CMakeCache.txt")
   if [ "$(cd "$home" 2>/dev/null && pwd -P)" != "$here" ]; then
@@ -13,5 +20,11 @@ if [ -f "$build/CMakeCache.txt" ]; then
   fi
 fi
 [ -f "$build/configured" ] && exit 0
-cmake -S . -B "$build" > "$build/configure.log" 2>&1 || { cat "$build/configure.log"; exit 1; }
+cmake -S . -B "$build" > "$build/configure.log" 2>&1 || {
+  # What our own CMakeLists.txt refuses is one line; anything else is shown whole.
+  line=$(awk '/^  [A-Z]+: .*/ { on = 1 } on && NF == 0 { exit } on { sub(/^ +/, ""); printf "%s%s", sep, $0; sep = " " }' \
+    "$build/configure.log")
+  if [ -n "$line" ]; then echo "$line" >&2; else cat "$build/configure.log"; fi
+  exit 1
+}
 touch "$build/configured"

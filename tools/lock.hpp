@@ -23,7 +23,7 @@ such a row only the size counts, and it may grow tenfold before the lock objects
 #include <utility>
 #include <vector>
 
-#include "lattice/report/table.hpp"
+#include "report/table.hpp"
 
 namespace lattice {
 

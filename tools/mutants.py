@@ -1,9 +1,8 @@
 """Would the tests notice? Puts the errors of mutants.tsv into a copy of the library, one at a time.
 
-The library and the tests are compiled once, and for each error what depends on the file in which it is.
-Then the tests that its row names are run. An error is killed if one of them
+For each error only the tests that its row names are compiled and run. An error is killed if one of them
 fails (or no longer compiles, or takes more than two minutes) and survives otherwise; the unchanged
-library must pass first. A row whose right text is not in its room exactly once is a mistake in the
+library must pass first. What an error does not touch is compiled once. A row whose right text is not in its room exactly once is a mistake in the
 table and ends the run before anything is built. Words given as arguments select rows by their room or
 by their description.
 """
@@ -24,9 +23,8 @@ LINK = ["-lgsl", "-lgslcblas", "-lpthread"]
 LIMIT = 120  # seconds for one test
 
 
-def library_files(source, room="*"):
-    found = (source / "lattice").glob(f"{room}/*.[ch]pp")
-    return sorted(path for path in found if path.parent.name != "report")
+def files(source, room):
+    return sorted(path for path in (source / "lattice" / room).iterdir() if path.suffix in (".hpp", ".cpp"))
 
 
 def read_table(selection):
@@ -35,7 +33,7 @@ def read_table(selection):
         if not line or line.startswith("#"):
             continue
         room, right, wrong, tests, what = line.split("\t")
-        counts = {path: path.read_text(encoding="utf8").count(right) for path in library_files(ROOT / "src", room)}
+        counts = {path: path.read_text(encoding="utf8").count(right) for path in files(ROOT / "src", room)}
         if sum(counts.values()) != 1:
             mistakes.append(f"mutants.tsv:{number}: '{right}' occurs {sum(counts.values())} times in {room}")
         elif not selection or any(word in room or word in what for word in selection):
@@ -46,41 +44,49 @@ def read_table(selection):
     return table
 
 
-class Build:
-    """The library and the tests as objects in `folder`, and what each of them was compiled from."""
+def build(code, target):
+    """Compiles `code` below the folder of the library's copy that it reads; whether that works."""
+    source = next(parent for parent in code.parents if (parent / "lattice").is_dir())
+    return subprocess.run([*COMPILE, f"-I{source}", "-MMD", "-c", str(code), "-o", str(target)],
+                          capture_output=True).returncode == 0
 
-    def __init__(self, folder, tests):
-        self.folder = folder
-        self.units = {f"{path.parent.name}-{path.stem}": path.relative_to(ROOT)
-                      for path in library_files(ROOT / "src") if path.suffix == ".cpp"}
-        self.library = sorted(self.units)
-        self.units |= {f"test-{test}": pathlib.Path("tests") / f"{test}.cpp" for test in ["main", *tests]}
 
-    def compile(self, unit, root, folder):
-        """The object of a unit from the sources below `root`, or nothing where they do not compile."""
-        done = subprocess.run([*COMPILE, "-MMD", f"-I{root / 'src'}", "-c", str(root / self.units[unit]), "-o",
-                               str(folder / f"{unit}.o")], capture_output=True)
-        return folder / f"{unit}.o" if done.returncode == 0 else None
+def reads(listing, file):
+    """Whether an object's list of dependencies names the file."""
+    return any(word.endswith("/src/" + str(file)) for word in listing.read_text(encoding="utf8").split())
 
-    def all(self, pool):
-        for unit, made in zip(self.units, pool.map(lambda u: self.compile(u, ROOT, self.folder), self.units)):
-            if not made:
-                raise SystemExit(f"{self.units[unit]} does not compile without any error: nothing can be said")
 
-    def depends(self, unit, file):
-        return f"/src/{file}" in (self.folder / f"{unit}.d").read_text(encoding="utf8")
+class Library:
+    """The unchanged library and tests, in a copy of their own, compiled."""
 
-    def verdict(self, test, root, folder, file=None):
-        """How `test` fails with the sources below `root`, which differ in `file`; nothing if it passes."""
+    def __init__(self, scratch, tests, pool):
+        self.source, self.objects = scratch / "src", scratch / "objects"
+        shutil.copytree(ROOT / "src/lattice", self.source / "lattice")
+        self.objects.mkdir()
+        for path in (ROOT / "tests").glob("*.?pp"):
+            shutil.copy(path, self.source)
+        sources = [path for path in self.source.glob("lattice/*/*.cpp") if path.parent.name != "report"]
+        self.of = {path.relative_to(self.source): self.objects / f"{path.parent.name}-{path.stem}.o" for path in sources}
+        self.tests = {test: self.objects / f"test-{test}.o" for test in ["main", *tests]}
+        self.of.update({pathlib.Path(test + ".cpp"): path for test, path in self.tests.items()})
+        for code, good in zip(self.of, pool.map(lambda code: build(self.source / code, self.of[code]), self.of)):
+            if not good:
+                raise SystemExit(f"{code} does not compile without any error: nothing can be said")
+
+    def passes(self, test, work, changed=None):
+        """Whether `test` succeeds with the file `changed` in the copy below `work`; otherwise how not."""
+        unused = {path for name, path in self.tests.items() if name not in ("main", test)}
         objects = []
-        for unit in [*self.library, "test-main", f"test-{test}"]:
-            changed = file is not None and self.depends(unit, file)
-            objects.append(self.compile(unit, root, folder) if changed else self.folder / f"{unit}.o")
-        if None in objects:
-            return "no longer compiles"
-        binary = folder / test
-        linked = subprocess.run([COMPILE[0], *map(str, objects), *LINK, "-o", str(binary)], capture_output=True)
-        if linked.returncode:
+        for code, unchanged in self.of.items():
+            if unchanged in unused:
+                continue
+            objects.append(unchanged)
+            if changed and reads(unchanged.with_suffix(".d"), changed):
+                objects[-1] = work / unchanged.name
+                if not build(work / "src" / code, objects[-1]):
+                    return "no longer compiles"
+        binary = work / test
+        if subprocess.run([COMPILE[0], *map(str, objects), *LINK, "-o", str(binary)], capture_output=True).returncode:
             return "no longer links"
         try:
             run = subprocess.run([str(binary)], capture_output=True, timeout=LIMIT)
@@ -89,18 +95,17 @@ class Build:
         return None if run.returncode == 0 else "fails"
 
 
-def judge(mutant, build, scratch, places):
+def judge(mutant, scratch, library, places):
     file, right, wrong, tests, _ = mutant
     place = places.setdefault(threading.get_ident(), pathlib.Path(tempfile.mkdtemp(dir=scratch)))
     if not (place / "src").exists():
-        shutil.copytree(ROOT / "src/lattice", place / "src/lattice")
-        shutil.copytree(ROOT / "tests", place / "tests")
+        shutil.copytree(library.source, place / "src")
     path = place / "src" / file
     original = path.read_text(encoding="utf8")
     path.write_text(original.replace(right, wrong), encoding="utf8")
     try:
         for test in tests:
-            how = build.verdict(test, place, place, file)
+            how = library.passes(test, place, file)
             if how:
                 return f"{test} {how}"
     finally:
@@ -114,15 +119,15 @@ def main():
     survivors = 0
     with tempfile.TemporaryDirectory() as folder:
         scratch = pathlib.Path(folder)
-        tests = sorted({test for mutant in table for test in mutant[3]})
-        build = Build(scratch, tests)
         with concurrent.futures.ThreadPoolExecutor(workers) as pool:
-            build.all(pool)
-            for test, how in zip(tests, pool.map(lambda test: build.verdict(test, ROOT, scratch), tests)):
+            tests = sorted({test for mutant in table for test in mutant[3]})
+            library = Library(scratch, tests, pool)
+            unchanged = pool.map(lambda test: library.passes(test, scratch), tests)
+            for test, how in zip(tests, unchanged):
                 if how:
                     raise SystemExit(f"{test} {how} without any error: nothing can be said")
             places = {}
-            verdicts = pool.map(lambda mutant: judge(mutant, build, scratch, places), table)
+            verdicts = pool.map(lambda mutant: judge(mutant, scratch, library, places), table)
             for (file, _, wrong, tests, what), how in zip(table, verdicts):
                 survivors += how is None
                 verdict = f"killed    {what} ({how})" if how else (

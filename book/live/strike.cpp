@@ -68,7 +68,7 @@ struct Facts {
 };
 
 void report(const Impact& impact, const Facts& facts) {
-  const double to = double(impact.sites) - 20, undefined = std::nan("");
+  const double to = double(impact.chain.sites) - 20, undefined = std::nan("");
   facts.add("speed", [&](const Outcome& o) {
     return o.track.line(fit_from, to).value_or(Line{undefined, undefined, undefined}).estimate();
   });

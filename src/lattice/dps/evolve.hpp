@@ -11,11 +11,10 @@ $i\dot w_n = \mu w_n + \dots$, and a stationary state stands still, so that the 
 perturbation left to follow: at equal tolerance it needs half the time and keeps the norm some hundred
 times better. Moduli are those of $v_n$. */
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <utility>
+#include <functional>
 #include <vector>
+
 #include "lattice/dps/dps.hpp"
 #include "lattice/numbers/gsl_ode.hpp"
 
@@ -26,44 +25,24 @@ struct TurningDps {
   Dps dps;
   double mu;
 
-  void operator()(double t, const double* w, double* dw) const {
-    dps(t, w, dw);
-    for (std::size_t n = 0; n < dps.sites; ++n) {
-      dw[2 * n] += mu * w[2 * n + 1];
-      dw[2 * n + 1] -= mu * w[2 * n];
-    }
-  }
+  /// Writes dw/dtau into `dw`, real and imaginary parts alternating as in Dps.
+  void operator()(double tau, const double* w, double* dw) const;
 };
 
 /// Real and imaginary parts alternating, the form in which the integrator carries a field.
-inline std::vector<double> interleaved(const Field& field) {
-  std::vector<double> x;
-  for (const auto& w : field) x.insert(x.end(), {w.real(), w.imag()});
-  return x;
-}
+std::vector<double> interleaved(const Field& field);
+
+/// Sees a run at its samples: the slow time and the field.
+using DpsObserver = std::function<void(double tau, const Field& field)>;
 
 /**
 The integrator controls the error of a single step, and errors add up. The norm is conserved by the
 equation and cheap to compute, so we watch it at every sample and return how far it drifts; whoever reads
 a number from the run can compare the two. */
-/// Carries `field` over the slow time `duration` and calls `observe(tau, field)` at the start and after
-/// each of `samples` equal intervals; returns the largest relative change of the norm. `Equation` is Dps
-/// or TurningDps. Throws std::runtime_error if GSL cannot go on.
-template <class Equation, class Observer>
-double evolve_dps(const Equation& dps, Field& field, double duration, std::size_t samples,
-                  const Tolerance& tolerance, Observer observe) {
-  std::vector<double> x = interleaved(field);
-  Reference reference(dps, x.size(), tolerance);
-  const double start = norm(field);
-  double tau = 0, drift = 0;
-  observe(tau, std::as_const(field));
-  for (std::size_t k = 1; k <= samples; ++k) {
-    reference.advance(tau, duration * double(k) / double(samples), x);
-    for (std::size_t n = 0; n < field.size(); ++n) field[n] = {x[2 * n], x[2 * n + 1]};
-    drift = std::max(drift, std::abs(norm(field) - start) / start);
-    observe(tau, std::as_const(field));
-  }
-  return drift;
-}
+/// Carries `field` over the slow time `duration` and calls `observe` at the start and after each of
+/// `samples` equal intervals; returns the largest relative change of the norm. `equation` is a Dps or a
+/// TurningDps. Throws std::runtime_error if GSL cannot go on.
+double evolve_dps(const Rhs& equation, Field& field, double duration, std::size_t samples,
+                  const Tolerance& tolerance, const DpsObserver& observe);
 
 }  // namespace lattice

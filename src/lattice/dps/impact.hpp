@@ -5,10 +5,7 @@
 This is the impact of section 3.4 (impact.hpp in `measure`) in the limit of small amplitude, Eq. (25):
 $A_1(0) = -i$ and all others zero. The packet is followed in the density $|A_n|^2$ and the slow time. */
 
-#include <cmath>
 #include <cstddef>
-#include <utility>
-#include <vector>
 
 #include "lattice/dps/evolve.hpp"
 #include "lattice/measure/observe.hpp"
@@ -22,28 +19,15 @@ struct DpsOutcome {
   double norm_drift = 0;
 };
 
-/// Follows the packet that leaves the struck field `start`; `watch(tau, field)` sees every sample.
-template <class Watch>
+/// Follows the packet that leaves the struck field `start`; `watch` sees every sample. Throws
+/// std::runtime_error if GSL cannot go on.
 DpsOutcome follow_dps(const Dps& dps, const Field& start, double duration, std::size_t samples,
-                      const Tolerance& tolerance, Watch watch) {
-  DpsOutcome out{{}, start, 0};
-  out.norm_drift =
-      evolve_dps(dps, out.end, duration, samples, tolerance, [&](double tau, const Field& field) {
-        watch(tau, field);
-        const auto d = density(field);
-        const auto site = front_packet(d);
-        if (tau > 0 && site) out.track.add(tau, d, *site);
-      });
-  return out;
-}
+                      const Tolerance& tolerance, const DpsObserver& watch);
 
 /**
-The amplitude of a packet swings while it moves from site to site. So `packet_amplitude` is the largest
+The amplitude of a packet oscillates while it moves from site to site. So `packet_amplitude` is the largest
 $|A_n|$ while the centre moves over the last site of its track. */
-inline double packet_amplitude(const Track& track) {
-  const double end = track.centre.back();
-  return std::sqrt(track.largest_peak(end - 1, end));
-}
+double packet_amplitude(const Track& track);
 
 /**
 For errors the same impact is followed twice: first with a hundred times the tolerance and `samples`
@@ -54,11 +38,7 @@ struct DpsPair {
 };
 
 /// Both runs; `watch` sees the finer one.
-template <class Watch>
 DpsPair follow_dps_to(double tolerance, const Dps& dps, const Field& start, double duration,
-                      std::size_t samples, Watch watch) {
-  return {follow_dps(dps, start, duration, samples, 100 * tolerance, Unwatched{}),
-          follow_dps(dps, start, duration, 2 * samples, tolerance, std::move(watch))};
-}
+                      std::size_t samples, const DpsObserver& watch);
 
 }  // namespace lattice

@@ -10,6 +10,7 @@ displacement or velocity. */
 
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <vector>
 
@@ -21,20 +22,28 @@ namespace lattice {
 inline constexpr double parted = 0.1;    ///< relative difference of the states
 inline constexpr double look_every = 2;  ///< units of time between two comparisons
 
+/**
+The two runs go on side by side from look to look, so that no more is kept than the two states. */
 /// The time at which the states `a`, advanced by the stepper `first`, and `b`, advanced by `second`, are
-/// first seen to have parted; infinite if they have not by `time`. Both belong to `chain`.
+/// first seen to have parted; infinite if they have not by `time`. Both belong to `chain`. After each
+/// look `watch(t)` is called.
 template <class First, class Second>
-double parting_time(const First& first, State<double> a, const Second& second, State<double> b,
-                    const Chain& chain, double time) {
-  double when = std::numeric_limits<double>::infinity();
-  std::vector<State<double>> seen;
-  evolve(first, chain, a, time, look_every, [&](const State<double>& now) { seen.push_back(now); });
-  std::size_t k = 0;
-  evolve(second, chain, b, time, look_every, [&](const State<double>& now) {
-    if (distance(seen[k], now) > parted) when = now.t;
-    return ++k, !std::isfinite(when);
-  });
-  return when;
+double parting_time(
+    const First& first, State<double> a, const Second& second, State<double> b, const Chain& chain,
+    double time, const std::function<void(double)>& watch = [](double) {}) {
+  const Pace one = pace_for(first, time, look_every), other = pace_for(second, time, look_every);
+  Window of_a = waking(chain, a), of_b = waking(chain, b);
+  auto advance_a = advance_of(first, chain);
+  auto advance_b = advance_of(second, chain);
+  const double start = a.t;
+  for (std::size_t k = 0;; ++k) {
+    a.t = b.t = start + one.interval() * double(k);
+    if (!bounded(a) || !bounded(b) || distance(a, b) > parted) return a.t;
+    watch(a.t);
+    if (k == one.samples) return std::numeric_limits<double>::infinity();
+    advance_a(a, of_a, one.step(), one.steps);
+    advance_b(b, of_b, other.step(), other.steps);
+  }
 }
 
 /**

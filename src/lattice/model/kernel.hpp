@@ -15,6 +15,13 @@ on one site (the build forbids fused multiply-adds), so all versions give the sa
 #include <cstddef>
 #include <type_traits>
 
+// A compiler that may reorder sums or forget infinities computes another chain. (GCC names the parts of
+// -ffast-math only, Clang the whole.)
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__) || \
+    defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || defined(__NO_SIGNED_ZEROS__)
+#error "the chain needs IEEE arithmetic: compile without -ffast-math and its parts"
+#endif
+
 // Not every compiler and platform has function multiversioning; there the one portable version
 // remains, with the same results.
 #if !defined(LATTICE_WIDE)

@@ -3,11 +3,11 @@
 # Dense matrices
 
 Newton's method solves linear systems and stability is decided by eigenvalues, for matrices of at most a
-few hundred rows and in several number types. Eigen does both; here are the names that we use for it. */
+few hundred rows and in several number types. Eigen does both, here under the names that we use, in
+`double` and `long double` (and quadruple precision where extended.hpp says so). */
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <complex>
-#include <stdexcept>
 #include <vector>
 
 namespace lattice {
@@ -18,40 +18,24 @@ template <class T>
 using Matrix = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>;
 
 /**
-Elimination with row exchanges serves where there are as many equations as unknowns. */
+Elimination with row exchanges is enough where there are as many equations as unknowns. */
 /// The solution of matrix * x = right for a square, regular matrix.
 template <class T>
-Vector<T> solve_square(const Matrix<T>& matrix, const Vector<T>& right) {
-  return matrix.partialPivLu().solve(right);
-}
+Vector<T> solve_square(const Matrix<T>& matrix, const Vector<T>& right);
 
 /**
-More equations than unknowns are met as well as possible. */
+With more equations than unknowns we take the solution of least squares. */
 /// The x for which the norm of matrix * x - right is least; the columns of `matrix` are independent.
-template <class T>
-Vector<T> least_squares(const Matrix<T>& matrix, const Vector<T>& right) {
-  return matrix.colPivHouseholderQr().solve(right);
-}
+Vector<double> least_squares(const Matrix<double>& matrix, const Vector<double>& right);
 
 /**
-For matrices whose structure we do not use, all eigenvalues are computed. */
+Where a matrix has no structure that we could use, all of its eigenvalues are computed. */
 /// All eigenvalues of a square matrix, in Eigen's order. Throws std::runtime_error where the iteration
 /// does not converge.
 template <class T>
-std::vector<std::complex<T>> eigenvalues_of(const Matrix<T>& matrix) {
-  const Eigen::EigenSolver<Matrix<T>> solver(matrix, false);
-  if (solver.info() != Eigen::Success)
-    throw std::runtime_error("the eigenvalues of a matrix did not converge");
-  return {solver.eigenvalues().begin(), solver.eigenvalues().end()};
-}
+std::vector<std::complex<T>> eigenvalues_of(const Matrix<T>& matrix);
 
 /// The same for a complex matrix.
-template <class T>
-std::vector<std::complex<T>> eigenvalues_of(const Matrix<std::complex<T>>& matrix) {
-  const Eigen::ComplexEigenSolver<Matrix<std::complex<T>>> solver(matrix, false);
-  if (solver.info() != Eigen::Success)
-    throw std::runtime_error("the eigenvalues of a complex matrix did not converge");
-  return {solver.eigenvalues().begin(), solver.eigenvalues().end()};
-}
+std::vector<std::complex<double>> eigenvalues_of(const Matrix<std::complex<double>>& matrix);
 
 }  // namespace lattice

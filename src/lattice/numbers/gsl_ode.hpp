@@ -7,18 +7,17 @@ Scientific Library (GSL), by default that of Prince and Dormand of order eight (
 methods, written by different people, that control their own error. They solve $\dot x = f(t, x)$ with
 $f$ given as a function. */
 
-#include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>
-#include <algorithm>
-#include <cmath>
+
 #include <cstddef>
+#include <functional>
 #include <memory>
-#include <stdexcept>
-#include <string>
-#include <utility>
 #include <vector>
 
 namespace lattice {
+
+/// The right-hand side f of an equation: writes dx/dt into `dx`, given `t` and `x`.
+using Rhs = std::function<void(double t, const double* x, double* dx)>;
 
 /// Local error allowed, `absolute + relative |x|`, and the method, by default rk8pd.
 struct Tolerance {
@@ -31,49 +30,25 @@ struct Tolerance {
 
 /**
 GSL owns memory that must be freed, calls back a C function, and reports failure by a status that is
-easily overlooked. This class takes care of all three while it integrates `x' = rhs(t, x, dx)`. `Rhs` is
-callable as `void(double, const double*, double*)`. Throws std::invalid_argument if GSL refuses the
-tolerance and std::runtime_error if it cannot go on. */
-template <class Rhs>
+easily overlooked. This class takes care of all three. C knows no objects, so this one travels through GSL
+as a plain pointer from which `call` recovers it; it must therefore stay where it is, and copies are
+forbidden. */
 class Reference {
  public:
-  Reference(Rhs rhs, std::size_t dimension, const Tolerance& tolerance)
-      : rhs_(std::move(rhs)), system_{&Reference::call, nullptr, dimension, this} {
-    gsl_set_error_handler_off();  // GSL would abort; its status is checked below
-    driver_.reset(gsl_odeiv2_driver_alloc_y_new(&system_, tolerance.method, 1e-3,
-                                                tolerance.absolute, tolerance.relative));
-    if (!driver_)
-      throw std::invalid_argument(
-          "GSL refuses this integration: it needs a dimension of at least 1 and "
-          "tolerances >= 0");
-  }
+  /// For an equation of `dimension` unknowns. Throws std::invalid_argument if GSL refuses the tolerance.
+  Reference(Rhs rhs, std::size_t dimension, const Tolerance& tolerance);
   Reference(const Reference&) = delete;
   Reference& operator=(const Reference&) = delete;
 
-  /**
-  One call carries `x` from time `t` to `t_end`, and `t` is updated. Apart from the status we check the
-  values, because a solution that runs away can become infinite while GSL still reports success. */
-  void advance(double& t, double t_end, std::vector<double>& x) {
-    const int status = gsl_odeiv2_driver_apply(driver_.get(), &t, t_end, x.data());
-    if (status != GSL_SUCCESS)
-      throw std::runtime_error("the reference integrator stopped at t = " + std::to_string(t) +
-                               ": " + gsl_strerror(status));
-    if (!std::all_of(x.begin(), x.end(), [](double value) { return std::isfinite(value); }))
-      throw std::runtime_error("the reference integrator left the numbers before t = " +
-                               std::to_string(t));
-  }
+  /// Carries `x` from time `t` to `t_end`, and updates `t`. Throws std::runtime_error if GSL cannot go
+  /// on or a value is no longer finite.
+  void advance(double& t, double t_end, std::vector<double>& x);
+
+  /// How often the right-hand side has been evaluated.
   std::size_t evaluations() const { return evaluations_; }
 
-  /**
-  C knows no objects, so this one travels through GSL as a plain pointer from which `call` recovers it.
-  Therefore it must stay where it is, and copies are forbidden. */
  private:
-  static int call(double t, const double* x, double* dx, void* self) {
-    auto* me = static_cast<Reference*>(self);
-    ++me->evaluations_;
-    me->rhs_(t, x, dx);
-    return GSL_SUCCESS;
-  }
+  static int call(double t, const double* x, double* dx, void* self);
   struct Free {
     void operator()(gsl_odeiv2_driver* d) const { gsl_odeiv2_driver_free(d); }
   };

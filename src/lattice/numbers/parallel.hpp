@@ -2,47 +2,55 @@
 /**
 # Independent runs on all cores
 
-To sweep a parameter is to make many runs that know nothing of each other, so they can share the cores.
-Each worker takes the next index that nobody has taken, and each run writes only to its own slot, so that
-the results depend neither on the number of cores nor on who was faster. The number of workers is set once
-for a program; by default it is the number of cores that the process may use, which a scheduler or
-`taskset` can make smaller than that of the machine. */
+A parameter sweep is many runs that know nothing of each other, so they can share the cores. Each worker
+takes the next index that nobody has taken, and each run writes only to its own slot, so that the results
+depend neither on the number of cores nor on which worker was faster. The number of workers is set once for
+a program; by default it is the number of cores that the process may use, which a scheduler or `taskset`
+can make smaller than that of the machine. */
 
-#ifdef __linux__
-#include <sched.h>
-#endif
-#include <unistd.h>
-
-#include <algorithm>
 #include <atomic>
 #include <cstddef>
-#include <cstdio>
-#include <exception>
-#include <mutex>
+#include <functional>
+#include <memory>
 #include <string>
-#include <thread>
-#include <utility>
-#include <vector>
 
 namespace lattice {
 
+/// Cores that this process may use.
+std::size_t granted_cores();
+
+/// Sets the number of workers of `parallel_for` and of tiled runs from now on; zero stands for all
+/// granted cores. No result depends on it.
+void set_threads(std::size_t count);
+
+/// How many workers there are.
+std::size_t threads();
+
 /**
-A sweep may take minutes, and whoever waits wants to see it move. `Progress` shows a counter on standard
-error if that is a terminal, and nothing in a log. */
+`body(i)` is called for every `i` below `count`, in any order and on all workers. If one call throws, no
+further ones are begun, and the first exception is thrown again here. */
+void parallel_for(std::size_t count, const std::function<void(std::size_t)>& body);
+
+/// The same for long sweeps, with a counter under the name `label`.
+void parallel_for(const std::string& label, std::size_t count,
+                  const std::function<void(std::size_t)>& body);
+
+/**
+Whoever waits wants to see that something moves. On a terminal, and never in a log, standard error shows one
+line that is overwritten: `Progress` counts the parts of a sweep or the hundredths of a run, and where
+nobody counts `Heartbeat` shows the seconds. */
 class Progress {
  public:
-  Progress(std::string label, std::size_t total)
-      : label_(std::move(label)), total_(total), shown_(isatty(STDERR_FILENO) != 0) {}
-  ~Progress() {
-    if (shown_) std::fprintf(stderr, "\r\033[K");
-  }
+  /// A counter up to `total` under the name `label`.
+  Progress(std::string label, std::size_t total);
+  ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
+
   /// One more part is done. Safe to call from several threads.
-  void tick() {
-    const std::size_t k = ++done_;
-    if (shown_) std::fprintf(stderr, "\r%s %zu/%zu", label_.c_str(), k, total_);
-  }
+  void tick() { reach(done_ + 1); }
+  /// `k` parts are done; what was reached before is not shown again.
+  void reach(std::size_t k);
 
  private:
   std::string label_;
@@ -51,68 +59,17 @@ class Progress {
   bool shown_;
 };
 
-/**
-The default number of workers is that of the cores that this process may use. */
-inline std::size_t granted_cores() {
-#ifdef __linux__
-  cpu_set_t set;
-  CPU_ZERO(&set);
-  if (sched_getaffinity(0, sizeof set, &set) == 0 && CPU_COUNT(&set) > 0)
-    return std::size_t(CPU_COUNT(&set));
-#endif
-  return std::max(1U, std::thread::hardware_concurrency());
-}
+/// Shows `label` and the seconds since it was made, once a second, while nobody shows a `Progress`.
+class Heartbeat {
+ public:
+  explicit Heartbeat(std::string label);
+  ~Heartbeat();
+  Heartbeat(const Heartbeat&) = delete;
+  Heartbeat& operator=(const Heartbeat&) = delete;
 
-namespace detail {
-inline std::atomic<std::size_t> chosen_threads{0};
-}
-
-/// Workers of `parallel_for` and of tiled runs from now on; zero stands for all granted cores. No
-/// result depends on it.
-inline void set_threads(std::size_t count) {
-  detail::chosen_threads = count;
-}
-
-/// How many workers there are.
-inline std::size_t threads() {
-  const std::size_t chosen = detail::chosen_threads;
-  return chosen > 0 ? chosen : granted_cores();
-}
-
-/**
-Now the loop: `body(i)` is called for every `i` below `count`, in any order and on all workers. If one call
-throws, no further ones are begun, and the first exception is thrown again here. */
-template <class Body>
-void parallel_for(std::size_t count, Body body) {
-  std::atomic<std::size_t> next{0};
-  std::exception_ptr error;
-  std::mutex guard;
-  const auto work = [&] {
-    for (std::size_t i; (i = next++) < count;) try {
-        body(i);
-      } catch (...) {
-        const std::lock_guard lock(guard);
-        if (!error) error = std::current_exception();
-        next = count;
-      }
-  };
-  std::vector<std::thread> workers;
-  for (std::size_t k = 1, all = std::min(threads(), count); k < all; ++k)
-    workers.emplace_back(work);
-  work();
-  for (auto& worker : workers) worker.join();
-  if (error) std::rethrow_exception(error);
-}
-
-/**
-The same for long sweeps, with a counter under the name `label`. */
-template <class Body>
-void parallel_for(const std::string& label, std::size_t count, Body body) {
-  Progress progress(label, count);
-  parallel_for(count, [&](std::size_t i) {
-    body(i);
-    progress.tick();
-  });
-}
+ private:
+  struct Beat;
+  std::unique_ptr<Beat> beat_;
+};
 
 }  // namespace lattice

@@ -3,7 +3,7 @@
 # Random numbers
 
 Some runs begin with a randomly perturbed state. The perturbations are drawn from GSL's Mersenne twister,
-whose seed stands beside every result: the same seed gives the same numbers on every machine, which the
+whose seed is recorded with every result: the same seed gives the same numbers on every machine, which the
 distributions of the C++ library do not promise. */
 
 #include <gsl/gsl_rng.h>
@@ -16,11 +16,9 @@ namespace lattice {
 /// A source of random numbers with a recorded seed.
 class Random {
  public:
-  explicit Random(unsigned long seed) : source_(gsl_rng_alloc(gsl_rng_mt19937)) {
-    gsl_rng_set(source_.get(), seed);
-  }
+  explicit Random(unsigned long seed);
   /// Uniformly distributed in [lo, hi).
-  double uniform(double lo, double hi) { return lo + (hi - lo) * gsl_rng_uniform(source_.get()); }
+  double uniform(double lo, double hi);
 
  private:
   struct Free {
@@ -30,10 +28,6 @@ class Random {
 };
 
 /// `x` with each entry changed by a random share of itself, at most `relative`.
-inline std::vector<double> shaken(std::vector<double> x, double relative, unsigned long seed) {
-  Random random(seed);
-  for (double& value : x) value *= 1 + random.uniform(-relative, relative);
-  return x;
-}
+std::vector<double> shaken(std::vector<double> x, double relative, unsigned long seed);
 
 }  // namespace lattice

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "lattice/dps/dps.hpp"
-#include "lattice/dps/stationary.hpp"
+#include "lattice/dps/quasi_continuum.hpp"
 
 namespace lattice {
 

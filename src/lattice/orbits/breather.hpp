@@ -4,7 +4,7 @@
 
 A static breather is a vibration with one frequency $\omega_b$ that is localized at a few sites. Those of
 section 3.2 are periodic orbits of a chain with free ends. At small amplitude their profile $u_n$ is known
-approximately, in the quasi-continuum limit of the DpS equation (stationary.hpp), Eqs. (18) to (20):
+approximately, in the quasi-continuum limit of the DpS equation (quasi_continuum.hpp), Eqs. (18) to (20):
 $$y_n(0) = 2\epsilon\,u_n,\qquad \epsilon = \bigl(2\tau_0(\omega_b-1)\bigr)^2.$$
 Close to $\omega_b = 1$ Newton's method converges from there. To reach higher frequencies we follow the
 branch (continuation.hpp), so that there is never a doubt to which family a breather belongs. */

@@ -1,6 +1,5 @@
 #include "lattice/orbits/floquet.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <cstddef>
 #include <stdexcept>
 #include <utility>
@@ -67,16 +66,15 @@ Matrix<T> perpendicular_to(const Vector<T>& f) {
 template <class T>
 Pairs<T> pairs_of(const Matrix<T>& k, const Vector<T>& f) {
   const Matrix<T> basis = perpendicular_to(f);
-  const Eigen::EigenSolver<Matrix<T>> solver(basis.transpose() * k * basis);
-  if (solver.info() != Eigen::Success) throw NoConvergence("no eigenvalues", {});
+  const Eigenpairs<T> found = eigenpairs_of(Matrix<T>(basis.transpose() * k * basis));
   std::vector<std::pair<std::complex<T>, Eigen::Index>> all;
-  for (Eigen::Index i = 0; i < k.rows() - 1; ++i) all.emplace_back(solver.eigenvalues()[i], i);
+  for (Eigen::Index i = 0; i < k.rows() - 1; ++i) all.emplace_back(found.values[std::size_t(i)], i);
   std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
     return std::norm(a.first) < std::norm(b.first);
   });
   Pairs<T> pairs;
   for (const auto& one : all) pairs.kappa.push_back(one.first);
-  pairs.mode = basis * solver.eigenvectors().col(all.front().second).real();
+  pairs.mode = basis * found.vectors.col(all.front().second);
   pairs.mode /= pairs.mode.norm();
   pairs.phase_error = sup<T>(k.transpose() * f / f.norm());
   return pairs;

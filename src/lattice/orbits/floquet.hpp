@@ -88,7 +88,7 @@ struct Pairs {
 
 /**
 The pairs are sorted by the modulus of $\kappa$, that is by their distance from $+1$; the first one is the
-pinning pair. Throws NoConvergence if Eigen finds no eigenvalues. */
+pinning pair. Throws std::runtime_error if Eigen finds no eigenvalues. */
 /// Eigenvalues and the first mode of `k` restricted to the vectors perpendicular to `f`.
 template <class T>
 Pairs<T> pairs_of(const Matrix<T>& k, const Vector<T>& f);

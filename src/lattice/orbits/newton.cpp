@@ -1,6 +1,5 @@
 #include "lattice/orbits/newton.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -30,18 +29,6 @@ T sup(const Vector<T>& x) {
     most = std::max(most, magnitude(x[i]));
   }
   return most;
-}
-
-template <class T>
-Vector<T> solve_system(const Matrix<T>& matrix, const Vector<T>& right, double rank) {
-  if (matrix.rows() == matrix.cols() && rank <= 0) return solve_square(matrix, right);
-  if constexpr (std::is_floating_point_v<T>) {
-    Eigen::CompleteOrthogonalDecomposition<Matrix<T>> shortest;
-    if (rank > 0) shortest.setThreshold(T(rank));
-    return shortest.compute(matrix).solve(right);
-  } else {
-    throw std::logic_error("this type solves as many equations as unknowns, no others");
-  }
 }
 
 template <class T>
@@ -136,7 +123,6 @@ Solution<T> solve(const NewtonProblem<T>& problem, const Vector<T>& x, const New
 
 #define LATTICE_INSTANCES(T)                                                                      \
   template T sup<T>(const Vector<T>&);                                                            \
-  template Vector<T> solve_system<T>(const Matrix<T>&, const Vector<T>&, double);                 \
   template Vector<T> solve_scaled<T>(Matrix<T>, Vector<T>, const Sizes<T>&, double);              \
   template bool is_accurate<T>(const Flow<T>&, const Landing<T>&);                                \
   template Solution<T> iterate<T>(const NewtonProblem<T>&, Vector<T>, const NewtonRule<T>&, bool, \

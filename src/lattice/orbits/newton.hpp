@@ -26,7 +26,7 @@ A problem `P` has
 #include <vector>
 
 #include "lattice/landing/landing.hpp"
-#include "lattice/numbers/dense.hpp"
+#include "lattice/orbits/linear.hpp"
 
 namespace lattice {
 
@@ -53,18 +53,10 @@ struct Sizes {
 /**
 ## A step
 
-Each step solves a linear system, and its numbers differ vastly: the tail of a breather falls
+Each step solves a linear system (linear.hpp), and its numbers differ vastly: the tail of a breather falls
 double-exponentially, $|y_{n+1}|\sim|y_n|^{3/2}$, and its equations are as small as its positions. If each
 unknown and each equation is measured in units of the local size (`Sizes`), elimination finds every
-position to the same relative accuracy.
-
-If there are as many equations as unknowns the system is solved as it stands. Otherwise, or if the problem
-leaves a direction free, the step is the shortest one that solves the equations in the sense of least
-squares. A direction counts as free if its singular value, relative to the largest, is below `rank`, if
-that is positive. Least squares need a built-in type; others throw std::logic_error. */
-template <class T>
-Vector<T> solve_system(const Matrix<T>& matrix, const Vector<T>& right, double rank = 0);
-
+position to the same relative accuracy. */
 /// The step x with matrix * x = right, computed in the units of `size` and returned in those of `matrix`
 /// and `right`.
 template <class T>

@@ -32,15 +32,10 @@ Pace denser_samples(Pace p, int times) {
   return p;
 }
 
-namespace {
-
-/// Whether no displacement is a runaway.
 bool bounded(const State<double>& state) {
   return std::all_of(state.y.begin(), state.y.end(),
                      [](double y) { return std::abs(y) < escape_displacement; });
 }
-
-}  // namespace
 
 Run evolve(const Advance& advance, const Chain& chain, State<double>& state, const Pace& pace,
            const Look& look) {

@@ -104,6 +104,9 @@ over the rims of a pendulum potential travels at a speed of order ten, so that i
 come near a million otherwise. */
 inline constexpr double escape_displacement = 1e6;
 
+/// Whether no displacement is a runaway.
+bool bounded(const State<double>& state);
+
 /// Shows `state` to an observer, which may return false to stop the run; if it returns nothing the run
 /// goes on.
 template <class Observer>

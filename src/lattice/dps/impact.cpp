@@ -1,0 +1,31 @@
+#include "lattice/dps/impact.hpp"
+
+#include <cmath>
+
+namespace lattice {
+
+DpsOutcome follow_dps(const Dps& dps, const Field& start, double duration, std::size_t samples,
+                      const Tolerance& tolerance, const DpsObserver& watch) {
+  DpsOutcome out{{}, start, 0};
+  out.norm_drift =
+      evolve_dps(dps, out.end, duration, samples, tolerance, [&](double tau, const Field& field) {
+        watch(tau, field);
+        const auto d = density(field);
+        const auto site = front_packet(d);
+        if (tau > 0 && site) out.track.add(tau, d, *site);
+      });
+  return out;
+}
+
+double packet_amplitude(const Track& track) {
+  const double end = track.centre.back();
+  return std::sqrt(track.largest_peak(end - 1, end));
+}
+
+DpsPair follow_dps_to(double tolerance, const Dps& dps, const Field& start, double duration,
+                      std::size_t samples, const DpsObserver& watch) {
+  return {follow_dps(dps, start, duration, samples, 100 * tolerance, Unwatched{}),
+          follow_dps(dps, start, duration, 2 * samples, tolerance, watch)};
+}
+
+}  // namespace lattice

@@ -1,0 +1,51 @@
+#pragma once
+/**
+# How the command line is read
+
+A line is the program's name, perhaps a command, and options, each a name with two dashes that is followed by
+its value after a blank or `=`. No library reads it: all that can be wrong with so plain a line is found
+here and answered in our words, in one line that names the option, the value and what is allowed, and the
+nearest name where one was misspelt. */
+
+#include <deque>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "report/parameters.hpp"
+
+namespace lattice {
+
+/// Parameters under the name of a command; the program itself has them under no name.
+struct Offer {
+  std::string name, meaning;
+  Parameters parameters{};
+};
+
+/// What was asked for: the offer that was chosen, or its help, or the version.
+struct Asked {
+  enum class What { run, help, version } what = What::run;
+  Offer* of = nullptr;
+};
+
+/// Reads `words`, which do not contain the name of the program, into the variables of the chosen offer, the
+/// first of `offers` being the program itself. Throws UsageError.
+Asked read_line(std::deque<Offer>& offers, const std::vector<std::string>& words);
+
+/// What `--help` prints for `of`; a text `after` the list is its last paragraph.
+std::string help_text(const std::string& program, const std::deque<Offer>& offers, const Offer& of,
+                      const std::string& after);
+
+/// The name that is nearest to `word`, if one is near.
+std::optional<std::string> nearest(const std::string& word, const std::vector<std::string>& names);
+
+/**
+The command in a header is there to be typed again. An argument with blanks, quotes or control
+characters is therefore quoted as a shell would want it, and kept on one line: a line feed in a
+name would otherwise break the header. */
+std::string shell_quoted(const std::string& argument);
+
+/// The whole command without its threads, on which no result depends.
+std::string command_text(const std::string& program, int argc, const char* const* argv);
+
+}  // namespace lattice

@@ -1,0 +1,145 @@
+#pragma once
+/**
+# Parameters and their names
+
+What a reader types is checked where it enters: a wrong value is answered by one line that names the
+option, the value and what is allowed. Numbers are read in one way everywhere: in decimal (`031` is
+31), whole ones also as `1e+06`, and all of them as fractions (`-1/6`). And what was not typed is said too:
+help shows every default, and the header of a table records every parameter with the value that was used.
+
+A command declares its parameters as a well does, each with a name, the variable that takes the value, a
+meaning and what is allowed; what the variable holds before the line is read is the default.
+
+    void parameters(Parameters& p) {
+      p.add("velocity", velocity, "impact velocity", {1e-6, 100});
+      p.add("sites", sites, "chain length (default: as long as needed)", {2, 1e6});
+    } */
+
+#include <cstddef>
+#include <deque>
+#include <functional>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "report/table.hpp"
+
+namespace lattice {
+
+/// The reader's input cannot be used: exit code 2.
+struct UsageError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/**
+A check is told what was typed and answers with a complaint, or with nothing. */
+struct Check {
+  std::function<std::string(const std::string&)> complaint;
+  std::string allowed;  ///< as help and complaints show it
+};
+
+/// Numbers in [least, most], in the given unit.
+struct Range {
+  double least, most;
+  std::string unit = "";
+};
+
+Check in_range(const Range& range);
+/// A name that is not empty.
+Check not_empty();
+/// One of `names`.
+Check one_of(const std::vector<std::string>& names);
+/// A folder in which files can be made.
+Check writable_folder();
+
+/// The number that was typed, in decimal or as a fraction; nothing if it is none.
+std::optional<double> typed_number(std::string_view text);
+
+/**
+An option is what help, complaints and headers know of a parameter. A default that is no plain value, such as
+a length that follows from another parameter, stands in the meaning, `(default: as long as needed)`, and is
+shown and recorded like all the others. */
+class Option {
+ public:
+  enum class Takes { flag, number, text };
+
+  std::string name, meaning, standard;  ///< `standard` is the default as help shows it
+  Takes takes = Takes::text;
+  Check check{};
+  std::function<void(const std::string&)> take{};
+  std::vector<std::string> old_names{}, rivals{};
+  std::optional<std::string> typed{};
+
+  bool given() const { return typed.has_value(); }
+  bool called(const std::string& word) const;
+
+  /// What help and header show instead of the value of the variable.
+  Option& shows(const std::string& value);
+  /// An earlier name that is still accepted, and shown nowhere.
+  Option& formerly(const std::string& old_name);
+  /// Typing both is refused.
+  Option& excludes(const Option& other);
+  /// The value that was used, as a header records it.
+  std::string used() const;
+};
+
+/**
+The variables must live as long as the parameters that point to them. */
+class Parameters {
+ public:
+  Parameters() = default;
+  Parameters(const Parameters&) = delete;
+  Parameters& operator=(const Parameters&) = delete;
+
+  Option& add(const std::string& name, double& value, const std::string& meaning,
+              const Range& range);
+  Option& add(const std::string& name, std::size_t& value, const std::string& meaning,
+              const Range& range);
+  /// One of some names, or a text that passes a check.
+  Option& add(const std::string& name, std::string& value, const std::string& meaning,
+              const std::vector<std::string>& names);
+  Option& add(const std::string& name, std::string& value, const std::string& meaning,
+              const Check& check);
+  /// A flag: it takes no value and is off unless it is typed.
+  Option& add(const std::string& name, bool& value, const std::string& meaning);
+
+  /// One of some values that have names.
+  template <class Value>
+  requires std::is_enum_v<Value> Option& add(
+      const std::string& name, Value& value, const std::string& meaning,
+      const std::vector<std::pair<std::string, std::type_identity_t<Value>>>& choices) {
+    std::vector<std::string> names;
+    std::string standard;
+    for (const auto& [word, choice] : choices) {
+      names.push_back(word);
+      if (choice == value) standard = word;
+    }
+    const auto take = [choices, &value](const std::string& typed) {
+      for (const auto& [word, choice] : choices)
+        if (word == typed) value = choice;
+    };
+    return keep({name, meaning, standard, Option::Takes::text, one_of(names), take});
+  }
+
+  /// Calls `then` when the whole line has been read.
+  void when_read(std::function<void()> then) { then_.push_back(std::move(then)); }
+
+  /**
+  The reader of the line (command_line.hpp) looks a name up and tells when the line is complete. */
+  Option* find(const std::string& name);
+  void finish() const;
+  const std::deque<Option>& all() const { return all_; }
+  /// The names with their dashes, separated by commas.
+  std::string names() const;
+
+ private:
+  Option& keep(Option parameter);
+  std::deque<Option> all_{};  ///< a chapter holds on to its parameters by address
+  std::vector<std::function<void()>> then_{};
+};
+
+}  // namespace lattice

@@ -1,0 +1,322 @@
+/**
+# The frame of every program */
+
+#include "report/program.hpp"
+
+#include <gsl/gsl_errno.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <deque>
+#include <iostream>
+#include <optional>
+#include <sstream>
+
+#include "report/checksum.hpp"
+#include "report/command_line.hpp"
+#include "report/files.hpp"
+
+namespace lattice {
+
+/**
+## Numbers with their origin
+
+The compiler describes a function with its type, its arguments and its namespace, and a lambda by the
+function around it: `void lattice::beam(Report&)::<lambda(int)>` is `beam`. */
+std::string function_at(const Place& place) {
+  std::string text = place.function_name();
+  for (const std::string hidden : {"{anonymous}::", "(anonymous namespace)::"})
+    for (auto at = text.find(hidden); at != std::string::npos; at = text.find(hidden))
+      text.erase(at, hidden.size());
+  int depth = 0;
+  std::size_t end = 0;
+  while (end < text.size() && (depth > 0 || text[end] != '(')) {
+    depth += text[end] == '<' ? 1 : text[end] == '>' ? -1 : 0;
+    ++end;
+  }
+  const auto name = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
+  std::size_t begin = end;
+  while (begin > 0 && name(text[begin - 1])) --begin;
+  return text.substr(begin, end - begin);
+}
+
+static std::string kind_of(const Estimate& e) {
+  return e.is_exact ? "exact" : "estimate";
+}
+
+void Quantities::add(const std::string& quantity, const Estimate& e, const std::string& unit,
+                     const Place& place) {
+  table.add({quantity, e, unit, kind_of(e)});
+  makers.push_back(function_at(place));
+}
+
+void Results::add(const std::string& id, const Estimate& e, const std::string& unit,
+                  const Place& place) {
+  if (!std::isfinite(e.value) || !std::isfinite(e.error) || e.error < 0)
+    throw Failure(id + ": the computed value or its error is not finite");
+  for (const auto& row : table.rows)
+    if (std::get<std::string>(row[0]) == id) throw Failure(id + ": answered twice");
+  table.add({id, e, unit, kind_of(e)});
+  makers.push_back(function_at(place));
+}
+
+void Results::claim(const std::string& id, bool holds, const Place& place) {
+  add(id, exact(holds ? 1 : 0), "claim", place);
+}
+
+Table with_makers(Table table, const std::vector<std::string>& makers) {
+  table.columns.push_back(label("made_by", "function of the program's source that recorded it"));
+  for (std::size_t i = 0; i < table.rows.size(); ++i) table.rows[i].emplace_back(makers.at(i));
+  return table;
+}
+
+void judge(Report& report, const std::string& id, const Criterion& criterion, const Place& place) {
+  report.results.claim(id, holds(criterion), place);
+  const std::string prefix = id.substr(id.find('.') + 1) + "_";
+  for (const Condition& c : criterion) {
+    report.facts.add(prefix + c.name, c.value, "", place);
+    report.facts.add(prefix + c.name + "_margin", c.margin(), "", place);
+  }
+}
+
+/**
+## Headers
+
+A key that is known is replaced, and a table is signed with the whole header when it is written. */
+void Provenance::set(const std::string& key, const std::string& value) {
+  for (Meta* known : {&parameters, &entries})
+    for (auto& [name, old] : *known)
+      if (name == key) {
+        old = value;
+        return;
+      }
+  entries.emplace_back(key, value);
+}
+
+Table Provenance::sign(Table table) const {
+  Provenance all = *this;
+  for (const auto& [key, value] : table.meta) all.set(key, value);
+  std::string text;
+  for (const auto& [key, value] : all.parameters)
+    text += (text.empty() ? "" : ", ") + key + " = " + value;
+  table.meta = {};
+  for (const auto& [key, value] : all.entries) {
+    table.meta.emplace_back(key, value);
+    if (key == "command") table.meta.emplace_back("parameters", text);
+  }
+  return table;
+}
+
+void Output::finish(const Results& results) {
+  add("results", with_makers(results.table, results.makers));
+  std::string sums;
+  for (const auto& [name, table] : tables_) {
+    const std::string file = name + ".ecsv", text = to_text(provenance_.sign(table));
+    std::istringstream lines(text);
+    sums += table_checksum(lines) + "  " + file + '\n';
+    if (&table == &tables_.back().second) write_whole(folder_ / checksums_name, sums);
+    write_whole(folder_ / file, text);
+  }
+}
+
+namespace {
+
+/**
+A header must be the same for the same result. So it holds the options that decide a result, each
+with its value, the one typed or the default, and leaves out the number of threads and the place
+of the output, on which no digit depends. It holds no clock time, which would make equal runs differ. */
+Provenance provenance(const Program& program, const std::string& command, const Parameters& used) {
+  const char* revision = std::getenv("LATTICE_REVISION");
+  Provenance out{{{"program", program.name},
+                  {"section", program.section},
+                  {"command", command},
+                  {"seed", "none: no random numbers"},
+                  {"revision", revision && *revision ? revision : LATTICE_VERSION},
+                  {"build", LATTICE_BUILD},
+                  {"libraries", LATTICE_LIBRARIES}},
+                 {}};
+  for (const Option& p : used.all())
+    if (p.name != "threads" && p.name != "out" && p.name != "output")
+      out.parameters.emplace_back(p.name, p.used());
+  return out;
+}
+
+/**
+## What a run costs
+
+Whoever asks for help wants to know how long a full run takes. The time was measured and stands in the
+index of the figures, and nowhere else: it is read from there if the program is called where it was built. */
+std::string full_run_takes(const std::string& program) try {
+  std::filesystem::path folder = executable().parent_path();
+  while (!std::filesystem::exists(folder / "figures/figures.ecsv")) {
+    if (folder == folder.parent_path()) return "";
+    folder = folder.parent_path();
+  }
+  const Table figures = read(folder / "figures/figures.ecsv");
+  const auto programs = figures.texts("program");
+  const auto seconds = figures.numbers("seconds");
+  double longest = 0;
+  for (std::size_t i = 0; i < programs.size(); ++i)
+    if (programs[i] == program) longest = std::max(longest, seconds[i]);
+  if (!(longest > 0)) return "";
+  const double rounded = std::ceil(longest);
+  return "A full run takes about " + short_text(rounded) + (rounded == 1 ? " second" : " seconds") +
+         " on two cores.";
+} catch (const std::exception&) {
+  return "";  // without the index nothing is known
+}
+
+/**
+## A run
+
+A job on a shared machine must not take more cores than it was given. Beside the cores that the
+system grants we obey Slurm, which may have given the task fewer. */
+std::size_t granted_by_slurm() {
+  const char* share = std::getenv("SLURM_CPUS_PER_TASK");
+  const auto number = share ? parse_number(share) : std::nullopt;
+  const std::size_t cores = granted_cores();
+  return number && *number >= 1 && *number < double(cores) ? std::size_t(*number) : cores;
+}
+
+/// What every program keeps of its line.
+struct Frame {
+  const Program& program;
+  std::string command, out{}, output{};
+  std::size_t threads = 0;
+  bool quick = false;
+  std::deque<Offer> offers{};
+  std::vector<std::function<Table()>> computations{};
+
+  Frame(const Program& of, int argc, char** argv);
+  int run(const std::vector<std::string>& words);
+  std::string footer(const Offer& of) const;
+  int print(const Offer& of, const std::function<Table()>& compute);
+  int reproduce(const Offer& full);
+};
+
+/**
+The program and its commands share some options. */
+Frame::Frame(const Program& of, int argc, char** argv)
+    : program(of), command(command_text(of.name, argc, argv)) {
+  const auto add_threads = [this](Parameters& p) {
+    p.add("threads", threads, "threads, on which no result depends (default: the cores granted)",
+          {1, 1024});
+  };
+  Offer& full = offers.emplace_back();
+  full.meaning = of.title;
+  full.parameters.add("out", out, "folder for the tables of a full run", not_empty())
+      .shows("build/data/" + of.name);
+  full.parameters.add("quick", quick, "coarse parameters: seconds, for trying out");
+  add_threads(full.parameters);
+  for (const Command& one : of.commands) {
+    Offer& offer = offers.emplace_back();
+    offer.name = one.name;
+    offer.meaning = one.meaning;
+    offer.parameters.add("output", output, "file to write (default: standard output)", not_empty());
+    add_threads(offer.parameters);
+    computations.push_back(one.declare(offer.parameters));
+  }
+}
+
+std::string Frame::footer(const Offer& of) const {
+  if (!of.name.empty())
+    return "A quantity that does not exist, such as the speed of a packet that never left, is nan.";
+  const std::string cost = full_run_takes(program.name);
+  return std::string("Without a command everything that the section shows is computed.") +
+         (cost.empty() ? "" : " " + cost);
+}
+
+int Frame::run(const std::vector<std::string>& words) {
+  const Asked asked = read_line(offers, words);
+  if (asked.what == Asked::What::help) {
+    std::cout << help_text(program.name, offers, *asked.of, footer(*asked.of));
+    return 0;
+  }
+  if (asked.what == Asked::What::version) {
+    std::cout << program.name + " " LATTICE_VERSION " (" LATTICE_BUILD "; " LATTICE_LIBRARIES ")\n";
+    return 0;
+  }
+  set_threads(threads > 0 ? threads : granted_by_slurm());
+  for (std::size_t k = 0; k < computations.size(); ++k)
+    if (asked.of == &offers[k + 1]) return print(*asked.of, computations[k]);
+  return reproduce(*asked.of);
+}
+
+/// Throws UsageError unless `file` can be written in `folder`.
+void need_writable(const std::filesystem::path& folder, const std::string& file,
+                   const std::string& option) {
+  const std::string reason = why_not_writable(folder, file);
+  if (!reason.empty())
+    throw UsageError(option + ": cannot write to '" + (folder / file).string() + "': " + reason +
+                     " (allowed: a place where you may write)");
+}
+
+/**
+A command prints its table or writes it to `--output`; options of a full run mean nothing to it,
+and rather than ignore them we say so. */
+int Frame::print(const Offer& of, const std::function<Table()>& compute) {
+  for (const Option& p : offers.front().parameters.all())
+    if (p.given() && p.name != "threads")
+      throw UsageError("--" + p.name + ": has no meaning before '" + of.name +
+                       "' (allowed: in a full run, without a command)");
+  if (!output.empty()) {
+    const std::filesystem::path path(output), parent = path.parent_path();
+    std::error_code ignored;
+    if (path.filename().empty() || std::filesystem::is_directory(path, ignored))
+      throw UsageError("--output: '" + output + "' is a folder (allowed: a file)");
+    need_writable(parent.empty() ? "." : parent, path.filename().string(), "--output");
+  }
+  std::optional<Heartbeat> alive(program.name + " " + of.name);
+  const Table table = compute();  // may say more of its parameters
+  alive.reset();
+  const Table signed_table = provenance(program, command, of.parameters).sign(table);
+  if (!output.empty()) {
+    write(output, signed_table);
+  } else if (!(std::cout << to_text(signed_table) << std::flush)) {
+    throw Failure("cannot write to standard output");
+  }
+  return 0;
+}
+
+/**
+A full run removes the old `results.ecsv` before it begins: as long as there is none, the folder is
+not complete. */
+int Frame::reproduce(const Offer& full) {
+  if (out.empty()) out = "build/data/" + program.name;
+  need_writable(out, "results.ecsv", "--out");
+  std::error_code ignored;
+  std::filesystem::remove(std::filesystem::path(out) / "results.ecsv", ignored);
+  Output tables(out, provenance(program, command, full.parameters));
+  Report report{tables, quick};
+  {
+    const Heartbeat alive(program.name);
+    program.reproduce(report);
+  }
+  tables.add("facts", with_makers(report.facts.table, report.facts.makers));
+  tables.finish(report.results);
+  return 0;
+}
+
+}  // namespace
+
+/**
+All that can go wrong arrives here as an exception, and this is the only place that knows exit
+codes: 2 for input that cannot be used, 1 for a computation that failed. */
+int run(const Program& program, int argc, char** argv) {
+  gsl_set_error_handler_off();  // its errors are ours to report, not a reason to abort
+  const auto complain = [&](std::string message, int code) {
+    std::replace(message.begin(), message.end(), '\n', ' ');
+    std::cerr << program.name << ": " << message << '\n';
+    return code;
+  };
+  try {
+    return Frame(program, argc, argv).run({argv + 1, argv + argc});
+  } catch (const UsageError& error) {
+    return complain(error.what(), 2);
+  } catch (const std::exception& error) {
+    return complain(error.what(), 1);
+  }
+}
+
+}  // namespace lattice

@@ -1,0 +1,180 @@
+#pragma once
+/**
+# A chapter as a program
+
+Every chapter is a program with the same manners. Without a command it computes everything its section
+shows and writes tables to `--out`; a command computes one thing with the reader's parameters and prints a
+table. What they share stands here: provenance, results, errors and exit codes.
+
+Bad input ends with exit code 2 and one line that names the option, the value and what is allowed. A
+computation that does not deliver what it promised ends with exit code 1. In neither case is a file left
+behind. */
+
+#include <concepts>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <source_location>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "lattice/numbers/criterion.hpp"
+#include "lattice/numbers/estimate.hpp"
+#include "lattice/numbers/parallel.hpp"
+#include "report/parameters.hpp"
+#include "report/table.hpp"
+
+namespace lattice {
+
+/// The computation did not deliver what it promised: exit code 1.
+struct Failure : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/**
+Whoever meets a number wants to see the lines that made it. So a record knows from which function it comes:
+the compiler fills in the `Place` where a number is recorded. */
+using Place = std::source_location;
+
+/// The bare name of the function at a place, the enclosing one for a lambda.
+std::string function_at(const Place& place);
+
+/**
+Not every number answers a claim. Commands and the facts of a chapter report rows
+`quantity,value,error,unit`. A quantity that is not defined (the speed of a packet that never left)
+is `nan` here, where a claim would refuse it. */
+struct Quantities {
+  Table table{{label("quantity", "what is reported"), number("value", "converged value"),
+               number("error", "absolute error estimated from two resolutions"),
+               label("unit", "unit of value and error"),
+               label("kind", "estimate, or exact where nothing could be different (error 0)")}};
+  std::vector<std::string> makers{};  ///< a function for every row
+
+  void add(const std::string& quantity, const Estimate& e, const std::string& unit = "",
+           const Place& place = Place::current());
+};
+
+/**
+A claim of the article is answered by a row of `results.ecsv`: its id, the value, an
+error from at least two resolutions, and the unit. There are two kinds of answer. A number,
+given by `add`, answers a printed number and equally a word that has none (excellent,
+slightly, very close): such a word is measured, not judged. Yes or no, given by `judge`, is one
+or zero with the unit `claim` and answers a statement that a criterion of the chapter decides. */
+struct Results {
+  Table table{{label("id", "identifier in paper/published.ecsv"),
+               number("value", "converged value; 1 or 0 where the unit is claim"),
+               number("error", "absolute error estimated from two resolutions"),
+               label("unit", "unit of value and error; claim for yes or no"),
+               label("kind", "estimate, or exact where nothing could be different (error 0)")}};
+  std::vector<std::string> makers{};
+
+  /// A number with its error; throws Failure unless both are finite, the error is no less than
+  /// zero and the claim has no answer yet.
+  void add(const std::string& id, const Estimate& e, const std::string& unit = "",
+           const Place& place = Place::current());
+  /// Yes or no.
+  void claim(const std::string& id, bool holds, const Place& place = Place::current());
+};
+
+/// The table with a last column `made_by` that names these functions, one for every row.
+Table with_makers(Table table, const std::vector<std::string>& makers);
+
+/**
+The header of a table says who made it and from what. `parameters` are the options with the values
+used. A chapter that knows more (a tolerance, a seed, the chain length that was chosen) adds it to
+the table's own `meta`; where that has the name of a parameter or of an entry, it replaces it. */
+struct Provenance {
+  Meta entries, parameters;
+
+  void set(const std::string& key, const std::string& value);
+  /// The table under the whole header, as it is written.
+  Table sign(Table table) const;
+};
+
+/**
+A full run writes several tables that belong together. They are kept until the last one is computed,
+so that a run that fails leaves no half of a set, and all carry the same header. */
+class Output {
+ public:
+  Output(std::filesystem::path folder, Provenance provenance)
+      : folder_(std::move(folder)), provenance_(std::move(provenance)) {}
+
+  /// Something that the headers of all tables say: a tolerance, a seed.
+  void note(const std::string& key, const std::string& value) { provenance_.set(key, value); }
+  /// Keeps `table` to be written as `name`.ecsv when the whole run has succeeded.
+  void add(const std::string& name, Table table) { tables_.emplace_back(name, std::move(table)); }
+  /// Where the tables go; work in progress may wait there under a name that begins with a dot.
+  const std::filesystem::path& folder() const { return folder_; }
+
+  /**
+  A run is complete when its results are there, so they are written last. */
+  /// Writes all tables, then their checksums, and `results`.
+  void finish(const Results& results);
+
+ private:
+  std::filesystem::path folder_;
+  Provenance provenance_;
+  std::vector<std::pair<std::string, Table>> tables_{};
+};
+
+/**
+The parts of a chapter write the tables of their figures, answer their claims and note further
+numbers among the `facts`, from which text and captions quote. */
+struct Report {
+  Output& output;
+  bool quick;
+  Results results{};
+  Quantities facts{};
+};
+
+/**
+A yes-or-no statement of the article is decided by a criterion (criterion.hpp). The answer goes to the
+results, and every condition with its margin to the facts, so that no verdict stands alone. */
+/// Answers claim `id`. The facts are named after the part of the id behind its dot, followed by the name of
+/// the condition.
+void judge(Report& report, const std::string& id, const Criterion& criterion,
+           const Place& place = Place::current());
+
+/**
+## Commands
+
+A command is a struct that has a name and a meaning, declares its parameters (parameters.hpp) and computes a
+`table()` from them:
+
+    struct Strike {
+      static constexpr const char *name = "strike", *meaning = "one impact: how fast the packet is";
+      double velocity = 1;
+
+      void parameters(Parameters& p) { p.add("velocity", velocity, "impact velocity", {1e-6, 100}); }
+      Table table() const;
+    };
+
+`command<Strike>()` is what a program offers of it. */
+struct Command {
+  std::string name, meaning;
+  /// Declares the parameters and returns what computes the table from their values.
+  std::function<std::function<Table()>(Parameters&)> declare;
+};
+
+template <class Declared>
+Command command() {
+  return {Declared::name, Declared::meaning, [](Parameters& p) -> std::function<Table()> {
+            const auto values = std::make_shared<Declared>();
+            values->parameters(p);
+            return [values] { return values->table(); };
+          }};
+}
+
+/// A program: its name, its section, its title, what computes the whole section, and commands.
+struct Program {
+  std::string name, section, title;
+  std::function<void(Report&)> reproduce;
+  std::vector<Command> commands = {};
+};
+
+/// Reads the line, computes and writes; returns the exit code. Every `main` ends with it.
+int run(const Program& program, int argc, char** argv);
+
+}  // namespace lattice

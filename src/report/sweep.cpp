@@ -1,0 +1,161 @@
+/**
+# How the rows of a map are kept */
+
+#include "report/sweep.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <mutex>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+#include "lattice/numbers/parallel.hpp"
+
+namespace lattice {
+
+Part parse_part(const std::string& text) {
+  unsigned long k = 0, n = 0;
+  char rest = 0;
+  const bool digits = text.find_first_not_of("0123456789/") == std::string::npos;
+  if (!digits || text.size() > 13 || std::sscanf(text.c_str(), "%lu/%lu%c", &k, &n, &rest) != 2 ||
+      k < 1 || k > n || n > 100000)
+    throw std::invalid_argument(text + " is not k/n with 1 <= k <= n <= 100000");
+  return {k, n};
+}
+
+Check part_text() {
+  const auto complaint = [](const std::string& value) {
+    try {
+      parse_part(value);
+    } catch (const std::invalid_argument& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  return {complaint, "k/n"};
+}
+
+/**
+Rows and programs are told apart by a short hash of their bytes (FNV-1a). */
+static std::string fingerprint(std::istream&& bytes) {
+  std::uint64_t hash = 14695981039346656037ULL;
+  for (char c; bytes.get(c);) hash = (hash ^ std::uint8_t(c)) * 1099511628211ULL;
+  return std::to_string(hash);
+}
+
+/// A number that changes with the program that runs: of its executable where the system shows it.
+static std::string executable_fingerprint() {
+  return fingerprint(std::ifstream("/proc/self/exe", std::ios::binary));
+}
+
+Sweep::Sweep(std::filesystem::path folder, std::string name, const Columns& columns,
+             std::size_t points, const std::string& parameters)
+    : folder_(std::move(folder)),
+      name_(std::move(name)),
+      key_("# " + parameters + "; executable " + executable_fingerprint()),
+      columns_(columns.all),
+      rows_(points) {
+  std::replace(key_.begin(), key_.end(), '\n', ' ');
+  collect();
+}
+
+static std::string line(std::size_t i, const Row& cells) {
+  std::string text = std::to_string(i);
+  for (const Cell& cell : cells) text.append(1, ',').append(ecsv::cell_text(cell));
+  return text + "," + fingerprint(std::istringstream(text)) + "\n";
+}
+
+void Sweep::compute(Part part, const std::function<Row(std::size_t)>& row) {
+  std::vector<std::size_t> open;
+  for (std::size_t i = 0; i < rows_.size(); ++i)
+    if (part.holds(i) && rows_[i].empty()) open.push_back(i);
+  if (open.empty()) return;
+  std::ofstream kept;
+  if (!folder_.empty()) kept = reopen(part);
+  std::mutex guard;
+  parallel_for(name_, open.size(), [&](std::size_t j) {
+    Row cells = row(open[j]);
+    Table{columns_}.add(cells);  // throws unless the row fits the columns
+    const std::lock_guard lock(guard);
+    kept << line(open[j], cells) << std::flush;
+    rows_[open[j]] = std::move(cells);
+  });
+}
+
+/**
+What is known is told point by point. */
+std::size_t Sweep::size(Part part) const {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < rows_.size(); ++i) count += part.holds(i);
+  return count;
+}
+
+std::size_t Sweep::known(Part part) const {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < rows_.size(); ++i) count += part.holds(i) && !rows_[i].empty();
+  return count;
+}
+
+Table Sweep::table(Part part) const {
+  Table out{columns_};
+  for (std::size_t i = 0; i < rows_.size(); ++i)
+    if (part.holds(i) && !rows_[i].empty()) out.add(rows_[i]);
+  return out;
+}
+
+void Sweep::forget() const {
+  for (const auto& path : files()) std::filesystem::remove(path);
+}
+
+/**
+Everything else is about files. */
+std::vector<std::filesystem::path> Sweep::files() const {
+  std::vector<std::filesystem::path> found;
+  std::error_code none;
+  if (folder_.empty()) return found;
+  for (const auto& entry : std::filesystem::directory_iterator(folder_, none))
+    if (entry.path().filename().string().rfind(prefix(), 0) == 0) found.push_back(entry.path());
+  return found;
+}
+
+/**
+Rows come back as they went, bit for bit. */
+/// Takes over all whole rows that stand under our key.
+void Sweep::collect() {
+  for (const auto& path : files()) {
+    std::ifstream in(path);
+    std::string text;
+    if (!std::getline(in, text) || text != key_) continue;
+    while (std::getline(in, text) && !in.eof()) {
+      const auto end = text.rfind(',');
+      if (end == std::string::npos) continue;
+      const std::string row = text.substr(0, end);
+      if (text.substr(end + 1) != fingerprint(std::istringstream(row))) continue;
+      const auto fields = ecsv::fields(row);
+      if (fields.size() != columns_.size() + 1) continue;
+      const std::size_t i = std::stoul(fields[0]);
+      Row cells;
+      for (std::size_t c = 0; c < columns_.size(); ++c)
+        cells.push_back(ecsv::parse(fields[c + 1], columns_[c].kind));
+      if (i < rows_.size()) rows_[i] = std::move(cells);
+    }
+  }
+}
+
+/**
+A file is rewritten when work begins, so that no half line stays in it. */
+/// The file of the part with what is known of it, open for more.
+std::ofstream Sweep::reopen(Part part) const {
+  const auto path =
+      folder_ / (prefix() + std::to_string(part.index) + "-of-" + std::to_string(part.count));
+  std::string text = key_ + "\n";
+  for (std::size_t i = 0; i < rows_.size(); ++i)
+    if (part.holds(i) && !rows_[i].empty()) text += line(i, rows_[i]);
+  std::filesystem::create_directories(folder_);
+  write_whole(path, text);
+  return std::ofstream(path, std::ios::app | std::ios::binary);
+}
+
+}  // namespace lattice

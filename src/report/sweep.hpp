@@ -1,0 +1,74 @@
+#pragma once
+/**
+# Maps in parts
+
+A map consists of points that know nothing of each other, and a large one takes long. This
+file keeps each row as soon as it is known, so that an interrupted map goes on where it stopped,
+and lets a part of the points be computed alone: the jobs of an array each take one part
+`k/n`, and whoever wants the whole map collects what the parts have left and computes what is
+missing. A row has the same bits wherever it was computed, hence the tables have the same bytes.
+
+Rows wait in files `.NAME.rows-k-of-n` of the folder. Their first line is a key that names the
+parameters and the program, down to the bytes of its executable; rows under another key are
+ignored. Each line ends with a checksum of its own, and one that was cut short by an interruption or
+changed by hand is computed again. Without a folder nothing is kept. */
+
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "report/parameters.hpp"
+#include "report/table.hpp"
+
+namespace lattice {
+
+/// The points i with i = index - 1 modulo count.
+struct Part {
+  std::size_t index = 1, count = 1;
+  bool holds(std::size_t i) const { return i % count == index - 1; }
+};
+
+/// Reads "k/n"; throws std::invalid_argument unless 1 <= k <= n <= 100000.
+Part parse_part(const std::string& text);
+
+/// The check of an option: a part as k/n.
+Check part_text();
+
+/**
+A sweep is told how its columns look, how many points there are, and everything on which a row
+depends, as one line of text. */
+class Sweep {
+ public:
+  Sweep(std::filesystem::path folder, std::string name, const Columns& columns, std::size_t points,
+        const std::string& parameters);
+
+  /**
+  A row that has been computed is safe before the next one begins. */
+  /// Computes `row(i)` for those points of the part that are not known yet, and keeps each.
+  void compute(Part part, const std::function<Row(std::size_t)>& row);
+
+  /// How many points the part has.
+  std::size_t size(Part part = {}) const;
+  /// How many of them are known.
+  std::size_t known(Part part = {}) const;
+  /// The known rows of the part, in their order.
+  Table table(Part part = {}) const;
+  /// Removes the rows that wait in files, once the table is safe.
+  void forget() const;
+
+ private:
+  std::string prefix() const { return "." + name_ + ".rows-"; }
+  std::vector<std::filesystem::path> files() const;
+  void collect();
+  std::ofstream reopen(Part part) const;
+
+  std::filesystem::path folder_;
+  std::string name_, key_;
+  std::vector<Column> columns_;
+  std::vector<Row> rows_;
+};
+
+}  // namespace lattice

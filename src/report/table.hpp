@@ -1,0 +1,184 @@
+#pragma once
+/**
+# Tables on disk
+
+Every number leaves a program in an ECSV 1.0 table: comma-separated rows under a header in comments,
+written in YAML, that names each column, its unit and its meaning, and says which command made the file.
+gnuplot, pandas and astropy read it as it is, and the tests read the very files from which the figures
+are drawn.
+
+Numbers have 17 significant digits, enough to restore the same bits. A file is written under a temporary
+name and then renamed, so that an interrupted run leaves either the old file or the new one. It contains
+no time of day; hence equal inputs give equal bytes.
+
+A row is a line: text with a line break is refused when a table is written, and so is a file that has one
+when it is read. */
+
+#include <concepts>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <initializer_list>
+#include <iosfwd>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "lattice/numbers/estimate.hpp"
+
+namespace lattice {
+
+/// One entry: a number, a count or a text.
+using Cell = std::variant<double, std::int64_t, std::string>;
+
+enum class Kind { real, integer, text };
+
+/// The heading of a column.
+struct Column {
+  std::string name, unit, description;
+  Kind kind = Kind::real;
+};
+
+/**
+A table should explain itself, so no column can be made without a description. There are columns of
+numbers, of counts and of texts; the unit is empty if the quantity is dimensionless. */
+Column number(std::string name, std::string description, std::string unit = "");
+Column count(std::string name, std::string description, std::string unit = "");
+Column label(std::string name, std::string description);
+
+/// Columns one after the other; a list of them may hold single columns and other lists.
+struct Columns {
+  std::vector<Column> all;
+
+  Columns(Column column) : all{std::move(column)} {}
+  Columns(std::vector<Column> columns) : all(std::move(columns)) {}
+  Columns(std::string name, std::string unit, std::string description, Kind kind)
+      : all{{std::move(name), std::move(unit), std::move(description), kind}} {}
+  Columns(std::initializer_list<Columns> lists);
+};
+
+/**
+A number that is known to some digits brings the column of its error with it: `x_error` stands to the right
+of `x` and says in words `from` what the error was obtained. A test asks every error for one per cent of its
+number; where it is to be judged on another scale these words say so, such as *against the largest*
+(CONTRIBUTING.md). */
+Columns estimate(const std::string& name, std::string description, std::string unit = "",
+                 std::string from = "difference of two resolutions");
+
+/**
+A row is written as one would say it, `{s, speed, "fast"}`: whole numbers are counts, and an `Estimate` fills
+two cells, its number and its error. */
+class Row : public std::vector<Cell> {
+ public:
+  struct Entry {
+    template <std::integral T>
+    Entry(T k) : first(std::int64_t(k)) {}
+    template <std::floating_point T>
+    Entry(T x) : first(double(x)) {}
+    template <class T>
+    requires std::convertible_to<T, std::string> Entry(T&& text)
+        : first(std::string(std::forward<T>(text))) {}
+    Entry(const Estimate& e) : first(e.value), second(e.error) {}
+    Entry(Cell cell) : first(std::move(cell)) {}
+
+    Cell first;
+    std::optional<double> second{};
+  };
+
+  Row() = default;
+  Row(std::vector<Cell> cells) : std::vector<Cell>(std::move(cells)) {}
+  Row(std::initializer_list<Entry> entries);
+};
+
+/// Ordered `key: value` pairs of the header's `meta` block.
+using Meta = std::vector<std::pair<std::string, std::string>>;
+
+/**
+A row that does not fit its columns would shift all that follows, and a misspelt column would go unnoticed
+until someone looked for it. Both are errors here, in writing as in reading. */
+struct Table {
+  std::vector<Column> columns{};
+  std::vector<std::vector<Cell>> rows{};
+  Meta meta{};
+
+  Table() = default;
+  Table(std::initializer_list<Columns> lists) : columns(Columns(lists).all) {}
+
+  /// Appends a row; throws std::invalid_argument unless it has one cell of the right kind per column.
+  void add(Row row);
+
+  /**
+  Rows that know nothing of each other are computed on all cores, and come in the order of `items`. */
+  /// Appends the row `of(item)` for every item, and shows on a terminal how many are `done`.
+  template <class Items, class Of>
+  void fill(Items&& items, Of of, const std::string& done = "rows") {
+    const auto row = [&](std::size_t i) { return Row(of(*std::next(std::begin(items), i))); };
+    fill(std::size(items), row, done);
+  }
+  void fill(std::size_t count, const std::function<Row(std::size_t)>& of, const std::string& done);
+
+  /// Position of the column `name`; throws std::out_of_range if there is none.
+  std::size_t find(const std::string& name) const;
+
+  /**
+  Tests and programs read columns by name, as the scripts of the figures do. Counts are converted if
+  numbers are asked for. Throws std::out_of_range if there is no such column. */
+  std::vector<double> numbers(const std::string& name) const;
+
+  /// The texts of column `name`.
+  std::vector<std::string> texts(const std::string& name) const;
+};
+
+/**
+Numbers become text and text becomes numbers here and nowhere else, whatever language the machine is set
+to: 17 significant digits restore every bit, and `nan` stands where there is no value. */
+std::string number_text(double x);
+
+/// The fewest digits that restore `x`, for people to read.
+std::string short_text(double x);
+
+/// The decimal number, with or without a sign, that is the whole of `text`; nothing if it is none.
+std::optional<double> parse_number(std::string_view text);
+
+/**
+A table becomes a text and a text becomes a table: other ECSV files are read too if their columns are
+described on one line each. */
+
+/// Throws std::invalid_argument if a text of the table has a line break.
+std::string to_text(const Table& table);
+
+/// Throws std::runtime_error for a row or cell that does not fit.
+Table from_text(std::istream& in);
+
+/**
+A reader must never find half a file, so `text` is written under a temporary name and the file renamed. If
+`path` is not an ordinary file (a device, a pipe) it is written to directly. */
+
+/// Throws std::runtime_error on failure and leaves nothing behind.
+void write_whole(const std::filesystem::path& path, const std::string& text);
+
+/// Writes a table; throws like `to_text` and `write_whole`.
+void write(const std::filesystem::path& path, const Table& table);
+
+/// Reads a table; what is thrown, a std::runtime_error, has the name of the file.
+Table read(const std::filesystem::path& path);
+
+/**
+Single rows are kept in files too (sweep.hpp), cell by cell. */
+namespace ecsv {
+
+/// The text of a cell, quoted if it would be misread.
+std::string cell_text(const Cell& cell);
+/// The cells of a line, unquoted. Throws std::runtime_error if the line ends inside quotes.
+std::vector<std::string> fields(const std::string& line);
+/// Throws std::runtime_error if `text` is not what the column promises. An empty number is `nan`.
+Cell parse(const std::string& text, Kind kind);
+
+}  // namespace ecsv
+
+}  // namespace lattice

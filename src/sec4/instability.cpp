@@ -1,0 +1,74 @@
+#include "sec4/instability.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "lattice/model/contact.hpp"
+#include "lattice/model/well.hpp"
+
+namespace lattice {
+
+double PhaseOfWave::growth(double a, double modulation, std::size_t harmonics) const {
+  const Quartic well{s};
+  const CompressedHertz contact{d};
+  return growth_rate(plane_wave(well, contact, q, a, harmonics), well, contact, modulation);
+}
+
+Estimate PhaseOfWave::phi_from_growth(double a) const {
+  const auto c = nls();
+  return at_zero_amplitude(a, [&](double x) {
+    return growth(x, fastest_modulation(c, x)) / (x * x / 4) * c.omega * std::abs(c.omega_2);
+  });
+}
+
+double growth_over_nls(const PhaseOfWave& at, double a, double modulation, std::size_t harmonics) {
+  return at.growth(a, modulation, harmonics) / (std::abs(at.nls().h()) * a * a / 4);
+}
+
+double slow_growth(const PhaseOfWave& at, double a, std::size_t harmonics) {
+  const auto c = at.nls();
+  const double slow = std::sqrt(std::abs(c.h() * a * a / (2 * c.curvature)));
+  double growth = 0;
+  for (double m : {0.5, 1.0, 1.5}) growth = std::max(growth, at.growth(a, m * slow, harmonics));
+  return growth;
+}
+
+Criterion confirmed_beta(const Estimate& shift, const Estimate& growth) {
+  return {below("shift", shift, 1e-3), below("growth", growth, 1e-3)};
+}
+
+Criterion small_in_linear_wells(const std::array<double, 3>& coarse,
+                                const std::array<double, 3>& fine) {
+  const auto ratio = [](const auto& x) { return x[1] / std::min(x[0], x[2]); };
+  return {above("largest_s_0", compare(coarse[1], fine[1]), 0),
+          below("ratio_s_0", compare(ratio(coarse), ratio(fine)), 0.1)};
+}
+
+Criterion sign_changes_at(double q, double d, const std::array<double, 3>& wells) {
+  const double x = 1 - std::cos(q);
+  double apart = std::abs(std::cos(q) / (contact_series(d).v1 * x * x) - 1);
+  for (double s : wells)
+    apart = std::max(apart, std::abs(sign_change_of_phi(d, s, 0.9, 1.4) / q - 1));
+  return {below("apart", compare(0.0, apart), 1e-10)};
+}
+
+Criterion opens_at_edges(double d, double threshold) {
+  const double a = 0.005, beside = 0.05, pi = std::numbers::pi;
+  double formula = 0, leftover = 0;
+  for (double s = -4; s <= 4; s += 0.25)
+    formula = std::max({formula, std::abs(coefficients(0.0, d, s).phi + 1.5 * s),
+                        std::abs(coefficients(pi, d, s).phi - 1.5 * (s - threshold))});
+  Estimate apart{};
+  for (const PhaseOfWave& phase : {PhaseOfWave{0, d, -beside}, {pi, d, threshold + beside}}) {
+    const double nls = std::abs(phase.nls().h()) * a * a / 4;
+    apart = larger(apart, compare(std::abs(slow_growth(phase, a, 6) / nls - 1),
+                                  std::abs(slow_growth(phase, a) / nls - 1)));
+  }
+  for (const PhaseOfWave& phase : {PhaseOfWave{0, d, beside}, {pi, d, threshold - beside}})
+    leftover = std::max(leftover, slow_growth(phase, a));
+  return {below("formula", compare(0.0, formula), 1e-13), below("growth", apart, 0.02),
+          below("stable_side", compare(0.0, leftover), 1e-12)};
+}
+
+}  // namespace lattice

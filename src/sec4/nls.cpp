@@ -1,0 +1,69 @@
+#include "sec4/nls.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace lattice {
+
+template <class T>
+T nls_beta(T q, const ContactSeries<T>& v, T s) {
+  using std::cos, std::sin;
+  const T x = (T(1) - cos(q)) * (T(1) - cos(q));
+  return T(16) * v.v2 * v.v2 * sin(q) * sin(q) * x / (T(4) * v.v1 * x + T(3)) +
+         T(3) / T(2) * (T(4) * v.v3 * x + s);
+}
+
+template <class T>
+Coefficients<T> coefficients(T q, T d, T s) {
+  const ContactSeries<T> v = contact_series(d);
+  const Phonon<T> p = phonon(q, v.v1);
+  const T beta = nls_beta(q, v, s);
+  return {p.omega, p.group_velocity, p.curvature(v.v1), beta, p.omega_2, -beta * p.omega_2};
+}
+
+template <class T>
+T nls_growth(const Coefficients<T>& at, T a, T modulation) {
+  using std::sqrt;
+  const T spread = at.curvature * modulation * modulation / T(2);
+  const T square = -spread * (spread + at.h() * a * a / T(2));
+  return square > T(0) ? sqrt(square) : T(0);
+}
+
+template <class T>
+T fastest_modulation(const Coefficients<T>& at, T a) {
+  using std::sqrt;
+  return sqrt(-at.h() * a * a / (T(2) * at.curvature));
+}
+
+double sign_change_of_phi(double d, double s, double low, double high) {
+  const auto phi = [d, s](double q) { return coefficients(q, d, s).phi; };
+  if (!(phi(low) * phi(high) < 0))
+    throw std::invalid_argument("phi does not change its sign between the two wavenumbers");
+  const bool rises = phi(high) > 0;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = (low + high) / 2;
+    ((phi(middle) > 0) == rises ? high : low) = middle;
+  }
+  return (low + high) / 2;
+}
+
+double largest_phi(double d, double s, std::size_t points) {
+  double best = 0;
+  for (std::size_t k = 0; k <= points; ++k)
+    best = std::max(best, coefficients(std::numbers::pi * double(k) / double(points), d, s).phi);
+  return best;
+}
+
+// The scalars that are used
+#define LATTICE_NLS(T)                                 \
+  template T nls_beta(T, const ContactSeries<T>&, T);  \
+  template Coefficients<T> coefficients(T, T, T);      \
+  template T nls_growth(const Coefficients<T>&, T, T); \
+  template T fastest_modulation(const Coefficients<T>&, T);
+
+LATTICE_NLS(double)
+LATTICE_NLS(long double)
+
+}  // namespace lattice

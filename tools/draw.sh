@@ -1,0 +1,41 @@
+#!/bin/sh
+# Makes one drawing, $1, under a temporary name of its own, and gives it its own name only if it is whole:
+#   draw.sh OUT.svg DATA SCRIPT      a script of figures/ draws from the tables below DATA
+#   draw.sh OUT.pdf|OUT.png IN.svg   the same picture in another form
+# gnuplot ends with success also where it could not write, so its picture comes through a pipe, whose
+# end notices, and every form has an end that a cut file lacks.
+set -eu
+out=$1 part=$1.$$.part
+refuse() {
+  rm -f "$part"
+  echo "$out: $1" >&2
+  exit 1
+}
+
+if [ $# = 3 ]; then
+  case $3 in
+  *.gp)
+    # The status of gnuplot goes past the pipe, that of the pipe is the last command's.
+    status=$({ { gnuplot --default-settings -e "data='$2'; out='/dev/stdout'" "$3" || echo "gnuplot" >&3; } |
+      cat > "$part" || echo "disk" >&3; } 3>&1) || status=failed
+    case $status in
+    '') ;;
+    *disk*) refuse "the drawing cannot be written (is the disk full?)" ;;
+    *) refuse "gnuplot failed" ;;
+    esac ;;
+  *) "$PYTHON" "$3" "$2" "$part" || refuse "the drawing failed" ;;
+  esac
+else
+  case $out in
+  *.pdf) rsvg-convert --format pdf "$2" --output "$part" || refuse "rsvg-convert failed" ;;
+  *) rsvg-convert --zoom 2.5 "$2" --output "$part" || refuse "rsvg-convert failed" ;;
+  esac
+fi
+
+case $out in
+*.svg) end='</svg>' ;;
+*.pdf) end='%%EOF' ;;
+*) end='IEND' ;;
+esac
+tail -c 64 "$part" | grep -aq -- "$end" || refuse "the drawing is cut short (is the disk full?)"
+mv "$part" "$out"
