@@ -517,14 +517,18 @@ struct RunOptions {
   Model model{1};
 };
 
+/// Shows the hundredths of a run until a time.
+std::function<void(double)> shown(const std::string& label, double until) {
+  return [until, progress = std::make_shared<Progress>(label, 100)](double t) {
+    progress->reach(std::size_t(100 * t / until));
+  };
+}
+
+/**
+The two impacts that part are run with half the step once more, for the error of that time. */
 Table run_command(const RunOptions& options) {
   const double v = options.velocity, time = options.time;
   const ChosenChain chain = endless(options.model, v, time);
-  const auto shown = [](const std::string& label, double until) {
-    return [until, progress = std::make_shared<Progress>(label, 100)](double t) {
-      progress->reach(std::size_t(100 * t / until));
-    };
-  };
   const auto runs = converge(
       options.tolerance,
       [&](const ContactAware& at) {

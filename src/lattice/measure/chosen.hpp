@@ -51,6 +51,8 @@ std::vector<T> energy_density(const ChosenChain& chosen, const State<T>& state) 
                     [&](const auto& chain) { return energy_density(chain, state); });
 }
 
+/**
+Two runs side by side are a step into the chain as well. */
 /// When two runs of a chosen chain part (parting.hpp); `watch(t)` is called after each look.
 template <class Stepper>
 double parting_time(const Stepper& first, const State<double>& a, const Stepper& second,

@@ -53,7 +53,9 @@ class Progress {
   }
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
-  /// One more part is done. Safe to call from several threads.
+  /**
+  Parts may be done in several threads, and in any order. */
+  /// One more part is done.
   void tick() { reach(done_ + 1); }
   /// `k` parts are done; what was reached before is not shown again.
   void reach(std::size_t k) {
@@ -70,6 +72,8 @@ class Progress {
   bool shown_;
 };
 
+/**
+A heart beats once a second, in a thread of its own. */
 /// Shows `label` and the seconds since it was made, once a second, while nobody shows a `Progress`.
 class Heartbeat {
  public:
