@@ -528,14 +528,18 @@ struct OneTurn {
   Table table() const;
 };
 
+/// Shows the hundredths of a run until a time.
+std::function<void(double)> shown(const std::string& label, double until) {
+  return [until, progress = std::make_shared<Progress>(label, 100)](double t) {
+    progress->reach(std::size_t(100 * t / until));
+  };
+}
+
+/**
+The two impacts that part are run with half the step once more, for the error of that time. */
 Table OneTurn::table() const {
   const double v = velocity;
   const Chain chain = endless(like, v, time);
-  const auto shown = [](const std::string& label, double until) {
-    return [until, progress = std::make_shared<Progress>(label, 100)](double t) {
-      progress->reach(std::size_t(100 * t / until));
-    };
-  };
   const auto runs = converge(
       tolerance,
       [&](const ContactAware& at) {

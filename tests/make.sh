@@ -135,8 +135,12 @@ echo "[ 50%] Building CXX object CMakeFiles/x.dir/src/sec2_nonexistence.cpp.o"
 STUB
 mkdir "$scratch/terminal"
 cp "$scratch/bin/slow" "$scratch/terminal/cmake"
-PATH="$scratch/terminal:$PATH" script -qec "sh tools/build.sh build 1 programs" /dev/null < /dev/null > "$scratch/out" 2>&1
-grep -q '50%.*sec2_nonexistence' "$scratch/out" || { cat "$scratch/out"; fail "compiling shows nothing on a terminal"; }
+if script -qec true /dev/null < /dev/null > /dev/null 2>&1; then
+  PATH="$scratch/terminal:$PATH" script -qec "sh tools/build.sh build 1 programs" /dev/null < /dev/null > "$scratch/out" 2>&1
+  grep -q '50%.*sec2_nonexistence' "$scratch/out" || fail "compiling shows nothing on a terminal"
+else
+  echo "no terminal can be made here: what it shows while compiling is not tested"
+fi
 PATH="$scratch/terminal:$PATH" sh tools/build.sh build 1 programs > "$scratch/out" 2>&1
 [ -s "$scratch/out" ] && fail "compiling talks into a log"
 

@@ -56,6 +56,8 @@ inside() {
   unshare --mount --pid --fork --kill-child sh -c '
     root=$1; shift
     mount -t proc proc "$root/proc" && mkdir -p "$root/dev/shm" && mount -t tmpfs tmpfs "$root/dev/shm" &&
+    { mkdir -p "$root/dev/pts" && mount -t devpts -o newinstance,ptmxmode=0666 devpts "$root/dev/pts" &&
+      rm -f "$root/dev/ptmx" && ln -s pts/ptmx "$root/dev/ptmx" || true; } &&
     exec chroot "$root" env -i PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin \
       '"${FRESH_ENV:-}"' sh -c "cd \"/home/a checkout\" && $*"' sh "$root" "$1" < /dev/null
 }
