@@ -24,8 +24,8 @@ namespace lattice {
 
 The compiler describes a function with its type, its arguments and its namespace, and a lambda by the
 function around it: `void lattice::beam(Report&)::<lambda(int)>` is `beam`. */
-std::string function_at(const Place& place) {
-  std::string text = place.function_name();
+std::string function_of(const Origin& origin) {
+  std::string text = origin.function_name();
   for (const std::string hidden : {"{anonymous}::", "(anonymous namespace)::"})
     for (auto at = text.find(hidden); at != std::string::npos; at = text.find(hidden))
       text.erase(at, hidden.size());
@@ -46,23 +46,23 @@ static std::string kind_of(const Estimate& e) {
 }
 
 void Quantities::add(const std::string& quantity, const Estimate& e, const std::string& unit,
-                     const Place& place) {
+                     const Origin& origin) {
   table.add({quantity, e, unit, kind_of(e)});
-  makers.push_back(function_at(place));
+  makers.push_back(function_of(origin));
 }
 
 void Results::add(const std::string& id, const Estimate& e, const std::string& unit,
-                  const Place& place) {
+                  const Origin& origin) {
   if (!std::isfinite(e.value) || !std::isfinite(e.error) || e.error < 0)
     throw Failure(id + ": the computed value or its error is not finite");
   for (const auto& row : table.rows)
     if (std::get<std::string>(row[0]) == id) throw Failure(id + ": answered twice");
   table.add({id, e, unit, kind_of(e)});
-  makers.push_back(function_at(place));
+  makers.push_back(function_of(origin));
 }
 
-void Results::claim(const std::string& id, bool holds, const Place& place) {
-  add(id, exact(holds ? 1 : 0), "claim", place);
+void Results::claim(const std::string& id, bool holds, const Origin& origin) {
+  add(id, exact(holds ? 1 : 0), "claim", origin);
 }
 
 Table with_makers(Table table, const std::vector<std::string>& makers) {
@@ -71,12 +71,13 @@ Table with_makers(Table table, const std::vector<std::string>& makers) {
   return table;
 }
 
-void judge(Report& report, const std::string& id, const Criterion& criterion, const Place& place) {
-  report.results.claim(id, holds(criterion), place);
+void judge(Report& report, const std::string& id, const Criterion& criterion,
+           const Origin& origin) {
+  report.results.claim(id, holds(criterion), origin);
   const std::string prefix = id.substr(id.find('.') + 1) + "_";
   for (const Condition& c : criterion) {
-    report.facts.add(prefix + c.name, c.value, "", place);
-    report.facts.add(prefix + c.name + "_margin", c.margin(), "", place);
+    report.facts.add(prefix + c.name, c.value, "", origin);
+    report.facts.add(prefix + c.name + "_margin", c.margin(), "", origin);
   }
 }
 
@@ -211,8 +212,8 @@ Frame::Frame(const Program& of, int argc, char** argv)
   add_threads(full.parameters);
   for (const Command& one : of.commands) {
     Offer& offer = offers.emplace_back();
-    offer.name = one.name;
-    offer.meaning = one.meaning;
+    offer.name = one.title.name;
+    offer.meaning = one.title.meaning;
     offer.parameters.add("output", output, "file to write (default: standard output)", not_empty());
     add_threads(offer.parameters);
     computations.push_back(one.declare(offer.parameters));
