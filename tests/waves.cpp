@@ -7,8 +7,8 @@
 #include "lattice/measure/flight.hpp"
 #include "lattice/measure/modulation.hpp"
 #include "lattice/measure/wave_on_ring.hpp"
-#include "report/table.hpp"
 #include "lattice/waves/instability.hpp"
+#include "report/table.hpp"
 
 using namespace lattice;
 using std::numbers::pi;

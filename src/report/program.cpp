@@ -45,6 +45,7 @@ static std::string kind_of(const Estimate& e) {
   return e.is_exact ? "exact" : "estimate";
 }
 
+// Quantities and results keep for each row the function that recorded it
 void Quantities::add(const std::string& quantity, const Estimate& e, const std::string& unit,
                      const Origin& origin) {
   table.add({quantity, e, unit, kind_of(e)});
@@ -220,6 +221,7 @@ Frame::Frame(const Program& of, int argc, char** argv)
   }
 }
 
+/// The last paragraph of help: what else there is to know.
 std::string Frame::footer(const Offer& of) const {
   if (!of.name.empty())
     return "A quantity that does not exist, such as the speed of a packet that never left, is nan.";
@@ -228,6 +230,7 @@ std::string Frame::footer(const Offer& of) const {
          (cost.empty() ? "" : " " + cost);
 }
 
+/// Reads the line and does what was asked for.
 int Frame::run(const std::vector<std::string>& words) {
   const Asked asked = read_line(offers, words);
   if (asked.what == Asked::What::help) {

@@ -48,6 +48,7 @@ Cells::Cells(std::initializer_list<Entry> entries) {
   }
 }
 
+// Rows come one by one or many at once, and columns are found by their names
 void Table::add(Cells row) {
   bool fits = row.size() == columns.size();
   for (std::size_t i = 0; fits && i < row.size(); ++i)
