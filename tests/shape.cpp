@@ -63,8 +63,11 @@ TEST_CASE("an arrow up, sideways, out or round is seen", "[unit]") {
   CHECK(arrows("lattice/orbits/a.hpp", "\"lattice/numbers/a.hpp\"") == 0);
   CHECK(arrows("lattice/model/a.hpp", "\"lattice/model/b.hpp\"") == 0);
   CHECK(arrows("lattice/model/a.hpp", "<vector>") == 0);
-  CHECK(arrows("report/a.hpp", "<CLI/CLI.hpp>") == 0);
-  CHECK(arrows("lattice/orbits/a.hpp", "<CLI/CLI.hpp>") == 1);
+  CHECK(arrows("report/a.hpp", "\"lattice/numbers/a.hpp\"") == 0);
+  CHECK(arrows("report/a.hpp", "\"lattice/model/a.hpp\"") == 0);
+  CHECK(arrows("report/a.hpp", "\"lattice/orbits/a.hpp\"") == 1);
+  CHECK(arrows("report/a.hpp", "\"lattice/stepping/a.hpp\"") == 1);
+  CHECK(arrows("report/a.hpp", "\"sec33/a.hpp\"") == 1);
   CHECK(arrows("lattice/numbers/a.hpp", "\"lattice/model/a.hpp\"") == 1);
   CHECK(arrows("lattice/stepping/a.hpp", "\"lattice/landing/a.hpp\"") == 1);
   CHECK(arrows("lattice/orbits/a.hpp", "\"report/a.hpp\"") == 1);

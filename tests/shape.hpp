@@ -48,9 +48,9 @@ inline std::vector<std::string> unreadable(const std::string& text) {
     } else if (!inside && body.front() != '#') {
       // A function begins and ends at the margin
       if (from == 0 && body.back() == '{' && !std::regex_match(body, type)) function = 0;
-      if (function >= 0 && ++function > most_function + 1 && from == 0 && body.front() == '}')
+      if (function >= 0 && ++function > most_function + 2 && from == 0 && body.front() == '}')
         out.push_back("line " + std::to_string(number) + ": a function of " +
-                      std::to_string(function - 1) + " lines");
+                      std::to_string(function - 2) + " lines");
       if (from == 0 && body.front() == '}') function = -1;
       if (++code == 1) started = number;
     }

@@ -162,9 +162,11 @@ std::string full_run_takes(const std::string& program) try {
   for (std::size_t i = 0; i < programs.size(); ++i)
     if (programs[i] == program) longest = std::max(longest, seconds[i]);
   if (!(longest > 0)) return "";
-  const double rounded = std::ceil(longest);
-  return "A full run takes about " + short_text(rounded) + (rounded == 1 ? " second" : " seconds") +
-         " on two cores.";
+  const double rounded = std::round(longest);
+  const std::string time = rounded < 1    ? "less than a second"
+                           : rounded == 1 ? "about a second"
+                                          : "about " + short_text(rounded) + " seconds";
+  return "A full run takes " + time + " on two cores.";
 } catch (const std::exception&) {
   return "";  // without the index nothing is known
 }

@@ -118,10 +118,10 @@ struct Table {
   template <class Items, class Of>
   void fill(Items&& items, Of of, const std::string& done = "rows") {
     const auto row = [&](std::size_t i) { return Cells(of(*std::next(std::begin(items), i))); };
-    fill(std::size(items), row, done);
+    fill_rows(std::size(items), row, done);
   }
-  void fill(std::size_t count, const std::function<Cells(std::size_t)>& of,
-            const std::string& done);
+  void fill_rows(std::size_t count, const std::function<Cells(std::size_t)>& of,
+                 const std::string& done);
 
   /// Position of the column `name`; throws std::out_of_range if there is none.
   std::size_t find(const std::string& name) const;
