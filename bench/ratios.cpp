@@ -8,7 +8,6 @@ to run; the ratios, taken within one run, hardly do. */
 
 #include <sys/resource.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <iostream>
 
@@ -17,7 +16,7 @@ to run; the ratios, taken within one run, hardly do. */
 #include "lattice/stepping/tiling.hpp"
 #include "monodromy.hpp"
 #include "peers.hpp"
-#include "report/program.hpp"
+#include "report/command_line.hpp"
 
 using namespace lattice;
 using namespace bench;
@@ -244,16 +243,21 @@ void measure_rates(Book& book, int rounds) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"Our integrators and other people's", "ratios"};
-  std::filesystem::path out = "build/bench";
-  int rounds = 5;
-  std::string only;
-  app.add_option("--out", out, "folder for the tables");
-  app.add_option("--rounds", rounds, "timings of which the median counts");
-  app.add_option("--only", only, "one of memory, rates, order, B1, B2, B3, M");
-  CLI11_PARSE(app, argc, argv);
-  const auto wanted = [&](const char* part) { return only.empty() || only == part; };
+  std::string out = "build/bench", only = "all";
+  std::size_t rounds = 5;
+  std::deque<Offer> offers;
+  Offer& full = offers.emplace_back();
+  full.meaning = "Our integrators and other people's";
+  full.parameters.add("out", out, "folder for the tables", writable_folder());
+  full.parameters.add("rounds", rounds, "timings of which the median counts", {1, 1000});
+  full.parameters.add("only", only, "one part",
+                      {"all", "memory", "rates", "order", "B1", "B2", "B3", "M"});
+  const auto wanted = [&](const char* part) { return only == "all" || only == part; };
   try {
+    if (read_line(offers, {argv + 1, argv + argc}).what != Asked::What::run) {
+      std::cout << help_text("ratios", offers, full, "");
+      return 0;
+    }
     Book book;
     if (wanted("memory")) measure_memory(book);
     if (wanted("rates")) measure_rates(book, rounds);
@@ -263,12 +267,12 @@ int main(int argc, char** argv) {
     if (wanted("M")) race_monodromies(book, 99, rounds, false);
     if (wanted("B1")) race_impacts(book, problem_b1(), {0.05, 1e-5, 4}, 3, rounds);
     if (wanted("B2")) race_impacts(book, problem_b2(), {0.1, 1e-9, 2}, 2, rounds);
-    std::filesystem::create_directories(out);
+    const std::filesystem::path folder = out;
     for (Table* t : {&book.ratios, &book.precision, &book.rates})
       t->meta = {{"program", "ratios"}, {"build", LATTICE_BUILD}};
-    write(out / "ratios.ecsv", book.ratios);
-    write(out / "work_precision.ecsv", book.precision);
-    write(out / "rates.ecsv", book.rates);
+    write(folder / "ratios.ecsv", book.ratios);
+    write(folder / "work_precision.ecsv", book.precision);
+    write(folder / "rates.ecsv", book.rates);
   } catch (const std::exception& error) {
     std::cerr << "ratios: " << error.what() << '\n';
     return 1;

@@ -71,13 +71,13 @@ struct Balance {
 };
 
 struct MeanTable {
-  Table table{{label("motion", "which periodic motion"),
-               count("n", "contact, to the left of bead n; 1 is the first", "site"),
-               number("force", "mean force of the contact over a period"),
-               number("force_error", "difference of two tolerances, against the largest force"),
-               number("relative", "mean force over the largest one of the motion"),
-               number("step", "mean force of this contact minus that of the next"),
-               number("well", "mean force of the well on bead n, nan where there is no bead")}};
+  Table table{label("motion", "which periodic motion"),
+              count("n", "contact, to the left of bead n; 1 is the first", "site"),
+              estimate("force", "mean force of the contact over a period", "",
+                       "difference of two tolerances, against the largest force"),
+              number("relative", "mean force over the largest one of the motion"),
+              number("step", "mean force of this contact minus that of the next"),
+              number("well", "mean force of the well on bead n, nan where there is no bead")};
 
   /// Both balances, and the rows of the table. Without walls or a ring the outermost contacts do not exist.
   template <class AnyChain>
@@ -96,9 +96,8 @@ std::array<Balance, 2> MeanTable::add(const std::string& motion, const AnyChain&
   const double top = *std::max_element(fine.contact.begin(), fine.contact.end());
   for (std::size_t i = first; i + first <= sites; ++i) {
     const bool bead = i < sites;
-    table.add({motion, std::int64_t(i + 1), fine.contact[i],
-               std::abs(fine.contact[i] - coarse.contact[i]), fine.contact[i] / top,
-               bead ? fine.contact[i] - fine.contact[i + 1] : std::nan(""),
+    table.add({motion, i + 1, fine.contact[i], std::abs(fine.contact[i] - coarse.contact[i]),
+               fine.contact[i] / top, bead ? fine.contact[i] - fine.contact[i + 1] : std::nan(""),
                bead ? fine.well[i] : std::nan("")});
   }
   const auto of = [&](const MeanForces& m) {
@@ -130,17 +129,22 @@ $\alpha = 3/2$ on a ring and $\alpha = 2$ between walls, and in the last chain e
 of its own. The last condition is for a motion that must fail: the uneven ring from a start that is wrong
 by a thousandth at one bead, so that it does not return. */
 Criterion of_free_chains(MeanTable& means) {
+  // Equal beads on a ring: symmetry alone makes the means equal
   Shooting<double> ring{{8, None{}, PowerContact{1.5}, Ends::periodic}, {}, 1}, uneven_ring = ring;
   const Orbit<double> wave = motions::ring_wave(ring);
+  Criterion all = equal_means(means, "ring_wave", ring.chain, wave.start, 8 * wave.period());
+
+  // Uneven beads and contacts, on a ring, between walls, and with mixed exponents: only the theorem does
   const Orbit<double> standing = motions::standing_wave(uneven_ring, 1.5);
   Shooting<double> walls{{6, None{}, PowerContact{1.5}, Ends::fixed}, {}, 1};
   const Orbit<double> between = motions::standing_wave(walls, 2);
-  Criterion all = equal_means(means, "ring_wave", ring.chain, wave.start, 8 * wave.period());
   append(all,
          equal_means(means, "uneven_ring", uneven_ring.chain, standing.start, standing.period()));
   append(all, equal_means(means, "walls", walls.chain, between.start, between.period()));
   append(all, equal_means(means, "mixed_exponents", motions::mixed_chain(1).chain,
                           motions::mixed_wave(), 2 * std::numbers::pi));
+
+  // A motion that does not return must be told apart
   State<double> wrong = standing.start;
   wrong.y[0] *= 1.001;
   MeanTable aside;
@@ -327,7 +331,9 @@ Criterion of_searches(Report& report) {
   const unsigned long seeds = report.quick ? 40 : 100;
   report.output.note("seed", "searches 1 to " + std::to_string(seeds) + ", unevenness 11 to 14");
   report.facts.add("searches", exact(double(seeds)), "searches");
-  Table table{{label("ends_in", "how a search ends")}};
+
+  // Every hunt fills two columns, and adds what it must and must not have found
+  Table& table = report.table("searches", label("ends_in", "how a search ends"));
   for (const char* name : end_names) table.add({name});
   Criterion all;
   for (const Hunt& hunt : hunts) {
@@ -339,7 +345,6 @@ Criterion of_searches(Report& report) {
         table.rows[i].push_back(std::int64_t(counts.of[k][i]));
     append(all, found_in(hunt, counts));
   }
-  report.output.add("searches", std::move(table));
   return all;
 }
 
@@ -410,24 +415,24 @@ Criterion persists(const Course& coarse, const Course& fine) {
           below("late_mean_wells", deviation(coarse, fine, 1), 0.1)};
 }
 
-Table dispersal_table() {
-  return {{label("chain", "free or wells"), number("t", "time"),
-           number("core", "share of the energy on nine sites"),
-           number("core_error", "difference of two resolutions, against the largest share"),
-           number("mean", "push of a central contact, averaged from 0 to t"),
-           number("mean_error", "difference of two resolutions, against the largest mean")}};
-}
-
 /**
 A loss of energy by the integrator could pass for dispersal, so the drift stands beside each run. */
 Criterion of_dispersal(Report& report) {
+  // Without and with wells, each at two resolutions
   const double time = report.quick ? 60 : 200;
   std::array<Course, 4> runs;
   parallel_for(4, [&](std::size_t k) {
     const int halvings = int(k % 2);
     runs[k] = course(k < 2 ? Well{None{}} : Well{Harmonic{}}, time, halvings);
   });
-  Table table = dispersal_table();
+
+  // What the figure shows, instant by instant
+  Table& table = report.table(
+      "dispersal", {label("chain", "free or wells"), number("t", "time"),
+                    estimate("core", "share of the energy on nine sites", "",
+                             "difference of two resolutions, against the largest share"),
+                    estimate("mean", "push of a central contact, averaged from 0 to t", "",
+                             "difference of two resolutions, against the largest mean")});
   for (std::size_t c : {0, 1}) {
     const Course &coarse = runs[2 * c], &fine = runs[2 * c + 1];
     const std::string name = c == 0 ? "free" : "wells";
@@ -437,7 +442,8 @@ Criterion of_dispersal(Report& report) {
     report.facts.add("mean_" + name, compare(coarse.mean.back(), fine.mean.back()));
     report.facts.add("drift_" + name, compare(coarse.run.energy_drift, fine.run.energy_drift));
   }
-  report.output.add("dispersal", std::move(table));
+
+  // One must disperse, the other persist
   Criterion all = disperses(runs[0], runs[1]);
   append(all, persists(runs[2], runs[3]));
   return all;

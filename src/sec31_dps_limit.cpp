@@ -337,8 +337,7 @@ and hold for every $\epsilon$. The error is the difference from a run with a tho
 and half the samples; the speed also carries the error of the fit. A quantity that does not exist is
 `nan`. */
 struct DpsStrike {
-  static constexpr const char *name = "impact",
-                              *meaning = "the DpS impact: its packet and its residue";
+  static constexpr Title title{"impact", "the DpS impact: its packet and its residue"};
   double tau = 250;
   std::size_t sites = 0;  ///< 0: long enough for the packet
   Ends end = Ends::free;
@@ -403,10 +402,7 @@ avoids that; with `--sites` the reader must take care.
   all that drifts?
 - How does the order change with the exponent of the contact? */
 int main(int argc, char** argv) {
-  return run({"sec31_dps_limit",
-              "3.1",
-              "The DpS equation and its error (section 3.1)",
-              reproduce,
-              {command<DpsStrike>()}},
+  return run({"sec31_dps_limit", "3.1", "The DpS equation and its error (section 3.1)", reproduce,
+              commands<DpsStrike>()},
              argc, argv);
 }

@@ -318,9 +318,8 @@ void report_printed(Report& report, const Estimate& barrier) {
 
 `sec32_barrier barrier --omega 1.1` prints the barrier at equal frequency and at equal area, both
 with their signs, from two tolerances in the wider type. */
-struct Barrier {
-  static constexpr const char *name = "barrier",
-                              *meaning = "energy between the two breathers, with its sign";
+struct OneBarrier {
+  static constexpr Title title{"barrier", "energy between the two breathers, with its sign"};
   double omega = 1.1, s = 0;
 
   void parameters(Parameters& p) {
@@ -330,7 +329,7 @@ struct Barrier {
   Table table() const;
 };
 
-Table Barrier::table() const {
+Table OneBarrier::table() const {
   Rung rung{s, omega};
   for (int k : {0, 1}) rung.orbit[k] = find_breather(problem_of(both_centres[k], omega, s));
   measure_in<Wide>(rung);
@@ -373,10 +372,7 @@ void reproduce(Report& report) {
 }
 
 int main(int argc, char** argv) {
-  return run({"sec32_barrier",
-              "3.2",
-              "The barrier between two breathers (section 3.2)",
-              reproduce,
-              {command<Barrier>()}},
+  return run({"sec32_barrier", "3.2", "The barrier between two breathers (section 3.2)", reproduce,
+              commands<OneBarrier>()},
              argc, argv);
 }

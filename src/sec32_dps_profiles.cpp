@@ -495,7 +495,7 @@ void reproduce(Report& report) {
 quasi-continuum profile. A bond-centred breather needs an even number of sites, a site-centred
 one an odd number. */
 struct OneProfile {
-  static constexpr const char *name = "profile", *meaning = "one breather beside its approximation";
+  static constexpr Title title{"profile", "one breather beside its approximation"};
   Centre centre = Centre::site;
   double mu = 1;
   std::size_t sites = 0;  ///< 0: as in the full run
@@ -547,10 +547,7 @@ Tails end where the number format does; beyond, the tables say zero.
 - The strains obey a two-dimensional map. Draw its stable and unstable manifolds and find the
   breathers with two or more humps. */
 int main(int argc, char** argv) {
-  return run({"sec32_dps_profiles",
-              "3.2",
-              "Static breathers of the DpS equation (section 3.2)",
-              reproduce,
-              {command<OneProfile>()}},
+  return run({"sec32_dps_profiles", "3.2", "Static breathers of the DpS equation (section 3.2)",
+              reproduce, commands<OneProfile>()},
              argc, argv);
 }

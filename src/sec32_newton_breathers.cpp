@@ -462,8 +462,7 @@ how much it would. `--precision extended` repeats Newton's method in quadruple p
 then the difference from a 64-bit mantissa. `--onsite pendulum` takes another well. All have the same
 frequency at rest, so that their families begin alike, and each is followed from there. */
 struct OneBreather : ChosenBreather {
-  static constexpr const char *name = "breather",
-                              *meaning = "one breather: amplitude, energy, area, residual";
+  static constexpr Title title{"breather", "one breather: amplitude, energy, area, residual"};
   std::string precision = "double";
   bool profile = false;
 
@@ -547,10 +546,7 @@ chapter).
 - How does the tail change for a contact of another exponent?
 - Are there breathers around two neighbouring sites that swing in phase? */
 int main(int argc, char** argv) {
-  return run({"sec32_newton_breathers",
-              "3.2",
-              "Static breathers of the chain (section 3.2)",
-              reproduce,
-              {command<OneBreather>()}},
+  return run({"sec32_newton_breathers", "3.2", "Static breathers of the chain (section 3.2)",
+              reproduce, commands<OneBreather>()},
              argc, argv);
 }

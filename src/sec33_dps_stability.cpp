@@ -528,7 +528,7 @@ most a fraction of [1e-10](num:sec33_dps_stability.largest_drift); the freeing p
 `sec33_dps_stability spectrum --centre bond --mu 1 --sites 32` prints all exponents, two for each site: first
 the two zeros of the phase, then the pinning pair, then the rest. */
 struct OneSpectrum {
-  static constexpr const char *name = "spectrum", *meaning = "all exponents of a breather";
+  static constexpr Title title{"spectrum", "all exponents of a breather"};
   Centre centre = Centre::site;
   double mu = 1;
   std::size_t sites = 0;  ///< 0: as in the full run
@@ -568,10 +568,7 @@ frees nearly all. Speeds are those over the first site that is crossed.
 - For which other exponent of the contact is the margin zero, and what moves there?
 - How does a moving packet lose its speed in the end, and to what? */
 int main(int argc, char** argv) {
-  return run({"sec33_dps_stability",
-              "3.3",
-              "Stability of the DpS breathers (section 3.3)",
-              reproduce,
-              {command<OneSpectrum>()}},
+  return run({"sec33_dps_stability", "3.3", "Stability of the DpS breathers (section 3.3)",
+              reproduce, commands<OneSpectrum>()},
              argc, argv);
 }

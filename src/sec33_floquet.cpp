@@ -41,7 +41,7 @@ What is claimed, with the identifiers under which the answers are recorded:
 - unstable multipliers exceed one by less than $10^{-3}$ (`floquet.instability_size`);
 - the *pinning mode*, which shifts the breather along the chain, is very close to the discrete gradient
   (`pinning.gradient`). */
-constexpr double omega_main = 1.1;
+constexpr double omega_b = 1.1;
 
 /**
 ## Model and method
@@ -57,11 +57,11 @@ sites, the rest on shorter ones.
 
 | article | program | meaning |
 |---|---|---|
-| $\omega_b$, $s$ | `omega`, `s` | frequency and anharmonicity |
+| $\omega_b$, $s$ | `omega_b`, `s` | frequency and anharmonicity |
 | $\lambda$ | `multiplier` | Floquet multiplier |
 | $s_0^b$, $s_0^s$ | `exchange` | where $\kappa$ of the pinning pair changes its sign |
 | $g_n$ | `gradient` | discrete gradient, here of length one | */
-const char* name_of(Centre centre) {
+std::string name_of(Centre centre) {
   return centre == Centre::bond ? "bond" : "site";
 }
 
@@ -74,21 +74,19 @@ is at a distance of [0.000214282](num:sec33_floquet.fourth_distance), the fifth 
 the others accumulate at $e^{\pm2\pi i/\omega_b}$: ten more sites add twenty multipliers there, within
 $10^{-9}$, and nowhere else (`four_near_one` of exchange.hpp). The table holds the multipliers of both
 breathers on the article's chains, with the two of the phase pair, which are exact. */
-std::vector<Column> multiplier_columns() {
+Columns multiplier_columns() {
   return {number("real", "real part"), number("imag", "imaginary part"),
           number("modulus", "its modulus"), number("argument", "its argument", "rad"),
           number("error", "of the multiplier, from two tolerances")};
 }
 
-void add_multipliers(Table& table, const Spectrum& all, const std::vector<Cell>& label_cells = {}) {
-  const auto add = [&](std::complex<double> z, double error) {
-    std::vector<Cell> row{z.real(), z.imag(), std::abs(z), std::arg(z), error};
-    row.insert(row.end(), label_cells.begin(), label_cells.end());
-    table.add(std::move(row));
-  };
-  for (int k = 0; k < 2; ++k) add(1, 0);
+/// Every multiplier with its error, the two of the phase pair first.
+std::vector<std::pair<std::complex<double>, double>> multipliers_of(const Spectrum& all) {
+  std::vector<std::pair<std::complex<double>, double>> out{{1, 0}, {1, 0}};
   for (const Pair& pair : all.pairs)
-    for (int sign : {1, -1}) add(multiplier(pair.kappa, sign), pair.multiplier_error());
+    for (int sign : {1, -1})
+      out.emplace_back(multiplier(pair.kappa, sign), pair.multiplier_error());
+  return out;
 }
 
 /**
@@ -97,25 +95,28 @@ three ways: by a fifth multiplier near one, by a pair off the circle, or by an a
 one means within 0.01, and the fifth multiplier must be farther away than 0.1; the article gives no bounds,
 and these are our choice. */
 void report_spectrum(Report& report) {
-  std::vector<Column> columns = multiplier_columns();
-  columns.push_back(count("bond", "1 around a bond, 0 around a site"));
-  Table table{columns};
+  const Column bond = count("bond", "1 around a bond, 0 around a site");
+  Table& table = report.table("multipliers", {multiplier_columns(), bond});
   Criterion structure;
   for (Centre centre : both_centres) {
+    // The whole spectrum on the article's chain and on a longer one
     std::array<Quadruplet, 2> found;
-    for (std::size_t more : {0U, 10U}) {
-      const auto problem = problem_at(centre, {}, 10 + more);
+    for (std::size_t longer : {0U, 1U}) {
+      const auto problem = problem_at(centre, {}, 10 + 10 * longer);
       const Spectrum all = spectrum<double>(problem, find_breather(problem));
-      found[more / 10] = quadruplet(all, omega_main);
-      if (more == 0) add_multipliers(table, all, {std::int64_t(centre == Centre::bond)});
+      found[longer] = quadruplet(all, omega_b);
+      if (longer) continue;
+      for (const auto& [z, error] : multipliers_of(all))
+        table.add({z.real(), z.imag(), std::abs(z), std::arg(z), error, centre == Centre::bond});
     }
+
+    // Both must have four multipliers near one and the others where they belong
     append(structure, named(name_of(centre), four_near_one(found[0], found[1])));
     if (centre == Centre::bond) continue;
     report.facts.add("fourth_distance", compare(found[1].fourth, found[0].fourth));
     report.facts.add("fifth_distance", compare(found[1].fifth, found[0].fifth));
     report.facts.add("at_edge", exact(found[0].at_edge));
   }
-  report.output.add("multipliers", std::move(table));
   judge(report, "floquet.spectrum", structure);
 }
 
@@ -127,44 +128,22 @@ To see where the breathers change places we follow each from the linear well to 
 ![Arguments and moduli of the four multipliers near one, bond-centred.](fig:11)
 ![The same around a site.](fig:12) */
 std::vector<Spectrum> along_wells(Centre centre, const std::vector<double>& wells) {
+  const auto at = [&](std::size_t k) { return problem_at(centre, {omega_b, wells[k]}); };
   std::vector<Orbit<double>> orbits(wells.size());
-  std::vector<Spectrum> out(wells.size());
   const std::size_t middle = wells.size() / 2;
-  orbits[middle] = find_breather(problem_at(centre, {omega_main, wells[middle]}));
-  for (std::size_t k = middle + 1; k < wells.size(); ++k)
-    orbits[k] = follow(problem_at(centre, {omega_main, wells[k]}), orbits[k - 1]);
-  for (std::size_t k = middle; k-- > 0;)
-    orbits[k] = follow(problem_at(centre, {omega_main, wells[k]}), orbits[k + 1]);
-  parallel_for(wells.size(), [&](std::size_t k) {
-    out[k] = spectrum<double>(problem_at(centre, {omega_main, wells[k]}), orbits[k]);
-  });
+  orbits[middle] = find_breather(at(middle));
+  for (std::size_t k = middle + 1; k < wells.size(); ++k) orbits[k] = follow(at(k), orbits[k - 1]);
+  for (std::size_t k = middle; k-- > 0;) orbits[k] = follow(at(k), orbits[k + 1]);
+  std::vector<Spectrum> out(wells.size());
+  parallel_for(wells.size(), [&](std::size_t k) { out[k] = spectrum<double>(at(k), orbits[k]); });
   return out;
 }
 
 /**
 The sign of $\kappa$ tells what a figure of moduli and arguments must show. A pair on the circle has modulus
 one exactly, a pair on the real axis the argument zero. The formulas of the columns keep all digits of a small
-$\kappa$. */
-Table quadruplet_table(const std::vector<double>& wells, const std::vector<Spectrum>& all) {
-  Table table{{number("s", "anharmonicity of the well"),
-               number("kappa", "(lambda + 1/lambda - 2) / 4 of the pinning pair"),
-               number("kappa_error", "from two tolerances, against the neighbouring rows"),
-               number("argument", "of the multiplier in the upper half plane", "rad"),
-               number("argument_below", "of its partner", "rad"),
-               number("excess", "modulus of the larger multiplier minus one"),
-               number("excess_below", "modulus of the smaller multiplier minus one"),
-               number("error_of_multiplier", "of either multiplier")}};
-  for (std::size_t k = 0; k < wells.size(); ++k) {
-    const Estimate kappa = all[k].kappa();
-    const double angle = 2 * std::asin(std::sqrt(std::max(0.0, -kappa.value)));
-    const double rate = 2 * std::asinh(std::sqrt(std::max(0.0, kappa.value)));
-    table.add({wells[k], kappa.value, kappa.error, angle, -angle, std::expm1(rate),
-               std::expm1(-rate), all[k].pairs.front().multiplier_error()});
-  }
-  return table;
-}
+$\kappa$.
 
-/**
 Near an exchange the multipliers leave $+1$ like square roots, so the sweep is denser there. Its largest
 instability answers the claim made in the article's conclusion; around a site it is
 [0.000583922](num:sec33_floquet.largest_excess). The error bar decides what may be said at $s = 0$. There
@@ -172,25 +151,43 @@ $\kappa$ is [1.14767e-8](num:sec33_floquet.kappa_site) around a site and
 [-1.14768e-8](num:sec33_floquet.kappa_bond) around a bond. So the article's verdict stands, with a multiplier
 that exceeds one by [0.000214282](num:sec33_floquet.excess_site). */
 void report_wells(Report& report) {
+  // From the linear well to both ends, more densely beside the exchange
   std::vector<double> wells;
   for (int steps = report.quick ? 4 : 40, k = -steps; k <= steps; ++k)
     wells.push_back(double(k) / steps);
   for (double beside : {0.001, 0.004, 0.01})
     wells.insert(wells.end(), {0.1525 - beside, 0.1525 + beside});
   std::sort(wells.begin(), wells.end());
+
   Estimate largest{};
   bool others_stable = true;
   for (Centre centre : both_centres) {
+    Table& table =
+        report.table(name_of(centre) + "_against_s",
+                     {number("s", "anharmonicity of the well"),
+                      estimate("kappa", "(lambda + 1/lambda - 2) / 4 of the pinning pair", "",
+                               "from two tolerances, against the neighbouring rows"),
+                      number("argument", "of the multiplier in the upper half plane", "rad"),
+                      number("argument_below", "of its partner", "rad"),
+                      number("excess", "modulus of the larger multiplier minus one"),
+                      number("excess_below", "modulus of the smaller multiplier minus one"),
+                      number("error_of_multiplier", "of either multiplier")});
     const auto all = along_wells(centre, wells);
-    for (const Spectrum& one : all) {
-      const Pair& pair = one.pairs.front();
-      others_stable = others_stable && quadruplet(one, omega_main).others_stable;
+    for (std::size_t k = 0; k < wells.size(); ++k) {
+      // On the circle a pair has arguments, on the real axis it has moduli
+      const Pair& pair = all[k].pairs.front();
+      const double kappa = pair.kappa.real(), error = pair.multiplier_error();
+      const double angle = 2 * std::asin(std::sqrt(std::max(0.0, -kappa)));
+      const double rate = 2 * std::asinh(std::sqrt(std::max(0.0, kappa)));
+      table.add(
+          {wells[k], all[k].kappa(), angle, -angle, std::expm1(rate), std::expm1(-rate), error});
+      others_stable = others_stable && quadruplet(all[k], omega_b).others_stable;
       if (const double excess = std::abs(multiplier(pair.kappa, 1)) - 1; excess > largest.value)
-        largest = {excess, pair.multiplier_error()};
+        largest = {excess, error};
     }
-    report.output.add(centre == Centre::bond ? "bond_against_s" : "site_against_s",
-                      quadruplet_table(wells, all));
   }
+
+  // The largest instability of all answers the conclusion's claim
   report.facts.add("largest_excess", largest);
   report.facts.add("others_stable", exact(others_stable));
   judge(report, "floquet.instability_size", small_instability(largest));
@@ -205,17 +202,21 @@ void report_harmonic(Report& report) {
   for (std::size_t k : {0U, 1U}) {
     const auto problem = problem_at(both_centres[k], {});
     const Orbit<double> orbit = find_breather(problem);
+
+    // Two roads to one number: the pairs in a wider type, and the matrix that symmetry has reduced
     kappa[k] = spectrum<Wide>(problem, orbit).kappa();
-    const std::string name = k ? "bond" : "site";
-    report.facts.add("kappa_" + name, kappa[k]);
     const Matrix<double> half = monodromy(problem.chain, orbit.start, orbit.period() / 2);
-    report.facts.add("kappa_by_symmetry_" + name,
-                     compare(kappa[k].value, pinning_by_symmetry(half, both_centres[k])));
+    const double again = pinning_by_symmetry(half, both_centres[k]);
+    const std::string around = name_of(both_centres[k]);
+    report.facts.add("kappa_" + around, kappa[k]);
+    report.facts.add("kappa_by_symmetry_" + around, compare(kappa[k].value, again));
   }
+
+  // What the two mean: a multiplier beyond one around a site, an angle around a bond
   const Pair site{{kappa[0].value, 0}, kappa[0].error};
+  const double rate = std::sqrt(-kappa[1].value);
   report.facts.add("excess_site", {multiplier(site.kappa, 1).real() - 1, site.multiplier_error()});
-  report.facts.add("angle_bond", {2 * std::asin(std::sqrt(-kappa[1].value)),
-                                  kappa[1].error / std::sqrt(-kappa[1].value)});
+  report.facts.add("angle_bond", {2 * std::asin(rate), kappa[1].error / rate});
   judge(report, "floquet.harmonic", bond_alone_stable(kappa[0], kappa[1]));
 }
 
@@ -225,23 +226,24 @@ The claims ask for the two exchanges themselves. At $\omega_b = 1.1$ they are
 by [3.22e-7](num:sec33_floquet.exchange_gap), and between them both breathers are stable. The slope of
 $\kappa$ there, a difference quotient with two widths, converts errors of $\kappa$ into errors of $s$. */
 void report_exchange(Report& report) {
+  // Both exchanges lie between 0.1 and 0.2
   std::array<Exchange, 2> found;
   parallel_for(2, [&](std::size_t k) {
     const Orbit<double> near = find_breather(problem_at(both_centres[k], {}));
     found[k] = exchange<Wide>(both_centres[k], Cut{}, 0.1, 0.2, near);
   });
-  report.results.add("floquet.s0_site", found[0].place);
-  report.results.add("floquet.s0_bond", found[1].place);
-  report.facts.add("exchange_gap", {found[1].place.value - found[0].place.value,
-                                    found[0].place.error + found[1].place.error});
+  const Estimate site = found[0].place, bond = found[1].place;
+  report.results.add("floquet.s0_site", site);
+  report.results.add("floquet.s0_bond", bond);
+  report.facts.add("exchange_gap", {bond.value - site.value, site.error + bond.error});
+
+  // The slope of kappa between two wells, h on either side of the exchange
   const auto slope = [&](double h) {
-    std::array<Estimate, 2> kappa;
-    for (int side : {0, 1}) {
-      const Spot spot{omega_main, found[0].place.value + (side ? h : -h)};
-      const auto problem = problem_at(Centre::site, spot);
-      kappa[side] = spectrum<double>(problem, follow(problem, found[0].orbit)).kappa();
-    }
-    const auto& [below, above] = kappa;
+    const auto kappa = [&](double s) {
+      const auto problem = problem_at(Centre::site, {omega_b, s});
+      return spectrum<double>(problem, follow(problem, found[0].orbit)).kappa();
+    };
+    const Estimate below = kappa(site.value - h), above = kappa(site.value + h);
     return Estimate{std::abs(above.value - below.value) / (2 * h),
                     (above.error + below.error) / (2 * h)};
   };
@@ -257,20 +259,8 @@ energy of $c^2/2$ needs the square root of that sum.) The cosine of the angle be
 [0.979741](num:sec33_floquet.cosine_bond) around a bond and [0.987389](num:sec33_floquet.cosine_site) around a
 site.
 
-![Pinning mode and discrete gradient.](fig:13) */
-Table mode_table(const Vector<double>& mode, const Vector<double>& g) {
-  Table table{{count("n", "site"), number("mode", "pinning mode, positions at t = 0"),
-               number("gradient", "discrete gradient, of length one"),
-               number("difference", "mode minus gradient")}};
-  const auto sites = std::size_t(mode.size());
-  for (std::size_t i = 0; i < sites; ++i) {
-    const auto k = Eigen::Index(i);
-    table.add({std::int64_t(site_number(i, sites)), mode[k], g[k], mode[k] - g[k]});
-  }
-  return table;
-}
+![Pinning mode and discrete gradient.](fig:13)
 
-/**
 An eigenvector has no sign of its own, so it gets that of the gradient. The smaller of the two cosines answers
 the claim, and its error comes from two precisions. */
 void report_mode(Report& report) {
@@ -280,14 +270,25 @@ void report_mode(Report& report) {
     const Orbit<double> orbit = find_breather(problem);
     Vector<double> g = gradient(orbit.start.y);
     g /= g.norm();
+
+    // The angle between mode and gradient, in two precisions
     Vector<double> mode = spectrum<Wide>(problem, orbit).mode;
     const double coarse = alignment(spectrum<double>(problem, orbit).mode, g);
     cosine[k] = compare(coarse, alignment(mode, g));
+
+    // Both vectors, bead by bead
     if (mode.dot(g) < 0) mode = -mode;
-    report.output.add(std::string("mode_") + name_of(both_centres[k]), mode_table(mode, g));
-    report.facts.add(std::string("cosine_") + name_of(both_centres[k]), cosine[k]);
+    const std::string around = name_of(both_centres[k]);
+    Table& table = report.table(
+        "mode_" + around, {count("n", "site"), number("mode", "pinning mode, positions at t = 0"),
+                           number("gradient", "discrete gradient, of length one"),
+                           number("difference", "mode minus gradient")});
+    for (Eigen::Index i = 0; i < g.size(); ++i)
+      table.add(
+          {site_number(std::size_t(i), std::size_t(g.size())), mode[i], g[i], mode[i] - g[i]});
+    report.facts.add("cosine_" + around, cosine[k]);
   }
-  report.results.add("pinning.gradient", cosine[0].value < cosine[1].value ? cosine[0] : cosine[1]);
+  report.results.add("pinning.gradient", smaller(cosine[0], cosine[1]));
 }
 
 /**
@@ -297,23 +298,21 @@ void report_mode(Report& report) {
 next to $+1$ first, for wells of any name (`--onsite pendulum`); `sec33_floquet exchange --centre bond`
 prints where the stability changes in the article's. */
 struct Multipliers : ChosenBreather {
-  static constexpr const char *name = "multipliers",
-                              *meaning = "all Floquet multipliers of one breather";
+  static constexpr Title title{"multipliers", "all Floquet multipliers of one breather"};
+
   void parameters(Parameters& p) {
-    add_centre(p);
-    add_omega(p);
+    ChosenBreather::parameters(p);
     add_well(p);
     p.add("sites", sites, "sites (default: as many as needed)", {3, 1000});
   }
-  Table table() const;
+  Table table() const {
+    const auto found = find_chosen(*this, 1e-17);
+    Table out{multiplier_columns()};
+    for (const auto& [z, error] : multipliers_of(spectrum<Wide>(found.problem, found.orbit)))
+      out.add({z.real(), z.imag(), std::abs(z), std::arg(z), error});
+    return out;
+  }
 };
-
-Table Multipliers::table() const {
-  const auto found = find_chosen(*this, 1e-17);
-  Table out{multiplier_columns()};
-  add_multipliers(out, spectrum<Wide>(found.problem, found.orbit));
-  return out;
-}
 
 /**
 A breather may lose and regain its stability several times. All exchanges between $s=-1$ and $1$ are printed,
@@ -339,28 +338,24 @@ std::vector<Estimate> exchanges_on(Centre centre, double omega, int side) {
 /**
 A user who asks for an exchange must not get an empty table: where there is none, that is an error. */
 struct Exchanges : ChosenBreather {
-  static constexpr const char *name = "exchange",
-                              *meaning = "anharmonicity at which the stability changes";
-  void parameters(Parameters& p) {
-    add_centre(p);
-    add_omega(p);
-  }
-  Table table() const;
-};
+  static constexpr Title title{"exchange", "anharmonicity at which the stability changes"};
 
-Table Exchanges::table() const {
-  std::vector<Estimate> found = exchanges_on(centre, omega, 1);
-  for (const Estimate& e : exchanges_on(centre, omega, -1)) found.push_back(e);
-  if (found.empty())
-    throw Failure("no exchange of stability between s = -1 and 1 at omega_b = " +
-                  std::to_string(omega));
-  std::sort(found.begin(), found.end(),
-            [](auto a, auto b) { return std::abs(a.value) < std::abs(b.value); });
-  Quantities q;
-  for (std::size_t k = 0; k < found.size(); ++k)
-    q.add(k ? "s0_" + std::to_string(k + 1) : "s0", found[k]);
-  return q.table;
-}
+  Table table() const {
+    std::vector<Estimate> found = exchanges_on(centre, omega, 1);
+    for (const Estimate& e : exchanges_on(centre, omega, -1)) found.push_back(e);
+    if (found.empty())
+      throw Failure("no exchange of stability between s = -1 and 1 at omega_b = " +
+                    short_text(omega));
+    const auto nearer = [](const Estimate& a, const Estimate& b) {
+      return std::abs(a.value) < std::abs(b.value);
+    };
+    std::sort(found.begin(), found.end(), nearer);
+    Quantities q;
+    for (std::size_t k = 0; k < found.size(); ++k)
+      q.add(k ? "s0_" + std::to_string(k + 1) : "s0", found[k]);
+    return q.table;
+  }
+};
 
 /**
 The program computes the parts in the order of the chapter. */
@@ -388,10 +383,7 @@ program `sec33_between` finds the exchanges and follows two families of such bre
 - The pairs beyond the first: is there a collision on the unit circle at higher frequencies?
 - Does a kicked breather stop at the stable breather in between? */
 int main(int argc, char** argv) {
-  return run({"sec33_floquet",
-              "3.3",
-              "Stability of the breathers (section 3.3)",
-              reproduce,
-              {command<Multipliers>(), command<Exchanges>()}},
+  return run({"sec33_floquet", "3.3", "Stability of the breathers (section 3.3)", reproduce,
+              commands<Multipliers, Exchanges>()},
              argc, argv);
 }

@@ -481,7 +481,7 @@ struct Kicked : ChosenBreather {
 };
 
 struct Kick : Kicked {
-  static constexpr const char *name = "kick", *meaning = "speed of a breather after a kick";
+  static constexpr Title title{"kick", "speed of a breather after a kick"};
   double c = 2e-4, time = 20000;
 
   void parameters(Parameters& p) {
@@ -522,8 +522,7 @@ Table Kick::table() const {
 /**
 `sec33_mobility threshold --centre bond --omega 1.1` takes some seconds and refuses an unstable centre. */
 struct Threshold : Kicked {
-  static constexpr const char *name = "threshold",
-                              *meaning = "the kick that frees a stable breather";
+  static constexpr Title title{"threshold", "the kick that frees a stable breather"};
   Table table() const;
 };
 
@@ -592,10 +591,7 @@ void reproduce(Report& report) {
 }
 
 int main(int argc, char** argv) {
-  return run({"sec33_mobility",
-              "3.3",
-              "Kicked breathers and their threshold (section 3.3)",
-              reproduce,
-              {command<Kick>(), command<Threshold>()}},
+  return run({"sec33_mobility", "3.3", "Kicked breathers and their threshold (section 3.3)",
+              reproduce, commands<Kick, Threshold>()},
              argc, argv);
 }

@@ -513,7 +513,7 @@ others, by name, and the chain is so long that nothing returns from its far end.
 exclude inputs for which the question has no answer: a run too short for the smoothing, a velocity at which
 nothing moves, a soft quartic well. */
 struct OneTurn {
-  static constexpr const char *name = "run", *meaning = "one impact: apex, rebound, decorrelation";
+  static constexpr Title title{"run", "one impact: apex, rebound, decorrelation"};
   double velocity = 1.9, time = 1000, tolerance = 1e-3;
   Chain like{0, Quartic{1}};
 
@@ -600,10 +600,7 @@ outside the figure: at site [183.239](num:sec34_boomeron.apex_site_150) and time
 - Does the return start where the packet's frequency meets that of a pinned breather?
 - What becomes of the turning with damping of the size of an experiment's? */
 int main(int argc, char** argv) {
-  return run({"sec34_boomeron",
-              "3.4",
-              "Packets that turn round in hard wells (section 3.4)",
-              reproduce,
-              {command<OneTurn>()}},
+  return run({"sec34_boomeron", "3.4", "Packets that turn round in hard wells (section 3.4)",
+              reproduce, commands<OneTurn>()},
              argc, argv);
 }

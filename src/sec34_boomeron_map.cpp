@@ -92,7 +92,7 @@ void compute_map(Sweep& sweep, const MapGrid& grid, Part part) {
     const double none = std::nan("");
     const Outlook coarse = probe(v, s, horizon, 0), fine = probe(v, s, horizon, 1);
     const Fate fate = coarse.fate == fine.fate ? fine.fate : Fate::undecided;
-    Row row{v, s, kappa};
+    Cells row{v, s, kappa};
     row.emplace_back(std::int64_t(fate));
     for (double x : {fine.apex, std::abs(fine.apex - coarse.apex)})
       row.emplace_back(fate == Fate::turns ? x : none);
@@ -253,7 +253,7 @@ The points of the map are independent, so several machines can share them.
 keeps it in the folder; without `--part` the command collects what all parts have left there,
 computes what is missing and prints the whole map. */
 struct TurningMap {
-  static constexpr const char *name = "map", *meaning = "the map of turning, or a part of it";
+  static constexpr Title title{"map", "the map of turning, or a part of it"};
   MapGrid grid{};
   std::string part = "1/1", folder{};
 
@@ -311,10 +311,7 @@ are marked as undecided.
 - Derive $\kappa_0$ from the DpS equation with a cubic term added, in which it is a pure number.
 - Does the law hold for a struck chain with a fixed end? */
 int main(int argc, char** argv) {
-  return run({"sec34_boomeron_map",
-              "3.4",
-              "Which packets turn round (section 3.4, s > 0)",
-              reproduce,
-              {command<TurningMap>()}},
+  return run({"sec34_boomeron_map", "3.4", "Which packets turn round (section 3.4, s > 0)",
+              reproduce, commands<TurningMap>()},
              argc, argv);
 }

@@ -485,8 +485,7 @@ gets there it is `nan`. Over a long stretch a packet slows down as it sheds ener
 depends on the window. If a bead runs away the command fails, because then there is no packet to
 measure. */
 struct OneImpact {
-  static constexpr const char *name = "run",
-                              *meaning = "one impact: speed, centre, energies of the packet";
+  static constexpr Title title{"run", "one impact: speed, centre, energies of the packet"};
   Impact impact{1.87, {0, Quartic{}}, 600};
   bool profile = false;
   double tolerance = ::tolerance;
@@ -578,10 +577,7 @@ would find more structure.
 - What do the islands of survival in `blowup_scan` look like on a finer grid?
 - Is the surface mode a time-periodic breather of the half-chain? Compute it by Newton. */
 int main(int argc, char** argv) {
-  return run({"sec34_impact",
-              "3.4",
-              "Impact at one end of the chain (section 3.4, s <= 0)",
-              reproduce,
-              {command<OneImpact>()}},
+  return run({"sec34_impact", "3.4", "Impact at one end of the chain (section 3.4, s <= 0)",
+              reproduce, commands<OneImpact>()},
              argc, argv);
 }

@@ -80,10 +80,9 @@ Just above the transition a kink creeps, may stop, and may come back, so a count
 early. The loop in time therefore goes on until the counts have stayed the same while the time
 doubled, and gives up at the time `patience`: such a velocity is undecided. */
 struct Strike {
-  static constexpr const char *name = "run",
-                              *meaning =
-                                  "one impact: who moved on (pendulums: a kink needs a well "
-                                  "beside every well)";
+  static constexpr Title title{"run",
+                               "one impact: who moved on (pendulums: a kink needs a well "
+                               "beside every well)"};
   double velocity = 5, patience = 3200;
   std::size_t sites = 50;
 
@@ -174,8 +173,10 @@ void reproduce(Report& report) {
   const std::size_t sites = Strike{}.sites;
 
   // Two impacts, one below the transition and one above, show what the counts mean
-  Table examples{number("velocity", "impact velocity"), number("t", "time"),
-                 count("n", "site", "site"), number("wells", "displacement in units of 2 pi")};
+  Table& examples =
+      report.table("kink_examples",
+                   {number("velocity", "impact velocity"), number("t", "time"),
+                    count("n", "site", "site"), number("wells", "displacement in units of 2 pi")});
   for (double velocity : {2.0, 5.0}) {
     const Chain chain{sites, Pendulum{}};
     State<double> state = struck(sites, velocity);
@@ -184,24 +185,24 @@ void reproduce(Report& report) {
         examples.add({velocity, now.t, n + 1, now.y[n] / (2 * std::numbers::pi)});
     });
   }
-  report.output.add("kink_examples", std::move(examples));
 
   // The scan; the figure marks the undecided velocities, so the table keeps them
   const double from = 1, to = 8, spacing = report.quick ? 0.25 : 0.02;
   std::vector<Point> points(std::size_t(std::lround((to - from) / spacing)) + 1);
   for (std::size_t i = 0; i < points.size(); ++i) points[i].velocity = from + spacing * double(i);
-  Table scan{number("velocity", "impact velocity"),
-             number("moved", "share of the beads that advanced by a well"),
-             count("ejected_far", "beads thrown off the far end"),
-             count("ejected_near", "beads thrown back at the near end"),
-             count("decided", "1 where the counts have settled and agree at two steps")};
+  Table& scan =
+      report.table("kink_transition",
+                   {number("velocity", "impact velocity"),
+                    number("moved", "share of the beads that advanced by a well"),
+                    count("ejected_far", "beads thrown off the far end"),
+                    count("ejected_near", "beads thrown back at the near end"),
+                    count("decided", "1 where the counts have settled and agree at two steps")});
   const auto row = [&](Point& p) {
     p.measure();
-    return Row{p.velocity, double(p.counts.moved) / double(sites), p.counts.ejected_far,
-               p.counts.ejected_near, p.decided};
+    return Cells{p.velocity, double(p.counts.moved) / double(sites), p.counts.ejected_far,
+                 p.counts.ejected_near, p.decided};
   };
   scan.fill(points, row, "impact velocities");
-  report.output.add("kink_transition", std::move(scan));
 
   // Between the last breather and the first certain kink the regime changes
   const Transition found = find_transition(points);
@@ -250,10 +251,7 @@ of them.
 - How does the number of ejected beads grow with the velocity?
 - What is left of the transition with precompression? */
 int main(int argc, char** argv) {
-  return run({"sec34_kink",
-              "3.4",
-              "Breather and kink in pendulum wells (section 3.4)",
-              reproduce,
-              {command<Strike>()}},
+  return run({"sec34_kink", "3.4", "Breather and kink in pendulum wells (section 3.4)", reproduce,
+              commands<Strike>()},
              argc, argv);
 }

@@ -323,7 +323,7 @@ void compute_map(Sweep& sweep, const Workshop& workshop, bool quick, Part part) 
   sweep.compute(part, [&](std::size_t i) {
     const Fractions f = fractions(workshop, radii[i]);
     const double mu = workshop.impact.array.mu(radii[i]);
-    Row row{radii[i], mu, workshop.impact.array.linear_frequency(radii[i])};
+    Cells row{radii[i], mu, workshop.impact.array.linear_frequency(radii[i])};
     for (const auto& named : f.named())
       row.insert(row.end(), {named.share.value, named.share.error});
     row.push_back(f.ledger.value);
@@ -442,8 +442,7 @@ velocity for which the transmitted packet does not reach the far end in 75 ms. `
 constants for an impact velocity of your choice, and `map --part 2/8` one part of the map of figure
 x09, whose rows it leaves in `--folder` for the full run. */
 struct OneDefect {
-  static constexpr const char *name = "run",
-                              *meaning = "one defect: reflected, remaining, transmitted energy";
+  static constexpr Title title{"run", "one defect: reflected, remaining, transmitted energy"};
   double ratio = 1.6, velocity = 1;
 
   void parameters(Parameters& p) {
@@ -454,8 +453,8 @@ struct OneDefect {
   Table table() const;
 };
 
-struct Scales {
-  static constexpr const char *name = "scales", *meaning = "all constants in SI units";
+struct AllScales {
+  static constexpr Title title{"scales", "all constants in SI units"};
   double velocity = 1;
 
   void parameters(Parameters& p) {
@@ -465,7 +464,7 @@ struct Scales {
 };
 
 struct DefectMap {
-  static constexpr const char *name = "map", *meaning = "a part of the map of defects";
+  static constexpr Title title{"map", "a part of the map of defects"};
   std::string part = "1/1", folder{};
 
   void parameters(Parameters& p) {
@@ -543,10 +542,8 @@ in the same place, and the remainder lies in front of the defect and leaves.
   with $\lambda$ should matter.
 - Compute the Floquet multipliers of the trapped mode: is its swing from side to side one of them? */
 int main(int argc, char** argv) {
-  return run({"sec36_cantilever_defect",
-              "3.5, 3.6",
-              "Decorated cantilevers and a defect that reflects (sections 3.5 and 3.6)",
-              reproduce,
-              {command<OneDefect>(), command<Scales>(), command<DefectMap>()}},
+  return run({"sec36_cantilever_defect", "3.5, 3.6",
+              "Decorated cantilevers and a defect that reflects (sections 3.5 and 3.6)", reproduce,
+              commands<OneDefect, AllScales, DefectMap>()},
              argc, argv);
 }

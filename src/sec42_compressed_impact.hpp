@@ -191,8 +191,7 @@ compression is the subject, stays. The named wells all have the phonons of the h
 length of the chain rests. It fails if a bead escapes from a soft well before the end, because then there is
 no packet to report. */
 struct OneImpact {
-  static constexpr const char *name = "impact",
-                              *meaning = "one impact: centre, width and energy of the packet";
+  static constexpr Title title{"impact", "one impact: centre, width and energy of the packet"};
   Launch launch{};
   Well well = Quartic{1};
 

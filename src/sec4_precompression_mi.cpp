@@ -497,7 +497,7 @@ void report_order(Report& report) {
 energy centre, the width of the sech that fits its envelope, and the share of the energy within 20
 sites. It fails if a bead escapes from a soft well. */
 struct Band {
-  static constexpr const char *name = "band", *meaning = "edges and inflection of the phonon band";
+  static constexpr Title title{"band", "edges and inflection of the phonon band"};
   double d = compression, s = -1.0 / 6;
 
   /**
@@ -510,8 +510,7 @@ struct Band {
 };
 
 struct OneWavenumber : Band {
-  static constexpr const char *name = "coefficients",
-                              *meaning = "the NLS coefficients at one wavenumber";
+  static constexpr Title title{"coefficients", "the NLS coefficients at one wavenumber"};
   double q = pi / 4;
 
   void parameters(Parameters& p) {
@@ -551,10 +550,7 @@ equation is too wide to form so early.
 - What becomes of the backscattered wave near $q = \pi/2$ when it has grown?
 - How do super-exponential tails become exponential ones as $d$ grows from zero? */
 int main(int argc, char** argv) {
-  return run({"sec4_precompression_mi",
-              "4",
-              "Precompression: modulation and impact (section 4)",
-              reproduce,
-              {command<OneWavenumber>(), command<Band>(), command<compressed::OneImpact>()}},
+  return run({"sec4_precompression_mi", "4", "Precompression: modulation and impact (section 4)",
+              reproduce, commands<OneWavenumber, Band, compressed::OneImpact>()},
              argc, argv);
 }

@@ -363,7 +363,7 @@ The command `orbit` computes one exact breather, also in other wells. At $s \ne 
 longer rotates freely, the shift time is an unknown, and we follow the branch of orbits that begins at
 $s = 0$. If it folds before the $s$ that was asked for, the command says where. */
 struct OneOrbit {
-  static constexpr const char *name = "orbit", *meaning = "one exact travelling breather";
+  static constexpr Title title{"orbit", "one exact travelling breather"};
   std::size_t k = 1, reach = usual_reach;
   std::string sign = "plus";
   double s = 0, near = 0;
@@ -584,10 +584,7 @@ not looked for.
   the next larger $2\pi k$?
 - Why do the energies of the two signs differ by so little, and by what law in $k$? */
 int main(int argc, char** argv) {
-  return run({"sec5_travelling_breathers",
-              "5",
-              "Exact travelling breathers (section 5)",
-              reproduce,
-              {command<OneOrbit>()}},
+  return run({"sec5_travelling_breathers", "5", "Exact travelling breathers (section 5)", reproduce,
+              commands<OneOrbit>()},
              argc, argv);
 }

@@ -201,7 +201,7 @@ std::size_t work(Sweep& sweep, Part part) {
   std::atomic<std::size_t> count{0};
   sweep.compute(part, [&](std::size_t i) {
     ++count;
-    return Row{double(i), double(i * i) / 3};
+    return Cells{double(i), double(i * i) / 3};
   });
   return count;
 }
@@ -266,7 +266,7 @@ TEST_CASE("a row that failed is not kept", "[unit][cantilever]") {
   CHECK_THROWS_AS(sweep.compute({},
                                 [](std::size_t i) {
                                   if (i == 4) throw std::runtime_error("no");
-                                  return Row{double(i), 1.0};
+                                  return Cells{double(i), 1.0};
                                 }),
                   std::runtime_error);
   CHECK(squares(folder.path).known() < 10);

@@ -7,6 +7,7 @@
 
 #include "check.hpp"
 #include "lattice/numbers/gsl_ode.hpp"
+#include "report/command_line.hpp"
 
 using namespace lattice;
 
@@ -55,4 +56,84 @@ TEST_CASE("GSL reports and never aborts", "[unit][frame]") {
   double t = 0;
   std::vector<double> x{1};
   CHECK_THROWS_AS(lost.advance(t, 1, x), std::runtime_error);
+}
+
+namespace {
+
+struct Elsewhere {
+  template <class T>
+  static std::string here(T, const Origin& origin = Origin::current()) {
+    return function_of(origin);
+  }
+};
+std::vector<double> named_here(int) {
+  CHECK(Elsewhere::here(1) == "named_here");
+  const auto lambda = [](double) { return Elsewhere::here(2.0); };
+  CHECK(lambda(1) == "named_here");
+  const std::function<std::string(int)> kept = [](int k) { return Elsewhere::here(k); };
+  CHECK(kept(1) == "named_here");
+  return {};
+}
+template <class T>
+std::function<void(T)> template_here(T x) {
+  CHECK(Elsewhere::here(x) == "template_here");
+  return {};
+}
+
+}  // namespace
+
+TEST_CASE("the function that recorded a number is known by its bare name", "[unit][frame]") {
+  named_here(1);
+  template_here(std::string("text"));
+  Output output("nowhere", {});
+  Report report{output, false};
+  const auto judged = [&] { judge(report, "a.word", {above("size", {2, 0.1}, 1)}); };
+  judged();
+  REQUIRE(report.facts.makers.size() == 2);
+  CHECK(report.facts.makers[0] == report.results.makers[0]);
+  CHECK(report.facts.makers[0] != "judge");
+  const Table table = with_makers(report.facts.table, {"one", "two"});
+  CHECK(table.texts("made_by") == std::vector<std::string>{"one", "two"});
+}
+
+TEST_CASE("a word is answered with the nearest one", "[unit][frame]") {
+  const std::vector<std::string> names{"velocity", "time", "sites", "onsite", "s"};
+  CHECK(nearest("velocty", names) == "velocity");
+  CHECK(nearest("vel", names) == "velocity");
+  CHECK(nearest("tmie", names) == std::nullopt);  // two letters of four are another word
+  CHECK(nearest("site", names) == "sites");
+  CHECK(nearest("onsite", names) == "onsite");
+  CHECK(nearest("x", names) == "s");
+  CHECK(nearest("bogus", names) == std::nullopt);
+}
+
+TEST_CASE("numbers are typed in decimal or as fractions", "[unit][frame]") {
+  CHECK(typed_number("-1/6") == -1.0 / 6);
+  CHECK(typed_number("1/3") == 1.0 / 3);
+  CHECK(typed_number("+1/-2") == -0.5);
+  CHECK(typed_number("1.5e1/3") == 5);
+  CHECK(typed_number("-0.25") == -0.25);
+  for (const char* text : {"1/0", "/", "1/", "/1", "1//2", "1/2/3", "0x1/2", "1/ 2", ""})
+    CHECK_FALSE(typed_number(text));
+  CHECK_FALSE(parse_number("1/2"));  // tables hold decimals
+}
+
+TEST_CASE("a line is refused before anything is taken from it", "[unit][frame]") {
+  std::deque<Offer> offers;
+  double x = 1;
+  bool read = false;
+  offers.emplace_back();
+  offers.front().parameters.add("x", x, "a number", {0, 10});
+  offers.front().parameters.when_read([&] { read = true; });
+  for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+           {"--x", "2", "--y"}, {"--x", "11"}, {"--x"}, {"--x", "2", "more"}}) {
+    std::deque<Offer> fresh;
+    fresh.emplace_back();
+    fresh.front().parameters.add("x", x, "a number", {0, 10});
+    CHECK_THROWS_AS(read_line(fresh, words), UsageError);
+    CHECK(x == 1);
+  }
+  CHECK(read_line(offers, {"--x", "1/4"}).what == Asked::What::run);
+  CHECK(x == 0.25);
+  CHECK(read);
 }

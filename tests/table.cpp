@@ -93,3 +93,38 @@ TEST_CASE("numbers are read in one way", "[unit][table]") {
   CHECK(short_text(-0.1) == "-0.1");
   CHECK(short_text(1e-6) == "1e-06");
 }
+
+TEST_CASE("an estimate brings the column of its error", "[unit][table]") {
+  Table table{count("n", "site"), estimate("speed", "of the packet", "site per unit of time"),
+              estimate("force", "of a contact", "", "against the largest"), label("how", "word")};
+  REQUIRE(table.columns.size() == 6);
+  CHECK(table.columns[1].name == "speed");
+  CHECK(table.columns[2].name == "speed_error");
+  CHECK(table.columns[2].unit == "site per unit of time");
+  CHECK(table.columns[2].description == "difference of two resolutions");
+  CHECK(table.columns[4].description == "against the largest");
+  table.add({3U, Estimate{1.5, 0.25}, exact(2), "fast"});
+  CHECK(table.numbers("n")[0] == 3);
+  CHECK(table.numbers("speed_error")[0] == 0.25);
+  CHECK(table.numbers("force_error")[0] == 0);
+  CHECK(table.texts("how")[0] == "fast");
+  CHECK_THROWS_AS(table.add({3, 1.5, exact(2), "fast"}), std::invalid_argument);
+  CHECK_THROWS_AS(table.add({3.0, exact(1), exact(2), "fast"}), std::invalid_argument);
+}
+
+TEST_CASE("rows are filled in their order", "[unit][table]") {
+  std::vector<double> x(1000);
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] = double(i);
+  Table table{number("x", "a number"), number("square", "its square")};
+  table.add({-1.0, 1.0});
+  table.fill(x, [](double y) { return Cells{y, y * y}; });
+  REQUIRE(table.rows.size() == 1001);
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    REQUIRE(table.numbers("x")[i + 1] == x[i]);
+    if (i > 20) break;
+  }
+  CHECK(table.numbers("square").back() == 999.0 * 999.0);
+  table.fill(std::vector<double>{}, [](double y) { return Cells{y, y}; });
+  CHECK(table.rows.size() == 1001);
+  CHECK_THROWS_AS(table.fill(x, [](double y) { return Cells{y}; }), std::invalid_argument);
+}

@@ -49,8 +49,9 @@ static std::string allowed(const std::string& what) {
   return " (allowed: " + what + ")";
 }
 
-static std::string perhaps(const std::optional<std::string>& name, const std::string& dashes = "") {
-  return name ? "; did you mean " + dashes + *name + "?" : "";
+static std::string perhaps(const std::optional<std::string>& name, const std::string& before = "",
+                           const std::string& behind = "") {
+  return name ? "; did you mean " + before + *name + behind + "?" : "";
 }
 
 /// Whether a word that follows an option cannot be meant as its value.
@@ -94,8 +95,8 @@ void Reader::choose(const std::string& word) {
                      (inside ? "" : ", and there are no commands") +
                      allowed(of->parameters.names()));
   if (!command)
-    throw UsageError("'" + word + "': there is no such command" + perhaps(nearest(word, names)) +
-                     allowed(comma_list(names)));
+    throw UsageError("'" + word + "': there is no such command" +
+                     perhaps(nearest(word, names), "'", "'") + allowed(comma_list(names)));
   for (Offer& offer : offers)
     if (offer.name == word) of = &offer;
 }
@@ -199,6 +200,7 @@ static std::string entry(const std::string& name, const std::string& meaning) {
   while (from < meaning.size()) {
     const auto to = std::min(meaning.find(' ', from), meaning.size());
     if (column + to - from > width && column > indent) {
+      out.pop_back();  // the blank before the word
       out += "\n" + std::string(indent, ' ');
       column = indent;
     }

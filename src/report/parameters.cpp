@@ -28,7 +28,7 @@ std::optional<double> typed_number(std::string_view text) {
   return *above / *below;
 }
 
-Check in_range(const Range& range) {
+Check in_range(const Allowed& range) {
   const std::string allowed = "[" + short_text(range.least) + ", " + short_text(range.most) + "]" +
                               (range.unit.empty() ? "" : " " + range.unit);
   const auto complaint = [range, allowed](const std::string& value) {
@@ -41,7 +41,7 @@ Check in_range(const Range& range) {
 }
 
 /// The same for whole numbers.
-static Check whole_in_range(const Range& range) {
+static Check whole_in_range(const Allowed& range) {
   const Check number = in_range(range);
   const auto complaint = [number](const std::string& value) {
     const auto x = typed_number(value);
@@ -106,13 +106,13 @@ std::string Option::used() const {
 /**
 Each kind of variable has its own way to take what was typed, which is good when it arrives there. */
 Option& Parameters::add(const std::string& name, double& value, const std::string& meaning,
-                        const Range& range) {
+                        const Allowed& range) {
   return keep({name, meaning, short_text(value), Option::Takes::number, in_range(range),
                [&value](const std::string& typed) { value = *typed_number(typed); }});
 }
 
 Option& Parameters::add(const std::string& name, std::size_t& value, const std::string& meaning,
-                        const Range& range) {
+                        const Allowed& range) {
   return keep({name, meaning, std::to_string(value), Option::Takes::number, whole_in_range(range),
                [&value](const std::string& typed) { value = std::size_t(*typed_number(typed)); }});
 }

@@ -43,12 +43,12 @@ struct Check {
 };
 
 /// Numbers in [least, most], in the given unit.
-struct Range {
+struct Allowed {
   double least, most;
   std::string unit = "";
 };
 
-Check in_range(const Range& range);
+Check in_range(const Allowed& range);
 /// A name that is not empty.
 Check not_empty();
 /// One of `names`.
@@ -96,9 +96,9 @@ class Parameters {
   Parameters& operator=(const Parameters&) = delete;
 
   Option& add(const std::string& name, double& value, const std::string& meaning,
-              const Range& range);
+              const Allowed& range);
   Option& add(const std::string& name, std::size_t& value, const std::string& meaning,
-              const Range& range);
+              const Allowed& range);
   /// One of some names, or a text that passes a check.
   Option& add(const std::string& name, std::string& value, const std::string& meaning,
               const std::vector<std::string>& names);

@@ -24,8 +24,8 @@ namespace lattice {
 
 The compiler describes a function with its type, its arguments and its namespace, and a lambda by the
 function around it: `void lattice::beam(Report&)::<lambda(int)>` is `beam`. */
-std::string function_at(const Place& place) {
-  std::string text = place.function_name();
+std::string function_of(const Origin& origin) {
+  std::string text = origin.function_name();
   for (const std::string hidden : {"{anonymous}::", "(anonymous namespace)::"})
     for (auto at = text.find(hidden); at != std::string::npos; at = text.find(hidden))
       text.erase(at, hidden.size());
@@ -45,24 +45,25 @@ static std::string kind_of(const Estimate& e) {
   return e.is_exact ? "exact" : "estimate";
 }
 
+// Quantities and results keep for each row the function that recorded it
 void Quantities::add(const std::string& quantity, const Estimate& e, const std::string& unit,
-                     const Place& place) {
+                     const Origin& origin) {
   table.add({quantity, e, unit, kind_of(e)});
-  makers.push_back(function_at(place));
+  makers.push_back(function_of(origin));
 }
 
 void Results::add(const std::string& id, const Estimate& e, const std::string& unit,
-                  const Place& place) {
+                  const Origin& origin) {
   if (!std::isfinite(e.value) || !std::isfinite(e.error) || e.error < 0)
     throw Failure(id + ": the computed value or its error is not finite");
   for (const auto& row : table.rows)
     if (std::get<std::string>(row[0]) == id) throw Failure(id + ": answered twice");
   table.add({id, e, unit, kind_of(e)});
-  makers.push_back(function_at(place));
+  makers.push_back(function_of(origin));
 }
 
-void Results::claim(const std::string& id, bool holds, const Place& place) {
-  add(id, exact(holds ? 1 : 0), "claim", place);
+void Results::claim(const std::string& id, bool holds, const Origin& origin) {
+  add(id, exact(holds ? 1 : 0), "claim", origin);
 }
 
 Table with_makers(Table table, const std::vector<std::string>& makers) {
@@ -71,12 +72,13 @@ Table with_makers(Table table, const std::vector<std::string>& makers) {
   return table;
 }
 
-void judge(Report& report, const std::string& id, const Criterion& criterion, const Place& place) {
-  report.results.claim(id, holds(criterion), place);
+void judge(Report& report, const std::string& id, const Criterion& criterion,
+           const Origin& origin) {
+  report.results.claim(id, holds(criterion), origin);
   const std::string prefix = id.substr(id.find('.') + 1) + "_";
   for (const Condition& c : criterion) {
-    report.facts.add(prefix + c.name, c.value, "", place);
-    report.facts.add(prefix + c.name + "_margin", c.margin(), "", place);
+    report.facts.add(prefix + c.name, c.value, "", origin);
+    report.facts.add(prefix + c.name + "_margin", c.margin(), "", origin);
   }
 }
 
@@ -160,9 +162,11 @@ std::string full_run_takes(const std::string& program) try {
   for (std::size_t i = 0; i < programs.size(); ++i)
     if (programs[i] == program) longest = std::max(longest, seconds[i]);
   if (!(longest > 0)) return "";
-  const double rounded = std::ceil(longest);
-  return "A full run takes about " + short_text(rounded) + (rounded == 1 ? " second" : " seconds") +
-         " on two cores.";
+  const double rounded = std::round(longest);
+  const std::string time = rounded < 1    ? "less than a second"
+                           : rounded == 1 ? "about a second"
+                                          : "about " + short_text(rounded) + " seconds";
+  return "A full run takes " + time + " on two cores.";
 } catch (const std::exception&) {
   return "";  // without the index nothing is known
 }
@@ -211,14 +215,15 @@ Frame::Frame(const Program& of, int argc, char** argv)
   add_threads(full.parameters);
   for (const Command& one : of.commands) {
     Offer& offer = offers.emplace_back();
-    offer.name = one.name;
-    offer.meaning = one.meaning;
+    offer.name = one.title.name;
+    offer.meaning = one.title.meaning;
     offer.parameters.add("output", output, "file to write (default: standard output)", not_empty());
     add_threads(offer.parameters);
     computations.push_back(one.declare(offer.parameters));
   }
 }
 
+/// The last paragraph of help: what else there is to know.
 std::string Frame::footer(const Offer& of) const {
   if (!of.name.empty())
     return "A quantity that does not exist, such as the speed of a packet that never left, is nan.";
@@ -227,6 +232,7 @@ std::string Frame::footer(const Offer& of) const {
          (cost.empty() ? "" : " " + cost);
 }
 
+/// Reads the line and does what was asked for.
 int Frame::run(const std::vector<std::string>& words) {
   const Asked asked = read_line(offers, words);
   if (asked.what == Asked::What::help) {

@@ -10,7 +10,7 @@ Bad input ends with exit code 2 and one line that names the option, the value an
 computation that does not deliver what it promised ends with exit code 1. In neither case is a file left
 behind. */
 
-#include <concepts>
+#include <deque>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -35,11 +35,11 @@ struct Failure : std::runtime_error {
 
 /**
 Whoever meets a number wants to see the lines that made it. So a record knows from which function it comes:
-the compiler fills in the `Place` where a number is recorded. */
-using Place = std::source_location;
+the compiler fills in the `Origin` where a number is recorded. */
+using Origin = std::source_location;
 
 /// The bare name of the function at a place, the enclosing one for a lambda.
-std::string function_at(const Place& place);
+std::string function_of(const Origin& origin);
 
 /**
 Not every number answers a claim. Commands and the facts of a chapter report rows
@@ -53,7 +53,7 @@ struct Quantities {
   std::vector<std::string> makers{};  ///< a function for every row
 
   void add(const std::string& quantity, const Estimate& e, const std::string& unit = "",
-           const Place& place = Place::current());
+           const Origin& origin = Origin::current());
 };
 
 /**
@@ -73,9 +73,9 @@ struct Results {
   /// A number with its error; throws Failure unless both are finite, the error is no less than
   /// zero and the claim has no answer yet.
   void add(const std::string& id, const Estimate& e, const std::string& unit = "",
-           const Place& place = Place::current());
+           const Origin& origin = Origin::current());
   /// Yes or no.
-  void claim(const std::string& id, bool holds, const Place& place = Place::current());
+  void claim(const std::string& id, bool holds, const Origin& origin = Origin::current());
 };
 
 /// The table with a last column `made_by` that names these functions, one for every row.
@@ -103,8 +103,10 @@ class Output {
 
   /// Something that the headers of all tables say: a tolerance, a seed.
   void note(const std::string& key, const std::string& value) { provenance_.set(key, value); }
-  /// Keeps `table` to be written as `name`.ecsv when the whole run has succeeded.
-  void add(const std::string& name, Table table) { tables_.emplace_back(name, std::move(table)); }
+  /// Keeps `table` to be written as `name`.ecsv when the whole run has succeeded; returns it.
+  Table& add(const std::string& name, Table table) {
+    return tables_.emplace_back(name, std::move(table)).second;
+  }
   /// Where the tables go; work in progress may wait there under a name that begins with a dot.
   const std::filesystem::path& folder() const { return folder_; }
 
@@ -116,7 +118,7 @@ class Output {
  private:
   std::filesystem::path folder_;
   Provenance provenance_;
-  std::vector<std::pair<std::string, Table>> tables_{};
+  std::deque<std::pair<std::string, Table>> tables_{};
 };
 
 /**
@@ -127,6 +129,11 @@ struct Report {
   bool quick;
   Results results{};
   Quantities facts{};
+
+  /// A new table of the output, to be filled.
+  Table& table(const std::string& name, const Columns& columns) {
+    return output.add(name, {columns});
+  }
 };
 
 /**
@@ -135,36 +142,45 @@ results, and every condition with its margin to the facts, so that no verdict st
 /// Answers claim `id`. The facts are named after the part of the id behind its dot, followed by the name of
 /// the condition.
 void judge(Report& report, const std::string& id, const Criterion& criterion,
-           const Place& place = Place::current());
+           const Origin& origin = Origin::current());
 
 /**
 ## Commands
 
-A command is a struct that has a name and a meaning, declares its parameters (parameters.hpp) and computes a
-`table()` from them:
+A command is a struct that has a title, declares its parameters (parameters.hpp) and computes a `table()`
+from them:
 
     struct Strike {
-      static constexpr const char *name = "strike", *meaning = "one impact: how fast the packet is";
+      static constexpr Title title{"strike", "one impact: how fast the packet is"};
       double velocity = 1;
 
       void parameters(Parameters& p) { p.add("velocity", velocity, "impact velocity", {1e-6, 100}); }
       Table table() const;
     };
 
-`command<Strike>()` is what a program offers of it. */
+`commands<Strike, ...>()` is what a program offers of such structs. */
+struct Title {
+  const char *name, *meaning;
+};
+
 struct Command {
-  std::string name, meaning;
+  Title title;
   /// Declares the parameters and returns what computes the table from their values.
   std::function<std::function<Table()>(Parameters&)> declare;
 };
 
 template <class Declared>
 Command command() {
-  return {Declared::name, Declared::meaning, [](Parameters& p) -> std::function<Table()> {
+  return {Declared::title, [](Parameters& p) -> std::function<Table()> {
             const auto values = std::make_shared<Declared>();
             values->parameters(p);
             return [values] { return values->table(); };
           }};
+}
+
+template <class... Declared>
+std::vector<Command> commands() {
+  return {command<Declared>()...};
 }
 
 /// A program: its name, its section, its title, what computes the whole section, and commands.

@@ -61,13 +61,13 @@ Sweep::Sweep(std::filesystem::path folder, std::string name, const Columns& colu
   collect();
 }
 
-static std::string line(std::size_t i, const Row& cells) {
+static std::string line(std::size_t i, const Cells& cells) {
   std::string text = std::to_string(i);
   for (const Cell& cell : cells) text.append(1, ',').append(ecsv::cell_text(cell));
   return text + "," + fingerprint(std::istringstream(text)) + "\n";
 }
 
-void Sweep::compute(Part part, const std::function<Row(std::size_t)>& row) {
+void Sweep::compute(Part part, const std::function<Cells(std::size_t)>& row) {
   std::vector<std::size_t> open;
   for (std::size_t i = 0; i < rows_.size(); ++i)
     if (part.holds(i) && rows_[i].empty()) open.push_back(i);
@@ -76,7 +76,7 @@ void Sweep::compute(Part part, const std::function<Row(std::size_t)>& row) {
   if (!folder_.empty()) kept = reopen(part);
   std::mutex guard;
   parallel_for(name_, open.size(), [&](std::size_t j) {
-    Row cells = row(open[j]);
+    Cells cells = row(open[j]);
     Table{columns_}.add(cells);  // throws unless the row fits the columns
     const std::lock_guard lock(guard);
     kept << line(open[j], cells) << std::flush;
@@ -136,7 +136,7 @@ void Sweep::collect() {
       const auto fields = ecsv::fields(row);
       if (fields.size() != columns_.size() + 1) continue;
       const std::size_t i = std::stoul(fields[0]);
-      Row cells;
+      Cells cells;
       for (std::size_t c = 0; c < columns_.size(); ++c)
         cells.push_back(ecsv::parse(fields[c + 1], columns_[c].kind));
       if (i < rows_.size()) rows_[i] = std::move(cells);

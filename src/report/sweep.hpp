@@ -48,7 +48,7 @@ class Sweep {
   /**
   A row that has been computed is safe before the next one begins. */
   /// Computes `row(i)` for those points of the part that are not known yet, and keeps each.
-  void compute(Part part, const std::function<Row(std::size_t)>& row);
+  void compute(Part part, const std::function<Cells(std::size_t)>& row);
 
   /// How many points the part has.
   std::size_t size(Part part = {}) const;
@@ -68,7 +68,7 @@ class Sweep {
   std::filesystem::path folder_;
   std::string name_, key_;
   std::vector<Column> columns_;
-  std::vector<Row> rows_;
+  std::vector<Cells> rows_;
 };
 
 }  // namespace lattice

@@ -41,14 +41,15 @@ Columns estimate(const std::string& name, std::string description, std::string u
           number(name + "_error", std::move(from), unit)};
 }
 
-Row::Row(std::initializer_list<Entry> entries) {
+Cells::Cells(std::initializer_list<Entry> entries) {
   for (const Entry& entry : entries) {
     push_back(entry.first);
     if (entry.second) push_back(*entry.second);
   }
 }
 
-void Table::add(Row row) {
+// Rows come one by one or many at once, and columns are found by their names
+void Table::add(Cells row) {
   bool fits = row.size() == columns.size();
   for (std::size_t i = 0; fits && i < row.size(); ++i)
     fits = row[i].index() == std::size_t(columns[i].kind);
@@ -56,11 +57,11 @@ void Table::add(Row row) {
   rows.push_back(std::move(row));
 }
 
-void Table::fill(std::size_t count, const std::function<Row(std::size_t)>& of,
-                 const std::string& done) {
-  std::vector<Row> fresh(count);
+void Table::fill_rows(std::size_t count, const std::function<Cells(std::size_t)>& of,
+                      const std::string& done) {
+  std::vector<Cells> fresh(count);
   parallel_for(done, count, [&](std::size_t i) { fresh[i] = of(i); });
-  for (Row& row : fresh) add(std::move(row));
+  for (Cells& row : fresh) add(std::move(row));
 }
 
 std::size_t Table::find(const std::string& name) const {

@@ -73,11 +73,11 @@ Columns estimate(const std::string& name, std::string description, std::string u
 /**
 A row is written as one would say it, `{s, speed, "fast"}`: whole numbers are counts, and an `Estimate` fills
 two cells, its number and its error. */
-class Row : public std::vector<Cell> {
+class Cells : public std::vector<Cell> {
  public:
   struct Entry {
-    template <std::integral T>
-    Entry(T k) : first(std::int64_t(k)) {}
+    template <class T>
+    requires std::integral<T> || std::is_enum_v<T> Entry(T k) : first(std::int64_t(k)) {}
     template <std::floating_point T>
     Entry(T x) : first(double(x)) {}
     template <class T>
@@ -90,9 +90,9 @@ class Row : public std::vector<Cell> {
     std::optional<double> second{};
   };
 
-  Row() = default;
-  Row(std::vector<Cell> cells) : std::vector<Cell>(std::move(cells)) {}
-  Row(std::initializer_list<Entry> entries);
+  Cells() = default;
+  Cells(std::vector<Cell> cells) : std::vector<Cell>(std::move(cells)) {}
+  Cells(std::initializer_list<Entry> entries);
 };
 
 /// Ordered `key: value` pairs of the header's `meta` block.
@@ -110,17 +110,18 @@ struct Table {
   Table(std::initializer_list<Columns> lists) : columns(Columns(lists).all) {}
 
   /// Appends a row; throws std::invalid_argument unless it has one cell of the right kind per column.
-  void add(Row row);
+  void add(Cells row);
 
   /**
   Rows that know nothing of each other are computed on all cores, and come in the order of `items`. */
   /// Appends the row `of(item)` for every item, and shows on a terminal how many are `done`.
   template <class Items, class Of>
   void fill(Items&& items, Of of, const std::string& done = "rows") {
-    const auto row = [&](std::size_t i) { return Row(of(*std::next(std::begin(items), i))); };
-    fill(std::size(items), row, done);
+    const auto row = [&](std::size_t i) { return Cells(of(*std::next(std::begin(items), i))); };
+    fill_rows(std::size(items), row, done);
   }
-  void fill(std::size_t count, const std::function<Row(std::size_t)>& of, const std::string& done);
+  void fill_rows(std::size_t count, const std::function<Cells(std::size_t)>& of,
+                 const std::string& done);
 
   /// Position of the column `name`; throws std::out_of_range if there is none.
   std::size_t find(const std::string& name) const;

@@ -25,6 +25,10 @@ struct ChosenBreather {
           {{"site", Centre::site}, {"bond", Centre::bond}});
   }
   void add_omega(Parameters& p) { p.add("omega", omega, "frequency omega_b > 1", {1.0001, 3}); }
+  void parameters(Parameters& p) {
+    add_centre(p);
+    add_omega(p);
+  }
   void add_phase(Parameters& p) {
     p.add("phase", phase, "central contact of a bond-centred breather at t = 0",
           {{"compressed", Phase::compressed}, {"stretched", Phase::stretched}});
