@@ -1,17 +1,13 @@
 #pragma once
-/**
-# Published against reproduced
-
-`paper/published.ecsv` lists what the article states, each row with the tolerance that was fixed before
-anything was computed. This file compares a row with a computed value. The tests and the report both call
-it, so there is only one notion of agreement, and one vocabulary:
-
-- `reproduced`: a printed number, met within its tolerance;
-- `holds`: a yes-or-no statement that our criterion confirms;
-- `discrepant`: a printed number missed, or a statement that fails;
-- `measured`: the article uses a word without a number; we give the number and pass no judgement;
-- `unresolved`: the error bar does not allow a verdict, which no test accepts;
-- `open`: not answered yet. */
+// The judge of the tests: what the article prints, an answer, and the verdict. lineage/claims.py, which writes
+// the summary, the README and the book, judges on its own; a test asks that both agree. The verdicts:
+//
+//   reproduced   a printed number, met within its tolerance
+//   holds        a yes-or-no statement that our criterion confirms
+//   discrepant   a printed number missed, or a statement that fails
+//   measured     the article uses a word without a number; we give the number and pass no judgement
+//   unresolved   the error bar does not allow a verdict, which no test accepts
+//   open         not answered yet
 
 #include <algorithm>
 #include <cmath>
@@ -40,9 +36,8 @@ struct Answer {
   std::string unit;
 };
 
-/**
-Claims come from one table, a row each, whose columns have the names of the fields. Throws like `read` and
-`Table::texts`. */
+// Claims come from one table, a row each, whose columns have the names of the fields. Throws like `read` and
+// `Table::texts`.
 inline std::vector<Claim> read_claims(const std::filesystem::path& path) {
   const Table t = read(path);
   std::vector<Claim> claims(t.rows.size());
@@ -60,9 +55,8 @@ inline std::vector<Claim> read_claims(const std::filesystem::path& path) {
   return claims;
 }
 
-/**
-Answers come from the `results.ecsv` that each program leaves in its folder under `data`. The keys are
-program and id. */
+// Answers come from the `results.ecsv` that each program leaves in its folder under `data`. The keys are
+// program and id; an answer given twice is refused.
 inline std::map<std::pair<std::string, std::string>, Answer> read_answers(
     const std::filesystem::path& data) {
   std::map<std::pair<std::string, std::string>, Answer> answers;
@@ -73,14 +67,17 @@ inline std::map<std::pair<std::string, std::string>, Answer> read_answers(
     const auto id = t.texts("id"), unit = t.texts("unit");
     const auto value = t.numbers("value"), error = t.numbers("error");
     for (std::size_t i = 0; i < id.size(); ++i)
-      answers[{folder.path().filename().string(), id[i]}] = {value[i], error[i], unit[i]};
+      if (!answers
+               .emplace(std::pair(folder.path().filename().string(), id[i]),
+                        Answer{value[i], error[i], unit[i]})
+               .second)
+        throw std::runtime_error(file.string() + ": two answers for " + id[i]);
   }
   return answers;
 }
 
-/**
-What the article prints is a number, a range ("1e-14 to 1e-15"), a count of orders of magnitude ("3 to 4
-orders") or a multiple of $\pi$. Anything else is a statement, which an answer of one confirms. */
+// What the article prints is a number, a range ("1e-14 to 1e-15"), a count of orders of magnitude ("3 to 4
+// orders") or a multiple of $\pi$. Anything else is a statement, which an answer of one confirms.
 struct Printed {
   double low = 0, high = 0;
   double half_digit = 0;  ///< half a unit in the last printed digit
@@ -106,9 +103,8 @@ inline std::optional<Numeral> leading_number(const std::string& text) {
                  std::string(end, text.data() + text.size())};
 }
 
-/**
-`parse_printed` accepts a number and the few words that the list of claims puts behind one; any other word
-makes it a statement, and nothing is returned. */
+// `parse_printed` accepts a number and the few words that the list of claims puts behind one; any other word
+// makes it a statement, and nothing is returned.
 inline std::optional<Printed> parse_printed(const std::string& text) {
   const auto first = leading_number(text);
   if (!first) return std::nullopt;
@@ -134,10 +130,9 @@ inline std::optional<Printed> parse_printed(const std::string& text) {
   return p;
 }
 
-/**
-The tolerance of the row turns the printed number into an interval of values that agree with it. Without a
-tolerance the printed digits must be met. Throws std::runtime_error for a tolerance that is none of
-these. */
+// The tolerance of the row turns the printed number into an interval of values that agree with it. Without a
+// tolerance the printed digits must be met. Throws std::runtime_error for a tolerance that is none of
+// these.
 inline std::pair<double, double> agreement(const Printed& p, const std::string& tolerance) {
   if (tolerance == "at most") return {-std::numeric_limits<double>::infinity(), p.high};
   if (tolerance == "order of magnitude") return {p.low / 10, p.high * 10};
@@ -153,11 +148,10 @@ inline std::pair<double, double> agreement(const Printed& p, const std::string& 
   return {p.low - amount, p.high + amount};
 }
 
-/**
-The row and the answer decide together. An answer with the unit `claim` is a yes or a no, which is no
-answer to a printed number; a number that answers a word is a measurement. Only a printed number is
-compared with the answer, and if the error bar straddles an edge of the interval of agreement there is no
-verdict. */
+// The row and the answer decide together. An answer with the unit `claim` is a yes or a no, which is no
+// answer to a printed number; a number that answers a word is a measurement. Only a printed number is
+// compared with the answer, and if the error bar straddles an edge of the interval of agreement there is no
+// verdict.
 inline std::string verdict(const Claim& claim, const Answer& answer) {
   if (!std::isfinite(answer.value) || !std::isfinite(answer.error)) return "unresolved";
   const auto printed = parse_printed(claim.printed);
