@@ -127,13 +127,12 @@ def renewed(locked, fresh, programs, kept):
     return {key: f for key, f in out.items() if kept(f)}
 
 
-def changes(locked, now, fresh):
+def changes(locked, now, kept):
     """A line for each difference: what whoever renews the lock signs."""
     for key, was in locked.items():
         place = " ".join(key)
         if key not in now:
-            why = "nothing quotes it" if key in fresh else f"was {was.shown}"
-            yield f"  {'dropped' if key in fresh else 'gone':7}  {place}: {why}"
+            yield f"  gone     {place}: was {was.shown}" if kept(was) else f"  dropped  {place}: nothing quotes it"
             continue
         f, size = now[key], max(abs(was.value), abs(now[key].value))
         apart = distance(was, f)
@@ -150,7 +149,11 @@ def renew(root, data):
     programs, claims, names = programs_of(root), read_claims(root), quoted(root)
     locked = read_lock(root) if lock_of(root).exists() else {}
     fresh = read_fresh(data, programs, claims)
-    now = renewed(locked, fresh, programs, lambda f: is_kept(f, claims, names))
-    said = list(changes(locked, now, fresh))
+
+    def kept(finding):
+        return is_kept(finding, claims, names)
+
+    now = renewed(locked, fresh, programs, kept)
+    said = list(changes(locked, now, kept))
     ecsv.write_whole(lock_of(root), lock_text(now))
-    print(*said, f"lock       : {len(now)} of {len(fresh)} values, {len(said)} changes, in {lock_of(root)}", sep="\n")
+    print(*said, f"lock       : {len(now)} values ({len(fresh)} computed), {len(said)} changes, in {lock_of(root)}", sep="\n")

@@ -37,7 +37,7 @@ class Distance(unittest.TestCase):
 
 class Locking(Scratch):
     def test_what_answers_is_quoted_or_a_headline_is_locked(self):
-        self.assertIn("lock       : 1 of 3 values, 1 changes", said := self.lineage("lock")[1])
+        self.assertIn("lock       : 1 values (3 computed), 1 changes", said := self.lineage("lock")[1])
         self.assertIn("dropped  sec1_demo fact: nothing quotes it", said)
         text = self.read("src/sec1_demo.cpp")
         for name, quotation in [("src/sec1_demo.cpp", text + "/** [](num:sec1_demo.fact) */\n"),
@@ -66,7 +66,7 @@ class Locking(Scratch):
     def test_the_lock_is_written_as_it_was(self):
         self.lineage("lock")
         before = self.read("paper/converged.ecsv")
-        self.assertIn("lock       : 1 of 3 values, 0 changes", self.lineage("lock")[1])
+        self.assertIn("lock       : 1 values (3 computed), 0 changes", self.lineage("lock")[1])
         self.assertEqual(self.read("paper/converged.ecsv"), before)
 
     def test_names(self):
