@@ -1,6 +1,7 @@
 """The verbs. What cannot be used is one line: exit code 1 for a file, 2 for the command line."""
 
 import argparse
+import signal
 import sys
 
 from . import ecsv
@@ -82,4 +83,5 @@ def main(arguments=None):
 
 
 if __name__ == "__main__":
+    signal.signal(signal.SIGPIPE, signal.SIG_DFL)  # `| head` is no error
     sys.exit(main())

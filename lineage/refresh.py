@@ -43,6 +43,11 @@ def quotable(lock, claims):
 # The tables of README.md and ARTIFACT.md. Where the article and we differ, the list of claims says why.
 
 
+def here(finding, said):
+    """What we found, where the verdict does not say it all: a statement that holds is said once."""
+    return "" if finding.shown == said else finding.shown + finding.shown_unit
+
+
 def published_rows(claims, lock):
     yield "| claim | article | here | error | verdict |"
     yield "|---|---|---|---|---|"
@@ -50,7 +55,8 @@ def published_rows(claims, lock):
         f = lock.get((c["program"], id))
         if f:
             printed = c["printed"] + (f" {c['unit']}" if c["unit"] else "")
-            yield f"| `{id}` | {printed} | {f.shown}{f.shown_unit} | {f.shown_error} | {verdict(c, f)} |"
+            said = verdict(c, f)
+            yield f"| `{id}` | {printed} | {here(f, said)} | {f.shown_error} | {said} |"
 
 
 def discrepancy_rows(claims, lock):

@@ -18,12 +18,14 @@ def kind_of(token):
 def words(code, language):
     """The tokens of Pygments; neighbours of one kind are one, and names stand alone."""
     out = []
-    for token, text in lex(code, LEXERS[language](stripnl=False, ensurenl=False)):
+    for token, text in lex(code, LEXERS[language](stripnl=False)):
         kind = "name" if token in Name and re.fullmatch(r"\w+", text) else kind_of(token)
         if out and kind == out[-1][0] != "name":
             out[-1][1] += text
         else:
             out.append([kind, text])
+    if not code.endswith("\n"):
+        out[-1][1] = out[-1][1].removesuffix("\n")  # which the lexer needs behind a remark
     return out
 
 

@@ -166,8 +166,7 @@ class Book:
         body = self.render("index", words=said, invitation=live, ideas=ROOM_IDEAS,
                            summaries={s.path: self.summary(s) for s in self.chapters},
                            records={key: Markup(body) for key, body in binding.records.items()})
-        headings = [(2, "What comes out", "verdicts"), (2, "Chapters", "chapters"), (2, "Figures", "gallery"), (2, "Library", "library")]
-        return self.page("index.html", "", body, headings, after=self.chapters[0])
+        return self.page("index.html", "", body, after=self.chapters[0])
 
     def summary(self, source):
         """The first sentences of a chapter."""

@@ -13,8 +13,16 @@ from ..summary import read_commands
 from ..values import Finding
 from . import origin
 
-# A fact is called as a column of its program's tables, with what it belongs to behind: `first_escape_s_1_6`.
+# A fact is called as a column of its program's tables, with what it belongs to behind: `speed_bond_compressed`.
 OF_WHAT = re.compile(r"(?:_(?:\d+|[a-z]\d*|mu\d+|minus|plus|site|bond|compressed|stretched|soft|linear|hard))*")
+WELLS = {"s_minus_1_6": "s = -1/6", "s_1_6": "s = -1/6", "s_0_7": "s = -0.7", "s_0": "s = 0", "s_1": "s = 1"}
+
+
+def worded(id):
+    """A name of a fact without its underscores, a well as the article writes it."""
+    for name, well in WELLS.items():
+        id = re.sub(rf"(?<![^_]){name}(?![^_])", well, id)
+    return id.replace("_", " ").strip()
 
 
 @dataclass(frozen=True)
@@ -64,18 +72,21 @@ class Record:
         return self._columns[program]
 
     def title(self, finding):
-        """A fact in words: those of the column that it is called after, else its name without underscores. The
-        condition of a criterion says which statement it decides."""
-        subject = next((c for c in self.claims.values() if c["program"] == finding.program
-                        and finding.id.startswith(c["id"].split(".")[-1] + "_")), None)
-        id = finding.id.removeprefix(subject["id"].split(".")[-1] + "_") if subject else finding.id
-        columns = self.columns(finding.program)
+        """A fact in words: those of the column that it is called after, else its name. The condition of a criterion
+        says which statement it decides."""
+        claim = next((c for c in self.claims.values() if c["program"] == finding.program
+                      and finding.id.startswith(c["id"].split(".")[-1] + "_")), None)
+        id, columns = finding.id, self.columns(finding.program)
+        if claim:
+            id = id.removeprefix(claim["id"].split(".")[-1] + "_")
+        margin, id = id.endswith("_margin"), id.removesuffix("_margin")
         names = [n for n in columns if id.startswith(n) and OF_WHAT.fullmatch(id[len(n):]) and len(n) > 2]
-        if not names:
-            return finding.id.replace("_", " ")
-        name = max(names, key=len)
-        rest = id[len(name):].strip("_").replace("_", " ")
-        return columns[name] + (f" ({rest})" if rest else "") + (f", for {subject['id']}" if subject else "")
+        said = worded(id)
+        if names:
+            name = max(names, key=len)
+            rest = worded(id[len(name):])
+            said = worded(name) + (f" ({rest})" if rest else "") + ": " + columns[name]
+        return ("margin of " if margin else "") + said + (f", a condition of {claim['id']}" if claim else "")
 
     def quote(self, id):
         if id not in self._quotes:
