@@ -115,9 +115,10 @@ def claim_rows(claims, lock):
         f = lock.get((c["program"], id))
         if not f and c["status"] != "open":
             raise ecsv.Fault(f"nothing is locked for the claim '{id}' (make lock)")
-        here = value(f.shown) + (f" {unit(f.unit)}" if f.shown_unit else "") if f else ""
+        said = verdict(c, f)
+        here = value(f.shown) + (f" {unit(f.unit)}" if f.shown_unit else "") if f and f.shown != said else ""
         cells = [escaped(id), worded(c["quantity"]), worded(c["printed"]) + (f" {unit(c['unit'])}" if c["unit"] else ""),
-                 here, value(f.shown_error) if f else "", verdict(c, f)]
+                 here, value(f.shown_error) if f else "", said]
         out += r"\claim" + "".join(f"{{{cell}}}" for cell in cells) + "\n"
     return out
 
