@@ -8,8 +8,8 @@
 #include <set>
 #include <sstream>
 
+#include "answers.hpp"
 #include "check.hpp"
-#include "claims.hpp"
 #include "shape.hpp"
 
 using namespace lattice;
@@ -116,8 +116,7 @@ TEST_CASE("figures named in the prose exist", "[lineage]") {
 }
 
 TEST_CASE("claims named in a chapter are rows", "[lineage]") {
-  std::set<std::string> ids;
-  for (const Claim& claim : read_claims(root / "paper/published.ecsv")) ids.insert(claim.id);
+  const auto ids = read_claims(root / "paper/published.ecsv");
   for (const auto& path : sources())
     for (const auto& id : matches(text_of(root / path),
                                   "`((?:thm|dps|newton|pn|floquet|pinning|moving|"

@@ -10,8 +10,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "answers.hpp"
 #include "check.hpp"
-#include "lock.hpp"
 
 using namespace lattice;
 namespace fs = std::filesystem;
