@@ -10,7 +10,7 @@ The verdicts are
     unresolved   the error bar does not allow a verdict, which no test accepts
     open         not answered yet
 
-The tests in C++ judge on their own, in tests/claims.hpp, and ask that both agree."""
+`lineage summary` writes them down, and the tests in C++ assert each (tests/published.cpp)."""
 
 import math
 import re

@@ -42,7 +42,7 @@ class Browser:
             options.add_argument(flag)
         options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
         self.driver = webdriver.Chrome(options=options, service=Service(shutil.which("chromedriver")))
-        self.driver.set_script_timeout(120)
+        self.driver.set_script_timeout(180)
 
     def open(self, url):
         self.complaints()  # those of the page before
@@ -141,7 +141,7 @@ USE = {
 
 # The live page: waits until the panel in `place` has ended, and says what it shows.
 ENDED = """(async (place) => {
-  for (let k = 0; k < 600 && !/done|failed/.test(place.dataset.state); ++k) await new Promise((r) => setTimeout(r, 50));
+  for (let k = 0; k < 2400 && !/done|failed/.test(place.dataset.state); ++k) await new Promise((r) => setTimeout(r, 50));
   const facts = {};
   for (const row of place.querySelectorAll("tr[data-quantity]"))
     facts[row.dataset.quantity] = [row.dataset.value, row.dataset.error];

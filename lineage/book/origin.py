@@ -1,8 +1,7 @@
 """The lines of a program that recorded a number.
 
-A table that has the column `made_by` says which function recorded its row: then the statement in that function
-that has the number's name is the place, or the function's first line. Older tables do not say; `guessed` finds the
-statement whose texts cover most of the name."""
+The column `made_by` of a table names the function that recorded a row: the place is the statement in it that says
+most of the number's name, or its first line. Where a table does not say, `guessed` looks through the sources."""
 
 import re
 from dataclasses import dataclass
@@ -54,20 +53,14 @@ def functions(source, name):
                 break
 
 
-def function_name(made_by):
-    """`report_kink` of `void {anonymous}::report_kink(Report&)` and of `report_kink`."""
-    found = re.search(r"(\w+)\(", made_by) or re.search(r"(\w+)\W*$", made_by)
-    return found[1] if found else ""
-
-
 def recorded(finding, sources):
     """The places by `made_by`; empty where the function is not in the sources."""
-    name = function_name(finding.made_by)
-    for source in sources:
-        for function in functions(source, name) if name else ():
-            inside = [place for place, literals in statements(source)
-                      if function.first <= place.first <= function.last and finding.id in literals]
-            return inside[:1] or [function]
+    for source in sources if finding.made_by else ():
+        for function in functions(source, finding.made_by):
+            inside = [(999 if finding.id in literals else covered(finding.id, literals), place) for place, literals in statements(source)
+                      if function.first <= place.first <= function.last and re.search(r"\b(add|claim|judge)\(", place.text)]
+            most, place = max(inside, key=lambda x: x[0], default=(0, function))
+            return [place if most else function]
     return []
 
 

@@ -71,6 +71,7 @@ class Verdicts(unittest.TestCase):
         self.check("1.5e-9", "at most", 1e-8, 0, "discrepant")
         self.check("1e-14 to 1e-15", "order of magnitude", 3e-15, 0, "reproduced")
         self.check("1e-14 to 1e-15", "order of magnitude", 3e-13, 0, "discrepant")
+        self.check("1e-14 to 1e-15", "order of magnitude", 9e-14, 0, "reproduced")
         self.check("238 to 241", "abs 15", 250, 1, "reproduced")
         self.check("3 to 4 orders", "order of magnitude", 5e3, 1, "reproduced")
         self.check("3 pi/2", "rel 1e-12", 4.71238898038469, 0, "reproduced")
