@@ -57,8 +57,9 @@ def recorded(finding, sources):
     """The places by `made_by`; empty where the function is not in the sources."""
     for source in sources if finding.made_by else ():
         for function in functions(source, finding.made_by):
-            inside = [(999 if finding.id in literals else covered(finding.id, literals), place) for place, literals in statements(source)
-                      if function.first <= place.first <= function.last and re.search(r"\b(add|claim|judge)\(", place.text)]
+            inside = [(999 if finding.id in literals else covered(finding.id, literals), place)
+                      for place, literals in statements(source)
+                      if function.first <= place.first <= function.last and re.search(r"\b(add|judge)\(", place.text)]
             most, place = max(inside, key=lambda x: x[0], default=(0, function))
             return [place if most else function]
     return []

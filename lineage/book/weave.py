@@ -66,8 +66,7 @@ def bind_all(binder, sources):
     bodies = {}
     for source in sources:
         binding, parts = PageBinding(binder, source), []
-        if source.blocks and source.blocks[0].kind == "code" and not any(
-                b.kind == "prose" and b.text.strip().startswith("# ") for b in source.blocks):
+        if not any(b.kind == "prose" and re.search(r"^# ", b.text, re.M) for b in source.blocks):
             parts.append(binding.heading(1, source.title))
         for block in source.blocks:
             if block.kind == "prose":

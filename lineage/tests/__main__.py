@@ -5,7 +5,8 @@ import sys
 import unittest
 
 with open(os.devnull, "w", encoding="utf-8") as quiet:
-    suite = unittest.defaultTestLoader.discover(os.path.dirname(__file__), top_level_dir=os.path.join(os.path.dirname(__file__), "../.."))
+    here = os.path.dirname(os.path.abspath(__file__))
+    suite = unittest.defaultTestLoader.discover(here, top_level_dir=os.path.dirname(os.path.dirname(here)))
     runner = unittest.TextTestRunner(sys.stderr if "-v" in sys.argv else quiet, verbosity=2)
     result = runner.run(suite)
 for _, error in result.failures + result.errors:

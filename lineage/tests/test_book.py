@@ -80,7 +80,8 @@ class Blocks(unittest.TestCase):
             chapters, library = source.find_sources(folder)
         self.assertEqual([s.page for s in chapters], ["sec33_x.html"])
         self.assertEqual({room: [(s.page, s.title) for s in found] for room, found in library.items()},
-                         {"numbers": [("numbers-a.html", "A"), ("numbers-a-cpp.html", "A: how")], "sec33": [("sec33-b.html", "B")]})
+                         {"numbers": [("numbers-a.html", "A"), ("numbers-a-cpp.html", "A: how")],
+                          "sec33": [("sec33-b.html", "B")]})
 
 
 class Numbers(unittest.TestCase):
@@ -224,7 +225,8 @@ class Repository(Scratch):
     def setUp(self):
         super().setUp()
         self.write("src/sec1_demo.cpp", CHAPTER)
-        self.write("src/lattice/numbers/demo.hpp", "#pragma once\n/**\n# A header\n\nWords. */\ninline int once(int x) {\n  return x;\n}\n")
+        self.write("src/lattice/numbers/demo.hpp", "#pragma once\n/**\n# A header\n\nWords. */\nint once(int x) {\n}\n")
+        self.write("src/lattice/numbers/demo.cpp", '#include "lattice/numbers/demo.hpp"\n/** More words. */\nint x;\n')
         self.write("figures/fig01.gp", "plot x  # a line\n")
         self.write("build/figures/fig01.svg", '<svg xmlns="http://www.w3.org/2000/svg" width="10mm" height="20"><rect/></svg>')
         self.write("book/equations.ecsv", ecsv.text_of(BOOK / "equations.ecsv"))
@@ -255,6 +257,10 @@ class Repository(Scratch):
         self.assertIn('id="a.two"', published)
         self.assertIn("a line", self.page("fig-01.html"))
         self.assertIn("what quantity is", self.page("fig-01.html"))
+        half = self.page("numbers-demo-cpp.html")
+        self.assertIn('<h1 id="a-header-how">A header: how</h1><p class="card">', half)
+        self.assertIn('what <a href="numbers-demo.html">demo.hpp</a> declares', half)
+        self.assertIn('compiled in <a href="numbers-demo-cpp.html">demo.cpp</a>', self.page("numbers-demo.html"))
         self.assertIn('["sec1_demo.html#results"', self.page("search-index.js"))
 
     def test_a_summary_is_whole_sentences(self):

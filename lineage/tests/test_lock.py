@@ -50,7 +50,8 @@ class Locking(Scratch):
             self.assertIn("dropped  sec1_demo fact", self.lineage("lock")[1], name)
 
     def test_a_headline_and_a_residue_are_marked_by_hand(self):
-        self.write("paper/converged.ecsv", self.read("paper/converged.ecsv").replace('0.10000000000000001,"",value', '0.10000000000000001,"",headline'))
+        marked = self.read("paper/converged.ecsv").replace('0.10000000000000001,"",value', '0.10000000000000001,"",headline')
+        self.write("paper/converged.ecsv", marked)
         self.lineage("lock")
         self.assertEqual(lock.read_lock(self.root)["sec1_demo", "fact"].kind, "headline")
 
@@ -85,8 +86,9 @@ class Summary(Scratch):
     def test_one_number(self):
         self.write("book/commands.txt", "a.one build/bin/sec1_demo one --exactly # exact\n")
         out = self.lineage("show", "a.one")[1]
-        for line in ["printed    1.02", "converged  1.000 m", "error      0.001", "verdict    discrepant", "why        they erred",
-                     "figure     01 (make fig01)", "command    build/bin/sec1_demo one --exactly (prints it as exact)",
+        for line in ["printed    1.02", "converged  1.000 m", "error      0.001", "verdict    discrepant",
+                     "why        they erred", "figure     01 (make fig01)",
+                     "command    build/bin/sec1_demo one --exactly (prints it as exact)",
                      "from       build/data"]:
             self.assertIn(f"  {line}", out)
         self.assertIn("converged  1\n", self.lineage("show", "sec1_demo.other")[1])
