@@ -12,18 +12,6 @@ from ..refresh import command_of
 from . import code, prose, words
 from .bind import PageBinding
 
-ROOM_IDEAS = {
-    "numbers": "a value with its error, wider types, fits, threads, random numbers",
-    "model": "wells, contacts, masses, damping, ends: forces, energies, the inner loop",
-    "stepping": "long runs: splittings, the contact-aware stepper, a stated tolerance",
-    "landing": "orbit and tangent map to the last digits, landing on every switching",
-    "waves": "linear and weakly nonlinear waves under precompression",
-    "measure": "striking and following: packets, turning points, scattering, criteria",
-    "packets": "striking, following, measuring, turning",
-    "dps": "the limit of small amplitude",
-    "orbits": "one Newton's method for every periodic orbit, branches, barriers",
-    "report": "files, options, verdicts",
-}
 LISTS = [("published.html", "Published against reproduced"), ("numbers.html", "All other numbers"),
          ("equations.html", "Equations of the article"), ("figures.html", "All figures")]
 LIVE = [("strike", "Strike the chain"), ("breather", "Find a breather"), ("defect", "Put a defect in the way")]
@@ -163,10 +151,15 @@ class Book:
         binding.anchor = "main"
         said = Markup(binding.prose(text))
         live = self.binder.live and Markup(binding.figure("21", str(escape(self.record.figures["21"]["caption"]))))
-        body = self.render("index", words=said, invitation=live, ideas=ROOM_IDEAS,
+        body = self.render("index", words=said, invitation=live, ideas=self.ideas(),
                            summaries={s.path: self.summary(s) for s in self.chapters},
                            records={key: Markup(body) for key, body in binding.records.items()})
         return self.page("index.html", "", body, after=self.chapters[0])
+
+    def ideas(self):
+        """What the rooms of the library are about, from the table of the README."""
+        rows = re.findall(r"^\| \[`(\w+)`\]\(src/[^)]*\) \| (.*) \|$", ecsv.text_of(self.record.root / "README.md"), re.M)
+        return dict(rows)
 
     def summary(self, source):
         """The first sentences of a chapter."""
