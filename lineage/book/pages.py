@@ -11,6 +11,7 @@ from ..claims import VERDICTS
 from ..refresh import command_of
 from . import code, prose, words
 from .bind import PageBinding
+from .source import rooms_of
 
 LISTS = [("published.html", "Published against reproduced"), ("numbers.html", "All other numbers"),
          ("equations.html", "Equations of the article"), ("figures.html", "All figures")]
@@ -151,15 +152,10 @@ class Book:
         binding.anchor = "main"
         said = Markup(binding.prose(text))
         live = self.binder.live and Markup(binding.figure("21", str(escape(self.record.figures["21"]["caption"]))))
-        body = self.render("index", words=said, invitation=live, ideas=self.ideas(),
+        body = self.render("index", words=said, invitation=live, ideas=rooms_of(self.record.root),
                            summaries={s.path: self.summary(s) for s in self.chapters},
                            records={key: Markup(body) for key, body in binding.records.items()})
         return self.page("index.html", "", body, after=self.chapters[0])
-
-    def ideas(self):
-        """What the rooms of the library are about, from the table of the README."""
-        rows = re.findall(r"^\| \[`(\w+)`\]\(src/[^)]*\) \| (.*) \|$", ecsv.text_of(self.record.root / "README.md"), re.M)
-        return dict(rows)
 
     def summary(self, source):
         """The first sentences of a chapter."""

@@ -162,7 +162,10 @@ def in_order_of_need(sources):
     return order
 
 
-ROOMS = ["numbers", "model", "stepping", "landing", "waves", "measure", "packets", "dps", "orbits", "report"]
+def rooms_of(root):
+    """The rooms of the library in their order, and what each is about: the table of the README."""
+    readme = Path(root) / "README.md"
+    return dict(re.findall(r"^\| \[`(\w+)`\]\(src/[^)]*\) \| (.*) \|$", text_of(readme) if readme.exists() else "", re.M))
 
 
 def read_room(root, folder):
@@ -200,5 +203,6 @@ def find_sources(root, order=()):
     if parts:
         raise Fault("no chapter includes " + ", ".join(sorted(parts)))
     folders = {p.parent.name: p.parent for p in sorted(src.rglob("*.[ch]pp")) if p.parent != src}
+    rooms = list(rooms_of(root))
     return book, {room: read_room(Path(root), folders[room])
-                  for room in [r for r in ROOMS if r in folders] + [r for r in folders if r not in ROOMS]}
+                  for room in [r for r in rooms if r in folders] + [r for r in folders if r not in rooms]}
