@@ -106,4 +106,8 @@ def guessed(finding, claims, sources):
 
 
 def places(finding, claims, sources):
-    return recorded(finding, sources) or guessed(finding, claims, sources)
+    """A condition is recorded where its criterion is judged, and made elsewhere: there both are shown."""
+    found = recorded(finding, sources)
+    if found and (finding.id in claims or "judge(" not in found[0].text):
+        return found
+    return guessed(finding, claims, sources) or found

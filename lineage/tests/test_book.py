@@ -118,6 +118,7 @@ class Numbers(unittest.TestCase):
         self.assertEqual(self.lines("a.b", "f"), [(5, 5)])
         self.assertEqual(self.lines("packet_soft", "f"), [(3, 4)])
         self.assertEqual(self.lines("unlike", "f"), [(1, 7)])
+        self.assertEqual(self.lines("slower_speed_s_1_6", "f"), [(9, 9), (6, 6)])
         self.assertEqual(self.lines("packet_soft", "c"), [(8, 10)])
         self.assertEqual(self.lines("a.b", "none_such"), [(5, 5)])
 
