@@ -87,16 +87,21 @@ def row_of(cells, columns, path, number):
     return row
 
 
+def header_of(text):
+    """The columns and the provenance that the comments describe."""
+    lines = [line for line in text.splitlines() if line.startswith("# - {")]
+    unquoted = [[(group or "").replace("''", "'") for group in found.groups()] for found in map(COLUMN.match, lines) if found]
+    columns = [Column(name, kind, description, unit) for name, unit, kind, description in unquoted]
+    return columns, {found[1]: found[2].replace("''", "'") for found in map(ENTRY.match, lines) if found}
+
+
 def read(path, needed=()):
     """The table in a file; Fault unless it is whole and has the columns `needed`."""
     return parse(text_of(path), path, needed)
 
 
 def parse(text, path="<text>", needed=()):
-    unquoted = [[(group or "").replace("''", "'") for group in found.groups()] for found in
-                map(COLUMN.match, text.splitlines()) if found]
-    columns = [Column(name, kind, description, unit) for name, unit, kind, description in unquoted]
-    meta = {found[1]: found[2].replace("''", "'") for found in map(ENTRY.match, text.splitlines()) if found}
+    columns, meta = header_of(text)
     lines = [line for line in text.splitlines() if line and not line.startswith("#")]
     if not columns or not lines:
         raise Fault(f"{path}: no table ({'it is empty' if not text.strip() else 'it ends in its header'})")

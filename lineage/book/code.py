@@ -1,6 +1,7 @@
 """Code as HTML: colours by Pygments, line numbers, and links from the names that the library defines."""
 
 import re
+from functools import cache
 
 from pygments import lex
 from pygments.lexers import CppLexer, GnuplotLexer, PythonLexer
@@ -11,6 +12,7 @@ LEXERS = {"cpp": CppLexer, "python": PythonLexer, "gnuplot": GnuplotLexer}
 SHORT = [(Comment.Preproc, "d"), (Comment.PreprocFile, "s"), (Comment, "c"), (String, "s"), (Number, "n"), (Keyword, "k")]
 
 
+@cache
 def kind_of(token):
     return next((short for kind, short in SHORT if token in kind), "")
 

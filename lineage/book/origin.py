@@ -5,6 +5,7 @@ most of the number's name, or its first line. Where a table does not say, `guess
 
 import re
 from dataclasses import dataclass
+from functools import cache
 
 STRING = re.compile(r'"((?:[^"\\]|\\.)*)"')
 
@@ -18,8 +19,13 @@ class Place:
     text: str
 
 
+@cache
 def statements(source):
     """Statements with literal texts: (place, literals)."""
+    return list(found_statements(source))
+
+
+def found_statements(source):
     for block in source.blocks:
         if block.kind != "code":
             continue

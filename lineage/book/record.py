@@ -68,7 +68,7 @@ class Record:
         """What the columns of a program's tables mean, by name."""
         if program not in self._columns:
             self._columns[program] = {c.name: c.description for path in sorted((self.data / program).glob("*.ecsv"))
-                                      for c in ecsv.read(path).columns}
+                                      for c in ecsv.header_of(ecsv.text_of(path))[0]}
         return self._columns[program]
 
     def title(self, finding):

@@ -106,7 +106,7 @@ def definitions(blocks):
     return found
 
 
-@dataclass
+@dataclass(eq=False)
 class Source:
     path: str  # from the root of the repository
     text: str
