@@ -3,11 +3,18 @@
 import argparse
 import signal
 import sys
+from pathlib import Path
 
 from . import ecsv
 
 
+def need(folder):
+    if not Path(folder).is_dir():
+        raise ecsv.Fault(f"{folder} is missing: compute it first (make figures)")
+
+
 def summary(given):
+    need(given.data)
     from .summary import summarize
     summarize(given.root, given.data, given.out)
 
@@ -18,6 +25,7 @@ def show(given):
 
 
 def lock(given):
+    need(given.data)
     from .lock import renew
     renew(given.root, given.data)
 
@@ -43,8 +51,13 @@ def weave(given):
     print(f"book       : {count} pages, {given.out}/index.html")
 
 
+class Parser(argparse.ArgumentParser):
+    def error(self, message):
+        self.exit(2, f"{self.prog}: {message}\n")
+
+
 def reader():
-    parser = argparse.ArgumentParser(prog="lineage", description="Reads what the programs wrote.")
+    parser = Parser(prog="lineage", description="Reads what the programs wrote.")
     parser.add_argument("--root", default=".", help="folder of the repository (default: here)")
     verbs = parser.add_subparsers(dest="verb", required=True, metavar="verb")
     options = {"data": ("build/data", "folder with one folder of tables a program"),

@@ -132,12 +132,15 @@ class Faults(Scratch):
         self.refuses("summary", "sec1_demo/results.ecsv: row 1: ", "cut off")
         self.write("paper/converged.ecsv", self.read("paper/converged.ecsv").replace("m,value", "m,vaule"))
         self.refuses("refresh", "converged.ecsv: row 1: a.one: the kind 'vaule' is none")
+        (self.root / "build/data").rename(self.root / "build/gone")
+        for verb in ("summary", "lock"):
+            self.refuses(verb, "build/data is missing: compute it first")
         (self.root / "paper/converged.ecsv").unlink()
         self.refuses("macros", "converged.ecsv is missing")
 
     def test_the_command_line(self):
         for arguments in (["summary", "--dat"], ["show"], ["show", "a.one", "a.two"]):
             code, out, err = self.lineage(*arguments)
-            self.assertEqual((code, out), (2, ""), err)
+            self.assertEqual((code, out, err.count("\n")), (2, "", 1), err)
         self.assertEqual(self.lineage("show", "a.on")[::2],
                          (2, "lineage show: ID: there is no number 'a.on' (near it: a.one, a.two)\n"))
