@@ -93,6 +93,9 @@ def main(arguments=None):
     except ecsv.Fault as fault:
         print(f"lineage {given.verb}: {fault}", file=sys.stderr)
         return fault.code
+    except ModuleNotFoundError as error:
+        print(f"lineage {given.verb}: the module {error.name} is not installed (apt-packages.txt)", file=sys.stderr)
+        return 1
 
 
 if __name__ == "__main__":
