@@ -82,7 +82,7 @@ all-data: $(results)
 # A single figure needs only its own program.
 TARGETS := programs
 programs: configure
-	@test -x $(B)/bin/report || echo "  build    programs (a few minutes the first time; $(B)/build.log)"
+	@test -d $(B)/bin || echo "  build    programs (a few minutes the first time; $(B)/build.log)"
 	@sh tools/build.sh $(B) $(JOBS) $(TARGETS)
 
 .PHONY: configure
@@ -126,16 +126,22 @@ $(foreach i,$(patsubst x0%,%,$(filter x0%,$(ids))),$(eval x$(i): x0$(i)))
 %.png: %.svg
 	@sh tools/draw.sh $@ $<
 
-summary: programs
+# What reads the tables: a python with the standard library, for the book one with these modules too.
+lineage = "$(or $(PYTHON),python3)" -m lineage
+with = "$(or $(shell for p in "$(PYTHON)" python3 /usr/bin/python3; do \
+          "$$p" -c 'import $(1)' 2>/dev/null && { echo "$$p"; break; }; done),python3)"
+weaver = $(call with,jinja2; import pygments)
+
+summary:
 	@echo
 	@echo "figures    : $(words $(svgs)) in $(D)/figures (svg, pdf, png)"
-	@$(B)/bin/report --data $(D)/data --out $(D)/report
+	@$(lineage) summary --data $(D)/data --out $(D)/report
 	@echo "computing  : $$(cat $(D)/report/cost/* | awk '{ s += $$1 } END { printf "%.0f", s }') s" \
 	  "in $(words $(chapters)) programs; all together $$(( $$(date +%s) - $$(cat $(D)/report/start) )) s"
 	@echo "report     : $(D)/report/published.ecsv"
 
 ## book: weave the book from sources, data and figures into build/book
-.PHONY: book weave install-book test-weaver test-book
+.PHONY: book weave install-book test-lineage test-book
 book: install-book
 	@$(MAKE) all-figures
 	@$(MAKE) weave
@@ -143,8 +149,7 @@ book: install-book
 ## weave: the same from the data and figures that are there, in seconds
 weave:
 	@sh book/live/build.sh $(B)/live
-	@$(weaver)/weave.py --data $(D)/data --figures $(D)/figures --live $(B)/live --out $(D)/book
-weaver = $(or $(PYTHON),python3) book
+	@$(weaver) -m lineage weave --data $(D)/data --figures $(D)/figures --live $(B)/live --out $(D)/book
 
 install-book: install-deps
 	@DEPS=$(DEPS) sh tools/install-deps.sh apt-packages.txt book
@@ -152,10 +157,11 @@ install-book: install-deps
 	  DEPS=$(DEPS) sh tools/install-deps.sh apt-packages.txt live || true
 
 ## test-book: the tests of the weaver, and every page of the book in a headless Chromium
-test-book: test-weaver
-	@test ! -f $(D)/book/index.html || $(weaver)/browse.py $(D)/book
-test-weaver:
-	@$(weaver)/test_book.py
+test-book: test-lineage
+	@DEPS=$(DEPS) sh tools/install-deps.sh apt-packages.txt browse
+	@test ! -f $(D)/book/index.html || $(call with,selenium) -m lineage.book.browse $(D)/book
+test-lineage:
+	@$(weaver) -m lineage.tests
 
 # Folders that have the name of something that can be made.
 .PHONY: tests examples src
@@ -169,7 +175,8 @@ examples: programs
 run-tests: programs
 	@echo "  build    tests"
 	@sh tools/build.sh $(B) $(JOBS) all
-	@$(MAKE) test-weaver
+	@$(lineage) summary --data $(B)/data --out $(B)/report > /dev/null
+	@$(MAKE) test-lineage
 	@cd $(B) && ctest -j $(JOBS) $(CTEST_ARGS)
 
 ## bench: time our integrators against GSL and Boost.odeint (ten minutes, not part of the tests)
@@ -191,8 +198,7 @@ paper: install-paper
 
 ## typeset: the same from the figures that are there, in seconds
 typeset:
-	@$(MAKE) TARGETS=report programs
-	@$(B)/bin/report macros --out $(D)/paper
+	@$(lineage) macros --out $(D)/paper
 	@echo "  typeset  $(D)/paper.pdf"
 	@TEXINPUTS="paper:$(D)/paper:$(D)/figures:" BIBINPUTS="paper:" FORCE_SOURCE_DATE=1 \
 	  latexmk -norc -g -pdf -interaction=nonstopmode -halt-on-error -outdir=$(D)/paper paper/paper.tex \
@@ -205,16 +211,21 @@ install-paper: install-deps
 ## lock: renew paper/converged.ecsv from the computed values and print what moved
 lock: install-deps
 	@$(MAKE) all-data
-	@$(B)/bin/report lock --data $(B)/data
+	@$(lineage) lock --data $(B)/data
 
 ## refresh: write the locked values into the prose of src/, and renew the tables of README.md
-refresh readme: programs
-	@$(B)/bin/report refresh --out $(B)/report
+refresh readme:
+	@$(lineage) refresh --costs $(B)/report/cost
+
+## show: one number, as in  make show ID=pn.omega11
+.PHONY: show
+show:
+	@$(lineage) show "$(ID)" --data $(B)/data
 
 ## gallery: renew the small pictures of the README
 .PHONY: gallery
 gallery: all-figures
-	@$(need_python) "$(PYTHON)" tools/gallery.py $(D)/figures figures/gallery
+	@$(need_python) $(lineage) gallery --figures $(D)/figures
 
 ## mutants: errors of physics put into the library one at a time; the tests must notice (ten minutes)
 .PHONY: mutants

@@ -22,7 +22,7 @@ case $1 in
 --build)
   home=$(sed -n 's/^CMAKE_HOME_DIRECTORY:INTERNAL=//p' "$2/CMakeCache.txt")
   mkdir -p "$2/bin"
-  for name in report $(cd src && ls | sed -n 's/\.cpp$//p'); do
+  for name in $(cd src && ls | sed -n 's/\.cpp$//p'); do
     [ -x "$2/bin/$name" ] || cp "$STUB_PROGRAM" "$2/bin/$name"
     echo "$home" > "$2/bin/.home"
   done ;;

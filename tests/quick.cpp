@@ -11,7 +11,7 @@
 #include <set>
 #include <sstream>
 
-#include "../tools/lock.hpp"
+#include "answers.hpp"
 #include "check.hpp"
 #include "report/checksum.hpp"
 

@@ -4,13 +4,11 @@ Prose stands in `/** ... */` blocks that begin a line; everything else is code. 
 reordered, so that line numbers of the page are line numbers of the file.
 """
 
-import os
 import re
 from dataclasses import dataclass, field
+from pathlib import Path
 
-
-class BookError(Exception):
-    """Something that must stop the build; the message names the place."""
+from ..ecsv import Fault, text_of
 
 
 @dataclass
@@ -58,11 +56,11 @@ def split_blocks(text, path="<text>"):
         prose.lines.append(before.rstrip())
         if end:
             if after.strip():
-                raise BookError(f"{path}:{number}: text after the end of a block: {after.strip()}")
+                raise Fault(f"{path}:{number}: text after the end of a block: {after.strip()}")
             blocks.append(prose)
             prose = None
     if prose is not None:
-        raise BookError(f"{path}:{prose.first}: a block of prose has no end")
+        raise Fault(f"{path}:{prose.first}: a block of prose has no end")
     end_code(text.count("\n") + 2)
     return blocks
 
@@ -74,7 +72,7 @@ def title_of(text, path="<text>"):
             found = re.search(r"^# (.+)$", block.text, re.M)
             if found:
                 return found.group(1).strip().replace("'", "’")
-    raise BookError(f"{path}: no title (a line '# ...' in its first block of prose)")
+    raise Fault(f"{path}: no title (a line '# ...' in its first block of prose)")
 
 
 def includes_of(text):
@@ -108,7 +106,7 @@ def definitions(blocks):
     return found
 
 
-@dataclass
+@dataclass(eq=False)
 class Source:
     path: str  # from the root of the repository
     text: str
@@ -118,27 +116,31 @@ class Source:
 
     @property
     def name(self):
-        return os.path.basename(self.path)
+        return Path(self.path).name
 
     @property
     def stem(self):
-        return os.path.splitext(self.name)[0]
+        return Path(self.path).stem
+
+    @property
+    def is_header(self):
+        return self.path.endswith(".hpp")
 
     @property
     def room(self):
-        """The room of the library, empty for chapters and their parts."""
-        parts = self.path.split("/")
-        return parts[2] if parts[:2] == ["src", "lattice"] else ""
+        """The room of the library or the shelf of a section, empty for chapters and their parts."""
+        return Path(self.path).parent.name if self.path.count("/") > 1 else ""
 
     @property
     def page(self):
-        return (f"{self.room}-{self.stem}" if self.room else self.stem) + ".html"
+        stem = self.stem if self.is_header or not self.room else self.name.replace(".", "-")
+        return (f"{self.room}-{stem}" if self.room else stem) + ".html"
 
 
-def read_source(root, path):
-    with open(os.path.join(root, path), encoding="utf-8") as file:
-        text = file.read()
-    return Source(path, text, split_blocks(text, path), title_of(text, path), includes_of(text))
+def read_source(root, path, title=""):
+    """A source; one without a title, such as the compiled half of a header, takes the one that is given."""
+    text = text_of(Path(root) / path)
+    return Source(path, text, split_blocks(text, path), title or title_of(text, path), includes_of(text))
 
 
 def in_order_of_need(sources):
@@ -160,16 +162,32 @@ def in_order_of_need(sources):
     return order
 
 
-ROOMS = ["numbers", "model", "stepping", "landing", "measure", "dps", "orbits", "report"]
+def rooms_of(root):
+    """The rooms of the library in their order, and what each is about: the table of the README."""
+    readme = Path(root) / "README.md"
+    return dict(re.findall(r"^\| \[`(\w+)`\]\(src/[^)]*\) \| (.*) \|$", text_of(readme) if readme.exists() else "", re.M))
+
+
+def read_room(root, folder):
+    """The headers of a folder, each before the source that is compiled for it."""
+    path = folder.relative_to(root)
+    headers = in_order_of_need([read_source(root, f"{path}/{h.name}") for h in sorted(folder.glob("*.hpp"))])
+    out = []
+    for header in headers:
+        out.append(header)
+        if (folder / f"{header.stem}.cpp").exists():
+            out.append(read_source(root, f"{path}/{header.stem}.cpp", f"{header.title}: how"))
+    known = {s.name for s in out}
+    return out + [read_source(root, f"{path}/{p.name}") for p in sorted(folder.glob("*.cpp")) if p.name not in known]
 
 
 def find_sources(root, order=()):
-    """Chapters with their parts, in the order of the book, and the headers of the library by room.
+    """Chapters with their parts, in the order of the book, and the sources of the library by room.
 
     `order` lists the chapters by name; a chapter that it does not know follows the last known one
     of its section, so that a new chapter has a page at once."""
-    folder = os.path.join(root, "src")
-    names = sorted(n for n in os.listdir(folder) if n.startswith("sec"))
+    src = Path(root) / "src"
+    names = sorted(p.name for p in src.glob("sec*.[ch]pp"))
     chapters = {n[:-4]: read_source(root, "src/" + n) for n in names if n.endswith(".cpp")}
     parts = {n: read_source(root, "src/" + n) for n in names if n.endswith(".hpp")}
     known = [n for n in order if n in chapters]
@@ -183,11 +201,8 @@ def find_sources(root, order=()):
         book.append(chapters[name])
         book += [parts.pop(i) for i in chapters[name].includes if i in parts]
     if parts:
-        raise BookError("no chapter includes " + ", ".join(sorted(parts)))
-    library = {}
-    rooms = sorted(os.listdir(os.path.join(folder, "lattice")))
-    for room in [r for r in ROOMS if r in rooms] + [r for r in rooms if r not in ROOMS]:
-        at = os.path.join(folder, "lattice", room)
-        headers = [f"src/lattice/{room}/{n}" for n in sorted(os.listdir(at)) if n.endswith(".hpp")]
-        library[room] = in_order_of_need([read_source(root, h) for h in headers])
-    return book, library
+        raise Fault("no chapter includes " + ", ".join(sorted(parts)))
+    folders = {p.parent.name: p.parent for p in sorted(src.rglob("*.[ch]pp")) if p.parent != src}
+    rooms = list(rooms_of(root))
+    return book, {room: read_room(Path(root), folders[room])
+                  for room in [r for r in rooms if r in folders] + [r for r in folders if r not in rooms]}

@@ -1,137 +1,90 @@
-"""Opens every page of the book in a headless Chromium, through the browser's own pipe.
+"""Opens every page of the book in a headless Chromium, by Selenium and Debian's chromium-driver.
 
-    python3 book/browse.py build/book                    checks all pages at the width of a phone
-    python3 book/browse.py build/book --shot index.html --width 1280 --dark --out shot.png
+    python3 -m lineage.book.browse build/book                checks all pages at the width of a phone
+    python3 -m lineage.book.browse build/book --shot index.html --width 1280 --dark --out shot.png
 
-A page fails if it logs an error, asks for something that is not there or not in the folder, leaves a
-formula unrendered, or must be scrolled sideways."""
+A page fails if it logs an error, asks for something that is not there or not in the folder, leaves a formula
+unrendered, or must be scrolled sideways. Before it looks at the book, the browser is shown pages that are wrong."""
 
 import argparse
 import base64
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
 import tempfile
-import time
+from pathlib import Path
 
-NAMES = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable"]
+try:
+    from selenium import webdriver
+    from selenium.common.exceptions import WebDriverException
+    from selenium.webdriver.chrome.service import Service
+    from selenium.webdriver.common.action_chains import ActionChains
+    from selenium.webdriver.common.keys import Keys
+except ImportError:
+    sys.exit("browser    : python3-selenium is not installed (apt-packages.txt, [browse])")
 
-
-def find_browser():
-    return os.environ.get("CHROMIUM") or next((p for p in map(shutil.which, NAMES) if p), None)
+FLAGS = ["--headless=new", "--no-sandbox", "--disable-gpu", "--disable-quic", "--hide-scrollbars", "--no-first-run",
+         "--disable-background-networking", "--disable-component-update", "--disable-extensions", "--disable-sync"]
+KEYS = {"Tab": Keys.TAB, "Enter": Keys.ENTER, "Escape": Keys.ESCAPE}
 
 
 class Browser:
-    """One tab of one Chromium, spoken to in JSON over a pair of pipes."""
+    """One window of one Chromium, with a profile of its own."""
 
-    def __init__(self, program):
+    def __init__(self):
         self.profile = tempfile.mkdtemp()
-        read, self.to = os.pipe()
-        self.come, write = os.pipe()
-
-        def pipes():
-            a, b = os.dup(read), os.dup(write)  # out of the way of 3 and 4
-            os.dup2(a, 3)
-            os.dup2(b, 4)
-
-        self.process = subprocess.Popen(
-            [program, "--headless=new", "--no-sandbox", "--disable-gpu", "--hide-scrollbars", "--no-first-run",
-             "--disable-background-networking", "--disable-component-update", "--disable-extensions",
-             "--disable-sync", f"--user-data-dir={self.profile}",
-             "--remote-debugging-pipe", "about:blank"],
-            preexec_fn=pipes, close_fds=False, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        os.close(read)
-        os.close(write)
-        self.number, self.events, self.buffer, self.session = 0, [], b"", None
-        target = next(t for t in self.ask("Target.getTargets")["targetInfos"] if t["type"] == "page")
-        self.session = self.ask("Target.attachToTarget", targetId=target["targetId"], flatten=True)["sessionId"]
-        for domain in ("Page", "Runtime", "Log", "Network"):
-            self.ask(domain + ".enable")
-
-    def receive(self):
-        while b"\0" not in self.buffer:
-            piece = os.read(self.come, 1 << 20)
-            if not piece:
-                raise RuntimeError("the browser has gone")
-            self.buffer += piece
-        message, _, self.buffer = self.buffer.partition(b"\0")
-        return json.loads(message)
-
-    def ask(self, method, **params):
-        self.number += 1
-        message = {"id": self.number, "method": method, "params": params}
-        if self.session:
-            message["sessionId"] = self.session
-        os.write(self.to, json.dumps(message).encode() + b"\0")
-        while True:
-            answer = self.receive()
-            if answer.get("id") == self.number:
-                if "error" in answer:
-                    raise RuntimeError(f"{method}: {answer['error']['message']}")
-                return answer["result"]
-            self.events.append(answer)
+        options = webdriver.ChromeOptions()
+        options.binary_location = os.environ.get("CHROMIUM") or shutil.which("chromium") or ""
+        for flag in FLAGS + [f"--user-data-dir={self.profile}"]:
+            options.add_argument(flag)
+        options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
+        self.driver = webdriver.Chrome(options=options, service=Service(shutil.which("chromedriver")))
+        self.driver.set_script_timeout(180)
 
     def open(self, url):
-        self.events.clear()
-        self.ask("Page.navigate", url=url)
-        while not any(e.get("method") == "Page.loadEventFired" for e in self.events):
-            self.events.append(self.receive())
+        self.complaints()  # those of the page before
+        self.driver.get(url)
 
     def evaluate(self, code):
-        answer = self.ask("Runtime.evaluate", expression=code, awaitPromise=True, returnByValue=True)
-        if "exceptionDetails" in answer:
-            raise RuntimeError(answer["exceptionDetails"].get("exception", {}).get("description", "an exception"))
-        return answer["result"].get("value")
+        """The value of an expression; of a promise, what it comes to."""
+        return self.driver.execute_script("return " + code)
 
     def press(self, key):
         """A key as a reader presses it."""
-        code = {"Enter": 13, "Escape": 27, "Tab": 9, "/": 191}[key]
-        text = {"text": "\r" if key == "Enter" else key} if key in ("Enter", "/") else {}
-        for kind in ("keyDown", "keyUp"):
-            self.ask("Input.dispatchKeyEvent", type=kind, key=key, windowsVirtualKeyCode=code, **(text if kind == "keyDown" else {}))
+        ActionChains(self.driver).send_keys(KEYS.get(key, key)).perform()
 
-    def size(self, width, height, scale=1):
-        self.ask("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=scale, mobile=False)
+    def size(self, width, height):
+        self.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride",
+                                    {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": False})
 
     def dark(self, on):
-        self.ask("Emulation.setEmulatedMedia",
-                 features=[{"name": "prefers-color-scheme", "value": "dark" if on else "light"}])
+        self.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {
+            "features": [{"name": "prefers-color-scheme", "value": "dark" if on else "light"}]})
 
-    def shot(self, path, whole=False):
-        data = self.ask("Page.captureScreenshot", format="png", captureBeyondViewport=whole)["data"]
-        with open(path, "wb") as file:
-            file.write(base64.b64decode(data))
+    def shot(self, path):
+        data = self.driver.execute_cdp_cmd("Page.captureScreenshot", {"format": "png"})["data"]
+        Path(path).write_bytes(base64.b64decode(data))
+
+    def complaints(self):
+        """What the browser has to say of the page, and what the page asks for beyond its folder."""
+        out = [f"{entry['source']}: {entry['message']}" for entry in self.driver.get_log("browser")
+               if entry["level"] in ("SEVERE", "WARNING")]
+        for entry in self.driver.get_log("performance"):
+            event = json.loads(entry["message"])["message"]
+            if event["method"] == "Network.requestWillBeSent":
+                url = event["params"]["request"]["url"]
+                if not url.startswith(("file:", "data:", "about:", "blob:", "chrome:")):
+                    out.append("asks for " + url)
+            elif event["method"] == "Network.loadingFailed" and not event["params"].get("canceled"):
+                out.append("not loaded: " + event["params"].get("errorText", "?"))
+        return out
 
     def close(self):
-        try:
-            self.session = None
-            self.ask("Browser.close")
-            self.process.wait(10)
-        except (RuntimeError, OSError, subprocess.TimeoutExpired):
-            self.process.kill()
+        self.driver.quit()
         shutil.rmtree(self.profile, ignore_errors=True)
-
-
-def complaints(events):
-    """What the browser has to say of a page."""
-    out = []
-    for event in events:
-        method, params = event.get("method"), event.get("params", {})
-        if method == "Runtime.exceptionThrown":
-            out.append("exception: " + params["exceptionDetails"].get("exception", {}).get("description", "?"))
-        elif method == "Runtime.consoleAPICalled" and params["type"] in ("error", "warning", "assert"):
-            out.append("console: " + " ".join(str(a.get("value", a.get("description"))) for a in params["args"]))
-        elif method == "Log.entryAdded" and params["entry"]["level"] in ("error", "warning"):
-            out.append("log: " + params["entry"]["text"] + " " + params["entry"].get("url", ""))
-        elif method == "Network.loadingFailed" and not params.get("canceled"):
-            out.append("not loaded: " + params.get("errorText", "?"))
-        elif method == "Network.requestWillBeSent":
-            url = params["request"]["url"]
-            if not url.startswith(("file:", "data:", "about:", "blob:")):
-                out.append("asks for " + url)
-    return out
 
 
 LOOK = """(() => {
@@ -188,7 +141,7 @@ USE = {
 
 # The live page: waits until the panel in `place` has ended, and says what it shows.
 ENDED = """(async (place) => {
-  for (let k = 0; k < 600 && !/done|failed/.test(place.dataset.state); ++k) await new Promise((r) => setTimeout(r, 50));
+  for (let k = 0; k < 2400 && !/done|failed/.test(place.dataset.state); ++k) await new Promise((r) => setTimeout(r, 50));
   const facts = {};
   for (const row of place.querySelectorAll("tr[data-quantity]"))
     facts[row.dataset.quantity] = [row.dataset.value, row.dataset.error];
@@ -204,6 +157,28 @@ def native(command, bin_folder):
                          text=True, check=True, timeout=120)
     rows = [line.split(",") for line in run.stdout.splitlines() if not line.startswith(("#", "quantity"))]
     return {row[0]: (float(row[1]), float(row[2])) for row in rows}
+
+
+
+# What is wrong, and a word of what must be said of it.
+WRONG = [('<div style="width:900px">x</div>', "sideways"), ('<img src="none.png">', "no image|not loaded"),
+         ("<script>throw Error('oh')</script>", "oh"), ("<script>console.error('ah')</script>", "ah"),
+         ('<script src="http://127.0.0.1:9/x.js"></script>', "asks for"), ('<p class="math">x</p>', "formula"),
+         ('<button popovertarget="x">x</button>', "opens nothing"), ("", "")]
+
+
+def check_itself(browser):
+    """Pages that are wrong are noticed, and one that is not wrong is let pass."""
+    out = []
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "a.html"
+        for wrong, words in WRONG:
+            path.write_text(f'<!DOCTYPE html><meta name="viewport" content="width=device-width"><h1>T</h1>{wrong}', encoding="utf-8")
+            browser.open(path.as_uri())
+            found = browser.evaluate(LOOK) + browser.complaints()
+            if not (re.search(words, " ".join(found)) if words else not found):
+                out.append(f"the browser does not notice what is wrong with {wrong}: {found}")
+    return out
 
 
 def check_live(browser, folder):
@@ -307,10 +282,14 @@ def check_breather(browser, folder, bin_folder):
     return out
 
 
-def check_all(folder, program):
-    browser, failed = Browser(program), 0
+
+def check_all(folder):
+    browser, failed = Browser(), 0
     try:
         browser.size(380, 800)
+        for complaint in check_itself(browser):
+            print(f"  {complaint}")
+            failed += 1
         if os.path.exists(os.path.join(folder, "strike.html")):
             found, compared = check_live(browser, folder)
             for complaint in found:
@@ -327,7 +306,7 @@ def check_all(folder, program):
             found = browser.evaluate(LOOK)
             if name in USE and (word := browser.evaluate(USE[name])):
                 found.append(word)
-            found += complaints(browser.events)
+            found += browser.complaints()
             failed += bool(found)
             for complaint in dict.fromkeys(found):
                 print(f"  {name}: {complaint}")
@@ -346,27 +325,28 @@ def main():
     parser.add_argument("--run", help="JavaScript to run before the drawing")
     parser.add_argument("--out", default="shot.png")
     given = parser.parse_args()
-    folder, program = os.path.abspath(given.folder), find_browser()
-    if not program:
-        print("browser    : skipped, no Chromium on this machine")
-        return 0
+    if not shutil.which("chromedriver"):
+        sys.exit("browser    : chromium-driver is not installed (apt-packages.txt, [browse])")
+    folder = os.path.abspath(given.folder)
     if given.shot:
-        browser = Browser(program)
+        browser = Browser()
         try:
             browser.size(given.width, given.height)
             browser.dark(given.dark)
             browser.open("file://" + os.path.join(folder, given.shot))
             if given.run:
                 print(browser.evaluate(given.run))
-            time.sleep(0.2)
             browser.shot(given.out)
         finally:
             browser.close()
         return 0
-    count, failed = check_all(folder, program)
+    count, failed = check_all(folder)
     print(f"browser    : {count - failed} of {count} pages in order")
     return 1 if failed else 0
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    try:
+        sys.exit(main())
+    except WebDriverException as error:
+        sys.exit(f"browser    : {error.msg or error}")

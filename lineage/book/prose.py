@@ -2,13 +2,15 @@
 
 import html
 import json
-import os
 import re
 import shutil
 import subprocess
 import unicodedata
+from pathlib import Path
 
-from source import BookError
+from ..ecsv import Fault
+
+ASSETS = Path(__file__).resolve().parents[2] / "book"
 
 READER = "markdown-auto_identifiers-citations-raw_tex-raw_html-native_divs-native_spans+lists_without_preceding_blankline"
 MARK = "borderOfBlock{}"
@@ -24,17 +26,17 @@ def to_html(texts):
     if not texts:
         return []
     if not shutil.which("pandoc"):
-        raise BookError("pandoc is missing")
+        raise Fault("pandoc is missing")
     joined = "\n\n".join(MARK.format(i) + "\n\n" + prepared(t) for i, t in enumerate(texts)) + "\n"
     run = subprocess.run(
         ["pandoc", "--from", READER, "--to", "html5", "--mathjax", "--wrap=none", "--columns=100000",
          "--fail-if-warnings"],
         input=joined, capture_output=True, text=True, encoding="utf-8", check=False)
     if run.returncode:
-        raise BookError("pandoc: " + run.stderr.strip())
+        raise Fault("pandoc: " + run.stderr.strip())
     pieces = re.split(r"<p>borderOfBlock(\d+)</p>\n?", run.stdout)
     if [int(n) for n in pieces[1::2]] != list(range(len(texts))):
-        raise BookError("pandoc has swallowed the border of a block: some Markdown is not closed")
+        raise Fault("pandoc has swallowed the border of a block: some Markdown is not closed")
     return [p.strip() for p in pieces[2::2]]
 
 
@@ -56,12 +58,11 @@ def typeset(found):
     todo = sorted(set(found))
     if not todo:
         return {}
-    script = os.path.join(os.path.dirname(os.path.abspath(__file__)), "typeset.js")
     run = subprocess.run(
-        [node(), script], input=json.dumps([[unwrapped(t), d] for t, d in todo]),
+        [node(), str(ASSETS / "typeset.js")], input=json.dumps([[unwrapped(t), d] for t, d in todo]),
         capture_output=True, text=True, encoding="utf-8", check=False)
     if run.returncode:
-        raise BookError("KaTeX: " + run.stderr.strip())
+        raise Fault("KaTeX: " + run.stderr.strip())
     return dict(zip(todo, json.loads(run.stdout)))
 
 
@@ -69,7 +70,7 @@ def node():
     for name in ("node", "nodejs"):
         if shutil.which(name):
             return name
-    raise BookError("node is missing (Debian: nodejs)")
+    raise Fault("node is missing (Debian: nodejs)")
 
 
 def with_formulas(page, done):
@@ -94,7 +95,7 @@ def on_text(page, change):
             closing, tag, rest = found.groups()
             if closing:
                 if not stack or stack[-1].split(".")[0] != tag:
-                    raise BookError(f"</{tag}> closes nothing: ...{''.join(out)[-200:]}")
+                    raise Fault(f"</{tag}> closes nothing: ...{''.join(out)[-200:]}")
                 stack.pop()
             elif tag not in VOID and not rest.endswith("/"):
                 stack.append(tag + (".math" if 'class="math' in rest else ""))

@@ -1,0 +1,14 @@
+"""The road of a number after the programs: everything that reads what they wrote.
+
+    ecsv      the one reader and writer of tables
+    values    a value with its error, and the digits that people see of it
+    claims    what the article states, what the programs answer, and the verdict
+    lock      paper/converged.ecsv: which values are kept, and how far a fresh one may be
+    refresh   values and tables in prose: src/, README.md, ARTIFACT.md, figures/figures.ecsv
+    tex       the same values for the paper
+    summary   the end of `make figures`, build/report/published.ecsv, one claim by its id
+    gallery   the small pictures of the README
+    book      the weaver, a package of its own
+
+`python3 -m lineage --help` lists the verbs. All but `gallery` and `weave` need the standard library only.
+"""

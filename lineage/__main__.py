@@ -1,0 +1,103 @@
+"""The verbs. What cannot be used is one line: exit code 1 for a file, 2 for the command line."""
+
+import argparse
+import signal
+import sys
+from pathlib import Path
+
+from . import ecsv
+
+
+def need(folder):
+    if not Path(folder).is_dir():
+        raise ecsv.Fault(f"{folder} is missing: compute it first (make figures)")
+
+
+def summary(given):
+    need(given.data)
+    from .summary import summarize
+    summarize(given.root, given.data, given.out)
+
+
+def show(given):
+    from .summary import show as show_one
+    show_one(given.root, given.data, given.id)
+
+
+def lock(given):
+    need(given.data)
+    from .lock import renew
+    renew(given.root, given.data)
+
+
+def refresh(given):
+    from .refresh import measured_costs, renew
+    return renew(given.root, measured_costs(given.costs), given.check) > 0 and given.check
+
+
+def macros(given):
+    from .tex import write
+    write(given.root, given.out)
+
+
+def gallery(given):
+    from .gallery import renew
+    renew(given.root, given.figures, given.check)
+
+
+def weave(given):
+    from .book.weave import make
+    count = make(given.root, given.data, given.figures, given.out, given.live)
+    print(f"book       : {count} pages, {given.out}/index.html")
+
+
+class Parser(argparse.ArgumentParser):
+    def error(self, message):
+        self.exit(2, f"{self.prog}: {message}\n")
+
+
+def reader():
+    parser = Parser(prog="lineage", description="Reads what the programs wrote.")
+    parser.add_argument("--root", default=".", help="folder of the repository (default: here)")
+    verbs = parser.add_subparsers(dest="verb", required=True, metavar="verb")
+    options = {"data": ("build/data", "folder with one folder of tables a program"),
+               "figures": ("build/figures", "folder of the drawings"),
+               "costs": ("build/report/cost", "folder with the seconds that each program took"),
+               "live": ("build/live", "folder of the compiled live pages")}
+
+    def verb(run, help, *wanted, out=None):
+        sub = verbs.add_parser(run.__name__, help=help, description=help)
+        sub.set_defaults(run=run)
+        for name in wanted:
+            sub.add_argument("--" + name, default=options[name][0], help=f"{options[name][1]} (default: %(default)s)")
+        if out:
+            sub.add_argument("--out", default=out, help="where to write (default: %(default)s)")
+        return sub
+
+    verb(summary, "published against reproduced: the verdicts, and the table published.ecsv", "data", out="build/report")
+    verb(show, "one number: printed, converged, error, verdict, figure, command", "data").add_argument("id")
+    verb(lock, "renew paper/converged.ecsv and say what moved", "data")
+    stale = verb(refresh, "write the locked values into the prose, and the tables of the pages", "costs")
+    stale.add_argument("--check", action="store_true", help="only say what is stale; exit code 1 if anything")
+    verb(macros, "write the locked values for the paper", out="build/paper")
+    old = verb(gallery, "draw the small pictures of the README", "figures")
+    old.add_argument("--check", action="store_true", help="only say which are not current")
+    verb(weave, "weave the book", "data", "figures", "live", out="build/book")
+    return parser
+
+
+def main(arguments=None):
+    given = reader().parse_args(arguments)
+    try:
+        return int(given.run(given) or 0)
+    except ecsv.Fault as fault:
+        print(f"lineage {given.verb}: {fault}", file=sys.stderr)
+        return fault.code
+    except ModuleNotFoundError as error:
+        print(f"lineage {given.verb}: the module {error.name} is not installed (apt-packages.txt)", file=sys.stderr)
+        return 1
+
+
+if __name__ == "__main__":
+    signal.signal(signal.SIGPIPE, signal.SIG_DFL)  # `| head` is no error
+    sys.exit(main())

@@ -1,0 +1,196 @@
+"""The pages of the book: chapters, headers, figures, and what is listed, by the templates in book/templates."""
+
+import json
+import re
+
+from jinja2 import Environment, FileSystemLoader, StrictUndefined
+from markupsafe import Markup, escape
+
+from .. import ecsv
+from ..claims import VERDICTS
+from ..refresh import command_of
+from . import code, prose, words
+from .bind import PageBinding
+from .source import rooms_of
+
+LISTS = [("published.html", "Published against reproduced"), ("numbers.html", "All other numbers"),
+         ("equations.html", "Equations of the article"), ("figures.html", "All figures")]
+LIVE = [("strike", "Strike the chain"), ("breather", "Find a breather"), ("defect", "Put a defect in the way")]
+
+
+class Book:
+    def __init__(self, record, binder, chapters, rooms):
+        self.record, self.binder, self.chapters, self.rooms = record, binder, chapters, rooms
+        self.order = chapters + [s for room in rooms.values() for s in room]
+        self.titles = {s.page: s.title for s in self.order}
+        self.statuses = [c["status"] for c in record.claims.values()]
+        self.included_by, self.search = {}, []
+        for s in self.order:
+            for i in s.includes:
+                self.included_by.setdefault(i, []).append(s)
+        self.env = Environment(loader=FileSystemLoader(prose.ASSETS / "templates"), autoescape=True, trim_blocks=True,
+                               undefined=StrictUndefined, keep_trailing_newline=False)
+        self.env.filters.update({f.__name__: f for f in (words.number, words.spelled, words.unit, words.broken, words.value,
+                                                         words.agreement, words.spoken, words.short_figure, command_of)})
+        lists = LISTS + [(f"{page}.html", f"{title} (live)") for page, title in LIVE if binder.live]
+        self.env.globals.update(record=record, book=binder, chapters=chapters, rooms=rooms, titles=self.titles, lists=lists,
+                                verdicts=VERDICTS, statuses=self.statuses)
+        binder.parts = self.parts = self.env.get_template("parts.html").module
+
+    # The frame
+
+    def render(self, template, **given):
+        return Markup(self.env.get_template(template + ".html").render(given))
+
+    def page(self, name, title, body, headings=(), before=None, after=None):
+        sections = [(level, Markup(heading), anchor) for level, heading, anchor in headings if level == 2]
+        return str(self.render("base", name=name, title=title, body=body, sections=sections, before=before, after=after))
+
+    def note(self, page, anchor, title, section, html):
+        """A piece of text that the search finds."""
+        html = re.sub(r'<button type="button" class="made".*?</button>|<pre.*?</pre>', "", str(html), flags=re.S)
+        text = prose.plain(html)
+        if text:
+            self.search.append([f"{page}#{anchor}" if anchor else page, title, section, text])
+
+    def note_sections(self, page, title, html):
+        """Text by headings, without code blocks of the program."""
+        pieces = re.split(r'<h[1-6] id="([^"]+)">(.*?)</h[1-6]>', html, flags=re.S)
+        self.note(page, "", title, title, pieces[0])
+        for anchor, heading, text in zip(pieces[1::3], pieces[2::3], pieces[3::3]):
+            heading = re.sub(r'<a class="anchor".*?</a>', "", heading)
+            self.note(page, anchor, title, prose.plain(heading), text)
+
+    # Chapters and headers
+
+    def card(self, source, program):
+        """What stands below the title."""
+        halves = [s for s in self.order if s.room and s.room == source.room and s.stem == source.stem and s is not source]
+        return self.render("card", source=source, program=program, halves=halves,
+                           needs=[s for s in map(self.binder.by_path.get, ("src/" + i for i in source.includes))
+                                  if s and s not in halves],
+                           users=[s for s in self.included_by.get(source.path[len("src/"):], []) if s not in halves],
+                           figures=[i for i, f in self.record.figures.items() if f["program"] == program],
+                           count=len(self.claims_of(program)))
+
+    def claims_of(self, program):
+        return [c for c in self.record.claims.values() if program and c["program"] == program]
+
+    def program_of(self, source):
+        """The chapter's own program, or that of the chapter that includes this part."""
+        if source.room:
+            return ""
+        return source.stem if not source.is_header else next(
+            s.stem for s in self.included_by.get(source.name, []) if not s.is_header)
+
+    def end_of(self, source, binding):
+        """Figures that the prose of a chapter does not show, and its answers."""
+        left = [i for i, f in self.record.figures.items() if f["program"] == source.stem and i not in self.binder.shown]
+        further = [Markup(binding.figure(i, str(escape(self.record.figures[i]["caption"])))) for i in left]
+        return self.render("chapter", further=further, claims=self.claims_of(source.stem))
+
+    def source_pages(self, bodies):
+        out = {}
+        for i, source in enumerate(self.order):
+            binding, parts = bodies[source.path]
+            card = str(self.card(source, self.program_of(source)))
+            parts[0] = re.sub(r"(</h1>)", lambda m: m[0] + card, parts[0], count=1)
+            self.note_sections(source.page, source.title, "".join(p for p in parts if p.startswith('<div class="prose"')))
+            self.note_definitions(source)
+            headings, end = list(binding.headings), ""
+            if not source.room and not source.is_header:
+                end = self.end_of(source, binding)
+                headings += [(2, "Statements answered here", "answers")] if 'id="answers"' in end else []
+            records = self.parts.records({key: Markup(body) for key, body in binding.records.items()})
+            out[source.page] = self.page(source.page, source.title, Markup("\n".join(parts)) + end + records, headings,
+                                         self.order[i - 1] if i else None, self.order[i + 1] if i + 1 < len(self.order) else None)
+        return out
+
+    def note_definitions(self, source):
+        """Names that a header defines, for the search, with the remark before them."""
+        lines = source.text.split("\n")
+        for name, (owner, line) in self.binder.definitions.items():
+            if owner is source:
+                first = line - 1
+                while first > 0 and re.match(r"\s*(///|template)", lines[first - 1]):
+                    first -= 1
+                remark = " ".join(re.sub(r"^\s*///?\s*", "", l) for l in lines[first:line])
+                self.search.append([f"{source.page}#L{line}", source.title, name, remark])
+
+    # Lists, figures, the pages that compute
+
+    def lists(self):
+        for id, c in self.record.claims.items():
+            self.note("published.html", id, LISTS[0][1], id,
+                      escape(f'{c["quantity"]}; {c["printed"]}; {c["status"]} {c["reason"]}'))
+        for number, e in self.binder.equations.items():
+            self.note("equations.html", f"eq-{number}", LISTS[2][1], f"Eq. ({number})", escape(e["name"]))
+        return {name: self.page(name, title, self.render(name.removesuffix(".html"))) for name, title in LISTS}
+
+    def figure_page(self, id):
+        figure = self.record.figures[id]
+        script = ecsv.text_of(self.record.root / "figures" / figure["script"]).rstrip("\n")
+        tables = [(name, ecsv.read(self.record.table_path(figure["program"], name))) for name in figure["data"].split()
+                  if self.binder.has_table(figure["program"], name)]
+        self.note(f"fig-{id}.html", "", LISTS[3][1], words.spoken(id), escape(figure["caption"]))
+        language = "python" if figure["script"].endswith(".py") else "gnuplot"
+        return self.page(f"fig-{id}.html", words.spoken(id), self.render(
+            "figure", id=id, tables=tables, script=Markup(code.numbered(script, 1, language))))
+
+    def live_pages(self):
+        out = {}
+        for name, title in LIVE if self.binder.live else ():
+            body = self.render(name)
+            self.note(name + ".html", "", title, title, body)
+            out[name + ".html"] = self.page(name + ".html", title, body)
+        return out
+
+    # Start and search
+
+    def start(self, text):
+        binding = PageBinding(self.binder, page="index.html")
+        binding.anchor = "main"
+        said = Markup(binding.prose(text))
+        live = self.binder.live and Markup(binding.figure("21", str(escape(self.record.figures["21"]["caption"]))))
+        body = self.render("index", words=said, invitation=live, ideas=rooms_of(self.record.root),
+                           summaries={s.path: self.summary(s) for s in self.chapters},
+                           records={key: Markup(body) for key, body in binding.records.items()})
+        return self.page("index.html", "", body, after=self.chapters[0])
+
+    def summary(self, source):
+        """The first sentences of a chapter."""
+        for block in source.blocks:
+            if block.kind == "prose":
+                for part in re.split(r"\n\s*\n", block.text):
+                    said = part.strip()
+                    if said and not said.startswith(("#", "!", "|", "-")) and not part.startswith("    "):
+                        pieces = beginning(said).split("$")
+                        pieces[::2] = [words.number(piece) for piece in pieces[::2]]
+                        pieces[1::2] = [Markup('<span class="math inline">\\({}\\)</span>').format(tex) for tex in pieces[1::2]]
+                        return Markup("").join(pieces)
+        return ""
+
+    def assemble(self, bodies):
+        """All files that are text, by name."""
+        start = prose.to_html([ecsv.text_of(self.record.root / "book/start.md")])[0]
+        out = {}
+        pages = self.source_pages(bodies)
+        out["index.html"] = self.start(start)
+        out.update(pages | self.lists() | {f"fig-{id}.html": self.figure_page(id) for id in self.record.figures})
+        out.update(self.live_pages())
+        out["search.html"] = self.page("search.html", "Search", self.render("search"))
+        rows = ",\n".join(json.dumps(entry, ensure_ascii=False) for entry in self.search)
+        out["search-index.js"] = f"window.SEARCH = [\n{rows}\n];\n"
+        return out
+
+
+def beginning(paragraph):
+    """The first sentences of a paragraph of Markdown, without marks, links and names of statements."""
+    text = re.sub(r"\s*\((?:`[a-z0-9_.]+`(?:,? and |,\s)?)+[^)]*\)", "", re.sub(r"\s+", " ", paragraph))
+    text = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", re.sub(r"[*`]", "", re.sub(r":$", ".", text)))
+    out = ""
+    for sentence in re.split(r"(?<=[.?!]) (?=[A-Z])", text):
+        if len(out) > 150 and not out.count("$") % 2:
+            break
+        out += " " + sentence
+    return out.strip()

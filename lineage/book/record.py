@@ -1,0 +1,98 @@
+"""What the pages know of numbers and figures: claims, locked and fresh values, and the lines that made them."""
+
+import math
+import re
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from .. import ecsv
+from ..claims import programs_of, read_claims
+from ..lock import name_of, read_fresh, read_lock
+from ..refresh import read_figures
+from ..summary import read_commands
+from ..values import Finding
+from . import origin
+
+# A fact is called as a column of its program's tables, with what it belongs to behind: `speed_bond_compressed`.
+OF_WHAT = re.compile(r"(?:_(?:\d+|[a-z]\d*|mu\d+|minus|plus|site|bond|compressed|stretched|soft|linear|hard))*")
+WELLS = {"s_minus_1_6": "s = -1/6", "s_1_6": "s = -1/6", "s_0_7": "s = -0.7", "s_0": "s = 0", "s_1": "s = 1"}
+
+
+def worded(id):
+    """A name of a fact without its underscores, a well as the article writes it."""
+    for name, well in WELLS.items():
+        id = re.sub(rf"(?<![^_]){name}(?![^_])", well, id)
+    return id.replace("_", " ").strip()
+
+
+@dataclass(frozen=True)
+class Quote:
+    """A number as prose names it, and all that is known about it."""
+    id: str
+    finding: Finding
+    claim: dict  # empty for a fact
+    places: list
+
+    @property
+    def table(self):
+        return "results" if self.claim else "facts"
+
+
+class Record:
+    def __init__(self, root, data):
+        self.root, self.data = Path(root), Path(data)
+        self.claims, self.figures = read_claims(root), read_figures(root)
+        self.locked, fresh = read_lock(root), read_fresh(data, programs_of(root), self.claims)
+        known = dict(self.locked)  # what is not locked may be quoted as it was computed
+        known.update({key: replace(self.locked.get(key, f), made_by=f.made_by, row=f.row) for key, f in fresh.items()})
+        self.quotable = {name_of(f, self.claims): f for f in known.values()
+                         if self.claims.get(f.id, {}).get("program", f.program) == f.program}
+        self.seconds = {f["program"]: f["seconds"] for f in self.figures.values()}
+        self.alone = read_commands(root)
+        self.sources = {}  # program -> its sources, set by the weaver
+        self._columns, self._quotes = {}, {}
+
+    def cost(self, program):
+        seconds = self.seconds.get(program, math.nan)
+        if math.isnan(seconds):
+            return ""
+        return "less than a second" if seconds < 1 else f"{seconds:.0f} s"
+
+    def command(self, program):
+        return f"build/bin/{program} --out build/data/{program}"
+
+    def table_path(self, program, table):
+        return self.data / program / f"{table}.ecsv"
+
+    def columns(self, program):
+        """What the columns of a program's tables mean, by name."""
+        if program not in self._columns:
+            self._columns[program] = {c.name: c.description for path in sorted((self.data / program).glob("*.ecsv"))
+                                      for c in ecsv.header_of(ecsv.text_of(path))[0]}
+        return self._columns[program]
+
+    def title(self, finding):
+        """A fact in words: those of the column that it is called after, else its name. The condition of a criterion
+        says which statement it decides."""
+        claim = next((c for c in self.claims.values() if c["program"] == finding.program
+                      and finding.id.startswith(c["id"].split(".")[-1] + "_")), None)
+        id, columns = finding.id, self.columns(finding.program)
+        if claim:
+            id = id.removeprefix(claim["id"].split(".")[-1] + "_")
+        margin, id = id.endswith("_margin"), id.removesuffix("_margin")
+        names = [n for n in columns if id.startswith(n) and OF_WHAT.fullmatch(id[len(n):]) and len(n) > 2]
+        said = worded(id)
+        if names:
+            name = max(names, key=len)
+            rest = worded(id[len(name):])
+            said = worded(name) + (f" ({rest})" if rest else "") + ": " + columns[name]
+        return ("margin of " if margin else "") + said + (f", a condition of {claim['id']}" if claim else "")
+
+    def quote(self, id):
+        if id not in self._quotes:
+            finding = self.quotable.get(id)
+            if not finding:
+                raise ecsv.Fault(f"nothing is locked or computed under '{id}'")
+            places = origin.places(finding, self.claims, self.sources.get(finding.program, []))
+            self._quotes[id] = Quote(id, finding, self.claims.get(finding.id, {}), places)
+        return self._quotes[id]

@@ -1,0 +1,138 @@
+"""What the article states, what the programs answer, and the verdict.
+
+`paper/published.ecsv` lists the statements, each with the tolerance that was fixed before anything was computed.
+The verdicts are
+
+    reproduced   a printed number, met within its tolerance
+    holds        a yes-or-no statement that our criterion confirms
+    discrepant   a printed number missed, or a statement that fails
+    measured     the article uses a word without a number; we give the number and pass no judgement
+    unresolved   the error bar does not allow a verdict, which no test accepts
+    open         not answered yet
+
+`lineage summary` writes them down, and the tests in C++ assert each (tests/published.cpp)."""
+
+import math
+import re
+from pathlib import Path
+
+from . import ecsv
+from .values import Finding
+
+VERDICTS = ["reproduced", "holds", "measured", "discrepant", "unresolved", "open"]
+COLUMNS = ("id", "section", "where", "quantity", "printed", "unit", "class", "tolerance", "program", "status", "reason")
+NUMBER = r"-?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
+
+
+def half_digit(number):
+    """Half a unit in the last printed digit."""
+    mantissa, _, exponent = number.lower().partition("e")
+    return 0.5 * 10.0 ** (int(exponent or 0) - len(mantissa.partition(".")[2]))
+
+
+def printed_range(text):
+    """What is printed, as (low, high, half a digit): a number, a range ("238 to 241"), a count of orders of
+    magnitude or a multiple of pi. None for words, which are a statement."""
+    found = re.fullmatch(rf"({NUMBER})(?: pi/({NUMBER}))?(?: to ({NUMBER}))?( orders)?", text)
+    if not found or (found[2] and (found[3] or found[4])):
+        return None
+    low = float(found[1]) * (math.pi / float(found[2]) if found[2] else 1)
+    high = float(found[3]) if found[3] else low
+    if found[4]:
+        low, high = 10 ** low, 10 ** high
+    return min(low, high), max(low, high), half_digit(found[1])
+
+
+def agreement(printed, tolerance):
+    """The interval of values that agree with what is printed; ValueError for a tolerance that is none."""
+    low, high, half = printed
+    size = max(abs(low), abs(high))
+    if tolerance == "at most":
+        return -math.inf, high
+    if tolerance == "order of magnitude":
+        return low / 10, high * 10
+    amount = {"": half, "exact": 1e-12 * size}.get(tolerance)
+    if amount is None:
+        kind, _, number = tolerance.partition(" ")
+        if kind not in ("rel", "abs") or not re.fullmatch(NUMBER, number) or float(number) < 0:
+            raise ValueError(tolerance)
+        amount = float(number) * (size if kind == "rel" else 1)
+    return low - amount, high + amount
+
+
+def verdict(claim, answer):
+    """The row and the answer decide together. A yes or a no is no answer to a printed number, and a number that
+    answers a word is a measurement. Where the error bar straddles an edge there is no verdict."""
+    if answer is None:
+        return "open"
+    if not math.isfinite(answer.value) or not math.isfinite(answer.error):
+        return "unresolved"
+    printed = printed_range(claim["printed"])
+    in_words = claim["class"] == "claim" or not printed
+    if answer.unit == "claim":
+        decided = in_words and answer.error == 0
+        return {1: "holds", 0: "discrepant"}.get(answer.value, "unresolved") if decided else "unresolved"
+    if in_words:
+        return "measured"
+    low, high = agreement(printed, claim["tolerance"])
+    least, most = answer.value - answer.error, answer.value + answer.error
+    if low <= least and most <= high:
+        return "reproduced"
+    return "discrepant" if most < low or least > high else "unresolved"
+
+
+def read_claims(root):
+    """The rows of paper/published.ecsv by id, each with a tolerance and a status that mean something."""
+    claims = ecsv.read(Path(root) / "paper/published.ecsv", COLUMNS).by("id", "claims")
+    for claim in claims.values():
+        try:
+            agreement(printed_range(claim["printed"]) or (0, 0, 0), claim["tolerance"])
+        except ValueError:
+            raise claim.fault(f"{claim['id']}: the tolerance '{claim['tolerance']}' is none (allowed: rel 1e-3, "
+                              "abs 1e-3, at most, exact, order of magnitude, or nothing)") from None
+        if claim["status"] not in VERDICTS or claim["status"] == "unresolved":
+            raise claim.fault(f"{claim['id']}: the status '{claim['status']}' is none")
+    return claims
+
+
+def programs_of(root):
+    """The programs that exist: one for each chapter in src/."""
+    return sorted(path.stem for path in (Path(root) / "src").glob("sec*.cpp"))
+
+
+def findings_in(path, program, name):
+    """The values of one table of results or facts, by id."""
+    out = {}
+    for id, row in ecsv.read(path, (name, "value")).by(name, "values").items():
+        error = float(row.get("error", 0))
+        if error < 0:
+            raise row.fault(f"{id}: the error {error:g} is negative")
+        out[id] = Finding(program, id, float(row["value"]), error, row.get("unit", ""),
+                          made_by=row.get("made_by", ""), row=row.number)
+    return out
+
+
+def read_results(data, programs, claims):
+    """The answers by claim. A claim is answered once, by the program that its row names."""
+    out = {}
+    for program in programs:
+        path = Path(data) / program / "results.ecsv"
+        for id, answer in (findings_in(path, program, "id") if path.exists() else {}).items():
+            place = ecsv.Row({}, path, answer.row)
+            if id not in claims:
+                raise place.fault(f"'{id}' is no claim of paper/published.ecsv")
+            if claims[id]["program"] != program:
+                raise place.fault(f"'{id}' is answered by {program}, but paper/published.ecsv says by "
+                                  f"{claims[id]['program'] or 'nobody'}")
+            out[id] = answer
+    return out
+
+
+def read_facts(data, programs):
+    """The facts of the programs that have run, by (program, id)."""
+    out = {}
+    for program in programs:
+        path = Path(data) / program / "facts.ecsv"
+        if path.exists() and (path.parent / "results.ecsv").exists():
+            out.update({(program, id): fact for id, fact in findings_in(path, program, "quantity").items()})
+    return out

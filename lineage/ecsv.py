@@ -1,0 +1,155 @@
+"""Tables as the programs write them: ECSV 1.0, comma-separated rows under a header in comments.
+
+Of the header's YAML we read what is written: a column on a line of its own, then the provenance. Whatever is
+wrong with a file is said in one line that names the file and the row."""
+
+import csv
+import os
+import re
+from dataclasses import dataclass, field
+from pathlib import Path
+
+QUOTED = r"'((?:[^']|'')*)'"
+COLUMN = re.compile(rf"# - \{{name: {QUOTED}(?:, unit: {QUOTED})?, datatype: (\w+)(?:, description: {QUOTED})?\}}$")
+ENTRY = re.compile(rf"# - \{{(\w[\w ]*): {QUOTED}\}}$")
+
+
+class Fault(Exception):
+    """What cannot be used, in one line for the person who can mend it."""
+    code = 1
+
+
+class Unknown(Fault):
+    """A name on the command line that means nothing."""
+    code = 2
+
+
+@dataclass(frozen=True)
+class Column:
+    name: str
+    kind: str = "string"  # or float64, int64
+    description: str = ""
+    unit: str = ""
+
+
+class Row(dict):
+    """Cells by the names of their columns, and where they stand: `build/data/x/facts.ecsv: row 3`."""
+
+    def __init__(self, cells, path, number):
+        super().__init__(cells)
+        self.path, self.number = path, number
+
+    def fault(self, message):
+        return Fault(f"{self.path}: row {self.number}: {message}")
+
+
+@dataclass
+class Table:
+    columns: list
+    rows: list = field(default_factory=list)
+    meta: dict = field(default_factory=dict)
+
+    def by(self, name, what="rows"):
+        """The rows by their cell in column `name`, which no two may share."""
+        out = {}
+        for row in self.rows:
+            if row[name] in out:
+                raise row.fault(f"two {what} for '{row[name]}' (the first: row {out[row[name]].number})")
+            out[row[name]] = row
+        return out
+
+
+def text_of(path):
+    try:
+        return Path(path).read_bytes().decode("utf-8")
+    except FileNotFoundError:
+        raise Fault(f"{path} is missing") from None
+    except (OSError, UnicodeDecodeError) as error:
+        raise Fault(f"{path}: cannot be read ({getattr(error, 'strerror', None) or 'no UTF-8'})") from None
+
+
+def value_of(text, column):
+    """A cell as its column promises it; an empty number is nan. Raises ValueError."""
+    if column.kind == "float64":
+        return float(text or "nan")
+    return int(text) if column.kind == "int64" else text
+
+
+def row_of(cells, columns, path, number):
+    row = Row({}, path, number)
+    if len(cells) != len(columns):
+        raise row.fault(f"{len(cells)} cells under {len(columns)} columns (is the file cut off?)")
+    for cell, column in zip(cells, columns):
+        try:
+            row[column.name] = value_of(cell, column)
+        except ValueError:
+            raise row.fault(f"'{cell}' in the column '{column.name}' is not a number") from None
+    return row
+
+
+def header_of(text):
+    """The columns and the provenance that the comments describe."""
+    lines = [line for line in text.splitlines() if line.startswith("# - {")]
+    unquoted = [[(group or "").replace("''", "'") for group in found.groups()] for found in map(COLUMN.match, lines) if found]
+    columns = [Column(name, kind, description, unit) for name, unit, kind, description in unquoted]
+    return columns, {found[1]: found[2].replace("''", "'") for found in map(ENTRY.match, lines) if found}
+
+
+def read(path, needed=()):
+    """The table in a file; Fault unless it is whole and has the columns `needed`."""
+    return parse(text_of(path), path, needed)
+
+
+def parse(text, path="<text>", needed=()):
+    columns, meta = header_of(text)
+    lines = [line for line in text.splitlines() if line and not line.startswith("#")]
+    if not columns or not lines:
+        raise Fault(f"{path}: no table ({'it is empty' if not text.strip() else 'it ends in its header'})")
+    try:
+        names, *rows = csv.reader(lines, strict=True)
+    except csv.Error as error:
+        raise Fault(f"{path}: quotes that do not close, or a line break in a cell ({error})") from None
+    if names != [column.name for column in columns]:
+        raise Fault(f"{path}: the names above the rows are not those of the header")
+    for name in needed:
+        if name not in names:
+            raise Fault(f"{path}: there is no column '{name}'")
+    table = Table(columns, [row_of(cells, columns, path, i) for i, cells in enumerate(rows, 1)], meta)
+    if not text.endswith("\n"):
+        raise Fault(f"{path}: row {len(rows)}: the file is cut off")
+    return table
+
+
+# Writing: 17 digits restore every bit, and a text is quoted only where it would be misread.
+
+
+def cell_text(cell):
+    if isinstance(cell, float):
+        return f"{cell:.17g}"
+    cell = str(cell)
+    return '"' + cell.replace('"', '""') + '"' if not cell or re.search('[,"#]', cell) else cell
+
+
+def to_text(table):
+    def quoted(text):
+        return "'" + text.replace("'", "''") + "'"
+
+    out = ["# %ECSV 1.0", "# ---", "# delimiter: ','", "# datatype:"]
+    out += [f"# - {{name: {quoted(c.name)}, unit: {quoted(c.unit)}, datatype: {c.kind}, "
+            f"description: {quoted(c.description)}}}" for c in table.columns]
+    out += ["# meta: !!omap"] + [f"# - {{{key}: {quoted(value)}}}" for key, value in table.meta.items()]
+    out += ["# schema: astropy-2.0", ",".join(c.name for c in table.columns)]
+    out += [",".join(cell_text(row[c.name]) for c in table.columns) for row in table.rows]
+    return "\n".join(out) + "\n"
+
+
+def write_whole(path, text):
+    """Under a temporary name and then renamed, so that nobody reads half a file."""
+    part = Path(f"{path}.part")
+    try:
+        part.parent.mkdir(parents=True, exist_ok=True)
+        part.write_bytes(text.encode("utf-8"))
+        os.replace(part, path)
+    except OSError as error:
+        part.unlink(missing_ok=True) if part.parent.is_dir() else None
+        raise Fault(f"{path}: cannot be written ({error.strerror})") from None

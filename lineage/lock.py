@@ -1,0 +1,159 @@
+"""The lock, paper/converged.ecsv: what we found, with its error.
+
+A row is locked if it answers a claim, if the prose, the paper or the book quotes it, or if somebody has marked it
+as a `headline` in its last column. The margins of criteria and all the other facts are judged where they are
+computed, and are not locked. A fresh value has to agree with the locked one within the sum of the two errors.
+
+The programs give the same bits on every machine, but another compiler or mathematical library may round a
+logarithm differently, so that a relative difference of 1e-12 is always allowed. A `residue` is itself made of
+rounding: of it only the size counts, and it may grow tenfold."""
+
+import math
+import re
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+from . import ecsv
+from .claims import programs_of, read_claims, read_facts, read_results
+from .values import Finding
+
+KINDS = ("value", "residue", "headline")
+COLUMNS = [
+    ecsv.Column("program", "string", "program that computes it"),
+    ecsv.Column("id", "string", "identifier of the claim or quantity of the program's facts"),
+    ecsv.Column("value", "float64", "converged value; 1 or 0 where the unit is claim"),
+    ecsv.Column("error", "float64", "absolute error; 0 for an exact value"),
+    ecsv.Column("unit", "string", "unit of value and error; claim for yes or no"),
+    ecsv.Column("kind", "string", "value; residue: made of rounding, so that only its size counts; "
+                                  "headline: locked although nothing quotes it"),
+]
+
+
+def lock_of(root):
+    return Path(root) / "paper/converged.ecsv"
+
+
+def read_lock(root):
+    """The locked findings by (program, id)."""
+    out = {}
+    for row in ecsv.read(lock_of(root), [c.name for c in COLUMNS]).rows:
+        found = Finding(*(row[c.name] for c in COLUMNS))
+        if found.kind not in KINDS:
+            raise row.fault(f"{found.id}: the kind '{found.kind}' is none of {', '.join(KINDS)}")
+        if found.error < 0:
+            raise row.fault(f"{found.id}: the error {found.error:g} is negative")
+        if found.key in out:
+            raise row.fault(f"two rows for {found.program} {found.id}")
+        out[found.key] = found
+    return out
+
+
+def lock_text(findings):
+    rows = [{c.name: getattr(findings[key], c.name) for c in COLUMNS} for key in sorted(findings)]
+    return ecsv.to_text(ecsv.Table(COLUMNS, rows, {
+        "title": "What we found: a fresh value agrees within the sum of the errors"}))
+
+
+def read_fresh(data, programs, claims):
+    """What the programs have just written, by (program, id)."""
+    answers = {f.key: f for f in read_results(data, programs, claims).values()}
+    facts = read_facts(data, programs)
+    for program, id in answers.keys() & facts.keys():
+        raise ecsv.Fault(f"{Path(data) / program}: '{id}' is an answer and a fact")
+    return answers | facts
+
+
+# What is quoted
+
+
+def name_of(finding, claims):
+    """How prose calls a finding: a claim by its id, a fact with its program before it."""
+    return finding.id if finding.id in claims else f"{finding.program}.{finding.id}"
+
+
+def sources(root):
+    return sorted(p for p in (Path(root) / "src").rglob("*") if p.suffix in (".cpp", ".hpp"))
+
+
+def uncommented(tex):
+    """A line of TeX without its comment."""
+    return re.sub(r"(?<!\\)%.*", "", tex)
+
+
+def quoted(root):
+    """Every name that prose, paper or book quotes."""
+    root, out = Path(root), set()
+    for path in sources(root) + sorted((root / "book").glob("*.md")):
+        out.update(re.findall(r"\]\(num:([^)]+)\)", ecsv.text_of(path)))
+    for path in sorted((root / "paper").glob("*.tex")):
+        for line in ecsv.text_of(path).splitlines():
+            out.update(re.findall(r"\\(?:num|err)\{([^}#]+)\}", uncommented(line)))
+    commands = root / "book/commands.txt"
+    if commands.exists():
+        out.update(line.split()[0] for line in ecsv.text_of(commands).splitlines() if line and line[0] != "#")
+    return out - {"..."}
+
+
+def is_kept(finding, claims, names):
+    return finding.id in claims or finding.kind == "headline" or name_of(finding, claims) in names
+
+
+# Locked and fresh
+
+
+def distance(locked, fresh):
+    """How far apart the two are, in units of what is allowed: up to one they agree. Where one of them is not a
+    number, the other must not be one either."""
+    if locked.unit != fresh.unit:
+        return math.inf
+    if math.isnan(locked.value) or math.isnan(fresh.value):
+        return 0 if math.isnan(locked.value) and math.isnan(fresh.value) else math.inf
+    if locked.kind == "residue":
+        return abs(fresh.value) / (10 * (abs(locked.value) or sys.float_info.epsilon))
+    if locked.value == fresh.value:
+        return 0
+    allowed = locked.error + fresh.error + 1e-12 * max(abs(locked.value), abs(fresh.value))
+    apart = abs(fresh.value - locked.value) / allowed
+    return math.inf if math.isnan(apart) else apart
+
+
+def renewed(locked, fresh, programs, kept):
+    """The new lock: the fresh values that `kept` accepts, with the kinds that stand. A program that has not been
+    run keeps its rows, a program that no longer exists loses them."""
+    run = {program for program, _ in fresh}
+    out = {key: replace(f, kind=locked[key].kind if key in locked else "value") for key, f in fresh.items()}
+    out.update({key: f for key, f in locked.items() if key[0] in programs and key[0] not in run})
+    return {key: f for key, f in out.items() if kept(f)}
+
+
+def changes(locked, now, kept):
+    """A line for each difference: what whoever renews the lock signs."""
+    for key, was in locked.items():
+        place = " ".join(key)
+        if key not in now:
+            yield f"  gone     {place}: was {was.shown}" if kept(was) else f"  dropped  {place}: nothing quotes it"
+            continue
+        f, size = now[key], max(abs(was.value), abs(now[key].value))
+        apart = distance(was, f)
+        if apart > 1 or abs(was.value - f.value) > 1e-12 * size:
+            yield (f"  moved    {place}: {was.value:.17g} -> {f.value:.17g}, {apart:.3g} of the sum of the errors"
+                   + ("  <- outside" if apart > 1 else ""))
+    for key in now:
+        if key not in locked:
+            yield f"  new      {' '.join(key)}: {now[key].shown}"
+
+
+def renew(root, data):
+    """The verb: writes the lock and says what moved."""
+    programs, claims, names = programs_of(root), read_claims(root), quoted(root)
+    locked = read_lock(root) if lock_of(root).exists() else {}
+    fresh = read_fresh(data, programs, claims)
+
+    def kept(finding):
+        return is_kept(finding, claims, names)
+
+    now = renewed(locked, fresh, programs, kept)
+    said = list(changes(locked, now, kept))
+    ecsv.write_whole(lock_of(root), lock_text(now))
+    print(*said, f"lock       : {len(now)} values ({len(fresh)} computed), {len(said)} changes, in {lock_of(root)}", sep="\n")

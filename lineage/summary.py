@@ -1,0 +1,113 @@
+"""Published against reproduced: the table, the end of `make figures`, and one number by its name."""
+
+import difflib
+import math
+import re
+from pathlib import Path
+
+from . import ecsv
+from .claims import programs_of, read_claims, read_results, verdict
+from .lock import name_of, read_fresh, read_lock
+from .refresh import command_of, read_figures, tally
+
+COLUMNS = [ecsv.Column(name, kind, text) for name, kind, text in [
+    ("id", "string", "identifier"),
+    ("where", "string", "place in the article"),
+    ("quantity", "string", "what is claimed"),
+    ("published", "string", "value or statement as printed"),
+    ("reproduced", "float64", "converged value; 1 or 0 where the unit is claim"),
+    ("error", "float64", "error of the reproduced value"),
+    ("unit", "string", "unit of the reproduced value; claim for yes or no"),
+    ("verdict", "string", "reproduced, holds, discrepant, measured, unresolved or open"),
+    ("program", "string", "program that answers"),
+    ("reason", "string", "likely cause of a discrepancy")]]
+
+
+def compared(claims, answers):
+    """The rows of the table, one for each claim."""
+    for id, c in claims.items():
+        f = answers.get(id)
+        yield {"id": id, "where": c["where"], "quantity": c["quantity"], "published": c["printed"],
+               "reproduced": f.value if f else math.nan, "error": f.error if f else math.nan,
+               "unit": f.unit if f and f.unit else c["unit"], "verdict": verdict(c, f), "program": c["program"],
+               "reason": c["reason"]}
+
+
+def complaint(row):
+    """What the summary says of a claim that does not agree."""
+    if row["verdict"] == "discrepant" and row["unit"] == "claim":
+        what = "does not hold by our criterion"
+    else:
+        what = f"converged {row['reproduced']:.6g} +- {row['error']:.1g} {row['unit']}"
+    return f"  {row['verdict']:10} {row['id']:22} printed {row['published']}, {what.strip()}"
+
+
+def summarize(root, data, out):
+    """The verb: writes published.ecsv, counts the verdicts and names what does not agree."""
+    claims = read_claims(root)
+    rows = list(compared(claims, read_results(data, programs_of(root), claims)))
+    ecsv.write_whole(Path(out) / "published.ecsv", ecsv.to_text(ecsv.Table(COLUMNS, rows, {"program": "lineage summary"})))
+    print(f"claims     : {tally([row['verdict'] for row in rows])}")
+    for row in rows:
+        if row["verdict"] in ("discrepant", "unresolved"):
+            print(complaint(row))
+
+
+# One number
+
+
+def read_commands(root):
+    """Commands that compute one number alone, and what they call it, by its name: book/commands.txt."""
+    out, path = {}, Path(root) / "book/commands.txt"
+    for line in ecsv.text_of(path).splitlines() if path.exists() else ():
+        if line.strip() and not line.startswith("#"):
+            id, _, command = line.strip().partition(" ")
+            command, _, quantity = command.partition("#")
+            out[id] = command.strip(), quantity.strip()
+    return out
+
+
+def figures_of(claim, figures):
+    """The figures that the claim's place in the article names by their labels."""
+    words = set(re.findall(r"\w+", claim["where"]))
+    return [id for id, f in figures.items() if f["label"] and f["label"] in words]
+
+
+def facts_of(name, finding, claim, root):
+    """What there is to say of a number: pairs of a word and a text."""
+    figures, alone = read_figures(root), read_commands(root).get(name)
+    if claim:
+        printed = claim["printed"] or "a statement"
+        yield "claim", f"{claim['quantity']} ({claim['where']})"
+        yield "printed", printed + (f" {claim['unit']}" if claim["unit"] else "")
+    if finding:
+        yield "converged", finding.shown + finding.shown_unit
+        if finding.unit != "claim":
+            yield "error", finding.shown_error
+    if claim:
+        yield "verdict", verdict(claim, finding)
+        if claim["reason"]:
+            yield "why", claim["reason"]
+    program = finding.program if finding else claim["program"]
+    shown = (figures_of(claim, figures) if claim else []) or [i for i, f in figures.items() if f["program"] == program]
+    yield "figure", ", ".join(f"{id} ({command_of(id)})" for id in shown) or "none"
+    yield "command", f"{alone[0]} (prints it as {alone[1]})" if alone else \
+        f"build/bin/{program} --out build/data/{program}" if program else "none"
+
+
+def show(root, data, name):
+    """The verb: a line for each; the fresh value where the program has run, the locked one elsewhere."""
+    claims, known = read_claims(root), {}
+    for findings in (read_lock(root), read_fresh(data, programs_of(root), claims)):
+        known.update({name_of(f, claims): f for f in findings.values()})
+    names = sorted(known.keys() | claims.keys())
+    if name not in names:
+        near = difflib.get_close_matches(name, names, 3) or sorted(n for n in names if n.split(".")[-1] == name)
+        raise ecsv.Unknown(f"ID: there is no number '{name}'" + (f" (near it: {', '.join(near)})" if near else
+                          " (allowed: a claim such as pn.omega11, a fact such as sec31_dps_limit.tau_0_by_quadrature)"))
+    finding = known.get(name)
+    print(name)
+    for word, text in facts_of(name, finding, claims.get(name), root):
+        print(f"  {word:9}  {text}")
+    if finding:
+        print(f"  {'from':9}  {'build/data, computed here' if finding.row else 'paper/converged.ecsv (not computed here yet)'}")

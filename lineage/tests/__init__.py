@@ -1,0 +1,83 @@
+"""Tests of the package: on texts, on a small repository that is made and broken, and on this one.
+
+`python3 -m lineage.tests` runs them all; what needs a tool that is not installed is skipped, with a word."""
+
+import contextlib
+import io
+import shutil
+import tempfile
+import unittest
+from pathlib import Path
+
+from lineage import ecsv
+from lineage.__main__ import main
+
+ROOT = Path(__file__).resolve().parents[2]
+CLAIMS = ["id", "section", "where", "quantity", "printed", "unit", "class", "tolerance", "note", "program", "status",
+          "reason"]
+LOCK = ["program", "id", "value", "error", "unit", "kind"]
+RESULTS = ["id", "value", "error", "unit"]
+FACTS = ["quantity", "value", "error", "unit"]
+FIGURES = ["id", "label", "section", "program", "script", "class", "data", "caption", "seconds"]
+REAL = ("value", "error", "seconds")
+
+
+def table(names, rows):
+    """The text of a table; columns with the names of REAL hold numbers."""
+    columns = [ecsv.Column(n, "float64" if n in REAL else "string", f"what {n} is") for n in names]
+    return ecsv.to_text(ecsv.Table(columns, [dict(zip(names, row)) for row in rows]))
+
+
+class Scratch(unittest.TestCase):
+    """A small repository: one chapter, two claims, two facts, one figure."""
+
+    def setUp(self):
+        self.root = Path(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, self.root)
+        self.write("src/sec1_demo.cpp", "/**\n# 1 A demonstration\n\nIt is [](num:a.one). */\n")
+        self.write("paper/published.ecsv", table(CLAIMS, [
+            ["a.one", "1", "Fig. demo", "one", "1.02", "", "converged", "rel 1e-2", "", "sec1_demo", "discrepant",
+             "they erred"],
+            ["a.two", "1", "text", "two", "yes", "", "claim", "", "", "", "open", ""]]))
+        self.write("paper/converged.ecsv", table(LOCK, [
+            ["sec1_demo", "a.one", 1.0000000000000002, 1e-3, "m", "value"], ["sec1_demo", "fact", 2.0, 0.1, "", "value"]]))
+        self.write("figures/figures.ecsv", table(FIGURES, [
+            ["01", "demo", "1", "sec1_demo", "fig01.gp", "ER", "facts", "A line.", 3.0]]))
+        self.write("README.md", "<!-- published -->\n<!-- /published -->\n")
+        self.write("ARTIFACT.md", "<!-- costs -->\n<!-- /costs -->\n")
+        self.results(["a.one", 1.0, 1e-3, "m"])
+        self.facts(["other", 1.0, 0.0, ""], ["fact", 2.0, 0.1, ""])
+
+    def write(self, name, text):
+        ecsv.write_whole(self.root / name, text)
+
+    def read(self, name):
+        return ecsv.text_of(self.root / name)
+
+    def results(self, *rows):
+        self.write("build/data/sec1_demo/results.ecsv", table(RESULTS, rows))
+
+    def facts(self, *rows):
+        self.write("build/data/sec1_demo/facts.ecsv", table(FACTS, rows))
+
+    def lineage(self, verb, *more):
+        """Exit code, standard output and error of a verb."""
+        places = {"summary": ["--data", "build/data", "--out", "build/report"], "lock": ["--data", "build/data"],
+                  "show": ["--data", "build/data"], "refresh": ["--costs", "build/report/cost"],
+                  "macros": ["--out", "build/paper"]}[verb]
+        places = [p if p.startswith("-") else str(self.root / p) for p in places]
+        out, err = io.StringIO(), io.StringIO()
+        with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+            try:
+                code = main(["--root", str(self.root), verb, *places, *more])
+            except SystemExit as left:
+                code = left.code
+        return code, out.getvalue(), err.getvalue()
+
+    def refuses(self, verb, *words, code=1):
+        """The verb answers in one line that has these words."""
+        got, out, err = self.lineage(verb)
+        self.assertEqual((got, out), (code, ""), err)
+        self.assertEqual(err.count("\n"), 1, err)
+        for word in words:
+            self.assertIn(word, err)

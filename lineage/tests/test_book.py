@@ -1,0 +1,321 @@
+"""Tests of the weaver: on texts, and on a small repository that is made, woven and broken."""
+
+import filecmp
+import html
+import importlib.util
+import os
+import re
+import shutil
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+from lineage import ecsv
+from lineage.values import Finding
+
+from . import ROOT, Scratch
+
+BOOK = ROOT / "book"
+TOOLS = shutil.which("pandoc") and shutil.which("katex") and (shutil.which("node") or shutil.which("nodejs"))
+if missing := [name for name in ("jinja2", "pygments") if not importlib.util.find_spec(name)]:
+    raise unittest.SkipTest(f"python3-{missing[0]} is not installed (make install-book)")
+
+from lineage.book import check, code, origin, pages, prose, source, weave, words  # noqa: E402
+from lineage.book.record import Record  # noqa: E402
+
+needs_tools = unittest.skipUnless(TOOLS, "pandoc, katex or node is not installed (make install-book)")
+
+
+class Blocks(unittest.TestCase):
+    def test_prose_and_code_in_turn_with_their_lines(self):
+        blocks = source.split_blocks("/**\n# T\n\nwords */\n\nint x;\n\n/** more\nwords. */\nint y;\n")
+        self.assertEqual([(b.kind, b.first) for b in blocks],
+                         [("prose", 1), ("code", 6), ("prose", 8), ("code", 10)])
+        self.assertEqual(blocks[0].text.strip(), "# T\n\nwords")
+        self.assertEqual(blocks[2].text, "more\nwords.")
+
+    def test_a_line_of_code_keeps_its_number(self):
+        text = ecsv.text_of(ROOT / "src/sec34_impact.cpp")
+        lines = text.split("\n")
+        for block in source.split_blocks(text):
+            if block.kind == "code":
+                self.assertEqual(block.lines, lines[block.first - 1:block.last])
+
+    def test_indented_prose_loses_its_indent(self):
+        self.assertEqual(source.split_blocks("  /**\n  One\n    deep */\n  int x;")[0].text, "\nOne\n  deep")
+
+    def test_other_comments_are_code(self):
+        self.assertEqual([b.kind for b in source.split_blocks("/* a */ int x; /// b\n/**/ int y;")], ["code"])
+
+    def test_a_block_without_end_is_an_error(self):
+        with self.assertRaisesRegex(ecsv.Fault, "no end"):
+            source.split_blocks("/**\nwords\n")
+        with self.assertRaisesRegex(ecsv.Fault, "after the end"):
+            source.split_blocks("/** words */ int x;\n")
+
+    def test_definitions_begin_a_line(self):
+        text = ("struct Well {\n  int inner() { return 1; }\n};\ntemplate <class T>\nT sup(const V<T>& x) {\n  return f(x);\n}\n"
+                "using History = int;\ninline constexpr double fit_from = 20;\ntemplate <class T> struct Shot {};\n")
+        self.assertEqual(source.definitions(source.split_blocks(text)),
+                         {"Well": 1, "sup": 5, "History": 8, "fit_from": 9, "Shot": 10})
+
+    def test_headers_come_after_what_they_need(self):
+        a = source.Source("src/lattice/numbers/a.hpp", "", includes=["lattice/numbers/b.hpp"])
+        b = source.Source("src/lattice/numbers/b.hpp", "")
+        self.assertEqual([s.name for s in source.in_order_of_need([a, b])], ["b.hpp", "a.hpp"])
+
+    def test_every_source_is_in_the_book(self):
+        chapters, library = source.find_sources(ROOT, weave.read_order(BOOK / "contents.txt"))
+        there = chapters + [s for room in library.values() for s in room]
+        self.assertEqual({s.path for s in there},
+                         {str(p.relative_to(ROOT)) for p in (ROOT / "src").rglob("*.[ch]pp")})
+        self.assertEqual(len(there), len({s.page for s in there}))
+
+    def test_the_compiled_half_follows_its_header(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for name, text in [("src/lattice/numbers/a.hpp", "/** # A */"), ("src/lattice/numbers/a.cpp", "int x;"),
+                               ("src/sec33/b.hpp", "/** # B */"), ("src/sec33_x.cpp", "/** # X */"),
+                               ("README.md", "| [`sec33`](src/sec33) | of 3.3 |\n")]:
+                ecsv.write_whole(Path(folder) / name, text)
+            chapters, library = source.find_sources(folder)
+            self.assertEqual((list(library), source.rooms_of(folder)), (["sec33", "numbers"], {"sec33": "of 3.3"}))
+        self.assertEqual([s.page for s in chapters], ["sec33_x.html"])
+        self.assertEqual({room: [(s.page, s.title) for s in found] for room, found in library.items()},
+                         {"numbers": [("numbers-a.html", "A"), ("numbers-a-cpp.html", "A: how")],
+                          "sec33": [("sec33-b.html", "B")]})
+
+
+class Numbers(unittest.TestCase):
+    def test_powers_of_ten_are_set_as_such(self):
+        self.assertEqual(words.number("1.62e-11"), "1.62·10<sup>−11</sup>")
+        self.assertEqual(words.number("-5.8e3 sites"), "−5.8·10<sup>3</sup> sites")
+        self.assertEqual(words.number("sec3e4 and s_1e2 < 3"), "sec3e4 and s_1e2 &lt; 3")
+
+    def test_claims_are_spelled(self):
+        self.assertEqual(words.spelled("E_PN near omega_b = 1.01 for s = -1/6, at most 1.5e-9"),
+                         "E<sub>PN</sub> near ω<sub>b</sub> = 1.01 for s = −1/6, at most 1.5·10<sup>−9</sup>")
+        self.assertEqual(words.spelled("y_(-n)(t), 1 - cos q, x^(5/2), O(eps^-1/2), s >= 2, two-way & sqrt(2)"),
+                         "y<sub>−n</sub>(t), 1 − cos q, x<sup>5/2</sup>, O(ε<sup>−1/2</sup>), s ≥ 2, two-way &amp; √(2)")
+        self.assertEqual(words.spelled("see sec34_impact.cpp"), "see sec34_impact.cpp")
+        self.assertEqual(words.broken("a.b_c"), "a.<wbr>b_<wbr>c")
+
+    TEXT = ('void f() {\n  facts.add("trapped_" + name, s.trapped);\n  facts.add("packet_" + name,\n'
+            '            s.packet);\n  results.add("a.b", {1, 2});\n  judge(report, "a.slower", c);\n}\n'
+            'Criterion c() {\n  return {above("speed_" + well, x, 0)};\n}\n')
+
+    def lines(self, id, made_by=""):
+        sources = [source.Source("src/p.cpp", self.TEXT, source.split_blocks(self.TEXT))]
+        finding = Finding("p", id, 1, made_by=made_by)
+        return [(p.first, p.last) for p in origin.places(finding, {"a.b": {}, "a.slower": {}}, sources)]
+
+    def test_the_statement_that_writes_a_number_is_guessed(self):
+        for id, lines in [("trapped_soft", [(2, 2)]), ("packet_soft", [(3, 4)]), ("a.b", [(5, 5)]),
+                          ("slower_speed_s_1_6", [(9, 9), (6, 6)]), ("nothing_like_it", [])]:
+            self.assertEqual(self.lines(id), lines, id)
+
+    def test_a_table_that_says_who_made_a_number_is_believed(self):
+        self.assertEqual(self.lines("a.b", "f"), [(5, 5)])
+        self.assertEqual(self.lines("packet_soft", "f"), [(3, 4)])
+        self.assertEqual(self.lines("unlike", "f"), [(1, 7)])
+        self.assertEqual(self.lines("slower_speed_s_1_6", "f"), [(9, 9), (6, 6)])
+        self.assertEqual(self.lines("packet_soft", "c"), [(8, 10)])
+        self.assertEqual(self.lines("a.b", "none_such"), [(5, 5)])
+
+    def test_every_locked_number_has_its_lines(self):
+        known = Record(ROOT, ROOT / "build/data")
+        chapters, library = source.find_sources(ROOT)
+        weave.link_sources(known, chapters, library)
+        without = [id for id, f in known.quotable.items()
+                   if f.key in known.locked and f.program in known.sources and not known.quote(id).places]
+        self.assertEqual(without, [])
+
+    def test_commands_that_compute_one_number_exist(self):
+        known = Record(ROOT, ROOT / "build/data")
+        for id, (command, quantity) in known.alone.items():
+            self.assertIn(id, known.quotable)
+            program, subcommand = command.split()[0].split("/")[-1], command.split()[1]
+            self.assertIn(f'"{subcommand}"', ecsv.text_of(ROOT / "src" / f"{program}.cpp"), id)
+            self.assertTrue(quantity, id)
+
+
+class Colours(unittest.TestCase):
+    def test_text_survives(self):
+        text = 'template <class T>\nT f(T x) {  // a < b && c\n  return x < 1e-3 ? g("<\\"\'") : \'"\';\n}'
+        for language in code.LEXERS:
+            self.assertEqual(html.unescape(re.sub(r"<[^>]+>", "", code.coloured(text, language))), text)
+
+    def test_kinds(self):
+        page = code.coloured('return 1.5e3; // "no"', "cpp")
+        self.assertEqual(page, '<span class="k">return</span> <span class="n">1.5e3</span>; <span class="c">// &#34;no&#34;</span>')
+        self.assertIn('<a class="s" href="T">&#34;a.hpp&#34;</a>', code.coloured('#include "a.hpp"', include=lambda path: "T"))
+
+    def test_links_only_for_free_names(self):
+        page = code.coloured("a.sup(x); sup(x); lattice::sup(x); other::sup(x);", "cpp", lambda n: "T" if n == "sup" else None)
+        self.assertEqual(page.count('href="T"'), 2)
+
+    def test_numbers_of_lines(self):
+        self.assertIn('id="L41" data-n="41"', code.numbered("a\nb", 40))
+
+
+class Check(unittest.TestCase):
+    def complaints(self, **pages):
+        with tempfile.TemporaryDirectory() as folder:
+            for name, text in pages.items():
+                with open(os.path.join(folder, name + ".html"), "w", encoding="utf-8") as file:
+                    file.write(text)
+            return check.complaints(folder)
+
+    def test_a_whole_book(self):
+        self.assertEqual(self.complaints(a='<a href="b.html#x">b</a>', b='<p id="x">y</p>'), [])
+
+    def test_what_is_broken(self):
+        self.assertIn("leads to no place", self.complaints(a='<a href="#x">b</a>')[0])
+        self.assertIn("leads nowhere", self.complaints(a='<a href="c.html">b</a>')[0])
+        self.assertIn("leads nowhere", self.complaints(a='<img src="c.svg">')[0])
+        self.assertIn("two elements", self.complaints(a='<p id="x"></p><p id="x"></p>')[0])
+        self.assertIn("left as text", self.complaints(a="<p>so $x$ is</p>")[0])
+        self.assertIn("from a network", self.complaints(a='<script src="https://a.b/c.js"></script>')[0])
+        self.assertEqual(self.complaints(a='<a href="https://a.b/c">there</a><code>$x</code>'), [])
+
+
+class Packages(unittest.TestCase):
+    """tools/install-deps.sh with stubs in place of the packaging tools: nothing is there, all is asked for."""
+
+    def asked_for(self, *sections):
+        with tempfile.TemporaryDirectory() as folder:
+            log = os.path.join(folder, "log")
+            for name, body in [("dpkg-query", "exit 1"), ("apt-get", f'echo "$@" >> {log}'), ("id", "echo 0")]:
+                path = os.path.join(folder, name)
+                with open(path, "w", encoding="utf-8") as file:
+                    file.write(f"#!/bin/sh\n{body}\n")
+                os.chmod(path, 0o755)
+            subprocess.run(["sh", ROOT / "tools/install-deps.sh", ROOT / "apt-packages.txt", *sections],
+                           env={"PATH": folder + ":/usr/bin:/bin"}, check=True, capture_output=True)
+            with open(log, encoding="utf-8") as file:
+                return file.read().split()
+
+    def test_figures_do_not_need_what_the_book_needs(self):
+        self.assertIn("gnuplot-nox", self.asked_for())
+        self.assertFalse({"pandoc", "clang-14", "[book]"} & set(self.asked_for()))
+        self.assertIn("pandoc", self.asked_for("book"))
+        self.assertFalse({"clang-14", "python3-selenium"} & set(self.asked_for("book")))
+        self.assertIn("python3-selenium", self.asked_for("browse"))
+        self.assertIn("clang-14", self.asked_for("live"))
+
+
+CHAPTER = """/**
+# 1 A demonstration
+
+What we see, as in Eq. (9), is $x^2$, and it is [](num:a.one), with [](num:sec1_demo.fact) beside it (demo.hpp).
+![All of it.](fig:01) */
+#include "lattice/numbers/demo.hpp"
+
+/**
+## Results
+
+$$E = \\tfrac12 v^2.$$ */
+int main() {
+  results.add("a.one", once(1));
+  facts.add("fact", {2, 0.1});
+}
+"""
+
+
+class Repository(Scratch):
+    """The small repository with a header, a drawing, and what the book needs besides."""
+
+    def setUp(self):
+        super().setUp()
+        self.write("src/sec1_demo.cpp", CHAPTER)
+        self.write("src/lattice/numbers/demo.hpp", "#pragma once\n/**\n# A header\n\nWords. */\nint once(int x) {\n}\n")
+        self.write("src/lattice/numbers/demo.cpp", '#include "lattice/numbers/demo.hpp"\n/** More words. */\nint x;\n')
+        self.write("figures/fig01.gp", "plot x  # a line\n")
+        self.write("build/figures/fig01.svg", '<svg xmlns="http://www.w3.org/2000/svg" width="10mm" height="20"><rect/></svg>')
+        self.write("book/equations.ecsv", ecsv.text_of(BOOK / "equations.ecsv"))
+        self.write("book/start.md", "Take [](num:a.one).\n")
+        self.write("book/live/figures.txt", "")
+        self.write("book/commands.txt", "a.one build/bin/sec1_demo one --exactly # one\n")
+
+    def weave(self, out="book"):
+        build = self.root / "build"
+        weave.make(self.root, build / "data", build / "figures", build / out, build / "live")
+
+    def page(self, name, out="book"):
+        return self.read(f"build/{out}/{name}")
+
+    @needs_tools
+    def test_a_chapter_is_bound(self):
+        self.weave()
+        page = self.page("sec1_demo.html")
+        for piece in ['<h1 id="1-a-demonstration">', 'class="num" popovertarget="number-a.one">1.000</button>',
+                      "1.000 ± 0.001 m", "1.02", "they erred", "line 13 of src/sec1_demo.cpp", "results.ecsv</a>, row 1",
+                      "facts.ecsv</a>, row 2", "build/bin/sec1_demo one --exactly", "3 s on two cores", 'id="fig-01"',
+                      'width="38"', "make fig01", "figures/fig01.gp", 'class="katex"', "equations.html#eq-9",
+                      'href="numbers-demo.html">demo.hpp</a>', 'href="numbers-demo.html#L6">once</a>', "Fig. 1"]:
+            self.assertIn(piece, page)
+        published = self.page("published.html")
+        self.assertIn('<tr id="a.one" data-verdict="discrepant">', published)
+        self.assertIn('href="sec1_demo.html#P1">quoted', published)
+        self.assertIn('id="a.two"', published)
+        self.assertIn("a line", self.page("fig-01.html"))
+        self.assertIn("what quantity is", self.page("fig-01.html"))
+        half = self.page("numbers-demo-cpp.html")
+        self.assertIn('<h1 id="a-header-how">A header: how</h1><p class="card">', half)
+        self.assertIn('what <a href="numbers-demo.html">demo.hpp</a> declares', half)
+        self.assertIn('compiled in <a href="numbers-demo-cpp.html">demo.cpp</a>', self.page("numbers-demo.html"))
+        self.assertIn('["sec1_demo.html#results"', self.page("search-index.js"))
+
+    def test_a_summary_is_whole_sentences(self):
+        long = "word " * 40 + "end."
+        self.assertEqual(pages.beginning(f"It is *so* (`a.b`, `c.d` and `e.f` in x.hpp) at\n$x. Y = 1$. {long} Not this."),
+                         f"It is so at $x. Y = 1$. {long}")
+        self.assertEqual(pages.beginning("See [Chapter](x.html) (or not):"), "See Chapter (or not).")
+
+    @needs_tools
+    def test_prose_survives(self):
+        texts = ["Take Chain<double> & co.", "```\nnot closed", "> quoted", "| a | b |\n|---|---|\n| $|x|$ | `a|b` |",
+                 "one\n![f](fig:01)\n![g\nh](fig:02)\ntwo"]
+        found = prose.to_html(texts)
+        self.assertEqual(len(found), len(texts))
+        self.assertIn("Chain&lt;double&gt; &amp; co.", found[0])
+        self.assertEqual(prose.formulas(found[3]), [("\\(|x|\\)", False)])
+        self.assertEqual(found[4].count("<figure>"), 2)
+        self.assertEqual(prose.plain("<p>a (<b>b</b>) &lt; 10<sup>−3</sup></p><p>c</p>"), "a (b) < 10^−3 c")
+
+    @needs_tools
+    def test_twice_the_same_bytes(self):
+        self.weave("one")
+        self.weave("two")
+        one, two = (os.path.join(self.root, "build", n) for n in ("one", "two"))
+        names = sorted(os.path.relpath(os.path.join(f, n), one) for f, _, ns in os.walk(one) for n in ns)
+        self.assertEqual(filecmp.cmpfiles(one, two, names, shallow=False)[1:], ([], []))
+
+    def refuses(self, old, new, message, name="src/sec1_demo.cpp", text=CHAPTER):
+        self.assertIn(old, text)
+        self.write(name, text.replace(old, new))
+        with self.assertRaisesRegex(ecsv.Fault, message):
+            self.weave()
+
+    @needs_tools
+    def test_a_number_that_is_not_locked_yet(self):
+        self.write("src/sec1_demo.cpp", CHAPTER.replace("sec1_demo.fact", "sec1_demo.other").replace('"fact"', '"other"'))
+        self.weave()
+        self.assertIn(">1</button>", self.page("sec1_demo.html"))
+
+    @needs_tools
+    def test_what_stops_the_build_leaves_the_old_book(self):
+        self.weave()
+        before = self.page("sec1_demo.html")
+        self.refuses("num:a.one", "num:a.none", "nothing is locked or computed under 'a.none'")
+        self.refuses("fig:01", "fig:02", "no figure '02'")
+        self.refuses("Eq. (9)", "Eq. (99)", "no Eq. .99.")
+        self.refuses("$x^2$", r"$\nonsense{x}$", "KaTeX.*nonsense")
+        self.refuses("$x^2$", "[there](nowhere.html)", "leads nowhere")
+        self.refuses("$x^2$", r"it costs \$5 or", "left as text")
+        self.refuses('"a.one"', '"b.two"', "no line writes 'a.one'")
+        self.write("src/sec1_demo.cpp", CHAPTER)
+        (self.root / "build/figures/fig01.svg").unlink()
+        with self.assertRaisesRegex(ecsv.Fault, "make figures"):
+            self.weave()
+        self.assertEqual(self.page("sec1_demo.html"), before)

@@ -1,0 +1,97 @@
+"""What is locked, how a fresh value is compared, and what the summary says."""
+
+import math
+import unittest
+
+from lineage import lock
+from lineage.claims import read_claims
+from lineage.values import Finding
+
+from . import Scratch
+
+
+def finding(value, error=0.0, unit="", kind="value", id="x"):
+    return Finding("p", id, value, error, unit, kind)
+
+
+class Distance(unittest.TestCase):
+    def test_within_the_sum_of_the_errors(self):
+        for locked, fresh, agrees in [
+                (finding(1, 1e-3), finding(1.0019, 1e-3), True), (finding(1, 1e-3), finding(1.0021, 1e-3), False),
+                (finding(1.62e-11, 1e-20), finding(1.77e-11, 1e-20), False), (finding(1), finding(1 + 5e-16), True),
+                (finding(1), finding(1 + 1e-11), False), (finding(1, 0, "claim"), finding(0, 0, "claim"), False),
+                (finding(1, 0, "claim"), finding(1), False), (finding(1, 1), finding(math.nan, 1), False),
+                (finding(1, 1), finding(1.5, math.nan), False), (finding(math.nan, 1), finding(math.nan, 1), True),
+                (finding(3e-16, 0, "", "residue"), finding(2e-15), True),
+                (finding(3e-16, 0, "", "residue"), finding(-4e-15), False),
+                (finding(0, 0, "", "residue"), finding(3e-16), True)]:
+            self.assertEqual(lock.distance(locked, fresh) <= 1, agrees, (locked, fresh))
+
+    def test_what_was_not_run_keeps_its_rows(self):
+        locked = {("a", "x"): finding(1e-15, 0, "", "residue"), ("b", "y"): finding(0.1), ("c", "z"): finding(3)}
+        fresh = {("a", "x"): finding(2e-15), ("a", "w"): finding(7), ("a", "unquoted"): finding(8, id="no")}
+        now = lock.renewed(locked, fresh, ["a", "b"], lambda f: f.id != "no")
+        self.assertEqual(sorted(now), [("a", "w"), ("a", "x"), ("b", "y")])
+        self.assertEqual((now["a", "x"].kind, now["a", "x"].value), ("residue", 2e-15))
+
+
+class Locking(Scratch):
+    def test_what_answers_is_quoted_or_a_headline_is_locked(self):
+        self.assertIn("lock       : 1 values (3 computed), 1 changes", said := self.lineage("lock")[1])
+        self.assertIn("dropped  sec1_demo fact: nothing quotes it", said)
+        text = self.read("src/sec1_demo.cpp")
+        for name, quotation in [("src/sec1_demo.cpp", text + "/** [](num:sec1_demo.fact) */\n"),
+                                ("paper/paper.tex", "\\num{sec1_demo.fact}\n"), ("paper/paper.tex", "\\err{sec1_demo.fact}\n"),
+                                ("book/start.md", "[](num:sec1_demo.fact)\n"),
+                                ("book/commands.txt", "# one\nsec1_demo.fact run # it\n")]:
+            self.write(name, quotation)
+            self.assertIn("new      sec1_demo fact: 2.0", self.lineage("lock")[1], name)
+            self.write(name, text if name.endswith("cpp") else "% \\num{sec1_demo.fact}\n# nothing\n")
+            self.assertIn("dropped  sec1_demo fact", self.lineage("lock")[1], name)
+
+    def test_a_headline_and_a_residue_are_marked_by_hand(self):
+        marked = self.read("paper/converged.ecsv").replace('0.10000000000000001,"",value', '0.10000000000000001,"",headline')
+        self.write("paper/converged.ecsv", marked)
+        self.lineage("lock")
+        self.assertEqual(lock.read_lock(self.root)["sec1_demo", "fact"].kind, "headline")
+
+    def test_what_moved_is_said(self):
+        self.results(["a.one", 1.0015, 1e-3, "m"])
+        self.assertIn("moved    sec1_demo a.one: 1.0000000000000002 -> 1.0015000000000001, 0.75 of the sum of the errors\n",
+                      self.lineage("lock")[1])
+        self.results(["a.one", 2.0, 1e-3, "m"])
+        self.assertIn("<- outside", self.lineage("lock")[1])
+        self.results()
+        self.assertIn("gone     sec1_demo a.one: was 2.000", self.lineage("lock")[1])
+
+    def test_the_lock_is_written_as_it_was(self):
+        self.lineage("lock")
+        before = self.read("paper/converged.ecsv")
+        self.assertIn("lock       : 1 values (3 computed), 0 changes", self.lineage("lock")[1])
+        self.assertEqual(self.read("paper/converged.ecsv"), before)
+
+    def test_names(self):
+        claims = read_claims(self.root)
+        self.assertEqual([lock.name_of(f, claims) for f in lock.read_lock(self.root).values()], ["a.one", "sec1_demo.fact"])
+
+
+class Summary(Scratch):
+    def test_verdicts_are_counted_and_named(self):
+        code, out, _ = self.lineage("summary")
+        self.assertEqual((code, out), (0, "claims     : 0 reproduced, 0 hold, 0 measured, 1 discrepant, 0 unresolved, 1 open\n"
+                                          "  discrepant a.one                  printed 1.02, converged 1 +- 0.001 m\n"))
+        self.assertIn("a.one,Fig. demo,one,1.02,1,0.001", self.read("build/report/published.ecsv"))
+        self.assertIn('a.two,text,two,yes,nan,nan,"",open', self.read("build/report/published.ecsv"))
+
+    def test_one_number(self):
+        self.write("book/commands.txt", "a.one build/bin/sec1_demo one --exactly # exact\n")
+        out = self.lineage("show", "a.one")[1]
+        for line in ["printed    1.02", "converged  1.000 m", "error      0.001", "verdict    discrepant",
+                     "why        they erred", "figure     01 (make fig01)",
+                     "command    build/bin/sec1_demo one --exactly (prints it as exact)",
+                     "from       build/data"]:
+            self.assertIn(f"  {line}", out)
+        self.assertIn("converged  1\n", self.lineage("show", "sec1_demo.other")[1])
+        self.assertIn("verdict    open", self.lineage("show", "a.two")[1])
+        (self.root / "build/data/sec1_demo/results.ecsv").unlink()
+        self.assertIn("not computed here yet", self.lineage("show", "sec1_demo.fact")[1])

@@ -1,0 +1,141 @@
+"""Numbers in prose, the tables of the pages, and the numbers of the paper."""
+
+import shutil
+import subprocess
+import unittest
+
+from lineage import ecsv, lock, refresh, tex
+
+from . import ROOT, Scratch
+
+
+class Links(unittest.TestCase):
+    def test_links_show_the_value_and_dangle_nowhere(self):
+        numbers = {"pn.omega11": "1.62e-11", "p.x": "3"}
+        prose = "is [](num:pn.omega11), and [17](num:p.x) of [these](fig:07), as `[](num:...)` says."
+        ought = "is [1.62e-11](num:pn.omega11), and [3](num:p.x) of [these](fig:07), as `[](num:...)` says."
+        self.assertEqual(refresh.with_numbers(prose, numbers), ought)
+        self.assertEqual(refresh.with_numbers(ought, numbers), ought)
+        for bad in ("[](num:pn.omega12)", "](num:p.x)", "[](num:p.x"):
+            with self.assertRaises(ecsv.Fault):
+                refresh.with_numbers(bad, numbers)
+
+    def test_a_page_gets_the_tables_for_which_it_has_marks(self):
+        page = "a\n<!-- t -->\nold\n<!-- /t -->\nb\n"
+        self.assertEqual(refresh.fresh_page(page, {"t": ["x", "y"], "u": []}), "a\n<!-- t -->\nx\ny\n<!-- /t -->\nb\n")
+        for bad in (page.replace("t -->", "u -->"), page.replace("/t", "/s"), page + "<!-- /t -->", page * 2):
+            with self.assertRaises(ecsv.Fault):
+                refresh.fresh_page(bad, {"t": []})
+
+    def test_a_cost_is_renewed_when_it_has_really_moved(self):
+        head = "# x\nid,program,caption,seconds\n"
+        text = head + '02,p,"A, b.",10\n03,q,C.,0.4\n04,p,"New."\n'
+        fresh = head + '02,p,"A, b.",10\n03,q,C.,3\n04,p,"New.",11\n'
+        self.assertEqual(refresh.with_costs(text, {"p": 11.0, "q": 3.0}), fresh)
+        self.assertEqual(refresh.with_costs(fresh, {"p": 10.0, "q": 3.2}), fresh)
+        self.assertEqual(refresh.with_costs(text, {}), text.replace('"New."', '"New.",nan'))
+        with self.assertRaises(ecsv.Fault):
+            refresh.with_costs(head + "02,p\n", {})
+
+    def test_costs(self):
+        self.assertEqual([refresh.shown_cost(s) for s in (float("nan"), 0.6, 2.5, 3.4)], ["?", "< 1", "3", "3"])
+
+
+class Refreshing(Scratch):
+    def test_only_what_is_stale_is_written(self):
+        self.assertEqual(self.lineage("refresh", "--check")[0], 1)
+        self.assertEqual(self.lineage("refresh")[0], 0)
+        self.assertIn("It is [1.000](num:a.one).", self.read("src/sec1_demo.cpp"))
+        self.assertIn("| `a.one` | 1.02 | 1.000 m | 0.001 | discrepant |", self.read("README.md"))
+        self.assertIn("| together | 3 |", self.read("ARTIFACT.md"))
+        self.assertEqual(self.lineage("refresh", "--check"), (0, "", ""))
+        self.write("build/report/cost/sec1_demo", "9.1\n")
+        self.assertIn("renewed", self.lineage("refresh")[1])
+        self.assertIn("| together | 9 |", self.read("ARTIFACT.md"))
+
+    def test_what_is_quoted_must_be_locked(self):
+        self.write("src/sec1_demo.cpp", "/** [](num:sec1_demo.other) */\n")
+        self.refuses("refresh", "src/sec1_demo.cpp: nothing is locked under 'sec1_demo.other'")
+        self.write("src/sec1_demo.cpp", "")
+        self.write("build/report/cost/sec1_demo", "soon")
+        self.refuses("refresh", "cost/sec1_demo: no time in seconds")
+
+
+class Paper(Scratch):
+    def test_numbers_and_words_become_tex(self):
+        for shown, ought in [("1.62422e-11", r"\ensuremath{1.62422\times10^{-11}}"), ("0.000", r"\ensuremath{0.000}"),
+                             ("-0.000544490", r"\ensuremath{-5.44490\times10^{-4}}"), ("-0.53", r"\ensuremath{-0.53}"),
+                             ("0.0002", r"\ensuremath{2\times10^{-4}}"), ("0.006542", r"\ensuremath{0.006542}"),
+                             ("does not hold", "does not hold")]:
+            self.assertEqual(tex.value(shown), ought)
+        for plain, ought in [("E_PN for omega_b = 1.1", r"$E_{\mathrm{PN}}$ for $\omega_{b}$ = 1.1"),
+                             ("y_(1-n) = -y_n", "$y_{1-n}$ = $-y_{n}$"), ("c_c^2/2", "$c_{c}$$^{2}$/2"),
+                             ("W = 1 - cos y, A(0) = -i well-known", "W = 1 $-$ cos y, A(0) = $-$i well-known"),
+                             ("O(eps^-1/2), s >= 5 %", r"O($\epsilon$$^{-1/2}$), s $\ge$ 5 \%"),
+                             ("1e-14 to 1e-15", r"\ensuremath{1\times10^{-14}} to \ensuremath{1\times10^{-15}}")]:
+            self.assertEqual(tex.worded(plain), ought)
+        self.assertEqual(tex.unit("um"), r"$\mu$m")
+
+    def test_a_reference_to_nothing_is_named(self):
+        good = r"\num{a.one} \err{a.one} \pub{a.one} \num{sec1_demo.fact} \fig{01} \tally{open}"
+        self.write("paper/paper.tex", good + "\n% \\num{x}\n\\newcommand\\q[1]{\\num{#1}} 5\\% of \\num{a.one}\n")
+        self.assertEqual(self.lineage("macros")[0], 0)
+        numbers, claims = self.read("build/paper/numbers.tex"), self.read("build/paper/claims.tex")
+        for line in [r"\define{num}{a.one}{\ensuremath{1.000}}", r"\define{err}{a.one}{\ensuremath{0.001}}",
+                     r"\define{pub}{a.one}{1.02}", r"\define{fig}{01}{fig01}", r"\define{tally}{discrepant}{1}",
+                     r"\define{caption}{01}{A line.}", r"\define{chapter}{sec1_demo}{}"]:
+            self.assertIn(line + "\n", numbers)
+        self.assertIn(r"\claim{a.one}{one}{1.02}{\ensuremath{1.000} m}{\ensuremath{0.001}}{discrepant}", claims)
+        self.assertIn(r"\claim{a.two}{two}{yes}{}{}{open}", claims)
+        shutil.rmtree(self.root / "build/paper")
+        self.write("paper/paper.tex", "\\num{a.three} 5\\% of \\pub{sec1_demo.fact}\n\\fig{08} \\num{a.three}\n")
+        self.refuses("macros", r"\fig{08}", r"\num{a.three}", r"\pub{sec1_demo.fact}")
+        self.assertFalse((self.root / "build/paper").exists())
+        self.write("paper/paper.tex", "% chapter: sec9_none\n\\num{a.three}\n")
+        self.assertEqual(self.lineage("macros")[0], 0)
+        self.write("paper/converged.ecsv", self.read("paper/converged.ecsv").replace("a.one", "a.none"))
+        self.refuses("macros", "nothing is locked for the claim 'a.one'")
+
+    @unittest.skipUnless(shutil.which("latexmk"), "latexmk is not installed (make install-paper)")
+    def test_tex_stops_at_a_missing_number(self):
+        tex.write(ROOT, self.root / "good")
+        preamble = ecsv.text_of(ROOT / "paper/paper.tex").split(r"\begin{document}")[0] + "\\begin{document}\n"
+
+        def typeset(sentence):
+            self.write("one.tex", f"{preamble}{sentence}\n\\end{{document}}\n")
+            return subprocess.run(["latexmk", "-norc", "-g", "-pdf", "-interaction=nonstopmode", "-halt-on-error", "one.tex"],
+                                  cwd=self.root, capture_output=True, text=True, errors="replace", check=False,
+                                  env={"PATH": "/usr/bin:/bin", "HOME": str(self.root),
+                                       "TEXINPUTS": f"{ROOT}/paper:{self.root}/good:"})
+
+        run = typeset(r"It is \num{pn.omega11}.")
+        self.assertEqual(run.returncode, 0, run.stdout[-2000:])
+        self.assertNotEqual(typeset(r"It is \num{pn.omega12}.").returncode, 0)
+        self.assertIn("nothing is there for num pn.omega12", (self.root / "one.log").read_text(errors="replace"))
+
+
+class ThisRepository(unittest.TestCase):
+    """Its prose quotes the locked values, its pages show today's tables, and the lock keeps to its rule."""
+
+    def test_nothing_is_stale(self):
+        stale = [str(path) for path, text in refresh.fresh_texts(ROOT, {}) if text != ecsv.text_of(path)]
+        self.assertEqual(stale, [], "make refresh")
+
+    def test_every_table_has_a_place(self):
+        claims, locked, figures = lock.read_claims(ROOT), lock.read_lock(ROOT), refresh.read_figures(ROOT)
+        for name in refresh.generated_tables(claims, locked, figures):
+            self.assertIn(f"<!-- {name} -->", ecsv.text_of(ROOT / "README.md"))
+
+    def test_the_paper_refers_to_what_is_there(self):
+        claims, locked, figures = lock.read_claims(ROOT), lock.read_lock(ROOT), refresh.read_figures(ROOT)
+        texts = tex.paper_texts(claims, locked, figures)
+        for path in sorted((ROOT / "paper").glob("*.tex")):
+            if tex.chapter_needed(paper := ecsv.text_of(path)) in ("", *lock.programs_of(ROOT)):
+                self.assertEqual(tex.dangling(paper, texts), [], path)
+
+    def test_the_lock_holds_what_is_claimed_quoted_or_a_headline(self):
+        claims, locked, names = lock.read_claims(ROOT), lock.read_lock(ROOT), lock.quoted(ROOT)
+        self.assertGreater(len(locked), 100)
+        self.assertEqual([key for key, f in locked.items() if not lock.is_kept(f, claims, names)], [], "make lock")
+        self.assertEqual([id for id, c in claims.items() if c["status"] != "open" and (c["program"], id) not in locked], [])
+        self.assertEqual(names - {lock.name_of(f, claims) for f in locked.values()}, set())

@@ -1,0 +1,146 @@
+"""The reader of tables, digits and verdicts, and what is said of files that cannot be used."""
+
+import math
+import unittest
+
+from lineage import ecsv
+from lineage.claims import verdict
+from lineage.values import Finding
+
+from . import LOCK, Scratch, table
+
+
+def finding(value, error=0.0, unit="", kind="value"):
+    return Finding("p", "q", value, error, unit, kind)
+
+
+class Tables(unittest.TestCase):
+    def test_what_is_written_is_read(self):
+        rows = [{"a": "it's, \"so\" #1", "b": 0.1, "c": 3}, {"a": "", "b": math.inf, "c": -1}]
+        columns = [ecsv.Column("a", "string", "l'un"), ecsv.Column("b", "float64", "x", "m"), ecsv.Column("c", "int64", "n")]
+        text = ecsv.to_text(ecsv.Table(columns, rows, {"title": "it's"}))
+        read = ecsv.parse(text)
+        self.assertEqual((read.columns, read.rows, read.meta), (columns, rows, {"title": "it's"}))
+        self.assertEqual(ecsv.to_text(read), text)
+        self.assertIn("0.10000000000000001", text)
+
+    def test_what_cannot_be_read_is_one_line(self):
+        good = table(LOCK, [["p", "a", 1.0, 0.0, "", "value"], ["p", "b", 2.0, 0.0, "", "value"]])
+        for bad, message in [("", "t: no table (it is empty)"), (good[:300], "t: no table (it ends in its header)"),
+                             (good[:-9], "row 2: 5 cells under 6 columns"), (good[:-1], "t: row 2: the file is cut off"),
+                             (good.replace("p,b,2", "p,b,two"), "t: row 2: 'two' in the column 'value' is not a number"),
+                             (good.replace("p,b,", 'p,"b,'), "t: quotes that do not close"),
+                             (good.replace("program,id", "program,name"), "names above the rows")]:
+            with self.assertRaises(ecsv.Fault) as caught:
+                ecsv.parse(bad, "t")
+            self.assertIn(message, str(caught.exception))
+            self.assertNotIn("\n", str(caught.exception))
+        with self.assertRaisesRegex(ecsv.Fault, "no column 'x'"):
+            ecsv.parse(good, "t", ["x"])
+        with self.assertRaisesRegex(ecsv.Fault, "nowhere.ecsv is missing"):
+            ecsv.read("nowhere.ecsv")
+
+    def test_a_number_shows_the_digits_that_its_error_allows(self):
+        for f, shown in [
+                (finding(1.6242247200089819e-11, 4e-20), "1.62422e-11"), (finding(-7.5714e-08, 1e-10), "-7.57e-8"),
+                (finding(0.00091771471, 1.17e-06), "0.000918"), (finding(1.4978440800419035, 0.0057), "1.498"),
+                (finding(857.52737275438153, 0.0036), "857.527"), (finding(24934.60966977202, 0.104), "24934.6"),
+                (finding(2.0000000000000004, 5e-17), "2.00000"), (finding(7e-15, 4e-14), "7e-15"),
+                (finding(500, 200), "5e2"), (finding(14), "14"), (finding(-3), "-3"), (finding(0), "0"),
+                (finding(1.5), "1.5"), (finding(1.0009999999999999), "1.001"), (finding(1753921.9), "1.75392e6"),
+                (finding(1.75e19), "1.75e19"), (finding(4.3822562009170496e-16, 0, "", "residue"), "4e-16"),
+                (finding(1, 0, "claim"), "holds"), (finding(0, 0, "claim"), "does not hold"),
+                (finding(math.nan, 1), "nan"), (finding(-math.inf), "-inf"), (finding(1, math.nan), "1")]:
+            self.assertEqual(f.shown, shown)
+        self.assertEqual([finding(1, e).shown_error for e in (3.7e-9, 0)], ["4e-9", "exact"])
+        self.assertEqual(finding(1, 0, "claim").shown_error, "")
+
+
+class Verdicts(unittest.TestCase):
+    def check(self, printed, tolerance, value, error, expected, unit="", kind="converged"):
+        claim = {"printed": printed, "tolerance": tolerance, "class": kind}
+        self.assertEqual(verdict(claim, finding(value, error, unit)), expected, (printed, tolerance, value, error))
+
+    def test_a_printed_number(self):
+        self.check("9e-4", "rel 5e-2", 9.2e-4, 1e-6, "reproduced")
+        self.check("9e-4", "rel 5e-2", 9.6e-4, 1e-6, "discrepant")
+        self.check("9e-4", "rel 5e-2", 9.2e-4, 1e-4, "unresolved")
+        self.check("9e-4", "rel 5e-2", math.nan, 0, "unresolved")
+        self.check("9e-4", "rel 5e-2", 9e-4, math.nan, "unresolved")
+        self.check("1.5e-9", "at most", 1e-14, 0, "reproduced")
+        self.check("1.5e-9", "at most", 1e-8, 0, "discrepant")
+        self.check("1e-14 to 1e-15", "order of magnitude", 3e-15, 0, "reproduced")
+        self.check("1e-14 to 1e-15", "order of magnitude", 3e-13, 0, "discrepant")
+        self.check("1e-14 to 1e-15", "order of magnitude", 9e-14, 0, "reproduced")
+        self.check("238 to 241", "abs 15", 250, 1, "reproduced")
+        self.check("3 to 4 orders", "order of magnitude", 5e3, 1, "reproduced")
+        self.check("3 pi/2", "rel 1e-12", 4.71238898038469, 0, "reproduced")
+        self.check("-0.53", "", -0.5349, 0, "reproduced")
+        self.check("-0.53", "", -0.5351, 0, "discrepant")
+        self.check("2", "", 2.4, 0, "reproduced")
+        self.check("2", "", 2.6, 0, "discrepant")
+        self.check("192", "exact", 192, 0, "reproduced")
+        self.check("7", "", 1, 0, "unresolved", "claim")
+
+    def test_words(self):
+        for value, error, unit, expected in [
+                (1, 0, "claim", "holds"), (0, 0, "claim", "discrepant"), (0.5, 0, "claim", "unresolved"),
+                (1, 0.1, "claim", "unresolved"), (5.3e-12, 2e-12, "relative", "measured"), (1, 0, "", "measured"),
+                (math.nan, 0, "", "unresolved")]:
+            self.check("visually equal", "", value, error, expected, unit, "claim")
+        self.check("7 sites", "", 1, 0, "holds", "claim")
+        self.check("7", "", 1, 0, "holds", "claim", "claim")
+        self.assertEqual(verdict({"printed": "1", "tolerance": "", "class": ""}, None), "open")
+
+
+class Faults(Scratch):
+    """Each is one line that names file and row, and an exit code."""
+
+    def test_a_claim_given_twice(self):
+        path, text = "paper/published.ecsv", self.read("paper/published.ecsv")
+        self.write(path, text + text.splitlines()[-1].replace('two,yes', 'again,yes') + "\n")
+        for verb in ("summary", "lock", "refresh", "macros"):
+            self.refuses(verb, "published.ecsv: row 3: two claims for 'a.two' (the first: row 2)")
+
+    def test_an_answer_given_twice(self):
+        self.results(["a.one", 1.0, 0.1, ""], ["a.one", 1.0, 0.1, ""])
+        self.refuses("summary", "sec1_demo/results.ecsv: row 2: two values for 'a.one'")
+        self.results(["a.one", 1.0, 0.1, ""])
+        self.write("src/sec2_other.cpp", "/**\n# 2 */\n")
+        self.write("build/data/sec2_other/results.ecsv", self.read("build/data/sec1_demo/results.ecsv"))
+        self.refuses("summary", "sec2_other/results.ecsv: row 1: 'a.one' is answered by sec2_other, but", "by sec1_demo")
+        self.results(["a.none", 1.0, 0.1, ""])
+        self.refuses("lock", "row 1: 'a.none' is no claim")
+
+    def test_values_that_mean_nothing(self):
+        self.results(["a.one", 1.0, -0.1, ""])
+        self.refuses("summary", "results.ecsv: row 1: a.one: the error -0.1 is negative")
+        self.results(["a.one", 1.0, 0.1, ""])
+        text = self.read("paper/published.ecsv")
+        for tolerance in ("relative 1e-2", "rel -1e-2", "rel", "1e-2", "rel nan"):
+            self.write("paper/published.ecsv", text.replace("rel 1e-2", tolerance))
+            self.refuses("summary", f"published.ecsv: row 1: a.one: the tolerance '{tolerance}' is none", "order of magnitude")
+        self.write("paper/published.ecsv", text.replace("open", "unresolved"))
+        self.refuses("summary", "row 2: a.two: the status 'unresolved' is none")
+
+    def test_files_that_are_not_whole(self):
+        path = "build/data/sec1_demo/results.ecsv"
+        good = self.read(path)
+        self.write(path, "")
+        self.refuses("summary", "sec1_demo/results.ecsv: no table (it is empty)")
+        self.write(path, good[:-12])
+        self.refuses("summary", "sec1_demo/results.ecsv: row 1: ", "cut off")
+        self.write("paper/converged.ecsv", self.read("paper/converged.ecsv").replace("m,value", "m,vaule"))
+        self.refuses("refresh", "converged.ecsv: row 1: a.one: the kind 'vaule' is none")
+        (self.root / "build/data").rename(self.root / "build/gone")
+        for verb in ("summary", "lock"):
+            self.refuses(verb, "build/data is missing: compute it first")
+        (self.root / "paper/converged.ecsv").unlink()
+        self.refuses("macros", "converged.ecsv is missing")
+
+    def test_the_command_line(self):
+        for arguments in (["summary", "--dat"], ["show"], ["show", "a.one", "a.two"]):
+            code, out, err = self.lineage(*arguments)
+            self.assertEqual((code, out, err.count("\n")), (2, "", 1), err)
+        self.assertEqual(self.lineage("show", "a.on")[::2],
+                         (2, "lineage show: ID: there is no number 'a.on' (near it: a.one, a.two)\n"))

@@ -1,0 +1,65 @@
+"""A value with its error, and the digits that people see of it: the same in prose, paper and book."""
+
+import math
+from dataclasses import dataclass
+
+
+def with_digits(x, digits):
+    """`x` with so many significant digits, trailing zeros kept, and an exponent without plus and zeros."""
+    mantissa, _, exponent = f"{x:#.{digits}g}".partition("e")
+    return mantissa.rstrip(".") + (f"e{int(exponent)}" if exponent else "")
+
+
+def without_zeros(text):
+    """Without the zeros at the end of the decimals: for values that are exact."""
+    mantissa, e, exponent = text.partition("e")
+    return (mantissa.rstrip("0").rstrip(".") if "." in mantissa else mantissa) + e + exponent
+
+
+@dataclass(frozen=True)
+class Finding:
+    """One value of one program: the answer to a claim, or a fact. A `residue` is made of rounding, so that only
+    its size counts; `made_by` names the function that recorded it, where the table does."""
+    program: str
+    id: str
+    value: float
+    error: float = 0.0
+    unit: str = ""
+    kind: str = "value"
+    made_by: str = ""
+    row: int = 0  # in the table that it was read from
+
+    @property
+    def key(self):
+        return self.program, self.id
+
+    @property
+    def shown(self):
+        """The last digit is that of the error's leading one, six digits at most. Whole numbers without an error
+        are counts; other values without one are shown as they are. Yes and no are spelled out."""
+        if self.unit == "claim":
+            return "holds" if self.value == 1 else "does not hold"
+        if not math.isfinite(self.value):
+            return str(self.value)
+        if self.value == 0:
+            return "0"
+        if self.kind == "residue":
+            return with_digits(self.value, 1)
+        if self.error == 0:
+            whole = self.value == math.floor(self.value) and abs(self.value) < 1e9
+            return str(int(self.value)) if whole else without_zeros(with_digits(self.value, 6))
+        if not math.isfinite(self.error):
+            return with_digits(self.value, 1)
+        places = math.floor(math.log10(abs(self.value))) - math.floor(math.log10(self.error))
+        return with_digits(self.value, min(max(places + 1, 1), 6))
+
+    @property
+    def shown_error(self):
+        """One digit; empty for yes or no."""
+        if self.unit == "claim":
+            return ""
+        return "exact" if self.error == 0 else with_digits(self.error, 1)
+
+    @property
+    def shown_unit(self):
+        return f" {self.unit}" if self.unit not in ("", "claim") else ""
