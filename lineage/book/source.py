@@ -137,10 +137,12 @@ class Source:
         return (f"{self.room}-{stem}" if self.room else stem) + ".html"
 
 
-def read_source(root, path, title=""):
-    """A source; one without a title, such as the compiled half of a header, takes the one that is given."""
+def read_source(root, path, name=""):
+    """A source; where it has no title, such as the compiled half of a header, it takes the name that is given."""
     text = text_of(Path(root) / path)
-    return Source(path, text, split_blocks(text, path), title or title_of(text, path), includes_of(text))
+    blocks = split_blocks(text, path)
+    titled = not name or any(b.kind == "prose" and re.search(r"^# ", b.text, re.M) for b in blocks)
+    return Source(path, text, blocks, title_of(text, path) if titled else name, includes_of(text))
 
 
 def in_order_of_need(sources):
@@ -171,14 +173,14 @@ def rooms_of(root):
 def read_room(root, folder):
     """The headers of a folder, each before the source that is compiled for it."""
     path = folder.relative_to(root)
-    headers = in_order_of_need([read_source(root, f"{path}/{h.name}") for h in sorted(folder.glob("*.hpp"))])
+    headers = in_order_of_need([read_source(root, f"{path}/{h.name}", h.name) for h in sorted(folder.glob("*.hpp"))])
     out = []
     for header in headers:
         out.append(header)
         if (folder / f"{header.stem}.cpp").exists():
             out.append(read_source(root, f"{path}/{header.stem}.cpp", f"{header.title}: how"))
     known = {s.name for s in out}
-    return out + [read_source(root, f"{path}/{p.name}") for p in sorted(folder.glob("*.cpp")) if p.name not in known]
+    return out + [read_source(root, f"{path}/{p.name}", p.name) for p in sorted(folder.glob("*.cpp")) if p.name not in known]
 
 
 def find_sources(root, order=()):

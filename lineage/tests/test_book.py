@@ -75,7 +75,7 @@ class Blocks(unittest.TestCase):
     def test_the_compiled_half_follows_its_header(self):
         with tempfile.TemporaryDirectory() as folder:
             for name, text in [("src/lattice/numbers/a.hpp", "/** # A */"), ("src/lattice/numbers/a.cpp", "int x;"),
-                               ("src/sec33/b.hpp", "/** # B */"), ("src/sec33_x.cpp", "/** # X */"),
+                               ("src/sec33/b.hpp", "int y;"), ("src/sec33_x.cpp", "/** # X */"),
                                ("README.md", "| [`sec33`](src/sec33) | of 3.3 |\n")]:
                 ecsv.write_whole(Path(folder) / name, text)
             chapters, library = source.find_sources(folder)
@@ -83,7 +83,7 @@ class Blocks(unittest.TestCase):
         self.assertEqual([s.page for s in chapters], ["sec33_x.html"])
         self.assertEqual({room: [(s.page, s.title) for s in found] for room, found in library.items()},
                          {"numbers": [("numbers-a.html", "A"), ("numbers-a-cpp.html", "A: how")],
-                          "sec33": [("sec33-b.html", "B")]})
+                          "sec33": [("sec33-b.html", "b.hpp")]})
 
 
 class Numbers(unittest.TestCase):
