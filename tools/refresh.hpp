@@ -27,8 +27,8 @@ change a digit of a rounding residue; that fresh and locked values agree is asse
 #include <utility>
 #include <vector>
 
-#include "report/claims.hpp"
 #include "lock.hpp"
+#include "report/claims.hpp"
 
 namespace lattice {
 

@@ -12,10 +12,10 @@ tables of README.md and ARTIFACT.md; with `--check` it only says whether there i
 #include <iostream>
 #include <map>
 
-#include "report/claims.hpp"
 #include "lock.hpp"
 #include "macros.hpp"
 #include "refresh.hpp"
+#include "report/claims.hpp"
 
 using namespace lattice;
 namespace fs = std::filesystem;
