@@ -14,6 +14,7 @@ carry nearly all the energy, and the rest of the chain is almost at rest:
 We find both kinds by Newton's method with exact derivatives, and follow them as their frequency changes.
 How much energy separates them is the question of the next chapter. */
 
+#include <Eigen/SVD>
 #include <algorithm>
 #include <array>
 #include <cmath>

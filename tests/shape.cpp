@@ -38,7 +38,7 @@ TEST_CASE("a long function is seen", "[unit]") {
   };
   CHECK(unreadable(function("void f()", 60)).empty());
   CHECK(unreadable(function("void f()", 61)).size() == 1);
-  CHECK(unreadable(function("void f()", 40) + function("void g()", 40)).empty());
+  CHECK(unreadable(function("void f()", 36) + function("void g()", 36)).empty());
   CHECK(unreadable(function("struct S", 70)).empty());
 }
 

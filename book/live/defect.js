@@ -11,7 +11,7 @@
     }
     choices() { return []; }
     request() { return [this.ask.radius, this.ask.velocity, 300]; }
-    commands() { return `build/bin/sec36_cantilever_defect run --radius ${this.ask.radius} --velocity ${this.ask.velocity}`; }
+    commands() { return `build/bin/sec36_cantilever_defect run --ratio ${this.ask.radius} --velocity ${this.ask.velocity}`; }
 
     furnish() {
       this.map = make("canvas", { role: "img" });

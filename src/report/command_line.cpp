@@ -35,7 +35,7 @@ static std::size_t distance(const std::string& a, const std::string& b) {
 
 std::optional<std::string> nearest(const std::string& word, const std::vector<std::string>& names) {
   std::optional<std::string> best;
-  std::size_t least = 1 + std::max<std::size_t>(1, word.size() / 3);
+  std::size_t least = std::min(word.size(), 1 + std::max<std::size_t>(1, word.size() / 3));
   for (const std::string& name : names) {
     const bool begun = word.size() > 1 && name.rfind(word, 0) == 0;
     if (const std::size_t d = begun ? 1 : distance(word, name); d < least) best = name, least = d;

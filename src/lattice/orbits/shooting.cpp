@@ -244,4 +244,11 @@ Orbit<T> polish(const Shooting<T>& problem, const Orbit<From>& from, const Newto
                                       const NewtonRule<T>&);
 #include "lattice/model/instances.hpp"
 
+// Orbits are polished from double precision, and in extended precision also from there.
+#if !defined(LATTICE_QUADRUPLE) && !defined(__wasm__)
+template Orbit<long double> polish<long double, long double>(const Shooting<long double>&,
+                                                             const Orbit<long double>&,
+                                                             const NewtonRule<long double>&);
+#endif
+
 }  // namespace lattice
