@@ -17,6 +17,7 @@ to run; the ratios, taken within one run, hardly do. */
 #include "monodromy.hpp"
 #include "peers.hpp"
 #include "report/command_line.hpp"
+#include "report/program.hpp"
 
 using namespace lattice;
 using namespace bench;
