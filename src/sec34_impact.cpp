@@ -134,12 +134,12 @@ that it uses elsewhere. A soft well lets go of a bead that passes its rim at $|y
 the bead runs away to infinity. So each soft well has a largest velocity worth trying, and a range
 in which its blow-up is looked for. Both are our choice; the criterion of the blow-up fails if the
 range misses one of its edges. */
-struct Well {
+struct Struck {
   double s;
   std::string name;
   double fastest, band_from, band_to;
 };
-const Well wells[] = {
+const Struck wells[] = {
     {0, "s_0", 2.5, 0, 0}, {-1.0 / 6, "s_1_6", 2.2, 2.05, 2.85}, {-0.7, "s_0_7", 1.0, 0.93, 1.33}};
 
 using Curve = std::vector<SweepPoint>;
@@ -148,7 +148,7 @@ using Curve = std::vector<SweepPoint>;
 std::vector<Curve> velocity_sweep(double spacing) {
   std::vector<Curve> curves;
   std::vector<SweepPoint*> all;
-  for (const Well& well : wells) {
+  for (const Struck& well : wells) {
     Curve& curve = curves.emplace_back();
     for (long k = 1; k <= std::lround(well.fastest / spacing); ++k)
       curve.push_back({well.s, spacing * double(k)});
@@ -243,7 +243,7 @@ struct Band {
 };
 
 /// Sorts the outcomes, velocity by velocity.
-Band edges(const Well& well, const std::vector<double>& velocity,
+Band edges(const Struck& well, const std::vector<double>& velocity,
            const std::vector<double> (&escape)[2], Table& scan) {
   const double count = double(velocity.size());
   Band band{well.band_to, well.band_from, velocity[1] - velocity[0], 0};
@@ -260,7 +260,7 @@ Band edges(const Well& well, const std::vector<double>& velocity,
 
 /**
 Runs at different velocities are independent, so they share the cores. */
-Band blowup_band(const Well& well, std::size_t count, double time, Table& scan) {
+Band blowup_band(const Struck& well, std::size_t count, double time, Table& scan) {
   std::vector<double> velocity(count), escape[2] = {velocity, velocity};
   parallel_for("blow-up band", count, [&](std::size_t i) {
     velocity[i] = well.band_from + (well.band_to - well.band_from) * double(i) / double(count - 1);
@@ -281,7 +281,7 @@ two resolutions disagree on less than a twentieth of it. One more condition foll
 alone, whatever the integrator does: the impact must pay for the climb to the rim, or no bead
 escapes,
 $$v_0^2/2 > W\bigl((-s)^{-1/2}\bigr) = 1/(4|s|).$$ */
-Criterion threshold(const Well& well, const Band& band) {
+Criterion threshold(const Struck& well, const Band& band) {
   const Estimate first{band.first_escape, band.spacing}, last{band.last_survivor, band.spacing};
   return {above("first_escape_" + well.name, first, well.band_from),
           above("price_of_the_rim_" + well.name, first, 1 / std::sqrt(-2 * well.s)),

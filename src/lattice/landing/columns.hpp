@@ -17,7 +17,7 @@ namespace lattice {
 Nearly all the time is spent in the two loops below. The end rows of an open chain have a zero coefficient
 for the neighbour that they lack, so the index may wrap around as on a ring. */
 template <class T>
-LATTICE_WIDE void kick_panel(const Row<T>* row, const T* y, T* v, std::size_t rows,
+LATTICE_WIDE void kick_panel(const TangentRow<T>* row, const T* y, T* v, std::size_t rows,
                              std::size_t columns) {
   for (std::size_t n = 0; n < rows; ++n) {
     const T self = row[n].self, left = row[n].left, right = row[n].right;
@@ -41,7 +41,8 @@ LATTICE_WIDE void add_scaled(T* __restrict__ y, const T* __restrict__ v, T facto
 The core's rows of the matrix come multiplied by the duration of the kick. The contacts across the edges
 of the core are negligible or lead to a wall, and so they count in the diagonal alone. */
 template <class T>
-void rows_at(const Chain& chain, const Curvature<T>& node, Window core, std::vector<Row<T>>& rows) {
+void rows_at(const Chain& chain, const Curvature<T>& node, Window core,
+             std::vector<TangentRow<T>>& rows) {
   const bool ring = chain.ends == Ends::periodic;
   rows.resize(core.last - core.first);
   for (std::size_t n = core.first; n < core.last; ++n) {

@@ -104,7 +104,7 @@ class Leapfrog {
   const Chain& chain_;
   bool probe_;
   std::vector<T> push_, pull_;
-  std::vector<Row<T>> rows_;
+  std::vector<TangentRow<T>> rows_;
 };
 
 /**

@@ -122,7 +122,7 @@ their rounding would otherwise spoil the entries of order one. */
 template <class T>
 void extrapolate_panel(const Chain& chain, const Record<T>& record, Window core, Panel<T>& panel) {
   const std::size_t count = panel.y.size();
-  std::vector<Row<T>> rows;
+  std::vector<TangentRow<T>> rows;
   std::vector<T> y, v, dy(count, T(0)), dv(count, T(0));
   std::size_t at = 0;
   for (std::size_t j = 1; j <= record.levels(); ++j) {

@@ -67,7 +67,7 @@ struct Record {
 
 /// Coefficients of a row: of the own displacement, and of those of the left and right neighbour.
 template <class T>
-struct Row {
+struct TangentRow {
   T self, left, right;
 };
 
