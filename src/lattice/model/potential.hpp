@@ -167,6 +167,12 @@ concept IsPotential = requires(const P& p, double x) {
   p.stiffness(x);
 };
 
+/// Whether a list of potentials names P.
+template <class P, class List>
+inline constexpr bool is_listed = false;
+template <class P, class... Listed>
+inline constexpr bool is_listed<P, std::variant<Listed...>> = (std::is_same_v<P, Listed> || ...);
+
 /// Forces and stiffnesses at a row of numbers.
 template <class P, class T>
 void forces_of(const P& potential, const T* x, T* out, std::size_t n) {
