@@ -167,6 +167,12 @@ concept IsPotential = requires(const P& p, double x) {
   p.stiffness(x);
 };
 
+/// Whether a list holds potentials of type `P`.
+template <class P, class... Potential>
+constexpr bool lists(const std::variant<Potential...>*) {
+  return (std::is_same_v<P, Potential> || ...);
+}
+
 /// Forces and stiffnesses at a row of numbers.
 template <class P, class T>
 void forces_of(const P& potential, const T* x, T* out, std::size_t n) {
