@@ -504,8 +504,9 @@ struct OneImpact {
   /// Completes what the reader left open: a chain so long that the motion does not reach its end.
   Impact complete() const {
     Impact out = impact;
-    std::size_t& sites = out.chain.sites;
-    if (sites == 0) sites = std::min<std::size_t>(100 + std::size_t(2 * out.time), 4000);
+    if (impact.chain.sites > 0) return out;
+    out.chain = endless(impact.chain, impact.velocity, impact.time);
+    out.chain.sites = std::max(out.chain.sites, 100 + std::size_t(2 * impact.time));
     return out;
   }
 };
@@ -557,6 +558,8 @@ Table OneImpact::table() const {
   if (fine.run.escaped())
     throw Failure("the solution blows up at t = " + std::to_string(fine.run.escape_time) +
                   ": --velocity is beyond the threshold of this well");
+  if (impact.chain.sites == 0 && std::abs(fine.end.v.back()) > 1e-9 * impact.velocity)
+    throw Failure("the motion reaches the far end");
   return profile ? run_profile(fine) : run_quantities(whole, coarse, fine);
 }
 

@@ -216,7 +216,7 @@ struct BetaPoint {
 
   explicit BetaPoint(const PhaseOfWave& at) : phase(at), nls(at.nls()) {}
   void measure() {
-    const CompressedRing ring{48, {phase.s}, {phase.d}, Ends::periodic};
+    const Chain ring{48, Quartic{phase.s}, CompressedHertz{phase.d}, Ends::periodic};
     beta = measured_beta(ring, phase.q, nls.omega);
     if (nls.phi > 0) growth_phi = phase.phi_from_growth(0.04);
   }
@@ -329,7 +329,7 @@ void report_growth(Report& report) {
               number("growth", "growth in a run over |A|^2"),
               number("growth_error", "difference of two steps")}};
   const ModulatedPhonon phonon;
-  const CompressedRing ring = phonon.ring();
+  const Chain ring = phonon.ring();
   const PlaneWave wave = plane_wave(ring.well, ring.contact, phonon.q, phonon.a);
   Estimate apart;
   for (int turns = 1; turns <= 3; ++turns) {
@@ -435,7 +435,7 @@ order eight must arrive at the same states.
 ![Error against step with closed and with opening contacts.](fig:x08) */
 struct OrderCase {
   std::string name;
-  CompressedRing chain;
+  Chain chain;
   State<double> start;
   double time;
 
@@ -475,7 +475,7 @@ Only Verlet's order of two lies below the limit and is kept in both. */
 void report_order(Report& report) {
   const ModulatedPhonon phonon;
   const OrderCase cases[] = {{"closed", phonon.ring(), phonon.start(), 50},
-                             {"opening", {60, {1}, {compression}}, struck(60, 1.87), 30}};
+                             {"opening", {60, Quartic{1}, CompressedHertz{compression}}, struck(60, 1.87), 30}};
   Table table{{label("contacts", "closed all the time, or opening"), label("scheme", "splitting"),
                number("step", "time step"), number("error", "relative error of the end state")}};
   for (const OrderCase& c : cases) {

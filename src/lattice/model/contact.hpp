@@ -191,7 +191,7 @@ struct Contact : std::variant<Hertz, CompressedHertz, PowerContact, OwnContact> 
   /// The contact as what it is. Throws std::bad_variant_access if it is another one.
   template <class P>
   const P& as() const {
-    if constexpr (is_listed<P, variant>)
+    if constexpr (lists<P>(static_cast<const variant*>(nullptr)))
       return std::get<P>(*this);
     else
       return std::get<OwnContact>(*this).template as<P>();

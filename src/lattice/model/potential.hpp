@@ -167,11 +167,11 @@ concept IsPotential = requires(const P& p, double x) {
   p.stiffness(x);
 };
 
-/// Whether a list of potentials names P.
-template <class P, class List>
-inline constexpr bool is_listed = false;
-template <class P, class... Listed>
-inline constexpr bool is_listed<P, std::variant<Listed...>> = (std::is_same_v<P, Listed> || ...);
+/// Whether a list holds potentials of type `P`.
+template <class P, class... Potential>
+constexpr bool lists(const std::variant<Potential...>*) {
+  return (std::is_same_v<P, Potential> || ...);
+}
 
 /// Forces and stiffnesses at a row of numbers.
 template <class P, class T>

@@ -141,7 +141,7 @@ struct Well : std::variant<None, Harmonic, Quartic, Pendulum, OwnWell> {
   /// The well as what it is. Throws std::bad_variant_access if it is another one.
   template <class P>
   const P& as() const {
-    if constexpr (is_listed<P, variant>)
+    if constexpr (lists<P>(static_cast<const variant*>(nullptr)))
       return std::get<P>(*this);
     else
       return std::get<OwnWell>(*this).template as<P>();

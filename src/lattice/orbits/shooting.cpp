@@ -244,8 +244,12 @@ Orbit<T> polish(const Shooting<T>& problem, const Orbit<From>& from, const Newto
                                       const NewtonRule<T>&);
 #include "lattice/model/instances.hpp"
 
-// Orbits are polished from double precision, and in extended precision also from there.
-#if !defined(LATTICE_QUADRUPLE) && !defined(__wasm__)
+// Orbits are polished from double precision, and from extended precision on.
+#ifdef LATTICE_QUADRUPLE
+template Orbit<Quadruple> polish<Quadruple, long double>(const Shooting<Quadruple>&,
+                                                         const Orbit<long double>&,
+                                                         const NewtonRule<Quadruple>&);
+#elif !defined(__wasm__)
 template Orbit<long double> polish<long double, long double>(const Shooting<long double>&,
                                                              const Orbit<long double>&,
                                                              const NewtonRule<long double>&);
