@@ -474,8 +474,9 @@ If opening contacts are to blame, the methods lose their order in the one case a
 Only Verlet's order of two lies below the limit and is kept in both. */
 void report_order(Report& report) {
   const ModulatedPhonon phonon;
-  const OrderCase cases[] = {{"closed", phonon.ring(), phonon.start(), 50},
-                             {"opening", {60, Quartic{1}, CompressedHertz{compression}}, struck(60, 1.87), 30}};
+  const OrderCase cases[] = {
+      {"closed", phonon.ring(), phonon.start(), 50},
+      {"opening", {60, Quartic{1}, CompressedHertz{compression}}, struck(60, 1.87), 30}};
   Table table{{label("contacts", "closed all the time, or opening"), label("scheme", "splitting"),
                number("step", "time step"), number("error", "relative error of the end state")}};
   for (const OrderCase& c : cases) {

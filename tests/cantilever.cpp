@@ -158,7 +158,7 @@ TEST_CASE("each mark of a trapped mode can fail", "[unit][cantilever]") {
 
 TEST_CASE("the mode of a light defect is a breather", "[property][cantilever]") {
   const CantileverArray array;
-  const ModeProblem problem = mode_problem(array, 0.925);
+  const Shooting<double> problem = mode_problem(array, 0.925);
   const Orbit<double> orbit = mode_of_energy(problem, 1e-5);
   check_close(orbit.energy, 1e-5, 0, 1e-9);
   CHECK(orbit.residual() < 1e-12);

@@ -17,7 +17,7 @@ constexpr std::size_t sites = 16, steps = 400000;
 constexpr double step = 0.004;
 
 Chain ring() {
-  return {sites, {}, {0.5}, Ends::periodic};
+  return {sites, Harmonic{}, CompressedHertz{0.5}, Ends::periodic};
 }
 
 template <class T>

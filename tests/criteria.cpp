@@ -175,8 +175,8 @@ TEST_CASE("only what rises above the waves between is visible", "[property][crit
   CHECK(prominence(v, 80) < 1);
   // The same impact on linear wells leaves no surface mode, on soft ones it does.
   const auto shot = [](double s) {
-    const Outcome out =
-        follow(ContactAware{0.1}, {1.87, s, 400, 130}, far_away, 400.0, Unwatched{});
+    const Outcome out = follow(ContactAware{0.1}, Impact{1.87, {130, Quartic{s}}, 400}, far_away,
+                               400.0, Unwatched{});
     return prominence(out.end.v, *front_packet(out.density));
   };
   CHECK(shot(-1.0 / 6) > 1);

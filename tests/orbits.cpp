@@ -34,13 +34,13 @@ TEST_CASE("a chain with a heavy bead has a breather without mirror symmetry",
   const Orbit<double> plain = find_breather(problem);
   vary(problem.chain, std::vector<double>(21, 1), {});
   problem.symmetry = even_in_time(21);
-  const Along<Problem> mass{"mass", [](const Problem& p) { return p.chain.mass[11]; },
-                            [](Problem& p, const double& m) {
-                              auto masses = p.chain.mass;
-                              masses[11] = m;
-                              vary(p.chain, masses, {});
-                            },
-                            1e-5};
+  const Along<double> mass{"mass", [](const Problem& p) { return p.chain.mass[11]; },
+                           [](Problem& p, const double& m) {
+                             auto masses = p.chain.mass;
+                             masses[11] = m;
+                             vary(p.chain, masses, {});
+                           },
+                           1e-5};
   Branch branch(problem, mass, newton(problem, problem.fold(plain.start)), 1, {},
                 {.first = 1e-3, .least = 1e-7, .most = 0.05});
   for (int k = 0; k < 12; ++k) branch.advance();
@@ -200,7 +200,7 @@ TEST_CASE("a branch follows any parameter of its problem", "[property][orbits]")
     masses[10] = m;
     vary(p.chain, masses, {});
   };
-  const Along<Problem> mass{"mass", [](const Problem& p) { return p.chain.mass[10]; }, set, 1e-3};
+  const Along<double> mass{"mass", [](const Problem& p) { return p.chain.mass[10]; }, set, 1e-3};
   const Orbit<double> start = newton(even, even.fold(find_breather(problem).start));
   Branch branch(even, mass, start, 1);
   const Orbit<double> heavy = branch.reach(1.02);
