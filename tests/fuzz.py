@@ -27,7 +27,7 @@ def said(*command):
 def commands(program):
     """The subcommands of a program, each with its options as help names them; '' is the full run."""
     help_text = said(program, "--help")
-    names = re.findall(r"^  (\w[\w-]*) {2,}", help_text.split("ubcommands:")[-1], re.M) if "ubcommands:" in help_text else []
+    names = re.findall(r"^  (\w[\w-]*) {2,}", help_text.partition("\nCommands")[2], re.M)
     return {name: re.findall(r"(--[\w-]+)", said(program, name, "--help")) for name in names}
 
 
