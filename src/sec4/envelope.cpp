@@ -6,6 +6,7 @@ Range around(std::size_t peak, std::size_t reach, std::size_t sites) {
   return {peak > reach ? peak - reach : 0, std::min(sites, peak + reach + 1)};
 }
 
+// Slide a window along the chain and keep the centre of the one that holds the most energy
 std::size_t richest(const std::vector<double>& e, std::size_t reach) {
   double sum = window_sum(e, 0, reach), best = sum;
   std::size_t at = 0;
@@ -17,6 +18,7 @@ std::size_t richest(const std::vector<double>& e, std::size_t reach) {
   return at;
 }
 
+// The carrier's frequency from the packet, then amplitudes from velocity and acceleration
 Envelope envelope(const Chain& chain, const State<double>& state, Range range) {
   const std::vector<double> a = accelerations(chain, state.y);
   double aa = 0, vv = 0;
@@ -30,6 +32,7 @@ Envelope envelope(const Chain& chain, const State<double>& state, Range range) {
   return out;
 }
 
+// How far the sech is from the envelope
 double misfit(const Sech& f, const std::vector<double>& a, Range range) {
   double sum = 0;
   for (std::size_t n = range.first; n < range.last; ++n)
@@ -43,6 +46,7 @@ double determinant(const double (&t)[3][3]) {
          t[0][2] * (t[1][0] * t[2][1] - t[1][1] * t[2][0]);
 }
 
+// One Gauss-Newton step: gather matrix and right-hand side from the derivatives at every site
 std::array<double, 3> sech_step(const Sech& f, const std::vector<double>& a, Range range) {
   double m[3][3] = {}, g[3] = {};
   for (std::size_t n = range.first; n < range.last; ++n) {
@@ -53,6 +57,7 @@ std::array<double, 3> sech_step(const Sech& f, const std::vector<double>& a, Ran
       for (int j = 0; j < 3; ++j) m[i][j] += d[i] * d[j];
     }
   }
+  // Three equations, solved by Cramer's rule
   std::array<double, 3> step{};
   for (int k = 0; k < 3; ++k) {
     double replaced[3][3];
@@ -63,12 +68,14 @@ std::array<double, 3> sech_step(const Sech& f, const std::vector<double>& a, Ran
   return step;
 }
 
+// Start with the peak of the envelope as height and centre of the soliton
 Sech fit_sech(const std::vector<double>& a, Range range, double width) {
   const auto first = a.begin() + std::ptrdiff_t(range.first),
              last = a.begin() + std::ptrdiff_t(range.last);
   const auto top = std::max_element(first, last);
   Sech f{*top, double(top - a.begin() + 1), width, 0};
   double now = misfit(f, a, range);
+  // Take each step as far as it lessens the misfit, and stop where it no longer does
   for (int i = 0; i < 100; ++i) {
     const std::array<double, 3> step = sech_step(f, a, range);
     double part = 1;

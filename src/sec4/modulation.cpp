@@ -2,6 +2,7 @@
 
 namespace lattice {
 
+// Let the modulation grow, then follow the packet's centre during the last part of the run
 Modulated modulate(const ModulatedPhonon& phonon, double time, double step) {
   const Chain ring = phonon.ring();
   const Splitting stepper{blanes_moan_6_14(), step};
@@ -18,6 +19,7 @@ Modulated modulate(const ModulatedPhonon& phonon, double time, double step) {
   return out;
 }
 
+// How long two steps give the same state, before the instability has magnified their difference
 Estimate agreement_time(const ModulatedPhonon& phonon, double longest) {
   const double interval = 50;
   const Chain ring = phonon.ring();
@@ -29,6 +31,7 @@ Estimate agreement_time(const ModulatedPhonon& phonon, double longest) {
   return distance(coarse, fine) < 0.1 ? exact(fine.t) : Estimate{fine.t, interval};
 }
 
+// The state of the wave at the end, in numbers; the slope of the centre's path is its speed
 Formed formed(const Modulated& m) {
   const std::size_t sites = m.density.size();
   const double mean = total(m.density) / double(sites);
@@ -41,6 +44,7 @@ Estimate ring_speed(const Formed& coarse, const Formed& fine) {
   return {fine.speed, fine.speed_error + std::abs(fine.speed - coarse.speed)};
 }
 
+// Energy gathered in a peak, on a part of the ring, that moves
 Criterion formed_breather(const Formed& coarse, const Formed& fine) {
   const auto share = [](const Formed& f) { return f.participation / double(f.sites); };
   return {above("peak_over_mean", compare(coarse.peak_over_mean, fine.peak_over_mean), 5),
@@ -48,6 +52,7 @@ Criterion formed_breather(const Formed& coarse, const Formed& fine) {
           above("speed", ring_speed(coarse, fine), 0)};
 }
 
+// The same measure of a peak, for a wave that has stayed uniform
 Criterion uniform_still(const Formed& coarse, const Formed& fine) {
   return {below("peak_over_mean", compare(coarse.peak_over_mean, fine.peak_over_mean), 5)};
 }

@@ -5,6 +5,7 @@
 
 namespace lattice {
 
+// The two scales: of time, and of the amplitude at a given breather frequency
 double tau_0() {
   return 5 * gamma_quarter * gamma_quarter / (24 * std::sqrt(std::numbers::pi));
 }
@@ -49,6 +50,7 @@ void Dps::operator()(double, const double* a, double* da) const {
   }
 }
 
+// The two conserved quantities of the DpS equation, and the density whose sum is one of them
 double norm(const Field& field) {
   double sum = 0;
   for (const auto& a : field) sum += std::norm(a);
@@ -70,12 +72,14 @@ std::vector<double> density(const Field& field) {
   return d;
 }
 
+// An impact on the first bead gives it a velocity and no displacement: A_1 is imaginary
 Field dps_impact(std::size_t sites) {
   Field field(sites);
   field[0] = {0, -1};
   return field;
 }
 
+// Back to the chain: the slow amplitudes turn with the fast oscillation of the wells
 State<double> dps_state(const Field& field, double eps, double t) {
   State<double> state(field.size());
   const std::complex<double> phase(std::cos(t), std::sin(t));

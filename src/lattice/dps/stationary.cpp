@@ -89,6 +89,7 @@ void converge_strains(Centre centre, const T& mu, std::vector<T>& r, int most,
   const double bound =
       100 * double(std::numeric_limits<T>::epsilon()) * std::pow(1.5, double(r.size()));
   std::ostringstream text;
+  // Each round multiplies every strain by one plus its relative correction
   for (int k = 0; k < most; ++k) {
     const Vector<T> eta = newton_step(centre, mu, r);
     double largest = 0;
@@ -102,6 +103,7 @@ void converge_strains(Centre centre, const T& mu, std::vector<T>& r, int most,
     if (largest <= bound) return;
     if (!std::isfinite(largest)) break;
   }
+  // Without convergence, the list of corrections shows whether they stagnated or grew
   throw std::runtime_error(
       "Newton's method for the stationary DpS state did not converge, largest relative "
       "corrections " +
@@ -110,6 +112,8 @@ void converge_strains(Centre centre, const T& mu, std::vector<T>& r, int most,
 
 }  // namespace
 
+// From a short state outward: the balance of forces in the tail predicts the next strain from the
+// last, until the chain is full or the strain too small for the arithmetic
 template <class T>
 Stationary<T> stationary_from(Centre centre, const T& mu, std::vector<T> start, std::size_t sites,
                               int most) {
@@ -126,6 +130,7 @@ Stationary<T> stationary_from(Centre centre, const T& mu, std::vector<T> start, 
   return out;
 }
 
+// The start is the compact profile of the quasi-continuum limit, scaled with the square of mu
 template <class T>
 Stationary<T> stationary(Centre centre, const T& mu, std::size_t sites, int most) {
   if (!fits(centre, sites))

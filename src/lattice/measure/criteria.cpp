@@ -2,6 +2,7 @@
 
 namespace lattice {
 
+// Does the packet keep its energy? The means over both halves of the way average out its pulsation
 double energy_change(const Track& track, double to) {
   const std::size_t end = track.until(to);
   std::size_t begin = 0;
@@ -17,6 +18,7 @@ double energy_change(const Track& track, double to) {
   return second / first - 1;
 }
 
+// The strongest window behind the packet, at least one width clear of it
 double residue(const std::vector<double>& e, std::size_t peak) {
   const std::size_t m = packet_half_width;
   double most = 0;
@@ -24,6 +26,7 @@ double residue(const std::vector<double>& e, std::size_t peak) {
   return most / window_sum(e, peak);
 }
 
+// The three conditions on a packet that lasts
 Criterion travelling_breather(const Journey& journey) {
   const Estimate &speed = journey.speed_change, &energy = journey.energy_change;
   return {below("speed_change", {std::abs(speed.value), speed.error}, 0.05),
@@ -31,6 +34,7 @@ Criterion travelling_breather(const Journey& journey) {
           below("residue", journey.residue, 1)};
 }
 
+// How compact a packet is, judged on its undisturbed side by the last site in and the first one out
 Criterion supported_by(std::size_t sites, const Front& coarse, const Front& fine) {
   const auto amplitude = [&](std::size_t k) {
     return compare(coarse.amplitude(k), fine.amplitude(k));
@@ -39,6 +43,7 @@ Criterion supported_by(std::size_t sites, const Front& coarse, const Front& fine
           below("next", amplitude(sites / 2 + 1), 0.01)};
 }
 
+// Curves that coincide in a limit, and energy that stays where it was put in
 Criterion meet(const Meeting& m) {
   return {below("near", m.near, 0.01), below("near_over_far", quotient(m.near, m.far), 0.5)};
 }
@@ -47,6 +52,7 @@ Criterion trapped(const Estimate& boundary, const Estimate& packet) {
   return {above("boundary_over_packet", quotient(boundary, packet), 1)};
 }
 
+// The lower of two peaks, at the end and around the packet, over the highest wave in between
 double prominence(const std::vector<double>& v, std::size_t peak, std::size_t near) {
   const auto height = [&](std::size_t from, std::size_t to) {
     double most = 0;
@@ -59,6 +65,7 @@ double prominence(const std::vector<double>& v, std::size_t peak, std::size_t ne
   return std::min(height(0, near), packet) / between;
 }
 
+// Breathers and kinks both occur, in this order of velocities, and leave no gap for a third regime
 Criterion transition(const Transition& t) {
   return {above("breathers", exact(double(t.breathers)), 0),
           above("kinks", exact(double(t.kinks)), 0),

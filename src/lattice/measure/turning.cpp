@@ -2,6 +2,7 @@
 
 namespace lattice {
 
+// Average the internal oscillation away with a raised cosine as wide as several of its periods
 Path smooth(const Path& path, double width) {
   if (path.t.size() < 3) throw std::invalid_argument("a path needs at least three samples");
   const double sample = path.t[1] - path.t[0];
@@ -24,6 +25,7 @@ Path smooth(const Path& path, double width) {
   return out;
 }
 
+// Locate an extremum between the samples, by the parabola through three of them
 Moment vertex(const Path& path, std::size_t i) {
   if (i == 0 || i + 1 >= path.t.size()) return {path.centre[i], path.t[i]};
   const double rise = (path.centre[i + 1] - path.centre[i - 1]) / 2;
@@ -33,6 +35,7 @@ Moment vertex(const Path& path, std::size_t i) {
   return {path.centre[i] + shift * rise / 2, path.t[i] + shift * (path.t[1] - path.t[0])};
 }
 
+// Follow the packet to its first stop, out to the apex, and back to where it rebounds
 Turn find_turn(const Path& path, double back, double again, double clear) {
   Turn turn;
   std::size_t far = 0, near = 0;
@@ -40,6 +43,7 @@ Turn find_turn(const Path& path, double back, double again, double clear) {
   const std::vector<double>& x = path.centre;
   for (std::size_t i = 1; i < x.size(); ++i) {
     if (!turn.stop.found() && x[i - 1] > clear && x[i] < x[i - 1]) turn.stop = vertex(path, i - 1);
+    // On the way out it is caught and released, so only a retreat by `back` sites makes an apex
     if (!turned) {
       if (x[i] > x[far]) far = i;
       turned = x[i] < x[far] - back;
@@ -55,6 +59,7 @@ Turn find_turn(const Path& path, double back, double again, double clear) {
   return turn;
 }
 
+// Two errors for every turning point: from the step, and from the width of the smoothing
 TurnEstimate estimate_turn(const Voyage& coarse, const Voyage& fine) {
   const Turn a = coarse.turn(), b = fine.turn(), c = fine.turn(smoothing / 2);
   const auto both = [&](auto of) {
@@ -69,6 +74,7 @@ TurnEstimate estimate_turn(const Voyage& coarse, const Voyage& fine) {
           both([](const Turn& t) { return t.rebound.time; })};
 }
 
+// How often to look and how long to wait, from the fastest rate and from the slowest packet
 Patience patience(double velocity, double s, double horizon) {
   const double rate =
       std::max({1.0, std::pow(velocity, 0.2), std::pow(s * velocity * velocity, 0.25)});
@@ -76,12 +82,14 @@ Patience patience(double velocity, double s, double horizon) {
   return {0.8 / rate, 10 * crossing / rate, 4 * crossing / rate};
 }
 
+// Strike the chain and follow the packet until its fate is known
 Outlook probe(double velocity, double s, double horizon, int halvings) {
   const Patience wait = patience(velocity, s, horizon);
   const Chain chain{std::size_t(horizon) + 20, Quartic{s}};
   State<double> state = struck(chain.sites, velocity);
   Outlook out;
   Path period;
+  // The mean over one internal period decides: past the horizon, on the way back, or never away
   const auto look = [&](const State<double>& now) {
     period.add(now.t, energy_density(chain, now));
     if (period.t.size() < 8) return true;
@@ -94,28 +102,33 @@ Outlook probe(double velocity, double s, double horizon, int halvings) {
     if (now.t > wait.tired && out.apex < 8) out.fate = Fate::stays;
     return out.fate == Fate::undecided;
   };
+  // Four steps between two looks resolve the fastest motion; halvings shorten the steps only
   const double step = wait.interval / 4;
   evolve(ContactAware{step}, chain, state,
          shorter_steps(pace(wait.time, wait.interval, step), halvings), look);
   return out;
 }
 
+// The forces point backward on both ways, and the time of the return is known
 Criterion reversed_packet(const Estimate& apex_time, const Estimate& out, const Estimate& back,
                           const Estimate& return_time) {
   return {above("apex_time", apex_time, 0), below("force_out", out, 0),
           below("force_back", back, 0), below("return_time_error", exact(return_time.error), 10)};
 }
 
+// A packet that is held back, but by less than half of what turns another one round
 Criterion slowed_packet(bool slows, const Estimate& force, const Estimate& turning_force) {
   const Estimate share = quotient(force, turning_force);
   return {above("slows", exact(slows), 0.5),
           below("force_over_190", {std::abs(share.value), share.error}, 0.5)};
 }
 
+// Ensembles that stay together until the return and scatter later
 Criterion erratic_packets(const Estimate& early, const Estimate& late) {
   return {below("spread_until_return", early, 0.25), above("spread_late", late, 3)};
 }
 
+// Even the softest of the hard wells turns packets, and without hardness none turns round
 Criterion every_hard_well(Fate beyond, double turned_without) {
   return {above("turns_beyond", exact(beyond == Fate::turns), 0.5),
           below("turns_without_hardness", exact(turned_without), 1)};

@@ -109,6 +109,7 @@ class OwnPotential {
     return static_cast<const Of<P>&>(*kept_).potential;
   }
 
+  // Virtual functions have no templates, so the two precisions are listed one by one
  private:
   template <class T>
   static constexpr bool known = std::is_same_v<T, double> || std::is_same_v<T, long double>;
@@ -126,6 +127,7 @@ class OwnPotential {
     virtual void stiffnesses(const long double*, long double*, std::size_t) const = 0;
   };
 
+  // One virtual call for a whole row: the loop inside it knows the struct and can be inlined
   template <class P>
   struct Of final : Functions {
     P potential;

@@ -2,6 +2,7 @@
 
 namespace lattice {
 
+// A short array around the defect; contacts without a floor, because the tail is of interest
 Shooting<double> mode_problem(const CantileverArray& array, double ratio) {
   CantileverArray piece = array;
   piece.sites = mode_sites, piece.defect = mode_sites / 2 + 1;
@@ -10,6 +11,7 @@ Shooting<double> mode_problem(const CantileverArray& array, double ratio) {
   return problem;
 }
 
+// Begin just above the linear frequency, with the amplitude that balances the first harmonic
 Orbit<double> mode_of_energy(Shooting<double> problem, double energy) {
   const std::size_t middle = mode_sites / 2;
   const double mu = problem.chain.mass_of(middle), eta = problem.chain.eta_of(middle);
@@ -18,6 +20,7 @@ Orbit<double> mode_of_energy(Shooting<double> problem, double energy) {
   State<double> guess(mode_sites);
   guess.y[middle] = root * root;
   Orbit<double> orbit = newton(problem, problem.fold(guess));
+  // Then follow the family to the energy asked for, with small changes of the frequency
   const auto fourth_root = [](double x) { return std::sqrt(std::sqrt(x)); };
   for (int k = 0; k < 40; ++k) {
     const double now = fourth_root(orbit.energy);
@@ -30,6 +33,7 @@ Orbit<double> mode_of_energy(Shooting<double> problem, double energy) {
   throw std::runtime_error("no breather of the defect with the energy asked for was found");
 }
 
+// Where the energy of the mode is, averaged over one period
 std::vector<double> mean_density(const Shooting<double>& problem, const Orbit<double>& orbit,
                                  std::size_t instants) {
   std::vector<double> mean(mode_sites, 0.0);
@@ -43,6 +47,7 @@ std::vector<double> mean_density(const Shooting<double>& problem, const Orbit<do
   return mean;
 }
 
+// Cut the nine sites around the defect out of the run and of the mode, as shares of their sum
 Profile profile(const CantileverArray& array, const Shooting<double>& problem,
                 const Orbit<double>& orbit, const Stay& stay, std::size_t instants) {
   const auto piece = [](const std::vector<double>& all, std::size_t middle) {

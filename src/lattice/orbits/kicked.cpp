@@ -2,6 +2,7 @@
 
 namespace lattice {
 
+// Newton's method finds the breather in harmonic wells, on a chain that holds its tail
 RestingBreather resting_breather(Centre centre, Phase phase, double omega, std::size_t sites) {
   const bool site = centre == Centre::site;
   const Fitted found =
@@ -10,6 +11,7 @@ RestingBreather resting_breather(Centre centre, Phase phase, double omega, std::
           found.orbit.energy};
 }
 
+// Find the pinning mode from two tolerances of the tangent map, whose difference is its error
 Prediction predict_threshold(const RestingBreather& at, const Estimate& barrier) {
   std::array<Pinning, 2> found;
   for (std::size_t i = 0; i < 2; ++i) {
@@ -17,6 +19,7 @@ Prediction predict_threshold(const RestingBreather& at, const Estimate& barrier)
     if (i == 0) rule.tolerance *= 16;
     found[i] = pinning_of(at.chain, at.centre, at.rest, at.period, rule);
   }
+  // The threshold goes as the root of the barrier, so the barrier's relative error counts half
   const auto pair = [&](auto of) { return compare(of(found[0]), of(found[1])); };
   Prediction out;
   out.share = pair([](const Pinning& p) { return p.share; });
@@ -28,6 +31,7 @@ Prediction predict_threshold(const RestingBreather& at, const Estimate& barrier)
   return out;
 }
 
+// Free the breather with three kicks and see how fast it passes the top of the barrier
 FreeingKick freeing_kick_of(const RestingBreather& at, const Prediction& guess,
                             const ContactAware& stepper) {
   const double limit = 10 / guess.frequency.value, least = guess.threshold.value;
@@ -41,11 +45,13 @@ FreeingKick freeing_kick_of(const RestingBreather& at, const Prediction& guess,
     v[i] = hill_speed(path);
     out.margin = std::min(out.margin, path.drift_margin(c[i], at.energy));
   }
+  // The speed at the top vanishes at the threshold: extrapolate to it from far and from near
   out.value =
       compare(threshold_from(c[0], v[0], c[2], v[2]), threshold_from(c[0], v[0], c[1], v[1]));
   return out;
 }
 
+// All breathers at once, with both schemes; their difference is the error of the integration
 std::vector<FreeingKick> freeing_kicks(const std::vector<RestingBreather>& at,
                                        const std::vector<Prediction>& guess,
                                        const ContactAware& coarse, const ContactAware& fine) {
@@ -59,6 +65,7 @@ std::vector<FreeingKick> freeing_kicks(const std::vector<RestingBreather>& at,
   return found;
 }
 
+// Bracket the threshold: a little less leaves the breather pinned, a little more sets it free
 void confirm(const RestingBreather& at, const Prediction& guess, const ContactAware& stepper,
              FreeingKick& found) {
   std::array<double, 2> margins{};

@@ -203,6 +203,8 @@ void add_slopes(const Shooting<T>& problem, const Vector<T>& x_omega, Orbit<T>& 
         T(problem.chain.mass_of(n)) * (orbit.start.v[n] * rate.v[n] - a[n] * rate.y[n]);
 }
 
+// Solve for the orbit, then differentiate along the branch: a change of frequency changes the
+// period, and one more solution with the same Jacobian says how the start must follow
 template <class T>
 Orbit<T> newton(const Shooting<T>& problem, const Vector<T>& x, const NewtonRule<T>& rule) {
   const Solution<T> found = solve(seen(problem), x, rule);
@@ -217,6 +219,7 @@ Orbit<T> newton(const Shooting<T>& problem, const Vector<T>& x, const NewtonRule
   return orbit;
 }
 
+// More digits with the Jacobian of the coarser type; only the miss is computed in the wider one
 template <class T, class From>
 Orbit<T> polish(const Shooting<T>& problem, const Orbit<From>& from, const NewtonRule<T>& rule) {
   const Vector<T> guess = from.x.template cast<T>();

@@ -8,10 +8,12 @@
 namespace lattice {
 
 #ifndef LATTICE_QUADRUPLE
+// With the kicks between steps merged, only the very last kick of a run is a stage of its own
 std::size_t stage_count(const Scheme& scheme, std::size_t steps) {
   return steps > 0 ? steps * (scheme.kick.size() - 1) + 1 : 0;
 }
 
+// The coarsest division into equal samples and steps, safe from rounding at whole numbers
 Pace pace(double duration, double sample, double step) {
   const bool good = duration >= 0 && duration < 1e15 && sample > 0 && step > 0;
   if (!good)
@@ -22,6 +24,7 @@ Pace pace(double duration, double sample, double step) {
   return p;
 }
 
+// Two refinements: of the steps alone, or of the samples together with the steps
 Pace shorter_steps(Pace p, int times) {
   p.steps <<= times;
   return p;
@@ -32,11 +35,13 @@ Pace denser_samples(Pace p, int times) {
   return p;
 }
 
+// Has no bead run away over the rim of a soft well?
 bool bounded(const State<double>& state) {
   return std::all_of(state.y.begin(), state.y.end(),
                      [](double y) { return std::abs(y) < escape_displacement; });
 }
 
+// March from sample to sample, watch the energy, and stop where the solution runs away
 Run evolve(const Advance& advance, const Chain& chain, State<double>& state, const Pace& pace,
            const Look& look) {
   const double start = energy(chain, state), scale = start != 0 ? std::abs(start) : 1;
@@ -47,6 +52,7 @@ Run evolve(const Advance& advance, const Chain& chain, State<double>& state, con
   for (std::size_t k = 1; k <= pace.samples; ++k) {
     run.work += advance(state, window, pace.step(), pace.steps);
     run.steps += pace.steps;
+    // Times are multiples of the interval and not sums of steps, so that rounding does not pile up
     state.t = t0 + interval * double(k);
     const double e = energy(chain, state);
     if (!std::isfinite(e) || !bounded(state)) {
@@ -61,6 +67,7 @@ Run evolve(const Advance& advance, const Chain& chain, State<double>& state, con
 }
 #endif
 
+// Where one step ends and the next begins, the last kick and the first become one
 template <class T>
 Stage<T> stage_at(const Scheme& scheme, double h, std::size_t steps, std::size_t k) {
   const std::size_t last = scheme.kick.size() - 1, i = k == steps * last ? last : k % last;
@@ -69,6 +76,7 @@ Stage<T> stage_at(const Scheme& scheme, double h, std::size_t steps, std::size_t
   return {kick + before, T(scheme.drift[i] * h)};
 }
 
+// Kick and drift, stage after stage; the work counts the sites inside the moving window
 template <class T>
 double Splitting::advance(const Chain& chain, State<T>& state, Window& window, double h,
                           std::size_t count) const {
