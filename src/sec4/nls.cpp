@@ -7,6 +7,7 @@
 
 namespace lattice {
 
+// The detour through the second harmonic, then the cubic parts of contact and well
 template <class T>
 T nls_beta(T q, const ContactSeries<T>& v, T s) {
   using std::cos, std::sin;
@@ -15,6 +16,7 @@ T nls_beta(T q, const ContactSeries<T>& v, T s) {
          T(3) / T(2) * (T(4) * v.v3 * x + s);
 }
 
+// All that the NLS equation says about one wavenumber
 template <class T>
 Coefficients<T> coefficients(T q, T d, T s) {
   const ContactSeries<T> v = contact_series(d);
@@ -23,6 +25,7 @@ Coefficients<T> coefficients(T q, T d, T s) {
   return {p.omega, p.group_velocity, p.curvature(v.v1), beta, p.omega_2, -beta * p.omega_2};
 }
 
+// A modulation grows as long as nonlinearity outweighs dispersion
 template <class T>
 T nls_growth(const Coefficients<T>& at, T a, T modulation) {
   using std::sqrt;
@@ -37,6 +40,7 @@ T fastest_modulation(const Coefficients<T>& at, T a) {
   return sqrt(-at.h() * a * a / (T(2) * at.curvature));
 }
 
+// Where the modulational instability sets in, by bisection in the wavenumber
 double sign_change_of_phi(double d, double s, double low, double high) {
   const auto phi = [d, s](double q) { return coefficients(q, d, s).phi; };
   if (!(phi(low) * phi(high) < 0))
@@ -49,6 +53,7 @@ double sign_change_of_phi(double d, double s, double low, double high) {
   return (low + high) / 2;
 }
 
+// How unstable is the most unstable wave of the band?
 double largest_phi(double d, double s, std::size_t points) {
   double best = 0;
   for (std::size_t k = 0; k <= points; ++k)

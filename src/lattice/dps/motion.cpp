@@ -14,6 +14,7 @@
 
 namespace lattice {
 
+// The fourth power counts the core of the breather and hardly sees the noise around it
 double quartic_centre(Centre centre, const Field& v) {
   double sum = 0, moment = 0;
   for (std::size_t i = 0; i < v.size(); ++i) {
@@ -27,6 +28,7 @@ double quartic_centre(Centre centre, const Field& v) {
 PinnedBreather::PinnedBreather(Centre c, double frequency, std::size_t sites)
     : PinnedBreather(stationary<double>(c, frequency, sites)) {}
 
+// The derivative of the centre along the pinning mode gives the mode its scale and its sign
 PinnedBreather::PinnedBreather(const Stationary<double>& state)
     : centre(state.centre),
       mu(state.mu),
@@ -44,6 +46,7 @@ PinnedBreather::PinnedBreather(const Stationary<double>& state)
   if (moment < 0) pair.V = -pair.V;
 }
 
+// What carries a pendulum from the bottom of its trough just to the top of the hill
 double PinnedBreather::freeing_push() const {
   return pair.rate / (std::numbers::pi * shift * (mu - pair.m));
 }
@@ -63,6 +66,7 @@ double PinnedBreather::departure(double growing) const {
   return 1 / (2 * a);
 }
 
+// How far it went, and when it first passed a given distance
 double Course::largest() const {
   double top = 0;
   for (const double x : X) top = std::max(top, std::abs(x));
@@ -76,6 +80,7 @@ double Course::reaches(double distance) const {
   return std::nan("");
 }
 
+// A run of the whole equation; the drifts of norm and energy say how far it can be trusted
 Course follow_breather(const PinnedBreather& breather, Field v, double time,
                        const Accuracy& accuracy, const DpsObserver& watch) {
   Course out;
@@ -92,6 +97,7 @@ Course follow_breather(const PinnedBreather& breather, Field v, double time,
   return out;
 }
 
+// Start along the growing direction and fit the growth of its share over four growth times
 double measured_rate(const PinnedBreather& site, double size, const Accuracy& accuracy) {
   Field v = site.u;
   site.pair.add({size, size / site.pair.push}, v);
@@ -104,10 +110,12 @@ double measured_rate(const PinnedBreather& site, double size, const Accuracy& ac
   return fit_line(t, share).slope;
 }
 
+// A breather that only falls into the next trough swings back before it has moved a whole site
 bool moved(const Course& course) {
   return course.largest() > 1;
 }
 
+// The threshold between pinned and free, close to where the pendulum expects it
 double bisect_push(const PinnedBreather& bond, const Accuracy& accuracy, int steps) {
   const auto freed = [&](double push) {
     Field v = bond.u;
@@ -118,6 +126,7 @@ double bisect_push(const PinnedBreather& bond, const Accuracy& accuracy, int ste
   if (freed(low) || !freed(high))
     throw std::runtime_error("the push that frees the bond-centred breather is not between " +
                              std::to_string(low) + " and " + std::to_string(high));
+  // Every run decides one binary digit
   for (int k = 0; k < steps; ++k) {
     const double middle = (low + high) / 2;
     (freed(middle) ? high : low) = middle;
@@ -125,6 +134,7 @@ double bisect_push(const PinnedBreather& bond, const Accuracy& accuracy, int ste
   return (low + high) / 2;
 }
 
+// Real or complex noise, of one sign or both, absolute or in proportion to the breather
 Field Noise::operator()(const Field& u, std::size_t seed) const {
   Random random(seed);
   const auto draw = [&] {
@@ -138,6 +148,7 @@ Field Noise::operator()(const Field& u, std::size_t seed) const {
   return w;
 }
 
+// To first order only the component along the pinning pair matters; a control goes without it
 Field perturbed(const PinnedBreather& breather, const Noise& noise, bool pinned, Trial& trial) {
   Field w = noise(breather.u, trial.seed);
   if (!pinned) breather.pair.add(-breather.pair.of(w), w);
@@ -147,6 +158,7 @@ Field perturbed(const PinnedBreather& breather, const Noise& noise, bool pinned,
   return w;
 }
 
+// A breather has left after half a site; its speed is that over the first site it then crosses
 Census tally(const std::vector<Trial>& trials, Course Trial::*run) {
   Census out;
   for (const Trial& trial : trials) {
@@ -162,6 +174,7 @@ Census tally(const std::vector<Trial>& trials, Course Trial::*run) {
   return out;
 }
 
+// Does the pendulum predict each departure, and which pushes free a breather?
 double departure_difference(const std::vector<Trial>& trials, Course Trial::*run,
                             const PinnedBreather& site) {
   double apart = 0;
@@ -182,6 +195,7 @@ PushCount count_pushes(const std::vector<Trial>& trials, Course Trial::*run, dou
   return out;
 }
 
+// Pinning is a minute share of the energy, so the worst drift among the runs decides
 double largest_drift(const std::vector<Trial>& trials, Course Trial::*run) {
   double drift = 0;
   for (const Trial& trial : trials)
@@ -189,6 +203,7 @@ double largest_drift(const std::vector<Trial>& trials, Course Trial::*run) {
   return drift;
 }
 
+// What section 3.3 says about stability and growth
 Condition surely_stable(const std::string& name, const Margin& found) {
   return below(name, found.safe(), 0);
 }
@@ -197,8 +212,10 @@ Criterion linear_growth(const Estimate& weakest, const Estimate& variation) {
   return {above("weakest", weakest, 0), below("variation", variation, 1e-8)};
 }
 
+// Noise must free at least half of the breathers, and none if it lacks the pinning pair
 Criterion moved_by_instability(const std::vector<Trial>& trials,
                                const std::vector<Trial>& controls) {
+  // A breather is torn if the two tolerances give it different fates
   std::int64_t torn = 0;
   for (const auto* list : {&trials, &controls})
     for (const Trial& trial : *list) torn += moved(trial.good) != moved(trial.rough);

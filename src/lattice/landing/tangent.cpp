@@ -125,6 +125,7 @@ void extrapolate_panel(const Chain& chain, const Record<T>& record, Window core,
   std::vector<TangentRow<T>> rows;
   std::vector<T> y, v, dy(count, T(0)), dv(count, T(0));
   std::size_t at = 0;
+  // Level j crosses the step in j substeps, along the positions that the trajectory had there
   for (std::size_t j = 1; j <= record.levels(); ++j) {
     y = panel.y;
     v = panel.v;
@@ -134,6 +135,7 @@ void extrapolate_panel(const Chain& chain, const Record<T>& record, Window core,
       kick_panel(rows.data(), y.data(), v.data(), panel.rows, panel.columns);
       add_scaled(y.data(), v.data(), record.nodes[at].drift, count);
     }
+    // What this level adds to the start enters with its extrapolation weight
     add_scaled(y.data(), panel.y.data(), T(-1), count);
     add_scaled(v.data(), panel.v.data(), T(-1), count);
     const T weight = extrapolation_weight<T>(j, record.levels());
@@ -148,6 +150,7 @@ void extrapolate_panel(const Chain& chain, const Record<T>& record, Window core,
 
 using namespace detail;
 
+// Sites in the tail feel nothing but their wells; those of the core feel their contacts too
 template <class T>
 void carry(const Chain& chain, const Record<T>& record, std::type_identity_t<T> negligible,
            Tangent<T>& tangent) {
@@ -155,6 +158,7 @@ void carry(const Chain& chain, const Record<T>& record, std::type_identity_t<T> 
   const Packing<T> packing(tangent, core);
   rotate_outside(chain, core, record.duration, tangent);
   if (packing.columns.empty()) return;
+  // Columns that reach the core, their number rounded up to a multiple of eight
   const std::size_t width = (packing.columns.size() + 7) / 8 * 8, half = chain.sites;
   Panel<T> panel;
   panel.resize(core.last - core.first, width);

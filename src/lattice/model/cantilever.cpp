@@ -2,6 +2,7 @@
 
 namespace lattice {
 
+// The lowest mode of a beam clamped at both ends: cos x cosh x = 1, by Newton's method
 double clamped_root() {
   double x = 4.7;
   for (int k = 0; k < 8; ++k)
@@ -10,6 +11,7 @@ double clamped_root() {
   return x;
 }
 
+// What an experimenter chooses: the beams, the beads and their materials
 std::vector<NamedScale> given_scales(const CantileverArray& a) {
   return {{"beam_density", "kg/m^3", a.beam_density},
           {"beam_modulus", "Pa", a.beam_modulus},
@@ -22,6 +24,7 @@ std::vector<NamedScale> given_scales(const CantileverArray& a) {
           {"bead_radius", "m", a.radius}};
 }
 
+// What follows for the model: masses, stiffnesses, and the scales of time, length and energy
 std::vector<NamedScale> derived_scales(const CantileverArray& a, double v) {
   const Scales s = a.scales();
   const double lambda = s.lambda(v);
@@ -44,6 +47,7 @@ std::vector<NamedScale> derived_scales(const CantileverArray& a, double v) {
           {"unit_energy", "J", s.unit_energy()}};
 }
 
+// The defect has a mass of its own, and contacts of its own with both neighbours
 Chain cantilever_chain(const CantileverArray& array, double ratio) {
   Chain chain{array.sites};
   std::vector<double> mass(array.sites, 1.0), eta(array.sites + 1, 1.0);

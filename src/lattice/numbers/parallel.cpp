@@ -62,6 +62,7 @@ void parallel_for(std::size_t count, const std::function<void(std::size_t)>& bod
   if (error) std::rethrow_exception(error);
 }
 
+// The same for long jobs, which report how many parts are done
 void parallel_for(const std::string& label, std::size_t count,
                   const std::function<void(std::size_t)>& body) {
   Progress progress(label, count);
@@ -71,6 +72,7 @@ void parallel_for(const std::string& label, std::size_t count,
   });
 }
 
+// Progress is shown only to somebody who watches a terminal
 namespace {
 std::atomic<int> counting{0};  // how many show their progress now
 
@@ -89,6 +91,7 @@ Progress::~Progress() {
   if (shown_) std::fprintf(stderr, "\r\033[K");
 }
 
+// Parts end in any order, but the count shown never goes back
 void Progress::reach(std::size_t k) {
   std::size_t before = done_;
   while (k > before && !done_.compare_exchange_weak(before, k)) {
@@ -96,6 +99,7 @@ void Progress::reach(std::size_t k) {
   if (shown_ && k > before) std::fprintf(stderr, "\r%s %zu/%zu", label_.c_str(), k, total_);
 }
 
+// A sign of life once a second, for work that has no parts to count
 struct Heartbeat::Beat {
   explicit Beat(std::string label) : label_(std::move(label)), thread_([this] { run(); }) {}
   ~Beat() {
@@ -107,6 +111,7 @@ struct Heartbeat::Beat {
     thread_.join();
     std::fprintf(stderr, "\r\033[K");
   }
+  // Silent while a count is shown, because both write to the same line
   void run() {
     std::unique_lock lock(guard_);
     for (int s = 1; !over_.wait_for(lock, std::chrono::seconds(1), [&] { return done_; }); ++s)

@@ -2,6 +2,7 @@
 
 namespace lattice {
 
+// Both breathers of a rung and the barrier between them, at one tolerance
 template <class T>
 Measured<T>::Measured(const Rung& rung, int coarser) {
   const NewtonRule<T> how = rule<T>(coarser);
@@ -14,6 +15,7 @@ Measured<T>::Measured(const Rung& rung, int coarser) {
   gap = barrier(problem(Centre::site), orbit[0], orbit[1], how);
 }
 
+// Two resolutions side by side: the finer one gives the value, their difference the error
 template <class T>
 void assess(Rung& rung, const Measured<T>& coarse, const Measured<T>& fine) {
   const T size = fine.orbit[1].energy;
@@ -22,12 +24,14 @@ void assess(Rung& rung, const Measured<T>& coarse, const Measured<T>& fine) {
     rung.energy[k] = agree(a.energy, b.energy, b.energy);
     rung.amplitude[k] = agree(a.amplitude, b.amplitude, b.amplitude);
   }
+  // The barriers are tiny, but their rounding is that of the energies they are differences of
   rung.equal_frequency = agree(coarse.gap.equal_frequency, fine.gap.equal_frequency, size);
   rung.equal_area = agree<T>(coarse.gap.equal_area, fine.gap.equal_area, size / T(4));
   const auto slope = [](const Measured<T>& m) {
     return m.orbit[0].energy_omega - m.orbit[1].energy_omega;
   };
   rung.slope = agree(slope(coarse), slope(fine), fine.orbit[1].energy_omega);
+  // Along a family dH = omega dA / 2 pi, which gives the slope at equal area for nothing
   const auto slope_area = [&](const Measured<T>& m) {
     return m.orbit[1].energy_omega * (m.gap.omega_site / T(rung.omega) - T(1));
   };
@@ -35,6 +39,7 @@ void assess(Rung& rung, const Measured<T>& coarse, const Measured<T>& fine) {
   rung.wide = sizeof(T) > sizeof(double);
 }
 
+// Two tolerances for a value with its error, a single one for a step of a search
 template <class T>
 void measure_in(Rung& rung) {
   assess<T>(rung, {rung, 1}, {rung, 0});
@@ -46,11 +51,13 @@ void measure_once(Rung& rung, int coarser) {
   assess<T>(rung, only, only);
 }
 
+// Only where the barrier drowns in rounding do we pay for the wider type
 void measure(Rung& rung) {
   measure_in<double>(rung);
   if (!settled(rung.equal_frequency) || !settled(rung.equal_area)) measure_in<Wide>(rung);
 }
 
+// Climb one branch until it folds back in frequency
 std::vector<Orbit<double>> climb(Centre centre, double s, const std::vector<double>& omegas) {
   const auto problem = problem_of(centre, omegas.front(), s);
   std::vector<Orbit<double>> orbits{find_breather(problem)};
@@ -62,6 +69,7 @@ std::vector<Orbit<double>> climb(Centre centre, double s, const std::vector<doub
   return orbits;
 }
 
+// From close to the linear limit upwards, in shorter steps before a soft well's branch folds
 std::vector<double> ladder_frequencies(double s, int count) {
   std::vector<double> out{1.005};
   for (int k = 1; k <= count; ++k) out.push_back(1 + double(k) / count);
@@ -71,6 +79,7 @@ std::vector<double> ladder_frequencies(double s, int count) {
   return out;
 }
 
+// Both families first, then all rungs, none of which needs another
 Ladder climb_pairs(double s, const std::vector<double>& omegas,
                    const std::function<void(Rung&)>& measure_rung) {
   std::array<std::vector<Orbit<double>>, 2> families;
@@ -83,6 +92,7 @@ Ladder climb_pairs(double s, const std::vector<double>& omegas,
   return ladder;
 }
 
+// With the growth like (omega - 1)^2 taken out, a branch is almost straight in log(omega - 1)
 Rung rung_between(const Rung& left, const Rung& right, double omega) {
   Rung rung{left.s, omega};
   const auto scaled = [&](double from) { return std::pow((omega - 1) / (from - 1), 2); };
@@ -95,6 +105,7 @@ Rung rung_between(const Rung& left, const Rung& right, double omega) {
   return rung;
 }
 
+// Newton's method for a vanishing barrier, with bisection if it would leave the bracket
 Estimate zero_between(const Rung& left, const Rung& right, Estimate Rung::*gap) {
   const auto slope = gap == &Rung::equal_area ? &Rung::slope_area : &Rung::slope;
   const double below = (left.*gap).value, above = (right.*gap).value;
@@ -102,6 +113,7 @@ Estimate zero_between(const Rung& left, const Rung& right, Estimate Rung::*gap) 
   double low = left.omega, high = right.omega, omega = low - below * width / (above - below);
   Rung at;
   const auto newton_step = [&] { return (at.*gap).value / (at.*slope).value; };
+  // Double precision goes as far as the barrier stands out from its error
   for (int k = 0; k < 40; ++k) {
     at = rung_between(left, right, omega);
     measure_once<double>(at);

@@ -2,6 +2,7 @@
 
 namespace lattice {
 
+// From rest to rest in half a period
 Symmetry even_in_time(std::size_t sites) {
   Symmetry s{.name = "time-even", .sites = sites, .parts = 2};
   for (std::size_t n = 0; n < sites; ++n) {
@@ -11,6 +12,7 @@ Symmetry even_in_time(std::size_t sites) {
   return s;
 }
 
+// Antisymmetric about a bond: the right half of the chain tells all
 Symmetry bond_centred(std::size_t sites) {
   Symmetry s{.name = "bond-centred", .sites = sites, .parts = 2};
   for (std::size_t n = sites / 2; n < sites; ++n) {
@@ -20,6 +22,7 @@ Symmetry bond_centred(std::size_t sites) {
   return s;
 }
 
+// After a quarter of a period positions are odd about the site and velocities even
 Symmetry site_centred(std::size_t sites) {
   Symmetry s{.name = "site-centred", .sites = sites, .parts = 4};
   for (std::size_t n = 0; n < sites; ++n) {
@@ -33,6 +36,7 @@ Symmetry site_centred(std::size_t sites) {
   return s;
 }
 
+// No symmetry but the period itself: the whole state must return
 Symmetry returning(std::size_t sites) {
   Symmetry s{.name = "returning", .sites = sites};
   for (std::size_t n = 0; n < sites; ++n) s.unknowns.push_back({{n, 1}});
@@ -44,6 +48,7 @@ Symmetry centred(Centre centre, std::size_t sites) {
   return centre == Centre::bond ? bond_centred(sites) : site_centred(sites);
 }
 
+// A state that returns after its flight, moved along by `shift` sites
 Symmetry travelling(std::size_t sites, std::size_t shift, bool ring, bool free_period) {
   Symmetry s{.name = shift == 0 ? "periodic" : "travelling",
              .sites = sites,
@@ -53,6 +58,7 @@ Symmetry travelling(std::size_t sites, std::size_t shift, bool ring, bool free_p
     const std::size_t half = i / sites * sites, n = i - half;
     s.unknowns.push_back({{i, 1}});
     Equation equation{{{i, 1}}, {}};
+    // What enters on the left has come round the ring; on an open chain there is rest
     if (n >= shift)
       equation.start = {{half + n - shift, -1}};
     else if (ring)
@@ -62,6 +68,7 @@ Symmetry travelling(std::size_t sites, std::size_t shift, bool ring, bool free_p
   return s;
 }
 
+// Reversible in time about a site at the start, about the next bond after half a period
 Symmetry travelling_reversible(std::size_t reach, bool free_period) {
   const std::size_t n0 = reach, sites = 2 * reach + 2;
   Symmetry s{.name = "travelling", .sites = sites, .parts = 2, .free_period = free_period};
@@ -69,6 +76,7 @@ Symmetry travelling_reversible(std::size_t reach, bool free_period) {
   s.unknowns.push_back({{sites + n0, 1}});
   for (std::size_t n = 1; n <= reach; ++n)
     s.unknowns.push_back({{sites + n0 + n, 1}, {sites + n0 - n, 1}});
+  // Odd positions and even velocities about the bond; a given period leaves one too many
   for (std::size_t n = 1; n <= reach + 1; ++n) {
     if (n > 1 || free_period) s.equations.push_back({{{n0 + n, 1}, {n0 + 1 - n, 1}}});
     s.equations.push_back({{{sites + n0 + n, 1}, {sites + n0 + 1 - n, -1}}});
@@ -76,6 +84,7 @@ Symmetry travelling_reversible(std::size_t reach, bool free_period) {
   return s;
 }
 
+// Even or odd perturbations under the reflection, first of positions, then of velocities
 Basis mirror_block(std::size_t sites, double sign) {
   Basis basis;
   for (std::size_t half : {std::size_t(0), sites})
@@ -89,6 +98,7 @@ Basis mirror_block(std::size_t sites, double sign) {
   return basis;
 }
 
+// Without a symmetry every entry of the state is a direction of its own
 Basis all_directions(std::size_t sites) {
   Basis basis;
   for (std::size_t i = 0; i < 2 * sites; ++i) basis.push_back({{i, 1}});

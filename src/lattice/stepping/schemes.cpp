@@ -2,10 +2,12 @@
 
 namespace lattice {
 
+// Half a kick, a drift, half a kick
 Scheme verlet() {
   return {"verlet", 2, {0.5, 0.5}, {1.0, 0.0}};
 }
 
+// The splittings of Blanes and Moan, palindromes all: they are symmetric in time
 Scheme blanes_moan_4() {
   const double b1 = 0.0829844064174052, b2 = 0.396309801498368, b3 = -0.0390563049223486;
   const double a1 = 0.245298957184271, a2 = 0.604872665711080, a3 = 0.5 - (a1 + a2);
@@ -26,6 +28,7 @@ Scheme blanes_moan_6() {
           {a1, a2, a3, a4, a5, a6, a5, a4, a3, a2, a1, 0}};
 }
 
+// Their most accurate one begins with a drift, which here follows a kick of zero
 Scheme blanes_moan_6_14() {
   Scheme scheme{"blanes-moan-6-14",
                 6,
@@ -34,17 +37,20 @@ Scheme blanes_moan_6_14() {
                 {0.0378593198406116, 0.102635633102435, -0.0258678882665587, 0.314241403071447,
                  -0.130144459517415, 0.106417700369543, -0.00879424312851058}};
   std::vector<double>&kick = scheme.kick, &drift = scheme.drift;
+  // Kicks and drifts each add up to a whole step, which fixes the ones in the middle
   double kicks = 0.5, drifts = 1;
   for (double k : kick) kicks -= k;
   for (double d : drift) drifts -= 2 * d;
   kick.push_back(kicks);
   drift.push_back(drifts);
+  // The way back mirrors the way there
   for (std::size_t i = 8; i-- > 0;) kick.push_back(kick[i]);
   for (std::size_t i = 7; i-- > 0;) drift.push_back(drift[i]);
   drift.push_back(0);
   return scheme;
 }
 
+// The last row gives the new positions, where the next step begins
 Nystrom dormand_prince_6() {
   return {"dormand-prince-6",
           6,
@@ -58,6 +64,7 @@ Nystrom dormand_prince_6() {
           {151. / 2142, 25. / 522, 275. / 684, 275. / 252, -78125. / 112404, 1. / 12}};
 }
 
+// A kick acts on later positions through the time that the bead drifts from there
 Nystrom nystrom(const Scheme& scheme) {
   const std::size_t stages = scheme.kick.size();
   Nystrom base{scheme.name, scheme.order, std::vector<double>(stages, 0), {}, scheme.kick};
@@ -69,6 +76,7 @@ Nystrom nystrom(const Scheme& scheme) {
   return base;
 }
 
+// The classical method, with a fifth stage that is nothing but the new positions
 Nystrom classical_runge_kutta() {
   return {"runge-kutta-4",
           4,
