@@ -67,9 +67,8 @@ $$e_n = \tfrac12\dot y_n^2 + W(y_n) + V(y_{n+1}-y_n),\qquad
 | article | program | meaning; all is dimensionless, and the packet's internal period is near four |
 |---|---|---|
 | $\dot y_1(0) = v_0$, $s$ | `velocity`, `s` | impact velocity, anharmonicity of the well |
-| $X$, $e_n$ | `Path::centre`, `energy_density` | energy centre and density | */
+| $X$, $e_n$ | `Path::centre`, `energy_density` | energy centre and density |
 
-/**
 ## The motion (figure 22)
 
 A packet pulsates while it travels, and a map that samples the pulsation at nearly its own rate shows

@@ -9,12 +9,14 @@
 
 namespace lattice {
 
+// How fast a modulation of the exact wave grows
 double PhaseOfWave::growth(double a, double modulation, std::size_t harmonics) const {
   const Quartic well{s};
   const CompressedHertz contact{d};
   return growth_rate(plane_wave(well, contact, q, a, harmonics), well, contact, modulation);
 }
 
+// Phi from the fastest growth over |A|^2 = a^2 / 4, in the limit of small amplitude
 Estimate PhaseOfWave::phi_from_growth(double a) const {
   const auto c = nls();
   return at_zero_amplitude(a, [&](double x) {
@@ -22,10 +24,12 @@ Estimate PhaseOfWave::phi_from_growth(double a) const {
   });
 }
 
+// Growth against the largest rate of the NLS equation
 double growth_over_nls(const PhaseOfWave& at, double a, double modulation, std::size_t harmonics) {
   return at.growth(a, modulation, harmonics) / (std::abs(at.nls().h()) * a * a / 4);
 }
 
+// Try a slower, an equal and a faster modulation than the NLS equation's fastest one
 double slow_growth(const PhaseOfWave& at, double a, std::size_t harmonics) {
   const auto c = at.nls();
   const double slow = std::sqrt(std::abs(c.h() * a * a / (2 * c.curvature)));
@@ -34,6 +38,7 @@ double slow_growth(const PhaseOfWave& at, double a, std::size_t harmonics) {
   return growth;
 }
 
+// The conditions for the statements of section 4.1
 Criterion confirmed_beta(const Estimate& shift, const Estimate& growth) {
   return {below("shift", shift, 1e-3), below("growth", growth, 1e-3)};
 }
@@ -45,6 +50,7 @@ Criterion small_in_linear_wells(const std::array<double, 3>& coarse,
           below("ratio_s_0", compare(ratio(coarse), ratio(fine)), 0.1)};
 }
 
+// One wavenumber for all wells, and one at which the condition for the inflection holds
 Criterion sign_changes_at(double q, double d, const std::array<double, 3>& wells) {
   const double x = 1 - std::cos(q);
   double apart = std::abs(std::cos(q) / (contact_series(d).v1 * x * x) - 1);
@@ -55,16 +61,19 @@ Criterion sign_changes_at(double q, double d, const std::array<double, 3>& wells
 
 Criterion opens_at_edges(double d, double threshold) {
   const double a = 0.005, beside = 0.05, pi = std::numbers::pi;
+  // The formulas for Phi at both edges of the band, in soft and in hard wells
   double formula = 0, leftover = 0;
   for (double s = -4; s <= 4; s += 0.25)
     formula = std::max({formula, std::abs(coefficients(0.0, d, s).phi + 1.5 * s),
                         std::abs(coefficients(pi, d, s).phi - 1.5 * (s - threshold))});
+  // A little beyond either threshold exact waves must grow as the NLS equation says ...
   Estimate apart{};
   for (const PhaseOfWave& phase : {PhaseOfWave{0, d, -beside}, {pi, d, threshold + beside}}) {
     const double nls = std::abs(phase.nls().h()) * a * a / 4;
     apart = larger(apart, compare(std::abs(slow_growth(phase, a, 6) / nls - 1),
                                   std::abs(slow_growth(phase, a) / nls - 1)));
   }
+  // ... and a little before it they must not grow at all
   for (const PhaseOfWave& phase : {PhaseOfWave{0, d, beside}, {pi, d, threshold - beside}})
     leftover = std::max(leftover, slow_growth(phase, a));
   return {below("formula", compare(0.0, formula), 1e-13), below("growth", apart, 0.02),

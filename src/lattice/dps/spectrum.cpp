@@ -10,6 +10,7 @@
 
 namespace lattice {
 
+// A state is symmetric, so the strains of its right half give all contacts
 template <class T>
 std::vector<T> contact_roots(const Stationary<T>& state) {
   using std::abs;
@@ -44,6 +45,7 @@ auto contact_matrix(const std::vector<T>& roots) {
 
 }  // namespace
 
+// All eigenvalues of the tridiagonal M, from the largest on
 template <class T>
 ContactSpectrum<T> contact_spectrum(const Stationary<T>& state, bool vector) {
   const auto [diagonal, beside] = contact_matrix(contact_roots(state));
@@ -53,6 +55,7 @@ ContactSpectrum<T> contact_spectrum(const Stationary<T>& state, bool vector) {
                                 vector ? Eigen::ComputeEigenvectors : Eigen::EigenvaluesOnly);
   if (solver.info() != Eigen::Success)
     throw std::runtime_error("the eigenvalues of the contact matrix did not converge");
+  // The largest must be mu: keep by how much the solver misses it, and put mu itself in its place
   ContactSpectrum<T> out{state.mu, {}};
   for (Eigen::Index i = sites; i-- > 0;) out.m.push_back(solver.eigenvalues()(i));
   out.phase_defect = out.m[0] - state.mu;
@@ -61,6 +64,7 @@ ContactSpectrum<T> contact_spectrum(const Stationary<T>& state, bool vector) {
   return out;
 }
 
+// Eliminate M - x from site to site and count the positive pivots
 template <class T>
 std::size_t eigenvalues_above(const std::vector<T>& roots, const T& x) {
   std::size_t count = 0;
@@ -68,6 +72,7 @@ std::size_t eigenvalues_above(const std::vector<T>& roots, const T& x) {
   for (std::size_t i = 0; i <= roots.size(); ++i) {
     const T right = i < roots.size() ? roots[i] : T(0);
     pivot = left + right - x - left * left / pivot;
+    // A pivot that vanishes counts as negative, by a rounding error of x
     if (pivot == T(0)) pivot = std::numeric_limits<T>::epsilon() * (-x);
     count += pivot > T(0);
     left = right;
@@ -75,6 +80,7 @@ std::size_t eigenvalues_above(const std::vector<T>& roots, const T& x) {
   return count;
 }
 
+// Halve the interval until it holds no further number of the format
 template <class T>
 T counted_eigenvalue(const Stationary<T>& state, std::size_t k) {
   const auto roots = contact_roots(state);
@@ -86,6 +92,7 @@ T counted_eigenvalue(const Stationary<T>& state, std::size_t k) {
   }
 }
 
+// lambda^2 is real: a real pair where it is positive, an imaginary one where it is negative
 template <class T>
 std::vector<std::pair<T, T>> exponents(const ContactSpectrum<T>& spectrum) {
   std::vector<std::pair<T, T>> out;
@@ -111,6 +118,7 @@ std::pair<double, double> margin_and_exponent(Centre centre, double mu, std::siz
 
 }  // namespace
 
+// The error of a margin: its change with the precision plus its change with ten more sites
 template <class Fine>
 Margin margin_of(Centre centre, double mu, std::size_t sites) {
   const auto [margin, exponent] = margin_and_exponent<Fine>(centre, mu, sites);
@@ -132,12 +140,14 @@ Matrix<T> full_matrix(const Stationary<T>& state) {
   const auto sites = Eigen::Index(state.u.size());
   Matrix<T> full(2 * sites, 2 * sites);
   full.setZero();
+  // What M takes from site k to site i enters with 5/4 within a or b and with 1/4 between them
   const auto add = [&](Eigen::Index i, Eigen::Index k, const T& value) {
     full(i, k) -= T(1.25) * value;
     full(i, sites + k) -= T(0.25) * value;
     full(sites + i, k) += T(0.25) * value;
     full(sites + i, sites + k) += T(1.25) * value;
   };
+  // Each site turns with mu, and each contact stiffens its two sites and couples them
   for (Eigen::Index i = 0; i < sites; ++i) {
     full(i, i) += state.mu;
     full(sites + i, sites + i) -= state.mu;
@@ -163,12 +173,14 @@ std::vector<std::complex<T>> full_exponents(const Stationary<T>& state) {
   return out;
 }
 
+// How far the two routes to the pinning pair are apart, and how far the phase is from zero
 template <class T>
 Remainders remainders(const Stationary<T>& state) {
   using std::abs;
   auto full = full_exponents(state);
   std::sort(full.begin(), full.end(),
             [](const auto& a, const auto& b) { return std::norm(a) < std::norm(b); });
+  // First come the two zeros of the phase, then the pinning pair
   const T m = contact_spectrum(state).m[1], pair = lambda_modulus(state.mu, m);
   const bool real = lambda_squared(state.mu, m) > T(0);
   const T found = abs(real ? full[2].real() : full[2].imag());
@@ -176,6 +188,7 @@ Remainders remainders(const Stationary<T>& state) {
   return {double(abs(found - pair) + wrong), double(abs(full[1]))};
 }
 
+// The plane in which a breather is shifted and pushed along the chain
 PinningPair::PinningPair(const ContactSpectrum<double>& spectrum)
     : V(spectrum.second),
       mu(spectrum.mu),

@@ -2,6 +2,7 @@
 
 namespace lattice {
 
+// What the article quotes of a packet, in SI units
 Pulse pulse_of(const Watched& w, const Scales& s) {
   const auto push = strongest_push(w.t, w.force);
   if (!push) throw NoPacket("the packet did not pass the site at which it is watched");
@@ -10,6 +11,7 @@ Pulse pulse_of(const Watched& w, const Scales& s) {
           push->period * s.tau_c()};
 }
 
+// One run shows both what the watched cantilever does and how the packet moves
 Way pass(const ArrayImpact& impact, std::size_t n, double until, const Resolution& r) {
   const auto chain = cantilever_chain(impact.array, 1);
   State<double> state = struck(chain.sites, impact.struck_velocity());
@@ -20,6 +22,7 @@ Way pass(const ArrayImpact& impact, std::size_t n, double until, const Resolutio
     out.at.force.push_back(contact_push(chain, now.y.data(), n));
     out.at.v.push_back(now.v[n - 1]);
     out.at.y.push_back(now.y[n - 1]);
+    // The centre of the packet moves slowly: every eighth sample will do
     if (++k % 8 != 0) return;
     const auto density = energy_density(chain, now);
     if (const auto peak = front_packet(density)) out.track.add(now.t, density, *peak);
@@ -29,6 +32,7 @@ Way pass(const ArrayImpact& impact, std::size_t n, double until, const Resolutio
   return out;
 }
 
+// Speed and duration as one would read them off the force at the watched contact
 double mean_speed(const Way& way, const ArrayImpact& impact, std::size_t n) {
   return double(n) / pulse_of(way.at, impact.scales).arrival;
 }
@@ -38,6 +42,7 @@ double duration_above(const Way& way, const ArrayImpact& impact, double threshol
   return impact.milliseconds(time_above(way.at.t, way.at.force, threshold * most));
 }
 
+// Of each contact keep the strongest push in each interval, so that no short push is missed
 std::vector<double> strongest_forces(const ArrayImpact& impact, double ratio, double end,
                                      std::size_t bins) {
   const auto chain = cantilever_chain(impact.array, ratio);
@@ -55,6 +60,7 @@ std::vector<double> strongest_forces(const ArrayImpact& impact, double ratio, do
   return map;
 }
 
+// From one contact to the next the packet oscillates with the period that it has at the later one
 Transit journey_of(const ArrayImpact& impact, const Pushes& pushes) {
   const double end = impact.time(10);
   Transit out;
@@ -62,6 +68,7 @@ Transit journey_of(const ArrayImpact& impact, const Pushes& pushes) {
   for (std::size_t n = 1; n < pushes.size() && last < end; ++n) {
     if (!pushes[n]) continue;
     const Push& push = *pushes[n];
+    // Of the last stretch only what lies before the end counts
     const double until = std::min(push.t, end), dwell = (push.t - last) / (double(n) - site);
     out.oscillations += (until - last) / push.period;
     out.sites += (until - last) / dwell;
@@ -73,6 +80,7 @@ Transit journey_of(const ArrayImpact& impact, const Pushes& pushes) {
   return out;
 }
 
+// Follow a packet through a damped array
 Transit travel(const ArrayImpact& impact, double rate, const Resolution& r) {
   const auto chain = cantilever_chain(impact.array, 1);
   const double end = impact.time(10), struck_v = impact.struck_velocity();
@@ -86,6 +94,7 @@ Transit travel(const ArrayImpact& impact, double rate, const Resolution& r) {
       force[n].push_back(contact_push(chain, now.y.data(), n + 1));
     if (now.t <= end) density = energy_density(chain, now);
   });
+  // The pushes tell how far it comes, the energy at 10 ms what it has kept on the way
   Pushes pushes;
   for (const auto& f : force) pushes.push_back(strongest_push(t, f));
   Transit out = journey_of(impact, pushes);

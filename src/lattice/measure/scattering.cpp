@@ -2,6 +2,7 @@
 
 namespace lattice {
 
+// Divide the energy among the sites before the defect, the nine around it, and those behind
 Ledger ledger_of(const ArrayImpact& impact, const std::vector<double>& density) {
   const std::size_t d = impact.array.defect;
   const auto part = [&](std::size_t from, std::size_t to) {
@@ -12,6 +13,7 @@ Ledger ledger_of(const ArrayImpact& impact, const std::vector<double>& density) 
   return {part(0, d - 5), part(d - 5, d + 4), part(d + 4, density.size())};
 }
 
+// Stop when the front is five sites before the defect, whose neighbour must still be at rest
 State<double> approach(const ArrayImpact& impact, double step, double patience) {
   const auto chain = cantilever_chain(impact.array, 1);
   const std::size_t d = impact.array.defect - 1;
@@ -23,6 +25,7 @@ State<double> approach(const ArrayImpact& impact, double step, double patience) 
   return state;
 }
 
+// Go on with the defect in place; a second look, ten milliseconds earlier, tells what still changes
 Scattering scatter(const ArrayImpact& impact, double ratio, State<double> state, double step,
                    double end) {
   const auto chain = cantilever_chain(impact.array, ratio);
@@ -36,6 +39,7 @@ Scattering scatter(const ArrayImpact& impact, double ratio, State<double> state,
 }
 
 Fractions fractions(const Workshop& at, double ratio) {
+  // Scatter with both steps: the finer gives the shares, its distance from the other the errors
   std::array<Scattering, 2> run;
   std::array<Ledger, 2> now, net;
   for (std::size_t k : {0, 1}) {
@@ -60,11 +64,13 @@ Criterion partial(const Estimate& transmitted) {
   return within(transmitted, 0.1, 0.9);
 }
 
+// The frequency of a bead, from a whole number of its turns
 double frequency_of(const Watched& bead) {
   const auto turns = upward_crossings(bead.t, bead.v);
   return 2 * std::numbers::pi * double(turns.size() - 1) / (turns.back() - turns.front());
 }
 
+// Watch what remains near the defect after the packet has left
 Stay stay(const ArrayImpact& impact, double ratio, State<double> state, const Resolution& r) {
   const auto chain = cantilever_chain(impact.array, ratio);
   const double energy_in = impact.struck_velocity() * impact.struck_velocity() / 2, from = 65;
@@ -76,10 +82,12 @@ Stay stay(const ArrayImpact& impact, double ratio, State<double> state, const Re
   const auto watch = [&](const State<double>& now) {
     const double time = impact.milliseconds(now.t);
     const auto density = energy_density(chain, now);
+    // The energy near the defect every half millisecond, at the same instants for both steps
     if (time >= 50 + 0.5 * double(out.t.size()) - 1e-6) {
       out.t.push_back(50 + 0.5 * double(out.t.size()));
       out.near.push_back(ledger_of(impact, density).near);
     }
+    // From 65 ms on, the motion of the defect and where the energy sits on average
     if (k++ % every != 0 || time < from) return;
     bead.t.push_back(now.t), bead.v.push_back(now.v[d]);
     for (std::size_t n = 0; n < density.size(); ++n) out.density[n] += density[n] / energy_in;
@@ -90,6 +98,7 @@ Stay stay(const ArrayImpact& impact, double ratio, State<double> state, const Re
   return out;
 }
 
+// Trapped energy stays, is more than a passing packet leaves behind, and sits at the defect
 Criterion trapped_at(std::size_t defect, const std::array<Stay, 2>& stay,
                      const std::array<Stay, 2>& without) {
   const auto off = [&](const Stay& s) {

@@ -9,6 +9,7 @@
 namespace lattice {
 
 #ifndef LATTICE_QUADRUPLE
+// Beads and contacts that differ from site to site, as far as such a chain can exist
 void vary(Chain& chain, const std::vector<double>& mass, const std::vector<double>& eta) {
   if ((!mass.empty() && mass.size() != chain.sites) ||
       (!eta.empty() && eta.size() != chain.sites + 1))
@@ -19,6 +20,7 @@ void vary(Chain& chain, const std::vector<double>& mass, const std::vector<doubl
     throw std::invalid_argument("every contact stiffness must be finite and >= 0");
   if (chain.ends == Ends::periodic && !eta.empty() && eta.front() != eta.back())
     throw std::invalid_argument("the first and last stiffness of a ring are those of one contact");
+  // If only the masses vary the stiffnesses are all one, and the other way round
   const bool varies = !mass.empty() || !eta.empty();
   const auto given = [&](const std::vector<double>& all, std::size_t count) {
     return varies && all.empty() ? std::vector<double>(count, 1) : all;
@@ -30,6 +32,8 @@ void vary(Chain& chain, const std::vector<double>& mass, const std::vector<doubl
 }
 #endif
 
+// Before the wave arrives there is nothing to compute: only the beads between the outermost two
+// that have left their rest position are awake
 template <class T>
 Window waking(const Chain& chain, const State<T>& state) {
   if (chain.ends == Ends::periodic) return {0, chain.sites};
@@ -40,6 +44,7 @@ Window waking(const Chain& chain, const State<T>& state) {
   return {first, last};
 }
 
+// Forces, by a loop made for the chain's own pair of well and contact
 template <class T>
 detail::Accelerate<T> detail::accelerator(const Chain& chain) {
   return with_pair<T>(chain, []<class W, class C>(const W&, const C&) -> Accelerate<T> {
@@ -85,6 +90,7 @@ std::vector<T> energy_density(const Chain& chain, const State<T>& state) {
   return e;
 }
 
+// Every contact is counted with one bead only, so the densities add up to the energy
 template <class T>
 T energy(const Chain& chain, const State<T>& state) {
   T sum(0);
@@ -92,6 +98,7 @@ T energy(const Chain& chain, const State<T>& state) {
   return sum;
 }
 
+// The push of each bead on its neighbour to the right
 template <class T>
 std::vector<T> contact_forces(const Chain& chain, const std::vector<T>& y) {
   std::vector<T> f(chain.sites);
@@ -102,6 +109,7 @@ std::vector<T> contact_forces(const Chain& chain, const std::vector<T>& y) {
   return f;
 }
 
+// Stiffnesses for small motions about y: a well acts on its own bead
 template <class T>
 Hessian<T> linearise(const Chain& chain, const std::vector<T>& y) {
   const std::size_t n = chain.sites;
@@ -109,6 +117,7 @@ Hessian<T> linearise(const Chain& chain, const std::vector<T>& y) {
   Hessian<T> h{std::vector<T>(n), std::vector<T>(n, T(0))};
   detail::with_kind(
       chain.well, [&](const auto& well) { stiffnesses_of(well, y.data(), h.diagonal.data(), n); });
+  // A contact stiffens both its beads and couples them; at an end there is only one bead
   for (std::size_t i = 0; i <= n; ++i) {
     if (!touches(chain, i)) continue;
     const T k = T(chain.eta_of(i)) * chain.contact.stiffness(stretch(chain, y.data(), i));

@@ -8,6 +8,7 @@
 
 namespace lattice {
 
+// The profile of Eq. (20); its sign tells whether the central contact is compressed or stretched
 State<double> ansatz(Centre centre, double omega, std::size_t sites, Phase phase) {
   const double scale = 2 * breather_eps(omega) * (phase == Phase::stretched ? -1 : 1);
   State<double> state(sites);
@@ -16,6 +17,7 @@ State<double> ansatz(Centre centre, double omega, std::size_t sites, Phase phase
   return state;
 }
 
+// Begin where the quasi-continuum profile is a good guess, and climb the branch from there
 Orbit<double> find_breather(const Shooting<double>& problem, Phase phase,
                             const NewtonRule<double>& rule) {
   Shooting<double> nearby = problem;
@@ -28,6 +30,7 @@ Orbit<double> find_breather(const Shooting<double>& problem, Phase phase,
   return branch.reach(problem.omega);
 }
 
+// A long chain tells how many sites the breather's tail needs
 Fitted fit_chain(Centre centre, double omega, const Well& well, std::size_t sites,
                  std::size_t usual, double precision, Phase phase) {
   const std::size_t ample = 2 * usual - usual % 2;
@@ -37,6 +40,7 @@ Fitted fit_chain(Centre centre, double omega, const Well& well, std::size_t site
   if (n < needed) throw ShortChain(needed);
   const auto problem = breather_problem(centre, omega, well, n);
   if (omega <= direct_up_to) return {problem, find_breather(problem, phase)};
+  // Far up the branch the orbit just found, cut or padded with beads at rest, is the best guess
   State<double> start(n);
   const long shift = (long(n) - long(ample)) / 2;
   for (long i = 0; i < long(n); ++i)
@@ -44,6 +48,8 @@ Fitted fit_chain(Centre centre, double omega, const Well& well, std::size_t site
       start.y[std::size_t(i)] = orbit.start.y[std::size_t(i - shift)];
   return {problem, newton(problem, problem.fold(start))};
 }
+
+// The pinning mode against the discrete gradient of the profile
 Vector<double> gradient(const std::vector<double>& y) {
   Vector<double> g = Vector<double>::Zero(Eigen::Index(y.size()));
   for (std::size_t i = 1; i + 1 < y.size(); ++i) g[Eigen::Index(i)] = y[i + 1] - y[i - 1];
@@ -54,6 +60,7 @@ double alignment(const Vector<double>& a, const Vector<double>& b) {
   return std::abs(a.dot(b)) / (a.norm() * b.norm());
 }
 
+// What section 3.2 says in words
 Criterion symmetric_by_nature(double left, double wide) {
   return {below("broken", compare(0.0, wide), 1e-9),
           below("share_of_double", compare(0.0, wide / left), 0.1)};
@@ -66,6 +73,8 @@ Criterion super_exponential(double before, double last) {
 Criterion worse_when_large(const Estimate& small, const Estimate& large) {
   return {above("worse", {large.value - small.value, large.error + small.error}, 0)};
 }
+
+// Contacts without a floor, lest they cut off the tail, and symmetry about a bond or a site
 template <class T>
 Shooting<T> breather_problem(Centre centre, const T& omega, const Well& well, std::size_t sites) {
   if (sites < 3 || (sites % 2 == 0) != (centre == Centre::bond))
@@ -84,6 +93,7 @@ Shooting<T> breather_problem(Centre centre, const T& omega, const Well& well, st
   return problem;
 }
 
+// Shorten the chain while the push of its last bead on the missing one would not be felt
 template <class T>
 std::size_t sites_needed(const Orbit<T>& orbit, double precision) {
   const auto& y = orbit.start.y;
@@ -98,11 +108,13 @@ std::size_t sites_needed(const Orbit<T>& orbit, double precision) {
   return y.size() - 2 * cut;
 }
 
+// The barrier at the same frequency, and at the same area
 template <class T>
 Barrier<T> barrier(const Shooting<T>& site_problem, const Orbit<T>& site, const Orbit<T>& bond,
                    const NewtonRule<T>& rule) {
   Barrier<T> out;
   out.equal_frequency = site.energy - bond.energy;
+  // Change the frequency of the site-centred breather until its area is that of the other
   const T area_omega = site_problem.period() * site.energy_omega;
   const T change = (bond.area - site.area) / area_omega;
   Shooting<T> shifted = site_problem;
@@ -110,6 +122,7 @@ Barrier<T> barrier(const Shooting<T>& site_problem, const Orbit<T>& site, const 
   Orbit<T> guess = site;
   guess.x += change * site.x_omega;
   const Orbit<T> moved = polish(shifted, guess, rule);
+  // What is left of the difference in area becomes energy by dE = dA / T_b
   out.equal_area = moved.energy + (bond.area - moved.area) / shifted.period() - bond.energy;
   out.omega_site = shifted.omega;
   return out;

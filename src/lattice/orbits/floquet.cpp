@@ -6,6 +6,7 @@
 
 namespace lattice {
 
+// Carry every small change along with the orbit; an inaccurate flow has no multipliers
 template <class T>
 Matrix<T> monodromy(const Chain& chain, const State<T>& start,
                     const std::type_identity_t<T>& duration, const Landing<T>& rule) {
@@ -18,6 +19,7 @@ Matrix<T> monodromy(const Chain& chain, const State<T>& start,
       tangent.entries.data(), n, n);
 }
 
+// From velocities to momenta, at the end (rows) and at the start (columns)
 template <class T>
 Matrix<T> in_momenta(const Chain& chain, Matrix<T> f) {
   const auto n = Eigen::Index(chain.sites);
@@ -28,6 +30,7 @@ Matrix<T> in_momenta(const Chain& chain, Matrix<T> f) {
   return f;
 }
 
+// F^T Omega F should be Omega: what is left is the error of the flow
 template <class T>
 T symplectic_defect(const Matrix<T>& f) {
   const Eigen::Index n = f.rows() / 2;
@@ -39,6 +42,7 @@ T symplectic_defect(const Matrix<T>& f) {
   return sup<T>(defect.reshaped());
 }
 
+// K = B^T C, and what it says about a pair of multipliers
 template <class T>
 Matrix<T> pair_matrix(const Matrix<T>& half) {
   const Eigen::Index n = half.rows() / 2;
@@ -50,6 +54,7 @@ std::complex<double> multiplier(std::complex<double> kappa, int sign) {
   return 1.0 + 2.0 * (kappa + double(sign) * root);
 }
 
+// A reflection takes f to the axis nearest to it, and the other axes to a basis perpendicular to f
 template <class T>
 Matrix<T> perpendicular_to(const Vector<T>& f) {
   Vector<T> u = f / f.norm();
@@ -63,6 +68,7 @@ Matrix<T> perpendicular_to(const Vector<T>& f) {
   return basis;
 }
 
+// Without the direction of the phase the pinning pair is a simple eigenvalue
 template <class T>
 Pairs<T> pairs_of(const Matrix<T>& k, const Vector<T>& f) {
   const Matrix<T> basis = perpendicular_to(f);
@@ -72,6 +78,7 @@ Pairs<T> pairs_of(const Matrix<T>& k, const Vector<T>& f) {
   std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
     return std::norm(a.first) < std::norm(b.first);
   });
+  // It is the pair nearest to +1, with the smallest kappa; its mode is what shifts the breather
   Pairs<T> pairs;
   for (const auto& one : all) pairs.kappa.push_back(one.first);
   pairs.mode = basis * found.vectors.col(all.front().second);
@@ -80,12 +87,14 @@ Pairs<T> pairs_of(const Matrix<T>& k, const Vector<T>& f) {
   return pairs;
 }
 
+// An orbit at rest twice a period needs only half of it
 template <class T>
 Pairs<T> floquet_pairs(const Chain& chain, const State<T>& start,
                        const std::type_identity_t<T>& period, const Landing<T>& rule) {
   for (const T& v : start.v)
     if (v != T(0)) throw std::invalid_argument("the orbit must begin at rest");
   const Matrix<T> half = in_momenta(chain, monodromy<T>(chain, start, period / T(2), rule));
+  // A shift in time changes the momenta along the force: this is the direction to leave out
   const std::vector<T> a = accelerations(chain, start.y);
   Vector<T> force(Eigen::Index(a.size()));
   for (std::size_t n = 0; n < a.size(); ++n) force[Eigen::Index(n)] = T(chain.mass_of(n)) * a[n];
@@ -94,6 +103,7 @@ Pairs<T> floquet_pairs(const Chain& chain, const State<T>& start,
   return pairs;
 }
 
+// Beside each kappa of the finer run, the nearest one of the coarser that is still free
 template <class C, class T>
 std::vector<Pair> compare_pairs(const Pairs<C>& coarse, const Pairs<T>& fine) {
   using Narrow = std::complex<double>;
@@ -113,23 +123,28 @@ std::vector<Pair> compare_pairs(const Pairs<C>& coarse, const Pairs<T>& fine) {
   return out;
 }
 
+// The pinning pair by itself, separated from the phase by the symmetry of the breather
 template <class T>
 T pinning_by_symmetry(const Matrix<T>& half, Centre centre) {
   const Eigen::Index n = half.rows() / 2, right = n / 2;
   Matrix<T> block;
   if (centre == Centre::bond) {
+    // On even vectors the left half of the chain repeats the right one and is folded onto it
     const Matrix<T> k = pair_matrix(half);
     block =
         k.bottomRightCorner(right, right) + k.bottomLeftCorner(right, right).rowwise().reverse();
   } else {
+    // Half a period and a reflection put the pinning pair near alpha = -1: find the small 1 + alpha
     block = Matrix<T>::Identity(n, n) - Matrix<T>(half.topLeftCorner(n, n).colwise().reverse());
   }
   const std::vector<std::complex<T>> all = eigenvalues_of(block);
   const auto nearer = [](const auto& a, const auto& b) { return std::norm(a) < std::norm(b); };
   const T value = std::min_element(all.begin(), all.end(), nearer)->real();
+  // Around a site kappa = (1 + alpha)(alpha - 1), in which no digit is lost
   return centre == Centre::bond ? value : value * (value - T(2));
 }
 
+// The sum over the four multipliers nearest to +1, to which the phase adds nothing
 double quadruplet_kappa(const Matrix<double>& map) {
   std::vector<std::complex<double>> all = eigenvalues_of(map);
   std::sort(all.begin(), all.end(), [](auto a, auto b) {

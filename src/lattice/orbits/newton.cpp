@@ -31,6 +31,7 @@ T sup(const Vector<T>& x) {
   return most;
 }
 
+// Measured by its own size, the tail of a breather counts as much as its centre
 template <class T>
 Vector<T> solve_scaled(Matrix<T> matrix, Vector<T> right, const Sizes<T>& size, double rank) {
   for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
@@ -88,23 +89,27 @@ T damping(const NewtonProblem<T>& problem, const Vector<T>& step, const T& last,
 
 }  // namespace
 
+// Newton's method, with a record of all it tried
 template <class T>
 Solution<T> iterate(const NewtonProblem<T>& problem, Vector<T> x, const NewtonRule<T>& rule,
                     bool jacobian, const Direction<T>& direction) {
   Solution<T> best{x, {}, {}};
   T last = std::numeric_limits<T>::infinity();
   for (int i = 0; i <= rule.most; ++i) {
+    // By how much does the orbit from here fail to close?
     Shot<T> shot = problem.shoot(x, rule.landing, jacobian);
     const T residual = residual_of(problem, shot, x, rule);
     best.history.push_back({double(residual), 0});
     if (!(residual < T(rule.graded ? 1e300 : 1e3)))
       throw failure(problem, "Newton runs away", best);
+    // Keep the better point, and stop once rounding keeps a small residual from falling further
     const bool small = last <= rule.enough(), better = residual < last;
     if (better || !small) best.shot = std::move(shot), best.x = x;
     if (small && !(residual < last / T(4))) {
       if (!better) best.history.pop_back();
       return accepted(problem, std::move(best), rule);
     }
+    // Step on, with care as long as the orbit is far away
     last = residual;
     const Vector<T> step = direction(best.shot, x), unit = problem.sizes(x, rule.graded).unknown;
     best.history.back().step = double(sup<T>(step.cwiseQuotient(unit)));
@@ -114,6 +119,7 @@ Solution<T> iterate(const NewtonProblem<T>& problem, Vector<T> x, const NewtonRu
   throw failure(problem, "Newton does not converge", best);
 }
 
+// The plain method: the exact derivative at each point
 template <class T>
 Solution<T> solve(const NewtonProblem<T>& problem, const Vector<T>& x, const NewtonRule<T>& rule) {
   return iterate<T>(problem, x, rule, true, [&](const Shot<T>& shot, const Vector<T>& at) {

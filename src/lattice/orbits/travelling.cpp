@@ -2,6 +2,7 @@
 
 namespace lattice {
 
+// About its centre a travelling breather is odd in position and even in velocity
 double asymmetry(const State<double>& z, std::size_t c, std::size_t width) {
   double miss = 0, size = 0;
   for (std::size_t j = 1; j <= width; ++j) {
@@ -13,6 +14,7 @@ double asymmetry(const State<double>& z, std::size_t c, std::size_t width) {
   return miss / size;
 }
 
+// The half ahead of the centre determines the breather, the other one is its mirror image
 Vector<double> front_half(const State<double>& z, std::size_t c, std::size_t reach) {
   Vector<double> x(2 * Eigen::Index(reach) + 1);
   for (std::size_t j = 0; j <= reach; ++j) {
@@ -31,6 +33,7 @@ State<double> between(const State<double>& a, const State<double>& b, double w) 
   return z;
 }
 
+// Follow a packet and cut it out when it is most like a travelling breather
 Vector<double> cut_packet(double velocity, double from, double to, int sign, std::size_t reach) {
   const Chain chain{std::size_t(to) + 2 * reach};
   State<double> state = struck(chain.sites, velocity), before = state;
@@ -40,6 +43,7 @@ Vector<double> cut_packet(double velocity, double from, double to, int sign, std
     const auto e = energy_density(chain, now);
     const auto c = front_packet(e);
     const double centre = c ? energy_centre(e, *c) : 0;
+    // The largest site passes through zero in the right direction: how symmetrical is the packet?
     if (centre > from && before.y[*c] * now.y[*c] < 0 && sign * now.v[*c] > 0) {
       const State<double> z = between(before, now, before.y[*c] / (before.y[*c] - now.y[*c]));
       const double miss = asymmetry(z, *c);
@@ -52,6 +56,7 @@ Vector<double> cut_packet(double velocity, double from, double to, int sign, std
   return best;
 }
 
+// Disturb the orbit, loosen the tolerance and find it again: the energies differ by their error
 Estimate energy_of_type_one(std::size_t k, const Orbit<double>& orbit) {
   NewtonRule<double> coarse;
   coarse.landing.tolerance *= 8;
@@ -61,6 +66,7 @@ Estimate energy_of_type_one(std::size_t k, const Orbit<double>& orbit) {
   return compare(polish(problem, shaken, coarse).energy, orbit.energy);
 }
 
+// A straight line through two members predicts the next, but for the far tail
 Orbit<double> next_member(const Orbit<double>& a, const Orbit<double>& b, double to,
                           std::size_t reach, const NewtonRule<double>& rule) {
   Vector<double> x = b.x;
@@ -71,6 +77,7 @@ Orbit<double> next_member(const Orbit<double>& a, const Orbit<double>& b, double
   return newton(travelling_problem(to, 0, reach), x, rule);
 }
 
+// Along the family in equal steps of the shift time
 std::vector<Orbit<double>> follow_family(const Orbit<double>& start, double to, double step,
                                          const NewtonRule<double>& rule) {
   const std::size_t reach = start.start.y.size() / 2 - 1;
@@ -84,6 +91,7 @@ std::vector<Orbit<double>> follow_family(const Orbit<double>& start, double to, 
   return members;
 }
 
+// The secant method for the shift time at which V vanishes
 Orbit<double> type_two(Orbit<double> a, Orbit<double> b, const NewtonRule<double>& rule) {
   const std::size_t reach = a.start.y.size() / 2 - 1;
   for (int i = 0; i < 30 && std::abs(velocity_sum(b)) > 1e-12; ++i) {
@@ -93,6 +101,7 @@ Orbit<double> type_two(Orbit<double> a, Orbit<double> b, const NewtonRule<double
     Orbit<double> c = next_member(a, b, t, reach, rule);
     a = std::move(b), b = std::move(c);
   }
+  // An exact orbit satisfies all equations, with the shift time as one more unknown
   return newton(with_free_time(travelling_problem(shift_time(b), 0, reach)),
                 with_time(b.x, shift_time(b)), rule);
 }
