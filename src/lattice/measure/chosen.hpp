@@ -63,6 +63,8 @@ double parting_time(const Stepper& first, const State<double>& a, const Stepper&
   });
 }
 
+/**
+An observer is called through a pointer. */
 using Look = std::function<bool(const State<double>&)>;
 
 template <class Stepper>

@@ -87,6 +87,8 @@ class Heartbeat {
             std::fprintf(stderr, "\r%s %d s\033[K", label.c_str(), seconds);
       });
   }
+  /**
+  It ends at once, and takes its line with it. */
   ~Heartbeat() {
     if (!beating_.joinable()) return;
     {
