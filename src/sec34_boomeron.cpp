@@ -548,7 +548,7 @@ Table OneTurn::table() const {
       },
       SameTurn{});
   if (std::abs(runs.fine.end.v.back()) > 1e-9 * v) throw Failure("the motion reaches the far end");
-  /** The neighbours start from the steps that have proved to be short enough. */
+  // The neighbours start from the steps that have proved to be short enough
   const TurnEstimate read = estimate_turn(runs.coarse, runs.fine);
   const auto neighbours = [&](int more) {
     const ContactAware at = stepper_for(tolerance, largest_step, runs.halvings + more);
