@@ -178,7 +178,6 @@ TEST_CASE("a breather in between is found twice, by solutions of their own",
   x << site.x, 0.1525196;
   const Vector<Wide> near =
       moved_to_centre(Held<double>{problem, along_s<double>(), 0.25}, x).cast<Wide>();
-  using WideProblem = Shooting<Wide>;
   const Held<Wide> held{in_precision<Wide>(problem), along_s<Wide>(), Wide(0.25)};
   const Wide fine = solve(held, near, rule<Wide>(0)).x[21];
   const Wide coarse = solve(held, near, rule<Wide>(1)).x[21];
