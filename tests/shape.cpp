@@ -85,6 +85,7 @@ TEST_CASE("a shelf that uses another one is seen", "[unit]") {
     return foreign_shelves({{"sec4/a.cpp", {to}}}).size();
   };
   CHECK(foreign("\"lattice/model/a.hpp\"") == 0);
+  CHECK(foreign("\"report/b.hpp\"") == 0);
   CHECK(foreign("\"sec4/b.hpp\"") == 0);
   CHECK(foreign("<vector>") == 0);
   CHECK(foreign("\"sec5/b.hpp\"") == 1);
