@@ -8,7 +8,8 @@ compute exact ones, which after a time $T$ are the same again, one site further:
       t = 0    .  .  o  O  o  .  .  .            y_n(t + T) = y_(n-1)(t)
       t = T    .  .  .  o  O  o  .  .            and nothing is left behind
 
-One can. In the linear well they travel at isolated speeds, and one sum says at which.
+One can. In the linear well those that repeat themselves from site to site have isolated speeds, and one sum
+says which.
 
 ![Exact travelling breathers, and a packet that sheds a tail.](fig:x18) */
 
@@ -166,9 +167,8 @@ void add_profile(Table& table, const Exact& e, const Orbit<double>& orbit,
   for (std::size_t j = 0; j <= shorter; ++j) {
     const State<double>& z = orbit.start;
     const double size = log_size(z, longer + j, orbit.amplitude);
-    table.add({std::int64_t(e.k), std::int64_t(e.sign), std::int64_t(j), z.y[longer + j],
-               z.v[longer + j], size,
-               std::abs(size - log_size(check.start, shorter + j, orbit.amplitude))});
+    table.add({e.k, e.sign, j, z.y[longer + j], z.v[longer + j],
+               compare(log_size(check.start, shorter + j, orbit.amplitude), size)});
   }
 }
 
@@ -179,8 +179,8 @@ Table profiles(Report& report, const std::vector<Exact>& shown) {
   Table table{{count("k", "oscillations a site"), count("sign", "of the central velocity"),
                count("n", "site", "site"), number("y", "position at t = 0"),
                number("v", "velocity at t = 0"),
-               number("log_size", "log10 of the larger modulus of both over the amplitude"),
-               number("log_size_error", "against the largest: difference of two chain lengths")}};
+               estimate("log_size", "log10 of the larger modulus of both over the amplitude", "",
+                        "against the largest: difference of two chain lengths")}};
   std::vector<Orbit<double>> orbits(2 * shown.size());
   parallel_for(orbits.size(), [&](std::size_t i) {
     orbits[i] = lengthened(shown[i / 2], i % 2 ? shorter : longer);
@@ -210,8 +210,8 @@ void add_map(Table& table, int which, const Chain& chain, State<double> state, d
   evolve(ContactAware{0.05}, chain, state, duration, 0.4, [&](const State<double>& now) {
     const auto e = energy_density(chain, now);
     for (int j = 0; j < 30; ++j)
-      table.add({std::int64_t(which), now.t - start, std::int64_t(j),
-                 std::log10(std::max(e[std::size_t(first_site + j)], 1e-14))});
+      table.add(
+          {which, now.t - start, j, std::log10(std::max(e[std::size_t(first_site + j)], 1e-14))});
   });
 }
 
@@ -341,8 +341,8 @@ void report_flights(Report& report, const Exact& e) {
 
 /**
 Two numbers describe the stability of an orbit: $\kappa$ of the phase, and the largest modulus of the
-other multipliers. These lie inside the unit circle, because a bead's free oscillation does not travel
-and is left behind by the orbit. */
+other multipliers. These lie inside the unit circle, which does not mean that anything is damped: the frame
+travels, a bead's free oscillation does not, and so what disturbs the orbit leaves the frame. */
 void report_stability(Report& report, const Exact& e) {
   const auto narrow = phase_and_rest(type_one<double>(e.k), e.orbit, {});
   const auto wide = phase_and_rest(type_one<long double>(e.k), e.wide, {});
@@ -467,8 +467,7 @@ Found chosen_near(const OneOrbit& choice) {
       const auto problem = with_free_time(travelling_problem(shift_time(orbit), 0, choice.reach));
       candidates.push_back({problem, orbit, in_precision<long double>(problem), {}});
     }
-  /**
-  If none of them is near, the command fails and names the nearest one. */
+  // If none of them is near, the command fails and names the nearest one
   const auto distance = [&](const Found& f) { return std::abs(shift_time(f.orbit) - choice.near); };
   Found best = *std::min_element(candidates.begin(), candidates.end(),
                                  [&](auto& a, auto& b) { return distance(a) < distance(b); });
@@ -505,8 +504,7 @@ Table orbit_table(const Found& f) {
   const auto better = t < 30 ? phase_and_rest(f.wide_problem, f.wide, {})
                              : phase_and_rest(f.problem, f.orbit, fine);
   const Pair phase{better.first, compare(narrow.first, better.first).error};
-  /**
-  A tail or a residual that is only rounding is printed as it is, because its smallness is the result. */
+  // A tail or a residual that is only rounding is printed as it is, because its smallness is the result
   Quantities q;
   q.add("shift_time", compare(t, t_wide), "time");
   q.add("speed", compare(1 / t, 1 / t_wide), "site per unit of time");
@@ -530,8 +528,7 @@ Table profile_table(const Found& f) {
                number("v", "velocity at t = 0")}};
   const long reach = long(f.problem.chain.sites / 2) - 1;
   for (std::size_t i = 0; i < f.problem.chain.sites; ++i)
-    table.add(
-        {std::int64_t(long(i) - reach), double(f.wide.start.y[i]), double(f.wide.start.v[i])});
+    table.add({long(i) - reach, f.wide.start.y[i], f.wide.start.v[i]});
   return table;
 }
 
@@ -556,8 +553,8 @@ error of the steps. The fastest, $k = 1$, has the speed $1/(2\pi)$ and the energ
 multipliers agree: $\kappa =$ [-8.8883e-11](num:sec5_travelling_breathers.kappa_k1_plus) with the sign plus,
 [8.888e-11](num:sec5_travelling_breathers.kappa_k1_minus) with the sign minus, a growth of
 [1.8856e-5](num:sec5_travelling_breathers.growth_k1_minus) per shift. At $k = 2$ no $\kappa$ is left above
-the errors. All other disturbances shrink, per shift at least to
-[0.870581](num:sec5_travelling_breathers.next_modulus_k1_plus) of their size. */
+the errors. All other disturbances are left behind by the travelling frame, in which per shift at most
+[0.870581](num:sec5_travelling_breathers.next_modulus_k1_plus) of them remain. */
 void reproduce(Report& report) {
   const std::vector<std::size_t> ks =
       report.quick ? std::vector<std::size_t>{1, 2, 3} : std::vector<std::size_t>{1, 2, 3, 4, 5};
@@ -575,8 +572,19 @@ void reproduce(Report& report) {
 /**
 ## Limits and extensions
 
-Orbits that repeat themselves only after several sites, or with the opposite sign after each shift, were
-not looked for.
+Orbits that repeat themselves only after $m > 1$ sites, or with the opposite sign after each shift, or never,
+were not looked for. For a shift by $m$ sites the sum $Z$ still demands $T = 2\pi k$, and the speeds
+$m/2\pi k$ are dense: so it is not this identity alone that isolates speeds. But it settles only one of the $m$
+complex amplitudes that such an orbit may leave behind on $m$ successive beads, so that $m - 1$ conditions
+remain without an unknown to meet them. We therefore expect such orbits only at particular $s$ or exponents.
+
+That tails vanish at countably many speeds, where the resonance meets a zero, is known from chains of beads
+with resonators (Kevrekidis, Stefanov and Xu, Letters in Mathematical Physics 106, 2016, arXiv:1502.01995);
+here the well itself is the resonator. In the DpS equation travelling breathers were computed by James
+(Philosophical Transactions A 376, 20170138, 2018), who finds tails but for particular parameters. Moving
+breathers on a tail, and the conditions under which it vanishes, are discussed for other lattices by Flach and
+Kladko (Physica D 127, 61, 1999), Iooss and Kirchgässner (Communications in Mathematical Physics 211, 439,
+2000) and Sire and James (Physica D 204, 15, 2005).
 
 - `sec5_travelling_breathers orbit --k 1 --sign minus` is weakly unstable. What does its phase do after
   a hundred thousand shifts?

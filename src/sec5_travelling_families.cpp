@@ -113,19 +113,17 @@ double missed_identity(const Orbit<double>& member) {
   return std::abs(first / member.amplitude - velocity_sum(member) * std::sin(time / 2));
 }
 
-std::vector<Cell> row_of(const Family& f, const Orbit<double>& member, double step) {
+Cells row_of(const Family& f, const Orbit<double>& member, double step) {
   const double tail = 2 * std::abs(std::sin(shift_time(member) / 2) * velocity_sum(member));
   const Left fine = set_free(member, step / 2), coarse = set_free(member, step);
   const auto log = [](double x) { return std::log10(std::max(x, 1e-14)); };
-  return {std::int64_t(f.k),
-          std::int64_t(f.sign),
+  return {f.k,
+          f.sign,
           shift_time(member) / two_pi,
           member.energy,
-          tail,
-          2 * missed_identity(member),
+          Estimate{tail, 2 * missed_identity(member)},
           log(tail),
-          fine.beads,
-          std::abs(fine.beads - coarse.beads),
+          compare(coarse.beads, fine.beads),
           log(fine.beads),
           log(fine.pulse)};
 }
@@ -136,18 +134,16 @@ zero. */
 Table left_behind(const std::vector<Family>& all, double step) {
   Table table{{count("k", "where the family begins"), count("sign", "of the central velocity"),
                number("turns", "shift time over 2 pi"), number("energy", "energy"),
-               number("tail", "|1 - exp(-iT)| |V|, over the amplitude"),
-               number("tail_error", "against the largest tail: from the equation left out"),
+               estimate("tail", "|1 - exp(-iT)| |V|, over the amplitude", "",
+                        "against the largest tail: from the equation left out"),
                number("log_tail", "its log10"),
-               number("beads", "amplitude of the beads left behind, over that of the member"),
-               number("beads_error", "against the largest: difference of two steps"),
+               estimate("beads", "amplitude of the beads left behind, over that of the member", "",
+                        "against the largest: difference of two steps"),
                number("log_beads", "its log10"),
                number("log_pulse", "log10 of |1 - exp(-iT)| |g(1)|, over the amplitude")}};
-  for (const Family& f : all) {
-    std::vector<std::vector<Cell>> rows(f.members.size());
-    parallel_for(f.members.size(), [&](std::size_t i) { rows[i] = row_of(f, f.members[i], step); });
-    for (auto& row : rows) table.add(row);
-  }
+  for (const Family& f : all)
+    table.fill(
+        f.members, [&](const Orbit<double>& member) { return row_of(f, member, step); }, "members");
   return table;
 }
 
@@ -203,20 +199,17 @@ std::vector<Twice> all_orbits(const std::vector<Family>& all, std::size_t slowes
   return orbits;
 }
 
-/**
-For the chart we need shift times and energies. */
 Table orbit_chart(const std::vector<Twice>& orbits) {
-  Table table{{count("type", "1 or 2"), count("k", "where the family begins"),
-               count("sign", "of the central velocity"), number("turns", "shift time over 2 pi"),
-               number("turns_error", "difference of two precisions, 0 where exact"),
-               number("speed", "speed", "site per unit of time"), number("energy", "energy"),
-               number("energy_error", "difference of two computations"),
-               number("central_velocity", "velocity of the central bead at t = 0")}};
-  for (const Twice& o : orbits) {
-    const double t = o.time.value, e = o.energy.value;
-    table.add({std::int64_t(o.type), std::int64_t(o.k), std::int64_t(o.sign), t / two_pi,
-               o.time.error / two_pi, 1 / t, e, o.energy.error, o.central});
-  }
+  Table table{
+      {count("type", "1 or 2"), count("k", "where the family begins"),
+       count("sign", "of the central velocity"),
+       estimate("turns", "shift time over 2 pi", "", "difference of two precisions, 0 where exact"),
+       number("speed", "speed", "site per unit of time"),
+       estimate("energy", "energy", "", "difference of two computations"),
+       number("central_velocity", "velocity of the central bead at t = 0")}};
+  for (const Twice& o : orbits)
+    table.add({o.type, o.k, o.sign, Estimate{o.time.value / two_pi, o.time.error / two_pi},
+               1 / o.time.value, o.energy, o.central});
   return table;
 }
 
@@ -314,8 +307,8 @@ Table branch_table(const std::vector<Start>& starts, int steps) {
   });
   for (std::size_t i = 0; i < ways.size(); ++i)
     for (const Place& p : ways[i])
-      table.add({std::int64_t(starts[i / 2].first), std::int64_t(i % 2 ? -1 : 1),
-                 std::int64_t(central_velocity(starts[i / 2].second) > 0 ? 1 : -1), p.s, p.turns,
+      table.add({starts[i / 2].first, i % 2 ? -1 : 1,
+                 central_velocity(starts[i / 2].second) > 0 ? 1 : -1, p.s, p.turns,
                  1 / (two_pi * p.turns), p.energy});
   return table;
 }
@@ -351,24 +344,22 @@ Table packet_table(const Path& p) {
 /**
 We need the exact orbits at $s = 1$. A branch may pass this value on its way out, and again after its
 fold. */
-std::vector<Cell> crossing(std::size_t k, Branch<double>& branch) {
+Cells crossing(std::size_t k, Branch<double>& branch) {
   const Orbit<double> orbit = branch.reach(1);
   Shooting<double> problem = branch.problem();
   problem.chain.well = Quartic{1};
   const auto wide = polish(in_precision<long double>(problem), orbit);
-  const Estimate speed = compare(1 / shift_time(orbit), 1 / double(shift_time(wide))),
-                 energy = compare(orbit.energy, double(wide.energy));
-  return {std::int64_t(k), speed.value, speed.error, energy.value, energy.error};
+  return {k, compare(1 / shift_time(orbit), 1 / double(shift_time(wide))),
+          compare(orbit.energy, double(wide.energy))};
 }
 
 /**
 A branch that folds below $s = 1$ has no orbit there, and none is listed. */
 Table exact_at_one(const std::vector<Start>& starts) {
   Table table{{count("k", "where the branch begins at s = 0"),
-               number("speed", "speed", "site per unit of time"),
-               number("speed_error", "difference of two precisions", "site per unit of time"),
-               number("energy", "energy"), number("energy_error", "difference of two precisions")}};
-  std::vector<std::vector<std::vector<Cell>>> rows(starts.size());
+               estimate("speed", "speed", "site per unit of time", "difference of two precisions"),
+               estimate("energy", "energy", "", "difference of two precisions")}};
+  std::vector<std::vector<Cells>> rows(starts.size());
   parallel_for(starts.size(), [&](std::size_t i) {
     const std::size_t k = starts[i].first;
     Branch<double> branch = branch_from(starts[i].second, 1, in_s);
@@ -382,7 +373,7 @@ Table exact_at_one(const std::vector<Start>& starts) {
     }
   });
   for (const auto& branch : rows)
-    for (const auto& row : branch) table.add(row);
+    for (const Cells& row : branch) table.add(row);
   return table;
 }
 
@@ -432,8 +423,7 @@ void report_wells(Report& report, const std::vector<Start>& starts) {
 has the speed [0.0539509](num:sec5_travelling_families.fastest_at_one) and the energy
 [0.00165802](num:sec5_travelling_families.fastest_energy_at_one). When the packet is as slow as that, it
 has the energy [1.51933](num:sec5_travelling_families.packet_energy_then), hundreds of times as much. So
-it is not near any exact orbit that we know. It exchanges energy with waves, and the waves that it left
-behind turn it (section 3.4). */
+it is not near any exact orbit that we know; sec34_boomeron_why.cpp looks for what turns it instead. */
 void reproduce(Report& report) {
   const bool quick = report.quick;
   std::vector<Family> all = families(quick);
@@ -466,7 +456,7 @@ only for what is connected with $s = 0$.
 
 ## Extensions
 
-- Are there orbits that repeat themselves only after two sites, or with the opposite sign after one?
+- Are there orbits that repeat themselves with the opposite sign after one site?
 - Follow type II into the limit of small amplitude: do all of them merge with type I?
 - Kick an exact orbit at $s = 0$ and watch its phase: how long does it take to lose the kick? */
 int main(int argc, char** argv) {
