@@ -24,7 +24,9 @@ LIMIT = 120  # seconds for one test
 
 
 def files(source, room):
-    return sorted(path for path in (source / "lattice" / room).iterdir() if path.suffix in (".hpp", ".cpp"))
+    """The sources of a room of the library or of a section's shelf."""
+    folder = source / room if room.startswith("sec") else source / "lattice" / room
+    return sorted(path for path in folder.iterdir() if path.suffix in (".hpp", ".cpp"))
 
 
 def read_table(selection):
@@ -61,11 +63,12 @@ class Library:
 
     def __init__(self, scratch, tests, pool):
         self.source, self.objects = scratch / "src", scratch / "objects"
-        shutil.copytree(ROOT / "src/lattice", self.source / "lattice")
+        for folder in [ROOT / "src/lattice", *(ROOT / "src").glob("sec*/")]:
+            shutil.copytree(folder, self.source / folder.name)
         self.objects.mkdir()
         for path in (ROOT / "tests").glob("*.?pp"):
             shutil.copy(path, self.source)
-        sources = [path for path in self.source.glob("lattice/*/*.cpp") if path.parent.name != "report"]
+        sources = [*self.source.glob("lattice/*/*.cpp"), *self.source.glob("sec*/*.cpp")]
         self.of = {path.relative_to(self.source): self.objects / f"{path.parent.name}-{path.stem}.o" for path in sources}
         self.tests = {test: self.objects / f"test-{test}.o" for test in ["main", *tests]}
         self.of.update({pathlib.Path(test + ".cpp"): path for test, path in self.tests.items()})
