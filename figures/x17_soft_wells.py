@@ -17,7 +17,7 @@ for kappa, mark, color in zip(kappas, "os^vD", ["#0072B2", "#D55E00", "#009E73",
     profile.plot(one["n"], one["force"], mark + "-", ms=2, lw=0.7, color=color,
                  label=f"$\\kappa = 1/{1 / kappa:.0f}$")
 profile.set(xlabel="contact, from the centre", ylabel=r"mean contact force $\bar F_n$",
-            xlim=(-25, 25))
+            xlim=(-32, 32))
 profile.legend(loc="upper right", handlelength=1.2)
 for column, mark, color, label in [("width", "o-", "#0072B2", "width / site"),
                                    ("amplitude", "s--", "#D55E00", "amplitude"),

@@ -40,6 +40,11 @@ using Criterion = std::vector<Condition>;
 /// The value lies between two limits, by more than its error on either side.
 Criterion within(const Estimate& value, double low, double high);
 
+/**
+A quantity increases along a sequence if each value exceeds the one before: the smallest ratio of neighbours
+must be above one, errors included. The values are positive, and there are at least two of them. */
+Criterion increasing(const std::vector<Estimate>& values);
+
 /// The same conditions, their names after `prefix`.
 Criterion named(const std::string& prefix, Criterion criterion);
 

@@ -1,0 +1,69 @@
+#pragma once
+/**
+# Branches from rest to a fold
+
+A family of breathers is a branch of periodic orbits. Section 3.2 says of it that it bifurcates from the chain
+at rest and that some quantities grow along it; in soft wells it turns back. */
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "lattice/dps/stationary.hpp"
+#include "lattice/numbers/criterion.hpp"
+#include "lattice/numbers/parallel.hpp"
+#include "lattice/orbits/continuation.hpp"
+
+namespace lattice {
+
+/// Where the branch through `start` turns back in frequency, from two runs of different step lengths.
+/// Throws NoBranch if it does not.
+inline Estimate fold_of(const Shooting<double>& problem, const Orbit<double>& start) {
+  std::array<double, 2> fold{};
+  parallel_for(2, [&](std::size_t k) {
+    Branch branch(problem, along_omega<double>(), start, 1, {},
+                  {.first = 0.05, .most = k ? 0.1 : 0.2});
+    fold[k] = branch.fold();
+  });
+  return compare(fold[0], fold[1]);
+}
+
+/**
+At a bifurcation from the chain at rest the amplitude vanishes as $\omega_b \to 1$, and by Eq. (20) like
+$(\omega_b-1)^2$. So we take the exponent between two frequencies close to one, and its change from a pair of
+frequencies farther away is its error. A family counts as one that begins at rest if the exponent is 2 within
+0.05, a bound of ours: a breather that begins at a finite amplitude has the exponent zero. */
+inline double growth_exponent(const Orbit<double>& lower, const Orbit<double>& upper) {
+  return std::log(upper.amplitude / lower.amplitude) /
+         std::log((upper.omega - 1) / (lower.omega - 1));
+}
+
+inline Condition begins_at_rest(const Estimate& exponent) {
+  return below("exponent_off", {std::abs(exponent.value - 2), exponent.error}, 0.05);
+}
+
+/**
+How far the quasi-continuum profile is from the stationary DpS breather, the limit of a small one: the
+largest difference over the sites, relative to the largest displacement. */
+template <class T>
+T largest(const Stationary<T>& state) {
+  using std::abs;
+  T top(0);
+  for (const T& x : state.u)
+    if (abs(x) > top) top = abs(x);
+  return top;
+}
+
+template <class T>
+T continuum_difference(const Stationary<T>& state) {
+  using std::abs;
+  T apart(0);
+  for (std::size_t i = 0; i < state.u.size(); ++i) {
+    const T near = quasi_continuum<T>(state.centre, site_number(i, state.u.size()));
+    const T difference = abs(state.u[i] - near);
+    if (difference > apart) apart = difference;
+  }
+  return apart / largest(state);
+}
+
+}  // namespace lattice
