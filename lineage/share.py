@@ -1,15 +1,17 @@
 """How much of a chapter's code is physics, method or criteria, and how much reports it.
 
 A line of code is one outside of `/** */` that has more than a comment, braces or an include. Lines are taken
-together to statements, and a statement is *reporting* if it
+together to statements, up to a semicolon or a brace at the end of a line. A statement *reports*, with all its
+lines, if it
 
-- declares, fills, reads or passes on a table, a row, facts, results, a note or the list of quantities
-  (`Table`, `Columns`, `Cells`, `Quantities`, `x.add(`, `x.fill(` of one of them, `facts.`, `results.`, `output.`),
+- declares or passes on a table, its columns, the list of quantities or a note, or fills them
+  (`Table`, `Columns`, `Cells`, `Quantities`, `x.add(` and `x.fill(` of one of them, `facts.`, `results.`, `output.`),
 - declares a command or its parameters (`Title`, `Parameters`, `UsageError`, `table() const`, `main`),
 - makes a name or a text (`std::string`, `const char*`),
 - or is the head of a function that returns a table or takes a report, or the call of one.
 
-All other statements, the calls of `judge` among them, are physics, method or criteria."""
+But a record or a row that computes what it records (it compares two resolutions, divides, takes a modulus,
+evaluates a formula) is method, and so is `judge`, which puts a criterion to the numbers."""
 
 import re
 from pathlib import Path
@@ -19,6 +21,10 @@ WORDS = re.compile(r"""\b(Table|Columns|Cells|Quantities|Parameters|Title|UsageE
     | \b(number|count|label|estimate)\("  | table\(\)\ const | \bmain\( | \breturn\ run\( | \bcommands<
     | \bstd::string\b | \bconst\ char\s*\* | \breport_\w+\( | \bfill\( """, re.X)
 HOLDER = re.compile(r"\b(?:Table|Quantities|Parameters|Columns)\s*&?\s+(\w+)")
+
+RECORD = re.compile(r"\.add\(|\bCells\{")
+COMPUTES = re.compile(r"""[\w)\]]\s(?:[-*/])\s[\w(] | \b(compare|quotient|larger|smaller|size|std::(abs|log|sqrt|arg|asin|sin|cos|expm1))\( |
+    \b(?!to_string|name_of|short_text|report_)[a-z]\w*_\w*\([^"]""", re.X)
 
 
 def code_lines(text):
@@ -51,7 +57,10 @@ def shares(text):
     reporting = 0
     for statement in statements(lines):
         whole = " ".join(statement)
+        values = re.sub(r'"(\\.|[^"\\])*"', '""', whole)
         if re.search(r"\bjudge\(", whole) and "std::string" not in whole:
+            continue
+        if RECORD.search(values) and COMPUTES.search(values) and not re.search(r"\bTable\b|\bp\.add", values):
             continue
         if WORDS.search(whole) or passes.search(whole):
             reporting += len(statement)

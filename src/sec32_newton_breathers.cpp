@@ -31,6 +31,7 @@ How much energy separates them is the question of the next chapter. */
 #include "report/program.hpp"
 #include "sec3/branches.hpp"
 #include "sec3/breather_options.hpp"
+#include "sec3/continuum.hpp"
 
 using namespace lattice;
 

@@ -9,7 +9,6 @@ at rest and that some quantities grow along it; in soft wells it turns back. */
 #include <cmath>
 #include <cstddef>
 
-#include "lattice/dps/stationary.hpp"
 #include "lattice/numbers/criterion.hpp"
 #include "lattice/numbers/parallel.hpp"
 #include "lattice/orbits/continuation.hpp"
@@ -40,30 +39,6 @@ inline double growth_exponent(const Orbit<double>& lower, const Orbit<double>& u
 
 inline Condition begins_at_rest(const Estimate& exponent) {
   return below("exponent_off", {std::abs(exponent.value - 2), exponent.error}, 0.05);
-}
-
-/**
-How far the quasi-continuum profile is from the stationary DpS breather, the limit of a small one: the
-largest difference over the sites, relative to the largest displacement. */
-template <class T>
-T largest(const Stationary<T>& state) {
-  using std::abs;
-  T top(0);
-  for (const T& x : state.u)
-    if (abs(x) > top) top = abs(x);
-  return top;
-}
-
-template <class T>
-T continuum_difference(const Stationary<T>& state) {
-  using std::abs;
-  T apart(0);
-  for (std::size_t i = 0; i < state.u.size(); ++i) {
-    const T near = quasi_continuum<T>(state.centre, site_number(i, state.u.size()));
-    const T difference = abs(state.u[i] - near);
-    if (difference > apart) apart = difference;
-  }
-  return apart / largest(state);
 }
 
 }  // namespace lattice

@@ -41,8 +41,9 @@ using Criterion = std::vector<Condition>;
 Criterion within(const Estimate& value, double low, double high);
 
 /**
-A quantity increases along a sequence if each value exceeds the one before: the smallest ratio of neighbours
-must be above one, errors included. The values are positive, and there are at least two of them. */
+A quantity increases along a sequence if in modulus each value exceeds the one before and none has another
+sign, since what changes its sign vanishes in between. So the smallest ratio of neighbours must be above one,
+errors included; a sequence has at least two values. */
 Criterion increasing(const std::vector<Estimate>& values);
 
 /// The same conditions, their names after `prefix`.
