@@ -41,8 +41,8 @@ def statements(lines):
     held = []
     for line in lines:
         held.append(line)
-        inside = re.search(r"\bTable\b[^;]*\{|\bColumns\b[^;]*[={]|report\.table\(", held[0])
-        if line.endswith(";" if inside and "(" not in held[0].split("Table")[0] else (";", "{", "}")):
+        table = re.search(r"\bTable\s+\w*\s*\{|\breturn Table\{", held[0])
+        if line.endswith(";" if table else (";", "{", "}")):
             yield held
             held = []
     if held:

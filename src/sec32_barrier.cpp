@@ -131,10 +131,9 @@ void report_barriers(Report& report, const std::vector<BreatherPairs>& families)
 
   // The zeros; those at equal frequency are numbered, well by well
   Table& changes = report.table(
-      "sign_changes",
-      {number("s", "anharmonicity of the well"),
-       count("kind", "1 at equal frequency, 2 at equal area"),
-       estimate("omega", "frequency where the barrier changes its sign", "", "its error")});
+      "sign_changes", {number("s", "anharmonicity of the well"),
+                       count("kind", "1 at equal frequency, 2 at equal area"),
+                       estimate("omega", "where the barrier changes its sign", "", "its error")});
   std::array<int, 3> found{};
   for (const Zero& z : find_zeros(families)) {
     const bool frequency = z.gap == &BreatherPair::equal_frequency;
@@ -228,14 +227,14 @@ void report_key(Report& report, const BreatherPairs& pairs) {
       report.facts.add("equal_frequency" + name, pair(w, k).equal_frequency);
       report.facts.add("equal_area" + name, pair(w, k).equal_area);
     }
-  report.facts.add("energy_110_site", pair(1, 2).energy[0]);
-  report.facts.add("energy_110_bond", pair(1, 2).energy[1]);
+  for (std::size_t k : {0U, 1U})
+    report.facts.add(k ? "energy_110_bond" : "energy_110_site", pair(1, 2).energy[k]);
 
   // Near the linear limit the ratio of the two is predicted
   const BreatherPair limit = pair(1, 0);
-  Estimate law = quotient(limit.equal_area, limit.equal_frequency);
-  law.value /= -(limit.omega - 1) / 5, law.error /= (limit.omega - 1) / 5;
-  report.facts.add("equal_area_law", law);
+  const Estimate law = quotient(limit.equal_area, limit.equal_frequency);
+  const double size_of_law = (limit.omega - 1) / 5;
+  report.facts.add("equal_area_law", {law.value / -size_of_law, law.error / size_of_law});
 
   // The article's numbers
   const auto barrier_at = [&](std::size_t w, std::size_t k) {
@@ -256,12 +255,11 @@ fold, where the stiffening contacts and the softening well balance, at
 [1.91163](num:sec32_barrier.fold_soft_site) (site) and [1.91172](num:sec32_barrier.fold_soft_bond) (bond).
 Two runs with different step lengths locate each. */
 void report_folds(Report& report, const BreatherPair& last) {
-  std::array<Estimate, 2> fold;
-  parallel_for(2, [&](std::size_t k) {
-    fold[k] = fold_of(problem_of(both_centres[k], last.omega, last.s), last.orbit[k]);
-  });
-  report.facts.add("fold_soft_site", fold[0]);
-  report.facts.add("fold_soft_bond", fold[1]);
+  const auto fold = [&](Centre centre, const Orbit<double>& orbit) {
+    return fold_of(problem_of(centre, last.omega, last.s), orbit);
+  };
+  report.facts.add("fold_soft_site", fold(Centre::site, last.orbit[0]));
+  report.facts.add("fold_soft_bond", fold(Centre::bond, last.orbit[1]));
 }
 
 /**
