@@ -1,10 +1,11 @@
 /**
-# 2 How the breather is lost in soft wells
+# 2 A breather in ever softer wells
 
 Section 2 of James, Kevrekidis and Cuevas (Physica D 251, 2013) ends with the remark that wells spoil the
 proof of its theorem, and section 3 finds breathers in them. What happens in between, to a breather whose
-wells are made softer and softer at a fixed period? It must be lost, in one of three ways: its branch turns
-back, its size diverges, or it ceases to be localized. We follow it to see which:
+wells are made softer and softer at a fixed period? It may be lost at some stiffness, if its branch turns back
+or its size diverges, or it may persist and cease to be localized only where there are no wells. We follow it
+to see which:
 
         stiff wells     .  .  o  O  O  o  .  .          few beads share the mean force
         soft wells      o  o  O  O  O  O  o  o          many do, and it becomes the same for all
@@ -259,7 +260,7 @@ void reproduce(Report& report) {
                           estimate("force", "mean force of the contact", "",
                                    "difference of two chain lengths, against the largest")});
   for (std::size_t k = 0; k < longer.size(); k += 4)
-    for (int n = -32; n <= 32; ++n) {
+    for (int n = -40; n <= 40; ++n) {
       const auto force = [&](std::size_t j) {
         return softer[j][k].contact[std::size_t(int(lengths[j] / 2) + n)];
       };
