@@ -146,8 +146,9 @@ void report_barriers(Report& report, const std::vector<BreatherPairs>& families)
 /**
 The zeros also decide whether $E_{PN}$ increases with the amplitude, as the article says. The amplitude does
 increase with the frequency, so we ask that along each of the three curves both grow from every frequency to
-the next, and that the barrier keeps its sign. It does not in any of the wells. What increases is the height
-between the zeros.
+the next, and that the barrier keeps its sign. It fails to do so in each well. What increases is its height
+between the zeros; in the hard well, whose only zero, at [1.01448](num:sec32_barrier.zero_hard1), lies close to
+the lower end of the curve, the barrier itself increases from there on.
 
 Whether the barrier remains very small depends on the well, and on where one stops. At the upper ends of the
 curves it is [0](num:sec32_barrier.end_barrier_soft) in the soft well,
