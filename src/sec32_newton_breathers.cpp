@@ -324,12 +324,17 @@ landed on. Double precision ends at $10^{-308}$, beyond site
 
 ![The tail of the site-centred breather.](fig:05) */
 template <class T>
+NewtonRule<T> graded() {
+  NewtonRule<T> out = rule<T>(0);
+  out.graded = true;
+  out.events.floor = T(0);
+  return out;
+}
+
+template <class T>
 Orbit<T> with_tail(std::size_t sites) {
   const auto problem = breather_problem<double>(Centre::site, omega_b, 0, sites);
-  NewtonRule<T> graded = rule<T>(0);
-  graded.graded = true;
-  graded.events.floor = T(0);
-  return polish(in_precision<T>(problem), find_breather(problem), graded);
+  return polish(in_precision<T>(problem), find_breather(problem), graded<T>());
 }
 
 /// The tail in both precisions; sites beyond the shorter chain of the wider type count as zero.
@@ -471,45 +476,26 @@ amplitude begins like $(\omega_b-1)^2$. In soft wells the families are short: at
 [0](num:sec32_newton_breathers.end_s_minus_05_site) and [0](num:sec32_newton_breathers.end_s_minus_05_bond). The
 claim asks that all eight families begin at rest and reach beyond $\omega_b = 1.01$. */
 void report_other_wells(Report& report) {
-  struct Family {
-    double s;
-    Centre centre;
-    std::string name;
-    Estimate exponent{}, end{};
-  };
-  std::vector<Family> families;
-  for (const auto& [s, name] :
-       {std::pair{-1.0, "minus_1"}, {-0.5, "minus_05"}, {0.5, "05"}, {1.0, "1"}})
-    for (Centre centre : both_centres)
-      families.push_back({s, centre, std::string(name) + "_" + name_of(centre)});
-
-  // From almost at rest in tenths of the frequency, and from the last of them to the fold
-  std::vector<double> omegas{1.0005, 1.001, 1.01};
-  for (int k = 1; k <= 10; ++k) omegas.push_back(1 + k / 10.0);
+  constexpr std::pair<double, const char*> wells[] = {
+      {-1, "minus_1"}, {-0.5, "minus_05"}, {0.5, "05"}, {1, "1"}};
+  std::array<Family, 8> families;
   parallel_for("other wells", families.size(), [&](std::size_t i) {
-    Family& f = families[i];
-    const std::vector<Orbit<double>> orbits = climb(f.centre, f.s, omegas);
-    f.exponent = compare(growth_exponent(orbits.at(1), orbits.at(2)),
-                         growth_exponent(orbits.at(0), orbits.at(1)));
-    const Orbit<double>& last = orbits.back();
-    f.end = orbits.size() == omegas.size() ? exact(omegas.back())
-                                           : fold_of(problem_of(f.centre, last.omega, f.s), last);
+    families[i] = family_from_rest(both_centres[i % 2], wells[i / 2].first);
   });
 
-  // All begin at rest, and none ends at once
   Criterion all;
-  Estimate shortest = families.front().end;
-  for (const Family& f : families) {
-    append(all, named("s_" + f.name, {begins_at_rest(f.exponent)}));
-    report.facts.add("end_s_" + f.name, f.end);
-    shortest = smaller(shortest, f.end);
+  Estimate shortest = families[0].end;
+  for (std::size_t i = 0; i < families.size(); ++i) {
+    const std::string name =
+        std::string("s_") + wells[i / 2].second + "_" + name_of(both_centres[i % 2]);
+    append(all, named(name, {begins_at_rest(families[i].exponent)}));
+    report.facts.add("end_" + name, families[i].end);
+    shortest = smaller(shortest, families[i].end);
   }
   all.push_back(above("shortest", shortest, 1.01));
   judge(report, "newton.any_s", all);
 }
 
-/**
-The program computes the parts of this chapter in the order in which they are told. */
 void reproduce(Report& report) {
   report.output.note("tolerance", "flow to 128 and 2048 roundings of the type");
   report_convergence(report);
@@ -574,7 +560,7 @@ template <class T>
 Table breather_profile(const Orbit<T>& orbit) {
   Table table{{count("n", "site", "site"), number("y", "position at t = 0")}};
   for (std::size_t i = 0; i < orbit.start.y.size(); ++i)
-    table.add({std::int64_t(site_number(i, orbit.start.y.size())), double(orbit.start.y[i])});
+    table.add({site_number(i, orbit.start.y.size()), double(orbit.start.y[i])});
   return table;
 }
 
@@ -583,12 +569,7 @@ Higher precision is expensive and needs a good start: double precision finds the
 confirms the one before. */
 Table OneBreather::table() const {
   const auto [problem, orbit] = find_chosen(*this, extended() ? 1e-34 : 1e-17);
-  if (profile && !extended()) {
-    NewtonRule<double> graded = rule<double>(0);
-    graded.graded = true;
-    graded.events.floor = 0;
-    return breather_profile(polish(problem, orbit, graded));
-  }
+  if (profile && !extended()) return breather_profile(polish(problem, orbit, graded<double>()));
   const auto wide = polish(in_precision<Wide>(problem), orbit, rule<Wide>(0));
   if (!extended()) return breather_table(problem, orbit, wide, {});
   NewtonRule<Quadruple> deep;
@@ -604,9 +585,8 @@ Table OneBreather::table() const {
 
 The article counts five iterations of its Gauss-Newton method. Ours continues until rounding stops it, and
 with the symmetric equations that takes [4](num:sec32_newton_breathers.newton_iterations). The article's
-chain lengths are 31 and 99 around a site; around a bond we take one bead more. Both families exist in
-other wells, too, and bifurcate from the chain at rest; those of the soft well fold back (see the next
-chapter).
+chain lengths are 31 and 99 around a site; around a bond we take one bead more. We follow no family through
+its fold.
 
 ## Extensions
 

@@ -8,9 +8,11 @@ at rest and that some quantities grow along it; in soft wells it turns back. */
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 #include "lattice/numbers/criterion.hpp"
 #include "lattice/numbers/parallel.hpp"
+#include "lattice/orbits/breather_pairs.hpp"
 #include "lattice/orbits/continuation.hpp"
 
 namespace lattice {
@@ -39,6 +41,24 @@ inline double growth_exponent(const Orbit<double>& lower, const Orbit<double>& u
 
 inline Condition begins_at_rest(const Estimate& exponent) {
   return below("exponent_off", {std::abs(exponent.value - 2), exponent.error}, 0.05);
+}
+
+/**
+How a family begins and how far it goes follows from a climb in tenths of the frequency, with three steps close
+to one before. */
+struct Family {
+  Estimate exponent, end;  ///< of the amplitude near omega_b = 1; the last frequency, two at most
+};
+
+inline Family family_from_rest(Centre centre, double s) {
+  std::vector<double> omegas{1.0005, 1.001, 1.01};
+  for (int k = 1; k <= 10; ++k) omegas.push_back(1 + k / 10.0);
+  const std::vector<Orbit<double>> orbits = climb(centre, s, omegas);
+  const Orbit<double>& last = orbits.back();
+  return {compare(growth_exponent(orbits.at(1), orbits.at(2)),
+                  growth_exponent(orbits.at(0), orbits.at(1))),
+          orbits.size() == omegas.size() ? exact(omegas.back())
+                                         : fold_of(problem_of(centre, last.omega, s), last)};
 }
 
 }  // namespace lattice
