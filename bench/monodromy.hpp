@@ -7,20 +7,24 @@ the derivative of the flow. The peer integrates orbit and columns as one system,
 gets the best we know: a tridiagonal product with the columns next to each other in
 memory, compiled for wide vectors. */
 
-#include <boost/multiprecision/float128.hpp>
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_odeiv2.h>
+
 #include <cmath>
 #include <numbers>
 #include <string>
 #include <vector>
 
 #include "lattice/landing/landing.hpp"
+#include "lattice/model/kernel.hpp"
+#include "lattice/numbers/extended.hpp"
 #include "lattice/stepping/reference.hpp"
 #include "measure.hpp"
 
 namespace bench {
 
-using Quad = boost::multiprecision::float128;
-using lattice::Harmonic, lattice::Hertz, lattice::Landing, lattice::Tangent;
+using Quad = lattice::Quadruple;
+using lattice::EventTolerance, lattice::Harmonic, lattice::Hertz, lattice::Tangent;
 using Cradle = lattice::Chain;
 
 constexpr double breather_frequency = 1.1;
@@ -44,7 +48,7 @@ lattice::State<T> breather(std::size_t sites) {
 }
 
 inline Cradle cradle(std::size_t sites) {
-  return {sites, {}, {0.0}};
+  return {sites, Harmonic{}, Hertz{0}};
 }
 
 /// The matrix by our own integrator with scalar `T`.

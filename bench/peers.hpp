@@ -12,6 +12,7 @@ written. They know nothing of the chain and always move the whole of it. */
 #include <functional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "lattice/stepping/contact_rkn.hpp"
@@ -27,7 +28,6 @@ using Numbers = std::vector<double>;
 /**
 A problem is a chain, its start and its duration. The judge sees the state every
 `sample` units of time and compares it once, at `compare_at`, with the reference. */
-template <class Onsite>
 struct Problem {
   std::string name;
   Chain chain;
@@ -36,10 +36,9 @@ struct Problem {
   Numbers reference{};
 };
 
-template <class Onsite>
 class Judge {
  public:
-  explicit Judge(const Problem<Onsite>& problem)
+  explicit Judge(const Problem& problem)
       : problem_(problem), energy_(energy(problem.chain, problem.start)) {}
   void operator()(const State<double>& now) {
     const double drift = std::abs(energy(problem_.chain, now) / energy_ - 1);
@@ -51,7 +50,7 @@ class Judge {
   Score score;
 
  private:
-  const Problem<Onsite>& problem_;
+  const Problem& problem_;
   double energy_;
 };
 
@@ -63,27 +62,29 @@ struct OurForce {
   }
 };
 
-template <class Onsite>
+/// The choice of the well is made once for a sweep, as in a program that knows its well.
 struct TypedForce {
   void operator()(const Chain& chain, const double* y, double* a) const {
-    const Onsite well = chain.well.template as<Onsite>();
     const std::size_t n = chain.sites;
-    for (std::size_t i = 0; i < n; ++i) {
-      a[i] = well.force(y[i]);
-      if (i > 0) a[i] += std::pow(std::max(y[i - 1] - y[i], 0.0), 1.5);
-      if (i + 1 < n) a[i] -= std::pow(std::max(y[i] - y[i + 1], 0.0), 1.5);
-    }
+    const auto sweep = [&](const auto& well) {
+      for (std::size_t i = 0; i < n; ++i) {
+        a[i] = well.force(y[i]);
+        if (i > 0) a[i] += std::pow(std::max(y[i - 1] - y[i], 0.0), 1.5);
+        if (i + 1 < n) a[i] -= std::pow(std::max(y[i] - y[i + 1], 0.0), 1.5);
+      }
+    };
+    std::visit(sweep, static_cast<const lattice::Well::variant&>(chain.well));
   }
 };
 
 /// Carries `z`, positions and then velocities, from sample to sample with `advance(z, t0, t1)`.
-template <class Onsite, class Advance>
-Score carry_samples(const Problem<Onsite>& p, Advance advance) {
+template <class Advance>
+Score carry_samples(const Problem& p, Advance advance) {
   const std::size_t n = p.chain.sites;
   State<double> s = p.start;
   Numbers z(s.y);
   z.insert(z.end(), s.v.begin(), s.v.end());
-  Judge<Onsite> judge(p);
+  Judge judge(p);
   for (double t = 0; t < p.time - 1e-9;) {
     const double next = std::min(t + p.sample, p.time);
     advance(z, t, next);
@@ -96,7 +97,7 @@ Score carry_samples(const Problem<Onsite>& p, Advance advance) {
 }
 
 /// The equations of motion as a first-order system; counts its evaluations.
-template <class Onsite, class Force>
+template <class Force>
 struct FirstOrder {
   const Chain& chain;
   double& count;
@@ -111,10 +112,9 @@ struct FirstOrder {
   }
 };
 
-template <class Onsite>
-Score gsl(const Problem<Onsite>& p, const gsl_odeiv2_step_type* type, double tolerance) {
+Score gsl(const Problem& p, const gsl_odeiv2_step_type* type, double tolerance) {
   double count = 0;
-  lattice::Reference reference(FirstOrder<Onsite, OurForce>{p.chain, count}, 2 * p.chain.sites,
+  lattice::Reference reference(FirstOrder<OurForce>{p.chain, count}, 2 * p.chain.sites,
                                lattice::Tolerance(tolerance, tolerance, type));
   Score score =
       carry_samples(p, [&](Numbers& z, double t, double next) { reference.advance(t, next, z); });
@@ -123,10 +123,10 @@ Score gsl(const Problem<Onsite>& p, const gsl_odeiv2_step_type* type, double tol
 }
 
 /// A controlled stepper of odeint that knows how to `try_step`.
-template <class Force, class Onsite, class Stepper>
-Score controlled(const Problem<Onsite>& p, Stepper stepper) {
+template <class Force, class Stepper>
+Score controlled(const Problem& p, Stepper stepper) {
   double count = 0;
-  const FirstOrder<Onsite, Force> system{p.chain, count};
+  const FirstOrder<Force> system{p.chain, count};
   Score score = carry_samples(p, [&](Numbers& z, double t, double next) {
     odeint::integrate_adaptive(std::ref(stepper), system, z, t, next, 0.01);
   });
@@ -137,8 +137,8 @@ Score controlled(const Problem<Onsite>& p, Stepper stepper) {
 /**
 The two steppers with a fixed step keep positions and velocities apart, and the step is
 shortened to divide the sampling interval, as ours is. */
-template <class Onsite, class Step>
-Score fixed(const Problem<Onsite>& p, double h, Step step) {
+template <class Step>
+Score fixed(const Problem& p, double h, Step step) {
   const std::size_t n = p.chain.sites;
   std::pair<Numbers, Numbers> x{Numbers(n), Numbers(n)};
   Score score = carry_samples(p, [&](Numbers& z, double t, double next) {
@@ -152,8 +152,8 @@ Score fixed(const Problem<Onsite>& p, double h, Step step) {
   return score;
 }
 
-template <class Force, class Onsite>
-Score velocity_verlet(const Problem<Onsite>& p, double h) {
+template <class Force>
+Score velocity_verlet(const Problem& p, double h) {
   odeint::velocity_verlet<Numbers> stepper;
   double count = 0;
   const auto system = [&](const Numbers& y, const Numbers&, Numbers& a, double) {
@@ -166,8 +166,7 @@ Score velocity_verlet(const Problem<Onsite>& p, double h) {
   return score;
 }
 
-template <class Onsite>
-Score mclachlan(const Problem<Onsite>& p, double h) {
+Score mclachlan(const Problem& p, double h) {
   odeint::symplectic_rkn_sb3a_mclachlan<Numbers> stepper;
   double count = 0;
   const auto kick = [&](const Numbers& y, Numbers& a) {
@@ -180,9 +179,9 @@ Score mclachlan(const Problem<Onsite>& p, double h) {
 }
 
 /// Our own steppers, with the window or, for comparison, on the whole chain.
-template <class Onsite, class Stepper>
-Score own(const Problem<Onsite>& p, const Stepper& stepper, bool windowed) {
-  Judge<Onsite> judge(p);
+template <class Stepper>
+Score own(const Problem& p, const Stepper& stepper, bool windowed) {
+  Judge judge(p);
   State<double> s = p.start;
   double work = 0;
   if (windowed) {

@@ -30,16 +30,15 @@ namespace {
 B1 is the hard well of the article's section on direction reversal, B2 its longest run: a
 weak impact in linear wells. Demanded are a relative energy error of 1e-8 over the run and a
 displacement error of 1e-6 at $t = 100$, later trajectories being chaotic. */
-Problem<Quartic> problem_b1() {
-  return {"B1", {200, {1}}, struck(200, 1.9), 600};
+Problem problem_b1() {
+  return {"B1", {200, Quartic{1}}, struck(200, 1.9), 600};
 }
-Problem<Harmonic> problem_b2() {
+Problem problem_b2() {
   return {"B2", {300}, struck(300, 2 * 0.9548e-3), 8090};
 }
 
 /// The contact-aware stepper on another base scheme with a very small step.
-template <class Onsite>
-void find_reference(Problem<Onsite>& p) {
+void find_reference(Problem& p) {
   State<double> s = p.start;
   Window window = waking(p.chain, s);
   const std::size_t steps = 102400;
@@ -56,8 +55,7 @@ struct Range {
   double by_step() const { return std::pow(2, -1.0 / parts); }
 };
 
-template <class Onsite>
-std::vector<Method> our_methods(const Problem<Onsite>& p, const Range& r) {
+std::vector<Method> our_methods(const Problem& p, const Range& r) {
   std::vector<Method> all{{"contact-aware", true, 4 * r.coarse, r.by_step(),
                            [&p](double h) { return own(p, ContactAware{h}, true); }, 10}};
   for (const Scheme& scheme : {verlet(), blanes_moan_4(), blanes_moan_6(), blanes_moan_6_14()})
@@ -70,8 +68,7 @@ std::vector<Method> our_methods(const Problem<Onsite>& p, const Range& r) {
   return all;
 }
 
-template <class Onsite>
-std::vector<Method> peer_methods(const Problem<Onsite>& p, const Range& r) {
+std::vector<Method> peer_methods(const Problem& p, const Range& r) {
   using Dopri = odeint::runge_kutta_dopri5<Numbers>;
   using Stoer = odeint::bulirsch_stoer<Numbers>;
   const auto dopri = [](double s) { return odeint::make_controlled(s, s, Dopri()); };
@@ -92,8 +89,7 @@ std::vector<Method> peer_methods(const Problem<Onsite>& p, const Range& r) {
                [&p, dopri](double s) { return controlled<TypedForce>(p, dopri(s)); })};
 }
 
-template <class Onsite>
-void race_impacts(Book& book, Problem<Onsite> p, const Range& range, double patience, int rounds) {
+void race_impacts(Book& book, Problem p, const Range& range, double patience, int rounds) {
   find_reference(p);
   std::vector<Method> methods = our_methods(p, range);
   for (const Method& m : peer_methods(p, range)) methods.push_back(m);
@@ -174,7 +170,7 @@ void measure_memory(Book& book) {
 
 The errors of single steps have random signs; two octaves of the step average a little. */
 void measure_order(Book& book) {
-  Problem<Quartic> p = problem_b1();
+  Problem p = problem_b1();
   find_reference(p);
   p.time = 100;
   const double ratio =

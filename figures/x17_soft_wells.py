@@ -17,7 +17,7 @@ for kappa, mark, color in zip(kappas, "os^vD", ["#0072B2", "#D55E00", "#009E73",
     profile.plot(one["n"], one["force"], mark + "-", ms=2, lw=0.7, color=color,
                  label=f"$\\kappa = 1/{1 / kappa:.0f}$")
 profile.set(xlabel="contact, from the centre", ylabel=r"mean contact force $\bar F_n$",
-            xlim=(-25, 25))
+            xlim=(-40, 40))
 profile.legend(loc="upper right", handlelength=1.2)
 for column, mark, color, label in [("width", "o-", "#0072B2", "width / site"),
                                    ("amplitude", "s--", "#D55E00", "amplitude"),
@@ -26,7 +26,7 @@ for column, mark, color, label in [("width", "o-", "#0072B2", "width / site"),
 facts = {row["quantity"]: float(row["value"])
          for row in draw.records(f"{data}/sec2_soft_wells/facts.ecsv")}
 width.axhline(facts["central_theory"], color="black", ls="-.", lw=0.7, label="equal areas")
-width.set(xlabel=r"stiffness $\kappa$ of the wells", xscale="log", yscale="log", ylim=(4e-3, 2e2))
+width.set(xlabel=r"stiffness $\kappa$ of the wells", xscale="log", yscale="log", ylim=(4e-3, 1e3))
 width.set_xticks(kappas, [f"1/{1 / kappa:.0f}" for kappa in kappas], minor=False)
 width.set_xticks([], minor=True)
 width.legend(loc="upper right", ncols=2, columnspacing=1)

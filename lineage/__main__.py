@@ -45,6 +45,11 @@ def gallery(given):
     renew(given.root, given.figures, given.check)
 
 
+def share(given):
+    from .share import show as show_shares
+    show_shares(given.root)
+
+
 def weave(given):
     from .book.weave import make
     count = make(given.root, given.data, given.figures, given.out, given.live)
@@ -82,6 +87,7 @@ def reader():
     verb(macros, "write the locked values for the paper", out="build/paper")
     old = verb(gallery, "draw the small pictures of the README", "figures")
     old.add_argument("--check", action="store_true", help="only say which are not current")
+    verb(share, "how much of each chapter's code is physics, method or criteria")
     verb(weave, "weave the book", "data", "figures", "live", out="build/book")
     return parser
 

@@ -160,6 +160,9 @@ struct Point {
   std::size_t start;
   double eps;
   std::array<Estimate, 3> error{};
+
+  /// The error over eps^(3/2).
+  double constant(std::size_t horizon) const { return error[horizon].value / three_halves(eps); }
 };
 
 /// All points, ordered by start and then from the largest eps to the smallest.
@@ -212,42 +215,6 @@ std::vector<Order> local_orders(const std::vector<Point>& points, std::size_t st
 }
 
 /**
-The figure compares the errors with lines of slope 3/2, which pass through the points of smallest
-$\epsilon$. */
-Table error_table(const std::vector<Point>& points) {
-  Table table{{count("start", "0: impact, 1: pair"),
-               number("tau", "slow time up to which the error is taken"),
-               number("eps", "size of the motion"),
-               number("error", "largest deviation of chain and approximation"),
-               number("error_error", "difference of two resolutions"),
-               number("constant", "error over eps^(3/2)"),
-               number("line", "power law 3/2 through the point of smallest eps")}};
-  for (std::size_t k = 0; k < horizons.size(); ++k)
-    for (const Point& p : points) {
-      const Point& smallest = points[(p.start + 1) * points.size() / starts.size() - 1];
-      const double line = smallest.error[k].value * three_halves(p.eps / smallest.eps);
-      table.add({std::int64_t(p.start), horizons[k], p.eps, p.error[k].value, p.error[k].error,
-                 p.error[k].value / three_halves(p.eps), line});
-    }
-  return table;
-}
-
-/**
-The second panel of the figure shows how slowly the local orders approach 3/2. */
-Table order_table(const std::vector<Point>& points) {
-  Table table{{count("start", "0: impact, 1: pair"),
-               number("tau", "slow time up to which the error is taken"),
-               number("eps", "geometric mean of two neighbouring sizes"),
-               number("order", "local order"),
-               number("order_error", "from the errors of both points")}};
-  for (std::size_t start = 0; start < starts.size(); ++start)
-    for (std::size_t k = 0; k < horizons.size(); ++k)
-      for (const Order& o : local_orders(points, start))
-        table.add({std::int64_t(start), horizons[k], o.eps, o.order[k].value, o.order[k].error});
-  return table;
-}
-
-/**
 The claim asks for one order, so we average over both starts and the three horizons. The error is the
 largest departure of any of the six, with its own error added. */
 Estimate answer_order(const std::vector<Point>& points) {
@@ -267,20 +234,18 @@ Estimate answer_order(const std::vector<Point>& points) {
 An order without its constant does not say how large the error is. The constants
 $C = \mathrm{error}/\epsilon^{3/2}$ are taken at the smallest $\epsilon$, and the change from the next
 larger $\epsilon$ is their error. */
-void add_constants(Quantities& facts, const std::vector<Point>& points) {
+void report_constants(Report& report, const std::vector<Point>& points) {
   double worst = 0;
   for (std::size_t i = 1; i < points.size(); ++i) {
     const Point &before = points[i - 1], &p = points[i];
     for (const Estimate& e : p.error) worst = std::max(worst, e.error / e.value);
     if (i + 1 < points.size() && points[i + 1].start == p.start) continue;
-    for (std::size_t k = 0; k < horizons.size(); ++k) {
-      const auto constant = [&](const Point& q) { return q.error[k].value / three_halves(q.eps); };
-      facts.add(
+    for (std::size_t k = 0; k < horizons.size(); ++k)
+      report.facts.add(
           "constant_" + std::string(starts[p.start]) + "_tau_" + std::to_string(int(horizons[k])),
-          compare(constant(before), constant(p)));
-    }
+          compare(before.constant(k), p.constant(k)));
   }
-  facts.add("largest_resolution_error", compare(0.0, worst), "share of the error");
+  report.facts.add("largest_resolution_error", compare(0.0, worst), "share of the error");
 }
 
 /**
@@ -312,17 +277,44 @@ For an impact the constants are [2.124](num:sec31_dps_limit.constant_impact_tau_
 void reproduce(Report& report) {
   report.output.note("tolerance", "GSL " + short_text(resolutions[0].tolerance) + " and " +
                                       short_text(resolutions[1].tolerance));
+
+  // The time constant in two ways
   const double quadrature = tau_0_by_quadrature();
   report.results.add("dps.tau0", compare(quadrature, tau_0()));
   report.facts.add("tau_0_by_quadrature", compare(tau_0(), quadrature));
 
+  // Errors, and the lines of slope 3/2 through the points of smallest eps
   const auto points = measure(report.quick ? 1e-4 : 1e-6, 2);
+  Table& errors = report.table("dps_error",
+                               {count("start", "0: impact, 1: pair"),
+                                number("tau", "slow time up to which the error is taken"),
+                                number("eps", "size of the motion"),
+                                estimate("error", "largest deviation of chain and approximation"),
+                                number("constant", "error over eps^(3/2)"),
+                                number("line", "power law 3/2 through the point of smallest eps")});
+  for (std::size_t k = 0; k < horizons.size(); ++k)
+    for (const Point& p : points) {
+      const Point& smallest = points[(p.start + 1) * points.size() / starts.size() - 1];
+      errors.add({p.start, horizons[k], p.eps, p.error[k], p.constant(k),
+                  smallest.error[k].value * three_halves(p.eps / smallest.eps)});
+    }
+
+  // Local orders, which approach 3/2 slowly
+  Table& orders = report.table(
+      "dps_order", {count("start", "0: impact, 1: pair"),
+                    number("tau", "slow time up to which the error is taken"),
+                    number("eps", "geometric mean of two neighbouring sizes"),
+                    estimate("order", "local order", "", "from the errors of both points")});
+  for (std::size_t start = 0; start < starts.size(); ++start)
+    for (std::size_t k = 0; k < horizons.size(); ++k)
+      for (const Order& o : local_orders(points, start))
+        orders.add({start, horizons[k], o.eps, o.order[k]});
+
+  // One order for the claim, two that show how it is approached, and the constants
   report.results.add("dps.error_order", answer_order(points));
   report.facts.add("order_at_large_eps", local_orders(points, 0).front().order.back());
   report.facts.add("order_at_small_eps", order_down_to(points, 1e-4));
-  add_constants(report.facts, points);
-  report.output.add("dps_error", error_table(points));
-  report.output.add("dps_order", order_table(points));
+  report_constants(report, points);
 }
 
 /**

@@ -30,6 +30,7 @@ physics demands, it considers too difficult. This program does both, with signs,
 #include "lattice/orbits/breather_pairs.hpp"
 #include "lattice/stepping/reference.hpp"
 #include "report/program.hpp"
+#include "sec3/branches.hpp"
 
 using namespace lattice;
 
@@ -40,9 +41,11 @@ What is claimed, with the identifiers under which the answers are recorded:
 - $10^{-14}$ to $10^{-15}$ near $\omega_b = 1.01$ for each well (`pn.small`);
 - close to $10^{-4}$ at $\omega_b = 1.5$ for $s = -1/6$ (`pn.omega15`);
 - by three to four orders smaller in the linear well than in the others at $\omega_b = 1.3$
-  (`pn.harmonic_ratio`). */
-const double wells[] = {-1.0 / 6, 0, 1};
-const char* const names[] = {"soft", "linear", "hard"};
+  (`pn.harmonic_ratio`);
+- it increases with the amplitude of the breather (`pn.grows`) but remains very small
+  (`pn.remains_small`). */
+constexpr std::array<double, 3> wells{-1.0 / 6, 0, 1};
+const std::array<std::string, 3> names{"soft", "linear", "hard"};
 
 /**
 ## Model
@@ -54,7 +57,6 @@ $$\mathcal A = \int_0^{2\pi/\omega_b}\sum_n\dot y_n^2\,dt .$$
 Why the area? A breather that creeps along the chain keeps its action, not its frequency, and an
 effective Hamiltonian for its position compares states of equal action; $\mathcal A$ is $2\pi$ times
 that action. The article plots the difference at equal frequency instead, and without its sign. */
-enum Comparison : std::int64_t { equal_frequency = 1, equal_area = 2 };  // E_site - E_bond, signed
 
 /**
 ## Method
@@ -72,42 +74,16 @@ std::vector<BreatherPairs> climb_wells(int count) {
   return families;
 }
 
-/**
-## The barrier against frequency (figure 07)
-
-The figure shows the energy of the bond-centred breather, the modulus of both barriers and the
-ratio of barrier to energy. Its logarithmic scale hides what matters most: both barriers change
-their signs, and each of the dips is a zero. The table therefore keeps the signs. */
-Table branch_table(const std::vector<BreatherPairs>& families) {
-  Table table{{number("s", "anharmonicity of the well"), number("omega", "frequency"),
-               number("energy_bond", "energy, bond-centred"),
-               number("energy_bond_error", "difference of two resolutions"),
-               number("equal_frequency", "E_site - E_bond at equal frequency"),
-               number("equal_frequency_error", "difference of two resolutions"),
-               number("equal_area", "E_site - E_bond at equal area"),
-               number("equal_area_error", "difference of two resolutions"),
-               number("size_frequency", "modulus of equal_frequency"),
-               number("size_area", "modulus of equal_area"),
-               number("relative", "size_frequency over energy_bond"),
-               count("wide", "1 where a 64-bit mantissa was needed")}};
-  for (const BreatherPairs& pairs : families)
-    for (const BreatherPair& r : pairs) {
-      const Estimate &bond = r.energy[1], &f = r.equal_frequency, &a = r.equal_area;
-      table.add({r.s, r.omega, bond.value, bond.error, f.value, f.error, a.value, a.error,
-                 std::abs(f.value), std::abs(a.value), std::abs(f.value) / bond.value,
-                 std::int64_t(r.wide)});
-    }
-  return table;
+/// The modulus of a barrier, as the article has it.
+Estimate size(const Estimate& e) {
+  return {std::abs(e.value), e.error};
 }
 
 /**
-The zeros themselves must be located. One lies wherever neighbouring pairs have opposite signs. In the linear
-well the barrier at equal frequency vanishes first at [1.01462](num:sec32_barrier.zero_linear1), and for the
-fifth time at [1.29969](num:sec32_barrier.zero_linear5): the article's barrier near $1.3$ is small because of
-that zero. */
+Between neighbouring pairs of opposite sign a barrier vanishes, at equal frequency or at equal area. */
 struct Zero {
   std::size_t well;
-  Comparison kind;
+  Estimate BreatherPair::*gap;
   const BreatherPair *left, *right;
   Estimate omega{};
 };
@@ -115,36 +91,91 @@ struct Zero {
 std::vector<Zero> find_zeros(const std::vector<BreatherPairs>& families) {
   std::vector<Zero> zeros;
   for (std::size_t w = 0; w < families.size(); ++w)
-    for (std::size_t k = 1; k < families[w].size(); ++k) {
-      const BreatherPair &a = families[w][k - 1], &b = families[w][k];
-      if (a.equal_frequency.value * b.equal_frequency.value < 0)
-        zeros.push_back({w, equal_frequency, &a, &b});
-      if (a.equal_area.value * b.equal_area.value < 0) zeros.push_back({w, equal_area, &a, &b});
-    }
+    for (std::size_t k = 1; k < families[w].size(); ++k)
+      for (auto gap : {&BreatherPair::equal_frequency, &BreatherPair::equal_area}) {
+        const BreatherPair &a = families[w][k - 1], &b = families[w][k];
+        if ((a.*gap).value * (b.*gap).value < 0) zeros.push_back({w, gap, &a, &b});
+      }
   parallel_for("zeros", zeros.size(), [&](std::size_t i) {
-    Zero& z = zeros[i];
-    const auto gap =
-        z.kind == equal_frequency ? &BreatherPair::equal_frequency : &BreatherPair::equal_area;
-    z.omega = zero_between(*z.left, *z.right, gap);
+    zeros[i].omega = zero_between(*zeros[i].left, *zeros[i].right, zeros[i].gap);
   });
   return zeros;
 }
 
 /**
-The text quotes some of the zeros, so those at equal frequency are numbered in the facts, well by well. */
-void report_zeros(Report& report, const std::vector<BreatherPairs>& families) {
-  Table table{{number("s", "anharmonicity of the well"),
-               count("kind", "1 at equal frequency, 2 at equal area"),
-               number("omega", "frequency where the barrier changes its sign"),
-               number("omega_error", "its error")}};
-  std::array<int, 3> number_of{};
+## The barrier against frequency (figure 07)
+
+The figure shows the energy of the bond-centred breather, the modulus of both barriers and the
+ratio of barrier to energy. Its logarithmic scale hides what matters most: both barriers change
+their signs, and each of the dips is a zero. The table therefore keeps the signs. In the linear
+well the barrier at equal frequency vanishes first at [1.01462](num:sec32_barrier.zero_linear1), and for the
+fifth time at [1.29969](num:sec32_barrier.zero_linear5): the article's barrier near $1.3$ is small because of
+that zero. */
+void report_barriers(Report& report, const std::vector<BreatherPairs>& families) {
+  // Pair by pair
+  Table& table = report.table(
+      "barriers", {number("s", "anharmonicity of the well"), number("omega", "frequency"),
+                   estimate("energy_bond", "energy, bond-centred"),
+                   estimate("equal_frequency", "E_site - E_bond at equal frequency"),
+                   estimate("equal_area", "E_site - E_bond at equal area"),
+                   number("size_frequency", "modulus of equal_frequency"),
+                   number("size_area", "modulus of equal_area"),
+                   number("relative", "size_frequency over energy_bond"),
+                   count("wide", "1 where a 64-bit mantissa was needed")});
+  for (const BreatherPairs& pairs : families)
+    for (const BreatherPair& r : pairs)
+      table.add({r.s, r.omega, r.energy[1], r.equal_frequency, r.equal_area,
+                 std::abs(r.equal_frequency.value), std::abs(r.equal_area.value),
+                 std::abs(r.equal_frequency.value) / r.energy[1].value, r.wide});
+  if (report.quick) return;
+
+  // The zeros; those at equal frequency are numbered, well by well
+  Table& changes = report.table(
+      "sign_changes", {number("s", "anharmonicity of the well"),
+                       count("kind", "1 at equal frequency, 2 at equal area"),
+                       estimate("omega", "where the barrier changes its sign", "", "its error")});
+  std::array<int, 3> found{};
   for (const Zero& z : find_zeros(families)) {
-    table.add({wells[z.well], z.kind, z.omega.value, z.omega.error});
-    if (z.kind == equal_frequency)
-      report.facts.add(std::string("zero_") + names[z.well] + std::to_string(++number_of[z.well]),
-                       z.omega);
+    const bool frequency = z.gap == &BreatherPair::equal_frequency;
+    changes.add({wells[z.well], frequency ? 1 : 2, z.omega});
+    if (!frequency) continue;
+    report.facts.add("zero_" + names[z.well] + std::to_string(++found[z.well]), z.omega);
   }
-  report.output.add("sign_changes", std::move(table));
+}
+
+/**
+The zeros also decide whether $E_{PN}$ increases with the amplitude, as the article says. The amplitude does
+increase with the frequency, so we ask that along each of the three curves both grow from every frequency to
+the next, and that the barrier keeps its sign. It fails to do so in each well. What increases is its height
+between the zeros; in the hard well, whose only zero, at [1.01448](num:sec32_barrier.zero_hard1), lies close to
+the lower end of the curve, the barrier itself increases from there on.
+
+Whether the barrier remains very small depends on the well, and on where one stops. At the upper ends of the
+curves it is [0](num:sec32_barrier.end_barrier_soft) in the soft well,
+[0](num:sec32_barrier.end_barrier_linear) in the linear one and [0](num:sec32_barrier.end_barrier_hard) in the
+hard one; in units of the energy the largest of all is [0](num:pn.remains_small). At the lower ends all are
+near [0](num:sec32_barrier.start_barrier_linear). */
+void report_growth(Report& report, const std::vector<BreatherPairs>& families) {
+  Criterion growing;
+  Estimate largest{};
+  for (std::size_t w = 0; w < families.size(); ++w) {
+    std::vector<Estimate> amplitude, barrier;
+    for (const BreatherPair& r : families[w]) {
+      amplitude.push_back(r.amplitude[1]);
+      barrier.push_back(r.equal_frequency);
+      largest = larger(largest, size(quotient(r.equal_frequency, r.energy[1])));
+    }
+    append(growing, named(names[w] + "_amplitude", increasing(amplitude)));
+    append(growing, named(names[w] + "_barrier", increasing(barrier)));
+    for (const auto& [end, pair] :
+         {std::pair{"start_", families[w].front()}, {"end_", families[w].back()}}) {
+      report.facts.add(end + ("barrier_" + names[w]), size(pair.equal_frequency));
+      report.facts.add(end + ("relative_" + names[w]),
+                       size(quotient(pair.equal_frequency, pair.energy[1])));
+    }
+  }
+  judge(report, "pn.grows", growing);
+  report.results.add("pn.remains_small", largest, "relative");
 }
 
 /**
@@ -181,16 +212,6 @@ BreatherPairs key_pairs(const std::vector<BreatherPairs>& families, bool quick) 
 }
 
 /**
-Ratios of two values need the errors of both. */
-Estimate ratio(const Estimate& a, const Estimate& b) {
-  const double r = a.value / b.value;
-  return {r, std::abs(r) * (a.error / std::abs(a.value) + b.error / std::abs(b.value))};
-}
-Estimate size(const Estimate& e) {
-  return {std::abs(e.value), e.error};
-}
-
-/**
 The article's numbers are answered from these pairs. Printed is $1.77\cdot10^{-11}$ at $1.1$ in the
 linear well, and we find [1.62422e-11](num:pn.omega11). At $1.5$ in the soft well we find
 [7.57142e-8](num:pn.omega15) instead of $10^{-4}$; the hard well has
@@ -198,28 +219,33 @@ linear well, and we find [1.62422e-11](num:pn.omega11). At $1.5$ in the soft wel
 At $1.3$ the soft barrier is [857.527](num:pn.harmonic_ratio) times the linear one, and the hard barrier is
 [24934.6](num:sec32_barrier.harmonic_ratio_hard) times the linear one. */
 void report_key(Report& report, const BreatherPairs& pairs) {
+  // Both barriers, well by well
   const std::size_t count = std::size(key_frequencies);
   const auto pair = [&](std::size_t w, std::size_t k) { return pairs[w * count + k]; };
-  for (std::size_t w = 0; w < 3; ++w)
+  for (std::size_t w = 0; w < wells.size(); ++w)
     for (std::size_t k = 0; k < count; ++k) {
-      const std::string name = std::string("_") + names[w] + "_" + key_frequencies[k].second;
+      const std::string name = "_" + names[w] + "_" + key_frequencies[k].second;
       report.facts.add("equal_frequency" + name, pair(w, k).equal_frequency);
       report.facts.add("equal_area" + name, pair(w, k).equal_area);
     }
-  report.facts.add("energy_110_site", pair(1, 2).energy[0]);
-  report.facts.add("energy_110_bond", pair(1, 2).energy[1]);
+  for (std::size_t k : {0U, 1U})
+    report.facts.add(k ? "energy_110_bond" : "energy_110_site", pair(1, 2).energy[k]);
+
+  // Near the linear limit the ratio of the two is predicted
   const BreatherPair limit = pair(1, 0);
-  Estimate law = ratio(limit.equal_area, limit.equal_frequency);
-  law.value /= -(limit.omega - 1) / 5, law.error /= (limit.omega - 1) / 5;
-  report.facts.add("equal_area_law", law);
+  const Estimate law = quotient(limit.equal_area, limit.equal_frequency);
+  const double size_of_law = (limit.omega - 1) / 5;
+  report.facts.add("equal_area_law", {law.value / -size_of_law, law.error / size_of_law});
+
+  // The article's numbers
   const auto barrier_at = [&](std::size_t w, std::size_t k) {
     return size(pair(w, k).equal_frequency);
   };
   report.results.add("pn.omega11", barrier_at(1, 2));
   report.results.add("pn.small", barrier_at(1, 1));
   report.results.add("pn.omega15", barrier_at(0, 4));
-  report.results.add("pn.harmonic_ratio", ratio(barrier_at(0, 3), barrier_at(1, 3)));
-  report.facts.add("harmonic_ratio_hard", ratio(barrier_at(2, 3), barrier_at(1, 3)));
+  report.results.add("pn.harmonic_ratio", quotient(barrier_at(0, 3), barrier_at(1, 3)));
+  report.facts.add("harmonic_ratio_hard", quotient(barrier_at(2, 3), barrier_at(1, 3)));
 }
 
 /**
@@ -230,14 +256,11 @@ fold, where the stiffening contacts and the softening well balance, at
 [1.91163](num:sec32_barrier.fold_soft_site) (site) and [1.91172](num:sec32_barrier.fold_soft_bond) (bond).
 Two runs with different step lengths locate each. */
 void report_folds(Report& report, const BreatherPair& last) {
-  std::array<double, 4> fold{};
-  parallel_for(4, [&](std::size_t i) {
-    Branch branch(problem_of(both_centres[i / 2], last.omega, last.s), along_omega<double>(),
-                  last.orbit[i / 2], 1, {}, {.first = 0.05, .most = i % 2 ? 0.1 : 0.2});
-    fold[i] = branch.fold();
-  });
-  report.facts.add("fold_soft_site", compare(fold[0], fold[1]));
-  report.facts.add("fold_soft_bond", compare(fold[2], fold[3]));
+  const auto fold = [&](Centre centre, const Orbit<double>& orbit) {
+    return fold_of(problem_of(centre, last.omega, last.s), orbit);
+  };
+  report.facts.add("fold_soft_site", fold(Centre::site, last.orbit[0]));
+  report.facts.add("fold_soft_bond", fold(Centre::bond, last.orbit[1]));
 }
 
 /**
@@ -291,24 +314,28 @@ Plain plain_newton(const Shooting<double>& problem, Vector<double> x, double tol
 /**
 The trials vary two things, the equations and the tolerance: one row for each pair. */
 void report_printed(Report& report, const Estimate& barrier) {
-  Table table{{number("tolerance", "of the adaptive integration"),
-               label("equations", "symmetric or full period map"),
-               number("residual_site", "left by the site-centred breather"),
-               number("residual_bond", "left by the bond-centred breather"),
-               number("barrier", "E_site - E_bond")}};
+  std::vector<std::pair<bool, double>> trials;
   for (bool full : {false, true})
-    for (double tolerance : {1e-8, 1e-9, 1e-10, 1e-11, 1e-12}) {
-      std::array<Plain, 2> ends{};
-      parallel_for(2, [&](std::size_t k) {
-        Shooting<double> problem = problem_of(both_centres[k], 1.1);
-        const State<double> start = find_breather(problem).start;
-        if (full) problem.symmetry = returning(problem.chain.sites);
-        ends[k] = plain_newton(problem, problem.fold(start), tolerance);
-      });
-      table.add({tolerance, std::string(full ? "full" : "symmetric"), ends[0].residual,
-                 ends[1].residual, ends[0].energy - ends[1].energy});
+    for (double tolerance : {1e-8, 1e-9, 1e-10, 1e-11, 1e-12}) trials.emplace_back(full, tolerance);
+  Table& table =
+      report.table("barrier_trials", {number("tolerance", "of the adaptive integration"),
+                                      label("equations", "symmetric or full period map"),
+                                      number("residual_site", "left by the site-centred breather"),
+                                      number("residual_bond", "left by the bond-centred breather"),
+                                      number("barrier", "E_site - E_bond")});
+  const auto row = [](const std::pair<bool, double>& trial) {
+    const auto& [full, tolerance] = trial;
+    std::array<Plain, 2> ends{};
+    for (std::size_t k : {0U, 1U}) {
+      Shooting<double> problem = problem_of(both_centres[k], 1.1);
+      const State<double> start = find_breather(problem).start;
+      if (full) problem.symmetry = returning(problem.chain.sites);
+      ends[k] = plain_newton(problem, problem.fold(start), tolerance);
     }
-  report.output.add("barrier_trials", std::move(table));
+    return Cells{tolerance, full ? "full" : "symmetric", ends[0].residual, ends[1].residual,
+                 ends[0].energy - ends[1].energy};
+  };
+  table.fill(trials, row, "trials");
   report.facts.add("hidden_energy",
                    compare(hidden_energy(1.5e-9, 2e-6), hidden_energy(1.5e-9, 1e-6)));
   report.facts.add("printed_excess", Estimate{1.77e-11 - barrier.value, barrier.error});
@@ -327,18 +354,16 @@ struct OneBarrier {
     p.add("omega", omega, "frequency omega_b > 1", {1.0001, 3});
     p.add("s", s, "anharmonicity of the well", {-10, 10});
   }
-  Table table() const;
+  Table table() const {
+    BreatherPair pair{s, omega};
+    for (int k : {0, 1}) pair.orbit[k] = find_breather(problem_of(both_centres[k], omega, s));
+    measure_in<Wide>(pair);
+    Quantities q;
+    q.add("equal_frequency", pair.equal_frequency);
+    q.add("equal_area", pair.equal_area);
+    return q.table;
+  }
 };
-
-Table OneBarrier::table() const {
-  BreatherPair pair{s, omega};
-  for (int k : {0, 1}) pair.orbit[k] = find_breather(problem_of(both_centres[k], omega, s));
-  measure_in<Wide>(pair);
-  Quantities q;
-  q.add("equal_frequency", pair.equal_frequency);
-  q.add("equal_area", pair.equal_area);
-  return q.table;
-}
 
 /**
 ## What goes beyond the article
@@ -352,7 +377,7 @@ smaller: at $1.3$ the two are [-5.22284e-12](num:sec32_barrier.equal_area_linear
 
 ## Differences and limits
 
-The article does not print how far in frequency its soft and hard branches go. Ours end at $\omega_b = 2$,
+The article does not say how far in frequency its soft and hard branches go. Ours end at $\omega_b = 2$,
 those of the soft well at $1.9$, just before their folds, which we locate but do not pass. The barrier says
 nothing about what lies between the two breathers; section 3.3 looks for breathers without symmetry there.
 
@@ -364,8 +389,8 @@ nothing about what lies between the two breathers; section 3.3 looks for breathe
 void reproduce(Report& report) {
   report.output.note("tolerance", "flow to 128 and 2048 roundings of the type");
   const auto families = climb_wells(report.quick ? 10 : 60);
-  report.output.add("barriers", branch_table(families));
-  if (!report.quick) report_zeros(report, families);
+  report_barriers(report, families);
+  report_growth(report, families);
   const BreatherPairs key = key_pairs(families, report.quick);
   report_key(report, key);
   report_folds(report, families[0].back());

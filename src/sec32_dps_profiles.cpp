@@ -33,6 +33,7 @@ and measure how good that approximation is. The breathers of the chain have a ch
 #include "lattice/numbers/extended.hpp"
 #include "lattice/packets/observe.hpp"
 #include "report/program.hpp"
+#include "sec3/continuum.hpp"
 
 using namespace lattice;
 
@@ -116,43 +117,32 @@ double relative_residual(const Stationary<T>& state) {
   return worst;
 }
 
-/// Largest displacement.
-template <class T>
-T largest(const Stationary<T>& state) {
-  using std::abs;
-  T top(0);
-  for (const T& x : state.u)
-    if (abs(x) > top) top = abs(x);
-  return top;
-}
-
 /**
 ## Norm and contact sum
 
 Newton's method does not use every consequence of the equation, and one of them is a check. Multiplying by
 $u_n$ and summing by parts gives $\sum|u_{n+1}-u_n|^{5/2} = \mu N$ with the norm $N = \sum u_n^2$. */
-void report_norms(Quantities& facts) {
+void report_norms(Report& report) {
+  const auto broken = [](const auto& s) {
+    return std::abs(rounded(s.contact_sum() / (s.mu * s.norm()) - 1));
+  };
+  const auto residual = [](const auto& s) { return relative_residual(s); };
   for (const auto& [centre, name] : centres) {
-    const std::string suffix = std::string("_") + name;
-    facts.add("norm" + suffix, in_two_precisions(centre, [](const auto& s) { return s.norm(); }));
-    facts.add("amplitude" + suffix,
-              in_two_precisions(centre, [](const auto& s) { return largest(s); }));
-    const auto broken = [](const auto& s) {
-      return std::abs(rounded(s.contact_sum() / (s.mu * s.norm()) - 1));
+    const auto add = [&](const std::string& what, const Estimate& e) {
+      report.facts.add(what + "_" + name, e);
     };
-    facts.add("identity" + suffix, remainder<double, long double>(centre, broken));
-    facts.add("identity_quad" + suffix, remainder<Quadruple, FiftyDigits>(centre, broken));
-    const auto residual = [](const auto& s) { return relative_residual(s); };
-    facts.add("residual" + suffix, remainder<double, long double>(centre, residual));
-    facts.add("residual_quad" + suffix, remainder<Quadruple, FiftyDigits>(centre, residual));
+    add("norm", in_two_precisions(centre, [](const auto& s) { return s.norm(); }));
+    add("amplitude", in_two_precisions(centre, [](const auto& s) { return largest(s); }));
+    add("identity", remainder<double, long double>(centre, broken));
+    add("identity_quad", remainder<Quadruple, FiftyDigits>(centre, broken));
+    add("residual", remainder<double, long double>(centre, residual));
+    add("residual_quad", remainder<Quadruple, FiftyDigits>(centre, residual));
   }
-}
 
-/**
-How easily does a small breather move? On the way from site to site it has to cross the other centre. The
-energy of the chain's breather is close to $2\epsilon^2 N$, so the difference of the two norms decides,
-and it is very small. */
-void report_gap(Quantities& facts) {
+  /**
+  How easily does a small breather move? On the way from site to site it has to cross the other centre. The
+  energy of the chain's breather is close to $2\epsilon^2 N$, so the difference of the two norms decides,
+  and it is very small. */
   const auto gap = [](auto one) {
     using T = decltype(one);
     const T site = stationary<T>(Centre::site, one, 31).norm();
@@ -161,9 +151,9 @@ void report_gap(Quantities& facts) {
   const auto extended = gap(1.0L);
   const auto quad = gap(Quadruple(1));
   const Estimate difference = compare(rounded(extended.first), rounded(quad.first));
-  facts.add("norm_gap", difference);
-  facts.add("norm_gap_relative",
-            {difference.value / rounded(quad.second), difference.error / rounded(quad.second)});
+  const double site = rounded(quad.second);
+  report.facts.add("norm_gap", difference);
+  report.facts.add("norm_gap_relative", {difference.value / site, difference.error / site});
 }
 
 /**
@@ -213,59 +203,10 @@ double printed_envelope_residual() {
 }
 
 /**
-## Breathers and approximation (figure x03)
+The article calls the agreement of breathers and approximation excellent, a word without a number. We give the
+number and pass no judgement: the largest difference over the sites relative to the largest displacement
+(`continuum_difference` of continuum.hpp).
 
-The figure shows both breathers with the approximation, then the same in moduli, and last
-$\ln(-\ln|u_n|)$: the article calls the decay super-exponential, and the sharp form of that
-statement is a straight line of slope $\ln\frac32$ in this plot.
-
-![Both breathers, the quasi-continuum profiles and the tails.](fig:x03)
-
-Some moduli are far below the smallest double, so their logarithms are taken in quadruple
-precision. */
-Table profile_table(Centre centre) {
-  Table table{
-      {count("n", "site", "site"), number("u", "stationary DpS breather, mu = 1"),
-       number("u_error", "difference of double and quadruple precision"),
-       number("quasi_continuum", "quasi-continuum profile"),
-       number("log10_u", "decimal logarithm of |u_n|"),
-       number("log10_quasi_continuum", "that of the profile's modulus; nan where it is zero"),
-       number("double_log", "ln(-ln|u_n|)"),
-       number("tail_line", "slope ln(3/2), through the last point")}};
-  const auto u = stationary<double>(centre, 1, sites_of(centre)).u;
-  const auto wide = stationary<Quadruple>(centre, 1, u.size()).u;
-  const auto double_log = [&](std::size_t i) {
-    return rounded(Quadruple(log(-log(abs(wide[i])))));
-  };
-  for (std::size_t i = 0; i < u.size(); ++i) {
-    const long n = site_number(i, u.size()), last = site_number(u.size() - 1, u.size());
-    const long distance = centre == Centre::bond && n < 1 ? 1 - n : std::abs(n);
-    const double near = quasi_continuum(centre, n);
-    table.add({std::int64_t(n), u[i], std::abs(rounded(Quadruple(u[i] - wide[i]))), near,
-               rounded(Quadruple(log10(abs(wide[i])))),
-               near != 0 ? std::log10(std::abs(near)) : std::nan(""), double_log(i),
-               double_log(u.size() - 1) + double(distance - last) * std::log(1.5)});
-  }
-  return table;
-}
-
-/**
-The article calls the agreement excellent, a word without a number. We give the number and pass no
-judgement: the largest difference over the sites relative to the largest displacement. */
-
-template <class T>
-T profile_difference(const Stationary<T>& state) {
-  using std::abs;
-  T apart(0);
-  for (std::size_t i = 0; i < state.u.size(); ++i) {
-    const T difference =
-        abs(state.u[i] - quasi_continuum<T>(state.centre, site_number(i, state.u.size())));
-    if (difference > apart) apart = difference;
-  }
-  return apart / largest(state);
-}
-
-/**
 One number hides where the profiles differ, so we also compare the largest displacement alone and
 the norm $N$. */
 template <class T>
@@ -287,23 +228,59 @@ T norm_difference(const Stationary<T>& state) {
 }
 
 /**
-The claims speak of the whole profile, so the first of the three differences answers them. */
-void report_profiles(Output& output, Results& results, Quantities& facts) {
-  const Estimate width = compare(quasi_continuum_half_width(8), quasi_continuum_half_width(16));
-  results.add("dps.qc_support", width);
-  facts.add("printed_envelope_residual",
-            compare(printed_envelope_residual<long double>(), printed_envelope_residual<double>()));
+## Breathers and approximation (figure x03)
+
+The figure shows both breathers with the approximation, then the same in moduli, and last
+$\ln(-\ln|u_n|)$: the article calls the decay super-exponential, and the sharp form of that
+statement is a straight line of slope $\ln\frac32$ in this plot.
+
+![Both breathers, the quasi-continuum profiles and the tails.](fig:x03)
+
+Some moduli are far below the smallest double, so their logarithms are taken in quadruple
+precision. The claims speak of the whole profile, so the first of the three differences answers them. */
+void report_profiles(Report& report) {
+  // The support of the approximation, and whether the printed envelope solves its equation
+  report.results.add("dps.qc_support",
+                     compare(quasi_continuum_half_width(8), quasi_continuum_half_width(16)));
+  report.facts.add("printed_envelope_residual", compare(printed_envelope_residual<long double>(),
+                                                        printed_envelope_residual<double>()));
   for (const auto& [centre, name] : centres) {
+    // How far each breather is from it: as a whole, at its peak, in its norm
     const std::string suffix = std::string("_") + name;
     const Estimate apart =
-        in_two_precisions(centre, [](const auto& s) { return profile_difference(s); });
-    results.add("dps.qc" + suffix, apart, "share of the amplitude");
-    facts.add("qc_difference" + suffix, apart, "share of the amplitude");
-    facts.add("qc_peak_difference" + suffix,
-              in_two_precisions(centre, [](const auto& s) { return peak_difference(s); }));
-    facts.add("qc_norm_difference" + suffix,
-              in_two_precisions(centre, [](const auto& s) { return norm_difference(s); }));
-    output.add("profile" + suffix, profile_table(centre));
+        in_two_precisions(centre, [](const auto& s) { return continuum_difference(s); });
+    report.results.add("dps.qc" + suffix, apart, "share of the amplitude");
+    report.facts.add("qc_difference" + suffix, apart, "share of the amplitude");
+    report.facts.add("qc_peak_difference" + suffix,
+                     in_two_precisions(centre, [](const auto& s) { return peak_difference(s); }));
+    report.facts.add("qc_norm_difference" + suffix,
+                     in_two_precisions(centre, [](const auto& s) { return norm_difference(s); }));
+
+    // Site by site
+    Table& table = report.table(
+        "profile" + suffix,
+        {count("n", "site", "site"),
+         estimate("u", "stationary DpS breather, mu = 1", "",
+                  "difference of double and quadruple precision"),
+         number("quasi_continuum", "quasi-continuum profile"),
+         number("log10_u", "decimal logarithm of |u_n|"),
+         number("log10_quasi_continuum", "that of the profile's modulus; nan where it is zero"),
+         number("double_log", "ln(-ln|u_n|)"),
+         number("tail_line", "slope ln(3/2), through the last point")});
+    const auto u = stationary<double>(centre, 1, sites_of(centre)).u;
+    const auto wide = stationary<Quadruple>(centre, 1, u.size()).u;
+    const auto double_log = [&](std::size_t i) {
+      return rounded(Quadruple(log(-log(abs(wide[i])))));
+    };
+    for (std::size_t i = 0; i < u.size(); ++i) {
+      const long n = site_number(i, u.size()), last = site_number(u.size() - 1, u.size());
+      const long distance = centre == Centre::bond && n < 1 ? 1 - n : std::abs(n);
+      const double near = quasi_continuum(centre, n);
+      table.add({n, Estimate{u[i], std::abs(rounded(Quadruple(u[i] - wide[i])))}, near,
+                 rounded(Quadruple(log10(abs(wide[i])))),
+                 near != 0 ? std::log10(std::abs(near)) : std::nan(""), double_log(i),
+                 double_log(u.size() - 1) + double(distance - last) * std::log(1.5)});
+    }
   }
 }
 
@@ -313,30 +290,8 @@ void report_profiles(Output& output, Results& results, Quantities& facts) {
 The super-exponential decay follows from the equation. Far from the centre $u_n$ is small against
 $u_{n-1}$, so $-\mu u_n \approx -w_{n-1}$ and $|u_n| \approx |u_{n-1}|^{3/2}/\mu$. At $\mu = 1$ the ratio
 $\ln|u_{n+1}|/\ln|u_n|$ therefore tends to 3/2. It does so very fast: from one site to the next its distance
-from 3/2 is raised to nearly the power 3/2. The table lists it. */
-Table tail_table() {
-  Table table{
-      {label("centre", "site or bond"), count("n", "site", "site"),
-       number("ratio", "ln|u_(n+1)| / ln|u_n|"),
-       number("ratio_error", "difference of double and quadruple precision, nan beyond double"),
-       number("distance", "|ratio - 3/2| in quadruple precision")}};
-  for (const auto& [centre, name] : centres) {
-    const auto one = stationary<double>(centre, 1, sites_of(centre));
-    const auto four = stationary<Quadruple>(centre, 1, sites_of(centre));
-    for (std::size_t i = site_index(1, four.u.size()); i + 1 < four.u.size(); ++i) {
-      const Quadruple ratio = log(abs(four.u[i + 1])) / log(abs(four.u[i]));
-      const double coarse = one.u[i + 1] != 0
-                                ? std::log(std::abs(one.u[i + 1])) / std::log(std::abs(one.u[i]))
-                                : std::nan("");
-      table.add({std::string(name), std::int64_t(site_number(i, four.u.size())), rounded(ratio),
-                 compare(coarse, rounded(ratio)).error,
-                 rounded(Quadruple(abs(ratio - Quadruple(1.5))))});
-    }
-  }
-  return table;
-}
+from 3/2 is raised to nearly the power 3/2. The table lists it.
 
-/**
 The tail also shows how little the free ends matter: a missing contact would have pulled by the size of
 the tail. We compare 15 sites with 31. The effect is smaller than the rounding of double precision, so
 quadruple precision is compared with 50 digits. */
@@ -354,23 +309,34 @@ double free_end_effect() {
 /**
 Two sites tell how fast the law is reached: at $n = 4$ the profile has just become invisible in a plot, at
 $n = 8$ it is far below anything that matters to the motion. */
-void report_tails(Output& output, Quantities& facts) {
-  const Table table = tail_table();
-  const auto centre = table.texts("centre");
-  const auto n = table.numbers("n"), ratio = table.numbers("ratio");
-  const auto error = table.numbers("ratio_error"), distance = table.numbers("distance");
-  for (const auto& [which, name] : centres) {
-    const std::string suffix = std::string("_") + name;
-    for (std::size_t i = 0; i < n.size(); ++i)
-      if (centre[i] == name && n[i] == 4) {
-        facts.add("tail_ratio_4" + suffix, {ratio[i], error[i]});
-        facts.add("tail_distance_4" + suffix, {distance[i], error[i]});
-        facts.add("tail_distance_8" + suffix, {distance[i + 4], error[i + 4]});
-      }
+void report_tails(Report& report) {
+  Table& table = report.table(
+      "tails", {label("centre", "site or bond"), count("n", "site", "site"),
+                estimate("ratio", "ln|u_(n+1)| / ln|u_n|", "",
+                         "difference of double and quadruple precision, nan beyond double"),
+                number("distance", "|ratio - 3/2| in quadruple precision")});
+  for (const auto& [centre, name] : centres) {
+    const auto one = stationary<double>(centre, 1, sites_of(centre)).u;
+    const auto four = stationary<Quadruple>(centre, 1, sites_of(centre)).u;
+    for (std::size_t i = site_index(1, four.size()); i + 1 < four.size(); ++i) {
+      // The ratio in both precisions, as far as double goes
+      const Quadruple wide = log(abs(four[i + 1])) / log(abs(four[i]));
+      const double coarse = one[i + 1] != 0
+                                ? std::log(std::abs(one[i + 1])) / std::log(std::abs(one[i]))
+                                : std::nan("");
+      const Estimate ratio = compare(coarse, rounded(wide));
+      const Estimate distance{rounded(Quadruple(abs(wide - Quadruple(1.5)))), ratio.error};
+      const long n = site_number(i, four.size());
+      table.add({name, n, ratio, distance.value});
+
+      // Two sites for the text
+      if (n == 4) report.facts.add(std::string("tail_ratio_4_") + name, ratio);
+      if (n == 4 || n == 8)
+        report.facts.add("tail_distance_" + std::to_string(n) + "_" + name, distance);
+    }
   }
-  facts.add("free_end_effect_15_sites",
-            compare(free_end_effect<Quadruple>(), free_end_effect<FiftyDigits>()));
-  output.add("tails", table);
+  report.facts.add("free_end_effect_15_sites",
+                   compare(free_end_effect<Quadruple>(), free_end_effect<FiftyDigits>()));
 }
 
 /**
@@ -431,19 +397,19 @@ Scaling scaling(Centre centre, int steps) {
 /**
 The claim has one exponent for both centres, so the one farther from 2 answers it. A quick run walks two
 octaves each way instead of six. */
-void report_scaling(Results& results, Quantities& facts, bool quick) {
+void report_scaling(Report& report) {
   Estimate answer{2, 0};
   for (const auto& [centre, name] : centres) {
-    const Scaling s = scaling(centre, quick ? 16 : 48);
+    const Scaling s = scaling(centre, report.quick ? 16 : 48);
     const std::string suffix = std::string("_") + name;
-    facts.add("exponent" + suffix, s.exponent);
-    facts.add("width" + suffix, s.width, "site");
-    facts.add("width_change" + suffix, s.width_change);
+    report.facts.add("exponent" + suffix, s.exponent);
+    report.facts.add("width" + suffix, s.width, "site");
+    report.facts.add("width_change" + suffix, s.width_change);
     if (std::abs(s.exponent.value - 2) + s.exponent.error >
         std::abs(answer.value - 2) + answer.error)
       answer = s.exponent;
   }
-  results.add("dps.scaling", answer);
+  report.results.add("dps.scaling", answer);
 }
 
 /**
@@ -459,13 +425,8 @@ At the largest displacement the differences are
 [0.0149102](num:sec32_dps_profiles.qc_peak_difference_site) and
 [0.000187130](num:sec32_dps_profiles.qc_peak_difference_bond), in the norm
 [0.0600350](num:sec32_dps_profiles.qc_norm_difference_site) and
-[0.0600365](num:sec32_dps_profiles.qc_norm_difference_bond). */
-void answer_claims(Report& report) {
-  report_profiles(report.output, report.results, report.facts);
-  report_scaling(report.results, report.facts, report.quick);
-}
+[0.0600365](num:sec32_dps_profiles.qc_norm_difference_bond).
 
-/**
 The norms are [0.00536042](num:sec32_dps_profiles.norm_site) around a site and
 [0.00536041](num:sec32_dps_profiles.norm_bond) around a bond. The second minus the first, relative to the
 first, is [-1.33110e-6](num:sec32_dps_profiles.norm_gap_relative). It is so small that tiny breathers move
@@ -482,10 +443,10 @@ sites independently: at $n = 4$ the ratio is [1.49856](num:sec32_dps_profiles.ta
 $n = 8$ it differs from 3/2 by [1.0588e-12](num:sec32_dps_profiles.tail_distance_8_site). */
 void reproduce(Report& report) {
   report.output.note("tolerance", "relative corrections of the strains below a hundred roundings");
-  report_norms(report.facts);
-  report_gap(report.facts);
-  report_tails(report.output, report.facts);
-  answer_claims(report);
+  report_norms(report);
+  report_tails(report);
+  report_profiles(report);
+  report_scaling(report);
 }
 
 /**
@@ -506,24 +467,22 @@ struct OneProfile {
     p.add("mu", mu, "frequency of the stationary state", {1e-6, 1e6});
     p.add("sites", sites, "chain length (default: 31 or 32)", {2, 1e5});
   }
-  Table table() const;
-};
-
-Table OneProfile::table() const {
-  const std::size_t length = sites ? sites : sites_of(centre);
-  if (!fits(centre, length))
-    throw UsageError("--sites: '" + std::to_string(length) +
-                     "' does not fit this centre (allowed: " +
-                     (centre == Centre::bond ? "even" : "odd") + " numbers)");
-  const auto state = stationary<double>(centre, mu, length);
-  Table table{{count("n", "site", "site"), number("u", "stationary DpS breather"),
-               number("quasi_continuum", "quasi-continuum profile")}};
-  for (std::size_t i = 0; i < length; ++i) {
-    const long n = site_number(i, length);
-    table.add({n, state.u[i], mu * mu * quasi_continuum(centre, n)});
+  Table table() const {
+    const std::size_t length = sites ? sites : sites_of(centre);
+    if (!fits(centre, length))
+      throw UsageError("--sites: '" + std::to_string(length) +
+                       "' does not fit this centre (allowed: " +
+                       (centre == Centre::bond ? "even" : "odd") + " numbers)");
+    const auto state = stationary<double>(centre, mu, length);
+    Table out{count("n", "site", "site"), number("u", "stationary DpS breather"),
+              number("quasi_continuum", "quasi-continuum profile")};
+    for (std::size_t i = 0; i < length; ++i) {
+      const long n = site_number(i, length);
+      out.add({n, state.u[i], mu * mu * quasi_continuum(centre, n)});
+    }
+    return out;
   }
-  return table;
-}
+};
 
 /**
 ## Differences and limits

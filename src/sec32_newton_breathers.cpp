@@ -29,7 +29,9 @@ How much energy separates them is the question of the next chapter. */
 #include "lattice/orbits/breather.hpp"
 #include "lattice/orbits/breather_pairs.hpp"
 #include "report/program.hpp"
+#include "sec3/branches.hpp"
 #include "sec3/breather_options.hpp"
+#include "sec3/continuum.hpp"
 
 using namespace lattice;
 
@@ -40,8 +42,10 @@ What is claimed, with the identifiers under which the answers are recorded:
   (`newton.residual`, `newton.variation`), and the breather persists (`newton.persistence`);
 - the tail falls super-exponentially (`newton.decay`), and the breathers have symmetries in space and time
   (`newton.symmetry`) and are close to the quasi-continuum profile when small (`newton.qc_small`);
-- the energies of both families are indistinguishable (`newton.energy_equal`). */
-constexpr double omega = 1.1;  // of the breather on which most is shown
+- the energies of both families are indistinguishable (`newton.energy_equal`), amplitude, energy and the
+  asymmetry around a site grow with the frequency (`newton.grows`, `newton.site_asymmetry`), and both families
+  exist for every $s$ in $[-1, 1]$ (`newton.any_s`). */
+constexpr double omega_b = 1.1;  // of the breather on which most is shown
 
 /**
 ## Model
@@ -58,10 +62,13 @@ symmetry of the breather demands that certain combinations of positions and velo
 opening or closing of a contact, because a step across it would spoil the orbit at
 $10^{-9}$ and its derivative much earlier (landing.hpp). Every number is computed at two tolerances
 or in two precisions, and the difference is its error. */
-Orbit<double> article_breather(Centre centre, const NewtonRule<double>& rule) {
-  const Shooting<double> problem = problem_of(centre, omega);
-  const State<double> guess = ansatz(centre, omega, problem.chain.sites);
-  return newton(problem, problem.fold(guess), rule);
+Orbit<double> article_breather(const NewtonRule<double>& rule) {
+  const Shooting<double> problem = problem_of(Centre::site, omega_b);
+  return newton(problem, problem.fold(ansatz(Centre::site, omega_b, problem.chain.sites)), rule);
+}
+
+std::string name_of(Centre centre) {
+  return centre == Centre::site ? "site" : "bond";
 }
 
 /**
@@ -93,20 +100,18 @@ struct FullMap {
   Vector<double> x{};
   Eigen::JacobiSVD<Matrix<double>> svd{};
 
-  double condition() const {
-    const auto& s = svd.singularValues();
-    return s[0] / s[s.size() - 1];
-  }
+  /// The direction along which the equations change least.
+  Vector<double> softest() const { return svd.matrixV().col(x.size() - 1); }
 };
 
 /**
 To see this wandering we make the article's iterations one by one: shoot over the whole period,
 solve, step. */
 FullMap solve_full_map(int steps) {
-  Shooting<double> problem = problem_of(Centre::site, 1.1);
+  Shooting<double> problem = problem_of(Centre::site, omega_b);
   problem.symmetry = returning(problem.chain.sites);
   FullMap out;
-  out.x = problem.fold(ansatz(Centre::site, 1.1, problem.chain.sites));
+  out.x = problem.fold(ansatz(Centre::site, omega_b, problem.chain.sites));
   for (int k = 0; k <= steps; ++k) {
     const Shot<double> shot = problem.shoot(out.x, {});
     const Sizes<double> size = problem.sizes(out.x, false);
@@ -118,41 +123,9 @@ FullMap solve_full_map(int steps) {
   return out;
 }
 
-double condition(const Matrix<double>& matrix) {
-  const Vector<double> s = Eigen::JacobiSVD<Matrix<double>>(matrix).singularValues();
+double condition(const Eigen::JacobiSVD<Matrix<double>>& svd) {
+  const auto& s = svd.singularValues();
   return s[0] / s[s.size() - 1];
-}
-
-/**
-The two ways can be compared because they start from the same profile. Their histories share one table. */
-Table history_table(const History& symmetric, const History& full) {
-  Table table{{label("equations", "symmetric or full period map"),
-               count("iteration", "number of Newton steps made"),
-               number("residual", "of the equations solved, relative to the amplitude"),
-               number("step", "of the next iteration, relative to the amplitude")}};
-  for (const auto& [name, history] : {std::pair{"symmetric", symmetric}, {"full", full}})
-    for (std::size_t k = 0; k < history.size(); ++k)
-      table.add({std::string(name), std::int64_t(k), history[k].residual, history[k].step});
-  return table;
-}
-
-/**
-How much of the full map's result is wandering? We read it after nine and after ten steps, and the difference
-tells. */
-void compare_with_full_map(Report& report, const Orbit<double>& orbit) {
-  const FullMap full = solve_full_map(10), short_of = solve_full_map(9);
-  report.facts.add("condition_full", compare(short_of.condition(), full.condition()));
-  const auto along = [&](const FullMap& map) {
-    const Vector<double> softest = map.svd.matrixV().col(map.x.size() - 1);
-    return alignment(softest, gradient(orbit.start.y));
-  };
-  report.facts.add("softest_along_gradient", compare(along(short_of), along(full)));
-  const auto last = [&](double Iteration::*what) {
-    return compare(short_of.history.back().*what, full.history.back().*what);
-  };
-  report.facts.add("full_residual", last(&Iteration::residual), "relative to amplitude");
-  report.facts.add("full_step", last(&Iteration::step), "relative to amplitude");
-  report.output.add("newton_history", history_table(orbit.history, full.history));
 }
 
 /**
@@ -164,19 +137,42 @@ full map a residual of [1e-14](num:sec32_newton_breathers.full_residual) still d
 [4e-14](num:newton.residual) (printed: $1.5\cdot10^{-9}$) and the last variation
 [7e-14](num:newton.variation) (printed: $1.7\cdot10^{-11}$). */
 void report_convergence(Report& report) {
-  const auto problem = problem_of(Centre::site, omega);
-  const Orbit<double> orbit = article_breather(Centre::site, rule<double>(0));
-  const Orbit<double> coarse = article_breather(Centre::site, rule<double>(1));
+  // The symmetric equations at two tolerances
+  const auto problem = problem_of(Centre::site, omega_b);
+  const Orbit<double> orbit = article_breather(rule<double>(0)),
+                      coarse = article_breather(rule<double>(1));
   report.results.add("newton.residual",
                      compare(distance_after_period<double>(problem, orbit.start),
                              double(distance_after_period<Wide>(problem, orbit.start))));
   report.results.add("newton.variation", compare(coarse.variation(), orbit.variation()));
-  const auto matrix = [&](const Orbit<double>& o) {
-    return condition(problem.shoot(o.x, {}).jacobian);
-  };
   report.facts.add("newton_iterations", exact(double(orbit.iterations())));
-  report.facts.add("condition_site", compare(matrix(coarse), matrix(orbit)));
-  compare_with_full_map(report, orbit);
+  const auto symmetric = [&](const Orbit<double>& o) {
+    return condition(Eigen::JacobiSVD<Matrix<double>>(problem.shoot(o.x, {}).jacobian));
+  };
+  report.facts.add("condition_site", compare(symmetric(coarse), symmetric(orbit)));
+
+  // The full map after nine and after ten steps: the difference shows how much of its result is wandering
+  const FullMap full = solve_full_map(10), before = solve_full_map(9);
+  const auto last = [&](double Iteration::*what) {
+    return compare(before.history.back().*what, full.history.back().*what);
+  };
+  const Vector<double> sideways = gradient(orbit.start.y);
+  report.facts.add("condition_full", compare(condition(before.svd), condition(full.svd)));
+  report.facts.add("softest_along_gradient", compare(alignment(before.softest(), sideways),
+                                                     alignment(full.softest(), sideways)));
+  report.facts.add("full_residual", last(&Iteration::residual), "relative to amplitude");
+  report.facts.add("full_step", last(&Iteration::step), "relative to amplitude");
+
+  // Both start from the same profile, so their histories share one table
+  Table& table = report.table(
+      "newton_history", {label("equations", "symmetric or full period map"),
+                         count("iteration", "number of Newton steps made"),
+                         number("residual", "of the equations solved, relative to the amplitude"),
+                         number("step", "of the next iteration, relative to the amplitude")});
+  for (const auto& [name, history] :
+       {std::pair{"symmetric", orbit.history}, {"full", full.history}})
+    for (std::size_t k = 0; k < history.size(); ++k)
+      table.add({name, k, history[k].residual, history[k].step});
 }
 
 /**
@@ -191,9 +187,9 @@ did. What is left is rounding times the condition number of these equations, and
 precision; a breather without symmetry would keep the thousandth. */
 template <class T>
 double broken_symmetry(Centre centre) {
-  auto problem = in_precision<T>(problem_of(centre, 1.1));
+  auto problem = in_precision<T>(problem_of(centre, omega_b));
   State<T> start(problem.chain.sites);
-  const auto y = shaken(find_breather(problem_of(centre, 1.1)).start.y, 1e-3, 7);
+  const auto y = shaken(find_breather(problem_of(centre, omega_b)).start.y, 1e-3, 7);
   std::copy(y.begin(), y.end(), start.y.begin());
   problem.symmetry = even_in_time(problem.chain.sites);
   const Orbit<T> orbit = newton(problem, problem.fold(start));
@@ -211,9 +207,8 @@ at least tenfold from double precision to that type, as rounding does. */
 void report_symmetry(Report& report) {
   Criterion symmetric;
   for (Centre centre : both_centres) {
-    const std::string name = centre == Centre::site ? "site" : "bond";
     const double left = broken_symmetry<double>(centre), wide = broken_symmetry<Wide>(centre);
-    append(symmetric, named(name, symmetric_by_nature(left, wide)));
+    append(symmetric, named(name_of(centre), symmetric_by_nature(left, wide)));
   }
   judge(report, "newton.symmetry", symmetric);
 }
@@ -242,60 +237,46 @@ Estimate approximation_error(Centre centre, double omega) {
   return compare(off(1), off(0));
 }
 
-/// The same for the DpS breather, in two precisions.
-template <class T>
-double continuum_error(Centre centre) {
-  const auto u = stationary<T>(centre, T(1), sites_of(centre)).u;
-  T off(0), top(0);
-  for (std::size_t i = 0; i < u.size(); ++i) {
-    const T near = quasi_continuum<T>(centre, site_number(i, u.size()));
-    off = std::max(off, magnitude<T>(near - u[i]));
-    top = std::max(top, magnitude<T>(u[i]));
-  }
-  return double(off / top);
-}
-
 /**
 The article calls the approximation excellent at $1.01$ and worse at $1.1$; the claim is this
-ordering. At $1.01$ the difference is [0.0511267](num:sec32_newton_breathers.continuum_101_site) of the
+ordering, which must hold for each family beyond the errors. At $1.01$ the difference is
+[0.0511267](num:sec32_newton_breathers.continuum_101_site) of the
 amplitude around a site and [0.0475461](num:sec32_newton_breathers.continuum_101_bond) around a bond, at
 $1.1$ it is [0.117550](num:sec32_newton_breathers.continuum_110_site) and
 [0.0977687](num:sec32_newton_breathers.continuum_110_bond). */
-Table profile_table(Centre centre) {
-  Table table{{count("n", "site", "site"), number("u", "stationary DpS breather, mu = 1"),
-               number("u_continuum", "its quasi-continuum approximation"),
-               number("y_101", "positions at t = 0, omega_b = 1.01"),
-               number("y_101_continuum", "their quasi-continuum approximation"),
-               number("y_110", "positions at t = 0, omega_b = 1.1"),
-               number("y_110_continuum", "their quasi-continuum approximation")}};
-  const std::size_t sites = sites_of(centre);
-  const auto small = find_breather(problem_of(centre, 1.01)).start.y;
-  const auto large = find_breather(problem_of(centre, 1.1)).start.y;
-  const auto near_small = ansatz(centre, 1.01, sites).y, near_large = ansatz(centre, 1.1, sites).y;
-  const auto u = stationary<double>(centre, 1, sites).u;
-  for (std::size_t i = 0; i < sites; ++i) {
-    const long n = site_number(i, sites);
-    table.add({std::int64_t(n), u[i], quasi_continuum(centre, n), small[i], near_small[i], large[i],
-               near_large[i]});
-  }
-  return table;
-}
-
-/**
-The claim is made for both families, so the ordering must hold for each, beyond the errors. */
 void report_profiles(Report& report) {
-  report.output.add("bond_profiles", profile_table(Centre::bond));
-  report.output.add("site_profiles", profile_table(Centre::site));
   Criterion ordered;
   for (Centre centre : both_centres) {
-    const std::string name = centre == Centre::site ? "site" : "bond";
-    const Estimate small = approximation_error(centre, 1.01);
-    const Estimate large = approximation_error(centre, 1.1);
-    append(ordered, named(name, worse_when_large(small, large)));
-    report.facts.add("continuum_101_" + name, small, "relative to amplitude");
-    report.facts.add("continuum_110_" + name, large, "relative to amplitude");
-    report.facts.add("continuum_limit_" + name,
-                     compare(continuum_error<double>(centre), continuum_error<Wide>(centre)),
+    // Three breathers, each with its approximation, site by site
+    Table& table =
+        report.table(name_of(centre) + "_profiles",
+                     {count("n", "site", "site"), number("u", "stationary DpS breather, mu = 1"),
+                      number("u_continuum", "its quasi-continuum approximation"),
+                      number("y_101", "positions at t = 0, omega_b = 1.01"),
+                      number("y_101_continuum", "their quasi-continuum approximation"),
+                      number("y_110", "positions at t = 0, omega_b = 1.1"),
+                      number("y_110_continuum", "their quasi-continuum approximation")});
+    const std::size_t sites = sites_of(centre);
+    const auto y_101 = find_breather(problem_of(centre, 1.01)).start.y,
+               y_110 = find_breather(problem_of(centre, 1.1)).start.y,
+               near_101 = ansatz(centre, 1.01, sites).y, near_110 = ansatz(centre, 1.1, sites).y,
+               u = stationary<double>(centre, 1, sites).u;
+    for (std::size_t i = 0; i < sites; ++i) {
+      const long n = site_number(i, sites);
+      table.add(
+          {n, u[i], quasi_continuum(centre, n), y_101[i], near_101[i], y_110[i], near_110[i]});
+    }
+
+    // How far each approximation is off, in the limit and at the two frequencies
+    const Estimate small = approximation_error(centre, 1.01),
+                   large = approximation_error(centre, 1.1);
+    append(ordered, named(name_of(centre), worse_when_large(small, large)));
+    const auto limit = [&]<class T>(T one) {
+      return double(continuum_difference(stationary<T>(centre, one, sites)));
+    };
+    report.facts.add("continuum_101_" + name_of(centre), small, "relative to amplitude");
+    report.facts.add("continuum_110_" + name_of(centre), large, "relative to amplitude");
+    report.facts.add("continuum_limit_" + name_of(centre), compare(limit(1.0), limit(Wide(1))),
                      "relative to amplitude");
   }
   judge(report, "newton.qc_small", ordered);
@@ -311,7 +292,7 @@ finds the positions visually equal after a hundred periods; they have moved by
 
 ![The breather at the start and after a hundred periods.](fig:04) */
 void report_persistence(Report& report) {
-  const auto problem = problem_of(Centre::site, 1.1);
+  const auto problem = problem_of(Centre::site, omega_b);
   const State<double> start = find_breather(problem).start;
   std::array<State<double>, 2> end{start, start};
   parallel_for(2, [&](std::size_t k) {
@@ -321,13 +302,14 @@ void report_persistence(Report& report) {
   const double moved = largest_difference(end[0], start) / largest(start);
   const double error = largest_difference(end[0], end[1]) / largest(start);
   report.results.add("newton.persistence", {moved, error}, "relative to amplitude");
-  Table table{{count("n", "site", "site"), number("y_start", "positions at t = 0"),
-               number("y_end", "positions after 100 periods"),
-               number("y_end_error", "difference of two resolutions")}};
-  for (std::size_t i = 0; i < start.y.size(); ++i)
-    table.add({std::int64_t(site_number(i, start.y.size())), start.y[i], end[0].y[i],
-               std::abs(end[0].y[i] - end[1].y[i])});
-  report.output.add("persistence", std::move(table));
+
+  Table& table = report.table("persistence",
+                              {count("n", "site", "site"), number("y_start", "positions at t = 0"),
+                               estimate("y_end", "positions after 100 periods")});
+  for (std::size_t i = 0; i < start.y.size(); ++i) {
+    const Estimate late{end[0].y[i], std::abs(end[0].y[i] - end[1].y[i])};
+    table.add({site_number(i, start.y.size()), start.y[i], late});
+  }
 }
 
 /**
@@ -342,12 +324,17 @@ landed on. Double precision ends at $10^{-308}$, beyond site
 
 ![The tail of the site-centred breather.](fig:05) */
 template <class T>
+NewtonRule<T> graded() {
+  NewtonRule<T> out = rule<T>(0);
+  out.graded = true;
+  out.events.floor = T(0);
+  return out;
+}
+
+template <class T>
 Orbit<T> with_tail(std::size_t sites) {
-  const auto problem = breather_problem<double>(Centre::site, 1.1, 0, sites);
-  NewtonRule<T> graded = rule<T>(0);
-  graded.graded = true;
-  graded.events.floor = T(0);
-  return polish(in_precision<T>(problem), find_breather(problem), graded);
+  const auto problem = breather_problem<double>(Centre::site, omega_b, 0, sites);
+  return polish(in_precision<T>(problem), find_breather(problem), graded<T>());
 }
 
 /// The tail in both precisions; sites beyond the shorter chain of the wider type count as zero.
@@ -367,32 +354,12 @@ struct Tail {
 };
 
 /**
-The figure tests the law by eye: moduli on one side and, on the other, the straight line that it demands of
-$\ln(-\ln|y_n|)$. */
-Table tail_table(const Tail& tail, long last_wide) {
-  const double none = std::nan(""), end = double(std::log(tail.wide_size(last_wide)));
-  Table table{{count("n", "site", "site"),
-               number("size", "|y_n(0)| in double precision; nan where it has underflown"),
-               number("size_error", "difference from the wider type; nan where size is"),
-               number("exponent", "ln |y_(n+1)| / ln |y_n| away from the centre"),
-               number("double_log", "ln(-ln |y_n(0)|) in the wider type"),
-               number("law", "the same by the law 3/2 from the outermost site inwards")}};
-  for (long n = -49; n <= 49; ++n) {
-    const double here = tail.size(n);
-    const Wide wide = tail.wide_size(n);
-    const bool known = here > 1e-300 && wide > 0;
-    table.add({std::int64_t(n), known ? here : none, known ? std::abs(double(here - wide)) : none,
-               tail.exponent(n), wide > 0 ? double(std::log(-std::log(wide))) : none,
-               std::log(-end) + double(std::abs(n) - last_wide) * std::log(1.5)});
-  }
-  return table;
-}
-
-/**
 The exponent at the last place where it can be formed decides whether the decay is super-exponential: it
 must be within 0.005 of $3/2$, a bound of our choice, and its change since the place before counts as its
-error. An exponential tail would have the exponent one. */
+error. An exponential tail would have the exponent one. The figure tests the law by eye: moduli on one side
+and, on the other, the straight line that it demands of $\ln(-\ln|y_n|)$. */
 void report_tail(Report& report) {
+  // Where both precisions end, and the exponent there
   const Tail tail;
   long last = 0, last_wide = 0;
   while (tail.wide_size(last_wide + 1) > 0) ++last_wide;
@@ -402,7 +369,24 @@ void report_tail(Report& report) {
   report.facts.add("tail_exponent", compare(before, exponent));
   report.facts.add("tail_last_double", exact(double(last)), "site");
   report.facts.add("tail_last_wide", exact(double(last_wide)), "site");
-  report.output.add("tail", tail_table(tail, last_wide));
+
+  // The tail site by site, and the law from its end inwards
+  const double none = std::nan(""), end = double(std::log(tail.wide_size(last_wide)));
+  Table& table = report.table(
+      "tail", {count("n", "site", "site"),
+               estimate("size", "|y_n(0)| in double precision; nan where it has underflown", "",
+                        "difference from the wider type; nan where size is"),
+               number("exponent", "ln |y_(n+1)| / ln |y_n| away from the centre"),
+               number("double_log", "ln(-ln |y_n(0)|) in the wider type"),
+               number("law", "the same by the law 3/2 from the outermost site inwards")});
+  for (long n = -49; n <= 49; ++n) {
+    const double here = tail.size(n);
+    const Wide wide = tail.wide_size(n);
+    const Estimate size = here > 1e-300 && wide > 0 ? Estimate{here, std::abs(double(here - wide))}
+                                                    : Estimate{none, none};
+    table.add({n, size, tail.exponent(n), wide > 0 ? double(std::log(-std::log(wide))) : none,
+               std::log(-end) + double(std::abs(n) - last_wide) * std::log(1.5)});
+  }
 }
 
 /**
@@ -415,35 +399,103 @@ article finds their energies indistinguishable. The largest relative difference 
 it tends to that of the DpS norms, [-1.33110e-6](num:sec32_dps_profiles.norm_gap_relative) without its sign.
 What so small a difference does to the motion of a breather is the subject of section 3.3.
 
-![Amplitude and energy of both families.](fig:06) */
+![Amplitude and energy of both families.](fig:06)
+
+The site-centred breather is not its own mirror image, only nearly so. Its asymmetry is the largest
+$|y_n(0)-y_{-n}(0)|$ relative to the largest $|y_n(0)|$. */
+double asymmetry(const Orbit<double>& orbit) {
+  double most = 0;
+  for (std::size_t n = 0, last = orbit.start.y.size() - 1; n < last - n; ++n)
+    most = std::max(most, std::abs(orbit.start.y[n] - orbit.start.y[last - n]));
+  return most / orbit.amplitude;
+}
+
+/**
+The article says of three quantities that they increase with $\omega_b$: the amplitude and the energy of both
+families, and this asymmetry. We take it at its word: from each frequency of the figure to the next the
+quantity must grow, beyond its errors. The asymmetry is
+[0](num:sec32_newton_breathers.asymmetry_1001) at $1.001$ and [0](num:sec32_newton_breathers.asymmetry_200) at
+2. */
 void report_branches(Report& report) {
+  // Both families, frequency by frequency
   std::vector<double> omegas = pair_frequencies(0, report.quick ? 10 : 80);
   omegas.insert(omegas.begin(), 1.001);
   const BreatherPairs pairs = climb_pairs(0, omegas, measure_in<double>);
-  Table table{{number("omega", "frequency"), number("amplitude_bond", "largest |y_n(0)|"),
-               number("amplitude_site", "largest |y_n(0)|"),
-               number("energy_bond", "energy, bond-centred"),
-               number("energy_bond_error", "difference of two resolutions"),
-               number("energy_site", "energy, site-centred"),
-               number("energy_site_error", "difference of two resolutions")}};
+  Table& table = report.table(
+      "branches", {number("omega", "frequency"), number("amplitude_bond", "largest |y_n(0)|"),
+                   number("amplitude_site", "largest |y_n(0)|"),
+                   estimate("energy_bond", "energy, bond-centred"),
+                   estimate("energy_site", "energy, site-centred")});
   Estimate apart{};
   double where = 0;
   for (const BreatherPair& r : pairs) {
-    const Estimate &site = r.energy[0], &bond = r.energy[1];
-    table.add({r.omega, r.amplitude[1].value, r.amplitude[0].value, bond.value, bond.error,
-               site.value, site.error});
+    const auto& [site, bond] = r.energy;
+    table.add({r.omega, r.amplitude[1].value, r.amplitude[0].value, bond, site});
     const double relative = std::abs(r.equal_frequency.value) / bond.value;
     if (relative <= apart.value) continue;
     apart = {relative, r.equal_frequency.error / bond.value};
     where = r.omega;
   }
-  report.output.add("branches", std::move(table));
   report.results.add("newton.energy_equal", apart, "relative");
   report.facts.add("largest_energy_difference_at", exact(where));
+
+  // Amplitude and energy grow with the frequency
+  Criterion growing;
+  for (std::size_t k : {0U, 1U}) {
+    std::vector<Estimate> amplitude, energy;
+    for (const BreatherPair& r : pairs) {
+      amplitude.push_back(r.amplitude[k]);
+      energy.push_back(r.energy[k]);
+    }
+    append(growing, named(name_of(both_centres[k]) + "_amplitude", increasing(amplitude)));
+    append(growing, named(name_of(both_centres[k]) + "_energy", increasing(energy)));
+  }
+  judge(report, "newton.grows", growing);
+
+  // So does the asymmetry around a site, from orbits at two tolerances
+  std::vector<Estimate> asymmetries(pairs.size());
+  parallel_for(pairs.size(), [&](std::size_t i) {
+    const Orbit<double>& orbit = pairs[i].orbit[0];
+    const Vector<double> beside = orbit.x * 1.000001;
+    const auto problem = problem_of(Centre::site, pairs[i].omega);
+    asymmetries[i] = compare(asymmetry(newton(problem, beside, rule<double>(1))), asymmetry(orbit));
+  });
+  judge(report, "newton.site_asymmetry", increasing(asymmetries));
+  report.facts.add("asymmetry_1001", asymmetries.front());
+  report.facts.add("asymmetry_200", asymmetries.back());
 }
 
 /**
-The program computes the parts of this chapter in the order in which they are told. */
+## Other wells
+
+For $s \in [-1, 1]$ the article finds both families, without showing them. We follow them from rest in four
+wells beside those of the figures as far as they go: through $\omega_b = 2$, or to a fold. In all of them the
+amplitude begins like $(\omega_b-1)^2$. In soft wells the families are short: at $s = -1$ they fold at
+[0](num:sec32_newton_breathers.end_s_minus_1_site) around a site and
+[0](num:sec32_newton_breathers.end_s_minus_1_bond) around a bond, at $s = -1/2$ at
+[0](num:sec32_newton_breathers.end_s_minus_05_site) and [0](num:sec32_newton_breathers.end_s_minus_05_bond). The
+claim asks that all eight families begin at rest and reach beyond $\omega_b = 1.01$. */
+void report_other_wells(Report& report) {
+  constexpr std::pair<double, const char*> wells[] = {
+      {-1, "minus_1"}, {-0.5, "minus_05"}, {0.5, "05"}, {1, "1"}};
+  std::array<Family, 8> families;
+  parallel_for("other wells", families.size(), [&](std::size_t i) {
+    families[i] = family_from_rest(both_centres[i % 2], wells[i / 2].first);
+  });
+
+  Criterion all;
+  Estimate shortest = families[0].end;
+  for (std::size_t i = 0; i < families.size(); ++i) {
+    const std::string name =
+        std::string("s_") + wells[i / 2].second + "_" + name_of(both_centres[i % 2]);
+    append(all, named(name, {begins_at_rest(families[i].exponent)}));
+    report.facts.add("end_" + name, families[i].end);
+    shortest = smaller(shortest, families[i].end);
+  }
+  all.push_back(above("shortest", shortest, 1.01));
+  judge(report, "newton.any_s", all);
+}
+
 void reproduce(Report& report) {
   report.output.note("tolerance", "flow to 128 and 2048 roundings of the type");
   report_convergence(report);
@@ -452,6 +504,7 @@ void reproduce(Report& report) {
   report_persistence(report);
   report_tail(report);
   report_branches(report);
+  report_other_wells(report);
 }
 
 /**
@@ -507,7 +560,7 @@ template <class T>
 Table breather_profile(const Orbit<T>& orbit) {
   Table table{{count("n", "site", "site"), number("y", "position at t = 0")}};
   for (std::size_t i = 0; i < orbit.start.y.size(); ++i)
-    table.add({std::int64_t(site_number(i, orbit.start.y.size())), double(orbit.start.y[i])});
+    table.add({site_number(i, orbit.start.y.size()), double(orbit.start.y[i])});
   return table;
 }
 
@@ -516,12 +569,7 @@ Higher precision is expensive and needs a good start: double precision finds the
 confirms the one before. */
 Table OneBreather::table() const {
   const auto [problem, orbit] = find_chosen(*this, extended() ? 1e-34 : 1e-17);
-  if (profile && !extended()) {
-    NewtonRule<double> graded = rule<double>(0);
-    graded.graded = true;
-    graded.events.floor = 0;
-    return breather_profile(polish(problem, orbit, graded));
-  }
+  if (profile && !extended()) return breather_profile(polish(problem, orbit, graded<double>()));
   const auto wide = polish(in_precision<Wide>(problem), orbit, rule<Wide>(0));
   if (!extended()) return breather_table(problem, orbit, wide, {});
   NewtonRule<Quadruple> deep;
@@ -537,9 +585,8 @@ Table OneBreather::table() const {
 
 The article counts five iterations of its Gauss-Newton method. Ours continues until rounding stops it, and
 with the symmetric equations that takes [4](num:sec32_newton_breathers.newton_iterations). The article's
-chain lengths are 31 and 99 around a site; around a bond we take one bead more. Both families exist in
-other wells, too, and bifurcate from the chain at rest; those of the soft well fold back (see the next
-chapter).
+chain lengths are 31 and 99 around a site; around a bond we take one bead more. We follow no family through
+its fold.
 
 ## Extensions
 

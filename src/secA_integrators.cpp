@@ -52,48 +52,73 @@ State<double> struck_with(const Stepper& stepper, double velocity) {
   return state;
 }
 
+double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
+  double most = 0;
+  for (std::size_t n = 0; n < a.size(); ++n) most = std::max(most, std::abs(a[n] - b[n]));
+  return most;
+}
+
 /**
 For each velocity the error is the largest error of a displacement in the end state. */
 template <class Stepper>
 double orbit_error(const Stepper& stepper, const std::vector<State<double>>& exact) {
   double sum = 0;
   for (std::size_t k = 0; k < exact.size(); ++k) {
-    const State<double> state = struck_with(stepper, velocities[k]);
-    double largest = 0;
-    for (std::size_t n = 0; n < sites; ++n)
-      largest = std::max(largest, std::abs(state.y[n] - exact[k].y[n]));
-    sum += largest * largest;
+    const double error = largest_difference(struck_with(stepper, velocities[k]).y, exact[k].y);
+    sum += error * error;
   }
   return std::sqrt(sum / double(exact.size()));
 }
 
-/// The table of errors, and how well they are known: the references come from another base scheme
-/// with a small step, and `rounding` is their distance from the contact-aware stepper at that step.
-struct Orbits {
-  Table table;
-  double rounding = 0;
-};
+/**
+The errors jump between neighbouring steps, since they depend on where in a step the contacts happen
+to switch. So the order is the slope of a line of least squares on logarithmic axes, from the largest step
+down to where an error is less than ten times the uncertainty of the reference. */
+Estimate order(const std::vector<double>& step, const std::vector<double>& error, double unsure) {
+  std::vector<double> x, y;
+  for (std::size_t k = 0; k < step.size() && error[k] >= 10 * unsure; ++k) {
+    x.push_back(std::log(step[k]));
+    y.push_back(std::log(error[k]));
+  }
+  return fit_line(x, y).estimate();
+}
 
 /**
-Now all integrators run with the same steps. Each step is smaller than the one before by $\sqrt2$
-only, so that a jump between neighbours is not taken for a law. */
-Orbits orbit_errors(bool quick) {
-  Table table{{number("step", "time step"), number("verlet", "error of velocity Verlet"),
-               number("blanes_moan_4", "error of the splitting of order 4"),
-               number("blanes_moan_6", "error of the splitting of order 6"),
-               number("contact_aware", "error of the contact-aware stepper")}};
+All integrators run with the same steps, each smaller than the one before by $\sqrt2$ only, so that a jump
+between neighbours is not taken for a law. The orders are
+[2.63](num:secA_integrators.order_blanes_moan_4) and
+[2.59](num:secA_integrators.order_blanes_moan_6) for the splittings of order four and six, both near
+5/2, [2.003](num:secA_integrators.order_verlet) for Verlet, and
+[4.5](num:secA_integrators.order_contact_aware) for the contact-aware stepper. Two references with the same
+small step differ by [8e-14](num:secA_integrators.rounding). */
+void compare_orbits(Report& report) {
+  // References from another base scheme with a small step, and how far they can be trusted
   const double small = 1. / 1024;
   std::vector<State<double>> exact;
   for (double v : velocities)
     exact.push_back(struck_with(ContactAware{small, nystrom(blanes_moan_6_14())}, v));
-  for (int k = 0; k <= (quick ? 4 : 12); ++k) {
-    const double h = 0.2 * std::pow(2, -0.5 * k);
-    table.add({h, orbit_error(Splitting{verlet(), h}, exact),
-               orbit_error(Splitting{blanes_moan_4(), h}, exact),
-               orbit_error(Splitting{blanes_moan_6(), h}, exact),
-               orbit_error(ContactAware{h}, exact)});
-  }
-  return {std::move(table), orbit_error(ContactAware{small}, exact)};
+  const double rounding = orbit_error(ContactAware{small}, exact);
+
+  // The same steps for everyone
+  std::vector<double> steps;
+  for (int k = 0; k <= (report.quick ? 4 : 12); ++k) steps.push_back(0.2 * std::pow(2, -0.5 * k));
+  Table& table = report.table(
+      "error_orbit", {number("step", "time step"), number("verlet", "error of velocity Verlet"),
+                      number("blanes_moan_4", "error of the splitting of order 4"),
+                      number("blanes_moan_6", "error of the splitting of order 6"),
+                      number("contact_aware", "error of the contact-aware stepper")});
+  const auto errors = [&](double h) {
+    return Cells{h, orbit_error(Splitting{verlet(), h}, exact),
+                 orbit_error(Splitting{blanes_moan_4(), h}, exact),
+                 orbit_error(Splitting{blanes_moan_6(), h}, exact),
+                 orbit_error(ContactAware{h}, exact)};
+  };
+  table.fill(steps, errors, "steps");
+
+  // Four orders
+  for (const char* name : {"verlet", "blanes_moan_4", "blanes_moan_6", "contact_aware"})
+    report.facts.add(std::string("order_") + name, order(steps, table.numbers(name), rounding));
+  report.facts.add("rounding", compare(0.0, rounding));
 }
 
 /**
@@ -161,62 +186,35 @@ std::vector<double> landed_column(T tolerance, double& evaluations) {
   return out;
 }
 
-double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
-  double most = 0;
-  for (std::size_t n = 0; n < a.size(); ++n) most = std::max(most, std::abs(a[n] - b[n]));
-  return most;
-}
-
 /**
 Integrators that choose their own steps cannot be compared at equal steps, so the error of the
 tangent is tabulated against the number of force evaluations in one period. */
-Table tangent_table(bool quick) {
-  Table table{{label("method", "integrator"), number("evaluations", "force evaluations"),
-               number("tangent", "largest error in the column")}};
+void compare_tangents(Report& report) {
+  Table& table = report.table(
+      "error_tangent", {label("method", "integrator"), number("evaluations", "force evaluations"),
+                        number("tangent", "largest error in the column")});
   double evaluations = 0;
   const auto exact = landed_column<long double>(0, evaluations);
+
+  // Splittings, with twice as many steps each time
   for (const Scheme& scheme : {verlet(), blanes_moan_6()})
-    for (std::size_t steps = 16; steps <= (quick ? 64U : 16384U); steps *= 2)
+    for (std::size_t steps = 16; steps <= (report.quick ? 64U : 16384U); steps *= 2)
       table.add({scheme.name, double(stage_count(scheme, steps)),
                  largest_difference(column(scheme, steps), exact)});
-  for (double tolerance = 1e-3; tolerance > 5e-15; tolerance /= quick ? 1e4 : 10) {
+
+  // Landing on switchings, with a tenth of the tolerance each time
+  for (double tolerance = 1e-3; tolerance > 5e-15; tolerance /= report.quick ? 1e4 : 10) {
     const double error = largest_difference(landed_column(tolerance, evaluations), exact);
-    table.add({std::string("switch-landing"), evaluations, error});
+    table.add({"switch-landing", evaluations, error});
   }
-  return table;
 }
 
 /**
-## Results (figure x05)
-
-The errors jump between neighbouring steps, since they depend on where in a step the contacts happen
-to switch. So we fit a line by least squares on logarithmic axes, from the largest step down to where
-an error is less than ten times [8e-14](num:secA_integrators.rounding), the difference of two
-references with the same small step. Its slope is the order:
-[2.63](num:secA_integrators.order_blanes_moan_4) and
-[2.59](num:secA_integrators.order_blanes_moan_6) for the splittings of order four and six, both near
-5/2, [2.003](num:secA_integrators.order_verlet) for Verlet, and
-[4.5](num:secA_integrators.order_contact_aware) for the contact-aware stepper. */
-Estimate order(const Orbits& orbits, const std::string& name) {
-  const auto step = orbits.table.numbers("step"), error = orbits.table.numbers(name);
-  std::vector<double> x, y;
-  for (std::size_t k = 0; k < step.size(); ++k) {
-    if (error[k] < 10 * orbits.rounding) break;
-    x.push_back(std::log(step[k]));
-    y.push_back(std::log(error[k]));
-  }
-  const Line line = fit_line(x, y);
-  return line.estimate();
-}
-
+Figure x05 shows both tables. */
 void reproduce(Report& report) {
   report.output.note("tolerance", "references at step 1/1024 and in the wider type");
-  const Orbits orbits = orbit_errors(report.quick);
-  for (const char* name : {"verlet", "blanes_moan_4", "blanes_moan_6", "contact_aware"})
-    report.facts.add(std::string("order_") + name, order(orbits, name));
-  report.facts.add("rounding", compare(0.0, orbits.rounding));
-  report.output.add("error_orbit", orbits.table);
-  report.output.add("error_tangent", tangent_table(report.quick));
+  compare_orbits(report);
+  compare_tangents(report);
 }
 
 /**

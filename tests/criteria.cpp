@@ -8,6 +8,7 @@
 #include "lattice/dps/impact.hpp"
 #include "lattice/packets/impact.hpp"
 #include "lattice/packets/turning.hpp"
+#include "sec3/branches.hpp"
 #include "sec33/dps_motion.hpp"
 #include "sec33/exchange.hpp"
 #include "sec36/scattering.hpp"
@@ -240,6 +241,35 @@ TEST_CASE("breathers are symmetric, steep, and worse approximated when large", "
   CHECK(holds(worse_when_large({0.05, 1e-12}, {0.12, 1e-12})));
   CHECK_FALSE(holds(worse_when_large({0.12, 1e-12}, {0.05, 1e-12})));
   CHECK_FALSE(holds(worse_when_large({0.05, 0.04}, {0.12, 0.04})));
+}
+
+TEST_CASE("what increases does so at every step, beyond its errors", "[unit][criteria]") {
+  CHECK(holds(increasing({{1, 1e-3}, {2, 1e-3}, {2.1, 1e-3}})));
+  CHECK_FALSE(holds(increasing({{1, 1e-3}, {3, 1e-3}, {2, 1e-3}, {4, 1e-3}})));
+  CHECK_FALSE(holds(increasing({{1, 0.05}, {1.01, 0.05}})));
+  CHECK_FALSE(holds(increasing({{1, 0}, {std::nan(""), 0}, {3, 0}})));
+  CHECK_FALSE(holds(increasing({{1, 0}})));
+  // A barrier that vanishes between two of its values, although its modulus grows from each to the next.
+  CHECK(holds(increasing({{-1, 1e-3}, {-3, 1e-3}, {-9, 1e-3}})));
+  CHECK_FALSE(holds(increasing({{-1, 1e-3}, {3, 1e-3}, {9, 1e-3}})));
+}
+
+TEST_CASE("a family begins at rest only with the square of the detuning", "[unit][criteria]") {
+  const auto at = [](double omega, double power, double rest) {
+    Orbit<double> orbit;
+    orbit.omega = omega;
+    orbit.amplitude = rest + std::pow(omega - 1, power);
+    return orbit;
+  };
+  const auto begins = [&](double power, double rest) {
+    const auto exponent = [&](double omega) {
+      return growth_exponent(at(omega, power, rest), at(1 + 2 * (omega - 1), power, rest));
+    };
+    return begins_at_rest(compare(exponent(1.001), exponent(1.0005))).holds();
+  };
+  CHECK(begins(2, 0));
+  CHECK_FALSE(begins(0.5, 0));
+  CHECK_FALSE(begins(2, 1e-3));
 }
 
 TEST_CASE("a packet is reversed, slowed or erratic only by evidence", "[unit][criteria]") {

@@ -9,6 +9,7 @@
 #include "lattice/dps/impact.hpp"
 #include "lattice/numbers/extended.hpp"
 #include "lattice/packets/impact.hpp"
+#include "sec3/continuum.hpp"
 
 using namespace lattice;
 
@@ -42,6 +43,17 @@ void check_symmetry(const Stationary<T>& s) {
 }
 
 }  // namespace
+
+TEST_CASE("the difference from the quasi-continuum profile is the largest one", "[unit][dps]") {
+  auto state = stationary<double>(Centre::site, 1.0, 31);
+  for (std::size_t i = 0; i < state.u.size(); ++i)
+    state.u[i] = quasi_continuum(Centre::site, site_number(i, state.u.size()));
+  CHECK(continuum_difference(state) == 0);
+  const double top = largest(state);
+  state.u[3] += 0.1 * top;
+  state.u[20] -= 0.2 * top;
+  check_close(continuum_difference(state), 0.2, 1e-12);
+}
 
 TEST_CASE("sites carry the article's numbers", "[unit][dps]") {
   CHECK(site_number(0, 8) == -3);

@@ -4,6 +4,7 @@
 #include "check.hpp"
 #include "lattice/numbers/random.hpp"
 #include "lattice/orbits/breather.hpp"
+#include "sec3/branches.hpp"
 
 using namespace lattice;
 
@@ -187,6 +188,16 @@ TEST_CASE("a wider type polishes with the derivative of double precision",
     CHECK(chord.residual() < 1e-15);
     check_close(double(chord.energy_omega), double(full.energy_omega), 0, 1e-9);
   }
+}
+
+TEST_CASE("the branch of a soft well folds where no breather lies beyond", "[property][orbits]") {
+  const auto problem = [](double omega) { return breather_problem(Centre::site, omega, -1.0, 31); };
+  const Orbit<double> start = find_breather(problem(1.6));
+  const Estimate fold = fold_of(problem(1.6), start);
+  CAPTURE(fold.value, fold.error);
+  CHECK(fold.error < 1e-5);
+  CHECK(find_breather(problem(fold.value - 1e-3)).amplitude > start.amplitude);
+  CHECK_THROWS(find_breather(problem(fold.value + 1e-3)));
 }
 
 TEST_CASE("a branch follows any parameter of its problem", "[property][orbits]") {

@@ -22,6 +22,14 @@ Criterion within(const Estimate& value, double low, double high) {
   return {above("least", value, low), below("most", value, high)};
 }
 
+Criterion increasing(const std::vector<Estimate>& values) {
+  if (values.size() < 2) return {};
+  Estimate least = quotient(values[1], values[0]);
+  for (std::size_t k = 2; k < values.size(); ++k)
+    least = smaller(least, quotient(values[k], values[k - 1]));
+  return {above("least_ratio", least, 1)};
+}
+
 Criterion named(const std::string& prefix, Criterion criterion) {
   for (Condition& c : criterion) c.name = prefix + "_" + c.name;
   return criterion;

@@ -40,6 +40,12 @@ using Criterion = std::vector<Condition>;
 /// The value lies between two limits, by more than its error on either side.
 Criterion within(const Estimate& value, double low, double high);
 
+/**
+A quantity increases along a sequence if in modulus each value exceeds the one before and none has another
+sign, since what changes its sign vanishes in between. So the smallest ratio of neighbours must be above one,
+errors included; a sequence has at least two values. */
+Criterion increasing(const std::vector<Estimate>& values);
+
 /// The same conditions, their names after `prefix`.
 Criterion named(const std::string& prefix, Criterion criterion);
 

@@ -1,0 +1,64 @@
+#pragma once
+/**
+# Branches from rest to a fold
+
+A family of breathers is a branch of periodic orbits. Section 3.2 says of it that it bifurcates from the chain
+at rest and that some quantities grow along it; in soft wells it turns back. */
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "lattice/numbers/criterion.hpp"
+#include "lattice/numbers/parallel.hpp"
+#include "lattice/orbits/breather_pairs.hpp"
+#include "lattice/orbits/continuation.hpp"
+
+namespace lattice {
+
+/// Where the branch through `start` turns back in frequency, from two runs of different step lengths.
+/// Throws NoBranch if it does not.
+inline Estimate fold_of(const Shooting<double>& problem, const Orbit<double>& start) {
+  std::array<double, 2> fold{};
+  parallel_for(2, [&](std::size_t k) {
+    Branch branch(problem, along_omega<double>(), start, 1, {},
+                  {.first = 0.05, .most = k ? 0.1 : 0.2});
+    fold[k] = branch.fold();
+  });
+  return compare(fold[0], fold[1]);
+}
+
+/**
+At a bifurcation from the chain at rest the amplitude vanishes as $\omega_b \to 1$, and by Eq. (20) like
+$(\omega_b-1)^2$. So we take the exponent between two frequencies close to one, and its change from a pair of
+frequencies farther away is its error. A family counts as one that begins at rest if the exponent is 2 within
+0.05, a bound of ours: a breather that begins at a finite amplitude has the exponent zero. */
+inline double growth_exponent(const Orbit<double>& lower, const Orbit<double>& upper) {
+  return std::log(upper.amplitude / lower.amplitude) /
+         std::log((upper.omega - 1) / (lower.omega - 1));
+}
+
+inline Condition begins_at_rest(const Estimate& exponent) {
+  return below("exponent_off", {std::abs(exponent.value - 2), exponent.error}, 0.05);
+}
+
+/**
+How a family begins and how far it goes follows from a climb in tenths of the frequency, with three steps close
+to one before. */
+struct Family {
+  Estimate exponent, end;  ///< of the amplitude near omega_b = 1; the last frequency, two at most
+};
+
+inline Family family_from_rest(Centre centre, double s) {
+  std::vector<double> omegas{1.0005, 1.001, 1.01};
+  for (int k = 1; k <= 10; ++k) omegas.push_back(1 + k / 10.0);
+  const std::vector<Orbit<double>> orbits = climb(centre, s, omegas);
+  const Orbit<double>& last = orbits.back();
+  return {compare(growth_exponent(orbits.at(1), orbits.at(2)),
+                  growth_exponent(orbits.at(0), orbits.at(1))),
+          orbits.size() == omegas.size() ? exact(omegas.back())
+                                         : fold_of(problem_of(centre, last.omega, s), last)};
+}
+
+}  // namespace lattice
