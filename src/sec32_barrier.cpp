@@ -43,7 +43,7 @@ What is claimed, with the identifiers under which the answers are recorded:
 - by three to four orders smaller in the linear well than in the others at $\omega_b = 1.3$
   (`pn.harmonic_ratio`);
 - it increases with the amplitude of the breather (`pn.grows`) but remains very small
-  (`pn.remains_small`). */
+  (`pn.remains_small`), and relative to the energy it is smallest in the linear well (`pn.ratio_smallest`). */
 constexpr std::array<double, 3> wells{-1.0 / 6, 0, 1};
 const std::array<std::string, 3> names{"soft", "linear", "hard"};
 
@@ -154,7 +154,23 @@ Whether the barrier remains very small depends on the well, and on where one sto
 curves it is [0](num:sec32_barrier.end_barrier_soft) in the soft well,
 [0](num:sec32_barrier.end_barrier_linear) in the linear one and [0](num:sec32_barrier.end_barrier_hard) in the
 hard one; in units of the energy the largest of all is [0](num:pn.remains_small). At the lower ends all are
-near [0](num:sec32_barrier.start_barrier_linear). */
+near [0](num:sec32_barrier.start_barrier_linear).
+
+Is the linear well's barrier the smallest in units of the energy? At each frequency that the curves have in
+common we compare it with the two others. */
+/// The largest ratio of the relative barriers of two wells at one frequency.
+Estimate largest_ratio(const BreatherPairs& of, const BreatherPairs& to) {
+  const auto relative = [](const BreatherPair& r) {
+    return quotient(r.equal_frequency, r.energy[1]);
+  };
+  Estimate most{};
+  for (const BreatherPair& a : of)
+    for (const BreatherPair& b : to)
+      if (std::abs(a.omega - b.omega) < 1e-9)
+        most = larger(most, size(quotient(relative(a), relative(b))));
+  return most;
+}
+
 void report_growth(Report& report, const std::vector<BreatherPairs>& families) {
   Criterion growing;
   Estimate largest{};
@@ -175,6 +191,9 @@ void report_growth(Report& report, const std::vector<BreatherPairs>& families) {
     }
   }
   judge(report, "pn.grows", growing);
+  judge(report, "pn.ratio_smallest",
+        {below("linear_over_soft", largest_ratio(families[1], families[0]), 1),
+         below("linear_over_hard", largest_ratio(families[1], families[2]), 1)});
   report.results.add("pn.remains_small", largest, "relative");
 }
 
