@@ -179,10 +179,9 @@ double central_force(const Tolerance& tolerance) {
 
 Width and central force must be extrapolated to $\kappa = 0$. The equations suggest a series in $\kappa$, so we
 lay a polynomial through the last points and read it at zero. How good is that? Two successive parabolas may
-agree by chance, and here they do: the extrapolated force does not converge smoothly but scatters about its
-limit, ever less as $\kappa$ falls, as if it also depended on how the ends of the breather lie on the
-lattice. The error is therefore the largest distance of the last parabola from three other extrapolations:
-the parabola before it and the last two cubics. */
+agree by chance, since the extrapolated force does not converge smoothly but scatters about its limit, ever
+less as $\kappa$ falls. The error is therefore the largest distance of the last parabola from three other
+extrapolations: the parabola before it and the last two cubics. */
 /// The polynomial through the points from `first` up to `last`, at zero (Neville's scheme).
 double at_zero(const std::vector<double>& x, std::vector<double> y, std::size_t first,
                std::size_t last) {
@@ -228,9 +227,9 @@ The width grows with a power of $\kappa$ that tends to [-0.500](num:sec2_soft_we
 central mean force to [0.075986](num:sec2_soft_wells.central_limit), where the rule of equal areas demands
 [0.0759928](num:sec2_soft_wells.central_theory): the two agree within the error. Hence there is no sign that
 the breather is lost at a positive stiffness. That is seen on thirteen breathers between $\kappa = 1/2$ and
-$1/128$ and on the limit to which they tend, and is not proved for the stiffnesses in between and below. At a
-fixed period the breather turns into a motion of the free chain, with the same mean force at every contact as
-the theorem demands, and it is no longer localized. The article claims nothing about soft wells, so the
+$1/128$ and on the limit to which they tend; it is not proved for the stiffnesses in between and below. In the
+limit the breather becomes a motion of the free chain, with the same mean force at every contact, as the
+theorem demands, and it is no longer localized. The article claims nothing about soft wells, so the
 results are facts. */
 void reproduce(Report& report) {
   // The same branch on chains of two lengths
