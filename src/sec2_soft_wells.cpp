@@ -223,8 +223,8 @@ Estimate central_limit(const std::vector<Breather>& softer) {
 /**
 ## Results (figure x17)
 
-The width grows with a power of $\kappa$ that tends to [-0.500](num:sec2_soft_wells.width_exponent), and the
-central mean force to [0.075986](num:sec2_soft_wells.central_limit), where the rule of equal areas demands
+The width grows with a power of $\kappa$ that tends to [-0.4999](num:sec2_soft_wells.width_exponent), and the
+central mean force to [0.0759926](num:sec2_soft_wells.central_limit), where the rule of equal areas demands
 [0.0759928](num:sec2_soft_wells.central_theory): the two agree within the error. Hence there is no sign that
 the breather is lost at a positive stiffness. That is seen on thirteen breathers between $\kappa = 1/2$ and
 $1/128$ and on the limit to which they tend; it is not proved for the stiffnesses in between and below. In the

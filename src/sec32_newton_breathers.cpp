@@ -414,7 +414,7 @@ double asymmetry(const Orbit<double>& orbit) {
 The article says of three quantities that they increase with $\omega_b$: the amplitude and the energy of both
 families, and this asymmetry. We take it at its word: from each frequency of the figure to the next the
 quantity must grow, beyond its errors. The asymmetry is
-[0](num:sec32_newton_breathers.asymmetry_1001) at $1.001$ and [0](num:sec32_newton_breathers.asymmetry_200) at
+[0.000515165](num:sec32_newton_breathers.asymmetry_1001) at $1.001$ and [0.463687](num:sec32_newton_breathers.asymmetry_200) at
 2. */
 void report_branches(Report& report) {
   // Both families, frequency by frequency
@@ -471,9 +471,9 @@ void report_branches(Report& report) {
 For $s \in [-1, 1]$ the article finds both families, without showing them. We follow them from rest in four
 wells beside those of the figures as far as they go: through $\omega_b = 2$, or to a fold. In all of them the
 amplitude begins like $(\omega_b-1)^2$. In soft wells the families are short: at $s = -1$ they fold at
-[0](num:sec32_newton_breathers.end_s_minus_1_site) around a site and
-[0](num:sec32_newton_breathers.end_s_minus_1_bond) around a bond, at $s = -1/2$ at
-[0](num:sec32_newton_breathers.end_s_minus_05_site) and [0](num:sec32_newton_breathers.end_s_minus_05_bond). The
+[1.61967](num:sec32_newton_breathers.end_s_minus_1_site) around a site and
+[1.61972](num:sec32_newton_breathers.end_s_minus_1_bond) around a bond, at $s = -1/2$ at
+[1.72385](num:sec32_newton_breathers.end_s_minus_05_site) and [1.72391](num:sec32_newton_breathers.end_s_minus_05_bond). The
 claim asks that all eight families begin at rest and reach beyond $\omega_b = 1.01$. */
 void report_other_wells(Report& report) {
   constexpr std::pair<double, const char*> wells[] = {
