@@ -113,9 +113,9 @@ std::vector<Breather> softer_and_softer(std::size_t sites, std::size_t count) {
 /**
 ## What becomes of it
 
-Down to $\kappa = 1/128$ the branch does not turn back; the breather spreads. In a wide breather neighbours swing
-against each other, $y_n = \bar y_n + (-1)^n a(t)$, at a mean distance $g$ that changes little from place to
-place:
+Down to $\kappa = 1/128$ the branch does not turn back; the breather spreads. In a wide breather neighbours
+swing against each other, $y_n = \bar y_n + (-1)^n a(t)$, at a mean distance $g$ that changes little from
+place to place:
 $$\ddot a = (-2a-g)_+^{3/2} - (2a-g)_+^{3/2}.$$
 At a fixed period such motions of the free chain have one parameter, so that $g$ is a function of
 the mean force $\bar F$. The means obey $\kappa\,\bar y_n = \bar F_{n-1}-\bar F_n$ and
@@ -177,10 +177,10 @@ double central_force(const Tolerance& tolerance) {
 /**
 ## The limit of soft wells
 
-Width and central force must be extrapolated to $\kappa = 0$. The equations suggest a series in $\kappa$, so we
-lay a polynomial through the last points and read it at zero. How good is that? Two successive parabolas may
-agree by chance, since the extrapolated force does not converge smoothly but scatters about its limit, ever
-less as $\kappa$ falls. The error is therefore the largest distance of the last parabola from three other
+Width and central force must be extrapolated to $\kappa = 0$. The equations suggest a series in $\kappa$, so
+we lay a polynomial through the last points and read it at zero. How good is that? Two successive parabolas
+may agree by chance, since the extrapolated force does not converge smoothly but scatters about its limit,
+ever less as $\kappa$ falls. The error is therefore the largest distance of the last parabola from three other
 extrapolations: the parabola before it and the last two cubics. */
 /// The polynomial through the points from `first` up to `last`, at zero (Neville's scheme).
 double at_zero(const std::vector<double>& x, std::vector<double> y, std::size_t first,
