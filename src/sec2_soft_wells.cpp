@@ -113,9 +113,9 @@ std::vector<Breather> softer_and_softer(std::size_t sites, std::size_t count) {
 /**
 ## What becomes of it
 
-Down to $\kappa = 1/128$ the branch does not turn back; the breather spreads. In a wide breather neighbours swing
-against each other, $y_n = \bar y_n + (-1)^n a(t)$, at a mean distance $g$ that changes little from place to
-place:
+Down to $\kappa = 1/128$ the branch does not turn back; the breather spreads. In a wide breather neighbours
+swing against each other, $y_n = \bar y_n + (-1)^n a(t)$, at a mean distance $g$ that changes little from
+place to place:
 $$\ddot a = (-2a-g)_+^{3/2} - (2a-g)_+^{3/2}.$$
 At a fixed period such motions of the free chain have one parameter, so that $g$ is a function of
 the mean force $\bar F$. The means obey $\kappa\,\bar y_n = \bar F_{n-1}-\bar F_n$ and
@@ -177,12 +177,11 @@ double central_force(const Tolerance& tolerance) {
 /**
 ## The limit of soft wells
 
-Width and central force must be extrapolated to $\kappa = 0$. The equations suggest a series in $\kappa$, so we
-lay a polynomial through the last points and read it at zero. How good is that? Two successive parabolas may
-agree by chance, and here they do: the extrapolated force does not converge smoothly but scatters about its
-limit, ever less as $\kappa$ falls, as if it also depended on how the ends of the breather lie on the
-lattice. The error is therefore the largest distance of the last parabola from three other extrapolations:
-the parabola before it and the last two cubics. */
+Width and central force must be extrapolated to $\kappa = 0$. The equations suggest a series in $\kappa$, so
+we lay a polynomial through the last points and read it at zero. How good is that? Two successive parabolas
+may agree by chance, since the extrapolated force does not converge smoothly but scatters about its limit,
+ever less as $\kappa$ falls. The error is therefore the largest distance of the last parabola from three other
+extrapolations: the parabola before it and the last two cubics. */
 /// The polynomial through the points from `first` up to `last`, at zero (Neville's scheme).
 double at_zero(const std::vector<double>& x, std::vector<double> y, std::size_t first,
                std::size_t last) {
@@ -224,13 +223,13 @@ Estimate central_limit(const std::vector<Breather>& softer) {
 /**
 ## Results (figure x17)
 
-The width grows with a power of $\kappa$ that tends to [-0.500](num:sec2_soft_wells.width_exponent), and the
-central mean force to [0.075986](num:sec2_soft_wells.central_limit), where the rule of equal areas demands
+The width grows with a power of $\kappa$ that tends to [-0.4999](num:sec2_soft_wells.width_exponent), and the
+central mean force to [0.0759926](num:sec2_soft_wells.central_limit), where the rule of equal areas demands
 [0.0759928](num:sec2_soft_wells.central_theory): the two agree within the error. Hence there is no sign that
 the breather is lost at a positive stiffness. That is seen on thirteen breathers between $\kappa = 1/2$ and
-$1/128$ and on the limit to which they tend, and is not proved for the stiffnesses in between and below. At a
-fixed period the breather turns into a motion of the free chain, with the same mean force at every contact as
-the theorem demands, and it is no longer localized. The article claims nothing about soft wells, so the
+$1/128$ and on the limit to which they tend; it is not proved for the stiffnesses in between and below. In the
+limit the breather becomes a motion of the free chain, with the same mean force at every contact, as the
+theorem demands, and it is no longer localized. The article claims nothing about soft wells, so the
 results are facts. */
 void reproduce(Report& report) {
   // The same branch on chains of two lengths

@@ -147,14 +147,15 @@ void report_barriers(Report& report, const std::vector<BreatherPairs>& families)
 The zeros also decide whether $E_{PN}$ increases with the amplitude, as the article says. The amplitude does
 increase with the frequency, so we ask that along each of the three curves both grow from every frequency to
 the next, and that the barrier keeps its sign. It fails to do so in each well. What increases is its height
-between the zeros; in the hard well, whose only zero, at [1.01448](num:sec32_barrier.zero_hard1), lies close to
-the lower end of the curve, the barrier itself increases from there on.
+between the zeros; in the hard well, whose only zero, at [1.01448](num:sec32_barrier.zero_hard1), lies close
+to the lower end of the curve, the barrier itself increases from there on.
 
 Whether the barrier remains very small depends on the well, and on where one stops. At the upper ends of the
-curves it is [0](num:sec32_barrier.end_barrier_soft) in the soft well,
-[0](num:sec32_barrier.end_barrier_linear) in the linear one and [0](num:sec32_barrier.end_barrier_hard) in the
-hard one; in units of the energy the largest of all is [0](num:pn.remains_small). At the lower ends all are
-near [0](num:sec32_barrier.start_barrier_linear).
+curves it is [0.000120789](num:sec32_barrier.end_barrier_soft) in the soft well,
+[2.15053e-6](num:sec32_barrier.end_barrier_linear) in the linear one and
+[1.02025](num:sec32_barrier.end_barrier_hard) in the hard one; in units of the energy the largest of all is
+[0.178214](num:pn.remains_small). At the lower ends all are near
+[4.36384e-16](num:sec32_barrier.start_barrier_linear).
 
 Is the linear well's barrier the smallest in units of the energy? At each frequency that the curves have in
 common we compare it with the two others. */
