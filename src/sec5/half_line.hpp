@@ -28,7 +28,8 @@ struct Panel {
 
   std::size_t nodes, order;  ///< `order` of the zeros of w: 2 or 3
   Vector<double> x, weight, lagrange;
-  Matrix<double> integral;  ///< entry (i, j): integral of the j-th Lagrange polynomial from 0 to x_i
+  Matrix<double>
+      integral;  ///< entry (i, j): integral of the j-th Lagrange polynomial from 0 to x_i
   double map(double x) const;
   double slope(double x) const;
   /// The x with map(x) = u.

@@ -1,190 +1,306 @@
 #include "sec5/kernel_wave.hpp"
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
-#include <cstdio>
+#include <stdexcept>
+#include <string>
+
+#include "sec5/quotient.hpp"
+
 namespace lattice {
+
 namespace {
-Vector<double> forces(const PowerContact& law, const Vector<double>& d) {
-  return d.unaryExpr([&](double x) { return law.force(-x); });
+
+constexpr double notable = 1e-8;  ///< contacts below this part of the peak need no cuts
+constexpr double tail = 1e-17;    ///< the grid ends where the wave has fallen to this part
+
+Vector<double> each(Vector<double> d, double (*of)(const PowerContact&, double),
+                    const PowerContact& law) {
+  for (double& x : d) x = of(law, x);
+  return d;
 }
-Vector<double> stiffnesses(const PowerContact& law, const Vector<double>& d) {
-  return d.unaryExpr([&](double x) { return law.stiffness(-x); });
+
+double force_of(const PowerContact& law, double x) {
+  return law.force(-x);
 }
-std::vector<double> zeros_of(const HalfLine& line, const Vector<double>& d, double least) {
-  std::vector<double> zeros;
-  double peak = 0;  // of the closed contact that is being passed
-  bool open_here = false;
-  double top = d.maxCoeff();
-  double begin = -1;
-  for (Eigen::Index i = 0; i + 1 < d.size(); ++i) {
-    if (d[i] > 0) peak = std::max(peak, d[i]);
-    if ((d[i] > 0) == (d[i + 1] > 0)) continue;
-    double low = line.t()[i], high = line.t()[i + 1];
-    const bool falls = d[i] > 0;
-    for (int pass = 0; pass < 56; ++pass) {
-      const double m = (low + high) / 2;
-      ((line.at(d, m) > 0) == falls ? low : high) = m;
-    }
-    const double z = (low + high) / 2;
-    if (!falls) { begin = z; peak = 0; continue; }
-    if (peak > least * top) { if (begin > 0) zeros.push_back(begin); zeros.push_back(z); }
+double stiffness_of(const PowerContact& law, double x) {
+  return law.stiffness(-x);
+}
+
+/// A power of half an integer becomes analytic on panels of order 2; others gain from order 3.
+Panel panel_for(const PowerContact& law, std::size_t nodes) {
+  const double twice = 2 * law.exponent;
+  return {nodes, std::size_t(twice == std::round(twice) ? 2 : 3)};
+}
+
+/**
+The zeros are folded into half a shift. Where panels would be too long they are divided. */
+std::vector<double> cuts_for(const std::vector<Closed>& contacts, double shift_time,
+                             double longest) {
+  std::vector<double> folded{shift_time / 2};
+  const auto fold = [&](double t) {
+    const double rest = std::fmod(t, shift_time);
+    folded.push_back(std::min(rest, shift_time - rest));
+  };
+  for (const Closed& c : contacts) {
+    if (c.from > 0) fold(c.from);
+    fold(c.to);
   }
-  (void)open_here;
-  return zeros;
-}
-std::vector<double> cuts_for(const std::vector<double>& zeros, double T, double longest) {
-  std::vector<double> at{0, T / 2};
-  for (double z : zeros) { double m = std::fmod(z, T); at.push_back(std::min(m, T - m)); }
-  std::sort(at.begin(), at.end());
-  const double near = 1e-6;
+  std::sort(folded.begin(), folded.end());
+  // Zeros that nearly coincide share a cut
+  constexpr double near = 1e-6;
   std::vector<double> cuts{0};
-  for (double z : at)
-    if (z > cuts.back() + near && z < T / 2 - near) cuts.push_back(z);
-  cuts.push_back(T / 2);
-  const double ratio = getenv("RATIO") ? atof(getenv("RATIO")) : 1e9;
-  // graded
-  for (bool changed = true; changed;) {
-    changed = false;
-    std::vector<double> next{0};
-    for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
-      const double l = cuts[i + 1] - cuts[i];
-      const double left = i > 0 ? cuts[i] - cuts[i - 1] : l, right = i + 2 < cuts.size() ? cuts[i + 2] - cuts[i + 1] : l;
-      if (l > ratio * left && left <= right) { next.push_back(cuts[i] + (ratio - 1) * left); changed = true; }
-      else if (l > ratio * right) { next.push_back(cuts[i + 1] - (ratio - 1) * right); changed = true; }
-      else if (l > longest) { next.push_back(cuts[i] + l / 2); changed = true; }
-      next.push_back(cuts[i + 1]);
-    }
-    cuts = next;
+  for (double t : folded) {
+    const bool end = t == shift_time / 2;
+    if (!end && (t < cuts.back() + near || t > shift_time / 2 - near)) continue;
+    const double from = cuts.back();
+    const auto parts = std::size_t(std::ceil((t - from) / longest));
+    for (std::size_t i = 1; i < parts; ++i)
+      cuts.push_back(from + (t - from) * double(i) / double(parts));
+    cuts.push_back(t);
+    if (end) break;
   }
   return cuts;
 }
-std::size_t periods_for(const HalfLine& line, const Vector<double>& d) {
-  const double top = d.cwiseAbs().maxCoeff();
-  double last = 0;
-  for (Eigen::Index i = 0; i < d.size(); ++i) if (std::abs(d[i]) > 1e-16 * top) last = line.t()[i];
-  return std::size_t(std::ceil(last / line.shift_time())) + 1;
+
+/// Shift times until the wave has died out; more than there are if it does not on its grid.
+std::size_t periods_for(const KernelWave& wave) {
+  const double least = tail * wave.d.cwiseAbs().maxCoeff();
+  Eigen::Index last = wave.d.size() - 1;
+  while (last > 0 && std::abs(wave.d[last]) < least) --last;
+  const auto needed = std::size_t(std::ceil(wave.line.t()[last] / wave.shift_time()));
+  return needed < wave.line.periods() ? needed + 1 : needed + 1 + needed / 4;
 }
+
+/**
+Newton's method knows the tail to the digits of the peak only. There one step of the kernel equation divides
+errors by a large number, and repeating it gives the tail all its digits. */
+void settle_tail(KernelWave& wave) {
+  const double top = wave.d.maxCoeff();
+  Eigen::Index first = wave.d.size();
+  while (first > 0 && std::abs(wave.d[first - 1]) < 1e-4 * top) --first;
+  const Eigen::Index rest = wave.d.size() - first;
+  for (std::size_t pass = 0; pass < wave.line.periods(); ++pass)
+    wave.d.tail(rest) = wave.line.convolve(wave.force()).tail(rest).eval();
 }
-Vector<double> gmres_even(const HalfLine& line, const Vector<double>& stiffness, const Vector<double>& r) {
-  const int most = 120;
-  std::vector<Vector<double>> v;
-  Matrix<double> h = Matrix<double>::Zero(most + 1, most);
-  const double size = r.norm();
-  v.push_back(r / size);
-  std::vector<double> g(most + 1, 0.0), cs(most), sn(most);
-  g[0] = size;
-  int k = 0;
-  while (k < most) {
-    Vector<double> w = line.convolve(stiffness.cwiseProduct(v[k]));
-    w = v[k] - w;
-    for (int pass = 0; pass < 2; ++pass)
-      for (int j = 0; j <= k; ++j) { const double c = w.dot(v[j]); h(j, k) += c; w -= c * v[j]; }
-    const double rest = w.norm();
-    for (int j = 0; j < k; ++j) {
-      const double a = h(j, k), b = h(j + 1, k);
-      h(j, k) = cs[j] * a + sn[j] * b, h(j + 1, k) = cs[j] * b - sn[j] * a;
+
+HalfLine line_for(const KernelWave& wave, double shift_time, const WaveGrid& grid) {
+  return {shift_time, cuts_for(wave.closed(notable), shift_time, grid.longest), periods_for(wave),
+          panel_for(wave.law, grid.nodes)};
+}
+
+}  // namespace
+
+Vector<double> KernelWave::force() const {
+  return each(d, force_of, law);
+}
+
+double KernelWave::action() const {
+  return line.integral(d.cwiseMax(0).cwiseProduct(force()));
+}
+
+double KernelWave::quotient() const {
+  return std::pow(action(), -(law.exponent - 1) / (law.exponent + 1));
+}
+
+double KernelWave::component() const {
+  return line.respond(force()).component;
+}
+
+double KernelWave::residual() const {
+  const Vector<double> miss = line.convolve(force()) - d;
+  return miss.cwiseAbs().maxCoeff() / d.maxCoeff();
+}
+
+/**
+The largest value lies between two nodes, where the interval is narrowed down. */
+double KernelWave::peak() const {
+  Eigen::Index top = 0;
+  d.maxCoeff(&top);
+  double low = top > 0 ? line.t()[top - 1] : -line.t()[0], high = line.t()[top + 1];
+  for (int pass = 0; pass < 60; ++pass) {
+    const double third = (high - low) / 3;
+    if (line.at(d, low + third) < line.at(d, high - third))
+      low += third;
+    else
+      high -= third;
+  }
+  return line.at(d, (low + high) / 2);
+}
+
+std::vector<Closed> KernelWave::closed(double least) const {
+  const double limit = least * d.maxCoeff();
+  std::vector<Closed> all;
+  Closed now{0, 0, std::max(d[0], 0.0)};
+  for (Eigen::Index i = 0; i + 1 < d.size(); ++i) {
+    now.most = std::max(now.most, d[i]);
+    const bool opens = d[i] > 0;
+    if (opens == (d[i + 1] > 0)) continue;
+    // A zero between two nodes, by bisection
+    double low = line.t()[i], high = line.t()[i + 1];
+    for (int pass = 0; pass < 56; ++pass) {
+      const double middle = (low + high) / 2;
+      ((line.at(d, middle) > 0) == opens ? low : high) = middle;
     }
-    const double length = std::hypot(h(k, k), rest);
-    cs[k] = h(k, k) / length, sn[k] = rest / length, h(k, k) = length;
-    g[k + 1] = -sn[k] * g[k], g[k] *= cs[k];
-    ++k;
-    if (std::abs(g[k]) < 1e-11 * size) break;
-    v.push_back(w / rest);
+    if (!opens) {
+      now = {low, 0, 0};
+      continue;
+    }
+    now.to = low;
+    if (now.most > limit) all.push_back(now);
   }
-  std::vector<double> y(k);
-  for (int j = k; j-- > 0;) {
-    y[j] = g[j];
-    for (int i = j + 1; i < k; ++i) y[j] -= h(j, i) * y[i];
-    y[j] /= h(j, j);
+  // The last one does not open again
+  now.to = double(line.periods()) * shift_time();
+  if (d[d.size() - 1] > 0 && now.most > limit) all.push_back(now);
+  return all;
+}
+
+std::size_t KernelWave::contacts() const {
+  const auto half = closed(std::numeric_limits<double>::epsilon());
+  return 2 * half.size() - std::size_t(d[0] > 0);
+}
+
+double KernelWave::central_velocity() const {
+  const auto response = line.respond(force());
+  return 2 * response.half_v[0] + std::cos(shift_time() / 2) * response.component;
+}
+
+State<double> KernelWave::state(std::size_t reach) const {
+  const auto response = line.respond(force());
+  State<double> z(2 * reach + 2);
+  z.v[reach] = central_velocity();
+  for (std::size_t j = 0; j <= reach && j < response.half.size(); ++j) {
+    const bool last = j + 1 == response.half.size();
+    const double y = (last ? 0 : response.half[j + 1]) - response.half[j],
+                 v = (last ? 0 : response.half_v[j + 1]) - response.half_v[j];
+    z.y[reach + j + 1] = -y, z.v[reach + j + 1] = v;
+    if (j < reach) z.y[reach - j - 1] = y, z.v[reach - j - 1] = v;
   }
-  Vector<double> x = Vector<double>::Zero(r.size());
-  for (int j = 0; j < k; ++j) x += y[j] * v[j];
-  if (getenv("LOUD")) printf("   gmres %d\n", k);
+  return z;
+}
+
+double KernelWave::energy() const {
+  const State<double> z = state(line.periods());
+  double sum = 0;
+  for (std::size_t i = 0; i < z.y.size(); ++i) sum += (z.y[i] * z.y[i] + z.v[i] * z.v[i]) / 2;
+  for (std::size_t j = 0; j < line.periods(); ++j)
+    sum += 2 * law.energy(-line.at(d, (double(j) + 0.5) * shift_time()));
+  return sum;
+}
+
+/**
+The Hessenberg matrix of the method is made triangular by rotations, step by step, so that the residual is
+known without a solution. */
+Vector<double> solve_linearized(const HalfLine& line, const Vector<double>& stiffness,
+                                const Vector<double>& right) {
+  constexpr std::size_t most = 200;
+  constexpr double enough = 1e-11;
+  const double whole = right.norm();
+  std::vector<Vector<double>> basis{right / whole};
+  std::vector<std::vector<double>> columns;
+  std::vector<double> cosine, sine, rest{whole};
+  while (std::abs(rest.back()) > enough * whole) {
+    const std::size_t k = columns.size();
+    if (k == most) throw std::runtime_error("the linearized kernel equation was not solved");
+    Vector<double> w = basis[k] - line.convolve(stiffness.cwiseProduct(basis[k]));
+    std::vector<double> h(k + 1);
+    for (int pass = 0; pass < 2; ++pass)
+      for (std::size_t j = 0; j <= k; ++j) {
+        const double part = w.dot(basis[j]);
+        h[j] += part, w -= part * basis[j];
+      }
+    // The rotations so far, and a new one
+    for (std::size_t j = 0; j < k; ++j) {
+      const double a = h[j], b = h[j + 1];
+      h[j] = cosine[j] * a + sine[j] * b, h[j + 1] = cosine[j] * b - sine[j] * a;
+    }
+    const double length = w.norm(), size = std::hypot(h[k], length);
+    cosine.push_back(h[k] / size), sine.push_back(length / size), h[k] = size;
+    const double before = rest.back();
+    rest.back() = cosine[k] * before, rest.push_back(-sine[k] * before);
+    columns.push_back(h), basis.push_back(w / length);
+  }
+  std::vector<double> share(columns.size());
+  Vector<double> x = Vector<double>::Zero(right.size());
+  for (std::size_t j = columns.size(); j-- > 0;) {
+    share[j] = rest[j];
+    for (std::size_t i = j + 1; i < columns.size(); ++i) share[j] -= columns[i][j] * share[i];
+    share[j] /= columns[j][j];
+    x += share[j] * basis[j];
+  }
   return x;
 }
-KernelWave refine_wave(const KernelWave& guess, double T, const PowerContact& law, const Resolution& res) {
+
+/**
+On given panels Newton's method is carried to its end; then the panels are cut anew. It has converged when
+the new ones are as good as the old. */
+KernelWave newton_wave(const KernelWave& guess, double shift_time, const PowerContact& law,
+                       const WaveGrid& grid) {
+  constexpr double far = 1e3, near = 1e-7, exact = 1e-14;
   KernelWave wave = guess;
   wave.law = law;
-  const bool half = std::abs(std::round(2 * law.exponent) - 2 * law.exponent) < 1e-12;
-  const Panel panel(res.nodes, half ? 2 : 3);
-  double before = 1e300;
-  for (int pass = 0; pass < 40; ++pass) {
-    wave.zeros = zeros_of(wave.line, wave.d, 1e-8);
-    const HalfLine line(T, cuts_for(wave.zeros, T, res.longest), periods_for(wave.line, wave.d), panel);
-    wave.d = wave.line.onto(line, wave.d);
-    wave.line = line;
-    const Vector<double> r = line.convolve(forces(law, wave.d)) - wave.d;
-    const double miss = r.cwiseAbs().maxCoeff() / wave.d.maxCoeff();
-    if (getenv("LOUD")) printf("  pass %d N %ld cuts %zu periods %zu miss %.3e zeros %zu E %.15g A %.15g\n", pass, long(line.size()), line.size()/res.nodes/line.periods(), line.periods(), miss, wave.zeros.size(), wave.energy(), wave.action());
-    wave.d += gmres_even(line, stiffnesses(law, wave.d), r);
-    if ((miss < 1e-12 && periods_for(line, wave.d) <= line.periods()) || (miss < 1e-13 && miss > 0.5 * before)) break;
-    before = miss;
+  for (int pass = 0; pass < 30; ++pass) {
+    const HalfLine line = line_for(wave, shift_time, grid);
+    wave = {law, line, wave.line.onto(line, wave.d)};
+    double first = 0;
+    for (int step = 0; step < 4; ++step) {
+      const Vector<double> miss = line.convolve(wave.force()) - wave.d;
+      const double size = miss.cwiseAbs().maxCoeff() / wave.d.maxCoeff();
+      if (step == 0) first = size;
+      if (!(size < far)) pass = 30;
+      if (!(size > exact && size < far)) break;
+      wave.d += solve_linearized(line, each(wave.d, stiffness_of, law), miss);
+    }
+    settle_tail(wave);
+    if (first < near && periods_for(wave) <= line.periods()) return wave;
   }
+  throw std::runtime_error("Newton's method for the kernel equation does not converge at T = " +
+                           std::to_string(shift_time) +
+                           ", alpha = " + std::to_string(law.exponent));
+}
+
+KernelWave wave_of_type_one(std::size_t k, int sign, const PowerContact& law,
+                            const WaveGrid& grid) {
+  // An even start: pulses under an envelope
+  const double shift_time = 2 * std::numbers::pi * double(k);
+  const auto periods = std::size_t(6 + 1 / (law.exponent - 1));
+  HalfLine line(shift_time, cuts_for({}, shift_time, 0.4), periods, Panel(10, 2));
+  const double middle = (k % 2 ? -sign : sign) > 0 ? 1 : -1,
+               frequency = 1 / (1 - 1 / (4 * double(k)));
+  Vector<double> u(line.size());
+  for (Eigen::Index i = 0; i < u.size(); ++i) {
+    const double t = line.t()[i], x = t / shift_time;
+    u[i] = std::max(0.0, middle * std::cos(frequency * t)) * std::exp(-3 * x * x / law.exponent);
+  }
+  const auto convolve = [&](const Vector<double>& f) { return line.convolve(f); };
+  const Ascent course = ascend(convolve, 2 * line.weight(), law, u, 1e-7, 400);
+  KernelWave wave = newton_wave({law, line, course.wave(law)}, shift_time, law, grid);
+  if (wave.central_velocity() * sign < 0)
+    throw std::runtime_error("the ascent has led to the wave of the other sign");
   return wave;
 }
-KernelWave seed_wave(double T, int start, const PowerContact& law) {
-  const Panel panel(10, 2);
-  std::vector<double> cuts;
-  const int m = int(std::ceil(T / 2 / 0.4));
-  for (int i = 0; i <= m; ++i) cuts.push_back(T / 2 * i / m);
-  const HalfLine line(T, cuts, law.exponent < 1.3 ? 12 : 6, panel);
-  Vector<double> f(line.size());
-  const double a = law.exponent, p = 1 + 1 / a;
-  for (Eigen::Index i = 0; i < f.size(); ++i) {
-    const double t = line.t()[i];
-    f[i] = std::exp(-t * t * 3 / (T * T)) * law.force(-start * std::cos(t / (1 - 1.5708 / T)));
+
+KernelWave wave_of_type_two(KernelWave start, double to, double step, const WaveGrid& grid) {
+  KernelWave before = start;
+  const double direction = to < start.shift_time() ? -step : step;
+  // In steps until V changes its sign, then by secants
+  do {
+    before = start;
+    start = newton_wave(start, start.shift_time() + direction, start.law, grid);
+    if ((to - start.shift_time()) * direction < 0)
+      throw std::runtime_error("no wave of type II up to that shift time");
+  } while (before.component() * start.component() > 0);
+  for (int pass = 0; pass < 12; ++pass) {
+    const double a = before.component(), b = start.component();
+    if (std::abs(b) < 1e-14 * start.d.maxCoeff() || a == b) break;
+    const double next =
+        start.shift_time() - b * (start.shift_time() - before.shift_time()) / (b - a);
+    before = start;
+    start = newton_wave(start, next, start.law, grid);
   }
-  const auto norm = [&](const Vector<double>& g) { return std::pow(line.integral(g.unaryExpr([&](double x) { return std::pow(x, p); })), 1 / p); };
-  f /= norm(f);
-  Vector<double> kf = line.convolve(f);
-  double q = line.integral(f.cwiseProduct(kf)), mu = 1;
-  int it = 0;
-  for (; it < 400; ++it) {
-    Vector<double> g = (kf + mu * f.unaryExpr([&](double x) { return std::pow(x, 1 / a); })).unaryExpr([&](double x) { return x > 0 ? std::pow(x, a) : 0; });
-    g /= norm(g);
-    const Vector<double> kg = line.convolve(g);
-    const double qg = line.integral(g.cwiseProduct(kg));
-    if (qg < q) { mu *= 2; if (mu > 1e4) break; continue; }
-    const double gain = qg - q;
-    f = g, kf = kg, q = qg, mu *= 0.8;
-    if (gain < 1e-7 * q) break;
-  }
-  // f = scale^... : K f = q f^(1/alpha), d = K (l f), l = q^(-alpha/(alpha-1))
-  const double l = std::pow(q, -a / (a - 1));
-  if (getenv("LOUD")) printf("  seed %d iterations q %.10f action %.8f\n", it, q, std::pow(q, -(a + 1) / (a - 1)));
-  return {law, line, l * kf, {}};
+  return start;
 }
-Vector<double> KernelWave::force() const { return forces(law, d); }
-double KernelWave::action() const { return line.integral(d.cwiseMax(0).cwiseProduct(force())); }
-double KernelWave::quotient() const { return std::pow(action(), -(law.exponent - 1) / (law.exponent + 1)); }
-double KernelWave::component() const { return line.respond(force()).component; }
-double KernelWave::residual() const { return (line.convolve(force()) - d).cwiseAbs().maxCoeff() / peak(); }
-double KernelWave::central_velocity() const {
-  const auto r = line.respond(force());
-  return 2 * r.half_v[0] + std::cos(line.shift_time() / 2) * r.component;
-}
-double KernelWave::energy() const {
-  const auto r = line.respond(force());
-  const double v = 2 * r.half_v[0] + std::cos(line.shift_time() / 2) * r.component;
-  double e = v * v / 2;
-  for (std::size_t j = 0; j < r.half.size(); ++j) {
-    const bool more = j + 1 < r.half.size();
-    const double y = (more ? r.half[j + 1] : 0) - r.half[j], w = (more ? r.half_v[j + 1] : 0) - r.half_v[j];
-    const double x = line.at(d, (double(j) + 0.5) * line.shift_time());
-    e += y * y + w * w + 2 * law.energy(-x);
-  }
-  return e;
-}
-std::size_t KernelWave::contacts() const {
-  std::size_t n = 0; bool closed = false; double top = peak(), best = 0; std::size_t centre = d[0] > 0;
-  for (Eigen::Index i = 0; i < d.size(); ++i) {
-    const bool now = d[i] > 0;
-    if (now) { best = std::max(best, d[i]); }
-    if (closed && !now) { if (best > 2.2e-16 * top) ++n; best = 0; }
-    closed = now;
-  }
-  if (closed && best > 2.2e-16 * top) ++n;
-  return 2 * n - centre;
-}
+
 }  // namespace lattice
