@@ -120,7 +120,7 @@ Ascent from_random(const Start& start, double gain) {
     u[i] = values[left] + (place - double(left)) * (values[left + 1] - values[left]);
   }
   const auto convolve = [&](const Vector<double>& f) { return line.convolve(f); };
-  return ascend(convolve, line.weight(), hertz, u, gain, 4000);
+  return ascend(convolve, line.weight(), hertz, u, gain, 2000);
 }
 
 /**
@@ -296,9 +296,9 @@ Table profile_table(const std::vector<Wave>& all) {
 
 From random positive functions the quotient is driven upwards (quotient.hpp). All starts should come to the same
 value, that of the waves above, up to the error of the plain grid. They need not come to the same function:
-translations change nothing, and the internal phase changes the quotient only in the eleventh digit. What the
-starts have in common is measured by the angle between the first harmonic of $f$ and its centre. */
-constexpr double stop = 1e-9;
+translations change nothing, and the internal phase changes the quotient only in the eleventh digit, so
+that the ascent hardly moves it any more when all else has settled. */
+constexpr double stop = 1e-11;
 
 std::vector<Ascent> ascents(std::size_t count, std::size_t per_shift) {
   std::vector<Ascent> all(count);
@@ -322,11 +322,11 @@ Table ascent_table(const std::vector<Ascent>& all, std::size_t shown) {
 }
 
 /**
-The lowest and the highest end tell whether there is one maximum for all; the grid with half the points gives
+The lowest and the highest end tell whether there is one maximum for all; the grid with fewer points gives
 the error. */
 void report_ascents(Report& report) {
   const std::size_t count = report.quick ? 4 : 30;
-  const auto fine = ascents(count, 128), coarse = ascents(count, 64);
+  const auto fine = ascents(count, 64), coarse = ascents(count, 48);
   const auto ends = [](const std::vector<Ascent>& all) {
     double low = all[0].quotient(), high = low;
     for (const Ascent& a : all)
@@ -469,7 +469,7 @@ void report_type_two(Report& report) {
   std::array<std::vector<KernelWave>, 2> found;
   parallel_for(2, [&](std::size_t i) {
     const KernelWave start = wave_of_type_one(1, 1, hertz, usual[i]);
-    found[i].push_back(wave_of_type_two(start, 0.88 * two_pi, 0.03 * two_pi, usual[i]));
+    found[i].push_back(wave_of_type_two(start, 0.89 * two_pi, 0.01 * two_pi, usual[i]));
   });
   const KernelWave &coarse = found[0][0], &fine = found[1][0];
   report.facts.add("turns_type_two",

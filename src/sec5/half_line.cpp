@@ -106,6 +106,7 @@ HalfLine::HalfLine(double shift_time, std::vector<double> cuts, std::size_t peri
   }
 }
 
+// A function between its nodes
 double HalfLine::at(const Vector<double>& values, double t) const {
   t = std::abs(t);
   const auto next = std::upper_bound(start_.begin(), start_.end(), t);
