@@ -2,16 +2,17 @@
 /**
 # Even functions on panels that end where contacts open
 
-The wave of the kernel equation (kernel_wave.hpp) is an even function $d(t)$ that falls double-exponentially,
-and what is integrated is $f = d_+^\alpha$, which is not smooth where $d$ passes through zero. The kernel in
-turn has kinks at $0$ and $\pm T$, so that $d$ inherits in $t \pm T$ the weaker singularities of what $f$ does
-in $t$. All of this falls on the ends of panels if the set of these ends contains the zeros of $d$ and is
-mapped onto itself by $t \to t + T$ and $t \to -t$. So the cuts are given in $[0, T/2]$, reflected to
-$[0, T]$ and repeated.
+The wave of the kernel equation (kernel_wave.hpp) is an even function $d(t)$ that falls
+double-exponentially, and what is integrated is $f = d_+^\alpha$, which is not smooth where $d$ passes
+through zero. The kernel in turn has kinks at $0$ and $\pm T$, so that $d$ inherits in $t \pm T$ the
+weaker singularities of what $f$ does in $t$. All of this falls on the ends of panels if the set of
+these ends contains the zeros of $d$ and is mapped onto itself by $t \to t + T$ and $t \to -t$. So the
+cuts are given in $[0, T/2]$, reflected to $[0, T]$ and repeated.
 
-Inside a panel of length $\ell$ the time is $t = a + \ell\,w(x)$, $0 < x < 1$, with a polynomial $w$ that has a
-multiple zero at either end, $w = x^2(3-2x)$ or $x^3(10-15x+6x^2)$. A power $(t-a)^{3/2}$ then becomes
-$x^3$ times an analytic function, and the nodes and weights of Gauss integrate it spectrally. */
+Inside a panel of length $\ell$ the time is $t = a + \ell\,w(x)$, $0 < x < 1$, with a polynomial $w$
+that has a multiple zero at either end, $w = x^2(3-2x)$ or $x^3(10-15x+6x^2)$. A power $(t-a)^{3/2}$
+then becomes $x^3$ times an analytic function, and the nodes and weights of Gauss integrate it
+spectrally. */
 
 #include <cstddef>
 #include <vector>

@@ -75,8 +75,8 @@ std::size_t periods_for(const KernelWave& wave) {
 }
 
 /**
-Newton's method knows the tail to the digits of the peak only. There one step of the kernel equation divides
-errors by a large number, and repeating it gives the tail all its digits. */
+Newton's method knows the tail to the digits of the peak only. There one step of the kernel equation
+divides errors by a large number, and repeating it gives the tail all its digits. */
 void settle_tail(KernelWave& wave) {
   const double top = wave.d.maxCoeff();
   Eigen::Index first = wave.d.size();

@@ -5,16 +5,15 @@
 In a travelling breather $y_n(t) = q(t-nT)$ of linear wells every contact sees the same compression
 $d(t) = q(t) - q(t-T)$ and the same force $f = d_+^\alpha$, and
 $$\ddot q + q = f(t+T) - f(t).$$
-If $T = 2\pi k$ this is solved by $q(t) = -\int_0^T \sin\sigma\,f(t+\sigma)\,d\sigma$, whatever $f$ is, and the
-lattice becomes one equation for one function (chapter on the kernel equation),
+If $T = 2\pi k$ this is solved by $q(t) = -\int_0^T \sin\sigma\,f(t+\sigma)\,d\sigma$, whatever $f$ is,
+and the lattice becomes one equation for one function (chapter on the kernel equation),
 $$d = K * d_+^\alpha,\qquad K(\sigma) = -\sin|\sigma| \ \text{ for } |\sigma| \le T.$$
 
-For even $d$ and any $T$ let $X(t) = \int_{|t|}^\infty \sin(s-|t|)\,f(s)\,ds$ and
-$V = \int f\cos t\,dt$. Then $X$ falls as fast as $f$, and has a kink at zero,
-$\ddot X + X = f - V\delta$. We compute
+For even $d$ and any $T$ let $X(t) = \int_{|t|}^\infty \sin(s-|t|)\,f(s)\,ds$ and $V = \int f\cos
+t\,dt$. Then $X$ falls as fast as $f$, and has a kink at zero, $\ddot X + X = f - V\delta$. We compute
 $$d(t) = X(t+T) - 2X(t) + X(t-T) + V\sin(T-|t|)_{|t|<T}.$$
-At $T = 2\pi k$ this is the kernel equation, since the last term is $VK(t)$, the response to the missing pulse
-$V\delta$. It is also an exact travelling breather, of type II, if $V = 0$. */
+At $T = 2\pi k$ this is the kernel equation, since the last term is $VK(t)$, the response to the missing
+pulse $V\delta$. It is also an exact travelling breather, of type II, if $V = 0$. */
 
 #include <cstddef>
 #include <vector>
@@ -74,9 +73,10 @@ struct KernelWave {
 };
 
 /**
-Newton's method takes the derivative $I - K f'(d)$, whose second part is compact, so that few steps of the
-method of minimal residuals invert it. After each step the panels are cut anew where the contacts open. Even
-functions contain no shift of time and no change of the internal phase, so the derivative is regular. */
+Newton's method takes the derivative $I - K f'(d)$, whose second part is compact, so that few steps of
+the method of minimal residuals invert it. After each step the panels are cut anew where the contacts
+open. Even functions contain no shift of time and no change of the internal phase, so the derivative is
+regular. */
 /// The x with x - K * (stiffness x) = right. Throws std::runtime_error if too many steps are needed.
 Vector<double> solve_linearized(const HalfLine& line, const Vector<double>& stiffness,
                                 const Vector<double>& right);
@@ -86,9 +86,9 @@ KernelWave newton_wave(const KernelWave& guess, double shift_time, const PowerCo
                        const WaveGrid& grid = {});
 
 /**
-A first guess comes from a short ascent of the quotient (quotient.hpp) among even functions. It begins with
-pulses $2\pi - \pi/2k$ apart, a distance at which $k$ pulses support each other. The contact at $t = 0$
-is closed for one sign and open for the other. */
+A first guess comes from a short ascent of the quotient (quotient.hpp) among even functions. It begins
+with pulses $2\pi - \pi/2k$ apart, a distance at which $k$ pulses support each other. The contact at $t
+= 0$ is closed for one sign and open for the other. */
 /// The wave with T = 2 pi k; `sign` is that of the central velocity.
 KernelWave wave_of_type_one(std::size_t k, int sign, const PowerContact& law,
                             const WaveGrid& grid = {});

@@ -4,11 +4,13 @@
 
 The wave of the kernel equation (kernel_wave.hpp) is where
 $$Q(f) = \frac{\int f\,(K*f)\,dt}{\|f\|_p^2},\qquad f \ge 0,\qquad p = 1 + \frac1\alpha,$$
-is largest. There $K*f = S f^{1/\alpha}$ wherever $f > 0$. So we write $f = u^\alpha$ with $u \ge 0$ and repeat
+is largest. There $K*f = S f^{1/\alpha}$ wherever $f > 0$. So we write $f = u^\alpha$ with $u \ge 0$ and
+repeat
 $$u \leftarrow (K*u^\alpha + \mu u)_+$$
-with the norm kept at one. Since $K$ is not positive, the step may go down if $\mu$ is too small; it is then
-refused and repeated with twice the $\mu$. So the quotient never falls, and nothing but its growth decides.
-The method needs the convolution and the weights of the integral, and no other property of the grid. */
+with the norm kept at one. Since $K$ is not positive, the step may go down if $\mu$ is too small; it is
+then refused and repeated with twice the $\mu$. So the quotient never falls, and nothing but its growth
+decides. The method needs the convolution and the weights of the integral, and no other property of the
+grid. */
 
 #include <cstddef>
 #include <functional>
@@ -38,10 +40,10 @@ Ascent ascend(const Convolution& convolve, const Vector<double>& weight, const P
               Vector<double> u, double gain, std::size_t most);
 
 /**
-Random starts have no symmetry, so they live on a plain grid of the whole line, the interval of `shifts` shift
-times with `per_shift` points in each. The trapezoidal sum with $K$ misses the kinks of $K$ at $0$ and
-$\pm T$; Euler and Maclaurin's formula says by how much, $h^2/12$ times the jumps of the derivative, which are
-$-2$ and $1$. */
+Random starts have no symmetry, so they live on a plain grid of the whole line, the interval of `shifts`
+shift times with `per_shift` points in each. The trapezoidal sum with $K$ misses the kinks of $K$ at $0$
+and $\pm T$; Euler and Maclaurin's formula says by how much, $h^2/12$ times the jumps of the derivative,
+which are $-2$ and $1$. */
 class PlainLine {
  public:
   PlainLine(double shift_time, std::size_t shifts, std::size_t per_shift);
