@@ -534,7 +534,8 @@ $V\sin(T/2) = 0$.
 *Computed*: the orbits of type I, two for each $k$ that was tried, and those of type II, to the residuals
 stated; their folds in $s$; the multipliers; the limit of small amplitude. A computation to seventeen
 digits is no proof that an orbit exists. But a proof by interval arithmetic would start from just this: a
-regular solution of as many equations as unknowns.
+regular solution of as many equations as unknowns. Another proof, in the chapter on the kernel equation,
+gives at least one orbit of type I for every $k$.
 
 *Conjectured*: that there are two for every $k$; that what holds the phase decreases with $k$ faster than
 any power of $1/k$. How the tail of a packet falls in the end remains open. */

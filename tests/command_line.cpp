@@ -121,7 +121,14 @@ TEST_CASE("bad input: one line, exit code 2, no file", "[cli]") {
                         {"sec5_travelling_breathers orbit --near 1e9", "--near"},
                         {"sec5_travelling_breathers orbit --near 6 --k 1", "--near"},
                         {"sec5_travelling_breathers orbit --reach 3", "--reach"},
-                        {"sec5_travelling_breathers orbit --s 1", "--s"}}) {
+                        {"sec5_travelling_breathers orbit --s 1", "--s"},
+                        {"sec5_kernel_equation wave --k 0", "--k"},
+                        {"sec5_kernel_equation wave --k 1.5", "--k"},
+                        {"sec5_kernel_equation wave --k 13", "--k"},
+                        {"sec5_kernel_equation wave --sign both", "--sign"},
+                        {"sec5_kernel_equation wave --alpha 1", "--alpha"},
+                        {"sec5_kernel_equation wave --alpha nan", "--alpha"},
+                        {"sec5_kernel_equation wave --alpha 1e9", "--alpha"}}) {
     CAPTURE(arguments);
     const Result r = call(arguments + out);
     CAPTURE(r.errors);
@@ -419,6 +426,21 @@ TEST_CASE("exact travelling breathers report the contract's quantities", "[cli]"
   REQUIRE(hard.code == 0);
   CHECK(hard.output.find("\nn,y,v\n-8,") != std::string::npos);
   CHECK(call("sec5_travelling_breathers orbit --s 1").errors.find("folds") != std::string::npos);
+}
+
+TEST_CASE("a wave of the kernel equation reports the contract's quantities", "[cli]") {
+  const Result plus = call("sec5_kernel_equation wave --k 1 --sign plus"),
+               minus = call("sec5_kernel_equation wave --k 1 --sign minus --alpha 3/2");
+  REQUIRE(plus.code == 0);
+  REQUIRE(minus.code == 0);
+  check_close(quantity(plus, "energy"), 0.180833513579908, 0, 1e-11);
+  check_close(quantity(minus, "energy"), 0.180833513658335, 0, 1e-11);
+  CHECK(quantity(plus, "contacts") == 18);
+  CHECK(quantity(minus, "contacts") == 17);
+  check_close(quantity(plus, "action"), 0.486064036495, 0, 1e-11);
+  check_close(quantity(plus, "quotient"), 1.155210964204, 0, 1e-11);
+  check_close(quantity(plus, "peak"), 0.44625, 1e-5);
+  CHECK(quantity(plus, "residual") < 1e-14);
 }
 
 TEST_CASE("run reports the contract's quantities with errors", "[cli]") {

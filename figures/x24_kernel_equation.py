@@ -1,0 +1,61 @@
+"""Figure x24: the kernel, waves of both signs, the ascent of the quotient, and the quotients against alpha."""
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+import draw
+
+data, out = draw.arguments()
+folder = f"{data}/sec5_kernel_equation"
+kernel = draw.read(f"{folder}/kernel.ecsv")
+profiles = draw.read(f"{folder}/profiles.ecsv")
+ascents = draw.read(f"{folder}/ascents.ecsv")
+quotients = draw.read(f"{folder}/quotients.ecsv")
+
+BLUE, RED, GREEN = "#0072B2", "#D55E00", "#009E73"
+figure, ((a, b), (c, d)) = plt.subplots(2, 2, figsize=(draw.TWO_COLUMNS, 105 * draw.MM),
+                                        layout="constrained")
+for k, colour, dash in ((2, "#888888", "--"), (1, "black", "-")):
+    one = draw.where(kernel, "k", k)
+    a.plot(one["turns"], one["kernel"], dash, color=colour, lw=1, label=f"$k={k}$")
+a.set(xlabel=r"$\sigma/2\pi$", ylabel=r"kernel $K(\sigma)$", xlim=(-2.5, 2.5), ylim=(-1.2, 1.45))
+a.legend(loc="upper right", fontsize=7, ncols=2)
+
+inset = b.inset_axes([0.60, 0.52, 0.38, 0.44])
+for sign, name, colour, dash in ((1, "plus", BLUE, "-"), (-1, "minus", RED, "--")):
+    one = draw.where(profiles, "sign", sign)
+    t = np.concatenate((-one["turns"][::-1], one["turns"]))
+    b.plot(t, np.concatenate((one["d"][::-1], one["d"])), dash, color=colour, lw=1, label=name)
+    inset.plot(one["turns"], one["log_d"], dash, color=colour, lw=0.7)
+b.axhline(0, color="#888888", lw=0.5)
+b.set(xlabel=r"time $t/2\pi$", ylabel="compression $d$", xlim=(-3, 8), ylim=(-0.5, 0.62))
+b.legend(loc="lower right", fontsize=7)
+inset.set(xlim=(0, 6), ylim=(-16, 0))
+inset.set_yticks([-15, -10, -5, 0])
+inset.tick_params(labelsize=6)
+inset.set_xlabel(r"$t/2\pi$", fontsize=6.5, labelpad=1)
+inset.set_ylabel(r"$\log_{10}|d/\max d|$", fontsize=6.5, labelpad=1)
+
+dashes = ["-", "--", ":", "-.", (0, (5, 1)), (0, (1, 2))]
+colours = [BLUE, RED, GREEN, "#CC79A7", "#E69F00", "black"]
+for start, dash, colour in zip(np.unique(ascents["start"]), dashes, colours):
+    one = draw.where(ascents, "start", start)
+    c.plot(one["step"], one["log_missing"], ls=dash, color=colour, lw=0.9, label=f"{start:.0f}")
+c.set(xlabel="steps of the ascent", ylabel=r"$\log_{10}(1-Q/Q_{\mathrm{max}})$", ylim=(-9, 0.5))
+c.set_xscale("symlog", linthresh=10)
+c.set_xlim(0, None)
+c.legend(loc="lower left", fontsize=7, ncols=2, title="random start", title_fontsize=7)
+
+positive = quotients["difference"] > 0
+d.plot(quotients["alpha"], quotients["log_difference"], "-", color="#BBBBBB", lw=0.8)
+for keep, mark, colour, name in ((positive, "o", BLUE, "plus larger"), (~positive, "s", RED, "minus larger")):
+    d.plot(quotients["alpha"][keep], quotients["log_difference"][keep], mark, ms=3.4, mfc="none",
+           mew=0.8, color=colour, label=name)
+d.axhspan(-17, -13.5, color="#EEEEEE", zorder=0)
+d.text(2.6, -15.6, "rounding", fontsize=7, color="#666666")
+d.set(xlabel=r"exponent $\alpha$ of the contacts", ylim=(-16.6, 1),
+      ylabel=r"$\log_{10}$ of the difference of $Q$, relative")
+d.legend(loc="lower right", fontsize=7, bbox_to_anchor=(1, 0.2))
+for axes, name in zip((a, b, c, d), "abcd"):
+    draw.letter(axes, name)
+draw.save(figure, out)

@@ -1,0 +1,85 @@
+#include "sec5/quotient.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace lattice {
+
+namespace {
+
+Vector<double> forces(const PowerContact& law, Vector<double> u) {
+  for (double& x : u) x = law.force(-x);
+  return u;
+}
+
+/// Scales u so that the norm of f = u^alpha is one, and returns f.
+Vector<double> normalized(const PowerContact& law, const Vector<double>& weight,
+                          Vector<double>& u) {
+  Vector<double> f = forces(law, u);
+  const double mass = weight.dot(u.cwiseProduct(f)), a = law.exponent;
+  u *= std::pow(mass, -1 / (a + 1));
+  f *= std::pow(mass, -a / (a + 1));
+  return f;
+}
+
+}  // namespace
+
+Vector<double> Ascent::wave(const PowerContact& law) const {
+  return std::pow(quotient(), -law.exponent / (law.exponent - 1)) * image;
+}
+
+Ascent ascend(const Convolution& convolve, const Vector<double>& weight, const PowerContact& law,
+              Vector<double> u, double gain, std::size_t most) {
+  Vector<double> f = normalized(law, weight, u);
+  Ascent course{u, convolve(f), {}};
+  course.quotients.push_back(weight.dot(f.cwiseProduct(course.image)));
+  double mu = 1;
+  for (std::size_t tries = 0; tries < most && mu < 1e6; ++tries) {
+    Vector<double> trial = (course.image + mu * course.u).cwiseMax(0);
+    const Vector<double> force = normalized(law, weight, trial), image = convolve(force);
+    const double quotient = weight.dot(force.cwiseProduct(image)),
+                 grown = quotient - course.quotient();
+    // A step that does not go up is refused
+    if (!(grown > 0)) {
+      mu *= 2;
+      continue;
+    }
+    mu *= 0.8;
+    course.u = trial, course.image = image;
+    course.quotients.push_back(quotient);
+    if (grown < gain * quotient) break;
+  }
+  return course;
+}
+
+PlainLine::PlainLine(double shift_time, std::size_t shifts, std::size_t per_shift)
+    : per_shift_(per_shift), step_(shift_time / double(per_shift)) {
+  t_.resize(Eigen::Index(shifts * per_shift));
+  cosine_ = sine_ = t_;
+  for (Eigen::Index i = 0; i < t_.size(); ++i) {
+    t_[i] = double(i) * step_;
+    cosine_[i] = std::cos(t_[i]), sine_[i] = std::sin(t_[i]);
+  }
+}
+
+Vector<double> PlainLine::convolve(const Vector<double>& f) const {
+  const Eigen::Index n = t_.size(), shift = Eigen::Index(per_shift_);
+  // Sums of f cos and f sin up to, and without, each point
+  Vector<double> c(n + 1), s(n + 1);
+  c[0] = s[0] = 0;
+  for (Eigen::Index i = 0; i < n; ++i)
+    c[i + 1] = c[i] + f[i] * cosine_[i], s[i + 1] = s[i] + f[i] * sine_[i];
+  Vector<double> d(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Eigen::Index first = i < shift ? 0 : i - shift, last = i + shift < n ? i + shift + 1 : n;
+    const double ahead_c = c[last] - c[i], ahead_s = s[last] - s[i], behind_c = c[i] - c[first],
+                 behind_s = s[i] - s[first];
+    const double jumps =
+        (i + shift < n ? f[i + shift] : 0) - 2 * f[i] + (i < shift ? 0 : f[i - shift]);
+    d[i] = step_ * (sine_[i] * (ahead_c - behind_c) - cosine_[i] * (ahead_s - behind_s)) +
+           step_ * step_ / 12 * jumps;
+  }
+  return d;
+}
+
+}  // namespace lattice

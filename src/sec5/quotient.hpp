@@ -1,0 +1,61 @@
+#pragma once
+/**
+# The quotient and its ascent
+
+The wave of the kernel equation (kernel_wave.hpp) is where
+$$Q(f) = \frac{\int f\,(K*f)\,dt}{\|f\|_p^2},\qquad f \ge 0,\qquad p = 1 + \frac1\alpha,$$
+is largest. There $K*f = S f^{1/\alpha}$ wherever $f > 0$. So we write $f = u^\alpha$ with $u \ge 0$ and
+repeat
+$$u \leftarrow (K*u^\alpha + \mu u)_+$$
+with the norm kept at one. Since $K$ is not positive, the step may go down if $\mu$ is too small; it is
+then refused and repeated with twice the $\mu$. So the quotient never falls, and nothing but its growth
+decides. The method needs the convolution and the weights of the integral, and no other property of the
+grid. */
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "lattice/model/contact.hpp"
+#include "lattice/numbers/dense.hpp"
+
+namespace lattice {
+
+/// K * f for the values of f on some grid.
+using Convolution = std::function<Vector<double>(const Vector<double>&)>;
+
+/// The course of an ascent: u, K * u^alpha, and the quotient after every step that was taken.
+struct Ascent {
+  Vector<double> u, image;
+  std::vector<double> quotients;
+
+  double quotient() const { return quotients.back(); }
+  /// The compression d = K * f of the wave whose force is a multiple of u^alpha.
+  Vector<double> wave(const PowerContact& law) const;
+};
+
+/// Goes up from `u` until a step gains less than `gain` of the quotient, or `most` steps are taken. A
+/// start whose quotient is not positive is allowed, since only the growth counts.
+Ascent ascend(const Convolution& convolve, const Vector<double>& weight, const PowerContact& law,
+              Vector<double> u, double gain, std::size_t most);
+
+/**
+Random starts have no symmetry, so they live on a plain grid of the whole line, the interval of `shifts`
+shift times with `per_shift` points in each. The trapezoidal sum with $K$ misses the kinks of $K$ at $0$
+and $\pm T$; Euler and Maclaurin's formula says by how much, $h^2/12$ times the jumps of the derivative,
+which are $-2$ and $1$. */
+class PlainLine {
+ public:
+  PlainLine(double shift_time, std::size_t shifts, std::size_t per_shift);
+
+  const Vector<double>& t() const { return t_; }
+  Vector<double> weight() const { return Vector<double>::Constant(t_.size(), step_); }
+  Vector<double> convolve(const Vector<double>& f) const;
+
+ private:
+  std::size_t per_shift_;
+  double step_;
+  Vector<double> t_, cosine_, sine_;
+};
+
+}  // namespace lattice
