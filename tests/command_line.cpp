@@ -121,7 +121,10 @@ TEST_CASE("bad input: one line, exit code 2, no file", "[cli]") {
                         {"sec5_travelling_breathers orbit --near 1e9", "--near"},
                         {"sec5_travelling_breathers orbit --near 6 --k 1", "--near"},
                         {"sec5_travelling_breathers orbit --reach 3", "--reach"},
-                        {"sec5_travelling_breathers orbit --s 1", "--s"}}) {
+                        {"sec5_travelling_breathers orbit --s 1", "--s"},
+                        {"sec5_enclosures dps --centre corner", "--centre"},
+                        {"sec5_enclosures breather --centre between", "--centre"},
+                        {"sec5_enclosures breather --omega 1.2", "--omega"}}) {
     CAPTURE(arguments);
     const Result r = call(arguments + out);
     CAPTURE(r.errors);

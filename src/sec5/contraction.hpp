@@ -53,9 +53,9 @@ std::pair<Contraction<T>, Contraction<T>> two_balls(T eta, T largest, Bound q) {
     const T radius = unique.radius / 2;
     unique = {eta, q(radius), radius};
   }
-  const T radius = std::min(unique.radius, (Interval<T>(eta) * T(1.0009765625) /
-                                            (Interval<T>(1) - Interval<T>(unique.q)))
-                                               .upper);
+  const T radius = std::min(
+      unique.radius,
+      (Interval<T>(eta) * T(1.0009765625) / (Interval<T>(1) - Interval<T>(unique.q))).upper);
   const Contraction<T> exists{eta, q(radius), radius};
   if (!exists.holds()) throw NotProved("no ball that the map leaves invariant");
   return {unique, exists};

@@ -35,7 +35,8 @@ counts have an answer. */
 /// otherwise all numbers.
 template <class T>
 Interval<T> enclosed_eigenvalue(const std::vector<Interval<T>>& diagonal,
-                               const std::vector<Interval<T>>& beside, std::size_t k, T least, T most) {
+                                const std::vector<Interval<T>>& beside, std::size_t k, T least,
+                                T most) {
   const auto above_at = [&](T x) { return counted_above(diagonal, beside, x); };
   if (above_at(least).value_or(0) < k || above_at(most).value_or(k) >= k) return Interval<T>::all();
   Interval<T> found{least, most};

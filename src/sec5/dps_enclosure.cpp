@@ -43,8 +43,7 @@ std::vector<Interval<T>> box(const DpsGuess<T>& guess, T radius) {
 
 /// DF on the window, from strains; the neighbour behind the window is left out.
 template <class T>
-std::vector<std::vector<Interval<T>>> derivative(Centre centre,
-                                                 const std::vector<Interval<T>>& r) {
+std::vector<std::vector<Interval<T>>> derivative(Centre centre, const std::vector<Interval<T>>& r) {
   const std::size_t n = r.size();
   std::vector<std::vector<Interval<T>>> matrix(n, std::vector<Interval<T>>(n));
   for (std::size_t i = 0; i < n; ++i) {
@@ -181,7 +180,8 @@ Interval<T> DpsBreather<T>::largest() const {
 
 template <class T>
 Interval<T> DpsBreather<T>::norm() const {
-  Interval<T> sum = T(2) * Interval<T>(T(0), (tail * phi(tail)).upper);  // each less than half the last
+  Interval<T> sum =
+      T(2) * Interval<T>(T(0), (tail * phi(tail)).upper);  // each less than half the last
   for (std::size_t i = r.size(); i-- > 1;) sum += r[i] * phi(r[i]);
   const Interval<T> middle = r[0] * phi(r[0]);
   return centre == Centre::bond ? middle + T(2) * sum : T(2) * (middle + sum);
@@ -216,13 +216,12 @@ Barrier<T> dps_barrier(const DpsBreather<T>& site, const DpsBreather<T>& bond) {
 
 namespace {
 
-enum class Fate { discarded, inside, open };
-
 /// Whether a profile with this r_0 > 1/16 certainly increases somewhere before it has left the constant one. From
 /// y_n = phi(r_n) - 1/64 follows y_(n+1) = (g - 2) y_n - y_(n-1), g being a slope of P^(2/3).
 template <class T>
 bool turns_back(Centre centre, const Interval<T>& r_0) {
-  const Interval<T> constant = Interval<T>(1) / Interval<T>(64), two_thirds = Interval<T>(2) / Interval<T>(3);
+  const Interval<T> constant = Interval<T>(1) / Interval<T>(64),
+                    two_thirds = Interval<T>(2) / Interval<T>(3);
   const Interval<T> largest = phi(r_0) - constant, one(1);
   // All y_n are sought as multiples z_n of y_0, and those met here must not exceed 2 in modulus
   const Interval<T> range = constant + hull(largest, -largest) * T(2);
@@ -241,14 +240,14 @@ bool turns_back(Centre centre, const Interval<T>& r_0) {
 
 /// The profiles of this r_0, outwards.
 template <class T>
-Fate follow_profiles(const DpsBreather<T>& b, const Interval<T>& r_0) {
+Piece<T> follow_profiles(const DpsBreather<T>& b, const Interval<T>& r_0) {
   const T radius = b.unique.radius;
   const auto in_ball = [&](const Interval<T>& x, std::size_t n) {
     const Interval<T> c = n < b.r.size() ? b.r[n] : b.tail;
     // The ball is centred at the guess, which is at most the radius of existence from the solution
     return (abs(x - c) + b.exists.radius).upper <= radius;
   };
-  if (turns_back(b.centre, r_0)) return Fate::discarded;
+  if (turns_back(b.centre, r_0)) return {r_0, Fate::discarded, 0};
   Interval<T> r = r_0, force_before{}, force = phi(r);
   bool inside = in_ball(r, 0);
   for (std::size_t n = 0; n < b.r.size(); ++n) {
@@ -257,44 +256,47 @@ Fate follow_profiles(const DpsBreather<T>& b, const Interval<T>& r_0) {
       next = b.centre == Centre::bond ? (r - T(2) * force) / Interval<T>(2) : r - T(3) * force;
     const Interval<T> narrow = cube_root(next), allowed{force.lower, r.upper};
     const Interval<T> strain = common(narrow * narrow, allowed);
-    if (next.upper < 0 || empty(strain)) return Fate::discarded;
+    if (next.upper < 0 || empty(strain)) return {r_0, Fate::discarded, n + 1};
     force_before = force, r = strain, force = common(phi(strain), next);
-    if (empty(force)) return Fate::discarded;
+    if (empty(force)) return {r_0, Fate::discarded, n + 1};
     inside = inside && in_ball(r, n + 1);
     // From here on all strains lie between zero and this one, and so do those of the guess
     const T most = std::max(r.upper, n + 1 < b.r.size() ? b.r[n + 1].upper : b.tail.upper);
-    if (inside && (Interval<T>(most) + b.exists.radius).upper <= radius) return Fate::inside;
+    if (inside && (Interval<T>(most) + b.exists.radius).upper <= radius)
+      return {r_0, Fate::inside, n + 1};
   }
-  return Fate::open;
+  return {r_0, Fate::open, b.r.size()};
 }
 
 }  // namespace
 
 template <class T>
-Search search_profiles(const DpsBreather<T>& breather, int depth) {
-  Search search;
+std::vector<Piece<T>> search_profiles(const DpsBreather<T>& breather, int depth) {
+  std::vector<Piece<T>> pieces;
   const auto look = [&](auto&& self, T from, T to, int left) -> void {
-    const Fate fate = follow_profiles(breather, Interval<T>(from, to));
+    const Piece<T> piece = follow_profiles(breather, Interval<T>(from, to));
+    if (piece.fate != Fate::open || left == 0) {
+      pieces.push_back(piece);
+      return;
+    }
     const T middle = from + (to - from) / 2;
-    if (fate == Fate::discarded) ++search.discarded;
-    else if (fate == Fate::inside) ++search.inside;
-    else if (left == 0) ++search.open;
-    else self(self, from, middle, left - 1), self(self, middle, to, left - 1);
+    self(self, from, middle, left - 1);
+    self(self, middle, to, left - 1);
   };
   look(look, T(0.0625), T(0.25), depth);
-  return search;
+  return pieces;
 }
 
-#define LATTICE_ENCLOSURE(T)                                                      \
-  template DpsGuess<T> dps_guess(Centre);                                         \
-  template T dps_eta(const DpsGuess<T>&);                                         \
-  template T dps_q(const DpsGuess<T>&, T);                                        \
-  template struct DpsBreather<T>;                                                 \
-  template DpsBreather<T> enclose_dps(Centre);                                    \
-  template Interval<T> contact_eigenvalue(const DpsBreather<T>&, std::size_t);    \
-  template Interval<T> square_of_exponent(const Interval<T>&);                    \
-  template Barrier<T> dps_barrier(const DpsBreather<T>&, const DpsBreather<T>&);  \
-  template Search search_profiles(const DpsBreather<T>&, int);
+#define LATTICE_ENCLOSURE(T)                                                     \
+  template DpsGuess<T> dps_guess(Centre);                                        \
+  template T dps_eta(const DpsGuess<T>&);                                        \
+  template T dps_q(const DpsGuess<T>&, T);                                       \
+  template struct DpsBreather<T>;                                                \
+  template DpsBreather<T> enclose_dps(Centre);                                   \
+  template Interval<T> contact_eigenvalue(const DpsBreather<T>&, std::size_t);   \
+  template Interval<T> square_of_exponent(const Interval<T>&);                   \
+  template Barrier<T> dps_barrier(const DpsBreather<T>&, const DpsBreather<T>&); \
+  template std::vector<Piece<T>> search_profiles(const DpsBreather<T>&, int);
 LATTICE_ENCLOSURE(double)
 LATTICE_ENCLOSURE(long double)
 #undef LATTICE_ENCLOSURE

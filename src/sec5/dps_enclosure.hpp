@@ -117,12 +117,18 @@ One profile would never be decided: the constant one, $r_n = \frac1{16}$, which 
 tend to zero. Close to it the forces $P_n = \varphi(r_n)$ differ from $\frac1{64}$ by $y_n$ with
 $y_{n+1} = (g-2)y_n-y_{n-1}$, where $g$ is a slope of $P^{2/3}$, about $\frac83$. These deviations rotate by some
 seventy degrees from contact to contact, so the profile increases again before it has left, or is constant. */
-struct Search {
-  std::size_t discarded = 0, inside = 0, open = 0;  ///< intervals of r_0
+/// What became of an interval of r_0: discarded or decided at a contact, or open.
+enum class Fate { discarded, inside, open };
+template <class T>
+struct Piece {
+  Interval<T> r_0;
+  Fate fate;
+  std::size_t contact;
 };
 
-/// Cuts the range of r_0, at most to `depth` halvings.
+/// The range of r_0 in pieces, from the smallest on, each from at most `depth` halvings. There is no other profile
+/// if none is open.
 template <class T>
-Search search_profiles(const DpsBreather<T>& breather, int depth = 40);
+std::vector<Piece<T>> search_profiles(const DpsBreather<T>& breather, int depth = 30);
 
 }  // namespace lattice

@@ -108,37 +108,65 @@ Interval<T> operator/(const Interval<T>& a, const Interval<T>& b) {
 /**
 Mixed expressions with exact numbers. */
 template <class T>
-Interval<T> operator+(const Interval<T>& a, T b) { return a + Interval<T>(b); }
+Interval<T> operator+(const Interval<T>& a, T b) {
+  return a + Interval<T>(b);
+}
 template <class T>
-Interval<T> operator+(T a, const Interval<T>& b) { return Interval<T>(a) + b; }
+Interval<T> operator+(T a, const Interval<T>& b) {
+  return Interval<T>(a) + b;
+}
 template <class T>
-Interval<T> operator-(const Interval<T>& a, T b) { return a - Interval<T>(b); }
+Interval<T> operator-(const Interval<T>& a, T b) {
+  return a - Interval<T>(b);
+}
 template <class T>
-Interval<T> operator-(T a, const Interval<T>& b) { return Interval<T>(a) - b; }
+Interval<T> operator-(T a, const Interval<T>& b) {
+  return Interval<T>(a) - b;
+}
 template <class T>
-Interval<T> operator*(const Interval<T>& a, T b) { return a * Interval<T>(b); }
+Interval<T> operator*(const Interval<T>& a, T b) {
+  return a * Interval<T>(b);
+}
 template <class T>
-Interval<T> operator*(T a, const Interval<T>& b) { return Interval<T>(a) * b; }
+Interval<T> operator*(T a, const Interval<T>& b) {
+  return Interval<T>(a) * b;
+}
 template <class T>
-Interval<T> operator/(const Interval<T>& a, T b) { return a / Interval<T>(b); }
+Interval<T> operator/(const Interval<T>& a, T b) {
+  return a / Interval<T>(b);
+}
 template <class T>
-Interval<T> operator/(T a, const Interval<T>& b) { return Interval<T>(a) / b; }
+Interval<T> operator/(T a, const Interval<T>& b) {
+  return Interval<T>(a) / b;
+}
 template <class T>
-Interval<T>& operator+=(Interval<T>& a, const Interval<T>& b) { return a = a + b; }
+Interval<T>& operator+=(Interval<T>& a, const Interval<T>& b) {
+  return a = a + b;
+}
 template <class T>
-Interval<T>& operator-=(Interval<T>& a, const Interval<T>& b) { return a = a - b; }
+Interval<T>& operator-=(Interval<T>& a, const Interval<T>& b) {
+  return a = a - b;
+}
 
 /**
 Statements are made only of what is certain: `a < b` holds if every number of `a` is less than every number of
 `b`. Hence `a < b` and `a >= b` may both be false, and a proof that needs either then fails. */
 template <class T>
-constexpr bool operator<(const Interval<T>& a, const Interval<T>& b) { return a.upper < b.lower; }
+constexpr bool operator<(const Interval<T>& a, const Interval<T>& b) {
+  return a.upper < b.lower;
+}
 template <class T>
-constexpr bool operator>(const Interval<T>& a, const Interval<T>& b) { return b < a; }
+constexpr bool operator>(const Interval<T>& a, const Interval<T>& b) {
+  return b < a;
+}
 template <class T>
-constexpr bool operator<=(const Interval<T>& a, const Interval<T>& b) { return a.upper <= b.lower; }
+constexpr bool operator<=(const Interval<T>& a, const Interval<T>& b) {
+  return a.upper <= b.lower;
+}
 template <class T>
-constexpr bool operator>=(const Interval<T>& a, const Interval<T>& b) { return b <= a; }
+constexpr bool operator>=(const Interval<T>& a, const Interval<T>& b) {
+  return b <= a;
+}
 
 /// The largest modulus, a number of the format.
 template <class T>
