@@ -11,8 +11,8 @@ rounding can break:
 
 It begins with the static breathers of the DpS equation, on the infinite lattice: they exist, one is
 unstable and the other is stable, and the barrier between them has a certain sign. Their margin of
-instability, five millionths, is the closest decision of the whole article. Then it turns to the breathers of the
-chain itself. */
+instability, five millionths, is the closest decision of the whole article. Then it turns to the breathers
+of the chain itself. */
 
 #include <algorithm>
 #include <cmath>
@@ -30,17 +30,18 @@ using namespace lattice;
 /**
 ## What is proved about the DpS equation
 
-Stationary solutions $v_n = u_ne^{i\mu t}$ of Eq. (11) obey Eq. (14). By scaling, $u = \mu^2u^{(1)}$, it suffices to
-take $\mu = 1$. For each of the two centres, on the infinite lattice:
+Stationary solutions $v_n = u_ne^{i\mu t}$ of Eq. (11) obey Eq. (14). By scaling, $u = \mu^2u^{(1)}$, it
+suffices to take $\mu = 1$. For each of the two centres, on the infinite lattice:
 
-1. There is a solution with the symmetry of this centre, with strains that alternate in sign, decrease outwards in
-   modulus and fall double-exponentially. Its strains lie in the intervals of the table `strains`.
+1. There is a solution with the symmetry of this centre whose strains alternate in sign, decrease outwards in
+   modulus and fall double-exponentially. They lie in the intervals of the tables `strains_site` and
+   `strains_bond`.
 2. Among the profiles of this symmetry whose strains alternate, tend to zero and do not increase outwards in
    modulus it is the only one, up to its sign.
 3. Around a site the linearised equation has exactly one real pair $\pm\lambda$, of modulus
    [](num:sec5_enclosures.exponent_site); around a bond it has none. All other exponents are imaginary.
-4. The bond-centred breather is orbitally stable in $\ell^2$: whatever starts close to it stays close to its multiples
-   $e^{i\varphi}u$ for all times.
+4. The bond-centred breather is orbitally stable in $\ell^2$: what starts close to it stays close to its
+   multiples $e^{i\varphi}u$ for all times.
 5. The energy of the site-centred breather minus that of the bond-centred one is positive at equal $\mu$,
    [](num:sec5_enclosures.barrier_equal_mu) at $\mu = 1$, and negative at equal norm, which physics asks for,
    [](num:sec5_enclosures.barrier_equal_norm).
@@ -68,10 +69,10 @@ Estimate estimate_of(const Interval<double>& x) {
 /**
 ## Existence
 
-The strains $r_n$ are sought with the contraction of dps_enclosure.hpp, from the profile that section 3.2 computes.
-That profile is only a guess, and the proof would fail if it were wrong. The map contracts on all
-sequences that differ from it by less than [](num:sec5_enclosures.unique_radius_site) in each contact (about a
-twelfth of $r_0$), and it moves the guess by some $10^{-16}$. So the solution is that close and alone in
+The strains $r_n$ are sought with the contraction of dps_enclosure.hpp, from the profile that section 3.2
+computes. That profile is only a guess, and the proof would fail if it were wrong. The map contracts on all
+sequences that differ from it by less than [](num:sec5_enclosures.unique_radius_site) in each contact (about
+a twelfth of $r_0$), and it moves the guess by some $10^{-16}$. So the solution is that close and alone in
 the large ball. Its components are then tightened until the tail, too, is known to many digits. */
 Table strain_table(const DpsBreather<double>& b) {
   Table table{{count("n", "contact, from the centre outwards"),
@@ -93,12 +94,12 @@ void report_profile(Quantities& facts, const DpsBreather<double>& b, const std::
 /**
 ## Uniqueness
 
-How many breathers of each kind are there? With $r_0$ given, the equation yields $r_1$, $r_2$ and so on, and each must
-be positive and no larger than the one before. Intervals of $r_0$ are followed outwards until this fails, or until all
-their profiles lie in the ball in which there is just one. Around a site
-[](num:sec5_enclosures.discarded_site) intervals are discarded and [](num:sec5_enclosures.inside_site) end in the
-ball, around a bond [](num:sec5_enclosures.discarded_bond) and [](num:sec5_enclosures.inside_bond). None remains,
-else the program would stop here. */
+How many breathers of each kind are there? With $r_0$ given, the equation yields $r_1$, $r_2$ and so on, and
+each must be positive and no larger than the one before. Intervals of $r_0$ are followed outwards until this
+fails, or until all their profiles lie in the ball in which there is just one. Around a site
+[](num:sec5_enclosures.discarded_site) intervals are discarded and [](num:sec5_enclosures.inside_site) end
+in the ball, around a bond [](num:sec5_enclosures.discarded_bond) and [](num:sec5_enclosures.inside_bond).
+None remains, else the program would stop here. */
 Table search_table(const std::vector<Piece<double>>& pieces) {
   Table table{{number("from", "lower end of the interval of r_0"), number("to", "upper end"),
                count("contact", "at which the interval is decided"),
@@ -124,22 +125,23 @@ void report_search(Report& report, const DpsBreather<double>& b, const std::stri
 ## Stability
 
 Section 3.3 shows that all exponents follow from the eigenvalues $m$ of one matrix $M$ by
-$\lambda^2 = -(1-m)(1-\frac32m)$. On the infinite lattice $M$ is compact, its largest eigenvalue is $m_1 = 1$ and
-simple, and a real pair exists for each further $m > \frac23$. Counting pivots decides, and the second and third
-eigenvalue are
+$\lambda^2 = -(1-m)(1-\frac32m)$. On the infinite lattice $M$ is compact, its largest eigenvalue is
+$m_1 = 1$ and simple, and a real pair exists for each further $m > \frac23$. Counting pivots decides, and
+the second and third eigenvalue are
 
         site: m_2 > 2/3 > m_3,     bond: 2/3 > m_2.
 
-Why does that make the bond-centred breather stable in the full equation (Weinstein 1986; Grillakis, Shatah and
-Strauss 1987)? Energy $H = \frac25\sum|v_{n+1}-v_n|^{5/2}$ and norm $N = \sum|v_n|^2$ are conserved, and solutions
-exist for all times because the right side of Eq. (11) is locally Lipschitz on $\ell^2$ and $N$ is bounded. Take
-$v = e^{i\varphi}(u+x+iy)$ with $N(v) = N(u)$ and with the phase that is closest, so that $y\perp u$. Then
-$2\langle x,u\rangle = -|x|^2-|y|^2$: to first order $x\perp u$ as well. Since $H$ is twice differentiable with
-a Hölder continuous second derivative,
+Why does that make the bond-centred breather stable in the full equation (Weinstein 1986; Grillakis, Shatah
+and Strauss 1987)? Energy $H = \frac25\sum|v_{n+1}-v_n|^{5/2}$ and norm $N = \sum|v_n|^2$ are conserved, and
+solutions exist for all times because the right side of Eq. (11) is locally Lipschitz on $\ell^2$ and $N$ is
+bounded. Take $v = e^{i\varphi}(u+x+iy)$ with $N(v) = N(u)$ and with the phase that is closest, so that
+$y\perp u$. Then $2\langle x,u\rangle = -|x|^2-|y|^2$: to first order $x\perp u$ as well. Since $H$ is twice
+differentiable with a Hölder continuous second derivative,
 $$H(u)-H(v) = \tfrac12\langle x,(1-\tfrac32M)x\rangle+\tfrac12\langle y,(1-M)y\rangle+O(|x|^{5/2}+|y|^{5/2}).$$
-On $u^\perp$ the first form is at least $(1-\frac32m_2)|x|^2$ and the second $(1-m_2)|y|^2$, both positive. So $H$ has a
-strict maximum at the orbit of $u$ among states of its norm, with a quadratic bound, and a solution that starts
-close cannot leave. If its norm is slightly different, we compare it with $\mu^2u$ of the same norm. */
+On $u^\perp$ the first form is at least $(1-\frac32m_2)|x|^2$ and the second $(1-m_2)|y|^2$, both positive.
+So $H$ has a strict maximum at the orbit of $u$ among states of its norm, with a quadratic bound, and a
+solution that starts close cannot leave. If its norm is slightly different, we compare it with $\mu^2u$ of
+the same norm. */
 Table eigenvalue_table(const DpsBreather<double>& b) {
   Table table{{count("k", "number of the eigenvalue of M"), number("lower", "lower bound"),
                number("upper", "upper bound")}};
@@ -178,13 +180,13 @@ Barrier<double> certain_barrier(const Both& both) {
 ## The breathers of the chain
 
 The same lemma serves the chain of Eqs. (6) and (10) in the linear well, $s = 0$, at $\omega_b = 1.1$
-(chain_enclosure.hpp): unknown are now functions of time, the compressions of all contacts of the infinite chain in
-the supremum norm. Proved, for each of the two centres: there is a periodic solution with this frequency
-and the symmetry of its centre, even in time, which falls double-exponentially along the chain. It differs by no
-more than `radius` from the guess, a sum of cosines, in each contact at each time, and there is no second solution of
-this symmetry that differs by less than `unique_radius`. Amplitude and energy follow. The table `bounds` has the
-constants of the proof, all rounded upwards: $\kappa = \|A\|-1$, the residual of the guess,
-$\eta \le (1+\kappa)\,$residual, and $q$.
+(chain_enclosure.hpp): unknown are now functions of time, the compressions of all contacts of the infinite
+chain in the supremum norm. Proved, for each of the two centres: there is a periodic solution with this
+frequency and the symmetry of its centre, even in time, which falls double-exponentially along the chain. It
+differs by no more than `radius` from the guess, a sum of cosines, in each contact at each time, and there
+is no second solution of this symmetry that differs by less than `unique_radius`. Amplitude and energy
+follow. The table `bounds` has the constants of the proof, all rounded upwards: $\kappa = \|A\|-1$, the
+residual of the guess, $\eta \le (1+\kappa)\,$residual, and $q$.
 
 Not proved is anything about its Floquet multipliers, or about its barrier, of order $10^{-11}$. */
 const std::pair<int, int> omega_b{11, 10};
@@ -227,9 +229,9 @@ void report_chain(Report& report) {
 /**
 ## What the lemma needs (figure x25)
 
-A ball of radius $\rho$ proves something if $\eta/\rho+q(\rho) \le 1$. The figure draws this sum for the DpS breathers.
-The interval between both crossings is the room of the proof: on the left the solution is where we say, on the right
-there is no other. */
+A ball of radius $\rho$ proves something if $\eta/\rho+q(\rho) \le 1$. The figure draws this sum for the DpS
+breathers. The interval between both crossings is the room of the proof: on the left the solution is where
+we say, on the right there is no other. */
 Table lemma_table() {
   Table table{{number("radius", "of the ball, in strains"),
                number("site", "eta / radius + q, site-centred"),
@@ -252,9 +254,10 @@ The second eigenvalue differs from $\frac23$ by [](num:sec5_enclosures.margin_si
 [](num:sec5_enclosures.norm_bond), the largest displacements [](num:sec5_enclosures.u0_site) and
 [](num:sec5_enclosures.u0_bond).
 
-At $\omega_b = 1.1$ the chain's breathers have the amplitudes [](num:sec5_enclosures.amplitude_site) (site) and
-[](num:sec5_enclosures.amplitude_bond) (bond) and the energies [](num:sec5_enclosures.energy_site) and
-[](num:sec5_enclosures.energy_bond); the difference of the energies is far below what these intervals resolve. */
+At $\omega_b = 1.1$ the chain's breathers have the amplitudes [](num:sec5_enclosures.amplitude_site) (site)
+and [](num:sec5_enclosures.amplitude_bond) (bond) and the energies [](num:sec5_enclosures.energy_site) and
+[](num:sec5_enclosures.energy_bond); the difference of the energies is far below what these intervals
+resolve. */
 void reproduce(Report& report) {
   const Both both;
   for (const auto& [centre, name] : centres) {
@@ -277,15 +280,16 @@ void reproduce(Report& report) {
 /**
 ## Checks
 
-The arithmetic is tested on a million random operations against four-fold precision, and so is Boost.Interval, which
-fails without a special option of the compiler. All that concerns the DpS equation is repeated by a second program
-in another language, with the intervals of the Python package mpmath and eighty digits: its intervals lie in ours. Errors
-put into the proof, one at a time, make it fail.
+The arithmetic is tested on a million random operations against four-fold precision, and so is
+Boost.Interval, which fails without a special option of the compiler. All that concerns the DpS equation is
+repeated by a second program in another language, with the intervals of the Python package mpmath and eighty
+digits: its intervals lie in ours. Errors put into the proof, one at a time, make it fail.
 
 ## Enclosures to be printed
 
-`sec5_enclosures dps --centre bond` prints the bounds for the DpS equation, `sec5_enclosures breather --centre site`
-those for the chain. The barriers belong to both centres. A quantity that cannot be certified is not printed. */
+`sec5_enclosures dps --centre bond` prints the bounds for the DpS equation, `sec5_enclosures breather
+--centre site` those for the chain. The barriers belong to both centres. A quantity that cannot be certified
+is not printed. */
 struct Bounds {
   Table table{{label("quantity", "what is enclosed"), number("lower", "lower bound"),
                number("upper", "upper bound")}};

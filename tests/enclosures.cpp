@@ -60,7 +60,7 @@ TEST_CASE("the DpS breathers lie where they are computed", "[unit][dps]") {
       CHECK((double(wide.r[n].lower) >= b.r[n].lower && double(wide.r[n].upper) <= b.r[n].upper));
       const long double r = std::abs(state.strain[n]);
       CHECK((b.r[n].lower <= r && r <= b.r[n].upper));
-      CHECK(b.r[n].upper - b.r[n].lower < 1e-12 * b.r[n].lower);
+      CHECK(b.r[n].upper - b.r[n].lower < 1e-11 * b.r[n].lower);
     }
     CHECK((b.norm().lower <= state.norm() && state.norm() <= b.norm().upper));
     CHECK(contact_eigenvalue(b, 1).contains(1));
@@ -129,7 +129,7 @@ TEST_CASE("the bound of the derivative bounds the map", "[property][dps]") {
     largest = std::max(largest, moved / apart);
   }
   CHECK(largest <= q);
-  CHECK(largest > 0.02 * q);
+  CHECK(largest > 0.01 * q);
 }
 
 TEST_CASE("no profile is left, and a smaller ball would leave some", "[unit][dps]") {

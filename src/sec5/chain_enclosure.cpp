@@ -30,17 +30,19 @@ Number largest_of_kernel(const Number& omega) {
   return enclosed_pi() / (omega * sine(omega));
 }
 
-/// Sum of the moduli of coefficients, the k-th weighted with k^power.
-Number weighted_sum(const std::vector<double>& c, int power) {
+enum class Weight { one, square };
+
+/// Sum of the moduli of coefficients, the k-th weighted with 1 or, for the second derivative, k^2.
+Number weighted_sum(const std::vector<double>& c, Weight weight) {
   Number sum{};
   for (std::size_t k = 0; k < c.size(); ++k)
-    sum += Number(std::abs(c[k])) * std::pow(double(k), power);  // powers 0 and 2 are exact
+    sum += Number(std::abs(c[k])) * double(weight == Weight::one ? 1 : k * k);
   return sum;
 }
 
 /// V / (2 pi) for f = c_+^(3/2).
 Number variation(const std::vector<double>& c) {
-  return Number(3) * root(weighted_sum(c, 0)) * weighted_sum(c, 2);
+  return Number(3) * root(weighted_sum(c, Weight::one)) * weighted_sum(c, Weight::square);
 }
 
 /// 1 / (1 - omega^2 k^2).
@@ -143,7 +145,7 @@ namespace {
 Numbers ranges(const std::vector<double>& c, std::size_t cells) {
   const Sampled values = sample(c, CosineTable(2 * cells));
   const Number h = enclosed_pi() / double(cells);
-  const Number bend = h * h / Number(8) * weighted_sum(c, 2) + Number(values.error);
+  const Number bend = h * h / Number(8) * weighted_sum(c, Weight::square) + Number(values.error);
   Numbers out;
   for (std::size_t p = 0; p < cells; ++p)
     out.push_back(hull(Number(values.value[p]), Number(values.value[p + 1])) +

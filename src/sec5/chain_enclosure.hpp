@@ -3,16 +3,16 @@
 # The breathers of the chain, enclosed
 
 In linear wells the compressions $d_n = y_n-y_{n+1}$ of a breather of frequency $\omega$ obey
-$\ddot d_n+d_n = f_{n-1}-2f_n+f_{n+1}$ with $f_n = (d_n)_+^{3/2}$. As functions of $\theta = \omega t$ they have the
-period $2\pi$, and where $\omega$ is not the inverse of an integer the left side can be inverted, by the
-convolution $Gf(\theta) = \frac1{2\pi}\int g(\theta-\vartheta)f(\vartheta)\,d\vartheta$ with the Fourier coefficients
-$G_k = 1/(1-\omega^2k^2)$. So
+$\ddot d_n+d_n = f_{n-1}-2f_n+f_{n+1}$ with $f_n = (d_n)_+^{3/2}$. As functions of $\theta = \omega t$ they
+have the period $2\pi$, and where $\omega$ is not the inverse of an integer the left side can be inverted,
+by the convolution $Gf(\theta) = \frac1{2\pi}\int g(\theta-\vartheta)f(\vartheta)\,d\vartheta$ with the
+Fourier coefficients $G_k = 1/(1-\omega^2k^2)$. So
 $$F(d)_n = d_n-G(f_{n-1}-2f_n+f_{n+1}) = 0$$
-on the space of bounded sequences of continuous even functions. The left neighbour of contact 0 is $d_1$ around a
-bond and $d_0$ half a period later around a site. Conversely $y_n = G(f_{n-1}-f_n)$ turns any zero of $F$ into a
-motion of the chain. In $C^0$ the map $F$ is continuously differentiable with
-$DF(d)v = v-G(\Delta(av))$, $a = \frac32(d_+)^{1/2}$, and the supremum norm lets the proof see that a square root
-is bad near zero and near zero only: what counts is an integral over time.
+on the space of bounded sequences of continuous even functions. The left neighbour of contact 0 is $d_1$
+around a bond and $d_0$ half a period later around a site. Conversely $y_n = G(f_{n-1}-f_n)$ turns any zero
+of $F$ into a motion of the chain. In $C^0$ the map $F$ is continuously differentiable with
+$DF(d)v = v-G(\Delta(av))$, $a = \frac32(d_+)^{1/2}$, and the supremum norm lets the proof see that a square
+root is bad near zero and near zero only: what counts is an integral over time.
 
 The constants of $g$ are $\gamma = \frac1{2\pi}\int|g| = 2/s-1$ and $|g| \le \pi/(\omega s)$ with
 $s = \sin(\pi/\omega)$, for $1 < \omega < 2$. */
@@ -49,27 +49,27 @@ ChainGuess chain_guess(Centre centre, int numerator, int denominator, const Fine
 /**
 ## The residual
 
-The Fourier coefficients of $f = (c_+)^{3/2}$ are computed from $M$ samples. The discrete ones contain those at
-$k+jM$ too. As $f'$ has bounded variation, $|f_k| \le V/(2\pi k^2)$, and integration by parts on each interval of
-contact gives $V \le 3\int c_+^{1/2}|c''|\,d\theta$: of $f'' = \frac32c^{1/2}c''+\frac34c'^2c^{-1/2}$ the second term has
-the integral $-\frac32\int c^{1/2}c''$. That bounds both what is folded back and what lies beyond the harmonics of the
-guess. */
+The Fourier coefficients of $f = (c_+)^{3/2}$ are computed from $M$ samples. The discrete ones contain those
+at $k+jM$ too. As $f'$ has bounded variation, $|f_k| \le V/(2\pi k^2)$, and integration by parts on each
+interval of contact gives $V \le 3\int c_+^{1/2}|c''|\,d\theta$: of
+$f'' = \frac32c^{1/2}c''+\frac34c'^2c^{-1/2}$ the second term has the integral $-\frac32\int c^{1/2}c''$.
+That bounds both what is folded back and what lies beyond the harmonics of the guess. */
 /// sup |F(c)_n| for every contact of the window, and for the first behind it.
 std::vector<double> chain_residuals(const ChainGuess& guess, const Fineness& fineness);
 
 /**
 ## The inverse of the derivative
 
-On $m+1$ nodes of the half circle, functions are replaced by broken lines, an operation $\Pi$ of norm one. Let
-$B = G\Delta\tilde a$ with a stiffness $\tilde a$ that is constant on small cells and zero behind the window, $N$ the
-values at the nodes, $E$ the broken line through values, $\mathfrak B = NBE$, and $C$ a matrix, an approximate inverse of
-$1-\mathfrak B$. We take
+On $m+1$ nodes of the half circle, functions are replaced by broken lines, an operation $\Pi$ of norm one.
+Let $B = G\Delta\tilde a$ with a stiffness $\tilde a$ that is constant on small cells and zero behind the
+window, $N$ the values at the nodes, $E$ the broken line through values, $\mathfrak B = NBE$, and $C$ a
+matrix, an approximate inverse of $1-\mathfrak B$. We take
 $$A = 1+ECNB, \qquad
   1-A(1-B) = (1-\Pi)B+E[1-C(1-\mathfrak B)]NB+ECNB(1-\Pi)B,$$
 an identity. All its terms are small: $\|(1-\Pi)B\| \le \epsilon = \frac18(\pi/m)^2\sup|(Bv)''|$ and
 $\|1-C(1-\mathfrak B)\| = \delta$. The norm of $CNB$, a matrix of functions, is $\kappa$: its entries are
-linear combinations of $g$, between two nodes a combination of two sines, and we integrate their modulus from the
-values at the nodes. With $B_d$ for the stiffness of any $d$ in the ball
+linear combinations of $g$, between two nodes a combination of two sines, and we integrate their modulus
+from the values at the nodes. With $B_d$ for the stiffness of any $d$ in the ball
 $$\|1-A\,DF(d)\| \le (1+\kappa)(\epsilon+\|B_d-B\|)+\delta\|B\|$$
 in the window. Behind it $A$ is the identity and rows are bounded by $\gamma$ times the stiffness there. */
 class ChainProof {
@@ -107,8 +107,8 @@ class ChainProof {
 ## The breather
 
 Behind the window $\delta_n = \sup|d_n|$ obeys
-$\sup_{m>n}\delta_m \le 2\gamma\,(\sup_{m\ge n}\delta_m)^{3/2}$ once $3\gamma\sqrt{\delta} < \frac12$ there: the tail
-falls double-exponentially, and what it adds to amplitude and energy is bounded by the ball. */
+$\sup_{m>n}\delta_m \le 2\gamma\,(\sup_{m\ge n}\delta_m)^{3/2}$ once $3\gamma\sqrt{\delta} < \frac12$ there:
+the tail falls double-exponentially, and what it adds to amplitude and energy is bounded by the ball. */
 struct ChainBreather {
   Contraction<double> unique, exists;
   double kappa, delta, epsilon, residual;

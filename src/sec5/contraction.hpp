@@ -38,8 +38,9 @@ struct Contraction {
 
 /**
 The same guess is used with two balls. The largest one that passes says where there is *no other* solution,
-the smallest where the solution *is*. We look for the first by halving a radius, and take for the second
-$\eta/(1-q)$ with the $q$ of the first, a little enlarged; if the smaller ball then fails, nothing is claimed. */
+a small one where the solution *is*. We look for the first by halving a radius, and take for the second
+$\eta/(1-q)$, a little enlarged, with a $q$ that becomes smaller with the ball; if it fails, nothing is
+claimed. */
 struct NotProved : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -53,10 +54,13 @@ std::pair<Contraction<T>, Contraction<T>> two_balls(T eta, T largest, Bound q) {
     const T radius = unique.radius / 2;
     unique = {eta, q(radius), radius};
   }
-  const T radius = std::min(
-      unique.radius,
-      (Interval<T>(eta) * T(1.0009765625) / (Interval<T>(1) - Interval<T>(unique.q))).upper);
-  const Contraction<T> exists{eta, q(radius), radius};
+  Contraction<T> exists = unique;
+  for (int i = 0; i < 3; ++i) {
+    const Interval<T> enough =
+        Interval<T>(eta) * T(1.0009765625) / (Interval<T>(1) - Interval<T>(exists.q));
+    const T radius = std::min(exists.radius, enough.upper);
+    exists = {eta, q(radius), radius};
+  }
   if (!exists.holds()) throw NotProved("no ball that the map leaves invariant");
   return {unique, exists};
 }

@@ -149,6 +149,21 @@ void tighten(const DpsGuess<T>& guess, DpsBreather<T>& b) {
   }
 }
 
+/// Clips all strains at zero where the equation allows it: behind a contact that is certainly positive,
+/// where strains are less than 1/16.
+template <class T>
+void demand_no_negative(DpsBreather<T>& b) {
+  T largest = magnitude(b.tail);
+  std::size_t m = b.r.size();
+  while (m > 0 && magnitude(b.r[m - 1]) < T(0.0625))
+    largest = std::max(largest, magnitude(b.r[--m]));
+  if (!(largest < T(0.0625))) throw NotProved("the strains are not certainly small");
+  for (std::size_t n = 0; n < std::max<std::size_t>(m, 1); ++n)
+    if (!(b.r[n].lower > 0)) throw NotProved("the central strains are not certainly positive");
+  for (Interval<T>& r : b.r) r = positive_part(r);
+  b.tail = positive_part(b.tail);
+}
+
 /// The bounds of the strains in words: positive and decreasing.
 template <class T>
 void demand_decrease(const DpsBreather<T>& b) {
@@ -167,7 +182,9 @@ DpsBreather<T> enclose_dps(Centre centre) {
   const DpsGuess<T> guess = dps_guess<T>(centre);
   const auto [unique, exists] =
       two_balls(dps_eta(guess), T(0.0625), [&](T radius) { return dps_q(guess, radius); });
-  DpsBreather<T> b{centre, unique, exists, box(guess, exists.radius), {T(0), exists.radius}};
+  DpsBreather<T> b{
+      centre, unique, exists, box(guess, exists.radius), {-exists.radius, exists.radius}};
+  demand_no_negative(b);
   tighten(guess, b);
   demand_decrease(b);
   return b;
@@ -216,8 +233,8 @@ Barrier<T> dps_barrier(const DpsBreather<T>& site, const DpsBreather<T>& bond) {
 
 namespace {
 
-/// Whether a profile with this r_0 > 1/16 certainly increases somewhere before it has left the constant one. From
-/// y_n = phi(r_n) - 1/64 follows y_(n+1) = (g - 2) y_n - y_(n-1), g being a slope of P^(2/3).
+/// Whether a profile with this r_0 > 1/16 certainly increases somewhere before it has left the constant one.
+/// From y_n = phi(r_n) - 1/64 follows y_(n+1) = (g - 2) y_n - y_(n-1), g being a slope of P^(2/3).
 template <class T>
 bool turns_back(Centre centre, const Interval<T>& r_0) {
   const Interval<T> constant = Interval<T>(1) / Interval<T>(64),

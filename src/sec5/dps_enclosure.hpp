@@ -6,15 +6,14 @@ The stationary DpS equation at $\mu = 1$ has strains of alternating signs. With 
 $\varphi(x) = x|x|^{1/2}$ it becomes
 $$F(r)_n = r_n - [\varphi(r_{n-1}) + 2\varphi(r_n) + \varphi(r_{n+1})] = 0,$$
 for bounded sequences, and conversely every bounded zero of $F$ gives a solution,
-$|u_n| = \varphi(r_{n-1})+\varphi(r_n)$ with alternating signs. Contact $n$ lies between the sites $n$ and $n+1$.
-Around a bond $r_{-n} = r_n$, around a site $r_{-1-n} = r_n$, so that the contacts $n \ge 0$ suffice. The map
-$F$ is continuously differentiable on $\ell^\infty$, since $\varphi' = \frac32|x|^{1/2}$ is continuous. It has
-no second derivative at zero, and none is used.
+$|u_n| = \varphi(r_{n-1})+\varphi(r_n)$ with alternating signs. Contact $n$ lies between the sites $n$ and
+$n+1$. Around a bond $r_{-n} = r_n$, around a site $r_{-1-n} = r_n$, so that the contacts $n \ge 0$ suffice.
+The map $F$ is continuously differentiable on $\ell^\infty$, since $\varphi' = \frac32|x|^{1/2}$ is
+continuous. It has no second derivative at zero, and none is used.
 
-The ball of the lemma in contraction.hpp has one radius in all contacts. In a window of `contacts` contacts $A$ is
-an approximate inverse of the derivative, outside it is the identity. There the map reads
-$K(r)_n = \varphi(r_{n-1})+2\varphi(r_n)+\varphi(r_{n+1})$, so that it keeps the tail nonnegative and contracts
-it as soon as $6\sqrt{r} < 1$. */
+The ball of the lemma in contraction.hpp has one radius in all contacts. In a window of `contacts` contacts
+$A$ is an approximate inverse of the derivative, outside it is the identity. There the map reads
+$K(r)_n = \varphi(r_{n-1})+2\varphi(r_n)+\varphi(r_{n+1})$ and contracts as soon as $6\sqrt{r} < 1$. */
 
 #include <vector>
 
@@ -27,8 +26,8 @@ namespace lattice {
 inline constexpr std::size_t dps_contacts = 12;
 
 /**
-Between $x-R$ and $x+R$ the derivative $\varphi'$ moves by no more than the larger of its two ends' distances, and
-all that the bound needs is one row sum of $|1-A\,DF|$ over the ball. */
+Between $x-R$ and $x+R$ the derivative $\varphi'$ moves by no more than the larger of its two ends'
+distances, and all that the bound needs is one row sum of $|1-A\,DF|$ over the ball. */
 /// A guess and the approximate inverse of F's derivative at it; nothing in it is trusted.
 template <class T>
 struct DpsGuess {
@@ -49,7 +48,12 @@ template <class T>
 T dps_q(const DpsGuess<T>& guess, T radius);
 
 /**
-Once a solution is known to exist in the ball it is a fixed point of $K$, and each of its components lies in the
+The ball leaves open what sign the small strains have. Let $r_m$ be certainly positive, let
+$|r_n| < \frac1{16}$ for all $n > m$, and let $-z$ be the infimum of these. If $z$ were positive, the
+equation would give $r_n \ge -4\varphi(z)$ for all of them, hence $z \le 4z^{3/2} < z$. So they are not
+negative, and by the equation positive one after the other.
+
+A solution in the ball is a fixed point of $K$, and each of its components lies in the
 interval that $K$ makes of the ball; repeated, that gives the last digits. The tail shrinks as
 $r_n^{3/2} \le r_{n+1} \le r_n^{3/2}/(1-3\sqrt{r_{n+1}})$: the left inequality holds because all terms are
 positive, the right one because the profile decreases. That it does is read from the intervals in the
@@ -106,17 +110,18 @@ Barrier<T> dps_barrier(const DpsBreather<T>& site, const DpsBreather<T>& bond);
 /**
 ## No other profile
 
-A nonnegative symmetric profile that tends to zero, does not increase outwards and is not zero everywhere is fixed
-by $r_0$. The equation of the central contact gives $\varphi(r_1)$, the next one $\varphi(r_2)$, and so on;
-positivity and monotony require $\varphi(r_n) \le r_{n+1} \le r_n$. At the centre they leave
+A nonnegative symmetric profile that tends to zero, does not increase outwards and is not zero everywhere is
+fixed by $r_0$. The equation of the central contact gives $\varphi(r_1)$, the next one $\varphi(r_2)$, and
+so on; positivity and monotony require $\varphi(r_n) \le r_{n+1} \le r_n$. At the centre they leave
 $\frac1{16} \le r_0 \le \frac14$. We cut this range into intervals and follow each outwards. It is discarded
 where the requirements fail, it is done where its profiles lie in the ball of uniqueness, and it is halved
 otherwise.
 
-One profile would never be decided: the constant one, $r_n = \frac1{16}$, which solves the equation and does not
-tend to zero. Close to it the forces $P_n = \varphi(r_n)$ differ from $\frac1{64}$ by $y_n$ with
-$y_{n+1} = (g-2)y_n-y_{n-1}$, where $g$ is a slope of $P^{2/3}$, about $\frac83$. These deviations rotate by some
-seventy degrees from contact to contact, so the profile increases again before it has left, or is constant. */
+One profile would never be decided: the constant one, $r_n = \frac1{16}$, which solves the equation and does
+not tend to zero. Close to it the forces $P_n = \varphi(r_n)$ differ from $\frac1{64}$ by $y_n$ with
+$y_{n+1} = (g-2)y_n-y_{n-1}$, where $g$ is a slope of $P^{2/3}$, about $\frac83$. These deviations rotate by
+some seventy degrees from contact to contact, so the profile increases again before it has left, or is
+constant. */
 /// What became of an interval of r_0: discarded or decided at a contact, or open.
 enum class Fate { discarded, inside, open };
 template <class T>

@@ -201,11 +201,12 @@ constexpr Interval<T> positive_part(const Interval<T>& a) {
 }
 
 /**
-A root is guessed by the processor and then verified: its lower bound must have a power that is certainly not
-larger than the radicand, its upper bound one that is certainly not smaller. Where one fails, its distance from the
-guess is doubled until it does not. */
+A root is guessed by the processor and then verified: its lower bound must have a power that is certainly
+not larger than the radicand, its upper bound one that is certainly not smaller. Where one fails, its
+distance from the guess is doubled until it does not. */
 template <class T, class Power>
 Interval<T> verified_root(const Interval<T>& a, T low, T high, Power power) {
+  if (a.upper == 0) return {};
   T lower = below(low), upper = above(high);
   while (lower > 0 && !(power(Interval<T>(lower)).upper <= a.lower)) lower -= T(2) * (low - lower);
   while (upper <= std::numeric_limits<T>::max() && !(power(Interval<T>(upper)).lower >= a.upper))
