@@ -1,0 +1,358 @@
+/**
+# 5 Breathers between bounds
+
+What section 3 computes with error bars can be proved. This chapter encloses breathers in intervals that no
+rounding can break:
+
+        guess  --->  ball that a map sends       --->  a solution is in it,
+                     into itself and shrinks            and no other one
+
+![Both DpS breathers, the search for others, and what the proofs need.](fig:x25)
+
+It begins with the static breathers of the DpS equation, on the infinite lattice: they exist, one is
+unstable and the other is stable, and the barrier between them has a certain sign. Their margin of
+instability, five millionths, is the closest decision of the whole article. Then it turns to the breathers
+of the chain itself. */
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "report/program.hpp"
+#include "sec5/chain_enclosure.hpp"
+#include "sec5/dps_enclosure.hpp"
+
+using namespace lattice;
+
+/**
+## What is proved about the DpS equation
+
+Stationary solutions $v_n = u_ne^{i\mu t}$ of Eq. (11) obey Eq. (14). By scaling, $u = \mu^2u^{(1)}$, it
+suffices to take $\mu = 1$. For each of the two centres, on the infinite lattice:
+
+1. There is a solution with the symmetry of this centre whose strains alternate in sign, decrease outwards in
+   modulus and fall double-exponentially. They lie in the intervals of the tables `strains_site` and
+   `strains_bond`.
+2. Among the profiles of this symmetry whose strains alternate, tend to zero and do not increase outwards in
+   modulus it is the only one, up to its sign.
+3. Around a site the linearised equation has exactly one real pair $\pm\lambda$, of modulus
+   [](num:sec5_enclosures.exponent_site); around a bond it has none. All other exponents are imaginary.
+4. The bond-centred breather is orbitally stable in $\ell^2$: what starts close to it stays close to its
+   multiples $e^{i\varphi}u$ for all times.
+5. The energy of the site-centred breather minus that of the bond-centred one is positive at equal $\mu$,
+   [](num:sec5_enclosures.barrier_equal_mu) at $\mu = 1$, and negative at equal norm, which physics asks for,
+   [](num:sec5_enclosures.barrier_equal_norm).
+
+Existence of both is known (James and Starosvetsky 2014). Not proved are solutions without these signs or
+symmetries, and whether the instability of the linearised equation is followed by that of the full one. */
+struct Both {
+  DpsBreather<double> site = enclose_dps<double>(Centre::site);
+  DpsBreather<double> bond = enclose_dps<double>(Centre::bond);
+
+  const DpsBreather<double>& of(Centre centre) const {
+    return centre == Centre::site ? site : bond;
+  }
+};
+constexpr std::pair<Centre, const char*> centres[] = {{Centre::site, "site"},
+                                                      {Centre::bond, "bond"}};
+
+/**
+An interval becomes a value with an error: the middle, and half the width rounded up. For once the error is no
+estimate. */
+Estimate estimate_of(const Interval<double>& x) {
+  return {x.middle(), x.radius()};
+}
+
+/**
+## Existence
+
+The strains $r_n$ are sought with the contraction of dps_enclosure.hpp, from the profile that section 3.2
+computes. That profile is only a guess, and the proof would fail if it were wrong. The map contracts on all
+sequences that differ from it by less than [](num:sec5_enclosures.unique_radius_site) in each contact (about
+a twelfth of $r_0$), and it moves the guess by some $10^{-16}$. So the solution is that close and alone in
+the large ball. Its components are then tightened until the tail, too, is known to many digits. */
+Table strain_table(const DpsBreather<double>& b) {
+  Table table{{count("n", "contact, from the centre outwards"),
+               number("lower", "lower bound of |u_(n+1) - u_n|, mu = 1"),
+               number("upper", "upper bound"), number("relative", "width over lower bound")}};
+  for (std::size_t n = 0; n < b.r.size(); ++n)
+    table.add({n, b.r[n].lower, b.r[n].upper, (b.r[n].upper - b.r[n].lower) / b.r[n].lower});
+  return table;
+}
+
+/**
+Norm and largest displacement follow from the strains. */
+void report_profile(Quantities& facts, const DpsBreather<double>& b, const std::string& who) {
+  facts.add("u0" + who, estimate_of(b.largest()), "at mu = 1");
+  facts.add("norm" + who, estimate_of(b.norm()), "at mu = 1");
+  facts.add("unique_radius" + who, exact(b.unique.radius), "strain");
+}
+
+/**
+## Uniqueness
+
+How many breathers of each kind are there? With $r_0$ given, the equation yields $r_1$, $r_2$ and so on, and
+each must be positive and no larger than the one before. Intervals of $r_0$ are followed outwards until this
+fails, or until all their profiles lie in the ball in which there is just one. Around a site
+[](num:sec5_enclosures.discarded_site) intervals are discarded and [](num:sec5_enclosures.inside_site) end
+in the ball, around a bond [](num:sec5_enclosures.discarded_bond) and [](num:sec5_enclosures.inside_bond).
+None remains, else the program would stop here. */
+Table search_table(const std::vector<Piece<double>>& pieces) {
+  Table table{{number("from", "lower end of the interval of r_0"), number("to", "upper end"),
+               count("contact", "at which the interval is decided"),
+               count("inside", "1 if its profiles lie in the ball of uniqueness, 0 if discarded")}};
+  for (const Piece<double>& p : pieces)
+    table.add({p.r_0.lower, p.r_0.upper, p.contact, std::int64_t(p.fate == Fate::inside)});
+  return table;
+}
+
+void report_search(Report& report, const DpsBreather<double>& b, const std::string& who) {
+  const auto pieces = search_profiles(b);
+  const auto number_of = [&](Fate fate) {
+    return std::count_if(pieces.begin(), pieces.end(),
+                         [&](const Piece<double>& p) { return p.fate == fate; });
+  };
+  if (number_of(Fate::open) > 0) throw Failure("search for profiles: some intervals stay open");
+  report.facts.add("discarded" + who, exact(double(number_of(Fate::discarded))), "intervals");
+  report.facts.add("inside" + who, exact(double(number_of(Fate::inside))), "intervals");
+  report.output.add("search" + who, search_table(pieces));
+}
+
+/**
+## Stability
+
+Section 3.3 shows that all exponents follow from the eigenvalues $m$ of one matrix $M$ by
+$\lambda^2 = -(1-m)(1-\frac32m)$. On the infinite lattice $M$ is compact, its largest eigenvalue is
+$m_1 = 1$ and simple, and a real pair exists for each further $m > \frac23$. Counting pivots decides, and
+the second and third eigenvalue are
+
+        site: m_2 > 2/3 > m_3,     bond: 2/3 > m_2.
+
+Why does that make the bond-centred breather stable in the full equation (Weinstein 1986; Grillakis, Shatah
+and Strauss 1987)? Energy $H = \frac25\sum|v_{n+1}-v_n|^{5/2}$ and norm $N = \sum|v_n|^2$ are conserved, and
+solutions exist for all times because the right side of Eq. (11) is locally Lipschitz on $\ell^2$ and $N$ is
+bounded. Take $v = e^{i\varphi}(u+x+iy)$ with $N(v) = N(u)$ and with the phase that is closest, so that
+$y\perp u$. Then $2\langle x,u\rangle = -|x|^2-|y|^2$: to first order $x\perp u$ as well. Since $H$ is twice
+differentiable with a Hölder continuous second derivative,
+$$H(u)-H(v) = \tfrac12\langle x,(1-\tfrac32M)x\rangle+\tfrac12\langle y,(1-M)y\rangle+O(|x|^{5/2}+|y|^{5/2}).$$
+On $u^\perp$ the first form is at least $(1-\frac32m_2)|x|^2$ and the second $(1-m_2)|y|^2$, both positive.
+So $H$ has a strict maximum at the orbit of $u$ among states of its norm, with a quadratic bound, and a
+solution that starts close cannot leave. If its norm is slightly different, we compare it with $\mu^2u$ of
+the same norm. */
+Table eigenvalue_table(const DpsBreather<double>& b) {
+  Table table{{count("k", "number of the eigenvalue of M"), number("lower", "lower bound"),
+               number("upper", "upper bound")}};
+  for (std::size_t k = 1; k <= 4; ++k) {
+    const Interval<double> m = contact_eigenvalue(b, k);
+    table.add({k, m.lower, m.upper});
+  }
+  return table;
+}
+
+/// The verdict, and the modulus of the pinning pair.
+void report_stability(Quantities& facts, const DpsBreather<double>& b, const std::string& who) {
+  const Interval<double> edge = Interval<double>(2) / Interval<double>(3);
+  const Interval<double> m2 = contact_eigenvalue(b, 2), m3 = contact_eigenvalue(b, 3);
+  const bool decided =
+      b.centre == Centre::site ? m2 > edge && m2 < Interval<double>(1) && m3 < edge : m2 < edge;
+  if (!decided) throw Failure("stability of the DpS breather: the eigenvalues do not decide");
+  facts.add("margin" + who, estimate_of(m2 - edge));
+  facts.add("exponent" + who, estimate_of(root(abs(square_of_exponent(m2)))), "mu");
+}
+
+/**
+## The barrier
+
+The norms of both breathers agree to six digits. In intervals their difference keeps eight digits, and it has a
+sign. The energy at equal norm has the opposite one: the bond-centred breather, the stable one, is the
+*maximum* of $H$. */
+Barrier<double> certain_barrier(const Both& both) {
+  const Barrier<double> barrier = dps_barrier(both.site, both.bond);
+  if (!(barrier.equal_mu > Interval<double>(0) && barrier.equal_norm < Interval<double>(0)))
+    throw Failure("barrier of the DpS equation: its signs are not certain");
+  return barrier;
+}
+
+/**
+## The breathers of the chain
+
+The same lemma serves the chain of Eqs. (6) and (10) in the linear well, $s = 0$, at $\omega_b = 1.1$
+(chain_enclosure.hpp): unknown are now functions of time, the compressions of all contacts of the infinite
+chain in the supremum norm. Proved, for each of the two centres: there is a periodic solution with this
+frequency and the symmetry of its centre, even in time, which falls double-exponentially along the chain. It
+differs by no more than `radius` from the guess, a sum of cosines, in each contact at each time, and there
+is no second solution of this symmetry that differs by less than `unique_radius`. Amplitude and energy
+follow. The table `bounds` has the constants of the proof, all rounded upwards: $\kappa = \|A\|-1$, the
+residual of the guess, $\eta \le (1+\kappa)\,$residual, and $q$.
+
+Not proved is anything about its Floquet multipliers, or about its barrier, of order $10^{-11}$. */
+const std::pair<int, int> omega_b{11, 10};
+
+Fineness fineness_of(bool quick) {
+  Fineness fine;
+  if (quick) fine.samples /= 2, fine.harmonics /= 2;
+  return fine;
+}
+
+Table bound_table() {
+  return {{label("centre", "site or bond"), number("kappa", "norm of the inverse minus one"),
+           number("delta", "how badly the matrix is inverted"),
+           number("epsilon", "what broken lines miss of the operator"),
+           number("residual", "of the guess, in the supremum norm"),
+           number("eta", "how far the map moves the guess"),
+           number("q", "factor of the contraction in the large ball"),
+           number("unique_radius", "radius of the large ball"),
+           number("radius", "radius of the small ball, in which the breather is")}};
+}
+
+void report_chain(Report& report) {
+  Table& bounds = report.output.add("bounds", bound_table());
+  std::vector<ChainBreather> found(2);
+  parallel_for(2, [&](std::size_t i) {
+    found[i] =
+        enclose_chain(centres[i].first, omega_b.first, omega_b.second, fineness_of(report.quick));
+  });
+  for (std::size_t i = 0; i < 2; ++i) {
+    const ChainBreather& b = found[i];
+    const std::string name = centres[i].second;
+    bounds.add({name, b.kappa, b.delta, b.epsilon, b.residual, b.unique.eta, b.unique.q,
+                b.unique.radius, b.exists.radius});
+    report.facts.add("amplitude_" + name, estimate_of(b.amplitude), "largest |y_n(0)|");
+    report.facts.add("energy_" + name, estimate_of(b.energy));
+    report.facts.add("chain_unique_radius_" + name, exact(b.unique.radius), "compression");
+  }
+}
+
+/**
+## What the lemma needs (figure x25)
+
+A ball of radius $\rho$ proves something if $\eta/\rho+q(\rho) \le 1$. The figure draws this sum for the DpS
+breathers. The interval between both crossings is the room of the proof: on the left the solution is where
+we say, on the right there is no other. */
+Table lemma_table() {
+  Table table{{number("radius", "of the ball, in strains"),
+               number("site", "eta / radius + q, site-centred"),
+               number("bond", "the same, bond-centred")}};
+  const DpsGuess<double> site = dps_guess<double>(Centre::site),
+                         bond = dps_guess<double>(Centre::bond);
+  for (int k = -104; k <= -8; ++k) {
+    const double radius = std::exp2(0.5 * k);
+    table.add({radius, dps_eta(site) / radius + dps_q(site, radius),
+               dps_eta(bond) / radius + dps_q(bond, radius)});
+  }
+  return table;
+}
+
+/**
+## Results
+
+The second eigenvalue differs from $\frac23$ by [](num:sec5_enclosures.margin_site) around a site and by
+[](num:sec5_enclosures.margin_bond) around a bond. The norms are [](num:sec5_enclosures.norm_site) and
+[](num:sec5_enclosures.norm_bond), the largest displacements [](num:sec5_enclosures.u0_site) and
+[](num:sec5_enclosures.u0_bond).
+
+At $\omega_b = 1.1$ the chain's breathers have the amplitudes [](num:sec5_enclosures.amplitude_site) (site)
+and [](num:sec5_enclosures.amplitude_bond) (bond) and the energies [](num:sec5_enclosures.energy_site) and
+[](num:sec5_enclosures.energy_bond); the difference of the energies is far below what these intervals
+resolve. */
+void reproduce(Report& report) {
+  const Both both;
+  for (const auto& [centre, name] : centres) {
+    const std::string who = std::string("_") + name;
+    const DpsBreather<double>& b = both.of(centre);
+    report.output.add("strains" + who, strain_table(b));
+    report.output.add("eigenvalues" + who, eigenvalue_table(b));
+    report_profile(report.facts, b, who);
+    report_search(report, b, who);
+    report_stability(report.facts, b, who);
+  }
+  const Barrier<double> barrier = certain_barrier(both);
+  report.facts.add("barrier_equal_mu", estimate_of(barrier.equal_mu), "energy at mu = 1");
+  report.facts.add("barrier_equal_norm", estimate_of(barrier.equal_norm),
+                   "energy at the norm of the bond-centred breather at mu = 1");
+  report.output.add("lemma", lemma_table());
+  report_chain(report);
+}
+
+/**
+## Checks
+
+The arithmetic is tested on a million random operations against four-fold precision, and so is
+Boost.Interval, which fails without a special option of the compiler. All that concerns the DpS equation is
+repeated by a second program in another language, with the intervals of the Python package mpmath and eighty
+digits: its intervals lie in ours. Errors put into the proof, one at a time, make it fail.
+
+## Enclosures to be printed
+
+`sec5_enclosures dps --centre bond` prints the bounds for the DpS equation, `sec5_enclosures breather
+--centre site` those for the chain. The barriers belong to both centres. A quantity that cannot be certified
+is not printed. */
+struct Bounds {
+  Table table{{label("quantity", "what is enclosed"), number("lower", "lower bound"),
+               number("upper", "upper bound")}};
+  void add(const std::string& quantity, const Interval<double>& x) {
+    table.add({quantity, x.lower, x.upper});
+  }
+};
+
+struct EnclosedDps {
+  static constexpr Title title{"dps", "bounds for a breather of the DpS equation at mu = 1"};
+  Centre centre = Centre::site;
+
+  void parameters(Parameters& p) {
+    p.add("centre", centre, "where the breather is centred",
+          {{"site", Centre::site}, {"bond", Centre::bond}});
+  }
+  Table table() const {
+    const Both both;
+    const DpsBreather<double>& b = both.of(centre);
+    const Barrier<double> barrier = certain_barrier(both);
+    Bounds bounds;
+    bounds.add("u0", b.largest());
+    bounds.add("norm", b.norm());
+    bounds.add("second_eigenvalue", contact_eigenvalue(b, 2));
+    bounds.add("exponent", root(abs(square_of_exponent(contact_eigenvalue(b, 2)))));
+    bounds.add("barrier_equal_mu", barrier.equal_mu);
+    bounds.add("barrier_equal_norm", barrier.equal_norm);
+    return bounds.table;
+  }
+};
+
+/**
+For the chain there is one frequency, that of the article's example. */
+struct EnclosedBreather {
+  static constexpr Title title{"breather", "bounds for a breather of the chain, omega_b = 1.1"};
+  Centre centre = Centre::site;
+
+  void parameters(Parameters& p) {
+    p.add("centre", centre, "where the breather is centred",
+          {{"site", Centre::site}, {"bond", Centre::bond}});
+  }
+  Table table() const {
+    const ChainBreather b = enclose_chain(centre, omega_b.first, omega_b.second);
+    Bounds bounds;
+    bounds.add("amplitude", b.amplitude);
+    bounds.add("energy", b.energy);
+    return bounds.table;
+  }
+};
+
+/**
+## Differences and limits
+
+The article computes and does not prove. A proof of this kind trusts the compiler and the arithmetic of the
+processor, and nothing else that is computed: guesses and approximate inverses may come from anywhere.
+
+## Extensions
+
+- Does the site-centred breather leave its place in the full DpS equation, as a theorem?
+- The chain's breathers for other frequencies, and in wells that are not linear: which constant grows?
+- The travelling breathers of type I obey one scalar equation. Can it be enclosed? */
+int main(int argc, char** argv) {
+  return run({"sec5_enclosures", "5", "Breathers between bounds (section 5)", reproduce,
+              commands<EnclosedDps, EnclosedBreather>()},
+             argc, argv);
+}

@@ -1,0 +1,194 @@
+// The proofs of section 5: they hold what is known otherwise, and they fail where something is wrong.
+
+#include <algorithm>
+
+#include "check.hpp"
+#include "lattice/dps/spectrum.hpp"
+#include "lattice/orbits/breather_pairs.hpp"
+#include "sec5/chain_enclosure.hpp"
+#include "sec5/dps_enclosure.hpp"
+
+using namespace lattice;
+
+namespace {
+
+std::size_t number_of(const std::vector<Piece<double>>& pieces, Fate fate) {
+  return std::size_t(std::count_if(pieces.begin(), pieces.end(),
+                                   [&](const Piece<double>& p) { return p.fate == fate; }));
+}
+
+/// Whether the lemma proves something for a guess.
+bool proved(const DpsGuess<double>& guess) {
+  try {
+    two_balls(dps_eta(guess), 0.0625, [&](double radius) { return dps_q(guess, radius); });
+  } catch (const NotProved&) {
+    return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+TEST_CASE("the lemma needs a contraction", "[unit]") {
+  // The identity moves nothing and contracts nothing: all its points are fixed
+  CHECK_FALSE(Contraction<double>{0, 1, 1}.holds());
+  CHECK_FALSE(Contraction<double>{0, 1.5, 1}.holds());
+  CHECK(Contraction<double>{0, 0.5, 1}.holds());
+  CHECK_THROWS_AS(two_balls(0.0, 1.0, [](double) { return 1.0; }), NotProved);
+}
+
+TEST_CASE("the lemma needs to know how far the centre moves", "[unit]") {
+  // x -> x / 2 + 10 has its fixed point at 20, and none in the unit ball
+  CHECK_FALSE(Contraction<double>{10, 0.5, 1}.holds());
+  CHECK_FALSE(Contraction<double>{10, 0.5, 19.9}.holds());
+  CHECK(Contraction<double>{10, 0.5, 20.5}.holds());
+  CHECK_THROWS_AS(two_balls(10.0, 1.0, [](double) { return 0.5; }), NotProved);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  CHECK_FALSE(Contraction<double>{nan, 0.5, 1}.holds());
+  CHECK_FALSE(Contraction<double>{0, nan, 1}.holds());
+  CHECK_FALSE(Contraction<double>{-1, 0.5, 1}.holds());
+}
+
+TEST_CASE("the DpS breathers lie where they are computed", "[unit][dps]") {
+  for (Centre centre : both_centres) {
+    const auto b = enclose_dps<double>(centre);
+    const auto wide = enclose_dps<long double>(centre);
+    const auto state = stationary<long double>(centre, 1.0L, 32 - (centre == Centre::site));
+    REQUIRE(b.exists.holds());
+    REQUIRE(b.unique.holds());
+    for (std::size_t n = 0; n < b.r.size(); ++n) {
+      CHECK((double(wide.r[n].lower) >= b.r[n].lower && double(wide.r[n].upper) <= b.r[n].upper));
+      const long double r = std::abs(state.strain[n]);
+      CHECK((b.r[n].lower <= r && r <= b.r[n].upper));
+      CHECK(b.r[n].upper - b.r[n].lower < 1e-11 * b.r[n].lower);
+    }
+    CHECK((b.norm().lower <= state.norm() && state.norm() <= b.norm().upper));
+    CHECK(contact_eigenvalue(b, 1).contains(1));
+    const long double m = counted_eigenvalue(state, 2);
+    CHECK((contact_eigenvalue(b, 2).lower <= m && m <= contact_eigenvalue(b, 2).upper));
+  }
+}
+
+TEST_CASE("both verdicts on stability and barrier are certain", "[unit][dps]") {
+  const auto site = enclose_dps<double>(Centre::site), bond = enclose_dps<double>(Centre::bond);
+  const Interval<double> edge = Interval<double>(2) / Interval<double>(3);
+  CHECK(contact_eigenvalue(site, 2) > edge);
+  CHECK(contact_eigenvalue(site, 3) < edge);
+  CHECK(contact_eigenvalue(bond, 2) < edge);
+  const auto barrier = dps_barrier(site, bond);
+  CHECK(barrier.equal_mu > Interval<double>(0));
+  CHECK(barrier.equal_norm < Interval<double>(0));
+}
+
+TEST_CASE("a wrong guess or a wrong inverse proves nothing", "[unit][dps]") {
+  for (Centre centre : both_centres) {
+    const auto guess = dps_guess<double>(centre);
+    CHECK(proved(guess));
+    auto other = guess;
+    other.r[0] *= 1.5;
+    CHECK_FALSE(proved(other));
+    other = guess;
+    other.r[2] = 0;
+    CHECK_FALSE(proved(other));
+    other = guess;
+    for (auto& row : other.inverse)
+      for (double& x : row) x = -x;
+    CHECK_FALSE(proved(other));
+    other = guess;
+    other.centre = centre == Centre::site ? Centre::bond : Centre::site;
+    CHECK_FALSE(proved(other));
+    // Beyond a sixteenth the derivative changes too much
+    CHECK(dps_q(guess, 0.0625) > 1);
+  }
+}
+
+TEST_CASE("the bound of the derivative bounds the map", "[property][dps]") {
+  // K(x) - K(x') for random points of the ball, in the window
+  const auto guess = dps_guess<double>(Centre::bond);
+  const double radius = 1e-3, q = dps_q(guess, radius);
+  const auto map = [&](const std::vector<double>& r) {
+    const std::size_t n = r.size();
+    std::vector<double> f(n), out = r;
+    const auto phi = [&](double x) { return x * std::sqrt(std::abs(x)); };
+    for (std::size_t i = 0; i < n; ++i)
+      f[i] = r[i] - phi(r[i == 0 ? 1 : i - 1]) - 2 * phi(r[i]) - (i + 1 < n ? phi(r[i + 1]) : 0);
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < n; ++j) out[i] -= guess.inverse[i][j] * f[j];
+    return out;
+  };
+  double largest = 0;
+  for (unsigned seed = 1; seed <= 200; ++seed) {
+    std::vector<double> a = guess.r, b = guess.r;
+    double apart = 0, moved = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      a[i] += radius * std::cos(1.7 * seed + i), b[i] += radius * std::cos(2.3 * seed + 5.0 * i);
+      apart = std::max(apart, std::abs(a[i] - b[i]));
+    }
+    const auto x = map(a), y = map(b);
+    for (std::size_t i = 0; i < x.size(); ++i) moved = std::max(moved, std::abs(x[i] - y[i]));
+    largest = std::max(largest, moved / apart);
+  }
+  CHECK(largest <= q);
+  CHECK(largest > 0.01 * q);
+}
+
+TEST_CASE("no profile is left, and a smaller ball would leave some", "[unit][dps]") {
+  for (Centre centre : both_centres) {
+    auto b = enclose_dps<double>(centre);
+    const auto pieces = search_profiles(b);
+    CHECK(number_of(pieces, Fate::open) == 0);
+    CHECK(number_of(pieces, Fate::inside) > 0);
+    // The pieces leave no gap, and the breather is in one of them
+    CHECK(pieces.front().r_0.lower == 0.0625);
+    CHECK(pieces.back().r_0.upper == 0.25);
+    bool met = false;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      if (i > 0) CHECK(pieces[i].r_0.lower == pieces[i - 1].r_0.upper);
+      const bool here = pieces[i].r_0.lower <= b.r[0].upper && b.r[0].lower <= pieces[i].r_0.upper;
+      if (here) CHECK(pieces[i].fate == Fate::inside);
+      met = met || here;
+    }
+    CHECK(met);
+    b.unique.radius = 1e-9;
+    CHECK(number_of(search_profiles(b, 12), Fate::open) > 0);
+  }
+}
+
+TEST_CASE("the breathers of the chain lie where Newton's method finds them", "[unit]") {
+  Fineness fine;
+  fine.samples = 16384, fine.harmonics = 96;
+  for (Centre centre : both_centres) {
+    const auto b = enclose_chain(centre, 11, 10, fine);
+    REQUIRE(b.exists.holds());
+    REQUIRE(b.unique.holds());
+    const Orbit<double> orbit = find_breather(problem_of(centre, 1.1));
+    CHECK(b.amplitude.contains(double(orbit.amplitude)));
+    CHECK(b.energy.contains(double(orbit.energy)));
+    CHECK(b.amplitude.radius() < 1e-3 * b.amplitude.lower);
+  }
+}
+
+TEST_CASE("a wrong compression or frequency has a residual that proves nothing", "[unit]") {
+  Fineness fine;
+  fine.samples = 4096, fine.harmonics = 64;
+  const ChainGuess guess = chain_guess(Centre::bond, 11, 10, fine);
+  const auto residual = [&](const ChainGuess& g) {
+    const auto all = chain_residuals(g, fine);
+    return *std::max_element(all.begin(), all.end());
+  };
+  const double right = residual(guess);
+  CHECK(right < 1e-6);
+  ChainGuess wrong = guess;
+  wrong.c[0][1] *= 1 + 1e-3;
+  CHECK(residual(wrong) > 20 * right);
+  wrong = guess;
+  wrong.omega = Interval<double>(1.11);
+  CHECK(residual(wrong) > 100 * right);
+  wrong = guess;
+  wrong.centre = Centre::site;
+  CHECK(residual(wrong) > 100 * right);
+  const ChainProof proof(guess, fine);
+  CHECK_THROWS_AS(two_balls(proof.eta(chain_residuals(wrong, fine)), 0x1p-10,
+                            [&](double radius) { return proof.q(radius); }),
+                  NotProved);
+}
