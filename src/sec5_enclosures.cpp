@@ -169,8 +169,8 @@ void report_stability(Quantities& facts, const DpsBreather<double>& b, const std
 The norms of both breathers agree to six digits. In intervals their difference keeps eight digits, and it has a
 sign. The energy at equal norm has the opposite one: the bond-centred breather, the stable one, is the
 *maximum* of $H$. */
-Barrier<double> certain_barrier(const Both& both) {
-  const Barrier<double> barrier = dps_barrier(both.site, both.bond);
+EnclosedBarrier<double> certain_barrier(const Both& both) {
+  const EnclosedBarrier<double> barrier = dps_barrier(both.site, both.bond);
   if (!(barrier.equal_mu > Interval<double>(0) && barrier.equal_norm < Interval<double>(0)))
     throw Failure("barrier of the DpS equation: its signs are not certain");
   return barrier;
@@ -269,7 +269,7 @@ void reproduce(Report& report) {
     report_search(report, b, who);
     report_stability(report.facts, b, who);
   }
-  const Barrier<double> barrier = certain_barrier(both);
+  const EnclosedBarrier<double> barrier = certain_barrier(both);
   report.facts.add("barrier_equal_mu", estimate_of(barrier.equal_mu), "energy at mu = 1");
   report.facts.add("barrier_equal_norm", estimate_of(barrier.equal_norm),
                    "energy at the norm of the bond-centred breather at mu = 1");
@@ -309,7 +309,7 @@ struct EnclosedDps {
   Table table() const {
     const Both both;
     const DpsBreather<double>& b = both.of(centre);
-    const Barrier<double> barrier = certain_barrier(both);
+    const EnclosedBarrier<double> barrier = certain_barrier(both);
     Bounds bounds;
     bounds.add("u0", b.largest());
     bounds.add("norm", b.norm());

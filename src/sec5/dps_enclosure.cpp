@@ -223,7 +223,7 @@ Interval<T> square_of_exponent(const Interval<T>& m) {
 }
 
 template <class T>
-Barrier<T> dps_barrier(const DpsBreather<T>& site, const DpsBreather<T>& bond) {
+EnclosedBarrier<T> dps_barrier(const DpsBreather<T>& site, const DpsBreather<T>& bond) {
   const Interval<T> two_fifths = Interval<T>(2) / Interval<T>(5), s = site.norm(), b = bond.norm();
   // (b/s)^(1/4) - 1 = (b - s) / s / [(q + 1)(q^2 + 1)] with q^4 = b/s keeps the digits of b - s
   const Interval<T> q = root(root(b / s)), one(1);
@@ -312,7 +312,7 @@ std::vector<Piece<T>> search_profiles(const DpsBreather<T>& breather, int depth)
   template DpsBreather<T> enclose_dps(Centre);                                   \
   template Interval<T> contact_eigenvalue(const DpsBreather<T>&, std::size_t);   \
   template Interval<T> square_of_exponent(const Interval<T>&);                   \
-  template Barrier<T> dps_barrier(const DpsBreather<T>&, const DpsBreather<T>&); \
+  template EnclosedBarrier<T> dps_barrier(const DpsBreather<T>&, const DpsBreather<T>&); \
   template std::vector<Piece<T>> search_profiles(const DpsBreather<T>&, int);
 LATTICE_ENCLOSURE(double)
 LATTICE_ENCLOSURE(long double)

@@ -101,11 +101,11 @@ $H = \frac25\mu N = \frac25N_1^{-1/4}N^{5/4}$ for the energy. Of both breathers 
 $\frac25(N_{site}-N_{bond})$. At equal norm, that of the bond-centred one at $\mu = 1$, it is
 $\frac25N_{bond}[(N_{bond}/N_{site})^{1/4}-1]$, of the opposite sign. */
 template <class T>
-struct Barrier {
+struct EnclosedBarrier {
   Interval<T> equal_mu, equal_norm;  ///< H_site - H_bond
 };
 template <class T>
-Barrier<T> dps_barrier(const DpsBreather<T>& site, const DpsBreather<T>& bond);
+EnclosedBarrier<T> dps_barrier(const DpsBreather<T>& site, const DpsBreather<T>& bond);
 
 /**
 ## No other profile
