@@ -8,9 +8,8 @@ apart.
 
 Near the struck end contacts may open for a while, so the contact-aware method (contact_rkn.hpp) integrates
 until a settling time. After that the motion is smooth, and a splitting (schemes.hpp) has its full order
-six. Phonons travel at any speed up to the largest group velocity $\omega'(q_c)$, and ahead of them the
-motion falls off super-exponentially; so a chain somewhat longer than the way of the fastest phonon is as
-good as endless. */
+six. The chain is as long as impact.hpp makes it: somewhat longer than the way of the fastest phonon, ahead of
+which the motion falls off super-exponentially. */
 
 #include <algorithm>
 #include <cmath>
@@ -27,18 +26,9 @@ good as endless. */
 
 namespace lattice {
 
-/// An impact of `velocity` on a chain with wells of anharmonicity `s`, compressed by `d` (zero: not).
-struct CompressedImpact {
-  double s = 1, time = 724, velocity = 1.87, d = 0.5;
-  /// Fifteen per cent more than the way of the fastest phonon, and a hundred sites. Without compression
-  /// there are no phonons, and a packet moves at about 0.3 sites per unit of time.
-  std::size_t sites() const {
-    const double v1 = d > 0 ? contact_series(d).v1 : 0;
-    const double fastest = d > 0 ? phonon(inflection(v1), v1).group_velocity : 0.3;
-    return 100 + std::size_t(1.15 * fastest * time);
-  }
-  Chain chain() const { return {sites(), Quartic{s}, CompressedHertz{d}}; }
-};
+/// An impact on a chain with wells of anharmonicity `s`, compressed by `d` (zero: not), in the run of
+/// length `time`; the chain is as long as needed.
+Impact compressed_impact(double s, double time, double velocity = 1.87, double d = 0.5);
 
 /**
 The packet is where most of the energy is (`richest` in envelope.hpp). How it fares is read from a few
@@ -76,14 +66,11 @@ Criterion sech_like(const Snapshot& coarse, const Snapshot& fine, bool forming);
 Snapshot snapshot(const Chain& chain, const State<double>& state);
 
 /**
-A run has a sample every unit of time and snapshots at the times asked for. It also records two things that
-tell whether it can be trusted: how far the energy drifts, and when a contact was last open, because the
-splitting of the later part relies on closed ones. */
-struct CompressedRun {
-  State<double> end;
+A run has a sample every unit of time and snapshots at the times asked for. It also records when a contact
+was last open, because the splitting of the later part relies on closed ones. */
+struct CompressedRun : ImpactRun {
   std::vector<PacketSample> samples{};
   std::vector<Snapshot> shown{};
-  double drift = 0;
   double last_open = 0;  ///< time of the last sample with an open contact
 };
 
@@ -96,12 +83,8 @@ inline constexpr double settling_time = 40;
 
 /**
 The impact takes place at $t = 0$. With compression we change methods at the settling time; without it
-contacts never cease to open, and the contact-aware method integrates all the time. The wells of `chain` may
-be of any kind. */
-CompressedRun strike_compressed(const CompressedImpact& launch, const Chain& chain,
-                                const std::vector<double>& times, CompressedSteps steps);
-/// The same in quartic wells.
-CompressedRun strike_compressed(const CompressedImpact& launch, const std::vector<double>& times,
+contacts never cease to open, and the contact-aware method integrates all the time. */
+CompressedRun strike_compressed(const Impact& impact, const std::vector<double>& times,
                                 CompressedSteps steps);
 
 /**

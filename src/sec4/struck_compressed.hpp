@@ -37,7 +37,7 @@ precompression, whose outcome is known from section 3.4: the packet that returns
 surface mode ($s = -1/6$). Criteria that missed these would be worthless. */
 struct Experiment {
   std::string name;
-  CompressedImpact launch;
+  Impact impact;
   std::vector<double> times;
   CompressedRun coarse{}, fine{};
 
@@ -48,15 +48,13 @@ struct Experiment {
 };
 
 inline std::vector<Experiment> planned(bool quick) {
-  std::vector<Experiment> all = {{"s_1", {1, 3000}, {291, 724, 3000}},
-                                 {"s_0", {0, 4399}, {4399}},
-                                 {"s_minus_1_6", {-1.0 / 6, 1998}, {1998}},
-                                 {"uncompressed_s_1", {1, 1000, 1.87, 0}, {}},
-                                 {"uncompressed_s_minus_1_6", {-1.0 / 6, 600, 1.87, 0}, {}}};
-  if (!quick) return all;
-  all[0] = {"s_1", {1, 1500}, {291, 724, 1500}};
-  all[1] = {"s_0", {0, 1000}, {1000}};
-  all[2] = {"s_minus_1_6", {-1.0 / 6, 1000}, {1000}};
+  const auto struck_in = compressed_impact;
+  std::vector<Experiment> all = {
+      {"s_1", struck_in(1, 3000), {291, 724, 3000}},
+      {"s_0", struck_in(0, 4399), {4399}},
+      {"s_minus_1_6", struck_in(-1.0 / 6, 1998), {1998}},
+      {"uncompressed_s_1", struck_in(1, 1000, 1.87, 0), {}},
+      {"uncompressed_s_minus_1_6", struck_in(-1.0 / 6, 600, 1.87, 0), {}}};
   return all;
 }
 
