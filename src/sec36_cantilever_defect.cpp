@@ -195,37 +195,37 @@ on the stretch; the table `speeds` has other stretches and the mean over the who
 the largest force at $n$, for which no centre is needed. The duration grows by one internal period at a time
 as its threshold is lowered, and the table `durations` has ten of them. */
 constexpr Resolution rough{0.1, 0.1}, fine{0.05, 0.05};
-using Passages = std::array<Passage, 2>;
+using WatchedRuns = std::array<WatchedRun, 2>;
 
-Passages pass_twice(const StruckArray& blow) {
-  Passages runs;
+WatchedRuns pass_twice(const StruckArray& blow) {
+  WatchedRuns runs;
   parallel_for(2, [&](std::size_t i) { runs[i] = pass(blow, watched_site, 60, i ? fine : rough); });
   return runs;
 }
 
 template <class Of>
-Estimate both(const Passages& runs, Of of) {
+Estimate both(const WatchedRuns& runs, Of of) {
   return compare(of(runs[0]), of(runs[1]));
 }
 
 /// Least-squares speed between two sites, in sites per second.
-Estimate speed_between(const Passages& runs, const StruckArray& blow, double from, double to) {
-  return both(runs, [&](const Passage& run) {
+Estimate speed_between(const WatchedRuns& runs, const StruckArray& blow, double from, double to) {
+  return both(runs, [&](const WatchedRun& run) {
     return run.track.line(from, to)->slope / blow.scales.tau_c();
   });
 }
 
-void report_packet(Report& report, const StruckArray& blow, const Passages& runs) {
+void report_packet(Report& report, const StruckArray& blow, const WatchedRuns& runs) {
   // Read off at n = 80
   const auto answer = [&](const char* id, double Pulse::*of, double unit, const char* text) {
-    const auto value = [&](const Passage& run) { return pulse_of(run.at, blow.scales).*of * unit; };
+    const auto value = [&](const WatchedRun& run) { return pulse_of(run.at, blow.scales).*of * unit; };
     report.results.add(id, both(runs, value), text);
   };
   answer("cantilever.bead_velocity", &Pulse::velocity, 1, "m/s");
   answer("cantilever.deflection", &Pulse::deflection, 1e6, "um");
   answer("cantilever.force", &Pulse::force, 1, "N");
   answer("cantilever.period", &Pulse::period, 1e3, "ms");
-  report.facts.add("linear_over_internal_period", both(runs, [&](const Passage& run) {
+  report.facts.add("linear_over_internal_period", both(runs, [&](const WatchedRun& run) {
                      return 2 * std::numbers::pi * blow.scales.tau_c() /
                             pulse_of(run.at, blow.scales).period;
                    }));
@@ -237,7 +237,7 @@ void report_packet(Report& report, const StruckArray& blow, const Passages& runs
   for (const auto& [from, to] : {std::pair{10.0, 40.0}, {20, 60}, {20, 80}, {20, 100}, {60, 100}})
     speeds.add({from, to, speed_between(runs, blow, from, to)});
   const Estimate mean =
-      both(runs, [&](const Passage& run) { return mean_speed(run, blow, watched_site); });
+      both(runs, [&](const WatchedRun& run) { return mean_speed(run, blow, watched_site); });
   report.results.add("cantilever.speed", speed_between(runs, blow, 20, 60), "sites/s");
   report.facts.add("speed_60_to_100", speed_between(runs, blow, 60, 100), "sites/s");
   report.facts.add("speed_mean", mean, "sites/s");
@@ -247,7 +247,7 @@ void report_packet(Report& report, const StruckArray& blow, const Passages& runs
       "durations", {number("threshold", "force over its maximum at n = 80"),
                     estimate("duration", "time between first and last crossing", "ms")});
   const auto above = [&](double share) {
-    return both(runs, [&](const Passage& run) { return duration_above(run, blow, share); });
+    return both(runs, [&](const WatchedRun& run) { return duration_above(run, blow, share); });
   };
   for (double share : {0.5, 0.2, 0.1, 0.05, 0.02, 0.01, 5e-3, 2e-3, 1e-3, 5e-4})
     durations.add({share, above(share)});
@@ -255,7 +255,7 @@ void report_packet(Report& report, const StruckArray& blow, const Passages& runs
   report.facts.add("duration_half", above(0.5), "ms");
   report.facts.add("duration_thousandth", above(1e-3), "ms");
   report.facts.add("energy_drift",
-                   both(runs, [](const Passage& run) { return run.run.energy_drift; }));
+                   both(runs, [](const WatchedRun& run) { return run.run.energy_drift; }));
 }
 
 /**
@@ -272,7 +272,7 @@ The article infers from $\lambda \approx 0.29$ that the DpS equation, Eq. (12), 
 part of the array. We strike the DpS chain, Eq. (25), with $\epsilon = \lambda^{5/2}/2$ and measure its
 packet at $n=80$ as that of the array: the largest deflection $2\epsilon\,|A_{80}|$, and the speed between
 sites 20 and 60. The relative error of the deflection answers the claim. */
-void report_dps(Report& report, const StruckArray& blow, const Passages& runs) {
+void report_dps(Report& report, const StruckArray& blow, const WatchedRuns& runs) {
   const double eps = blow.struck_velocity() / 2, tau = 320;
   const Dps dps{150};
   std::array<double, 2> deflection, speed;
@@ -289,9 +289,9 @@ void report_dps(Report& report, const StruckArray& blow, const Passages& runs) {
   });
   // The same two numbers of the array, in units of xi and tau_c
   const Estimate largest = both(
-      runs, [](const Passage& run) { return largest_modulus(run.at.t, run.at.y); });
+      runs, [](const WatchedRun& run) { return largest_modulus(run.at.t, run.at.y); });
   const Estimate array_speed =
-      both(runs, [](const Passage& run) { return run.track.line(20, 60)->slope; });
+      both(runs, [](const WatchedRun& run) { return run.track.line(20, 60)->slope; });
   const Estimate by_deflection = quotient(compare(deflection[0], deflection[1]), largest);
   const Estimate by_speed = quotient(compare(speed[0], speed[1]), array_speed);
   report.results.add("cantilever.dps_valid", {by_deflection.value - 1, by_deflection.error});
@@ -432,13 +432,13 @@ changes. The speed does: after 10 ms it is
 [2074.83](num:sec36_cantilever_defect.speed_undamped) sites/s, and the distance
 [17.0208](num:sec36_cantilever_defect.sites_amplitude_lifetime) instead of
 [20.9992](num:sec36_cantilever_defect.sites_undamped) sites. */
-void report_outlook(Report& report, const StruckArray& blow, const Passages& runs) {
+void report_outlook(Report& report, const StruckArray& blow, const WatchedRuns& runs) {
   // The packet of figure 24, as it passes n = 80
   report.results.add(
       "outlook.travel_10ms",
-      both(runs, [&](const Passage& run) { return run.track.travelled(80, blow.time(10)); }),
+      both(runs, [&](const WatchedRun& run) { return run.track.travelled(80, blow.time(10)); }),
       "sites");
-  report.results.add("outlook.periods_10ms", both(runs, [&](const Passage& run) {
+  report.results.add("outlook.periods_10ms", both(runs, [&](const WatchedRun& run) {
                        return 10 / (pulse_of(run.at, blow.scales).period * 1e3);
                      }));
 
@@ -556,7 +556,7 @@ void reproduce(Report& report) {
   report_collision(report);
   report_beam(report, blow.array);
   report_scales(report, blow);
-  const Passages runs = pass_twice(blow);
+  const WatchedRuns runs = pass_twice(blow);
   report_packet(report, blow, runs);
   report_dps(report, blow, runs);
   report_outlook(report, blow, runs);

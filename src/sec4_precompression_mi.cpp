@@ -39,9 +39,12 @@ What is claimed, with identifiers:
   a phonon obeys an NLS equation with the coefficient $\beta$ (`pre.beta`);
 - phonons are unstable where $\Phi > 0$: conditions at the edges of the band (`pre.edges`), a change
   of sign at an inflection (`pre.inflection`), bands for three wells (`pre.phi`);
-- a slightly modulated phonon becomes a travelling breather (`pre.mi_run`);
-- an impact makes a travelling breather that does not turn round if $s = 1$ (`pre.impact_s1`), and
-  only a dispersive wave train if $s = 0$ or $s = -1/6$ (`pre.impact_other`). */
+- a slightly modulated phonon becomes a travelling breather (`pre.mi_run`), in the end its pulse splits
+  (`pre.splitting`), and the same happens in the other wells, more slowly and less localized for $s = 0$
+  (`pre.same_s1_s0`);
+- an impact makes a travelling breather that does not turn round if $s = 1$ (`pre.impact_s1`,
+  `pre.tail_both_sides`), and only a dispersive wave train if $s = 0$ or $s = -1/6$
+  (`pre.impact_other`). */
 constexpr double compression = 0.5;
 
 /**
@@ -360,58 +363,88 @@ fewer than half of the sites share the energy, and if the centre moves to the ri
 $s = 1$ is the control: there $\Phi(\pi/4) < 0$, and after the same time no site may have five times
 the mean.
 
-![The initial phonon and the breather that it has become.](fig:26) */
-void add_ring(Output& output, const Modulated& coarse, const Modulated& fine) {
-  Table table{{count("n", "site", "site"), number("y_start", "displacement at t = 0"),
-               number("y", "displacement at t = 6619"),
-               number("y_error", "difference of two steps"),
-               number("amplitude", "envelope of the displacements at t = 6619")}};
-  const State<double> start = ModulatedPhonon{}.start();
-  for (std::size_t n = 0; n < start.y.size(); ++n)
-    table.add({std::int64_t(n + 1), start.y[n], fine.end.y[n],
-               std::abs(fine.end.y[n] - coarse.end.y[n]),
-               fine.shown.envelope.amplitude[n] / fine.shown.envelope.omega});
-  output.add("modulated_ring", std::move(table));
-}
+![The initial phonon and the breather that it has become.](fig:26)
 
-/**
 Is this state a fact about the equations or about the integrator? Two runs whose steps differ by a
 factor of two agree to [3e-6](num:sec4_precompression_mi.mi_state_error). We also ask when they
 part, since statements about later times would be statistical: up to
-$t =$ [30000](num:sec4_precompression_mi.mi_agreement_time), where we stop, they do not. */
-struct ModulatedRuns {
-  Modulated coarse, fine, stable_coarse, stable_fine;
-  Estimate agree{};
-};
+$t =$ [30000](num:sec4_precompression_mi.mi_agreement_time), where we stop, they do not. So we can also say
+what becomes of the pulse: it is followed, and splits if a second one grows to half of its energy
+(`pre.splitting`).
 
-ModulatedRuns modulated_runs(bool quick) {
-  ModulatedRuns runs;
-  const ModulatedPhonon soft, hard{.s = 1};
-  const double time = 6619;
-  parallel_for(5, [&](std::size_t i) {
-    if (i == 0) runs.agree = nls_agreement_time(soft, quick ? 7000 : 30000);
-    if (i == 1) runs.coarse = modulate(soft, time, 0.4);
-    if (i == 2) runs.fine = modulate(soft, time, 0.2);
-    if (i == 3) runs.stable_coarse = modulate(hard, time, 0.4);
-    if (i == 4) runs.stable_fine = modulate(hard, time, 0.2);
+In the other wells the article saw the same (`pre.same_s1_s0`) and names no wavenumber. We take the most
+unstable one that fits on the ring, and wait until the energy has gathered and half as long again. */
+void report_courses(Report& report, const RingCourse& soft) {
+  ModulatedPhonon hard{.s = 1}, linear{.s = 0};
+  hard.q = most_unstable(hard), linear.q = most_unstable(linear);
+  RingCourse courses[2];
+  const double longest = report.quick ? 10000 : 150000;
+  parallel_for(2, [&](std::size_t i) {
+    courses[i] = ring_course(i ? linear : hard, longest, {0.8, 0.4}, 1.5);
   });
-  return runs;
+  const std::pair<std::string, const RingCourse&> all[] = {
+      {well_names[0], soft}, {well_names[2], courses[0]}, {well_names[1], courses[1]}};
+
+  // The wave from then on, well by well
+  Table& table = report.table(
+      "ring_courses", {number("s", "anharmonicity of the well"), number("t", "time"),
+                       estimate("peak_over_mean", "largest energy density over the mean"),
+                       estimate("participation", "sites that share the energy", "site"),
+                       estimate("second", "energy of the second packet over that of the first")});
+  const double s_of[] = {-1.0 / 6, 1, 0};
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = 3; k < all[i].second.samples.size(); k += 4) {
+      const auto& [a, b] = all[i].second.samples[k];
+      table.add({s_of[i], b.t, compare(a.peak_over_mean, b.peak_over_mean),
+                 compare(a.participation, b.participation), compare(a.second, b.second)});
+    }
+
+  // Does each become a breather, and how do they differ?
+  Criterion same;
+  for (const auto& [name, course] : all) {
+    report.facts.add("narrowest" + name, course.narrowest(), "site");
+    report.facts.add("agree" + name, course.agree);
+    if (std::isnan(course.gathered)) continue;
+    report.facts.add("gathered" + name, {course.gathered, 50});
+    append(same, named(name.substr(1), formed_breather(formed(course.packet[0]),
+                                                       formed(course.packet[1]))));
+  }
+  append(same, slower_and_wider(courses[1], soft, courses[0]));
+  report.facts.add("q_s_1", exact(hard.q), "1/site");
+  report.facts.add("q_s_0", exact(linear.q), "1/site");
+  judge(report, "pre.same_s1_s0", same);
+  judge(report, "pre.splitting", pulse_splits(soft));
 }
 
-/**
-The claim holds if a breather has formed, its numbers known from both resolutions, if the states of these
-agree to a thousandth, so that it is the equations that we see, and if the control shows none. */
 void report_modulated(Report& report) {
-  const ModulatedRuns runs = modulated_runs(report.quick);
-  const Modulated &coarse = runs.coarse, &fine = runs.fine;
+  // Two resolutions, and the hard well as the control
+  const ModulatedPhonon soft, hard{.s = 1};
+  const double time = 6619;
+  Modulated runs[4];
+  RingCourse course;
+  parallel_for(5, [&](std::size_t i) {
+    if (i == 0) course = ring_course(soft, report.quick ? 7000 : 30000, {0.4, 0.2});
+    if (i > 0) runs[i - 1] = modulate(i < 3 ? soft : hard, time, i % 2 ? 0.4 : 0.2);
+  });
+  const Modulated &coarse = runs[0], &fine = runs[1];
   const Formed a = formed(coarse), b = formed(fine);
+
+  // Has a breather formed, and is it the equations that we see?
   const Estimate apart = compare(0.0, distance(coarse.end, fine.end));
   Criterion made = formed_breather(a, b);
-  append(made,
-         named("control", uniform_still(formed(runs.stable_coarse), formed(runs.stable_fine))));
+  append(made, named("control", uniform_still(formed(runs[2]), formed(runs[3]))));
   made.push_back(below("state_error", apart, 1e-3));
   judge(report, "pre.mi_run", made);
-  add_ring(report.output, coarse, fine);
+  Table& table = report.table("modulated_ring",
+                              {count("n", "site", "site"), number("y_start", "displacement at t = 0"),
+                               estimate("y", "displacement at t = 6619"),
+                               number("amplitude", "envelope of the displacements at t = 6619")});
+  const State<double> start = soft.start();
+  for (std::size_t n = 0; n < start.y.size(); ++n)
+    table.add({n + 1, start.y[n], fine.end.y[n], std::abs(fine.end.y[n] - coarse.end.y[n]),
+               fine.shown.envelope.amplitude[n] / fine.shown.envelope.omega});
+
+  // What kind of packet it is
   auto& facts = report.facts;
   const Sech &sech_a = coarse.shown.sech, &sech_b = fine.shown.sech;
   facts.add("mi_centre", compare(coarse.centre.back(), fine.centre.back()), "site");
@@ -421,7 +454,8 @@ void report_modulated(Report& report) {
   facts.add("mi_participation", compare(a.participation, b.participation), "site");
   facts.add("mi_state_error", apart);
   facts.add("mi_energy_drift", compare(coarse.drift, fine.drift));
-  facts.add("mi_agreement_time", runs.agree);
+  facts.add("mi_agreement_time", course.agree);
+  report_courses(report, course);
 }
 
 /**

@@ -72,11 +72,43 @@ TEST_CASE("a chain is long enough for what travels in it", "[unit][model]") {
                                              {{0, None{}}, 1.9, 200},
                                              {{0, None{}}, 100, 60},
                                              {{0, None{}, CompressedHertz{4}}, 1, 60}}) {
-    const Chain chain = endless(like, velocity, time);
-    const Voyage seen = voyage({0.05}, chain, velocity, time);
-    CAPTURE(velocity, chain.sites);
-    CHECK(chain.sites < 4 * std::size_t(time) + 100);
-    CHECK(std::abs(seen.end.v.back()) < 1e-12);
+    const Impact impact = complete({velocity, like, time});
+    CAPTURE(velocity, impact.chain.sites);
+    CHECK(impact.chain.sites < 4 * std::size_t(time) + 100);
+    CHECK(strike(ContactAware{0.05}, impact).far_end <= 1e-12 * velocity);
+  }
+}
+
+TEST_CASE("a run that its far end sends back is no result", "[unit][model]") {
+  Impact impact{1.9, {30}, 100};
+  CHECK_THROWS_AS(strike(ContactAware{0.05}, impact), FarEndReached);
+  impact.far_end = reached;
+  CHECK(strike(ContactAware{0.05}, impact).far_end > 0.1);
+  // The packet leaves before it is back, so here the same chain will do
+  impact.far_end = 1e-9, impact.until = 20;
+  CHECK(strike(ContactAware{0.05}, impact).track.centre.back() >= 20);
+}
+
+TEST_CASE("an impact in two parts is the impact", "[unit][model]") {
+  const Impact impact{1.9, {60, Quartic{1}}, 60};
+  const ImpactRun whole = strike(ContactAware{0.1}, impact);
+  ImpactRun parts{struck(60, 1.9)};
+  go_on(ContactAware{0.1}, impact, parts, 20);
+  go_on(ContactAware{0.1}, impact, parts, 60);
+  CHECK(whole.end.y == parts.end.y);
+  CHECK(whole.density == parts.density);
+  CHECK(whole.run.steps == parts.run.steps);
+}
+
+TEST_CASE("what rests has no energy, whatever the sum is over", "[unit][model]") {
+  Chain chain{50, Quartic{1}, CompressedHertz{0.5}};
+  State<double> state(50);
+  state.v[20] = 1, state.y[20] = 0.3, state.y[22] = -0.1;
+  const auto all = energy_density(chain, state);
+  for (std::size_t n = 0; n < 50; ++n) {
+    const double y = state.y[n], v = state.v[n];
+    const double contact = n < 49 ? chain.contact.energy(state.y[n + 1] - y) : 0;
+    CHECK(all[n] == v * v / 2 + chain.well.energy(y) + contact);
   }
 }
 

@@ -9,15 +9,31 @@ PacketSample packet_sample(double t, const std::vector<double>& e) {
           boundary_share(e), participation(e)};
 }
 
-// Top and width must lie within the sites of the fit; a packet that is still forming may be rough
-Criterion sech_like(const Snapshot& coarse, const Snapshot& fine, bool forming) {
+// Top and width must lie within the sites of the fit, and the fit must be a good one
+Criterion sech_like(const Snapshot& coarse, const Snapshot& fine) {
   const auto off = [](const Snapshot& shot) { return std::abs(shot.sech.centre - shot.centre); };
   const double reach = double(envelope_reach);
-  Criterion all{below("top", compare(off(coarse), off(fine)), reach),
-                below("width", compare(coarse.sech.width, fine.sech.width), reach)};
-  if (!forming)
-    all.push_back(below("residual", compare(coarse.sech.residual, fine.sech.residual), 0.1));
-  return all;
+  return {below("top", compare(off(coarse), off(fine)), reach),
+          below("width", compare(coarse.sech.width, fine.sech.width), reach),
+          below("residual", compare(coarse.sech.residual, fine.sech.residual), 0.1)};
+}
+
+// The wave on which the packet stands, well away from its centre
+double tail_amplitude(const Snapshot& shot, int side) {
+  const std::vector<double>& a = shot.envelope.amplitude;
+  double squares = 0;
+  for (long k = 40; k <= 80; ++k) {
+    const double at = a.at(std::size_t(std::lround(shot.sech.centre) - 1 + side * k));
+    squares += at * at;
+  }
+  return std::sqrt(squares / 41) / shot.sech.height;
+}
+
+Criterion tail_on_both_sides(const Snapshot& coarse, const Snapshot& fine) {
+  const auto on = [&](int side) {
+    return compare(tail_amplitude(coarse, side), tail_amplitude(fine, side));
+  };
+  return {above("behind", on(-1), 0.01), above("ahead", on(1), 0.01)};
 }
 
 // The envelope around the packet's centre and the sech that fits it best

@@ -49,9 +49,9 @@ Is it a soliton of the NLS equation, whose envelope is a sech (Eq. (38))? At a f
 state, with the amplitudes of the velocity and the sech that fits them around the packet's centre.
 
 We say that a sech explains the envelope if it deviates by less than a tenth of its height (root mean
-square over 21 sites), and if its top and its width lie within these sites; while a packet is still
-`forming`, top and width are enough. The front of a wave train has a crest too, and over 21 sites a broad
-enough sech fits anything smooth; so the share of the energy must decide first. */
+square over 21 sites), and if its top and its width lie within these sites. The front of a wave train has a
+crest too, and over 21 sites a broad enough sech fits anything smooth; so the share of the energy must decide
+first. */
 struct Snapshot {
   State<double> state;
   double centre;
@@ -60,7 +60,16 @@ struct Snapshot {
 };
 
 /// From the snapshots of two runs: a sech explains the envelope.
-Criterion sech_like(const Snapshot& coarse, const Snapshot& fine, bool forming);
+Criterion sech_like(const Snapshot& coarse, const Snapshot& fine);
+
+/**
+The late packet stands on a tail. Its amplitude on either side is the root mean square of the envelope between
+40 and 80 sites from the packet's centre, where nothing is left of the sech, relative to the sech's height. It
+is there if it exceeds a hundredth, which is what a drawing still shows, and the difference of the two runs. */
+/// Amplitude of the tail behind (`side` = -1) or ahead (+1) of the packet.
+double tail_amplitude(const Snapshot& shot, int side);
+
+Criterion tail_on_both_sides(const Snapshot& coarse, const Snapshot& fine);
 
 /// The snapshot of `state`, its sech fitted around the packet.
 Snapshot snapshot(const Chain& chain, const State<double>& state);

@@ -12,7 +12,7 @@ Pulse pulse_of(const Watched& w, const Scales& s) {
 }
 
 // One run shows both what the watched cantilever does and how the packet moves
-Passage pass(const StruckArray& blow, std::size_t n, double until, const Resolution& r) {
+WatchedRun pass(const StruckArray& blow, std::size_t n, double until, const Resolution& r) {
   const Impact impact = blow.impact(1, until, r.sample);
   Watched at;
   const auto watch = [&](const State<double>& now, const auto&) {
@@ -25,11 +25,11 @@ Passage pass(const StruckArray& blow, std::size_t n, double until, const Resolut
 }
 
 // Speed and duration as one would read them off the force at the watched contact
-double mean_speed(const Passage& run, const StruckArray& blow, std::size_t n) {
+double mean_speed(const WatchedRun& run, const StruckArray& blow, std::size_t n) {
   return double(n) / pulse_of(run.at, blow.scales).arrival;
 }
 
-double duration_above(const Passage& run, const StruckArray& blow, double threshold) {
+double duration_above(const WatchedRun& run, const StruckArray& blow, double threshold) {
   const double most = *std::max_element(run.at.force.begin(), run.at.force.end());
   return blow.milliseconds(time_above(run.at.t, run.at.force, threshold * most));
 }

@@ -69,19 +69,19 @@ One run of the homogeneous array gives both what one cantilever does and how the
 
 `pass` makes the run up to a time `until` in ms and watches site `n`, counted from one, where every sample
 is kept, since maxima are read from them. */
-struct Passage : ImpactRun {
+struct WatchedRun : ImpactRun {
   Watched at{};
 };
 
-Passage pass(const StruckArray& blow, std::size_t n, double until, const Resolution& r);
+WatchedRun pass(const StruckArray& blow, std::size_t n, double until, const Resolution& r);
 
 /**
 The article quotes a speed in sites per second and does not say how it was measured. One reading is a mean:
 `n` over the time at which the packet is strongest at site `n`, where the run was watched. */
-double mean_speed(const Passage& run, const StruckArray& blow, std::size_t n);
+double mean_speed(const WatchedRun& run, const StruckArray& blow, std::size_t n);
 
 /// How long, in ms, the packet's force at the watched contact is above `threshold` times its maximum.
-double duration_above(const Passage& run, const StruckArray& blow, double threshold);
+double duration_above(const WatchedRun& run, const StruckArray& blow, double threshold);
 
 /**
 Figure 24 is a map of forces in space and time, and a map of snapshots would miss most of the short
