@@ -252,10 +252,11 @@ bead from escaping feeds the packet. The curves therefore end one grid spacing b
 last points, up to 0.05 below the end, are erratic and are marked in the table. */
 void report_sweep(Report& report) {
   // Where do soft wells let go of a bead?
-  Table& scan = report.table(
-      "blowup_scan", {number("s", "anharmonicity of the well"), number("velocity", "impact velocity"),
-                      number("escape_time", "time of the blow-up, nan if there is none"),
-                      count("agree", "1 where both resolutions agree on the outcome")});
+  Table& scan =
+      report.table("blowup_scan",
+                   {number("s", "anharmonicity of the well"), number("velocity", "impact velocity"),
+                    number("escape_time", "time of the blow-up, nan if there is none"),
+                    count("agree", "1 where both resolutions agree on the outcome")});
   const std::size_t trials = report.quick ? 31 : 801;
   Criterion thresholds;
   std::vector<Band> bands;
@@ -276,14 +277,14 @@ void report_sweep(Report& report) {
   }
 
   // One curve a well, up to the velocity at which it may blow up
-  Table& sweep = report.table(
-      "velocity_sweep",
-      {number("s", "anharmonicity of the well"), number("velocity", "impact velocity"),
-       estimate("speed", "of the centre between sites 20 and 60", "site per unit of time",
-                "of two resolutions and of the fit"),
-       estimate("peak", "largest energy density on the same stretch"),
-       estimate("energy", "energy of the packet when it passes site 60"),
-       count("ending", "1 in the last 0.05 of a curve that ends in a blow-up")});
+  Table& sweep =
+      report.table("velocity_sweep",
+                   {number("s", "anharmonicity of the well"), number("velocity", "impact velocity"),
+                    estimate("speed", "of the centre between sites 20 and 60",
+                             "site per unit of time", "of two resolutions and of the fit"),
+                    estimate("peak", "largest energy density on the same stretch"),
+                    estimate("energy", "energy of the packet when it passes site 60"),
+                    count("ending", "1 in the last 0.05 of a curve that ends in a blow-up")});
   std::vector<Curve> curves;
   for (const Struck& well : wells) {
     const Band* band = well.s == 0 ? nullptr : &bands[curves.size() - 1];
@@ -410,11 +411,10 @@ at one instant. In between there are other waves, a slow second packet among the
 ![Surface mode and packet side by side.](fig:21) */
 void report_surface(Report& report) {
   // The same impact on a linear and on a soft well
-  Table& forces =
-      report.table("surface_mode_forces",
-                   {number("s", "anharmonicity of the well"), number("t", "time"),
-                    count("n", "contact of sites n and n + 1", "site"),
-                    number("force", "contact force, negative where the beads touch")});
+  Table& forces = report.table("surface_mode_forces",
+                               {number("s", "anharmonicity of the well"), number("t", "time"),
+                                count("n", "contact of sites n and n + 1", "site"),
+                                number("force", "contact force, negative where the beads touch")});
   for (double s : {0.0, -0.7}) add_forces(forces, s, 0.94);
   const Shares linear = shares(0, 0.94), soft = shares(-0.7, 0.94), shown = shares(-1.0 / 6, 1.87);
   judge(report, "impact.surface_mode", surface_mode(linear, soft));
@@ -422,8 +422,8 @@ void report_surface(Report& report) {
   // One instant at which both excitations are seen
   const auto runs = strike_to(tolerance, {1.87, {160, Quartic{-1.0 / 6}}, 587, far_away, 1});
   const auto &coarse = runs.coarse.end.v, &fine = runs.fine.end.v;
-  Table& profile = report.table(
-      "surface_mode_snapshot", {count("n", "site", "site"), estimate("v", "velocity")});
+  Table& profile = report.table("surface_mode_snapshot",
+                                {count("n", "site", "site"), estimate("v", "velocity")});
   for (std::size_t n = 0; n < fine.size(); ++n)
     profile.add({n + 1, fine[n], std::abs(fine[n] - coarse[n])});
   const auto rises = [](const ImpactRun& out) {

@@ -218,7 +218,9 @@ Estimate speed_between(const WatchedRuns& runs, const StruckArray& blow, double 
 void report_packet(Report& report, const StruckArray& blow, const WatchedRuns& runs) {
   // Read off at n = 80
   const auto answer = [&](const char* id, double Pulse::*of, double unit, const char* text) {
-    const auto value = [&](const WatchedRun& run) { return pulse_of(run.at, blow.scales).*of * unit; };
+    const auto value = [&](const WatchedRun& run) {
+      return pulse_of(run.at, blow.scales).*of * unit;
+    };
     report.results.add(id, both(runs, value), text);
   };
   answer("cantilever.bead_velocity", &Pulse::velocity, 1, "m/s");
@@ -282,14 +284,14 @@ void report_dps(Report& report, const StruckArray& blow, const WatchedRuns& runs
       at.push_back(now);
       amplitude.push_back(std::abs(field[watched_site - 1]));
     };
-    const DpsOutcome out = follow_dps(dps, dps_impact(dps.sites), tau, k ? 2560 : 1280,
-                                      k ? 1e-10 : 1e-8, watch);
+    const DpsOutcome out =
+        follow_dps(dps, dps_impact(dps.sites), tau, k ? 2560 : 1280, k ? 1e-10 : 1e-8, watch);
     deflection[k] = 2 * eps * largest_modulus(at, amplitude);
     speed[k] = out.track.line(20, 60)->slope * std::sqrt(eps);
   });
   // The same two numbers of the array, in units of xi and tau_c
-  const Estimate largest = both(
-      runs, [](const WatchedRun& run) { return largest_modulus(run.at.t, run.at.y); });
+  const Estimate largest =
+      both(runs, [](const WatchedRun& run) { return largest_modulus(run.at.t, run.at.y); });
   const Estimate array_speed =
       both(runs, [](const WatchedRun& run) { return run.track.line(20, 60)->slope; });
   const Estimate by_deflection = quotient(compare(deflection[0], deflection[1]), largest);
@@ -310,17 +312,17 @@ strongest force within intervals of about two linear periods.
 
 ![Contact forces for beads of 1.6 and of 1.1 radii at n = 100.](fig:24) */
 void report_forces(Report& report, const StruckArray& blow, std::size_t bins) {
-  Table& table = report.table(
-      "contact_forces", {number("ratio", "radius of the defect's beads over the others'"),
-                         number("t", "middle of the time interval", "ms"),
-                         count("n", "contact of cantilevers n and n + 1", "site"),
-                         number("force", "strongest contact force in the interval, negative", "N")});
+  Table& table =
+      report.table("contact_forces",
+                   {number("ratio", "radius of the defect's beads over the others'"),
+                    number("t", "middle of the time interval", "ms"),
+                    count("n", "contact of cantilevers n and n + 1", "site"),
+                    number("force", "strongest contact force in the interval, negative", "N")});
   const std::size_t contacts = blow.array.sites - 1;
   const double ratios[] = {1.6, 1.1};
   std::array<std::vector<double>, 2> maps;
-  parallel_for(2, [&](std::size_t i) {
-    maps[i] = strongest_forces(blow, ratios[i], shown_until, bins);
-  });
+  parallel_for(
+      2, [&](std::size_t i) { maps[i] = strongest_forces(blow, ratios[i], shown_until, bins); });
   for (std::size_t i : {0, 1})
     for (std::size_t k = 0; k < bins * contacts; ++k)
       table.add({ratios[i], (double(k / contacts) + 0.5) * shown_until / double(bins),

@@ -19,7 +19,7 @@ namespace {
 
 const std::string breather = "sec32_newton_breathers breather ";
 const std::string multipliers = "sec33_floquet multipliers ";
-const std::string compressed_impact = "sec4_precompression_mi impact --time 100 ";
+const std::string squeezed = "sec4_precompression_mi impact --time 100 ";
 const std::string boomeron = "sec34_boomeron run --time 100 ";
 const std::vector<std::string> with_wells{breather, multipliers, compressed_impact};
 
@@ -113,7 +113,7 @@ TEST_CASE("what rests has no energy, whatever the sum is over", "[unit][model]")
 }
 
 TEST_CASE("every command answers a wrong well in one line", "[cli][model]") {
-  for (const std::string& command : {breather, multipliers, compressed_impact, boomeron}) {
+  for (const std::string& command : {breather, multipliers, squeezed, boomeron}) {
     check_refused(command + "--onsite cubic", "none, harmonic, quartic, pendulum");
     check_refused(command + "--onsite pendulum --s 0.1", "--s: 'pendulum' has no parameter s");
     check_refused(command + "--onsite harmonic --s 0", "--s: 'harmonic' has no parameter s");
@@ -123,8 +123,8 @@ TEST_CASE("every command answers a wrong well in one line", "[cli][model]") {
   const std::string others = " (allowed: harmonic, quartic, pendulum)";
   check_refused(breather + "--onsite none", why + "there is no breather" + others);
   check_refused(multipliers + "--onsite none", why + "there is no breather" + others);
-  check_refused(compressed_impact + "--onsite none", why + "the phonons are others" + others);
-  check_refused(compressed_impact + "--contact power", "--contact");
+  check_refused(squeezed + "--onsite none", why + "the phonons are others" + others);
+  check_refused(squeezed + "--contact power", "--contact");
   check_refused(boomeron + "--contact glue", "hertz, power");
   check_refused(boomeron + "--alpha 2", "--alpha: 'hertz' has no parameter alpha");
   check_refused(boomeron + "--onsite quartic --s -0.1", "[0, 1000]");
@@ -214,11 +214,9 @@ TEST_CASE("breathers begin only in wells of frequency one", "[unit][model]") {
 }
 
 TEST_CASE("the compressed impact strikes the well that was named", "[cli][model]") {
-  const CompressedImpact launch{0, 100};
-  const Chain chain{launch.sites(), Pendulum{}, CompressedHertz{launch.d}};
-  const CompressedRun own =
-      strike_compressed(launch, chain, {launch.time}, CompressedSteps{}.halved());
-  const Result r = call(compressed_impact + "--onsite pendulum");
+  const Impact impact = complete({1.87, {0, Pendulum{}, CompressedHertz{0.5}}, 100, far_away, 1});
+  const CompressedRun own = strike_compressed(impact, {100}, CompressedSteps{}.halved());
+  const Result r = call(squeezed + "--onsite pendulum");
   REQUIRE(r.code == 0);
   CHECK(quantity(r, "centre") == own.samples.back().centre);
   CHECK(quantity(r, "energy_fraction") == own.samples.back().share);

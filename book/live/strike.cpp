@@ -81,7 +81,8 @@ void report(const Impact& impact, const Facts& facts) {
   });
   facts.tracked("packet_energy_fraction",
                 [](const ImpactRun& o) { return o.track.energy.back() / total(o.density); });
-  facts.add("boundary_energy_fraction", [](const ImpactRun& o) { return boundary_share(o.density); });
+  facts.add("boundary_energy_fraction",
+            [](const ImpactRun& o) { return boundary_share(o.density); });
   facts.add("energy_drift", [](const ImpactRun& o) { return o.run.energy_drift; });
   facts.add("escaped", [&](const ImpactRun& o) { return int(o.reach > impact.chain.well.rim()); });
 }

@@ -84,8 +84,8 @@ Stay stay(const StruckArray& blow, double ratio, ImpactRun run, const Resolution
       out.before.push_back(window_sum(density, d - 4, 4) / energy_in);
     }
     if (time >= 70 && time <= 80)
-      out.push = std::max(out.push, contact_push(impact.chain, now.y.data(), d - 1) *
-                                        blow.scales.unit_force());
+      out.push = std::max(
+          out.push, contact_push(impact.chain, now.y.data(), d - 1) * blow.scales.unit_force());
     // From 65 ms on, the motion of the defect and where the energy sits on average
     if (k++ % every != 0 || time < from) return;
     bead.t.push_back(now.t), bead.v.push_back(now.v[d]);

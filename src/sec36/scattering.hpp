@@ -55,8 +55,7 @@ struct Scattering {
   Ledger earlier, later;
 };
 
-Scattering scatter(const StruckArray& blow, double ratio, ImpactRun run, double step,
-                   double end);
+Scattering scatter(const StruckArray& blow, double ratio, ImpactRun run, double step, double end);
 
 /**
 Every point of a map over the size of the defect is computed with two steps. The common way and the run
@@ -125,9 +124,9 @@ the frequency of the defect, from the upward passages of its velocity through ze
 reflected leaves its energy *before* the defect, so the nine sites that end at the defect are recorded as
 well as the nine around it, and the strongest push of the second contact before it. */
 struct Stay {
-  std::vector<double> t, near;  ///< ms, share of the energy on sites 96 to 104
-  std::vector<double> density;  ///< mean share at each site from 65 to 100 ms
-  double frequency = 0;         ///< of the defect in the same time, 1 / tau_c
+  std::vector<double> t, near;   ///< ms, share of the energy on sites 96 to 104
+  std::vector<double> density;   ///< mean share at each site from 65 to 100 ms
+  double frequency = 0;          ///< of the defect in the same time, 1 / tau_c
   std::vector<double> before{};  ///< share of the energy on sites 92 to 100, at the times t
   double push = 0;               ///< strongest push of the contact 98 | 99 from 70 to 80 ms, N
 

@@ -75,14 +75,13 @@ inline void report_mode(Report& report, const StruckArray& blow, const std::arra
   const Orbit<double> orbit = mode_of_energy(problem, share.value * unit);
   const Orbit<double> moved = mode_of_energy(problem, (share.value + share.error) * unit);
   const Profile now = profile(blow.array, problem, orbit, stays[1], 256);
-  report.output.add("trapped_mode", mode_table(impact, now, orbit));
+  report.output.add("trapped_mode", mode_table(blow, now, orbit));
   problem.omega = orbit.omega;
   const auto in_double = misses<double>(problem, orbit), wide = misses<Wide>(problem, orbit);
   report.facts.add("mode_frequency", compare(moved.omega, orbit.omega), "1 / tau_c");
   report.facts.add("mode_run_frequency", compare(stays[0].frequency, stays[1].frequency),
                    "1 / tau_c");
-  report.facts.add("mode_linear_frequency", exact(blow.array.linear_frequency(ratio)),
-                   "1 / tau_c");
+  report.facts.add("mode_linear_frequency", exact(blow.array.linear_frequency(ratio)), "1 / tau_c");
   report.facts.add(
       "mode_overlap",
       compare(profile(blow.array, problem, orbit, stays[0], 128).overlap(), now.overlap()));
@@ -106,13 +105,14 @@ inline void report_trapping(Report& report, StruckArray blow) {
   });
 
   // The energy around the defect against time
-  Table& trapping = report.table(
-      "trapping", {number("ratio", "radius of the defect's beads over the others'"),
-                   number("t", "time", "ms"),
-                   estimate("near", "share of the energy on sites 96 to 104")});
+  Table& trapping =
+      report.table("trapping", {number("ratio", "radius of the defect's beads over the others'"),
+                                number("t", "time", "ms"),
+                                estimate("near", "share of the energy on sites 96 to 104")});
   for (std::size_t i = 0; i < ratios.size(); ++i)
     for (std::size_t k = 0; k < stays[i][1].t.size(); ++k)
-      trapping.add({ratios[i], stays[i][1].t[k], compare(stays[i][0].near[k], stays[i][1].near[k])});
+      trapping.add(
+          {ratios[i], stays[i][1].t[k], compare(stays[i][0].near[k], stays[i][1].near[k])});
 
   // What each defect holds, on both sides and before it, and for how long
   const std::size_t at = blow.array.defect - 1;
@@ -121,12 +121,16 @@ inline void report_trapping(Report& report, StruckArray blow) {
       report.facts.add(name + names[i], compare(of(stays[i][0]), of(stays[i][1])), unit);
     };
     const char* share = "share of the energy";
-    fact("near_75", [](const Stay& s) { return s.at(75); }, share);
+    fact(
+        "near_75", [](const Stay& s) { return s.at(75); }, share);
     fact("kept", [](const Stay& s) { return s.kept(); });
-    fact("at_defect", [&](const Stay& s) { return s.density[at]; }, share);
-    fact("before_75", [](const Stay& s) { return s.at(75, &Stay::before); }, share);
+    fact(
+        "at_defect", [&](const Stay& s) { return s.density[at]; }, share);
+    fact(
+        "before_75", [](const Stay& s) { return s.at(75, &Stay::before); }, share);
     fact("kept_before", [](const Stay& s) { return s.kept(&Stay::before); });
-    fact("push", [](const Stay& s) { return s.push * 1e3; }, "mN");
+    fact(
+        "push", [](const Stay& s) { return s.push * 1e3; }, "mN");
     report.facts.add(std::string("trapped") + names[i],
                      exact(holds(trapped_at(at, stays[i], stays[2]))));
   }

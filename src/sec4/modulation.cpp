@@ -35,7 +35,8 @@ RingSample ring_sample(const Chain& ring, const State<double>& state) {
   std::vector<double> content(n, 0.0);
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t k = 0; k <= 2 * reach; ++k) content[i] += e[(i + n + k - reach) % n];
-  const auto first = std::size_t(std::max_element(content.begin(), content.end()) - content.begin());
+  const auto first =
+      std::size_t(std::max_element(content.begin(), content.end()) - content.begin());
   double second = 0;
   for (std::size_t k = 2 * reach + 1; k + 2 * reach < n; ++k)
     second = std::max(second, content[(first + k) % n]);
@@ -79,14 +80,15 @@ Estimate RingCourse::narrowest() const {
 }
 
 // By the wavenumbers that fit on the ring
-double most_unstable(const ModulatedPhonon& phonon) {
-  double best = 0, most = 0;
-  for (std::size_t k = 1; 2 * k < phonon.sites; ++k) {
+std::vector<double> unstable_band(const ModulatedPhonon& phonon, std::size_t every) {
+  const auto phi = [&](double q) { return coefficients(q, phonon.d, phonon.s).phi; };
+  std::vector<double> band;
+  for (std::size_t k = every; 2 * k < phonon.sites; k += every) {
     const double q = 2 * std::numbers::pi * double(k) / double(phonon.sites);
-    const double phi = coefficients(q, phonon.d, phonon.s).phi;
-    if (phi > most) most = phi, best = q;
+    if (phi(q) > 0) band.push_back(q);
   }
-  return best;
+  std::stable_sort(band.begin(), band.end(), [&](double a, double b) { return phi(a) > phi(b); });
+  return band;
 }
 
 // The state of the wave at the end, in numbers; the slope of the centre's path is its speed
@@ -119,7 +121,8 @@ Criterion uniform_still(const Formed& coarse, const Formed& fine) {
 Criterion slower_and_wider(const RingCourse& linear, const RingCourse& soft,
                            const RingCourse& hard) {
   const Estimate wider = larger(soft.narrowest(), hard.narrowest());
-  return {above("gathers_later", {linear.gathered / std::max(soft.gathered, hard.gathered), 0.01}, 1),
+  const Estimate later{linear.gathered, 50}, earlier{std::max(soft.gathered, hard.gathered), 50};
+  return {above("gathers_later", quotient(later, earlier), 1),
           above("sites_over_others", quotient(linear.narrowest(), wider), 1)};
 }
 

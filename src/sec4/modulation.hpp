@@ -77,9 +77,9 @@ RingSample ring_sample(const Chain& ring, const State<double>& state);
 /// Two runs side by side, the finer one second.
 struct RingCourse {
   std::vector<std::array<RingSample, 2>> samples{};
-  Estimate agree{};                           ///< how long the runs agree
-  double gathered = std::nan("");             ///< when the energy has gathered in both,
-  std::array<Modulated, 2> packet{};          ///< and what they look like a little later
+  Estimate agree{};                   ///< how long the runs agree
+  double gathered = std::nan("");     ///< when the energy has gathered in both,
+  std::array<Modulated, 2> packet{};  ///< and what they look like a little later
 
   /// The least number of sites that share the energy.
   Estimate narrowest() const;
@@ -90,13 +90,13 @@ struct RingCourse {
 RingCourse ring_course(const ModulatedPhonon& phonon, double longest,
                        const std::array<double, 2>& steps, double patience = reached);
 
-/// The wavenumber of the ring at which Phi, Eq. (37), is largest.
-double most_unstable(const ModulatedPhonon& phonon);
+/// The wavenumbers of the ring at which Phi, Eq. (37), is positive, one in `every`, from the largest Phi on.
+std::vector<double> unstable_band(const ModulatedPhonon& phonon, std::size_t every);
 
 /**
 Two statements of section 4.2 are decided from such courses. In linear wells the instability is slower and
-its breather less localized than in the others if the energy takes longer to gather, and if at its narrowest
-more sites share it. The pulse splits if the second window, after it has held less than half of the first for
+its breather less localized than in the others if the energy takes longer to gather, and if more sites share
+it where it is narrowest. The pulse splits if the second window, after it has held less than half of the first for
 a thousand units of time, holds half of it or more in both runs while these agree. */
 /// From the courses in linear wells and in two others.
 Criterion slower_and_wider(const RingCourse& linear, const RingCourse& soft,

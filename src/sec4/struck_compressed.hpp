@@ -82,20 +82,19 @@ boundary.
 ![Wave trains for s = 0 and s = -1/6, and the packet's share of the energy.](fig:28) */
 inline void add_tables(Report& report, const std::vector<Experiment>& all) {
   Table& profiles = report.table(
-      "impact_profiles", {number("s", "anharmonicity of the well"), number("t", "time"),
-                          count("n", "site", "site"),
-                          estimate("v", "velocity", "",
-                                   "difference of two resolutions, against the largest of the "
-                                   "column: ahead of the front there is only rounding"),
-                          number("amplitude", "envelope of the velocities"),
-                          number("sech", "fitted envelope, nan beyond 20 sites from its top")});
-  Table& history =
-      report.table("packet_history",
-                   {number("s", "anharmonicity of the well"), number("t", "time"),
-                    number("centre", "centre of the packet", "site"),
-                    number("share", "share of the energy within 20 sites of the packet"),
-                    number("boundary", "share of the energy on the first five sites"),
-                    number("participation", "number of sites that share the energy", "site")});
+      "impact_profiles",
+      {number("s", "anharmonicity of the well"), number("t", "time"), count("n", "site", "site"),
+       estimate("v", "velocity", "",
+                "difference of two resolutions, against the largest of the "
+                "column: ahead of the front there is only rounding"),
+       number("amplitude", "envelope of the velocities"),
+       number("sech", "fitted envelope, nan beyond 20 sites from its top")});
+  Table& history = report.table(
+      "packet_history", {number("s", "anharmonicity of the well"), number("t", "time"),
+                         number("centre", "centre of the packet", "site"),
+                         number("share", "share of the energy within 20 sites of the packet"),
+                         number("boundary", "share of the energy on the first five sites"),
+                         number("participation", "number of sites that share the energy", "site")});
   for (const Experiment& e : all) {
     for (std::size_t k = 0; k < e.fine.shown.size(); ++k) {
       const Snapshot &shown = e.fine.shown[k], &coarse = e.coarse.shown[k];
@@ -191,8 +190,7 @@ struct OneImpact {
     p.add("d", d, "compression of the contacts", {1e-3, 10});
   }
   Table table() const {
-    const Impact impact =
-        complete({velocity, {0, well, CompressedHertz{d}}, time, far_away, 1});
+    const Impact impact = complete({velocity, {0, well, CompressedHertz{d}}, time, far_away, 1});
     const CompressedRun coarse = strike_compressed(impact, {time}, {}),
                         fine = strike_compressed(impact, {time}, CompressedSteps{}.halved());
     if (fine.shown.empty() || coarse.shown.empty())

@@ -28,9 +28,10 @@ State<double> struck(std::size_t sites, double velocity) {
 void assert_quiet(const Impact& impact, const ImpactRun& run) {
   if (run.far_end <= impact.far_end * std::abs(impact.velocity)) return;
   std::ostringstream text;
-  text << "the motion reaches the far end: site " << impact.chain.sites << " has moved at the speed "
-       << run.far_end << " by t = " << run.end.t << " (allowed: "
-       << impact.far_end * std::abs(impact.velocity) << "); take more sites or less time";
+  text << "the motion reaches the far end: site " << impact.chain.sites
+       << " has moved at the speed " << run.far_end << " by t = " << run.end.t
+       << " (allowed: " << impact.far_end * std::abs(impact.velocity)
+       << "); take more sites or less time";
   throw FarEndReached(text.str());
 }
 

@@ -61,11 +61,15 @@ double Track::energy_at(double x) const {
 }
 
 double Track::travelled(double site, double duration) const {
-  const auto from = std::size_t(std::lower_bound(centre.begin(), centre.end(), site) - centre.begin());
-  if (from == centre.size() || t[from] + duration > t.back())
-    throw std::runtime_error("the packet is not followed long enough");
-  const auto to = std::lower_bound(t.begin(), t.end(), t[from] + duration) - t.begin();
-  return centre[std::size_t(to)] - centre[from];
+  // Both ends lie between two samples
+  const std::size_t i = until(site);
+  if (i == 0 || i == t.size()) throw std::runtime_error("no packet passes the site asked for");
+  const double part = (site - centre[i - 1]) / (centre[i] - centre[i - 1]);
+  const double end = t[i - 1] + part * (t[i] - t[i - 1]) + duration;
+  const auto k = std::size_t(std::lower_bound(t.begin(), t.end(), end) - t.begin());
+  if (k == t.size()) throw std::runtime_error("the packet is not followed long enough");
+  const double rest = (end - t[k - 1]) / (t[k] - t[k - 1]);
+  return centre[k - 1] + rest * (centre[k] - centre[k - 1]) - site;
 }
 
 /**
