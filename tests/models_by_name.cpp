@@ -21,7 +21,7 @@ const std::string breather = "sec32_newton_breathers breather ";
 const std::string multipliers = "sec33_floquet multipliers ";
 const std::string squeezed = "sec4_precompression_mi impact --time 100 ";
 const std::string boomeron = "sec34_boomeron run --time 100 ";
-const std::vector<std::string> with_wells{breather, multipliers, compressed_impact};
+const std::vector<std::string> with_wells{breather, multipliers, squeezed};
 
 Table table_of(const std::string& command) {
   const Result answer = call(command);

@@ -79,6 +79,14 @@ Estimate RingCourse::narrowest() const {
   return compare(at[0].participation, at[1].participation);
 }
 
+Estimate RingCourse::highest() const {
+  const auto lower = [](const auto& a, const auto& b) {
+    return a[1].peak_over_mean < b[1].peak_over_mean;
+  };
+  const auto& at = *std::max_element(samples.begin(), samples.end(), lower);
+  return compare(at[0].peak_over_mean, at[1].peak_over_mean);
+}
+
 // By the wavenumbers that fit on the ring
 std::vector<double> unstable_band(const ModulatedPhonon& phonon, std::size_t every) {
   const auto phi = [&](double q) { return coefficients(q, phonon.d, phonon.s).phi; };

@@ -81,8 +81,9 @@ struct RingCourse {
   double gathered = std::nan("");     ///< when the energy has gathered in both,
   std::array<Modulated, 2> packet{};  ///< and what they look like a little later
 
-  /// The least number of sites that share the energy.
+  /// The least number of sites that share the energy, and the largest density over the mean.
   Estimate narrowest() const;
+  Estimate highest() const;
 };
 
 /// Goes on until the runs part, until `longest`, or until `patience` times the time that it takes the energy
