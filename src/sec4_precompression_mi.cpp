@@ -425,9 +425,6 @@ void report_courses(Report& report, const RingCourse& soft) {
     report.facts.add("agree" + names[i], course.agree);
     if (std::isnan(course.gathered)) continue;
     report.facts.add("gathered" + names[i], {course.gathered, 50});
-    report.facts.add("ring_width" + names[i],
-                     compare(course.packet[0].shown.sech.width, course.packet[1].shown.sech.width),
-                     "site");
     append(same, named(names[i].substr(1),
                        formed_breather(formed(course.packet[0]), formed(course.packet[1]))));
   }

@@ -93,7 +93,7 @@ namespace {
 /// A short array whose packet meets the defect early.
 StruckArray short_array() {
   StruckArray blow;
-  blow.array.sites = 64;
+  blow.array.sites = 72;
   blow.array.defect = 32;
   return blow;
 }
