@@ -82,9 +82,14 @@ inline void report_courses(Report& report, const RingCourse& soft) {
   for (const RingOfWell& ring : all)
     for (std::size_t k = 3; k < ring.course.samples.size(); k += 4) {
       const auto& [a, b] = ring.course.samples[k];
-      if (b.t > 26000 && ring.s < 0) break;  // later they are not known to one per cent
-      table.add({ring.s, b.t, compare(a.peak_over_mean, b.peak_over_mean),
-                 compare(a.participation, b.participation), compare(a.second, b.second)});
+      const Estimate numbers[] = {compare(a.peak_over_mean, b.peak_over_mean),
+                                  compare(a.participation, b.participation),
+                                  compare(a.second, b.second)};
+      // A row that is not known to one per cent is the end of what is known
+      if (std::any_of(std::begin(numbers), std::end(numbers),
+                      [](const Estimate& e) { return e.error > 0.01 * e.value; }))
+        break;
+      table.add({ring.s, b.t, numbers[0], numbers[1], numbers[2]});
     }
 
   // Does each become a breather, and how do they differ?
