@@ -5,9 +5,9 @@
 using namespace lattice;
 
 int main() {
-  const ArrayImpact impact;
-  const Way way = pass(impact, 80, 60, {0.1, 0.05});
-  const Pulse pulse = pulse_of(way.at, impact.scales);
+  const StruckArray blow;
+  const WatchedRun run = pass(blow, 80, 60, {0.1, 0.05});
+  const Pulse pulse = pulse_of(run.at, blow.scales);
   std::cout << "force " << pulse.force << " N, velocity " << pulse.velocity << " m/s, arrival "
             << 1e3 * pulse.arrival << " ms\n";
 }

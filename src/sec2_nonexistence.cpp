@@ -160,7 +160,7 @@ Criterion of_wells(MeanTable& means) {
   Criterion all;
   for (Centre centre : {Centre::bond, Centre::site}) {
     const std::string name = centre == Centre::bond ? "breather_bond" : "breather_site";
-    const auto problem = breather_problem(centre, 1.5, 0, centre == Centre::bond ? 22 : 23);
+    const auto problem = breather_problem(centre, 1.5, 0, sites_of(centre, Length::spare));
     const Orbit<double> orbit = find_breather(problem);
     const auto [coarse, fine] = means.add(name, problem.chain, orbit.start, orbit.period(), false);
     all.push_back(above("spread_" + name, compare(coarse.spread, fine.spread), 0.5));

@@ -35,13 +35,14 @@ using namespace lattice;
 /**
 ## What is claimed
 
-Five statements are decided here, under these identifiers. The curves of the packet's speed and
+Six statements are answered here, under these identifiers. The curves of the packet's speed and
 energy density against impact velocity coincide for weak impacts, whatever the well
 (`impact.ampvel`). For strong impacts those of soft wells lie lower (`impact.slower`), up to a
 velocity at which the solution blows up (`impact.blowup`). The energy that the packet lacks stays
 at the boundary as a surface mode (`impact.surface_mode`), which one snapshot shows
-(`impact.snapshot`). Hard wells and pendulum wells have chapters of their own. No statement rests
-on a single run: two with different steps must agree to `tolerance`. */
+(`impact.snapshot`). Up to moderate velocities the packet is as narrow as after a gentle impact, and a
+small oscillatory tail follows it (`impact.tail`). Hard wells and pendulum wells have chapters of their
+own. No statement rests on a single run: two with different steps must agree to `tolerance`. */
 constexpr double tolerance = 1e-4;
 
 /**
@@ -63,44 +64,22 @@ $$e_n = \tfrac12\dot y_n^2 + W(y_n) + \tfrac25 (y_n-y_{n+1})_+^{5/2}, \qquad
 constexpr double fit_to = 60;  // the packet is measured between sites 20 and 60
 
 /**
-## One run
-
-We want to see the motion, so here is the loop in time. Several packets may leave, and the slow
-ones can carry as much energy as the first; `front_packet` looks from the far end and takes the
-front-most. A run ends when that one has passed the stretch on which it is measured. Samples are at
-most 0.2 apart, about a thirtieth of an internal period. A run with half the step takes twice as
-many, so that the error of a maximum between two samples shows in the difference of the runs; both
-runs end at an instant that both of them sample. */
-Outcome strike(const ContactAware& stepper, double s, double velocity, double time) {
-  const Chain chain{90, Quartic{s}};
-  const std::size_t each = std::size_t(1) << stepper.halvings;
-  Outcome out;
-  out.end = struck(chain.sites, velocity);  // Eq. (26)
-  std::size_t k = 0;
-  const auto look = [&](const State<double>& now) {
-    out.density = energy_density(chain, now);  // e_n, Eq. (23)
-    const auto peak = front_packet(out.density);
-    if (now.t > 0 && peak) out.track.add(now.t, out.density, *peak);  // X(t), Eq. (24)
-    const bool arrived = !out.track.t.empty() && out.track.centre.back() > fit_to + 2;
-    return k++ % each != 0 || !arrived;
-  };
-  out.run = evolve(stepper, chain, out.end, dense_time_grid(stepper, time, 0.2), look);
-  return out;
-}
-
-/**
 ## Method
+
+The loop in time stands in impact.hpp, because several sections strike a chain. It samples the energy
+density at most every 0.2 units of time, about a thirtieth of an internal period. Several packets may
+leave, and the slow ones can carry as much energy as the first; `front_packet` looks from the far end
+and takes the front-most. A run ends when that one has passed the stretch on which it is measured, and
+it is valid only if the last bead has not moved.
 
 Contacts open and close all the time, which spoils the order of ordinary integrators, so we use a
 Runge–Kutta–Nyström method that knows about contacts (contact_rkn.hpp says why that matters). The
-step is halved until the *end states* of two successive runs agree to `tolerance`, relative to
-their largest entry. The error of every derived number is its difference between these two runs,
-for a speed with the error of its fit added. Beads ahead of the front are exactly at rest and cost
-nothing. */
-Refined<Outcome> strike_twice(double s, double velocity, double time) {
-  return converge(
-      tolerance, [&](const ContactAware& stepper) { return strike(stepper, s, velocity, time); },
-      EndState{});
+step is halved, and the samples with it, until the *end states* of two successive runs agree to
+`tolerance`, relative to their largest entry. The error of every derived number is its difference
+between these two runs, for a speed with the error of its fit added. Beads ahead of the front are
+exactly at rest and cost nothing. */
+Refined<ImpactRun> strike_twice(double s, double velocity, double time) {
+  return strike_to(tolerance, {velocity, {90, Quartic{s}}, time, fit_to + 2});
 }
 
 /**
@@ -114,19 +93,18 @@ before: at small $\epsilon = v_0/2$ a packet has the speed
 [0.36129](num:sec34_dps_impact.dps_speed) times $\epsilon^{1/2}$. */
 struct SweepPoint {
   double s, velocity;
-  bool blows_up = false;
   Estimate speed{}, peak{}, energy{};
-};
 
-void measure(SweepPoint& point) {
-  const double slow = 0.36 * std::sqrt(point.velocity / 2);  // speed in the DpS limit
-  const auto runs = strike_twice(point.s, point.velocity, 3 * fit_to / slow);
-  if ((point.blows_up = runs.fine.run.escaped())) return;
-  const Track &coarse = runs.coarse.track, &fine = runs.fine.track;
-  point.speed = compare(packet_speed(coarse, fit_to), packet_speed(fine, fit_to));
-  point.peak = compare(coarse.largest_peak(fit_from, fit_to), fine.largest_peak(fit_from, fit_to));
-  point.energy = compare(coarse.energy_at(fit_to), fine.energy_at(fit_to));
-}
+  void measure() {
+    const double slow = 0.36 * std::sqrt(velocity / 2);  // speed in the DpS limit
+    const auto runs = strike_twice(s, velocity, 3 * fit_to / slow);
+    if (runs.fine.run.escaped()) throw Failure("an impact below the blow-up band blows up");
+    const Track &coarse = runs.coarse.track, &fine = runs.fine.track;
+    speed = compare(packet_speed(coarse, fit_to), packet_speed(fine, fit_to));
+    peak = compare(coarse.largest_peak(fit_from, fit_to), fine.largest_peak(fit_from, fit_to));
+    energy = compare(coarse.energy_at(fit_to), fine.energy_at(fit_to));
+  }
+};
 
 /**
 The article prints no values of $s$ for its curves; we take the linear well and the two soft ones
@@ -143,21 +121,6 @@ const Struck wells[] = {
     {0, "s_0", 2.5, 0, 0}, {-1.0 / 6, "s_1_6", 2.2, 2.05, 2.85}, {-0.7, "s_0_7", 1.0, 0.93, 1.33}};
 
 using Curve = std::vector<SweepPoint>;
-
-/// One curve a well, at the multiples of `spacing`.
-std::vector<Curve> velocity_sweep(double spacing) {
-  std::vector<Curve> curves;
-  std::vector<SweepPoint*> all;
-  for (const Struck& well : wells) {
-    Curve& curve = curves.emplace_back();
-    for (long k = 1; k <= std::lround(well.fastest / spacing); ++k)
-      curve.push_back({well.s, spacing * double(k)});
-  }
-  for (Curve& curve : curves)
-    for (SweepPoint& point : curve) all.push_back(&point);
-  parallel_for("velocity sweep", all.size(), [&](std::size_t i) { measure(*all[i]); });
-  return curves;
-}
 
 /**
 ### Coincidence (`impact.ampvel`)
@@ -238,41 +201,35 @@ at which no bead escapes lie between velocities at which one does. So we quote n
 band, from the lowest velocity with an escape to the highest without, on a fine grid and up to a
 stated time, before anything can return from the far end. Every velocity is run with two steps, and
 what must agree is the *outcome*; where it does not, the velocity counts for neither edge. */
+struct Trial {
+  double velocity;
+  double escape[2] = {0, 0};  ///< time of the blow-up at two resolutions, infinite if there is none
+
+  void measure(double s, double time) {
+    const Impact impact{velocity, {0, Quartic{s}}, time, far_away, 2, 1e-9, false};
+    for (int k : {0, 1})
+      escape[k] = strike(stepper_for(tolerance, largest_step, k), impact).run.escape_time;
+  }
+  bool gone(int k) const { return std::isfinite(escape[k]); }
+  bool agreed() const { return gone(0) == gone(1); }
+};
+
 struct Band {
   double first_escape, last_survivor, spacing, disputed;
 };
 
-/// Sorts the outcomes, velocity by velocity.
-Band edges(const Struck& well, const std::vector<double>& velocity,
-           const std::vector<double> (&escape)[2], Table& scan) {
-  const double count = double(velocity.size());
-  Band band{well.band_to, well.band_from, velocity[1] - velocity[0], 0};
-  for (std::size_t i = 0; i < velocity.size(); ++i) {
-    const bool gone[] = {std::isfinite(escape[0][i]), std::isfinite(escape[1][i])};
-    if (gone[0] && gone[1]) band.first_escape = std::min(band.first_escape, velocity[i]);
-    if (!gone[0] && !gone[1]) band.last_survivor = std::max(band.last_survivor, velocity[i]);
-    band.disputed += gone[0] == gone[1] ? 0 : 1 / count;
-    scan.add({well.s, velocity[i], gone[1] ? escape[1][i] : std::nan(""),
-              std::int64_t(gone[0] == gone[1])});
+Band band_of(const std::vector<Trial>& trials) {
+  const double spacing = trials[1].velocity - trials[0].velocity;
+  Band band{trials.back().velocity, trials.front().velocity, spacing, 0};
+  for (const Trial& trial : trials) {
+    if (!trial.agreed())
+      band.disputed += 1 / double(trials.size());
+    else if (trial.gone(0))
+      band.first_escape = std::min(band.first_escape, trial.velocity);
+    else
+      band.last_survivor = std::max(band.last_survivor, trial.velocity);
   }
   return band;
-}
-
-/**
-Runs at different velocities are independent, so they share the cores. */
-Band blowup_band(const Struck& well, std::size_t count, double time, Table& scan) {
-  std::vector<double> velocity(count), escape[2] = {velocity, velocity};
-  parallel_for("blow-up band", count, [&](std::size_t i) {
-    velocity[i] = well.band_from + (well.band_to - well.band_from) * double(i) / double(count - 1);
-    for (int k : {0, 1}) {
-      const Chain chain{100, Quartic{well.s}};
-      State<double> state = struck(chain.sites, velocity[i]);
-      const Run run =
-          evolve(stepper_for(tolerance, largest_step, k), chain, state, time, 2, Unobserved{});
-      escape[k][i] = run.escape_time;
-    }
-  });
-  return edges(well, velocity, escape, scan);
 }
 
 /**
@@ -291,49 +248,105 @@ Criterion threshold(const Struck& well, const Band& band) {
 
 /**
 Inside the band the packets of the few survivors can be faster: the collision that keeps the first
-bead from escaping feeds the packet. The curves therefore end where the band begins. Their last
-points, up to 0.05 below the end, are erratic and are marked in the table. */
-Table sweep_table(const std::vector<Curve>& curves) {
-  Table table{{number("s", "anharmonicity of the well"), number("velocity", "impact velocity"),
-               number("speed", "of the centre between sites 20 and 60", "site per unit of time"),
-               number("speed_error", "of two resolutions and of the fit", "site per unit of time"),
-               number("peak", "largest energy density on the same stretch"),
-               number("peak_error", "difference of two resolutions"),
-               number("energy", "energy of the packet when it passes site 60"),
-               number("energy_error", "difference of two resolutions"),
-               count("ending", "1 in the last 0.05 of a curve that ends in a blow-up")}};
-  for (const Curve& curve : curves)
-    for (const SweepPoint& p : curve)
-      table.add({p.s, p.velocity, p.speed.value, p.speed.error, p.peak.value, p.peak.error,
-                 p.energy.value, p.energy.error,
-                 std::int64_t(p.s < 0 && p.velocity > curve.back().velocity - 0.055)});
-  return table;
-}
-
-/**
-Here the sweep is tabulated and judged. A curve ends one grid spacing below its band, and no point
-that remains may blow up. */
+bead from escaping feeds the packet. The curves therefore end one grid spacing below the band. Their
+last points, up to 0.05 below the end, are erratic and are marked in the table. */
 void report_sweep(Report& report) {
-  auto curves = velocity_sweep(report.quick ? 0.05 : 0.01);
-  Table scan{{number("s", "anharmonicity of the well"), number("velocity", "impact velocity"),
-              number("escape_time", "time of the blow-up, nan if there is none"),
-              count("agree", "1 where both resolutions agree on the outcome")}};
+  // Where do soft wells let go of a bead?
+  Table& scan =
+      report.table("blowup_scan",
+                   {number("s", "anharmonicity of the well"), number("velocity", "impact velocity"),
+                    number("escape_time", "time of the blow-up, nan if there is none"),
+                    count("agree", "1 where both resolutions agree on the outcome")});
+  const std::size_t trials = report.quick ? 31 : 801;
   Criterion thresholds;
-  for (std::size_t w : {1, 2}) {
-    const Band band =
-        blowup_band(wells[w], report.quick ? 31 : 801, report.quick ? 100 : 500, scan);
-    append(thresholds, threshold(wells[w], band));
-    std::erase_if(curves[w], [&](const SweepPoint& p) {
-      return p.velocity > band.first_escape - band.spacing;
-    });
-    for (const SweepPoint& p : curves[w])
-      if (p.blows_up) throw Failure("an impact below the blow-up band blows up");
+  std::vector<Band> bands;
+  for (const Struck& well : wells) {
+    if (well.s == 0) continue;
+    std::vector<Trial> all(trials);
+    for (std::size_t i = 0; i < trials; ++i)
+      all[i].velocity =
+          well.band_from + (well.band_to - well.band_from) * double(i) / double(trials - 1);
+    const auto row = [&](Trial& trial) {
+      trial.measure(well.s, report.quick ? 100 : 500);
+      return Cells{well.s, trial.velocity, trial.gone(1) ? trial.escape[1] : std::nan(""),
+                   trial.agreed()};
+    };
+    scan.fill(all, row, "blow-up band");
+    bands.push_back(band_of(all));
+    append(thresholds, threshold(well, bands.back()));
   }
-  report.output.add("velocity_sweep", sweep_table(curves));
-  report.output.add("blowup_scan", std::move(scan));
+
+  // One curve a well, up to the velocity at which it may blow up
+  Table& sweep =
+      report.table("velocity_sweep",
+                   {number("s", "anharmonicity of the well"), number("velocity", "impact velocity"),
+                    estimate("speed", "of the centre between sites 20 and 60",
+                             "site per unit of time", "of two resolutions and of the fit"),
+                    estimate("peak", "largest energy density on the same stretch"),
+                    estimate("energy", "energy of the packet when it passes site 60"),
+                    count("ending", "1 in the last 0.05 of a curve that ends in a blow-up")});
+  std::vector<Curve> curves;
+  for (const Struck& well : wells) {
+    const Band* band = well.s == 0 ? nullptr : &bands[curves.size() - 1];
+    const double spacing = report.quick ? 0.05 : 0.01;
+    Curve& curve = curves.emplace_back();
+    for (long k = 1; k <= std::lround(well.fastest / spacing); ++k)
+      if (!band || spacing * double(k) <= band->first_escape - band->spacing)
+        curve.push_back({well.s, spacing * double(k)});
+    const double last = curve.back().velocity;
+    const auto row = [&](SweepPoint& p) {
+      p.measure();
+      return Cells{p.s, p.velocity, p.speed, p.peak, p.energy, band && p.velocity > last - 0.055};
+    };
+    sweep.fill(curve, row, "velocity sweep");
+  }
   judge(report, "impact.ampvel", coincidence(curves));
   judge(report, "impact.slower", falling_behind(curves));
   judge(report, "impact.blowup", thresholds);
+}
+
+/**
+## How narrow, and with what tail (`impact.tail`)
+
+Up to moderate velocities, the article says, the packet is supported by seven sites and followed by a
+small tail. A packet is as wide as its undisturbed side shows (`Front` in sec34/criteria.hpp): twice the
+number of sites ahead of the peak that ever exceed one per cent of its amplitude, and one. The tail is
+the largest amplitude, relative to the peak's, on the ten sites that follow the window of Eq. (24). Both
+are taken in linear wells while the centre moves from site 40 to 60. The unit of velocity is the one at
+which contact and well pull alike; for us it is a moderate one, and the tail after $v_0 = 1$ answers. */
+void report_tail(Report& report) {
+  struct Followed : ImpactRun {
+    Front front{};
+  };
+  const auto follow = [](double velocity, const ContactAware& stepper) {
+    const double time = 3 * fit_to / (0.36 * std::sqrt(velocity / 2));
+    Front front;
+    const auto watch = [&](const State<double>&, const std::vector<double>& density) {
+      const auto peak = front_packet(density);
+      if (peak && energy_centre(density, *peak) > 40) front.add(density, *peak);
+    };
+    return Followed{strike(stepper, {velocity, {90}, time, fit_to}, watch), front};
+  };
+  Table& shape = report.table(
+      "packet_shape", {number("velocity", "impact velocity"),
+                       estimate("width", "sites of the packet that exceed a hundredth", "site"),
+                       estimate("tail", "amplitude behind the packet over that of its peak")});
+  const std::vector<double> velocities{0.05, 0.1, 0.2, 0.5, 1, 1.5, 1.9, 2.5};
+  shape.fill(velocities, [&](double velocity) {
+    const auto runs = converge(
+        tolerance, [&](const ContactAware& stepper) { return follow(velocity, stepper); },
+        EndState{});
+    const Front &coarse = runs.coarse.front, &fine = runs.fine.front;
+    return Cells{velocity, compare(double(coarse.width()), double(fine.width())),
+                 compare(coarse.tail(), fine.tail())};
+  });
+  const auto at = [&](const char* column, std::size_t i) {
+    return Estimate{shape.numbers(column)[i], shape.numbers(std::string(column) + "_error")[i]};
+  };
+  report.results.add("impact.tail", at("tail", 4));
+  report.facts.add("packet_width_moderate", at("width", 4), "site");
+  report.facts.add("tail_gentle", at("tail", 0));
+  report.facts.add("tail_strong", at("tail", 6));
 }
 
 /**
@@ -346,14 +359,12 @@ impact.
 ![Contact forces for a linear and a very soft well.](fig:20) */
 void add_forces(Table& table, double s, double velocity) {
   const std::size_t shown = 60;
-  const Chain chain{80, Quartic{s}};
-  State<double> state = struck(chain.sites, velocity);
-  evolve(stepper_for(tolerance, largest_step, 2), chain, state, 300, 0.5,
-         [&](const State<double>& now) {
-           const auto force = contact_forces(chain, now.y);
-           for (std::size_t n = 0; n < shown; ++n)
-             table.add({s, now.t, std::int64_t(n + 1), 0.0 - force[n]});
-         });
+  const Impact impact{velocity, {80, Quartic{s}}, 300, far_away, 0.5, 1e-9, false};
+  const auto watch = [&](const State<double>& now, const auto&) {
+    const auto force = contact_forces(impact.chain, now.y);
+    for (std::size_t n = 0; n < shown; ++n) table.add({s, now.t, n + 1, 0.0 - force[n]});
+  };
+  strike(stepper_for(tolerance, largest_step, 2), impact, watch);
 }
 
 /**
@@ -367,8 +378,8 @@ struct Shares {
 
 Shares shares(double s, double velocity) {
   const auto runs = strike_twice(s, velocity, 900);
-  const Outcome &coarse = runs.coarse, &fine = runs.fine;
-  const auto packet = [](const Outcome& out) {
+  const ImpactRun &coarse = runs.coarse, &fine = runs.fine;
+  const auto packet = [](const ImpactRun& out) {
     return out.track.energy_at(fit_to) / total(out.density);
   };
   return {compare(boundary_share(coarse.density), boundary_share(fine.density)),
@@ -398,41 +409,30 @@ at one instant. In between there are other waves, a slow second packet among the
 *visible* (`impact.snapshot`) if each rises above everything that lies between them.
 
 ![Surface mode and packet side by side.](fig:21) */
-struct Snapshot {
-  std::vector<double> coarse, fine;
-  Estimate prominence;
-};
-
-Snapshot snapshot(double s, double velocity, double time) {
-  const auto runs = follow_to(tolerance, {velocity, {160, Quartic{s}}, time}, far_away, 1);
-  const auto rises = [](const Outcome& out) {
-    return prominence(out.end.v, *front_packet(out.density));
-  };
-  return {runs.coarse.end.v, runs.fine.end.v, compare(rises(runs.coarse), rises(runs.fine))};
-}
-
-Table snapshot_table(const Snapshot& shot) {
-  Table table{{count("n", "site", "site"), number("v", "velocity"),
-               number("v_error", "difference of two resolutions")}};
-  for (std::size_t n = 0; n < shot.fine.size(); ++n)
-    table.add({std::int64_t(n + 1), shot.fine[n], std::abs(shot.fine[n] - shot.coarse[n])});
-  return table;
-}
-
-/**
-Since the snapshot shows both excitations, we report for its run, too, how they share the energy. */
 void report_surface(Report& report) {
-  Table forces{{number("s", "anharmonicity of the well"), number("t", "time"),
-                count("n", "contact of sites n and n + 1", "site"),
-                number("force", "contact force, negative where the beads touch")}};
+  // The same impact on a linear and on a soft well
+  Table& forces = report.table("surface_mode_forces",
+                               {number("s", "anharmonicity of the well"), number("t", "time"),
+                                count("n", "contact of sites n and n + 1", "site"),
+                                number("force", "contact force, negative where the beads touch")});
   for (double s : {0.0, -0.7}) add_forces(forces, s, 0.94);
-  report.output.add("surface_mode_forces", std::move(forces));
   const Shares linear = shares(0, 0.94), soft = shares(-0.7, 0.94), shown = shares(-1.0 / 6, 1.87);
   judge(report, "impact.surface_mode", surface_mode(linear, soft));
 
-  const Snapshot shot = snapshot(-1.0 / 6, 1.87, 587);
-  report.output.add("surface_mode_snapshot", snapshot_table(shot));
-  judge(report, "impact.snapshot", {above("prominence", shot.prominence, 1)});
+  // One instant at which both excitations are seen
+  const auto runs = strike_to(tolerance, {1.87, {160, Quartic{-1.0 / 6}}, 587, far_away, 1});
+  const auto &coarse = runs.coarse.end.v, &fine = runs.fine.end.v;
+  Table& profile = report.table("surface_mode_snapshot",
+                                {count("n", "site", "site"), estimate("v", "velocity")});
+  for (std::size_t n = 0; n < fine.size(); ++n)
+    profile.add({n + 1, fine[n], std::abs(fine[n] - coarse[n])});
+  const auto rises = [](const ImpactRun& out) {
+    return prominence(out.end.v, *front_packet(out.density));
+  };
+  judge(report, "impact.snapshot",
+        {above("prominence", compare(rises(runs.coarse), rises(runs.fine)), 1)});
+
+  // How packet and boundary share the energy, in the snapshot's run too
   const std::pair<std::string, const Shares&> rows[] = {
       {"linear", linear}, {"soft", soft}, {"snapshot", shown}};
   for (const auto& [name, s] : rows) {
@@ -456,21 +456,27 @@ the packet takes [0.0650178](num:sec34_impact.packet_soft); with a linear well i
 the snapshot the lower of the two excitations is [1.34120](num:sec34_impact.snapshot_prominence)
 times as high as the highest wave between them.
 
+After a moderate impact of $v_0 = 1$ the packet has [](num:sec34_impact.packet_width_moderate) sites and a
+tail of [](num:impact.tail) times its amplitude. The tail grows with the impact velocity, from
+[](num:sec34_impact.tail_gentle) at $v_0 = 0.05$ to [](num:sec34_impact.tail_strong) at $v_0 = 1.9$.
+
 ## Checks
 
 A state on which our runs agree could still be wrong. So the struck chain of figure 20 is computed
 once more by an independent method, GSL's of order eight, and must arrive at the same state. */
 void report_check(Report& report) {
   const double time = 60;
-  const auto runs = follow_to(1e-9, {0.94, {40, Quartic{-0.7}}, time}, far_away, 1);
-  const double apart = distance_from_reference(Chain{40, Quartic{-0.7}}, struck(40, 0.94), time,
-                                               runs.fine.end, 1e-8);
+  const Impact impact{0.94, {40, Quartic{-0.7}}, time, far_away, 1};
+  const auto runs = strike_to(1e-9, impact);
+  const double apart =
+      distance_from_reference(impact.chain, struck(40, 0.94), time, runs.fine.end, 1e-8);
   report.facts.add("independent_route_difference", {apart, runs.error});
 }
 
 void reproduce(Report& report) {
   report.output.note("tolerance", "end state " + short_text(tolerance));
   report_sweep(report);
+  report_tail(report);
   report_surface(report);
   report_check(report);
 }
@@ -483,7 +489,8 @@ way, for any well and, with `--precompression`, for the compressed contacts of s
 is fitted on the way out, from site 20 to twenty sites before the far end; where the packet never
 gets there it is `nan`. Over a long stretch a packet slows down as it sheds energy, so the value
 depends on the window. If a bead runs away the command fails, because then there is no packet to
-measure. */
+measure. It also fails if the motion reaches the far end, unless you choose the end yourself with
+`--sites`: then what it sends back belongs to the run. */
 struct OneImpact {
   static constexpr Title title{"run", "one impact: speed, centre, energies of the packet"};
   Impact impact{1.87, {0, Quartic{}}, 600};
@@ -500,67 +507,57 @@ struct OneImpact {
     p.add("profile", profile, "print the final profile n,y,v,e instead");
   }
   Table table() const;
-
-  /// Completes what the reader left open: a chain so long that the motion does not reach its end.
-  Impact complete() const {
-    Impact out = impact;
-    if (impact.chain.sites > 0) return out;
-    out.chain = endless(impact.chain, impact.velocity, impact.time);
-    out.chain.sites = std::max(out.chain.sites, 100 + std::size_t(2 * impact.time));
-    return out;
-  }
 };
 
 /**
 A run of any length must print something, so a quantity that does not exist, such as the speed of a
 packet that never came so far, is `nan`. */
-Table run_quantities(const Impact& impact, const Outcome& coarse, const Outcome& fine) {
+Table run_quantities(const Impact& impact, const ImpactRun& coarse, const ImpactRun& fine) {
   const double to = double(impact.chain.sites) - 20, undefined = std::nan("");
   const auto both = [&](auto of) { return compare(of(coarse), of(fine)); };
   const auto tracked = [&](auto of) {
-    return both([&](const Outcome& out) { return out.track.t.empty() ? undefined : of(out); });
+    return both([&](const ImpactRun& out) { return out.track.t.empty() ? undefined : of(out); });
   };
   Quantities q;
-  const auto line = [&](const Outcome& out) {
+  const auto line = [&](const ImpactRun& out) {
     return out.track.line(fit_from, to).value_or(Line{undefined, undefined, undefined});
   };
   q.add("speed", compare(line(coarse).estimate(), line(fine).estimate()), "site per unit of time");
-  q.add("centre", tracked([](const Outcome& out) { return out.track.centre.back(); }), "site");
-  q.add("peak_energy_density", both([&](const Outcome& out) {
+  q.add("centre", tracked([](const ImpactRun& out) { return out.track.centre.back(); }), "site");
+  q.add("peak_energy_density", both([&](const ImpactRun& out) {
           const double peak = out.track.largest_peak(fit_from, to);
           return peak > 0 ? peak : undefined;
         }));
   q.add("packet_energy_fraction",
-        tracked([](const Outcome& out) { return out.track.energy.back() / total(out.density); }));
+        tracked([](const ImpactRun& out) { return out.track.energy.back() / total(out.density); }));
   q.add("boundary_energy_fraction",
-        both([](const Outcome& out) { return boundary_share(out.density); }));
+        both([](const ImpactRun& out) { return boundary_share(out.density); }));
   q.add("energy_drift", compare(coarse.run.energy_drift, fine.run.energy_drift));
   q.add("escaped",
-        both([&](const Outcome& out) { return int(out.reach > impact.chain.well.rim()); }));
+        both([&](const ImpactRun& out) { return int(out.reach > impact.chain.well.rim()); }));
   return q.table;
 }
 
 /**
 The reader may rather want to see the wave than to measure it: `--profile` prints the state at the
 end instead. */
-Table run_profile(const Outcome& fine) {
+Table run_profile(const ImpactRun& fine) {
   Table table{{count("n", "site", "site"), number("y", "displacement"), number("v", "velocity"),
                number("e", "energy density")}};
   for (std::size_t n = 0; n < fine.density.size(); ++n)
-    table.add({std::int64_t(n + 1), fine.end.y[n], fine.end.v[n], fine.density[n]});
+    table.add({n + 1, fine.end.y[n], fine.end.v[n], fine.density[n]});
   return table;
 }
 
 Table OneImpact::table() const {
-  const Impact whole = complete();
-  const auto runs = follow_to(tolerance, whole, far_away, 0.2);
-  const Outcome &coarse = runs.coarse, &fine = runs.fine;
-  if (fine.run.escaped())
-    throw Failure("the solution blows up at t = " + std::to_string(fine.run.escape_time) +
+  Impact whole = complete(impact);
+  if (impact.chain.sites > 0) whole.far_end = reached;
+  const auto runs = strike_to(tolerance, whole);
+  const Run& run = runs.fine.run;
+  if (run.escaped())
+    throw Failure("the solution blows up at t = " + std::to_string(run.escape_time) +
                   ": --velocity is beyond the threshold of this well");
-  if (impact.chain.sites == 0 && std::abs(fine.end.v.back()) > 1e-9 * impact.velocity)
-    throw Failure("the motion reaches the far end");
-  return profile ? run_profile(fine) : run_quantities(whole, coarse, fine);
+  return profile ? run_profile(runs.fine) : run_quantities(whole, runs.coarse, runs.fine);
 }
 
 /**

@@ -101,11 +101,16 @@ struct Verdict {
 };
 
 Verdict follow(const Strike& impact, const ContactAware& stepper) {
-  const Chain chain{impact.sites, Pendulum{}};
-  State<double> state = struck(impact.sites, impact.velocity);
+  const Impact whole{impact.velocity,
+                     {impact.sites, Pendulum{}},
+                     impact.patience,
+                     far_away,
+                     first_look,
+                     reached,
+                     false};
   Verdict verdict;
   double next = first_look;
-  const auto look = [&](const State<double>& now) {
+  const auto look = [&](const State<double>& now, const auto&) {
     if (now.t < next * (1 - 1e-9)) return true;
     const Counts counts = count_wells(now);
     verdict.settled = next > first_look && counts == verdict.counts;
@@ -113,7 +118,7 @@ Verdict follow(const Strike& impact, const ContactAware& stepper) {
     next *= 2;
     return !verdict.settled;
   };
-  evolve(stepper, chain, state, impact.patience, first_look, look);
+  strike(stepper, whole, look);
   return verdict;
 }
 
@@ -178,9 +183,8 @@ void reproduce(Report& report) {
                    {number("velocity", "impact velocity"), number("t", "time"),
                     count("n", "site", "site"), number("wells", "displacement in units of 2 pi")});
   for (double velocity : {2.0, 5.0}) {
-    const Chain chain{sites, Pendulum{}};
-    State<double> state = struck(sites, velocity);
-    evolve(stepper(velocity, 1), chain, state, 100, 0.5, [&](const State<double>& now) {
+    const Impact impact{velocity, {sites, Pendulum{}}, 100, far_away, 0.5, reached, false};
+    strike(stepper(velocity, 1), impact, [&](const State<double>& now, const auto&) {
       for (std::size_t n = 0; n < now.y.size(); ++n)
         examples.add({velocity, now.t, n + 1, now.y[n] / (2 * std::numbers::pi)});
     });

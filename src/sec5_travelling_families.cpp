@@ -320,11 +320,9 @@ In section 3.4 a packet slows down and turns at $s = 1$. Does it follow exact or
 and turn where they end? To see this we draw its speed against its energy, together with the orbits that
 we find at $s = 1$. */
 Path packet_at_one(double step) {
-  const Chain chain{160, Quartic{1}};
-  State<double> state = struck(chain.sites, 1.9);
   Path path;
-  evolve(ContactAware{step}, chain, state, 400, 0.5,
-         [&](const State<double>& now) { path.add(now.t, energy_density(chain, now)); });
+  strike(ContactAware{step}, {1.9, {160, Quartic{1}}, 400, far_away, 0.5},
+         [&](const State<double>& now, const std::vector<double>& e) { path.add(now.t, e); });
   return smooth(path, 40);
 }
 

@@ -46,10 +46,7 @@ constexpr double duration = 50;
 
 template <class Stepper>
 State<double> struck_with(const Stepper& stepper, double velocity) {
-  const Chain chain{sites, Quartic{1}};
-  State<double> state = struck(sites, velocity);
-  evolve(stepper, chain, state, duration, duration, Unobserved{});
-  return state;
+  return strike(stepper, {velocity, {sites, Quartic{1}}, duration, far_away, duration}).end;
 }
 
 double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {

@@ -124,7 +124,7 @@ TEST_CASE("a run of no duration returns its start", "[unit][accuracy]") {
 
 TEST_CASE("packets are followed with samples that differ, up to the same time",
           "[unit][accuracy]") {
-  const auto runs = follow_to(1e-4, {1.0, {60, Quartic{0}}, 400}, 40, 0.2);
+  const auto runs = strike_to(1e-4, {1.0, {60, Quartic{0}}, 400, 40});
   const Track &coarse = runs.coarse.track, &fine = runs.fine.track;
   CHECK(runs.fine.end.t == runs.coarse.end.t);
   CHECK(fine.t.size() + 2 >= 2 * coarse.t.size());

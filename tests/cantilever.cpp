@@ -45,7 +45,7 @@ TEST_CASE("scales take the beads' modulus", "[unit][cantilever]") {
   // Eqs. (29) and (30): the dimensionless impact velocity is lambda^(5/2) for every V.
   for (double v : {0.1, 1.0, 3.0}) {
     const double lambda = s.lambda(v);
-    check_close(ArrayImpact{.velocity = v}.struck_velocity(), lambda * lambda * std::sqrt(lambda),
+    check_close(StruckArray{.velocity = v}.struck_velocity(), lambda * lambda * std::sqrt(lambda),
                 0, 1e-12);
   }
   check_close(s.gamma * s.xi() * std::sqrt(s.xi()), s.k * s.xi(), 0, 1e-12);
@@ -91,11 +91,11 @@ TEST_CASE("pushes of a passing packet", "[unit][cantilever]") {
 namespace {
 
 /// A short array whose packet meets the defect early.
-ArrayImpact short_array() {
-  ArrayImpact impact;
-  impact.array.sites = 64;
-  impact.array.defect = 32;
-  return impact;
+StruckArray short_array() {
+  StruckArray blow;
+  blow.array.sites = 72;
+  blow.array.defect = 32;
+  return blow;
 }
 
 }  // namespace
@@ -116,21 +116,19 @@ TEST_CASE("the ledger closes and knows a defect from none", "[property][cantilev
 }
 
 TEST_CASE("the shared way to the defect changes nothing", "[property][cantilever]") {
-  const ArrayImpact impact = short_array();
-  const Scattering there = scatter(impact, 1.6, approach(impact, 0.05), 0.05, 28);
-  const auto chain = cantilever_chain(impact.array, 1.6);
-  State<double> state = struck(chain.sites, impact.struck_velocity());
-  evolve(ContactAware{0.05}, chain, state, impact.time(28), impact.time(28), Unobserved{});
-  const Ledger straight = ledger_of(impact, energy_density(chain, state));
+  const StruckArray blow = short_array();
+  const Scattering there = scatter(blow, 1.6, approach(blow, 0.05), 0.05, 28);
+  const ImpactRun run = strike(ContactAware{0.05}, blow.impact(1.6, 28, blow.time(28)));
+  const Ledger straight = ledger_of(blow, run.density);
   check_close(there.later.reflected, straight.reflected, 1e-8);
   check_close(there.later.transmitted, straight.transmitted, 1e-8);
 }
 
 TEST_CASE("damping shortens the journey and takes its energy", "[property][cantilever]") {
-  ArrayImpact impact;
-  impact.array.sites = 60, impact.array.defect = 50;
-  const Transit free = travel(impact, 0, {0.1, 0.1}), damped = travel(impact, 200, {0.1, 0.1});
-  const Transit finer = travel(impact, 200, {0.05, 0.05});
+  StruckArray blow;
+  blow.array.sites = 60, blow.array.defect = 50;
+  const Transit free = travel(blow, 0, {0.1, 0.1}), damped = travel(blow, 200, {0.1, 0.1});
+  const Transit finer = travel(blow, 200, {0.05, 0.05});
   CHECK(damped.sites < free.sites);
   CHECK(damped.speed < free.speed);
   CHECK(damped.period > free.period);

@@ -102,6 +102,7 @@ TEST_CASE("bad input: one line, exit code 2, no file", "[cli]") {
                         {"sec34_boomeron run --time 10", "--time"},
                         {"sec34_boomeron_map map --part 0/4", "--part"},
                         {"sec36_cantilever_defect run --ratio -1", "--ratio"},
+                        {"sec36_cantilever_defect run --sites 50", "--sites"},
                         {"sec36_cantilever_defect run --radius -1", "--radius"},
                         {"sec36_cantilever_defect run --radius nan", "--radius"},
                         {"sec36_cantilever_defect map --part 5/4", "--part"},

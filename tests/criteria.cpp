@@ -149,6 +149,8 @@ TEST_CASE("a packet's width is not any number", "[unit][criteria]") {
     const Front front = compact(double(width));
     for (std::size_t sites : {3, 5, 7, 9})
       CHECK(holds(supported_by(sites, front, front)) == (sites == width));
+    CHECK(front.width() == width);
+    check_close(front.tail(), std::sqrt(1e-7), 0, 1e-6);
   }
 }
 
@@ -176,8 +178,7 @@ TEST_CASE("only what rises above the waves between is visible", "[property][crit
   CHECK(prominence(v, 80) < 1);
   // The same impact on linear wells leaves no surface mode, on soft ones it does.
   const auto shot = [](double s) {
-    const Outcome out = follow(ContactAware{0.1}, Impact{1.87, {130, Quartic{s}}, 400}, far_away,
-                               400.0, Unwatched{});
+    const ImpactRun out = strike(ContactAware{0.1}, {1.87, {0, Quartic{s}}, 400, far_away, 400});
     return prominence(out.end.v, *front_packet(out.density));
   };
   CHECK(shot(-1.0 / 6) > 1);

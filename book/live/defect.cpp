@@ -19,19 +19,19 @@ constexpr double until = 75;  // ms
 
 /**
 A row of the map holds the strongest push of each contact since the row before, in newtons. */
-void draw_map(const ArrayImpact& impact, const Request& r) {
-  const auto chain = cantilever_chain(impact.array, r.radius);
-  const std::size_t contacts = chain.sites - 1;
-  const double duration = impact.time(until), unit = impact.scales.unit_force();
+void draw_map(const StruckArray& blow, const Request& r) {
+  const Impact impact = blow.impact(r.radius, until, 0.1);
+  const std::size_t contacts = impact.chain.sites - 1;
   std::vector<double> most(contacts, 0.0);
   std::size_t shown = 0;
-  State<double> state = struck(chain.sites, impact.struck_velocity());
-  evolve(ContactAware{0.1}, chain, state, duration, 0.1, [&](const State<double>& now) {
-    for (std::size_t n = 0; n < contacts; ++n)
-      most[n] = std::max(most[n], contact_push(chain, now.y.data(), n + 1) * unit);
-    if (now.t < duration * double(shown + 1) / r.rows) return;
+  strike(ContactAware{0.1}, impact, [&](const State<double>& now, const auto&) {
+    for (std::size_t n = 0; n < contacts; ++n) {
+      const double push = contact_push(impact.chain, now.y.data(), n + 1);
+      most[n] = std::max(most[n], push * blow.scales.unit_force());
+    }
+    if (now.t < impact.time * double(shown + 1) / r.rows) return;
     ++shown;
-    page_row(0, impact.milliseconds(now.t), most.data(), contacts);
+    page_row(0, blow.milliseconds(now.t), most.data(), contacts);
     std::fill(most.begin(), most.end(), 0.0);
   });
 }
@@ -41,10 +41,10 @@ All that the page shows is computed in one call. */
 PAGE_REQUEST(Request)
 
 extern "C" __attribute__((export_name("run"))) void run() {
-  const ArrayImpact impact{{}, asked.velocity};
-  draw_map(impact, asked);
-  const Fractions found = fractions(Workshop(impact, {0.1, 0.05}, until), asked.radius);
+  const StruckArray blow{{}, asked.velocity};
+  draw_map(blow, asked);
+  const Fractions found = fractions(Workshop(blow, {0.1, 0.05}, until), asked.radius);
   for (const auto& named : found.named()) page::fact(named.name, named.share);
   page::fact("ledger", found.ledger);
-  page::fact("mu", exact(impact.array.mu(asked.radius)));
+  page::fact("mu", exact(blow.array.mu(asked.radius)));
 }

@@ -24,7 +24,10 @@ Impact impact_of(const Request& r) {
   const Well well =
       r.pendulum != 0 ? named<Well>("pendulum", {}) : named<Well>("quartic", {{"s", r.s}});
   const Contact contact = simplest(CompressedHertz{r.precompression});
-  return {r.velocity, {std::size_t(r.sites), well, contact}, r.time};
+  return {.velocity = r.velocity,
+          .chain = {std::size_t(r.sites), well, contact},
+          .time = r.time,
+          .far_end = reached};
 }
 
 /// Shows about `rows` of the samples of a run, whatever their number.
@@ -43,10 +46,9 @@ struct Rows {
   }
 };
 
-Refined<Outcome> strike(const Request& request, const Impact& impact) {
+Refined<ImpactRun> strike_for(const Request& request, const Impact& impact) {
   return converge(request.tolerance, [&](const ContactAware& stepper) {
-    return follow(stepper, impact, far_away, dense_time_grid(stepper, impact.time, 0.2),
-                  Rows{request, impact, stepper.halvings}, std::size_t(1) << stepper.halvings);
+    return strike(stepper, impact, Rows{request, impact, stepper.halvings});
   });
 }
 
@@ -55,7 +57,7 @@ Refined<Outcome> strike(const Request& request, const Impact& impact) {
 
 The quantities are those of the program and have its names; one that does not exist is `nan`. */
 struct Facts {
-  const Outcome &coarse, &fine;
+  const ImpactRun &coarse, &fine;
 
   template <class Of>
   void add(std::string_view name, Of of) const {
@@ -63,25 +65,26 @@ struct Facts {
   }
   template <class Of>
   void tracked(std::string_view name, Of of) const {
-    add(name, [&](const Outcome& o) { return o.track.t.empty() ? std::nan("") : of(o); });
+    add(name, [&](const ImpactRun& o) { return o.track.t.empty() ? std::nan("") : of(o); });
   }
 };
 
 void report(const Impact& impact, const Facts& facts) {
   const double to = double(impact.chain.sites) - 20, undefined = std::nan("");
-  facts.add("speed", [&](const Outcome& o) {
+  facts.add("speed", [&](const ImpactRun& o) {
     return o.track.line(fit_from, to).value_or(Line{undefined, undefined, undefined}).estimate();
   });
-  facts.tracked("centre", [](const Outcome& o) { return o.track.centre.back(); });
-  facts.add("peak_energy_density", [&](const Outcome& o) {
+  facts.tracked("centre", [](const ImpactRun& o) { return o.track.centre.back(); });
+  facts.add("peak_energy_density", [&](const ImpactRun& o) {
     const double peak = o.track.largest_peak(fit_from, to);
     return peak > 0 ? peak : undefined;
   });
   facts.tracked("packet_energy_fraction",
-                [](const Outcome& o) { return o.track.energy.back() / total(o.density); });
-  facts.add("boundary_energy_fraction", [](const Outcome& o) { return boundary_share(o.density); });
-  facts.add("energy_drift", [](const Outcome& o) { return o.run.energy_drift; });
-  facts.add("escaped", [&](const Outcome& o) { return int(o.reach > impact.chain.well.rim()); });
+                [](const ImpactRun& o) { return o.track.energy.back() / total(o.density); });
+  facts.add("boundary_energy_fraction",
+            [](const ImpactRun& o) { return boundary_share(o.density); });
+  facts.add("energy_drift", [](const ImpactRun& o) { return o.run.energy_drift; });
+  facts.add("escaped", [&](const ImpactRun& o) { return int(o.reach > impact.chain.well.rim()); });
 }
 
 /**
@@ -90,8 +93,8 @@ PAGE_REQUEST(Request)
 
 extern "C" __attribute__((export_name("run"))) void run() {
   const Impact impact = impact_of(asked);
-  const Refined<Outcome> runs = strike(asked, impact);
-  const Outcome& fine = runs.fine;
+  const Refined<ImpactRun> runs = strike_for(asked, impact);
+  const ImpactRun& fine = runs.fine;
   if (fine.run.escaped())
     throw std::runtime_error(
         "the solution blows up at t = " + std::to_string(fine.run.escape_time) +

@@ -33,7 +33,7 @@ struct Spot {
   double omega = 1.1, s = 0;
 };
 inline Shooting<double> problem_at(Centre centre, const Spot& spot, std::size_t more = 0) {
-  return breather_problem(centre, spot.omega, spot.s, (centre == Centre::site ? 21 : 22) + more);
+  return breather_problem(centre, spot.omega, spot.s, sites_of(centre, Length::shortest) + more);
 }
 
 /// The breather of a problem near that of another. The guess scales positions with the square of

@@ -56,14 +56,25 @@ class Front {
   void add(const std::vector<double>& e, std::size_t peak) {
     for (std::size_t k = 0; k < largest_.size() && peak + k < e.size(); ++k)
       largest_[k] = std::max(largest_[k], e[peak + k]);
+    for (std::size_t k = packet_half_width + 1; k <= 3 * packet_half_width && k <= peak; ++k)
+      behind_ = std::max(behind_, e[peak - k]);
   }
   /// Amplitude `distance` sites ahead of the peak, relative to the peak.
   double amplitude(std::size_t distance) const {
     return std::sqrt(largest_.at(distance) / largest_[0]);
   }
+  /// Sites of the packet, if it is as wide behind its peak as ahead of it: those above a hundredth.
+  std::size_t width() const {
+    std::size_t k = 0;
+    while (k + 1 < largest_.size() && amplitude(k + 1) > 0.01) ++k;
+    return 2 * k + 1;
+  }
+  /// Largest amplitude on the ten sites behind the packet's window, relative to the peak.
+  double tail() const { return std::sqrt(behind_ / largest_[0]); }
 
  private:
   std::vector<double> largest_ = std::vector<double>(2 * packet_half_width, 0.0);
+  double behind_ = 0;
 };
 
 /// A packet of `sites` sites, an odd number: on its undisturbed side the outermost of them exceeds

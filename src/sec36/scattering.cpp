@@ -3,36 +3,32 @@
 namespace lattice {
 
 // Divide the energy among the sites before the defect, the nine around it, and those behind
-Ledger ledger_of(const ArrayImpact& impact, const std::vector<double>& density) {
-  const std::size_t d = impact.array.defect;
+Ledger ledger_of(const StruckArray& blow, const std::vector<double>& density) {
+  const std::size_t d = blow.array.defect;
   const auto part = [&](std::size_t from, std::size_t to) {
     return std::accumulate(density.begin() + std::ptrdiff_t(from),
                            density.begin() + std::ptrdiff_t(to), 0.0) /
-           (impact.struck_velocity() * impact.struck_velocity() / 2);
+           (blow.struck_velocity() * blow.struck_velocity() / 2);
   };
   return {part(0, d - 5), part(d - 5, d + 4), part(d + 4, density.size())};
 }
 
 // Stop when the front is five sites before the defect, whose neighbour must still be at rest
-State<double> approach(const ArrayImpact& impact, double step, double patience) {
-  const auto chain = cantilever_chain(impact.array, 1);
-  const std::size_t d = impact.array.defect - 1;
-  State<double> state = struck(chain.sites, impact.struck_velocity());
-  evolve(ContactAware{step}, chain, state, impact.time(patience), 1,
-         [&](const State<double>& now) { return now.y[d - 5] == 0; });
-  if (state.y[d - 1] != 0 || state.y[d - 5] == 0)
+ImpactRun approach(const StruckArray& blow, double step, double patience) {
+  const std::size_t d = blow.array.defect - 1;
+  const auto there = [&](const State<double>& now, const auto&) { return now.y[d - 5] == 0; };
+  ImpactRun run = strike(ContactAware{step}, blow.impact(1, patience, 1), there);
+  if (run.end.y[d - 1] != 0 || run.end.y[d - 5] == 0)
     throw NoPacket("the packet does not come to the defect as expected");
-  return state;
+  return run;
 }
 
 // Go on with the defect in place; a second look, ten milliseconds earlier, tells what still changes
-Scattering scatter(const ArrayImpact& impact, double ratio, State<double> state, double step,
-                   double end) {
-  const auto chain = cantilever_chain(impact.array, ratio);
+Scattering scatter(const StruckArray& blow, double ratio, ImpactRun run, double step, double end) {
+  const Impact impact = blow.impact(ratio, end, blow.time(end));
   const auto on = [&](double until) {
-    const double duration = impact.time(until) - state.t;
-    evolve(ContactAware{step}, chain, state, duration, duration, Unobserved{});
-    return ledger_of(impact, energy_density(chain, state));
+    go_on(ContactAware{step}, impact, run, blow.time(until));
+    return ledger_of(blow, run.density);
   };
   const Ledger earlier = on(end - 10);
   return {earlier, on(end)};
@@ -43,7 +39,7 @@ Fractions fractions(const Workshop& at, double ratio) {
   std::array<Scattering, 2> run;
   std::array<Ledger, 2> now, net;
   for (std::size_t k : {0, 1}) {
-    run[k] = scatter(at.impact, ratio, at.start[k], at.steps[k], at.end);
+    run[k] = scatter(at.blow, ratio, at.start[k], at.steps[k], at.end);
     now[k] = run[k].later;
     net[k] = now[k].net(at.without[k]);
   }
@@ -71,28 +67,31 @@ double frequency_of(const Watched& bead) {
 }
 
 // Watch what remains near the defect after the packet has left
-Stay stay(const ArrayImpact& impact, double ratio, State<double> state, const Resolution& r) {
-  const auto chain = cantilever_chain(impact.array, ratio);
-  const double energy_in = impact.struck_velocity() * impact.struck_velocity() / 2, from = 65;
-  const std::size_t d = impact.array.defect - 1;
-  Stay out{{}, {}, std::vector<double>(chain.sites, 0.0)};
+Stay stay(const StruckArray& blow, double ratio, ImpactRun run, const Resolution& r) {
+  const Impact impact = blow.impact(ratio, 100.2, r.sample);
+  const double energy_in = impact.velocity * impact.velocity / 2, from = 65;
+  const std::size_t d = blow.array.defect - 1;
+  Stay out{{}, {}, std::vector<double>(impact.chain.sites, 0.0)};
   Watched bead;
   const auto every = std::size_t(std::lround(2 * r.step / r.sample));
   std::size_t k = 0;
-  const auto watch = [&](const State<double>& now) {
-    const double time = impact.milliseconds(now.t);
-    const auto density = energy_density(chain, now);
+  const auto watch = [&](const State<double>& now, const std::vector<double>& density) {
+    const double time = blow.milliseconds(now.t);
     // The energy near the defect every half millisecond, at the same instants for both steps
     if (time >= 50 + 0.5 * double(out.t.size()) - 1e-6) {
       out.t.push_back(50 + 0.5 * double(out.t.size()));
-      out.near.push_back(ledger_of(impact, density).near);
+      out.near.push_back(ledger_of(blow, density).near);
+      out.before.push_back(window_sum(density, d - 4, 4) / energy_in);
     }
+    if (time >= 70 && time <= 80)
+      out.push = std::max(
+          out.push, contact_push(impact.chain, now.y.data(), d - 1) * blow.scales.unit_force());
     // From 65 ms on, the motion of the defect and where the energy sits on average
     if (k++ % every != 0 || time < from) return;
     bead.t.push_back(now.t), bead.v.push_back(now.v[d]);
     for (std::size_t n = 0; n < density.size(); ++n) out.density[n] += density[n] / energy_in;
   };
-  evolve(ContactAware{r.step}, chain, state, impact.time(100.2) - state.t, r.sample, watch);
+  go_on(ContactAware{r.step}, impact, run, impact.time, watch);
   for (double& e : out.density) e /= double(bead.t.size());
   out.frequency = frequency_of(bead);
   return out;

@@ -41,38 +41,37 @@ struct Ledger {
 };
 
 /// Shares of the impact's energy: sites 1 to 95, 96 to 104, and from 105 on if the defect is at 100.
-Ledger ledger_of(const ArrayImpact& impact, const std::vector<double>& density);
+Ledger ledger_of(const StruckArray& blow, const std::vector<double>& density);
 
 /**
 Until the front of the packet arrives the defect is exactly at rest, so all runs that differ in the defect
 alone share the way there. `approach` makes it: it ends when the fifth site before the defect has begun to
 move, and checks that the one next to the defect has not. Throws NoPacket if this is not so within
 `patience`, in ms. */
-State<double> approach(const ArrayImpact& impact, double step, double patience = 200);
+ImpactRun approach(const StruckArray& blow, double step, double patience = 200);
 
 /// The ledger 10 ms before the end and at the end. `scatter` goes on from `approach` to `end` (ms).
 struct Scattering {
   Ledger earlier, later;
 };
 
-Scattering scatter(const ArrayImpact& impact, double ratio, State<double> state, double step,
-                   double end);
+Scattering scatter(const StruckArray& blow, double ratio, ImpactRun run, double step, double end);
 
 /**
 Every point of a map over the size of the defect is computed with two steps. The common way and the run
 without a defect are computed only once for each step. */
 struct Workshop {
-  ArrayImpact impact;
+  StruckArray blow;
   std::array<double, 2> steps;  ///< in units of tau_c, the larger one first
   double end;                   ///< ms
-  std::array<State<double>, 2> start{};
+  std::array<ImpactRun, 2> start{};
   std::array<Ledger, 2> without{};
 
-  Workshop(const ArrayImpact& how, const std::array<double, 2>& both_steps, double end_time)
-      : impact(how), steps(both_steps), end(end_time) {
+  Workshop(const StruckArray& how, const std::array<double, 2>& both_steps, double end_time)
+      : blow(how), steps(both_steps), end(end_time) {
     for (std::size_t k : {0, 1}) {
-      start[k] = approach(impact, steps[k]);
-      without[k] = scatter(impact, 1, start[k], steps[k], end).later;
+      start[k] = approach(blow, steps[k]);
+      without[k] = scatter(blow, 1, start[k], steps[k], end).later;
     }
   }
 };
@@ -121,17 +120,25 @@ Criterion partial(const Estimate& transmitted);
 
 The article finds that a small part of the energy remains loosely trapped near the defect. To see what it
 is we record the energy around the defect as a function of time, the mean distribution of the energy, and
-the frequency of the defect, from the upward passages of its velocity through zero. */
+the frequency of the defect, from the upward passages of its velocity through zero. A packet that is
+reflected leaves its energy *before* the defect, so the nine sites that end at the defect are recorded as
+well as the nine around it, and the strongest push of the second contact before it. */
 struct Stay {
-  std::vector<double> t, near;  ///< ms, share of the energy on sites 96 to 104
-  std::vector<double> density;  ///< mean share at each site from 65 to 100 ms
-  double frequency = 0;         ///< of the defect in the same time, 1 / tau_c
+  std::vector<double> t, near;   ///< ms, share of the energy on sites 96 to 104
+  std::vector<double> density;   ///< mean share at each site from 65 to 100 ms
+  double frequency = 0;          ///< of the defect in the same time, 1 / tau_c
+  std::vector<double> before{};  ///< share of the energy on sites 92 to 100, at the times t
+  double push = 0;               ///< strongest push of the contact 98 | 99 from 70 to 80 ms, N
 
-  double at(double time) const {
-    return near.at(std::size_t(std::lower_bound(t.begin(), t.end(), time - 1e-9) - t.begin()));
+  /// A recorded share at a time in ms.
+  double at(double time, std::vector<double> Stay::*of = &Stay::near) const {
+    const auto i = std::lower_bound(t.begin(), t.end(), time - 1e-9) - t.begin();
+    return (this->*of).at(std::size_t(i));
   }
   /// What is left at 100 ms of the energy at 75 ms.
-  double kept() const { return at(100) / at(75); }
+  double kept(std::vector<double> Stay::*of = &Stay::near) const {
+    return at(100, of) / at(75, of);
+  }
 };
 
 /// Angular frequency of a bead: its whole turns between the first and the last upward passage of its
@@ -143,10 +150,10 @@ The run is watched from 50 to 100 ms. Energies at a given time can be compared b
 both runs are sampled at the same instants, because a passing packet changes them by several per cent
 from one sample to the next. The frequency is read from samples two steps apart, so that its error covers
 their distance as well. */
-Stay stay(const ArrayImpact& impact, double ratio, State<double> state, const Resolution& r);
+Stay stay(const StruckArray& blow, double ratio, ImpactRun run, const Resolution& r);
 
 /**
-We call energy trapped if at least 95 per cent of it stays from 75 to 100 ms, if there is more of it than
+Energy is trapped for good if at least 95 per cent of it stays from 75 to 100 ms, if there is more of it than
 in the wake that a packet leaves in an array without a defect, and if it is densest at the defect or next
 to it. */
 /// From runs with two steps, the finer one second; `defect` counts sites from zero.

@@ -9,52 +9,67 @@ PacketSample packet_sample(double t, const std::vector<double>& e) {
           boundary_share(e), participation(e)};
 }
 
-// Top and width must lie within the sites of the fit; a packet that is still forming may be rough
-Criterion sech_like(const Snapshot& coarse, const Snapshot& fine, bool forming) {
+// Top and width must lie within the sites of the fit, and the fit must be a good one
+Criterion sech_like(const Snapshot& coarse, const Snapshot& fine) {
   const auto off = [](const Snapshot& shot) { return std::abs(shot.sech.centre - shot.centre); };
   const double reach = double(envelope_reach);
-  Criterion all{below("top", compare(off(coarse), off(fine)), reach),
-                below("width", compare(coarse.sech.width, fine.sech.width), reach)};
-  if (!forming)
-    all.push_back(below("residual", compare(coarse.sech.residual, fine.sech.residual), 0.1));
-  return all;
+  return {below("top", compare(off(coarse), off(fine)), reach),
+          below("width", compare(coarse.sech.width, fine.sech.width), reach),
+          below("residual", compare(coarse.sech.residual, fine.sech.residual), 0.1)};
+}
+
+// The wave on which the packet stands, well away from its centre
+double tail_amplitude(const Snapshot& shot, int side) {
+  const std::vector<double>& a = shot.envelope.amplitude;
+  double squares = 0;
+  for (long k = 40; k <= 80; ++k) {
+    const double at = a.at(std::size_t(std::lround(shot.sech.centre) - 1 + side * k));
+    squares += at * at;
+  }
+  return std::sqrt(squares / 41) / shot.sech.height;
+}
+
+Criterion tail_on_both_sides(const Snapshot& coarse, const Snapshot& fine) {
+  const auto on = [&](int side) {
+    return compare(tail_amplitude(coarse, side), tail_amplitude(fine, side));
+  };
+  return {above("behind", on(-1), 0.01), above("ahead", on(1), 0.01)};
 }
 
 // The envelope around the packet's centre and the sech that fits it best
 Snapshot snapshot(const Chain& chain, const State<double>& state) {
   const double centre = packet_sample(state.t, energy_density(chain, state)).centre;
-  const Range range = around(std::size_t(centre) - 1, envelope_reach, chain.sites);
+  const Window range = around(std::size_t(centre) - 1, envelope_reach, chain.sites);
   Snapshot out{state, centre, envelope(chain, state, range), {}};
   out.sech = fit_sech(out.envelope.amplitude, range, 8);
   return out;
 }
 
-// The run of a struck chain, sampled every unit of time
-CompressedRun strike_compressed(const CompressedImpact& launch, const Chain& chain,
-                                const std::vector<double>& times, CompressedSteps steps) {
-  CompressedRun out{struck(chain.sites, launch.velocity)};
-  const auto watch = [&](const State<double>& now) {
+Impact compressed_impact(double s, double time, double velocity, double d) {
+  return complete({velocity, {0, Quartic{s}, CompressedHertz{d}}, time, far_away, 1});
+}
+
+// Under precompression the contacts settle, and from then on the splitting takes over
+CompressedRun strike_compressed(const Impact& impact, const std::vector<double>& times,
+                                CompressedSteps steps) {
+  const Chain& chain = impact.chain;
+  const double opening = chain.contact.opening();
+  CompressedRun out;
+  const auto watch = [&](const State<double>& now, const std::vector<double>& density) {
     if (!out.samples.empty() && now.t == out.samples.back().t) return;
-    out.samples.push_back(packet_sample(now.t, energy_density(chain, now)));
+    out.samples.push_back(packet_sample(now.t, density));
     // A contact is open where neighbours move apart by more than the precompression
     for (std::size_t n = 0; n + 1 < chain.sites; ++n)
-      if (now.y[n + 1] - now.y[n] > launch.d) out.last_open = now.t;
+      if (now.y[n + 1] - now.y[n] > opening) out.last_open = now.t;
     for (double t : times)
       if (std::abs(now.t - t) < 1e-6) out.shown.push_back(snapshot(chain, now));
   };
-  // Under precompression the contacts settle, and from then on the splitting takes over
-  const double first = launch.d > 0 ? std::min(settling_time, launch.time) : launch.time;
-  const Splitting late{blanes_moan_6_14(), steps.late};
-  const Run run = evolve(ContactAware{steps.early}, chain, out.end, first, 1, watch);
-  out.drift = run.energy_drift;
-  if (first < launch.time && !run.escaped())
-    out.drift += evolve(late, chain, out.end, launch.time - first, 1, watch).energy_drift;
+  out.end = struck(chain.sites, impact.velocity);
+  const double first = opening > 0 ? std::min(settling_time, impact.time) : impact.time;
+  go_on(ContactAware{steps.early}, impact, out, first, watch);
+  if (first < impact.time && !out.run.escaped())
+    go_on(Splitting{blanes_moan_6_14(), steps.late}, impact, out, impact.time, watch);
   return out;
-}
-
-CompressedRun strike_compressed(const CompressedImpact& launch, const std::vector<double>& times,
-                                CompressedSteps steps) {
-  return strike_compressed(launch, launch.chain(), times, steps);
 }
 
 // A breather keeps its share of the energy and moves on; a train thins out everywhere

@@ -8,9 +8,8 @@ apart.
 
 Near the struck end contacts may open for a while, so the contact-aware method (contact_rkn.hpp) integrates
 until a settling time. After that the motion is smooth, and a splitting (schemes.hpp) has its full order
-six. Phonons travel at any speed up to the largest group velocity $\omega'(q_c)$, and ahead of them the
-motion falls off super-exponentially; so a chain somewhat longer than the way of the fastest phonon is as
-good as endless. */
+six. The chain is as long as impact.hpp makes it: somewhat longer than the way of the fastest phonon, ahead of
+which the motion falls off super-exponentially. */
 
 #include <algorithm>
 #include <cmath>
@@ -27,18 +26,9 @@ good as endless. */
 
 namespace lattice {
 
-/// An impact of `velocity` on a chain with wells of anharmonicity `s`, compressed by `d` (zero: not).
-struct CompressedImpact {
-  double s = 1, time = 724, velocity = 1.87, d = 0.5;
-  /// Fifteen per cent more than the way of the fastest phonon, and a hundred sites. Without compression
-  /// there are no phonons, and a packet moves at about 0.3 sites per unit of time.
-  std::size_t sites() const {
-    const double v1 = d > 0 ? contact_series(d).v1 : 0;
-    const double fastest = d > 0 ? phonon(inflection(v1), v1).group_velocity : 0.3;
-    return 100 + std::size_t(1.15 * fastest * time);
-  }
-  Chain chain() const { return {sites(), Quartic{s}, CompressedHertz{d}}; }
-};
+/// An impact on a chain with wells of anharmonicity `s`, compressed by `d` (zero: not), in the run of
+/// length `time`; the chain is as long as needed.
+Impact compressed_impact(double s, double time, double velocity = 1.87, double d = 0.5);
 
 /**
 The packet is where most of the energy is (`richest` in envelope.hpp). How it fares is read from a few
@@ -59,9 +49,9 @@ Is it a soliton of the NLS equation, whose envelope is a sech (Eq. (38))? At a f
 state, with the amplitudes of the velocity and the sech that fits them around the packet's centre.
 
 We say that a sech explains the envelope if it deviates by less than a tenth of its height (root mean
-square over 21 sites), and if its top and its width lie within these sites; while a packet is still
-`forming`, top and width are enough. The front of a wave train has a crest too, and over 21 sites a broad
-enough sech fits anything smooth; so the share of the energy must decide first. */
+square over 21 sites), and if its top and its width lie within these sites. The front of a wave train has a
+crest too, and over 21 sites a broad enough sech fits anything smooth; so the share of the energy must decide
+first. */
 struct Snapshot {
   State<double> state;
   double centre;
@@ -70,20 +60,26 @@ struct Snapshot {
 };
 
 /// From the snapshots of two runs: a sech explains the envelope.
-Criterion sech_like(const Snapshot& coarse, const Snapshot& fine, bool forming);
+Criterion sech_like(const Snapshot& coarse, const Snapshot& fine);
+
+/**
+The late packet stands on a tail. Its amplitude on either side is the root mean square of the envelope between
+40 and 80 sites from the packet's centre, where nothing is left of the sech, relative to the sech's height. It
+is there if it exceeds a hundredth, which is what a drawing still shows, and the difference of the two runs. */
+/// Amplitude of the tail behind (`side` = -1) or ahead (+1) of the packet.
+double tail_amplitude(const Snapshot& shot, int side);
+
+Criterion tail_on_both_sides(const Snapshot& coarse, const Snapshot& fine);
 
 /// The snapshot of `state`, its sech fitted around the packet.
 Snapshot snapshot(const Chain& chain, const State<double>& state);
 
 /**
-A run has a sample every unit of time and snapshots at the times asked for. It also records two things that
-tell whether it can be trusted: how far the energy drifts, and when a contact was last open, because the
-splitting of the later part relies on closed ones. */
-struct CompressedRun {
-  State<double> end;
+A run has a sample every unit of time and snapshots at the times asked for. It also records when a contact
+was last open, because the splitting of the later part relies on closed ones. */
+struct CompressedRun : ImpactRun {
   std::vector<PacketSample> samples{};
   std::vector<Snapshot> shown{};
-  double drift = 0;
   double last_open = 0;  ///< time of the last sample with an open contact
 };
 
@@ -96,12 +92,8 @@ inline constexpr double settling_time = 40;
 
 /**
 The impact takes place at $t = 0$. With compression we change methods at the settling time; without it
-contacts never cease to open, and the contact-aware method integrates all the time. The wells of `chain` may
-be of any kind. */
-CompressedRun strike_compressed(const CompressedImpact& launch, const Chain& chain,
-                                const std::vector<double>& times, CompressedSteps steps);
-/// The same in quartic wells.
-CompressedRun strike_compressed(const CompressedImpact& launch, const std::vector<double>& times,
+contacts never cease to open, and the contact-aware method integrates all the time. */
+CompressedRun strike_compressed(const Impact& impact, const std::vector<double>& times,
                                 CompressedSteps steps);
 
 /**

@@ -2,7 +2,7 @@
 
 namespace lattice {
 
-Range around(std::size_t peak, std::size_t reach, std::size_t sites) {
+Window around(std::size_t peak, std::size_t reach, std::size_t sites) {
   return {peak > reach ? peak - reach : 0, std::min(sites, peak + reach + 1)};
 }
 
@@ -19,7 +19,7 @@ std::size_t richest(const std::vector<double>& e, std::size_t reach) {
 }
 
 // The carrier's frequency from the packet, then amplitudes from velocity and acceleration
-Envelope envelope(const Chain& chain, const State<double>& state, Range range) {
+Envelope envelope(const Chain& chain, const State<double>& state, Window range) {
   const std::vector<double> a = accelerations(chain, state.y);
   double aa = 0, vv = 0;
   for (std::size_t n = range.first; n < range.last; ++n) {
@@ -33,7 +33,7 @@ Envelope envelope(const Chain& chain, const State<double>& state, Range range) {
 }
 
 // How far the sech is from the envelope
-double misfit(const Sech& f, const std::vector<double>& a, Range range) {
+double misfit(const Sech& f, const std::vector<double>& a, Window range) {
   double sum = 0;
   for (std::size_t n = range.first; n < range.last; ++n)
     sum += std::pow(a[n] - f.at(double(n + 1)), 2);
@@ -47,7 +47,7 @@ double determinant(const double (&t)[3][3]) {
 }
 
 // One Gauss-Newton step: gather matrix and right-hand side from the derivatives at every site
-std::array<double, 3> sech_step(const Sech& f, const std::vector<double>& a, Range range) {
+std::array<double, 3> sech_step(const Sech& f, const std::vector<double>& a, Window range) {
   double m[3][3] = {}, g[3] = {};
   for (std::size_t n = range.first; n < range.last; ++n) {
     const double x = (double(n + 1) - f.centre) / f.width, y = f.at(double(n + 1));
@@ -69,7 +69,7 @@ std::array<double, 3> sech_step(const Sech& f, const std::vector<double>& a, Ran
 }
 
 // Start with the peak of the envelope as height and centre of the soliton
-Sech fit_sech(const std::vector<double>& a, Range range, double width) {
+Sech fit_sech(const std::vector<double>& a, Window range, double width) {
   const auto first = a.begin() + std::ptrdiff_t(range.first),
              last = a.begin() + std::ptrdiff_t(range.last);
   const auto top = std::max_element(first, last);

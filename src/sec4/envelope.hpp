@@ -22,13 +22,8 @@ the residual of a least-squares fit. */
 
 namespace lattice {
 
-/// A range of sites, first <= n < last.
-struct Range {
-  std::size_t first = 0, last = 0;
-};
-
 /// The sites within `reach` of `peak`.
-Range around(std::size_t peak, std::size_t reach, std::size_t sites);
+Window around(std::size_t peak, std::size_t reach, std::size_t sites);
 
 /**
 Among phonons the largest single density need not belong to the packet. So we look for the site around
@@ -44,7 +39,7 @@ struct Envelope {
 };
 
 /// Frequency of the carrier in `range` and amplitudes of all sites.
-Envelope envelope(const Chain& chain, const State<double>& state, Range range);
+Envelope envelope(const Chain& chain, const State<double>& state, Window range);
 
 /**
 The soliton's form has three parameters: height, centre (sites counted from one) and width. What it does
@@ -55,7 +50,7 @@ struct Sech {
 };
 
 /// Mean square deviation of `f` from the values in `range`.
-double misfit(const Sech& f, const std::vector<double>& a, Range range);
+double misfit(const Sech& f, const std::vector<double>& a, Window range);
 
 /**
 The three parameters follow by the Gauss–Newton method. With $\nabla f$ the derivatives of the sech $f$
@@ -64,12 +59,12 @@ sites, its right-hand side $g$ that of $\nabla f\,(a_n - f)$. The matrix has thr
 will do. */
 double determinant(const double (&t)[3][3]);
 
-std::array<double, 3> sech_step(const Sech& f, const std::vector<double>& a, Range range);
+std::array<double, 3> sech_step(const Sech& f, const std::vector<double>& a, Window range);
 
 /**
 `fit_sech` returns the sech that fits the values `a` in `range` best. The iteration starts at their maximum
 with the given `width`. A step that does not lessen the misfit is halved; if no part of it does, we have
 arrived. */
-Sech fit_sech(const std::vector<double>& a, Range range, double width);
+Sech fit_sech(const std::vector<double>& a, Window range, double width);
 
 }  // namespace lattice

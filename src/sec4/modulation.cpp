@@ -1,34 +1,102 @@
 #include "sec4/modulation.hpp"
 
+#include "sec4/nls.hpp"
+
 namespace lattice {
 
-// Let the modulation grow, then follow the packet's centre during the last part of the run
-Modulated modulate(const ModulatedPhonon& phonon, double time, double step) {
-  const Chain ring = phonon.ring();
-  const Splitting stepper{blanes_moan_6_14(), step};
-  Modulated out{phonon.start()};
-  const double tail = 60;
-  const Run wait = evolve(stepper, ring, out.end, time - tail, tail, Unobserved{});
-  const Run look = evolve(stepper, ring, out.end, tail, 1, [&](const State<double>& now) {
+// Follow the packet's centre for sixty units of time
+static Modulated look_closely(const Splitting& stepper, const Chain& ring, State<double> state) {
+  Modulated out{std::move(state)};
+  const auto look = [&](const State<double>& now) {
     out.density = energy_density(ring, now);
     out.t.push_back(now.t);
     out.centre.push_back(packet_sample(now.t, out.density).centre);
-  });
-  out.drift = std::max(wait.energy_drift, look.energy_drift);
+  };
+  out.drift = evolve(stepper, ring, out.end, 60, 1, look).energy_drift;
   out.shown = snapshot(ring, out.end);
   return out;
 }
 
-// How long two steps give the same state, before the instability has magnified their difference
-Estimate nls_agreement_time(const ModulatedPhonon& phonon, double longest) {
+// Let the modulation grow, then look closely during the last part of the run
+Modulated modulate(const ModulatedPhonon& phonon, double time, double step) {
+  const Chain ring = phonon.ring();
+  const Splitting stepper{blanes_moan_6_14(), step};
+  State<double> state = phonon.start();
+  const Run wait = evolve(stepper, ring, state, time - 60, 60, Unobserved{});
+  Modulated out = look_closely(stepper, ring, std::move(state));
+  out.drift = std::max(wait.energy_drift, out.drift);
+  return out;
+}
+
+// The two richest windows on the ring that have no site in common
+RingSample ring_sample(const Chain& ring, const State<double>& state) {
+  const std::vector<double> e = energy_density(ring, state);
+  const std::size_t n = e.size(), reach = envelope_reach;
+  std::vector<double> content(n, 0.0);
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t k = 0; k <= 2 * reach; ++k) content[i] += e[(i + n + k - reach) % n];
+  const auto first =
+      std::size_t(std::max_element(content.begin(), content.end()) - content.begin());
+  double second = 0;
+  for (std::size_t k = 2 * reach + 1; k + 2 * reach < n; ++k)
+    second = std::max(second, content[(first + k) % n]);
+  const double peak = *std::max_element(e.begin(), e.end()) * double(n) / total(e);
+  const double sharing = participation(e);
+  return {state.t, peak, sharing, second / content[first], peak > 5 && 2 * sharing < double(n)};
+}
+
+// Two steps side by side, as long as they give the same state
+RingCourse ring_course(const ModulatedPhonon& phonon, double longest,
+                       const std::array<double, 2>& steps, double patience) {
   const double interval = 50;
   const Chain ring = phonon.ring();
-  State<double> coarse = phonon.start(), fine = coarse;
-  while (fine.t < longest && distance(coarse, fine) < 0.1) {
-    evolve(Splitting{blanes_moan_6_14(), 0.4}, ring, coarse, interval, interval, Unobserved{});
-    evolve(Splitting{blanes_moan_6_14(), 0.2}, ring, fine, interval, interval, Unobserved{});
+  std::array<State<double>, 2> state{phonon.start(), phonon.start()};
+  RingCourse out;
+  const auto stepper = [&](std::size_t k) { return Splitting{blanes_moan_6_14(), steps[k]}; };
+  bool together = true;
+  while (together && state[1].t < longest && !(state[1].t > patience * out.gathered)) {
+    std::array<RingSample, 2> seen;
+    for (std::size_t k : {0, 1}) {
+      evolve(stepper(k), ring, state[k], interval, interval, Unobserved{});
+      seen[k] = ring_sample(ring, state[k]);
+    }
+    together = distance(state[0], state[1]) < 0.1;
+    if (!together) break;
+    out.samples.push_back(seen);
+    if (!std::isnan(out.gathered) || !seen[0].gathered || !seen[1].gathered) continue;
+    out.gathered = seen[1].t;
+    for (std::size_t k : {0, 1}) out.packet[k] = look_closely(stepper(k), ring, state[k]);
   }
-  return distance(coarse, fine) < 0.1 ? exact(fine.t) : Estimate{fine.t, interval};
+  out.agree = together ? exact(state[1].t) : Estimate{state[1].t, interval};
+  return out;
+}
+
+Estimate RingCourse::narrowest() const {
+  const auto narrower = [](const auto& a, const auto& b) {
+    return a[1].participation < b[1].participation;
+  };
+  const auto& at = *std::min_element(samples.begin(), samples.end(), narrower);
+  return compare(at[0].participation, at[1].participation);
+}
+
+Estimate RingCourse::highest() const {
+  const auto lower = [](const auto& a, const auto& b) {
+    return a[1].peak_over_mean < b[1].peak_over_mean;
+  };
+  const auto& at = *std::max_element(samples.begin(), samples.end(), lower);
+  return compare(at[0].peak_over_mean, at[1].peak_over_mean);
+}
+
+// By the wavenumbers that fit on the ring
+std::vector<double> unstable_band(const ModulatedPhonon& phonon, std::size_t every) {
+  const auto phi = [&](double q) { return coefficients(q, phonon.d, phonon.s).phi; };
+  std::vector<double> band;
+  for (std::size_t k = every; 2 * k < phonon.sites; k += every) {
+    const double q = 2 * std::numbers::pi * double(k) / double(phonon.sites);
+    if (phi(q) > 0) band.push_back(q);
+  }
+  std::stable_sort(band.begin(), band.end(), [&](double a, double b) { return phi(a) > phi(b); });
+  return band;
 }
 
 // The state of the wave at the end, in numbers; the slope of the centre's path is its speed
@@ -55,6 +123,32 @@ Criterion formed_breather(const Formed& coarse, const Formed& fine) {
 // The same measure of a peak, for a wave that has stayed uniform
 Criterion uniform_still(const Formed& coarse, const Formed& fine) {
   return {below("peak_over_mean", compare(coarse.peak_over_mean, fine.peak_over_mean), 5)};
+}
+
+// Compared at the same stage of the instability, from its own wavenumber in each well
+Criterion slower_and_wider(const RingCourse& linear, const RingCourse& soft,
+                           const RingCourse& hard) {
+  const Estimate wider = larger(soft.narrowest(), hard.narrowest());
+  const Estimate later{linear.gathered, 50}, earlier{std::max(soft.gathered, hard.gathered), 50};
+  return {above("gathers_later", quotient(later, earlier), 1),
+          above("sites_over_others", quotient(linear.narrowest(), wider), 1)};
+}
+
+// One pulse for a while, then two
+Criterion pulse_splits(const RingCourse& course) {
+  double since = std::nan(""), alone = 0, split = std::nan("");
+  for (const auto& [coarse, fine] : course.samples) {
+    if (!(fine.t >= course.gathered) || !std::isnan(split)) continue;
+    const bool one = coarse.second < 0.5 && fine.second < 0.5;
+    const bool two = coarse.second >= 0.5 && fine.second >= 0.5;
+    if (one && std::isnan(since)) since = fine.t;
+    if (one) alone = std::max(alone, fine.t - since);
+    if (two && alone >= 1000) split = fine.t;
+    if (two) since = std::nan("");
+  }
+  const double interval = 50, last = course.samples.back()[1].t;
+  return {above("one_pulse_for", {alone, interval}, 1000),
+          below("splits_at", {std::isnan(split) ? 2 * last : split, interval}, last)};
 }
 
 }  // namespace lattice

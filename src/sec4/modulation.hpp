@@ -12,6 +12,7 @@ No contact ever opens, so the motion is smooth, and a symplectic splitting of or
 stages (schemes.hpp) keeps its full order. */
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -56,11 +57,53 @@ Modulated modulate(const ModulatedPhonon& phonon, double time, double step);
 
 /**
 Is such a state a fact about the equations or about the integrator? An instability magnifies differences.
-So we let two runs go on side by side, with steps that differ by a factor of two, and check from time to
-time whether their relative distance has reached a tenth. Until then statements about the state are not
+So two runs go on side by side, with steps that differ by a factor of two. Every 50 units of time we look at
+both, and stop when their relative distance has reached a tenth: later statements about the state would be
 merely statistical. The time at which they part is known to within one interval; if they have not parted by
-`longest`, that is how long they were watched, an exact number. */
-Estimate nls_agreement_time(const ModulatedPhonon& phonon, double longest);
+`longest`, that is how long they were watched, an exact number.
+
+A packet shows in a few numbers. How many times the mean is the largest energy density, and how many sites
+share the energy? The energy has *gathered* when the first is more than five and the second less than half of
+the ring. And is there one packet or are there two: how much energy has the richest window of 21 sites, and
+how much the richest one beside it? */
+struct RingSample {
+  double t, peak_over_mean, participation;
+  double second;  ///< energy of the second window over that of the first
+  bool gathered;
+};
+
+RingSample ring_sample(const Chain& ring, const State<double>& state);
+
+/// Two runs side by side, the finer one second.
+struct RingCourse {
+  std::vector<std::array<RingSample, 2>> samples{};
+  Estimate agree{};                   ///< how long the runs agree
+  double gathered = std::nan("");     ///< when the energy has gathered in both,
+  std::array<Modulated, 2> packet{};  ///< and what they look like a little later
+
+  /// The least number of sites that share the energy, and the largest density over the mean.
+  Estimate narrowest() const;
+  Estimate highest() const;
+};
+
+/// Goes on until the runs part, until `longest`, or until `patience` times the time that it takes the energy
+/// to gather.
+RingCourse ring_course(const ModulatedPhonon& phonon, double longest,
+                       const std::array<double, 2>& steps, double patience = reached);
+
+/// The wavenumbers of the ring at which Phi, Eq. (37), is positive, one in `every`, from the largest Phi on.
+std::vector<double> unstable_band(const ModulatedPhonon& phonon, std::size_t every);
+
+/**
+Two statements of section 4.2 are decided from such courses. In linear wells the instability is slower and
+its breather less localized than in the others if the energy takes longer to gather, and if more sites share
+it where it is narrowest. The pulse splits if the second window, after it has held less than half of the first for
+a thousand units of time, holds half of it or more in both runs while these agree. */
+/// From the courses in linear wells and in two others.
+Criterion slower_and_wider(const RingCourse& linear, const RingCourse& soft,
+                           const RingCourse& hard);
+
+Criterion pulse_splits(const RingCourse& course);
 
 /**
 What has become of the wave is judged by a few numbers: the largest energy density over the mean, how many

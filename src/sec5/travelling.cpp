@@ -35,12 +35,11 @@ State<double> between(const State<double>& a, const State<double>& b, double w) 
 
 // Follow a packet and cut it out when it is most like a travelling breather
 Vector<double> cut_packet(double velocity, double from, double to, int sign, std::size_t reach) {
-  const Chain chain{std::size_t(to) + 2 * reach};
-  State<double> state = struck(chain.sites, velocity), before = state;
+  const Impact impact{velocity, {std::size_t(to) + 2 * reach}, 1e6, to, 0.1};
+  State<double> before = struck(impact.chain.sites, velocity);
   Vector<double> best;
   double least = 1e300;
-  evolve(ContactAware{0.1}, chain, state, 1e6, 0.1, [&](const State<double>& now) {
-    const auto e = energy_density(chain, now);
+  strike(ContactAware{0.1}, impact, [&](const State<double>& now, const std::vector<double>& e) {
     const auto c = front_packet(e);
     const double centre = c ? energy_centre(e, *c) : 0;
     // The largest site passes through zero in the right direction: how symmetrical is the packet?
@@ -50,7 +49,6 @@ Vector<double> cut_packet(double velocity, double from, double to, int sign, std
       if (miss < least) least = miss, best = front_half(z, *c, reach);
     }
     before = now;
-    return centre < to;
   });
   if (best.size() == 0) throw std::runtime_error("no packet passes between the sites");
   return best;

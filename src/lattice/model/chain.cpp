@@ -67,15 +67,26 @@ std::vector<T> accelerations(const Chain& chain, const std::vector<T>& y) {
   return a;
 }
 
+// The sites that can have an energy: those that are awake and the one before them, whose contact may be
+// stretched. Where a bead or a contact at rest has an energy, these are all sites
+template <class T>
+static Window energetic(const Chain& chain, const State<T>& state) {
+  if (chain.well.energy(T(0)) != T(0) || chain.contact.energy(T(0)) != T(0))
+    return {0, chain.sites};
+  const Window awake = waking(chain, state);
+  return {awake.first > 0 ? awake.first - 1 : 0, awake.last};
+}
+
 /**
 The densities of wells and of contacts are added in one pass each, because each pass knows one potential. The
 sums are still formed in one order: kinetic energy, well, contact to the right, and for the first site the
 contact to the left. */
 template <class T>
 std::vector<T> energy_density(const Chain& chain, const State<T>& state) {
-  std::vector<T> e(chain.sites);
+  std::vector<T> e(chain.sites, T(0));
+  const Window moving = energetic(chain, state);
   detail::with_kind(chain.well, [&](const auto& well) {
-    for (std::size_t n = 0; n < chain.sites; ++n)
+    for (std::size_t n = moving.first; n < moving.last; ++n)
       e[n] = T(chain.mass_of(n)) * state.v[n] * state.v[n] / T(2) + well.energy(state.y[n]);
   });
   const T* y = state.y.data();
@@ -84,7 +95,7 @@ std::vector<T> energy_density(const Chain& chain, const State<T>& state) {
       if (!touches(chain, i)) return T(0);
       return T(T(chain.eta_of(i)) * contact.energy(stretch(chain, y, i)));
     };
-    for (std::size_t n = 0; n < chain.sites; ++n) e[n] = e[n] + of(n + 1);
+    for (std::size_t n = moving.first; n < moving.last; ++n) e[n] = e[n] + of(n + 1);
     if (chain.sites > 0) e[0] += of(0);
   });
   return e;

@@ -17,9 +17,15 @@ namespace lattice {
 enum class Centre { site, bond };
 inline constexpr Centre both_centres[] = {Centre::site, Centre::bond};
 
-/// Lengths of the article's chains; one site more around a bond.
-constexpr std::size_t sites_of(Centre centre) {
-  return centre == Centre::site ? 31 : 32;
+/**
+Breathers are computed on chains of three default lengths: that of the article's figures; the shortest that
+holds a tail down to rounding up to $\omega_b = 2$; and one with a little to spare, for breathers that are kicked. */
+enum class Length { article, shortest, spare };
+
+/// The default length of a chain with this centre.
+constexpr std::size_t sites_of(Centre centre, Length length = Length::article) {
+  constexpr std::size_t site[] = {31, 21, 23}, bond[] = {32, 22, 22};
+  return (centre == Centre::site ? site : bond)[std::size_t(length)];
 }
 
 /// The article's number of the site with the given index, 0 <= index < sites.

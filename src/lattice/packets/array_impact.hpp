@@ -4,8 +4,8 @@
 
 In section 3.6 the first cantilever of a resting array is struck, Eq. (28): it gets the velocity $V$ in
 metres per second, and a packet runs away from it. The run is that of the dimensionless chain
-(cantilever.hpp); this file translates to and from SI units, watches the packet pass a given cantilever,
-and, if the array is damped, follows it for ten milliseconds. */
+(cantilever.hpp, impact.hpp); this file translates to and from SI units, watches the packet pass a given
+cantilever, and, if the array is damped, follows it for ten milliseconds. */
 
 #include <algorithm>
 #include <array>
@@ -27,8 +27,8 @@ struct NoPacket : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// An array and the impact on its first cantilever, Eq. (28).
-struct ArrayImpact {
+/// An array and the blow on its first cantilever, Eq. (28).
+struct StruckArray {
   CantileverArray array{};
   double velocity = 1;  // m/s
   Scales scales = array.scales();
@@ -36,6 +36,12 @@ struct ArrayImpact {
   double struck_velocity() const { return velocity / scales.unit_velocity(); }
   double time(double milliseconds) const { return milliseconds * 1e-3 / scales.tau_c(); }
   double milliseconds(double t) const { return t * scales.tau_c() * 1e3; }
+
+  /// The impact on the dimensionless chain in which the defect's radius is `ratio` times the usual one,
+  /// followed until `end` (ms), with looks at most `sample` apart (units of tau_c).
+  Impact impact(double ratio, double end, double sample) const {
+    return {struck_velocity(), cantilever_chain(array, ratio), time(end), far_away, sample};
+  }
 };
 
 /// Largest step and sampling interval of a run, in units of tau_c.
@@ -59,42 +65,29 @@ struct Pulse {
 Pulse pulse_of(const Watched& w, const Scales& s);
 
 /**
-One run of the homogeneous array gives both what one cantilever does and how the packet moves. */
-struct Way {
-  Watched at;
-  Track track;
-  double drift;
+One run of the homogeneous array gives both what one cantilever does and how the packet moves.
 
-  /// Sites by which the energy centre moves on in `duration` (units of tau_c) after it has passed `site`.
-  /// Throws NoPacket if the run ends before.
-  double travelled(double site, double duration) const {
-    const auto &x = track.centre, &t = track.t;
-    const auto from = std::size_t(std::lower_bound(x.begin(), x.end(), site) - x.begin());
-    if (from == x.size() || t[from] + duration > t.back())
-      throw NoPacket("the packet is not followed long enough");
-    const auto to = std::lower_bound(t.begin(), t.end(), t[from] + duration) - t.begin();
-    return x[std::size_t(to)] - x[from];
-  }
+`pass` makes the run up to a time `until` in ms and watches site `n`, counted from one, where every sample
+is kept, since maxima are read from them. */
+struct WatchedRun : ImpactRun {
+  Watched at{};
 };
 
-/**
-`pass` makes the run up to a time `until` in ms and watches site `n`, counted from one. At that site every
-sample is kept, since maxima are read from them; for the packet's centre every eighth is enough. */
-Way pass(const ArrayImpact& impact, std::size_t n, double until, const Resolution& r);
+WatchedRun pass(const StruckArray& blow, std::size_t n, double until, const Resolution& r);
 
 /**
 The article quotes a speed in sites per second and does not say how it was measured. One reading is a mean:
-`n` over the time at which the packet is strongest at site `n`, where `way` was watched. */
-double mean_speed(const Way& way, const ArrayImpact& impact, std::size_t n);
+`n` over the time at which the packet is strongest at site `n`, where the run was watched. */
+double mean_speed(const WatchedRun& run, const StruckArray& blow, std::size_t n);
 
 /// How long, in ms, the packet's force at the watched contact is above `threshold` times its maximum.
-double duration_above(const Way& way, const ArrayImpact& impact, double threshold);
+double duration_above(const WatchedRun& run, const StruckArray& blow, double threshold);
 
 /**
 Figure 24 is a map of forces in space and time, and a map of snapshots would miss most of the short
 pushes. So `strongest_forces` gives the strongest push, in newtons, of each contact within each of `bins`
 equal times until `end` (in ms): entry `bin * contacts + n`. */
-std::vector<double> strongest_forces(const ArrayImpact& impact, double ratio, double end,
+std::vector<double> strongest_forces(const StruckArray& blow, double ratio, double end,
                                      std::size_t bins);
 
 /**
@@ -113,12 +106,12 @@ struct Transit {
 using Pushes = std::vector<std::optional<Push>>;
 
 /// Sites and oscillations in the first 10 ms; throws NoPacket if the pushes do not reach so far.
-Transit journey_of(const ArrayImpact& impact, const Pushes& pushes);
+Transit journey_of(const StruckArray& blow, const Pushes& pushes);
 
 /**
 `travel` makes the run with the damping rate `rate` of the velocities, in 1/s. It looks at the first 40
 contacts, more than the packet passes in 10 ms, and goes on for 13 ms, so that the contact reached last has
 its strongest push within the run. */
-Transit travel(const ArrayImpact& impact, double rate, const Resolution& r);
+Transit travel(const StruckArray& blow, double rate, const Resolution& r);
 
 }  // namespace lattice

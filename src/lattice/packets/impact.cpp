@@ -1,6 +1,22 @@
 #include "lattice/packets/impact.hpp"
 
+#include <sstream>
+
 namespace lattice {
+
+// The fastest phonon of a chain whose contacts are as stiff as those of the strongest pulse
+Chain endless(Chain chain, double velocity, double time) {
+  const double well = chain.well.stiffness(0.0);
+  const double contact = std::max(chain.contact.stiffness(0.0), 0.8 * std::pow(velocity, 0.4));
+  const double fastest = (std::sqrt(well + 4 * contact) - std::sqrt(well)) / 2;
+  chain.sites = 100 + std::size_t(1.15 * fastest * time);
+  return chain;
+}
+
+Impact complete(Impact impact) {
+  if (impact.chain.sites == 0) impact.chain = endless(impact.chain, impact.velocity, impact.time);
+  return impact;
+}
 
 State<double> struck(std::size_t sites, double velocity) {
   State<double> state(sites);
@@ -8,10 +24,15 @@ State<double> struck(std::size_t sites, double velocity) {
   return state;
 }
 
-Chain endless(Chain chain, double velocity, double time) {
-  const double sound = std::sqrt(chain.contact.stiffness(0.0));
-  chain.sites = std::size_t(time * std::max({1.0, std::pow(velocity, 0.2), sound})) + 100;
-  return chain;
+// Nothing can have come back from an end that has not moved
+void assert_quiet(const Impact& impact, const ImpactRun& run) {
+  if (run.far_end <= impact.far_end * std::abs(impact.velocity)) return;
+  std::ostringstream text;
+  text << "the motion reaches the far end: site " << impact.chain.sites
+       << " has moved at the speed " << run.far_end << " by t = " << run.end.t
+       << " (allowed: " << impact.far_end * std::abs(impact.velocity)
+       << "); take more sites or less time";
+  throw FarEndReached(text.str());
 }
 
 double total(const std::vector<double>& e) {

@@ -4,14 +4,17 @@
 
 Several sections of the article strike the first bead of a resting chain, Eq. (26),
 $$y_n(0) = 0,\qquad \dot y_1(0) = v_0,\qquad \dot y_n(0) = 0 \text{ for } n \ge 2,$$
-and ask what travels away: with harmonic, hard or soft wells, with precompression, with a defect, and in
-the limit of small amplitude. This file makes the run and watches it; the answers belong to the
-programs. */
+and ask what travels away: with harmonic, hard or soft wells, with precompression, in an array with a
+defect, and in the limit of small amplitude. All of them use the loop in time of this file. It watches the
+energy and the front-most packet, and it sees to it that nothing comes back from the far end. */
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numeric>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -21,35 +24,120 @@ programs. */
 
 namespace lattice {
 
-/// An impact with `velocity` on the first bead of `chain`, followed for `time`; dimensionless, as in
-/// Eqs. (9), (10) and (26). By default that of the article's section 3.4, with v_0 = 1.87.
+/**
+## How long is the chain?
+
+A far end that the motion reaches sends it back, and what comes back is no property of the impact. In front
+of everything else run either linear waves or, if the contacts are not compressed, strongly nonlinear
+pulses. Beads with the stiffness $k$ of their wells and $K$ of their contacts have phonons between
+$\sqrt k$ and $\sqrt{k+4K}$; the fastest of them travels at half the width of this band,
+$$c = \tfrac12\bigl(\sqrt{k+4K}-\sqrt k\bigr)\ \text{sites per unit of time.}$$
+In a chain without wells, $k = 0$, the strongest pulse of an impact has the overlap $v_0^{4/5}$ at most and
+the speed of the sound for which $K = \frac45 v_0^{2/5}$. So we insert the larger of this and the stiffness
+at rest, and give the chain 15 per cent more than this way and a hundred sites.
+
+This is an estimate and not a bound, and other contacts may have other pulses. What counts is whether the
+far end has remained at rest. A run therefore records the largest velocity of its last bead, and refuses to
+give a result if that exceeds `far_end` times the impact's. Where the far end is part of the experiment
+`far_end` is `reached`. */
+/// `chain` at a length that an impact of `velocity` does not cross within `time`.
+Chain endless(Chain chain, double velocity, double time);
+
+inline constexpr double reached = std::numeric_limits<double>::infinity();
+
+/// Thrown if the motion reaches the far end; the message says when and by how much.
+struct FarEndReached : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// What is struck, and how it is watched; dimensionless, as in Eqs. (9), (10) and (26). By default the
+/// impact of the article's section 3.4. A chain of no sites is made `endless`.
 struct Impact {
   double velocity = 1.87;
   Chain chain{100};
   double time = 600;
+  double until = far_away;  ///< the run ends when the centre of the packet passes this site
+  double sample = 0.2;      ///< time between two looks, at most
+  double far_end = 1e-9;    ///< the last bead's largest velocity allowed, over `velocity`
+  bool denser = true;       ///< a refinement (accuracy.hpp) also takes more samples
 };
+
+/// The same impact on a chain that has a length.
+Impact complete(Impact impact);
 
 /// The chain at rest but for its first bead, Eq. (26).
 State<double> struck(std::size_t sites, double velocity);
 
 /**
-A far end that the motion reaches sends it back, and what comes back is no property of the impact. How long
-must a chain be? Packets in wells move by less than a site per unit of time, unless the impact is so strong
-that the wells hardly matter. What then travels are the pulses of a chain without wells, and their speed
-grows with the power 1/5 of the impact velocity. If the contacts are compressed sound comes first, with at
-most the root of their stiffness at rest. */
-/// `chain` at a length that an impact of `velocity` does not cross within `time`.
-Chain endless(Chain chain, double velocity, double time);
+## One run
+
+What comes out is the state at the end, the front-most packet from sample to sample, and what tells whether
+the run can be trusted. */
+struct ImpactRun {
+  State<double> end{};
+  Track track{};
+  std::vector<double> density{};  ///< energy density at the end
+  Run run{};
+  double reach = 0;    ///< largest displacement seen, to be compared with the well's rim
+  double far_end = 0;  ///< largest velocity of the last bead
+};
+
+/// Throws FarEndReached if the last bead moved more than `impact` allows.
+void assert_quiet(const Impact& impact, const ImpactRun& run);
 
 /**
-A run shows its front-most packet and what stays behind. */
-struct Outcome {
-  Track track;
-  State<double> end;
-  std::vector<double> density;  ///< energy density at the end
-  Run run;
-  double reach = 0;  ///< largest displacement seen, to be compared with the well's rim
-};
+Here is the loop. `go_on` carries a run from where it is to `time`; in between the chain or the method may
+have been changed. `watch(state, density)` sees every sample and may return false to stop the run. Samples
+become denser together with the steps of a refinement, so that the error of a maximum between two samples
+shows in the difference of two runs. Then a run may only stop at instants that the coarser one samples as
+well. */
+template <class Stepper, class Watch = Unwatched>
+void go_on(const Stepper& stepper, const Impact& impact, ImpactRun& run, double time,
+           Watch watch = {}) {
+  const Chain& chain = impact.chain;
+  const int halvings = halvings_of(stepper);
+  const TimeGrid plain = time_grid(time - run.end.t, impact.sample, stepper.step);
+  const TimeGrid grid =
+      impact.denser ? denser_samples(plain, halvings) : shorter_steps(plain, halvings);
+  const std::size_t each = impact.denser ? std::size_t(1) << halvings : 1;
+  std::size_t k = 0;
+  const auto look = [&](const State<double>& now) {
+    run.density = energy_density(chain, now);
+    bool on = true;
+    if constexpr (std::is_same_v<decltype(watch(now, run.density)), bool>)
+      on = watch(now, std::as_const(run.density));
+    else
+      watch(now, std::as_const(run.density));
+    if (k++ == 0) return on;
+    for (double y : now.y) run.reach = std::max(run.reach, std::abs(y));
+    run.far_end = std::max(run.far_end, std::abs(now.v.back()));
+    const auto site = front_packet(run.density);
+    if (site) run.track.add(now.t, run.density, *site);
+    const bool passed = site && run.track.centre.back() >= impact.until;
+    return on && ((k - 1) % each != 0 || !passed);
+  };
+  const Run part = evolve(stepper, chain, run.end, grid, look);
+  run.run = joined(run.run, part);
+  assert_quiet(impact, run);
+}
+
+/// The whole run from the impact on.
+template <class Stepper, class Watch = Unwatched>
+ImpactRun strike(const Stepper& stepper, const Impact& impact, Watch watch = {}) {
+  const Impact whole = complete(impact);
+  ImpactRun run{struck(whole.chain.sites, whole.velocity)};
+  go_on(stepper, whole, run, whole.time, std::move(watch));
+  return run;
+}
+
+/**
+For errors the chain is struck twice, with resolutions that agree to `tolerance` (accuracy.hpp), by default
+in their end states. Throws RefinementFailed. */
+template <class Differ = EndState>
+Refined<ImpactRun> strike_to(double tolerance, const Impact& impact, Differ differ = {}) {
+  return converge(
+      tolerance, [&](const ContactAware& stepper) { return strike(stepper, impact); }, differ);
+}
 
 /**
 Shares of the energy refer to its total, the sum of the density. */
@@ -57,52 +145,5 @@ double total(const std::vector<double>& e);
 
 /// Share of the first `sites` sites in a density: what an impact leaves at the boundary.
 double boundary_share(const std::vector<double>& e, std::size_t sites = 5);
-
-/**
-`follow` makes the run. It tracks the front-most packet from sample to sample until its centre passes site
-`until` or the time is over. `watch(state, density)` sees every sample. The run stops at whole multiples of
-`each` samples only, so that runs with denser samples end at the same time. */
-template <class Stepper, class Watch>
-Outcome follow(const Stepper& stepper, const Impact& impact, double until, const TimeGrid& grid,
-               Watch watch, std::size_t each = 1) {
-  const Chain& chain = impact.chain;
-  Outcome out;
-  out.end = struck(chain.sites, impact.velocity);
-  std::size_t k = 0;
-  out.run = evolve(stepper, chain, out.end, grid, [&](const State<double>& now) {
-    out.density = energy_density(chain, now);
-    watch(now, std::as_const(out.density));
-    if (k++ == 0) return true;
-    for (double y : now.y) out.reach = std::max(out.reach, std::abs(y));
-    const auto site = front_packet(out.density);
-    if (site) out.track.add(now.t, out.density, *site);
-    return (k - 1) % each != 0 || !site || out.track.centre.back() < until;
-  });
-  return out;
-}
-
-/// As above, with samples `sample` apart or a little less.
-template <class Stepper, class Watch>
-Outcome follow(const Stepper& stepper, const Impact& impact, double until, double sample,
-               Watch watch) {
-  return follow(stepper, impact, until, time_grid_for(stepper, impact.time, sample),
-                std::move(watch));
-}
-
-/**
-For the error of a speed the packet is followed at two resolutions that agree to `tolerance`
-(accuracy.hpp), by default in their end states. The finer one has half the step and twice the samples.
-Throws RefinementFailed. */
-template <class Differ = EndState>
-Refined<Outcome> follow_to(double tolerance, const Impact& impact, double until, double sample,
-                           Differ differ = {}) {
-  return converge(
-      tolerance,
-      [&](const ContactAware& stepper) {
-        return follow(stepper, impact, until, dense_time_grid(stepper, impact.time, sample),
-                      Unwatched{}, std::size_t(1) << stepper.halvings);
-      },
-      differ);
-}
 
 }  // namespace lattice

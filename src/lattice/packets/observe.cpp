@@ -1,5 +1,7 @@
 #include "lattice/packets/observe.hpp"
 
+#include "lattice/numbers/parabola.hpp"
+
 namespace lattice {
 
 double window_sum(const std::vector<double>& e, std::size_t peak, std::size_t m) {
@@ -18,9 +20,12 @@ double energy_centre(const std::vector<double>& e, std::size_t peak, std::size_t
 }
 
 std::optional<std::size_t> front_packet(const std::vector<double>& e, double share, std::size_t m) {
-  const double total = std::accumulate(e.begin(), e.end(), 0.0);
+  // Ahead of a front there is nothing, and nothing need be summed
+  std::size_t awake = e.size();
+  while (awake > 0 && e[awake - 1] == 0) --awake;
+  const double total = std::accumulate(e.begin(), e.begin() + std::ptrdiff_t(awake), 0.0);
   if (!(total > 0)) return std::nullopt;
-  for (std::size_t n = e.size(); n-- > 0;) {
+  for (std::size_t n = awake; n-- > 0;) {
     if (e[n] * double(2 * m + 1) < share * total) continue;  // cannot be the largest of its window
     const std::size_t lo = n > m ? n - m : 0, hi = std::min(e.size(), n + m + 1);
     const auto largest =
@@ -55,6 +60,18 @@ double Track::energy_at(double x) const {
   return energy[i - 1] + part * (energy[i] - energy[i - 1]);
 }
 
+double Track::travelled(double site, double duration) const {
+  // Both ends lie between two samples
+  const std::size_t i = until(site);
+  if (i == 0 || i == t.size()) throw std::runtime_error("no packet passes the site asked for");
+  const double part = (site - centre[i - 1]) / (centre[i] - centre[i - 1]);
+  const double end = t[i - 1] + part * (t[i] - t[i - 1]) + duration;
+  const auto k = std::size_t(std::lower_bound(t.begin(), t.end(), end) - t.begin());
+  if (k == t.size()) throw std::runtime_error("the packet is not followed long enough");
+  const double rest = (end - t[k - 1]) / (t[k] - t[k - 1]);
+  return centre[k - 1] + rest * (centre[k] - centre[k - 1]) - site;
+}
+
 /**
 A maximum in time falls between two samples: the parabola through the highest one and its neighbours finds
 its height, and where the centre is then. Only a maximum whose own centre lies in the stretch counts, not
@@ -65,11 +82,11 @@ double Track::largest_peak(double from, double to) const {
   for (std::size_t i = 0; i < end; ++i) {
     if (centre[i] >= from) highest = std::max(highest, peak[i]);
     if (i == 0 || i + 1 >= t.size() || peak[i] < peak[i - 1] || peak[i] < peak[i + 1]) continue;
-    const double rise = (peak[i + 1] - peak[i - 1]) / 2;
-    const double bend = peak[i + 1] - 2 * peak[i] + peak[i - 1];
-    const double shift = bend < 0 ? -rise / bend : 0;  // of the vertex, in samples
-    const double where = centre[i] + shift * (centre[i + 1] - centre[i - 1]) / 2;
-    if (where >= from && where <= to) best = std::max(best, peak[i] + rise * shift / 2);
+    const Parabola top(peak[i - 1], peak[i], peak[i + 1]);
+    const bool flat = top.bend == 0;
+    const double where =
+        centre[i] + (flat ? 0 : top.vertex()) * (centre[i + 1] - centre[i - 1]) / 2;
+    if (where >= from && where <= to) best = std::max(best, flat ? peak[i] : top.extremum());
   }
   return best > 0 ? best : highest;
 }

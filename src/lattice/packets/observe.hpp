@@ -90,6 +90,9 @@ struct Track {
   /// Energy of the packet at the instant when its centre first passes `x`, between two samples.
   /// Throws std::runtime_error if it never does.
   double energy_at(double x) const;
+  /// Sites by which the centre moves on in `duration` after it has passed `site`. Throws
+  /// std::runtime_error if the track ends before.
+  double travelled(double site, double duration) const;
   /// Largest energy density of the packet while its centre is between `from` and `to`, or zero.
   double largest_peak(double from, double to) const;
 };

@@ -1,13 +1,15 @@
 #include "lattice/packets/pulse.hpp"
 
+#include "lattice/numbers/parabola.hpp"
+
 namespace lattice {
 
 std::vector<Top> maxima(const std::vector<double>& t, const std::vector<double>& x) {
   std::vector<Top> tops;
   for (std::size_t i = 1; i + 1 < x.size(); ++i) {
     if (!(x[i] > x[i - 1] && x[i] >= x[i + 1])) continue;
-    const double rise = (x[i + 1] - x[i - 1]) / 2, bend = x[i + 1] - 2 * x[i] + x[i - 1];
-    tops.push_back({t[i] - rise / bend * (t[i] - t[i - 1]), x[i] - rise * rise / (2 * bend)});
+    const Parabola top(x[i - 1], x[i], x[i + 1]);
+    tops.push_back({t[i] + top.vertex() * (t[i] - t[i - 1]), top.extremum()});
   }
   return tops;
 }

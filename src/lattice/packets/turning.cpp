@@ -1,5 +1,7 @@
 #include "lattice/packets/turning.hpp"
 
+#include "lattice/numbers/parabola.hpp"
+
 namespace lattice {
 
 // Average the internal oscillation away with a raised cosine as wide as several of its periods
@@ -28,11 +30,10 @@ Path smooth(const Path& path, double width) {
 // Locate an extremum between the samples, by the parabola through three of them
 Moment vertex(const Path& path, std::size_t i) {
   if (i == 0 || i + 1 >= path.t.size()) return {path.centre[i], path.t[i]};
-  const double rise = (path.centre[i + 1] - path.centre[i - 1]) / 2;
-  const double bend = path.centre[i + 1] - 2 * path.centre[i] + path.centre[i - 1];
-  if (bend == 0 || std::abs(rise) > std::abs(bend)) return {path.centre[i], path.t[i]};
-  const double shift = -rise / bend;
-  return {path.centre[i] + shift * rise / 2, path.t[i] + shift * (path.t[1] - path.t[0])};
+  const Parabola through(path.centre[i - 1], path.centre[i], path.centre[i + 1]);
+  if (through.bend == 0 || std::abs(through.slope) > std::abs(through.bend))
+    return {path.centre[i], path.t[i]};
+  return {through.extremum(), path.t[i] + through.vertex() * (path.t[1] - path.t[0])};
 }
 
 // Follow the packet to its first stop, out to the apex, and back to where it rebounds

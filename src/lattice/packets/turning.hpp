@@ -94,7 +94,7 @@ struct Strike {
 /// Width of the smoothing, about four internal periods, and time between two looks at the chain.
 inline constexpr double smoothing = 15, sampling = 0.2;
 
-/// One struck chain, followed.
+/// One struck chain, followed (impact.hpp).
 struct Voyage {
   Path path;
   State<double> end;
@@ -110,14 +110,13 @@ map of densities, `watch` collects. */
 template <class Watch = Unwatched>
 Voyage voyage(const ContactAware& stepper, const Chain& chain, double velocity, double time,
               Watch watch = {}) {
-  Voyage out;
-  out.end = struck(chain.sites, velocity);
-  out.run = evolve(stepper, chain, out.end, time, sampling, [&](const State<double>& now) {
-    const std::vector<double> density = energy_density(chain, now);
-    out.path.add(now.t, density);
+  Path path;
+  const Impact impact{velocity, chain, time, far_away, sampling, 1e-9, false};
+  ImpactRun run = strike(stepper, impact, [&](const State<double>& now, const auto& density) {
+    path.add(now.t, density);
     watch(now, density);
   });
-  return out;
+  return {std::move(path), std::move(run.end), run.run};
 }
 
 /// The same in quartic wells.

@@ -35,6 +35,14 @@ TimeGrid denser_samples(TimeGrid p, int times) {
   return p;
 }
 
+Run joined(const Run& first, const Run& second) {
+  Run both = second;
+  both.energy_drift += first.energy_drift;
+  both.work += first.work;
+  both.steps += first.steps;
+  return both;
+}
+
 // Has no bead run away over the rim of a soft well?
 bool bounded(const State<double>& state) {
   return std::all_of(state.y.begin(), state.y.end(),

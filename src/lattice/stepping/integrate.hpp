@@ -98,6 +98,9 @@ struct Run {
   bool escaped() const { return std::isfinite(escape_time); }
 };
 
+/// Two runs one after the other, as one; the drifts add up.
+Run joined(const Run& first, const Run& second);
+
 /**
 A displacement beyond this counts as a runaway. Wells have a width of order one, and a bead that rolls
 over the rims of a pendulum potential travels at a speed of order ten, so that in no run of ours does one
