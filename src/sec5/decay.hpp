@@ -1,0 +1,65 @@
+#pragma once
+/**
+# A static breather that dies
+
+A breather at rest loses its energy to friction. If that happens slowly it should pass through the breathers
+of its family, one after the other, its frequency following its amplitude. Linear friction makes this exact
+in one respect: the area $\mathcal A = \oint\sum\mu_n\dot y_n^2\,dt$ of an orbit is an adiabatic invariant,
+and friction takes the share $\nu$ of it per unit of time, whatever the potentials,
+$$\mathcal A(t) = \mathcal A(0)\,e^{-\nu t}.$$
+A weak instability with the growth rate $\sigma(\mathcal A)$ has the time that the breather lives, and
+multiplies a small deviation by $e^G$ with
+$$G = \int_0^\infty\sigma\,dt = \frac1\nu\int_0^{\mathcal A(0)}\sigma\,\frac{d\mathcal A}{\mathcal A}.$$
+Friction of the deviation itself plays no part, since the breather shrinks as fast. In the DpS limit
+$\sigma = \Lambda(\omega_b-1)$ and $\mathcal A\propto(\omega_b-1)^4$, hence $G = 4\sigma/\nu$: four
+lifetimes, as the slow clock of journey.hpp says. */
+
+#include <cstddef>
+#include <vector>
+
+#include "lattice/orbits/breather.hpp"
+#include "lattice/orbits/floquet.hpp"
+#include "sec5/bench.hpp"
+
+namespace lattice {
+
+/// A breather of the branch in the well of anharmonicity s, with the growth rate of its pinning pair.
+struct Member {
+  double omega = 0, energy = 0, area = 0;
+  double kappa = 0;   ///< of the pinning pair (floquet.hpp); unstable if positive
+  double growth = 0;  ///< per unit of time, zero if stable
+  double multiplier() const;
+};
+
+/// The breather with this centre and frequency.
+Orbit<double> breather_at(Centre centre, double omega, double s = 0);
+
+/// The member of the branch at this frequency. `fine` takes the tightest tolerance of the flow, otherwise
+/// one that is a thousand times looser.
+Member member_at(Centre centre, double omega, double s, bool fine = true);
+
+/**
+The integral of $G$ runs over the logarithm of the area and is taken along the branch in
+$\ell = \ln(\omega_b-1)$. Below the smallest frequency the branch is that of the DpS limit, where the rest of
+the integral is four times the growth rate. */
+/// $\nu G$ of a breather that starts at the last of `members`, which are equidistant in ln(omega - 1).
+double growth_times_rate(const std::vector<Member>& members);
+
+/**
+What a decaying breather does is read from one bead: its upward passages through zero make periods, over each
+of which the energy is averaged. */
+struct Moment {
+  double t, omega, energy;
+};
+
+struct Decay {
+  std::vector<Moment> moments{};  ///< one for each period
+  double drift = 0;               ///< of the energy centre from start to end, in sites
+  double ledger = 0;
+};
+
+/// Lets a breather of this orbit decay at the rate `nu` for the time `duration`.
+Decay let_decay(const Orbit<double>& orbit, const Chain& chain, double nu, double duration,
+                double step);
+
+}  // namespace lattice
