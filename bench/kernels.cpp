@@ -10,7 +10,7 @@ second. Try `build/bin/bench_kernels --benchmark_filter=verlet`. */
 #include <cstddef>
 #include <vector>
 
-#include "lattice/landing/tangent.hpp"
+#include "lattice/landing/columns.hpp"
 #include "lattice/stepping/compensated.hpp"
 #include "lattice/stepping/contact_rkn.hpp"
 #include "lattice/stepping/tiling.hpp"
@@ -71,7 +71,7 @@ void steps(benchmark::State& state, Onsite onsite, Stepper stepper) {
 /// A kick of the tangent: rows times columns.
 void kick(benchmark::State& state) {
   const auto n = std::size_t(state.range(0)), columns = 2 * n;
-  std::vector<Row<double>> rows(n, {-0.01, 0.001, 0.001});
+  std::vector<TangentRow<double>> rows(n, {-0.01, 0.001, 0.001});
   std::vector<double> y(n * columns, 1), v(n * columns, 0);
   for (auto _ : state) {
     kick_panel(rows.data(), y.data(), v.data(), n, columns);

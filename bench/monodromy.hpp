@@ -52,7 +52,7 @@ template <class T>
 Tangent<T> landed(std::size_t sites, T tolerance, double* evaluations = nullptr) {
   lattice::State<T> s = breather<T>(sites);
   Tangent<T> m(sites, 2 * sites);
-  Landing<T> rule;
+  EventTolerance<T> rule;
   if (tolerance > T(0)) rule.tolerance = tolerance;
   const auto report = flow(cradle(sites), s, T(period), rule, &m);
   if (evaluations) *evaluations = double(report.evaluations);

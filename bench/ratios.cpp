@@ -11,7 +11,7 @@ to run; the ratios, taken within one run, hardly do. */
 #include <filesystem>
 #include <iostream>
 
-#include "lattice/measure/impact.hpp"
+#include "lattice/packets/impact.hpp"
 #include "lattice/stepping/compensated.hpp"
 #include "lattice/stepping/tiling.hpp"
 #include "monodromy.hpp"

@@ -1,6 +1,6 @@
 // An array of cantilevers in SI units: what a blow of one metre per second does at cantilever 80.
 #include <iostream>
-#include "lattice/measure/array_impact.hpp"
+#include "lattice/packets/array_impact.hpp"
 
 using namespace lattice;
 

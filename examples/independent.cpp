@@ -1,6 +1,6 @@
 // The same impact twice, by our stepper and by GSL, and how far the two differ.
 #include <iostream>
-#include "lattice/measure/impact.hpp"
+#include "lattice/packets/impact.hpp"
 #include "lattice/stepping/reference.hpp"
 
 using namespace lattice;

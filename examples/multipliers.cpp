@@ -9,7 +9,7 @@ int main() {
   const auto problem = breather_problem(Centre::bond, 1.1, Pendulum{}, 32);
   const Orbit<double> orbit = find_breather(problem);
   const auto pairs = [&](double coarser) {
-    Landing<double> rule;
+    EventTolerance<double> rule;
     rule.tolerance *= coarser;
     return floquet_pairs(problem.chain, orbit.start, orbit.period(), rule);
   };

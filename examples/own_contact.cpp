@@ -1,7 +1,7 @@
 // A contact law of one's own: a layer that pushes like a Hertzian contact and stiffens when squeezed.
 #include <cmath>
 #include <iostream>
-#include "lattice/measure/impact.hpp"
+#include "lattice/packets/impact.hpp"
 
 using namespace lattice;
 

@@ -1,7 +1,7 @@
 // A well that the library does not know: three functions, and the chain of such wells is struck.
 #include <cmath>
 #include <iostream>
-#include "lattice/measure/impact.hpp"
+#include "lattice/packets/impact.hpp"
 
 using namespace lattice;
 

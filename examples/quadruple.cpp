@@ -9,7 +9,7 @@ int main() {
   const auto problem = breather_problem(Centre::site, 1.5, Harmonic{}, 21);
   const Orbit<double> orbit = find_breather(problem);
   NewtonRule<Quadruple> rule;
-  rule.landing.tolerance = Quadruple(1e-27);
+  rule.events.tolerance = Quadruple(1e-27);
   const auto wide = polish(in_precision<Quadruple>(problem), orbit, rule);
   std::cout.precision(25);
   std::cout << "energy " << wide.energy << ", residual " << wide.residual() << '\n';

@@ -1,6 +1,6 @@
 // Strikes a chain of 100 beads in soft wells and prints how much of the energy stays at its end.
 #include <iostream>
-#include "lattice/measure/impact.hpp"
+#include "lattice/packets/impact.hpp"
 
 using namespace lattice;
 

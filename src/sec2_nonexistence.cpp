@@ -24,16 +24,16 @@ small and large starts end (c); energy and mean force of a localized state (d, e
 #include <utility>
 #include <vector>
 
-#include "lattice/measure/mean_force.hpp"
-#include "lattice/measure/observe.hpp"
 #include "lattice/numbers/parallel.hpp"
 #include "lattice/numbers/random.hpp"
 #include "lattice/orbits/breather.hpp"
-#include "lattice/orbits/leapfrog.hpp"
+#include "lattice/packets/observe.hpp"
 #include "lattice/stepping/contact_rkn.hpp"
 #include "lattice/stepping/integrate.hpp"
 #include "report/program.hpp"
-#include "sec2_periodic_motions.hpp"
+#include "sec2/fixed_leapfrog.hpp"
+#include "sec2/mean_force.hpp"
+#include "sec2/periodic_motions.hpp"
 
 using namespace lattice;
 
@@ -62,7 +62,7 @@ constexpr std::array tolerances{1e-11, 1e-13};
 ## The identity (figure x16)
 
 On a localized motion of the free chain all means would be zero, but no such motion exists. So we check
-the identity on motions that fill a ring or a box (sec2_periodic_motions.hpp). We follow each once more over
+the identity on motions that fill a ring or a box (sec2/periodic_motions.hpp). We follow each once more over
 a whole period, and integrate the means along with it at two tolerances, whose difference is the error. We
 judge by two numbers: the spread of the mean force over the contacts, relative to the largest, and the
 amount by which the balance of a bead, with the force of its well, is missed. */
@@ -192,7 +192,7 @@ const std::array<Hunt, 4> hunts{{{"free", 15, Ends::free, false, 0.02, 0.08},
                                  {"walls", 3, Ends::fixed, false, 0.3, 2}}};
 
 /**
-A search should be cheap, so it moves the chain by leapfrog steps (leapfrog.hpp), for which the theorem
+A search should be cheap, so it moves the chain by leapfrog steps (fixed_leapfrog.hpp), for which the theorem
 holds as well. The hunt and the seed alone fix the search and its start. Odd seeds begin at rest. */
 using Search = LeapfrogShooting;
 
@@ -249,10 +249,10 @@ struct Nearby : Shooting<double> {
   using Base = Shooting<double>;
   Vector<double> from;
 
-  Shot<double> shoot(const Vector<double>& x, const Landing<double>& rule,
+  Shot<double> shoot(const Vector<double>& x, const EventTolerance<double>& rule,
                      bool jacobian = true) const {
     if (sup<double>(x - from) < 0.1 * sup(from)) return Base::shoot(x, rule, jacobian);
-    throw NoConvergence("Newton's method leaves the neighbourhood", {});
+    throw NewtonFailed("Newton's method leaves the neighbourhood", {});
   }
 };
 
@@ -261,7 +261,7 @@ bool confirmed(const Search& search, const Vector<double>& x, End end) try {
   NewtonRule<double> rule;
   if (search.symmetry.parts == 1) rule.rank = 1e-9;  // such orbits may be shifted in time
   return classify(search, nearby.unfold(solve(nearby, x, rule).x)) == end;
-} catch (const NoConvergence&) {
+} catch (const NewtonFailed&) {
   return false;
 }
 
@@ -276,7 +276,7 @@ End run_search(const Hunt& hunt, unsigned long seed, int steps) {
     const End end = classify(search, search.unfold(x));
     const bool moves = end == End::localized || end == End::extended;
     return moves && !confirmed(search, x, end) ? End::doubtful : end;
-  } catch (const NoConvergence&) {
+  } catch (const NewtonFailed&) {
     return End::failed;
   }
 }
@@ -375,7 +375,7 @@ Course course(const Well& well, double time, int halvings) {
   const Chain chain{401, well};
   State<double> state = breather_in_long_chain();
   const double all = energy(chain, state);
-  const Pace p = denser_samples(pace(time, 0.05, 0.05), halvings);
+  const TimeGrid p = denser_samples(time_grid(time, 0.05, 0.05), halvings);
   Course out;
   double impulse = 0, before = 0;
   std::size_t k = 0;

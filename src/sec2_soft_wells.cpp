@@ -19,12 +19,12 @@ tends to the value that an equal-area rule demands.](fig:x17) */
 #include <utility>
 #include <vector>
 
-#include "lattice/measure/mean_force.hpp"
-#include "lattice/measure/observe.hpp"
 #include "lattice/numbers/gsl_ode.hpp"
 #include "lattice/numbers/parallel.hpp"
 #include "lattice/orbits/breather.hpp"
+#include "lattice/packets/observe.hpp"
 #include "report/program.hpp"
+#include "sec2/mean_force.hpp"
 
 using namespace lattice;
 

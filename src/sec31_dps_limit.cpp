@@ -27,8 +27,8 @@ the error of the approximation over four decades of amplitude. */
 #include <vector>
 
 #include "lattice/dps/impact.hpp"
-#include "lattice/measure/impact.hpp"
 #include "lattice/numbers/parallel.hpp"
+#include "lattice/packets/impact.hpp"
 #include "lattice/stepping/accuracy.hpp"
 #include "report/program.hpp"
 
@@ -127,7 +127,7 @@ constexpr Resolution resolutions[] = {{0, 1e-9}, {1, 1e-11}};
 
 /**
 The deviation compares both equations at the same instants, so they run side by side: the chain's samples
-set the pace, and the DpS integrator is carried to the same slow time. */
+set the grid, and the DpS integrator is carried to the same slow time. */
 std::array<double, 3> deviations(const Field& start, double eps, const Resolution& resolution) {
   const Chain chain{start.size()};
   State<double> state = dps_state(start, eps, 0);
@@ -138,8 +138,8 @@ std::array<double, 3> deviations(const Field& start, double eps, const Resolutio
   std::array<double, 3> largest{};
   double tau = 0;
   const ContactAware stepper = stepper_for(1e-6, 0.1, resolution.halvings);
-  const Pace pace = dense_pace(stepper, horizons.back() / std::sqrt(eps), 0.2);
-  evolve(stepper, chain, state, pace, [&](const State<double>& now) {
+  const TimeGrid grid = dense_time_grid(stepper, horizons.back() / std::sqrt(eps), 0.2);
+  evolve(stepper, chain, state, grid, [&](const State<double>& now) {
     if (now.t == 0) return;
     slow.advance(tau, std::sqrt(eps) * now.t, x);
     for (std::size_t n = 0; n < field.size(); ++n) field[n] = {x[2 * n], x[2 * n + 1]};

@@ -27,7 +27,7 @@ physics demands, it considers too difficult. This program does both, with signs,
 
 #include "lattice/numbers/parallel.hpp"
 #include "lattice/orbits/breather.hpp"
-#include "lattice/orbits/ladder.hpp"
+#include "lattice/orbits/breather_pairs.hpp"
 #include "lattice/stepping/reference.hpp"
 #include "report/program.hpp"
 
@@ -64,12 +64,12 @@ six. Along a family $d\mathcal H = \omega_b\,d\mathcal A/2\pi$. We change the fr
 breather until the areas agree to first order, and convert what is left of their difference into energy;
 what we neglect is of third order (breather.hpp). All is computed at two tolerances. Where double precision
 leaves an error of more than three parts in a thousand, we repeat it with 64-bit mantissas. The frequencies
-form a *ladder*; each of its *rungs* holds the two breathers of one frequency. */
-/// One ladder for each well.
-std::vector<Ladder> climb_wells(int count) {
-  std::vector<Ladder> ladders;
-  for (double s : wells) ladders.push_back(climb_pairs(s, ladder_frequencies(s, count), measure));
-  return ladders;
+form *pairs*, each of two breathers of one frequency. */
+/// The pairs of each well.
+std::vector<BreatherPairs> climb_wells(int count) {
+  std::vector<BreatherPairs> families;
+  for (double s : wells) families.push_back(climb_pairs(s, pair_frequencies(s, count), measure));
+  return families;
 }
 
 /**
@@ -78,7 +78,7 @@ std::vector<Ladder> climb_wells(int count) {
 The figure shows the energy of the bond-centred breather, the modulus of both barriers and the
 ratio of barrier to energy. Its logarithmic scale hides what matters most: both barriers change
 their signs, and each of the dips is a zero. The table therefore keeps the signs. */
-Table branch_table(const std::vector<Ladder>& ladders) {
+Table branch_table(const std::vector<BreatherPairs>& families) {
   Table table{{number("s", "anharmonicity of the well"), number("omega", "frequency"),
                number("energy_bond", "energy, bond-centred"),
                number("energy_bond_error", "difference of two resolutions"),
@@ -90,8 +90,8 @@ Table branch_table(const std::vector<Ladder>& ladders) {
                number("size_area", "modulus of equal_area"),
                number("relative", "size_frequency over energy_bond"),
                count("wide", "1 where a 64-bit mantissa was needed")}};
-  for (const Ladder& ladder : ladders)
-    for (const Rung& r : ladder) {
+  for (const BreatherPairs& pairs : families)
+    for (const BreatherPair& r : pairs) {
       const Estimate &bond = r.energy[1], &f = r.equal_frequency, &a = r.equal_area;
       table.add({r.s, r.omega, bond.value, bond.error, f.value, f.error, a.value, a.error,
                  std::abs(f.value), std::abs(a.value), std::abs(f.value) / bond.value,
@@ -101,29 +101,30 @@ Table branch_table(const std::vector<Ladder>& ladders) {
 }
 
 /**
-The zeros themselves must be located. One lies wherever neighbouring rungs have opposite signs. In the linear
+The zeros themselves must be located. One lies wherever neighbouring pairs have opposite signs. In the linear
 well the barrier at equal frequency vanishes first at [1.01462](num:sec32_barrier.zero_linear1), and for the
 fifth time at [1.29969](num:sec32_barrier.zero_linear5): the article's barrier near $1.3$ is small because of
 that zero. */
 struct Zero {
   std::size_t well;
   Comparison kind;
-  const Rung *left, *right;
+  const BreatherPair *left, *right;
   Estimate omega{};
 };
 
-std::vector<Zero> find_zeros(const std::vector<Ladder>& ladders) {
+std::vector<Zero> find_zeros(const std::vector<BreatherPairs>& families) {
   std::vector<Zero> zeros;
-  for (std::size_t w = 0; w < ladders.size(); ++w)
-    for (std::size_t k = 1; k < ladders[w].size(); ++k) {
-      const Rung &a = ladders[w][k - 1], &b = ladders[w][k];
+  for (std::size_t w = 0; w < families.size(); ++w)
+    for (std::size_t k = 1; k < families[w].size(); ++k) {
+      const BreatherPair &a = families[w][k - 1], &b = families[w][k];
       if (a.equal_frequency.value * b.equal_frequency.value < 0)
         zeros.push_back({w, equal_frequency, &a, &b});
       if (a.equal_area.value * b.equal_area.value < 0) zeros.push_back({w, equal_area, &a, &b});
     }
   parallel_for("zeros", zeros.size(), [&](std::size_t i) {
     Zero& z = zeros[i];
-    const auto gap = z.kind == equal_frequency ? &Rung::equal_frequency : &Rung::equal_area;
+    const auto gap =
+        z.kind == equal_frequency ? &BreatherPair::equal_frequency : &BreatherPair::equal_area;
     z.omega = zero_between(*z.left, *z.right, gap);
   });
   return zeros;
@@ -131,13 +132,13 @@ std::vector<Zero> find_zeros(const std::vector<Ladder>& ladders) {
 
 /**
 The text quotes some of the zeros, so those at equal frequency are numbered in the facts, well by well. */
-void report_zeros(Report& report, const std::vector<Ladder>& ladders) {
+void report_zeros(Report& report, const std::vector<BreatherPairs>& families) {
   Table table{{number("s", "anharmonicity of the well"),
                count("kind", "1 at equal frequency, 2 at equal area"),
                number("omega", "frequency where the barrier changes its sign"),
                number("omega_error", "its error")}};
   std::array<int, 3> number_of{};
-  for (const Zero& z : find_zeros(ladders)) {
+  for (const Zero& z : find_zeros(families)) {
     table.add({wells[z.well], z.kind, z.omega.value, z.omega.error});
     if (z.kind == equal_frequency)
       report.facts.add(std::string("zero_") + names[z.well] + std::to_string(++number_of[z.well]),
@@ -149,7 +150,7 @@ void report_zeros(Report& report, const std::vector<Ladder>& ladders) {
 /**
 ## Six frequencies to all digits
 
-The claims speak of single frequencies, so these rungs are computed in the wider type throughout. Close to
+The claims speak of single frequencies, so these pairs are computed in the wider type throughout. Close to
 $\omega_b = 1$ all energies follow the DpS scaling $E \propto (\omega_b-1)^4$. With
 $d\mathcal H = \omega_b\,d\mathcal A/2\pi$ the barrier at equal area is then $-(\omega_b-1)/5$ times the one
 at equal frequency: smaller by orders of magnitude, and of the opposite sign. At $\omega_b = 1.001$ the
@@ -157,26 +158,26 @@ computed ratio divided by this prediction is [1.01843](num:sec32_barrier.equal_a
 const std::pair<double, const char*> key_frequencies[] = {
     {1.001, "1001"}, {1.01, "101"}, {1.1, "110"}, {1.3, "130"}, {1.5, "150"}, {1.9, "190"}};
 
-/// Both breathers of a frequency, from the rungs beside it where there are any.
-Rung key_rung(const Ladder& ladder, double s, double omega) {
-  const auto right =
-      std::find_if(ladder.begin(), ladder.end(), [&](const Rung& r) { return r.omega > omega; });
-  if (right != ladder.begin() && right != ladder.end())
-    return rung_between(*std::prev(right), *right, omega);
-  Rung rung{s, omega};
-  for (int k : {0, 1}) rung.orbit[k] = find_breather(problem_of(both_centres[k], omega, s));
-  return rung;
+/// Both breathers of a frequency, from the pairs beside it where there are any.
+BreatherPair key_pair(const BreatherPairs& pairs, double s, double omega) {
+  const auto right = std::find_if(pairs.begin(), pairs.end(),
+                                  [&](const BreatherPair& r) { return r.omega > omega; });
+  if (right != pairs.begin() && right != pairs.end())
+    return pair_between(*std::prev(right), *right, omega);
+  BreatherPair pair{s, omega};
+  for (int k : {0, 1}) pair.orbit[k] = find_breather(problem_of(both_centres[k], omega, s));
+  return pair;
 }
 
-Ladder key_ladder(const std::vector<Ladder>& ladders, bool quick) {
+BreatherPairs key_pairs(const std::vector<BreatherPairs>& families, bool quick) {
   const std::size_t count = std::size(key_frequencies);
-  Ladder rungs(std::size(wells) * count);
-  parallel_for(rungs.size(), [&](std::size_t i) {
+  BreatherPairs pairs(std::size(wells) * count);
+  parallel_for(pairs.size(), [&](std::size_t i) {
     const std::size_t w = i / count;
-    rungs[i] = key_rung(ladders[w], wells[w], key_frequencies[i % count].first);
-    quick ? measure_in<double>(rungs[i]) : measure_in<Wide>(rungs[i]);
+    pairs[i] = key_pair(families[w], wells[w], key_frequencies[i % count].first);
+    quick ? measure_in<double>(pairs[i]) : measure_in<Wide>(pairs[i]);
   });
-  return rungs;
+  return pairs;
 }
 
 /**
@@ -190,29 +191,29 @@ Estimate size(const Estimate& e) {
 }
 
 /**
-The article's numbers are answered from these rungs. Printed is $1.77\cdot10^{-11}$ at $1.1$ in the
+The article's numbers are answered from these pairs. Printed is $1.77\cdot10^{-11}$ at $1.1$ in the
 linear well, and we find [1.62422e-11](num:pn.omega11). At $1.5$ in the soft well we find
 [7.57142e-8](num:pn.omega15) instead of $10^{-4}$; the hard well has
 [-8.64349e-5](num:sec32_barrier.equal_frequency_hard_150) there, and the printed value probably belongs to it.
 At $1.3$ the soft barrier is [857.527](num:pn.harmonic_ratio) times the linear one, and the hard barrier is
 [24934.6](num:sec32_barrier.harmonic_ratio_hard) times the linear one. */
-void report_key(Report& report, const Ladder& rungs) {
+void report_key(Report& report, const BreatherPairs& pairs) {
   const std::size_t count = std::size(key_frequencies);
-  const auto rung = [&](std::size_t w, std::size_t k) { return rungs[w * count + k]; };
+  const auto pair = [&](std::size_t w, std::size_t k) { return pairs[w * count + k]; };
   for (std::size_t w = 0; w < 3; ++w)
     for (std::size_t k = 0; k < count; ++k) {
       const std::string name = std::string("_") + names[w] + "_" + key_frequencies[k].second;
-      report.facts.add("equal_frequency" + name, rung(w, k).equal_frequency);
-      report.facts.add("equal_area" + name, rung(w, k).equal_area);
+      report.facts.add("equal_frequency" + name, pair(w, k).equal_frequency);
+      report.facts.add("equal_area" + name, pair(w, k).equal_area);
     }
-  report.facts.add("energy_110_site", rung(1, 2).energy[0]);
-  report.facts.add("energy_110_bond", rung(1, 2).energy[1]);
-  const Rung limit = rung(1, 0);
+  report.facts.add("energy_110_site", pair(1, 2).energy[0]);
+  report.facts.add("energy_110_bond", pair(1, 2).energy[1]);
+  const BreatherPair limit = pair(1, 0);
   Estimate law = ratio(limit.equal_area, limit.equal_frequency);
   law.value /= -(limit.omega - 1) / 5, law.error /= (limit.omega - 1) / 5;
   report.facts.add("equal_area_law", law);
   const auto barrier_at = [&](std::size_t w, std::size_t k) {
-    return size(rung(w, k).equal_frequency);
+    return size(pair(w, k).equal_frequency);
   };
   report.results.add("pn.omega11", barrier_at(1, 2));
   report.results.add("pn.small", barrier_at(1, 1));
@@ -228,7 +229,7 @@ How far do the branches go? In the soft well the families do not reach $\omega_b
 fold, where the stiffening contacts and the softening well balance, at
 [1.91163](num:sec32_barrier.fold_soft_site) (site) and [1.91172](num:sec32_barrier.fold_soft_bond) (bond).
 Two runs with different step lengths locate each. */
-void report_folds(Report& report, const Rung& last) {
+void report_folds(Report& report, const BreatherPair& last) {
   std::array<double, 4> fold{};
   parallel_for(4, [&](std::size_t i) {
     Branch branch(problem_of(both_centres[i / 2], last.omega, last.s), along_omega<double>(),
@@ -330,12 +331,12 @@ struct OneBarrier {
 };
 
 Table OneBarrier::table() const {
-  Rung rung{s, omega};
-  for (int k : {0, 1}) rung.orbit[k] = find_breather(problem_of(both_centres[k], omega, s));
-  measure_in<Wide>(rung);
+  BreatherPair pair{s, omega};
+  for (int k : {0, 1}) pair.orbit[k] = find_breather(problem_of(both_centres[k], omega, s));
+  measure_in<Wide>(pair);
   Quantities q;
-  q.add("equal_frequency", rung.equal_frequency);
-  q.add("equal_area", rung.equal_area);
+  q.add("equal_frequency", pair.equal_frequency);
+  q.add("equal_area", pair.equal_area);
   return q.table;
 }
 
@@ -362,12 +363,12 @@ nothing about what lies between the two breathers; section 3.3 looks for breathe
 - Other exponents of the contact: is there one for which the barrier vanishes altogether? */
 void reproduce(Report& report) {
   report.output.note("tolerance", "flow to 128 and 2048 roundings of the type");
-  const auto ladders = climb_wells(report.quick ? 10 : 60);
-  report.output.add("barriers", branch_table(ladders));
-  if (!report.quick) report_zeros(report, ladders);
-  const Ladder key = key_ladder(ladders, report.quick);
+  const auto families = climb_wells(report.quick ? 10 : 60);
+  report.output.add("barriers", branch_table(families));
+  if (!report.quick) report_zeros(report, families);
+  const BreatherPairs key = key_pairs(families, report.quick);
   report_key(report, key);
-  report_folds(report, ladders[0].back());
+  report_folds(report, families[0].back());
   if (!report.quick) report_printed(report, key[std::size(key_frequencies) + 2].equal_frequency);
 }
 

@@ -29,9 +29,9 @@ and measure how good that approximation is. The breathers of the chain have a ch
 #include <vector>
 
 #include "lattice/dps/stationary.hpp"
-#include "lattice/measure/observe.hpp"
 #include "lattice/model/contact.hpp"
 #include "lattice/numbers/extended.hpp"
+#include "lattice/packets/observe.hpp"
 #include "report/program.hpp"
 
 using namespace lattice;

@@ -27,9 +27,9 @@ How much energy separates them is the question of the next chapter. */
 #include "lattice/numbers/parallel.hpp"
 #include "lattice/numbers/random.hpp"
 #include "lattice/orbits/breather.hpp"
-#include "lattice/orbits/ladder.hpp"
+#include "lattice/orbits/breather_pairs.hpp"
 #include "report/program.hpp"
-#include "sec33/breather_options.hpp"
+#include "sec3/breather_options.hpp"
 
 using namespace lattice;
 
@@ -316,7 +316,7 @@ void report_persistence(Report& report) {
   std::array<State<double>, 2> end{start, start};
   parallel_for(2, [&](std::size_t k) {
     for (int period = 0; period < (report.quick ? 10 : 100); ++period)
-      flow(problem.chain, end[k], problem.period(), rule<double>(int(k)).landing);
+      flow(problem.chain, end[k], problem.period(), rule<double>(int(k)).events);
   });
   const double moved = largest_difference(end[0], start) / largest(start);
   const double error = largest_difference(end[0], end[1]) / largest(start);
@@ -346,7 +346,7 @@ Orbit<T> with_tail(std::size_t sites) {
   const auto problem = breather_problem<double>(Centre::site, 1.1, 0, sites);
   NewtonRule<T> graded = rule<T>(0);
   graded.graded = true;
-  graded.landing.floor = T(0);
+  graded.events.floor = T(0);
   return polish(in_precision<T>(problem), find_breather(problem), graded);
 }
 
@@ -417,9 +417,9 @@ What so small a difference does to the motion of a breather is the subject of se
 
 ![Amplitude and energy of both families.](fig:06) */
 void report_branches(Report& report) {
-  std::vector<double> omegas = ladder_frequencies(0, report.quick ? 10 : 80);
+  std::vector<double> omegas = pair_frequencies(0, report.quick ? 10 : 80);
   omegas.insert(omegas.begin(), 1.001);
-  const Ladder ladder = climb_pairs(0, omegas, measure_in<double>);
+  const BreatherPairs pairs = climb_pairs(0, omegas, measure_in<double>);
   Table table{{number("omega", "frequency"), number("amplitude_bond", "largest |y_n(0)|"),
                number("amplitude_site", "largest |y_n(0)|"),
                number("energy_bond", "energy, bond-centred"),
@@ -428,7 +428,7 @@ void report_branches(Report& report) {
                number("energy_site_error", "difference of two resolutions")}};
   Estimate apart{};
   double where = 0;
-  for (const Rung& r : ladder) {
+  for (const BreatherPair& r : pairs) {
     const Estimate &site = r.energy[0], &bond = r.energy[1];
     table.add({r.omega, r.amplitude[1].value, r.amplitude[0].value, bond.value, bond.error,
                site.value, site.error});
@@ -485,9 +485,9 @@ Values are printed in the chosen precision, and their errors are differences fro
 The residual is that of the whole period. */
 template <class T, class Other>
 Table breather_table(const Shooting<T>& problem, const Orbit<T>& orbit, const Orbit<Other>& other,
-                     const Landing<T>& landing) {
+                     const EventTolerance<T>& landing) {
   State<T> end = orbit.start;
-  const Flow<T> run = flow(problem.chain, end, problem.period(), landing);
+  const FlowReport<T> run = flow(problem.chain, end, problem.period(), landing);
   const T miss = largest_difference(end, orbit.start) / orbit.amplitude;
   const auto differs = [](const T& a, const Other& b) {
     return Estimate{double(a), double(magnitude<T>(a - T(b)))};
@@ -519,17 +519,17 @@ Table OneBreather::table() const {
   if (profile && !extended()) {
     NewtonRule<double> graded = rule<double>(0);
     graded.graded = true;
-    graded.landing.floor = 0;
+    graded.events.floor = 0;
     return breather_profile(polish(problem, orbit, graded));
   }
   const auto wide = polish(in_precision<Wide>(problem), orbit, rule<Wide>(0));
   if (!extended()) return breather_table(problem, orbit, wide, {});
   NewtonRule<Quadruple> deep;
-  deep.landing.tolerance = Quadruple(1e-27);
+  deep.events.tolerance = Quadruple(1e-27);
   const auto quadruple = in_precision<Quadruple>(problem);
   const auto deepest = polish(quadruple, wide, deep);
   return profile ? breather_profile(deepest)
-                 : breather_table(quadruple, deepest, wide, deep.landing);
+                 : breather_table(quadruple, deepest, wide, deep.events);
 }
 
 /**

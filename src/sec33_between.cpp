@@ -22,9 +22,9 @@ The article claims nothing here; what we find is measured. */
 #include <vector>
 
 #include "lattice/numbers/parallel.hpp"
-#include "lattice/orbits/exchange.hpp"
-#include "lattice/orbits/held.hpp"
 #include "report/program.hpp"
+#include "sec33/exchange.hpp"
+#include "sec33/held.hpp"
 
 using namespace lattice;
 
@@ -59,7 +59,7 @@ Newton's method wanders off to large and costly motions, so it gets only eight i
 changes by more than 15 per cent from one well to the next betrays another family. */
 NewtonRule<double> chart_rule() {
   NewtonRule<double> how;
-  how.landing.tolerance = 1e-12;
+  how.events.tolerance = 1e-12;
   how.most = 8;
   return how;
 }
@@ -71,10 +71,10 @@ void visit(Node& node, const Orbit<double>& from) {
     const double growth = node.orbit.amplitude / from.amplitude;
     if (std::abs(growth - 1) > 0.15 && node.orbit.omega == from.omega) return;  // another family
     const auto pairs =
-        floquet_pairs(problem.chain, node.orbit.start, node.orbit.period(), chart_rule().landing);
+        floquet_pairs(problem.chain, node.orbit.start, node.orbit.period(), chart_rule().events);
     node.kappa = pairs.pinning();
     node.defect = pairs.defect;
-  } catch (const NoConvergence&) {
+  } catch (const NewtonFailed&) {
   }
 }
 
@@ -159,7 +159,7 @@ void refine_places(std::vector<Crossing_place>& places) {
       c.found =
           exchange_between(Centre::site, c.cut, c.low, c.high, c.near->orbit, 1e-3, chart_rule());
       c.good = true;
-    } catch (const NoConvergence&) {
+    } catch (const NewtonFailed&) {
     }
   });
 }
@@ -299,8 +299,7 @@ Between describe_between(const Cut& cut, const Exchange& from, double centre,
     const NewtonRule<Wide> how = rule<Wide>(int(coarser));
     x[coarser] = solve(held, Vector<Wide>(near.cast<Wide>()), how).x;
     const auto there = held.at(x[coarser]);
-    pairs[coarser] =
-        floquet_pairs(there.chain, held.start(x[coarser]), there.period(), how.landing);
+    pairs[coarser] = floquet_pairs(there.chain, held.start(x[coarser]), there.period(), how.events);
   }
   const Eigen::Index last = x[0].size() - 1;
   const double apart = double(magnitude<Wide>(x[1][last] - x[0][last]));
@@ -322,7 +321,7 @@ std::vector<Between> between(const Cut& cut, const Window_edge& edge, int count)
   const auto centre = [&](std::size_t k) { return double(k + 1) / (2 * count); };
   std::vector<Vector<double>> near;
   for (std::size_t k = 0; k + 1 < std::size_t(count); ++k) {
-    const double wave = std::sin(circle_ratio<double>() * centre(k));
+    const double wave = std::sin(pi<double>() * centre(k));
     x[n] = from.place.value + wave * wave * edge.width().value;
     near.push_back(moved_to_centre(held_problem<double>(cut, from, centre(k)), x));
     x = near.back();

@@ -24,10 +24,10 @@ means in time. What is claimed, with the identifiers under which the answers are
 #include <utility>
 #include <vector>
 
-#include "lattice/dps/motion.hpp"
 #include "lattice/numbers/extended.hpp"
 #include "lattice/numbers/parallel.hpp"
 #include "report/program.hpp"
+#include "sec33/dps_motion.hpp"
 
 using namespace lattice;
 
@@ -111,7 +111,7 @@ Margin margin_of(Centre centre, double mu) {
 
 /**
 The claim is decided by a sign that must be certain. The bond-centred breather is stable if its margin is
-negative at both frequencies, by a hundred times the error (`surely_stable` of motion.hpp); a sign within
+negative at both frequencies, by a hundred times the error (`surely_stable` of dps_motion.hpp); a sign within
 that would count as a failure. */
 void report_margins(Report& report) {
   Criterion stable;
@@ -192,7 +192,7 @@ Table contact_table(Centre centre) {
 /**
 ## The instability at work
 
-We now follow the breathers of $\mu = 10$ in time by their displacement $X$, in sites (motion.hpp), at two
+We now follow the breathers of $\mu = 10$ in time by their displacement $X$, in sites (dps_motion.hpp), at two
 tolerances; the finer run also takes twice as many samples, because times are read from them.
 
 Does the exponent of the matrix come out of the nonlinear equation? We displace the breather along the
@@ -377,7 +377,7 @@ Table path_table(const std::vector<Trial>& trials) {
 /**
 ### Why: a pendulum
 
-Can a simple model explain the motion? Between site and bond the centre moves like a pendulum (motion.hpp).
+Can a simple model explain the motion? Between site and bond the centre moves like a pendulum (dps_motion.hpp).
 Without noise we bisect for the push that frees a bond-centred breather, between 0.8 and 1.2 of the
 pendulum's prediction, where the two ends must decide differently. Free means beyond the next site. A run of
 $12/|\lambda|$ resolves a push that is $e^{-8}$ from the edge. */

@@ -24,9 +24,9 @@ the seventh digit, and between them a breather that is centred neither on a site
 #include <vector>
 
 #include "lattice/numbers/parallel.hpp"
-#include "lattice/orbits/exchange.hpp"
 #include "report/program.hpp"
-#include "sec33/breather_options.hpp"
+#include "sec3/breather_options.hpp"
+#include "sec33/exchange.hpp"
 
 using namespace lattice;
 
@@ -330,7 +330,7 @@ std::vector<Estimate> exchanges_on(Centre centre, double omega, int side) {
         found.push_back(exchange<Wide>(centre, {true, omega}, before, s, near).place);
       last = kappa;
     }
-  } catch (const NoConvergence&) {  // the family ends
+  } catch (const NewtonFailed&) {  // the family ends
   }
   return found;
 }

@@ -25,11 +25,11 @@ conserved so well that its error cannot matter, draws figures 14 and 15, and the
 #include <vector>
 
 #include "lattice/numbers/parallel.hpp"
-#include "lattice/orbits/kicked.hpp"
-#include "lattice/orbits/ladder.hpp"
+#include "lattice/orbits/breather_pairs.hpp"
 #include "lattice/stepping/compensated.hpp"
 #include "report/program.hpp"
-#include "sec33/breather_options.hpp"
+#include "sec3/breather_options.hpp"
+#include "sec33/kicked.hpp"
 
 using namespace lattice;
 
@@ -272,11 +272,11 @@ $|\varphi| = (\omega_b-1)/3$ for $\omega_b \to 1$. The share is negative: the mo
 energy than the resting one of the same action. Its effective mass is negative, and the stable centre is
 the one of *higher* energy. So
 $$|\varphi|\,\frac{c_c^2}2 = |\tilde E_{PN}|,\qquad\text{not}\qquad \frac{c_c^2}2 = E_{PN}.$$ */
-Rung barriers_at(double omega) {
-  Rung rung{0, omega};
-  for (int k : {0, 1}) rung.orbit[k] = find_breather(problem_of(both_centres[k], omega));
-  measure_in<double>(rung);
-  return rung;
+BreatherPair barriers_at(double omega) {
+  BreatherPair pair{0, omega};
+  for (int k : {0, 1}) pair.orbit[k] = find_breather(problem_of(both_centres[k], omega));
+  measure_in<double>(pair);
+  return pair;
 }
 
 /**
@@ -306,8 +306,9 @@ The whole chain must confirm the prediction. Three kicks beyond it free the brea
 speed with which it passes the hill leads to the threshold (kicked.hpp), with two schemes. For the phase
 that answers the claim we also check directly: one per cent below the threshold it must turn round, one per
 cent above it must get over. Runs whose energy drifts by a hundredth of the kick are refused. */
-void report_thresholds(Report& report, const std::vector<FreeingKick>& found, const Rung& rung) {
-  const double plain = std::abs(rung.equal_frequency.value);
+void report_thresholds(Report& report, const std::vector<FreeingKick>& found,
+                       const BreatherPair& pair) {
+  const double plain = std::abs(pair.equal_frequency.value);
   for (std::size_t k = 0; k < 2; ++k) {
     const Estimate& c = found[k].value;
     const std::string name = std::string("_") + cases[k + 1].name;
@@ -575,16 +576,16 @@ void reproduce(Report& report) {
   report_kick_energy(report, at[1]);
   const std::array<double, 3> response = report_glides(report);
   const std::vector<RestingBreather> bonds{at[1], at[2]};
-  const Rung rung = barriers_at(omega_b);
+  const BreatherPair pair = barriers_at(omega_b);
   std::vector<Prediction> predictions;
   for (const RestingBreather& bond : bonds)
-    predictions.push_back(predict_threshold(bond, rung.equal_area));
+    predictions.push_back(predict_threshold(bond, pair.equal_area));
   report_predictions(report, predictions, response);
   report_weak(report, at);
   auto found = freeing_kicks(bonds, predictions, coarse(report.quick).thresholds,
                              fine(report.quick).thresholds);
   if (!report.quick) confirm(bonds[0], predictions[0], fine().thresholds, found[0]);
-  report_thresholds(report, found, rung);
+  report_thresholds(report, found, pair);
   report_speeds(report, at, response, predictions[0].frequency.value);
   report_integrators(report, at[1]);
   report_printed(report, at);

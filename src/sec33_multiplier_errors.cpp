@@ -26,9 +26,9 @@ The claims are answered in the previous chapter; the results here are our own me
 #include "lattice/numbers/line_fit.hpp"
 #include "lattice/numbers/parallel.hpp"
 #include "lattice/numbers/random.hpp"
-#include "lattice/orbits/exchange.hpp"
 #include "lattice/stepping/reference.hpp"
 #include "report/program.hpp"
+#include "sec33/exchange.hpp"
 
 using namespace lattice;
 
@@ -98,7 +98,7 @@ void add_loosened(Table& table, const Shooting<double>& problem, const Orbit<dou
                   double kappa) {
   const Matrix<double> map = monodromy(problem.chain, orbit.start, orbit.period());
   for (int power = -4; power >= -12; --power) {
-    Landing<double> loose;
+    EventTolerance<double> loose;
     loose.tolerance = std::pow(10.0, power);
     const Matrix<double> other = monodromy(problem.chain, orbit.start, orbit.period(), loose);
     const Damage d = damage(other, kappa);
@@ -125,7 +125,7 @@ void report_defect(Report& report) {
   const double kappa = spectrum<double>(problem, orbit).kappa().value;
   const Matrix<double> map = monodromy(problem.chain, orbit.start, orbit.period());
   const Matrix<double> coarser =
-      monodromy(problem.chain, orbit.start, orbit.period(), rule<double>(1).landing);
+      monodromy(problem.chain, orbit.start, orbit.period(), rule<double>(1).events);
   Table table = empty_defect_table();
   std::vector<double> sizes, moves, changes;
   for (int power = -5; power >= -11; --power) {

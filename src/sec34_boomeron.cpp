@@ -23,13 +23,13 @@ their direction. How far does it get, and for how long can its motion be known?
 #include <utility>
 #include <vector>
 
-#include "lattice/measure/parting.hpp"
-#include "lattice/measure/turning.hpp"
 #include "lattice/numbers/parallel.hpp"
 #include "lattice/numbers/random.hpp"
+#include "lattice/packets/turning.hpp"
 #include "lattice/stepping/reference.hpp"
 #include "report/model_options.hpp"
 #include "report/program.hpp"
+#include "sec34/decorrelation.hpp"
 
 using namespace lattice;
 
@@ -174,7 +174,7 @@ Moments report_turns(Report& report) {
 ## How long the motion is determined
 
 The motion is chaotic, so two runs that differ by as little as a rounding error part sooner or later
-(parting.hpp says what we call parted). We measure when this happens, for one impact computed with
+(decorrelation.hpp says what we call parted). We measure when this happens, for one impact computed with
 two steps and for two impacts that differ by a fraction $\delta$. The article prints its impact
 velocities with two or three digits; half a unit of the last digit of 1.87 means
 $\delta\approx 3\cdot10^{-3}$. */
@@ -183,8 +183,8 @@ template <class Struck>
 double decorrelation(
     const ContactAware& first, double velocity, const ContactAware& second, double other,
     const Struck& chain, double time, const std::function<void(double)>& watch = [](double) {}) {
-  return parting_time(first, struck(chain.sites, velocity), second, struck(chain.sites, other),
-                      chain, time, watch);
+  return decorrelation_time(first, struck(chain.sites, velocity), second,
+                            struck(chain.sites, other), chain, time, watch);
 }
 
 /**
@@ -229,7 +229,7 @@ double report_decorrelation(Report& report) {
     if (p.delta == 0) resolved = {p.when, std::abs(p.when - resolved.value)};
     if (p.delta == 1e-6) {
       marked = p.when;
-      report.facts.add("decorrelation_time_190", parting(p.check, p.when));
+      report.facts.add("decorrelation_time_190", decorrelation_of(p.check, p.when));
     }
   }
   report.facts.add("resolved_until", resolved);
@@ -559,7 +559,7 @@ Table OneTurn::table() const {
   q.add("apex_site", read.apex_site, "site");
   q.add("apex_time", read.apex_time);
   q.add("return_time", read.return_time);
-  q.add("decorrelation_time", parting(neighbours(0), neighbours(1)));
+  q.add("decorrelation_time", decorrelation_of(neighbours(0), neighbours(1)));
   q.add("step_difference", exact(runs.error), "relative");
   return q.table;
 }

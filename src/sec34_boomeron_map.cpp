@@ -24,8 +24,8 @@ chapter before.
 #include <utility>
 #include <vector>
 
-#include "lattice/measure/turning.hpp"
 #include "lattice/numbers/parallel.hpp"
+#include "lattice/packets/turning.hpp"
 #include "report/program.hpp"
 #include "report/sweep.hpp"
 

@@ -25,10 +25,10 @@ The answer, with its evidence, stands under *Results*. */
 #include <utility>
 #include <vector>
 
-#include "lattice/measure/turning.hpp"
 #include "lattice/numbers/parallel.hpp"
 #include "lattice/numbers/random.hpp"
-#include "lattice/orbits/ladder.hpp"
+#include "lattice/orbits/breather_pairs.hpp"
+#include "lattice/packets/turning.hpp"
 #include "lattice/stepping/damped.hpp"
 #include "report/program.hpp"
 
@@ -116,11 +116,11 @@ comparison of two steps also shows the error of the moving absorber. */
 void carry_on(const Chain& chain, State<double>& state, const std::vector<double>& nu,
               double step) {
   const ContactAware stepper{step};
-  const Pace pace{2 * step, 1, 2};
+  const TimeGrid grid{2 * step, 1, 2};
   if (nu.empty())
-    evolve(stepper, chain, state, pace, Unobserved{});
+    evolve(stepper, chain, state, grid, Unobserved{});
   else
-    evolve(Damped(stepper, nu), chain, state, pace, Unobserved{});
+    evolve(Damped(stepper, nu), chain, state, grid, Unobserved{});
 }
 
 /**

@@ -23,9 +23,9 @@ extended wave train that the boundary goes on emitting. We compute both and comp
 #include <vector>
 
 #include "lattice/dps/impact.hpp"
-#include "lattice/measure/criteria.hpp"
-#include "lattice/measure/impact.hpp"
+#include "lattice/packets/impact.hpp"
 #include "report/program.hpp"
+#include "sec34/criteria.hpp"
 
 using namespace lattice;
 
@@ -172,12 +172,12 @@ maximum of the oscillation $\cos t$ is missed by 0.05 of phase at most.
 ChainImpact chain_run(const ContactAware& stepper, std::size_t rows) {
   const Chain chain{sites};
   const double duration = tau_end / std::sqrt(eps), one_site = 1 / 0.0109;
-  const Pace pace = dense_pace(stepper, duration, duration / double(rows * 200));
+  const TimeGrid grid = dense_time_grid(stepper, duration, duration / double(rows * 200));
   ChainImpact out{struck(sites, 2 * eps), {}};  // Eq. (26)
   std::size_t k = 0;
-  out.run = evolve(stepper, chain, out.end, pace, [&](const State<double>& now) {
+  out.run = evolve(stepper, chain, out.end, grid, [&](const State<double>& now) {
     const auto e = energy_density(chain, now);  // e_n, Eq. (23)
-    if (k++ % (pace.samples / rows) == 0) out.maps.push_back(e);
+    if (k++ % (grid.samples / rows) == 0) out.maps.push_back(e);
     const auto peak = front_packet(e);
     if (!peak || now.t == 0) return;
     out.track.add(now.t, e, *peak);  // X, Eq. (24)
@@ -186,7 +186,7 @@ ChainImpact chain_run(const ContactAware& stepper, std::size_t rows) {
     for (std::size_t n = 20; n < sites; ++n)
       out.amplitude = std::max(out.amplitude, std::abs(now.y[n]));
   });
-  out.interval = pace.interval();
+  out.interval = grid.interval();
   return out;
 }
 

@@ -23,12 +23,12 @@ the first beads, the *surface mode*. */
 #include <utility>
 #include <vector>
 
-#include "lattice/measure/criteria.hpp"
-#include "lattice/measure/impact.hpp"
 #include "lattice/numbers/parallel.hpp"
+#include "lattice/packets/impact.hpp"
 #include "lattice/stepping/reference.hpp"
 #include "report/model_options.hpp"
 #include "report/program.hpp"
+#include "sec34/criteria.hpp"
 
 using namespace lattice;
 
@@ -84,7 +84,7 @@ Outcome strike(const ContactAware& stepper, double s, double velocity, double ti
     const bool arrived = !out.track.t.empty() && out.track.centre.back() > fit_to + 2;
     return k++ % each != 0 || !arrived;
   };
-  out.run = evolve(stepper, chain, out.end, dense_pace(stepper, time, 0.2), look);
+  out.run = evolve(stepper, chain, out.end, dense_time_grid(stepper, time, 0.2), look);
   return out;
 }
 

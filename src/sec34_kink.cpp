@@ -21,10 +21,10 @@ figure, and leaves open how the transition happens; here we map it. */
 #include <string>
 #include <vector>
 
-#include "lattice/measure/criteria.hpp"
-#include "lattice/measure/impact.hpp"
 #include "lattice/numbers/parallel.hpp"
+#include "lattice/packets/impact.hpp"
 #include "report/program.hpp"
+#include "sec34/criteria.hpp"
 
 using namespace lattice;
 

@@ -23,14 +23,14 @@ We derive every constant in SI units, strike the array and send the packet to th
 #include <utility>
 #include <vector>
 
-#include "lattice/measure/array_impact.hpp"
-#include "lattice/measure/collision.hpp"
-#include "lattice/measure/scattering.hpp"
 #include "lattice/numbers/parallel.hpp"
+#include "lattice/packets/array_impact.hpp"
 #include "lattice/stepping/reference.hpp"
 #include "report/program.hpp"
 #include "report/sweep.hpp"
-#include "sec36_trapped_mode.hpp"
+#include "sec36/collision.hpp"
+#include "sec36/scattering.hpp"
+#include "sec36/trapped_mode.hpp"
 
 using namespace lattice;
 
@@ -41,7 +41,7 @@ clamped beam (`beam.stiffness`, `beam.frequency`, `beam.mass`); the times of the
 `cantilever.bead_velocity`, `cantilever.deflection`, `cantilever.force`, `cantilever.duration`,
 `cantilever.period`); a defect with large beads reflects it, with slightly larger ones in part, and keeps
 a little energy (`cantilever.reflect16`, `cantilever.partial11`, and `cantilever.trapped` in
-sec36_trapped_mode.hpp); and in 10 ms it travels far enough to be seen (`outlook.travel_10ms`,
+sec36/trapped_mode.hpp); and in 10 ms it travels far enough to be seen (`outlook.travel_10ms`,
 `outlook.periods_10ms`). */
 constexpr std::size_t watched_site = 80;
 

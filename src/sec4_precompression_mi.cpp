@@ -10,7 +10,7 @@ almost without loss in section 3 now disperses unless nonlinearity holds it toge
 ![Where phonons are unstable, for three wells.](fig:25)
 
 Section 4 of James, Kevrekidis and Cuevas (Physica D 251, 2013) asks which waves are held together. This
-program draws figures 25 to 28; the impact is told in sec42_compressed_impact.hpp. */
+program draws figures 25 to 28; the impact is told in sec4/struck_compressed.hpp. */
 
 #include <algorithm>
 #include <array>
@@ -26,8 +26,8 @@ program draws figures 25 to 28; the impact is told in sec42_compressed_impact.hp
 #include "report/program.hpp"
 #include "sec4/instability.hpp"
 #include "sec4/modulation.hpp"
+#include "sec4/struck_compressed.hpp"
 #include "sec4/wave_on_ring.hpp"
-#include "sec42_compressed_impact.hpp"
 
 using namespace lattice;
 using std::numbers::pi;
@@ -62,7 +62,7 @@ smooth, and its linear part gives phonons the frequency $\omega(q)$, Eq. (34).
 | $a$, $b$, $N$ | `a`, `b`, `sites` | amplitude, modulation and ring of Eq. (39) |
 
 The library derives the band in `sec4/dispersion.hpp`, $\beta$ in `sec4/nls.hpp`, growth in
-`sec4/instability.hpp`, the ring in `sec4/modulation.hpp`, the impact in `sec4/flight.hpp`. */
+`sec4/instability.hpp`, the ring in `sec4/modulation.hpp`, the impact in `sec4/compressed_impact.hpp`. */
 constexpr std::array<double, 3> wells = {-1.0 / 6, 0, 1};
 const std::array<std::string, 3> well_names = {"_s_minus_1_6", "_s_0", "_s_1"};
 constexpr char speed_unit[] = "site per unit of time";
@@ -389,7 +389,7 @@ ModulatedRuns modulated_runs(bool quick) {
   const ModulatedPhonon soft, hard{.s = 1};
   const double time = 6619;
   parallel_for(5, [&](std::size_t i) {
-    if (i == 0) runs.agree = agreement_time(soft, quick ? 7000 : 30000);
+    if (i == 0) runs.agree = nls_agreement_time(soft, quick ? 7000 : 30000);
     if (i == 1) runs.coarse = modulate(soft, time, 0.4);
     if (i == 2) runs.fine = modulate(soft, time, 0.2);
     if (i == 3) runs.stable_coarse = modulate(hard, time, 0.4);

@@ -22,9 +22,9 @@ One can. In the linear well they travel at isolated speeds, and one sum says at 
 #include <vector>
 
 #include "lattice/numbers/parallel.hpp"
-#include "lattice/orbits/travelling.hpp"
 #include "lattice/stepping/reference.hpp"
 #include "report/program.hpp"
+#include "sec5/travelling.hpp"
 
 using namespace lattice;
 
@@ -78,7 +78,7 @@ In the wider type the shift time must be $2\pi k$ with all its digits. The deriv
 method may come from the orbit in double precision. */
 Exact confirmed(std::size_t k, int sign, const Orbit<double>& orbit) {
   NewtonRule<long double> rule;
-  rule.landing.tolerance /= 2;
+  rule.events.tolerance /= 2;
   return {k, sign, orbit,
           polish(type_one<long double>(k, orbit.start.y.size() / 2 - 1), orbit, rule)};
 }
@@ -106,8 +106,8 @@ residual is rounding only, so its error is as large as itself. */
 template <class T>
 double residual_in_wide(const Exact& e, const Vector<T>& x_given) {
   const auto problem = with_free_time(type_one<long double>(e.k));
-  const Vector<long double> x = with_time<long double>(
-      x_given.template cast<long double>(), 2 * circle_ratio<long double>() * (long double)(e.k));
+  const Vector<long double> x = with_time<long double>(x_given.template cast<long double>(),
+                                                       2 * pi<long double>() * (long double)(e.k));
   return double(sup<long double>(problem.shoot(x, {}, false).miss)) / e.orbit.amplitude;
 }
 
@@ -232,7 +232,7 @@ The equations cover one shift; now we let an orbit run on. It is integrated over
 the method that lands on every opening and closing of a contact (landing.hpp), and then the frame moves
 on by one site. What the last site of the frame holds is left behind. */
 double left_behind(const Shooting<double>& problem, const Orbit<double>& orbit, std::size_t shifts,
-                   const Landing<double>& rule) {
+                   const EventTolerance<double>& rule) {
   State<double> z = orbit.start;
   const double time = shift_time(orbit);
   double left = 0;
@@ -256,7 +256,7 @@ $\kappa < 0$, and a disturbance grows if $\kappa > 0$. All other multipliers are
 moduli. */
 template <class T>
 std::pair<double, double> phase_and_rest(const Shooting<T>& problem, const Orbit<T>& orbit,
-                                         const Landing<T>& rule) {
+                                         const EventTolerance<T>& rule) {
   const auto all = multipliers_of(shifted_map(problem.chain, orbit.start, shift_time(orbit), rule));
   T rest(0);
   std::vector<std::complex<T>> near = all;
@@ -299,7 +299,7 @@ Flown by_steps(const Exact& e, std::size_t shifts, double step) {
   const auto steps = std::size_t(std::ceil(e.shift_time() / step));
   double left = 0;
   for (std::size_t k = 0; k < shifts; k += round) {
-    evolve(stepper_for(1e-12, step), chain, state, Pace{round * e.shift_time(), round, steps},
+    evolve(stepper_for(1e-12, step), chain, state, TimeGrid{round * e.shift_time(), round, steps},
            Unobserved{});
     left = std::max(left, passed(state, round));
     for (auto* q : {&state.y, &state.v}) {
@@ -497,7 +497,7 @@ Table orbit_table(const Found& f) {
     const auto e = energy_density(problem.chain, orbit.start);
     return double(*std::max_element(e.begin(), e.end()));
   };
-  Landing<double> fine, coarse;
+  EventTolerance<double> fine, coarse;
   coarse.tolerance *= 8;
   const double t = shift_time(f.orbit), t_wide = double(shift_time(f.wide));
   const std::size_t shifts = f.problem.chain.sites;

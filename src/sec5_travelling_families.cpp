@@ -24,10 +24,10 @@ and continues the exact ones into soft wells, and into hard wells, in which the 
 #include <utility>
 #include <vector>
 
-#include "lattice/measure/turning.hpp"
 #include "lattice/numbers/parallel.hpp"
-#include "lattice/orbits/travelling.hpp"
+#include "lattice/packets/turning.hpp"
 #include "report/program.hpp"
+#include "sec5/travelling.hpp"
 
 using namespace lattice;
 
@@ -93,7 +93,7 @@ Left set_free(const Orbit<double>& member, double step) {
   const double time = shift_time(member);
   State<double> state = embed(member.start, chain.sites, 0);
   const std::complex<double> before = sum_from(state, contact);
-  evolve(ContactAware{step}, chain, state, pace(24 * time, time, step), Unobserved{});
+  evolve(ContactAware{step}, chain, state, time_grid(24 * time, time, step), Unobserved{});
   Left left;
   for (std::size_t n = contact; n < contact + beads; ++n)
     left.beads += std::hypot(state.y[n], state.v[n]) / double(beads) / member.amplitude;
@@ -276,7 +276,7 @@ std::vector<Place> follow_branch(const Orbit<double>& start, int direction, int 
       way.push_back(place(branch));
       if (std::abs(way.back().s) > 3 || way.back().turns < 0.5) break;
     }
-  } catch (const NoConvergence&) {
+  } catch (const NewtonFailed&) {
     // Newton's method fails where beads of the tail only just touch; the branch is shown up to there.
   }
   return way;

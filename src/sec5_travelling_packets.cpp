@@ -24,11 +24,11 @@ to site, and with this angle the tail dies out as a power of the distance travel
 #include <utility>
 #include <vector>
 
-#include "lattice/measure/impact.hpp"
 #include "lattice/numbers/parallel.hpp"
-#include "lattice/orbits/dps_travelling.hpp"
-#include "lattice/orbits/travelling.hpp"
+#include "lattice/packets/impact.hpp"
 #include "report/program.hpp"
+#include "sec5/dps_travelling.hpp"
+#include "sec5/travelling.hpp"
 
 using namespace lattice;
 
@@ -112,7 +112,7 @@ Course long_run(double velocity, const Frame& frame, std::size_t rows) {
   std::size_t offset = 0;
   while (course.t.size() < rows) {
     const double next = 20 * std::pow(10.0, double(course.t.size()) / 12);
-    evolve(ContactAware{frame.step}, chain, state, Pace{1, 1, steps}, Unobserved{});
+    evolve(ContactAware{frame.step}, chain, state, TimeGrid{1, 1, steps}, Unobserved{});
     look(course, stretch, chain, state, offset, next);
     const auto peak = front_packet(energy_density(chain, state));
     if (peak && *peak + 20 > chain.sites) move_on(state, frame.drop), offset += frame.drop;
@@ -237,10 +237,11 @@ ExactLine exact_line() {
     State<double> state = embed(orbit.start, chain.sites, 0);
     const std::size_t samples = 400 * k;
     double contact = 0;
-    evolve(ContactAware{0.1}, chain, state, Pace{time, samples, 1}, [&](const State<double>& now) {
-      for (std::size_t i = 1; i < chain.sites; ++i)
-        if (now.t > 0) contact += contact_energy(chain, now.y.data(), i) / double(samples);
-    });
+    evolve(ContactAware{0.1}, chain, state, TimeGrid{time, samples, 1},
+           [&](const State<double>& now) {
+             for (std::size_t i = 1; i < chain.sites; ++i)
+               if (now.t > 0) contact += contact_energy(chain, now.y.data(), i) / double(samples);
+           });
     line.speed.push_back(c), line.scaled_speed.push_back(c / std::pow(orbit.energy, 0.25));
     line.scaled_contact.push_back(contact / std::pow(c, 5));
   }

@@ -21,8 +21,8 @@ depend on the step, for ordinary integrators and for the two of ours that know a
 #include <vector>
 
 #include "lattice/landing/landing.hpp"
-#include "lattice/measure/impact.hpp"
-#include "lattice/measure/observe.hpp"
+#include "lattice/packets/impact.hpp"
+#include "lattice/packets/observe.hpp"
 #include "lattice/stepping/contact_rkn.hpp"
 #include "report/program.hpp"
 
@@ -153,7 +153,7 @@ std::vector<double> landed_column(T tolerance, double& evaluations) {
   Tangent<T> tangent(31, 1);
   std::fill(tangent.entries.begin(), tangent.entries.end(), T(0));
   tangent(15, 0) = T(1);
-  Landing<T> rule;
+  EventTolerance<T> rule;
   if (tolerance > T(0)) rule.tolerance = tolerance;
   evaluations = double(flow(cradle(), state, T(period), rule, &tangent).evaluations);
   std::vector<double> out;

@@ -9,8 +9,8 @@
 #include <thread>
 
 #include "check.hpp"
-#include "lattice/measure/impact.hpp"
 #include "lattice/numbers/parallel.hpp"
+#include "lattice/packets/impact.hpp"
 #include "report/table.hpp"
 
 using namespace lattice;
@@ -36,12 +36,13 @@ Struck after_impact(const ContactAware& stepper, double sample) {
 TEST_CASE("a halved step halves, whatever the samples", "[unit][accuracy]") {
   for (double sample : {0.03, 0.07, 0.1, 0.2, 0.25, 0.3, 1.0, 10.0}) {
     CAPTURE(sample);
-    const Pace first = pace_for(ContactAware{0.2}, 10, sample);
+    const TimeGrid first = time_grid_for(ContactAware{0.2}, 10, sample);
     CHECK(first.step() <= 0.2 * (1 + 1e-12));
     CHECK(first.interval() <= sample * (1 + 1e-12));
     for (int k = 1; k <= 5; ++k) {
       const ContactAware finer = stepper_for(1e-6, 0.2, k);
-      const Pace same = pace_for(finer, 10, sample), dense = dense_pace(finer, 10, sample);
+      const TimeGrid same = time_grid_for(finer, 10, sample),
+                     dense = dense_time_grid(finer, 10, sample);
       CHECK(same.samples == first.samples);
       CHECK(same.steps == first.steps << k);
       CHECK(dense.samples == first.samples << k);
@@ -93,7 +94,7 @@ TEST_CASE("what must agree is named, and named again where it does not", "[unit]
   std::string message;
   try {
     converge(0, compute, share);
-  } catch (const NotConverged& refusal) {
+  } catch (const RefinementFailed& refusal) {
     message = refusal.what();
   }
   CHECK(message.find("shares of the first bead") != std::string::npos);
@@ -112,13 +113,13 @@ TEST_CASE("a run of no duration returns its start", "[unit][accuracy]") {
   CHECK(s.v == start.v);
   CHECK(s.t == 0);
   for (double bad : {-1.0, std::nan(""), double(INFINITY)}) {
-    CHECK_THROWS_AS(pace(bad, 1, 1), std::invalid_argument);
+    CHECK_THROWS_AS(time_grid(bad, 1, 1), std::invalid_argument);
     if (!(bad > 0) || std::isnan(bad)) {
-      CHECK_THROWS_AS(pace(1, bad, 1), std::invalid_argument);
-      CHECK_THROWS_AS(pace(1, 1, bad), std::invalid_argument);
+      CHECK_THROWS_AS(time_grid(1, bad, 1), std::invalid_argument);
+      CHECK_THROWS_AS(time_grid(1, 1, bad), std::invalid_argument);
     }
   }
-  CHECK_THROWS_AS(pace(1, 0, 1), std::invalid_argument);
+  CHECK_THROWS_AS(time_grid(1, 0, 1), std::invalid_argument);
 }
 
 TEST_CASE("packets are followed with samples that differ, up to the same time",

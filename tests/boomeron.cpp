@@ -6,10 +6,10 @@
 #include <string>
 
 #include "check.hpp"
-#include "lattice/measure/impact.hpp"
-#include "lattice/measure/parting.hpp"
-#include "lattice/measure/turning.hpp"
+#include "lattice/packets/impact.hpp"
+#include "lattice/packets/turning.hpp"
 #include "run.hpp"
+#include "sec34/decorrelation.hpp"
 
 using namespace lattice;
 namespace fs = std::filesystem;
@@ -101,17 +101,17 @@ TEST_CASE("runs part the later the less they differ", "[unit][boomeron]") {
   const Chain chain{60, Quartic{1}};
   const ContactAware stepper{0.1};
   const auto time = [&](double delta) {
-    return parting_time(stepper, struck(60, 1.9), stepper, struck(60, 1.9 * (1 + delta)), chain,
-                        300);
+    return decorrelation_time(stepper, struck(60, 1.9), stepper, struck(60, 1.9 * (1 + delta)),
+                              chain, 300);
   };
   CHECK(std::isinf(time(0)));
   CHECK(time(1) == 0);
   CHECK(time(3e-2) < time(3e-3));
   CHECK(time(3e-3) < 300);
-  const Estimate when = parting(100, 104);
+  const Estimate when = decorrelation_of(100, 104);
   CHECK(when.value == 104);
   CHECK(when.error >= 4 + look_every);
-  CHECK(std::isnan(parting(100, time(0)).value));
+  CHECK(std::isnan(decorrelation_of(100, time(0)).value));
 }
 
 TEST_CASE("the boomeron run keeps its contract", "[cli][boomeron]") {

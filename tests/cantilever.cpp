@@ -5,9 +5,9 @@
 #include <sstream>
 
 #include "check.hpp"
-#include "lattice/measure/collision.hpp"
-#include "lattice/orbits/defect_mode.hpp"
 #include "report/sweep.hpp"
+#include "sec36/collision.hpp"
+#include "sec36/defect_mode.hpp"
 
 using namespace lattice;
 namespace fs = std::filesystem;

@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "check.hpp"
-#include "lattice/measure/impact.hpp"
+#include "lattice/packets/impact.hpp"
 
 using namespace lattice;
 

@@ -5,7 +5,7 @@
 
 #include "check.hpp"
 #include "lattice/landing/landing.hpp"
-#include "lattice/measure/impact.hpp"
+#include "lattice/packets/impact.hpp"
 #include "lattice/stepping/accuracy.hpp"
 #include "lattice/stepping/reference.hpp"
 
@@ -25,7 +25,7 @@ State<T> landed(const Chain& chain, const State<double>& start, double time,
   State<T> s(chain.sites);
   std::copy(start.y.begin(), start.y.end(), s.y.begin());
   std::copy(start.v.begin(), start.v.end(), s.v.begin());
-  flow(chain, s, T(time), Landing<T>{}, tangent);
+  flow(chain, s, T(time), EventTolerance<T>{}, tangent);
   return s;
 }
 
@@ -191,7 +191,7 @@ Graze graze(const Chain& chain, const State<double>& turn) {
   Tangent<long double> fine(2, 4);
   auto exact = landed<long double>(chain, start, 1, &fine);
   Graze found{double(exact.y[1] - exact.y[0]) - chain.contact.opening(), 0, 0, 0};
-  flow(chain, exact, 1.0L, Landing<long double>{}, &fine);
+  flow(chain, exact, 1.0L, EventTolerance<long double>{}, &fine);
 
   Tangent<double> m(2, 4);
   const auto with = landed(chain, start, 2, &m), alone = landed(chain, start, 2);
@@ -262,7 +262,7 @@ TEST_CASE("a tolerance that chaos forbids is refused with its history", "[proper
   std::string message;
   try {
     evolve_to(1e-6, chain, s, 3000, 3000, Unobserved{});
-  } catch (const NotConverged& refusal) {
+  } catch (const RefinementFailed& refusal) {
     message = refusal.what();
   }
   CHECK(message.find("step 0.1:") != std::string::npos);
@@ -312,7 +312,7 @@ TEST_CASE("tiny contacts in a tail are neither missed nor looped on", "[property
   for (std::size_t n = 0; n < 12; ++n)
     s.y[n] = (n % 2 ? -0.1 : 0.1) * std::pow(10.0, -3.0 * double(n));  // down to 1e-34
   const auto start = s;
-  Landing<double> rule;
+  EventTolerance<double> rule;
   rule.floor = 0;
   const auto f = flow(chain, s, 6.0, rule);
   CHECK(f.steps < 5000);

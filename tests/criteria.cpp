@@ -1,16 +1,16 @@
 // Statements in words: each criterion holds for what the words describe and fails for what they do not.
 
-#include "lattice/measure/criteria.hpp"
+#include "sec34/criteria.hpp"
 
 #include <complex>
 
 #include "check.hpp"
 #include "lattice/dps/impact.hpp"
-#include "lattice/dps/motion.hpp"
-#include "lattice/measure/impact.hpp"
-#include "lattice/measure/scattering.hpp"
-#include "lattice/measure/turning.hpp"
-#include "lattice/orbits/exchange.hpp"
+#include "lattice/packets/impact.hpp"
+#include "lattice/packets/turning.hpp"
+#include "sec33/dps_motion.hpp"
+#include "sec33/exchange.hpp"
+#include "sec36/scattering.hpp"
 #include "sec4/instability.hpp"
 
 using namespace lattice;

@@ -3,7 +3,7 @@
 #include "lattice/stepping/damped.hpp"
 
 #include "check.hpp"
-#include "lattice/measure/impact.hpp"
+#include "lattice/packets/impact.hpp"
 #include "lattice/stepping/contact_rkn.hpp"
 
 using namespace lattice;

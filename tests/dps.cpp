@@ -8,7 +8,7 @@
 
 #include "check.hpp"
 #include "lattice/dps/impact.hpp"
-#include "lattice/measure/impact.hpp"
+#include "lattice/packets/impact.hpp"
 
 using namespace lattice;
 

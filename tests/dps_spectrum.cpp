@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "check.hpp"
-#include "lattice/dps/motion.hpp"
+#include "sec33/dps_motion.hpp"
 
 using namespace lattice;
 

@@ -7,8 +7,8 @@
 #include "check.hpp"
 #include "lattice/dps/dps.hpp"
 #include "lattice/dps/impact.hpp"
-#include "lattice/measure/impact.hpp"
 #include "lattice/numbers/extended.hpp"
+#include "lattice/packets/impact.hpp"
 
 using namespace lattice;
 

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <cstring>
 
-#include "lattice/measure/impact.hpp"
+#include "lattice/packets/impact.hpp"
 #include "lattice/stepping/tiling.hpp"
 
 using namespace lattice;

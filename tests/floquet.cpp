@@ -6,8 +6,8 @@
 #include "check.hpp"
 #include "lattice/numbers/random.hpp"
 #include "lattice/orbits/breather.hpp"
-#include "lattice/orbits/exchange.hpp"
-#include "lattice/orbits/held.hpp"
+#include "sec33/exchange.hpp"
+#include "sec33/held.hpp"
 
 using namespace lattice;
 
@@ -19,7 +19,7 @@ Problem small_problem(Centre centre, double omega, double s = 0) {
   return breather_problem(centre, omega, s, centre == Centre::site ? 15 : 16);
 }
 Pairs<double> pairs_at(const Problem& problem, const Orbit<double>& orbit, double coarser = 1) {
-  Landing<double> rule;
+  EventTolerance<double> rule;
   rule.tolerance *= coarser;
   return floquet_pairs(problem.chain, orbit.start, orbit.period(), rule);
 }

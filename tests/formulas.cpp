@@ -7,8 +7,8 @@
 #include "check.hpp"
 #include "lattice/dps/dps.hpp"
 #include "lattice/landing/landing.hpp"
-#include "lattice/measure/impact.hpp"
 #include "lattice/numbers/parabola.hpp"
+#include "lattice/packets/impact.hpp"
 #include "lattice/stepping/compensated.hpp"
 
 using namespace lattice;

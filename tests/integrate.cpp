@@ -5,7 +5,7 @@
 #include <gsl/gsl_fit.h>
 
 #include "check.hpp"
-#include "lattice/measure/impact.hpp"
+#include "lattice/packets/impact.hpp"
 #include "lattice/stepping/reference.hpp"
 
 using namespace lattice;

@@ -1,13 +1,13 @@
 // Kicking a breather: the kick itself, the breather that creeps, and what linear theory says of both.
 
-#include "lattice/measure/depinning.hpp"
+#include "sec33/depinning.hpp"
 
 #include <limits>
 #include <numbers>
 
 #include "check.hpp"
-#include "lattice/orbits/kicked.hpp"
 #include "lattice/stepping/accuracy.hpp"
+#include "sec33/kicked.hpp"
 
 using namespace lattice;
 
@@ -117,7 +117,7 @@ TEST_CASE("a breather swings at the frequency of linear theory", "[published][ki
 TEST_CASE("the kick that frees a breather is predicted from one period", "[published][kick]") {
   const Resting at = breather(Centre::bond, 1.1, Phase::stretched);
   const Pinning pinning = pinning_of(at.chain, Centre::bond, at.state, at.period);
-  const double barrier = -2.3522916e-13;  // E_site - E_bond at equal area, see ladder.hpp
+  const double barrier = -2.3522916e-13;  // E_site - E_bond at equal area, see breather_pairs.hpp
   const double c = freeing_kick(barrier, pinning), limit = 10 / std::sqrt(pinning.frequency2);
   check_close(c, 4.4516e-6, 0, 1e-4);
   CHECK(mobility_of(follow(at, 0.97 * c, limit, 0.15)) == Mobility::pinned);

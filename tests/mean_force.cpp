@@ -1,10 +1,10 @@
 // The mean contact force of periodic motions, and shooting by leapfrog steps.
 
-#include "lattice/measure/mean_force.hpp"
+#include "sec2/mean_force.hpp"
 #include "check.hpp"
 #include "lattice/numbers/random.hpp"
 #include "lattice/orbits/breather.hpp"
-#include "lattice/orbits/leapfrog.hpp"
+#include "sec2/fixed_leapfrog.hpp"
 
 using namespace lattice;
 

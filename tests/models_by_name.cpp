@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "check_potential.hpp"
-#include "lattice/measure/turning.hpp"
 #include "lattice/orbits/breather.hpp"
+#include "lattice/packets/turning.hpp"
 #include "lattice/stepping/reference.hpp"
 #include "run.hpp"
-#include "sec4/flight.hpp"
+#include "sec4/compressed_impact.hpp"
 
 using namespace lattice;
 
@@ -182,9 +182,10 @@ TEST_CASE("breathers begin only in wells of frequency one", "[unit][model]") {
 }
 
 TEST_CASE("the compressed impact strikes the well that was named", "[cli][model]") {
-  const Launch launch{0, 100};
+  const CompressedImpact launch{0, 100};
   const Chain chain{launch.sites(), Pendulum{}, CompressedHertz{launch.d}};
-  const CompressedRun own = fly(launch, chain, {launch.time}, FlightSteps{}.halved());
+  const CompressedRun own =
+      strike_compressed(launch, chain, {launch.time}, CompressedSteps{}.halved());
   const Result r = call(compressed_impact + "--onsite pendulum");
   REQUIRE(r.code == 0);
   CHECK(quantity(r, "centre") == own.samples.back().centre);

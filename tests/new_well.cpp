@@ -2,7 +2,7 @@
 // fifteen lines, checked, put in a list, struck and refined, without touching anything else.
 
 #include "check_potential.hpp"
-#include "lattice/measure/impact.hpp"
+#include "lattice/packets/impact.hpp"
 
 using namespace lattice;
 

@@ -1,6 +1,6 @@
 // Packet tracking, centres and fits on densities made by hand.
 
-#include "lattice/measure/observe.hpp"
+#include "lattice/packets/observe.hpp"
 
 #include "check.hpp"
 

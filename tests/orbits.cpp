@@ -54,7 +54,7 @@ TEST_CASE("a chain with a heavy bead has a breather without mirror symmetry",
 TEST_CASE("a wave on a ring travels one site in the time it is asked to", "[property][orbits]") {
   // A wave of wave number 2 pi / 8 and amplitude 0.01; the linear frequency is one.
   const std::size_t sites = 8;
-  const double q = 2 * circle_ratio<double>() / double(sites);
+  const double q = 2 * pi<double>() / double(sites);
   Problem problem;
   problem.chain.sites = sites;
   problem.chain.ends = Ends::periodic;
@@ -65,7 +65,7 @@ TEST_CASE("a wave on a ring travels one site in the time it is asked to", "[prop
     guess.y[n] = 0.02 * std::cos(q * double(n));
     guess.v[n] = 0.02 * std::sin(q * double(n));
   }
-  problem.omega = 2 * circle_ratio<double>() / (q / 1.03);  // a period is the time of one shift
+  problem.omega = 2 * pi<double>() / (q / 1.03);  // a period is the time of one shift
   NewtonRule<double> rule;
   rule.rank = 1e-9;
   const Orbit<double> orbit = newton(problem, problem.fold(guess), rule);
@@ -133,7 +133,7 @@ TEST_CASE("an orbit is refused where its flow is not accurate", "[unit][orbits]"
   struct Careless : Problem {
     std::size_t unlanded = 0;
     double error = 0;
-    Shot<double> shoot(const Vector<double>& x, const Landing<double>& rule,
+    Shot<double> shoot(const Vector<double>& x, const EventTolerance<double>& rule,
                        bool jacobian = true) const {
       Shot<double> shot = Problem::shoot(x, rule, jacobian);
       shot.flow.unlanded += unlanded;
@@ -142,16 +142,16 @@ TEST_CASE("an orbit is refused where its flow is not accurate", "[unit][orbits]"
     }
   };
   CHECK_NOTHROW(solve(Careless{good}, orbit.x));
-  CHECK_THROWS_AS(solve(Careless{good, 1}, orbit.x), NoConvergence);
+  CHECK_THROWS_AS(solve(Careless{good, 1}, orbit.x), NewtonFailed);
   NewtonRule<double> every;  // lands on every switching, and still may not miss one that matters
-  every.landing.floor = 0;
+  every.events.floor = 0;
   CHECK_NOTHROW(solve(Careless{good}, orbit.x, every));
-  CHECK_THROWS_AS(solve(Careless{good, 1}, orbit.x, every), NoConvergence);
-  CHECK_THROWS_AS(solve(Careless{good, 0, 1e-9}, orbit.x), NoConvergence);
+  CHECK_THROWS_AS(solve(Careless{good, 1}, orbit.x, every), NewtonFailed);
+  CHECK_THROWS_AS(solve(Careless{good, 0, 1e-9}, orbit.x), NewtonFailed);
   // The same by an integrator that is given too few levels and too large a tolerance to hide it.
   NewtonRule<double> coarse;
-  coarse.landing.levels = 1;
-  CHECK_THROWS_AS(newton(good, orbit.x, coarse), NoConvergence);
+  coarse.events.levels = 1;
+  CHECK_THROWS_AS(newton(good, orbit.x, coarse), NewtonFailed);
 }
 
 TEST_CASE("damped Newton converges from where the plain one runs away", "[property][orbits]") {
@@ -168,7 +168,7 @@ TEST_CASE("damped Newton converges from where the plain one runs away", "[proper
       const Orbit<double> other = newton(problem, problem.fold(start), damped);
       CHECK(return_error(problem, other, 0) < 1e-11);
       ++found;
-    } catch (const NoConvergence& error) {
+    } catch (const NewtonFailed& error) {
       CHECK(error.history.size() > 1);
     }
   }

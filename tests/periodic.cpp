@@ -1,7 +1,7 @@
 // Periodic orbits: residuals, symmetries, quadratic convergence, branches, folds, precisions, barriers.
 
 #include "check.hpp"
-#include "lattice/orbits/ladder.hpp"
+#include "lattice/orbits/breather_pairs.hpp"
 
 using namespace lattice;
 
@@ -131,8 +131,7 @@ TEST_CASE("the area is the integral of twice the kinetic energy", "[unit][period
   chain.sites = 1;
   State<double> s(1);
   s.y[0] = 0.3;
-  check_close(flow(chain, s, 2 * circle_ratio<double>()).area, circle_ratio<double>() * 0.09,
-              1e-13);
+  check_close(flow(chain, s, 2 * pi<double>()).area, pi<double>() * 0.09, 1e-13);
 }
 
 TEST_CASE("a breather does not depend on how it was reached", "[property][periodic]") {
@@ -167,7 +166,7 @@ TEST_CASE("failure comes with its history", "[unit][periodic]") {
   try {
     newton(p, p.fold(ansatz(Centre::site, 1.1, 31)), hasty);
     FAIL("two iterations are not enough");
-  } catch (const NoConvergence& error) {
+  } catch (const NewtonFailed& error) {
     CHECK(error.history.size() == 3);
     CHECK(std::string(error.what()).find("e-0") != std::string::npos);
   }
@@ -191,10 +190,10 @@ TEST_CASE("every site of the tail is known to relative accuracy", "[convergence]
   const Orbit<double> o = find_breather(p);
   NewtonRule<double> graded;
   graded.graded = true;
-  graded.landing.floor = 0;
+  graded.events.floor = 0;
   NewtonRule<long double> wide;
   wide.graded = true;
-  wide.landing.floor = 0;
+  wide.events.floor = 0;
   const auto a = polish(p, o, graded);
   const auto b = polish(in_precision<long double>(p), o, wide);
   for (std::size_t n = 15; n < 29; ++n) check_close(a.start.y[n], double(b.start.y[n]), 0, 1e-9);
@@ -234,21 +233,22 @@ TEST_CASE("near omega_b = 1 the barrier at equal area follows the scaling law",
   CHECK(before < 0.03);
 }
 
-TEST_CASE("a zero of the barrier does not depend on the rungs around it",
+TEST_CASE("a zero of the barrier does not depend on the pairs around it",
           "[convergence][periodic]") {
-  const auto zero = [](double from, double to, Estimate Rung::*gap) {
-    Rung rungs[] = {{0, from}, {0, to}};
-    for (Rung& r : rungs) {
+  const auto zero = [](double from, double to, Estimate BreatherPair::*gap) {
+    BreatherPair pairs[] = {{0, from}, {0, to}};
+    for (BreatherPair& r : pairs) {
       for (int k : {0, 1}) r.orbit[k] = find_breather(problem_of(both_centres[k], r.omega));
       measure(r);
     }
-    return zero_between(rungs[0], rungs[1], gap);
+    return zero_between(pairs[0], pairs[1], gap);
   };
   const auto agree = [](const Estimate& a, const Estimate& b) {
     CAPTURE(a.value, a.error, b.value, b.error);
     CHECK(std::abs(a.value - b.value) <= a.error + b.error);
     CHECK(a.error < 1e-8);
   };
-  agree(zero(1.05, 1.075, &Rung::equal_frequency), zero(1.06, 1.065, &Rung::equal_frequency));
-  agree(zero(1.01, 1.025, &Rung::equal_area), zero(1.016, 1.02, &Rung::equal_area));
+  agree(zero(1.05, 1.075, &BreatherPair::equal_frequency),
+        zero(1.06, 1.065, &BreatherPair::equal_frequency));
+  agree(zero(1.01, 1.025, &BreatherPair::equal_area), zero(1.016, 1.02, &BreatherPair::equal_area));
 }

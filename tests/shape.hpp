@@ -84,7 +84,7 @@ inline std::vector<std::string> misquoted(const std::string& text) {
 /// one floor do not know each other.
 inline const std::map<std::string, int>& floors() {
   static const std::map<std::string, int> all{{"numbers", 0}, {"model", 1},   {"stepping", 2},
-                                              {"landing", 2}, {"measure", 3}, {"dps", 4},
+                                              {"landing", 2}, {"packets", 3}, {"dps", 4},
                                               {"orbits", 5}};
   return all;
 }

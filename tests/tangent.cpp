@@ -38,7 +38,7 @@ State<T> stirred(std::size_t sites) {
 template <class T>
 Tangent<T> tangent_of(const Chain& chain, State<T> state, T time) {
   Tangent<T> tangent(chain.sites, 2 * chain.sites);
-  const Flow<T> f = flow(chain, state, time, {}, &tangent);
+  const FlowReport<T> f = flow(chain, state, time, {}, &tangent);
   REQUIRE(double(f.error) < 1e-10);
   return tangent;
 }

@@ -3,7 +3,7 @@
 #include "lattice/stepping/tiling.hpp"
 
 #include "check.hpp"
-#include "lattice/measure/impact.hpp"
+#include "lattice/packets/impact.hpp"
 
 using namespace lattice;
 

@@ -1,15 +1,13 @@
 // Exact travelling breathers: the sum that selects their speeds, the equations, orbits of both types, what
 // they leave behind, their stability, and their limit of small amplitude.
 
-#include "lattice/orbits/travelling.hpp"
+#include "sec5/travelling.hpp"
 #include "check.hpp"
-#include "lattice/orbits/dps_travelling.hpp"
+#include "sec5/dps_travelling.hpp"
 
 using namespace lattice;
 
 namespace {
-
-const double pi = circle_ratio<double>();
 
 /// All equations, the one included that a family leaves out.
 Vector<double> all_equations(const Orbit<double>& orbit, double s = 0) {
@@ -39,7 +37,7 @@ const Orbit<double>& first_orbit(int sign) {
 TEST_CASE("the equation that a family leaves out is V sin(T/2) in the linear well",
           "[property][travelling]") {
   // For any unknowns whatever, not only for orbits: the position equations add up to it.
-  for (const auto& [time, s] : {std::pair{2 * pi, 0.0}, {5.3, 0.0}, {5.3, 0.7}}) {
+  for (const auto& [time, s] : {std::pair{2 * pi<double>(), 0.0}, {5.3, 0.0}, {5.3, 0.7}}) {
     const auto problem = with_free_time(travelling_problem(time, s, 4));
     Vector<double> x(10);
     x << -0.2, 0.1, 0.02, 0.001, 0.4, -0.2, -0.03, 0.004, 1e-5, time;
@@ -79,7 +77,7 @@ TEST_CASE("both orbits with one oscillation a site", "[convergence][travelling]"
     const Orbit<double> longer = Staircase(sign, 9).reach(1);
     check_close(longer.energy, orbit.energy, 0, 1e-12);
   }
-  check_close(shift_time(first_orbit(1)), 2 * pi, 0, 1e-15);
+  check_close(shift_time(first_orbit(1)), 2 * pi<double>(), 0, 1e-15);
   CHECK(first_orbit(-1).energy > first_orbit(1).energy);
 }
 
@@ -98,14 +96,14 @@ TEST_CASE("an exact orbit leaves nothing behind, its neighbours on the family do
 
 TEST_CASE("where V vanishes the family passes through an orbit of type II",
           "[convergence][travelling]") {
-  const auto family = follow_family(first_orbit(1), 0.89 * 2 * pi, 0.07);
+  const auto family = follow_family(first_orbit(1), 0.89 * 2 * pi<double>(), 0.07);
   std::vector<Orbit<double>> found;
   for (std::size_t i = 1; i < family.size(); ++i)
     if (velocity_sum(family[i - 1]) * velocity_sum(family[i]) < 0)
       found.push_back(type_two(family[i - 1], family[i]));
   REQUIRE(found.size() == 1);
   const Orbit<double>& orbit = found[0];
-  check_close(shift_time(orbit) / (2 * pi), 0.89740655032, 0, 1e-9);
+  check_close(shift_time(orbit) / (2 * pi<double>()), 0.89740655032, 0, 1e-9);
   CHECK(std::abs(velocity_sum(orbit)) < 1e-12);
   const auto wide = polish(
       in_precision<long double>(with_free_time(travelling_problem(shift_time(orbit)))), orbit);
@@ -115,8 +113,8 @@ TEST_CASE("where V vanishes the family passes through an orbit of type II",
 
 TEST_CASE("the phase is held in one orbit and grows in the other", "[property][travelling]") {
   for (int sign : {1, -1}) {
-    const auto all =
-        multipliers_of(shifted_map(type_one<double>(1).chain, first_orbit(sign).start, 2 * pi));
+    const auto all = multipliers_of(
+        shifted_map(type_one<double>(1).chain, first_orbit(sign).start, 2 * pi<double>()));
     const double kappa = phase_kappa(all);
     CAPTURE(sign, kappa);
     check_close(kappa, sign > 0 ? -8.888e-11 : 8.888e-11, 5e-13);
@@ -127,7 +125,7 @@ TEST_CASE("the phase is held in one orbit and grows in the other", "[property][t
 
 TEST_CASE("a branch in s folds, and says where", "[property][travelling]") {
   const auto problem = with_free_time(type_one<double>(1));
-  const Orbit<double> start = newton(problem, with_time(first_orbit(1).x, 2 * pi));
+  const Orbit<double> start = newton(problem, with_time(first_orbit(1).x, 2 * pi<double>()));
   const auto branch = [&] {
     return Branch(problem, along_s<double>(), start, 1, {},
                   {.first = 0.02, .least = 1e-6, .most = 0.1});
@@ -137,7 +135,7 @@ TEST_CASE("a branch in s folds, and says where", "[property][travelling]") {
   const Orbit<double> soft =
       Branch(problem, along_s<double>(), start, -1, {}, {.first = 0.02, .least = 1e-6, .most = 0.1})
           .reach(-0.1);
-  CHECK(shift_time(soft) > 2 * pi * 1.01);
+  CHECK(shift_time(soft) > 2 * pi<double>() * 1.01);
 }
 
 TEST_CASE("the DpS equation has its own orbit of type I, the limit of the chain's",
@@ -150,7 +148,7 @@ TEST_CASE("the DpS equation has its own orbit of type I, the limit of the chain'
   // The chain comes closer with 1/k.
   Staircase stairs(1);
   const auto off = [&](std::size_t k) {
-    return stairs.reach(k).energy * std::pow(2 * pi * double(k), 4) - limit;
+    return stairs.reach(k).energy * std::pow(2 * pi<double>() * double(k), 4) - limit;
   };
   const double five = off(5), ten = off(10);
   CHECK(ten < 0.55 * five);

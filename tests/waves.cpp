@@ -5,7 +5,7 @@
 
 #include "check.hpp"
 #include "report/table.hpp"
-#include "sec4/flight.hpp"
+#include "sec4/compressed_impact.hpp"
 #include "sec4/instability.hpp"
 #include "sec4/modulation.hpp"
 #include "sec4/wave_on_ring.hpp"
@@ -281,7 +281,7 @@ TEST_CASE("a breather on the ring is concentrated and moves to the right", "[uni
 TEST_CASE("a linear chain sends out a train", "[property]") {
   // Weak blows see neither the well's nor the contact's nonlinearity: no breather for any s.
   for (double s : {-1.0 / 6, 1.0}) {
-    const CompressedRun flight = fly({s, 600, 1e-3, d}, {}, {0.2, 0.4});
+    const CompressedRun flight = strike_compressed({s, 600, 1e-3, d}, {}, {0.2, 0.4});
     const Traits t = traits(flight.samples);
     CHECK(holds(mere_train(t, t)));
     CHECK(flight.last_open == 0);

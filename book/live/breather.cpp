@@ -6,10 +6,10 @@ and 3.3 are compiled from. Where those confirm a breather in a wider type, which
 have, the page takes a second tolerance, sixteen times as large, for the error. */
 
 #include "lattice/orbits/breather.hpp"
-#include "lattice/measure/depinning.hpp"
 #include "lattice/orbits/floquet.hpp"
 #include "lattice/stepping/contact_rkn.hpp"
 #include "page.hpp"
+#include "sec33/depinning.hpp"
 
 using namespace lattice;
 
@@ -24,7 +24,7 @@ struct Request {
 
 NewtonRule<double> coarser() {
   NewtonRule<double> rule;
-  rule.landing.tolerance *= 16;
+  rule.events.tolerance *= 16;
   return rule;
 }
 
@@ -55,7 +55,7 @@ void report_orbit(const Fitted& found, const Orbit<double>& rough) {
   page::list("steps", steps);
   page::list("y", orbit.start.y);
   State<double> end = orbit.start;
-  const Flow<double> run = flow(found.problem.chain, end, found.problem.period());
+  const FlowReport<double> run = flow(found.problem.chain, end, found.problem.period());
   const double miss = largest_difference(end, orbit.start) / orbit.amplitude;
   page::fact("sites", exact(double(orbit.start.y.size())));
   page::fact("amplitude", known(rough.amplitude, orbit.amplitude, step));
@@ -73,7 +73,7 @@ void report_multipliers(const Fitted& found, const Orbit<double>& rough) {
   const double period = found.problem.period();
   const auto& chain = found.problem.chain;
   const auto good = floquet_pairs(chain, found.orbit.start, period);
-  const auto bad = floquet_pairs(chain, rough.start, period, coarser().landing);
+  const auto bad = floquet_pairs(chain, rough.start, period, coarser().events);
   std::vector<double> points;
   double unstable = 0;
   const std::vector<Pair> pairs = compare_pairs(bad, good);

@@ -33,7 +33,7 @@ compile() {
 
 # The sources of the library that stand beside the headers which the objects have read.
 needed() {
-  sed 's/^[^:]*://; s/\\$//' "$@" | tr ' ' '\n' | sed -n 's|^.*/\(lattice/.*\)\.hpp$|\1|p' | sort -u |
+  sed 's/^[^:]*://; s/\\$//' "$@" | tr ' ' '\n' | sed -n 's|^.*/src/\(.*\)\.hpp$|\1|p' | sort -u |
     while read -r part; do
       if [ -e "$root/src/$part.cpp" ]; then echo "$part"; fi
     done

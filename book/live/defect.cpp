@@ -5,8 +5,8 @@ A packet of an array of cantilevers meets beads of another radius at site 100: f
 contact forces is drawn as it is computed, then two runs with different steps say where the energy
 is after 75 ms (scattering.hpp). */
 
-#include "lattice/measure/scattering.hpp"
 #include "page.hpp"
+#include "sec36/scattering.hpp"
 
 using namespace lattice;
 

@@ -6,7 +6,7 @@ the same two resolutions, the same bits. The page hands over numbers, sees every
 it is computed, and gets each quantity with its error; what goes wrong is told in the words in
 which the programs tell it. */
 
-#include "lattice/measure/impact.hpp"
+#include "lattice/packets/impact.hpp"
 #include "page.hpp"
 
 using namespace lattice;
@@ -45,7 +45,7 @@ struct Rows {
 
 Refined<Outcome> strike(const Request& request, const Impact& impact) {
   return converge(request.tolerance, [&](const ContactAware& stepper) {
-    return follow(stepper, impact, far_away, dense_pace(stepper, impact.time, 0.2),
+    return follow(stepper, impact, far_away, dense_time_grid(stepper, impact.time, 0.2),
                   Rows{request, impact, stepper.halvings}, std::size_t(1) << stepper.halvings);
   });
 }

@@ -17,8 +17,8 @@ the residual of a least-squares fit. */
 #include <cstddef>
 #include <vector>
 
-#include "lattice/measure/observe.hpp"
 #include "lattice/model/chain.hpp"
+#include "lattice/packets/observe.hpp"
 
 namespace lattice {
 

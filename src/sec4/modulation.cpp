@@ -20,7 +20,7 @@ Modulated modulate(const ModulatedPhonon& phonon, double time, double step) {
 }
 
 // How long two steps give the same state, before the instability has magnified their difference
-Estimate agreement_time(const ModulatedPhonon& phonon, double longest) {
+Estimate nls_agreement_time(const ModulatedPhonon& phonon, double longest) {
   const double interval = 50;
   const Chain ring = phonon.ring();
   State<double> coarse = phonon.start(), fine = coarse;

@@ -19,7 +19,7 @@ stages (schemes.hpp) keeps its full order. */
 
 #include "lattice/numbers/criterion.hpp"
 #include "lattice/numbers/estimate.hpp"
-#include "sec4/flight.hpp"
+#include "sec4/compressed_impact.hpp"
 
 namespace lattice {
 
@@ -60,7 +60,7 @@ So we let two runs go on side by side, with steps that differ by a factor of two
 time whether their relative distance has reached a tenth. Until then statements about the state are not
 merely statistical. The time at which they part is known to within one interval; if they have not parted by
 `longest`, that is how long they were watched, an exact number. */
-Estimate agreement_time(const ModulatedPhonon& phonon, double longest);
+Estimate nls_agreement_time(const ModulatedPhonon& phonon, double longest);
 
 /**
 What has become of the wave is judged by a few numbers: the largest energy density over the mean, how many

@@ -8,7 +8,7 @@ $A_1(0) = -i$ and all others zero. The packet is followed in the density $|A_n|^
 #include <cstddef>
 
 #include "lattice/dps/evolve.hpp"
-#include "lattice/measure/observe.hpp"
+#include "lattice/packets/observe.hpp"
 
 namespace lattice {
 

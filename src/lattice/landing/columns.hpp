@@ -46,7 +46,7 @@ void rows_at(const Chain& chain, const Curvature<T>& node, Window core,
   const bool ring = chain.ends == Ends::periodic;
   rows.resize(core.last - core.first);
   for (std::size_t n = core.first; n < core.last; ++n) {
-    const T push = node.kick * lightness<T>(chain, n);
+    const T push = node.kick * inverse_mass<T>(chain, n);
     const T left = node.link[n], right = node.link[n + 1];
     rows[n - core.first] = {-push * (node.well[n] + left + right),
                             n > core.first || ring ? push * left : T(0),

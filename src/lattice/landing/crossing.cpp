@@ -93,7 +93,7 @@ void Leapfrog<T>::kick(std::vector<T>& z, Curvature<T>& node) {
   detail::with_kind(chain_.well,
                     [&](const auto& well) { forces_of(well, z.data(), pull_.data(), n); });
   for (std::size_t i = 0; i < n; ++i)
-    z[n + i] += node.kick * lightness<T>(chain_, i) * (pull_[i] + (push_[i] - push_[i + 1]));
+    z[n + i] += node.kick * inverse_mass<T>(chain_, i) * (pull_[i] + (push_[i] - push_[i + 1]));
   if (!probe_) return;
   rows_at(chain_, node, {0, n}, rows_);
   kick_panel(rows_.data(), z.data() + 2 * n + 1, z.data() + 3 * n + 1, n, 1);
@@ -124,7 +124,7 @@ void Leapfrog<T>::evaluate(const T* y, Curvature<T>& node) {
 }
 
 template <class T>
-Crossing<T>::Crossing(const Chain& chain, const Landing<T>& rule, T amplitude)
+Crossing<T>::Crossing(const Chain& chain, const EventTolerance<T>& rule, T amplitude)
     : chain_(chain), rule_(rule), amplitude_(amplitude) {
   rule_.tolerance = std::max(rule.tolerance, T(16) * std::numeric_limits<T>::epsilon());
 }

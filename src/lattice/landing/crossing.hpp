@@ -51,7 +51,7 @@ other members rarely need to be set. `floor` is explained at `Care` in landing.h
 against the period $2\pi$ of a well; and a number type with more digits needs more `levels` of the
 extrapolation below. */
 template <class T>
-struct Landing {
+struct EventTolerance {
   T tolerance = T(128) * std::numeric_limits<T>::epsilon();
   T floor = T(-1);    ///< slower switchings are not landed on; < 0: from the tolerance
   T sight = T(0.05);  ///< time step of the look-out for switchings
@@ -61,7 +61,7 @@ struct Landing {
 /// What a flow did. `error` is the sum of the estimates of all steps, measured like the tolerance; if
 /// the solution runs away it exceeds one or is infinite, and the state is the last one computed.
 template <class T>
-struct Flow {
+struct FlowReport {
   std::size_t switchings = 0;   ///< contacts that opened or closed at the end of an interval
   std::size_t unlanded = 0;     ///< contacts that did so in the middle of a step all the same
   std::size_t steps = 0;        ///< of the final passage; their column work is `column_sweeps`
@@ -130,7 +130,7 @@ the crossing gives up. */
 template <class T>
 class Crossing {
  public:
-  Crossing(const Chain& chain, const Landing<T>& rule, T amplitude);
+  Crossing(const Chain& chain, const EventTolerance<T>& rule, T amplitude);
   /// Crosses an interval of the given length (in time) from the positions, velocities and area in `z`,
   /// 2 * sites + 1 numbers; with `probe` it leaves records for the columns.
   Passage<T> cross(const std::vector<T>& z, T length, bool probe);
@@ -142,7 +142,7 @@ class Crossing {
   T difference(const std::vector<T>& a, const std::vector<T>& b) const;
 
   const Chain& chain_;
-  Landing<T> rule_;
+  EventTolerance<T> rule_;
   T amplitude_;
   std::vector<std::vector<T>> table_;
 };

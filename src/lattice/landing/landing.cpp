@@ -33,7 +33,7 @@ template <class T>
 struct Care {
   T floor, serious, slack, near;
 
-  Care(const Landing<T>& rule, T amplitude, bool tangent) {
+  Care(const EventTolerance<T>& rule, T amplitude, bool tangent) {
     using std::sqrt;
     const T fine = tangent ? rule.tolerance : rule.tolerance * amplitude;
     const T by_tolerance = tangent ? fine * fine / T(16) : power34(fine);
@@ -53,11 +53,11 @@ A run from landing to landing is called a flight. It remembers on which side of 
 closed, $-1$ open, 0 not yet known (both beads at rest). Time is counted backwards, as what is left of the
 duration, so that tiny intervals are known to full relative precision. */
 template <class T>
-class Flight {
+class EventIntegrator {
  public:
-  Flight(const Chain& chain, const State<T>& state, T duration, const Landing<T>& rule,
-         Tangent<T>* tangent);
-  Flow<T> fly();
+  EventIntegrator(const Chain& chain, const State<T>& state, T duration,
+                  const EventTolerance<T>& rule, Tangent<T>* tangent);
+  FlowReport<T> fly();
   /// Positions, velocities and the area (crossing.hpp), 2 * sites + 1 numbers.
   const std::vector<T>& end() const { return z_; }
 
@@ -77,21 +77,21 @@ class Flight {
 
   const Chain& chain_;
   Tangent<T>* tangent_;
-  Landing<T> rule_;
+  EventTolerance<T> rule_;
   T left_;
   std::vector<T> z_;
   std::vector<int> side_, glanced_;
   Care<T> care_;
   Crossing<T> crossing_;
-  Flow<T> flow_;
+  FlowReport<T> flow_;
 };
 
 /**
 A contact that begins exactly at zero is on the side to which its speed carries it, or its acceleration if
 the beads start from rest. */
 template <class T>
-Flight<T>::Flight(const Chain& chain, const State<T>& state, T duration, const Landing<T>& rule,
-                  Tangent<T>* tangent)
+EventIntegrator<T>::EventIntegrator(const Chain& chain, const State<T>& state, T duration,
+                                    const EventTolerance<T>& rule, Tangent<T>* tangent)
     : chain_(chain),
       tangent_(tangent),
       rule_(rule),
@@ -114,8 +114,8 @@ Flight<T>::Flight(const Chain& chain, const State<T>& state, T duration, const L
 Overlaps are differences of the chain's stretches. Positions and velocities are in `z`, accelerations in
 `a`, which may be empty if they do not matter. A missing contact counts as open. */
 template <class T>
-Overlap<T> Flight<T>::overlap(const std::vector<T>& z, const std::vector<T>& a,
-                              std::size_t i) const {
+Overlap<T> EventIntegrator<T>::overlap(const std::vector<T>& z, const std::vector<T>& a,
+                                       std::size_t i) const {
   if (!touches(chain_, i)) return {T(-1), T(0), T(0)};
   return {T(chain_.contact.opening()) - stretch(chain_, z.data(), i),
           -stretch(chain_, z.data() + chain_.sites, i),
@@ -127,7 +127,7 @@ Every landing either advances in time or changes the side of a contact, but roun
 that rests at zero chatter. So the number of landings is bounded, generously: 64 per contact and unit of
 time. Beyond that we fly straight to the end, with steps as short as the tolerance demands. */
 template <class T>
-Flow<T> Flight<T>::fly() {
+FlowReport<T> EventIntegrator<T>::fly() {
   const double limit = 64 * (1 + double(left_)) * double(chain_.sites + 1);
   for (double landings = 0; left_ > T(0); ++landings)
     land(landings < limit ? look() : Sight<T>{left_}, landings < limit);
@@ -139,7 +139,7 @@ Flow<T> Flight<T>::fly() {
 The look-out stops at the first step in which a contact switches. If several do so in the same step the
 earliest counts; the next look finds the others. */
 template <class T>
-Sight<T> Flight<T>::look() {
+Sight<T> EventIntegrator<T>::look() {
   Leapfrog<T> scout(chain_, false);
   std::vector<T> before, now = z_;
   Sight<T> first{left_};
@@ -163,8 +163,8 @@ A contact whose overlap turns round within 1/500 of its amplitude from zero may 
 the leapfrog, with steps of 0.05, cannot tell. We land on the extremum and see. `glanced_` keeps us from
 landing there again at the `start` of the next look. */
 template <class T>
-void Flight<T>::watch(const std::vector<T>& before, const std::vector<T>& now, T dt, std::size_t i,
-                      bool start, Sight<T>& first) {
+void EventIntegrator<T>::watch(const std::vector<T>& before, const std::vector<T>& now, T dt,
+                               std::size_t i, bool start, Sight<T>& first) {
   const Overlap<T> o = overlap(before, {}, i), p = overlap(now, {}, i);
   const T size = std::max({magnitude(o.x), magnitude(o.u), magnitude(p.x), magnitude(p.u)});
   const T side = T(side_[i]);
@@ -199,7 +199,7 @@ small to matter. A contact that is found on the wrong side at the end of a passa
 and becomes the target. After a dozen attempts, in a runaway, or if landings are no longer to be
 `corrected`, the passage stands as it is. */
 template <class T>
-void Flight<T>::land(Sight<T> target, bool corrected) {
+void EventIntegrator<T>::land(Sight<T> target, bool corrected) {
   for (int attempt = 0;; ++attempt) {
     const bool rehearsal = target.bond != Sight<T>::none && attempt == 0;
     const Passage<T> way = crossing_.cross(z_, target.ahead, tangent_ && !rehearsal);
@@ -220,8 +220,8 @@ Of the contacts on the wrong side and the one aimed at, the one that switched fi
 `ahead` is the time from the end of the passage to its switching, in general negative. If the contact
 aimed at does not switch after all, we aim at its extremum. */
 template <class T>
-Sight<T> Flight<T>::correction(const std::vector<T>& z, const std::vector<T>& a,
-                               const Sight<T>& target) const {
+Sight<T> EventIntegrator<T>::correction(const std::vector<T>& z, const std::vector<T>& a,
+                                        const Sight<T>& target) const {
   Sight<T> first{T(0)};
   const auto reachable = [&](T t) { return magnitude(t) < T(1) && target.ahead + t > T(0); };
   for (std::size_t i = 0; i <= chain_.sites; ++i) {
@@ -241,7 +241,8 @@ The passage is final. The orbit moves on, the columns follow along the records, 
 their sides: at zero the speed decides, elsewhere the overlap. To the columns a stiffness below 1/64 of
 the tolerance is negligible. */
 template <class T>
-void Flight<T>::arrive(const Passage<T>& way, const std::vector<T>& a, const Sight<T>& target) {
+void EventIntegrator<T>::arrive(const Passage<T>& way, const std::vector<T>& a,
+                                const Sight<T>& target) {
   z_ = way.z;
   left_ = target.ahead < left_ && way.error <= T(1) ? left_ - target.ahead : T(0);
   flow_.error += way.error;
@@ -260,7 +261,7 @@ void Flight<T>::arrive(const Passage<T>& way, const std::vector<T>& a, const Sig
 A contact that moves away from its side and is within `slack` of zero (in time) has switched. One that is
 found on the wrong side elsewhere was not landed on, and is counted as `unlanded` if that is serious. */
 template <class T>
-void Flight<T>::settle(const Overlap<T>& o, int& side) {
+void EventIntegrator<T>::settle(const Overlap<T>& o, int& side) {
   const T size = std::max(magnitude(o.x), magnitude(o.u));
   if (size > care_.floor && magnitude(o.x) <= T(2) * care_.slack * magnitude(o.u)) {
     if (T(side) * o.u < T(0)) {
@@ -276,11 +277,11 @@ void Flight<T>::settle(const Overlap<T>& o, int& side) {
 }  // namespace
 
 template <class T>
-Flow<T> flow(const Chain& chain, State<T>& state, std::type_identity_t<T> duration,
-             const Landing<T>& rule, Tangent<T>* tangent) {
+FlowReport<T> flow(const Chain& chain, State<T>& state, std::type_identity_t<T> duration,
+                   const EventTolerance<T>& rule, Tangent<T>* tangent) {
   const T before = energy(chain, state);
-  Flight<T> flight(chain, state, duration, rule, tangent);
-  Flow<T> result = flight.fly();
+  EventIntegrator<T> flight(chain, state, duration, rule, tangent);
+  FlowReport<T> result = flight.fly();
   const auto middle = flight.end().begin() + long(chain.sites);
   state.y.assign(flight.end().begin(), middle);
   state.v.assign(middle, flight.end().end() - 1);
@@ -292,7 +293,7 @@ Flow<T> flow(const Chain& chain, State<T>& state, std::type_identity_t<T> durati
 }
 
 #define LATTICE_INSTANCES(T) \
-  template Flow<T> flow<T>(const Chain&, State<T>&, T, const Landing<T>&, Tangent<T>*);
+  template FlowReport<T> flow<T>(const Chain&, State<T>&, T, const EventTolerance<T>&, Tangent<T>*);
 #include "lattice/model/instances.hpp"
 
 }  // namespace lattice

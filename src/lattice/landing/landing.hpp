@@ -51,8 +51,8 @@ T largest_difference(const State<T>& a, const State<T>& b) {
 is one, by its image under the derivative of the flow. A runaway raises no exception: it shows in the
 `error` of what is returned. */
 template <class T>
-Flow<T> flow(const Chain& chain, State<T>& state, std::type_identity_t<T> duration,
-             const Landing<T>& rule = {}, Tangent<T>* tangent = nullptr);
+FlowReport<T> flow(const Chain& chain, State<T>& state, std::type_identity_t<T> duration,
+                   const EventTolerance<T>& rule = {}, Tangent<T>* tangent = nullptr);
 
 /**
 To compare it with other methods, a flow can be used as a stepper of integrate.hpp. It needs no steps; they

@@ -19,7 +19,7 @@ Window core_of(const Chain& chain, const Record<T>& record, std::type_identity_t
   const std::size_t n = chain.sites;
   const T rest = chain.well.stiffness(T(0));
   std::vector<char> live(n, 0);
-  const auto light = [&](std::size_t i) { return i < n ? lightness<T>(chain, i) : T(0); };
+  const auto light = [&](std::size_t i) { return i < n ? inverse_mass<T>(chain, i) : T(0); };
   for (const Curvature<T>& node : record.nodes)
     for (std::size_t i = 0; i <= n; ++i) {
       const bool stiff = std::max(light(i - 1), light(i)) * node.link[i] > negligible;
@@ -81,7 +81,7 @@ template <class T>
 void rotate_outside(const Chain& chain, Window core, T duration, Tangent<T>& tangent) {
   for (std::size_t n = 0; n < chain.sites; ++n) {
     if (n >= core.first && n < core.last) continue;
-    const AtRest<T> turn(chain.well.stiffness(T(0)) * lightness<T>(chain, n), duration);
+    const AtRest<T> turn(chain.well.stiffness(T(0)) * inverse_mass<T>(chain, n), duration);
     T *y = tangent.row(n), *v = tangent.row(n + chain.sites);
     for (std::size_t k = 0; k < tangent.columns; ++k) {
       const T old = y[k];

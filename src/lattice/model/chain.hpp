@@ -71,7 +71,7 @@ opens) asks the chain the questions that follow, so that masses, stiffnesses and
 everywhere. The first one is how much a unit of force accelerates bead `n`: $1/\mu_n$, in the precision
 of the run. */
 template <class T>
-T lightness(const Chain& chain, std::size_t n) {
+T inverse_mass(const Chain& chain, std::size_t n) {
   if (chain.mass.empty()) return T(1);
   if constexpr (std::is_same_v<T, double>) return chain.inverse_mass[n];
   return T(1) / T(chain.mass[n]);

@@ -51,7 +51,7 @@ State<double> ansatz(Centre centre, double omega, std::size_t sites,
 constexpr double direct_up_to = 1.1;
 
 /// The breather of a problem in double precision, on the branch that begins at omega_b = 1. Throws
-/// NoConvergence, and NoBranch if the branch does not reach the frequency.
+/// NewtonFailed, and NoBranch if the branch does not reach the frequency.
 Orbit<double> find_breather(const Shooting<double>& problem, Phase phase = Phase::compressed,
                             const NewtonRule<double>& rule = {});
 
@@ -91,7 +91,7 @@ struct ShortChain : std::invalid_argument {
 So the breather is first found on a chain that is certainly long enough. Far up a branch it is also the
 best guess for the shorter one. */
 /// The breather on `sites` sites, which must hold its tail down to `precision`. With `sites` = 0
-/// the chain is as long as necessary but not shorter than `usual`. Throws ShortChain, NoConvergence.
+/// the chain is as long as necessary but not shorter than `usual`. Throws ShortChain, NewtonFailed.
 Fitted fit_chain(Centre centre, double omega, const Well& well, std::size_t sites,
                  std::size_t usual, double precision, Phase phase);
 /// The same in wells with anharmonicity `s`.
@@ -127,7 +127,7 @@ struct Barrier {
 };
 
 /// Both barriers, from the site-centred breather's problem and the two breathers of one frequency.
-/// Throws NoConvergence.
+/// Throws NewtonFailed.
 template <class T>
 Barrier<T> barrier(const Shooting<T>& site_problem, const Orbit<T>& site, const Orbit<T>& bond,
                    const NewtonRule<T>& rule = {});

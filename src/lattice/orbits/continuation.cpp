@@ -34,7 +34,7 @@ Branch<T>::Branch(Shooting<T> problem, Along<T> which, const Orbit<T>& start, in
 A shot at a point of the curve is one of the problem with that parameter. */
 template <class T>
 Shot<T> Branch<T>::shot_at(const Vector<T>& z) const {
-  return along_.at(problem_, along_.parameter(ell(z))).shoot(unknowns(z), rule_.landing);
+  return along_.at(problem_, along_.parameter(ell(z))).shoot(unknowns(z), rule_.events);
 }
 
 /**
@@ -49,7 +49,7 @@ Vector<T> Branch<T>::parameter_derivative(const Vector<T>& z, const Shot<T>& sho
   }
   const T change(along_.change);
   const auto at = [&](const T& s) {
-    return along_.at(problem_, s).shoot(unknowns(z), rule_.landing, false).miss;
+    return along_.at(problem_, s).shoot(unknowns(z), rule_.events, false).miss;
   };
   return (at(value + change) - at(value - change)) / (T(2) * change);
 }
@@ -106,7 +106,7 @@ template <class T>
 void Branch<T>::advance() {
   for (;; length_ /= 2) {
     if (length_ < stride_.least)
-      throw NoConvergence(
+      throw NewtonFailed(
           "continuation stops at the parameter " + std::to_string(double(parameter())), history_);
     Vector<T> z = z_ + T(length_) * tangent_, next;
     if (!correct(z, tangent_, next)) continue;

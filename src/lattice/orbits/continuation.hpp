@@ -97,7 +97,7 @@ class Branch {
   T parameter() const { return along_.parameter(ell(z_)); }
   /// How the parameter changes along the curve; its sign changes at a fold.
   T slope() const { return tangent_[tangent_.size() - 1]; }
-  /// Takes one step; throws NoConvergence if even the shortest one fails.
+  /// Takes one step; throws NewtonFailed if even the shortest one fails.
   void advance();
   /// Follows the branch through its next fold and returns the extreme parameter; throws NoBranch if
   /// there is none within `most_steps`.

@@ -9,11 +9,11 @@ namespace lattice {
 // Carry every small change along with the orbit; an inaccurate flow has no multipliers
 template <class T>
 Matrix<T> monodromy(const Chain& chain, const State<T>& start,
-                    const std::type_identity_t<T>& duration, const Landing<T>& rule) {
+                    const std::type_identity_t<T>& duration, const EventTolerance<T>& rule) {
   State<T> end = start;
   Tangent<T> tangent(chain.sites, 2 * chain.sites);
   if (!is_accurate(flow(chain, end, duration, rule, &tangent), rule))
-    throw NoConvergence("the flow is not accurate enough for multipliers", {});
+    throw NewtonFailed("the flow is not accurate enough for multipliers", {});
   const auto n = Eigen::Index(2 * chain.sites);
   return Eigen::Map<Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
       tangent.entries.data(), n, n);
@@ -90,7 +90,7 @@ Pairs<T> pairs_of(const Matrix<T>& k, const Vector<T>& f) {
 // An orbit at rest twice a period needs only half of it
 template <class T>
 Pairs<T> floquet_pairs(const Chain& chain, const State<T>& start,
-                       const std::type_identity_t<T>& period, const Landing<T>& rule) {
+                       const std::type_identity_t<T>& period, const EventTolerance<T>& rule) {
   for (const T& v : start.v)
     if (v != T(0)) throw std::invalid_argument("the orbit must begin at rest");
   const Matrix<T> half = in_momenta(chain, monodromy<T>(chain, start, period / T(2), rule));
@@ -156,15 +156,17 @@ double quadruplet_kappa(const Matrix<double>& map) {
   return sum.real() / 8;
 }
 
-#define LATTICE_INSTANCES(T)                                                                      \
-  template Matrix<T> monodromy<T>(const Chain&, const State<T>&, const T&, const Landing<T>&);    \
-  template Matrix<T> in_momenta<T>(const Chain&, Matrix<T>);                                      \
-  template T symplectic_defect<T>(const Matrix<T>&);                                              \
-  template Matrix<T> pair_matrix<T>(const Matrix<T>&);                                            \
-  template Matrix<T> perpendicular_to<T>(const Vector<T>&);                                       \
-  template Pairs<T> pairs_of<T>(const Matrix<T>&, const Vector<T>&);                              \
-  template Pairs<T> floquet_pairs<T>(const Chain&, const State<T>&, const T&, const Landing<T>&); \
-  template std::vector<Pair> compare_pairs<T, T>(const Pairs<T>&, const Pairs<T>&);               \
+#define LATTICE_INSTANCES(T)                                                        \
+  template Matrix<T> monodromy<T>(const Chain&, const State<T>&, const T&,          \
+                                  const EventTolerance<T>&);                        \
+  template Matrix<T> in_momenta<T>(const Chain&, Matrix<T>);                        \
+  template T symplectic_defect<T>(const Matrix<T>&);                                \
+  template Matrix<T> pair_matrix<T>(const Matrix<T>&);                              \
+  template Matrix<T> perpendicular_to<T>(const Vector<T>&);                         \
+  template Pairs<T> pairs_of<T>(const Matrix<T>&, const Vector<T>&);                \
+  template Pairs<T> floquet_pairs<T>(const Chain&, const State<T>&, const T&,       \
+                                     const EventTolerance<T>&);                     \
+  template std::vector<Pair> compare_pairs<T, T>(const Pairs<T>&, const Pairs<T>&); \
   template T pinning_by_symmetry<T>(const Matrix<T>&, Centre);
 #include "lattice/model/instances.hpp"
 

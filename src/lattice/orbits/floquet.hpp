@@ -26,10 +26,10 @@ namespace lattice {
 The derivative of the flow comes from the variational equations, with a landing on every contact that opens
 or closes (tangent.hpp, landing.hpp). A flow that is too inaccurate for an orbit is refused here too. */
 /// Derivative of the flow from `start` over `duration`: 2N x 2N, positions before velocities.
-/// Throws NoConvergence if the flow is not accurate.
+/// Throws NewtonFailed if the flow is not accurate.
 template <class T>
 Matrix<T> monodromy(const Chain& chain, const State<T>& start,
-                    const std::type_identity_t<T>& duration, const Landing<T>& rule = {});
+                    const std::type_identity_t<T>& duration, const EventTolerance<T>& rule = {});
 
 /**
 In positions and momenta the derivative of a Hamiltonian flow is symplectic, $F^T\Omega F = \Omega$ with
@@ -97,10 +97,10 @@ Pairs<T> pairs_of(const Matrix<T>& k, const Vector<T>& f);
 All together this costs half a period of the tangent, one product, and one eigenvalue problem of half the
 usual size. */
 /// The pairs of an orbit that begins at rest at `start`, even in time, with period `period`. Throws
-/// std::invalid_argument if it does not begin at rest, NoConvergence if the flow is inaccurate.
+/// std::invalid_argument if it does not begin at rest, NewtonFailed if the flow is inaccurate.
 template <class T>
 Pairs<T> floquet_pairs(const Chain& chain, const State<T>& start,
-                       const std::type_identity_t<T>& period, const Landing<T>& rule = {});
+                       const std::type_identity_t<T>& period, const EventTolerance<T>& rule = {});
 
 /**
 ## Errors

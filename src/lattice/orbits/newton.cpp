@@ -43,7 +43,7 @@ Vector<T> solve_scaled(Matrix<T> matrix, Vector<T> right, const Sizes<T>& size, 
 }
 
 template <class T>
-bool is_accurate(const Flow<T>& flow, const Landing<T>& landing) {
+bool is_accurate(const FlowReport<T>& flow, const EventTolerance<T>& landing) {
   const T tolerance = std::max(landing.tolerance, T(16) * std::numeric_limits<T>::epsilon());
   return flow.unlanded == 0 && flow.error <= tolerance * T(double(flow.steps + 1));
 }
@@ -52,16 +52,16 @@ namespace {
 
 /// The exception that names the problem and what went wrong.
 template <class T>
-NoConvergence failure(const NewtonProblem<T>& problem, const std::string& why,
-                      const Solution<T>& so_far) {
+NewtonFailed failure(const NewtonProblem<T>& problem, const std::string& why,
+                     const Solution<T>& so_far) {
   return {problem.name() + ": " + why, so_far.history};
 }
 
-/// The solution, if its flow was accurate; throws NoConvergence otherwise.
+/// The solution, if its flow was accurate; throws NewtonFailed otherwise.
 template <class T>
 Solution<T> accepted(const NewtonProblem<T>& problem, Solution<T> found,
                      const NewtonRule<T>& rule) {
-  if (is_accurate(found.shot.flow, rule.landing)) return found;
+  if (is_accurate(found.shot.flow, rule.events)) return found;
   throw failure(problem, "the integration is not accurate enough for an orbit", found);
 }
 
@@ -75,13 +75,13 @@ T residual_of(const NewtonProblem<T>& problem, const Shot<T>& shot, const Vector
   return sup<T>(shot.miss.cwiseQuotient(problem.sizes(at, rule.graded).equation));
 }
 
-/// The share of the step to be taken from the best point so far; throws NoConvergence if none helps.
+/// The share of the step to be taken from the best point so far; throws NewtonFailed if none helps.
 template <class T>
 T damping(const NewtonProblem<T>& problem, const Vector<T>& step, const T& last,
           const Solution<T>& best, const NewtonRule<T>& rule) {
   for (T share(1); share > T(1e-3); share /= T(2)) {
     const Vector<T> trial = best.x - share * step;
-    const Shot<T> shot = problem.shoot(trial, rule.landing, false);
+    const Shot<T> shot = problem.shoot(trial, rule.events, false);
     if (residual_of(problem, shot, trial, rule) < last) return share;
   }
   throw failure(problem, "no step lowers the residual", best);
@@ -97,7 +97,7 @@ Solution<T> iterate(const NewtonProblem<T>& problem, Vector<T> x, const NewtonRu
   T last = std::numeric_limits<T>::infinity();
   for (int i = 0; i <= rule.most; ++i) {
     // By how much does the orbit from here fail to close?
-    Shot<T> shot = problem.shoot(x, rule.landing, jacobian);
+    Shot<T> shot = problem.shoot(x, rule.events, jacobian);
     const T residual = residual_of(problem, shot, x, rule);
     best.history.push_back({double(residual), 0});
     if (!(residual < T(rule.graded ? 1e300 : 1e3)))
@@ -130,7 +130,7 @@ Solution<T> solve(const NewtonProblem<T>& problem, const Vector<T>& x, const New
 #define LATTICE_INSTANCES(T)                                                                      \
   template T sup<T>(const Vector<T>&);                                                            \
   template Vector<T> solve_scaled<T>(Matrix<T>, Vector<T>, const Sizes<T>&, double);              \
-  template bool is_accurate<T>(const Flow<T>&, const Landing<T>&);                                \
+  template bool is_accurate<T>(const FlowReport<T>&, const EventTolerance<T>&);                   \
   template Solution<T> iterate<T>(const NewtonProblem<T>&, Vector<T>, const NewtonRule<T>&, bool, \
                                   const Direction<T>&);                                           \
   template Solution<T> solve<T>(const NewtonProblem<T>&, const Vector<T>&, const NewtonRule<T>&);

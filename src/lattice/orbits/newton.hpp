@@ -41,7 +41,7 @@ template <class T>
 struct Shot {
   Vector<T> miss, miss_period;  ///< residuals and their derivative with respect to the period
   Matrix<T> jacobian;           ///< with respect to the unknowns; empty if it was not asked for
-  Flow<T> flow;
+  FlowReport<T> flow;
 };
 
 /// The units of unknowns and of equations.
@@ -78,9 +78,9 @@ std::string to_text(const History& history);
 /**
 If the method fails, the residuals of all iterations are in the message: they tell whether the guess was
 bad, the flow inaccurate, or the branch at its end. */
-struct NoConvergence : std::runtime_error {
+struct NewtonFailed : std::runtime_error {
   History history;
-  NoConvergence(const std::string& what, History steps)
+  NewtonFailed(const std::string& what, History steps)
       : std::runtime_error(what + "; relative residuals " + to_text(steps)),
         history(std::move(steps)) {}
 };
@@ -88,7 +88,7 @@ struct NoConvergence : std::runtime_error {
 /// How Newton's method proceeds and when it stops.
 template <class T>
 struct NewtonRule {
-  Landing<T> landing{};
+  EventTolerance<T> events{};
   int most = 30;        ///< iterations
   bool graded = false;  ///< demand relative accuracy of every site
   bool damped = false;  ///< halve a step until it lowers the residual
@@ -96,7 +96,7 @@ struct NewtonRule {
   /// A residual below which the method may stop, as soon as the residual no longer falls. A shot of many
   /// steps misses by some multiple of the tolerance of one; relative to the local size, in the tail, by
   /// a thousand times more.
-  T enough() const { return T(graded ? 65536 : 64) * landing.tolerance; }
+  T enough() const { return T(graded ? 65536 : 64) * events.tolerance; }
 };
 
 /**
@@ -104,7 +104,7 @@ An orbit is no better than the flow from which it was computed. Every step of th
 own error. If one could not meet the tolerance, or if a contact that matters opened or closed in the middle
 of a step (`unlanded`), the residual means nothing and the orbit is refused. */
 template <class T>
-bool is_accurate(const Flow<T>& flow, const Landing<T>& landing);
+bool is_accurate(const FlowReport<T>& flow, const EventTolerance<T>& landing);
 
 /// Where the iteration ended: unknowns, the shot from there, and all iterations.
 template <class T>
@@ -118,7 +118,7 @@ struct Solution {
 What the method sees of a problem are these three functions. Any object with members of these names will do. */
 template <class T>
 struct NewtonProblem {
-  std::function<Shot<T>(const Vector<T>& x, const Landing<T>&, bool with_jacobian)> shoot;
+  std::function<Shot<T>(const Vector<T>& x, const EventTolerance<T>&, bool with_jacobian)> shoot;
   std::function<Sizes<T>(const Vector<T>& x, bool graded)> sizes;
   std::function<std::string()> name;
 };
@@ -127,7 +127,7 @@ struct NewtonProblem {
 template <class P>
 NewtonProblem<typename P::Scalar> seen(const P& problem) {
   using T = typename P::Scalar;
-  return {[&](const Vector<T>& x, const Landing<T>& landing, bool with_jacobian) {
+  return {[&](const Vector<T>& x, const EventTolerance<T>& landing, bool with_jacobian) {
             return problem.shoot(x, landing, with_jacobian);
           },
           [&](const Vector<T>& x, bool graded) { return problem.sizes(x, graded); },
@@ -140,7 +140,7 @@ NewtonProblem<typename P::Scalar> seen(const P& problem) {
 Now everything is put together. `direction` gives the step from a shot: `solve`, below, uses the exact
 derivative, `polish` of shooting.hpp one that was computed before. We stop when the residual is small and
 no longer falls by a factor of four, and keep the better of the last two points; rounding then forbids
-more. Anything else is a failure. Throws NoConvergence. */
+more. Anything else is a failure. Throws NewtonFailed. */
 template <class T>
 using Direction = std::function<Vector<T>(const Shot<T>&, const Vector<T>& x)>;
 
@@ -150,7 +150,7 @@ Solution<T> iterate(const NewtonProblem<T>& problem, Vector<T> x, const NewtonRu
 
 /**
 The plain method uses the derivative at each point. `solve` returns the solution near the guess `x`, or
-throws NoConvergence, with the history. */
+throws NewtonFailed, with the history. */
 template <class T>
 Solution<T> solve(const NewtonProblem<T>& problem, const Vector<T>& x,
                   const NewtonRule<T>& rule = {});

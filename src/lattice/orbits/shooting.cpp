@@ -149,7 +149,8 @@ A shot carries one column of the tangent for each unknown and no others. A chang
 $\delta T$ moves the end of the flight along the orbit: by its rate of change there times $\delta T$ over
 the number of parts. */
 template <class T>
-Shot<T> Shooting<T>::shoot(const Vector<T>& x, const Landing<T>& rule, bool with_jacobian) const {
+Shot<T> Shooting<T>::shoot(const Vector<T>& x, const EventTolerance<T>& rule,
+                           bool with_jacobian) const {
   const State<T> start = unfold(x);
   State<T> z = start;
   const Tangent<T> first =
@@ -178,7 +179,7 @@ Orbit<T> describe(const Shooting<T>& problem, const Solution<T>& found) {
   Orbit<T> orbit;
   orbit.x = found.x;
   orbit.start = problem.unfold(found.x);
-  orbit.omega = T(2) * circle_ratio<T>() / problem.period(found.x);
+  orbit.omega = T(2) * pi<T>() / problem.period(found.x);
   if (!problem.symmetry.free_period) orbit.omega = problem.omega;
   orbit.energy = energy(problem.chain, orbit.start);
   orbit.area = T(problem.symmetry.parts) * found.shot.flow.area;
@@ -230,7 +231,7 @@ Orbit<T> polish(const Shooting<T>& problem, const Orbit<From>& from, const Newto
           const Sizes<T> size = problem.sizes(at, true);
           return solve_scaled<T>(from.jacobian.template cast<T>(), shot.miss, size, rule.rank);
         });
-  } catch (const NoConvergence&) {
+  } catch (const NewtonFailed&) {
     return newton(problem, guess, rule);
   }
   Orbit<T> orbit = describe(problem, found);

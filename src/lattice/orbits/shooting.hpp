@@ -25,7 +25,7 @@ namespace lattice {
 
 /// The number pi in any precision.
 template <class T>
-T circle_ratio() {
+T pi() {
   using std::acos;
   return acos(T(-1));
 }
@@ -63,13 +63,13 @@ struct Shooting {
   Symmetry symmetry;
   T omega{};
 
-  T period() const { return T(2) * circle_ratio<T>() / omega; }
+  T period() const { return T(2) * pi<T>() / omega; }
   T period(const Vector<T>& x) const { return symmetry.free_period ? x[x.size() - 1] : period(); }
   std::string name() const;
   State<T> unfold(const Vector<T>& x) const;
   Vector<T> fold(const State<T>& state) const;
   Sizes<T> sizes(const Vector<T>& x, bool graded) const;
-  Shot<T> shoot(const Vector<T>& x, const Landing<T>& rule, bool with_jacobian = true) const;
+  Shot<T> shoot(const Vector<T>& x, const EventTolerance<T>& rule, bool with_jacobian = true) const;
   /// By how much a flight from `start` to `end`, however it was computed, misses the equations.
   Vector<T> residuals(const State<T>& start, const State<T>& end) const;
 };
@@ -99,14 +99,14 @@ struct Orbit {
   double variation() const {
     return history.back().step > 0 ? history.back().step : history[iterations() - 1].step;
   }
-  T period() const { return T(2) * circle_ratio<T>() / omega; }
+  T period() const { return T(2) * pi<T>() / omega; }
 };
 
 /**
 Most programs call only what follows: a problem, a guess, and Newton's method does the rest. The change
 along the branch comes almost for free, from the same matrix. */
 /// The orbit near the guess `x`, which has as many entries as the problem has unknowns (`fold` makes them
-/// from a state). Throws NoConvergence.
+/// from a state). Throws NewtonFailed.
 template <class T>
 Orbit<T> newton(const Shooting<T>& problem, const Vector<T>& x, const NewtonRule<T>& rule = {});
 
@@ -116,7 +116,7 @@ Orbit<T> newton(const Shooting<T>& problem, const Vector<T>& x, const NewtonRule
 Digits are confirmed by computing an orbit again in a wider type. If double precision has found it, the
 wider type needs no derivative of its own: with the old one each step gains as many digits as the
 derivative has, about twelve, and the columns of the tangent, which take most of the time, are not
-computed. If this does not converge, Newton's method takes over. Throws NoConvergence if that fails. */
+computed. If this does not converge, Newton's method takes over. Throws NewtonFailed if that fails. */
 template <class T, class From>
 Orbit<T> polish(const Shooting<T>& problem, const Orbit<From>& from,
                 const NewtonRule<T>& rule = {});

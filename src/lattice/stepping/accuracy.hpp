@@ -29,7 +29,7 @@ of the attempts as its message. */
 namespace lattice {
 
 /// Thrown if two resolutions do not agree as well as was asked for; the message holds the history.
-struct NotConverged : std::runtime_error {
+struct RefinementFailed : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
@@ -51,8 +51,8 @@ resolves the motion. */
 inline constexpr double largest_step = 0.2, smallest_step = 0.2 / 128;
 
 /// The pace of a run in a refinement whose samples become denser together with the steps.
-inline Pace dense_pace(const ContactAware& stepper, double duration, double sample) {
-  return denser_samples(pace(duration, sample, stepper.step), stepper.halvings);
+inline TimeGrid dense_time_grid(const ContactAware& stepper, double duration, double sample) {
+  return denser_samples(time_grid(duration, sample, stepper.step), stepper.halvings);
 }
 
 /**
@@ -136,21 +136,21 @@ auto refine(double tolerance, Compute compute, Differ differ = {}) {
 
 /**
 Most callers have no use for a result that has not converged. `converge` does the same as `refine` and
-throws NotConverged if the tolerance is not reached. */
+throws RefinementFailed if the tolerance is not reached. */
 template <class Compute, class Differ = EndState>
 auto converge(double tolerance, Compute compute, Differ differ = {}) {
   auto pair = refine(tolerance, compute, differ);
   if (!pair.converged)
-    throw NotConverged("the " + differ.name +
-                       " of two resolutions differ by more than the tolerance (" + pair.history +
-                       ")");
+    throw RefinementFailed("the " + differ.name +
+                           " of two resolutions differ by more than the tolerance (" +
+                           pair.history + ")");
   return pair;
 }
 
 /**
 Finally `evolve` of integrate.hpp for a stated tolerance, the relative error of the end state. The step
 is found in runs that nobody observes; `observe` sees only the last one, and the returned `error` is the
-distance between its end and that of the run with twice the step. Throws NotConverged like `converge`. */
+distance between its end and that of the run with twice the step. Throws RefinementFailed like `converge`. */
 template <class Observer>
 Run evolve_to(double tolerance, const Chain& chain, State<double>& state, double duration,
               double sample, Observer observe) {

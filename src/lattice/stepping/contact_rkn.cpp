@@ -215,7 +215,7 @@ struct NystromStep {
   void exchange_impulses(Window& window, NystromMemory<T>& at) const {
     std::vector<T>& y = at.y[base.last()];
     near_contacts(at, 1, [&](std::size_t n) {
-      const T inverse = lightness<T>(chain, n);
+      const T inverse = inverse_mass<T>(chain, n);
       const Impulse<T>&left = at.correction[n], &right = at.correction[n + 1];
       at.v[n] += inverse * (left.velocity - right.velocity);
       y[n] += inverse * (left.position - right.position);
@@ -243,7 +243,7 @@ struct NystromStep {
       a[n] = chain.well.force(y[n]) +
              (push_at(chain, contact, y.data(), n) - push_at(chain, contact, y.data(), n + 1));
       T more = -chain.well.stiffness(y[n]) * at.shift[n] + (pull(n) - pull(n + 1));
-      if (!chain.mass.empty()) a[n] *= lightness<T>(chain, n), more *= lightness<T>(chain, n);
+      if (!chain.mass.empty()) a[n] *= inverse_mass<T>(chain, n), more *= inverse_mass<T>(chain, n);
       at.v[n] += more;
     });
   }

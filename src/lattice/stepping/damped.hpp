@@ -202,7 +202,7 @@ DampedRun with_ledger(const Damped<Stepper>& damped, const Chain& chain, const S
 
 /**
 A caller should not have to know whether there is friction. So `evolve` has the same two forms as in
-integrate.hpp, with samples a stated time apart or at a given pace, and the type of the stepper selects
+integrate.hpp, with samples a stated time apart or at a given grid, and the type of the stepper selects
 it. */
 template <class Stepper, class Observer>
 DampedRun evolve(const Damped<Stepper>& damped, const Chain& chain, State<double>& state,
@@ -215,9 +215,9 @@ DampedRun evolve(const Damped<Stepper>& damped, const Chain& chain, State<double
 /// The same at a pace of samples and steps.
 template <class Stepper, class Observer>
 DampedRun evolve(const Damped<Stepper>& damped, const Chain& chain, State<double>& state,
-                 const Pace& pace, Observer observe) {
+                 const TimeGrid& grid, Observer observe) {
   return with_ledger(damped, chain, state, observe, [&](const auto& stepper, const auto& watch) {
-    return evolve(stepper, chain, state, pace, watch);
+    return evolve(stepper, chain, state, grid, watch);
   });
 }
 

@@ -14,23 +14,23 @@ std::size_t stage_count(const Scheme& scheme, std::size_t steps) {
 }
 
 // The coarsest division into equal samples and steps, safe from rounding at whole numbers
-Pace pace(double duration, double sample, double step) {
+TimeGrid time_grid(double duration, double sample, double step) {
   const bool good = duration >= 0 && duration < 1e15 && sample > 0 && step > 0;
   if (!good)
     throw std::invalid_argument("a run needs a finite duration and positive samples and steps");
-  Pace p{duration, std::size_t(std::ceil(duration / sample * (1 - 1e-12)))};
+  TimeGrid p{duration, std::size_t(std::ceil(duration / sample * (1 - 1e-12)))};
   if (p.samples > 0) p.steps = std::size_t(std::ceil(p.interval() / step * (1 - 1e-12)));
   p.steps = std::max<std::size_t>(p.steps, 1);
   return p;
 }
 
 // Two refinements: of the steps alone, or of the samples together with the steps
-Pace shorter_steps(Pace p, int times) {
+TimeGrid shorter_steps(TimeGrid p, int times) {
   p.steps <<= times;
   return p;
 }
 
-Pace denser_samples(Pace p, int times) {
+TimeGrid denser_samples(TimeGrid p, int times) {
   p.samples <<= times;
   return p;
 }
@@ -42,16 +42,16 @@ bool bounded(const State<double>& state) {
 }
 
 // March from sample to sample, watch the energy, and stop where the solution runs away
-Run evolve(const Advance& advance, const Chain& chain, State<double>& state, const Pace& pace,
+Run evolve(const Advance& advance, const Chain& chain, State<double>& state, const TimeGrid& grid,
            const Look& look) {
   const double start = energy(chain, state), scale = start != 0 ? std::abs(start) : 1;
-  const double t0 = state.t, interval = pace.interval();
+  const double t0 = state.t, interval = grid.interval();
   Window window = waking(chain, state);
   Run run{.t_end = t0};
   if (!look(state)) return run;
-  for (std::size_t k = 1; k <= pace.samples; ++k) {
-    run.work += advance(state, window, pace.step(), pace.steps);
-    run.steps += pace.steps;
+  for (std::size_t k = 1; k <= grid.samples; ++k) {
+    run.work += advance(state, window, grid.step(), grid.steps);
+    run.steps += grid.steps;
     // Times are multiples of the interval and not sums of steps, so that rounding does not pile up
     state.t = t0 + interval * double(k);
     const double e = energy(chain, state);

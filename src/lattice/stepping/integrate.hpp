@@ -59,7 +59,7 @@ struct Splitting {
 A run is divided by counts and not by lengths: into `samples` equal intervals of `steps` equal steps
 each. Doubling either count then halves the step exactly. Dividing by lengths would not do: where a step
 has to be shortened to fit an interval, half of it may end up as the same step. */
-struct Pace {
+struct TimeGrid {
   double duration = 0;
   std::size_t samples = 0, steps = 1;
 
@@ -72,16 +72,16 @@ struct Pace {
 `step`; without duration there are no samples. The factor $1 - 10^{-12}$ keeps a quotient that rounding
 has put just above a whole number from adding one more interval. Throws std::invalid_argument if the
 duration is negative or not finite, or `sample` or `step` is not positive. */
-Pace pace(double duration, double sample, double step);
+TimeGrid time_grid(double duration, double sample, double step);
 
 /**
-An error is found by repeating a run with a finer pace. There are two ways to refine: `shorter_steps`
+An error is found by repeating a run with a finer grid. There are two ways to refine: `shorter_steps`
 halves the step `times` times and keeps the samples where they are. */
-Pace shorter_steps(Pace p, int times);
+TimeGrid shorter_steps(TimeGrid p, int times);
 
 /// Halves the step together with the interval between two samples, `times` times: for maxima and
 /// instants that are read from the samples, whose own error must shrink together with that of the steps.
-Pace denser_samples(Pace p, int times);
+TimeGrid denser_samples(TimeGrid p, int times);
 
 /**
 A run reports how far it can be trusted. `energy_drift` is the largest deviation of the energy seen at
@@ -140,13 +140,13 @@ Advance advance_of(const Stepper& stepper, const Chain& chain) {
 `evolve` carries a state forward at a given pace and shows it to `observe(state)` at the start and after
 every sample. It stops early when `observe` returns false, or when the solution runs away; the runaway
 state is not shown. */
-Run evolve(const Advance& advance, const Chain& chain, State<double>& state, const Pace& pace,
+Run evolve(const Advance& advance, const Chain& chain, State<double>& state, const TimeGrid& grid,
            const Look& look);
 
 template <class Stepper, class Observer>
-Run evolve(const Stepper& stepper, const Chain& chain, State<double>& state, const Pace& pace,
+Run evolve(const Stepper& stepper, const Chain& chain, State<double>& state, const TimeGrid& grid,
            Observer observe) {
-  return evolve(advance_of(stepper, chain), chain, state, pace,
+  return evolve(advance_of(stepper, chain), chain, state, grid,
                 Look([&](const State<double>& now) { return goes_on(observe, now); }));
 }
 
@@ -161,15 +161,16 @@ int halvings_of(const Stepper& stepper) {
 
 /// The pace for `stepper` with fixed samples: the coarsest that suits its step, then its halvings.
 template <class Stepper>
-Pace pace_for(const Stepper& stepper, double duration, double sample) {
-  return shorter_steps(pace(duration, sample, stepper.step), halvings_of(stepper));
+TimeGrid time_grid_for(const Stepper& stepper, double duration, double sample) {
+  return shorter_steps(time_grid(duration, sample, stepper.step), halvings_of(stepper));
 }
 
-/// As `evolve` with a pace, for a run of length `duration` with samples `sample` apart or a little less.
+/// As `evolve` with a grid, for a run of length `duration` with samples `sample` apart or a little less.
 template <class Stepper, class Observer>
 Run evolve(const Stepper& stepper, const Chain& chain, State<double>& state, double duration,
            double sample, Observer observe) {
-  return evolve(stepper, chain, state, pace_for(stepper, duration, sample), std::move(observe));
+  return evolve(stepper, chain, state, time_grid_for(stepper, duration, sample),
+                std::move(observe));
 }
 
 /**

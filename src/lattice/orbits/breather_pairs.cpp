@@ -1,0 +1,150 @@
+#include "lattice/orbits/breather_pairs.hpp"
+
+namespace lattice {
+
+// Both breathers of a pair and the barrier between them, at one tolerance
+template <class T>
+Measured<T>::Measured(const BreatherPair& pair, int coarser) {
+  const NewtonRule<T> how = rule<T>(coarser);
+  const auto problem = [&](Centre c) { return in_precision<T>(problem_of(c, pair.omega, pair.s)); };
+  for (int k : {0, 1}) {
+    Orbit<double> guess = pair.orbit[k];
+    if (coarser) guess.x *= 1.000001;
+    orbit[k] = polish(problem(both_centres[k]), guess, how);
+  }
+  gap = barrier(problem(Centre::site), orbit[0], orbit[1], how);
+}
+
+// Two resolutions side by side: the finer one gives the value, their difference the error
+template <class T>
+void assess(BreatherPair& pair, const Measured<T>& coarse, const Measured<T>& fine) {
+  const T size = fine.orbit[1].energy;
+  for (int k : {0, 1}) {
+    const Orbit<T>&a = coarse.orbit[k], &b = fine.orbit[k];
+    pair.energy[k] = agree(a.energy, b.energy, b.energy);
+    pair.amplitude[k] = agree(a.amplitude, b.amplitude, b.amplitude);
+  }
+  // The barriers are tiny, but their rounding is that of the energies they are differences of
+  pair.equal_frequency = agree(coarse.gap.equal_frequency, fine.gap.equal_frequency, size);
+  pair.equal_area = agree<T>(coarse.gap.equal_area, fine.gap.equal_area, size / T(4));
+  const auto slope = [](const Measured<T>& m) {
+    return m.orbit[0].energy_omega - m.orbit[1].energy_omega;
+  };
+  pair.slope = agree(slope(coarse), slope(fine), fine.orbit[1].energy_omega);
+  // Along a family dH = omega dA / 2 pi, which gives the slope at equal area for nothing
+  const auto slope_area = [&](const Measured<T>& m) {
+    return m.orbit[1].energy_omega * (m.gap.omega_site / T(pair.omega) - T(1));
+  };
+  pair.slope_area = agree(slope_area(coarse), slope_area(fine), fine.orbit[1].energy_omega);
+  pair.wide = sizeof(T) > sizeof(double);
+}
+
+// Two tolerances for a value with its error, a single one for a step of a search
+template <class T>
+void measure_in(BreatherPair& pair) {
+  assess<T>(pair, {pair, 1}, {pair, 0});
+}
+
+template <class T>
+void measure_once(BreatherPair& pair, int coarser) {
+  const Measured<T> only(pair, coarser);
+  assess<T>(pair, only, only);
+}
+
+// Only where the barrier drowns in rounding do we pay for the wider type
+void measure(BreatherPair& pair) {
+  measure_in<double>(pair);
+  if (!settled(pair.equal_frequency) || !settled(pair.equal_area)) measure_in<Wide>(pair);
+}
+
+// Climb one branch until it folds back in frequency
+std::vector<Orbit<double>> climb(Centre centre, double s, const std::vector<double>& omegas) {
+  const auto problem = problem_of(centre, omegas.front(), s);
+  std::vector<Orbit<double>> orbits{find_breather(problem)};
+  Branch branch(problem, along_omega<double>(), orbits.front(), 1);
+  try {
+    for (std::size_t k = 1; k < omegas.size(); ++k) orbits.push_back(branch.reach(omegas[k]));
+  } catch (const NoBranch&) {
+  }
+  return orbits;
+}
+
+// From close to the linear limit upwards, in shorter steps before a soft well's branch folds
+std::vector<double> pair_frequencies(double s, int count) {
+  std::vector<double> out{1.005};
+  for (int k = 1; k <= count; ++k) out.push_back(1 + double(k) / count);
+  if (s >= 0) return out;
+  std::erase_if(out, [](double omega) { return omega > 1.8; });
+  for (int k = 1; k <= count / 2; ++k) out.push_back(1.8 + 0.2 * double(k) / count);
+  return out;
+}
+
+// Both families first, then all pairs, none of which needs another
+BreatherPairs climb_pairs(double s, const std::vector<double>& omegas,
+                          const std::function<void(BreatherPair&)>& measure_pair) {
+  std::array<std::vector<Orbit<double>>, 2> families;
+  parallel_for(2, [&](std::size_t k) { families[k] = climb(both_centres[k], s, omegas); });
+  BreatherPairs pairs;
+  const auto& [site, bond] = families;
+  for (std::size_t k = 0; k < std::min(site.size(), bond.size()); ++k)
+    pairs.push_back({s, site[k].omega, {site[k], bond[k]}});
+  parallel_for("branches", pairs.size(), [&](std::size_t i) { measure_pair(pairs[i]); });
+  return pairs;
+}
+
+// With the growth like (omega - 1)^2 taken out, a branch is almost straight in log(omega - 1)
+BreatherPair pair_between(const BreatherPair& left, const BreatherPair& right, double omega) {
+  BreatherPair pair{left.s, omega};
+  const auto scaled = [&](double from) { return std::pow((omega - 1) / (from - 1), 2); };
+  const double part =
+      std::log((omega - 1) / (left.omega - 1)) / std::log((right.omega - 1) / (left.omega - 1));
+  for (int k : {0, 1})
+    pair.orbit[k] = newton(problem_of(both_centres[k], omega, left.s),
+                           Vector<double>((1 - part) * scaled(left.omega) * left.orbit[k].x +
+                                          part * scaled(right.omega) * right.orbit[k].x));
+  return pair;
+}
+
+// Newton's method for a vanishing barrier, with bisection if it would leave the bracket
+Estimate zero_between(const BreatherPair& left, const BreatherPair& right,
+                      Estimate BreatherPair::*gap) {
+  const auto slope =
+      gap == &BreatherPair::equal_area ? &BreatherPair::slope_area : &BreatherPair::slope;
+  const double below = (left.*gap).value, above = (right.*gap).value;
+  const double width = right.omega - left.omega;
+  double low = left.omega, high = right.omega, omega = low - below * width / (above - below);
+  BreatherPair at;
+  const auto newton_step = [&] { return (at.*gap).value / (at.*slope).value; };
+  // Double precision goes as far as the barrier stands out from its error
+  for (int k = 0; k < 40; ++k) {
+    at = pair_between(left, right, omega);
+    measure_once<double>(at);
+    (((at.*gap).value > 0) == (above > 0) ? high : low) = omega;
+    const double step = newton_step(), next = omega - step;
+    omega = low < next && next < high ? next : (low + high) / 2;
+    if (std::abs(step) < 1e-4 * width || std::abs((at.*gap).value) < 4 * (at.*gap).error) break;
+  }
+
+  /**
+  Two more steps are made with the wider type, one at each tolerance. The last of them, which is what the two
+  tolerances and the curvature make of the zero, is its error, with that of the barrier there over its slope. */
+  double step = 0;
+  for (int coarser : {1, 0}) {
+    at = pair_between(left, right, omega);
+    measure_once<Wide>(at, coarser);
+    step = newton_step();
+    omega -= step;
+  }
+  if (!(std::abs(step) < 1e-3 * width))
+    throw std::runtime_error("no zero of the barrier found near " + std::to_string(at.omega));
+  return {omega, std::abs((at.*gap).error / (at.*slope).value) + std::abs(step) + 1e-15};
+}
+
+#define LATTICE_INSTANCES(T)                                                      \
+  template struct Measured<T>;                                                    \
+  template void assess<T>(BreatherPair&, const Measured<T>&, const Measured<T>&); \
+  template void measure_in<T>(BreatherPair&);                                     \
+  template void measure_once<T>(BreatherPair&, int);
+#include "lattice/model/instances.hpp"
+
+}  // namespace lattice

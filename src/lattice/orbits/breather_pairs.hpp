@@ -1,0 +1,134 @@
+#pragma once
+/**
+# Two families side by side
+
+The energies of site-centred and bond-centred breathers of one frequency agree to six digits or more, and
+the article wants their difference, the barrier (breather.hpp), from $\omega_b = 1$ to 2. So we follow both
+families side by side. A pair holds the two breathers of one frequency and what their comparison
+gives at two resolutions. */
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "lattice/numbers/estimate.hpp"
+#include "lattice/numbers/parallel.hpp"
+#include "lattice/orbits/breather.hpp"
+
+namespace lattice {
+
+/**
+All pairs use chains of the same length and two tolerances, and double precision is checked against a
+wider type. */
+/// What double precision is checked against: a 64-bit mantissa where the processor has one.
+using Wide = long double;
+
+inline Shooting<double> problem_of(Centre centre, double omega, double s = 0) {
+  return breather_problem(centre, omega, s, sites_of(centre));
+}
+
+/// The rules of the two resolutions: the default tolerance of `EventTolerance`, or 16 times that if `coarser`.
+template <class T>
+NewtonRule<T> rule(int coarser) {
+  NewtonRule<T> out;
+  out.events.tolerance = T(128) * std::numeric_limits<T>::epsilon();
+  if (coarser) out.events.tolerance *= T(16);
+  return out;
+}
+
+/**
+A pair is made of two breathers of one frequency, site-centred first, and of what was measured on them. */
+struct BreatherPair {
+  double s = 0, omega = 0;
+  std::array<Orbit<double>, 2> orbit{};  ///< site, bond
+  std::array<Estimate, 2> energy{}, amplitude{};
+  Estimate equal_frequency{}, equal_area{};  ///< the two barriers, E_site - E_bond
+  Estimate slope{}, slope_area{};            ///< their derivatives with respect to omega
+  bool wide = false;                         ///< whether the wider type was needed
+};
+
+/**
+Each resolution measures everything on a pair for itself. The coarser one starts slightly off the orbit, by
+one part in a million, so that it has to find its own way back. */
+template <class T>
+struct Measured {
+  std::array<Orbit<T>, 2> orbit;
+  Barrier<T> gap;
+
+  Measured(const BreatherPair& pair, int coarser);
+};
+
+/**
+The difference of the two is the error, but it may be small by chance. Comparison with quadruple precision
+shows errors of the energy of up to ten tolerances, so we never take the error to be below sixteen: 2048
+roundings of `size`. At equal area a quarter of the energy serves as size: an orbit makes
+$E - \mathcal A/T_b$ stationary, and this barrier suffers less from an error of the orbit. */
+template <class T>
+Estimate agree(const T& coarse, const T& fine, const T& size) {
+  const T floor = T(2048) * std::numeric_limits<T>::epsilon() * magnitude(size);
+  return {double(fine), double(magnitude<T>(fine - coarse) + floor)};
+}
+
+/**
+Both barriers have derivatives that cost nothing. At equal frequency it is the difference of those of the
+energies; at equal area $d\mathcal H = \omega\,d\mathcal A/2\pi$ along both families leaves
+$(\omega_{site}/\omega_b-1)\,\mathcal H'_{bond}$, where $\omega_{site}$ is the frequency of the site-centred
+breather of that area. */
+template <class T>
+void assess(BreatherPair& pair, const Measured<T>& coarse, const Measured<T>& fine);
+
+/**
+A pair is measured at both tolerances; a search, which asks again and again, takes one at a time. */
+template <class T>
+void measure_in(BreatherPair& pair);
+template <class T>
+void measure_once(BreatherPair& pair, int coarser = 0);
+
+/**
+A barrier is a small difference of two large numbers. We want it to three parts in a thousand, and if
+double precision does not give that, the wider type measures again. */
+/// Whether a value is known to three parts in a thousand.
+inline bool settled(const Estimate& e) {
+  return e.error <= 3e-3 * std::abs(e.value);
+}
+/// Measures in double precision and, if that does not settle both barriers, in the wider type.
+void measure(BreatherPair& pair);
+
+/**
+The pairs are found along the two branches (continuation.hpp), so that there is never a doubt to which
+family a breather belongs. Where a branch turns back in frequency the pairs end. */
+/// One family at increasing frequencies, as far as it reaches.
+std::vector<Orbit<double>> climb(Centre centre, double s, const std::vector<double>& omegas);
+
+using BreatherPairs = std::vector<BreatherPair>;
+
+/// Frequencies: 1.005, then up to 2 in `count` equal steps from 1. For a soft well (s < 0), whose
+/// branches fold, only up to 1.9, and from 1.8 on in steps a fifth as long.
+std::vector<double> pair_frequencies(double s, int count);
+
+/**
+The two families know nothing of each other until their pairs are measured, nor do the pairs; so first the
+families and then the pairs are computed in parallel. */
+/// Both families at these frequencies, as far as they reach, each pair measured by `measure_pair`.
+BreatherPairs climb_pairs(double s, const std::vector<double>& omegas,
+                          const std::function<void(BreatherPair&)>& measure_pair);
+
+/**
+A zero of the barrier lies between two pairs, and to find it we need another pair there. In the coordinates
+of continuation.hpp the branches are almost straight, so Newton's method starts from the point in
+between. */
+BreatherPair pair_between(const BreatherPair& left, const BreatherPair& right, double omega);
+
+/**
+Between two pairs of opposite sign a barrier vanishes. Its derivative is known with it, so that Newton's
+method, kept between the pairs, finds the frequency in double precision in a few steps. */
+Estimate zero_between(const BreatherPair& left, const BreatherPair& right,
+                      Estimate BreatherPair::*gap);
+
+}  // namespace lattice

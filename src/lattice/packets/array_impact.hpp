@@ -1,0 +1,124 @@
+#pragma once
+/**
+# Striking an array of cantilevers
+
+In section 3.6 the first cantilever of a resting array is struck, Eq. (28): it gets the velocity $V$ in
+metres per second, and a packet runs away from it. The run is that of the dimensionless chain
+(cantilever.hpp); this file translates to and from SI units, watches the packet pass a given cantilever,
+and, if the array is damped, follows it for ten milliseconds. */
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <stdexcept>
+#include <vector>
+
+#include "lattice/model/cantilever.hpp"
+#include "lattice/packets/impact.hpp"
+#include "lattice/packets/pulse.hpp"
+#include "lattice/stepping/damped.hpp"
+
+namespace lattice {
+
+/// Thrown if the packet did not do what its measurement needs.
+struct NoPacket : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// An array and the impact on its first cantilever, Eq. (28).
+struct ArrayImpact {
+  CantileverArray array{};
+  double velocity = 1;  // m/s
+  Scales scales = array.scales();
+
+  double struck_velocity() const { return velocity / scales.unit_velocity(); }
+  double time(double milliseconds) const { return milliseconds * 1e-3 / scales.tau_c(); }
+  double milliseconds(double t) const { return t * scales.tau_c() * 1e3; }
+};
+
+/// Largest step and sampling interval of a run, in units of tau_c.
+struct Resolution {
+  double step, sample;
+};
+
+/// The motion of one cantilever and the push of the contact to its right, in units of xi and tau_c.
+struct Watched {
+  std::vector<double> t, force, v, y;
+};
+
+/**
+The article quotes what the packet does at cantilever 80, in SI units: the largest push, velocity and
+deflection, and the internal period. To these we add the time of the strongest push, its arrival. */
+struct Pulse {
+  double arrival, force, velocity, deflection, period;  // SI
+};
+
+/// The pulse at a watched cantilever; throws NoPacket if the packet did not pass it.
+Pulse pulse_of(const Watched& w, const Scales& s);
+
+/**
+One run of the homogeneous array gives both what one cantilever does and how the packet moves. */
+struct Way {
+  Watched at;
+  Track track;
+  double drift;
+
+  /// Sites by which the energy centre moves on in `duration` (units of tau_c) after it has passed `site`.
+  /// Throws NoPacket if the run ends before.
+  double travelled(double site, double duration) const {
+    const auto &x = track.centre, &t = track.t;
+    const auto from = std::size_t(std::lower_bound(x.begin(), x.end(), site) - x.begin());
+    if (from == x.size() || t[from] + duration > t.back())
+      throw NoPacket("the packet is not followed long enough");
+    const auto to = std::lower_bound(t.begin(), t.end(), t[from] + duration) - t.begin();
+    return x[std::size_t(to)] - x[from];
+  }
+};
+
+/**
+`pass` makes the run up to a time `until` in ms and watches site `n`, counted from one. At that site every
+sample is kept, since maxima are read from them; for the packet's centre every eighth is enough. */
+Way pass(const ArrayImpact& impact, std::size_t n, double until, const Resolution& r);
+
+/**
+The article quotes a speed in sites per second and does not say how it was measured. One reading is a mean:
+`n` over the time at which the packet is strongest at site `n`, where `way` was watched. */
+double mean_speed(const Way& way, const ArrayImpact& impact, std::size_t n);
+
+/// How long, in ms, the packet's force at the watched contact is above `threshold` times its maximum.
+double duration_above(const Way& way, const ArrayImpact& impact, double threshold);
+
+/**
+Figure 24 is a map of forces in space and time, and a map of snapshots would miss most of the short
+pushes. So `strongest_forces` gives the strongest push, in newtons, of each contact within each of `bins`
+equal times until `end` (in ms): entry `bin * contacts + n`. */
+std::vector<double> strongest_forces(const ArrayImpact& impact, double ratio, double end,
+                                     std::size_t bins);
+
+/**
+## With damping
+
+How far does a packet come in a real array, which is damped (damped.hpp)? It reaches one contact after the
+other, each at the time of its strongest push, and between two of them it oscillates with the period of the
+later one. */
+struct Transit {
+  double sites = 0, oscillations = 0;  ///< after 10 ms, from the first contact on
+  double speed = 0, period = 0;        ///< sites/s and s, at the end
+  double energy = 0;                   ///< of the packet, over that of the impact
+};
+
+/// The strongest push of each contact, in the order of the contacts, or nothing where it is missing.
+using Pushes = std::vector<std::optional<Push>>;
+
+/// Sites and oscillations in the first 10 ms; throws NoPacket if the pushes do not reach so far.
+Transit journey_of(const ArrayImpact& impact, const Pushes& pushes);
+
+/**
+`travel` makes the run with the damping rate `rate` of the velocities, in 1/s. It looks at the first 40
+contacts, more than the packet passes in 10 ms, and goes on for 13 ms, so that the contact reached last has
+its strongest push within the run. */
+Transit travel(const ArrayImpact& impact, double rate, const Resolution& r);
+
+}  // namespace lattice

@@ -1,0 +1,96 @@
+#include "lattice/packets/observe.hpp"
+
+namespace lattice {
+
+double window_sum(const std::vector<double>& e, std::size_t peak, std::size_t m) {
+  const std::size_t lo = peak > m ? peak - m : 0, hi = std::min(e.size(), peak + m + 1);
+  return std::accumulate(e.begin() + std::ptrdiff_t(lo), e.begin() + std::ptrdiff_t(hi), 0.0);
+}
+
+double energy_centre(const std::vector<double>& e, std::size_t peak, std::size_t m) {
+  const std::size_t lo = peak > m ? peak - m : 0, hi = std::min(e.size(), peak + m + 1);
+  double weight = 0, moment = 0;
+  for (std::size_t n = lo; n < hi; ++n) {
+    weight += e[n];
+    moment += double(n + 1) * e[n];
+  }
+  return moment / weight;
+}
+
+std::optional<std::size_t> front_packet(const std::vector<double>& e, double share, std::size_t m) {
+  const double total = std::accumulate(e.begin(), e.end(), 0.0);
+  if (!(total > 0)) return std::nullopt;
+  for (std::size_t n = e.size(); n-- > 0;) {
+    if (e[n] * double(2 * m + 1) < share * total) continue;  // cannot be the largest of its window
+    const std::size_t lo = n > m ? n - m : 0, hi = std::min(e.size(), n + m + 1);
+    const auto largest =
+        std::max_element(e.begin() + std::ptrdiff_t(lo), e.begin() + std::ptrdiff_t(hi));
+    if (std::size_t(largest - e.begin()) == n && window_sum(e, n, m) >= share * total) return n;
+  }
+  return std::nullopt;
+}
+
+double participation(const std::vector<double>& e) {
+  double sum = 0, squares = 0;
+  for (double x : e) {
+    sum += x;
+    squares += x * x;
+  }
+  return sum * sum / squares;
+}
+
+/**
+A speed needs at least three samples; an energy is interpolated between the two samples around the instant
+that is asked for. */
+std::optional<Line> Track::line(double from, double to) const {
+  const auto [ts, xs] = between(from, to);
+  if (ts.size() < 3) return std::nullopt;
+  return fit_line(ts, xs);
+}
+
+double Track::energy_at(double x) const {
+  const std::size_t i = until(x);
+  if (i == 0 || i == centre.size()) throw std::runtime_error("no packet passes the site asked for");
+  const double part = (x - centre[i - 1]) / (centre[i] - centre[i - 1]);
+  return energy[i - 1] + part * (energy[i] - energy[i - 1]);
+}
+
+/**
+A maximum in time falls between two samples: the parabola through the highest one and its neighbours finds
+its height, and where the centre is then. Only a maximum whose own centre lies in the stretch counts, not
+the flank of one beyond its edge. If there is no maximum at all, the highest sample stands in for it. */
+double Track::largest_peak(double from, double to) const {
+  double best = 0, highest = 0;
+  const std::size_t end = std::min(until(to), t.size());
+  for (std::size_t i = 0; i < end; ++i) {
+    if (centre[i] >= from) highest = std::max(highest, peak[i]);
+    if (i == 0 || i + 1 >= t.size() || peak[i] < peak[i - 1] || peak[i] < peak[i + 1]) continue;
+    const double rise = (peak[i + 1] - peak[i - 1]) / 2;
+    const double bend = peak[i + 1] - 2 * peak[i] + peak[i - 1];
+    const double shift = bend < 0 ? -rise / bend : 0;  // of the vertex, in samples
+    const double where = centre[i] + shift * (centre[i + 1] - centre[i - 1]) / 2;
+    if (where >= from && where <= to) best = std::max(best, peak[i] + rise * shift / 2);
+  }
+  return best > 0 ? best : highest;
+}
+
+Estimate packet_speed(const Track& track, double to) {
+  const auto line = track.line(fit_from, to);
+  if (!line) throw std::runtime_error("no packet passes site 20");
+  return line->estimate();
+}
+
+Estimate speed_change(const Track& track, double to) {
+  const auto [t, x] = track.between(fit_from, to);
+  if (t.size() < 6) throw std::runtime_error("no packet passes site 20");
+  return bend(t, x);
+}
+
+std::size_t support(const std::vector<double>& e, std::size_t peak, double share, std::size_t m) {
+  const double all = window_sum(e, peak, m);
+  for (std::size_t k = 0; k < m; ++k)
+    if (window_sum(e, peak, k) >= share * all) return 2 * k + 1;
+  return 2 * m + 1;
+}
+
+}  // namespace lattice

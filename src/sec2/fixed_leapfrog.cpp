@@ -1,0 +1,69 @@
+#include "sec2/fixed_leapfrog.hpp"
+
+#include <vector>
+
+#include "lattice/landing/columns.hpp"
+
+namespace lattice {
+
+void kick_tangent(const Chain& chain, const std::vector<double>& y, double h,
+                  Tangent<double>& tangent) {
+  const Hessian<double> bend = linearise(chain, y);
+  const std::size_t sites = chain.sites, columns = tangent.columns;
+  const bool ring = chain.ends == Ends::periodic;
+  for (std::size_t n = 0; n < sites; ++n) {
+    const double push = -h * inverse_mass<double>(chain, n);
+    const std::size_t before = n > 0 ? n - 1 : sites - 1, after = n + 1 < sites ? n + 1 : 0;
+    double* row = tangent.row(sites + n);
+    add_scaled(row, tangent.row(n), push * bend.diagonal[n], columns);
+    if (n > 0 || ring) add_scaled(row, tangent.row(before), push * bend.off[before], columns);
+    if (after > 0 || ring) add_scaled(row, tangent.row(after), push * bend.off[n], columns);
+  }
+}
+
+/**
+Since both are cheap here, the tangent simply follows its orbit step by step. */
+void LeapfrogShooting::fly(State<double>& z, Tangent<double>* tangent, int count,
+                           const std::function<void(const State<double>&)>& watch) const {
+  const std::size_t sites = this->chain.sites;
+  const double h = this->period() / steps;
+  const auto drift = [&](double by) {
+    add_scaled(z.y.data(), z.v.data(), by, sites);
+    if (tangent) add_scaled(tangent->row(0), tangent->row(sites), by, sites * tangent->columns);
+  };
+  for (int k = 0; k < count; ++k) {
+    drift(h / 2);
+    const std::vector<double> a = accelerations(this->chain, z.y);
+    add_scaled(z.v.data(), a.data(), h, sites);
+    if (tangent) kick_tangent(this->chain, z.y, h, *tangent);
+    drift(h / 2);
+    watch(z);
+  }
+}
+
+/**
+A shot differs from that of shooting.hpp only in the flight: residuals and derivatives follow from the
+lists of the symmetry as they do there. */
+Shot<double> LeapfrogShooting::shoot(const Vector<double>& x, const EventTolerance<double>&,
+                                     bool with_jacobian) const {
+  const Symmetry& symmetry = this->symmetry;
+  const State<double> start = this->unfold(x);
+  State<double> z = start;
+  const Tangent<double> first = tangent_of<double>(symmetry.unknowns, this->chain.sites);
+  Tangent<double> tangent = first;
+  fly(z, with_jacobian ? &tangent : nullptr, steps / symmetry.parts, [](const State<double>&) {});
+  Shot<double> shot;
+  shot.miss = this->residuals(start, z);
+  if (with_jacobian) shot.jacobian = Matrix<double>::Zero(shot.miss.size(), x.size());
+  for (Eigen::Index i = 0; with_jacobian && i < shot.miss.size(); ++i)
+    for (Eigen::Index k = 0; k < x.size(); ++k) {
+      const Equation& equation = symmetry.equations[std::size_t(i)];
+      for (const Term& t : equation.end)
+        shot.jacobian(i, k) += t.sign * tangent(t.index, std::size_t(k));
+      for (const Term& t : equation.start)
+        shot.jacobian(i, k) += t.sign * first(t.index, std::size_t(k));
+    }
+  return shot;
+}
+
+}  // namespace lattice

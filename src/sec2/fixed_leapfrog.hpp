@@ -1,0 +1,44 @@
+#pragma once
+/**
+# Shooting by leapfrog
+
+Far from any orbit the flights that Newton's method asks for are wild, and to land on every contact that
+opens or closes (landing.hpp) costs much for nothing. A search is better served by leapfrog steps of fixed
+length $h$,
+$$y \leftarrow y + \tfrac h2 v,\qquad v \leftarrow v + h\,a(y),\qquad y \leftarrow y + \tfrac h2 v,$$
+with $a(y)$ the accelerations, and by the exact derivative of these steps. Orbits of this map at frequency
+$\omega$ have a relative error of the order $(\omega h)^2/24$; what a search finds is a guess for the
+exact flow. The averaging argument of section 2 carries over to the map: on an orbit the kicks of each bead
+add up to zero over a period, as the integral of the force does. */
+
+#include <cstddef>
+#include <functional>
+
+#include "lattice/orbits/shooting.hpp"
+
+namespace lattice {
+
+/// A problem in the sense of newton.hpp. Unknowns and equations are measured in units of the fixed number
+/// `scale`, so that a search whose orbit shrinks to nothing ends there, at rest.
+struct LeapfrogShooting : Shooting<double> {
+  double scale = 1;
+  int steps = 128;  ///< per period; a multiple of the symmetry's parts
+
+  Sizes<double> sizes(const Vector<double>& x, bool) const {
+    const auto rows = Eigen::Index(this->symmetry.equations.size());
+    return {Vector<double>::Constant(x.size(), scale), Vector<double>::Constant(rows, scale)};
+  }
+  Shot<double> shoot(const Vector<double>& x, const EventTolerance<double>& rule,
+                     bool with_jacobian = true) const;
+  /// Advances a state and its tangent, if there is one, by `count` steps and shows each to `watch(z)`.
+  void fly(State<double>& z, Tangent<double>* tangent, int count,
+           const std::function<void(const State<double>&)>& watch) const;
+};
+
+/**
+The derivative of a drift is the drift itself; that of a kick is the linearisation (chain.hpp) about the
+positions at which the kick is given. */
+void kick_tangent(const Chain& chain, const std::vector<double>& y, double h,
+                  Tangent<double>& tangent);
+
+}  // namespace lattice

@@ -1,0 +1,113 @@
+#include "sec33/depinning.hpp"
+
+namespace lattice {
+
+// Well beyond the hill it is free; if it turns back before, it is pinned
+Mobility mobility_of(const Creep& path) {
+  const double far = path.farthest();
+  if (far > 0.6) return Mobility::free;
+  return std::abs(path.travelled()) < far - 0.02 ? Mobility::pinned : Mobility::undecided;
+}
+
+// Inverse iteration turns any guess towards the eigenvector nearest to the shift
+Vector<double> eigenvector_near(const Matrix<double>& m, double value, Vector<double> guess) {
+  const Matrix<double> shifted = m - (value + 1e-5) * Matrix<double>::Identity(m.rows(), m.cols());
+  for (int k = 0; k < 20; ++k) guess = solve_square(shifted, guess).normalized();
+  return guess;
+}
+
+// Around a site half a period and the reflection, around a bond a whole period
+PeriodMap period_map(const Chain& chain, Centre centre, State<double> state, double period,
+                     const EventTolerance<double>& rule) {
+  const auto n = Eigen::Index(chain.sites);
+  const bool site = centre == Centre::site;
+  Tangent<double> tangent(chain.sites, 2 * chain.sites);
+  flow(chain, state, site ? period / 2 : period, rule, &tangent);
+  PeriodMap map{Matrix<double>(n, n), Matrix<double>(n, n), Matrix<double>::Identity(n, n)};
+  for (Eigen::Index i = 0; i < n; ++i)
+    for (Eigen::Index k = 0; k < n; ++k) {
+      const auto row = std::size_t(site ? n - 1 - i : i);
+      map.A(i, k) = (site ? -1 : 1) * tangent(row, std::size_t(k));
+      map.B(i, k) = (site ? -1 : 1) * tangent(row, std::size_t(k + n));
+    }
+  // Around a bond even perturbations suffice; the shift in time is odd and drops out
+  if (site) return map;
+  map.basis = Matrix<double>::Zero(n, n / 2);
+  for (Eigen::Index i = 0; i < n / 2; ++i)
+    map.basis(i, i) = map.basis(n - 1 - i, i) = std::sqrt(0.5);
+  return map;
+}
+
+// The slow plane of a pinned breather, and how much of a kick goes into it
+Pinning pinning_of(const Chain& chain, Centre centre, const State<double>& start, double period,
+                   const EventTolerance<double>& rule) {
+  const PeriodMap map = period_map(chain, centre, start, period, rule);
+  const Matrix<double> A = map.basis.transpose() * map.A * map.basis;
+  const Matrix<double> B = map.basis.transpose() * map.B * map.basis;
+  const std::vector<double> direction = kick_direction(start.y);
+  const Vector<double> g =
+      map.basis.transpose() *
+      Eigen::Map<const Vector<double>>(direction.data(), Eigen::Index(direction.size()));
+  const double near = centre == Centre::site ? -1 : 1;
+  // Right and left eigenvectors span the plane: a shift of positions and a push of velocities
+  const Vector<double> x = eigenvector_near(A, near, g);
+  const Vector<double> z = eigenvector_near(A.transpose(), near, g);
+  const double cosine = z.dot(A * x) / z.dot(x), b = z.dot(B * z) / z.dot(x), part = x.dot(g);
+  const double share = b * part * part / (period * x.dot(z));
+  const double miss = 2 * (1 - std::abs(cosine)) / (period * period);
+  if (centre == Centre::bond) return {miss, share};
+  // Around a site half a period is taken twice, which doubles the angle
+  return {2 * (1 + std::abs(cosine)) * miss, 2 * cosine * share};
+}
+
+// The kinetic energy of the slow motion has to pay for the barrier
+double freeing_kick(double barrier, const Pinning& pinning) {
+  return std::sqrt(2 * std::abs(barrier / pinning.share));
+}
+
+// How fast a free breather passes the top of the hill
+double hill_speed(const Creep& path, double hill, double reach) {
+  std::vector<std::size_t> near;
+  for (std::size_t k = 0; k < path.X.size(); ++k)
+    if (std::abs(std::abs(path.moved(k)) - hill) <= reach) near.push_back(k);
+  if (near.size() < 8) throw std::invalid_argument("too few means of the path lie on the hill");
+  const double first = path.t[near.front()], last = path.t[near.back()], half = (last - first) / 2;
+  // Time is scaled to the interval from -1 to 1, which keeps the cubic fit well conditioned
+  Matrix<double> power(Eigen::Index(near.size()), 4);
+  Vector<double> place(power.rows());
+  for (Eigen::Index i = 0; i < power.rows(); ++i) {
+    const std::size_t k = near[std::size_t(i)];
+    const double u = (path.t[k] - first) / half - 1;
+    power.row(i) << 1, u, u * u, u * u * u;
+    place[i] = std::abs(path.moved(k)) - hill;
+  }
+  const Vector<double> a = least_squares(power, place);
+  // The least slope of the cubic or, if it has none, the slope in the middle
+  return (a[3] > 0 ? a[1] - a[2] * a[2] / (3 * a[3]) : a[1]) / half;
+}
+
+// The square of the speed on the hill is linear in that of the kick; follow it to zero
+double threshold_from(double c1, double v1, double c2, double v2) {
+  const double square = (c1 * c1 * v2 * v2 - c2 * c2 * v1 * v1) / (v2 * v2 - v1 * v1);
+  if (!(square > 0)) throw std::invalid_argument("these two speeds show no threshold");
+  return std::sqrt(square);
+}
+
+// Every round doubles the number of correct digits
+double arithmetic_geometric(double a, double b) {
+  while (std::abs(a - b) > 1e-14 * a) {
+    const double mean = (a + b) / 2;
+    b = std::sqrt(a * b);
+    a = mean;
+  }
+  return a;
+}
+
+// From a hill the pendulum only gains speed; from a trough it must first get over
+double pendulum_speed(double start, double omega, bool on_hill) {
+  const double well = omega / std::numbers::pi, square = start * start - well * well;
+  if (on_hill) return arithmetic_geometric(std::hypot(start, well), start);
+  return square > 0 ? arithmetic_geometric(start, std::sqrt(square)) : 0;
+}
+
+}  // namespace lattice

@@ -1,0 +1,229 @@
+#include "sec33/dps_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+
+#include "lattice/model/sites.hpp"
+#include "lattice/numbers/line_fit.hpp"
+#include "lattice/numbers/random.hpp"
+
+namespace lattice {
+
+// The fourth power counts the core of the breather and hardly sees the noise around it
+double quartic_centre(Centre centre, const Field& v) {
+  double sum = 0, moment = 0;
+  for (std::size_t i = 0; i < v.size(); ++i) {
+    const double weight = std::norm(v[i]) * std::norm(v[i]);
+    sum += weight;
+    moment += weight * double(site_number(i, v.size()));
+  }
+  return moment / sum - (centre == Centre::bond ? 0.5 : 0);
+}
+
+PinnedBreather::PinnedBreather(Centre c, double frequency, std::size_t sites)
+    : PinnedBreather(stationary<double>(c, frequency, sites)) {}
+
+// The derivative of the centre along the pinning mode gives the mode its scale and its sign
+PinnedBreather::PinnedBreather(const Stationary<double>& state)
+    : centre(state.centre),
+      mu(state.mu),
+      u(state.u.begin(), state.u.end()),
+      pair(contact_spectrum(state, true)),
+      shift(0) {
+  double sum = 0, moment = 0;
+  for (std::size_t i = 0; i < u.size(); ++i) {
+    const double x = state.u[i], cube = x * x * x;
+    const double n = double(site_number(i, u.size())) - (centre == Centre::bond ? 0.5 : 0);
+    sum += cube * x;
+    moment += 4 * n * cube * pair.V(Eigen::Index(i));
+  }
+  shift = std::abs(moment / sum);
+  if (moment < 0) pair.V = -pair.V;
+}
+
+// What carries a pendulum from the bottom of its trough just to the top of the hill
+double PinnedBreather::freeing_push() const {
+  return pair.rate / (std::numbers::pi * shift * (mu - pair.m));
+}
+
+/**
+The arithmetic-geometric mean converges within a few rounds, because every round squares the relative
+distance of the two means. */
+double PinnedBreather::departure(double growing) const {
+  const double speed = 2 * shift * pair.rate * std::abs(growing);
+  double a = std::hypot(speed, pair.rate / std::numbers::pi), b = speed;
+  if (!(speed > 0)) return std::numeric_limits<double>::infinity();
+  while (a - b > 1e-15 * a) {
+    const double mean = (a + b) / 2;
+    b = std::sqrt(a * b);
+    a = mean;
+  }
+  return 1 / (2 * a);
+}
+
+// How far it went, and when it first passed a given distance
+double Course::largest() const {
+  double top = 0;
+  for (const double x : X) top = std::max(top, std::abs(x));
+  return top;
+}
+
+double Course::reaches(double distance) const {
+  for (std::size_t k = 1; k < X.size(); ++k)
+    if (const double now = std::abs(X[k]), before = std::abs(X[k - 1]); now > distance)
+      return t[k - 1] + (t[k] - t[k - 1]) * (distance - before) / (now - before);
+  return std::nan("");
+}
+
+// A run of the whole equation; the drifts of norm and energy say how far it can be trusted
+Course follow_breather(const PinnedBreather& breather, Field v, double time,
+                       const Accuracy& accuracy, const DpsObserver& watch) {
+  Course out;
+  const double start = energy(v);
+  const TurningDps equation{{v.size(), Ends::free, 1}, breather.mu};
+  out.norm_drift = evolve_dps(equation, v, time, std::size_t(std::ceil(accuracy.samples * time)),
+                              accuracy.tolerance, [&](double t, const Field& now) {
+                                out.t.push_back(t);
+                                out.X.push_back(quartic_centre(breather.centre, now));
+                                out.energy_drift =
+                                    std::max(out.energy_drift, std::abs(energy(now) / start - 1));
+                                watch(t, now);
+                              });
+  return out;
+}
+
+// Start along the growing direction and fit the growth of its share over four growth times
+double measured_rate(const PinnedBreather& site, double size, const Accuracy& accuracy) {
+  Field v = site.u;
+  site.pair.add({size, size / site.pair.push}, v);
+  std::vector<double> t, share;
+  follow_breather(site, v, 4 / site.pair.rate, accuracy, [&](double now, Field w) {
+    for (std::size_t i = 0; i < w.size(); ++i) w[i] -= site.u[i];
+    t.push_back(now);
+    share.push_back(std::log(site.pair.growing(w)));
+  });
+  return fit_line(t, share).slope;
+}
+
+// A breather that only falls into the next trough swings back before it has moved a whole site
+bool moved(const Course& course) {
+  return course.largest() > 1;
+}
+
+// The threshold between pinned and free, close to where the pendulum expects it
+double bisect_push(const PinnedBreather& bond, const Accuracy& accuracy, int steps) {
+  const auto freed = [&](double push) {
+    Field v = bond.u;
+    bond.pair.add({0, push}, v);
+    return moved(follow_breather(bond, v, 12 / bond.pair.rate, accuracy));
+  };
+  double low = 0.8 * bond.freeing_push(), high = 1.2 * bond.freeing_push();
+  if (freed(low) || !freed(high))
+    throw std::runtime_error("the push that frees the bond-centred breather is not between " +
+                             std::to_string(low) + " and " + std::to_string(high));
+  // Every run decides one binary digit
+  for (int k = 0; k < steps; ++k) {
+    const double middle = (low + high) / 2;
+    (freed(middle) ? high : low) = middle;
+  }
+  return (low + high) / 2;
+}
+
+// Real or complex noise, of one sign or both, absolute or in proportion to the breather
+Field Noise::operator()(const Field& u, std::size_t seed) const {
+  Random random(seed);
+  const auto draw = [&] {
+    return amplitude * (positive ? random.uniform(0, 1) : random.uniform(-1, 1));
+  };
+  Field w;
+  for (const auto& u_n : u) {
+    const double re = draw(), im = imaginary ? draw() : 0;
+    w.push_back(std::complex<double>(re, im) * (relative ? u_n : 1.0));
+  }
+  return w;
+}
+
+// To first order only the component along the pinning pair matters; a control goes without it
+Field perturbed(const PinnedBreather& breather, const Noise& noise, bool pinned, Trial& trial) {
+  Field w = noise(breather.u, trial.seed);
+  if (!pinned) breather.pair.add(-breather.pair.of(w), w);
+  trial.kick = breather.pair.of(w);
+  trial.growing = std::abs(breather.pair.growing(w));
+  for (std::size_t i = 0; i < w.size(); ++i) w[i] += breather.u[i];
+  return w;
+}
+
+// A breather has left after half a site; its speed is that over the first site it then crosses
+Census tally(const std::vector<Trial>& trials, Course Trial::*run) {
+  Census out;
+  for (const Trial& trial : trials) {
+    const Course& course = trial.*run;
+    const double leaves = course.reaches(0.5), there = course.reaches(1.5);
+    out.left += std::isfinite(leaves);
+    out.moved += moved(course);
+    out.departures.push_back(std::isfinite(leaves) ? leaves : HUGE_VAL);
+    if (std::isfinite(there)) out.speeds.push_back(1 / (there - leaves));
+  }
+  std::sort(out.departures.begin(), out.departures.end());
+  std::sort(out.speeds.begin(), out.speeds.end());
+  return out;
+}
+
+// Does the pendulum predict each departure, and which pushes free a breather?
+double departure_difference(const std::vector<Trial>& trials, Course Trial::*run,
+                            const PinnedBreather& site) {
+  double apart = 0;
+  for (const Trial& trial : trials) {
+    const double pendulum = site.departure(trial.growing);
+    apart = std::max(apart, std::abs((trial.*run).reaches(0.5) / pendulum - 1));
+  }
+  return apart;
+}
+
+PushCount count_pushes(const std::vector<Trial>& trials, Course Trial::*run, double freeing) {
+  PushCount out;
+  for (const Trial& trial : trials) {
+    const bool pushed = std::abs(trial.kick.imag()) > freeing;
+    out.over += pushed;
+    out.told += pushed == moved(trial.*run);
+  }
+  return out;
+}
+
+// Pinning is a minute share of the energy, so the worst drift among the runs decides
+double largest_drift(const std::vector<Trial>& trials, Course Trial::*run) {
+  double drift = 0;
+  for (const Trial& trial : trials)
+    drift = std::max({drift, (trial.*run).energy_drift, (trial.*run).norm_drift});
+  return drift;
+}
+
+// What section 3.3 says about stability and growth
+Condition surely_stable(const std::string& name, const Margin& found) {
+  return below(name, found.safe(), 0);
+}
+
+Criterion linear_growth(const Estimate& weakest, const Estimate& variation) {
+  return {above("weakest", weakest, 0), below("variation", variation, 1e-8)};
+}
+
+// Noise must free at least half of the breathers, and none if it lacks the pinning pair
+Criterion moved_by_instability(const std::vector<Trial>& trials,
+                               const std::vector<Trial>& controls) {
+  // A breather is torn if the two tolerances give it different fates
+  std::int64_t torn = 0;
+  for (const auto* list : {&trials, &controls})
+    for (const Trial& trial : *list) torn += moved(trial.good) != moved(trial.rough);
+  const auto count = [](const std::vector<Trial>& list) {
+    return compare(tally(list, &Trial::rough).moved, tally(list, &Trial::good).moved);
+  };
+  return {above("trials", count(trials), (double(trials.size()) - 1) / 2),
+          below("controls", count(controls), 0.5), below("torn", exact(double(torn)), 0.5)};
+}
+
+}  // namespace lattice

@@ -1,0 +1,115 @@
+#include "sec33/exchange.hpp"
+
+namespace lattice {
+
+// Displacements grow like the square of omega_b - 1; scaled so, an orbit is a guess for the next
+Orbit<double> follow(const Shooting<double>& problem, const Orbit<double>& from,
+                     const NewtonRule<double>& how) {
+  const double growth = (problem.omega - 1) / (from.omega - 1);
+  return newton(problem, Vector<double>(growth * growth * from.x), how);
+}
+
+// The Floquet pairs at two tolerances; their difference is the error
+template <class T>
+Spectrum spectrum(const Shooting<double>& problem, const Orbit<double>& orbit) {
+  const auto in_t = in_precision<T>(problem);
+  const auto pairs = [&](int coarser) {
+    Orbit<double> guess = orbit;
+    // Slightly off the orbit, so that the coarser run has to find it for itself
+    if (coarser) guess.x *= 1.000001;
+    const auto how = rule<T>(coarser);
+    const Orbit<T> there = polish(in_t, guess, how);
+    return floquet_pairs(in_t.chain, there.start, there.period(), how.events);
+  };
+  const Pairs<T> fine = pairs(0);
+  return {compare_pairs(pairs(1), fine), fine.mode.template cast<double>()};
+}
+
+// How near +1 are the first two pairs, and where on the circle are the others?
+Quadruplet quadruplet(const Spectrum& all, double omega) {
+  Quadruplet q{std::abs(multiplier(all.pairs[0].kappa, 1) - 1.0),
+               std::abs(multiplier(all.pairs[1].kappa, 1) - 1.0)};
+  const double edge = -std::pow(std::sin(pi<double>() / omega), 2);
+  for (std::size_t k = 1; k < all.pairs.size(); ++k) {
+    q.others_stable = q.others_stable && !all.pairs[k].is_unstable();
+    q.at_edge += std::abs(all.pairs[k].kappa - edge) < 1e-9 ? 2 : 0;
+  }
+  return q;
+}
+
+// The article's words about the multipliers, with bounds of our own
+Criterion four_near_one(const Quadruplet& chain, const Quadruplet& longer) {
+  const bool stable = chain.others_stable && longer.others_stable;
+  const int added = longer.at_edge - chain.at_edge;
+  return {below("fourth", compare(longer.fourth, chain.fourth), 0.01),
+          above("fifth", compare(longer.fifth, chain.fifth), 0.1),
+          above("others_stable", exact(stable), 0.5),
+          below("not_at_edge", exact(std::abs(20 - added)), 0.5)};
+}
+
+Criterion small_instability(const Estimate& excess) {
+  return {below("largest", excess, 1e-3)};
+}
+
+Criterion bond_alone_stable(const Estimate& site, const Estimate& bond) {
+  return {above("site", site, 0), below("bond", bond, 0)};
+}
+
+// One value of kappa: the orbit, followed from the last one, and its pinning pair
+double quick_kappa(Centre centre, const Spot& spot, Orbit<double>& orbit,
+                   const NewtonRule<double>& how) {
+  const auto problem = problem_at(centre, spot);
+  orbit = follow(problem, orbit, how);
+  return floquet_pairs(problem.chain, orbit.start, orbit.period(), how.events).pinning();
+}
+
+// Regula falsi for the sign change of kappa, each orbit followed from the one before
+Exchange exchange_between(Centre centre, const Cut& cut, Trial_kappa low, Trial_kappa high,
+                          Orbit<double> orbit, double close, const NewtonRule<double>& how) {
+  Trial_kappa last = low;
+  double slope = (high.kappa - low.kappa) / (high.p - low.p), step = high.p - low.p;
+  for (int k = 0, stays = 0; k < 30 && step > close; ++k) {
+    const double p = low.p - low.kappa * (high.p - low.p) / (high.kappa - low.kappa);
+    const Trial_kappa now{p, quick_kappa(centre, cut.at(p), orbit, how)};
+    // Two trials give a slope only if they are far enough apart to rise above rounding
+    if (std::abs(now.p - last.p) > 1e-4) slope = (now.kappa - last.kappa) / (now.p - last.p);
+    const int side = (now.kappa > 0) == (high.kappa > 0) ? 1 : -1;
+    (side > 0 ? high : low) = last = now;
+    // An end that stays counts half the next time, so that the bracket closes from both sides
+    if (stays == side) (side > 0 ? low : high).kappa /= 2;
+    stays = side;
+    step = std::abs(now.kappa / slope);
+  }
+  return {{last.p - last.kappa / slope, step}, slope, orbit};
+}
+
+// A step in double precision, then one in the wider type, where rounding no longer matters
+template <class T>
+Exchange polish_zero(Centre centre, const Cut& cut, Exchange found) {
+  found.place.value -= quick_kappa(centre, cut.at(found.place.value), found.orbit) / found.slope;
+  const auto problem = problem_at(centre, cut.at(found.place.value));
+  found.orbit = follow(problem, found.orbit);
+  const Estimate kappa = spectrum<T>(problem, found.orbit).kappa();
+  const double step = kappa.value / found.slope;
+  found.place = {found.place.value - step,
+                 kappa.error / std::abs(found.slope) + std::abs(step) * 1e-2 + 1e-15};
+  return found;
+}
+
+// Opposite signs of kappa at the two ends: in between the breather changes its stability
+template <class T>
+Exchange exchange(Centre centre, const Cut& cut, double low, double high, Orbit<double> orbit) {
+  const Trial_kappa below{low, quick_kappa(centre, cut.at(low), orbit)};
+  const Trial_kappa above{high, quick_kappa(centre, cut.at(high), orbit)};
+  if (below.kappa * above.kappa >= 0)
+    throw NoBranch("no exchange of stability between the two values");
+  return polish_zero<T>(centre, cut, exchange_between(centre, cut, below, above, orbit, 1e-5));
+}
+
+#define LATTICE_INSTANCES(T)                                                    \
+  template Spectrum spectrum<T>(const Shooting<double>&, const Orbit<double>&); \
+  template Exchange polish_zero<T>(Centre, const Cut&, Exchange);               \
+  template Exchange exchange<T>(Centre, const Cut&, double, double, Orbit<double>);
+#include "lattice/model/instances.hpp"
+
+}  // namespace lattice

@@ -1,0 +1,131 @@
+#pragma once
+/**
+# Where two breathers exchange their stability
+
+Section 3.3 of the article reports that a breather changes its stability at certain values of the
+anharmonicity $s$. The pair of Floquet multipliers $\lambda$, $1/\lambda$ that decides this, the pinning
+pair, is described by $\kappa = (\lambda+1/\lambda-2)/4$ (floquet.hpp), which is positive if the breather
+is unstable and negative if it is stable. On a cut through the plane of $\omega_b$ and $s$ the sign changes
+at a point. This file finds it: by regula falsi in double precision, and a last step in a wider type. */
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "lattice/numbers/criterion.hpp"
+#include "lattice/numbers/estimate.hpp"
+#include "lattice/orbits/breather.hpp"
+#include "lattice/orbits/breather_pairs.hpp"
+#include "lattice/orbits/floquet.hpp"
+
+namespace lattice {
+
+/**
+A chain is long enough if the bead missing at its end would be pushed by less than rounding
+(`sites_needed`): up to $\omega_b = 2$ this means 21 sites, or 22 around a bond. `more` adds to them, as
+a check. */
+struct Spot {
+  double omega = 1.1, s = 0;
+};
+inline Shooting<double> problem_at(Centre centre, const Spot& spot, std::size_t more = 0) {
+  return breather_problem(centre, spot.omega, spot.s, (centre == Centre::site ? 21 : 22) + more);
+}
+
+/// The breather of a problem near that of another. The guess scales positions with the square of
+/// omega_b - 1, as in Eq. (20). Throws NewtonFailed.
+Orbit<double> follow(const Shooting<double>& problem, const Orbit<double>& from,
+                     const NewtonRule<double>& how = {});
+
+/**
+No zero of $\kappa$ without its error: each spectrum comes from two computations whose tolerances differ by
+a factor of 16, and the coarser one has to find the orbit again from a point beside it. */
+struct Spectrum {
+  std::vector<Pair> pairs;
+  Vector<double> mode;  ///< of the pinning pair, positions at t = 0
+  Estimate kappa() const { return {pairs.front().kappa.real(), pairs.front().error}; }
+};
+
+/// The pairs at the orbit of a problem, in type T, with their errors. Throws NewtonFailed.
+template <class T>
+Spectrum spectrum(const Shooting<double>& problem, const Orbit<double>& orbit);
+
+/**
+The article says that four multipliers lie near $+1$, the others on the unit circle, and that these
+accumulate at $e^{\pm2\pi i/\omega_b}$. The phase pair makes two of the four; a `Quadruplet` records how far
+from $+1$ the others come and how many multipliers sit at the point of accumulation. */
+struct Quadruplet {
+  double fourth = 0, fifth = 0;  ///< distance from +1 of the fourth and the fifth multiplier
+  bool others_stable = true;     ///< no pair but the first leaves the circle by more than its error
+  int at_edge = 0;               ///< multipliers at the accumulation, within 1e-9 in kappa
+};
+
+/// The quadruplet of a spectrum at the frequency `omega`.
+Quadruplet quadruplet(const Spectrum& all, double omega);
+
+/**
+A fifth multiplier near one fails the statement, and so does a pair off the circle or an accumulation
+elsewhere: ten more sites must add their twenty multipliers at the edge. Near one means within 0.01, and the
+fifth must be farther away than 0.1; these bounds are ours. An instability is small if the multiplier
+exceeds one by less than $10^{-3}$, and two breathers are told apart by the signs of their $\kappa$. */
+/// From a chain and one that is ten sites longer.
+Criterion four_near_one(const Quadruplet& chain, const Quadruplet& longer);
+
+/// From the largest excess of a multiplier over one.
+Criterion small_instability(const Estimate& excess);
+
+/// From the kappa of both breathers: the one around a site unstable, that around a bond stable.
+Criterion bond_alone_stable(const Estimate& site, const Estimate& bond);
+
+/**
+## A zero of $\kappa$
+
+A cut runs along $s$ at fixed $\omega_b$, or along $\omega_b$ at fixed $s$. */
+struct Cut {
+  bool along_s = true;
+  double fixed = 1.1;
+  Spot at(double p) const { return along_s ? Spot{fixed, p} : Spot{p, fixed}; }
+};
+
+/// A zero of kappa on a cut, the slope of kappa there, and the breather.
+struct Exchange {
+  Estimate place{};
+  double slope = 0;
+  Orbit<double> orbit{};
+};
+
+/// kappa in double precision and without an error; `orbit` is replaced by the one at `spot`.
+double quick_kappa(Centre centre, const Spot& spot, Orbit<double>& orbit,
+                   const NewtonRule<double>& how = {});
+
+/**
+The search needs $\kappa$ at both ends of a bracket and an orbit nearby, which Newton's method follows from
+one trial to the next. An end of the bracket that stays has its value halved, so that it cannot stay for
+ever. The slope is that between the last two trials that are at least $10^{-4}$ apart; closer ones would
+show rounding. */
+struct Trial_kappa {
+  double p, kappa;
+};
+
+/// The zero between two ends where kappa has opposite signs. The search ends when a step is shorter than
+/// `close`; the error is the last step.
+Exchange exchange_between(Centre centre, const Cut& cut, Trial_kappa low, Trial_kappa high,
+                          Orbit<double> orbit, double close, const NewtonRule<double>& how = {});
+
+/**
+The last step is made with the wider type, from a point that double precision has brought as close as its
+rounding allows. The error of the zero is that of $\kappa$ over the slope, plus a hundredth of the step,
+because the slope is known no better than that. */
+template <class T>
+Exchange polish_zero(Centre centre, const Cut& cut, Exchange found);
+
+/// The exchange of stability between `low` and `high` on a cut, from an orbit nearby. Throws NoBranch if
+/// kappa has the same sign at both ends, NewtonFailed if an orbit is not found.
+template <class T>
+Exchange exchange(Centre centre, const Cut& cut, double low, double high, Orbit<double> orbit);
+
+}  // namespace lattice

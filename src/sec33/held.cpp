@@ -1,0 +1,89 @@
+#include "sec33/held.hpp"
+
+namespace lattice {
+
+/**
+The sizes of positions and their equations are those of the inner problem; the parameter and the centre are
+of order one. */
+template <class T>
+Sizes<T> Held<T>::sizes(const Vector<T>& x, bool graded) const {
+  const Sizes<T> inner = problem.sizes(x.head(x.size() - 1), graded);
+  Sizes<T> out{Vector<T>::Ones(x.size()), Vector<T>::Ones(x.size())};
+  out.unknown.head(x.size() - 1) = inner.unknown;
+  out.equation.head(x.size() - 1) = inner.equation;
+  return out;
+}
+
+/**
+A shot gives the velocities at $T_b/2$ and, as the last equation, the centre. The derivative of the latter
+needs the positions at $T_b/2$ as well; these are in the same columns of the tangent. */
+template <class T>
+Shot<T> Held<T>::shoot(const Vector<T>& x, const EventTolerance<T>& rule,
+                       bool with_jacobian) const {
+  const std::size_t n = sites();
+  const auto last = Eigen::Index(n);
+  Tangent<T> tangent(n, with_jacobian ? n : 0);
+  Shot<T> shot;
+  const State<T> end = fly(x, rule, shot.flow, with_jacobian ? &tangent : nullptr);
+  T weight(0), moment(0);
+  for (std::size_t i = 0; i < n; ++i) {
+    const T w = x[Eigen::Index(i)] * x[Eigen::Index(i)] + end.y[i] * end.y[i];
+    weight += w;
+    moment += w * place(i);
+  }
+  shot.miss.resize(last + 1);
+  for (std::size_t i = 0; i < n; ++i) shot.miss[Eigen::Index(i)] = end.v[i];
+  shot.miss[last] = moment / weight - centre;
+  if (with_jacobian) differentiate(x, rule, end, tangent, weight, shot);
+  return shot;
+}
+
+/**
+The flow's derivative with respect to a parameter is not computed, and we take a central difference
+instead. Its step is small, because almost nothing in these equations fixes $p$: along the direction in
+which the breather can be shifted their derivative is as small as the barrier (breather.hpp). */
+template <class T>
+void Held<T>::differentiate(const Vector<T>& x, const EventTolerance<T>& rule, const State<T>& end,
+                            const Tangent<T>& tangent, const T& weight, Shot<T>& shot) const {
+  const std::size_t n = sites();
+  const auto last = Eigen::Index(n);
+  Vector<T> more = x, less = x;
+  more[last] += T(change);
+  less[last] -= T(change);
+  FlowReport<T> unused;
+  const State<T> up = fly(more, rule, unused, nullptr), down = fly(less, rule, unused, nullptr);
+  shot.jacobian = Matrix<T>::Zero(last + 1, last + 1);
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto row = Eigen::Index(i);
+    const T lever = T(2) * (place(i) - centre - shot.miss[last]) / weight;
+    for (std::size_t k = 0; k < n; ++k) {
+      shot.jacobian(row, Eigen::Index(k)) = tangent(n + i, k);
+      shot.jacobian(last, Eigen::Index(k)) += lever * end.y[i] * tangent(i, k);
+    }
+    shot.jacobian(last, row) += lever * x[row];
+    shot.jacobian(row, last) = (up.v[i] - down.v[i]) / (T(2) * T(change));
+    shot.jacobian(last, last) += lever * end.y[i] * (up.y[i] - down.y[i]) / (T(2) * T(change));
+  }
+}
+
+template <class T>
+Vector<T> moved_to_centre(const Held<T>& held, Vector<T> x, const EventTolerance<T>& landing) {
+  const Eigen::Index n = x.size() - 1;
+  for (int k = 0; k < 4; ++k) {
+    const Shot<T> shot = held.shoot(x, landing);
+    Matrix<T> matrix = shot.jacobian;
+    for (Eigen::Index i = 0; i < n; ++i)
+      matrix(i, n) = i > 0 && i + 1 < n ? x[i + 1] - x[i - 1] : T(0);
+    matrix(n, n) = T(0);
+    const Vector<T> step = solve_scaled<T>(matrix, shot.miss, held.sizes(x, true), 0);
+    x.head(n) -= step.head(n);
+  }
+  return x;
+}
+
+#define LATTICE_INSTANCES(T) \
+  template struct Held<T>;   \
+  template Vector<T> moved_to_centre<T>(const Held<T>&, Vector<T>, const EventTolerance<T>&);
+#include "lattice/model/instances.hpp"
+
+}  // namespace lattice

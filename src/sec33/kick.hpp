@@ -1,0 +1,118 @@
+#pragma once
+/**
+# Kicking a breather
+
+Section 3.3 sets a static breather in motion by a kick: at an instant at which all beads are at rest they
+are given velocities in the direction of the breather's discrete gradient,
+$$\dot y_n(0) = c\,g_n,\qquad g_n = \frac{y_{n+1}(0)-y_{n-1}(0)}{\bigl(\sum_m|y_{m+1}(0)-y_{m-1}(0)|^2\bigr)^{1/2}}.$$
+The norm of $g$ is one, so that the kick adds the kinetic energy $c^2/2$. (The article prints the formula
+without the square root; with that one neither the energy $c^2/2$ nor the speeds that it quotes come out.)
+This file kicks the breather and follows it as it creeps along; depinning.hpp tells whether it gets
+free. */
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "lattice/packets/observe.hpp"
+#include "lattice/stepping/integrate.hpp"
+
+namespace lattice {
+
+/// The direction of a kick: y_(n+1) - y_(n-1), with beads at rest beyond both ends, over its norm.
+/// Throws std::invalid_argument for a profile without a gradient.
+std::vector<double> kick_direction(const std::vector<double>& y);
+
+/// The state after a kick of size `c` (a velocity; the kinetic energy grows by c^2/2 if it was zero).
+State<double> kicked(State<double> state, double c);
+
+/**
+## Following a breather that creeps
+
+The centre $X$ of Eq. (24) swings with every oscillation, because Eq. (23) assigns the energy of a contact
+to the bead on its left. What creeps is its mean. We take 89 samples at intervals of $T_b(\sqrt5-1)/10$,
+together eleven periods: since this is $T_b/5$ times the golden ratio 0.618, and 89 a Fibonacci number,
+they are spread evenly over the phases of the oscillation. It also keeps the steps from falling on the
+same phases in every period, where their errors would add up instead of cancelling. */
+inline constexpr std::size_t samples_of_a_mean = 89;
+
+/// Time between two samples of a breather with this period.
+double creep_sample(double period);
+
+/// Sites from the middle of the chain to the energy centre, Eq. (24), about the largest density.
+double breather_place(const std::vector<double>& e);
+
+/// The path of a creeping breather: the means of X, in sites from the middle of the chain, at the middles
+/// of their intervals, and the report of the run.
+struct Creep {
+  std::vector<double> t{}, X{};
+  double share = 1;  ///< the least share of the energy near the largest density
+  State<double> end{};
+  Run run{};
+
+  /// Sites moved from the first mean to mean `k`, and to the last.
+  double moved(std::size_t k) const { return X[k] - X[0]; }
+  double travelled() const { return X.empty() ? 0 : moved(X.size() - 1); }
+  double farthest() const;
+  Estimate speed(double from, double to) const;
+  double mean_speed(double distance, std::size_t start = 0) const;
+  double drift_margin(double c, double energy) const;
+};
+
+/**
+The samples of eleven periods are added up to one mean of $X$. */
+struct MeanPlace {
+  Creep path{};
+  double sample, sum = 0;
+  std::size_t samples = 0;
+
+  /// Whether `now` completes a mean.
+  bool add(const State<double>& now, const std::vector<double>& e) {
+    sum += breather_place(e);
+    if (++samples % samples_of_a_mean != 0) return false;
+    const std::size_t peak = std::size_t(std::max_element(e.begin(), e.end()) - e.begin());
+    path.share = std::min(path.share, window_sum(e, peak) / window_sum(e, 0, e.size()));
+    path.t.push_back(now.t - sample * 0.5 * double(samples_of_a_mean - 1));
+    path.X.push_back(sum / double(samples_of_a_mean));
+    sum = 0;
+    return true;
+  }
+};
+
+/**
+`creep` follows a kicked breather for about `duration`, a whole number of means. `watch(creep, state,
+density)` sees every mean and may end the run by returning false. Samples are `sample` apart, usually
+`creep_sample`. */
+template <class Stepper, class Watch>
+Creep creep(const Stepper& stepper, const Chain& chain, const State<double>& start, double sample,
+            double duration, Watch watch) {
+  const std::size_t means = std::size_t(duration / (sample * double(samples_of_a_mean)) + 0.5);
+  TimeGrid grid{sample * double(samples_of_a_mean * means), samples_of_a_mean * means};
+  grid.steps =
+      std::max<std::size_t>(1, std::size_t(std::ceil(sample / stepper.step * (1 - 1e-12))));
+  MeanPlace mean{.sample = sample};
+  State<double> end = start;
+  const Run run = evolve(stepper, chain, end, grid, [&](const State<double>& now) {
+    if (now.t == start.t) return true;
+    const std::vector<double> e = energy_density(chain, now);
+    return !mean.add(now, e) || watch(std::as_const(mean.path), now, e);
+  });
+  mean.path.run = run;
+  mean.path.end = std::move(end);
+  return std::move(mean.path);
+}
+
+/**
+Most runs are followed to their end. */
+template <class Stepper>
+Creep creep(const Stepper& stepper, const Chain& chain, const State<double>& start, double sample,
+            double duration) {
+  return creep(stepper, chain, start, sample, duration,
+               [](const Creep&, const State<double>&, const auto&) { return true; });
+}
+
+}  // namespace lattice

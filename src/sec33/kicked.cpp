@@ -1,0 +1,83 @@
+#include "sec33/kicked.hpp"
+
+namespace lattice {
+
+// Newton's method finds the breather in harmonic wells, on a chain that holds its tail
+RestingBreather resting_breather(Centre centre, Phase phase, double omega, std::size_t sites) {
+  const bool site = centre == Centre::site;
+  const Fitted found =
+      fit_chain(centre, omega, 0, site ? sites | 1 : sites, site ? 23 : 22, 1e-16, phase);
+  return {centre, Chain{found.problem.chain.sites}, found.orbit.start, found.problem.period(),
+          found.orbit.energy};
+}
+
+// Find the pinning mode from two tolerances of the tangent map, whose difference is its error
+Prediction predict_threshold(const RestingBreather& at, const Estimate& barrier) {
+  std::array<Pinning, 2> found;
+  for (std::size_t i = 0; i < 2; ++i) {
+    EventTolerance<double> rule;
+    if (i == 0) rule.tolerance *= 16;
+    found[i] = pinning_of(at.chain, at.centre, at.rest, at.period, rule);
+  }
+  // The threshold goes as the root of the barrier, so the barrier's relative error counts half
+  const auto pair = [&](auto of) { return compare(of(found[0]), of(found[1])); };
+  Prediction out;
+  out.share = pair([](const Pinning& p) { return p.share; });
+  out.barrier = barrier;
+  if (!(found[1].frequency2 > 0)) return out;
+  out.frequency = pair([](const Pinning& p) { return std::sqrt(p.frequency2); });
+  out.threshold = pair([&](const Pinning& p) { return freeing_kick(barrier.value, p); });
+  out.threshold.error += 0.5 * out.threshold.value * std::abs(barrier.error / barrier.value);
+  return out;
+}
+
+// Free the breather with three kicks and see how fast it passes the top of the barrier
+FreeingKick freeing_kick_of(const RestingBreather& at, const Prediction& guess,
+                            const ContactAware& stepper) {
+  const double limit = 10 / guess.frequency.value, least = guess.threshold.value;
+  const std::array<double, 3> c{1.05 * least, 1.2 * least, 1.4 * least};
+  std::array<double, 3> v{};
+  FreeingKick out;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Creep path = decided_path(at, c[i], stepper, limit);
+    if (mobility_of(path) != Mobility::free)
+      throw std::runtime_error("a kick above the prediction leaves the breather pinned");
+    v[i] = hill_speed(path);
+    out.margin = std::min(out.margin, path.drift_margin(c[i], at.energy));
+  }
+  // The speed at the top vanishes at the threshold: extrapolate to it from far and from near
+  out.value =
+      compare(threshold_from(c[0], v[0], c[2], v[2]), threshold_from(c[0], v[0], c[1], v[1]));
+  return out;
+}
+
+// All breathers at once, with both schemes; their difference is the error of the integration
+std::vector<FreeingKick> freeing_kicks(const std::vector<RestingBreather>& at,
+                                       const std::vector<Prediction>& guess,
+                                       const ContactAware& coarse, const ContactAware& fine) {
+  const std::size_t n = at.size();
+  std::vector<FreeingKick> found(2 * n);
+  parallel_for("thresholds", 2 * n, [&](std::size_t i) {
+    found[i] = freeing_kick_of(at[i % n], guess[i % n], i < n ? fine : coarse);
+  });
+  for (std::size_t i = 0; i < n; ++i) found[i].value = compare(found[n + i].value, found[i].value);
+  found.resize(n);
+  return found;
+}
+
+// Bracket the threshold: a little less leaves the breather pinned, a little more sets it free
+void confirm(const RestingBreather& at, const Prediction& guess, const ContactAware& stepper,
+             FreeingKick& found) {
+  std::array<double, 2> margins{};
+  parallel_for("bracket", 2, [&](std::size_t i) {
+    const double c = (i ? 1.01 : 0.99) * found.value.value;
+    const Creep path = decided_path(at, c, stepper, 10 / guess.frequency.value);
+    if (mobility_of(path) != (i ? Mobility::free : Mobility::pinned))
+      throw std::runtime_error("the threshold is not within one per cent of " +
+                               std::to_string(1e6 * found.value.value) + "e-6");
+    margins[i] = path.drift_margin(c, at.energy);
+  });
+  found.margin = std::min({found.margin, margins[0], margins[1]});
+}
+
+}  // namespace lattice

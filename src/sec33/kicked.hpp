@@ -1,0 +1,120 @@
+#pragma once
+/**
+# The kick that frees a breather
+
+Section 3.3 kicks a breather along its pinning mode: each velocity is changed by $c\,g_n$, where $g_n$ is
+the normalised discrete gradient (kick.hpp). A stable breather is set in motion only if $c$ exceeds some
+$c_c$. This file predicts $c_c$ from one period of the tangent map and the barrier at equal area
+(depinning.hpp), and then finds it in runs of the whole chain. */
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "lattice/numbers/estimate.hpp"
+#include "lattice/numbers/parallel.hpp"
+#include "lattice/orbits/breather.hpp"
+#include "lattice/stepping/contact_rkn.hpp"
+#include "sec33/depinning.hpp"
+
+namespace lattice {
+
+/**
+To begin with we need a breather at rest on a chain that holds it, in harmonic wells as in the article. */
+struct RestingBreather {
+  Centre centre = Centre::bond;
+  Chain chain{};
+  State<double> rest{};
+  double period = 0, energy = 0;
+
+  /// The path after a kick of size `c`, until `watch` stops it or `time` is over.
+  template <class Stepper, class Watch>
+  Creep after(double c, const Stepper& stepper, double time, Watch watch) const {
+    return creep(stepper, chain, kicked(rest, c), creep_sample(period), time, watch);
+  }
+  /// The same to the end of `time`.
+  template <class Stepper>
+  Creep after(double c, const Stepper& stepper, double time) const {
+    return creep(stepper, chain, kicked(rest, c), creep_sample(period), time);
+  }
+};
+
+/**
+The chain has the given number of sites, or one more if a site-centred breather needs a middle, and must
+hold the tail of the breather down to rounding, $10^{-16}$. */
+/// Throws ShortChain if the breather needs a longer chain, NewtonFailed if it is not found.
+RestingBreather resting_breather(Centre centre, Phase phase, double omega, std::size_t sites);
+
+/**
+## Prediction
+
+A pinned breather oscillates about its centre, with the frequency of its pinning mode, and the kick that
+carries it over the barrier follows from the two (depinning.hpp). The error comes from two tolerances of
+the tangent map and from the barrier. If the breather is unstable any kick moves it, and there is neither
+a frequency nor a threshold. */
+struct Prediction {
+  Estimate threshold{}, share{}, frequency{}, barrier{};
+  bool exists() const { return frequency.value > 0; }
+};
+
+/// From the barrier at equal area, E_site - E_bond; without a frequency if the breather is unstable.
+Prediction predict_threshold(const RestingBreather& at, const Estimate& barrier);
+
+/**
+## Runs
+
+A run ends as soon as its fate is decided: the breather is well past the top of the barrier, or it has
+turned round. Exactly at the threshold this would take for ever. With $\Omega$ the frequency of the
+pinning mode we allow ten times $1/\Omega$, in which all kicks are decided but those within $10^{-7}$ of
+the threshold. */
+/// The path after a kick up to its decision; throws std::runtime_error if there is none within `limit`.
+template <class Stepper>
+Creep decided_path(const RestingBreather& at, double c, const Stepper& stepper, double limit) {
+  Creep path =
+      at.after(c, stepper, limit, [](const Creep& so_far, const State<double>&, const auto&) {
+        return mobility_of(so_far) == Mobility::undecided;
+      });
+  if (mobility_of(path) == Mobility::undecided)
+    throw std::runtime_error("a kick of " + std::to_string(1e6 * c) +
+                             "e-6 neither frees the breather nor leaves it pinned");
+  return path;
+}
+
+/**
+The threshold is extrapolated from runs above it. Three kicks, 5, 20 and 40 per cent above the prediction,
+free the breather. The speeds with which the two weaker ones pass the top of the barrier lead to the
+threshold; with the third instead of the second the extrapolation goes from twice as far, and the
+difference is its error. With the threshold we keep the least margin of the runs: $c^2/2$, the energy of
+the kick, over the energy that the integration lost. */
+struct FreeingKick {
+  Estimate value{};
+  double margin = std::numeric_limits<double>::infinity();
+};
+
+/// The threshold near `guess`, with the error of the extrapolation. Throws std::runtime_error if one of
+/// the kicks does not free the breather.
+FreeingKick freeing_kick_of(const RestingBreather& at, const Prediction& guess,
+                            const ContactAware& stepper);
+
+/**
+The rest of the error is that of the integration, and comes from two schemes. Those of the finer one take
+longest and come first. */
+/// One threshold for each breather and its prediction, with the margin of the finer scheme.
+std::vector<FreeingKick> freeing_kicks(const std::vector<RestingBreather>& at,
+                                       const std::vector<Prediction>& guess,
+                                       const ContactAware& coarse, const ContactAware& fine);
+
+/**
+An extrapolation is no proof, so finally the threshold is bracketed directly: one per cent below it the
+breather must turn round, one per cent above it must get over. */
+/// Lowers the margin of `found` to that of these runs if they have less; throws std::runtime_error if one
+/// of them ends otherwise.
+void confirm(const RestingBreather& at, const Prediction& guess, const ContactAware& stepper,
+             FreeingKick& found);
+
+}  // namespace lattice

@@ -1,0 +1,76 @@
+#include "sec34/criteria.hpp"
+
+namespace lattice {
+
+// Does the packet keep its energy? The means over both halves of the way average out its pulsation
+double energy_change(const Track& track, double to) {
+  const std::size_t end = track.until(to);
+  std::size_t begin = 0;
+  while (begin < end && track.centre[begin] < fit_from) ++begin;
+  if (end < begin + 6) throw std::runtime_error("no packet passes site 20");
+  const std::size_t half = (begin + end) / 2;
+  const auto mean = [&](std::size_t from, std::size_t until) {
+    double sum = 0;
+    for (std::size_t i = from; i < until; ++i) sum += track.energy[i];
+    return sum / double(until - from);
+  };
+  const double first = mean(begin, half), second = mean(half, end);
+  return second / first - 1;
+}
+
+// The strongest window behind the packet, at least one width clear of it
+double residue(const std::vector<double>& e, std::size_t peak) {
+  const std::size_t m = packet_half_width;
+  double most = 0;
+  for (std::size_t n = m; n + 4 * m < peak; ++n) most = std::max(most, window_sum(e, n));
+  return most / window_sum(e, peak);
+}
+
+// The three conditions on a packet that lasts
+Criterion travelling_breather(const Journey& journey) {
+  const Estimate &speed = journey.speed_change, &energy = journey.energy_change;
+  return {below("speed_change", {std::abs(speed.value), speed.error}, 0.05),
+          below("energy_change", {std::abs(energy.value), energy.error}, 0.1),
+          below("residue", journey.residue, 1)};
+}
+
+// How compact a packet is, judged on its undisturbed side by the last site in and the first one out
+Criterion supported_by(std::size_t sites, const Front& coarse, const Front& fine) {
+  const auto amplitude = [&](std::size_t k) {
+    return compare(coarse.amplitude(k), fine.amplitude(k));
+  };
+  return {above("outermost", amplitude(sites / 2), 0.01),
+          below("next", amplitude(sites / 2 + 1), 0.01)};
+}
+
+// Curves that coincide in a limit, and energy that stays where it was put in
+Criterion meet(const Meeting& m) {
+  return {below("near", m.near, 0.01), below("near_over_far", quotient(m.near, m.far), 0.5)};
+}
+
+Criterion trapped(const Estimate& boundary, const Estimate& packet) {
+  return {above("boundary_over_packet", quotient(boundary, packet), 1)};
+}
+
+// The lower of two peaks, at the end and around the packet, over the highest wave in between
+double prominence(const std::vector<double>& v, std::size_t peak, std::size_t near) {
+  const auto height = [&](std::size_t from, std::size_t to) {
+    double most = 0;
+    for (std::size_t n = from; n < std::min(to, v.size()); ++n)
+      most = std::max(most, std::abs(v[n]));
+    return most;
+  };
+  const std::size_t m = packet_half_width, behind = peak > m ? peak - m : 0;
+  const double between = height(near + m, behind), packet = height(behind, peak + m + 1);
+  return std::min(height(0, near), packet) / between;
+}
+
+// Breathers and kinks both occur, in this order of velocities, and leave no gap for a third regime
+Criterion transition(const Transition& t) {
+  return {above("breathers", exact(double(t.breathers)), 0),
+          above("kinks", exact(double(t.kinks)), 0),
+          above("order", exact(t.first_kink - t.last_breather), 0),
+          below("undecided", exact(t.undecided), 0.05)};
+}
+
+}  // namespace lattice

@@ -1,0 +1,12 @@
+#include "sec34/decorrelation.hpp"
+
+namespace lattice {
+
+Estimate decorrelation_of(double coarse, double fine) {
+  if (!std::isfinite(coarse) || !std::isfinite(fine)) return {std::nan(""), std::nan("")};
+  Estimate when = compare(coarse, fine);
+  when.error += look_every;
+  return when;
+}
+
+}  // namespace lattice

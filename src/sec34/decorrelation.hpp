@@ -1,0 +1,56 @@
+#pragma once
+/**
+# How long two runs stay together
+
+The motion of a chain whose contacts open and close is in general chaotic: two runs that differ by a
+rounding, by the step or by the last digit of the initial state will part sooner or later. Until then a
+trajectory is a fact about the chain; afterwards it is one possibility among many, and only statements
+about ensembles make sense. We say that two states have parted when they differ by a tenth of the largest
+displacement or velocity. */
+
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <vector>
+
+#include "lattice/numbers/estimate.hpp"
+#include "lattice/stepping/accuracy.hpp"
+
+namespace lattice {
+
+inline constexpr double parted = 0.1;    ///< relative difference of the states
+inline constexpr double look_every = 2;  ///< units of time between two comparisons
+
+/**
+The two runs go on side by side from look to look, so that no more is kept than the two states. */
+/// The time at which the states `a`, advanced by the stepper `first`, and `b`, advanced by `second`, are
+/// first seen to have parted; infinite if they have not by `time`. Both belong to `chain`. After each
+/// look `watch(t)` is called.
+template <class First, class Second>
+double decorrelation_time(
+    const First& first, State<double> a, const Second& second, State<double> b, const Chain& chain,
+    double time, const std::function<void(double)>& watch = [](double) {}) {
+  const TimeGrid one = time_grid_for(first, time, look_every),
+                 other = time_grid_for(second, time, look_every);
+  Window of_a = waking(chain, a), of_b = waking(chain, b);
+  auto advance_a = advance_of(first, chain);
+  auto advance_b = advance_of(second, chain);
+  const double start = a.t;
+  for (std::size_t k = 0;; ++k) {
+    a.t = b.t = start + one.interval() * double(k);
+    if (!bounded(a) || !bounded(b) || distance(a, b) > parted) return a.t;
+    watch(a.t);
+    if (k == one.samples) return std::numeric_limits<double>::infinity();
+    advance_a(a, of_a, one.step(), one.steps);
+    advance_b(b, of_b, other.step(), other.steps);
+  }
+}
+
+/**
+This time is a number like any other: it depends on the steps of the two runs, and has an error. */
+/// The time of parting, from two pairs of runs with different steps. A parting is noticed up to
+/// `look_every` late, which is added to the error; `nan` if there was none.
+Estimate decorrelation_of(double coarse, double fine);
+
+}  // namespace lattice

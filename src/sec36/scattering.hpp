@@ -1,0 +1,156 @@
+#pragma once
+/**
+# Scattering at a defect
+
+In section 3.6 one cantilever of an array, the defect, has larger beads. A packet runs into it, and after a
+while its energy is divided among three parts of the array: the sites before the defect, the nine around
+it, and those behind. All shares refer to the energy of the impact, so that their sum differs from one by
+the drift of the run.
+
+Much of the energy never comes near the defect, because it stays behind in the wave train near the struck
+end. If a share $1-r_0$ passes the same place in an array without a defect, then the defect divides that
+share as
+$$\frac{r-r_0}{1-r_0} + \frac{d}{1-r_0} + \frac{t}{1-r_0} = 1,$$
+with $r$, $d$, $t$ the shares of the three parts. These are the *net* reflected, remaining and transmitted
+energies. */
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <numeric>
+#include <vector>
+
+#include "lattice/numbers/criterion.hpp"
+#include "lattice/numbers/estimate.hpp"
+#include "lattice/packets/array_impact.hpp"
+
+namespace lattice {
+
+/// Shares of the impact's energy before, near and behind the defect.
+struct Ledger {
+  double reflected = 0, near = 0, transmitted = 0;
+
+  double sum() const { return reflected + near + transmitted; }
+  /// What becomes of the energy that passes the defect's place in the run `without` it.
+  Ledger net(const Ledger& without) const {
+    const double arriving = 1 - without.reflected;
+    return {(reflected - without.reflected) / arriving, near / arriving, transmitted / arriving};
+  }
+};
+
+/// Shares of the impact's energy: sites 1 to 95, 96 to 104, and from 105 on if the defect is at 100.
+Ledger ledger_of(const ArrayImpact& impact, const std::vector<double>& density);
+
+/**
+Until the front of the packet arrives the defect is exactly at rest, so all runs that differ in the defect
+alone share the way there. `approach` makes it: it ends when the fifth site before the defect has begun to
+move, and checks that the one next to the defect has not. Throws NoPacket if this is not so within
+`patience`, in ms. */
+State<double> approach(const ArrayImpact& impact, double step, double patience = 200);
+
+/// The ledger 10 ms before the end and at the end. `scatter` goes on from `approach` to `end` (ms).
+struct Scattering {
+  Ledger earlier, later;
+};
+
+Scattering scatter(const ArrayImpact& impact, double ratio, State<double> state, double step,
+                   double end);
+
+/**
+Every point of a map over the size of the defect is computed with two steps. The common way and the run
+without a defect are computed only once for each step. */
+struct Workshop {
+  ArrayImpact impact;
+  std::array<double, 2> steps;  ///< in units of tau_c, the larger one first
+  double end;                   ///< ms
+  std::array<State<double>, 2> start{};
+  std::array<Ledger, 2> without{};
+
+  Workshop(const ArrayImpact& how, const std::array<double, 2>& both_steps, double end_time)
+      : impact(how), steps(both_steps), end(end_time) {
+    for (std::size_t k : {0, 1}) {
+      start[k] = approach(impact, steps[k]);
+      without[k] = scatter(impact, 1, start[k], steps[k], end).later;
+    }
+  }
+};
+
+/**
+The result for one defect are the shares with their errors; `near_earlier` belongs to ten milliseconds
+before the end. */
+struct Fractions {
+  Estimate reflected, near, transmitted, near_earlier;
+  Estimate net_reflected, net_near, net_transmitted;
+  Estimate ledger;  ///< sum of the shares less one, and the same at the larger step
+
+  struct Named {
+    const char *name, *unit;
+    Estimate share;
+    const char* judged = "";  ///< against what its error is to be judged, if not itself
+  };
+  /// All but the ledger, as tables call them.
+  std::vector<Named> named() const {
+    const char *all = "share of the energy", *arriving = "share of what arrives";
+    return {{"reflected", all, reflected},
+            {"near", all, near},
+            {"transmitted", all, transmitted},
+            {"near_earlier", all, near_earlier},
+            {"net_reflected", arriving, net_reflected,
+             ", against the neighbouring rows: it is zero by definition without a defect"},
+            {"net_near", arriving, net_near},
+            {"net_transmitted", arriving, net_transmitted}};
+  }
+};
+
+/**
+The run with the smaller step gives the values, its difference from the other one the errors. */
+Fractions fractions(const Workshop& at, double ratio);
+
+/**
+A reflection is almost total if more than 95 per cent of what arrives is reflected, and partial if between a
+tenth and nine tenths of it is transmitted; the bounds are ours. */
+/// From the net reflected energy.
+Criterion almost_total(const Estimate& reflected);
+/// From the net transmitted energy.
+Criterion partial(const Estimate& transmitted);
+
+/**
+## What stays
+
+The article finds that a small part of the energy remains loosely trapped near the defect. To see what it
+is we record the energy around the defect as a function of time, the mean distribution of the energy, and
+the frequency of the defect, from the upward passages of its velocity through zero. */
+struct Stay {
+  std::vector<double> t, near;  ///< ms, share of the energy on sites 96 to 104
+  std::vector<double> density;  ///< mean share at each site from 65 to 100 ms
+  double frequency = 0;         ///< of the defect in the same time, 1 / tau_c
+
+  double at(double time) const {
+    return near.at(std::size_t(std::lower_bound(t.begin(), t.end(), time - 1e-9) - t.begin()));
+  }
+  /// What is left at 100 ms of the energy at 75 ms.
+  double kept() const { return at(100) / at(75); }
+};
+
+/// Angular frequency of a bead: its whole turns between the first and the last upward passage of its
+/// velocity through zero, over their time.
+double frequency_of(const Watched& bead);
+
+/**
+The run is watched from 50 to 100 ms. Energies at a given time can be compared between two steps only if
+both runs are sampled at the same instants, because a passing packet changes them by several per cent
+from one sample to the next. The frequency is read from samples two steps apart, so that its error covers
+their distance as well. */
+Stay stay(const ArrayImpact& impact, double ratio, State<double> state, const Resolution& r);
+
+/**
+We call energy trapped if at least 95 per cent of it stays from 75 to 100 ms, if there is more of it than
+in the wake that a packet leaves in an array without a defect, and if it is densest at the defect or next
+to it. */
+/// From runs with two steps, the finer one second; `defect` counts sites from zero.
+Criterion trapped_at(std::size_t defect, const std::array<Stay, 2>& stay,
+                     const std::array<Stay, 2>& without);
+
+}  // namespace lattice

@@ -1,0 +1,138 @@
+#pragma once
+/**
+# An impact on a compressed chain
+
+Section 4 strikes the first bead of a compressed chain. This sends out linear waves (phonons,
+dispersion.hpp) and perhaps a packet that holds together. This file makes the run and tells the two
+apart.
+
+Near the struck end contacts may open for a while, so the contact-aware method (contact_rkn.hpp) integrates
+until a settling time. After that the motion is smooth, and a splitting (schemes.hpp) has its full order
+six. Phonons travel at any speed up to the largest group velocity $\omega'(q_c)$, and ahead of them the
+motion falls off super-exponentially; so a chain somewhat longer than the way of the fastest phonon is as
+good as endless. */
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "lattice/numbers/criterion.hpp"
+#include "lattice/numbers/estimate.hpp"
+#include "lattice/packets/impact.hpp"
+#include "lattice/stepping/contact_rkn.hpp"
+#include "sec4/dispersion.hpp"
+#include "sec4/envelope.hpp"
+
+namespace lattice {
+
+/// An impact of `velocity` on a chain with wells of anharmonicity `s`, compressed by `d` (zero: not).
+struct CompressedImpact {
+  double s = 1, time = 724, velocity = 1.87, d = 0.5;
+  /// Fifteen per cent more than the way of the fastest phonon, and a hundred sites. Without compression
+  /// there are no phonons, and a packet moves at about 0.3 sites per unit of time.
+  std::size_t sites() const {
+    const double v1 = d > 0 ? contact_series(d).v1 : 0;
+    const double fastest = d > 0 ? phonon(inflection(v1), v1).group_velocity : 0.3;
+    return 100 + std::size_t(1.15 * fastest * time);
+  }
+  Chain chain() const { return {sites(), Quartic{s}, CompressedHertz{d}}; }
+};
+
+/**
+The packet is where most of the energy is (`richest` in envelope.hpp). How it fares is read from a few
+numbers at each instant: where it is, its share of the energy, the share of the first five sites, and the
+number of sites that share the energy. Packets under precompression are broader than those without it, so
+20 sites on either side belong to one; its envelope is fitted to ten. */
+inline constexpr std::size_t packet_reach = 20, envelope_reach = 10;
+
+/// Time, energy centre, shares of packet and boundary, and participation number at one instant.
+struct PacketSample {
+  double t, centre, share, boundary, participation;
+};
+
+PacketSample packet_sample(double t, const std::vector<double>& e);
+
+/**
+Is it a soliton of the NLS equation, whose envelope is a sech (Eq. (38))? At a few times we keep the whole
+state, with the amplitudes of the velocity and the sech that fits them around the packet's centre.
+
+We say that a sech explains the envelope if it deviates by less than a tenth of its height (root mean
+square over 21 sites), and if its top and its width lie within these sites; while a packet is still
+`forming`, top and width are enough. The front of a wave train has a crest too, and over 21 sites a broad
+enough sech fits anything smooth; so the share of the energy must decide first. */
+struct Snapshot {
+  State<double> state;
+  double centre;
+  Envelope envelope;
+  Sech sech;
+};
+
+/// From the snapshots of two runs: a sech explains the envelope.
+Criterion sech_like(const Snapshot& coarse, const Snapshot& fine, bool forming);
+
+/// The snapshot of `state`, its sech fitted around the packet.
+Snapshot snapshot(const Chain& chain, const State<double>& state);
+
+/**
+A run has a sample every unit of time and snapshots at the times asked for. It also records two things that
+tell whether it can be trusted: how far the energy drifts, and when a contact was last open, because the
+splitting of the later part relies on closed ones. */
+struct CompressedRun {
+  State<double> end;
+  std::vector<PacketSample> samples{};
+  std::vector<Snapshot> shown{};
+  double drift = 0;
+  double last_open = 0;  ///< time of the last sample with an open contact
+};
+
+/// Steps before and after the settling time.
+struct CompressedSteps {
+  double early = 0.1, late = 0.4;
+  CompressedSteps halved() const { return {early / 2, late / 2}; }
+};
+inline constexpr double settling_time = 40;
+
+/**
+The impact takes place at $t = 0$. With compression we change methods at the settling time; without it
+contacts never cease to open, and the contact-aware method integrates all the time. The wells of `chain` may
+be of any kind. */
+CompressedRun strike_compressed(const CompressedImpact& launch, const Chain& chain,
+                                const std::vector<double>& times, CompressedSteps steps);
+/// The same in quartic wells.
+CompressedRun strike_compressed(const CompressedImpact& launch, const std::vector<double>& times,
+                                CompressedSteps steps);
+
+/**
+What is a breather, and what a wave train? A breather keeps its energy: the share of the packet goes like
+$t^0$. The front of a linear wave train spreads like $t^{1/3}$, and its share falls like $t^{-1/3}$. We
+draw the line half-way, at the exponent $-1/6$, fitted over the last three quarters of a run. In the same
+way a surface mode keeps its share of the first five sites, while a train thins out there like $1/t$ or
+faster; the line is $-1/2$. A packet that comes back moves backwards for some time: `steadiness` is the
+least advance in any 100 units of time over the mean one, and below a half we say that it returns. */
+struct Traits {
+  double share, share_exponent, boundary, boundary_exponent, speed, steadiness;
+
+  /// One trait with its error from a coarser run.
+  Estimate with(const Traits& coarse, double Traits::*of) const {
+    return compare(coarse.*of, this->*of);
+  }
+};
+
+/// From the traits of two runs: a breather, which keeps its energy and does not return.
+Criterion lasting_breather(const Traits& coarse, const Traits& fine);
+
+/// A wave train, which keeps energy neither in a packet nor at the boundary.
+Criterion mere_train(const Traits& coarse, const Traits& fine);
+
+/// A packet that returns, and a surface mode: what runs without compression must show.
+Criterion returning_packet(const Traits& coarse, const Traits& fine);
+Criterion lasting_surface_mode(const Traits& coarse, const Traits& fine);
+
+/**
+All of these come from straight lines through the last three quarters of the samples. A run must last more
+than 140 units of time, because the advance is taken over a hundred. */
+Traits traits(const std::vector<PacketSample>& samples);
+
+}  // namespace lattice

@@ -1,0 +1,118 @@
+#pragma once
+/**
+# Travelling breathers of the DpS equation
+
+A travelling breather of the chain repeats itself one site further on after the shift time $T$
+(travelling.hpp). At small amplitude it becomes one of the DpS equation, Eq. (12):
+$A_n(\tau+\tau_T) = e^{i\varphi}A_{n-1}(\tau)$, in which the phase turns by $\varphi$ from site to site
+($\varphi = -T$ modulo $2\pi$). The equation has no scale of its own, so we may choose $\tau_T = 2\pi$; all
+other travelling breathers follow by $A \to aA$, $\tau \to a^{-1/2}\tau$.
+
+The sum $\sum_n A_n$ is conserved, hence $(e^{i\varphi}-1)\sum_nA_n = 0$: type I has $\varphi = 0$, type II
+a vanishing sum, as in the chain. With the symmetry $A_n(\tau) = -\bar A_{-n}(-\tau)$ and
+$w_n = e^{-i\varphi/2}A_n(\tau_T/2)$ the equations are
+$$\mathrm{Re}\,(w_n + w_{1-n}) = 0,\qquad \mathrm{Im}\,(w_n - w_{1-n}) = 0,\qquad n = 1,\dots,L+1.$$
+Those of the first kind add up to $V\sin(\varphi/2) = 0$, where $\sum_nA_n(0) = iV$. We leave out the one
+with $n = 1$ and obtain a family with a member for every $\varphi$. */
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "lattice/dps/impact.hpp"
+#include "lattice/orbits/newton.hpp"
+
+namespace lattice {
+
+/**
+This too is a problem for newton.hpp. The unknowns are the imaginary part of $A_0$ and then real and
+imaginary parts of $A_1,\dots,A_L$ at $\tau = 0$, with $L$ = `reach`. The flow is computed by GSL. The
+derivative is a central difference, whose error affects only how fast Newton's method converges. */
+struct DpsTravelling {
+  using Scalar = double;
+  std::size_t reach = 8;
+  double phase = 0;          ///< varphi
+  double tolerance = 1e-13;  ///< of the integrator
+  static constexpr double shift_time = 2 * std::numbers::pi;
+
+  std::string name() const { return "travelling orbit of the DpS equation"; }
+  Field unfold(const Vector<double>& x) const {
+    Field a(2 * reach + 2);
+    a[reach] = {0, x[0]};
+    for (std::size_t n = 1; n <= reach; ++n) {
+      const double re = x[2 * Eigen::Index(n) - 1], im = x[2 * Eigen::Index(n)];
+      a[reach + n] = {re, im};
+      a[reach - n] = {-re, im};
+    }
+    return a;
+  }
+  /**
+  The equations hold at half the shift time. All of them are computed, because the one that is left out
+  shows whether a member is exact. */
+  /// All equations, that of n = 1 first.
+  Vector<double> misses(const Vector<double>& x) const {
+    Field a = unfold(x);
+    evolve_dps(Dps{a.size()}, a, shift_time / 2, 1,
+               Tolerance(1e-4 * tolerance, tolerance, gsl_odeiv2_step_rk8pd),
+               [](double, const Field&) {});
+    Vector<double> miss(2 * Eigen::Index(reach) + 2);
+    for (std::size_t n = 1; n <= reach + 1; ++n) {
+      const auto w = std::polar(1.0, -phase / 2) * a[reach + n],
+                 u = std::polar(1.0, -phase / 2) * a[reach + 1 - n];
+      miss[2 * Eigen::Index(n) - 2] = w.real() + u.real();
+      miss[2 * Eigen::Index(n) - 1] = w.imag() - u.imag();
+    }
+    return miss;
+  }
+
+  /**
+  Newton's method sees all but the first. */
+  Shot<double> shoot(const Vector<double>& x, const EventTolerance<double>&,
+                     bool with_jacobian = true) const {
+    Shot<double> shot;
+    const Eigen::Index m = x.size();
+    shot.miss = misses(x).tail(m);
+    if (!with_jacobian) return shot;
+    shot.jacobian.resize(m, m);
+    const double h = 1e-6 * sup(x);
+    for (Eigen::Index k = 0; k < m; ++k) {
+      Vector<double> up = x, down = x;
+      up[k] += h, down[k] -= h;
+      shot.jacobian.col(k) = (misses(up) - misses(down)).tail(m) / (2 * h);
+    }
+    return shot;
+  }
+  /// Everything is measured by the largest unknown.
+  Sizes<double> sizes(const Vector<double>& x, bool) const {
+    return {Vector<double>::Constant(x.size(), sup(x)), Vector<double>::Constant(x.size(), sup(x))};
+  }
+};
+
+/**
+Of a member we keep what a program tabulates. */
+/// A member of the family: its field at tau = 0, V, norm and energy.
+struct DpsMember {
+  double phase;
+  Vector<double> x;
+  Field field;
+  double V, norm, energy, residual;
+};
+
+/// The member near the unknowns `guess`. Throws NewtonFailed.
+DpsMember dps_member(const DpsTravelling& problem, const Vector<double>& guess);
+
+/**
+For the first member we need a guess, and an impact provides it: it sends out a packet (section 3.4) whose
+phase soon hardly turns from site to site. We cut the packet out at the instant when its front and its back
+have the same moduli. A common phase makes the centre imaginary, and a factor gives the packet our shift
+time. The packet moves at about 0.36 sites per unit of $\tau$; the run lasts as if it were 0.34. */
+/// Unknowns cut from the packet of a struck chain once it has passed site `from`. Throws
+/// std::runtime_error if no packet passes.
+Vector<double> cut_dps_packet(double from, std::size_t reach);
+
+}  // namespace lattice
