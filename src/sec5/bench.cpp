@@ -95,21 +95,21 @@ double Drive::force(double t, double y) const {
 }
 
 // All energy is accounted for at every sample
-double run_bench(const Bench& bench, State<double>& state, const Pace& pace,
+double run_bench(const Bench& bench, State<double>& state, const TimeGrid& grid,
                  const BenchObserver& observe) {
   const Losses& losses = bench.losses;
   if (!(losses.rate >= 0 && losses.contact >= 0))
     throw std::invalid_argument("losses must not be negative");
   if (bench.chain.ends != Ends::free)
     throw std::invalid_argument("the bench holds chains with free ends");
-  BenchRun run(bench, pace.step());
+  BenchRun run(bench, grid.step());
   Window window = waking(bench.chain, state);
   const double start = energy(bench.chain, state), t0 = state.t;
   double scale = start, open = 0;
   if (!observe(state, run.ledger)) return 0;
-  for (std::size_t k = 1; k <= pace.samples; ++k) {
-    run.advance(state, window, pace.steps);
-    state.t = t0 + double(k) * pace.interval();
+  for (std::size_t k = 1; k <= grid.samples; ++k) {
+    run.advance(state, window, grid.steps);
+    state.t = t0 + double(k) * grid.interval();
     const Ledger& l = run.ledger;
     const double now = energy(bench.chain, state);
     scale = std::max({scale, now, l.work});
@@ -126,7 +126,7 @@ double restitution(double contact, double velocity) {
   state.v[0] = velocity;
   // The collision of equal beads lasts 2.43 / velocity^(1/5); afterwards they fly apart
   const double unit = std::pow(velocity, -0.2);
-  run_bench(bench, state, pace(6 * unit, 6 * unit, unit / 512),
+  run_bench(bench, state, time_grid(6 * unit, 6 * unit, unit / 512),
             [](const State<double>&, const Ledger&) { return true; });
   return (state.v[1] - state.v[0]) / velocity;
 }

@@ -66,7 +66,7 @@ struct Bench {
 the observer returns false. The result is the largest deviation of energy + losses - work from its value at
 the start, relative to the largest energy that was there or came in. */
 using BenchObserver = std::function<bool(const State<double>&, const Ledger&)>;
-double run_bench(const Bench& bench, State<double>& state, const Pace& pace,
+double run_bench(const Bench& bench, State<double>& state, const TimeGrid& grid,
                  const BenchObserver& observe);
 
 /**

@@ -39,21 +39,22 @@ Orbit<double> breather_at(Centre centre, double omega, double s = 0);
 Member member_at(Centre centre, double omega, double s, bool fine = true);
 
 /**
-The integral of $G$ runs over the logarithm of the area and is taken along the branch in
-$\ell = \ln(\omega_b-1)$. Below the smallest frequency the branch is that of the DpS limit, where the rest of
-the integral is four times the growth rate. */
-/// $\nu G$ of a breather that starts at the last of `members`, which are equidistant in ln(omega - 1).
+Breathers around sites and bonds exchange their stability again and again along the branch, so that only
+stretches of it count in $G$. What is smooth is $\pm\sigma^2/(\omega_b-1)^2$, positive where the breather is
+unstable; it is taken as a straight line between neighbouring members. Below the first member the branch
+counts as that of the DpS limit, where the rest of the integral is four times the growth rate. */
+/// $\nu G$ of a breather that starts at the last of `members`, in ascending order of their frequencies.
 double growth_times_rate(const std::vector<Member>& members);
 
 /**
-What a decaying breather does is read from one bead: its upward passages through zero make periods, over each
-of which the energy is averaged. */
+What a decaying breather does is read from one bead: its upward passages through zero make periods; frequency
+and energy are means over eight of them. */
 struct Moment {
   double t, omega, energy;
 };
 
 struct Decay {
-  std::vector<Moment> moments{};  ///< one for each period
+  std::vector<Moment> moments{};  ///< one for each period, over the eight that follow
   double drift = 0;               ///< of the energy centre from start to end, in sites
   double ledger = 0;
 };

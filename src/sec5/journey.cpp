@@ -1,10 +1,11 @@
 #include "sec5/journey.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <numeric>
 
-#include "lattice/measure/impact.hpp"
+#include "lattice/packets/impact.hpp"
 
 namespace lattice {
 namespace {
@@ -67,7 +68,7 @@ Journey follow_packet(const Bench& bench, double velocity, double duration, std:
   const Chain& chain = bench.chain;
   const std::size_t contacts = std::min(last, chain.sites - 1);
   std::vector<HighestTop> push(contacts), speed(contacts);
-  const Pace steps = pace(duration, step, step);
+  const TimeGrid steps = time_grid(duration, step, step);
   State<double> state = struck(chain.sites, velocity);
   Journey out;
   out.ledger = run_bench(bench, state, steps, [&](const State<double>& now, const Ledger&) {
@@ -96,6 +97,7 @@ Journey follow_packet(const Bench& bench, double velocity, double duration, std:
 Progressed way_after(const Journey& journey, double t) {
   Progressed out;
   double last = 0, site = 0;
+  std::vector<std::array<double, 2>> passed{{0, 0}};
   for (std::size_t n = 1; n < journey.contacts.size() && last < t; ++n) {
     const Passing& p = journey.contacts[n];
     if (!p.reached) continue;
@@ -103,8 +105,11 @@ Progressed way_after(const Journey& journey, double t) {
     const double until = std::min(p.t, t), dwell = (p.t - last) / (double(n) - site);
     out.oscillations += (until - last) / p.period;
     out.sites += (until - last) / dwell;
-    out.speed = 1 / dwell, out.period = p.period;
+    out.period = p.period;
     last = until, site = double(n);
+    passed.push_back({p.t, double(n)});
+    const auto& from = passed[passed.size() - std::min<std::size_t>(passed.size(), 6)];
+    out.speed = (double(n) - from[1]) / (p.t - from[0]);
   }
   if (last < t && out.period > 0) out.oscillations += (t - last) / out.period, out.speed = 0;
   return out;
