@@ -7,8 +7,8 @@ first beads only. But contacts harden: breathers have frequencies above the band
 $\Omega = 1+\delta$ can feed one. Geniet and Leon (Phys. Rev. Lett. 89, 134102, 2002) found in chains with
 band gaps that energy passes above a sharp amplitude, which they called nonlinear supratransmission; Leon
 (Phys. Lett. A 319, 130, 2003) explained the threshold by the largest amplitude at the end of a static
-solution that decays into the chain. At that amplitude two static solutions meet in a fold, as Susanto (SIAM
-J. Appl. Math. 69, 111, 2008) proves for a discrete Schrödinger equation. All of this can be had here too.
+solution that decays into the chain. At that amplitude two static solutions meet in a fold, as Susanto
+(arXiv:0809.3861, 2008) proves for a discrete Schrödinger equation. All of this can be had here too.
 
 ## The threshold of the DpS limit
 
