@@ -38,11 +38,11 @@ draw.letter(sight, "b")
 
 for color, mark, bond, name in [(COLORS[2], "s", 0, "site"), (COLORS[0], "o", 1, "bond")]:
     rows = draw.where(decay, "bond", bond)
-    branch.semilogy(rows["frequency"], rows["energy"] * 1e9, mark, color=color, ms=4, mfc="white",
+    branch.semilogy(rows["frequency"], rows["energy"] * 1e6, mark, color=color, ms=4, mfc="white",
                     label=f"decaying, {name}")
-    branch.semilogy(rows["frequency"], rows["energy_branch"] * 1e9, "+", color="black", ms=5)
+    branch.semilogy(rows["frequency"], rows["energy_branch"] * 1e6, "+", color="black", ms=5)
 branch.plot([], [], "+", color="black", label="exact breather")
-branch.set(xlabel=r"frequency over that of a beam", ylabel="energy (nJ)")
+branch.set(xlabel=r"frequency over that of a beam", ylabel=r"energy ($\mathrm{\mu J}$)")
 branch.legend(loc="lower right")
 draw.letter(branch, "c")
 

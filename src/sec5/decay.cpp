@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lattice/dps/spectrum.hpp"
 #include "lattice/packets/impact.hpp"
 #include "lattice/packets/pulse.hpp"
 
@@ -30,13 +31,19 @@ Member member_at(Centre centre, double omega, double s, bool fine) {
 }
 
 // The square of the scaled growth rate is smooth, the rate itself begins like a root
-double growth_times_rate(const std::vector<Member>& members) {
+double growth_times_rate(const std::vector<Member>& members, double limit) {
   const auto square = [](const Member& m) {
     const double root = std::asinh(std::sqrt(std::abs(m.kappa))) * m.omega / std::numbers::pi;
     return (m.kappa > 0 ? 1 : -1) * std::pow(root / (m.omega - 1), 2);
   };
   constexpr int parts = 256;
-  double sum = 4 * members.front().growth;
+  double sum = 0;
+  // From the limit to the first member the square is a straight line in omega - 1
+  const double first = square(members.front()), low = members.front().omega - 1;
+  for (int i = 0; i < parts; ++i) {
+    const double part = (i + 0.5) / parts, at = limit * limit + part * (first - limit * limit);
+    if (at > 0) sum += 4 * low * std::sqrt(at) / parts;
+  }
   for (std::size_t k = 1; k < members.size(); ++k) {
     const Member &a = members[k - 1], &b = members[k];
     const double rise = std::log(b.area / a.area), wide = std::log((b.omega - 1) / (a.omega - 1));
@@ -47,6 +54,13 @@ double growth_times_rate(const std::vector<Member>& members) {
     }
   }
   return sum;
+}
+
+double dps_growth(Centre centre) {
+  const auto spectrum =
+      contact_spectrum(stationary<double>(centre, 1.0, centre == Centre::bond ? 30 : 31));
+  const double square = lambda_squared(1.0, spectrum.m[1]);
+  return square > 0 ? std::sqrt(square) : 0;
 }
 
 Decay let_decay(const Orbit<double>& orbit, const Chain& chain, double nu, double duration,

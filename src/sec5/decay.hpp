@@ -41,10 +41,14 @@ Member member_at(Centre centre, double omega, double s, bool fine = true);
 /**
 Breathers around sites and bonds exchange their stability again and again along the branch, so that only
 stretches of it count in $G$. What is smooth is $\pm\sigma^2/(\omega_b-1)^2$, positive where the breather is
-unstable; it is taken as a straight line between neighbouring members. Below the first member the branch
-counts as that of the DpS limit, where the rest of the integral is four times the growth rate. */
-/// $\nu G$ of a breather that starts at the last of `members`, in ascending order of their frequencies.
-double growth_times_rate(const std::vector<Member>& members);
+unstable; it is taken as a straight line between neighbouring members, and below the first one between that
+and its limit $\Lambda^2$ of the DpS equation (spectrum.hpp). */
+/// $\Lambda$ of the DpS breather, zero if it is stable.
+double dps_growth(Centre centre);
+
+/// $\nu G$ of a breather that starts at the last of `members`, in ascending order of their frequencies, with
+/// the `limit` $\Lambda$.
+double growth_times_rate(const std::vector<Member>& members, double limit);
 
 /**
 What a decaying breather does is read from one bead: its upward passages through zero make periods; frequency
