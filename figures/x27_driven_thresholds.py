@@ -1,0 +1,58 @@
+"""Figure x27: thresholds of a driven array, quiet orbits, and a chart of what it sends out."""
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+import draw
+
+data, out = draw.arguments()
+folder = f"{data}/sec5_driving"
+folds = draw.records(f"{folder}/folds.ecsv")
+thresholds = draw.records(f"{folder}/thresholds.ecsv")
+orbits = draw.read(f"{folder}/quiet_orbits.ecsv")
+chart = draw.read(f"{folder}/chart.ecsv")
+
+figure, axes = plt.subplots(2, 2, figsize=(draw.TWO_COLUMNS, 125 * draw.MM))
+(law, quiet), (kinds, power) = axes
+
+for by, color, mark, dash in [("piston", "#0072B2", "o", "-"), ("base", "#009E73", "D", "--")]:
+    rows = [row for row in folds if row["by"] == by]
+    delta = [float(row["delta"]) for row in rows]
+    law.loglog(delta, [float(row["law"]) for row in rows], dash, color=color, lw=0.9)
+    law.loglog(delta, [float(row["fold"]) for row in rows], mark, color=color, ms=4, mfc="white",
+               label=f"fold, {by}")
+for way, color, mark in [("up", "#D55E00", "^"), ("once", "#CC79A7", "x"), ("down", "#E69F00", "v")]:
+    rows = [row for row in thresholds if row["way"] == way]
+    law.loglog([float(row["delta"]) for row in rows], [float(row["threshold"]) for row in rows],
+               mark, color=color, ms=4, mfc="none", label=f"piston, {way}")
+law.set(xlabel=r"distance $\delta$ from the frequency of a beam",
+        ylabel=r"amplitude ($\mathrm{\mu m}$)")
+law.legend(loc="lower right", fontsize=6)
+draw.letter(law, "a")
+
+quiet.plot(orbits["amplitude"], orbits["response"], "o-", color="#0072B2", ms=2.5, lw=0.9)
+quiet.set(xlabel=r"amplitude of the piston ($\mathrm{\mu m}$)",
+          ylabel=r"amplitude of the first bead ($\mathrm{\mu m}$)", xlim=(0, None), ylim=(0, None))
+draw.letter(quiet, "b")
+
+STYLE = [(0, "quiet", ".", "#888888"), (1, "train", "o", "#0072B2"),
+         (2, "irregular", "x", "#D55E00")]
+for kind, name, mark, color in STYLE:
+    rows = draw.where(chart, "kind", kind)
+    kinds.plot(rows["frequency"] / 1000, rows["amplitude"], mark, color=color, ms=4, mfc="none",
+               label=name)
+kinds.set(xlabel="frequency (kHz)", ylabel=r"amplitude of the piston ($\mathrm{\mu m}$)",
+          yscale="log")
+kinds.legend(loc="lower right")
+draw.letter(kinds, "c")
+
+for color, mark, dash, delta in zip(["#0072B2", "#009E73", "#D55E00"], "os^", ["-", "--", "-."],
+                                    np.unique(chart["delta"])[::3]):
+    rows = draw.where(chart, "delta", delta)
+    power.semilogy(rows["ratio"], np.maximum(rows["power"], 1e-12) * 1e3, mark + dash, color=color,
+                   ms=3, lw=0.9, mfc="white", label=f"{rows['frequency'][0] / 1000:.1f} kHz")
+power.set(xlabel="amplitude over the law of the DpS limit", ylabel="mean power (mW)")
+power.legend(loc="lower right")
+draw.letter(power, "d")
+figure.tight_layout()
+draw.save(figure, out)

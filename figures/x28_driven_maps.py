@@ -1,0 +1,26 @@
+"""Figure x28: energy in space and time in a driven array, quiet, with a train, and irregular."""
+
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.colors import LogNorm
+
+import draw
+
+data, out = draw.arguments()
+maps = draw.read(f"{data}/sec5_driving/maps.ecsv")
+ratios = np.unique(maps["ratio"])
+most = maps["energy"].max()
+
+figure, panels = plt.subplots(1, len(ratios), figsize=(draw.TWO_COLUMNS, 80 * draw.MM), sharey=True)
+for axes, ratio, name in zip(panels, ratios, "abc"):
+    image, extent = draw.grid(draw.where(maps, "ratio", ratio), "n", "t", "energy")
+    shown = axes.imshow(np.maximum(image, 1e-6 * most), extent=extent, origin="lower",
+                        aspect="auto", norm=LogNorm(1e-6 * most, most), cmap="viridis",
+                        interpolation="nearest")
+    axes.set(xlabel="bead $n$")
+    axes.text(0.97, 0.97, f"{ratio:g} of the law", transform=axes.transAxes, va="top", ha="right",
+              color="white")
+    draw.letter(axes, name, color="white")
+panels[0].set(ylabel="time (ms)")
+figure.colorbar(shown, ax=panels, label="energy of a bead (J)", fraction=0.05, pad=0.02)
+draw.save(figure, out)

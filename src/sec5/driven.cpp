@@ -1,0 +1,230 @@
+#include "sec5/driven.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "lattice/dps/dps.hpp"
+
+namespace lattice {
+namespace {
+
+/// The first maximum of |u| (or |D|) on the way inward from a tail whose last bead has |u| = e^-depth.
+double first_top(Drive::By by, double depth) {
+  double u = std::exp(-depth), d = 0, last = 0;
+  for (int k = 0; k < 200; ++k) {
+    d += u;
+    u -= d / std::cbrt(std::abs(d));
+    const double now = by == Drive::By::piston ? std::abs(u) : std::abs(d);
+    if (now < last) return last;
+    last = now;
+  }
+  throw std::runtime_error("no maximum along the decaying solutions");
+}
+
+/// The amplitude is the last unknown.
+State<double> state_of(const Vector<double>& x) {
+  const std::size_t n = std::size_t(x.size()) / 2;
+  State<double> out(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    out.y[i] = x[Eigen::Index(i)];
+    out.v[i] = x[Eigen::Index(n + i)];
+  }
+  return out;
+}
+
+/// Counts the packets that pass a gate, from the highest energy in each period.
+class Turnstile {
+ public:
+  Turnstile(double period, double floor) : period_(period), floor_(floor) {}
+
+  void look(double t, double energy, std::vector<double>& passages) {
+    highest_ = std::max(highest_, energy);
+    if (t < next_) return;
+    next_ += period_;
+    const double now = highest_;
+    highest_ = 0;
+    if (inside_) {
+      most_ = std::max(most_, now);
+      if (now < most_ / 2) inside_ = false, least_ = now;
+      return;
+    }
+    least_ = std::min(least_, now);
+    if (now > 4 * least_ && now > floor_) inside_ = true, most_ = now, passages.push_back(t);
+  }
+
+ private:
+  double period_, floor_, highest_ = 0, next_ = 0, least_ = 0, most_ = 0;
+  bool inside_ = false;
+};
+
+}  // namespace
+
+// One step of the map inward is one period of the curve in ln(depth)
+double dps_threshold(Drive::By by) {
+  constexpr int points = 4096;
+  double most = 0;
+  for (int k = 0; k < points; ++k)
+    most = std::max(most, first_top(by, 60 * std::pow(1.5, double(k) / points)));
+  return most;
+}
+
+double threshold_law(Drive::By by, double omega) {
+  const double delta = omega - 1, root = 2 * tau_0() * delta;
+  const double scale = by == Drive::By::piston ? 2 : 4 * delta;
+  return scale * root * root * dps_threshold(by);
+}
+
+Sizes<double> DrivenOrbit::sizes(const Vector<double>& x, bool) const {
+  Sizes<double> out{Vector<double>::Constant(x.size(), scale),
+                    Vector<double>::Constant(x.size(), scale)};
+  return out;
+}
+
+Vector<double> DrivenOrbit::miss(const Vector<double>& x) const {
+  Bench driven = bench;
+  driven.drive.amplitude = x[x.size() - 1];
+  State<double> state = state_of(x);
+  const double period = 2 * std::numbers::pi / bench.drive.omega;
+  const TimeGrid one{period, 1, steps};
+  run_bench(driven, state, one, [](const State<double>&, const Ledger&) { return true; });
+  Vector<double> out(x.size() - 1);
+  for (std::size_t i = 0; i < state.y.size(); ++i) {
+    out[Eigen::Index(i)] = state.y[i] - x[Eigen::Index(i)];
+    out[Eigen::Index(state.y.size() + i)] = state.v[i] - x[Eigen::Index(state.y.size() + i)];
+  }
+  return out;
+}
+
+// The last equation is that of the plane
+Shot<double> DrivenOrbit::shoot(const Vector<double>& x, const EventTolerance<double>&,
+                                bool with_jacobian) const {
+  const Eigen::Index n = x.size();
+  Shot<double> out;
+  out.miss.resize(n);
+  out.miss.head(n - 1) = miss(x);
+  out.miss[n - 1] = (x - from).dot(along) - length * scale;
+  if (!with_jacobian) return out;
+  out.jacobian.resize(n, n);
+  const double change = 1e-6 * scale;
+  for (Eigen::Index k = 0; k < n; ++k) {
+    Vector<double> more = x, less = x;
+    more[k] += change, less[k] -= change;
+    out.jacobian.col(k).head(n - 1) = (miss(more) - miss(less)) / (2 * change);
+  }
+  out.jacobian.row(n - 1) = along.transpose();
+  return out;
+}
+
+// Steps along the curve, and a parabola through the three points about the largest amplitude
+QuietBranch quiet_branch(const Bench& bench, std::size_t steps) {
+  const Eigen::Index n = Eigen::Index(2 * bench.chain.sites + 1);
+  const double law = threshold_law(bench.drive.by, bench.drive.omega);
+  const double size = threshold_law(Drive::By::piston, bench.drive.omega);
+  DrivenOrbit problem{bench, steps};
+  problem.scale = size;
+  NewtonRule<double> rule;
+  rule.events.tolerance = 1e-11;
+  // Begin in the direction of the amplitude, from no motion at all
+  Vector<double> at = Vector<double>::Zero(n);
+  Vector<double> tangent = Vector<double>::Unit(n, n - 1);
+  QuietBranch out;
+  std::vector<double> lengths;
+  double gone = 0;
+  problem.length = 0.2 * law / size;
+  for (int k = 0; k < 200; ++k) {
+    problem.from = at, problem.along = tangent;
+    const Vector<double> guess = at + problem.length * size * tangent;
+    const Vector<double> next = solve(problem, guess, rule).x;
+    const Vector<double> way = next - at;
+    gone += way.norm() / size;
+    tangent = way.normalized(), at = next;
+    problem.length = 0.1;
+    out.amplitude.push_back(at[n - 1]);
+    out.response.push_back(std::hypot(at[0], at[n / 2]));
+    lengths.push_back(gone);
+    const std::size_t m = out.amplitude.size();
+    if (m < 4 || out.amplitude[m - 1] > out.amplitude[m - 2]) continue;
+    if (out.fold == 0) {
+      // Newton's form of the parabola through three points
+      const double s0 = lengths[m - 3], s1 = lengths[m - 2], s2 = lengths[m - 1];
+      const double a0 = out.amplitude[m - 3], a1 = out.amplitude[m - 2], a2 = out.amplitude[m - 1];
+      const double first = (a1 - a0) / (s1 - s0), second = (a2 - a1) / (s2 - s1);
+      const double bend = (second - first) / (s2 - s0);
+      const double top = (s0 + s1) / 2 - first / (2 * bend);
+      out.fold = a0 + (top - s0) * (first + bend * (top - s1));
+    }
+    if (out.amplitude[m - 1] < 0.8 * out.fold) return out;
+  }
+  return out;
+}
+
+double Emission::rate(double duration) const {
+  const auto late =
+      std::count_if(passages.begin(), passages.end(), [&](double t) { return t >= duration / 2; });
+  return double(late) / (duration / 2);
+}
+
+double Emission::spread(double duration) const {
+  std::vector<double> gaps;
+  for (std::size_t k = 1; k < passages.size(); ++k)
+    if (passages[k - 1] >= duration / 2) gaps.push_back(passages[k] - passages[k - 1]);
+  if (gaps.size() < 3) return -1;
+  double mean = 0, square = 0;
+  for (double g : gaps) mean += g / double(gaps.size());
+  for (double g : gaps) square += (g - mean) * (g - mean) / double(gaps.size());
+  return std::sqrt(square) / mean;
+}
+
+Emission drive_chain(const Bench& bench, double duration, std::size_t gate, double step,
+                     std::size_t enough) {
+  const double a = std::max(bench.drive.amplitude, bench.drive.from);
+  const double size = bench.drive.by == Drive::By::piston ? a : a / (bench.drive.omega - 1);
+  Turnstile turnstile(2 * std::numbers::pi / bench.drive.omega, 1e-2 * size * size);
+  Emission out;
+  State<double> state(bench.chain.sites);
+  double half = 0;
+  out.ledger = run_bench(bench, state, time_grid(duration, 0.4, step),
+                         [&](const State<double>& now, const Ledger& l) {
+                           const double y = now.y[gate - 1], v = now.v[gate - 1];
+                           turnstile.look(now.t, (y * y + v * v) / 2, out.passages);
+                           out.velocity = std::max(out.velocity, std::abs(v));
+                           if (now.t <= duration / 2)
+                             half = l.work;
+                           else
+                             out.response = std::max(out.response, std::abs(now.y[0]));
+                           out.power = (l.work - half) / (duration / 2);
+                           return out.passages.size() < enough;
+                         });
+  return out;
+}
+
+std::vector<double> drive_map(const Bench& bench, double duration, std::size_t bins, double step) {
+  const std::size_t sites = bench.chain.sites;
+  std::vector<double> map(bins * sites, 0.0);
+  State<double> state(sites);
+  run_bench(
+      bench, state, time_grid(duration, 0.8, step), [&](const State<double>& now, const Ledger&) {
+        const std::size_t bin = std::min(bins - 1, std::size_t(now.t / duration * double(bins)));
+        for (std::size_t n = 0; n < sites; ++n) {
+          const double e = (now.y[n] * now.y[n] + now.v[n] * now.v[n]) / 2;
+          map[bin * sites + n] = std::max(map[bin * sites + n], e);
+        }
+        return true;
+      });
+  return map;
+}
+
+Estimate bisect_threshold(double quiet, double emits, double accuracy,
+                          const std::function<bool(double)>& does_emit) {
+  if (does_emit(quiet) || !does_emit(emits))
+    throw std::runtime_error("the threshold is not between " + std::to_string(quiet) + " and " +
+                             std::to_string(emits));
+  while (emits - quiet > accuracy * emits) {
+    const double middle = (quiet + emits) / 2;
+    (does_emit(middle) ? emits : quiet) = middle;
+  }
+  return {(quiet + emits) / 2, (emits - quiet) / 2};
+}
+
+}  // namespace lattice

@@ -1,0 +1,111 @@
+#pragma once
+/**
+# A driven end
+
+A chain of equal wells has a band of a single frequency, and a drive of another frequency should shake the
+first beads only. But contacts harden: breathers have frequencies above the band, and a drive of frequency
+$\Omega = 1+\delta$ can feed one. Geniet and Leon (Phys. Rev. Lett. 89, 134102, 2002) found in chains with
+band gaps that energy passes above a sharp amplitude, which they called nonlinear supratransmission; Leon
+(Phys. Lett. A 319, 130, 2003) explained the threshold by the largest amplitude at the end of a static
+solution that decays into the chain. At that amplitude two static solutions meet in a fold, as Susanto
+(arXiv:0809.3861, 2008) proves for a discrete Schrödinger equation. All of this can be had here too.
+
+## The threshold of the DpS limit
+
+With $y_n = 2\epsilon u_n\cos\Omega t$ and $\epsilon = (2\tau_0\delta)^2$ a motion locked to the drive obeys
+Eq. (14) with $\mu = 1$, $-u_n = D_n - D_{n-1}$ for $n\ge1$. Read from right to left this is a map:
+$$D_{n-1} = D_n + u_n,\qquad u_{n-1} = u_n - D_{n-1}|D_{n-1}|^{-1/3}.$$
+It starts in the tail, where $u_{n-1} = -u_n|u_n|^{-1/3}$, so that the solutions that decay are a curve with
+one parameter. A piston stands in for bead 0, $a = 2\epsilon|u_0|$; a base pulls the first bead with
+$a = 4\delta\epsilon|D_0|$, because there is no contact 0. Nothing quiet exists above the first maximum of
+$|u_0|$ or $|D_0|$ along the curve. These two numbers are all, and
+$$a_{\rm piston} = 8\tau_0^2\,\delta^2\,\max|u_0|,\qquad a_{\rm base} = 16\tau_0^2\,\delta^3\,\max|D_0|.$$ */
+
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "lattice/numbers/estimate.hpp"
+#include "lattice/orbits/newton.hpp"
+#include "sec5/bench.hpp"
+
+namespace lattice {
+
+/// The first maximum of |u_0| for a piston, of |D_0| for a base, along the curve of decaying solutions.
+double dps_threshold(Drive::By by);
+
+/// The amplitude of the threshold at the frequency omega > 1, in the DpS limit.
+double threshold_law(Drive::By by, double omega);
+
+/**
+## The quiet orbit of the chain, and its fold
+
+With losses the motion below the threshold is a periodic orbit of the driven chain, whose period is that of the
+drive. It is a problem for Newton's method (newton.hpp): the unknowns are the state at the beginning of a
+period and the amplitude of the drive, the equations say that the state returns, and that the point lies on a
+plane across the curve of solutions. The flow is that of bench.hpp with a given number of steps; its derivative
+comes from differences, which cost little for a dozen beads. */
+struct DrivenOrbit {
+  using Scalar = double;
+  Bench bench;
+  std::size_t steps = 64;          ///< per period of the drive
+  Vector<double> from{}, along{};  ///< a point of the curve and its direction, in units of `scale`
+  double length = 0;               ///< how far along the direction the plane stands
+  double scale = 1;
+
+  std::string name() const { return "the driven orbit"; }
+  Sizes<double> sizes(const Vector<double>& x, bool graded) const;
+  Shot<double> shoot(const Vector<double>& x, const EventTolerance<double>&,
+                     bool with_jacobian) const;
+  /// By how much the state after one period differs from `x` without its last entry, the amplitude.
+  Vector<double> miss(const Vector<double>& x) const;
+};
+
+/// The curve of quiet orbits from a weak drive to beyond its fold, and the fold.
+struct QuietBranch {
+  std::vector<double> amplitude{},
+      response{};   ///< of the drive; largest displacement of the first bead
+  double fold = 0;  ///< largest amplitude
+};
+
+/// Follows the quiet orbit of `sites` beads. The drive of `bench` says what is driven and how fast; its
+/// amplitude is not used. Throws NewtonFailed.
+QuietBranch quiet_branch(const Bench& bench, std::size_t steps);
+
+/**
+## What comes out
+
+Behind a gate bead we count packets. The gate's energy density, as its maximum in each period of the drive,
+must rise fourfold from its last minimum and above a hundredth of $a^2$ to count, and fall to half before the
+next one can. Intervals between packets that differ by less than a tenth make a train. */
+struct Emission {
+  std::vector<double> passages{};  ///< times at which packets are counted
+  double power = 0;                ///< mean power of the drive in the second half of the run
+  double response = 0;             ///< largest displacement of the first bead in the second half
+  double velocity = 0;             ///< largest velocity of the gate bead
+  double ledger = 0;
+
+  /// Packets per unit of time in the second half of a run of this length.
+  double rate(double duration) const;
+  /// Relative standard deviation of the intervals in the second half; -1 if there are fewer than three.
+  double spread(double duration) const;
+};
+
+/// Runs the bench from rest for `duration`, or until as many packets have passed the gate as are `enough`.
+Emission drive_chain(const Bench& bench, double duration, std::size_t gate, double step,
+                     std::size_t enough = std::numeric_limits<std::size_t>::max());
+
+/// Density maps: energy of each bead, the maximum in each of `bins` equal times; entry bin * sites + n.
+std::vector<double> drive_map(const Bench& bench, double duration, std::size_t bins, double step);
+
+/**
+A threshold is found by halving an interval of amplitudes, of which the lower end is quiet and the upper one
+emits, until it is shorter than the share `accuracy`. Its error is that interval. Throws std::runtime_error if
+both ends do the same. */
+Estimate bisect_threshold(double quiet, double emits, double accuracy,
+                          const std::function<bool(double)>& does_emit);
+
+}  // namespace lattice

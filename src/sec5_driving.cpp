@@ -1,0 +1,409 @@
+/**
+# 5 Driving an array at one end
+
+"A related aspect concerns the actuation of the system through the driving of a bead with a particular
+frequency", says the conclusion of James, Kevrekidis and Cuevas (Physica D 251, 2013): it is hard to prepare an
+array, and easy to shake its end. We shake the array of section 3.6, with a piston that touches the first bead
+or with the base of the first beam.
+
+![Thresholds of a driven array, and what it does beside them.](fig:x27)
+![Energy in a driven array below, just above and far above the threshold.](fig:x28)
+
+All beams have one frequency, so nothing travels at small amplitude, and a drive above that frequency should
+shake the first beads only. It does so up to a sharp amplitude; beyond it the array sends out breathers. */
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "lattice/numbers/parallel.hpp"
+#include "report/program.hpp"
+#include "report/sweep.hpp"
+#include "sec5/array_units.hpp"
+#include "sec5/driven.hpp"
+#include "sec5/journey.hpp"
+
+using namespace lattice;
+
+/**
+In short: the threshold is the fold of the quiet motion, whose amplitude grows with the square of the distance
+$\delta = f/f_0-1$ from the frequency of a beam for a piston, and with its cube for a base. The constants are
+those of a static breather of the DpS equation, which the drive has to lift to its top:
+[0.050415](num:sec5_driving.top) is the largest displacement of the site-centred one (section 3.2). At 7000 Hz a
+piston needs [7](num:sec5_driving.recipe_7000) micrometres.
+
+## Model
+
+The chain is that of bench.hpp with beams of 10 ms lifetime; thresholds and folds are explained in driven.hpp.
+
+| symbol | program | meaning | unit |
+|---|---|---|---|
+| $f$, $\Omega = 2\pi f\tau_c$ | `frequency`, `omega` | of the drive | Hz, 1 |
+| $a$ | `amplitude` | of piston or base | µm, $\xi$ |
+| $\delta = \Omega-1$ | `delta` | distance from the frequency of a beam, relative | 1 |
+| $\tau$ | `lifetime` | of the energy of a free beam | ms | */
+struct Rig : ArrayUnits {
+  double lifetime = 10;  // ms
+
+  /// The chain, with a drive that grows from `from` to `amplitude` within `ramp`.
+  Bench bench(Drive::By by, double omega, double amplitude, double from, double ramp,
+              std::size_t sites = 50) const {
+    return {Chain{sites}, {rate(lifetime), 0}, {by, omega, amplitude, from, ramp}};
+  }
+};
+
+constexpr std::size_t gate = 20;  ///< bead behind which a packet counts
+
+std::string name_of(Drive::By by) {
+  return by == Drive::By::piston ? "piston" : "base";
+}
+
+/**
+## The fold against the law of the DpS limit
+
+The quiet orbit has the period of the drive. Newton's method follows it from a weak drive through the fold, at
+two numbers of steps per period. The ratio of fold and law tends to one with $\delta$, faster for the piston;
+damping, which the law leaves out, keeps it from doing so altogether. */
+struct Fold {
+  Drive::By by;
+  double delta;
+};
+
+std::vector<Fold> fold_points(bool quick) {
+  const auto piston = Drive::By::piston, base = Drive::By::base;
+  if (quick) return {{piston, 0.1}, {base, 0.1}};
+  return {{piston, 0.05}, {piston, 0.1}, {piston, 0.2}, {piston, 0.35},
+          {base, 0.05},   {base, 0.1},   {base, 0.2}};
+}
+
+Estimate fold_of(const Rig& rig, Drive::By by, double omega) {
+  const Bench bench = rig.bench(by, omega, 0, 0, 0, 10);
+  return compare(quiet_branch(bench, 32).fold, quiet_branch(bench, 64).fold);
+}
+
+void report_folds(Report& report, const Rig& rig) {
+  report.facts.add("top", exact(dps_threshold(Drive::By::piston)));
+  report.facts.add("top_strain", exact(dps_threshold(Drive::By::base)));
+  Table& table = report.table(
+      "folds",
+      {label("by", "what is driven"), number("delta", "distance from the beams' frequency"),
+       number("frequency", "of the drive", "Hz"), estimate("fold", "amplitude of the fold", "um"),
+       number("law", "the same in the DpS limit", "um"), estimate("ratio", "of the two")});
+  table.fill(fold_points(report.quick), [&](const Fold& p) {
+    const Estimate fold = fold_of(rig, p.by, 1 + p.delta);
+    const double law = threshold_law(p.by, 1 + p.delta), unit = rig.micrometres(1);
+    return Cells{name_of(p.by),
+                 p.delta,
+                 rig.hertz(1 + p.delta),
+                 Estimate{fold.value * unit, fold.error * unit},
+                 law * unit,
+                 Estimate{fold.value / law, fold.error / law}};
+  });
+  // The quiet orbits themselves, for the figure
+  const double omega = 1.1, unit = rig.micrometres(1);
+  const auto branch = quiet_branch(rig.bench(Drive::By::piston, omega, 0, 0, 0, 10), 64);
+  Table& orbits =
+      report.table("quiet_orbits", {number("amplitude", "of the piston", "um"),
+                                    number("response",
+                                           "of the first bead in the orbit, its amplitude at the "
+                                           "beginning of a period",
+                                           "um")});
+  for (std::size_t k = 0; k < branch.amplitude.size(); ++k)
+    orbits.add({branch.amplitude[k] * unit, branch.response[k] * unit});
+}
+
+/**
+## Thresholds, up and down
+
+A threshold depends on how one comes to it. We raise the amplitude slowly from zero, switch the drive on at
+once, or come down slowly from twice the law. Upward and at once the first packet at the gate decides. Downward
+the array still holds packets of the stronger drive, so that it is the power that decides: emission goes on if
+the drive gives more than twice as much in the second half of the run as to the quiet motion of the same
+amplitude. Each threshold is found at two horizons, of which the longer has half as fast a ramp. Slowly upward it
+is the fold, seen from a little above it, because the motion takes long to leave where the orbit has just vanished.
+At once it is lower, since the onset shakes the bead more than the orbit does. */
+enum class Way { up, once, down };
+
+bool emits(const Rig& rig, Way way, double omega, double a, double horizon) {
+  const auto by = Drive::By::piston;
+  const double ramp = way == Way::once ? 0 : horizon / (way == Way::up ? 2 : 3), step = 0.2;
+  const Emission rising = drive_chain(rig.bench(by, omega, a, 0, ramp), horizon, gate, step, 1);
+  if (way != Way::down || !rising.passages.empty()) return !rising.passages.empty();
+  const double twice = 2 * threshold_law(by, omega);
+  const Emission falling = drive_chain(rig.bench(by, omega, a, twice, ramp), horizon, gate, step);
+  return falling.power > 2 * rising.power;
+}
+
+struct Threshold {
+  Way way;
+  double omega;
+};
+
+/// Where the halving has nothing to halve the threshold is not a number.
+Estimate threshold_at(const Rig& rig, const Threshold& t, double horizon, double accuracy) {
+  const double law = threshold_law(Drive::By::piston, t.omega);
+  try {
+    return bisect_threshold(0.3 * law, 1.9 * law, accuracy,
+                            [&](double a) { return emits(rig, t.way, t.omega, a, horizon); });
+  } catch (const std::runtime_error&) {
+    return {std::nan(""), std::nan("")};
+  }
+}
+
+void report_thresholds(Report& report, const Rig& rig) {
+  const auto way_name = [](Way w) {
+    return w == Way::up ? "up" : w == Way::once ? "once" : "down";
+  };
+  std::vector<Threshold> points;
+  for (double omega : report.quick ? std::vector{1.2} : std::vector{1.1, 1.2})
+    for (Way w : {Way::up, Way::once, Way::down}) points.push_back({w, omega});
+  const double accuracy = report.quick ? 0.05 : 0.01, horizon = report.quick ? 800 : 1500;
+  Table& table = report.table(
+      "thresholds", {label("way", "slowly up, at once, or slowly down"),
+                     number("delta", "distance from the beams' frequency"),
+                     number("frequency", "of the piston", "Hz"),
+                     estimate("threshold", "amplitude above which packets come", "um",
+                              "two horizons and the bracket, against the law; nan: not found"),
+                     number("over_law", "the same over the law of the DpS limit")});
+  table.fill(points, [&](const Threshold& t) {
+    const Estimate found = compare(threshold_at(rig, t, horizon, accuracy),
+                                   threshold_at(rig, t, 2 * horizon, accuracy));
+    const double unit = rig.micrometres(1);
+    return Cells{way_name(t.way), t.omega - 1, rig.hertz(t.omega),
+                 Estimate{found.value * unit, found.error * unit},
+                 found.value / threshold_law(Drive::By::piston, t.omega)};
+  });
+  const auto a = table.numbers("threshold"), e = table.numbers("threshold_error");
+  for (std::size_t k = 0; k < 3; ++k)
+    report.facts.add("threshold_first_" + table.texts("way")[k], {a[k], e[k]}, "um");
+}
+
+/**
+## A chart for the bench
+
+The chart goes over frequencies and amplitudes in units of the law and holds the rate of packets, how regular
+they are and what power the drive gives. A drive below its threshold is *quiet* (nothing passes the gate), one
+above it makes a *train* if the intervals between packets differ by less than a tenth, and is *irregular*
+otherwise. Irregular runs are chaotic: two steps give two sequences, and only rate and power mean something. The
+points are independent; `chart --part k/n` computes a part of them. */
+struct ChartPoint {
+  double delta, ratio;
+};
+
+std::vector<ChartPoint> chart_points(bool quick) {
+  std::vector<ChartPoint> out;
+  for (int i = 0; i < (quick ? 2 : 7); ++i)
+    for (int k = 0; k < (quick ? 3 : 10); ++k)
+      out.push_back({0.1 + 0.05 * i, quick ? 0.7 + 0.6 * k : 0.6 + 0.25 * k});
+  return out;
+}
+
+Sweep chart_sweep(const std::filesystem::path& folder, bool quick) {
+  const Columns columns{
+      number("delta", "distance from the beams' frequency"),
+      number("frequency", "of the piston", "Hz"),
+      number("ratio", "amplitude over the law of the DpS limit"),
+      number("amplitude", "of the piston", "um"),
+      count("kind", "0 quiet, 1 train, 2 irregular or fewer than four packets"),
+      estimate("rate", "packets that pass the gate", "1/s",
+               "difference of two resolutions, against the largest: chaos"),
+      number("spread", "relative standard deviation of their intervals; -1: too few"),
+      estimate("power", "mean power of the drive", "W",
+               "difference of two resolutions, against the largest: chaos")};
+  return {folder, "chart", columns, chart_points(quick).size(),
+          std::string("chart of a driven array, ") + (quick ? "quick" : "full")};
+}
+
+void compute_chart(Sweep& sweep, const Rig& rig, bool quick, Part part) {
+  const auto points = chart_points(quick);
+  const double horizon = quick ? 1200 : 2400;
+  sweep.compute(part, [&](std::size_t i) {
+    const ChartPoint& p = points[i];
+    const double omega = 1 + p.delta, a = p.ratio * threshold_law(Drive::By::piston, omega);
+    const Bench bench = rig.bench(Drive::By::piston, omega, a, 0, horizon / 6);
+    const Emission coarse = drive_chain(bench, horizon, gate, 0.4);
+    const Emission fine = drive_chain(bench, horizon, gate, 0.2);
+    const double per_second = rig.per_second(1), spread = fine.spread(horizon);
+    const int kind = fine.passages.empty() ? 0 : spread >= 0 && spread < 0.1 ? 1 : 2;
+    return Cells{
+        p.delta, rig.hertz(omega),
+        p.ratio, rig.micrometres(a),
+        kind,    compare(coarse.rate(horizon) * per_second, fine.rate(horizon) * per_second),
+        spread,  compare(rig.watts(coarse.power), rig.watts(fine.power))};
+  });
+}
+
+void report_chart(Report& report, const Rig& rig) {
+  Sweep sweep = chart_sweep(report.output.folder(), report.quick);
+  compute_chart(sweep, rig, report.quick, {});
+  const Table table = sweep.table();
+  const auto kinds = table.numbers("kind");
+  report.facts.add("chart_trains", exact(double(std::count(kinds.begin(), kinds.end(), 1.0))));
+  report.facts.add("chart_irregular", exact(double(std::count(kinds.begin(), kinds.end(), 2.0))));
+  report.output.add("chart", table);
+  sweep.forget();
+}
+
+/**
+## What the packets are
+
+The packets of a drive are those of an impact. In the DpS limit a packet of the amplitude $v$ has a speed in
+proportion to $v^{1/2}$, and the factor tells packets apart. We take the time from bead 20 to bead 28 of the
+first packet of a piston at 1.3 times the law, $\delta = 0.1$, and of an impact of 1 m/s with the same losses:
+[0.2](num:sec5_driving.scaled_speed_drive) against [0.2](num:sec5_driving.scaled_speed_impact). */
+double scaled_speed(double t20, double t28, double velocity) {
+  return 8 / (t28 - t20) / std::sqrt(velocity);
+}
+
+void report_packets(Report& report, const Rig& rig) {
+  const double omega = 1.1, horizon = 3000;
+  const Bench bench =
+      rig.bench(Drive::By::piston, omega, 1.3 * threshold_law(Drive::By::piston, omega), 0, 0);
+  const auto driven = [&](double step) {
+    // The gate bead's velocity until the packet has passed bead 28 is that of the first packet
+    const Emission far = drive_chain(bench, horizon, gate + 8, step, 1);
+    const Emission near = drive_chain(bench, far.passages.at(0), gate, step);
+    return scaled_speed(near.passages.at(0), far.passages[0], near.velocity);
+  };
+  const auto struck_by = [&](double step) {
+    const Bench losses = rig.bench(Drive::By::nothing, 1, 0, 0, 0, 60);
+    const Journey j = follow_packet(losses, rig.velocity(1), 1200, 40, step);
+    return scaled_speed(j.contacts.at(gate - 1).t, j.contacts.at(gate + 7).t,
+                        j.contacts.at(gate - 1).velocity);
+  };
+  report.facts.add("scaled_speed_drive", compare(driven(0.2), driven(0.1)));
+  report.facts.add("scaled_speed_impact", compare(struck_by(0.2), struck_by(0.1)));
+}
+
+/**
+The second figure shows the three kinds in space and time, for a piston at $\delta = 0.1$. */
+void report_maps(Report& report, const Rig& rig) {
+  const std::array<double, 3> ratios{0.95, 1.3, 3};
+  const std::size_t bins = report.quick ? 40 : 160, sites = 60;
+  const double omega = 1.1, horizon = 2000;
+  std::array<std::vector<double>, 3> maps;
+  parallel_for(3, [&](std::size_t i) {
+    const double a = ratios[i] * threshold_law(Drive::By::piston, omega);
+    maps[i] = drive_map(rig.bench(Drive::By::piston, omega, a, 0, 300, sites), horizon, bins, 0.2);
+  });
+  Table& table = report.table(
+      "maps",
+      {number("ratio", "amplitude over the law of the DpS limit"),
+       number("t", "middle of the time interval", "ms"), count("n", "bead", "site"),
+       number("energy", "largest energy of the bead in the interval, without contacts", "J")});
+  const double unit = rig.scales.unit_energy();
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < bins * sites; ++k)
+      table.add({ratios[i], rig.milliseconds((double(k / sites) + 0.5) * horizon / double(bins)),
+                 std::int64_t(k % sites + 1), maps[i][k] * unit});
+}
+
+/**
+## A recipe
+
+Whoever builds the array wants numbers for the bench: frequency, and the amplitude of the fold in micrometres,
+with a lifetime of 10 ms. Close to the beams' frequency small amplitudes suffice, but the packets are slow and
+damping stops them early. */
+void report_recipe(Report& report, const Rig& rig) {
+  const Estimate fold = fold_of(rig, Drive::By::piston, rig.omega(7000));
+  const double unit = rig.micrometres(1);
+  report.facts.add("recipe_7000", {fold.value * unit, fold.error * unit}, "um");
+  report.facts.add("recipe_7000_law",
+                   exact(threshold_law(Drive::By::piston, rig.omega(7000)) * unit), "um");
+  report.facts.add("beam_frequency", exact(rig.hertz(1)), "Hz");
+}
+
+/**
+## One drive with your own numbers
+
+`sec5_driving drive --frequency 7000 --amplitude 5` tells what comes out. */
+struct OneDrive {
+  static constexpr Title title{"drive", "what a driven array sends out"};
+  double frequency = 7000, amplitude = 5, lifetime = 10, time = 60;
+  Drive::By by = Drive::By::piston;
+
+  void parameters(Parameters& p) {
+    p.add("frequency", frequency, "of the drive in Hz", {500, 20000, "Hz"});
+    p.add("amplitude", amplitude, "of piston or base in micrometres", {0, 200, "um"});
+    p.add("by", by, "what is driven: a piston that touches the first bead, or the first base",
+          {{"piston", Drive::By::piston}, {"base", Drive::By::base}});
+    p.add("lifetime", lifetime, "of the energy of a beam that swings freely, in ms",
+          {0.5, 1e6, "ms"});
+    p.add("time", time, "how long the drive lasts, in ms; shorter than 20 ms is a transient",
+          {20, 500, "ms"});
+  }
+  Table table() const {
+    Rig rig;
+    rig.lifetime = lifetime;
+    const double horizon = rig.time(time), omega = rig.omega(frequency);
+    const Bench bench = rig.bench(by, omega, amplitude / rig.micrometres(1), 0, horizon / 6);
+    const Emission coarse = drive_chain(bench, horizon, gate, 0.04);
+    const Emission fine = drive_chain(bench, horizon, gate, 0.02);
+    const double per_second = rig.per_second(1);
+    Quantities q;
+    q.add("outcome", compare(int(!coarse.passages.empty()), int(!fine.passages.empty())));
+    q.add("emitted_per_second",
+          compare(coarse.rate(horizon) * per_second, fine.rate(horizon) * per_second), "1/s");
+    q.add("power", compare(rig.watts(coarse.power), rig.watts(fine.power)), "W");
+    q.add("response", compare(rig.micrometres(coarse.response), rig.micrometres(fine.response)),
+          "um");
+    q.add("ledger", compare(coarse.ledger, fine.ledger));
+    if (omega > 1) q.add("threshold_law", exact(rig.micrometres(threshold_law(by, omega))), "um");
+    return q.table;
+  }
+};
+
+struct Chart {
+  static constexpr Title title{"chart", "a part of the chart over frequency and amplitude"};
+  std::string part = "1/1", folder{};
+
+  void parameters(Parameters& p) {
+    p.add("part", part, "part k of n, as k/n", part_text());
+    p.add("folder", folder,
+          "where rows wait for each other and the full run (default: nothing is kept)",
+          writable_folder());
+  }
+  Table table() const {
+    const Part mine = parse_part(part);
+    Sweep sweep = chart_sweep(folder, false);
+    compute_chart(sweep, Rig{}, false, mine);
+    return sweep.table(mine);
+  }
+};
+
+/**
+A full run follows the chapter, with the chart at the end. */
+void reproduce(Report& report) {
+  const Rig rig;
+  report_folds(report, rig);
+  report_recipe(report, rig);
+  report_thresholds(report, rig);
+  report_packets(report, rig);
+  report_maps(report, rig);
+  report_chart(report, rig);
+}
+
+/**
+## Checks, differences and limits
+
+The threshold has three routes: runs, Newton's method on the driven orbit, and a map of two lines in the DpS
+limit, which shares no code with the others. The bookkeeping of `drive` closes to 1e-10 of the work at its
+steps. The piston is a bead of the same size that cannot be pushed back; a real shaker can, and its force is
+what `power` tells. That a quiet motion vanishes in a fold does not tell what comes after it: trains and
+irregular emission are what runs show, with one lifetime.
+
+## Extensions
+
+- Where is the second threshold, from trains to irregular emission, and is it a bifurcation of the train?
+- Drive two ends: do trains pass through each other?
+- Tune the frequency during the run and make one breather only. */
+int main(int argc, char** argv) {
+  return run({"sec5_driving", "5", "Driving an array at one end (section 5)", reproduce,
+              commands<OneDrive, Chart>()},
+             argc, argv);
+}

@@ -1,0 +1,216 @@
+// The chain on a bench: losses, drives, what they book; journeys, decays, thresholds.
+
+#include "sec5/driven.hpp"
+
+#include <numbers>
+
+#include "check.hpp"
+#include "lattice/dps/dps.hpp"
+#include "lattice/dps/stationary.hpp"
+#include "lattice/packets/impact.hpp"
+#include "sec5/array_units.hpp"
+#include "sec5/decay.hpp"
+#include "sec5/journey.hpp"
+
+using namespace lattice;
+
+namespace {
+
+const BenchObserver unwatched = [](const State<double>&, const Ledger&) { return true; };
+
+/// Unequal beads with both losses, driven by a piston.
+Bench busy() {
+  Bench bench{Chain{12}, {0.01, 0.05}, {Drive::By::piston, 1.3, 0.2, 0, 20}};
+  std::vector<double> mass(12);
+  for (std::size_t n = 0; n < 12; ++n) mass[n] = 1 + 0.2 * double(n % 3);
+  vary(bench.chain, mass, {});
+  return bench;
+}
+
+State<double> after(const Bench& bench, double time, double step, double* ledger = nullptr) {
+  State<double> state(bench.chain.sites);
+  const double open = run_bench(bench, state, time_grid(time, time, step), unwatched);
+  if (ledger) *ledger = open;
+  return state;
+}
+
+double apart(const State<double>& a, const State<double>& b) {
+  double d = 0;
+  for (std::size_t n = 0; n < a.y.size(); ++n)
+    d = std::max({d, std::abs(a.y[n] - b.y[n]), std::abs(a.v[n] - b.v[n])});
+  return d;
+}
+
+}  // namespace
+
+TEST_CASE("losses and work are booked to the last digits", "[property][bench]") {
+  const Bench bench = busy();
+  State<double> state(12);
+  Ledger last;
+  run_bench(bench, state, time_grid(100, 1, 0.01), [&](const State<double>&, const Ledger& l) {
+    CHECK(l.beams >= last.beams);
+    CHECK(l.contacts >= last.contacts);
+    last = l;
+    return true;
+  });
+  CHECK(last.beams > 0.01 * last.work);
+  CHECK(last.contacts > 0.01 * last.work);
+  check_close(energy(bench.chain, state) + last.beams + last.contacts, last.work, 0, 1e-9);
+}
+
+TEST_CASE("the alternation on a bench has order two", "[convergence][bench]") {
+  const State<double> exact = after(busy(), 20, 0.00125);
+  const double coarse = apart(after(busy(), 20, 0.04), exact);
+  const double fine = apart(after(busy(), 20, 0.02), exact);
+  CAPTURE(coarse, fine);
+  check_close(std::log2(coarse / fine), 2, 0.2);
+}
+
+TEST_CASE("one bead on a moving base follows the closed form", "[unit][bench]") {
+  // y'' + nu y' + y = a sin(omega t): the amplitude far from the start
+  const double omega = 1.3, nu = 0.2, a = 0.1;
+  const Bench bench{Chain{1}, {nu, 0}, {Drive::By::base, omega, a}};
+  State<double> state(1);
+  double most = 0;
+  run_bench(bench, state, time_grid(300, 0.01, 0.01), [&](const State<double>& now, const Ledger&) {
+    if (now.t > 200) most = std::max(most, std::abs(now.y[0]));
+    return true;
+  });
+  check_close(most, a / std::hypot(1 - omega * omega, nu * omega), 0, 1e-4);
+}
+
+TEST_CASE("viscous contacts have the restitution of perturbation theory", "[unit][bench]") {
+  // The loss of an elastic collision to first order in A, with a beta function
+  const double v = 0.7, contact = 1e-3, x = std::pow(5.0 / 8 * v * v, 0.4);
+  const double beta = std::tgamma(0.6) * std::tgamma(1.5) / std::tgamma(2.1);
+  const double lost = 3 * contact * v * x * std::sqrt(x) * 0.4 * beta / (v * v / 4);
+  check_close(1 - restitution(contact, v), lost / 2, 0, 5e-3);
+  check_close(restitution(0, v), 1, 1e-9);
+  check_close(restitution(contact_loss(0.9, v), v), 0.9, 1e-9);
+  CHECK_THROWS_AS(contact_loss(1.1, v), std::invalid_argument);
+}
+
+TEST_CASE("impossible losses are refused", "[unit][bench]") {
+  State<double> state(3);
+  const TimeGrid grid = time_grid(1, 1, 0.1);
+  CHECK_THROWS_AS(run_bench({Chain{3}, {-1, 0}}, state, grid, unwatched), std::invalid_argument);
+  CHECK_THROWS_AS(run_bench({Chain{3}, {0, -1}}, state, grid, unwatched), std::invalid_argument);
+}
+
+TEST_CASE("friction slows the clock of small packets", "[property][journey]") {
+  check_close(true_time(0.01, slow_clock(0.01, 123)), 123, 1e-9);
+  check_close(slow_clock(0, 5), 5, 0);
+  CHECK(std::isinf(true_time(0.1, 40.1)));
+  // A weak impact, nearly in the DpS limit, with and without friction
+  const double velocity = 1e-4, duration = 1500, nu = 1.0 / 600;
+  const auto free = follow_packet({Chain{20}}, velocity, duration, 18, 0.2);
+  const auto lossy = follow_packet({Chain{20}, {nu, 0}}, velocity, duration, 18, 0.2);
+  const auto law = predicted_way(free, nu, duration), found = way_after(lossy, duration);
+  CAPTURE(law.sites, found.sites, way_after(free, duration).sites);
+  check_close(law.sites, found.sites, 0.25);
+  CHECK(way_after(free, duration).sites > found.sites + 1);  // there is something to explain
+}
+
+TEST_CASE("a sensor sees as far as the beads are fast", "[unit][journey]") {
+  Journey j;
+  for (double v : {1.0, 0.1, 0.01}) j.contacts.push_back({1, 1, 1, v, true});
+  check_close(seen_until(j, 0.05), 2 - std::log10(2) + 0.0 - (1 - 2 * std::log10(2)), 1e-9);
+  check_close(seen_until(j, 1e-3), 3, 0);
+  check_close(seen_until(j, 2), 0, 0);
+}
+
+TEST_CASE("an instability of the DpS limit has four lifetimes", "[unit][decay]") {
+  // growth = L (omega - 1), by way of kappa = sinh^2(growth T / 2), and area = (omega - 1)^4
+  std::vector<Member> members;
+  for (double mu : {0.01, 0.02, 0.04, 0.08, 0.16}) {
+    const double omega = 1 + mu, growth = 1e-3 * mu;
+    const double half = std::sinh(growth * std::numbers::pi / omega);
+    members.push_back({omega, 0, mu * mu * mu * mu, half * half, growth});
+  }
+  check_close(growth_times_rate(members, 1e-3), 4 * members.back().growth, 0, 1e-4);
+  for (Member& m : members) m.kappa = -m.kappa, m.growth = 0;
+  CHECK(growth_times_rate(members, 0) == 0);
+  check_close(dps_growth(Centre::site), 1.55770760446738e-3, 0, 1e-9);
+  CHECK(dps_growth(Centre::bond) == 0);
+}
+
+TEST_CASE("a damped breather follows its branch", "[property][decay]") {
+  const auto orbit = breather_at(Centre::bond, 1.1);
+  const auto chain = breather_problem<double>(Centre::bond, 1.1, 0.0, orbit.start.y.size()).chain;
+  const double nu = 1e-3;
+  const Decay decay = let_decay(orbit, chain, nu, 700, 0.1);
+  const Moment end = decay.moments.back();
+  const auto same = breather_at(Centre::bond, end.omega);
+  check_close(same.area, orbit.area * std::exp(-nu * end.t), 0, 5e-3);
+  check_close(end.energy, same.energy, 0, 5e-3);
+  CHECK(end.omega < 1.09);
+}
+
+TEST_CASE("a piston has to lift the breather of the DpS limit to its top", "[unit][driven]") {
+  const auto site = stationary<double>(Centre::site, 1.0, 31);
+  double top = 0;
+  for (double u : site.u) top = std::max(top, std::abs(u));
+  check_close(dps_threshold(Drive::By::piston), top, 0, 1e-7);
+  const auto bond = stationary<double>(Centre::bond, 1.0, 30);
+  double strain = 0;
+  for (double r : bond.strain) strain = std::max(strain, std::abs(r));
+  check_close(dps_threshold(Drive::By::base), strain * std::sqrt(strain), 0, 1e-7);
+  check_close(threshold_law(Drive::By::piston, 1.02), 4 * threshold_law(Drive::By::piston, 1.01), 0,
+              1e-9);
+  check_close(threshold_law(Drive::By::base, 1.02), 8 * threshold_law(Drive::By::base, 1.01), 0,
+              1e-9);
+}
+
+TEST_CASE("the fold of the quiet orbit is where emission begins", "[property][driven]") {
+  const double omega = 1.1, law = threshold_law(Drive::By::piston, omega);
+  const Bench bench{Chain{10}, {2.5e-3, 0}, {Drive::By::piston, omega}};
+  const QuietBranch branch = quiet_branch(bench, 48);
+  check_close(branch.fold / law, 1.117, 2e-3);
+  CHECK(branch.amplitude.back() < 0.9 * branch.fold);  // it has turned back
+  const auto count = [&](double share) {
+    Bench run{Chain{40}, {2.5e-3, 0}, {Drive::By::piston, omega, share * branch.fold, 0, 1000}};
+    return drive_chain(run, 3000, 20, 0.2, 1).passages.size();
+  };
+  CHECK(count(0.96) == 0);
+  CHECK(count(1.06) == 1);
+}
+
+TEST_CASE("the orbit is that of a run", "[property][driven]") {
+  const double omega = 1.2, a = 0.5 * threshold_law(Drive::By::piston, omega);
+  const Bench bench{Chain{10}, {0.02, 0}, {Drive::By::piston, omega, a}};
+  DrivenOrbit orbit{bench, 48};
+  // A run of many periods settles on it; then the state must return
+  State<double> state(10);
+  const double period = 2 * std::numbers::pi / omega;
+  run_bench(bench, state, TimeGrid{200 * period, 200, 48}, unwatched);
+  Vector<double> x(21);
+  for (int n = 0; n < 10; ++n) x[n] = state.y[std::size_t(n)], x[10 + n] = state.v[std::size_t(n)];
+  x[20] = a;
+  CHECK(sup<double>(orbit.miss(x)) < 1e-7 * a);
+  x[20] = 1.1 * a;
+  CHECK(sup<double>(orbit.miss(x)) > 1e-4 * a);
+}
+
+TEST_CASE("rates, spreads and bisections", "[unit][driven]") {
+  Emission e;
+  e.passages = {10, 60, 70, 80, 90};
+  check_close(e.rate(100), 0.08, 1e-15);
+  check_close(e.spread(100), 0, 1e-15);
+  e.passages = {60, 70, 90};
+  CHECK(e.spread(100) == -1);
+  const auto found = bisect_threshold(0, 1, 1e-3, [](double a) { return a > 0.3; });
+  check_close(found.value, 0.3, found.error);
+  CHECK(found.error < 1e-3);
+  CHECK_THROWS_AS(bisect_threshold(0.4, 1, 1e-3, [](double a) { return a > 0.3; }),
+                  std::runtime_error);
+}
+
+TEST_CASE("units of the array", "[unit][bench]") {
+  const ArrayUnits u;
+  check_close(u.hertz(u.omega(7000)), 7000, 1e-9);
+  check_close(u.milliseconds(u.time(3)), 3, 1e-12);
+  check_close(u.omega(7000), 2 * std::numbers::pi * 7000 * std::sqrt(u.scales.m / u.scales.k),
+              1e-12);
+  check_close(u.rate(10) * u.time(10), 1, 1e-12);
+  CHECK(u.rate(0) == 0);
+}
