@@ -263,7 +263,8 @@ Estimate report_comparison(Report& report, const DpsPair& dps, const Resolution&
                     number("y_dps", "displacement in the DpS approximation")});
   const auto approximate = dps_state(dps.fine.end, eps, tau_end / std::sqrt(eps));
   for (std::size_t n = 0; n < sites; ++n)
-    profiles.add({n + 1, compare(coarse.end.y[n], fine.end.y[n]), approximate.y[n]});
+    profiles.add({n + 1, Estimate{fine.end.y[n], std::abs(fine.end.y[n] - coarse.end.y[n])},
+                  approximate.y[n]});
 
   // Energy densities of both, row by row (figure 18)
   Table& maps = report.table("impact_density_maps",

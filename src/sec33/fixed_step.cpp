@@ -6,7 +6,7 @@
 
 #include "lattice/orbits/linear.hpp"
 #include "lattice/orbits/shooting.hpp"
-#include "sec33/kick.hpp"
+#include "sec33/depinning.hpp"
 
 namespace lattice {
 
@@ -166,14 +166,26 @@ double zero_in_wells(const std::array<double, 3>& kappa) {
   return std::abs(s) <= 1 ? s : none;
 }
 
-std::vector<double> places(const FixedStep& map, State<double> state, std::size_t periods,
-                           const std::function<bool(const std::vector<double>&)>& stop) {
-  std::vector<double> out{breather_place(energy_density(map.chain, state))};
-  while (out.size() <= periods && !stop(out)) {
-    carry(map, state);
-    out.push_back(breather_place(energy_density(map.chain, state)));
+Creep path_of(const FixedStep& map, State<double> state, std::size_t periods, std::size_t every,
+              const std::function<bool(const Creep&)>& stop) {
+  Creep path;
+  const auto look = [&] {
+    path.t.push_back(state.t);
+    path.X.push_back(breather_place(energy_density(map.chain, state)));
+  };
+  look();
+  for (std::size_t k = 0; k + every <= periods && !stop(path); k += every) {
+    carry(map, state, every);
+    look();
   }
-  return out;
+  return path;
+}
+
+bool frees(const FixedStep& map, const State<double>& start, double c, std::size_t periods) {
+  const Creep path = path_of(map, kicked(start, c), periods, 16, [](const Creep& so_far) {
+    return mobility_of(so_far) != Mobility::undecided;
+  });
+  return mobility_of(path) == Mobility::free;
 }
 
 }  // namespace lattice

@@ -16,6 +16,7 @@ Runge-Kutta-Nystrom scheme. */
 #include "lattice/numbers/dense.hpp"
 #include "lattice/orbits/breather.hpp"
 #include "lattice/stepping/schemes.hpp"
+#include "sec33/kick.hpp"
 
 namespace lattice {
 
@@ -73,10 +74,13 @@ double zero_in_wells(const std::array<double, 3>& kappa);
 /**
 ## What a kick does
 
-The centre of a kicked breather is watched once in a period, at the same phase. It is *free* as soon as it has
-moved by 0.6 sites and *pinned* if it has turned round before that by 0.02 sites (depinning.hpp). */
-/// Sites from the middle to the energy centre after each period, until `stop(places)` or `periods` are over.
-std::vector<double> places(const FixedStep& map, State<double> state, std::size_t periods,
-                           const std::function<bool(const std::vector<double>&)>& stop);
+The centre of a kicked breather is looked at once in `every` periods, always at the same phase. A kick frees it if
+it gets well beyond the next site before it turns round (depinning.hpp). */
+/// The path of the centre, until `stop(path)` or `periods` are over.
+Creep path_of(const FixedStep& map, State<double> state, std::size_t periods, std::size_t every,
+              const std::function<bool(const Creep&)>& stop);
+
+/// Whether the breather at rest in `start` gets free within `periods` after a kick of size `c`.
+bool frees(const FixedStep& map, const State<double>& start, double c, std::size_t periods);
 
 }  // namespace lattice

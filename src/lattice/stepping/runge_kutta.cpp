@@ -6,6 +6,11 @@
 
 namespace lattice {
 
+RungeKutta classical_4() {
+  return {
+      "classical-4", 4, {{}, {1. / 2}, {0, 1. / 2}, {0, 0, 1}}, {1. / 6, 1. / 3, 1. / 3, 1. / 6}};
+}
+
 RungeKutta fehlberg_5() {
   return {"fehlberg-5",
           5,

@@ -13,7 +13,7 @@ $$X_i = x + h\sum_{j<i}\alpha_{ij}f(X_j), \qquad x' = x + h\sum_j\beta_jf(X_j).$
 #include <string>
 #include <vector>
 
-#include "lattice/numbers/gsl_ode.hpp"
+#include "lattice/numbers/rhs.hpp"
 #include "lattice/stepping/schemes.hpp"
 
 namespace lattice {
@@ -26,6 +26,9 @@ struct RungeKutta {
   std::vector<std::vector<double>> stages;  ///< row i has i entries
   std::vector<double> weights, error{};
 };
+
+/// The classical method of order four.
+RungeKutta classical_4();
 
 /// Runge-Kutta-Fehlberg 4(5) (NASA TR R-315, 1969), carried on with the result of order five.
 RungeKutta fehlberg_5();
