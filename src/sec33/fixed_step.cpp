@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
+#include "lattice/model/typed.hpp"
 #include "lattice/orbits/linear.hpp"
 #include "lattice/orbits/shooting.hpp"
 #include "sec33/depinning.hpp"
@@ -37,8 +39,8 @@ struct Weights {
   /// Positions of stage `i`.
   void positions(std::size_t i, const std::vector<double>& y, const std::vector<double>& v,
                  const Rows& forces, std::vector<double>& out) const {
-    out = y;
-    add(out, drift[i], v);
+    const double d = drift[i];
+    for (std::size_t n = 0; n < y.size(); ++n) out[n] = y[n] + d * v[n];
     for (std::size_t j = 0; j < i; ++j) add(out, stage[i][j], forces[j]);
   }
 
@@ -95,18 +97,27 @@ void carry_columns(const FixedStep& map, State<double> state, std::vector<double
 
 void carry(const FixedStep& map, State<double>& state, std::size_t count) {
   const Weights weights(map.method, map.period / double(map.steps));
-  const std::size_t stages = map.method.c.size();
-  Window all{0, map.chain.sites};
+  const std::size_t stages = map.method.c.size(), sites = map.chain.sites;
   Rows forces(stages, state.y);
   std::vector<double> at = state.y;
-  accelerate(map.chain, at.data(), forces[0].data(), all);
-  for (std::size_t k = 0; k < map.steps * count; ++k) {
-    for (std::size_t i = 1; i < stages; ++i) {
-      weights.positions(i, state.y, state.v, forces, at);
-      accelerate(map.chain, at.data(), forces[i].data(), all);
-    }
-    weights.finish(state.y, state.v, forces, at);
-  }
+  // Long runs of short chains choose the loop once, and both ends are free
+  detail::with_pair<double>(map.chain, [&]<class W, class C>(const W& well, const C& contact) {
+    if constexpr (detail::has_loop<double, W, C>) {
+      const auto evaluate = [&](std::size_t i) {
+        sweep_acceleration(well, contact, at.data(), forces[i].data(), Homogeneous{}, sites, 0.0,
+                           0.0);
+      };
+      evaluate(0);
+      for (std::size_t k = 0; k < map.steps * count; ++k) {
+        for (std::size_t i = 1; i < stages; ++i) {
+          weights.positions(i, state.y, state.v, forces, at);
+          evaluate(i);
+        }
+        weights.finish(state.y, state.v, forces, at);
+      }
+    } else
+      throw std::invalid_argument("a map of fixed steps needs potentials that have a loop");
+  });
   state.t += map.period * double(count);
 }
 
