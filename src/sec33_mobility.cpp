@@ -561,7 +561,7 @@ Table Threshold::table() const {
 The prediction, [4.4516e-6](num:sec33_mobility.predicted_threshold_bond_stretched), agrees within its error;
 that of the pendulum is [4.45275e-6](num:sec33_mobility.threshold_of_pendulum_bond_stretched). With the
 central contact compressed the threshold is [4.31978e-6](num:sec33_mobility.threshold_bond_compressed). No
-trial of ours gives 6.19 in particular. Locked steps do pin the bond-centred breather at $5.5\cdot10^{-6}$,
+trial here gives 6.19 in particular (`sec33_article_integrator` finds steps that do). Locked steps do pin the bond-centred breather at $5.5\cdot10^{-6}$,
 with no more drift of the energy than steps that are not locked, with which it moves: a conserved energy is
 necessary but not sufficient. That this happened in the article is a conjecture.
 

@@ -67,6 +67,7 @@ TEST_CASE("schemes have their order where contacts stay closed", "[convergence]"
   check_close(smooth_order(verlet(), 0.02), 2, 0.1);
   check_close(smooth_order(blanes_moan_4(), 0.1), 4, 0.2);
   check_close(smooth_order(blanes_moan_6(), 0.2), 6, 0.4);
+  check_close(smooth_order(calvo_sanz_serna_4(), 0.1), 4, 0.2);
 }
 
 TEST_CASE("switching contacts hold every splitting near order 2.5", "[convergence]") {

@@ -1,5 +1,6 @@
 #include "lattice/dps/impact.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace lattice {
@@ -14,6 +15,20 @@ DpsOutcome follow_dps(const Dps& dps, const Field& start, double duration, std::
         const auto site = front_packet(d);
         if (tau > 0 && site) out.track.add(tau, d, *site);
       });
+  return out;
+}
+
+DpsOutcome follow_dps_by(const Dps& dps, const Field& start, const Integration& integrate) {
+  DpsOutcome out{{}, start, 0};
+  std::vector<double> x = interleaved(start);
+  const double at_start = norm(start);
+  integrate(dps, x, [&](double tau, const std::vector<double>& now) {
+    for (std::size_t n = 0; n < out.end.size(); ++n) out.end[n] = {now[2 * n], now[2 * n + 1]};
+    out.norm_drift = std::max(out.norm_drift, std::abs(norm(out.end) / at_start - 1));
+    const auto d = density(out.end);
+    const auto site = front_packet(d);
+    if (tau > 0 && site) out.track.add(tau, d, *site);
+  });
   return out;
 }
 

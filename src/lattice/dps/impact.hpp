@@ -6,6 +6,8 @@ This is the impact of section 3.4 (impact.hpp in `measure`) in the limit of smal
 $A_1(0) = -i$ and all others zero. The packet is followed in the density $|A_n|^2$ and the slow time. */
 
 #include <cstddef>
+#include <functional>
+#include <vector>
 
 #include "lattice/dps/evolve.hpp"
 #include "lattice/packets/observe.hpp"
@@ -23,6 +25,16 @@ struct DpsOutcome {
 /// std::runtime_error if GSL cannot go on.
 DpsOutcome follow_dps(const Dps& dps, const Field& start, double duration, std::size_t samples,
                       const Tolerance& tolerance, const DpsObserver& watch);
+
+/**
+What does a method do to the packet that is less careful than GSL's (runge_kutta.hpp)? Then the method is the
+caller's: `integrate(rhs, x, observe)` carries `x` and shows every sample to `observe`. */
+using Integration = std::function<void(
+    const Rhs& rhs, std::vector<double>& x,
+    const std::function<void(double tau, const std::vector<double>& x)>& observe)>;
+
+/// Follows the packet with a method of the caller's.
+DpsOutcome follow_dps_by(const Dps& dps, const Field& start, const Integration& integrate);
 
 /**
 The amplitude of a packet oscillates while it moves from site to site. So `packet_amplitude` is the largest

@@ -10,14 +10,12 @@ $f$ given as a function. */
 #include <gsl/gsl_odeiv2.h>
 
 #include <cstddef>
-#include <functional>
 #include <memory>
 #include <vector>
 
-namespace lattice {
+#include "lattice/numbers/rhs.hpp"
 
-/// The right-hand side f of an equation: writes dx/dt into `dx`, given `t` and `x`.
-using Rhs = std::function<void(double t, const double* x, double* dx)>;
+namespace lattice {
 
 /// Local error allowed, `absolute + relative |x|`, and the method, by default rk8pd.
 struct Tolerance {

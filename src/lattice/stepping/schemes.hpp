@@ -16,7 +16,7 @@ order $p$ if the error of a run of fixed duration falls like $h^p$. */
 namespace lattice {
 
 /**
-A splitting is a list of pairs: kick by `kick[i]` h, then drift by `drift[i]` h. All of ours are
+A splitting is a list of pairs: kick by `kick[i]` h, then drift by `drift[i]` h. All of ours but one are
 symmetric, so that a run is retraced if all velocities are reversed. A step ends with the kind of
 operation with which the next one begins, and a run of many steps merges the two. `order` is that
 on a smooth problem, without contacts that open or close. */
@@ -48,6 +48,12 @@ than ten digits are asked for (accuracy.hpp). It begins and ends with a drift; h
 kicks are zero. Only half of the coefficients are given; the rest follows because the scheme is
 symmetric and its kicks, like its drifts, add up to one whole step. */
 Scheme blanes_moan_6_14();
+
+/**
+The exception is the method of Calvo and Sanz-Serna (SIAM J. Sci. Comput. 14, 1993), which this field has often used.
+It is symplectic but not symmetric. */
+/// Calvo and Sanz-Serna: order 4, four force evaluations per step.
+Scheme calvo_sanz_serna_4();
 
 /**
 The second family solves $\ddot y = g(y)$ from accelerations at several stages $Y_i$ of a step; $y$ and

@@ -1,0 +1,75 @@
+"""Figure x30: numbers of the article, computed with five methods and fixed steps."""
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+import draw
+
+data, out = draw.arguments()
+folder = f"{data}/sec33_article_integrator"
+settings = draw.records(f"{folder}/settings.ecsv")
+dps = draw.records(f"{folder}/dps_steps.ecsv")
+looks = {"verlet": ("#888888", "v", ":", "Verlet"),
+         "runge-kutta-4": ("#0072B2", "o", "-", "Runge–Kutta 4"),
+         "fehlberg-5": ("#E69F00", "^", "--", "Fehlberg 5"),
+         "dormand-prince-5": ("#009E73", "D", "-.", "Dormand–Prince 5"),
+         "calvo-sanz-serna-4": ("#D55E00", "s", (0, (1, 1)), "Calvo–Sanz-Serna 4")}
+looks["classical-4"] = looks["runge-kutta-4"]
+
+
+def curve(axes, rows, method, y, x="steps"):
+    """One column of one method against the steps."""
+    color, mark, dash, name = looks[method]
+    part = [row for row in rows if row["method"] == method]
+    axes.plot([float(row[x]) for row in part], [float(row[y]) for row in part], mark,
+              ls=dash, color=color, ms=3, lw=0.9, mfc="white", mew=0.8, label=name)
+
+
+figure, axes = plt.subplots(2, 3, figsize=(draw.TWO_COLUMNS, 115 * draw.MM),
+                            layout="constrained")
+(a, b, c), (d, e, f) = axes
+methods = list(looks)[:5]
+for method in methods:
+    curve(a, settings, method, "residual")
+    curve(b, settings, method, "barrier_size")
+    curve(c, settings, method, "off_bond")
+for panel, value in [(a, 1.5e-9), (b, 1.77e-11), (c, 1e-3)]:
+    panel.set(xscale="log", yscale="log")
+    panel.axhline(value, color="black", lw=0.8)
+a.set(ylabel="Newton's residual")
+b.set(ylabel="barrier $|E_{PN}|$")
+c.set(ylabel="multipliers off $+1$")
+
+# A threshold is between two kicks, or known to be below or above one
+for shift, method in enumerate(methods):
+    color, mark, _, _ = looks[method]
+    for row in settings:
+        low, high = float(row["threshold_above"]), float(row["threshold_below"])
+        if row["method"] != method or (low == 0 and np.isnan(high)):
+            continue
+        x = float(row["steps"]) * (1 + 0.012 * (shift - 2))
+        if low > 0 and high > 0:
+            d.plot([x, x], [low, high], "-", color=color, lw=2.5)
+        elif low > 0:
+            d.plot(x, low, "^", color=color, ms=4, mfc="white")
+        else:
+            d.plot(x, high, "v", color=color, ms=4, mfc="white")
+d.axhline(6.19e-6, color="black", lw=0.8)
+d.set(xscale="log", ylabel="threshold $c_c$", xlabel="steps for one period")
+
+for method in ["classical-4", "fehlberg-5", "dormand-prince-5"]:
+    curve(e, dps, method, "amplitude")
+e.axhline(13e-4, color="black", lw=0.8)
+e.set(xscale="log", ylabel="amplitude of the DpS packet", xlabel=r"steps for $2\pi$ of slow time")
+
+for method in methods:
+    curve(f, settings, method, "near")
+f.set(xscale="log", ylabel="numbers near the printed ones", xlabel="steps for one period",
+      ylim=(-0.2, 6.2))
+a.legend(loc="lower left", fontsize=6)
+for panel, text in zip(axes.flat, "abcdef"):
+    panel.minorticks_off()
+    ticks = [4, 8, 16, 32] if text == "e" else [50, 100, 200, 400]
+    panel.set_xticks(ticks, [str(tick) for tick in ticks])
+    draw.letter(panel, text, x=0.97 if text in "abcf" else 0.03)
+draw.save(figure, out)
