@@ -133,9 +133,8 @@ LateFate late_fate(const Bereft& impact, double step, double until, std::size_t 
 }
 
 // Energies at the end minus those at the beginning, and the mean forces in between
-Budget budget(const Bereft& impact, double step) {
-  constexpr double from = 100, to = 220,
-                   ends = 16;  // energies are means over four internal periods
+Budget budget(const Bereft& impact, double step, double from, double to) {
+  constexpr double ends = 16;  // energies are means over four internal periods
   constexpr std::size_t m = packet_half_width;
   Budget out;
   double all = 0, at_ends = 0;
