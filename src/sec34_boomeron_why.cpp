@@ -193,9 +193,16 @@ void report_distance(Report& report) {
 /**
 ## What becomes of it in the end
 
-A force that is smaller may still turn a packet, only later. So packets of five impacts around $v_0 = 1.9$ are
+A smaller force may still turn a packet, only later. So packets of five impacts around $v_0 = 1.9$ are
 followed until they have returned, or to $t = 10^4$, with waves left up to different distances, with and without
-a cut. Long runs are chaotic, so no single one of them proves anything; both steps are shown, and we count. */
+a cut. Long runs are chaotic and no single one of them proves anything; so both steps are shown, and we count.
+
+After an impact [5](num:sec34_boomeron_why.of_five_return_waves_15) of five return if the waves up to fifteen
+sites behind the packet are left, [4](num:sec34_boomeron_why.of_five_return_waves_10) with ten sites,
+[0](num:sec34_boomeron_why.of_five_return_waves_8) with eight and
+[0](num:sec34_boomeron_why.of_five_return_waves_6) with six: these go on or are caught. After a cut at $t = 60$
+[2](num:sec34_boomeron_why.of_five_return_cut_30) of five return with thirty sites of their fresh wake, and
+[1](num:sec34_boomeron_why.of_five_return_cut_6) with six. */
 void report_late_fates(Report& report) {
   struct Packet {
     Bereft impact;
@@ -237,13 +244,15 @@ void report_late_fates(Report& report) {
 /**
 ## Budgets
 
-Where do energy and momentum go? Between $t = 100$ and 220 the energy of the chain is divided among the packet
-with its eleven sites, the waves up to fifteen sites behind its centre, those further behind, and friction; the
-sum is conserved. The momentum of the packet's sites changes by the push $\langle F\rangle$ of the contact
-behind them, by that of the contact ahead, and by the wells. Since a contact only pushes, the waves can only
-push the packet forward, *away* from them, on the mean. */
-/**
-Budget prose. */
+Where do energy and momentum go between $t=100$ and 220? With the waves left, the packet keeps its energy
+(it changes by [1](num:sec34_boomeron_why.gain_waves)); with those beyond six sites absorbed it loses
+[1](num:sec34_boomeron_why.gain_behind). So near waves give back what the packet sheds. In the linear well it loses
+[1](num:sec34_boomeron_why.gain_linear) with and
+[1](num:sec34_boomeron_why.gain_linear_behind) without absorption: it leaves its waves behind so fast that they do not
+matter. Since a contact only pushes, the waves push the packet forward, *away* from them, by
+[1](num:sec34_boomeron_why.push_waves) on the mean and by
+[1](num:sec34_boomeron_why.push_behind) where they are absorbed, while the wells take up the momentum. The packet with the
+smaller loss of energy, and not that with the weaker push, is the one that is slowed down more. */
 void report_budgets(Report& report) {
   struct Case {
     std::string name;
@@ -285,73 +294,12 @@ void report_budgets(Report& report) {
 
 What is it that the waves turn? If the packet is a breather that moves, its frequency, energy and
 area should be related as in the breathers at rest of the same $s$, which we compute by Newton's
-method. The frequency is read from the upward zeros of $\sum(-1)^n y_n$ over the packet, since
-neighbours in a breather have opposite signs; the area is the mean of $\sum\dot y_n^2$ over
-stretches of twenty units of time, times the period.
+method. How they are read from the packet says wake.hpp.
 
 The lattice itself could stop a packet. Its barrier is the energy difference of site-centred and
 bond-centred breathers, $E_{\rm site}-E_{\rm bond}$, at equal area (chapter 3.2). It repeats itself
-from site to site, so the force that belongs to it has both signs within one site. */
-struct Inside {
-  double t = 0, site = 0, energy = 0, area = 0, omega = 0;
-};
+from site to site, so the force that belongs to it has both signs within one site.
 
-/// Sums over a stretch of time, and the zeros that fell into it.
-struct Gauge {
-  std::vector<Inside> rows{};
-  double before = 0, before_t = 0, first = 0, last = 0;
-  int zeros = 0;
-  Inside sum{};
-  double samples = 0, begin = 0;
-
-  void operator()(const Sight& now);
-  void look_for_zero(double pattern, double t);
-  void finish(double t);
-};
-
-/**
-Each look at the chain adds to the sums. The alternating sign cancels long waves that run through
-the packet; they would shift the zeros of a single site. */
-void Gauge::operator()(const Sight& seen) {
-  const State<double>& now = seen.state;
-  const std::vector<double>& e = seen.density;
-  const std::size_t peak = strongest(e), m = packet_half_width;
-  double pattern = 0;
-  for (std::size_t n = peak > m ? peak - m : 0; n <= peak + m; ++n) {
-    pattern += (n % 2 ? -1 : 1) * now.y[n];
-    sum.area += now.v[n] * now.v[n];
-  }
-  sum.site += energy_centre(e, peak), sum.energy += window_sum(e, peak), ++samples;
-  look_for_zero(pattern, now.t);
-  if (now.t - begin >= 20 - 1e-9) finish(now.t);
-}
-
-/**
-To place a zero between two looks we draw a straight line. The frequency of a stretch then follows
-from the number of periods between its first and its last upward zero. */
-void Gauge::look_for_zero(double pattern, double t) {
-  if (before < 0 && pattern >= 0) {
-    last = before_t + (t - before_t) * before / (before - pattern);
-    if (zeros++ == 0) first = last;
-  }
-  before = pattern, before_t = t;
-}
-
-void Gauge::finish(double t) {
-  const double omega =
-      zeros > 1 ? 2 * std::numbers::pi * (zeros - 1) / (last - first) : std::nan("");
-  rows.push_back({(begin + t) / 2, sum.site / samples, sum.energy / samples,
-                  sum.area / samples * 2 * std::numbers::pi / omega, omega});
-  begin = t, sum = {}, samples = 0, zeros = 0;
-}
-
-std::vector<Inside> gauge(const Bereft& impact, double step) {
-  Gauge gauge;
-  follow_bereft(impact, step, 420, 150, [&](const Sight& now) { return gauge(now), true; });
-  return gauge.rows;
-}
-
-/**
 For the comparison we need both families of breathers at rest over the packet's range of
 frequencies. We follow them in small steps of the frequency, each starting Newton's method from the
 breather before, and take the barrier on the way. */
@@ -421,8 +369,8 @@ void compare_inside(Quantities& facts, const std::string& name, const Family& f,
 }
 
 /**
-We compare two packets, the one that turns and the one that does not because everything behind it is
-absorbed. If the waves feed the packet, the two should differ in energy.
+We compare two packets, the one that turns and the one that does not because what lies more than six sites
+behind it is absorbed. If the waves feed the packet, the two should differ in energy.
 
 The packet is close to a breather that moves: at its frequency,
 [1.68362](num:sec34_boomeron_why.omega_waves), its area is
@@ -431,14 +379,15 @@ The packet is close to a breather that moves: at its frequency,
 [1.48728](num:sec34_boomeron_why.energy_waves), without them
 [1.3694](num:sec34_boomeron_why.energy_behind), so they do feed it. The barrier,
 [0.00040](num:sec34_boomeron_why.barrier_waves), can hold a slow packet, as we see after late
-cuts. But a force of both signs within one site can neither slow a packet over many sites nor send
-it back. */
+cuts, and near it chance decides which way a creeping packet goes. But a force of both signs within one
+site can neither slow a packet over many sites nor accelerate it on its way back. */
 void report_inside(Report& report) {
   // The packet with all its waves and with those behind it absorbed, at two steps each
   const double step = report.quick ? 0.1 : 0.05;
   const Bereft impacts[] = {{hard, velocity}, {hard, velocity, 0, 6}};
   std::vector<Inside> rows[4];
-  parallel_for(4, [&](std::size_t i) { rows[i] = gauge(impacts[i / 2], i % 2 ? step / 2 : step); });
+  parallel_for(
+      4, [&](std::size_t i) { rows[i] = gauge(impacts[i / 2], i % 2 ? step / 2 : step, 420); });
   Table& along = report.table(
       "packet_inside",
       {count("experiment", "0 waves left, 1 absorbed behind"), number("t", "time"),
@@ -593,7 +542,21 @@ void report_waves(Report& report) {
 /**
 ## Results
 
-Results. */
+**A packet is turned early by waves that travel a few sites behind it, and these come from the impact.** Take
+away what lies more than six sites behind it, and the force on the way out falls to less than a half; none of
+five packets then returned until $t=10^4$. What lies more than fifteen sites behind does not matter. So
+the article's suspicion that other waves turn the packet is supported, but these waves need not be confined: an
+end that absorbs them changes little, and the boundary does not act from afar.
+
+**A part of the slowing down needs no waves beyond the fourth site.** It is the same for a packet that has been cut
+out and meets only its own fresh wake, however much of that is left. It fades as the packet becomes slower.
+
+**The fresh wake can do it alone, but late.** On a quiet chain the packet passes the site where it would have
+turned, creeps on, and may go on, be caught, or come back, after thousands of units of time, when its speed is small
+enough for the barrier and for any wave to matter. We have no experiment that shows which it is: in the counts
+the difference between much and little fresh wake is small.
+
+At $s=0$ the waves behind the packet make no difference to the force, and no packet turns. */
 void reproduce(Report& report) {
   report_experiments(report);
   report_distance(report);
@@ -606,7 +569,24 @@ void reproduce(Report& report) {
 /**
 ## Differences and limits
 
-Limits. */
+*Not shown* is why waves pull. A contact only pushes, and that a push from behind
+draws a packet back suggests a negative effective mass: in figure 23 neighbours in the packet
+oscillate in opposite phase, as at the upper edge of a band, while the waves behind it are long and
+in phase. Nor is it shown what slows the packet down without waves; that it sheds energy is a likely cause, but
+in the linear well it sheds as much. Nor do we know why the breather of the linear well hardly responds to waves
+beside it. A damping so close to the packet may touch the packet itself. "Returns" and "goes on" are said of
+the times that we followed, and where the two steps disagree we know neither.
+
+Exact travelling breathers (section 5) do not explain the turning. At the packet's energy we know of
+none at $s = 1$: the fastest one found there has the speed
+[0.0539509](num:sec5_travelling_families.fastest_at_one) and the energy
+[0.00165802](num:sec5_travelling_families.fastest_energy_at_one).
+
+## Extensions
+
+- How does the pull depend on amplitude and frequency of the waves? Is there a frequency that pushes?
+- Measure the mass of both breathers by kicking them, and compare the ratio with that of the pulls.
+- Does a packet also turn when waves come towards it? */
 int main(int argc, char** argv) {
   return run(
       {"sec34_boomeron_why", "3.4", "Why packets turn round (section 3.4, s > 0)", reproduce}, argc,

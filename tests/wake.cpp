@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "check.hpp"
+#include "lattice/stepping/reference.hpp"
 #include "sec34/wake.hpp"
 
 using namespace lattice;
@@ -63,4 +64,28 @@ TEST_CASE("waves close behind a packet bring it back early", "[property][wake]")
 
 TEST_CASE("a wave that reaches an end is no result", "[unit][wake]") {
   CHECK_THROWS_AS(follow_bereft({.s = 0}, 0.1, 120, 20), std::runtime_error);
+}
+
+TEST_CASE("a cut packet goes on as GSL says", "[unit][wake]") {
+  const double cut = 60, until = 100;
+  const Chain chain{160, Quartic{1}};
+  const State<double> start =
+      cut_out(Chain{80, Quartic{1}}, voyage({0.0125}, {1.9, 1, cut, 80}).end, 80);
+  State<double> end = start;
+  evolve(ContactAware{0.0125}, chain, end, until - cut, sampling, Unobserved{});
+  CHECK(distance_from_reference(chain, start, until - cut, end, 1e-6) < 1e-6);
+  const Path path = follow_bereft({.cut = cut}, 0.0125, until + sampling, 80);
+  Path last;
+  last.add(end.t, energy_density(chain, end));
+  check_close(path.centre.back() + 80, last.centre.back(), 1e-4);
+}
+
+TEST_CASE("inside the packet there is a breather", "[unit][wake]") {
+  const std::vector<Inside> rows = gauge({}, 0.1, 161);
+  REQUIRE(rows.size() == 8);
+  for (std::size_t k = 5; k < rows.size(); ++k) {
+    check_close(rows[k].omega, 1.68, 0.02);
+    check_close(rows[k].area, 6, 0.4);
+    check_close(rows[k].t, 20 * double(k) + 10, 0.2);
+  }
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <stdexcept>
 
@@ -167,6 +168,63 @@ Budget budget(const Bereft& impact, double step, double from, double to) {
   for (double* x : {&out.packet, &out.near, &out.far, &out.friction}) *x /= at_ends;
   for (double* x : {&out.push_behind, &out.push_ahead, &out.wells}) *x /= all;
   return out;
+}
+
+namespace {
+
+/// Sums over a stretch of time, and the zeros that fell into it.
+struct Gauge {
+  std::vector<Inside> rows{};
+  double before = 0, before_t = 0, first = 0, last = 0;
+  int zeros = 0;
+  Inside sum{};
+  double samples = 0, begin = 0;
+
+  void operator()(const Sight& now);
+  void look_for_zero(double pattern, double t);
+  void finish(double t);
+};
+
+// Each look at the chain adds to the sums
+void Gauge::operator()(const Sight& seen) {
+  const State<double>& now = seen.state;
+  const std::vector<double>& e = seen.density;
+  const std::size_t peak = strongest(e), m = packet_half_width;
+  double pattern = 0;
+  for (std::size_t n = peak > m ? peak - m : 0; n <= peak + m; ++n) {
+    pattern += (n % 2 ? -1 : 1) * now.y[n];
+    sum.area += now.v[n] * now.v[n];
+  }
+  sum.site += energy_centre(e, peak), sum.energy += window_sum(e, peak), ++samples;
+  look_for_zero(pattern, now.t);
+  if (now.t - begin >= 20 - 1e-9) finish(now.t);
+}
+
+// A straight line between two looks places a zero, which counts if it is an upward one
+void Gauge::look_for_zero(double pattern, double t) {
+  if (before < 0 && pattern >= 0) {
+    last = before_t + (t - before_t) * before / (before - pattern);
+    if (zeros++ == 0) first = last;
+  }
+  before = pattern, before_t = t;
+}
+
+// The frequency follows from the number of periods between the first and the last zero
+void Gauge::finish(double t) {
+  const double omega =
+      zeros > 1 ? 2 * std::numbers::pi * (zeros - 1) / (last - first) : std::nan("");
+  rows.push_back({(begin + t) / 2, sum.site / samples, sum.energy / samples,
+                  sum.area / samples * 2 * std::numbers::pi / omega, omega});
+  begin = t, sum = {}, samples = 0, zeros = 0;
+}
+
+}  // namespace
+
+// Look at every sample of the run
+std::vector<Inside> gauge(const Bereft& impact, double step, double until) {
+  Gauge gauge;
+  follow_bereft(impact, step, until, 150, [&](const Sight& now) { return gauge(now), true; });
+  return gauge.rows;
 }
 
 }  // namespace lattice

@@ -89,4 +89,16 @@ struct Budget {
 /// The budgets of a packet between two times.
 Budget budget(const Bereft& impact, double step, double from, double to);
 
+/**
+Is the packet a breather that moves? Its energy centre and energy are means over stretches of twenty units of
+time; so is $\sum\dot y_n^2$ over its sites, which times the period is its area in phase space. The frequency is
+read from the upward zeros of $\sum(-1)^n y_n$ over the packet, since neighbours in a breather have opposite signs;
+the alternating sign cancels long waves that run through it and would shift the zeros of a single site. */
+struct Inside {
+  double t = 0, site = 0, energy = 0, area = 0, omega = 0;
+};
+
+/// The inside of a packet, stretch by stretch.
+std::vector<Inside> gauge(const Bereft& impact, double step, double until);
+
 }  // namespace lattice
