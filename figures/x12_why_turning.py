@@ -50,7 +50,7 @@ for cut, behind, mark, colour, name in [
     e.plot(part["velocity"][back], part["furthest"][back], mark, color=colour, ms=4)
     e.plot(part["velocity"][~back], part["furthest"][~back], mark, color=colour, ms=4, mfc="none")
     e.plot([], [], mark, color=colour, ms=4, mfc="none", label=name)
-e.set(xlabel="impact velocity $v_0$", ylabel="furthest centre (site)", yscale="log", ylim=(10, 1500))
+e.set(xlabel="impact velocity $v_0$", xlim=(1.78, 1.98), ylabel="furthest centre (site)", yscale="log", ylim=(10, 1500))
 e.set_yticks([10, 30, 100, 300], ["10", "30", "100", "300"])
 e.minorticks_off()
 e.legend(loc="upper right", ncols=2, fontsize=7, title="waves left (filled: returned)",
@@ -87,7 +87,8 @@ for i, (name, colour, hatch, text) in enumerate(shares):
 f.axhline(0, color="black", lw=0.6)
 f.set_xticks(range(4), ["$s=1$,\nleft", "$s=1$,\nabsorbed", "$s=0$,\nleft", "$s=0$,\nabsorbed"])
 f.set(ylabel="change of energy, $100 < t < 220$")
-f.legend(loc="best", fontsize=7)
-for axes, name in [(a, "a"), (b, "b"), (c, "c"), (d, "d"), (e, "e"), (f, "f")]:
+f.legend(loc="upper left", fontsize=7)
+for axes, name in [(a, "a"), (b, "b"), (c, "c"), (d, "d"), (e, "e")]:
     draw.letter(axes, name)
+draw.letter(f, "f", x=0.97)
 draw.save(figure, out)
