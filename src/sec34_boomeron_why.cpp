@@ -108,7 +108,8 @@ void report_experiments(Report& report) {
     const auto back = [](const LateFate& f) { return f.late == Late::returns ? 1.0 : 0.0; };
     report.facts.add("returned_" + e.name, compare(back(coarse), back(fine)), "1 if it came back");
     report.facts.add("furthest_" + e.name, compare(coarse.furthest, fine.furthest), "site");
-    report.facts.add("when_" + e.name, compare(coarse.when, fine.when));
+    const Estimate when = compare(coarse.when, fine.when);
+    report.facts.add("when_" + e.name, {when.value, when.error + smoothing / 2});
   }
 
   // The ways, smoothed; after a cut only from the cut on
@@ -121,7 +122,7 @@ void report_experiments(Report& report) {
                     number("energy", "energy of the packet, smoothed")});
   for (std::size_t k = 0; k < list.size(); ++k) {
     const Path p = smooth(list[k].path, smoothing);
-    for (std::size_t i = 0; i < p.t.size() && p.t[i] < 4000; i += 50)
+    for (std::size_t i = 0; i < p.t.size() && p.t[i] < 4000; i += 100)
       if (p.t[i] > list[k].impact.cut) tracks.add({k, p.t[i], p.centre[i], p.energy[i]});
   }
 }
@@ -141,12 +142,13 @@ struct Pull {
 
 Line slope_of_velocity(const Path& path, double from, double to) {
   const Path p = smooth(path, smoothing);
-  const std::size_t half = std::size_t(std::lround(5 / sampling));
+  const double look = p.t[1] - p.t[0];
+  const std::size_t half = std::size_t(std::lround(5 / look));
   std::vector<double> ts, vs;
   for (std::size_t i = half; i + half < p.t.size(); i += half)
     if (p.t[i] > from && p.t[i] < to) {
       ts.push_back(p.t[i]);
-      vs.push_back((p.centre[i + half] - p.centre[i - half]) / (2 * half * sampling));
+      vs.push_back((p.centre[i + half] - p.centre[i - half]) / (2 * half * look));
     }
   return fit_line(ts, vs);
 }

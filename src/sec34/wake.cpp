@@ -13,6 +13,11 @@ namespace {
 // Friction is that of the chapter: strong enough to absorb a wave within some ten sites
 constexpr double rate = 0.1, rate_at_end = 0.2, packet_has_left = 60;
 
+// Looks become denser with the step, so that two steps also show the error of what is read from them
+double look_every(double step) {
+  return std::min(sampling, 2 * step);
+}
+
 /// Beads, counted from the first one, that are damped at rate `nu`.
 struct Absorber {
   std::size_t beads = 0;
@@ -51,9 +56,10 @@ bool Voyager::go(const Chain& chain, State<double>& state, double until, Path& p
   const ContactAware stepper{step};
   const Advance advance = advance_of(stepper, chain);
   Window moving = waking(chain, state);
-  const TimeGrid grid = time_grid(sampling, sampling, step);
+  const double look = look_every(step);
+  const TimeGrid grid = time_grid(look, look, step);
   const double from = state.t;
-  for (std::size_t k = 0; state.t < until - sampling / 2; ++k) {
+  for (std::size_t k = 0; state.t < until - look / 2; ++k) {
     const std::vector<double> density = energy_density(chain, state);
     path.add(state.t, density);
     path.centre.back() -= double(shift);
@@ -64,7 +70,7 @@ bool Voyager::go(const Chain& chain, State<double>& state, double until, Path& p
       advance(state, moving, grid.step(), 1);
       dissipated += rub(now, grid.step() / 2, state);
     }
-    state.t = from + sampling * double(k + 1);
+    state.t = from + look * double(k + 1);
   }
   return true;
 }
@@ -112,7 +118,7 @@ Path follow_bereft(const Bereft& impact, double step, double until, std::size_t 
 // Watch plain means over the width of the smoothing: they tell whether the packet comes back
 LateFate late_fate(const Bereft& impact, double step, double until, std::size_t sites, Path* way) {
   LateFate out;
-  const auto width = std::size_t(std::lround(smoothing / sampling));
+  const auto width = std::size_t(std::lround(smoothing / look_every(step)));
   Path recent;
   double mean = 0, late = std::nan("");
   const auto watch = [&](const Sight& now) {
@@ -140,7 +146,7 @@ Budget budget(const Bereft& impact, double step, double from, double to) {
   Budget out;
   double all = 0, at_ends = 0;
   follow_bereft(impact, step, to, 150, [&](const Sight& now) {
-    const double t = now.state.t + sampling / 2;
+    const double t = now.state.t + 1e-9;
     if (t < from) return true;
     const std::vector<double>&e = now.density, &y = now.state.y;
     const std::size_t peak = strongest(e), back = peak - m, front = peak + m;

@@ -51,8 +51,9 @@ struct Sight {
 using Observer = std::function<bool(const Sight&)>;
 
 /**
-An absorber that follows the packet is placed anew at every sample. Within a sample, half of its friction acts
-before each step and half after it, as in damped.hpp.
+An absorber that follows the packet is placed anew whenever the observer looks, which is every 0.2 units of time,
+or every two steps if these are shorter: so two steps also show the error of the moving absorber and of the
+looks. In between, half of its friction acts before each step and half after it, as in damped.hpp.
 
 `sites` is the length of the struck chain and of what a cut puts behind the packet. It has to be so long that
 nothing comes back from its ends. Throws std::runtime_error when a wave has reached one. */
