@@ -10,6 +10,7 @@ import draw
 data, out = draw.arguments()
 cells = draw.read(f"{data}/sec34_boomeron_map/reversal_map.ecsv")
 law = draw.read(f"{data}/sec34_boomeron_map/critical_s.ecsv")
+contours = draw.read(f"{data}/sec34_boomeron_map/contours.ecsv")
 
 figure, (axes, line) = plt.subplots(1, 2, figsize=(draw.TWO_COLUMNS, 80 * draw.MM),
                                     width_ratios=[1.25, 1], layout="constrained")
@@ -54,7 +55,12 @@ bar.ax.minorticks_off()
 bar.set_label("apex (site)")
 
 line.plot(law["root_velocity"], law["kappa"], "o", ms=3, mfc="white", mec="#0072B2", mew=0.8,
-          label="bisection")
+          label="apex at site 40")
+for site, mark, colour in [(20, "^", "#009E73"), (80, "v", "#D55E00")]:
+    part = draw.where(contours, "site", site)
+    if len(part["kappa"]):
+        line.plot(np.sqrt(part["velocity"]), part["kappa"], mark, ms=3.5, mfc="none", mec=colour,
+                  mew=0.8, label=f"apex at site {site}")
 fitted = law["velocity"] < 3
 line.plot(law["root_velocity"][fitted], law["law"][fitted], color="black", lw=1,
           label=r"$\kappa_0 + \kappa_1 v_0^{1/2}$")

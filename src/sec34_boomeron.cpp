@@ -77,35 +77,34 @@ and over one unit of time in the zoom. The dashed line marks the time after whic
 determined by what we know of the impact; what the map shows beyond it is one possibility among many. */
 struct Frame {
   std::int64_t panel;
-  double velocity, from, to, interval;
+  double velocity, to, interval;
   std::size_t sites;
 };
-const Frame frames[] = {
-    {1, 1.5, 0, 1000, 4, 110}, {2, 1.9, 0, 2500, 5, 40}, {3, 1.9, 0, 900, 1, 28}};
-
-void add_frame(Table& table, const Frame& f, double step) {
-  std::vector<double> sum(f.sites, 0.0);
-  double weight = 0, next = f.from + f.interval;
-  const auto average = [&](const State<double>& now, const std::vector<double>& e) {
-    for (std::size_t n = 0; n < f.sites; ++n) sum[n] += e[n];
-    if (++weight, now.t < next - 1e-9) return;
-    for (std::size_t n = 0; n < f.sites; ++n)
-      table.add({f.panel, next - f.interval / 2, std::int64_t(n + 1), sum[n] / weight});
-    std::fill(sum.begin(), sum.end(), 0.0);
-    weight = 0, next += f.interval;
-  };
-  voyage({step}, {f.velocity, 1, f.to, 400}, average);
-}
+const Frame frames[] = {{1, 1.5, 1000, 4, 110}, {2, 1.9, 2500, 5, 40}, {3, 1.9, 900, 1, 28}};
 
 /**
 A colour can be read to a few per cent at best, so the maps are drawn from runs with a longer step
 than the numbers of this chapter. */
-Table density_maps(bool quick) {
-  Table table{{count("panel", "1: v0 = 1.5, 2: v0 = 1.9, 3: the beginning of 2"),
-               number("t", "time"), count("n", "site", "site"),
-               number("e", "energy density, averaged over the interval between two times")}};
-  for (const Frame& f : frames) add_frame(table, f, quick ? 0.2 : 0.05);
-  return table;
+void report_maps(Report& report, double determined_until) {
+  Table& table =
+      report.table("density_maps",
+                   {count("panel", "1: v0 = 1.5, 2: v0 = 1.9, 3: the beginning of 2"),
+                    number("t", "time"), count("n", "site", "site"),
+                    number("e", "energy density, averaged over the interval between two times")});
+  table.meta = {{"decorrelation_time", number_text(determined_until)}};
+  for (const Frame& f : frames) {
+    std::vector<double> sum(f.sites, 0.0);
+    double weight = 0, next = f.interval;
+    const auto average = [&](const State<double>& now, const std::vector<double>& e) {
+      for (std::size_t n = 0; n < f.sites; ++n) sum[n] += e[n];
+      if (++weight, now.t < next - 1e-9) return;
+      for (std::size_t n = 0; n < f.sites; ++n)
+        table.add({f.panel, next - f.interval / 2, n + 1, sum[n] / weight});
+      std::fill(sum.begin(), sum.end(), 0.0);
+      weight = 0, next += f.interval;
+    };
+    voyage({report.quick ? 0.2 : 0.05}, {f.velocity, 1, f.to, 400}, average);
+  }
 }
 
 /**
@@ -123,43 +122,33 @@ rebounds at [897.7](num:sec34_boomeron.return_time_190).
 Near a turning small errors decide which way a packet goes that is almost at rest. So we do not
 assume that our steps are short enough but show it: a table holds each of these moments at three
 steps. */
-using Voyages = std::vector<std::vector<Voyage>>;  // by case and step
-using Moments = std::vector<TurnEstimate>;         // by case
-
-Voyages sail(const std::vector<double>& steps) {
-  Voyages voyages(std::size(cases), std::vector<Voyage>(steps.size()));
-  parallel_for(voyages.size() * steps.size(), [&](std::size_t i) {
-    const std::size_t k = i / steps.size(), j = i % steps.size();
-    voyages[k][j] = voyage({steps[j]}, cases[k].strike);
-  });
-  return voyages;
-}
-
-Table step_dependence(const Voyages& voyages, const std::vector<double>& steps) {
-  Table table{{number("velocity", "impact velocity"), number("step", "time step"),
-               number("stop_time", "time when the velocity vanishes first"),
-               number("apex_site", "furthest point of the way out", "site"),
-               number("apex_time", "time of the apex"), number("return_time", "time of rebound")}};
-  for (std::size_t k = 0; k < voyages.size(); ++k)
-    for (std::size_t j = 0; j < steps.size(); ++j) {
-      const Turn turn = voyages[k][j].turn();
-      table.add({cases[k].strike.velocity, steps[j], turn.stop.time, turn.apex.site, turn.apex.time,
-                 turn.rebound.time});
-    }
-  return table;
-}
-
-/**
-The facts come from the two finer steps. For $v_0 = 1.5$ there is no rebound to report: the way to
-the apex takes most of the run. */
-Moments report_turns(Report& report) {
+std::vector<TurnEstimate> report_turns(Report& report) {
   const std::vector<double> steps =
       report.quick ? std::vector<double>{0.2, 0.1} : std::vector<double>{0.1, 0.05, 0.025};
-  const Voyages voyages = sail(steps);
-  report.output.add("step_dependence", step_dependence(voyages, steps));
-  Moments reads;
-  for (std::size_t k = 0; k < voyages.size(); ++k) {
-    reads.push_back(estimate_turn(voyages[k][steps.size() - 2], voyages[k].back()));
+  const std::size_t count = steps.size();
+  std::vector<Voyage> voyages(std::size(cases) * count);  // by case and step
+  parallel_for(voyages.size(), [&](std::size_t i) {
+    voyages[i] = voyage({steps[i % count]}, cases[i / count].strike);
+  });
+
+  // Each moment at every step
+  Table& table = report.table(
+      "step_dependence",
+      {number("velocity", "impact velocity"), number("step", "time step"),
+       number("stop_time", "time when the velocity vanishes first"),
+       number("apex_site", "furthest point of the way out", "site"),
+       number("apex_time", "time of the apex"), number("return_time", "time of rebound")});
+  for (std::size_t i = 0; i < voyages.size(); ++i) {
+    const Turn turn = voyages[i].turn();
+    table.add({cases[i / count].strike.velocity, steps[i % count], turn.stop.time, turn.apex.site,
+               turn.apex.time, turn.rebound.time});
+  }
+
+  // The facts come from the two finer steps; at v0 = 1.5 the way to the apex takes most of the run
+  std::vector<TurnEstimate> reads;
+  for (std::size_t k = 0; k < std::size(cases); ++k) {
+    const Voyage* last = &voyages[(k + 1) * count - 1];
+    reads.push_back(estimate_turn(last[-1], last[0]));
     const std::string name = cases[k].name;
     report.facts.add("stop_time_" + name, reads[k].stop_time);
     report.facts.add("stop_site_" + name, reads[k].stop_site, "site");
@@ -218,22 +207,21 @@ Up to the time at which the two finer steps part, the trajectories of this chapt
 22 marks the time for $\delta = 10^{-6}$, since nobody would print an impact velocity with more
 digits. */
 double report_decorrelation(Report& report) {
-  Table table{
+  Table& table = report.table(
+      "decorrelation",
       {number("delta", "relative difference of the impacts, 0 for one impact and two steps"),
        number("coarse", "first step"), number("fine", "second step"),
-       number("t", "time when the two have parted")}};
+       number("t", "time when the two have parted")});
   double marked = 0;
   Estimate resolved;
   for (const TwoImpacts& p : part_pairs(report.quick)) {
     table.add({p.delta, p.coarse, p.fine, p.when});
     if (p.delta == 0) resolved = {p.when, std::abs(p.when - resolved.value)};
-    if (p.delta == 1e-6) {
-      marked = p.when;
-      report.facts.add("decorrelation_time_190", decorrelation_of(p.check, p.when));
-    }
+    if (p.delta != 1e-6) continue;
+    marked = p.when;
+    report.facts.add("decorrelation_time_190", decorrelation_of(p.check, p.when));
   }
   report.facts.add("resolved_until", resolved);
-  report.output.add("decorrelation", std::move(table));
   return marked;
 }
 
@@ -295,12 +283,12 @@ void report_ensemble(Report& report) {
   const std::size_t members = report.quick ? 8 : 24;
   const double time = report.quick ? 2200 : 2600, step = 0.2;
   const auto coarse = ensemble(members, step, time), fine = ensemble(members, step / 2, time);
-  Table table{{number("t", "time"), number("mean", "mean of the centres", "site"),
-               number("deviation", "standard deviation of the centres", "site"),
-               number("low", "lower tenth", "site"), number("high", "upper tenth", "site")}};
-  for (const Spread& s : fine) table.add({s.t, s.mean, s.deviation, s.low, s.high});
+  Table& table = report.table(
+      "ensemble", {number("t", "time"), number("mean", "mean of the centres", "site"),
+                   number("deviation", "standard deviation of the centres", "site"),
+                   number("low", "lower tenth", "site"), number("high", "upper tenth", "site")});
   table.meta = {{"seed", std::to_string(seed)}, {"members", std::to_string(members)}};
-  report.output.add("ensemble", std::move(table));
+  for (const Spread& s : fine) table.add({s.t, s.mean, s.deviation, s.low, s.high});
   const auto over = [&](double from, double to) {
     return compare(mean_deviation(coarse, from, to), mean_deviation(fine, from, to));
   };
@@ -359,39 +347,34 @@ Force force_of(const Voyage& coarse, const Voyage& fine, bool outward) {
 
 /**
 According to the article the force grows with $s$ and with $v_0$. So the list varies $v_0$ at $s=1$,
-then $s$ at $v_0=1.9$; its last run is the way back. */
+then $s$ at $v_0=1.9$, with $s = 0$ for comparison; its last run is the way back. The article does not say
+how constant an almost constant force is, so the table gives the bend beside each force. */
 struct Pull {
   Strike strike;
   bool outward = true;
   Force seen{};
 };
 
-std::vector<Pull> pulls(double step) {
+std::vector<Pull> report_pulls(Report& report, double step) {
   std::vector<Pull> list;
   for (double v : {1.1, 1.3, 1.5, 1.6, 1.7, 1.8, 1.9, 2.0}) list.push_back({{v, 1, 300}});
   for (double s : {0.0, 0.25, 0.5, 0.75}) list.push_back({{1.9, s, 300}});
   list.push_back({{1.9, 1, 1000}, false});
-  parallel_for(list.size(), [&](std::size_t i) {
-    auto& [strike, outward, seen] = list[i];
-    seen = force_of(voyage({2 * step}, strike), voyage({step}, strike), outward);
-  });
+  const auto row = [&](Pull& p) {
+    p.seen = force_of(voyage({2 * step}, p.strike), voyage({step}, p.strike), p.outward);
+    return Cells{p.strike.s,         p.strike.velocity,  p.outward,
+                 p.seen.force.value, p.seen.force.error, p.seen.bend.value};
+  };
+  report
+      .table(
+          "force",
+          {number("s", "anharmonicity"), number("velocity", "impact velocity"),
+           count("outward", "1 on the way out, 0 on the way back"),
+           number("force", "acceleration of the centre", "site per squared unit of time"),
+           number("force_uncertainty", "fit, step and smoothing", "site per squared unit of time"),
+           number("bend", "relative difference of the slopes of both halves")})
+      .fill(list, row, "forces");
   return list;
-}
-
-/**
-The article does not say how constant an almost constant force is, so the table gives the bend
-beside each force. It also gives the force at $s = 0$, for comparison. */
-Table force_table(const std::vector<Pull>& list) {
-  Table table{
-      {number("s", "anharmonicity"), number("velocity", "impact velocity"),
-       count("outward", "1 on the way out, 0 on the way back"),
-       number("force", "acceleration of the centre", "site per squared unit of time"),
-       number("force_uncertainty", "fit, step and smoothing", "site per squared unit of time"),
-       number("bend", "relative difference of the slopes of both halves")}};
-  for (const auto& [strike, outward, seen] : list)
-    table.add({strike.s, strike.velocity, std::int64_t(outward), seen.force.value, seen.force.error,
-               seen.bend.value});
-  return table;
 }
 
 /**
@@ -418,12 +401,10 @@ bool only_slows_down(Report& report, double step) {
 /**
 The *reversal* at $v_0=1.9$ (`boomeron.reversal`) is also decided by numbers: the packet has an
 apex, the force on it points backward on both ways beyond the errors, and the time of its rebound is
-known to better than ten units. As the *turning time* at $v_0=1.87$ we take that of the first stop,
-because the article's profile shows a packet that is about to stop. */
-void report_force(Report& report, const Moments& reads) {
+known to better than ten units. */
+void report_force(Report& report, const std::vector<TurnEstimate>& reads) {
   const double step = report.quick ? 0.1 : 0.05;
-  const std::vector<Pull> list = pulls(step);
-  report.output.add("force", force_table(list));
+  const std::vector<Pull> list = report_pulls(report, step);
   const Estimate slow = list[2].seen.force, fast = list[6].seen.force, back = list[12].seen.force;
   const std::string unit = "site per squared unit of time";
   report.facts.add("force_150", slow, unit);
@@ -435,28 +416,45 @@ void report_force(Report& report, const Moments& reads) {
   judge(report, "boomeron.moderate", slowed_packet(slows, slow, fast));
   judge(report, "boomeron.reversal",
         reversed_packet(reads[2].apex_time, fast, back, reads[2].return_time));
-  report.results.add("boomeron.turning_time", reads[1].stop_time);
 }
 
 /**
 ## Profiles close to the turning (figure 23)
 
 The article shows the velocities at $v_0 = 1.87$ when, as it says, the packet is close to turning,
-and we show the same times for comparison. In our runs the packet is still on its way out then; it
-first stops near $t=$ [5e2](num:boomeron.turning_time).
+and we show the same times for comparison. How close is close? At $t = 238$ the centre is
+[3](num:boomeron.turning_time) sites from its apex and still moves, at
+[0.03](num:sec34_boomeron.speed_187_at_238) sites per unit of time, a fraction
+[0.3](num:sec34_boomeron.speed_ratio_187) of its mean speed on the way out. Its velocity vanishes first at
+[4.9e2](num:sec34_boomeron.stop_time_187); the error holds what the smoothing changes on a plateau.
 
 ![Velocities close to the turning.](fig:23) */
-Table turning_profiles(bool quick) {
-  Table table{{number("t", "time"), count("n", "site", "site"), number("v", "velocity"),
-               number("v_error", "difference of two resolutions")}};
+void report_profiles(Report& report, const TurnEstimate& turn) {
+  Table& table = report.table("turning_profiles", {number("t", "time"), count("n", "site", "site"),
+                                                   estimate("v", "velocity")});
+  const double step = report.quick ? 0.1 : 0.025;
   for (double time : {238.0, 241.0}) {
-    const double step = quick ? 0.1 : 0.025;
     const State<double> coarse = voyage({2 * step}, {1.87, 1, time}).end,
                         fine = voyage({step}, {1.87, 1, time}).end;
-    for (std::size_t n = 0; n < 40; ++n)
-      table.add({time, std::int64_t(n + 1), fine.v[n], std::abs(fine.v[n] - coarse.v[n])});
+    for (std::size_t n = 0; n < 40; ++n) table.add({time, n + 1, compare(coarse.v[n], fine.v[n])});
   }
-  return table;
+
+  // Where the centre is at the first of these times, and how fast
+  double centre[2], speed[2], mean[2];
+  for (int k : {0, 1}) {
+    const Path p = smooth(voyage({k ? step : 2 * step}, {1.87, 1, 260}).path, smoothing);
+    const auto at = [&](double t) {
+      return p.centre[std::size_t(std::lround((t - p.t[0]) / sampling))];
+    };
+    centre[k] = at(238), speed[k] = (at(243) - at(233)) / 10;
+    mean[k] = speed[k] * 238 / centre[k];
+  }
+  const Estimate here = compare(centre[0], centre[1]);
+  report.facts.add("speed_187_at_238", compare(speed[0], speed[1]), "site per unit of time");
+  report.facts.add("speed_ratio_187", compare(mean[0], mean[1]), "to the mean speed so far");
+  report.results.add("boomeron.turning_time",
+                     {turn.apex_site.value - here.value, turn.apex_site.error + here.error},
+                     "site");
 }
 
 /**
@@ -508,18 +506,19 @@ What did not happen in the given time is `nan`. The step is halved until apex an
 to the tolerance; where they never do, the motion became chaotic first, and the command fails. What is left
 of their difference is printed as `step_difference`. The errors of the times are larger: they hold what
 another width of the smoothing would change, and no step makes that smaller. Well and contact may be
-others, by name, and the chain is so long that nothing returns from its far end. The ranges
-exclude inputs for which the question has no answer: a run too short for the smoothing, a velocity at which
+others, by name. The chain is so long that nothing returns from its far end, unless `--sites` gives it a
+length. The ranges exclude inputs for which the question has no answer: a run too short for the smoothing, a velocity at which
 nothing moves, a soft quartic well. */
 struct OneTurn {
   static constexpr Title title{"run", "one impact: apex, rebound, decorrelation"};
   double velocity = 1.9, time = 1000, tolerance = 1e-3;
-  Chain like{0, Quartic{1}};
+  Chain like{0, Quartic{1}};  // without sites: as long as needed
 
   void parameters(Parameters& p) {
     p.add("velocity", velocity, "impact velocity", {1e-3, 100});
     add_well(p, like.well, {{"s", {0, 1000}}});
     add_contact(p, like.contact);
+    p.add("sites", like.sites, "chain length (default: as long as needed)", {12, 1e5});
     p.add("time", time, "length of the run", {50, 1e5});
     p.add("tolerance", tolerance,
           "relative difference of apex and rebound allowed between two steps", {1e-8, 0.1});
@@ -527,18 +526,12 @@ struct OneTurn {
   Table table() const;
 };
 
-/// Shows the hundredths of a run until a time.
-std::function<void(double)> shown(const std::string& label, double until) {
-  return [until, progress = std::make_shared<Progress>(label, 100)](double t) {
-    progress->reach(std::size_t(100 * t / until));
-  };
-}
-
 /**
 The two impacts that part are run with half the step once more, for the error of that time. */
 Table OneTurn::table() const {
   const double v = velocity;
-  const Chain chain = endless(like, v, time);
+  const bool needed = like.sites == 0;
+  const Chain chain = needed ? endless(like, v, time) : like;
   const auto runs = converge(
       tolerance,
       [&](const ContactAware& at) {
@@ -547,7 +540,8 @@ Table OneTurn::table() const {
                       [&](const State<double>& now, const auto&) { show(now.t); });
       },
       SameTurn{});
-  if (std::abs(runs.fine.end.v.back()) > 1e-9 * v) throw Failure("the motion reaches the far end");
+  if (needed && std::abs(runs.fine.end.v.back()) > 1e-9 * v)
+    throw Failure("the motion reaches the far end");
   // The neighbours start from the steps that have proved to be short enough
   const TurnEstimate read = estimate_turn(runs.coarse, runs.fine);
   const auto neighbours = [&](int more) {
@@ -568,13 +562,11 @@ Table OneTurn::table() const {
 The chapter is computed in the order in which it was told, except that the maps come after the
 parting times, one of which they show. */
 void reproduce(Report& report) {
-  const Moments reads = report_turns(report);
+  const std::vector<TurnEstimate> reads = report_turns(report);
   const double marked = report_decorrelation(report);
-  Table maps = density_maps(report.quick);
-  maps.meta = {{"decorrelation_time", number_text(marked)}};
-  report.output.add("density_maps", std::move(maps));
+  report_maps(report, marked);
   report_force(report, reads);
-  report.output.add("turning_profiles", turning_profiles(report.quick));
+  report_profiles(report, reads[1]);
   report_printed_range(report);
   report_ensemble(report);
   report_check(report);

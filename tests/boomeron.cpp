@@ -121,10 +121,13 @@ TEST_CASE("the boomeron run keeps its contract", "[cli][boomeron]") {
   check_close(quantity(r, "apex_time"), 466.6, 2);
   check_close(quantity(r, "return_time"), 897.7, 1);
   CHECK(quantity(r, "decorrelation_time") > 900);
+  const std::string brief = "sec34_boomeron run --time 60 --tolerance 0.01";
+  CHECK(body(call(brief).output) == body(call(brief + " --sites 300").output));
   const Result never = call("sec34_boomeron run --velocity 1 --s 0 --time 200");
   REQUIRE(never.code == 0);
   CHECK(std::isnan(quantity(never, "apex_site")));
-  for (const char* bad : {"run --velocity nan", "run --s -1", "run --time 0", "run --tolerance 2"})
+  for (const char* bad :
+       {"run --velocity nan", "run --s -1", "run --time 0", "run --tolerance 2", "run --sites 5"})
     CHECK(call(std::string("sec34_boomeron ") + bad).code == 2);
   for (const char* bad : {"map --part 3/2", "map --part 0/1", "map --part x", "map --rows 1"})
     CHECK(call(std::string("sec34_boomeron_map ") + bad + " --folder /tmp").code == 2);

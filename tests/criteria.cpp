@@ -287,9 +287,6 @@ TEST_CASE("a packet is reversed, slowed or erratic only by evidence", "[unit][cr
   CHECK(holds(erratic_packets({0.1, 0.01}, {6, 0.5})));
   CHECK(failing(erratic_packets({6, 0.5}, {6, 0.5})) == "spread_until_return");
   CHECK(failing(erratic_packets({0.1, 0.01}, {0.2, 0.01})) == "spread_late");
-  CHECK(holds(every_hard_well(Fate::turns, 0)));
-  CHECK(failing(every_hard_well(Fate::escapes, 0)) == "turns_beyond");
-  CHECK(failing(every_hard_well(Fate::turns, 1)) == "turns_without_hardness");
 }
 
 TEST_CASE("a reflection is total, partial or neither", "[unit][criteria]") {

@@ -99,6 +99,13 @@ void Progress::reach(std::size_t k) {
   if (shown_ && k > before) std::fprintf(stderr, "\r%s %zu/%zu", label_.c_str(), k, total_);
 }
 
+// The hundredths of a run that knows its time
+std::function<void(double)> shown(const std::string& label, double until) {
+  return [until, progress = std::make_shared<Progress>(label, 100)](double t) {
+    progress->reach(std::size_t(100 * t / until));
+  };
+}
+
 // A sign of life once a second, for work that has no parts to count
 struct Heartbeat::Beat {
   explicit Beat(std::string label) : label_(std::move(label)), thread_([this] { run(); }) {}

@@ -59,6 +59,9 @@ class Progress {
   bool shown_;
 };
 
+/// A function that takes the time of a run and shows under `label` how many hundredths of `until` it is.
+std::function<void(double)> shown(const std::string& label, double until);
+
 /// Shows `label` and the seconds since it was made, once a second, while nobody shows a `Progress`.
 class Heartbeat {
  public:

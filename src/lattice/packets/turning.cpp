@@ -129,10 +129,4 @@ Criterion erratic_packets(const Estimate& early, const Estimate& late) {
   return {below("spread_until_return", early, 0.25), above("spread_late", late, 3)};
 }
 
-// Even the softest of the hard wells turns packets, and without hardness none turns round
-Criterion every_hard_well(Fate beyond, double turned_without) {
-  return {above("turns_beyond", exact(beyond == Fate::turns), 0.5),
-          below("turns_without_hardness", exact(turned_without), 1)};
-}
-
 }  // namespace lattice

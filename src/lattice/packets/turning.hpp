@@ -204,12 +204,8 @@ Criterion slowed_packet(bool slows, const Estimate& force, const Estimate& turni
 
 /**
 An ensemble of such packets becomes erratic if its centres stay together within a quarter of a site on the
-way out and back, and spread over more than three long after. That every hard well turns packets is tested
-in the softest one, and that it takes a hard well, in the linear one. */
+way out and back, and spread over more than three long after. */
 /// From the spread of an ensemble until the return and late.
 Criterion erratic_packets(const Estimate& early, const Estimate& late);
-
-/// From the fate of a strong impact on the softest well and the number of packets that turned without one.
-Criterion every_hard_well(Fate beyond, double turned_without);
 
 }  // namespace lattice

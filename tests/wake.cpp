@@ -1,0 +1,91 @@
+// Packets from which waves are taken away: what a cut keeps, what friction takes, what comes back.
+
+#include <cmath>
+
+#include "check.hpp"
+#include "lattice/stepping/reference.hpp"
+#include "sec34/wake.hpp"
+
+using namespace lattice;
+
+TEST_CASE("a cut keeps the packet and nothing else", "[unit][wake]") {
+  const Chain chain{60, Quartic{1}};
+  const Voyage voyage_to = voyage({0.1}, {1.9, 1, 60, 60});
+  const State<double> whole = voyage_to.end, alone = cut_out(chain, whole, 100);
+  const std::size_t peak = strongest(energy_density(chain, whole));
+  REQUIRE(alone.y.size() == 160);
+  CHECK(alone.t == whole.t);
+  for (std::size_t n = 0; n < 60; ++n) {
+    const bool kept = n + 6 >= peak && n <= peak + 6;
+    CHECK(alone.y[n + 100] == (kept ? whole.y[n] : 0));
+    CHECK(alone.v[n + 100] == (kept ? whole.v[n] : 0));
+  }
+}
+
+TEST_CASE("with nothing taken away the packet is that of the impact", "[unit][wake]") {
+  const Path path = follow_bereft({}, 0.05, 120, 60),
+             whole = voyage({0.05}, {1.9, 1, 120, 60}).path;
+  REQUIRE(path.t.size() + 1 == whole.t.size());
+  for (std::size_t i = 0; i < path.t.size(); i += 50)
+    check_close(path.centre[i], whole.centre[i], 1e-5);
+}
+
+TEST_CASE("what friction takes is missing, and a cut takes nothing of the packet", "[unit][wake]") {
+  double last = 0, gone = 0;
+  follow_bereft({.behind = 6}, 0.05, 150, 60, [&](const Sight& now) {
+    last = energy(now.chain, now.state), gone = now.dissipated;
+    return true;
+  });
+  check_close(last + gone, 1.9 * 1.9 / 2, 1e-6);
+  CHECK(gone > 0.1);
+  const Path cut = follow_bereft({.cut = 60}, 0.05, 61, 60),
+             whole = follow_bereft({}, 0.05, 61, 60);
+  check_close(cut.centre.back(), whole.centre.back(), 0.05);
+  check_close(cut.energy.back(), whole.energy.back(), 0.01);
+}
+
+TEST_CASE("the changes of a budget cancel", "[unit][wake]") {
+  for (const Bereft& impact : {Bereft{}, Bereft{.behind = 6}}) {
+    const Budget b = budget(impact, 0.1, 100, 150);
+    CHECK(std::abs(b.packet + b.near + b.far + b.friction) < 1e-3);
+    CHECK(b.push_behind > 0);
+    CHECK((b.friction > 1e-3) == (impact.behind > 0));
+  }
+}
+
+TEST_CASE("waves close behind a packet bring it back early", "[property][wake]") {
+  const LateFate with = late_fate({.velocity = 1.84, .behind = 15}, 0.1, 900, 120),
+                 without = late_fate({.velocity = 1.84, .behind = 6}, 0.1, 900, 120);
+  CHECK(with.late == Late::returns);
+  check_close(with.furthest, 27.97, 0.1);
+  CHECK(without.late == Late::goes_on);
+  CHECK(without.furthest > 40);
+}
+
+TEST_CASE("a wave that reaches an end is no result", "[unit][wake]") {
+  CHECK_THROWS_AS(follow_bereft({.s = 0}, 0.1, 120, 20), std::runtime_error);
+}
+
+TEST_CASE("a cut packet goes on as GSL says", "[unit][wake]") {
+  const double cut = 60, until = 100;
+  const Chain chain{160, Quartic{1}};
+  const State<double> start =
+      cut_out(Chain{80, Quartic{1}}, voyage({0.0125}, {1.9, 1, cut, 80}).end, 80);
+  State<double> end = start;
+  evolve(ContactAware{0.0125}, chain, end, until - cut, sampling, Unobserved{});
+  CHECK(distance_from_reference(chain, start, until - cut, end, 1e-6) < 1e-6);
+  const Path path = follow_bereft({.cut = cut}, 0.0125, until + sampling, 80);
+  Path last;
+  last.add(end.t, energy_density(chain, end));
+  check_close(path.centre.back() + 80, last.centre.back(), 1e-4);
+}
+
+TEST_CASE("inside the packet there is a breather", "[unit][wake]") {
+  const std::vector<Inside> rows = gauge({}, 0.1, 161);
+  REQUIRE(rows.size() == 8);
+  for (std::size_t k = 5; k < rows.size(); ++k) {
+    check_close(rows[k].omega, 1.68, 0.02);
+    check_close(rows[k].area, 6, 0.4);
+    check_close(rows[k].t, 20 * double(k) + 10, 0.2);
+  }
+}
