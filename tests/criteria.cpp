@@ -246,15 +246,15 @@ TEST_CASE("four multipliers near one, no more and no fewer", "[unit][criteria]")
 }
 
 TEST_CASE("the worst of many spectra decides", "[unit][criteria]") {
-  const auto wrong = [](double fourth, double share, double others, int at_edge) {
+  const auto wrong = [](double fourth, double share, double others, int missing) {
     return failing(
-        four_near_one_everywhere({fourth, 1e-9}, {share, 1e-9}, {others, 1e-9}, at_edge));
+        four_near_one_everywhere({fourth, 1e-9}, {share, 1e-9}, {others, 1e-9}, missing));
   };
-  CHECK(wrong(2e-4, 1e-3, 1e-8, 10).empty());
-  CHECK(wrong(0.02, 1e-3, 1e-8, 10) == "fourth");
-  CHECK(wrong(5e-3, 0.2, 1e-8, 10) == "share_of_fifth");
-  CHECK(wrong(2e-4, 1e-3, 0.1, 10) == "others");
-  CHECK(wrong(2e-4, 1e-3, 1e-8, 2) == "at_edge");
+  CHECK(wrong(2e-4, 1e-3, 1e-8, 0).empty());
+  CHECK(wrong(0.02, 1e-3, 1e-8, 0) == "fourth");
+  CHECK(wrong(5e-3, 0.2, 1e-8, 0) == "share_of_fifth");
+  CHECK(wrong(2e-4, 1e-3, 0.1, 0) == "others");
+  CHECK(wrong(2e-4, 1e-3, 1e-8, 2) == "not_at_edge");
   // The larger multiplier counts, beyond +1 as beyond -1 and off the axis
   const std::vector<Pair> pairs{{0.25, 1e-12}, {-1.25, 1e-12}, {{-0.5, 0.1}, 1e-12}, {-0.5, 1e-12}};
   check_close(excess(pairs).value, 0.5 + std::sqrt(1.25), 1e-14);

@@ -67,6 +67,9 @@ struct Quadruplet {
 /// The quadruplet of a spectrum at the frequency `omega_b`.
 Quadruplet quadruplet(const Spectrum& all, double omega_b);
 
+/// How many multipliers lie at the accumulation, within `close` in kappa; the first pair does not count.
+int at_edge(const std::vector<Pair>& pairs, double omega_b, double close = 1e-9);
+
 /// How far the multipliers of a pair are from +1.
 Estimate from_one(const Pair& pair);
 
@@ -78,16 +81,16 @@ A fifth multiplier near one fails the statement, and so does a pair off the circ
 elsewhere: ten more sites must add their twenty multipliers at the edge. Near one means within 0.01, and the
 fifth must be farther away than 0.1; these bounds are ours. Over many breathers the worst of them decides. There the
 fifth must be ten times as far as the fourth, since the point of accumulation goes to one with $\omega_b$; the
-others may leave the circle by no more than $10^{-3}$; and two beads on either side must be at the edge. An
+others may leave the circle by no more than $10^{-3}$, and the added multipliers are asked for again. An
 instability is small if the multiplier exceeds one by less than $10^{-3}$, and two breathers are told apart by the
 signs of their $\kappa$. */
 /// From a chain and one that is ten sites longer.
 Criterion four_near_one(const Quadruplet& chain, const Quadruplet& longer);
 
 /// From the largest distance of the fourth, also as a share of that of the fifth, the largest excess of the others,
-/// and the least number of multipliers at the edge.
+/// and how many of the added multipliers are not at the edge.
 Criterion four_near_one_everywhere(const Estimate& fourth, const Estimate& share,
-                                   const Estimate& others, int at_edge);
+                                   const Estimate& others, int not_at_edge);
 
 /// From the largest excess of a multiplier over one.
 Criterion small_instability(const Estimate& excess);
