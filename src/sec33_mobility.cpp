@@ -416,9 +416,8 @@ With 80 locked steps a period the bond-centred breather stays where it is, with 
 moves. But none of these runs conserves the energy: it drifts by
 [](num:sec33_mobility.least_drift_of_trials) to [](num:sec33_mobility.largest_drift_of_trials) times the energy
 $c^2/2$ of the kick. They show that locked steps can pin a breather, not that they do so at a conserved
-energy. The control is our own method with as many locked steps: it corrects for the contacts, its energy drifts by
-[](num:sec33_mobility.largest_drift_of_controls) times that of the kick at most, and
-neither breather is pinned. */
+energy. In a control as many locked steps of our own method, corrected for the contacts, let the energy drift by
+[](num:sec33_mobility.drift_of_control) times that of the kick, and the breather moves. */
 struct Trial {
   std::size_t which;
   double c, steps;
@@ -430,18 +429,18 @@ void report_printed(Report& report, const Breathers& all) {
   for (double steps : {80, 120})
     for (bool locked : {true, false})
       for (std::size_t k : {0, 1}) trials.push_back({k, k ? 5.5e-6 : weak, steps, locked});
-  for (std::size_t k : {0, 1}) trials.push_back({k, k ? 5.5e-6 : weak, 80, true, true});
+  trials.push_back({1, 5.5e-6, 80, true, true});
 
   // Each trial is a run of its own; with an infinite `negligible` no contact is corrected
   const auto path = [&](const Trial& trial) {
     const RestingBreather& at = all[trial.which];
-    ContactAware stepper{.step = at.period / trial.steps};
-    if (!trial.corrected)
-      stepper = {.step = at.period / trial.steps,
-                 .base = classical_runge_kutta(),
-                 .negligible = std::numeric_limits<double>::infinity()};
+    const double step = at.period / trial.steps;
+    const ContactAware blind{.step = step,
+                             .base = classical_runge_kutta(),
+                             .negligible = std::numeric_limits<double>::infinity()};
     const double sample = trial.locked ? at.period / 8 : creep_sample(at.period);
-    return creep(stepper, at.chain, kicked(at.rest, trial.c), sample, report.quick ? 500 : 1.2e5);
+    return creep(trial.corrected ? fourteen(step) : blind, at.chain, kicked(at.rest, trial.c),
+                 sample, report.quick ? 500 : 1.2e5);
   };
   Table& table = report.table(
       "printed_trials",
@@ -467,13 +466,12 @@ void report_printed(Report& report, const Breathers& all) {
   };
   table.fill(trials, row, "trials");
 
-  // How well do they conserve the energy, an order of magnitude, and does the control pin?
+  // How well do they conserve the energy, to an order of magnitude, and does the control pin?
   const auto drift = table.numbers("drift_over_kick");
-  const auto blind = std::minmax_element(drift.begin(), drift.end() - 2);
-  const double control = std::max(drift[trials.size() - 2], drift.back());
-  report.facts.add("least_drift_of_trials", {*blind.first, *blind.first}, "c^2/2");
-  report.facts.add("largest_drift_of_trials", {*blind.second, *blind.second}, "c^2/2");
-  report.facts.add("largest_drift_of_controls", {control, control}, "c^2/2");
+  const auto [least, most] = std::minmax_element(drift.begin(), drift.end() - 1);
+  report.facts.add("least_drift_of_trials", {*least, *least}, "c^2/2");
+  report.facts.add("largest_drift_of_trials", {*most, *most}, "c^2/2");
+  report.facts.add("drift_of_control", {drift.back(), drift.back()}, "c^2/2");
 }
 
 /**
