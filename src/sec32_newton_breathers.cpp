@@ -41,7 +41,7 @@ What is claimed, with the identifiers under which the answers are recorded:
 - the tail falls super-exponentially (`newton.decay`), and the breathers have symmetries in space and time
   (`newton.symmetry`) and are close to the quasi-continuum profile when small (`newton.qc_small`);
 - the energies of both families are indistinguishable (`newton.energy_equal`). */
-constexpr double omega = 1.1;  // of the breather on which most is shown
+constexpr double omega_b = 1.1;  // of the breather on which most is shown
 
 /**
 ## Model
@@ -49,7 +49,7 @@ constexpr double omega = 1.1;  // of the breather on which most is shown
 The beads sit in the wells of Eq. (10), mostly linear ones ($s = 0$), and push on their neighbours,
 $$\ddot y_n + y_n + s\,y_n^3 = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2},
   \qquad y_n(t+T_b) = y_n(t),\quad T_b = 2\pi/\omega_b,$$
-with free ends (Eqs. (6) and (9)), dimensionless. In the program `omega` is $\omega_b$, `Orbit::start`
+with free ends (Eqs. (6) and (9)), dimensionless. In the program `omega_b` is $\omega_b$, `Orbit::start`
 the breather at $t = 0$, where it is at rest, and `Orbit::energy` its energy $\mathcal H$, Eq. (6).
 
 We guess the positions from Eqs. (18) to (20) and integrate over a half or a quarter of a period. There the
@@ -59,8 +59,8 @@ opening or closing of a contact, because a step across it would spoil the orbit 
 $10^{-9}$ and its derivative much earlier (landing.hpp). Every number is computed at two tolerances
 or in two precisions, and the difference is its error. */
 Orbit<double> article_breather(Centre centre, const NewtonRule<double>& rule) {
-  const Shooting<double> problem = problem_of(centre, omega);
-  const State<double> guess = ansatz(centre, omega, problem.chain.sites);
+  const Shooting<double> problem = problem_of(centre, omega_b);
+  const State<double> guess = ansatz(centre, omega_b, problem.chain.sites);
   return newton(problem, problem.fold(guess), rule);
 }
 
@@ -164,7 +164,7 @@ full map a residual of [1e-14](num:sec32_newton_breathers.full_residual) still d
 [4e-14](num:newton.residual) (printed: $1.5\cdot10^{-9}$) and the last variation
 [7e-14](num:newton.variation) (printed: $1.7\cdot10^{-11}$). */
 void report_convergence(Report& report) {
-  const auto problem = problem_of(Centre::site, omega);
+  const auto problem = problem_of(Centre::site, omega_b);
   const Orbit<double> orbit = article_breather(Centre::site, rule<double>(0));
   const Orbit<double> coarse = article_breather(Centre::site, rule<double>(1));
   report.results.add("newton.residual",
@@ -232,11 +232,11 @@ Two errors add up. The continuum differs from the DpS breather even in the limit
 [0.0574512](num:sec32_newton_breathers.continuum_limit_site) around a site and
 [0.0614325](num:sec32_newton_breathers.continuum_limit_bond) around a bond. The DpS equation differs from the
 chain: at $1.01$ this takes a little off the first error, at $1.1$ it has made the sum far larger. */
-Estimate approximation_error(Centre centre, double omega) {
-  const auto problem = problem_of(centre, omega);
+Estimate approximation_error(Centre centre, double omega_b) {
+  const auto problem = problem_of(centre, omega_b);
   const auto off = [&](int coarser) {
     const auto orbit = find_breather(problem, Phase::compressed, rule<double>(coarser));
-    const State<double> near = ansatz(centre, omega, problem.chain.sites);
+    const State<double> near = ansatz(centre, omega_b, problem.chain.sites);
     return largest_difference(orbit.start, near) / orbit.amplitude;
   };
   return compare(off(1), off(0));

@@ -172,8 +172,9 @@ std::vector<Seen> report_multipliers(Report& report, const Chart& site, const Ch
 What is far from $+1$, and what is large? Near means within 0.01, as at $\omega_b = 1.1$, and at least ten times as
 near as the fifth multiplier; its own distance cannot be prescribed, because for $\omega_b \to 1$ the point of
 accumulation itself comes near. All others may leave the circle by $10^{-3}$ at most, the size that the article
-neglects. And ten more sites must add twenty multipliers at the point of accumulation; this is asked at
-$s = -1$, 0 and 1 in every thirteenth column. These bounds are ours. The nodes that decide are computed once more, with
+neglects. And ten more sites must add twenty multipliers at the point of accumulation, within $10^{-4}$ in $\kappa$,
+because the first of the new beads still touch the old ends; this is asked at $s = -1$, 0 and 1 in every thirteenth
+column. These bounds are ours. The nodes that decide are computed once more, with
 two tolerances.
 
 @RESULT@ */
@@ -187,7 +188,7 @@ int added_at_edge(const Seen& at) {
   const auto found = floquet_pairs(longer.chain, orbit.start, orbit.period(), chart_rule().events);
   std::vector<Pair> pairs;
   for (const auto& kappa : found.kappa) pairs.push_back({kappa, found.defect});
-  const double omega_b = node->spot.omega_b, close = 1e-6;
+  const double omega_b = node->spot.omega_b, close = 1e-4;
   return at_edge(pairs, omega_b, close) - at_edge(node->pairs, omega_b, close);
 }
 

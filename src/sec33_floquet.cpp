@@ -328,17 +328,17 @@ struct Multipliers : ChosenBreather {
 /**
 A breather may lose and regain its stability several times. All exchanges between $s=-1$ and $1$ are printed,
 the one nearest to the linear well first. */
-std::vector<Estimate> exchanges_on(Centre centre, double omega, int side) {
+std::vector<Estimate> exchanges_on(Centre centre, double frequency, int side) {
   std::vector<Estimate> found;
-  Orbit<double> orbit = find_breather(problem_at(centre, {omega, 0}));
-  double last = quick_kappa(centre, {omega, 0}, orbit);
+  Orbit<double> orbit = find_breather(problem_at(centre, {frequency, 0}));
+  double last = quick_kappa(centre, {frequency, 0}, orbit);
   try {
     for (int k = 1; k <= 20; ++k) {
       const double s = side * k / 20.0, before = side * (k - 1) / 20.0;
       const Orbit<double> near = orbit;
-      const double kappa = quick_kappa(centre, {omega, s}, orbit);
+      const double kappa = quick_kappa(centre, {frequency, s}, orbit);
       if (last * kappa < 0)
-        found.push_back(exchange<Wide>(centre, {true, omega}, before, s, near).place);
+        found.push_back(exchange<Wide>(centre, {true, frequency}, before, s, near).place);
       last = kappa;
     }
   } catch (const NewtonFailed&) {  // the family ends
@@ -352,11 +352,11 @@ struct Exchanges : ChosenBreather {
   static constexpr Title title{"exchange", "anharmonicity at which the stability changes"};
 
   Table table() const {
-    std::vector<Estimate> found = exchanges_on(centre, omega, 1);
-    for (const Estimate& e : exchanges_on(centre, omega, -1)) found.push_back(e);
+    std::vector<Estimate> found = exchanges_on(centre, omega_b, 1);
+    for (const Estimate& e : exchanges_on(centre, omega_b, -1)) found.push_back(e);
     if (found.empty())
       throw Failure("no exchange of stability between s = -1 and 1 at omega_b = " +
-                    short_text(omega));
+                    short_text(omega_b));
     const auto nearer = [](const Estimate& a, const Estimate& b) {
       return std::abs(a.value) < std::abs(b.value);
     };

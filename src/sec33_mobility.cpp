@@ -416,7 +416,7 @@ With 80 locked steps a period the bond-centred breather stays where it is, with 
 moves. But none of these runs conserves the energy: it drifts by
 [](num:sec33_mobility.least_drift_of_trials) to [](num:sec33_mobility.largest_drift_of_trials) times the energy
 $c^2/2$ of the kick. They show that locked steps can pin a breather, not that they do so at a conserved
-energy. In a control as many locked steps of our own method, corrected for the contacts, let the energy drift by
+energy. In a control, 160 locked steps of our own method, corrected for the contacts, let the energy drift by
 [](num:sec33_mobility.drift_of_control) times that of the kick, and the breather moves. */
 struct Trial {
   std::size_t which;
@@ -429,7 +429,7 @@ void report_printed(Report& report, const Breathers& all) {
   for (double steps : {80, 120})
     for (bool locked : {true, false})
       for (std::size_t k : {0, 1}) trials.push_back({k, k ? 5.5e-6 : weak, steps, locked});
-  trials.push_back({1, 5.5e-6, 80, true, true});
+  trials.push_back({1, 5.5e-6, 160, true, true});
 
   // Each trial is a run of its own; with an infinite `negligible` no contact is corrected
   const auto path = [&](const Trial& trial) {
@@ -485,13 +485,13 @@ struct Kicked : ChosenBreather {
   Kicked() { centre = Centre::bond; }
   void parameters(Parameters& p) {
     add_centre(p);
-    p.add("omega", omega, "frequency omega_b > 1", {1.01, 2});
+    p.add("omega", omega_b, "frequency omega_b > 1", {1.01, 2});
     add_phase(p);
     p.add("sites", sites, "chain length (default: 52 or 53)", {8, 400});
   }
   RestingBreather at_rest() const {
     return on_chosen_chain(
-        *this, [&] { return resting_breather(centre, phase, omega, sites ? sites : 52); });
+        *this, [&] { return resting_breather(centre, phase, omega_b, sites ? sites : 52); });
   }
 };
 
@@ -541,9 +541,9 @@ struct Threshold : Kicked {
 
 Table Threshold::table() const {
   const RestingBreather at = at_rest();
-  const Prediction p = predict_threshold(at, barriers_at(omega).equal_area);
+  const Prediction p = predict_threshold(at, barriers_at(omega_b).equal_area);
   if (!p.exists())
-    throw UsageError("--centre: this breather at omega_b = " + short_text(omega) +
+    throw UsageError("--centre: this breather at omega_b = " + short_text(omega_b) +
                      " is unstable and any kick moves it (allowed: the other centre)");
   if (!(p.frequency.value > 1e-5))
     throw Failure("so close to an exchange of stability the breather swings too slowly");
