@@ -50,7 +50,8 @@ for axes, centre, name in zip(panels, ["site", "bond"], "bc"):
     hatch_all(axes)
     picture = axes.imshow(image.clip(1e-12), extent=extent, origin="lower", aspect="auto", cmap=shades,
                           norm=LogNorm(1e-5, 1), interpolation="nearest")
-    axes.contour(image.clip(1e-12), levels=[1e-3], extent=extent, colors="#D55E00", linewidths=0.9)
+    axes.contour(image.clip(1e-12), levels=[1e-3], extent=extent, origin="lower",
+                 colors="#D55E00", linewidths=0.9)
     axes.axvline(1.1, color="#888888", lw=0.6, ls="--")
     axes.set(xlabel=r"frequency $\omega_b$", xlim=(1, 2), ylim=(-1, 1))
     axes.text(0.97, 0.06, f"({name}) {centre}-centred", transform=axes.transAxes, ha="right",

@@ -536,28 +536,26 @@ Table Kick::table() const {
 `sec33_mobility threshold --centre bond --omega 1.1` takes some seconds and refuses an unstable centre. */
 struct Threshold : Kicked {
   static constexpr Title title{"threshold", "the kick that frees a stable breather"};
-  Table table() const;
+  Table table() const {
+    const RestingBreather at = at_rest();
+    const Prediction p = predict_threshold(at, barriers_at(omega_b).equal_area);
+    if (!p.exists())
+      throw UsageError("--centre: this breather at omega_b = " + short_text(omega_b) +
+                       " is unstable and any kick moves it (allowed: the other centre)");
+    if (!(p.frequency.value > 1e-5))
+      throw Failure("so close to an exchange of stability the breather swings too slowly");
+    FreeingKick found = freeing_kicks({at}, {p}, coarse().thresholds, fine().thresholds).front();
+    confirm(at, p, fine().thresholds, found);
+    const Estimate& c = found.value;
+    Quantities q;
+    q.add("c_threshold", c, "site per unit of time");
+    q.add("barrier", {c.value * c.value / 2, c.value * c.error});
+    q.add("predicted", p.threshold, "site per unit of time");
+    q.add("effective_barrier", p.barrier);
+    q.add("kinetic_share", p.share);
+    return q.table;
+  }
 };
-
-Table Threshold::table() const {
-  const RestingBreather at = at_rest();
-  const Prediction p = predict_threshold(at, barriers_at(omega_b).equal_area);
-  if (!p.exists())
-    throw UsageError("--centre: this breather at omega_b = " + short_text(omega_b) +
-                     " is unstable and any kick moves it (allowed: the other centre)");
-  if (!(p.frequency.value > 1e-5))
-    throw Failure("so close to an exchange of stability the breather swings too slowly");
-  FreeingKick found = freeing_kicks({at}, {p}, coarse().thresholds, fine().thresholds).front();
-  confirm(at, p, fine().thresholds, found);
-  const Estimate& c = found.value;
-  Quantities q;
-  q.add("c_threshold", c, "site per unit of time");
-  q.add("barrier", {c.value * c.value / 2, c.value * c.error});
-  q.add("predicted", p.threshold, "site per unit of time");
-  q.add("effective_barrier", p.barrier);
-  q.add("kinetic_share", p.share);
-  return q.table;
-}
 
 /**
 ## Differences and limits
