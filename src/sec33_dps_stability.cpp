@@ -480,7 +480,7 @@ sine and very flat: the relative difference of their norms is
 
 All [16](num:sec33_dps_stability.moved_complex_site) of [16](num:sec33_dps_stability.seeds_complex_site)
 perturbed site-centred breathers move, and their controls move later, in the median after
-[3.8](num:sec33_dps_stability.instability_moves_delay) times as long: by $t = 500$, 600, 750 and 1000 there move
+[3.80](num:sec33_dps_stability.instability_moves_delay) times as long: by $t = 500$, 600, 750 and 1000 there move
 [0](num:sec33_dps_stability.controls_moved_by_500), [1](num:sec33_dps_stability.controls_moved_by_600),
 [8](num:sec33_dps_stability.controls_moved_by_750) and [10](num:sec33_dps_stability.controls_moved_by_1000) of them. The
 median departures are [113.1](num:sec33_dps_stability.departure_complex_site) and

@@ -382,8 +382,8 @@ void reproduce(Report& report) {
 /**
 ## Differences and limits
 
-The printed exchanges, 0.26 and 0.05, are discrepant; the program `sec33_multiplier_errors` shows how a
-common tolerance produces such a pair out of one number. The verdict at $s = 0$ survives,
+The printed exchanges, 0.26 and 0.05, are discrepant; the program `sec33_multiplier_errors` shows how
+common tolerances pull one number apart into such a pair. The verdict at $s = 0$ survives,
 because there $\kappa$ is far enough from zero. It is not a general rule: at $s = 0$ the two breathers change
 places six times between $\omega_b = 1$ and 2, and near an exchange a third breather lies between them. The
 program `sec33_between` finds the exchanges and follows two families of such breathers.

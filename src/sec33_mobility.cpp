@@ -414,10 +414,10 @@ our threshold and the printed one.
 
 With 80 locked steps a period the bond-centred breather stays where it is, with 80 steps that are not locked it
 moves. But none of these runs conserves the energy: it drifts by
-[](num:sec33_mobility.least_drift_of_trials) to [](num:sec33_mobility.largest_drift_of_trials) times the energy
+[6e2](num:sec33_mobility.least_drift_of_trials) to [2e5](num:sec33_mobility.largest_drift_of_trials) times the energy
 $c^2/2$ of the kick. They show that locked steps can pin a breather, not that they do so at a conserved
 energy. In a control, 160 locked steps of our own method, corrected for the contacts, let the energy drift by
-[](num:sec33_mobility.drift_of_control) times that of the kick, and the breather moves. */
+[0.008](num:sec33_mobility.drift_of_control) times that of the kick, and the breather moves. */
 struct Trial {
   std::size_t which;
   double c, steps;

@@ -253,20 +253,20 @@ All fourteen settings, a tolerance or an increment, with a dash where no zero is
 
 | setting | around a site | around a bond |
 |---|---|---|
-| rk8pd, $10^{-7}$ | – | [](num:sec33_multiplier_errors.bond_rk8pd_1e7) ± [](num:sec33_multiplier_errors.bond_rk8pd_1e7_spread) |
-| rk8pd, $10^{-8}$ | [](num:sec33_multiplier_errors.site_rk8pd_1e8) ± [](num:sec33_multiplier_errors.site_rk8pd_1e8_spread) | [](num:sec33_multiplier_errors.bond_rk8pd_1e8) ± [](num:sec33_multiplier_errors.bond_rk8pd_1e8_spread) |
-| rk8pd, $10^{-9}$ | [](num:sec33_multiplier_errors.site_rk8pd_1e9) ± [](num:sec33_multiplier_errors.site_rk8pd_1e9_spread) | [](num:sec33_multiplier_errors.bond_rk8pd_1e9) ± [](num:sec33_multiplier_errors.bond_rk8pd_1e9_spread) |
-| rk8pd, $10^{-10}$ | [](num:sec33_multiplier_errors.site_rk8pd_1e10) ± [](num:sec33_multiplier_errors.site_rk8pd_1e10_spread) | [](num:sec33_multiplier_errors.bond_rk8pd_1e10) ± [](num:sec33_multiplier_errors.bond_rk8pd_1e10_spread) |
-| rk8pd, $10^{-11}$ | [](num:sec33_multiplier_errors.site_rk8pd_1e11) ± [](num:sec33_multiplier_errors.site_rk8pd_1e11_spread) | [](num:sec33_multiplier_errors.bond_rk8pd_1e11) ± [](num:sec33_multiplier_errors.bond_rk8pd_1e11_spread) |
-| rkf45, $10^{-7}$ | [](num:sec33_multiplier_errors.site_rkf45_1e7) ± [](num:sec33_multiplier_errors.site_rkf45_1e7_spread) | – |
+| rk8pd, $10^{-7}$ | – | [-0.212](num:sec33_multiplier_errors.bond_rk8pd_1e7) ± [0.003](num:sec33_multiplier_errors.bond_rk8pd_1e7_spread) |
+| rk8pd, $10^{-8}$ | [-0.09](num:sec33_multiplier_errors.site_rk8pd_1e8) ± [0.06](num:sec33_multiplier_errors.site_rk8pd_1e8_spread) | [0.36](num:sec33_multiplier_errors.bond_rk8pd_1e8) ± [0.01](num:sec33_multiplier_errors.bond_rk8pd_1e8_spread) |
+| rk8pd, $10^{-9}$ | [0.12](num:sec33_multiplier_errors.site_rk8pd_1e9) ± [0.07](num:sec33_multiplier_errors.site_rk8pd_1e9_spread) | [0.212](num:sec33_multiplier_errors.bond_rk8pd_1e9) ± [0.006](num:sec33_multiplier_errors.bond_rk8pd_1e9_spread) |
+| rk8pd, $10^{-10}$ | [0.1498](num:sec33_multiplier_errors.site_rk8pd_1e10) ± [0.0001](num:sec33_multiplier_errors.site_rk8pd_1e10_spread) | [0.1543](num:sec33_multiplier_errors.bond_rk8pd_1e10) ± [0.0005](num:sec33_multiplier_errors.bond_rk8pd_1e10_spread) |
+| rk8pd, $10^{-11}$ | [0.15205](num:sec33_multiplier_errors.site_rk8pd_1e11) ± [9e-5](num:sec33_multiplier_errors.site_rk8pd_1e11_spread) | [0.152689](num:sec33_multiplier_errors.bond_rk8pd_1e11) ± [5e-6](num:sec33_multiplier_errors.bond_rk8pd_1e11_spread) |
+| rkf45, $10^{-7}$ | [-0.97](num:sec33_multiplier_errors.site_rkf45_1e7) ± [0.03](num:sec33_multiplier_errors.site_rkf45_1e7_spread) | – |
 | rkf45, $10^{-8}$ | – | – |
-| rkf45, $10^{-9}$ | [](num:sec33_multiplier_errors.site_rkf45_1e9) ± [](num:sec33_multiplier_errors.site_rkf45_1e9_spread) | [](num:sec33_multiplier_errors.bond_rkf45_1e9) ± [](num:sec33_multiplier_errors.bond_rkf45_1e9_spread) |
-| rkf45, $10^{-10}$ | [](num:sec33_multiplier_errors.site_rkf45_1e10) ± [](num:sec33_multiplier_errors.site_rkf45_1e10_spread) | [](num:sec33_multiplier_errors.bond_rkf45_1e10) ± [](num:sec33_multiplier_errors.bond_rkf45_1e10_spread) |
-| rkf45, $10^{-11}$ | [](num:sec33_multiplier_errors.site_rkf45_1e11) ± [](num:sec33_multiplier_errors.site_rkf45_1e11_spread) | [](num:sec33_multiplier_errors.bond_rkf45_1e11) ± [](num:sec33_multiplier_errors.bond_rkf45_1e11_spread) |
-| differences, $10^{-3}$ | [](num:sec33_multiplier_errors.site_differences_1e3) ± [](num:sec33_multiplier_errors.site_differences_1e3_spread) | [](num:sec33_multiplier_errors.bond_differences_1e3) ± [](num:sec33_multiplier_errors.bond_differences_1e3_spread) |
-| differences, $10^{-4}$ | [](num:sec33_multiplier_errors.site_differences_1e4) ± [](num:sec33_multiplier_errors.site_differences_1e4_spread) | [](num:sec33_multiplier_errors.bond_differences_1e4) ± [](num:sec33_multiplier_errors.bond_differences_1e4_spread) |
-| differences, $10^{-5}$ | [](num:sec33_multiplier_errors.site_differences_1e5) ± [](num:sec33_multiplier_errors.site_differences_1e5_spread) | [](num:sec33_multiplier_errors.bond_differences_1e5) ± [](num:sec33_multiplier_errors.bond_differences_1e5_spread) |
-| differences, $10^{-6}$ | [](num:sec33_multiplier_errors.site_differences_1e6) ± [](num:sec33_multiplier_errors.site_differences_1e6_spread) | [](num:sec33_multiplier_errors.bond_differences_1e6) ± [](num:sec33_multiplier_errors.bond_differences_1e6_spread) |
+| rkf45, $10^{-9}$ | [-0.5](num:sec33_multiplier_errors.site_rkf45_1e9) ± [0.1](num:sec33_multiplier_errors.site_rkf45_1e9_spread) | [0.3](num:sec33_multiplier_errors.bond_rkf45_1e9) ± [0.1](num:sec33_multiplier_errors.bond_rkf45_1e9_spread) |
+| rkf45, $10^{-10}$ | [0.091](num:sec33_multiplier_errors.site_rkf45_1e10) ± [0.004](num:sec33_multiplier_errors.site_rkf45_1e10_spread) | [0.3](num:sec33_multiplier_errors.bond_rkf45_1e10) ± [0.1](num:sec33_multiplier_errors.bond_rkf45_1e10_spread) |
+| rkf45, $10^{-11}$ | [0.14981](num:sec33_multiplier_errors.site_rkf45_1e11) ± [4e-5](num:sec33_multiplier_errors.site_rkf45_1e11_spread) | [0.157](num:sec33_multiplier_errors.bond_rkf45_1e11) ± [0.003](num:sec33_multiplier_errors.bond_rkf45_1e11_spread) |
+| differences, $10^{-3}$ | [-0.46](num:sec33_multiplier_errors.site_differences_1e3) ± [0.05](num:sec33_multiplier_errors.site_differences_1e3_spread) | [-0.93](num:sec33_multiplier_errors.bond_differences_1e3) ± [0.06](num:sec33_multiplier_errors.bond_differences_1e3_spread) |
+| differences, $10^{-4}$ | [-0.7](num:sec33_multiplier_errors.site_differences_1e4) ± [0.4](num:sec33_multiplier_errors.site_differences_1e4_spread) | [-0.85](num:sec33_multiplier_errors.bond_differences_1e4) ± [0.09](num:sec33_multiplier_errors.bond_differences_1e4_spread) |
+| differences, $10^{-5}$ | [-0.82](num:sec33_multiplier_errors.site_differences_1e5) ± [0.07](num:sec33_multiplier_errors.site_differences_1e5_spread) | [-0.809](num:sec33_multiplier_errors.bond_differences_1e5) ± [0.009](num:sec33_multiplier_errors.bond_differences_1e5_spread) |
+| differences, $10^{-6}$ | [-0.88](num:sec33_multiplier_errors.site_differences_1e6) ± [0.08](num:sec33_multiplier_errors.site_differences_1e6_spread) | [-0.8](num:sec33_multiplier_errors.bond_differences_1e6) ± [0.2](num:sec33_multiplier_errors.bond_differences_1e6_spread) |
 */
 
 /**
