@@ -1,7 +1,7 @@
 /**
 # 3.3 The breather in between
 
-Where does the stability of the two breathers change hands, and what happens there? Section 3.3 of
+Where do the two breathers exchange their stability, and what happens there? Section 3.3 of
 James, Kevrekidis and Cuevas (Physica D 251, 2013) finds that it does so in $s$ at $\omega_b = 1.1$
 and leaves the bifurcations to future work. This program maps the exchanges over the plane of
 $\omega_b$ and $s$ and finds the breathers that are born there: they are centred neither on a site nor on a

@@ -10,7 +10,7 @@ Two static breathers are left in the limit of small amplitude. Does a small push
 ![The site-centred breather has a real pair of exponents.](fig:09)
 
 Section 3.3 of James, Kevrekidis and Cuevas (Physica D 251, 2013) linearises the DpS equation about both
-and lets the unstable one go. Both spectra hang on the sixth digit of one number; we watch what that
+and lets the unstable one go. Both verdicts depend on the sixth digit of one number; we watch what that
 means in time. What is claimed, with the identifiers under which the answers are recorded:
 
 - the bond-centred breather is spectrally stable at $\mu = 1$ and 10 (`dps.bond_stable`);
@@ -58,7 +58,7 @@ One small matrix decides the stability. Write the perturbed breather as $e^{i\mu
 strains as $d_n = u_{n+1}-u_n$. The force of a contact, $z|z|^{1/2}$ at $z = d_n$, is steeper along the
 strain than across it: a change $\xi+i\eta$ of $z$ changes it by $|d_n|^{1/2}(\frac32\xi+i\eta)$. Hence
 $\dot x = (\mu-M)y$ and $\dot y = -(\mu-\frac32M)x$, where the *same* symmetric matrix $M$, the Laplacian of
-the chain weighted by $|d_n|^{1/2}$, stands in both. So each of its eigenvectors moves alone, with
+the chain weighted by $|d_n|^{1/2}$, appears in both. So each of its eigenvectors moves alone, with
 $$\lambda^2 = -(\mu-m)(\mu-\tfrac32m).$$
 The breather itself belongs to the largest eigenvalue, $Mu = \mu u$. It gives $\lambda = 0$, a change
 of phase, and no perturbation grows unless some other $m$ lies in $(\frac23\mu,\mu)$. So with $m_2$ the
@@ -358,7 +358,7 @@ run is `nan`. A breather that stays trembles faster than it is sampled, so its l
 a thousandth of a site. That is enough: we ask whether it passes a whole site.
 
 The pendulum of the next section predicts a departure time for each breather that starts on a site, which
-stands beside the measured one. A control lacks the push that the pendulum would need, and from a bond, a
+is given beside the measured one. A control lacks the push that the pendulum would need, and from a bond, a
 stable place, the pendulum does not fall. */
 void report_trials(Report& report, const Group& group, const PinnedBreather& site) {
   const std::string time = "unit of time", nan = "; nan where it does not happen";
@@ -466,7 +466,7 @@ void report_map(Report& report, const Breathers& breathers, Case which, const st
 /**
 ## Results
 
-Both breathers stand on the edge of instability, on opposite sides and, to four digits, equally far from
+Both breathers are on the edge of instability, on opposite sides and, to four digits, equally far from
 it. In units of $\mu$ the margins are [4.85298e-6](num:sec33_dps_stability.margin_site) around a site and
 [-4.85327e-6](num:sec33_dps_stability.margin_bond) around a bond. The first gives the growth rate
 [0.00155771](num:sec33_dps_stability.exponent_site) $\mu$, the second an oscillation of frequency

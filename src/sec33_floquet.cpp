@@ -159,7 +159,7 @@ Near an exchange the multipliers leave $+1$ like square roots, so the sweep is d
 instability, [0.000583922](num:sec33_floquet.largest_excess), occurs around a site and is smaller than the $10^{-3}$ of
 the article's conclusion. The error bar decides what may be said at $s = 0$. There
 $\kappa$ is [1.14767e-8](num:sec33_floquet.kappa_site) around a site and
-[-1.14768e-8](num:sec33_floquet.kappa_bond) around a bond. So the article's verdict stands, with a multiplier
+[-1.14768e-8](num:sec33_floquet.kappa_bond) around a bond. So the article's verdict holds, with a multiplier
 that exceeds one by [0.000214282](num:sec33_floquet.excess_site). */
 void report_wells(Report& report) {
   // From the linear well to both ends, more densely beside the exchange
@@ -347,7 +347,7 @@ std::vector<Estimate> exchanges_on(Centre centre, double frequency, int side) {
 }
 
 /**
-A user who asks for an exchange must not get an empty table: where there is none, that is an error. */
+If the stability does not change between these values the command fails rather than print an empty table. */
 struct Exchanges : ChosenBreather {
   static constexpr Title title{"exchange", "anharmonicity at which the stability changes"};
 

@@ -184,7 +184,7 @@ Matrix<double> variational(const Around& at, const Tolerance& tolerance) {
 }
 
 /**
-Whoever has no variational equations may take difference quotients, which need nothing but the flow. Ours are
+Without variational equations one takes difference quotients, which need nothing but the flow. Ours are
 central, with an increment relative to the amplitude. */
 Matrix<double> differences(const Orbit<double>& orbit, double increment,
                            const std::function<void(State<double>&)>& carry) {
