@@ -1,7 +1,7 @@
-"""Figure x13: which breather is stable in the plane of frequency and anharmonicity."""
+"""Figure x13: which breather is stable in the plane of frequency and anharmonicity, and how unstable both are."""
 
 import matplotlib.pyplot as plt
-from matplotlib.colors import ListedColormap
+from matplotlib.colors import ListedColormap, LogNorm
 from matplotlib.patches import Patch, Rectangle
 
 import draw
@@ -10,12 +10,22 @@ data, out = draw.arguments()
 folder = f"{data}/sec33_between"
 chart, curves = draw.read(f"{folder}/chart.ecsv"), draw.read(f"{folder}/exchange_curves.ecsv")
 windows = draw.read_numbers(f"{folder}/windows.ecsv")
+multipliers = draw.read(f"{folder}/multiplier_chart.ecsv")
 
-figure, axes = plt.subplots(figsize=(draw.TWO_COLUMNS, 85 * draw.MM))
+figure = plt.figure(figsize=(draw.TWO_COLUMNS, 150 * draw.MM))
+upper, lower = figure.subfigures(2, 1, height_ratios=[85, 65])
+axes = upper.subplots()
+
+
+def hatch_all(axes):
+    """What no breather covers stays hatched."""
+    axes.add_patch(Rectangle((1, -1), 1, 2, fill=False, ec="#999999", lw=0, hatch="////", zorder=0))
+
+
 image, extent = draw.grid(chart, "omega", "s", "sign")
 colours = ListedColormap(["#8FC6E8", "#FBEBDD"])
 colours.set_bad("#FFFFFF", alpha=0)
-axes.add_patch(Rectangle((1, -1), 1, 2, fill=False, ec="#999999", lw=0, hatch="////", zorder=0))
+hatch_all(axes)
 axes.imshow(image, extent=extent, origin="lower", aspect="auto", cmap=colours, vmin=-1, vmax=1,
             interpolation="nearest")
 axes.plot(curves["omega"], curves["s"], "o", color="black", ms=1.4, mew=0, label="exchange")
@@ -29,4 +39,25 @@ handles = axes.get_legend_handles_labels()[0] + [
 axes.set(xlabel=r"frequency $\omega_b$", ylabel="anharmonicity $s$", xlim=(1, 2), ylim=(-1, 1))
 axes.legend(handles=handles, loc="lower right", handlelength=1.4, frameon=True, framealpha=1,
             edgecolor="none")
+axes.text(0.02, 0.96, "(a)", transform=axes.transAxes, va="top")
+
+panels = lower.subplots(1, 2, sharey=True)
+shades = plt.get_cmap("viridis").copy()
+shades.set_under("#FFFFFF")
+shades.set_bad("#FFFFFF", alpha=0)
+for axes, centre, name in zip(panels, ["site", "bond"], "bc"):
+    image, extent = draw.grid(multipliers, "omega", "s", f"excess_{centre}")
+    hatch_all(axes)
+    picture = axes.imshow(image.clip(1e-12), extent=extent, origin="lower", aspect="auto", cmap=shades,
+                          norm=LogNorm(1e-5, 1), interpolation="nearest")
+    axes.contour(image.clip(1e-12), levels=[1e-3], extent=extent, origin="lower",
+                 colors="#D55E00", linewidths=0.9)
+    axes.axvline(1.1, color="#888888", lw=0.6, ls="--")
+    axes.set(xlabel=r"frequency $\omega_b$", xlim=(1, 2), ylim=(-1, 1))
+    axes.text(0.97, 0.06, f"({name}) {centre}-centred", transform=axes.transAxes, ha="right",
+              bbox={"fc": "white", "ec": "none", "pad": 1.5})
+panels[0].set_ylabel("anharmonicity $s$")
+bar = lower.colorbar(picture, ax=panels, pad=0.01, extend="min")
+bar.set_label(r"largest $|\lambda|-1$")
+bar.ax.axhline(1e-3, color="#D55E00", lw=1.2)
 draw.save(figure, out)

@@ -53,7 +53,7 @@ constexpr double omega_b = 1.1;  // of the breather on which most is shown
 The beads sit in the wells of Eq. (10), mostly linear ones ($s = 0$), and push on their neighbours,
 $$\ddot y_n + y_n + s\,y_n^3 = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2},
   \qquad y_n(t+T_b) = y_n(t),\quad T_b = 2\pi/\omega_b,$$
-with free ends (Eqs. (6) and (9)), dimensionless. In the program `omega` is $\omega_b$, `Orbit::start`
+with free ends (Eqs. (6) and (9)), dimensionless. In the program `omega_b` is $\omega_b$, `Orbit::start`
 the breather at $t = 0$, where it is at rest, and `Orbit::energy` its energy $\mathcal H$, Eq. (6).
 
 We guess the positions from Eqs. (18) to (20) and integrate over a half or a quarter of a period. There the
@@ -227,11 +227,11 @@ Two errors add up. The continuum differs from the DpS breather even in the limit
 [0.0574512](num:sec32_newton_breathers.continuum_limit_site) around a site and
 [0.0614325](num:sec32_newton_breathers.continuum_limit_bond) around a bond. The DpS equation differs from the
 chain: at $1.01$ this takes a little off the first error, at $1.1$ it has made the sum far larger. */
-Estimate approximation_error(Centre centre, double omega) {
-  const auto problem = problem_of(centre, omega);
+Estimate approximation_error(Centre centre, double omega_b) {
+  const auto problem = problem_of(centre, omega_b);
   const auto off = [&](int coarser) {
     const auto orbit = find_breather(problem, Phase::compressed, rule<double>(coarser));
-    const State<double> near = ansatz(centre, omega, problem.chain.sites);
+    const State<double> near = ansatz(centre, omega_b, problem.chain.sites);
     return largest_difference(orbit.start, near) / orbit.amplitude;
   };
   return compare(off(1), off(0));

@@ -1,7 +1,7 @@
 /**
 # 3.3 The breather in between
 
-Where does the stability of the two breathers change hands, and what happens there? Section 3.3 of
+Where do the two breathers exchange their stability, and what happens there? Section 3.3 of
 James, Kevrekidis and Cuevas (Physica D 251, 2013) finds that it does so in $s$ at $\omega_b = 1.1$
 and leaves the bifurcations to future work. This program maps the exchanges over the plane of
 $\omega_b$ and $s$ and finds the breathers that are born there: they are centred neither on a site nor on a
@@ -13,10 +13,17 @@ bond. The landscapes below are drawn so that a stable breather sits in a valley.
                                  __/  \__               \__      __/
                                 /        \                 \____/
 
-The article claims nothing here; what we find is measured. */
+What is claimed, with the identifiers under which the answers are recorded:
+
+- for $\omega_b \in (1,2]$ and $s\in[-1,1]$ four multipliers are near $+1$ and the others on the unit circle,
+  where they accumulate at $e^{\pm2\pi i/\omega_b}$ (`floquet.spectrum`);
+- unstable multipliers exceed one by less than $10^{-3}$ (`floquet.instability_size`).
+
+The previous chapters find both at $\omega_b = 1.1$, the frequency of the article's figures. Here they are judged
+over the whole range. The exchanges and the breathers in between are our own measurements. */
+#include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -35,28 +42,30 @@ The chain is that of Eqs. (6) and (10). The pinning pair $\lambda, 1/\lambda$ of
 that belong to a shift along the chain, is one number
 $$\kappa = \tfrac14\Bigl(\lambda+\frac1\lambda-2\Bigr),$$
 positive where the breather is unstable (floquet.hpp). In the program it is `kappa`, $\omega_b$ and $s$ are
-`omega` and `s`, and $Q$, `centre`, is the centre of a breather in sites from the middle of the chain.
+`omega_b` and `s`, and $Q$, `centre`, is the centre of a breather in sites from the middle of the chain.
 
-## The exchange in the plane of $\omega_b$ and $s$ (figure x13)
+## A chart of both breathers (figure x13)
 
-Is the exchange at $\omega_b = 1.1$ the only one? We compute $\kappa$ of the site-centred breather on a
-grid, following it in $s$ from the linear well until the family ends. Around a bond the sign is
-the opposite one, except in strips too narrow to be seen. On the grid a tolerance of $10^{-12}$ is enough,
+Where do the breathers exist, and how unstable are they there? We compute all pairs of both on a grid, following
+each breather in $s$ from the linear well until the family ends. On the grid a tolerance of $10^{-12}$ is enough,
 since $\kappa$ is of the order of $10^{-9}$ or more nearly everywhere.
 
-![Which breather is stable, and where they change places.](fig:x13) */
+![Which breather is stable, where they change places, and how unstable they are.](fig:x13) */
 struct Node {
   Spot spot{};
-  double kappa = std::numeric_limits<double>::quiet_NaN(), defect = kappa;
   Orbit<double> orbit{};
-  bool exists() const { return !std::isnan(kappa); }
+  std::vector<Pair>
+      pairs{};  ///< the pinning pair first, each with the symplectic defect as its error
+  bool exists() const { return !pairs.empty(); }
+  double kappa() const { return exists() ? pairs[0].kappa.real() : std::nan(""); }
+  double defect() const { return exists() ? pairs[0].error : std::nan(""); }
 };
-using Column_of_nodes = std::vector<Node>;
 
 /**
 A node is computed from the orbit of its neighbour, and left empty where the family ends. Beyond the end
 Newton's method wanders off to large and costly motions, so it gets only eight iterations. An amplitude that
-changes by more than 15 per cent from one well to the next betrays another family. */
+changes by more than 15 per cent from one well to the next betrays another family. In hard wells no family ends, but
+a large breather changes quickly; there a step that is too long is halved. */
 NewtonRule<double> chart_rule() {
   NewtonRule<double> how;
   how.events.tolerance = 1e-12;
@@ -64,16 +73,24 @@ NewtonRule<double> chart_rule() {
   return how;
 }
 
-void visit(Node& node, const Orbit<double>& from) {
+bool same_family(const Orbit<double>& orbit, const Orbit<double>& from) {
+  return std::abs(orbit.amplitude / from.amplitude - 1) <= 0.15 || orbit.omega != from.omega;
+}
+
+void visit(Centre centre, Node& node, const Node& from) {
   try {
-    const auto problem = problem_at(Centre::site, node.spot);
-    node.orbit = follow(problem, from, chart_rule());
-    const double growth = node.orbit.amplitude / from.amplitude;
-    if (std::abs(growth - 1) > 0.15 && node.orbit.omega == from.omega) return;  // another family
-    const auto pairs =
+    const auto problem = problem_at(centre, node.spot);
+    node.orbit = follow(problem, from.orbit, chart_rule());
+    if (!same_family(node.orbit, from.orbit)) {
+      if (node.spot.s < 0) return;
+      const Spot half{node.spot.omega_b, (node.spot.s + from.spot.s) / 2};
+      const auto between = follow(problem_at(centre, half), from.orbit, chart_rule());
+      node.orbit = follow(problem, between, chart_rule());
+      if (!same_family(between, from.orbit) || !same_family(node.orbit, between)) return;
+    }
+    const auto found =
         floquet_pairs(problem.chain, node.orbit.start, node.orbit.period(), chart_rule().events);
-    node.kappa = pairs.pinning();
-    node.defect = pairs.defect;
+    for (const auto& kappa : found.kappa) node.pairs.push_back({kappa, found.defect});
   } catch (const NewtonFailed&) {
   }
 }
@@ -82,77 +99,214 @@ void visit(Node& node, const Orbit<double>& from) {
 The nodes of one frequency form a column, and the columns can run side by side once each has a start. So we
 first follow the linear well in $\omega_b$; from each of its breathers we go up and down in $s$. The
 quick run ends at $\omega_b = 1.2$, after three pairs of exchanges. */
-std::vector<Column_of_nodes> chart(int frequencies, int wells, double top) {
-  std::vector<Column_of_nodes> grid;
-  Orbit<double> seed = find_breather(problem_at(Centre::site, {1.01, 0}));
+using Chart = std::vector<std::vector<Node>>;
+
+Chart chart(Centre centre, bool quick) {
+  const int frequencies = quick ? 12 : 80, wells = quick ? 2 : 12;
+  const double top = quick ? 1.2 : 2;
+  const auto middle = std::size_t(wells);
+  Chart grid;
+  Orbit<double> seed = find_breather(problem_at(centre, {1.01, 0}));
   for (int i = 0; i < frequencies; ++i) {
-    const double omega = 1.01 + (top - 1.01) * double(i) / (frequencies - 1);
-    Column_of_nodes column(std::size_t(2 * wells + 1));
+    const double omega_b = 1.01 + (top - 1.01) * double(i) / (frequencies - 1);
+    std::vector<Node> column(2 * middle + 1);
     for (int k = -wells; k <= wells; ++k)
-      column[std::size_t(k + wells)].spot = {omega, double(k) / wells};
-    seed = column[std::size_t(wells)].orbit =
-        follow(problem_at(Centre::site, {omega, 0}), seed, chart_rule());
+      column[std::size_t(k + wells)].spot = {omega_b, double(k) / wells};
+    seed = column[middle].orbit = follow(problem_at(centre, {omega_b, 0}), seed, chart_rule());
     grid.push_back(std::move(column));
   }
   parallel_for("chart", grid.size(), [&](std::size_t i) {
-    const auto middle = std::size_t(wells);
-    Column_of_nodes& column = grid[i];
-    visit(column[middle], column[middle].orbit);
+    std::vector<Node>& column = grid[i];
+    visit(centre, column[middle], column[middle]);
     for (std::size_t k = middle + 1; k < column.size() && column[k - 1].exists(); ++k)
-      visit(column[k], column[k - 1].orbit);
+      visit(centre, column[k], column[k - 1]);
     for (std::size_t k = middle; k-- > 0 && column[k + 1].exists();)
-      visit(column[k], column[k + 1].orbit);
+      visit(centre, column[k], column[k + 1]);
   });
   return grid;
 }
 
 /**
-The curves of exchange pass between the nodes: wherever neighbours on the grid, along either axis, have
-opposite signs of $\kappa$, an exchange lies between them. */
-struct Crossing_place {
-  Cut cut;
-  Trial_kappa low, high;
-  const Node* near;
-  Exchange found{};
-  bool good = false;
+Node by node we keep the multipliers next to $+1$, the largest of all, and the largest beside the quadruplet. */
+struct Seen {
+  Centre centre;
+  const Node* node;
 };
 
-std::vector<Crossing_place> crossings(const std::vector<Column_of_nodes>& grid) {
-  std::vector<Crossing_place> out;
-  const auto look = [&](const Node& a, const Node& b, bool along_s) {
-    if (!(a.kappa * b.kappa < 0)) return;
-    const auto at = [&](const Node& n) {
-      return Trial_kappa{along_s ? n.spot.s : n.spot.omega, n.kappa};
+std::vector<Seen> report_multipliers(Report& report, const Chart& site, const Chart& bond) {
+  const auto columns = [](const std::string& of) {
+    return Columns{
+        number("fourth_" + of, "distance of the fourth multiplier from +1; nan: no breather"),
+        number("excess_" + of, "largest modulus of all minus one"),
+        number("others_" + of, "largest modulus beside the four minus one")};
+  };
+  Table& table = report.table(
+      "multiplier_chart", {number("omega", "frequency"), number("s", "anharmonicity"),
+                           estimate("kappa_bond", "of the pinning pair around a bond", "",
+                                    "symplectic defect, against the neighbouring rows; may be nan"),
+                           columns("site"), columns("bond")});
+  std::vector<Seen> seen;
+  int alike = 0;
+  for (std::size_t i = 0; i < site.size(); ++i)
+    for (std::size_t k = 0; k < site[i].size(); ++k) {
+      const Node &here = site[i][k], &there = bond[i][k];
+      alike += here.kappa() * there.kappa() > 0;
+      Cells row{here.spot.omega_b, here.spot.s, there.kappa(), there.defect()};
+      for (const Seen& at : {Seen{Centre::site, &here}, Seen{Centre::bond, &there}}) {
+        const auto& pairs = at.node->pairs;
+        const bool exists = at.node->exists();
+        if (exists) seen.push_back(at);
+        row.push_back(exists ? from_one(pairs[0]).value : std::nan(""));
+        row.push_back(exists ? excess(pairs).value : std::nan(""));
+        row.push_back(exists ? excess(pairs, 1).value : std::nan(""));
+      }
+      table.add(row);
+    }
+  report.facts.add("chart_same_sign", exact(alike), "nodes where kappa has one sign for both");
+  return seen;
+}
+
+/**
+## Over the whole range
+
+What is far from $+1$, and what is large? Near means within 0.01, as at $\omega_b = 1.1$, and at least ten times as
+near as the fifth multiplier; its own distance cannot be prescribed, because for $\omega_b \to 1$ the point of
+accumulation itself comes near. All others may leave the circle by $10^{-3}$ at most, the size that the article
+neglects. And ten more sites must add twenty multipliers at the point of accumulation, within $10^{-4}$ in $\kappa$,
+because the first of the new beads still touch the old ends; this is asked at $s = -1$, 0 and 1 in every thirteenth
+column. These bounds are ours. The nodes that decide are computed once more, with
+two tolerances. */
+int added_at_edge(const Seen& at) {
+  // The same breather on a longer chain, with beads at rest beyond the old ends
+  const auto& [centre, node] = at;
+  const auto longer = problem_at(centre, node->spot, 10);
+  State<double> start(longer.chain.sites);
+  std::copy(node->orbit.start.y.begin(), node->orbit.start.y.end(), start.y.begin() + 5);
+  const Orbit<double> orbit = newton(longer, longer.fold(start), chart_rule());
+  const auto found = floquet_pairs(longer.chain, orbit.start, orbit.period(), chart_rule().events);
+  std::vector<Pair> pairs;
+  for (const auto& kappa : found.kappa) pairs.push_back({kappa, found.defect});
+  const double omega_b = node->spot.omega_b, close = 1e-4;
+  return at_edge(pairs, omega_b, close) - at_edge(node->pairs, omega_b, close);
+}
+
+/**
+Neither statement survives. In hard wells the pinning pair leaves the neighbourhood of $+1$, along the axis
+around a bond and along the circle around a site: from $\omega_b =$ [1.44](num:sec33_between.far_from_bond) on there
+are wells in which the fourth multiplier is farther away than 0.01, at [398](num:sec33_between.far_bond) of
+[1719](num:sec33_between.chart_nodes_bond) nodes around a bond and at [397](num:sec33_between.far_site) of
+[1730](num:sec33_between.chart_nodes_site) around a site. Moduli exceed one by more than $10^{-3}$ at
+[823](num:sec33_between.large_bond) nodes around a bond, from $\omega_b =$ [1.15](num:sec33_between.large_from_bond)
+on, and at [94](num:sec33_between.large_site) around a site, from [1.16](num:sec33_between.large_from_site) on, and by
+[1.06121](num:sec33_between.instability_size_largest) at most, at $\omega_b = 2$ and $s = 1$. Next to the end of the
+families in soft wells multipliers beside the four leave the circle too, by up to
+[0.0493672](num:sec33_between.spectrum_others).
+
+The narrow reading is right: at $\omega_b = 1.1$ both statements hold in all wells, and in the linear well no
+modulus exceeds one by more than [0.000525970](num:sec33_between.largest_in_linear_wells), at any frequency. At all but
+[2](num:sec33_between.chart_same_sign) nodes the pinning pair makes one of the two breathers stable and the other
+one unstable. */
+void report_range(Report& report, const std::vector<Seen>& seen, double spacing) {
+  // How many nodes are beyond a limit, and from which frequency on
+  using Pairs = std::vector<Pair>;
+  const auto fourth = [](const Pairs& pairs) { return from_one(pairs[0]); };
+  const auto largest = [](const Pairs& pairs) { return excess(pairs); };
+  const auto beyond = [&](const std::string& name, double limit, auto of) {
+    for (Centre centre : both_centres) {
+      int all = 0, at_least = 0, at_most = 0;
+      double first = HUGE_VAL;
+      for (const auto& [around, node] : seen) {
+        if (around != centre) continue;
+        const Estimate e = of(node->pairs);
+        ++all, at_least += e.value - e.error > limit, at_most += e.value + e.error > limit;
+        if (e.value > limit) first = std::min(first, node->spot.omega_b);
+      }
+      const std::string suffix = centre == Centre::bond ? "_bond" : "_site";
+      report.facts.add(name + suffix, compare(at_most, at_least), "nodes of the chart");
+      if (std::isfinite(first)) report.facts.add(name + "_from" + suffix, {first, spacing});
+      if (name == "far") report.facts.add("chart_nodes" + suffix, exact(all));
+    }
+  };
+  beyond("far", 0.01, fourth);
+  beyond("large", 1e-3, largest);
+  beyond("very_large", 0.01, largest);
+
+  // In the linear well
+  Estimate linear{};
+  for (const auto& [centre, node] : seen)
+    if (node->spot.s == 0) linear = larger(linear, excess(node->pairs));
+  report.facts.add("largest_in_linear_wells", linear);
+
+  // The worst of all nodes decide, at two tolerances
+  const auto worst = [&](auto of) {
+    const auto smaller = [&](const Seen& a, const Seen& b) {
+      return of(a.node->pairs).value < of(b.node->pairs).value;
     };
-    out.push_back({{along_s, along_s ? a.spot.omega : a.spot.s}, at(a), at(b), &a});
+    const auto& [centre, node] = *std::max_element(seen.begin(), seen.end(), smaller);
+    return of(spectrum<double>(problem_at(centre, node->spot), node->orbit).pairs);
+  };
+  const auto share = [](const Pairs& p) { return quotient(from_one(p[0]), from_one(p[1])); };
+  const auto others = [](const Pairs& pairs) { return excess(pairs, 1); };
+  std::vector<Seen> ends;
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    const auto& [centre, node] = seen[i];
+    const auto column = std::size_t(std::lround((node->spot.omega_b - 1.01) / spacing));
+    const auto alone = [&](double s) { return node->spot.s == s; };
+    if (column % 13 == 0 && (alone(-1) || alone(0) || alone(1))) ends.push_back(seen[i]);
+  }
+  std::vector<int> missing(ends.size());
+  parallel_for(ends.size(),
+               [&](std::size_t i) { missing[i] = std::abs(20 - added_at_edge(ends[i])); });
+  judge(report, "floquet.spectrum",
+        four_near_one_everywhere(worst(fourth), worst(share), worst(others),
+                                 *std::max_element(missing.begin(), missing.end())));
+  judge(report, "floquet.instability_size", small_instability(worst(largest)));
+}
+
+/**
+## Where they change places
+
+Is the exchange at $\omega_b = 1.1$ the only one? Wherever neighbours on the chart of the site-centred breather,
+along either axis, have opposite signs of $\kappa$, an exchange lies between them. A curve for the eye needs no more
+than three digits: each exchange is refined until a step is shorter than a thousandth, and the next step is the
+error. What is counted are the edges of this grid across which the sign changes: the number tells how many searches
+were made, and depends on the grid. Near the end of a family a search may fail; the facts count how many were lost. */
+void report_exchanges(Report& report, const Chart& grid) {
+  // The figure colours the plane by the sign of kappa, which gets a column of its own
+  Table& map = report.table(
+      "chart",
+      {number("omega", "frequency"), number("s", "anharmonicity"),
+       estimate("kappa", "of the pinning pair around a site; nan where the family has ended", "",
+                "symplectic defect, against the neighbouring rows; may be nan"),
+       number("sign", "of kappa: +1 where the site-centred breather is unstable; may be nan")});
+  for (const auto& column : grid)
+    for (const Node& n : column)
+      map.add({n.spot.omega_b, n.spot.s, n.kappa(), n.defect(),
+               n.exists() ? (n.kappa() > 0 ? 1.0 : -1.0) : n.kappa()});
+
+  // Neighbours of opposite sign
+  struct Crossing_place {
+    Cut cut;
+    Trial_kappa low, high;
+    const Node* near;
+    Exchange found{};
+    bool good = false;
+  };
+  std::vector<Crossing_place> places;
+  const auto look = [&](const Node& a, const Node& b, bool along_s) {
+    if (!(a.kappa() * b.kappa() < 0)) return;
+    const auto at = [&](const Node& n) {
+      return Trial_kappa{along_s ? n.spot.s : n.spot.omega_b, n.kappa()};
+    };
+    places.push_back({{along_s, along_s ? a.spot.omega_b : a.spot.s}, at(a), at(b), &a});
   };
   for (std::size_t i = 0; i < grid.size(); ++i)
     for (std::size_t k = 0; k < grid[i].size(); ++k) {
       if (k > 0) look(grid[i][k - 1], grid[i][k], true);
       if (i > 0) look(grid[i - 1][k], grid[i][k], false);
     }
-  return out;
-}
 
-/**
-The figure colours the plane by the sign of $\kappa$, which gets a column of its own. */
-Table chart_table(const std::vector<Column_of_nodes>& grid) {
-  Table map{
-      {number("omega", "frequency"), number("s", "anharmonicity"),
-       number("kappa", "of the pinning pair around a site; nan where the family has ended"),
-       number("kappa_error", "symplectic defect, against the neighbouring rows; may be nan"),
-       number("sign", "of kappa: +1 where the site-centred breather is unstable; may be nan")}};
-  for (const auto& column : grid)
-    for (const Node& n : column)
-      map.add({n.spot.omega, n.spot.s, n.kappa, n.defect,
-               n.exists() ? (n.kappa > 0 ? 1.0 : -1.0) : n.kappa});
-  return map;
-}
-
-/**
-A curve for the eye needs no more than three digits: each exchange is refined until a step is shorter than a
-thousandth, and the next step is the error. */
-void refine_places(std::vector<Crossing_place>& places) {
+  // The exchange between them
   parallel_for("exchanges", places.size(), [&](std::size_t i) {
     Crossing_place& c = places[i];
     try {
@@ -162,30 +316,19 @@ void refine_places(std::vector<Crossing_place>& places) {
     } catch (const NewtonFailed&) {
     }
   });
-}
-
-/**
-What is counted are the edges of this grid across which the sign of $\kappa$ changes: the number tells how many
-searches were made, and depends on the grid. Near the end of a family a search may fail; the facts count how
-many were lost. */
-std::vector<Column_of_nodes> report_chart(Report& report) {
-  auto grid = report.quick ? chart(12, 2, 1.2) : chart(80, 12, 2);
-  auto places = crossings(grid);
-  refine_places(places);
-  Table curve{{number("omega", "frequency"), number("s", "anharmonicity at the exchange"),
-               number("error", "of the coordinate along which it was found")}};
+  Table& curve =
+      report.table("exchange_curves",
+                   {number("omega", "frequency"), number("s", "anharmonicity at the exchange"),
+                    number("error", "of the coordinate along which it was found")});
   int lost = 0;
   for (const Crossing_place& c : places) {
     lost += !c.good;
     const Spot spot = c.cut.at(c.found.place.value);
-    if (c.good) curve.add({spot.omega, spot.s, c.found.place.error});
+    if (c.good) curve.add({spot.omega_b, spot.s, c.found.place.error});
   }
   report.facts.add("chart_exchanges", exact(double(places.size())),
                    "edges of this grid that an exchange crosses");
   report.facts.add("chart_lost", exact(lost), "of these edges");
-  report.output.add("chart", chart_table(grid));
-  report.output.add("exchange_curves", std::move(curve));
-  return grid;
 }
 
 /**
@@ -214,51 +357,47 @@ struct Window_edge {
 
 /**
 The middle row of the chart shows where to look: even the shortest window is more than four of its steps wide.
-Around a bond the search interval is a little wider, because the two exchanges of a pair do not coincide. */
-std::vector<Window_edge> window_edges(const std::vector<Column_of_nodes>& grid, bool quick) {
+Around a bond the search interval is a little wider, because the two exchanges of a pair do not coincide. The figure
+marks the edges of the windows, so the table has one row for each pair of exchanges. */
+std::vector<Window_edge> report_windows(Report& report, const Chart& grid) {
+  // Where kappa changes its sign in the middle row
   std::vector<std::pair<const Node*, const Node*>> pairs;
   const std::size_t middle = grid.front().size() / 2;
   for (std::size_t i = 1; i < grid.size(); ++i)
-    if (grid[i - 1][middle].kappa * grid[i][middle].kappa < 0)
+    if (grid[i - 1][middle].kappa() * grid[i][middle].kappa() < 0)
       pairs.emplace_back(&grid[i - 1][middle], &grid[i][middle]);
+
+  // Both exchanges of each pair
   std::vector<Window_edge> edges(pairs.size());
   parallel_for("windows", 2 * pairs.size(), [&](std::size_t i) {
     const auto& [left, right] = pairs[i / 2];
     const Centre centre = both_centres[i % 2];
     Orbit<double> near = left->orbit;
-    double low = left->spot.omega, high = right->spot.omega;
+    double low = left->spot.omega_b, high = right->spot.omega_b;
     if (centre == Centre::bond) {
       near = find_breather(problem_at(centre, {low, 0}));
       low -= 0.002, high += 0.002;
     }
-    edges[i / 2].found[i % 2] = quick ? exchange<double>(centre, {false, 0}, low, high, near)
-                                      : exchange<Wide>(centre, {false, 0}, low, high, near);
+    edges[i / 2].found[i % 2] = report.quick ? exchange<double>(centre, {false, 0}, low, high, near)
+                                             : exchange<Wide>(centre, {false, 0}, low, high, near);
   });
-  return edges;
-}
 
-/**
-The figure marks the edges of the windows, so the table has one row for each pair of exchanges. */
-std::vector<Window_edge> report_windows(Report& report, const std::vector<Column_of_nodes>& grid) {
-  const auto edges = window_edges(grid, report.quick);
-  Table table{{number("omega_site", "exchange of the site-centred breather, s = 0"),
-               number("omega_site_error", "its error"),
-               number("omega_bond", "exchange of the bond-centred breather"),
-               number("omega_bond_error", "its error"),
-               number("width", "omega_bond - omega_site; nan where it is below its error"),
-               number("width_error", "of both together, against the largest; may be nan"),
-               number("s", "anharmonicity: zero"),
-               label("between", "what both breathers are between the two")}};
+  // A width below its error is not reported
+  Table& table = report.table(
+      "windows", {estimate("omega_site", "exchange of the site-centred breather, s = 0"),
+                  estimate("omega_bond", "exchange of the bond-centred breather"),
+                  estimate("width", "omega_bond - omega_site; nan where it is below its error", "",
+                           "of both together, against the largest; may be nan"),
+                  number("s", "anharmonicity: zero"),
+                  label("between", "what both breathers are between the two")});
   for (std::size_t k = 0; k < edges.size(); ++k) {
-    const Window_edge& edge = edges[k];
-    const Estimate &site = edge.found[0].place, &bond = edge.found[1].place;
-    const Estimate none{std::nan(""), std::nan("")}, width = edge.resolved() ? edge.width() : none;
-    table.add({site.value, site.error, bond.value, bond.error, width.value, width.error, 0.0,
-               edge.between()});
-    report.facts.add("window_" + std::to_string(k + 1), site);
-    if (edge.resolved()) report.facts.add("window_width_" + std::to_string(k + 1), width);
+    const auto& [site, bond] = edges[k].found;
+    const bool known = edges[k].resolved();
+    const Estimate width = known ? edges[k].width() : Estimate{std::nan(""), std::nan("")};
+    table.add({site.place, bond.place, width, 0.0, edges[k].between()});
+    report.facts.add("window_" + std::to_string(k + 1), site.place);
+    if (known) report.facts.add("window_width_" + std::to_string(k + 1), width);
   }
-  report.output.add("windows", std::move(table));
   return edges;
 }
 
@@ -347,30 +486,6 @@ double energy_share(const Cut& cut, const std::array<Exchange, 2>& ends, const B
 }
 
 /**
-The family begins and ends at the two exchanges themselves, so they are the first and the last row. */
-Table between_table(const Cut& cut, const std::array<Exchange, 2>& ends,
-                    const std::vector<Between>& family) {
-  Table table{{number("centre", "Q, sites from the site at which it begins", "site"),
-               number("parameter", "s, or omega_b"), number("parameter_error", "its error"),
-               number("offset", "parameter minus that of the exchange at the site"),
-               number("offset_error", "of both, against the largest"),
-               number("share", "(E - E_site) / (E_bond - E_site) at equal frequency"),
-               number("kappa", "of its pinning pair: positive where it is unstable"),
-               number("kappa_error", "from two tolerances, against the largest")}};
-  const Estimate &site = ends[0].place, &bond = ends[1].place;
-  table.add({0.0, site.value, site.error, 0.0, site.error, 0.0, 0.0, 0.0});
-  std::vector<double> share(family.size());
-  parallel_for(share.size(), [&](std::size_t i) { share[i] = energy_share(cut, ends, family[i]); });
-  for (std::size_t i = 0; i < family.size(); ++i)
-    table.add({family[i].centre, family[i].place.value, family[i].place.error,
-               double(family[i].parameter - Wide(site.value)), family[i].place.error + site.error,
-               share[i], family[i].kappa.value, family[i].kappa.error});
-  table.add({0.5, bond.value, bond.error, bond.value - site.value, bond.error + site.error, 1.0,
-             0.0, 0.0});
-  return table;
-}
-
-/**
 At $\omega_b = 1.1$ the family exists on an interval of $s$ of length
 [3.22e-7](num:sec33_between.exchange_gap), and it is unstable, with $\kappa =$
 [1.262e-14](num:sec33_between.kappa_between_in_s) half way, at $s =$
@@ -380,34 +495,63 @@ round: both symmetric breathers are unstable, and the stable breather is the one
 $\kappa =$ [-1.73285e-11](num:sec33_between.kappa_between_in_omega) at $\omega_b =$
 [1.32606](num:sec33_between.middle_between_in_omega). The quick run has only the first of the two. */
 void report_between(Report& report, const std::vector<Window_edge>& edges) {
-  const int count = report.quick ? 2 : 10;
-  std::array<Exchange, 2> ends;
+  // One cut along s, between the exchanges at 1.1, and one along the linear well, where both are unstable
+  struct Family {
+    const char* name;
+    Cut cut;
+    Window_edge edge;
+  };
+  std::vector<Family> families{{"between_in_s", Cut{}, {}}};
   parallel_for(2, [&](std::size_t k) {
     const Orbit<double> near = find_breather(problem_at(both_centres[k], {}));
-    ends[k] = exchange<Wide>(both_centres[k], Cut{}, 0.1, 0.2, near);
+    families[0].edge.found[k] = exchange<Wide>(both_centres[k], Cut{}, 0.1, 0.2, near);
   });
-  const Window_edge in_s{ends};
-  report.facts.add("exchange_gap", in_s.width());
-  const auto add = [&](const std::string& name, const Cut& cut, const Window_edge& edge) {
-    const auto family = between(cut, edge, count);
-    const Between& middle = family[family.size() / 2];
-    report.facts.add("kappa_" + name, middle.kappa);
-    report.facts.add("middle_" + name, middle.place);
-    report.output.add(name, between_table(cut, edge.found, family));
+  report.facts.add("exchange_gap", families[0].edge.width());
+  const auto both_unstable = [](const Window_edge& edge) {
+    return edge.between() == "unstable" && edge.found[0].place.value > 1.3;
   };
-  add("between_in_s", Cut{}, in_s);
-  for (const Window_edge& edge : edges)
-    if (edge.between() == "unstable" && edge.found[0].place.value > 1.3) {
-      add("between_in_omega", {false, 0}, edge);
-      break;
+  const auto last = std::find_if(edges.begin(), edges.end(), both_unstable);
+  if (last != edges.end()) families.push_back({"between_in_omega", {false, 0}, *last});
+
+  for (const auto& [name, cut, edge] : families) {
+    // The family, and its energy on the way from the site's to the bond's
+    const auto family = between(cut, edge, report.quick ? 2 : 10);
+    std::vector<double> share(family.size());
+    parallel_for(share.size(), [&, &cut = cut, &edge = edge](std::size_t i) {
+      share[i] = energy_share(cut, edge.found, family[i]);
+    });
+
+    // It begins and ends at the two exchanges themselves, the first and the last row
+    Table& table =
+        report.table(name, {number("centre", "Q, sites from the site at which it begins", "site"),
+                            estimate("parameter", "s, or omega_b"),
+                            estimate("offset", "parameter minus that of the exchange at the site",
+                                     "", "of both, against the largest"),
+                            number("share", "(E - E_site) / (E_bond - E_site) at equal frequency"),
+                            estimate("kappa", "of its pinning pair: positive where it is unstable",
+                                     "", "from two tolerances, against the largest")});
+    const Estimate &site = edge.found[0].place, &bond = edge.found[1].place;
+    const Estimate zero{};
+    table.add({0.0, site, Estimate{0, site.error}, 0.0, zero});
+    for (std::size_t i = 0; i < family.size(); ++i) {
+      const Between& one = family[i];
+      const Estimate offset{double(one.parameter - Wide(site.value)), one.place.error + site.error};
+      table.add({one.centre, one.place, offset, share[i], one.kappa});
     }
+    table.add({0.5, bond, edge.width(), 1.0, zero});
+
+    // Half way
+    const Between& middle = family[family.size() / 2];
+    report.facts.add(std::string("kappa_") + name, middle.kappa);
+    report.facts.add(std::string("middle_") + name, middle.place);
+  }
 }
 
 /**
 ## Differences and limits
 
 The chart follows each family in $s$ only until Newton's method fails, which for soft wells is near the
-fold of the family. It shows the exchange of the pinning pair and no other instability.
+fold of the family.
 
 ## Extensions
 
@@ -417,8 +561,11 @@ fold of the family. It shows the exchange of the pinning pair and no other insta
   plane? */
 void reproduce(Report& report) {
   report.output.note("tolerance", "flow to 128 and 2048 roundings of the type");
-  const auto grid = report_chart(report);
-  report_between(report, report_windows(report, grid));
+  const Chart site = chart(Centre::site, report.quick), bond = chart(Centre::bond, report.quick);
+  report_range(report, report_multipliers(report, site, bond),
+               site[1][0].spot.omega_b - site[0][0].spot.omega_b);
+  report_exchanges(report, site);
+  report_between(report, report_windows(report, site));
 }
 
 int main(int argc, char** argv) {

@@ -86,11 +86,12 @@ std::string failing(const Criterion& criterion) {
   return names;
 }
 
-/// Breathers of which the first `moving` pass a site, as both tolerances say.
-std::vector<Trial> breathers(std::size_t count, std::size_t moving) {
+/// Breathers of three sites, of which the first `moving` pass a site, as both tolerances say.
+std::vector<Trial> breathers(std::size_t count, std::size_t moving, double time = 4) {
   std::vector<Trial> list(count);
   for (std::size_t k = 0; k < count; ++k) {
-    list[k].good.t = {0, 1};
+    list[k].good.sites = list[k].good.most_sites = 3;
+    list[k].good.t = {0, time};
     list[k].good.X = {0, k < moving ? 1.4 : 0.4};
     list[k].rough = list[k].good;
   }
@@ -210,12 +211,26 @@ TEST_CASE("an instability moves many, and not what it does not reach", "[unit][c
   const auto moves = [](const auto& trials, const auto& controls) {
     return failing(moved_by_instability(trials, controls));
   };
-  CHECK(moves(breathers(16, 8), breathers(16, 0)).empty());
-  CHECK(moves(breathers(16, 7), breathers(16, 0)) == "trials");
-  CHECK(moves(breathers(16, 16), breathers(16, 1)) == "controls");
-  auto torn = breathers(16, 16);
+  CHECK(moves(breathers(16, 16, 1), breathers(16, 0)).empty());
+  CHECK(moves(breathers(16, 9, 1), breathers(16, 0)).empty());
+  CHECK(moves(breathers(16, 7, 1), breathers(16, 0, 9)) == "trials");
+  CHECK(moves(breathers(16, 16, 1), breathers(16, 16, 4)).empty());           // all, but later
+  CHECK(moves(breathers(16, 16, 1), breathers(16, 16, 1)) == "later delay");  // not later
+  CHECK(moves(breathers(16, 16, 1), breathers(16, 16, 1.5)) == "delay");
+  auto some = breathers(16, 16, 4);
+  for (std::size_t k = 0; k < 5; ++k) some[k].good.t[1] = some[k].rough.t[1] = 1;
+  CHECK(moves(breathers(16, 16, 1), some) == "later");
+  auto torn = breathers(16, 16, 1);
   torn[3].rough.X = {0, 0.9};
   CHECK(moves(torn, breathers(16, 0)) == "torn");
+}
+
+TEST_CASE("a robust breather stays, and whole", "[unit][criteria]") {
+  CHECK(failing(stays_whole(breathers(16, 0))).empty());
+  CHECK(failing(stays_whole(breathers(16, 1))) == "left");
+  auto wide = breathers(16, 0);
+  wide[2].good.most_sites = 7;
+  CHECK(failing(stays_whole(wide)) == "spread");
 }
 
 TEST_CASE("four multipliers near one, no more and no fewer", "[unit][criteria]") {
@@ -224,11 +239,32 @@ TEST_CASE("four multipliers near one, no more and no fewer", "[unit][criteria]")
   CHECK(wrong_with(0.013) == "others_stable");
   CHECK(wrong_with({-0.5, 0.1}) == "others_stable");
   CHECK(wrong_with(-0.013, 40) == "not_at_edge");
+  CHECK(wrong_with(-1.013) == "others_stable");  // beyond -1
   CHECK(holds(small_instability({6e-4, 1e-6})));
   CHECK_FALSE(holds(small_instability({2e-3, 1e-6})));
   CHECK(holds(bond_alone_stable({1e-8, 1e-15}, {-1e-8, 1e-15})));
   CHECK(failing(bond_alone_stable({1e-8, 1e-15}, {1e-8, 1e-15})) == "bond");
   CHECK(failing(bond_alone_stable({1e-8, 1e-7}, {-1e-8, 1e-7})) == "site bond");
+}
+
+TEST_CASE("the worst of many spectra decides", "[unit][criteria]") {
+  const auto wrong = [](double fourth, double share, double others, int missing) {
+    return failing(
+        four_near_one_everywhere({fourth, 1e-9}, {share, 1e-9}, {others, 1e-9}, missing));
+  };
+  CHECK(wrong(2e-4, 1e-3, 1e-8, 0).empty());
+  CHECK(wrong(0.02, 1e-3, 1e-8, 0) == "fourth");
+  CHECK(wrong(5e-3, 0.2, 1e-8, 0) == "share_of_fifth");
+  CHECK(wrong(2e-4, 1e-3, 0.1, 0) == "others");
+  CHECK(wrong(2e-4, 1e-3, 1e-8, 2) == "not_at_edge");
+  // The larger multiplier counts, beyond +1 as beyond -1 and off the axis
+  const std::vector<Pair> pairs{{0.25, 1e-12}, {-1.25, 1e-12}, {{-0.5, 0.1}, 1e-12}, {-0.5, 1e-12}};
+  check_close(excess(pairs).value, 0.5 + std::sqrt(1.25), 1e-14);
+  check_close(excess({pairs[0]}).value, 0.5 + std::sqrt(1.25), 1e-14);
+  check_close(excess(pairs, 1).value, 0.5 + std::sqrt(1.25), 1e-14);
+  CHECK(excess(pairs, 2).value > 0.1);
+  CHECK(excess(pairs, 3).value < 1e-15);
+  check_close(from_one(pairs[0]).value, 0.5 + std::sqrt(1.25), 1e-14);
 }
 
 TEST_CASE("breathers are symmetric, steep, and worse approximated when large", "[unit][criteria]") {

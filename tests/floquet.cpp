@@ -40,6 +40,12 @@ TEST_CASE("a pair follows from kappa", "[unit][floquet]") {
   // An error of kappa costs its square root at +1 and no more than itself elsewhere.
   CHECK((Pair{{0, 0}, 1e-14}.multiplier_error()) > 1e-7);
   CHECK((Pair{{-0.3, 0}, 1e-14}.multiplier_error()) < 1e-13);
+  // Unstable is a pair beyond +1 or -1 or off circle and axis, by more than its error.
+  CHECK((Pair{{1e-6, 0}, 1e-9}.is_unstable()));
+  CHECK((Pair{{-1 - 1e-6, 0}, 1e-9}.is_unstable()));
+  CHECK((Pair{{-0.5, 1e-6}, 1e-9}.is_unstable()));
+  CHECK_FALSE((Pair{{1e-10, 0}, 1e-9}.is_unstable()));
+  CHECK_FALSE((Pair{{-1, 1e-10}, 1e-9}.is_unstable()));
 }
 
 TEST_CASE("beads without contact have the multipliers of a pendulum at rest", "[unit][floquet]") {

@@ -16,7 +16,7 @@ namespace lattice {
 struct ChosenBreather {
   Centre centre = Centre::site;
   Phase phase = Phase::compressed;
-  double omega = 1.1;
+  double omega_b = 1.1;
   std::size_t sites = 0;  ///< 0: as many as needed
   Well onsite = Quartic{};
 
@@ -24,7 +24,7 @@ struct ChosenBreather {
     p.add("centre", centre, "where the breather is centred",
           {{"site", Centre::site}, {"bond", Centre::bond}});
   }
-  void add_omega(Parameters& p) { p.add("omega", omega, "frequency omega_b > 1", {1.0001, 3}); }
+  void add_omega(Parameters& p) { p.add("omega", omega_b, "frequency omega_b > 1", {1.0001, 3}); }
   void parameters(Parameters& p) {
     add_centre(p);
     add_omega(p);
@@ -58,7 +58,7 @@ auto on_chosen_chain(const ChosenBreather& chosen, Make make) {
 /// `precision`. Throws UsageError, NewtonFailed.
 inline Fitted find_chosen(const ChosenBreather& chosen, double precision) {
   return on_chosen_chain(chosen, [&] {
-    return fit_chain(chosen.centre, chosen.omega, chosen.onsite, chosen.sites,
+    return fit_chain(chosen.centre, chosen.omega_b, chosen.onsite, chosen.sites,
                      sites_of(chosen.centre), precision, chosen.phase);
   });
 }

@@ -1,5 +1,7 @@
 #include "sec33/exchange.hpp"
 
+#include <algorithm>
+
 namespace lattice {
 
 // Displacements grow like the square of omega_b - 1; scaled so, an orbit is a guess for the next
@@ -25,16 +27,35 @@ Spectrum spectrum(const Shooting<double>& problem, const Orbit<double>& orbit) {
   return {compare_pairs(pairs(1), fine), fine.mode.template cast<double>()};
 }
 
+// A bead at rest turns with frequency one, which is its multiplier
+int at_edge(const std::vector<Pair>& pairs, double omega_b, double close) {
+  const double edge = -std::pow(std::sin(pi<double>() / omega_b), 2);
+  return 2 * int(std::count_if(pairs.begin() + 1, pairs.end(), [&](const Pair& pair) {
+           return std::abs(pair.kappa - edge) < close;
+         }));
+}
+
 // How near +1 are the first two pairs, and where on the circle are the others?
-Quadruplet quadruplet(const Spectrum& all, double omega) {
-  Quadruplet q{std::abs(multiplier(all.pairs[0].kappa, 1) - 1.0),
-               std::abs(multiplier(all.pairs[1].kappa, 1) - 1.0)};
-  const double edge = -std::pow(std::sin(pi<double>() / omega), 2);
-  for (std::size_t k = 1; k < all.pairs.size(); ++k) {
+Quadruplet quadruplet(const Spectrum& all, double omega_b) {
+  Quadruplet q{from_one(all.pairs[0]).value, from_one(all.pairs[1]).value};
+  for (std::size_t k = 1; k < all.pairs.size(); ++k)
     q.others_stable = q.others_stable && !all.pairs[k].is_unstable();
-    q.at_edge += std::abs(all.pairs[k].kappa - edge) < 1e-9 ? 2 : 0;
-  }
+  q.at_edge = at_edge(all.pairs, omega_b);
   return q;
+}
+
+Estimate from_one(const Pair& pair) {
+  return {std::abs(multiplier(pair.kappa, 1) - 1.0), pair.multiplier_error()};
+}
+
+// The larger of both multipliers of a pair is the first one beyond +1 and the second one beyond -1
+Estimate excess(const std::vector<Pair>& pairs, std::size_t first) {
+  Estimate out{};
+  for (std::size_t k = first; k < pairs.size(); ++k)
+    for (int sign : {1, -1})
+      if (const double beyond = std::abs(multiplier(pairs[k].kappa, sign)) - 1; beyond > out.value)
+        out = {beyond, pairs[k].multiplier_error()};
+  return out;
 }
 
 // The article's words about the multipliers, with bounds of our own
@@ -45,6 +66,12 @@ Criterion four_near_one(const Quadruplet& chain, const Quadruplet& longer) {
           above("fifth", compare(longer.fifth, chain.fifth), 0.1),
           above("others_stable", exact(stable), 0.5),
           below("not_at_edge", exact(std::abs(20 - added)), 0.5)};
+}
+
+Criterion four_near_one_everywhere(const Estimate& fourth, const Estimate& share,
+                                   const Estimate& others, int not_at_edge) {
+  return {below("fourth", fourth, 0.01), below("share_of_fifth", share, 0.1),
+          below("others", others, 1e-3), below("not_at_edge", exact(not_at_edge), 0.5)};
 }
 
 Criterion small_instability(const Estimate& excess) {

@@ -30,10 +30,10 @@ A chain is long enough if the bead missing at its end would be pushed by less th
 (`sites_needed`): up to $\omega_b = 2$ this means 21 sites, or 22 around a bond. `more` adds to them, as
 a check. */
 struct Spot {
-  double omega = 1.1, s = 0;
+  double omega_b = 1.1, s = 0;
 };
 inline Shooting<double> problem_at(Centre centre, const Spot& spot, std::size_t more = 0) {
-  return breather_problem(centre, spot.omega, spot.s, sites_of(centre, Length::shortest) + more);
+  return breather_problem(centre, spot.omega_b, spot.s, sites_of(centre, Length::shortest) + more);
 }
 
 /// The breather of a problem near that of another. The guess scales positions with the square of
@@ -64,16 +64,33 @@ struct Quadruplet {
   int at_edge = 0;               ///< multipliers at the accumulation, within 1e-9 in kappa
 };
 
-/// The quadruplet of a spectrum at the frequency `omega`.
-Quadruplet quadruplet(const Spectrum& all, double omega);
+/// The quadruplet of a spectrum at the frequency `omega_b`.
+Quadruplet quadruplet(const Spectrum& all, double omega_b);
+
+/// How many multipliers lie at the accumulation, within `close` in kappa; the first pair does not count.
+int at_edge(const std::vector<Pair>& pairs, double omega_b, double close = 1e-9);
+
+/// How far the multipliers of a pair are from +1.
+Estimate from_one(const Pair& pair);
+
+/// By how much a multiplier exceeds one, the largest of the pairs from number `first` on.
+Estimate excess(const std::vector<Pair>& pairs, std::size_t first = 0);
 
 /**
 A fifth multiplier near one fails the statement, and so does a pair off the circle or an accumulation
 elsewhere: ten more sites must add their twenty multipliers at the edge. Near one means within 0.01, and the
-fifth must be farther away than 0.1; these bounds are ours. An instability is small if the multiplier
-exceeds one by less than $10^{-3}$, and two breathers are told apart by the signs of their $\kappa$. */
+fifth must be farther away than 0.1; these bounds are ours. Over many breathers the worst of them decides. There the
+fifth must be ten times as far as the fourth, since the point of accumulation goes to one with $\omega_b$; the
+others may leave the circle by no more than $10^{-3}$, and the added multipliers are asked for again. An
+instability is small if the multiplier exceeds one by less than $10^{-3}$, and two breathers are told apart by the
+signs of their $\kappa$. */
 /// From a chain and one that is ten sites longer.
 Criterion four_near_one(const Quadruplet& chain, const Quadruplet& longer);
+
+/// From the largest distance of the fourth, also as a share of that of the fifth, the largest excess of the others,
+/// and how many of the added multipliers are not at the edge.
+Criterion four_near_one_everywhere(const Estimate& fourth, const Estimate& share,
+                                   const Estimate& others, int not_at_edge);
 
 /// From the largest excess of a multiplier over one.
 Criterion small_instability(const Estimate& excess);

@@ -3,9 +3,9 @@
 namespace lattice {
 
 // Newton's method finds the breather in harmonic wells, on a chain that holds its tail
-RestingBreather resting_breather(Centre centre, Phase phase, double omega, std::size_t sites) {
+RestingBreather resting_breather(Centre centre, Phase phase, double omega_b, std::size_t sites) {
   const bool site = centre == Centre::site;
-  const Fitted found = fit_chain(centre, omega, 0, site ? sites | 1 : sites,
+  const Fitted found = fit_chain(centre, omega_b, 0, site ? sites | 1 : sites,
                                  sites_of(centre, Length::spare), 1e-16, phase);
   return {centre, Chain{found.problem.chain.sites}, found.orbit.start, found.problem.period(),
           found.orbit.energy};

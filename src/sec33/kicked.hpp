@@ -48,7 +48,7 @@ struct RestingBreather {
 The chain has the given number of sites, or one more if a site-centred breather needs a middle, and must
 hold the tail of the breather down to rounding, $10^{-16}$. */
 /// Throws ShortChain if the breather needs a longer chain, NewtonFailed if it is not found.
-RestingBreather resting_breather(Centre centre, Phase phase, double omega, std::size_t sites);
+RestingBreather resting_breather(Centre centre, Phase phase, double omega_b, std::size_t sites);
 
 /**
 ## Prediction

@@ -304,14 +304,14 @@ std::vector<Piece<T>> search_profiles(const DpsBreather<T>& breather, int depth)
   return pieces;
 }
 
-#define LATTICE_ENCLOSURE(T)                                                     \
-  template DpsGuess<T> dps_guess(Centre);                                        \
-  template T dps_eta(const DpsGuess<T>&);                                        \
-  template T dps_q(const DpsGuess<T>&, T);                                       \
-  template struct DpsBreather<T>;                                                \
-  template DpsBreather<T> enclose_dps(Centre);                                   \
-  template Interval<T> contact_eigenvalue(const DpsBreather<T>&, std::size_t);   \
-  template Interval<T> square_of_exponent(const Interval<T>&);                   \
+#define LATTICE_ENCLOSURE(T)                                                             \
+  template DpsGuess<T> dps_guess(Centre);                                                \
+  template T dps_eta(const DpsGuess<T>&);                                                \
+  template T dps_q(const DpsGuess<T>&, T);                                               \
+  template struct DpsBreather<T>;                                                        \
+  template DpsBreather<T> enclose_dps(Centre);                                           \
+  template Interval<T> contact_eigenvalue(const DpsBreather<T>&, std::size_t);           \
+  template Interval<T> square_of_exponent(const Interval<T>&);                           \
   template EnclosedBarrier<T> dps_barrier(const DpsBreather<T>&, const DpsBreather<T>&); \
   template std::vector<Piece<T>> search_profiles(const DpsBreather<T>&, int);
 LATTICE_ENCLOSURE(double)

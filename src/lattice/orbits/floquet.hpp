@@ -113,7 +113,9 @@ be told from zero. */
 struct Pair {
   std::complex<double> kappa;
   double error;
-  bool is_unstable() const { return std::abs(kappa.imag()) > error || kappa.real() > error; }
+  bool is_unstable() const {
+    return std::abs(kappa.imag()) > error || kappa.real() > error || kappa.real() < -1 - error;
+  }
   /// Error of either multiplier.
   double multiplier_error() const {
     const double distance = std::max(std::abs(kappa * (1.0 + kappa)), error);
