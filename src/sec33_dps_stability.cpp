@@ -353,8 +353,8 @@ void report_census(Report& report, const Group& group) {
 }
 
 /**
-Figure x06 shows single runs, so those of the main reading are kept one by one; what did not happen within the
-run is `nan`. A breather that stays trembles faster than it is sampled, so its largest distance is known only to
+Figure x06 shows single runs, so those of the main reading are kept one by one; what did not happen within 500
+units of time is `nan`. A breather that stays trembles faster than it is sampled, so its largest distance is known only to
 a thousandth of a site. That is enough: we ask whether it passes a whole site.
 
 The pendulum of the next section predicts a departure time for each breather that starts on a site, which
@@ -381,17 +381,14 @@ void report_trials(Report& report, const Group& group, const PinnedBreather& sit
                               {count("seed", "seed of the generator"), number("t", "time", time),
                                number("X", "displacement", "site")});
   for (const Trial& trial : group.trials) {
-    const Course& run = trial.good;
+    const Course run = trial.good.until(duration), rough = trial.rough.until(duration);
     const double leaves = run.reaches(0.5), pendulum = site.departure(trial.growing);
-    const auto apart = [&](auto of) {
-      return Estimate{of(run), std::abs(of(run) - of(trial.rough))};
-    };
+    const auto apart = [&](auto of) { return Estimate{of(run), std::abs(of(run) - of(rough))}; };
     table.add({trial.seed, trial.kick.real(), trial.kick.imag(), std::abs(trial.kick.imag()),
                trial.growing, apart([](const Course& c) { return c.reaches(0.5); }),
                group.which == Case::site ? pendulum : std::nan(""), 1 / (run.reaches(1.5) - leaves),
                apart([](const Course& c) { return c.largest(); }), run.energy_drift});
-    for (std::size_t k = 0; k < run.t.size() && run.t[k] <= duration; k += 10)
-      paths.add({trial.seed, run.t[k], run.X[k]});
+    for (std::size_t k = 0; k < run.t.size(); k += 10) paths.add({trial.seed, run.t[k], run.X[k]});
   }
 }
 

@@ -88,6 +88,13 @@ double Course::reaches(double distance) const {
   return std::nan("");
 }
 
+Course Course::until(double time) const {
+  Course out = *this;
+  const auto end = std::upper_bound(out.t.begin(), out.t.end(), time) - out.t.begin();
+  out.t.resize(std::size_t(end)), out.X.resize(std::size_t(end));
+  return out;
+}
+
 // A run of the whole equation; the drifts of norm and energy say how far it can be trusted
 Course follow_breather(const PinnedBreather& breather, Field v, double time,
                        const Accuracy& accuracy, const DpsObserver& watch) {

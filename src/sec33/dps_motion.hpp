@@ -74,6 +74,8 @@ struct Course {
   double largest() const;
   /// When |X| exceeds `distance` for the first time, interpolated; nan if it never does.
   double reaches(double distance) const;
+  /// The course up to a time.
+  Course until(double time) const;
   /// By which factor the number of its sites grew.
   double spread() const { return most_sites / sites; }
 };
