@@ -475,20 +475,7 @@ forming at $t = 291$, where the best sech misses its envelope by
 limit is our choice; at the later times the sech is good, and nothing turns round. The breather loses energy
 to its tail all the time; at the end this has [](num:sec4_precompression_mi.tail_both_sides_behind) times
 the breather's amplitude behind it and [](num:sec4_precompression_mi.tail_both_sides_ahead) times ahead.
-
-On the rings a breather forms in all three wells. For $s = 0$ this takes until
-$t =$ [](num:sec4_precompression_mi.gathered_s_0), for $s = 1$ until
-[](num:sec4_precompression_mi.gathered_s_1), and for $s = -1/6$ until
-[](num:sec4_precompression_mi.gathered_s_minus_1_6). At its narrowest the wave shares its energy among
-[](num:sec4_precompression_mi.narrowest_s_0), [](num:sec4_precompression_mi.narrowest_s_1) and
-[](num:sec4_precompression_mi.narrowest_s_minus_1_6) sites: linear wells localize less than soft ones, but by
-this measure more than hard ones, where more of the energy stays in a background. By the largest density,
-[](num:sec4_precompression_mi.highest_s_0), [](num:sec4_precompression_mi.highest_s_1) and
-[](num:sec4_precompression_mi.highest_s_minus_1_6) times the mean, they localize least, as the article says. Our
-criterion counts sites and was fixed before, so the verdict stands, with this restriction.
-
-The pulse of the ring splits at $t =$ [](num:sec4_precompression_mi.splitting_splits_at), when the runs still
-agree. For the other wells we confirm what the article says, with its restriction: no
+For the other wells we confirm what the article says, with its restriction: no
 breather on these time scales. A likely reason is that for small $|s|$ the soliton of the NLS
 equation is too wide to form so early.
 
