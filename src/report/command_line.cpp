@@ -1,15 +1,17 @@
 /**
 # The words of a line
 
-A line is read in two passes: first every word finds its place, then the values are checked and taken. So
-nothing has happened when a line is refused. */
+A line is read in two passes: first every word finds its place, then the values are checked and taken. */
 
 #include "report/command_line.hpp"
+
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cctype>
 #include <cstdio>
 #include <numeric>
+#include <utility>
 
 #include "lattice/model/potential.hpp"
 
@@ -54,131 +56,209 @@ static std::string perhaps(const std::optional<std::string>& name, const std::st
   return name ? "; did you mean " + before + *name + behind + "?" : "";
 }
 
-/// Whether a word that follows an option cannot be meant as its value.
-static bool looks_like_option(const std::string& word) {
-  if (word.size() < 2 || word[0] != '-') return false;
-  const bool digits = std::isdigit(static_cast<unsigned char>(word[1])) != 0 || word[1] == '.';
-  return !digits && !typed_number(word);
-}
-
 /**
-## First pass: every word in its place */
+## Every word in its place
+
+CLI11 finds the places. It is told of no type and no range: an option has any number of values, none included,
+and what belongs nowhere is handed back. So nothing is refused in words that are not ours, and no option takes
+the next one for its value. */
 namespace {
+
+/// An option under one of its names: it may have an earlier one.
+struct Name {
+  Option* option;
+  std::string text;
+  CLI::Option* place;
+};
+
+/// What a line says to one offer: the full run, or a command.
+struct Place {
+  Offer* offer;
+  CLI::App* app;
+  CLI::Option* help;
+  std::vector<Name> names{};
+
+  Place(Offer& to, CLI::App& root)
+      : offer(&to), app(to.name.empty() ? &root : root.add_subcommand(to.name)) {
+    app->set_help_flag();
+    help = app->add_flag("-h,--help");
+    app->allow_extras();
+    for (const Option& option : to.parameters.all()) {
+      introduce(option.name);
+      for (const std::string& old : option.old_names) introduce(old);
+    }
+  }
+  void introduce(const std::string& name) {
+    Option& option = *offer->parameters.find(name);
+    CLI::Option* const place = option.takes == Option::Takes::flag
+                                   ? app->add_flag("--" + name)
+                                   : app->add_option("--" + name)->expected(0, 1);
+    place->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    names.push_back({&option, name, place});
+  }
+};
 
 struct Reader {
   std::deque<Offer>& offers;
   const std::vector<std::string>& words;
-  Offer* of = &offers.front();
-  std::vector<std::pair<Option*, std::string>> values{};
+  CLI::App root{};
+  CLI::Option* version = root.add_flag("--version");
+  std::deque<Place> places{};
+  Place* at = nullptr;
 
   Asked run();
-  void choose(const std::string& word);
-  std::size_t option(std::size_t at);
+  void refuse_stranger(const std::string& word) const;
   [[noreturn]] void unknown(const std::string& name) const;
-  [[noreturn]] void no_value(const Option& p, const std::string& typed,
-                             const std::string* next) const;
+  std::vector<const Name*> given() const;
+  void complete(const Name& name) const;
   void take() const;
 };
 
-/// A word without dashes is the name of a command, and comes first.
-void Reader::choose(const std::string& word) {
-  std::vector<std::string> names;
-  for (Offer& offer : offers)
-    if (!offer.name.empty()) names.push_back(offer.name);
-  const bool inside = !of->name.empty();
-  const bool command = std::find(names.begin(), names.end(), word) != names.end();
-  if (inside && command)
-    throw UsageError("'" + word + "': there is a command already, '" + of->name + "'" +
-                     allowed("one command"));
-  if (inside || names.empty())
-    throw UsageError("'" + word + "': belongs to no option" +
-                     (inside ? "" : ", and there are no commands") +
-                     allowed(of->parameters.names()));
-  if (!command)
-    throw UsageError("'" + word + "': there is no such command" +
-                     perhaps(nearest(word, names), "'", "'") + allowed(comma_list(names)));
-  for (Offer& offer : offers)
-    if (offer.name == word) of = &offer;
+/// A negative number belongs to the option before it, as `--s=-1/6` would say.
+std::vector<std::string> joined(const std::vector<std::string>& words) {
+  std::vector<std::string> out;
+  for (const std::string& word : words) {
+    const bool follows =
+        !out.empty() && out.back().rfind("--", 0) == 0 && out.back().find('=') == std::string::npos;
+    if (follows && word.size() > 1 && word[0] == '-' && typed_number(word))
+      out.back() += "=" + word;
+    else
+      out.push_back(word);
+  }
+  return out;
 }
 
 /// An option that is unknown here may belong elsewhere.
 void Reader::unknown(const std::string& name) const {
   std::vector<std::string> names{"help"}, homes;
-  for (const Option& p : of->parameters.all()) names.push_back(p.name);
+  for (const Option& p : at->offer->parameters.all()) names.push_back(p.name);
   for (Offer& offer : offers)
-    if (&offer != of && offer.parameters.find(name))
+    if (&offer != at->offer && offer.parameters.find(name))
       homes.push_back(offer.name.empty() ? "a full run, without a command"
                                          : "'" + offer.name + "'");
-  const std::string known = allowed(of->parameters.names());
+  const std::string known = allowed(at->offer->parameters.names());
   if (!homes.empty()) throw UsageError("--" + name + ": belongs to " + homes.front() + known);
   throw UsageError("--" + name + ": there is no such option" + perhaps(nearest(name, names), "--") +
                    known);
 }
 
-void Reader::no_value(const Option& p, const std::string& typed, const std::string* next) const {
-  throw UsageError("--" + typed + ": needs a value" +
-                   (next ? ", and '" + *next + "' is an option" : "") + allowed(p.check.allowed));
+/// A word that has no place is a misspelt option or command, or one too many.
+void Reader::refuse_stranger(const std::string& word) const {
+  const bool number = typed_number(word).has_value(), inside = !at->offer->name.empty();
+  if (word.size() > 2 && word.rfind("--", 0) == 0) unknown(word.substr(2, word.find('=') - 2));
+  const std::string options = allowed(at->offer->parameters.names());
+  if (word.size() > 1 && word[0] == '-' && !number)
+    throw UsageError("'" + word + "': an option has two dashes and a name" + options);
+  std::vector<std::string> names;
+  for (const Offer& offer : offers)
+    if (!offer.name.empty()) names.push_back(offer.name);
+  if (inside && std::find(names.begin(), names.end(), word) != names.end())
+    throw UsageError("'" + word + "': there is a command already, '" + at->offer->name + "'" +
+                     allowed("one command"));
+  if (inside || names.empty())
+    throw UsageError("'" + word + "': belongs to no option" +
+                     (inside ? "" : ", and there are no commands") + options);
+  throw UsageError("'" + word + "': there is no such command" +
+                   perhaps(nearest(word, names), "'", "'") + allowed(comma_list(names)));
 }
 
-/// Places the option at a position, and returns the position after it and its value.
-std::size_t Reader::option(std::size_t at) {
-  const std::string& word = words[at];
-  const auto equals = word.find('=');
-  const std::string name = word.substr(2, equals == std::string::npos ? equals : equals - 2);
-  Option* const p = of->parameters.find(name);
-  if (!p) unknown(name);
-  std::string value;
-  if (equals != std::string::npos) {
-    value = word.substr(equals + 1);
-    if (p->takes == Option::Takes::flag)
-      throw UsageError("--" + name + ": takes no value, but got '" + value + "'" +
-                       allowed("--" + name + " alone"));
-    if (value.empty()) no_value(*p, name, nullptr);
-  } else if (p->takes != Option::Takes::flag) {
-    if (++at == words.size()) no_value(*p, name, nullptr);
-    if (looks_like_option(words[at])) no_value(*p, name, &words[at]);
-    value = words[at];
+/// Where the option `--name` is in the words, with or without a value.
+static bool says(const std::string& word, const std::string& name) {
+  return word == "--" + name || word.rfind("--" + name + "=", 0) == 0;
+}
+
+[[noreturn]] static void twice(const Name& name, const std::string& first,
+                               const std::string& second) {
+  throw UsageError("--" + name.text + ": given twice, '" + first + "' and '" + second + "'" +
+                   allowed("once"));
+}
+
+/// The options that are given, in the order of the line.
+std::vector<const Name*> Reader::given() const {
+  std::vector<const Name*> out;
+  for (const std::string& word : words)
+    for (const Name& name : at->names)
+      if (name.place->count() > 0 && says(word, name.text) &&
+          std::find(out.begin(), out.end(), &name) == out.end())
+        out.push_back(&name);
+  return out;
+}
+
+/// An option that is given has one value, and a flag none.
+void Reader::complete(const Name& name) const {
+  const std::string typed = "--" + name.text;
+  const std::vector<std::string> values = name.place->results();
+  const auto word = std::find_if(words.begin(), words.end(),
+                                 [&](const std::string& w) { return says(w, name.text); });
+  if (name.option->takes == Option::Takes::flag) {
+    const auto equals = std::find_if(words.begin(), words.end(), [&](const std::string& w) {
+      return w.rfind(typed + "=", 0) == 0;
+    });
+    if (equals != words.end())
+      throw UsageError(typed + ": takes no value, but got '" + equals->substr(typed.size() + 1) +
+                       "'" + allowed(typed + " alone"));
+    return;
   }
-  if (p->given() && p->takes != Option::Takes::flag)
-    throw UsageError("--" + name + ": given twice, '" + *p->typed + "' and '" + value + "'" +
-                     allowed("once"));
-  p->typed = value;
-  values.emplace_back(p, name);
-  return at + 1;
+  const auto next = word == words.end() ? word : word + 1;
+  if (word != words.end() && *word == typed + "=")
+    throw UsageError(typed + ": needs a value" + allowed(name.option->check.allowed));
+  if (values.front().empty() && (next == words.end() || !next->empty()))
+    throw UsageError(typed + ": needs a value" +
+                     (next != words.end() ? ", and '" + *next + "' is an option" : "") +
+                     allowed(name.option->check.allowed));
+  if (values.size() > 1) twice(name, values[0], values[1]);
 }
 
 /**
-## Second pass: values are checked, and then taken
+## Values are checked, and then taken
 
-A complaint names the option as it was typed, also where it has another name today. */
+Nothing has happened when a line is refused. A complaint names the option as it was typed, also where it has
+another name today. */
 void Reader::take() const {
-  for (const auto& [p, name] : values) {
-    const std::string wrong = p->check.complaint ? p->check.complaint(*p->typed) : "";
-    if (!wrong.empty()) throw UsageError("--" + name + ": " + wrong);
-    for (const std::string& rival : p->rivals)
-      if (of->parameters.find(rival)->given())
-        throw UsageError("--" + name + ": '" + *p->typed + "' cannot be together with --" + rival +
-                         allowed("one of the two"));
+  const std::vector<const Name*> named = given();
+  for (const Name* name : named) {
+    const bool flag = name->option->takes == Option::Takes::flag;
+    const std::string value = flag ? "" : name->place->results().front();
+    if (!flag && name->option->given()) twice(*name, *name->option->typed, value);
+    name->option->typed = value;
   }
-  for (const auto& [p, name] : values) p->take(*p->typed);
-  of->parameters.finish();
+  for (const Name* name : named) {
+    const Option& p = *name->option;
+    const std::string wrong = p.check.complaint ? p.check.complaint(*p.typed) : "";
+    if (!wrong.empty()) throw UsageError("--" + name->text + ": " + wrong);
+    for (const std::string& rival : p.rivals)
+      if (at->offer->parameters.find(rival)->given())
+        throw UsageError("--" + name->text + ": '" + *p.typed + "' cannot be together with --" +
+                         rival + allowed("one of the two"));
+  }
+  for (const Name* name : named) name->option->take(*name->option->typed);
+  at->offer->parameters.finish();
 }
 
 Asked Reader::run() {
-  for (std::size_t at = 0; at < words.size();) {
-    const std::string& word = words[at];
-    if (word == "--help" || word == "-h") return {Asked::What::help, of};
-    if (word == "--version" && of->name.empty()) return {Asked::What::version, of};
-    if (word.rfind("--", 0) == 0 && word.size() > 2)
-      at = option(at);
-    else if (looks_like_option(word))
-      throw UsageError("'" + word + "': an option has two dashes and a name" +
-                       allowed(of->parameters.names()));
-    else
-      choose(words[at++]);
-  }
+  for (Offer& offer : offers) places.emplace_back(offer, root);
+  root.require_subcommand(0, 1);
+  std::vector<std::string> line = joined(words);
+  std::reverse(line.begin(), line.end());  // as CLI11 wants them
+  root.parse(std::move(line));
+
+  // Who is spoken to, and are there strangers?
+  at = &places.front();
+  const Place& full = places.front();
+  for (Place& place : places)
+    if (&place != &full && place.app->parsed()) at = &place;
+  if (at->help->count() > 0 || full.help->count() > 0) return {Asked::What::help, at->offer};
+  if (version->count() > 0) return {Asked::What::version, at->offer};
+  if (std::find(words.begin(), words.end(), "--") != words.end()) refuse_stranger("--");
+  for (const Name* name : given()) complete(*name);
+  for (const Place* place : {&full, static_cast<const Place*>(at)})
+    for (const std::string& word : place->app->remaining()) refuse_stranger(word);
+  for (const Name& name : full.names)
+    if (at != &full && name.place->count() > 0)
+      throw UsageError("--" + name.text + ": belongs to a full run, without '" + at->offer->name +
+                       "'" + allowed(at->offer->parameters.names()));
   take();
-  return {Asked::What::run, of};
+  return {Asked::What::run, at->offer};
 }
 
 }  // namespace

@@ -3,9 +3,8 @@
 # How the command line is read
 
 A line is the program's name, perhaps a command, and options, each a name with two dashes that is followed by
-its value after a blank or `=`. No library reads it: all that can be wrong with so plain a line is found
-here and answered in our words, in one line that names the option, the value and what is allowed, and the
-nearest name where one was misspelt. */
+its value after a blank or `=`. CLI11 finds each word's place; what can be wrong is answered in our words, in
+one line that names the option, the value and what is allowed, and the nearest name where one was misspelt. */
 
 #include <deque>
 #include <optional>
