@@ -1,10 +1,10 @@
 /**
 # Appendix: which integrator did the article use?
 
-Seven numbers of James, Kevrekidis and Cuevas (Physica D 251, 2013) come out differently when the integration
-is converged. Each has an explanation of its own in its chapter, and most of these say that an integrator stepped
-across contacts. The article does not say which it used. Here we ask whether *one* choice, a method and a number of
-steps per period, explains them all.
+Six numbers of James, Kevrekidis and Cuevas (Physica D 251, 2013) come out differently when the integration is
+converged, and a seventh, Newton's residual, tells how accurate it was. Each has an explanation of its own in its
+chapter, and most of these say that an integrator stepped across contacts. The article does not say which it used.
+Here we ask whether *one* choice, a method and a number of steps per period, explains them all.
 
      flow   Y(0) ~~~~~~~~~~~~~~~~~~~~~~~~~~~> Y(T)
      map    Y(0) -> o -> o -> o -> o -> o -> o -> Y(T)     k steps, contacts ignored
@@ -222,8 +222,8 @@ accurate integration.
 
 *The multipliers.* With none of these maps can $s_0$ be read off. The four multipliers next to $+1$ are at least
 [0.00041](num:sec33_article_integrator.least_off) and at 120 steps of the classical method
-[0.005](num:sec33_article_integrator.off_runge-kutta-4_120) away from it, for every $s$, because the phase pair is not
-held; what decides the stability is [0.000214282](num:sec33_floquet.fourth_distance). Both centres show an exchange
+[0.005](num:sec33_article_integrator.off_runge-kutta-4_120) away from it in the linear well, and other wells change that
+by far less, because it is the phase pair that is not held; what decides the stability is [0.000214282](num:sec33_floquet.fourth_distance). Both centres show an exchange
 in $[-1, 1]$ in [0](num:sec33_article_integrator.settings_with_both_s0) of
 [55](num:sec33_article_integrator.settings) settings. The printed pair is compatible with variational
 equations at a tolerance of $10^{-9}$ instead (`sec33_multiplier_errors`), far more accurate than the steps that
