@@ -17,11 +17,11 @@ looks = {"verlet": ("#888888", "v", ":", "Verlet"),
 looks["classical-4"] = looks["runge-kutta-4"]
 
 
-def curve(axes, rows, method, y, x="steps"):
+def curve(axes, rows, method, y, scale=1, x="steps"):
     """One column of one method against the steps."""
     color, mark, dash, name = looks[method]
     part = [row for row in rows if row["method"] == method]
-    axes.plot([float(row[x]) for row in part], [float(row[y]) for row in part], mark,
+    axes.plot([float(row[x]) for row in part], [scale * float(row[y]) for row in part], mark,
               ls=dash, color=color, ms=3, lw=0.9, mfc="white", mew=0.8, label=name)
 
 
@@ -44,7 +44,7 @@ c.set(ylabel="multipliers off $+1$")
 for shift, method in enumerate(methods):
     color, mark, _, _ = looks[method]
     for row in settings:
-        low, high = float(row["threshold_above"]), float(row["threshold_below"])
+        low, high = 1e6 * float(row["threshold_above"]), 1e6 * float(row["threshold_below"])
         if row["method"] != method or (low == 0 and np.isnan(high)):
             continue
         x = float(row["steps"]) * (1 + 0.012 * (shift - 2))
@@ -54,22 +54,23 @@ for shift, method in enumerate(methods):
             d.plot(x, low, "^", color=color, ms=4, mfc="white")
         else:
             d.plot(x, high, "v", color=color, ms=4, mfc="white")
-d.axhline(6.19e-6, color="black", lw=0.8)
-d.set(xscale="log", ylabel="threshold $c_c$", xlabel="steps for one period")
+d.axhline(6.19, color="black", lw=0.8)
+d.set(ylabel="threshold $c_c$ ($10^{-6}$)", xlabel="steps for one period", xlim=(94, 134), ylim=(5.35, 7.2))
 
 for method in ["classical-4", "fehlberg-5", "dormand-prince-5"]:
-    curve(e, dps, method, "amplitude")
-e.axhline(13e-4, color="black", lw=0.8)
-e.set(xscale="log", ylabel="amplitude of the DpS packet", xlabel=r"steps for $2\pi$ of slow time")
+    curve(e, dps, method, "amplitude", 1e4)
+e.axhline(13, color="black", lw=0.8)
+e.set(xscale="log", ylabel="amplitude of the DpS packet ($10^{-4}$)",
+      xlabel=r"steps for $2\pi$ of slow time", ylim=(3, 14))
 
 for method in methods:
     curve(f, settings, method, "near")
 f.set(xscale="log", ylabel="numbers near the printed ones", xlabel="steps for one period",
       ylim=(-0.2, 6.2))
-a.legend(loc="lower left", fontsize=6)
+f.legend(loc="upper left", fontsize=6)
 for panel, text in zip(axes.flat, "abcdef"):
     panel.minorticks_off()
-    ticks = [4, 8, 16, 32] if text == "e" else [50, 100, 200, 400]
+    ticks = {"d": [100, 120, 128], "e": [4, 8, 16, 32]}.get(text, [50, 100, 200, 400])
     panel.set_xticks(ticks, [str(tick) for tick in ticks])
     draw.letter(panel, text, x=0.97 if text in "abcf" else 0.03)
 draw.save(figure, out)
