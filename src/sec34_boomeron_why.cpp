@@ -85,11 +85,11 @@ std::vector<Experiment> experiments(bool quick) {
 
 /**
 With all its waves the packet returns, after its apex at site
-[20](num:sec34_boomeron_why.furthest_waves). That the end hardly reflects any wave only moves
-the apex to site [33](num:sec34_boomeron_why.furthest_end). Absorbed more than six sites behind, the
+[20.0468](num:sec34_boomeron_why.furthest_waves). That the end hardly reflects any wave only moves
+the apex to site [33.26](num:sec34_boomeron_why.furthest_end). Absorbed more than six sites behind, the
 packet does not return at all. Put on a quiet chain at $t = 120$ it passes the old apex, creeps on, and returns
-long afterwards, from site [40](num:sec34_boomeron_why.furthest_cut120) near
-$t =$ [2e3](num:sec34_boomeron_why.when_cut120). So neither the old waves nor the end are *necessary* for
+long afterwards, from site [40.3411](num:sec34_boomeron_why.furthest_cut120) near
+$t =$ [2002.40](num:sec34_boomeron_why.when_cut120). So neither the old waves nor the end are *necessary* for
 a return, but with both the packet turns much earlier.
 
 After a creeping packet its fate is a matter of chance. `returned_cut60` counts over both steps, and
@@ -154,13 +154,13 @@ Line slope_of_velocity(const Path& path, double from, double to) {
 }
 
 /**
-After the impact the force is [-1.9e-4](num:sec34_boomeron_why.force_waves_5) if only waves up to five sites
-behind the packet are left, and [-4.4e-4](num:sec34_boomeron_why.force_waves_15) with fifteen; what lies further
+After the impact the force is [-0.000186](num:sec34_boomeron_why.force_waves_5) if only waves up to five sites
+behind the packet are left, and [-0.00044](num:sec34_boomeron_why.force_waves_15) with fifteen; what lies further
 behind adds nothing. The waves between the fifth and the fifteenth site thus more than double the force. They
 are those that the impact has launched along with the packet: after a cut at $t = 60$ the force is
-[-1.7e-4](num:sec34_boomeron_why.force_cut_15) with all of the fresh wake and
-[-1.6e-4](num:sec34_boomeron_why.force_cut_5) with five sites of it. In the linear well it does not matter what
-is left: [-9e-5](num:sec34_boomeron_why.force_linear_15) and [-9e-5](num:sec34_boomeron_why.force_linear_5). */
+[-0.000192](num:sec34_boomeron_why.force_cut_15) with all of the fresh wake and
+[-0.000192](num:sec34_boomeron_why.force_cut_5) with five sites of it. In the linear well it does not matter what
+is left: [-9.1e-5](num:sec34_boomeron_why.force_linear_15) and [-9.0e-5](num:sec34_boomeron_why.force_linear_5). */
 void report_distance(Report& report) {
   std::vector<Pull> list;
   for (double s : {hard, 0.0})
@@ -199,12 +199,13 @@ A smaller force may still turn a packet, only later. So packets of five impacts 
 followed until they have returned, or to $t = 10^4$, with waves left up to different distances, with and without
 a cut. Long runs are chaotic and no single one of them proves anything; so both steps are shown, and we count.
 
-After an impact [5](num:sec34_boomeron_why.of_five_return_waves_15) of five return if the waves up to fifteen
-sites behind the packet are left, [4](num:sec34_boomeron_why.of_five_return_waves_10) with ten sites,
-[0](num:sec34_boomeron_why.of_five_return_waves_8) with eight and
-[0](num:sec34_boomeron_why.of_five_return_waves_6) with six: these go on or are caught. After a cut at $t = 60$
-[2](num:sec34_boomeron_why.of_five_return_cut_30) of five return with thirty sites of their fresh wake, and
-[1](num:sec34_boomeron_why.of_five_return_cut_6) with six. */
+Of five packets of an impact [4.00000](num:sec34_boomeron_why.of_five_return_waves_15) return if the waves up to fifteen
+sites behind them are left, [1](num:sec34_boomeron_why.of_five_return_waves_10) with ten sites,
+[2.00000](num:sec34_boomeron_why.of_five_return_waves_8) with eight and
+[0](num:sec34_boomeron_why.of_five_return_waves_6) with six; the others go on or are caught. Of five that are cut out
+at $t = 60$ it is [2](num:sec34_boomeron_why.of_five_return_cut_30) with thirty sites of their fresh wake, and
+[0](num:sec34_boomeron_why.of_five_return_cut_6) with six. Five are few: single packets at velocities in between do
+otherwise, and with a cut one of them has come back with six sites of its wake only. */
 void report_late_fates(Report& report) {
   struct Packet {
     Bereft impact;
@@ -247,12 +248,12 @@ void report_late_fates(Report& report) {
 ## Budgets
 
 Where do energy and momentum go between $t=100$ and 220? With the waves left, the energy of the packet
-changes by [1](num:sec34_boomeron_why.gain_waves); with those beyond six sites absorbed it changes by
-[1](num:sec34_boomeron_why.gain_behind). So the waves give back to the packet what it sheds. In the linear well it
-is [1](num:sec34_boomeron_why.gain_linear) with the waves and
-[1](num:sec34_boomeron_why.gain_linear_behind) without: there they make no difference.
+changes by [0.00825900](num:sec34_boomeron_why.gain_waves); with those beyond six sites absorbed it changes by
+[-0.055595](num:sec34_boomeron_why.gain_behind). So the waves give back to the packet what it sheds. In the linear well it
+is [-0.0665587](num:sec34_boomeron_why.gain_linear) with the waves and
+[-0.0663912](num:sec34_boomeron_why.gain_linear_behind) without: there they make no difference.
 Since a contact only pushes, the waves push the packet forward, *away* from them, by
-[1](num:sec34_boomeron_why.push_waves) on the mean, and by [1](num:sec34_boomeron_why.push_behind) where they are
+[0.0112361](num:sec34_boomeron_why.push_waves) on the mean, and by [0.00508822](num:sec34_boomeron_why.push_behind) where they are
 absorbed; the wells take up the momentum. So the packet that is pushed forward more is the one that is slowed
 down more. */
 void report_budgets(Report& report) {
@@ -376,10 +377,10 @@ behind it is absorbed. If the waves feed the packet, the two should differ in en
 
 The packet is close to a breather that moves: at its frequency,
 [1.68362](num:sec34_boomeron_why.omega_waves), its area is
-[5.9885](num:sec34_boomeron_why.area_waves) and that of a breather at rest
+[5.98784](num:sec34_boomeron_why.area_waves) and that of a breather at rest
 [5.83](num:sec34_boomeron_why.area_at_rest_waves). With the waves its energy is
-[1.48728](num:sec34_boomeron_why.energy_waves), without them
-[1.3694](num:sec34_boomeron_why.energy_behind), so they do feed it. The barrier,
+[1.48703](num:sec34_boomeron_why.energy_waves), without them
+[1.36914](num:sec34_boomeron_why.energy_behind), so they do feed it. The barrier,
 [0.00040](num:sec34_boomeron_why.barrier_waves), can hold a slow packet, as we see after late
 cuts, and near it chance decides which way a creeping packet goes. But a force of both signs within one
 site can neither slow a packet over many sites nor accelerate it on its way back. */
@@ -545,18 +546,18 @@ void report_waves(Report& report) {
 ## Results
 
 **A packet is turned early by waves that travel a few sites behind it, and these come from the impact.** Take
-away what lies more than six sites behind it, and the force on the way out falls to less than a half; none of
-five packets then returned until $t=10^4$. What lies more than fifteen sites behind does not matter. So
-the article's suspicion that other waves turn the packet is supported, but these waves need not be confined: an
-end that absorbs them changes little, and the boundary does not act from afar.
+away what lies more than six sites behind it, and the force on the way out falls to less than a half; of five
+packets [0](num:sec34_boomeron_why.of_five_return_waves_6) returned until $t=10^4$. What lies more than fifteen sites
+behind does not matter. So the article's suspicion that other waves turn the packet is supported, but these waves
+need not be confined: an end that absorbs them only moves the apex, and the boundary does not act from afar.
 
 **A part of the slowing down needs no waves beyond the fourth site.** It is the same for a packet that has been cut
 out and meets only its own fresh wake, however much of that is left. The slower the packet, the less it slows down.
 
-**The fresh wake can do it alone, but late.** On a quiet chain the packet passes the site where it would have
-turned, creeps on, and may go on, be caught, or come back, after thousands of units of time, when its speed is small
-enough for the barrier and for any wave to matter. We have no experiment that shows which it is: in the counts
-the difference between much and little fresh wake is small.
+**Neither is necessary in the end.** On a quiet chain a packet passes the site where it would have
+turned, creeps on, and may go on, be caught, or come back after thousands of units of time, when it is so slow
+that the barrier and any wave matter. What brings it back can only be its own fresh wake; but how much of it that
+takes we do not know, and which packets come back is a matter of chance.
 
 At $s=0$ the waves behind the packet make no difference to the force, and no packet turns. */
 void reproduce(Report& report) {
