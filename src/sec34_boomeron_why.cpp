@@ -208,8 +208,7 @@ sites behind them are left, [3](num:sec34_boomeron_why.of_five_return_waves_10) 
 [0](num:sec34_boomeron_why.of_five_return_waves_8) with eight and
 [1](num:sec34_boomeron_why.of_five_return_waves_6) with six; the others go on or are caught. Of five that are cut out
 at $t = 60$ it is [1](num:sec34_boomeron_why.of_five_return_cut_30) with thirty sites of their fresh wake, and
-[0](num:sec34_boomeron_why.of_five_return_cut_6) with six. An
-error of one says that the steps disagree. What the distance decides is not whether a packet of an impact returns at
+[0](num:sec34_boomeron_why.of_five_return_cut_6) with six. An error of one says that the steps disagree. What the distance decides is not whether a packet of an impact returns at
 all but where it stops: with fifteen sites all five before site 40, with six all five beyond site 50. */
 void report_late_fates(Report& report) {
   struct Packet {
@@ -551,14 +550,15 @@ void report_waves(Report& report) {
 ## Results
 
 **A packet is turned early by waves that travel a few sites behind it, and these come from the impact.** Take
-away what lies more than six sites behind it, and the force on the way out falls to less than a half and the packet goes far beyond its old apex. What lies more than fifteen sites
-behind does not matter. So the article's suspicion that other waves turn the packet is supported, but these waves
-need not be confined: an end that absorbs them only moves the apex, and the boundary does not act from afar.
+away what lies more than six sites behind it, and the force on the way out falls to less than a half and the packet
+goes far beyond its old apex. What lies more than fifteen sites behind does not matter. So the article's suspicion
+that other waves turn the packet is supported, but these waves need not be confined: an end that absorbs them only
+moves the apex, and the boundary does not act from afar.
 
 **A part of the slowing down needs no waves beyond the fourth site.** It is the same for a packet that has been cut
 out and meets only its own fresh wake, however much of that is left. The slower the packet, the less it slows down.
 
-**Neither is necessary in the end.** On a quiet chain a packet passes the site where it would have
+**Neither is necessary in the end.** Cut out early, a packet passes the site where it would have
 turned, creeps on, and may go on, be caught, or come back after thousands of units of time, when it is so slow
 that the barrier and any wave matter. What brings it back can only be its own fresh wake; but how much of it that
 takes we do not know, and which packets come back is a matter of chance.
