@@ -52,8 +52,7 @@ one that is only caught between two sites swings by less than one.
 | $X$ | `Path::centre` | energy centre of the strongest packet, Eq. (24) |
 | – | `behind` | the distance $d$, 0: nothing is absorbed |
 | – | `area` | area in phase space, $\int \sum \dot y_n^2\,dt$ over one internal period | */
-constexpr double hard = 1, velocity = 1.9;
-constexpr double long_time = 1e4;
+constexpr double hard = 1, velocity = 1.9, long_time = 1e4;
 constexpr std::size_t room = 800;
 
 /// Two steps of one experiment, and what became of the packet.
