@@ -423,10 +423,10 @@ void report_force(Report& report, const std::vector<TurnEstimate>& reads) {
 
 The article shows the velocities at $v_0 = 1.87$ when, as it says, the packet is close to turning,
 and we show the same times for comparison. How close is close? At $t = 238$ the centre is
-[3](num:boomeron.turning_time) sites from its apex and still moves, at
-[0.03](num:sec34_boomeron.speed_187_at_238) sites per unit of time, a fraction
-[0.3](num:sec34_boomeron.speed_ratio_187) of its mean speed on the way out. Its velocity vanishes first at
-[4.9e2](num:sec34_boomeron.stop_time_187); the error holds what the smoothing changes on a plateau.
+[2.459](num:boomeron.turning_time) sites from its apex and still moves, at
+[0.0308568](num:sec34_boomeron.speed_187_at_238) sites per unit of time, a fraction
+[0.354492](num:sec34_boomeron.speed_ratio_187) of its mean speed on the way out. Its velocity vanishes first at
+[5e2](num:sec34_boomeron.stop_time_187); the error holds what the smoothing changes on a plateau.
 
 ![Velocities close to the turning.](fig:23) */
 void report_profiles(Report& report, const TurnEstimate& turn) {

@@ -206,10 +206,10 @@ void report_law(Report& report) {
 
 Site 40 is our choice. If the contour were the boundary between packets that turn and packets that never do,
 it would not depend on it. So we bisect again for an apex at half and at twice that distance. At $v_0=0.1$
-$\kappa_c$ falls from [1.6](num:sec34_boomeron_map.kappa_010_site_20) at site 20 to
-[1.34](num:sec34_boomeron_map.kappa_010_site_40) at 40 and [1.2](num:sec34_boomeron_map.kappa_010_site_80) at
-80, and with it the limit $\kappa_0$, from [1.3](num:sec34_boomeron_map.kappa_0_site_20) over
-[1.02](num:sec34_boomeron_map.kappa_0_site_40) to [0.9](num:sec34_boomeron_map.kappa_0_site_80). */
+$\kappa_c$ falls from [1.554](num:sec34_boomeron_map.kappa_010_site_20) at site 20 to
+[1.338](num:sec34_boomeron_map.kappa_010_site_40) at 40 and [1.179](num:sec34_boomeron_map.kappa_010_site_80) at
+80, and with it the limit $\kappa_0$, from [1.26](num:sec34_boomeron_map.kappa_0_site_20) over
+[1.06](num:sec34_boomeron_map.kappa_0_site_40) to [0.887](num:sec34_boomeron_map.kappa_0_site_80). */
 void report_horizons(Report& report) {
   struct Point {
     double site, velocity;

@@ -54,8 +54,8 @@ TEST_CASE("the changes of a budget cancel", "[unit][wake]") {
 }
 
 TEST_CASE("waves close behind a packet bring it back early", "[property][wake]") {
-  const LateFate with = late_fate({.velocity = 1.84, .behind = 15}, 0.1, 900, 120),
-                 without = late_fate({.velocity = 1.84, .behind = 6}, 0.1, 900, 120);
+  const LateFate with = late_fate({.velocity = 1.84, .behind = 15}, 0.1, 1500, 150),
+                 without = late_fate({.velocity = 1.84, .behind = 6}, 0.1, 1500, 150);
   CHECK(with.late == Late::returns);
   check_close(with.furthest, 27.97, 0.1);
   CHECK(without.late == Late::goes_on);
