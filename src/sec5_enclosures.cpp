@@ -105,19 +105,19 @@ Table search_table(const std::vector<Piece<double>>& pieces) {
                count("contact", "at which the interval is decided"),
                count("inside", "1 if its profiles lie in the ball of uniqueness, 0 if discarded")}};
   for (const Piece<double>& p : pieces)
-    table.add({p.r_0.lower, p.r_0.upper, p.contact, std::int64_t(p.fate == Fate::inside)});
+    table.add({p.r_0.lower, p.r_0.upper, p.contact, std::int64_t(p.decision == Decision::inside)});
   return table;
 }
 
 void report_search(Report& report, const DpsBreather<double>& b, const std::string& who) {
   const auto pieces = search_profiles(b);
-  const auto number_of = [&](Fate fate) {
+  const auto number_of = [&](Decision fate) {
     return std::count_if(pieces.begin(), pieces.end(),
-                         [&](const Piece<double>& p) { return p.fate == fate; });
+                         [&](const Piece<double>& p) { return p.decision == fate; });
   };
-  if (number_of(Fate::open) > 0) throw Failure("search for profiles: some intervals stay open");
-  report.facts.add("discarded" + who, exact(double(number_of(Fate::discarded))), "intervals");
-  report.facts.add("inside" + who, exact(double(number_of(Fate::inside))), "intervals");
+  if (number_of(Decision::open) > 0) throw Failure("search for profiles: some intervals stay open");
+  report.facts.add("discarded" + who, exact(double(number_of(Decision::discarded))), "intervals");
+  report.facts.add("inside" + who, exact(double(number_of(Decision::inside))), "intervals");
   report.output.add("search" + who, search_table(pieces));
 }
 
@@ -169,8 +169,8 @@ void report_stability(Quantities& facts, const DpsBreather<double>& b, const std
 The norms of both breathers agree to six digits. In intervals their difference keeps eight digits, and it has a
 sign. The energy at equal norm has the opposite one: the bond-centred breather, the stable one, is the
 *maximum* of $H$. */
-Barrier<double> certain_barrier(const Both& both) {
-  const Barrier<double> barrier = dps_barrier(both.site, both.bond);
+DpsBarrier<double> certain_barrier(const Both& both) {
+  const DpsBarrier<double> barrier = dps_barrier(both.site, both.bond);
   if (!(barrier.equal_mu > Interval<double>(0) && barrier.equal_norm < Interval<double>(0)))
     throw Failure("barrier of the DpS equation: its signs are not certain");
   return barrier;
@@ -269,7 +269,7 @@ void reproduce(Report& report) {
     report_search(report, b, who);
     report_stability(report.facts, b, who);
   }
-  const Barrier<double> barrier = certain_barrier(both);
+  const DpsBarrier<double> barrier = certain_barrier(both);
   report.facts.add("barrier_equal_mu", estimate_of(barrier.equal_mu), "energy at mu = 1");
   report.facts.add("barrier_equal_norm", estimate_of(barrier.equal_norm),
                    "energy at the norm of the bond-centred breather at mu = 1");
@@ -309,7 +309,7 @@ struct EnclosedDps {
   Table table() const {
     const Both both;
     const DpsBreather<double>& b = both.of(centre);
-    const Barrier<double> barrier = certain_barrier(both);
+    const DpsBarrier<double> barrier = certain_barrier(both);
     Bounds bounds;
     bounds.add("u0", b.largest());
     bounds.add("norm", b.norm());

@@ -12,9 +12,9 @@ using namespace lattice;
 
 namespace {
 
-std::size_t number_of(const std::vector<Piece<double>>& pieces, Fate fate) {
+std::size_t number_of(const std::vector<Piece<double>>& pieces, Decision fate) {
   return std::size_t(std::count_if(pieces.begin(), pieces.end(),
-                                   [&](const Piece<double>& p) { return p.fate == fate; }));
+                                   [&](const Piece<double>& p) { return p.decision == fate; }));
 }
 
 /// Whether the lemma proves something for a guess.
@@ -136,8 +136,8 @@ TEST_CASE("no profile is left, and a smaller ball would leave some", "[unit][dps
   for (Centre centre : both_centres) {
     auto b = enclose_dps<double>(centre);
     const auto pieces = search_profiles(b);
-    CHECK(number_of(pieces, Fate::open) == 0);
-    CHECK(number_of(pieces, Fate::inside) > 0);
+    CHECK(number_of(pieces, Decision::open) == 0);
+    CHECK(number_of(pieces, Decision::inside) > 0);
     // The pieces leave no gap, and the breather is in one of them
     CHECK(pieces.front().r_0.lower == 0.0625);
     CHECK(pieces.back().r_0.upper == 0.25);
@@ -145,12 +145,12 @@ TEST_CASE("no profile is left, and a smaller ball would leave some", "[unit][dps
     for (std::size_t i = 0; i < pieces.size(); ++i) {
       if (i > 0) CHECK(pieces[i].r_0.lower == pieces[i - 1].r_0.upper);
       const bool here = pieces[i].r_0.lower <= b.r[0].upper && b.r[0].lower <= pieces[i].r_0.upper;
-      if (here) CHECK(pieces[i].fate == Fate::inside);
+      if (here) CHECK(pieces[i].decision == Decision::inside);
       met = met || here;
     }
     CHECK(met);
     b.unique.radius = 1e-9;
-    CHECK(number_of(search_profiles(b, 12), Fate::open) > 0);
+    CHECK(number_of(search_profiles(b, 12), Decision::open) > 0);
   }
 }
 

@@ -101,11 +101,11 @@ $H = \frac25\mu N = \frac25N_1^{-1/4}N^{5/4}$ for the energy. Of both breathers 
 $\frac25(N_{site}-N_{bond})$. At equal norm, that of the bond-centred one at $\mu = 1$, it is
 $\frac25N_{bond}[(N_{bond}/N_{site})^{1/4}-1]$, of the opposite sign. */
 template <class T>
-struct Barrier {
+struct DpsBarrier {
   Interval<T> equal_mu, equal_norm;  ///< H_site - H_bond
 };
 template <class T>
-Barrier<T> dps_barrier(const DpsBreather<T>& site, const DpsBreather<T>& bond);
+DpsBarrier<T> dps_barrier(const DpsBreather<T>& site, const DpsBreather<T>& bond);
 
 /**
 ## No other profile
@@ -123,11 +123,11 @@ $y_{n+1} = (g-2)y_n-y_{n-1}$, where $g$ is a slope of $P^{2/3}$, about $\frac83$
 some seventy degrees from contact to contact, so the profile increases again before it has left, or is
 constant. */
 /// What became of an interval of r_0: discarded or decided at a contact, or open.
-enum class Fate { discarded, inside, open };
+enum class Decision { discarded, inside, open };
 template <class T>
 struct Piece {
   Interval<T> r_0;
-  Fate fate;
+  Decision decision;
   std::size_t contact;
 };
 
