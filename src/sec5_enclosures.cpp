@@ -39,12 +39,12 @@ suffices to take $\mu = 1$. For each of the two centres, on the infinite lattice
 2. Among the profiles of this symmetry whose strains alternate, tend to zero and do not increase outwards in
    modulus it is the only one, up to its sign.
 3. Around a site the linearised equation has exactly one real pair $\pm\lambda$, of modulus
-   [](num:sec5_enclosures.exponent_site); around a bond it has none. All other exponents are imaginary.
+   [0.00155771](num:sec5_enclosures.exponent_site); around a bond it has none. All other exponents are imaginary.
 4. The bond-centred breather is orbitally stable in $\ell^2$: what starts close to it stays close to its
    multiples $e^{i\varphi}u$ for all times.
 5. The energy of the site-centred breather minus that of the bond-centred one is positive at equal $\mu$,
-   [](num:sec5_enclosures.barrier_equal_mu) at $\mu = 1$, and negative at equal norm, which physics asks for,
-   [](num:sec5_enclosures.barrier_equal_norm).
+   [2.85411e-9](num:sec5_enclosures.barrier_equal_mu) at $\mu = 1$, and negative at equal norm, which physics asks for,
+   [-7.13526e-10](num:sec5_enclosures.barrier_equal_norm).
 
 Existence of both is known (James and Starosvetsky 2014). Not proved are solutions without these signs or
 symmetries, and whether the instability of the linearised equation is followed by that of the full one. */
@@ -71,7 +71,7 @@ Estimate estimate_of(const Interval<double>& x) {
 
 The strains $r_n$ are sought with the contraction of dps_enclosure.hpp, from the profile that section 3.2
 computes. That profile is only a guess, and the proof would fail if it were wrong. The map contracts on all
-sequences that differ from it by less than [](num:sec5_enclosures.unique_radius_site) in each contact (about
+sequences that differ from it by less than [0.0078125](num:sec5_enclosures.unique_radius_site) in each contact (about
 a twelfth of $r_0$), and it moves the guess by some $10^{-16}$. So the solution is that close and alone in
 the large ball. Its components are then tightened until the tail, too, is known to many digits. */
 Table strain_table(const DpsBreather<double>& b) {
@@ -97,8 +97,8 @@ void report_profile(Quantities& facts, const DpsBreather<double>& b, const std::
 How many breathers of each kind are there? With $r_0$ given, the equation yields $r_1$, $r_2$ and so on, and
 each must be positive and no larger than the one before. Intervals of $r_0$ are followed outwards until this
 fails, or until all their profiles lie in the ball in which there is just one. Around a site
-[](num:sec5_enclosures.discarded_site) intervals are discarded and [](num:sec5_enclosures.inside_site) end
-in the ball, around a bond [](num:sec5_enclosures.discarded_bond) and [](num:sec5_enclosures.inside_bond).
+[362](num:sec5_enclosures.discarded_site) intervals are discarded and [60](num:sec5_enclosures.inside_site) end
+in the ball, around a bond [480](num:sec5_enclosures.discarded_bond) and [68](num:sec5_enclosures.inside_bond).
 None remains, else the program would stop here. */
 Table search_table(const std::vector<Piece<double>>& pieces) {
   Table table{{number("from", "lower end of the interval of r_0"), number("to", "upper end"),
@@ -249,14 +249,14 @@ Table lemma_table() {
 /**
 ## Results
 
-The second eigenvalue differs from $\frac23$ by [](num:sec5_enclosures.margin_site) around a site and by
-[](num:sec5_enclosures.margin_bond) around a bond. The norms are [](num:sec5_enclosures.norm_site) and
-[](num:sec5_enclosures.norm_bond), the largest displacements [](num:sec5_enclosures.u0_site) and
-[](num:sec5_enclosures.u0_bond).
+The second eigenvalue differs from $\frac23$ by [4.85298e-6](num:sec5_enclosures.margin_site) around a site and by
+[-4.85327e-6](num:sec5_enclosures.margin_bond) around a bond. The norms are [0.00536042](num:sec5_enclosures.norm_site) and
+[0.00536041](num:sec5_enclosures.norm_bond), the largest displacements [0.0504148](num:sec5_enclosures.u0_site) and
+[0.0462323](num:sec5_enclosures.u0_bond).
 
-At $\omega_b = 1.1$ the chain's breathers have the amplitudes [](num:sec5_enclosures.amplitude_site) (site)
-and [](num:sec5_enclosures.amplitude_bond) (bond) and the energies [](num:sec5_enclosures.energy_site) and
-[](num:sec5_enclosures.energy_bond); the difference of the energies is far below what these intervals
+At $\omega_b = 1.1$ the chain's breathers have the amplitudes [0.0107480](num:sec5_enclosures.amplitude_site) (site)
+and [0.00978427](num:sec5_enclosures.amplitude_bond) (bond) and the energies [0.000153599](num:sec5_enclosures.energy_site) and
+[0.000153599](num:sec5_enclosures.energy_bond); the difference of the energies is far below what these intervals
 resolve. */
 void reproduce(Report& report) {
   const Both both;
