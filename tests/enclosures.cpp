@@ -31,6 +31,7 @@ bool proved(const DpsGuess<double>& guess) {
 
 TEST_CASE("the lemma needs a contraction", "[unit]") {
   // The identity moves nothing and contracts nothing: all its points are fixed
+  CHECK_FALSE(Contraction<double>{0, 1, 1}.contracts());
   CHECK_FALSE(Contraction<double>{0, 1, 1}.holds());
   CHECK_FALSE(Contraction<double>{0, 1.5, 1}.holds());
   CHECK(Contraction<double>{0, 0.5, 1}.holds());
@@ -39,7 +40,8 @@ TEST_CASE("the lemma needs a contraction", "[unit]") {
 
 TEST_CASE("the lemma needs to know how far the centre moves", "[unit]") {
   // x -> x / 2 + 10 has its fixed point at 20, and none in the unit ball
-  CHECK_FALSE(Contraction<double>{10, 0.5, 1}.holds());
+  CHECK(Contraction<double>{10, 0.5, 1}.contracts());
+  CHECK_FALSE(Contraction<double>{10, 0.5, 1}.stays_inside());
   CHECK_FALSE(Contraction<double>{10, 0.5, 19.9}.holds());
   CHECK(Contraction<double>{10, 0.5, 20.5}.holds());
   CHECK_THROWS_AS(two_balls(10.0, 1.0, [](double) { return 0.5; }), NotProved);
