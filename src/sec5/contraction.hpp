@@ -9,7 +9,7 @@ $$|AF(c)| \le \eta, \qquad \|1-A\,DF(x)\| \le q \text{ for all $x$ in the ball},
 Then $K(x) = x-AF(x)$ maps the ball into itself and contracts it, and there is exactly one $x$ in the ball
 with $K(x) = x$. That is a zero of $F$ if $A$ is injective. Our $A$ is the identity plus a map of finite rank,
 hence injective as soon as it is surjective, and it is surjective because $A\,DF(c)$ is invertible, $q$ being
-less than one. If the map $K$ leaves a closed part of the ball invariant, the zero lies in that part.
+less than one.
 
 Both conditions are needed. Without $q < 1$ the identity would pass with $\eta = 0$, and has no single fixed
 point; with $\eta = 0$ put in by mistake $x \mapsto \frac12x+10$ would have a fixed point near zero. Since

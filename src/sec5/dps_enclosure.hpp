@@ -26,8 +26,8 @@ namespace lattice {
 inline constexpr std::size_t dps_contacts = 12;
 
 /**
-Between $x-R$ and $x+R$ the derivative $\varphi'$ moves by no more than the larger of its two ends'
-distances, and all that the bound needs is one row sum of $|1-A\,DF|$ over the ball. */
+The guess and the inverse may come from anywhere. The proof needs two numbers: how far the map moves the guess, and
+the largest row sum of $|1-A\,DF|$ over the ball. */
 /// A guess and the approximate inverse of F's derivative at it; nothing in it is trusted.
 template <class T>
 struct DpsGuess {
