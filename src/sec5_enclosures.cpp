@@ -183,9 +183,9 @@ The same lemma serves the chain of Eqs. (6) and (10) in the linear well, $s = 0$
 (chain_enclosure.hpp): unknown are now functions of time, the compressions of all contacts of the infinite
 chain in the supremum norm. Proved, for each of the two centres: there is a periodic solution with this
 frequency and the symmetry of its centre, even in time, which falls double-exponentially along the chain. It
-differs by no more than `radius` from the guess, a sum of cosines, in each contact at each time, and there
-is no second solution of this symmetry that differs by less than `unique_radius`. Amplitude and energy
-follow. The table `bounds` has the constants of the proof, all rounded upwards: $\kappa = \|A\|-1$, the
+differs by no more than `radius` from the guess, a sum of cosines, in each contact at each time, and among the
+solutions with these symmetries it is the only one that differs by no more than `unique_radius`. Amplitude and
+energy follow. The table `bounds` has the constants of the proof, all rounded upwards: $\kappa = \|A\|-1$, the
 residual of the guess, $\eta \le (1+\kappa)\,$residual, and $q$.
 
 Not proved is anything about its Floquet multipliers, or about its barrier, of order $10^{-11}$. */
