@@ -18,18 +18,20 @@ for name, (colour, mark, line) in styles.items():
     a.semilogy(strains["n"], strains["relative"] * strains["lower"], mark, ms=2, color=colour,
                label="width")
     search = draw.read(f"{folder}/search_{name}.ecsv")
-    for inside, size in ((0, 0.9), (1, 3)):
-        part = draw.where(search, "inside", inside)
-        b.hlines(part["contact"] + (0.12 if name == "site" else -0.12), part["from"], part["to"],
-                 color=colour, lw=size, label=name if inside == 0 else "in the ball")
+    shift = 0.12 if name == "site" else -0.12
+    out_of_it, ball = (draw.where(search, "inside", k) for k in (0, 1))
+    b.hlines(out_of_it["contact"] + shift, out_of_it["from"], out_of_it["to"], color=colour, lw=0.9,
+             label=name)
+    b.plot((ball["from"] + ball["to"]) / 2, ball["contact"] + shift, mark, ms=3, mfc="none", mew=0.5,
+           color=colour, label="in the ball")
     lemma = draw.read(f"{folder}/lemma.ecsv")
     c.loglog(lemma["radius"], lemma[name], line, color=colour, lw=1, label=name)
-a.set(xlabel="contact $n$", ylabel="strain, width", ylim=(1e-75, 10))
+a.set(xlabel="contact $n$", ylabel="strain, width", ylim=(1e-75, 10), xticks=range(0, 12, 2))
 a.legend(fontsize=6.5, loc="lower left")
 b.set(xlabel="central strain $r_0$", ylabel="decided at contact", xlim=(0.06, 0.255))
 b.legend(fontsize=6.5, loc="upper right")
 c.axhline(1, color="#888888", lw=0.8, ls=":")
-c.set(xlabel=r"radius $\rho$ of the ball", ylabel=r"$\eta/\rho+q(\rho)$", ylim=(1e-8, 1e2))
+c.set(xlabel=r"radius $\rho$ of the ball", ylabel=r"$\eta/\rho+q(\rho)$", ylim=(1e-6, 1e1))
 c.legend(fontsize=7, loc="lower left")
 for axes, name in zip((a, b, c), "abc"):
     draw.letter(axes, name, x=0.97 if name == "a" else 0.03)

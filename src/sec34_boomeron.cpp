@@ -322,24 +322,27 @@ Force force_on(const Path& smoothed, std::size_t first, std::size_t last) {
 
 /**
 The stretch on the way out is chosen by times, the same for all impacts. The way back begins at a
-different time for each, so there the stretch is chosen by sites. */
-Force force_of(const Voyage& seen, double width, bool outward) {
+different time for each, so there the stretch is chosen by sites. Between the two lies the turning. */
+enum class Stretch { back, out, between };
+
+Force force_of(const Voyage& seen, double width, Stretch stretch) {
   const Path p = smooth(seen.path, width);
   std::size_t first = 0, last = 0;
-  if (outward) {
-    while (p.t[first] < 100) ++first;
-    last = first + std::size_t(120 / sampling);
-  } else {
+  if (stretch != Stretch::out) {
     const double apex = find_turn(p).apex.time;
     while (p.t[first] < apex || p.centre[first] > 18) ++first;
     for (last = first; p.centre[last] > 6;) ++last;
   }
+  if (stretch == Stretch::between) last = first;
+  if (stretch != Stretch::back)
+    for (first = 0; p.t[first] < (stretch == Stretch::out ? 100 : 220);) ++first;
+  if (stretch == Stretch::out) last = first + std::size_t(120 / sampling);
   return force_on(p, first, last);
 }
 
-Force force_of(const Voyage& coarse, const Voyage& fine, bool outward) {
-  const Force a = force_of(coarse, smoothing, outward), b = force_of(fine, smoothing, outward),
-              c = force_of(fine, smoothing / 2, outward);
+Force force_of(const Voyage& coarse, const Voyage& fine, Stretch stretch) {
+  const Force a = force_of(coarse, smoothing, stretch), b = force_of(fine, smoothing, stretch),
+              c = force_of(fine, smoothing / 2, stretch);
   Force out{compare(a.force, b.force), b.bend};
   out.force.error += std::abs(c.force.value - b.force.value);
   return out;
@@ -347,11 +350,13 @@ Force force_of(const Voyage& coarse, const Voyage& fine, bool outward) {
 
 /**
 According to the article the force grows with $s$ and with $v_0$. So the list varies $v_0$ at $s=1$,
-then $s$ at $v_0=1.9$, with $s = 0$ for comparison; its last run is the way back. The article does not say
-how constant an almost constant force is, so the table gives the bend beside each force. */
+then $s$ at $v_0=1.9$, with $s = 0$ for comparison; its last rows are the way back and the turning. The article
+does not say how constant an almost constant force is (`boomeron.constant_force`), so the table gives the bend
+beside each force, and the answer is the force on the way back over that on the way out. Both lists must
+increase in modulus beyond their errors for `boomeron.force_grows` to hold. */
 struct Pull {
   Strike strike;
-  bool outward = true;
+  Stretch stretch = Stretch::out;
   Force seen{};
 };
 
@@ -359,17 +364,18 @@ std::vector<Pull> report_pulls(Report& report, double step) {
   std::vector<Pull> list;
   for (double v : {1.1, 1.3, 1.5, 1.6, 1.7, 1.8, 1.9, 2.0}) list.push_back({{v, 1, 300}});
   for (double s : {0.0, 0.25, 0.5, 0.75}) list.push_back({{1.9, s, 300}});
-  list.push_back({{1.9, 1, 1000}, false});
+  list.push_back({{1.9, 1, 1000}, Stretch::back});
+  list.push_back({{1.9, 1, 1000}, Stretch::between});
   const auto row = [&](Pull& p) {
-    p.seen = force_of(voyage({2 * step}, p.strike), voyage({step}, p.strike), p.outward);
-    return Cells{p.strike.s,         p.strike.velocity,  p.outward,
+    p.seen = force_of(voyage({2 * step}, p.strike), voyage({step}, p.strike), p.stretch);
+    return Cells{p.strike.s,         p.strike.velocity,  p.stretch,
                  p.seen.force.value, p.seen.force.error, p.seen.bend.value};
   };
   report
       .table(
           "force",
           {number("s", "anharmonicity"), number("velocity", "impact velocity"),
-           count("outward", "1 on the way out, 0 on the way back"),
+           count("outward", "1 on the way out, 0 on the way back, 2 between the two"),
            number("force", "acceleration of the centre", "site per squared unit of time"),
            number("force_uncertainty", "fit, step and smoothing", "site per squared unit of time"),
            number("bend", "relative difference of the slopes of both halves")})
@@ -410,8 +416,19 @@ void report_force(Report& report, const std::vector<TurnEstimate>& reads) {
   report.facts.add("force_150", slow, unit);
   report.facts.add("force_190", fast, unit);
   report.facts.add("force_190_back", back, unit);
+  report.facts.add("force_190_between", list[13].seen.force, unit);
   report.facts.add("force_190_bend", list[6].seen.bend);
+  report.results.add("boomeron.constant_force", quotient(back, fast));
   report.facts.add("force_linear_well", list[8].seen.force, unit);
+
+  // Harder blows and harder wells
+  std::vector<Estimate> velocities, wells;
+  for (std::size_t i = 0; i <= 7; ++i) velocities.push_back(list[i].seen.force);
+  for (std::size_t i : {8U, 9U, 10U, 11U, 6U}) wells.push_back(list[i].seen.force);
+  Criterion growing = named("velocity", increasing(velocities));
+  append(growing, named("s", increasing(wells)));
+  judge(report, "boomeron.force_grows", growing);
+
   const bool slows = only_slows_down(report, step);
   judge(report, "boomeron.moderate", slowed_packet(slows, slow, fast));
   judge(report, "boomeron.reversal",

@@ -17,7 +17,9 @@ splits into a *packet* of a few sites that runs away, the travelling breather, a
 extended wave train that the boundary goes on emitting. We compute both and compare them. */
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -120,7 +122,21 @@ Estimate speed_of(const DpsPair& runs) {
 }
 
 /**
-Beside the two answers we record how the norm is shared between packet and boundary, and how well
+The article does not call what is left at the boundary a surface mode, since it is extended and not periodic
+(`impact.residual_extended`). We count the sites that share it, up to ten sites behind the packet's largest one.
+A stationary mode would have a constant $|A_1|$; how far it swings is the difference of its largest and least
+square over their sum. */
+double swing(const std::vector<double>& squares, std::size_t every) {
+  double most = squares[0], least = squares[0];
+  for (std::size_t i = 0; i < squares.size(); i += every) {
+    most = std::max(most, squares[i]);
+    least = std::min(least, squares[i]);
+  }
+  return (most - least) / (most + least);
+}
+
+/**
+Beside the answers we record how the norm is shared between packet and boundary, and how well
 it is conserved. */
 DpsPair report_dps(Report& report, const Resolution& resolution) {
   // The run, and every eighth of its samples for the map
@@ -128,9 +144,11 @@ DpsPair report_dps(Report& report, const Resolution& resolution) {
       "dps_impact_map",
       {number("tau", "slow time"), count("n", "site", "site"), number("density", "|A_n|^2")});
   std::size_t k = 0;
+  std::vector<double> first;  // |A_1|^2 in the last fifth of the run
   DpsPair runs = follow_dps_to(resolution.dps_tolerance, Dps{sites}, dps_impact(sites), tau_end,
                                resolution.dps_samples, [&](double tau, const Field& field) {
                                  const auto d = density(field);
+                                 if (tau > 0.8 * tau_end) first.push_back(d[0]);
                                  for (std::size_t n = 0; k % 8 == 0 && n < sites; ++n)
                                    map.add({tau, n + 1, d[n]});
                                  ++k;
@@ -139,6 +157,15 @@ DpsPair report_dps(Report& report, const Resolution& resolution) {
                                 {count("n", "site", "site"), number("density", "|A_n|^2")});
   const auto end = density(runs.fine.end);
   for (std::size_t n = 0; n < sites; ++n) profile.add({n + 1, end[n]});
+
+  // What stays at the boundary: how many sites share it, and how its first amplitude swings late in the run
+  const auto extended = [](const DpsOutcome& out) {
+    const auto d = density(out.end);
+    return participation({d.begin(), d.begin() + std::ptrdiff_t(*front_packet(d)) - 10});
+  };
+  report.results.add("impact.residual_extended",
+                     compare(extended(runs.coarse), extended(runs.fine)), "site");
+  report.facts.add("residual_swing", compare(swing(first, 2), swing(first, 1)), "of |A_1|^2");
 
   // A travelling breather, its amplitude and speed, and where the norm is
   const auto left = [](const DpsOutcome& out) { return boundary_share(density(out.end), 10); };
@@ -246,6 +273,18 @@ double share_within(std::size_t half_width, const ChainImpact& out) {
 }
 
 /**
+The wave train, says the article, is reasonably well reproduced (`impact.wavetrain`). Its amplitude is the root of
+the energy up to ten sites behind the packets, and we give the largest relative difference in the second half of
+the run. */
+double train_apart(const std::vector<double>& chain, const std::vector<double>& dps) {
+  const auto until = std::ptrdiff_t(std::min(*front_packet(chain), *front_packet(dps))) - 10;
+  const auto train = [&](const std::vector<double>& e) {
+    return std::sqrt(std::accumulate(e.begin(), e.begin() + until, 0.0));
+  };
+  return std::abs(train(dps) / train(chain) - 1);
+}
+
+/**
 Now the two descriptions meet. The chain is run until its end states agree, and each number takes
 its error from the last two runs. For the figures the approximation is turned into displacements
 by Eq. (13), and its energy density is computed from Eq. (23), as if these and their velocities were
@@ -272,14 +311,20 @@ Estimate report_comparison(Report& report, const DpsPair& dps, const Resolution&
                               number("e_lattice", "energy density of the chain"),
                               number("e_dps", "energy density of the DpS approximation")});
   std::size_t row = 0;
+  std::array<double, 2> apart{};
   follow_dps(Dps{sites}, dps_impact(sites), tau_end, fine.maps.size() - 1, 1e-11,
              [&](double tau, const Field& field) {
                const double t = tau / std::sqrt(eps);
                const auto e = energy_density(Chain{sites}, dps_state(field, eps, t));
                for (std::size_t n = 0; n < sites; ++n)
                  maps.add({t, n + 1, fine.maps[row][n], e[n]});
+               for (std::size_t j : {0U, 1U})
+                 if (tau > tau_end / 2)
+                   apart[j] = std::max(apart[j], train_apart((j ? fine : coarse).maps[row], e));
                ++row;
              });
+
+  report.results.add("impact.wavetrain", compare(apart[0], apart[1]), "relative");
 
   // Amplitude, speed and width of the chain's packet
   const Estimate speed = compare(packet_speed(coarse.track), packet_speed(fine.track));

@@ -40,7 +40,7 @@ Claims: two colliding beads and the cradle (`scale.contact_time`, `scale.max_com
 clamped beam (`beam.stiffness`, `beam.frequency`, `beam.mass`); the times of the array (`cantilever.tau_h`,
 `cantilever.tau_c`, `cantilever.lambda`); the packet at $n = 80$ (`cantilever.speed`,
 `cantilever.bead_velocity`, `cantilever.deflection`, `cantilever.force`, `cantilever.duration`,
-`cantilever.period`), which the DpS equation describes (`cantilever.dps_valid`); a defect with large beads reflects it, with slightly larger ones in part, and keeps
+`cantilever.period`, and `cantilever.frequency` in units of the linear one), which the DpS equation describes (`cantilever.dps_valid`); a defect with large beads reflects it, with slightly larger ones in part, and keeps
 a little energy (`cantilever.reflect16`, `cantilever.partial11`, and `cantilever.trapped` in
 sec36/trapped_mode.hpp); and in 10 ms it travels far enough to be seen (`outlook.travel_10ms`,
 `outlook.periods_10ms`). */
@@ -176,10 +176,10 @@ void report_packet(Report& report, const StruckArray& blow, const WatchedRuns& r
   answer("cantilever.deflection", &Pulse::deflection, 1e6, "um");
   answer("cantilever.force", &Pulse::force, 1, "N");
   answer("cantilever.period", &Pulse::period, 1e3, "ms");
-  report.facts.add("linear_over_internal_period", both(runs, [&](const WatchedRun& run) {
-                     return 2 * std::numbers::pi * blow.scales.tau_c() /
-                            pulse_of(run.at, blow.scales).period;
-                   }));
+  report.results.add("cantilever.frequency", both(runs, [&](const WatchedRun& run) {
+                       return 2 * std::numbers::pi * blow.scales.tau_c() /
+                              pulse_of(run.at, blow.scales).period;
+                     }));
 
   // The speed on several stretches, and as a mean over the way
   Table& speeds = report.table("speeds", {number("from", "site where the stretch begins", "site"),

@@ -39,12 +39,12 @@ suffices to take $\mu = 1$. For each of the two centres, on the infinite lattice
 2. Among the profiles of this symmetry whose strains alternate, tend to zero and do not increase outwards in
    modulus it is the only one, up to its sign.
 3. Around a site the linearised equation has exactly one real pair $\pm\lambda$, of modulus
-   [](num:sec5_enclosures.exponent_site); around a bond it has none. All other exponents are imaginary.
+   [0.00155771](num:sec5_enclosures.exponent_site); around a bond it has none. All other exponents are imaginary.
 4. The bond-centred breather is orbitally stable in $\ell^2$: what starts close to it stays close to its
    multiples $e^{i\varphi}u$ for all times.
 5. The energy of the site-centred breather minus that of the bond-centred one is positive at equal $\mu$,
-   [](num:sec5_enclosures.barrier_equal_mu) at $\mu = 1$, and negative at equal norm, which physics asks for,
-   [](num:sec5_enclosures.barrier_equal_norm).
+   [2.85411e-9](num:sec5_enclosures.barrier_equal_mu) at $\mu = 1$, and negative at equal norm, which physics asks for,
+   [-7.13526e-10](num:sec5_enclosures.barrier_equal_norm).
 
 Existence of both is known (James and Starosvetsky 2014). Not proved are solutions without these signs or
 symmetries, and whether the instability of the linearised equation is followed by that of the full one. */
@@ -71,7 +71,7 @@ Estimate estimate_of(const Interval<double>& x) {
 
 The strains $r_n$ are sought with the contraction of dps_enclosure.hpp, from the profile that section 3.2
 computes. That profile is only a guess, and the proof would fail if it were wrong. The map contracts on all
-sequences that differ from it by less than [](num:sec5_enclosures.unique_radius_site) in each contact (about
+sequences that differ from it by less than [0.0078125](num:sec5_enclosures.unique_radius_site) in each contact (about
 a twelfth of $r_0$), and it moves the guess by some $10^{-16}$. So the solution is that close and alone in
 the large ball. Its components are then tightened until the tail, too, is known to many digits. */
 Table strain_table(const DpsBreather<double>& b) {
@@ -97,27 +97,27 @@ void report_profile(Quantities& facts, const DpsBreather<double>& b, const std::
 How many breathers of each kind are there? With $r_0$ given, the equation yields $r_1$, $r_2$ and so on, and
 each must be positive and no larger than the one before. Intervals of $r_0$ are followed outwards until this
 fails, or until all their profiles lie in the ball in which there is just one. Around a site
-[](num:sec5_enclosures.discarded_site) intervals are discarded and [](num:sec5_enclosures.inside_site) end
-in the ball, around a bond [](num:sec5_enclosures.discarded_bond) and [](num:sec5_enclosures.inside_bond).
+[362](num:sec5_enclosures.discarded_site) intervals are discarded and [60](num:sec5_enclosures.inside_site) end
+in the ball, around a bond [480](num:sec5_enclosures.discarded_bond) and [68](num:sec5_enclosures.inside_bond).
 None remains, else the program would stop here. */
 Table search_table(const std::vector<Piece<double>>& pieces) {
   Table table{{number("from", "lower end of the interval of r_0"), number("to", "upper end"),
                count("contact", "at which the interval is decided"),
                count("inside", "1 if its profiles lie in the ball of uniqueness, 0 if discarded")}};
   for (const Piece<double>& p : pieces)
-    table.add({p.r_0.lower, p.r_0.upper, p.contact, std::int64_t(p.fate == Fate::inside)});
+    table.add({p.r_0.lower, p.r_0.upper, p.contact, std::int64_t(p.decision == Decision::inside)});
   return table;
 }
 
 void report_search(Report& report, const DpsBreather<double>& b, const std::string& who) {
   const auto pieces = search_profiles(b);
-  const auto number_of = [&](Fate fate) {
+  const auto number_of = [&](Decision fate) {
     return std::count_if(pieces.begin(), pieces.end(),
-                         [&](const Piece<double>& p) { return p.fate == fate; });
+                         [&](const Piece<double>& p) { return p.decision == fate; });
   };
-  if (number_of(Fate::open) > 0) throw Failure("search for profiles: some intervals stay open");
-  report.facts.add("discarded" + who, exact(double(number_of(Fate::discarded))), "intervals");
-  report.facts.add("inside" + who, exact(double(number_of(Fate::inside))), "intervals");
+  if (number_of(Decision::open) > 0) throw Failure("search for profiles: some intervals stay open");
+  report.facts.add("discarded" + who, exact(double(number_of(Decision::discarded))), "intervals");
+  report.facts.add("inside" + who, exact(double(number_of(Decision::inside))), "intervals");
   report.output.add("search" + who, search_table(pieces));
 }
 
@@ -169,8 +169,8 @@ void report_stability(Quantities& facts, const DpsBreather<double>& b, const std
 The norms of both breathers agree to six digits. In intervals their difference keeps eight digits, and it has a
 sign. The energy at equal norm has the opposite one: the bond-centred breather, the stable one, is the
 *maximum* of $H$. */
-EnclosedBarrier<double> certain_barrier(const Both& both) {
-  const EnclosedBarrier<double> barrier = dps_barrier(both.site, both.bond);
+DpsBarrier<double> certain_barrier(const Both& both) {
+  const DpsBarrier<double> barrier = dps_barrier(both.site, both.bond);
   if (!(barrier.equal_mu > Interval<double>(0) && barrier.equal_norm < Interval<double>(0)))
     throw Failure("barrier of the DpS equation: its signs are not certain");
   return barrier;
@@ -183,9 +183,9 @@ The same lemma serves the chain of Eqs. (6) and (10) in the linear well, $s = 0$
 (chain_enclosure.hpp): unknown are now functions of time, the compressions of all contacts of the infinite
 chain in the supremum norm. Proved, for each of the two centres: there is a periodic solution with this
 frequency and the symmetry of its centre, even in time, which falls double-exponentially along the chain. It
-differs by no more than `radius` from the guess, a sum of cosines, in each contact at each time, and there
-is no second solution of this symmetry that differs by less than `unique_radius`. Amplitude and energy
-follow. The table `bounds` has the constants of the proof, all rounded upwards: $\kappa = \|A\|-1$, the
+differs by no more than `radius` from the guess, a sum of cosines, in each contact at each time, and among the
+solutions with these symmetries it is the only one that differs by no more than `unique_radius`. Amplitude and
+energy follow. The table `bounds` has the constants of the proof, all rounded upwards: $\kappa = \|A\|-1$, the
 residual of the guess, $\eta \le (1+\kappa)\,$residual, and $q$.
 
 Not proved is anything about its Floquet multipliers, or about its barrier, of order $10^{-11}$. */
@@ -249,14 +249,14 @@ Table lemma_table() {
 /**
 ## Results
 
-The second eigenvalue differs from $\frac23$ by [](num:sec5_enclosures.margin_site) around a site and by
-[](num:sec5_enclosures.margin_bond) around a bond. The norms are [](num:sec5_enclosures.norm_site) and
-[](num:sec5_enclosures.norm_bond), the largest displacements [](num:sec5_enclosures.u0_site) and
-[](num:sec5_enclosures.u0_bond).
+The second eigenvalue differs from $\frac23$ by [4.85298e-6](num:sec5_enclosures.margin_site) around a site and by
+[-4.85327e-6](num:sec5_enclosures.margin_bond) around a bond. The norms are [0.00536042](num:sec5_enclosures.norm_site) and
+[0.00536041](num:sec5_enclosures.norm_bond), the largest displacements [0.0504148](num:sec5_enclosures.u0_site) and
+[0.0462323](num:sec5_enclosures.u0_bond).
 
-At $\omega_b = 1.1$ the chain's breathers have the amplitudes [](num:sec5_enclosures.amplitude_site) (site)
-and [](num:sec5_enclosures.amplitude_bond) (bond) and the energies [](num:sec5_enclosures.energy_site) and
-[](num:sec5_enclosures.energy_bond); the difference of the energies is far below what these intervals
+At $\omega_b = 1.1$ the chain's breathers have the amplitudes [0.0107480](num:sec5_enclosures.amplitude_site) (site)
+and [0.00978427](num:sec5_enclosures.amplitude_bond) (bond) and the energies [0.000153599](num:sec5_enclosures.energy_site) and
+[0.000153599](num:sec5_enclosures.energy_bond); the difference of the energies is far below what these intervals
 resolve. */
 void reproduce(Report& report) {
   const Both both;
@@ -269,7 +269,7 @@ void reproduce(Report& report) {
     report_search(report, b, who);
     report_stability(report.facts, b, who);
   }
-  const EnclosedBarrier<double> barrier = certain_barrier(both);
+  const DpsBarrier<double> barrier = certain_barrier(both);
   report.facts.add("barrier_equal_mu", estimate_of(barrier.equal_mu), "energy at mu = 1");
   report.facts.add("barrier_equal_norm", estimate_of(barrier.equal_norm),
                    "energy at the norm of the bond-centred breather at mu = 1");
@@ -309,7 +309,7 @@ struct EnclosedDps {
   Table table() const {
     const Both both;
     const DpsBreather<double>& b = both.of(centre);
-    const EnclosedBarrier<double> barrier = certain_barrier(both);
+    const DpsBarrier<double> barrier = certain_barrier(both);
     Bounds bounds;
     bounds.add("u0", b.largest());
     bounds.add("norm", b.norm());

@@ -12,9 +12,9 @@ using namespace lattice;
 
 namespace {
 
-std::size_t number_of(const std::vector<Piece<double>>& pieces, Fate fate) {
+std::size_t number_of(const std::vector<Piece<double>>& pieces, Decision fate) {
   return std::size_t(std::count_if(pieces.begin(), pieces.end(),
-                                   [&](const Piece<double>& p) { return p.fate == fate; }));
+                                   [&](const Piece<double>& p) { return p.decision == fate; }));
 }
 
 /// Whether the lemma proves something for a guess.
@@ -31,6 +31,7 @@ bool proved(const DpsGuess<double>& guess) {
 
 TEST_CASE("the lemma needs a contraction", "[unit]") {
   // The identity moves nothing and contracts nothing: all its points are fixed
+  CHECK_FALSE(Contraction<double>{0, 1, 1}.contracts());
   CHECK_FALSE(Contraction<double>{0, 1, 1}.holds());
   CHECK_FALSE(Contraction<double>{0, 1.5, 1}.holds());
   CHECK(Contraction<double>{0, 0.5, 1}.holds());
@@ -39,7 +40,8 @@ TEST_CASE("the lemma needs a contraction", "[unit]") {
 
 TEST_CASE("the lemma needs to know how far the centre moves", "[unit]") {
   // x -> x / 2 + 10 has its fixed point at 20, and none in the unit ball
-  CHECK_FALSE(Contraction<double>{10, 0.5, 1}.holds());
+  CHECK(Contraction<double>{10, 0.5, 1}.contracts());
+  CHECK_FALSE(Contraction<double>{10, 0.5, 1}.stays_inside());
   CHECK_FALSE(Contraction<double>{10, 0.5, 19.9}.holds());
   CHECK(Contraction<double>{10, 0.5, 20.5}.holds());
   CHECK_THROWS_AS(two_balls(10.0, 1.0, [](double) { return 0.5; }), NotProved);
@@ -136,8 +138,8 @@ TEST_CASE("no profile is left, and a smaller ball would leave some", "[unit][dps
   for (Centre centre : both_centres) {
     auto b = enclose_dps<double>(centre);
     const auto pieces = search_profiles(b);
-    CHECK(number_of(pieces, Fate::open) == 0);
-    CHECK(number_of(pieces, Fate::inside) > 0);
+    CHECK(number_of(pieces, Decision::open) == 0);
+    CHECK(number_of(pieces, Decision::inside) > 0);
     // The pieces leave no gap, and the breather is in one of them
     CHECK(pieces.front().r_0.lower == 0.0625);
     CHECK(pieces.back().r_0.upper == 0.25);
@@ -145,12 +147,12 @@ TEST_CASE("no profile is left, and a smaller ball would leave some", "[unit][dps
     for (std::size_t i = 0; i < pieces.size(); ++i) {
       if (i > 0) CHECK(pieces[i].r_0.lower == pieces[i - 1].r_0.upper);
       const bool here = pieces[i].r_0.lower <= b.r[0].upper && b.r[0].lower <= pieces[i].r_0.upper;
-      if (here) CHECK(pieces[i].fate == Fate::inside);
+      if (here) CHECK(pieces[i].decision == Decision::inside);
       met = met || here;
     }
     CHECK(met);
     b.unique.radius = 1e-9;
-    CHECK(number_of(search_profiles(b, 12), Fate::open) > 0);
+    CHECK(number_of(search_profiles(b, 12), Decision::open) > 0);
   }
 }
 

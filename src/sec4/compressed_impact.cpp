@@ -5,8 +5,15 @@ namespace lattice {
 // Where the packet is at one instant, and which share of the energy it holds
 PacketSample packet_sample(double t, const std::vector<double>& e) {
   const std::size_t peak = richest(e, packet_reach);
-  return {t, energy_centre(e, peak, packet_reach), window_sum(e, peak, packet_reach) / total(e),
-          boundary_share(e), participation(e)};
+  const Window near = around(peak, packet_reach, e.size());
+  const std::vector<double> packet(e.begin() + std::ptrdiff_t(near.first),
+                                   e.begin() + std::ptrdiff_t(near.last));
+  return {t,
+          energy_centre(e, peak, packet_reach),
+          window_sum(e, peak, packet_reach) / total(e),
+          boundary_share(e),
+          participation(e),
+          participation(packet)};
 }
 
 // Top and width must lie within the sites of the fit, and the fit must be a good one

@@ -37,9 +37,10 @@ number of sites that share the energy. Packets under precompression are broader 
 20 sites on either side belong to one; its envelope is fitted to ten. */
 inline constexpr std::size_t packet_reach = 20, envelope_reach = 10;
 
-/// Time, energy centre, shares of packet and boundary, and participation number at one instant.
+/// Time, energy centre, shares of packet and boundary, participation number of the chain, and of the packet
+/// alone, at one instant.
 struct PacketSample {
-  double t, centre, share, boundary, participation;
+  double t, centre, share, boundary, participation, packet_sites;
 };
 
 PacketSample packet_sample(double t, const std::vector<double>& e);

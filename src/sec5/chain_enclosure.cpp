@@ -373,11 +373,12 @@ Numbers at_rest(const ChainGuess& guess, bool later, double radius) {
 }
 
 /// Positions of the beads in front of the contacts: all compressions from there on, those behind the window
-/// being less than twice the first of them together.
-Numbers positions(const Numbers& d, double radius) {
+/// being less than twice the first of them together. Around a bond the central contact alone tells its beads.
+Numbers positions(Centre centre, const Numbers& d, double radius) {
   Numbers y(d.size());
   Number sum = two * Number(-radius, radius);
   for (std::size_t n = d.size(); n-- > 0;) y[n] = sum += d[n];
+  if (centre == Centre::bond) y[0] = d[0] / two, y[1] = -y[0];
   return y;
 }
 
@@ -407,16 +408,18 @@ ChainBreather enclose_chain(Centre centre, int numerator, int denominator,
     throw NotProved("the tail does not certainly decay");
 
   // The right half now, and the left half: the same, or what the right half is half a period later
-  const Numbers d = at_rest(guess, false, r), y = positions(d, r);
-  const Numbers d_left = at_rest(guess, centre == Centre::site, r), y_left = positions(d_left, r);
+  const Numbers d = at_rest(guess, false, r), y = positions(centre, d, r);
+  const Numbers d_left = at_rest(guess, centre == Centre::site, r),
+                y_left = positions(centre, d_left, r);
   Number energy = half_energy(centre, d, y) + half_energy(centre, d_left, y_left);
   if (centre == Centre::site) energy += y[0] * y[0] / two;
   energy += Number(0, ((Number(8) * r + two * root(Number(r)) * r) * r).upper);
-  Number amplitude = centre == Centre::bond ? abs(d[0]) / two : abs(y[0]);
+  Number amplitude{};
   for (const Numbers* side : {&y, &y_left})
-    for (std::size_t n = 1; n < y.size(); ++n) {
-      const Number other = abs((*side)[n]);
-      amplitude = {std::max(amplitude.lower, other.lower), std::max(amplitude.upper, other.upper)};
+    for (std::size_t n = side == &y ? 0 : 1; n < y.size(); ++n) {
+      const Number one_bead = abs((*side)[n]);
+      amplitude = {std::max(amplitude.lower, one_bead.lower),
+                   std::max(amplitude.upper, one_bead.upper)};
     }
   return {unique,          exists,   proof.kappa(), proof.delta(),
           proof.epsilon(), residual, amplitude,     energy};

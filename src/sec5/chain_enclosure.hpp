@@ -29,9 +29,9 @@ namespace lattice {
 How fine the proof is made. More samples and harmonics make the residual smaller, more nodes and cells the bound
 of the derivative; none of them is needed for the argument to be right. */
 struct Fineness {
-  std::size_t contacts = 6;     ///< of the half chain, in the window
-  std::size_t harmonics = 192;  ///< of the guess
-  std::size_t samples = 32768;  ///< on the circle, for the Fourier coefficients of the forces
+  std::size_t contacts = 7;     ///< of the half chain, in the window
+  std::size_t harmonics = 320;  ///< of the guess
+  std::size_t samples = 65536;  ///< on the circle, for the Fourier coefficients of the forces
   std::size_t nodes = 32;       ///< on the half circle, for the inverse of the derivative
   std::size_t cells = 2048;  ///< on the half circle, on which the stiffness is taken to be constant
 };

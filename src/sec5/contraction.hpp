@@ -9,11 +9,12 @@ $$|AF(c)| \le \eta, \qquad \|1-A\,DF(x)\| \le q \text{ for all $x$ in the ball},
 Then $K(x) = x-AF(x)$ maps the ball into itself and contracts it, and there is exactly one $x$ in the ball
 with $K(x) = x$. That is a zero of $F$ if $A$ is injective. Our $A$ is the identity plus a map of finite rank,
 hence injective as soon as it is surjective, and it is surjective because $A\,DF(c)$ is invertible, $q$ being
-less than one. If the map $K$ leaves a closed part of the ball invariant, the zero lies in that part.
+less than one.
 
 Both conditions are needed. Without $q < 1$ the identity would pass with $\eta = 0$, and has no single fixed
-point; with $\eta = 0$ put in by mistake $x \mapsto \frac12x+10$ would have a fixed point near zero. Tests show
-that neither passes. */
+point; with $\eta = 0$ put in by mistake $x \mapsto \frac12x+10$ would have a fixed point near zero. Since
+$\eta+qr$ is rounded upwards, $q < 1$ follows from the other condition here; it is demanded, and tested, on its own
+all the same. */
 
 #include <stdexcept>
 #include <utility>
@@ -29,11 +30,15 @@ struct Contraction {
   T q = std::numeric_limits<T>::infinity();    ///< by what factor K shrinks distances
   T radius = 0;
 
-  /// The hypotheses of the lemma.
-  bool holds() const {
+  /// The map shrinks distances in the ball.
+  bool contracts() const { return q >= 0 && q < 1; }
+  /// The map does not leave the ball.
+  bool stays_inside() const {
     const Interval<T> reach = Interval<T>(eta) + Interval<T>(q) * Interval<T>(radius);
-    return eta >= 0 && q >= 0 && q < 1 && radius > 0 && reach.upper <= radius;
+    return eta >= 0 && radius > 0 && reach.upper <= radius;
   }
+  /// The hypotheses of the lemma.
+  bool holds() const { return contracts() && stays_inside(); }
 };
 
 /**

@@ -223,7 +223,7 @@ Interval<T> square_of_exponent(const Interval<T>& m) {
 }
 
 template <class T>
-EnclosedBarrier<T> dps_barrier(const DpsBreather<T>& site, const DpsBreather<T>& bond) {
+DpsBarrier<T> dps_barrier(const DpsBreather<T>& site, const DpsBreather<T>& bond) {
   const Interval<T> two_fifths = Interval<T>(2) / Interval<T>(5), s = site.norm(), b = bond.norm();
   // (b/s)^(1/4) - 1 = (b - s) / s / [(q + 1)(q^2 + 1)] with q^4 = b/s keeps the digits of b - s
   const Interval<T> q = root(root(b / s)), one(1);
@@ -264,7 +264,7 @@ Piece<T> follow_profiles(const DpsBreather<T>& b, const Interval<T>& r_0) {
     // The ball is centred at the guess, which is at most the radius of existence from the solution
     return (abs(x - c) + b.exists.radius).upper <= radius;
   };
-  if (turns_back(b.centre, r_0)) return {r_0, Fate::discarded, 0};
+  if (turns_back(b.centre, r_0)) return {r_0, Decision::discarded, 0};
   Interval<T> r = r_0, force_before{}, force = phi(r);
   bool inside = in_ball(r, 0);
   for (std::size_t n = 0; n < b.r.size(); ++n) {
@@ -273,16 +273,16 @@ Piece<T> follow_profiles(const DpsBreather<T>& b, const Interval<T>& r_0) {
       next = b.centre == Centre::bond ? (r - T(2) * force) / Interval<T>(2) : r - T(3) * force;
     const Interval<T> narrow = cube_root(next), allowed{force.lower, r.upper};
     const Interval<T> strain = common(narrow * narrow, allowed);
-    if (next.upper < 0 || empty(strain)) return {r_0, Fate::discarded, n + 1};
+    if (next.upper < 0 || empty(strain)) return {r_0, Decision::discarded, n + 1};
     force_before = force, r = strain, force = common(phi(strain), next);
-    if (empty(force)) return {r_0, Fate::discarded, n + 1};
+    if (empty(force)) return {r_0, Decision::discarded, n + 1};
     inside = inside && in_ball(r, n + 1);
     // From here on all strains lie between zero and this one, and so do those of the guess
     const T most = std::max(r.upper, n + 1 < b.r.size() ? b.r[n + 1].upper : b.tail.upper);
     if (inside && (Interval<T>(most) + b.exists.radius).upper <= radius)
-      return {r_0, Fate::inside, n + 1};
+      return {r_0, Decision::inside, n + 1};
   }
-  return {r_0, Fate::open, b.r.size()};
+  return {r_0, Decision::open, b.r.size()};
 }
 
 }  // namespace
@@ -292,7 +292,7 @@ std::vector<Piece<T>> search_profiles(const DpsBreather<T>& breather, int depth)
   std::vector<Piece<T>> pieces;
   const auto look = [&](auto&& self, T from, T to, int left) -> void {
     const Piece<T> piece = follow_profiles(breather, Interval<T>(from, to));
-    if (piece.fate != Fate::open || left == 0) {
+    if (piece.decision != Decision::open || left == 0) {
       pieces.push_back(piece);
       return;
     }
@@ -304,15 +304,15 @@ std::vector<Piece<T>> search_profiles(const DpsBreather<T>& breather, int depth)
   return pieces;
 }
 
-#define LATTICE_ENCLOSURE(T)                                                             \
-  template DpsGuess<T> dps_guess(Centre);                                                \
-  template T dps_eta(const DpsGuess<T>&);                                                \
-  template T dps_q(const DpsGuess<T>&, T);                                               \
-  template struct DpsBreather<T>;                                                        \
-  template DpsBreather<T> enclose_dps(Centre);                                           \
-  template Interval<T> contact_eigenvalue(const DpsBreather<T>&, std::size_t);           \
-  template Interval<T> square_of_exponent(const Interval<T>&);                           \
-  template EnclosedBarrier<T> dps_barrier(const DpsBreather<T>&, const DpsBreather<T>&); \
+#define LATTICE_ENCLOSURE(T)                                                        \
+  template DpsGuess<T> dps_guess(Centre);                                           \
+  template T dps_eta(const DpsGuess<T>&);                                           \
+  template T dps_q(const DpsGuess<T>&, T);                                          \
+  template struct DpsBreather<T>;                                                   \
+  template DpsBreather<T> enclose_dps(Centre);                                      \
+  template Interval<T> contact_eigenvalue(const DpsBreather<T>&, std::size_t);      \
+  template Interval<T> square_of_exponent(const Interval<T>&);                      \
+  template DpsBarrier<T> dps_barrier(const DpsBreather<T>&, const DpsBreather<T>&); \
   template std::vector<Piece<T>> search_profiles(const DpsBreather<T>&, int);
 LATTICE_ENCLOSURE(double)
 LATTICE_ENCLOSURE(long double)

@@ -26,8 +26,8 @@ namespace lattice {
 inline constexpr std::size_t dps_contacts = 12;
 
 /**
-Between $x-R$ and $x+R$ the derivative $\varphi'$ moves by no more than the larger of its two ends'
-distances, and all that the bound needs is one row sum of $|1-A\,DF|$ over the ball. */
+The guess and the inverse may come from anywhere. The proof needs two numbers: how far the map moves the guess, and
+the largest row sum of $|1-A\,DF|$ over the ball. */
 /// A guess and the approximate inverse of F's derivative at it; nothing in it is trusted.
 template <class T>
 struct DpsGuess {
@@ -101,11 +101,11 @@ $H = \frac25\mu N = \frac25N_1^{-1/4}N^{5/4}$ for the energy. Of both breathers 
 $\frac25(N_{site}-N_{bond})$. At equal norm, that of the bond-centred one at $\mu = 1$, it is
 $\frac25N_{bond}[(N_{bond}/N_{site})^{1/4}-1]$, of the opposite sign. */
 template <class T>
-struct EnclosedBarrier {
+struct DpsBarrier {
   Interval<T> equal_mu, equal_norm;  ///< H_site - H_bond
 };
 template <class T>
-EnclosedBarrier<T> dps_barrier(const DpsBreather<T>& site, const DpsBreather<T>& bond);
+DpsBarrier<T> dps_barrier(const DpsBreather<T>& site, const DpsBreather<T>& bond);
 
 /**
 ## No other profile
@@ -123,11 +123,11 @@ $y_{n+1} = (g-2)y_n-y_{n-1}$, where $g$ is a slope of $P^{2/3}$, about $\frac83$
 some seventy degrees from contact to contact, so the profile increases again before it has left, or is
 constant. */
 /// What became of an interval of r_0: discarded or decided at a contact, or open.
-enum class Fate { discarded, inside, open };
+enum class Decision { discarded, inside, open };
 template <class T>
 struct Piece {
   Interval<T> r_0;
-  Fate fate;
+  Decision decision;
   std::size_t contact;
 };
 
