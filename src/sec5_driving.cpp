@@ -265,10 +265,12 @@ void report_chart(Report& report, const Rig& rig) {
 /**
 ## What the packets are
 
-The packets of a drive are those of an impact. In the DpS limit a packet of the amplitude $v$ has a speed in
-proportion to $v^{1/2}$, and the factor tells packets apart. We take the time from bead 20 to bead 28 of the
-first packet of a piston at 1.3 times the law, $\delta = 0.1$, and of an impact of 1 m/s with the same losses:
-[0.2](num:sec5_driving.scaled_speed_drive) against [0.2](num:sec5_driving.scaled_speed_impact). */
+In the DpS limit a packet of the velocity amplitude $v$ moves at a speed in proportion to $v^{1/2}$, and the
+factor tells packets apart. We take the time from bead 20 to bead 28 of the first packet of a piston at 1.3 times
+the law, $\delta = 0.1$, and of an impact of 1 m/s with the same losses. The drive's packet is slower for its
+amplitude: its factor is [0.2](num:sec5_driving.scaled_speed_drive), that of the impact
+[0.3](num:sec5_driving.scaled_speed_impact). So a drive makes travelling breathers of another member of their
+two-parameter family, with a frequency that it prescribes. */
 double scaled_speed(double t20, double t28, double velocity) {
   return 8 / (t28 - t20) / std::sqrt(velocity);
 }
