@@ -34,8 +34,8 @@ using namespace lattice;
 In short: the threshold is the fold of the quiet motion, whose amplitude grows with the square of the distance
 $\delta = f/f_0-1$ from the frequency of a beam for a piston, and with its cube for a base. The constants are
 those of a static breather of the DpS equation, which the drive has to lift to its top:
-[0.050415](num:sec5_driving.top) is the largest displacement of the site-centred one (section 3.2). At 7000 Hz a
-piston needs [7](num:sec5_driving.recipe_7000) micrometres.
+[0.0504148](num:sec5_driving.top) is the largest displacement of the site-centred one (section 3.2). At 7000 Hz a
+piston needs [6.970](num:sec5_driving.recipe_7000) micrometres.
 
 ## Model
 
@@ -268,8 +268,8 @@ void report_chart(Report& report, const Rig& rig) {
 In the DpS limit a packet of the velocity amplitude $v$ moves at a speed in proportion to $v^{1/2}$, and the
 factor tells packets apart. We take the time from bead 20 to bead 28 of the first packet of a piston at 1.3 times
 the law, $\delta = 0.1$, and of an impact of 1 m/s with the same losses. The drive's packet is slower for its
-amplitude: its factor is [0.2](num:sec5_driving.scaled_speed_drive), that of the impact
-[0.3](num:sec5_driving.scaled_speed_impact). So a drive makes travelling breathers of another member of their
+amplitude: its factor is [0.2438](num:sec5_driving.scaled_speed_drive), that of the impact
+[0.313496](num:sec5_driving.scaled_speed_impact). So a drive makes travelling breathers of another member of their
 two-parameter family, with a frequency that it prescribes. */
 double scaled_speed(double t20, double t28, double velocity) {
   return 8 / (t28 - t20) / std::sqrt(velocity);
