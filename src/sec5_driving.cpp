@@ -409,7 +409,10 @@ void reproduce(Report& report) {
 The threshold has three routes: runs, Newton's method on the driven orbit, and a map of two lines in the DpS
 limit, which shares no code with the others. The bookkeeping of `drive` closes to 1e-10 of the work at its
 steps. The piston is a bead of the same size that cannot be pushed back; a real shaker can, and its force is
-what `power` tells. That a quiet motion vanishes in a fold does not tell what comes after it: trains and
+what `power` tells. Downward the criterion
+decides at the smaller frequency only; at the larger one the two horizons do not agree on a threshold, and the
+table says so.
+That a quiet motion vanishes in a fold does not tell what comes after it: trains and
 irregular emission are what runs show, with one lifetime.
 
 ## Extensions
