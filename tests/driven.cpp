@@ -101,20 +101,20 @@ TEST_CASE("friction slows the clock of small packets", "[property][journey]") {
   check_close(true_time(0.01, slow_clock(0.01, 123)), 123, 1e-9);
   check_close(slow_clock(0, 5), 5, 0);
   CHECK(std::isinf(true_time(0.1, 40.1)));
-  // A weak impact, nearly in the DpS limit, with and without friction
-  const double velocity = 1e-4, duration = 1500, nu = 1.0 / 600;
-  const auto free = follow_packet({Chain{20}}, velocity, duration, 18, 0.2);
-  const auto lossy = follow_packet({Chain{20}, {nu, 0}}, velocity, duration, 18, 0.2);
+  // A weak impact with and without friction; the runs go on until the last push is over
+  const double velocity = 0.01, duration = 600, nu = 1.0 / 300;
+  const auto free = follow_packet({Chain{40}}, velocity, 1.3 * duration, 38, 0.2);
+  const auto lossy = follow_packet({Chain{40}, {nu, 0}}, velocity, 1.3 * duration, 38, 0.2);
   const auto law = predicted_way(free, nu, duration), found = way_after(lossy, duration);
   CAPTURE(law.sites, found.sites, way_after(free, duration).sites);
-  check_close(law.sites, found.sites, 0.25);
-  CHECK(way_after(free, duration).sites > found.sites + 1);  // there is something to explain
+  check_close(law.sites, found.sites, 0, 0.05);
+  CHECK(way_after(free, duration).sites > 1.1 * found.sites);  // there is something to explain
 }
 
 TEST_CASE("a sensor sees as far as the beads are fast", "[unit][journey]") {
   Journey j;
   for (double v : {1.0, 0.1, 0.01}) j.contacts.push_back({1, 1, 1, v, true});
-  check_close(seen_until(j, 0.05), 2 - std::log10(2) + 0.0 - (1 - 2 * std::log10(2)), 1e-9);
+  check_close(seen_until(j, 0.05), 2 + std::log10(2), 1e-9);  // beyond the second bead
   check_close(seen_until(j, 1e-3), 3, 0);
   check_close(seen_until(j, 2), 0, 0);
 }
@@ -182,7 +182,7 @@ TEST_CASE("the orbit is that of a run", "[property][driven]") {
   // A run of many periods settles on it; then the state must return
   State<double> state(10);
   const double period = 2 * std::numbers::pi / omega;
-  run_bench(bench, state, TimeGrid{200 * period, 200, 48}, unwatched);
+  run_bench(bench, state, TimeGrid{500 * period, 500, 48}, unwatched);
   Vector<double> x(21);
   for (int n = 0; n < 10; ++n) x[n] = state.y[std::size_t(n)], x[10 + n] = state.v[std::size_t(n)];
   x[20] = a;
