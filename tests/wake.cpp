@@ -23,8 +23,8 @@ TEST_CASE("a cut keeps the packet and nothing else", "[unit][wake]") {
 }
 
 TEST_CASE("with nothing taken away the packet is that of the impact", "[unit][wake]") {
-  const Path path = follow_bereft({}, 0.05, 120, 60),
-             whole = voyage({0.05}, {1.9, 1, 120, 60}).path;
+  const Path path = follow_bereft({}, 0.1, 120, 60),  // with this step both look every 0.2
+      whole = voyage({0.1}, {1.9, 1, 120, 60}).path;
   REQUIRE(path.t.size() + 1 == whole.t.size());
   for (std::size_t i = 0; i < path.t.size(); i += 50)
     check_close(path.centre[i], whole.centre[i], 1e-5);
@@ -74,7 +74,8 @@ TEST_CASE("a cut packet goes on as GSL says", "[unit][wake]") {
   State<double> end = start;
   evolve(ContactAware{0.0125}, chain, end, until - cut, sampling, Unobserved{});
   CHECK(distance_from_reference(chain, start, until - cut, end, 1e-6) < 1e-6);
-  const Path path = follow_bereft({.cut = cut}, 0.0125, until + sampling, 80);
+  const Path path =
+      follow_bereft({.cut = cut}, 0.0125, until + 0.025, 80);  // its last look is at `until`
   Path last;
   last.add(end.t, energy_density(chain, end));
   check_close(path.centre.back() + 80, last.centre.back(), 1e-4);

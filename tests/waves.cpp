@@ -33,7 +33,7 @@ std::vector<PacketSample> synthetic(double share_power, double boundary_power, d
   for (double t = 1; t <= 800; ++t) {
     const double centre = t < turn ? 0.6 * t : 0.6 * (2 * turn - t);
     samples.push_back(
-        {t, centre, std::pow(t, share_power), 0.1 * std::pow(t, boundary_power), 1 + t});
+        {t, centre, std::pow(t, share_power), 0.1 * std::pow(t, boundary_power), 1 + t, 7});
   }
   return samples;
 }
