@@ -224,9 +224,11 @@ void report_contacts(Report& report) {
        estimate("sites", "travelled in 10 ms without damping of the beams", "site"),
        estimate("periods", "oscillations in 10 ms"), estimate("speed", "at 10 ms", "site/s"),
        number("ledger", "energy and losses against the energy at the start, relative")});
+  Estimate quoted{};
   table.fill(values, [&](double e) {
     const double contact = contact_loss(e, array.velocity(1));
     const TwoJourneys found = two_journeys(1, 0, contact, 13, h);
+    if (e == 0.9) quoted = found.of_way(t10, &Progressed::sites);
     return Cells{e,
                  array.milliseconds(contact) * 1e3,
                  found.of_way(t10, &Progressed::sites),
@@ -234,6 +236,7 @@ void report_contacts(Report& report) {
                  found.of_way(t10, &Progressed::speed, array.per_second(1)),
                  found.runs[1].ledger};
   });
+  report.facts.add("sites_restitution_90", quoted, "sites");
 }
 
 /**
