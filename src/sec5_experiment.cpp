@@ -99,6 +99,7 @@ Columns journey_columns() {
           number("ledger", "energy and losses against the energy at the start, relative")};
 }
 
+// Packets without losses first, with which the law of the slow clock begins
 void report_journeys(Report& report) {
   const ArrayUnits array;
   const auto& h = report.quick ? quick_steps : steps;
@@ -271,6 +272,8 @@ void report_decay(Report& report) {
                 estimate("energy", "mean over a period", "J"),
                 number("energy_branch", "of the exact breather with this frequency", "J"),
                 number("area_law", "area of that breather over what friction prescribes")});
+
+  // At five moments of its decay a breather is compared with the exact one of its frequency
   std::array<double, 2> worst{};
   std::array<Estimate, 2> drift;
   for (Centre centre : {Centre::site, Centre::bond}) {
