@@ -207,7 +207,7 @@ negative at zero and positive somewhere. So the proof holds with no other change
   continuous, but translations are continuous in $L^r$, and this makes the convolution compact too. The
   wave that the chapter on packets computes for $\varphi = 0$ is of this kind. */
 using TwoGrids = std::array<WaveGrid, 2>;
-constexpr TwoGrids usual{WaveGrid{16, 0.5}, {20, 0.4}}, rough{WaveGrid{12, 1}, {16, 1}};
+constexpr TwoGrids usual{WaveGrid{16, 0.5}, {20, 0.4}}, rough{WaveGrid{14, 0.6}, {18, 0.6}};
 
 Wave wave(std::size_t k, int sign, double alpha, const TwoGrids& grids = usual) {
   const PowerContact law{alpha, 0};
@@ -362,8 +362,13 @@ double kappa_of(const KernelWave& w, double tolerance) {
   chain.contact = w.law;
   EventTolerance<double> rule;
   rule.tolerance *= tolerance;
-  return phase_kappa(
-      multipliers_of(shifted_map(chain, w.state(usual_reach), w.shift_time(), rule)));
+  // Where powers are not roots, the flow may have to be content with less
+  for (int tries = 0; tries < 8; ++tries, rule.tolerance *= 8) try {
+      const auto map = shifted_map(chain, w.state(usual_reach), w.shift_time(), rule);
+      return phase_kappa(multipliers_of(map));
+    } catch (const NewtonFailed&) {
+    }
+  return std::nan("");
 }
 
 /// Relative difference of the quotients, plus minus minus, at k = 1.

@@ -235,10 +235,11 @@ Vector<double> solve_linearized(const HalfLine& line, const Vector<double>& stif
 
 /**
 On given panels Newton's method is carried to its end; then the panels are cut anew. It has converged when
-the new ones are as good as the old. */
+the new ones are as good as the old, or no better than those before, because they are few. */
 KernelWave newton_wave(const KernelWave& guess, double shift_time, const PowerContact& law,
                        const WaveGrid& grid) {
-  constexpr double far = 1e3, near = 1e-7, exact = 1e-14;
+  constexpr double far = 1e3, fair = 1e-4, near = 1e-7, exact = 1e-14;
+  double before = far;
   KernelWave wave = guess;
   wave.law = law;
   for (int pass = 0; pass < 30; ++pass) {
@@ -254,7 +255,9 @@ KernelWave newton_wave(const KernelWave& guess, double shift_time, const PowerCo
       wave.d += solve_linearized(line, each(wave.d, stiffness_of, law), miss);
     }
     settle_tail(wave);
-    if (first < near && periods_for(wave) <= line.periods()) return wave;
+    const bool settled = first < near || (first < fair && first > before / 4);
+    if (settled && periods_for(wave) <= line.periods()) return wave;
+    before = first;
   }
   throw std::runtime_error("Newton's method for the kernel equation does not converge at T = " +
                            std::to_string(shift_time) +
