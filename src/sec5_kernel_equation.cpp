@@ -463,15 +463,18 @@ constexpr std::array<Bracket, 4> brackets{{{3, 3.25}, {2, 2.5}, {1.8, 2}, {1.5, 
 
 void report_exchanges(Report& report) {
   const std::size_t count = report.quick ? 1 : brackets.size();
-  std::vector<Estimate> found(count + 2);
+  const std::size_t stabilities = report.quick ? 0 : 2;  // what takes longest
+  std::vector<Estimate> found(stabilities + count);
   parallel_for(found.size(), [&](std::size_t i) {
-    found[i] = i < 2 ? exchange_of_stability(brackets[0], i == 0 ? 1 : -1)
-                     : exchange_of_quotients(brackets[i - 2]);
+    found[i] = i < stabilities ? exchange_of_stability(brackets[0], i == 0 ? 1 : -1)
+                               : exchange_of_quotients(brackets[i - stabilities]);
   });
-  report.facts.add("exchange_of_kappa_plus", found[0], "alpha");
-  report.facts.add("exchange_of_kappa_minus", found[1], "alpha");
+  if (stabilities > 0) {
+    report.facts.add("exchange_of_kappa_plus", found[0], "alpha");
+    report.facts.add("exchange_of_kappa_minus", found[1], "alpha");
+  }
   for (std::size_t i = 0; i < count; ++i)
-    report.facts.add("exchange_" + std::to_string(i + 1), found[i + 2], "alpha");
+    report.facts.add("exchange_" + std::to_string(i + 1), found[i + stabilities], "alpha");
 }
 
 /**
@@ -535,9 +538,12 @@ sign plus, whose phase is held, has the larger quotient. Thirty random starts co
 [](num:sec5_kernel_equation.ascent_lowest) and [](num:sec5_kernel_equation.ascent_highest), where the
 waves have [](num:sec5_kernel_equation.quotient_plus). The signs exchange their order at $\alpha =$
 [](num:sec5_kernel_equation.exchange_4), [](num:sec5_kernel_equation.exchange_3),
-[](num:sec5_kernel_equation.exchange_2) and [](num:sec5_kernel_equation.exchange_1). At the last of
-these $\kappa$ of the sign plus vanishes at [](num:sec5_kernel_equation.exchange_of_kappa_plus), that of
-the sign minus at [](num:sec5_kernel_equation.exchange_of_kappa_minus). The wave of type II has $T/2\pi
+[](num:sec5_kernel_equation.exchange_2) and [](num:sec5_kernel_equation.exchange_1). At the last,
+stability passes to the sign plus, whose $\kappa$ becomes negative at
+[](num:sec5_kernel_equation.exchange_of_kappa_plus), while that of the sign minus becomes positive at
+[](num:sec5_kernel_equation.exchange_of_kappa_minus). Between these two both are stable, so that a third
+wave, without symmetry, should separate them there.
+The wave of type II has $T/2\pi
 =$ [](num:sec5_kernel_equation.turns_type_two). */
 void report_waves(Report& report, const std::vector<Wave>& all) {
   const Wave &plus = all[0], &minus = all[1];
