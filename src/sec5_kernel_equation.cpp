@@ -459,7 +459,7 @@ Estimate exchange_of_stability(const Bracket& b, int sign) {
 
 /**
 The exchanges are numbered from large $\alpha$ to small. */
-constexpr std::array<Bracket, 4> brackets{{{3, 3.25}, {2, 2.5}, {1.8, 2}, {1.5, 1.7}}};
+constexpr std::array<Bracket, 4> brackets{{{3, 3.25}, {2, 2.5}, {1.75, 2}, {1.5, 1.75}}};
 
 void report_exchanges(Report& report) {
   const std::size_t count = report.quick ? 1 : brackets.size();
