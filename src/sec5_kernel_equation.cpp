@@ -335,7 +335,7 @@ The lowest and the highest end tell whether there is one maximum for all; the gr
 the error. */
 void report_ascents(Report& report) {
   const std::size_t count = report.quick ? 4 : 30;
-  const auto fine = ascents(count, 64), coarse = ascents(count, 48);
+  const auto fine = ascents(count, 64), coarse = ascents(count, 32);
   const auto ends = [](const std::vector<Ascent>& all) {
     double low = all[0].quotient(), high = low;
     for (const Ascent& a : all)
