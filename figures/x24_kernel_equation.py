@@ -34,7 +34,7 @@ inset.set(xlim=(0, 6), ylim=(-8, 0.5))
 inset.set_yticks([-8, -4, 0])
 inset.tick_params(labelsize=6)
 inset.set_xlabel(r"$t/2\pi$", fontsize=6.5, labelpad=1)
-inset.set_ylabel(r"$\log_{10}|d|/d_\max$", fontsize=6.5, labelpad=1)
+inset.set_ylabel(r"$\log_{10}|d|/d_{\mathrm{max}}$", fontsize=6.5, labelpad=1)
 
 dashes = ["-", "--", ":", "-.", (0, (5, 1)), (0, (1, 2))]
 colours = [BLUE, RED, GREEN, "#CC79A7", "#E69F00", "black"]
