@@ -11,7 +11,7 @@ using namespace lattice;
 
 namespace {
 
-const double two_pi = 2 * circle_ratio<double>();
+const double two_pi = 2 * pi<double>();
 const PowerContact hertz{1.5, 0};
 
 /// The integral of K(t - s) (1 - s^2 / 4)_+^(3/2), by Simpson's rule in s = 2 sin(x).
@@ -19,12 +19,12 @@ double direct(double t, double shift_time) {
   const int n = 200000;
   double sum = 0;
   for (int i = 0; i <= n; ++i) {
-    const double x = circle_ratio<double>() * (double(i) / n - 0.5), c = std::cos(x);
+    const double x = pi<double>() * (double(i) / n - 0.5), c = std::cos(x);
     const double apart = std::abs(t - 2 * std::sin(x));
     const double value = apart < shift_time ? -std::sin(apart) * c * c * c * 2 * c : 0;
     sum += value * (i == 0 || i == n ? 1 : i % 2 ? 4 : 2);
   }
-  return sum * circle_ratio<double>() / n / 3;
+  return sum * pi<double>() / n / 3;
 }
 
 /// (1 - t^2 / 4)_+^(3/2) on a grid that is cut at its end.
@@ -54,7 +54,7 @@ TEST_CASE("a panel integrates powers of half an integer", "[unit][kernel]") {
       const double t = panel.map(panel.x[i]);
       sum += panel.weight[i] * panel.slope(panel.x[i]) * std::pow(t * (1 - t), 1.5);
     }
-    check_close(sum, 3 * circle_ratio<double>() / 128, 1e-14);
+    check_close(sum, 3 * pi<double>() / 128, 1e-14);
     for (double u : {1e-9, 0.2, 0.5, 0.97}) check_close(panel.map(panel.inverse(u)), u, 1e-14);
     // From zero to each node, and a polynomial between them
     Vector<double> cubes = panel.x.array().cube();
