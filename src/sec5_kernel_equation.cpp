@@ -582,20 +582,20 @@ struct OneWave {
 /**
 ## Results
 
-The energies of the two signs at $k = 1$ are [](num:sec5_kernel_equation.energy_plus) and
-[](num:sec5_kernel_equation.energy_minus), as the shift map of the lattice has them, and so up to $k =
-6$. The actions differ by [](num:sec5_kernel_equation.action_difference), plus minus minus, so that the
+The energies of the two signs at $k = 1$ are [0.180834](num:sec5_kernel_equation.energy_plus) and
+[0.180834](num:sec5_kernel_equation.energy_minus), as the shift map of the lattice has them, and so up to $k =
+6$. The actions differ by [-2.43979e-11](num:sec5_kernel_equation.action_difference), plus minus minus, so that the
 sign plus, whose phase is held, has the larger quotient. Thirty random starts come to quotients between
-[](num:sec5_kernel_equation.ascent_lowest) and [](num:sec5_kernel_equation.ascent_highest), where the
-waves have [](num:sec5_kernel_equation.quotient_plus). The signs exchange their order at $\alpha =$
-[](num:sec5_kernel_equation.exchange_4), [](num:sec5_kernel_equation.exchange_3),
-[](num:sec5_kernel_equation.exchange_2) and [](num:sec5_kernel_equation.exchange_1). At the last,
+[1.1552](num:sec5_kernel_equation.ascent_lowest) and [1.1552](num:sec5_kernel_equation.ascent_highest), where the
+waves have [1.15521](num:sec5_kernel_equation.quotient_plus). The signs exchange their order at $\alpha =$
+[1.7382](num:sec5_kernel_equation.exchange_4), [1.94497](num:sec5_kernel_equation.exchange_3),
+[2.30736](num:sec5_kernel_equation.exchange_2) and [3.10428](num:sec5_kernel_equation.exchange_1). At the last,
 stability passes to the sign plus, whose $\kappa$ becomes negative at
-[](num:sec5_kernel_equation.exchange_of_kappa_plus), while that of the sign minus becomes positive at
-[](num:sec5_kernel_equation.exchange_of_kappa_minus). Between these two both are stable, so that a third
+[3.10381](num:sec5_kernel_equation.exchange_of_kappa_plus), while that of the sign minus becomes positive at
+[3.10475](num:sec5_kernel_equation.exchange_of_kappa_minus). Between these two both are stable, so that a third
 wave, without symmetry, should separate them there.
 The wave of type II has $T/2\pi
-=$ [](num:sec5_kernel_equation.turns_type_two). */
+=$ [0.897407](num:sec5_kernel_equation.turns_type_two). */
 void report_waves(Report& report, const std::vector<Wave>& all) {
   const Wave &plus = all[0], &minus = all[1];
   Quantities& facts = report.facts;
