@@ -22,11 +22,10 @@ route.
 #include <vector>
 
 #include "lattice/numbers/parallel.hpp"
-#include "lattice/numbers/random.hpp"
 #include "report/program.hpp"
+#include "sec5/exchange.hpp"
 #include "sec5/kernel_wave.hpp"
 #include "sec5/quotient.hpp"
-#include "sec5/travelling.hpp"
 
 using namespace lattice;
 
@@ -114,18 +113,8 @@ struct Start {
 /// The ascent of the quotient at k = 1 from a positive random start on twelve shift times.
 Ascent from_random(const Start& start, double gain) {
   const PlainLine line(two_pi, 12, start.per_shift);
-  Random random(start.seed);
-  constexpr std::size_t rough = 96;  // values of the start, whatever the grid
-  std::vector<double> values(rough + 1);
-  for (double& x : values) x = random.uniform(0, 1);
-  Vector<double> u(line.t().size());
-  for (Eigen::Index i = 0; i < u.size(); ++i) {
-    const double place = line.t()[i] / (12 * two_pi) * double(rough);
-    const auto left = std::size_t(place);
-    u[i] = values[left] + (place - double(left)) * (values[left + 1] - values[left]);
-  }
   const auto convolve = [&](const Vector<double>& f) { return line.convolve(f); };
-  return ascend(convolve, line.weight(), hertz, u, gain, 2000);
+  return ascend(convolve, line.weight(), hertz, random_start(line, 96, start.seed), gain, 2000);
 }
 
 /**
@@ -356,22 +345,7 @@ void report_ascents(Report& report) {
 The larger quotient belongs to the smaller action, and one of the two signs may be the maximum of the
 theorem. At $\alpha = 3/2$ they differ in the eleventh digit, at larger $\alpha$ much earlier, and not
 always in the same sense. We compare them between $\alpha = 1.1$ and $4$, together with $\kappa$ of the
-internal phase (chapter on exact travelling breathers), which is negative where the phase is held. */
-double kappa_of(const KernelWave& w, double tolerance) {
-  Chain chain{2 * usual_reach + 2};
-  chain.contact = w.law;
-  EventTolerance<double> rule;
-  rule.tolerance *= tolerance;
-  // Where powers are not roots, the flow may have to be content with less
-  for (int tries = 0; tries < 8; ++tries, rule.tolerance *= 8) try {
-      const auto map = shifted_map(chain, w.state(usual_reach), w.shift_time(), rule);
-      return phase_kappa(multipliers_of(map));
-    } catch (const NewtonFailed&) {
-    }
-  return std::nan("");
-}
-
-/**
+internal phase (chapter on exact travelling breathers), which is negative where the phase is held.
 Below $\alpha = 3/2$ the differences are rounding, and so is $\kappa$. */
 struct Comparison {
   double alpha;
@@ -428,40 +402,6 @@ the table at which it is ten times its error. Does stability pass from one sign 
 $\alpha$? A wave between the two, without symmetry, could carry it over an interval. So we look for the
 zeros of $\kappa$ of both signs too. All are found by false position, and waves by Newton's method from
 those of the table. */
-template <class Of>
-double zero_between(double low, double high, Of of) {
-  double at_low = of(low), at_high = of(high), next = low;
-  if (!(at_low * at_high < 0)) return std::nan("");
-  int stayed = 0;  // the end that stayed the last time
-  for (int pass = 0; pass < 30; ++pass) {
-    const double before = next;
-    next = (low * at_high - high * at_low) / (at_high - at_low);
-    if (std::abs(next - before) < 1e-7) break;
-    const double value = of(next);
-    // An end that stays twice counts half
-    if (value * at_low > 0) {
-      low = next, at_low = value;
-      if (stayed == 1) at_high /= 2;
-      stayed = 1;
-    } else {
-      high = next, at_high = value;
-      if (stayed == -1) at_low /= 2;
-      stayed = -1;
-    }
-  }
-  return next;
-}
-
-/// The wave at one exponent after another, each from the one before.
-struct Follow {
-  KernelWave now;
-  WaveGrid grid;
-
-  const KernelWave& operator()(double alpha) {
-    return now = newton_wave(now, two_pi, {alpha, 0}, grid);
-  }
-};
-
 Estimate exchange_of_quotients(const Comparison& low, const Comparison& high) {
   const auto zero = [&](std::size_t grid) {
     Follow plus{low.plus.grids[grid], rough[grid]}, minus{low.minus.grids[grid], rough[grid]};
@@ -482,50 +422,47 @@ Estimate exchange_of_stability(const Comparison& low, const Comparison& high, in
 }
 
 /**
-The exchanges are numbered from large $\alpha$ to small. An interval without a zero of $\kappa$ has none
-in its column. */
+The exchanges are numbered from large $\alpha$ to small. Those of stability are looked for at the first
+three, since at the next ones the zeros of $\kappa$ lie closer together than their errors. */
 struct Exchange {
   Estimate quotients, kappa_plus, kappa_minus;
 };
 
-std::vector<Exchange> exchanges(const std::vector<Comparison>& all) {
+std::vector<Exchange> exchanges(const std::vector<Comparison>& all, std::size_t stabilities) {
   std::vector<std::size_t> where;
   const auto clear = [](const Estimate& e) { return std::abs(e.value) > 10 * e.error; };
   for (std::size_t i = all.size() - 1; i-- > 0;) {
     const Estimate low = all[i].difference(), high = all[i + 1].difference();
     if (clear(low) && clear(high) && low.value * high.value < 0) where.push_back(i);
   }
-  std::vector<Exchange> found(where.size());
-  parallel_for("exchanges", 3 * where.size(), [&](std::size_t job) {
-    const Comparison &low = all[where[job / 3]], &high = all[where[job / 3] + 1];
-    Exchange& e = found[job / 3];
-    if (job % 3 == 0)
-      e.quotients = exchange_of_quotients(low, high);
-    else if (job % 3 == 1)
-      e.kappa_plus = exchange_of_stability(low, high, 1);
+  stabilities = std::min(stabilities, where.size());
+  const Estimate none{std::nan(""), std::nan("")};
+  std::vector<Exchange> found(where.size(), {none, none, none});
+  parallel_for("exchanges", 2 * stabilities + where.size(), [&](std::size_t job) {
+    const bool stability = job < 2 * stabilities;
+    const std::size_t i = stability ? job / 2 : job - 2 * stabilities;
+    const Comparison &low = all[where[i]], &high = all[where[i] + 1];
+    if (!stability)
+      found[i].quotients = exchange_of_quotients(low, high);
+    else if (job % 2)
+      found[i].kappa_minus = exchange_of_stability(low, high, -1);
     else
-      e.kappa_minus = exchange_of_stability(low, high, -1);
+      found[i].kappa_plus = exchange_of_stability(low, high, 1);
   });
   return found;
 }
 
-Table exchange_table(const std::vector<Exchange>& all) {
-  Table table{{estimate("quotients", "exponent at which the quotients are equal"),
-               estimate("kappa_plus", "exponent at which kappa of the sign plus is zero"),
-               estimate("kappa_minus", "exponent at which kappa of the sign minus is zero")}};
-  for (const Exchange& e : all) table.add({e.quotients, e.kappa_plus, e.kappa_minus});
-  return table;
-}
-
 void report_exchanges(Report& report, const std::vector<Comparison>& sweep) {
-  const std::vector<Exchange> all = exchanges(sweep);
-  report.output.add("exchanges", exchange_table(all));
+  const std::size_t stabilities = report.quick ? 0 : 3;
+  const std::vector<Exchange> all = exchanges(sweep, stabilities);
   report.facts.add("exchanges", exact(double(all.size())));
-  for (std::size_t i = 0; i < all.size(); ++i)
-    report.facts.add("exchange_" + std::to_string(i + 1), all[i].quotients, "alpha");
-  if (all.empty()) return;
-  report.facts.add("exchange_of_kappa_plus", all[0].kappa_plus, "alpha");
-  report.facts.add("exchange_of_kappa_minus", all[0].kappa_minus, "alpha");
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const std::string name = "exchange_" + std::to_string(i + 1);
+    report.facts.add(name, all[i].quotients, "alpha");
+    if (i >= stabilities) continue;
+    report.facts.add(name + "_kappa_plus", all[i].kappa_plus, "alpha");
+    report.facts.add(name + "_kappa_minus", all[i].kappa_minus, "alpha");
+  }
 }
 
 /**
@@ -538,7 +475,7 @@ void report_type_two(Report& report) {
   std::array<std::vector<KernelWave>, 2> found;
   parallel_for(2, [&](std::size_t i) {
     const KernelWave start = wave_of_type_one(1, 1, hertz, usual[i]);
-    found[i].push_back(wave_of_type_two(start, 0.89 * two_pi, 0.01 * two_pi, usual[i]));
+    found[i].push_back(wave_of_type_two(start, 0.87 * two_pi, 0.03 * two_pi, usual[i]));
   });
   const KernelWave &coarse = found[0][0], &fine = found[1][0];
   report.facts.add("turns_type_two",
