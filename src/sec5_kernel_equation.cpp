@@ -128,8 +128,9 @@ S\|f+s\varphi\|_p^2$ for $s \ge 0$, with equality at $s = 0$. The derivative the
 $\int\varphi\,(K*f) \le S\int\varphi f^{1/\alpha}$, so $K*f \le Sf^{1/\alpha}$ almost everywhere. But
 $\int f(Sf^{1/\alpha} - K*f)\,dt = S - S = 0$, so that equality holds where $f > 0$; where $f = 0$ we
 have $K*f \le 0$. Both together are $Sf^{1/\alpha} = (K*f)_+$. Then $S^{-\alpha/(\alpha-1)}f$ satisfies
-$f = (K*f)_+^\alpha$, and its $d = K*f$ is what we looked for.
+$f = (K*f)_+^\alpha$, and its $d = K*f$ is what we looked for. */
 
+/**
 *Smoothness and decay.* $K$ is in $L^{p'}$ with bounded support, so $d$ is continuous and tends to zero.
 Then $f$ is continuous, $d$ continuously differentiable, hence so is $f$, as $\alpha > 1$, and $q$ three
 times. Let $M(t)$ be the largest value of $d_+$ beyond $t$. Since $\int K_+ = 4k$,
@@ -292,10 +293,10 @@ Table profile_table(const std::vector<Wave>& all) {
 /**
 ## The ascent
 
-From random positive functions the quotient is driven upwards (quotient.hpp). All starts should come to
-the same value, that of the waves above, up to the error of the plain grid. They need not come to the
-same function: translations change nothing, and the internal phase changes the quotient only in the
-eleventh digit, so that the ascent hardly moves it any more when all else has settled. */
+From random positive functions the quotient is driven upwards (quotient.hpp). If there is one maximum
+only, all starts come to the same value, that of the waves above, up to the error of the plain grid. They
+need not come to the same function: translations change nothing, and the internal phase changes the
+quotient only in the eleventh digit, far below what this grid resolves. */
 constexpr double stop = 1e-11;
 
 std::vector<Ascent> ascents(std::size_t count, std::size_t per_shift) {
@@ -320,8 +321,8 @@ Table ascent_table(const std::vector<Ascent>& all, std::size_t shown) {
 }
 
 /**
-The lowest and the highest end tell whether there is one maximum for all; the grid with fewer points gives
-the error. */
+The grid with half the points gives the error of the lowest and of the highest end. If they differ by more
+than it, there is more than one maximum; if by less, two maxima that are closer remain possible. */
 void report_ascents(Report& report) {
   const std::size_t count = report.quick ? 4 : 30;
   const auto fine = ascents(count, 64), coarse = ascents(count, 32);
@@ -335,6 +336,7 @@ void report_ascents(Report& report) {
   const auto [low_coarse, high_coarse] = ends(coarse);
   report.facts.add("ascent_highest", compare(high_coarse, high));
   report.facts.add("ascent_lowest", compare(low_coarse, low));
+  report.facts.add("ascent_spread", exact(high - low), "highest minus lowest end");
   report.facts.add("ascent_starts", exact(double(count)));
   report.output.add("ascents", ascent_table(fine, 6));
 }
@@ -398,10 +400,9 @@ Table quotient_table(const std::vector<Comparison>& all) {
 
 /**
 Where the quotients exchange their order, their difference passes through zero between two exponents of
-the table at which it is ten times its error. Does stability pass from one sign to the other at the same
-$\alpha$? A wave between the two, without symmetry, could carry it over an interval. So we look for the
-zeros of $\kappa$ of both signs too. All are found by false position, and waves by Newton's method from
-those of the table. */
+the table at which it is at least ten times its error. Does stability pass from one sign to the other at
+the same $\alpha$? A wave between the two, without symmetry, could carry it over an interval. So we look
+for the zeros of $\kappa$ of both signs too (exchange.hpp). */
 Estimate exchange_of_quotients(const Comparison& low, const Comparison& high) {
   const auto zero = [&](std::size_t grid) {
     Follow plus{low.plus.grids[grid], rough[grid]}, minus{low.minus.grids[grid], rough[grid]};
@@ -423,46 +424,27 @@ Estimate exchange_of_stability(const Comparison& low, const Comparison& high, in
 
 /**
 The exchanges are numbered from large $\alpha$ to small. Those of stability are looked for at the first
-three, since at the next ones the zeros of $\kappa$ lie closer together than their errors. */
-struct Exchange {
-  Estimate quotients, kappa_plus, kappa_minus;
-};
-
-std::vector<Exchange> exchanges(const std::vector<Comparison>& all, std::size_t stabilities) {
+one only, since at the others the zeros of $\kappa$ lie no farther apart than their errors. */
+void report_exchanges(Report& report, const std::vector<Comparison>& all) {
   std::vector<std::size_t> where;
   const auto clear = [](const Estimate& e) { return std::abs(e.value) > 10 * e.error; };
   for (std::size_t i = all.size() - 1; i-- > 0;) {
     const Estimate low = all[i].difference(), high = all[i + 1].difference();
     if (clear(low) && clear(high) && low.value * high.value < 0) where.push_back(i);
   }
-  stabilities = std::min(stabilities, where.size());
-  const Estimate none{std::nan(""), std::nan("")};
-  std::vector<Exchange> found(where.size(), {none, none, none});
-  parallel_for("exchanges", 2 * stabilities + where.size(), [&](std::size_t job) {
-    const bool stability = job < 2 * stabilities;
-    const std::size_t i = stability ? job / 2 : job - 2 * stabilities;
-    const Comparison &low = all[where[i]], &high = all[where[i] + 1];
-    if (!stability)
-      found[i].quotients = exchange_of_quotients(low, high);
-    else if (job % 2)
-      found[i].kappa_minus = exchange_of_stability(low, high, -1);
-    else
-      found[i].kappa_plus = exchange_of_stability(low, high, 1);
+  report.facts.add("exchanges", exact(double(where.size())));
+  const std::size_t stabilities = report.quick || where.empty() ? 0 : 2;
+  std::vector<Estimate> found(stabilities + where.size());
+  parallel_for("exchanges", found.size(), [&](std::size_t job) {
+    const std::size_t i = where[job < stabilities ? 0 : job - stabilities];
+    found[job] = job < stabilities ? exchange_of_stability(all[i], all[i + 1], job == 0 ? 1 : -1)
+                                   : exchange_of_quotients(all[i], all[i + 1]);
   });
-  return found;
-}
-
-void report_exchanges(Report& report, const std::vector<Comparison>& sweep) {
-  const std::size_t stabilities = report.quick ? 0 : 3;
-  const std::vector<Exchange> all = exchanges(sweep, stabilities);
-  report.facts.add("exchanges", exact(double(all.size())));
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const std::string name = "exchange_" + std::to_string(i + 1);
-    report.facts.add(name, all[i].quotients, "alpha");
-    if (i >= stabilities) continue;
-    report.facts.add(name + "_kappa_plus", all[i].kappa_plus, "alpha");
-    report.facts.add(name + "_kappa_minus", all[i].kappa_minus, "alpha");
-  }
+  for (std::size_t i = 0; i < where.size(); ++i)
+    report.facts.add("exchange_" + std::to_string(i + 1), found[i + stabilities], "alpha");
+  if (stabilities == 0) return;
+  report.facts.add("exchange_of_kappa_plus", found[0], "alpha");
+  report.facts.add("exchange_of_kappa_minus", found[1], "alpha");
 }
 
 /**
@@ -522,17 +504,19 @@ struct OneWave {
 The energies of the two signs at $k = 1$ are [](num:sec5_kernel_equation.energy_plus) and
 [](num:sec5_kernel_equation.energy_minus), as the shift map of the lattice has them, and so up to $k =
 6$. The actions differ by [](num:sec5_kernel_equation.action_difference), plus minus minus, so that the
-sign plus, whose phase is held, has the larger quotient. Thirty random starts come to quotients between
-[](num:sec5_kernel_equation.ascent_lowest) and [](num:sec5_kernel_equation.ascent_highest), where the
-waves have [](num:sec5_kernel_equation.quotient_plus). The signs exchange their order at $\alpha =$
-[](num:sec5_kernel_equation.exchange_4), [](num:sec5_kernel_equation.exchange_3),
-[](num:sec5_kernel_equation.exchange_2) and [](num:sec5_kernel_equation.exchange_1). At the last,
-stability passes to the sign plus, whose $\kappa$ becomes negative at
-[](num:sec5_kernel_equation.exchange_of_kappa_plus), while that of the sign minus becomes positive at
-[](num:sec5_kernel_equation.exchange_of_kappa_minus). Between these two both are stable, so that a third
-wave, without symmetry, should separate them there.
-The wave of type II has $T/2\pi
-=$ [](num:sec5_kernel_equation.turns_type_two). */
+sign plus, whose phase is held, has the larger quotient. [](num:sec5_kernel_equation.ascent_starts)
+random starts come to quotients between [](num:sec5_kernel_equation.ascent_lowest) and
+[](num:sec5_kernel_equation.ascent_highest), where the waves have
+[](num:sec5_kernel_equation.quotient_plus). They lie [](num:sec5_kernel_equation.ascent_spread)
+apart, less than the error of their grid: no second maximum is seen, and none that is closer is excluded.
+
+From large $\alpha$ to small the signs exchange their order at $\alpha =$
+[](num:sec5_kernel_equation.exchange_1), [](num:sec5_kernel_equation.exchange_2),
+[](num:sec5_kernel_equation.exchange_3) and [](num:sec5_kernel_equation.exchange_4). Above the first
+the sign plus has the larger quotient. At every exponent of the table at which the difference and
+$\kappa$ are beyond their errors, the phase of the larger quotient is held and that of the other is not.
+At $\alpha = 1.6$ this order is reversed once more, but the difference is hardly larger than its error,
+and so two more exchanges between $1.5$ and $1.7$ are only suspected. */
 void report_waves(Report& report, const std::vector<Wave>& all) {
   const Wave &plus = all[0], &minus = all[1];
   Quantities& facts = report.facts;
@@ -551,6 +535,13 @@ void report_waves(Report& report, const std::vector<Wave>& all) {
   facts.add("residual", {residual, residual}, "largest, relative to the peak");
 }
 
+/**
+Stability does not pass from one sign to the other in one point. At the first exchange $\kappa$ of the
+sign plus becomes negative at [](num:sec5_kernel_equation.exchange_of_kappa_plus), while that of the
+sign minus becomes positive only at [](num:sec5_kernel_equation.exchange_of_kappa_minus): between them
+both phases are held, so that a third wave, without symmetry, should separate them there.
+
+The wave of type II has $T/2\pi =$ [](num:sec5_kernel_equation.turns_type_two). */
 void reproduce(Report& report) {
   const bool quick = report.quick;
   using Ks = std::vector<std::size_t>;
@@ -574,7 +565,8 @@ void reproduce(Report& report) {
 
 Proved are the theorem and what stands under *What else follows*. Computed, with errors from two grids,
 are the waves, their quotients and the exchanges. That one of the two even waves is the maximum of the
-theorem is a conjecture, supported by the ascents: near an exchange it might be a wave without symmetry.
+theorem is a conjecture, with which the ascents agree; near an exchange it might be a wave without
+symmetry.
 
 - `sec5_kernel_equation wave --alpha 3 --sign minus` has the larger quotient there. Follow both signs
   through an exchange and look for the wave without symmetry between them.
