@@ -128,9 +128,8 @@ S\|f+s\varphi\|_p^2$ for $s \ge 0$, with equality at $s = 0$. The derivative the
 $\int\varphi\,(K*f) \le S\int\varphi f^{1/\alpha}$, so $K*f \le Sf^{1/\alpha}$ almost everywhere. But
 $\int f(Sf^{1/\alpha} - K*f)\,dt = S - S = 0$, so that equality holds where $f > 0$; where $f = 0$ we
 have $K*f \le 0$. Both together are $Sf^{1/\alpha} = (K*f)_+$. Then $S^{-\alpha/(\alpha-1)}f$ satisfies
-$f = (K*f)_+^\alpha$, and its $d = K*f$ is what we looked for. */
+$f = (K*f)_+^\alpha$, and its $d = K*f$ is what we looked for.
 
-/**
 *Smoothness and decay.* $K$ is in $L^{p'}$ with bounded support, so $d$ is continuous and tends to zero.
 Then $f$ is continuous, $d$ continuously differentiable, hence so is $f$, as $\alpha > 1$, and $q$ three
 times. Let $M(t)$ be the largest value of $d_+$ beyond $t$. Since $\int K_+ = 4k$,
@@ -178,8 +177,9 @@ struct Wave {
 The theorem does not say that the maximum is even, nor that there is one only, nor which sign of the
 central velocity it has, nor whether it is stable; nothing about other speeds, and nothing about wells
 with $s \ne 0$. For waves that repeat themselves only after $m$ sites, or for masses of period $m$, the
-resonance leaves $m-1$ complex conditions. All this has to be computed, or is open.
+resonance leaves $m-1$ complex conditions. All this has to be computed, or is open. */
 
+/**
 ## Nearly free
 
 Only some properties of $K$ have been used: it is even, Lipschitz continuous, of compact support, not
