@@ -553,7 +553,7 @@ void reproduce(Report& report) {
   report_ascents(report);
   std::vector<double> alphas{1.1, 1.2, 1.3, 1.4, 1.5, 1.6, 1.7, 1.8, 1.9, 2,
                              2.2, 2.4, 2.6, 2.8, 3,   3.2, 3.4, 3.6, 3.8, 4};
-  if (quick) alphas = {1.5, 2, 3, 4};
+  if (quick) alphas = {2, 3, 4};
   const std::vector<Comparison> sweep = comparisons(alphas);
   report.output.add("quotients", quotient_table(sweep));
   report_exchanges(report, sweep);
