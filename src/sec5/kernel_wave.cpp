@@ -236,7 +236,7 @@ On given panels Newton's method is carried to its end; then the panels are cut a
 the new ones are as good as the old, or no better than those before, because they are few. */
 KernelWave newton_wave(const KernelWave& guess, double shift_time, const PowerContact& law,
                        const WaveGrid& grid) {
-  constexpr double far = 1e3, fair = 1e-4, near = 1e-7, exact = 2e-15, rough = 1e-5;
+  constexpr double far = 1e3, fair = 1e-4, near = 1e-7, exact = 4e-15, rough = 1e-5;
   double before = far;
   KernelWave wave = guess;
   wave.law = law;

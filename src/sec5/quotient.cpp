@@ -3,6 +3,8 @@
 #include <cmath>
 #include <utility>
 
+#include "lattice/numbers/random.hpp"
+
 namespace lattice {
 
 namespace {
@@ -80,6 +82,19 @@ Vector<double> PlainLine::convolve(const Vector<double>& f) const {
            step_ * step_ / 12 * jumps;
   }
   return d;
+}
+
+Vector<double> random_start(const PlainLine& line, std::size_t pieces, unsigned long seed) {
+  Random random(seed);
+  std::vector<double> values(pieces + 1);
+  for (double& x : values) x = random.uniform(0, 1);
+  Vector<double> u(line.t().size());
+  for (Eigen::Index i = 0; i < u.size(); ++i) {
+    const double place = line.t()[i] / line.length() * double(pieces);
+    const auto left = std::size_t(place);
+    u[i] = values[left] + (place - double(left)) * (values[left + 1] - values[left]);
+  }
+  return u;
 }
 
 }  // namespace lattice

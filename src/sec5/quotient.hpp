@@ -49,6 +49,7 @@ class PlainLine {
   PlainLine(double shift_time, std::size_t shifts, std::size_t per_shift);
 
   const Vector<double>& t() const { return t_; }
+  double length() const { return step_ * double(t_.size()); }
   Vector<double> weight() const { return Vector<double>::Constant(t_.size(), step_); }
   Vector<double> convolve(const Vector<double>& f) const;
 
@@ -57,5 +58,9 @@ class PlainLine {
   double step_;
   Vector<double> t_, cosine_, sine_;
 };
+
+/// A positive function that joins random values at `pieces` + 1 places by straight lines; the same one on
+/// every grid of the same interval.
+Vector<double> random_start(const PlainLine& line, std::size_t pieces, unsigned long seed);
 
 }  // namespace lattice
