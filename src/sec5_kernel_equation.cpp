@@ -193,7 +193,7 @@ struct Wave {
 The theorem does not say that the maximum is even, nor that there is one only, nor which sign of the
 central velocity it has, nor whether it is stable; nothing about other speeds, and nothing about wells
 with $s \ne 0$. For waves that repeat themselves only after $m$ sites, or for masses of period $m$ in
-wells of one frequency, the resonance leaves $m-1$ complex conditions. All this is open.
+wells of one frequency, the resonance leaves $m-1$ complex conditions. All this is left to computation.
 
 ## Nearly free
 
