@@ -36,7 +36,7 @@ suffices to take $\mu = 1$. For each of the two centres, on the infinite lattice
 1. There is a solution with the symmetry of this centre whose strains alternate in sign, decrease outwards in
    modulus and fall double-exponentially. They lie in the intervals of the tables `strains_site` and
    `strains_bond`.
-2. Among the profiles of this symmetry whose strains alternate, tend to zero and do not increase outwards in
+2. Among the nonzero profiles of this symmetry whose strains alternate, tend to zero and do not increase outwards in
    modulus it is the only one, up to its sign.
 3. Around a site the linearised equation has exactly one real pair $\pm\lambda$, of modulus
    [0.00155771](num:sec5_enclosures.exponent_site); around a bond it has none. All other exponents are imaginary.
@@ -69,11 +69,11 @@ Estimate estimate_of(const Interval<double>& x) {
 /**
 ## Existence
 
-The strains $r_n$ are sought with the contraction of dps_enclosure.hpp, from the profile that section 3.2
-computes. That profile is only a guess, and the proof would fail if it were wrong. The map contracts on all
-sequences that differ from it by less than [0.0078125](num:sec5_enclosures.unique_radius_site) in each contact (about
-a twelfth of $r_0$), and it moves the guess by some $10^{-16}$. So the solution is that close and alone in
-the large ball. Its components are then tightened until the tail, too, is known to many digits. */
+The strains $r_n$ are sought with the contraction of dps_enclosure.hpp, from the profile that section 3.2 computes.
+That profile is only a guess, and the proof would fail if it were wrong. The map contracts on all sequences of this
+symmetry that differ from it by less than [0.0078125](num:sec5_enclosures.unique_radius_site) in each contact (about a
+twelfth of $r_0$), and it moves the guess by some $10^{-16}$. So the solution is that close and alone in the large
+ball. Its components are then tightened until the tail, too, is known to many digits. */
 Table strain_table(const DpsBreather<double>& b) {
   Table table{{count("n", "contact, from the centre outwards"),
                number("lower", "lower bound of |u_(n+1) - u_n|, mu = 1"),
@@ -168,7 +168,7 @@ void report_stability(Quantities& facts, const DpsBreather<double>& b, const std
 
 The norms of both breathers agree to six digits. In intervals their difference keeps eight digits, and it has a
 sign. The energy at equal norm has the opposite one: the bond-centred breather, the stable one, is the
-*maximum* of $H$. */
+higher of the two and, at fixed norm, a local *maximum* of $H$. */
 DpsBarrier<double> certain_barrier(const Both& both) {
   const DpsBarrier<double> barrier = dps_barrier(both.site, both.bond);
   if (!(barrier.equal_mu > Interval<double>(0) && barrier.equal_norm < Interval<double>(0)))
@@ -185,7 +185,7 @@ chain in the supremum norm. Proved, for each of the two centres: there is a peri
 frequency and the symmetry of its centre, even in time, which falls double-exponentially along the chain. It
 differs by no more than `radius` from the guess, a sum of cosines, in each contact at each time, and among the
 solutions with these symmetries it is the only one that differs by no more than `unique_radius`. Amplitude and
-energy follow. The table `bounds` has the constants of the proof, all rounded upwards: $\kappa = \|A\|-1$, the
+energy follow. The table `bounds` has the constants of the proof, all rounded upwards: $\kappa \ge \|A\|-1$, the
 residual of the guess, $\eta \le (1+\kappa)\,$residual, and $q$.
 
 Not proved is anything about its Floquet multipliers, or about its barrier, of order $10^{-11}$. */

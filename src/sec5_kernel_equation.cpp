@@ -58,10 +58,11 @@ constexpr double two_pi = 2 * std::numbers::pi;
 For other $T$ no choice of the solution keeps $q$ localized, unless $f$ has no component at the
 frequency of the wells, $V = \int f\cos t\,dt = 0$ for even $d$. That is type II.
 
-Multiplying Newton's law by $q$ and by $\dot q$ gives two integrals. The first is $\int(\dot q^2 -
-q^2)\,dt = \int f d\,dt = A$, the *action* $\int d_+^{\alpha+1}dt$; so Hamilton's action of one site
-over all times is $\frac A2 - \frac{A}{\alpha+1} = \frac{\alpha-1}{2(\alpha+1)}A$. The energy follows
-from $q$ and $\dot q$ at one instant, or as a mean over a shift,
+We call a wave *localized* if $d$ is not zero and tends to zero in both directions. Multiplying Newton's
+law by $q$ and by $\dot q$ gives two integrals. The first is $\int(\dot q^2 - q^2)\,dt = \int f d\,dt =
+A$, the *action* $\int d_+^{\alpha+1}dt$; so Hamilton's action of one site over all times is $\frac A2 -
+\frac{A}{\alpha+1} = \frac{\alpha-1}{2(\alpha+1)}A$. The energy follows from $q$ and $\dot q$ at one
+instant, or as a mean over a shift,
 $$TE = \tfrac12\int(q^2+\dot q^2)\,dt + \frac{A}{\alpha+1}.$$
 
 ## The theorem
@@ -97,14 +98,15 @@ a_i^p$, with $C$ depending on $T$ only. Since $p < 2$ and $\sum a_i^p = 1$, ever
 S/2$ has a cell with $a_i^{2-p} \ge S/2C$. We take a maximizing sequence $f_j$ and shift each $f_j$ such
 that this is the cell at 0.
 
-*No splitting.* Let $\lambda$ be the limit, first $j \to \infty$ along a subsequence, then $R \to
-\infty$, of the mass $\int_{|t|<R}f_j^p$; it is positive. For every $\delta > 0$ there is an $R$ such
-that for all large $j$ the mass within $R$ is between $\lambda - \delta$ and $\lambda + \delta$, and
-that between $R$ and $R + T$ at most $2\delta$. Cut $f_j$ with the indicator functions of the three
-regions; the parts are not negative. The inner and the outer one do not interact, because $K$ vanishes
-beyond $T$, and what contains the middle one is at most $C'\delta^{1/p}$. So $S \le S[\lambda^{2/p} +
-(1-\lambda)^{2/p}]$ in the limit $\delta \to 0$, and since $2/p > 1$ the bracket is less than one unless
-$\lambda = 1$. The sequence is *tight*: outside a large interval there is little, for all $j$. */
+*No splitting.* Let $\lambda$ be the limit, first $j \to \infty$ along a subsequence that serves every
+integer $R$, then $R \to \infty$, of the mass $\int_{|t|<R}f_j^p$; it is positive. For every $\delta >
+0$ there is an $R$ such that for all large $j$ the mass within $R$ is between $\lambda - \delta$ and
+$\lambda + \delta$, and that between $R$ and $R + T$ at most $2\delta$. Cut $f_j$ with the indicator
+functions of the three regions; the parts are not negative. The inner and the outer one do not interact,
+because $K$ vanishes beyond $T$, and what contains the middle one is at most $C'\delta^{1/p}$. So $S \le
+S[\lambda^{2/p} + (1-\lambda)^{2/p}]$ in the limit $\delta \to 0$, and since $2/p > 1$ the bracket is
+less than one unless $\lambda = 1$. The sequence is *tight*: outside a large interval there is little,
+for all $j$. */
 struct Start {
   std::size_t per_shift;
   unsigned long seed;
@@ -121,7 +123,8 @@ Ascent from_random(const Start& start, double gain) {
 *A maximum.* A subsequence converges weakly in $L^p$ to some $f \ge 0$ with $\|f\|_p \le 1$. $K$ is
 Lipschitz continuous, so on a bounded interval $f \to K*f$ maps bounded sets of $L^p$ into
 equicontinuous sets and is compact from $L^p$ to $L^{p'}$. There $Q(f_j) \to Q(f)$, and by tightness
-what is outside changes nothing: $Q(f) = S$. Hence $\|f\|_p = 1$, and $f_j \to f$ strongly.
+what is outside changes nothing: $Q(f) = S$. As $Q(f) \le S\|f\|_p^2$, no mass is lost, $\|f\|_p = 1$,
+and $f_j \to f$ strongly.
 
 *Its equation.* For $\varphi \ge 0$ bounded and with bounded support, $Q(f+s\varphi) \le
 S\|f+s\varphi\|_p^2$ for $s \ge 0$, with equality at $s = 0$. The derivative there says
@@ -134,9 +137,10 @@ $f = (K*f)_+^\alpha$, and its $d = K*f$ is what we looked for.
 Then $f$ is continuous, $d$ continuously differentiable, hence so is $f$, as $\alpha > 1$, and $q$ three
 times. Let $M(t)$ be the largest value of $d_+$ beyond $t$. Since $\int K_+ = 4k$,
 $$M(t+T) \le 4k\,M(t)^\alpha,$$
-and once $(4k)^{1/(\alpha-1)}M < 1$ its logarithm grows at least by the factor $\alpha$ with every
-shift; the same holds for $t \to -\infty$. And $|q(t)| \le 4k \max f$ over $[t, t+T]$, so that $q$ falls
-alike and the sums over the sites converge. $\square$ */
+that is $m(t+T) \le m(t)^\alpha$ for $m = (4k)^{1/(\alpha-1)}M$, and once $m < 1$, $-\log m$ grows at
+least by the factor $\alpha$ with every shift; the same holds for $t \to -\infty$. And $|q(t)|$ and $|\dot
+q(t)|$ are at most $4k \max f$ over $[t, t+T]$, so that they fall alike and the sums over the sites
+converge. $\square$ */
 double least_peak(std::size_t k, double alpha) {
   return std::pow(4 * double(k), -1 / (alpha - 1));
 }
@@ -144,18 +148,19 @@ double least_peak(std::size_t k, double alpha) {
 /**
 ## What else follows
 
-- *Least action.* Every localized wave of this $T$ has $Q(f)/\|f\|_p^2 = A^{-(\alpha-1)/(\alpha+1)} \le
-  S$, so the maximum has the least action $A = S^{-(\alpha+1)/(\alpha-1)}$ of all. From now on the
+By the last step of the proof every localized wave of this $T$ falls double-exponentially.
+
+- *Least action.* Every localized wave has $Q(f)/\|f\|_p^2 = A^{-(\alpha-1)/(\alpha+1)} \le S$, so the maximum has the least action $A = S^{-(\alpha+1)/(\alpha-1)}$ of all. From now on the
   *quotient* of a wave is this power of its $A$.
 - *Any maximizing sequence* converges in $L^p$, up to translations, along a subsequence.
 - *Peaks.* From $\max d \le 4k(\max d)^\alpha$ every localized wave has $\max d \ge
   (4k)^{-1/(\alpha-1)}$.
-- *No compacton.* If $f$ ended at $b$, then $d(t)$ for $b < t$, $b + T - \pi < t < b + T$, would be an
-  integral of $f$ with $K > 0$ only, hence positive, and so would be $f(t)$.
+- *No compacton.* If $f$ ended at $b$, then $d(t)$ for $b + T - \pi < t < b + T$ would be an integral of
+  $f$ with $K > 0$ only, hence positive, and so would be $f(t)$, beyond $b$.
 - *Contacts open.* $\int K = 0$, so $\int d\,dt = 0$ and $d$ is negative somewhere.
 - *Growth with $k$.* $S$ is of the order of $k^{2/(\alpha+1)}$: not more by Young's bound, and not less
-  because of $k$ equal, narrow pulses $2\pi - \pi/2k$ apart, each two of which have $K > 0$. Two beads
-  differ by $\max d$, so $E \ge \frac14(4k)^{-2/(\alpha-1)}$ for every localized wave, and by Young's
+  because of $k$ equal pulses $2\pi - \pi/2k$ apart, each two of which have $K > 0$; they are narrow, but
+  of a width that does not depend on $k$. Two beads differ by $\max d$, so $E \ge \frac14(4k)^{-2/(\alpha-1)}$ for every localized wave, and by Young's
   inequality for $\int(q^2+\dot q^2)$, whose kernel is $(T-|\sigma|)\cos\sigma$, the maximum has $E \le
   C k^{-2/(\alpha-1)}$. In Hertzian contacts that is the fourth power of the speed. */
 struct Wave {
@@ -176,8 +181,8 @@ struct Wave {
 
 The theorem does not say that the maximum is even, nor that there is one only, nor which sign of the
 central velocity it has, nor whether it is stable; nothing about other speeds, and nothing about wells
-with $s \ne 0$. For waves that repeat themselves only after $m$ sites, or for masses of period $m$, the
-resonance leaves $m-1$ complex conditions. All this has to be computed, or is open. */
+with $s \ne 0$. For waves that repeat themselves only after $m$ sites, or for masses of period $m$ in wells of
+one frequency, the resonance leaves $m-1$ complex conditions. All this has to be computed, or is open. */
 
 /**
 ## Nearly free
@@ -188,13 +193,14 @@ negative at zero and positive somewhere. So the proof holds with no other change
 - *identical linear cells*, in which contacts push a mass with any linear resonators inside, with or
   without a well, if $T\omega_j \in 2\pi\mathbb N$ for all frequencies $\omega_j > 0$ of the cell. Then
   $K = c_0(T-|\sigma|) - \sum (c_j/\omega_j)\sin\omega_j|\sigma|$ for $|\sigma| \le T$ with $c_0, c_j
-  \ge 0$; if $c_0 > 0$, without a well, it is $d$ that is localized, and $q$ is a step;
+  \ge 0$, so that $K$ is positive at $0$ or near $T$; if $c_0 > 0$, without a well, $d$ is localized,
+  $q$ is a step, and other solutions have a drift that is seen in $d$;
 - *odd contact laws* $r|r|^{\alpha-1}$ at all $T = \pi j$ with $y_n(t) = (-1)^{jn}q(t-nT)$, which have
   the same $K$ on $|\sigma| \le \pi j$. Here $f$ may have any sign, the maximum is sought without a cone,
-  and two pulses of opposite signs give $S > 0$ at $j = 1$ too;
+  two pulses of opposite signs give $S > 0$ at $j = 1$ too, and $\int|K|$ takes the place of $4k$;
 - *the DpS equation*, the limit $k \to \infty$, with $A_n(\tau) = a(\tau-nT)$. Its kernel is a multiple
   of $i\,\mathrm{sgn}(\sigma)$ for $|\sigma| < T$, so $Q$ is real and takes both signs. It is not
-  continuous, but translations are continuous in $L^r$, and this makes the convolution compact too. The
+  continuous, but translations are continuous in $L^{p'}$, and this makes the convolution compact too. The
   wave that the chapter on packets computes for $\varphi = 0$ is of this kind. */
 using TwoGrids = std::array<WaveGrid, 2>;
 constexpr TwoGrids usual{WaveGrid{16, 0.5}, {20, 0.4}}, rough{WaveGrid{14, 0.6}, {18, 0.6}};

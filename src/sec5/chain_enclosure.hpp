@@ -67,7 +67,7 @@ matrix, an approximate inverse of $1-\mathfrak B$. We take
 $$A = 1+ECNB, \qquad
   1-A(1-B) = (1-\Pi)B+E[1-C(1-\mathfrak B)]NB+ECNB(1-\Pi)B,$$
 an identity. All its terms are small: $\|(1-\Pi)B\| \le \epsilon = \frac18(\pi/m)^2\sup|(Bv)''|$ and
-$\|1-C(1-\mathfrak B)\| = \delta$. The norm of $CNB$, a matrix of functions, is $\kappa$: its entries are
+$\|1-C(1-\mathfrak B)\| = \delta$. The norm of $CNB$, a matrix of functions, is at most $\kappa$: its entries are
 linear combinations of $g$, between two nodes a combination of two sines, and we integrate their modulus
 from the values at the nodes. With $B_d$ for the stiffness of any $d$ in the ball
 $$\|1-A\,DF(d)\| \le (1+\kappa)(\epsilon+\|B_d-B\|)+\delta\|B\|$$
@@ -106,9 +106,10 @@ class ChainProof {
 /**
 ## The breather
 
-Behind the window $\delta_n = \sup|d_n|$ obeys
-$\sup_{m>n}\delta_m \le 2\gamma\,(\sup_{m\ge n}\delta_m)^{3/2}$ once $3\gamma\sqrt{\delta} < \frac12$ there:
-the tail falls double-exponentially, and what it adds to amplitude and energy is bounded by the ball. */
+Behind the window $\delta_n = \sup|d_n|$ obeys $\sup_{m>n}\delta_m \le \gamma(\sup_{m\ge n}\delta_m)^{3/2} +
+3\gamma(\sup_{m>n}\delta_m)^{3/2}$, and so $\sup_{m>n}\delta_m \le 2\gamma\,(\sup_{m\ge n}\delta_m)^{3/2}$ once
+$3\gamma\sqrt{\delta} < \frac12$ there, less than a third of what is before it: the tail falls
+double-exponentially, and what it adds to amplitude and energy is bounded by the ball. */
 struct ChainBreather {
   Contraction<double> unique, exists;
   double kappa, delta, epsilon, residual;

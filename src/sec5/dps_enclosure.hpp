@@ -53,12 +53,13 @@ $|r_n| < \frac1{16}$ for all $n > m$, and let $-z$ be the infimum of these. If $
 equation would give $r_n \ge -4\varphi(z)$ for all of them, hence $z \le 4z^{3/2} < z$. So they are not
 negative, and by the equation positive one after the other.
 
-A solution in the ball is a fixed point of $K$, and each of its components lies in the
-interval that $K$ makes of the ball; repeated, that gives the last digits. The tail shrinks as
-$r_n^{3/2} \le r_{n+1} \le r_n^{3/2}/(1-3\sqrt{r_{n+1}})$: the left inequality holds because all terms are
-positive, the right one because the profile decreases. That it does is read from the intervals in the
-window. Beyond, let $r_n$ be the largest strain from $n$ on. Then $M = \sup_{m>n}r_m$ obeys
-$M \le r_n^{3/2}+3M^{3/2}$ and $\sup_{m>n+1}r_m \le M^{3/2}/(1-3\sqrt M) < r_n^{3/2} \le r_{n+1}$ if $M$ is less
+A solution in the ball is a fixed point of $x \mapsto x-AF(x)$, and each of its components lies in the interval
+that this map makes of the ball, in the form of the mean value; repeated, that gives the last digits. A mean
+value is taken on the way from the guess to the solution, so the boxes have to hold both, as those of both
+breathers do. The tail shrinks as $r_n^{3/2} \le r_{n+1} \le r_n^{3/2}/(1-3\sqrt{r_{n+1}})$: the left inequality
+holds because all terms are positive, the right one because the profile decreases. That it does is read from the
+intervals in the window. Beyond, let $r_n$ be the largest strain from $n$ on. Then $M = \sup_{m>n}r_m$ obeys $M
+\le r_n^{3/2}+3M^{3/2}$ and $\sup_{m>n+1}r_m \le M^{3/2}/(1-3\sqrt M) < r_n^{3/2} \le r_{n+1}$ if $M$ is less
 than $1/100$, so that $r_{n+1}$ is the largest from $n+1$ on. */
 template <class T>
 struct DpsBreather {
