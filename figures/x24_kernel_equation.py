@@ -30,11 +30,11 @@ for sign, name, colour, dash in ((1, "plus", BLUE, "-"), (-1, "minus", RED, "--"
 b.axhline(0, color="#888888", lw=0.5)
 b.set(xlabel=r"time $t/2\pi$", ylabel="compression $d$", xlim=(-3, 8), ylim=(-0.5, 0.62))
 b.legend(loc="lower right", fontsize=7)
-inset.set(xlim=(0, 6), ylim=(-16, 0))
-inset.set_yticks([-15, -10, -5, 0])
+inset.set(xlim=(0, 6), ylim=(-8, 0.5))
+inset.set_yticks([-8, -4, 0])
 inset.tick_params(labelsize=6)
 inset.set_xlabel(r"$t/2\pi$", fontsize=6.5, labelpad=1)
-inset.set_ylabel(r"$\log_{10}|d/\max d|$", fontsize=6.5, labelpad=1)
+inset.set_ylabel(r"$\log_{10}|d|/d_{\mathrm{max}}$", fontsize=6.5, labelpad=1)
 
 dashes = ["-", "--", ":", "-.", (0, (5, 1)), (0, (1, 2))]
 colours = [BLUE, RED, GREEN, "#CC79A7", "#E69F00", "black"]
@@ -54,8 +54,8 @@ for keep, mark, colour, name in ((positive, "o", BLUE, "plus larger"), (~positiv
 d.axhspan(-17, -13.5, color="#EEEEEE", zorder=0)
 d.text(2.6, -15.6, "rounding", fontsize=7, color="#666666")
 d.set(xlabel=r"exponent $\alpha$ of the contacts", ylim=(-16.6, 1),
-      ylabel=r"$\log_{10}$ of the difference of $Q$, relative")
+      ylabel=r"$\log_{10}|Q_+/Q_- - 1|$")
 d.legend(loc="lower right", fontsize=7, bbox_to_anchor=(1, 0.2))
 for axes, name in zip((a, b, c, d), "abcd"):
-    draw.letter(axes, name)
+    draw.letter(axes, name, x=0.97 if axes is c else 0.03)
 draw.save(figure, out)

@@ -164,7 +164,7 @@ def with_costs(text, costs):
 def measured_costs(folder):
     """The seconds that each program took, from the files that the Makefile leaves."""
     out = {}
-    for path in sorted(Path(folder).glob("*")):
+    for path in sorted(p for p in Path(folder).glob("*") if not p.name.startswith(".")):  # locks of running programs
         try:
             out[path.name] = float(ecsv.text_of(path))
         except ValueError:

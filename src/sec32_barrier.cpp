@@ -57,6 +57,10 @@ $$\mathcal A = \int_0^{2\pi/\omega_b}\sum_n\dot y_n^2\,dt .$$
 Why the area? A breather that creeps along the chain keeps its action, not its frequency, and an
 effective Hamiltonian for its position compares states of equal action; $\mathcal A$ is $2\pi$ times
 that action. The article plots the difference at equal frequency instead, and without its sign. */
+/// The modulus of a barrier, as the article has it.
+Estimate size(const Estimate& e) {
+  return {std::abs(e.value), e.error};
+}
 
 /**
 ## Method
@@ -72,11 +76,6 @@ std::vector<BreatherPairs> climb_wells(int count) {
   std::vector<BreatherPairs> families;
   for (double s : wells) families.push_back(climb_pairs(s, pair_frequencies(s, count), measure));
   return families;
-}
-
-/// The modulus of a barrier, as the article has it.
-Estimate size(const Estimate& e) {
-  return {std::abs(e.value), e.error};
 }
 
 /**

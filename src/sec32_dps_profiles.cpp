@@ -430,8 +430,9 @@ At the largest displacement the differences are
 The norms are [0.00536042](num:sec32_dps_profiles.norm_site) around a site and
 [0.00536041](num:sec32_dps_profiles.norm_bond) around a bond. The second minus the first, relative to the
 first, is [-1.33110e-6](num:sec32_dps_profiles.norm_gap_relative). It is so small that tiny breathers move
-at the slightest push.
-
+at the slightest push. */
+// What the profiles leave in the equation they solve
+/**
 ## Checks
 
 Inserted into the equation, the double-precision profiles leave at most

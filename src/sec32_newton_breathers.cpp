@@ -393,7 +393,7 @@ void report_tail(Report& report) {
 ## The branches (figure 06)
 
 Both families are followed by arclength from $\omega_b = 1.001$ to $2$ (continuation.hpp). Their amplitudes
-differ by up to [](num:newton.amplitude_differs); their energies, which the article finds indistinguishable, by
+differ by up to [0.130228](num:newton.amplitude_differs); their energies, which the article finds indistinguishable, by
 [1.18591e-6](num:newton.energy_equal), at
 [1.001](num:sec32_newton_breathers.largest_energy_difference_at). Towards $\omega_b = 1$ this tends to that of
 the DpS norms, [-1.33110e-6](num:sec32_dps_profiles.norm_gap_relative) without its sign.

@@ -473,8 +473,9 @@ $\lambda/\mu$ varies, error included, by a fraction of [2e-11](num:sec33_dps_sta
 
 Why so close and so symmetric? Site and bond are top and bottom of one landscape for the centre, nearly a
 sine and very flat: the relative difference of their norms is
-[-1.33110e-6](num:sec32_dps_profiles.norm_gap_relative).
-
+[-1.33110e-6](num:sec32_dps_profiles.norm_gap_relative). */
+// What noise does to both
+/**
 All [16](num:sec33_dps_stability.moved_complex_site) of [16](num:sec33_dps_stability.seeds_complex_site)
 perturbed site-centred breathers move, and their controls move later, in the median after
 [3.80](num:sec33_dps_stability.instability_moves_delay) times as long: by $t = 500$, 600, 750 and 1000 there move
@@ -485,9 +486,8 @@ median departures are [113.1](num:sec33_dps_stability.departure_complex_site) an
 [0.0042927](num:sec33_dps_stability.slowest_complex_site) to
 [0.009006](num:sec33_dps_stability.fastest_complex_site) site per unit of time, slowly over
 sites and fast over bonds; [11](num:sec33_dps_stability.onward_complex_site) reach the bond behind the
-neighbouring site. */
+neighbouring site.
 
-/**
 But [5](num:sec33_dps_stability.moved_complex_bond) of
 [16](num:sec33_dps_stability.seeds_complex_bond) *stable* breathers move as well. A push, the imaginary part
 of the noise, counts $(\mu-m_2)/|\lambda|$, some two hundred times, as much as a shift, its real part. The

@@ -516,6 +516,7 @@ struct Kick : Kicked {
   Table table() const;
 };
 
+// Two runs, which end where the breather comes near an end of its chain
 Table Kick::table() const {
   const RestingBreather at = at_rest();
   const double room = 0.5 * double(at.chain.sites) - 8;

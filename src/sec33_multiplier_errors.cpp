@@ -267,9 +267,7 @@ All fourteen settings, a tolerance or an increment, with a dash where no zero is
 | differences, $10^{-4}$ | [-0.7](num:sec33_multiplier_errors.site_differences_1e4) ± [0.4](num:sec33_multiplier_errors.site_differences_1e4_spread) | [-0.85](num:sec33_multiplier_errors.bond_differences_1e4) ± [0.09](num:sec33_multiplier_errors.bond_differences_1e4_spread) |
 | differences, $10^{-5}$ | [-0.82](num:sec33_multiplier_errors.site_differences_1e5) ± [0.07](num:sec33_multiplier_errors.site_differences_1e5_spread) | [-0.809](num:sec33_multiplier_errors.bond_differences_1e5) ± [0.009](num:sec33_multiplier_errors.bond_differences_1e5_spread) |
 | differences, $10^{-6}$ | [-0.88](num:sec33_multiplier_errors.site_differences_1e6) ± [0.08](num:sec33_multiplier_errors.site_differences_1e6_spread) | [-0.8](num:sec33_multiplier_errors.bond_differences_1e6) ± [0.2](num:sec33_multiplier_errors.bond_differences_1e6_spread) |
-*/
 
-/**
 With the variational equations the zero around a site is usually too low and that around a bond too high, as in
 the article, and both are one number. The printed pair is of the size of what order eight gives at tolerances
 between $10^{-8}$ and $10^{-9}$, and what order five gives at $10^{-10}$, but the zeros of one setting depend on

@@ -473,8 +473,8 @@ $s = 1$ has a sech-like envelope at all three times fails by a little at the fir
 forming at $t = 291$, where the best sech misses its envelope by
 [0.102555](num:sec4_precompression_mi.breather_residual_t_291) of the height, and our limit is a tenth. The
 limit is our choice; at the later times the sech is good, and nothing turns round. The breather loses energy
-to its tail all the time; at the end this has [](num:sec4_precompression_mi.tail_both_sides_behind) times
-the breather's amplitude behind it and [](num:sec4_precompression_mi.tail_both_sides_ahead) times ahead.
+to its tail all the time; at the end this has [0.0927420](num:sec4_precompression_mi.tail_both_sides_behind) times
+the breather's amplitude behind it and [0.0663363](num:sec4_precompression_mi.tail_both_sides_ahead) times ahead.
 For the other wells we confirm what the article says, with its restriction: no
 breather on these time scales. A likely reason is that for small $|s|$ the soliton of the NLS
 equation is too wide to form so early.

@@ -172,6 +172,8 @@ void report_thresholds(Report& report, const Rig& rig) {
                     number("at_half", "the same from runs half as long; nan: not found", "um"),
                     number("bracket", "width of the last interval", "um"),
                     number("over_law", "the same over the law of the DpS limit")});
+
+  // Each threshold from runs of two lengths
   table.fill(points, [&](const Threshold& t) {
     const Estimate half = threshold_at(rig, t, horizon, accuracy);
     const Estimate full = threshold_at(rig, t, 2 * horizon, accuracy);
@@ -211,6 +213,7 @@ std::vector<ChartPoint> chart_points(bool quick) {
   return out;
 }
 
+// The table that holds the chart
 Sweep chart_sweep(const std::filesystem::path& folder, bool quick) {
   const Columns columns{
       number("delta", "distance from the beams' frequency"),
@@ -227,6 +230,7 @@ Sweep chart_sweep(const std::filesystem::path& folder, bool quick) {
           std::string("chart of a driven array, ") + (quick ? "quick" : "full")};
 }
 
+// Each point at two steps: is it quiet, a train or irregular?
 void compute_chart(Sweep& sweep, const Rig& rig, bool quick, Part part) {
   const auto points = chart_points(quick);
   const double horizon = quick ? 1200 : 2400;
@@ -352,6 +356,7 @@ struct OneDrive {
     p.add("time", time, "how long the drive lasts, in ms; shorter than 20 ms is a transient",
           {20, 500, "ms"});
   }
+  // Two steps, whose difference is the error
   Table table() const {
     Rig rig;
     rig.lifetime = lifetime;

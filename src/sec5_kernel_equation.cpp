@@ -207,7 +207,7 @@ negative at zero and positive somewhere. So the proof holds with no other change
   continuous, but translations are continuous in $L^r$, and this makes the convolution compact too. The
   wave that the chapter on packets computes for $\varphi = 0$ is of this kind. */
 using TwoGrids = std::array<WaveGrid, 2>;
-constexpr TwoGrids usual{WaveGrid{16, 0.5}, {20, 0.4}}, rough{WaveGrid{12, 1}, {16, 1}};
+constexpr TwoGrids usual{WaveGrid{16, 0.5}, {20, 0.4}}, rough{WaveGrid{14, 0.6}, {18, 0.6}};
 
 Wave wave(std::size_t k, int sign, double alpha, const TwoGrids& grids = usual) {
   const PowerContact law{alpha, 0};
@@ -335,7 +335,7 @@ The lowest and the highest end tell whether there is one maximum for all; the gr
 the error. */
 void report_ascents(Report& report) {
   const std::size_t count = report.quick ? 4 : 30;
-  const auto fine = ascents(count, 64), coarse = ascents(count, 48);
+  const auto fine = ascents(count, 64), coarse = ascents(count, 32);
   const auto ends = [](const std::vector<Ascent>& all) {
     double low = all[0].quotient(), high = low;
     for (const Ascent& a : all)
@@ -362,37 +362,48 @@ double kappa_of(const KernelWave& w, double tolerance) {
   chain.contact = w.law;
   EventTolerance<double> rule;
   rule.tolerance *= tolerance;
-  return phase_kappa(
-      multipliers_of(shifted_map(chain, w.state(usual_reach), w.shift_time(), rule)));
-}
-
-/// Relative difference of the quotients, plus minus minus, at k = 1.
-double difference(double alpha, const WaveGrid& grid) {
-  const PowerContact law{alpha, 0};
-  return wave_of_type_one(1, 1, law, grid).quotient() /
-             wave_of_type_one(1, -1, law, grid).quotient() -
-         1;
+  // Where powers are not roots, the flow may have to be content with less
+  for (int tries = 0; tries < 8; ++tries, rule.tolerance *= 8) try {
+      const auto map = shifted_map(chain, w.state(usual_reach), w.shift_time(), rule);
+      return phase_kappa(multipliers_of(map));
+    } catch (const NewtonFailed&) {
+    }
+  return std::nan("");
 }
 
 /**
 Below $\alpha = 3/2$ the differences are rounding, and so is $\kappa$. */
-Cells quotient_row(double alpha, const TwoGrids& grids) {
-  const Wave plus = wave(1, 1, alpha, grids), minus = wave(1, -1, alpha, grids);
-  const auto ratio = [&](std::size_t i) {
-    return plus.grids[i].quotient() / minus.grids[i].quotient() - 1;
-  };
-  const auto kappa = [&](const Wave& w) {
-    if (alpha < 1.45) return Estimate{std::nan(""), std::nan("")};
-    return compare(kappa_of(w.grids[0], 8), kappa_of(w.fine(), 1));
-  };
-  const Estimate apart = compare(ratio(0), ratio(1)), p = kappa(plus), m = kappa(minus);
-  const auto log = [](double x) { return std::log10(std::max(std::abs(x), 1e-16)); };
-  return {
-      alpha, plus(&KernelWave::quotient), minus(&KernelWave::quotient), apart, log(apart.value), p,
-      m};
+struct Comparison {
+  double alpha;
+  Wave plus, minus;
+  Estimate kappa_plus, kappa_minus;
+
+  /// Relative difference of the quotients, plus minus minus.
+  Estimate difference() const {
+    const auto ratio = [&](std::size_t i) {
+      return plus.grids[i].quotient() / minus.grids[i].quotient() - 1;
+    };
+    return compare(ratio(0), ratio(1));
+  }
+};
+
+std::vector<Comparison> comparisons(const std::vector<double>& alphas) {
+  std::vector<std::vector<Wave>> found(2 * alphas.size());
+  std::vector<Estimate> kappa(found.size(), {std::nan(""), std::nan("")});
+  parallel_for("exponents", found.size(), [&](std::size_t i) {
+    const double alpha = alphas[i / 2];
+    found[i].push_back(wave(1, i % 2 ? -1 : 1, alpha, rough));
+    const Wave& w = found[i].front();
+    if (alpha >= hertz.exponent) kappa[i] = compare(kappa_of(w.grids[0], 8), kappa_of(w.fine(), 1));
+  });
+  std::vector<Comparison> all;
+  for (std::size_t i = 0; i < alphas.size(); ++i)
+    all.push_back({alphas[i], found[2 * i].front(), found[2 * i + 1].front(), kappa[2 * i],
+                   kappa[2 * i + 1]});
+  return all;
 }
 
-Table quotient_table(const std::vector<double>& alphas) {
+Table quotient_table(const std::vector<Comparison>& all) {
   Table table{{number("alpha", "exponent of the contacts"),
                estimate("plus", "quotient of the sign plus"),
                estimate("minus", "quotient of the sign minus"),
@@ -403,70 +414,118 @@ Table quotient_table(const std::vector<double>& alphas) {
                         "against the largest: difference of two grids and tolerances"),
                estimate("kappa_minus", "of the phase; nan where it is rounding", "",
                         "against the largest: difference of two grids and tolerances")}};
-  table.fill(
-      alphas, [&](double a) { return quotient_row(a, rough); }, "exponents");
+  for (const Comparison& c : all) {
+    const Estimate apart = c.difference();
+    table.add({c.alpha, c.plus(&KernelWave::quotient), c.minus(&KernelWave::quotient), apart,
+               std::log10(std::max(std::abs(apart.value), 1e-16)), c.kappa_plus, c.kappa_minus});
+  }
   return table;
 }
 
 /**
-Where the quotients exchange their order, their difference passes through zero. Does stability pass from
-one sign to the other at the same $\alpha$? A wave between the two, without symmetry, could carry it
-over an interval. So we look for the zeros of $\kappa$ of both signs too. All are found by false
-position in a bracket. */
+Where the quotients exchange their order, their difference passes through zero between two exponents of
+the table at which it is ten times its error. Does stability pass from one sign to the other at the same
+$\alpha$? A wave between the two, without symmetry, could carry it over an interval. So we look for the
+zeros of $\kappa$ of both signs too. All are found by false position, and waves by Newton's method from
+those of the table. */
 template <class Of>
 double zero_between(double low, double high, Of of) {
-  double at_low = of(low), at_high = of(high);
-  if (!(at_low * at_high < 0)) throw Failure("no change of sign in the bracket of an exchange");
-  double next = low;
-  for (int pass = 0; pass < 40 && high - low > 1e-9; ++pass) {
+  double at_low = of(low), at_high = of(high), next = low;
+  if (!(at_low * at_high < 0)) return std::nan("");
+  int stayed = 0;  // the end that stayed the last time
+  for (int pass = 0; pass < 30; ++pass) {
     const double before = next;
     next = (low * at_high - high * at_low) / (at_high - at_low);
-    if (std::abs(next - before) < 1e-9) break;
+    if (std::abs(next - before) < 1e-7) break;
     const double value = of(next);
-    // The end that stays counts half the next time
-    if (value * at_low > 0)
-      low = next, at_low = value, at_high /= 2;
-    else
-      high = next, at_high = value, at_low /= 2;
+    // An end that stays twice counts half
+    if (value * at_low > 0) {
+      low = next, at_low = value;
+      if (stayed == 1) at_high /= 2;
+      stayed = 1;
+    } else {
+      high = next, at_high = value;
+      if (stayed == -1) at_low /= 2;
+      stayed = -1;
+    }
   }
   return next;
 }
 
-struct Bracket {
-  double low, high;
+/// The wave at one exponent after another, each from the one before.
+struct Follow {
+  KernelWave now;
+  WaveGrid grid;
+
+  const KernelWave& operator()(double alpha) {
+    return now = newton_wave(now, two_pi, {alpha, 0}, grid);
+  }
 };
 
-Estimate exchange_of_quotients(const Bracket& b) {
-  const auto zero = [&](const WaveGrid& grid) {
-    return zero_between(b.low, b.high, [&](double alpha) { return difference(alpha, grid); });
-  };
-  return compare(zero(rough[0]), zero(rough[1]));
-}
-
-Estimate exchange_of_stability(const Bracket& b, int sign) {
-  const auto zero = [&](const WaveGrid& grid, double tolerance) {
-    return zero_between(b.low, b.high, [&](double alpha) {
-      return kappa_of(wave_of_type_one(1, sign, {alpha, 0}, grid), tolerance);
+Estimate exchange_of_quotients(const Comparison& low, const Comparison& high) {
+  const auto zero = [&](std::size_t grid) {
+    Follow plus{low.plus.grids[grid], rough[grid]}, minus{low.minus.grids[grid], rough[grid]};
+    return zero_between(low.alpha, high.alpha, [&](double alpha) {
+      return plus(alpha).quotient() / minus(alpha).quotient() - 1;
     });
   };
-  return compare(zero(rough[0], 8), zero(rough[1], 1));
+  return compare(zero(0), zero(1));
+}
+
+Estimate exchange_of_stability(const Comparison& low, const Comparison& high, int sign) {
+  const auto zero = [&](std::size_t grid, double tolerance) {
+    Follow wave{(sign > 0 ? low.plus : low.minus).grids[grid], rough[grid]};
+    return zero_between(low.alpha, high.alpha,
+                        [&](double alpha) { return kappa_of(wave(alpha), tolerance); });
+  };
+  return compare(zero(0, 8), zero(1, 1));
 }
 
 /**
-The exchanges are numbered from large $\alpha$ to small. */
-constexpr std::array<Bracket, 4> brackets{{{3, 3.25}, {2, 2.5}, {1.8, 2}, {1.5, 1.7}}};
+The exchanges are numbered from large $\alpha$ to small. An interval without a zero of $\kappa$ has none
+in its column. */
+struct Exchange {
+  Estimate quotients, kappa_plus, kappa_minus;
+};
 
-void report_exchanges(Report& report) {
-  const std::size_t count = report.quick ? 1 : brackets.size();
-  std::vector<Estimate> found(count + 2);
-  parallel_for(found.size(), [&](std::size_t i) {
-    found[i] = i < 2 ? exchange_of_stability(brackets[0], i == 0 ? 1 : -1)
-                     : exchange_of_quotients(brackets[i - 2]);
+std::vector<Exchange> exchanges(const std::vector<Comparison>& all) {
+  std::vector<std::size_t> where;
+  const auto clear = [](const Estimate& e) { return std::abs(e.value) > 10 * e.error; };
+  for (std::size_t i = all.size() - 1; i-- > 0;) {
+    const Estimate low = all[i].difference(), high = all[i + 1].difference();
+    if (clear(low) && clear(high) && low.value * high.value < 0) where.push_back(i);
+  }
+  std::vector<Exchange> found(where.size());
+  parallel_for("exchanges", 3 * where.size(), [&](std::size_t job) {
+    const Comparison &low = all[where[job / 3]], &high = all[where[job / 3] + 1];
+    Exchange& e = found[job / 3];
+    if (job % 3 == 0)
+      e.quotients = exchange_of_quotients(low, high);
+    else if (job % 3 == 1)
+      e.kappa_plus = exchange_of_stability(low, high, 1);
+    else
+      e.kappa_minus = exchange_of_stability(low, high, -1);
   });
-  report.facts.add("exchange_of_kappa_plus", found[0], "alpha");
-  report.facts.add("exchange_of_kappa_minus", found[1], "alpha");
-  for (std::size_t i = 0; i < count; ++i)
-    report.facts.add("exchange_" + std::to_string(i + 1), found[i + 2], "alpha");
+  return found;
+}
+
+Table exchange_table(const std::vector<Exchange>& all) {
+  Table table{{estimate("quotients", "exponent at which the quotients are equal"),
+               estimate("kappa_plus", "exponent at which kappa of the sign plus is zero"),
+               estimate("kappa_minus", "exponent at which kappa of the sign minus is zero")}};
+  for (const Exchange& e : all) table.add({e.quotients, e.kappa_plus, e.kappa_minus});
+  return table;
+}
+
+void report_exchanges(Report& report, const std::vector<Comparison>& sweep) {
+  const std::vector<Exchange> all = exchanges(sweep);
+  report.output.add("exchanges", exchange_table(all));
+  report.facts.add("exchanges", exact(double(all.size())));
+  for (std::size_t i = 0; i < all.size(); ++i)
+    report.facts.add("exchange_" + std::to_string(i + 1), all[i].quotients, "alpha");
+  if (all.empty()) return;
+  report.facts.add("exchange_of_kappa_plus", all[0].kappa_plus, "alpha");
+  report.facts.add("exchange_of_kappa_minus", all[0].kappa_minus, "alpha");
 }
 
 /**
@@ -523,17 +582,20 @@ struct OneWave {
 /**
 ## Results
 
-The energies of the two signs at $k = 1$ are [](num:sec5_kernel_equation.energy_plus) and
-[](num:sec5_kernel_equation.energy_minus), as the shift map of the lattice has them, and so up to $k =
-6$. The actions differ by [](num:sec5_kernel_equation.action_difference), plus minus minus, so that the
+The energies of the two signs at $k = 1$ are [0.180834](num:sec5_kernel_equation.energy_plus) and
+[0.180834](num:sec5_kernel_equation.energy_minus), as the shift map of the lattice has them, and so up to $k =
+6$. The actions differ by [-2.43979e-11](num:sec5_kernel_equation.action_difference), plus minus minus, so that the
 sign plus, whose phase is held, has the larger quotient. Thirty random starts come to quotients between
-[](num:sec5_kernel_equation.ascent_lowest) and [](num:sec5_kernel_equation.ascent_highest), where the
-waves have [](num:sec5_kernel_equation.quotient_plus). The signs exchange their order at $\alpha =$
-[](num:sec5_kernel_equation.exchange_4), [](num:sec5_kernel_equation.exchange_3),
-[](num:sec5_kernel_equation.exchange_2) and [](num:sec5_kernel_equation.exchange_1). At the last of
-these $\kappa$ of the sign plus vanishes at [](num:sec5_kernel_equation.exchange_of_kappa_plus), that of
-the sign minus at [](num:sec5_kernel_equation.exchange_of_kappa_minus). The wave of type II has $T/2\pi
-=$ [](num:sec5_kernel_equation.turns_type_two). */
+[1.1552](num:sec5_kernel_equation.ascent_lowest) and [1.1552](num:sec5_kernel_equation.ascent_highest), where the
+waves have [1.15521](num:sec5_kernel_equation.quotient_plus). The signs exchange their order at $\alpha =$
+[1.7382](num:sec5_kernel_equation.exchange_4), [1.94497](num:sec5_kernel_equation.exchange_3),
+[2.30736](num:sec5_kernel_equation.exchange_2) and [3.10428](num:sec5_kernel_equation.exchange_1). At the last,
+stability passes to the sign plus, whose $\kappa$ becomes negative at
+[3.10381](num:sec5_kernel_equation.exchange_of_kappa_plus), while that of the sign minus becomes positive at
+[3.10475](num:sec5_kernel_equation.exchange_of_kappa_minus). Between these two both are stable, so that a third
+wave, without symmetry, should separate them there.
+The wave of type II has $T/2\pi
+=$ [0.897407](num:sec5_kernel_equation.turns_type_two). */
 void report_waves(Report& report, const std::vector<Wave>& all) {
   const Wave &plus = all[0], &minus = all[1];
   Quantities& facts = report.facts;
@@ -564,8 +626,9 @@ void reproduce(Report& report) {
   std::vector<double> alphas{1.1, 1.2, 1.3, 1.4, 1.5, 1.6, 1.7, 1.8, 1.9, 2,
                              2.2, 2.4, 2.6, 2.8, 3,   3.2, 3.4, 3.6, 3.8, 4};
   if (quick) alphas = {1.5, 2, 3, 4};
-  report.output.add("quotients", quotient_table(alphas));
-  report_exchanges(report);
+  const std::vector<Comparison> sweep = comparisons(alphas);
+  report.output.add("quotients", quotient_table(sweep));
+  report_exchanges(report, sweep);
   report_type_two(report);
 }
 

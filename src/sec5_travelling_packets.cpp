@@ -472,9 +472,9 @@ void report_dps(Report& report, const DpsMember& coarse, const DpsMember& fine) 
 
 After an impact with $v_0 = 0.66$ and sixteen thousand sites the tail falls with the exponent
 [-0.72067](num:sec5_travelling_packets.tail_exponent_v66), and not with $-1$. The growth of $1/\varphi$ is not
-constant either: it falls from [](num:sec5_travelling_packets.angle_growth_early_v66) per site beyond site 200
+constant either: it falls from [0.0094495](num:sec5_travelling_packets.angle_growth_early_v66) per site beyond site 200
 to [0.00208](num:sec5_travelling_packets.angle_growth_v66) at the end, because $|g|$ falls from
-[](num:sec5_travelling_packets.pulse_early_v66) to [](num:sec5_travelling_packets.pulse_v66). So the law
+[0.0308411](num:sec5_travelling_packets.pulse_early_v66) to [0.01113](num:sec5_travelling_packets.pulse_v66). So the law
 $1/n$ is not confirmed: if it holds at all, it does so only beyond the sites computed here. If $g$ vanished
 with $\varphi$, as it does at an orbit of type II, the tail would fall otherwise. The packet tends to
 $T/2\pi =$ [1.1566](num:sec5_travelling_packets.final_turns_v66), no time of an exact orbit that we know,

@@ -1,6 +1,7 @@
 // Statements in words: each criterion holds for what the words describe and fails for what they do not.
 
 #include "sec34/criteria.hpp"
+#include "sec34/force.hpp"
 
 #include <complex>
 
@@ -352,4 +353,11 @@ TEST_CASE("the instability of phonons is tested where it can fail", "[property][
   CHECK(holds(confirmed_beta(off(1.0001), off(0.9999))));
   CHECK(failing(confirmed_beta(off(1.01), off(1))) == "shift");
   CHECK(failing(confirmed_beta(off(1), off(0.99))) == "growth");
+}
+
+TEST_CASE("forces rise though two of them are alike", "[unit][criteria]") {
+  CHECK(holds(rises({{-1, 0.1}, {-0.95, 0.1}, {-2, 0.1}, {-3, 0.2}})));
+  CHECK_FALSE(holds(rises({{-1, 0.1}, {-3, 0.1}, {-2, 0.1}, {-4, 0.1}})));
+  CHECK_FALSE(holds(rises({{-1, 0.1}, {-1.05, 0.1}, {-1.1, 0.1}})));
+  CHECK_FALSE(holds(rises({{-3, 0.1}, {-2, 0.1}, {-1, 0.1}})));
 }

@@ -14,7 +14,7 @@
 
 /// No block of prose has more than 20 lines, no page of code is without a title (40 lines without a comment
 /// of their own), and no function has more than 60 lines. Empty lines, the lines that only open or close a
-/// block, and preprocessor lines are not counted.
+/// block, rows of a table, and preprocessor lines are not counted.
 inline std::vector<std::string> unreadable(const std::string& text) {
   constexpr int most_prose = 20, most_code = 40, most_function = 60;
   std::vector<std::string> out;
@@ -57,8 +57,10 @@ inline std::vector<std::string> unreadable(const std::string& text) {
     if (!inside) continue;
     const auto close = body.find("*/");
     const std::string words = body.substr(0, close);
-    prose +=
-        std::any_of(words.begin(), words.end(), [](unsigned char c) { return !std::isspace(c); });
+    const bool table = words.find_first_not_of(" \t") != std::string::npos &&
+                       words[words.find_first_not_of(" \t")] == '|';
+    prose += !table && std::any_of(words.begin(), words.end(),
+                                   [](unsigned char c) { return !std::isspace(c); });
     if (close == std::string::npos) continue;
     if (prose > most_prose) complain(" lines of prose", prose);
     inside = false;

@@ -121,6 +121,7 @@ void carry(const FixedStep& map, State<double>& state, std::size_t count) {
   state.t += map.period * double(count);
 }
 
+// Columns of the tangent, or quotients of small differences
 Matrix<double> derivative(const FixedStep& map, const State<double>& start, std::size_t count,
                           double increment) {
   const std::size_t sites = start.y.size();
@@ -148,6 +149,7 @@ Matrix<double> derivative(const FixedStep& map, const State<double>& start, std:
   return out;
 }
 
+// Newton's method with least squares
 MapBreather find_breather(const FixedStep& map, State<double> guess, const GaussNewton& how) {
   MapBreather out{std::move(guess)};
   const std::size_t sites = map.chain.sites;
@@ -167,6 +169,7 @@ MapBreather find_breather(const FixedStep& map, State<double> guess, const Gauss
   }
 }
 
+// The zero of the parabola through three wells
 double zero_in_wells(const std::array<double, 3>& kappa) {
   const double slope = (kappa[2] - kappa[0]) / 2, bend = (kappa[2] + kappa[0]) / 2 - kappa[1];
   const double root = slope * slope - 4 * bend * kappa[1];

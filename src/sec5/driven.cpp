@@ -159,6 +159,7 @@ QuietBranch quiet_branch(const Bench& bench, std::size_t steps) {
   return out;
 }
 
+// Packets that pass in the second half of the run
 double Emission::rate(double duration) const {
   const auto late =
       std::count_if(passages.begin(), passages.end(), [&](double t) { return t >= duration / 2; });
@@ -176,6 +177,7 @@ double Emission::spread(double duration) const {
   return std::sqrt(square) / mean;
 }
 
+// What passes the gate, and what the drive gives
 Emission drive_chain(const Bench& bench, double duration, std::size_t gate, double step,
                      std::size_t enough) {
   const double a = std::max(bench.drive.amplitude, bench.drive.from);
@@ -215,6 +217,7 @@ std::vector<double> drive_map(const Bench& bench, double duration, std::size_t b
   return map;
 }
 
+// Halve the interval until it is short enough
 Estimate bisect_threshold(double quiet, double emits, double accuracy,
                           const std::function<bool(double)>& does_emit) {
   if (does_emit(quiet) || !does_emit(emits))

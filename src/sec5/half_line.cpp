@@ -63,14 +63,13 @@ double Panel::slope(double s) const {
   return order == 2 ? 6 * both : 30 * both * both;
 }
 
+// On the left half w is convex, so Newton's method comes down to the solution after its first step
 double Panel::inverse(double u) const {
   if (u > 0.5) return 1 - inverse(1 - u);
-  double low = 0, high = 0.5;
-  for (int pass = 0; pass < 60; ++pass) {
-    const double middle = (low + high) / 2;
-    (map(middle) < u ? low : high) = middle;
-  }
-  return (low + high) / 2;
+  if (!(u > 0)) return 0;
+  double x = order == 2 ? std::sqrt(u / 3) : std::cbrt(u / 10);
+  for (int pass = 0; pass < 7; ++pass) x -= (map(x) - u) / slope(x);
+  return x;
 }
 
 double Panel::interpolate(const double* values, double s) const {
@@ -92,7 +91,7 @@ HalfLine::HalfLine(double shift_time, std::vector<double> cuts, std::size_t peri
   per_shift_ = cuts.size() - 1;
   const auto n = Eigen::Index(panel.nodes);
   t_.resize(Eigen::Index(periods * per_shift_) * n);
-  weight_ = cosine_ = sine_ = t_;
+  weight_ = jacobian_ = cosine_ = sine_ = t_;
   Eigen::Index at = 0;
   for (std::size_t p = 0; p < periods * per_shift_; ++p) {
     const std::size_t b = p % per_shift_;
@@ -100,7 +99,8 @@ HalfLine::HalfLine(double shift_time, std::vector<double> cuts, std::size_t peri
     length_.push_back(cuts[b + 1] - cuts[b]);
     for (Eigen::Index i = 0; i < n; ++i, ++at) {
       t_[at] = start_[p] + length_[p] * panel.map(panel.x[i]);
-      weight_[at] = length_[p] * panel.slope(panel.x[i]) * panel.weight[i];
+      jacobian_[at] = length_[p] * panel.slope(panel.x[i]);
+      weight_[at] = jacobian_[at] * panel.weight[i];
       cosine_[at] = std::cos(t_[at]), sine_[at] = std::sin(t_[at]);
     }
   }
@@ -127,7 +127,7 @@ HalfLine::Response HalfLine::respond(const Vector<double>& f) const {
   Response r{Vector<double>(size()), {}, {}, 0};
   r.half.resize(periods_), r.half_v.resize(periods_);
   double c = 0, s = 0;  // integrals of f cos and f sin from the panel's end to infinity
-  Vector<double> fc(n), fs(n);
+  Vector<double> fc(n), fs(n), part_c(n), part_s(n);
   for (std::size_t p = start_.size(); p-- > 0;) {
     const Eigen::Index first = Eigen::Index(p) * n;
     if (p % per_shift_ == per_shift_ / 2 - 1) {
@@ -136,14 +136,14 @@ HalfLine::Response HalfLine::respond(const Vector<double>& f) const {
       r.half_v[p / per_shift_] = -c * std::cos(half) - s * std::sin(half);
     }
     for (Eigen::Index i = 0; i < n; ++i) {
-      const double jacobian = length_[p] * panel_.slope(panel_.x[i]) * f[first + i];
-      fc[i] = jacobian * cosine_[first + i], fs[i] = jacobian * sine_[first + i];
+      const double area = jacobian_[first + i] * f[first + i];
+      fc[i] = area * cosine_[first + i], fs[i] = area * sine_[first + i];
     }
     // What lies beyond a node is the rest of its panel and all panels beyond
     const double all_c = panel_.weight.dot(fc), all_s = panel_.weight.dot(fs);
+    part_c.noalias() = panel_.integral * fc, part_s.noalias() = panel_.integral * fs;
     for (Eigen::Index i = 0; i < n; ++i) {
-      const double rest_c = c + (all_c - panel_.integral.row(i).dot(fc)),
-                   rest_s = s + (all_s - panel_.integral.row(i).dot(fs));
+      const double rest_c = c + (all_c - part_c[i]), rest_s = s + (all_s - part_s[i]);
       r.x[first + i] = rest_s * cosine_[first + i] - rest_c * sine_[first + i];
     }
     c += all_c, s += all_s;

@@ -79,7 +79,7 @@ class HalfLine {
   std::size_t periods_, per_shift_;
   Panel panel_;
   std::vector<double> start_, length_;
-  Vector<double> t_, weight_, cosine_, sine_;
+  Vector<double> t_, weight_, jacobian_, cosine_, sine_;
 };
 
 }  // namespace lattice

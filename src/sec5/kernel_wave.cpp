@@ -18,7 +18,7 @@ constexpr double tail = 1e-17;    ///< the grid ends where the wave has fallen t
 
 Vector<double> each(Vector<double> d, double (*of)(const PowerContact&, double),
                     const PowerContact& law) {
-  for (double& x : d) x = of(law, x);
+  for (double& x : d) x = x > 0 ? of(law, x) : 0;
   return d;
 }
 
@@ -194,9 +194,8 @@ double KernelWave::energy() const {
 The Hessenberg matrix of the method is made triangular by rotations, step by step, so that the residual is
 known without a solution. */
 Vector<double> solve_linearized(const HalfLine& line, const Vector<double>& stiffness,
-                                const Vector<double>& right) {
+                                const Vector<double>& right, double enough) {
   constexpr std::size_t most = 200;
-  constexpr double enough = 1e-11;
   const double whole = right.norm();
   std::vector<Vector<double>> basis{right / whole};
   std::vector<std::vector<double>> columns;
@@ -206,11 +205,10 @@ Vector<double> solve_linearized(const HalfLine& line, const Vector<double>& stif
     if (k == most) throw std::runtime_error("the linearized kernel equation was not solved");
     Vector<double> w = basis[k] - line.convolve(stiffness.cwiseProduct(basis[k]));
     std::vector<double> h(k + 1);
-    for (int pass = 0; pass < 2; ++pass)
-      for (std::size_t j = 0; j <= k; ++j) {
-        const double part = w.dot(basis[j]);
-        h[j] += part, w -= part * basis[j];
-      }
+    for (std::size_t j = 0; j <= k; ++j) {
+      h[j] = w.dot(basis[j]);
+      w -= h[j] * basis[j];
+    }
     // The rotations so far, and a new one
     for (std::size_t j = 0; j < k; ++j) {
       const double a = h[j], b = h[j + 1];
@@ -235,10 +233,11 @@ Vector<double> solve_linearized(const HalfLine& line, const Vector<double>& stif
 
 /**
 On given panels Newton's method is carried to its end; then the panels are cut anew. It has converged when
-the new ones are as good as the old. */
+the new ones are as good as the old, or no better than those before, because they are few. */
 KernelWave newton_wave(const KernelWave& guess, double shift_time, const PowerContact& law,
                        const WaveGrid& grid) {
-  constexpr double far = 1e3, near = 1e-7, exact = 1e-14;
+  constexpr double far = 1e3, fair = 1e-4, near = 1e-7, exact = 2e-15, rough = 1e-5;
+  double before = far;
   KernelWave wave = guess;
   wave.law = law;
   for (int pass = 0; pass < 30; ++pass) {
@@ -251,10 +250,12 @@ KernelWave newton_wave(const KernelWave& guess, double shift_time, const PowerCo
       if (step == 0) first = size;
       if (!(size < far)) pass = 30;
       if (!(size > exact && size < far)) break;
-      wave.d += solve_linearized(line, each(wave.d, stiffness_of, law), miss);
+      wave.d += solve_linearized(line, each(wave.d, stiffness_of, law), miss, rough);
     }
     settle_tail(wave);
-    if (first < near && periods_for(wave) <= line.periods()) return wave;
+    const bool settled = first < near || (first < fair && first > before / 4);
+    if (settled && periods_for(wave) <= line.periods()) return wave;
+    before = first;
   }
   throw std::runtime_error("Newton's method for the kernel equation does not converge at T = " +
                            std::to_string(shift_time) +

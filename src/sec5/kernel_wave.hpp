@@ -77,9 +77,10 @@ Newton's method takes the derivative $I - K f'(d)$, whose second part is compact
 the method of minimal residuals invert it. After each step the panels are cut anew where the contacts
 open. Even functions contain no shift of time and no change of the internal phase, so the derivative is
 regular. */
-/// The x with x - K * (stiffness x) = right. Throws std::runtime_error if too many steps are needed.
+/// The x with x - K * (stiffness x) = right, up to `enough` of the norm of the right side. Throws
+/// std::runtime_error if too many steps are needed.
 Vector<double> solve_linearized(const HalfLine& line, const Vector<double>& stiffness,
-                                const Vector<double>& right);
+                                const Vector<double>& right, double enough = 1e-11);
 
 /// The wave with shift time T near `guess`. Throws std::runtime_error where Newton's method fails.
 KernelWave newton_wave(const KernelWave& guess, double shift_time, const PowerContact& law,

@@ -8,7 +8,7 @@ namespace lattice {
 namespace {
 
 Vector<double> forces(const PowerContact& law, Vector<double> u) {
-  for (double& x : u) x = law.force(-x);
+  for (double& x : u) x = x > 0 ? law.force(-x) : 0;
   return u;
 }
 

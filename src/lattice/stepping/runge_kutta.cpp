@@ -138,6 +138,7 @@ class Step {
         for (std::size_t n = 0; n < x.size(); ++n) next_[n] += h * weights[j] * slopes_[j][n];
   }
 
+  // The right-hand side at each stage, and the end of the step
   const RungeKutta& method_;
   const Rhs& rhs_;
   std::vector<std::vector<double>> slopes_;
@@ -147,6 +148,7 @@ class Step {
 
 }  // namespace
 
+// Steps are as long as the error allows, and each sample that lies within one is interpolated
 ControlledRun integrate_controlled(
     const RungeKutta& pair, const Rhs& rhs, std::vector<double>& x, double duration,
     std::size_t samples, const StepControl& control,

@@ -1,0 +1,35 @@
+#pragma once
+/**
+# The force on a packet
+
+The velocity of a packet is the slope of its smoothed path over ten units of time. A line that is fitted to it
+gives the mean force in a stretch of the way, and `bend`, the difference between the slopes of the two halves of
+the stretch relative to the whole slope, says how constant it is. */
+
+#include <vector>
+
+#include "lattice/numbers/criterion.hpp"
+#include "lattice/numbers/estimate.hpp"
+#include "lattice/packets/turning.hpp"
+
+namespace lattice {
+
+struct Force {
+  Estimate force, bend;  ///< site per squared unit of time; relative
+};
+
+/**
+On the way out the packet is watched from $t = 100$, when it has left the end behind, to $t = 220$; on the way
+back between sites 18 and 6; and the third stretch is what lies between these two. */
+enum class Stretch { back, out, between };
+
+/// The force in a stretch, from two runs. Its error is that of the fit plus what the other step and half the
+/// smoothing change.
+Force force_of(const Voyage& coarse, const Voyage& fine, Stretch stretch);
+
+/**
+A list of forces rises in modulus if no later one is smaller than an earlier one beyond the errors of both, and
+the last exceeds the first by more than these. */
+Criterion rises(const std::vector<Estimate>& forces);
+
+}  // namespace lattice
