@@ -155,7 +155,7 @@ TEST_CASE("no verdict without its margins", "[lineage]") {
   }
 }
 
-TEST_CASE("the drawing in CONTRIBUTING.md shows every room", "[lineage]") {
+TEST_CASE("the drawing in CONTRIBUTING.md shows every room and every shelf", "[lineage]") {
   const std::string text = text_of(root / "CONTRIBUTING.md");
   for (const auto& entry : fs::directory_iterator(root / "src/lattice")) {
     CAPTURE(entry.path());
@@ -164,6 +164,13 @@ TEST_CASE("the drawing in CONTRIBUTING.md shows every room", "[lineage]") {
   for (const auto& [room, floor] : floors()) {
     CAPTURE(room, floor);
     CHECK(text.find("[" + room + "]") != std::string::npos);
+  }
+  const auto drawn = matches(text, "\\b(sec\\w+)(?=[,:])");
+  for (const auto& entry : fs::directory_iterator(root / "src")) {
+    const std::string name = entry.path().filename().string();
+    CAPTURE(name);
+    if (entry.is_directory() && name.rfind("sec", 0) == 0)
+      CHECK(std::count(drawn.begin(), drawn.end(), name) > 0);
   }
 }
 
