@@ -135,7 +135,11 @@ void tighten(const DpsGuess<T>& guess, DpsBreather<T>& b) {
   std::vector<Interval<T>>& r = b.r;
   for (int round = 0; round < 20; ++round) {
     const auto shift = step(guess, b.tail);
-    const auto matrix = remainder(guess, r);
+    // The mean value is taken on the segment from the guess to the solution
+    std::vector<Interval<T>> segment;
+    for (std::size_t i = 0; i < r.size(); ++i)
+      segment.push_back(hull(r[i], Interval<T>(guess.r[i])));
+    const auto matrix = remainder(guess, segment);
     std::vector<Interval<T>> image(r.size());
     for (std::size_t i = 0; i < r.size(); ++i) {
       image[i] = Interval<T>(guess.r[i]) - shift[i];
