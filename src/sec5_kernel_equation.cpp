@@ -507,18 +507,18 @@ struct OneWave {
 /**
 ## Results
 
-The energies of the two signs at $k = 1$ are [](num:sec5_kernel_equation.energy_plus) and
-[](num:sec5_kernel_equation.energy_minus), as the shift map of the lattice has them, and so up to $k =
-6$. The actions differ by [](num:sec5_kernel_equation.action_difference), plus minus minus, so that the
-sign plus, whose phase is held, has the larger quotient. [](num:sec5_kernel_equation.ascent_starts)
-random starts come to quotients between [](num:sec5_kernel_equation.ascent_lowest) and
-[](num:sec5_kernel_equation.ascent_highest), where the waves have
-[](num:sec5_kernel_equation.quotient_plus). They lie [](num:sec5_kernel_equation.ascent_spread)
+The energies of the two signs at $k = 1$ are [0.180834](num:sec5_kernel_equation.energy_plus) and
+[0.180834](num:sec5_kernel_equation.energy_minus), as the shift map of the lattice has them, and so up to $k =
+6$. The actions differ by [-2.43979e-11](num:sec5_kernel_equation.action_difference), plus minus minus, so that the
+sign plus, whose phase is held, has the larger quotient. [30](num:sec5_kernel_equation.ascent_starts)
+random starts come to quotients between [1.1552](num:sec5_kernel_equation.ascent_lowest) and
+[1.1552](num:sec5_kernel_equation.ascent_highest), where the waves have
+[1.15521](num:sec5_kernel_equation.quotient_plus). They lie [4.51714e-5](num:sec5_kernel_equation.ascent_spread)
 apart, less than the error of their grid: no second maximum is seen, and none that is closer is excluded.
 
 From large $\alpha$ to small the signs exchange their order at $\alpha =$
-[](num:sec5_kernel_equation.exchange_1), [](num:sec5_kernel_equation.exchange_2),
-[](num:sec5_kernel_equation.exchange_3) and [](num:sec5_kernel_equation.exchange_4). Above the first
+[3.10428](num:sec5_kernel_equation.exchange_1), [2.30736](num:sec5_kernel_equation.exchange_2),
+[1.94497](num:sec5_kernel_equation.exchange_3) and [1.7382](num:sec5_kernel_equation.exchange_4). Above the first
 the sign plus has the larger quotient. At every exponent of the table at which the difference and
 $\kappa$ are beyond their errors, the phase of the larger quotient is held and that of the other is not.
 At $\alpha = 1.6$ this order is reversed once more, but the difference is hardly larger than its error,
@@ -543,11 +543,11 @@ void report_waves(Report& report, const std::vector<Wave>& all) {
 
 /**
 Stability does not pass from one sign to the other in one point. At the first exchange $\kappa$ of the
-sign plus becomes negative at [](num:sec5_kernel_equation.exchange_of_kappa_plus), while that of the
-sign minus becomes positive only at [](num:sec5_kernel_equation.exchange_of_kappa_minus): between them
+sign plus becomes negative at [3.10381](num:sec5_kernel_equation.exchange_of_kappa_plus), while that of the
+sign minus becomes positive only at [3.10475](num:sec5_kernel_equation.exchange_of_kappa_minus): between them
 both phases are held, so that a third wave, without symmetry, should separate them there.
 
-The wave of type II has $T/2\pi =$ [](num:sec5_kernel_equation.turns_type_two). */
+The wave of type II has $T/2\pi =$ [0.897407](num:sec5_kernel_equation.turns_type_two). */
 void reproduce(Report& report) {
   const bool quick = report.quick;
   using Ks = std::vector<std::size_t>;
