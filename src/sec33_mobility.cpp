@@ -97,11 +97,11 @@ ContactAware fourteen(double step) {
   return {step, nystrom(blanes_moan_6_14())};
 }
 Resolution fine(bool quick = false) {
-  return quick ? Resolution{{0.2}, {0.2}, {0.2}}
+  return quick ? Resolution{{0.2}, {0.3}, {0.3}}
                : Resolution{{0.1}, fourteen(0.05), fourteen(0.06)};
 }
 Resolution coarse(bool quick = false) {
-  return quick ? Resolution{{0.4}, {0.3}, {0.3}} : Resolution{{0.2}, {0.1}, {0.1}};
+  return quick ? Resolution{{0.4}, {0.4}, {0.4}} : Resolution{{0.2}, {0.1}, {0.1}};
 }
 
 /**
@@ -214,7 +214,7 @@ void report_weak(Report& report, const Breathers& at) {
   std::array<TwoPaths, 3> paths;
   parallel_for("weak kicks", 6, [&](std::size_t i) {
     const std::size_t k = i / 2;
-    const double time = report.quick ? 6e4 : std::array{2.5e5, 1.7e5, 8e4}[k];
+    const double time = report.quick ? 4e4 : std::array{2.5e5, 1.7e5, 8e4}[k];
     const Resolution r = i % 2 ? fine(report.quick) : coarse(report.quick);
     (i % 2 ? paths[k].good : paths[k].rough) = at[k].after(weak, r.paths, time);
   });
@@ -382,7 +382,7 @@ struct Candidate {
 };
 
 void report_integrators(Report& report, const RestingBreather& at) {
-  const double time = report.quick ? 500 : 5000;
+  const double time = report.quick ? 300 : 5000;
   std::vector<Candidate> all;
   const auto add = [&](const std::string& name, const auto& stepper, double length) {
     all.push_back({name, stepper.step, [=, &at] { return at.after(weak, stepper, length); }});

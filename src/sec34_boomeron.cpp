@@ -403,8 +403,10 @@ and we show the same times for comparison. How close is close? At $t = 238$ the 
 
 ![Velocities close to the turning.](fig:23) */
 void report_profiles(Report& report, const TurnEstimate& turn) {
-  Table& table = report.table("turning_profiles", {number("t", "time"), count("n", "site", "site"),
-                                                   estimate("v", "velocity")});
+  Table& table =
+      report.table("turning_profiles",
+                   {number("t", "time"), count("n", "site", "site"),
+                    estimate("v", "velocity", "", "against the largest: difference of two steps")});
   const double step = report.quick ? 0.1 : 0.025;
   for (double time : {238.0, 241.0}) {
     const State<double> coarse = voyage({2 * step}, {1.87, 1, time}).end,

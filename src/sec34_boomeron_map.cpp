@@ -231,7 +231,7 @@ void report_horizons(Report& report) {
       .table("contours",
              {number("site", "of the apex", "site"), number("velocity", "impact velocity"),
               estimate("kappa", "s v0^(3/2)", "",
-                       "two steps and the last interval, relative to the range of bisection")})
+                       "two steps and the last interval, against the largest")})
       .fill(points, row, "horizons");
 
   // At each horizon the value at v0 = 0.1 and the limit

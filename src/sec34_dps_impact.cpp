@@ -467,8 +467,10 @@ void report_loose_steps(Report& report, const DpsPair& converged, const Estimate
        label("norm", "of the estimated errors: root mean square, two-norm or largest"),
        number("relative", "tolerance; the absolute one is a thousandth of it"),
        count("sites", "chain length", "sites"),
-       estimate("amplitude", "2 eps |A_n| of the packet near tau = 250"),
-       estimate("speed", "fitted from site 20 on", "site per tau"),
+       number("amplitude", "2 eps |A_n| of the packet near tau = 250"),
+       number("amplitude_apart", "difference of two samplings, which loose steps magnify"),
+       number("speed", "fitted from site 20 on", "site per tau"),
+       number("speed_apart", "difference of two samplings", "site per tau"),
        number("growth", "of the conserved norm until tau = 250, relative"),
        number("train", "difference of the wave train from the converged one, relative"),
        count("printed", "1 where the amplitude would be printed as 13e-4")});

@@ -183,7 +183,7 @@ The theorem does not say that the maximum is even, nor that there is one only, n
 central velocity it has, nor whether it is stable; nothing about other speeds, and nothing about wells
 with $s \ne 0$. For waves that repeat themselves only after $m$ sites, or for masses of period $m$ in wells of
 one frequency, the resonance leaves $m-1$ complex conditions. All this has to be computed, or is open. */
-
+// What the proof gives besides
 /**
 ## Nearly free
 

@@ -15,7 +15,7 @@ if script -qec true /dev/null < /dev/null > said 2>&1; then
   on_terminal "'$bin/sec33_mobility' threshold" || fail "a threshold on a terminal"
   grep -qE 'thresholds? [0-9]+(/[0-9]| s)' said || fail "a threshold does not show that it is alive"
   # Where nobody counts, the seconds are shown.
-  on_terminal "'$bin/sec34_impact' run --time 1200" || fail "an impact on a terminal"
+  on_terminal "'$bin/sec34_impact' run --time 3000" || fail "an impact on a terminal"
   grep -qE 'sec34_impact run [0-9]+ s' said || fail "an impact does not show that it is alive"
 else
   echo "no terminal can be made here: what commands show on one is not tested"

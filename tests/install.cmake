@@ -25,7 +25,7 @@ set(says
     "limit" "^speed 0\\.3748[0-9]+ sites per unit of slow time, norm drift [0-9.]+e-1[0-9]\n$"
     "array" "^force 2\\.864[0-9]+ N, velocity 0\\.493[0-9]+ m/s, arrival 39\\.41[0-9]+ ms\n$"
     "sweep" "^0\\.230[0-9]+\n0\\.188[0-9]+\n0\\.171[0-9]+\n(0\\.[0-9]+\n)+$"
-    "quadruple" "^energy 0\\.46148603807693562793[0-9]+, residual [0-9.]+e-2[6-9]\n$")
+    "quadruple" "^energy 0\\.461486038076935627[0-9]+, residual [0-9.]+e-2[6-9]\n$")
 list(LENGTH says expected_count)
 while(says)
   list(POP_FRONT says name expected)
