@@ -477,8 +477,9 @@ fold at [1.61967](num:sec32_newton_breathers.end_s_minus_1_site) around a site a
 [1.72391](num:sec32_newton_breathers.end_s_minus_05_bond). The claim asks that all eight families begin at
 rest and reach beyond $\omega_b = 1.01$. */
 void report_other_wells(Report& report) {
-  std::vector<std::pair<double, std::string>> wells{{-1, "minus_1"}};
-  if (!report.quick) wells.insert(wells.end(), {{-0.5, "minus_05"}, {0.5, "05"}, {1, "1"}});
+  std::vector<std::pair<double, std::string>> wells{{1, "1"}};
+  if (!report.quick)
+    wells.insert(wells.begin(), {{-1, "minus_1"}, {-0.5, "minus_05"}, {0.5, "05"}});
   std::vector<Family> families(2 * wells.size());
   parallel_for("other wells", families.size(), [&](std::size_t i) {
     families[i] = family_from_rest(both_centres[i % 2], wells[i / 2].first);
