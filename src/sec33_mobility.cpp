@@ -214,7 +214,7 @@ void report_weak(Report& report, const Breathers& at) {
   std::array<TwoPaths, 3> paths;
   parallel_for("weak kicks", 6, [&](std::size_t i) {
     const std::size_t k = i / 2;
-    const double time = report.quick ? 4e4 : std::array{2.5e5, 1.7e5, 8e4}[k];
+    const double time = report.quick ? 2e4 : std::array{2.5e5, 1.7e5, 8e4}[k];
     const Resolution r = i % 2 ? fine(report.quick) : coarse(report.quick);
     (i % 2 ? paths[k].good : paths[k].rough) = at[k].after(weak, r.paths, time);
   });

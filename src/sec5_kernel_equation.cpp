@@ -386,16 +386,16 @@ std::vector<Comparison> comparisons(const std::vector<double>& alphas) {
 }
 
 Table quotient_table(const std::vector<Comparison>& all) {
-  Table table{{number("alpha", "exponent of the contacts"),
-               estimate("plus", "quotient of the sign plus"),
-               estimate("minus", "quotient of the sign minus"),
-               estimate("difference", "of the quotients, plus minus minus, relative", "",
-                        "against the largest: difference of two grids"),
-               number("log_difference", "log10 of its modulus, at least -16"),
-               estimate("kappa_plus", "of the phase; nan where it is rounding", "",
-                        "against the largest: difference of two grids and tolerances"),
-               estimate("kappa_minus", "of the phase; nan where it is rounding", "",
-                        "against the largest: difference of two grids and tolerances")}};
+  Table table{
+      {number("alpha", "exponent of the contacts"), estimate("plus", "quotient of the sign plus"),
+       estimate("minus", "quotient of the sign minus"),
+       estimate("difference", "of the quotients, plus minus minus, relative", "",
+                "against the largest: difference of two grids"),
+       number("log_difference", "log10 of its modulus, at least -16"),
+       estimate("kappa_plus", "of the phase; nan where it is rounding", "",
+                "against the largest: difference of two grids and tolerances; may be nan"),
+       estimate("kappa_minus", "of the phase; nan where it is rounding", "",
+                "against the largest: difference of two grids and tolerances; may be nan")}};
   for (const Comparison& c : all) {
     const Estimate apart = c.difference();
     table.add({c.alpha, c.plus(&KernelWave::quotient), c.minus(&KernelWave::quotient), apart,
