@@ -433,8 +433,7 @@ void reproduce(Report& report) {
   report_orbits(report, orbits);
   report.output.add("orbits", orbit_chart(orbits));
   std::vector<Start> starts;
-  for (std::size_t k :
-       quick ? std::vector<std::size_t>{1} : std::vector<std::size_t>{1, 2, 3, 4})
+  for (std::size_t k : quick ? std::vector<std::size_t>{1} : std::vector<std::size_t>{1, 2, 3, 4})
     starts.emplace_back(k, Staircase(1).reach(k));
   report_wells(report, starts);
   const Table at_one = exact_at_one(starts);
