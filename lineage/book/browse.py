@@ -111,7 +111,8 @@ USE = {
         button.focus(); button.click();
         if (!panel.matches(":popover-open")) return "a number does not open";
         const box = panel.getBoundingClientRect();
-        if (box.left < 0 || box.right > innerWidth + 1 || box.top < 0) return "a record opens beside the page";
+        if (box.left < 0 || box.right > innerWidth + 1) return "a record opens beside the page";
+        if (box.top < document.querySelector("header.top").getBoundingClientRect().bottom) return "a record covers the header";
         panel.hidePopover();
         const before = getComputedStyle(document.body).backgroundColor;
         document.getElementById("theme").click();
@@ -134,7 +135,15 @@ USE = {
         if (scrollY || document.activeElement !== query) return "the search does not open at its field";
         query.value = "surface mode"; query.dispatchEvent(new Event("input"));
         const links = [...document.querySelectorAll("#results a")].map((a) => a.getAttribute("href"));
-        return links.some((l) => l.startsWith("sec34_impact.html#")) ? "" : "the search does not find the surface mode: " + links;
+        if (!links.some((l) => l.startsWith("sec34_impact.html#"))) return "the search does not find the surface mode: " + links;
+        const first = (words) => {
+          query.value = words; query.dispatchEvent(new Event("input"));
+          return document.querySelector("#results a")?.getAttribute("href") ?? "nothing";
+        };
+        for (const [words, page] of [["fig 19", "fig-19.html"], ["Fig. x19", "fig-x19.html"], ["peierls-nabarro", "sec32_barrier.html"],
+            ["Peierls\u2013Nabarro", "sec32_barrier.html"], ["sec34_impact.cpp", "sec34_"], ["--velocity", "sec3"], ["velocity_sweep", "fig-19.html"]])
+          if (!first(words).startsWith(page)) return `'${words}' leads to ${first(words)}`;
+        return "";
       })()""",
 }
 
@@ -224,7 +233,7 @@ def check_keys(browser, folder):
     opened = "!!document.querySelector('[popover]:popover-open')"
     browser.open("file://" + os.path.join(folder, "index.html"))
     browser.evaluate("document.querySelector('h1').tabIndex = -1; document.querySelector('h1').focus()")
-    for _ in range(10):  # a button and six figures come first
+    for _ in range(16):  # the header, the chain and six figures come first
         browser.press("Tab")
         if browser.evaluate("document.activeElement.className") == "num":
             break
