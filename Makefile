@@ -237,6 +237,11 @@ mutants: install-deps
 fresh:
 	@sh tools/fresh.sh $(SUITE)
 
+## container: the steps of the Dockerfile in a bare root, where no container can run (SUITE=trixie; takes root)
+.PHONY: container
+container:
+	@sh tools/fresh.sh --container $(SUITE)
+
 ## install-deps: install the Debian packages of apt-packages.txt that are missing
 install-deps:
 	@DEPS=$(DEPS) sh tools/install-deps.sh apt-packages.txt
