@@ -5,6 +5,7 @@
     claims    what the article states, what the programs answer, and the verdict
     lock      paper/converged.ecsv: which values are kept, and how far a fresh one may be
     refresh   values and tables in prose: src/, README.md, ARTIFACT.md, figures/figures.ecsv
+    metadata  version, title, authors, licences: CITATION.cff, .zenodo.json, paper/metadata.yaml
     tex       the same values for the paper
     summary   the end of `make figures`, build/report/published.ecsv, one claim by its id
     gallery   the small pictures of the README
