@@ -242,6 +242,17 @@ fresh:
 container:
 	@sh tools/fresh.sh --container $(SUITE)
 
+## dist: sources, tables, figures, and the book and the report that are there, in one archive, build/dist
+.PHONY: dist
+dist:
+	@sh tools/dist.sh $(B)
+
+## style: clang-format and shellcheck, where they are installed
+.PHONY: style
+style:
+	@! command -v clang-format >/dev/null 2>&1 || git ls-files '*.cpp' '*.hpp' | xargs clang-format --dry-run --Werror
+	@! command -v shellcheck >/dev/null 2>&1 || shellcheck .ci/run tools/*.sh tests/*.sh
+
 ## install-deps: install the Debian packages of apt-packages.txt that are missing
 install-deps:
 	@DEPS=$(DEPS) sh tools/install-deps.sh apt-packages.txt
