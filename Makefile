@@ -149,7 +149,8 @@ book: install-book
 ## weave: the same from the data and figures that are there, in seconds
 weave:
 	@sh book/live/build.sh $(B)/live
-	@$(weaver) -m lineage weave --data $(D)/data --figures $(D)/figures --live $(B)/live --out $(D)/book
+	@$(weaver) -m lineage weave --data $(D)/data --figures $(D)/figures --live $(B)/live --programs $(B)/bin \
+	  --out $(D)/book
 
 install-book: install-deps
 	@DEPS=$(DEPS) sh tools/install-deps.sh apt-packages.txt book
@@ -245,6 +246,7 @@ container:
 ## dist: sources, tables, figures, and the book and the report that are there, in one archive, build/dist
 .PHONY: dist
 dist:
+	@$(lineage) inventory --data $(B)/data --programs $(B)/bin --out $(B)/report
 	@sh tools/dist.sh $(B)
 
 ## style: clang-format and shellcheck, where they are installed

@@ -8,6 +8,7 @@
     metadata  version, title, authors, licences: CITATION.cff, .zenodo.json, paper/metadata.yaml
     tex       the same values for the paper
     summary   the end of `make figures`, build/report/published.ecsv, one claim by its id
+    inventory every table with its columns, every command, the packages used
     gallery   the small pictures of the README
     book      the weaver, a package of its own
 

@@ -33,7 +33,9 @@ take() {
 take data tables "the tables" "make figures"
 take figures figures "the figures" "make figures"
 take report/published.ecsv published.ecsv "published against reproduced" "make figures"
-take report/packages.ecsv packages.ecsv "the list of packages" "make weave"
+for index in packages tables commands; do
+  take report/$index.ecsv $index.ecsv "the list of $index" "make dist"
+done
 take book book "the book" "make book"
 take paper.pdf report.pdf "the report" "make paper"
 find "$part/$name/products" -name '.*' -exec rm -rf {} +
