@@ -149,7 +149,8 @@ book: install-book
 ## weave: the same from the data and figures that are there, in seconds
 weave:
 	@sh book/live/build.sh $(B)/live
-	@$(weaver) -m lineage weave --data $(D)/data --figures $(D)/figures --live $(B)/live --out $(D)/book
+	@$(weaver) -m lineage weave --data $(D)/data --figures $(D)/figures --live $(B)/live --programs $(B)/bin \
+	  --out $(D)/book
 
 install-book: install-deps
 	@DEPS=$(DEPS) sh tools/install-deps.sh apt-packages.txt book
@@ -236,6 +237,23 @@ mutants: install-deps
 .PHONY: fresh
 fresh:
 	@sh tools/fresh.sh $(SUITE)
+
+## container: the steps of the Dockerfile in a bare root, where no container can run (SUITE=trixie; takes root)
+.PHONY: container
+container:
+	@sh tools/fresh.sh --container $(SUITE)
+
+## dist: sources, tables, figures, and the book and the report that are there, in one archive, build/dist
+.PHONY: dist
+dist:
+	@$(lineage) inventory --data $(B)/data --programs $(B)/bin --out $(B)/report
+	@sh tools/dist.sh $(B)
+
+## style: clang-format and shellcheck, where they are installed
+.PHONY: style
+style:
+	@! command -v clang-format >/dev/null 2>&1 || git ls-files '*.cpp' '*.hpp' | xargs clang-format --dry-run --Werror
+	@! command -v shellcheck >/dev/null 2>&1 || shellcheck .ci/run tools/*.sh tests/*.sh
 
 ## install-deps: install the Debian packages of apt-packages.txt that are missing
 install-deps:

@@ -50,9 +50,14 @@ def share(given):
     show_shares(given.root)
 
 
+def inventory(given):
+    from .inventory import write
+    write(given.root, given.data, given.programs, given.out)
+
+
 def weave(given):
     from .book.weave import make
-    count = make(given.root, given.data, given.figures, given.out, given.live)
+    count = make(given.root, given.data, given.figures, given.out, given.live, given.programs)
     print(f"book       : {count} pages, {given.out}/index.html")
 
 
@@ -68,6 +73,7 @@ def reader():
     options = {"data": ("build/data", "folder with one folder of tables a program"),
                "figures": ("build/figures", "folder of the drawings"),
                "costs": ("build/report/cost", "folder with the seconds that each program took"),
+               "programs": ("build/bin", "folder of the compiled programs"),
                "live": ("build/live", "folder of the compiled live pages")}
 
     def verb(run, help, *wanted, out=None):
@@ -88,7 +94,8 @@ def reader():
     old = verb(gallery, "draw the small pictures of the README", "figures")
     old.add_argument("--check", action="store_true", help="only say which are not current")
     verb(share, "how much of each chapter's code is physics, method or criteria")
-    verb(weave, "weave the book", "data", "figures", "live", out="build/book")
+    verb(inventory, "every table with its columns, every command, the packages used", "data", "programs", out="build/report")
+    verb(weave, "weave the book", "data", "figures", "live", "programs", out="build/book")
     return parser
 
 

@@ -14,13 +14,14 @@ from .bind import PageBinding
 from .source import rooms_of
 
 LISTS = [("published.html", "Published against reproduced"), ("numbers.html", "All other numbers"),
-         ("equations.html", "Equations of the article"), ("figures.html", "All figures")]
+         ("equations.html", "Equations of the article"), ("figures.html", "All figures"),
+         ("tables.html", "All tables and columns"), ("commands.html", "All commands"), ("packages.html", "Packages used")]
 LIVE = [("strike", "Strike the chain"), ("breather", "Find a breather"), ("defect", "Put a defect in the way")]
 
 
 class Book:
-    def __init__(self, record, binder, chapters, rooms):
-        self.record, self.binder, self.chapters, self.rooms = record, binder, chapters, rooms
+    def __init__(self, record, binder, chapters, rooms, inventory):
+        self.record, self.inventory, self.binder, self.chapters, self.rooms = record, inventory, binder, chapters, rooms
         self.order = chapters + [s for room in rooms.values() for s in room]
         self.titles = {s.page: s.title for s in self.order}
         self.statuses = [c["status"] for c in record.claims.values()]
@@ -33,7 +34,7 @@ class Book:
         self.env.filters.update({f.__name__: f for f in (words.number, words.spelled, words.unit, words.broken, words.value,
                                                          words.agreement, words.spoken, words.short_figure, command_of)})
         lists = LISTS + [(f"{page}.html", f"{title} (live)") for page, title in LIVE if binder.live]
-        self.env.globals.update(record=record, book=binder, chapters=chapters, rooms=rooms, titles=self.titles, lists=lists,
+        self.env.globals.update(record=record, inventory=inventory, book=binder, chapters=chapters, rooms=rooms, titles=self.titles, lists=lists,
                                 verdicts=VERDICTS, statuses=self.statuses)
         binder.parts = self.parts = self.env.get_template("parts.html").module
 
@@ -125,6 +126,10 @@ class Book:
                       escape(f'{c["quantity"]}; {c["printed"]}; {c["status"]} {c["reason"]}'))
         for number, e in self.binder.equations.items():
             self.note("equations.html", f"eq-{number}", LISTS[2][1], f"Eq. ({number})", escape(e["name"]))
+        for row in self.inventory["commands"]:
+            if row["command"] and not row["option"]:
+                name = f'{row["program"]} {row["command"]}'
+                self.note("commands.html", name.replace(" ", "-"), LISTS[5][1], name, escape(row["description"]))
         return {name: self.page(name, title, self.render(name.removesuffix(".html"))) for name, title in LISTS}
 
     def figure_page(self, id):

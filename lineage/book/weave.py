@@ -9,6 +9,7 @@ import re
 import shutil
 from pathlib import Path
 
+from .. import inventory
 from ..ecsv import Fault, text_of
 from . import check, pages, prose
 from .bind import Binder, PageBinding, read_live
@@ -115,7 +116,7 @@ def copy_live(out, folder):
                                  encoding="utf-8")
 
 
-def make(root, data, figures, out, live=""):
+def make(root, data, figures, out, live="", programs=""):
     """The verb; returns the number of files that are text."""
     root, figures, out, live = Path(root), Path(figures), Path(out), Path(live)
     record = Record(root, data)
@@ -125,7 +126,9 @@ def make(root, data, figures, out, live=""):
     images = find_images(record, figures)
     has_live = all((live / f"{name}.wasm").exists() for name, _ in pages.LIVE)
     binder = Binder(record, sources, images, read_live(root / "book/live/figures.txt") if has_live else {})
-    book = pages.Book(record, binder, chapters, library)
+    there = {"tables": list(inventory.tables(root, data)), "commands": list(inventory.commands(root, programs)),
+             "packages": inventory.packages(root)}
+    book = pages.Book(record, binder, chapters, library, there)
 
     found = book.assemble(bind_all(binder, sources))  # page name -> HTML with formulas still in TeX
     done = prose.typeset([f for page in found.values() for f in prose.formulas(page)])

@@ -238,10 +238,11 @@ class Repository(Scratch):
         self.write("book/start.md", "Take [](num:a.one).\n")
         self.write("book/live/figures.txt", "")
         self.write("book/commands.txt", "a.one build/bin/sec1_demo one --exactly # one\n")
+        self.write("apt-packages.txt", "dpkg\n[book]\nno-such-package\n")
 
     def weave(self, out="book"):
         build = self.root / "build"
-        weave.make(self.root, build / "data", build / "figures", build / out, build / "live")
+        weave.make(self.root, build / "data", build / "figures", build / out, build / "live", build / "bin")
 
     def page(self, name, out="book"):
         return self.read(f"build/{out}/{name}")
@@ -267,6 +268,22 @@ class Repository(Scratch):
         self.assertIn('what <a href="numbers-demo.html">demo.hpp</a> declares', half)
         self.assertIn('compiled in <a href="numbers-demo-cpp.html">demo.cpp</a>', self.page("numbers-demo.html"))
         self.assertIn('["sec1_demo.html#results"', self.page("search-index.js"))
+
+    @needs_tools
+    def test_tables_commands_and_packages_have_a_page(self):
+        self.program()
+        self.weave()
+        tables = self.page("tables.html")
+        for name in ("quantity", "value", "error", "unit"):
+            self.assertIn(f'<code>{name}</code></td><td data-label="table"><a href="data/sec1_demo/facts.ecsv"', tables)
+        self.assertIn('data-label="meaning">what error is</td>', tables)
+        commands = self.page("commands.html")
+        self.assertIn('<h3 id="sec1_demo-one"><code>sec1_demo one</code></h3><p>One thing, of two.</p>', commands)
+        self.assertIn("<code>--speed</code></td><td>[0, 1]</td><td>how fast it is, in sites (default: 0.5)</td>", commands)
+        self.assertEqual(commands.count("<code>--help</code>"), 2)  # in the sentence, and where it is explained
+        self.assertIn('["commands.html#sec1_demo-one"', self.page("search-index.js"))
+        packages = self.page("packages.html")
+        self.assertIn("<code>no-such-package</code></td><td>not installed</td><td>book</td>", packages)
 
     def test_a_summary_is_whole_sentences(self):
         long = "word " * 40 + "end."
