@@ -107,7 +107,7 @@ $(D)/figures/$(basename $(3)).svg: figures/$(3) $(D)/data/$(2)/results.ecsv $(ca
     $(if $(filter %.gp,$(3)),figures/style.gp,figures/draw.py figures/matplotlibrc)
 	@mkdir -p $$(@D)
 	@echo "  draw     $(basename $(3))"
-	@PYTHON="$$(PYTHON)" sh tools/draw.sh $$@ $(D)/data $$<
+	@PYTHON="$$(PYTHON)" FROM="$$^" sh tools/draw.sh $$@ $(D)/data $$<
 $(call tables,$(2),$(4)): $(D)/data/$(2)/results.ecsv
 endef
 need_python = test -n "$(PYTHON)" || { echo "no python3 with matplotlib found (set PYTHON=...)"; exit 1; };
@@ -122,9 +122,9 @@ $(foreach i,$(patsubst 0%,%,$(filter 0%,$(ids))),$(eval fig$(i): fig0$(i)))
 $(foreach i,$(patsubst x0%,%,$(filter x0%,$(ids))),$(eval x$(i): x0$(i)))
 
 %.pdf: %.svg
-	@sh tools/draw.sh $@ $<
+	@FROM="$<" sh tools/draw.sh $@ $<
 %.png: %.svg
-	@sh tools/draw.sh $@ $<
+	@FROM="$<" sh tools/draw.sh $@ $<
 
 # What reads the tables: a python with the standard library, for the book one with these modules too.
 lineage = "$(or $(PYTHON),python3)" -m lineage

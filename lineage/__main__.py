@@ -102,10 +102,16 @@ def reader():
 def main(arguments=None):
     given = reader().parse_args(arguments)
     try:
-        return int(given.run(given) or 0)
+        code = int(given.run(given) or 0)
+        sys.stdout.flush()
+        return code
     except ecsv.Fault as fault:
         print(f"lineage {given.verb}: {fault}", file=sys.stderr)
         return fault.code
+    except OSError as error:  # of files a Fault is made; what is left is the place where this writes
+        sys.stdout = None
+        print(f"lineage {given.verb}: cannot write to standard output ({error.strerror})", file=sys.stderr)
+        return 1
     except ModuleNotFoundError as error:
         print(f"lineage {given.verb}: the module {error.name} is not installed (apt-packages.txt)", file=sys.stderr)
         return 1

@@ -503,6 +503,8 @@ TEST_CASE("phonons and compressed impacts report the contract's quantities", "[c
   CHECK(quantity(b, "lower_edge") == 1);
   check_close(quantity(b, "upper_edge"), std::sqrt(1 + 6 * std::sqrt(0.5)), 1e-14);
   check_close(quantity(b, "phi_at_0"), -1.5, 1e-14);
+  check_close(quantity(b, "unstable_from"), quantity(b, "inflection"), 1e-14);
+  check_close(quantity(b, "unstable_to"), 2.0068, 5e-5);
   const Result i = call("sec4_precompression_mi impact --s 1 --time 724");
   REQUIRE(i.code == 0);
   for (const char* name : {"centre", "width", "energy_fraction"}) {

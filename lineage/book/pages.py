@@ -135,7 +135,7 @@ class Book:
     def figure_page(self, id):
         figure = self.record.figures[id]
         script = ecsv.text_of(self.record.root / "figures" / figure["script"]).rstrip("\n")
-        tables = [(name, ecsv.read(self.record.table_path(figure["program"], name))) for name in figure["data"].split()
+        tables = [(name, ecsv.read_written(self.record.table_path(figure["program"], name))) for name in figure["data"].split()
                   if self.binder.has_table(figure["program"], name)]
         self.note(f"fig-{id}.html", "", LISTS[3][1], words.spoken(id), escape(figure["caption"]))
         language = "python" if figure["script"].endswith(".py") else "gnuplot"

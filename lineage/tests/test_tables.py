@@ -107,7 +107,7 @@ class Faults(Scratch):
         self.refuses("summary", "sec1_demo/results.ecsv: row 2: two values for 'a.one'")
         self.results(["a.one", 1.0, 0.1, ""])
         self.write("src/sec2_other.cpp", "/**\n# 2 */\n")
-        self.write("build/data/sec2_other/results.ecsv", self.read("build/data/sec1_demo/results.ecsv"))
+        self.computed("sec2_other/results.ecsv", self.read("build/data/sec1_demo/results.ecsv"))
         self.refuses("summary", "sec2_other/results.ecsv: row 1: 'a.one' is answered by sec2_other, but", "by sec1_demo")
         self.results(["a.none", 1.0, 0.1, ""])
         self.refuses("lock", "row 1: 'a.none' is no claim")
@@ -130,6 +130,16 @@ class Faults(Scratch):
         self.refuses("summary", "sec1_demo/results.ecsv: no table (it is empty)")
         self.write(path, good[:-12])
         self.refuses("summary", "sec1_demo/results.ecsv: row 1: ", "cut off")
+        # Whole, and not what the program wrote: a digit, a row less, no checksums
+        self.write(path, good.replace("a.one,1,", "a.one,2,"))
+        for verb in ("summary", "lock"):
+            self.refuses(verb, "sec1_demo/results.ecsv: not what sec1_demo wrote")
+        self.write(path, "".join(good.splitlines(True)[:-1]))
+        self.refuses("summary", "sec1_demo/results.ecsv: not what sec1_demo wrote")
+        self.write(path, good)
+        (self.root / "build/data/sec1_demo/SHA256SUMS").unlink()
+        self.refuses("summary", "SHA256SUMS is missing")
+        self.computed("sec1_demo/results.ecsv", good)
         self.write("paper/converged.ecsv", self.read("paper/converged.ecsv").replace("m,value", "m,vaule"))
         self.refuses("refresh", "converged.ecsv: row 1: a.one: the kind 'vaule' is none")
         (self.root / "build/data").rename(self.root / "build/gone")
@@ -137,6 +147,18 @@ class Faults(Scratch):
             self.refuses(verb, "build/data is missing: compute it first")
         (self.root / "paper/converged.ecsv").unlink()
         self.refuses("macros", "converged.ecsv is missing")
+
+    def test_rows_that_are_broken(self):
+        """A cell lost, doubled or turned into a word, in what is claimed and in what is locked."""
+        for path, row in [("paper/published.ecsv", 'a.one,1,Fig. demo,one,'), ("paper/converged.ecsv", "sec1_demo,a.one,")]:
+            good, name = self.read(path), path.rpartition("/")[2]
+            for bad, message in [(good.replace(row, row + "x,"), "row 1: "), (good.replace(row, ""), "row 1: "),
+                                 (good.replace(row, '"' + row), "quotes that do not close"), (good[:-1], "cut off"),
+                                 (good.replace("# - {name: 'id'", "# - {name: 'di'"), "names above the rows")]:
+                self.assertNotEqual(bad, good)
+                self.write(path, bad)
+                self.refuses("lock", name, message)
+            self.write(path, good)
 
     def test_the_command_line(self):
         for arguments in (["summary", "--dat"], ["show"], ["show", "a.one", "a.two"]):
