@@ -214,6 +214,13 @@ lock: install-deps
 	@$(MAKE) all-data
 	@$(lineage) lock --data $(B)/data
 
+## hashes: renew paper/hashes.ecsv, the bytes of all tables of the full and the quick run, and print what moved
+.PHONY: hashes
+hashes: install-deps
+	@$(MAKE) QUICK= all-data
+	@$(MAKE) QUICK=1 all-data
+	@$(lineage) hashes --data $(B)/data --quick $(B)/quick/data
+
 ## refresh: write the locked values into the prose of src/, and renew the tables of README.md
 refresh readme:
 	@$(lineage) refresh --costs $(B)/report/cost
@@ -232,6 +239,15 @@ gallery: all-figures
 .PHONY: mutants
 mutants: install-deps
 	@$(or $(PYTHON),python3) tools/mutants.py $(MUTANTS)
+
+## test-platforms: the same bytes from other compilers, Debian 13 and ARM64 (an hour; PLATFORMS='clang trixie')
+.PHONY: test-platforms test-slurm
+test-platforms: install-deps
+	@sh tools/platforms.sh $(PLATFORMS)
+
+## test-slurm: the lineage and a map in parts under Slurm, on a cluster of two nodes on this machine (takes root)
+test-slurm: programs
+	@sh tests/slurm/run.sh
 
 ## fresh: the README's commands, make book and make paper in a bare Debian root (SUITE=trixie; takes root)
 .PHONY: fresh
