@@ -92,7 +92,7 @@ def copy_katex(out):
 
 
 def copy_assets(out, record, figures, images):
-    for name in ("book.css", "book.js"):
+    for name in ("book.css", "book.js", "chain.js"):
         shutil.copyfile(prose.ASSETS / name, out / name)
     (out / "figures").mkdir()
     for name, *_ in images.values():

@@ -301,6 +301,10 @@ class Repository(Scratch):
         self.assertEqual(prose.formulas(found[3]), [("\\(|x|\\)", False)])
         self.assertEqual(found[4].count("<figure>"), 2)
         self.assertEqual(prose.plain("<p>a (<b>b</b>) &lt; 10<sup>−3</sup></p><p>c</p>"), "a (b) < 10^−3 c")
+        for tex, words_of_it in [(r"\frac{1}{2}\omega_b^{2}", "1/2ω_b^2"), (r"\tfrac12 x \le \infty", "1/2 x ≤ ∞"),
+                                 (r"\tilde E_{\mathrm{PN}} \to 0", "E_PN → 0"), (r"\cos q", "cos q"), ("y_{n-1}", "y_(n-1)")]:
+            page = f'<span class="math inline">\\({tex}\\)</span>'
+            self.assertEqual(prose.plain(page), words_of_it)
 
     @needs_tools
     def test_twice_the_same_bytes(self):
