@@ -90,10 +90,11 @@ std::vector<double> wave_residuals(const CubicLine& d, const ForceIntegrals& int
     const Force &before = force[i], &here = force[i + turn], &after = force[i + 2 * turn];
     const Number next = integrals.image(std::size_t(i) + 1);
     const Number left = value(c, Number(0)) - image, right = value(c, Number(1)) - next;
-    const Number second = 2 * c[2] / (h * h) + image - (after.start - two * here.start + before.start);
-    const Number third = Number(6) * c[3] / (h * h * h) -
-                         ((after.change - two * here.change + before.change) -
-                          (integrals.image_slope(std::size_t(i)) + curved));
+    const Number second =
+        2 * c[2] / (h * h) + image - (after.start - two * here.start + before.start);
+    const Number third =
+        Number(6) * c[3] / (h * h * h) - ((after.change - two * here.change + before.change) -
+                                          (integrals.image_slope(std::size_t(i)) + curved));
     const Number inside = h * h / Number(8) * (abs(second) + h * abs(third));
     out.push_back((Number(std::max(magnitude(left), magnitude(right))) + inside).upper);
     image = next;
@@ -136,8 +137,8 @@ double WaveProof::widest(const std::vector<double>& density, std::size_t first,
   const std::size_t turn = fine_.per_turn;
   double most = 0;
   for (std::size_t p = first; p <= density.size() + turn; ++p) {
-    const Wide all = p >= turn ? up_to(p + turn + 1) - up_to(p - turn)
-                               : up_to(p + turn + 1) + up_to(turn - p);
+    const Wide all =
+        p >= turn ? up_to(p + turn + 1) - up_to(p - turn) : up_to(p + turn + 1) + up_to(turn - p);
     most = std::max(most, above(double(all.upper)));
   }
   return most;
@@ -173,7 +174,8 @@ WaveProof::Rows WaveProof::response() const {
     Moments& here = moments[p / per];
     for (int side : {0, 1}) {
       const double share = side ? rising : 1 - rising;
-      here.cosine[side] += area * (share * c + error), here.sine[side] += area * (share * s + error);
+      here.cosine[side] += area * (share * c + error),
+          here.sine[side] += area * (share * s + error);
     }
   }
   Rows matrix(m + 1, Numbers(m + 1));
@@ -219,7 +221,7 @@ void WaveProof::invert() {
   // Between two nodes the modulus is at most that of the ends, on sines: tan(x / 2) for each
   const Number x = enclosed_pi() / double(fine_.nodes), tangent = x / (one - x * x / two);
   for (long i = 0; i < size; ++i) {
-    Number defect{}, weights{}, norm{};
+    Number defect(underflow), weights{}, norm{};
     for (long j = 0; j < size; ++j) {
       const Number c(std::abs(inverse(i, j)));
       defect += abs(Number(identity(i, j)) - (i == j ? one : Number(0)));
@@ -227,7 +229,7 @@ void WaveProof::invert() {
       weights += c;
     }
     // |K(t - s) + K(t + s)| <= 2
-    const Number rounding = weights * (two * gamma + kernel_error);
+    const Number rounding = weights * ((two + kernel_error) * gamma + kernel_error) + underflow;
     for (long l = 0; l + 1 < size; ++l) {
       const auto* a = stiffness_.data() + std::size_t(l) * per;
       norm += *std::max_element(a, a + per) * tangent *
@@ -282,10 +284,9 @@ class Bounds {
   Bounds(const CubicLine& d, const ForceIntegrals& integrals, double residual, double radius)
       : d_(d), integrals_(integrals), residual_(residual), r_(radius) {
     const Number h = d.step();
-    for (const Cubic& c : d.cell) {
-      const Number range = value(c, Number(0, 1));
-      if (stiffness_.size() * d.per_turn <= std::size_t(&c - d.cell.data()))
-        stiffness_.emplace_back();
+    for (std::size_t p = 0; p < d.cell.size(); ++p) {
+      const Number range = value(d.cell[p], Number(0, 1));
+      if (p % d.per_turn == 0) stiffness_.emplace_back();
       stiffness_.back() += h * stiffness_of(range + Number(-radius, radius)).upper;
       mass_ += h * hertz(range).upper;
     }
@@ -304,8 +305,8 @@ class Bounds {
       sum += c * c + s * s + (n == 0 ? contact : two * contact);
     }
     // Behind: (T M^(3/2))^2 a shift and 2/5 M^(5/2) a contact, twice the first
-    const Number turn = two * enclosed_pi(), tail = two * turn * turn * Number(r_) * r_ * r_ +
-                                                    two * hertz(Number(r_)) * r_;
+    const Number turn = two * enclosed_pi(),
+                 tail = two * turn * turn * Number(r_) * r_ * r_ + two * hertz(Number(r_)) * r_;
     return sum + Number(0, tail.upper);
   }
 
@@ -321,9 +322,7 @@ class Bounds {
   Number peak() const { return largest(d_) + Number(-r_, r_); }
 
   /// Minus the central velocity, the integral of f cos t over a shift about zero.
-  Number minus_velocity() const {
-    return two * (integrals_.cosine(0, d_.per_turn / 2) + shift(0));
-  }
+  Number minus_velocity() const { return two * (integrals_.cosine(0, d_.per_turn / 2) + shift(0)); }
 
  private:
   std::size_t node(std::size_t n) const { return n * d_.per_turn; }
@@ -350,14 +349,14 @@ EnclosedWave enclose_wave(int sign, const WaveFineness& fineness) {
   const double residual = *std::max_element(residuals.begin(), residuals.end());
   const WaveProof proof(guess, fineness);
   const auto [unique, exists] =
-      two_balls(proof.eta(residuals), 0x1p-12, [&](double radius) { return proof.q(radius); });
+      two_balls(proof.eta(residuals), 0x1p-14, [&](double radius) { return proof.q(radius); });
   if (!(Number(16) * root(Number(exists.radius)) <= one))
     throw NotProved("the tail does not certainly decay");
   const Bounds wave(guess, integrals, residual, exists.radius);
   if (!(Number(-sign) * wave.minus_velocity() > Number(0)))
     throw NotProved("the sign of the wave is not certain");
-  return {unique,          exists,   proof.kappa(), proof.delta(), proof.epsilon(),
-          residual,        wave.energy(), wave.peak(), wave.action()};
+  return {unique,   exists,        proof.kappa(), proof.delta(), proof.epsilon(),
+          residual, wave.energy(), wave.peak(),   wave.action()};
 }
 
 }  // namespace lattice
