@@ -233,7 +233,7 @@ py::object column_of(const Table& table, std::size_t k) {
   for (const auto& row : table.rows)
     std::visit([&](const auto& cell) { out.append(cell); }, row[k]);
   if (table.columns[k].kind == Kind::integer) return py::array::ensure(out);
-  return std::move(out);
+  return out;
 }
 
 py::dict to_python(const Table& table) {

@@ -77,6 +77,8 @@ static Branch<double> branch_in_s(const Orbit<double>& start, int direction) {
   return {problem, along_s<double>(), newton(problem, x), direction, {}, in_s};
 }
 
+/**
+The branch is followed in double precision, and its end is confirmed in the wider type. */
 static OneOrbit::Found found_with_free_time(const Shooting<double>& problem,
                                             const Orbit<double>& orbit) {
   const auto wide = in_precision<long double>(problem);
