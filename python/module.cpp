@@ -392,6 +392,7 @@ void add_model(py::module_& m) {
       .def_readonly("exponent", &RowContact::exponent);
   py::class_<Chain>(m, "Chain")
       .def(py::init(&make_chain))
+      .def(py::init<const Chain&>())
       .def_readonly("sites", &Chain::sites)
       .def_property_readonly("onsite", [](const Chain& c) { return describe<Well>(c.well); })
       .def_property_readonly("contact", [](const Chain& c) { return describe<Contact>(c.contact); })

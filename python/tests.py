@@ -105,7 +105,8 @@ class Refusals(unittest.TestCase):
         run = "sec34_impact run"
         self.check(ValueError, lattice.strike, run, velocity=-1.0)
         self.check(ValueError, lattice.strike, run, velocity="fast")
-        self.check(ValueError, lattice.strike, run, velocty=1.0)
+        with self.assertRaisesRegex(ValueError, "velocty.*--velocity"):
+            lattice.strike(velocty=1.0)
         self.check(ValueError, lattice.strike, run, onsite="pendulum", s=1.0)
         self.check(ValueError, lattice.breather, "sec32_newton_breathers breather", centre="bond", sites=31)
         self.check(ValueError, lattice.breather, "sec32_newton_breathers breather", onsite="none")

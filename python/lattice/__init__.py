@@ -182,6 +182,13 @@ class Chain(_lattice.Chain):
         return super().accelerations(np.asarray(y, float).tolist())
 
 
+def _chain(found):
+    """A chain that comes from the compiled half, with the methods of this one."""
+    chain = Chain.__new__(Chain)
+    _lattice.Chain.__init__(chain, found)
+    return chain
+
+
 def _refuse_both(options):
     for name in options:
         if name in {option[0] for option in _lattice.options["Chain"]}:
@@ -207,7 +214,7 @@ def strike(chain=None, **options):
         _refuse_both(options)
     found, end, track, chain = _lattice.strike(_words(options), chain)
     path = {"t": track["t"]} | {f"track_{name}": track[name] for name in ("centre", "energy", "peak")}
-    return Result(_estimates(found), **end, **path, chain=chain)
+    return Result(_estimates(found), **end, **path, chain=_chain(chain))
 
 
 def breather(**options):
@@ -225,7 +232,7 @@ def breather(**options):
     RuntimeError: Newton's method fails, or the branch that begins at omega = 1 does not reach `omega`."""
     well = _own(options, "onsite", Well)
     found, profile, chain = _lattice.breather(_words(options), well)
-    return Result(_estimates(found), **profile, chain=chain)
+    return Result(_estimates(found), **profile, chain=_chain(chain))
 
 
 def multipliers(**options):
@@ -269,7 +276,7 @@ def travelling(**options):
 
     ValueError: there is no such orbit; the message names the nearest."""
     found, profile, chain = _lattice.travelling(_words(options))
-    return Result(_estimates(found), **profile, chain=chain)
+    return Result(_estimates(found), **profile, chain=_chain(chain))
 
 
 def dps(**options):
