@@ -172,6 +172,11 @@ src: programs
 examples: programs
 	@cd $(B) && ctest -R '^install$$' $(CTEST_ARGS)
 
+## python: build the Python module, build/python/lattice
+.PHONY: python
+python: configure
+	@sh tools/build.sh $(B) $(JOBS) python_module
+
 .PHONY: run-tests
 run-tests: programs
 	@echo "  build    tests"

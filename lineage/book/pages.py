@@ -9,7 +9,7 @@ from markupsafe import Markup, escape
 from .. import ecsv
 from ..claims import VERDICTS
 from ..refresh import command_of
-from . import code, prose, words
+from . import code, notebooks, prose, words
 from .bind import PageBinding
 from .source import rooms_of
 
@@ -33,7 +33,10 @@ class Book:
                                undefined=StrictUndefined, keep_trailing_newline=False)
         self.env.filters.update({f.__name__: f for f in (words.number, words.spelled, words.unit, words.broken, words.value,
                                                          words.agreement, words.spoken, words.short_figure, command_of)})
+        self.notebooks = notebooks.read(record.root)
+        self.titles.update({page: title for page, title, *_ in self.notebooks})
         lists = LISTS + [(f"{page}.html", f"{title} (live)") for page, title in LIVE if binder.live]
+        lists += [(page, f"{title} (Python)") for page, title, *_ in self.notebooks]
         self.env.globals.update(record=record, inventory=inventory, book=binder, chapters=chapters, rooms=rooms, titles=self.titles, lists=lists,
                                 verdicts=VERDICTS, statuses=self.statuses)
         binder.parts = self.parts = self.env.get_template("parts.html").module
@@ -160,6 +163,14 @@ class Book:
             out[name + ".html"] = self.page(name + ".html", title, body)
         return out
 
+    def notebook_pages(self):
+        out = {}
+        for name, title, *rest in self.notebooks:
+            body, records, headings = notebooks.page(self, name, title, *rest)
+            self.note_sections(name, title, str(body))
+            out[name] = self.page(name, title, body + records, headings)
+        return out
+
     # Start and search
 
     def start(self, text):
@@ -194,7 +205,7 @@ class Book:
         """All files that are text, by name."""
         start = prose.to_html([ecsv.text_of(self.record.root / "book/start.md")])[0]
         out = {}
-        pages = self.source_pages(bodies)
+        pages = self.source_pages(bodies) | self.notebook_pages()
         out["index.html"] = self.start(start)
         out.update(pages | self.lists() | {f"fig-{id}.html": self.figure_page(id) for id in self.record.figures})
         out.update(self.live_pages())

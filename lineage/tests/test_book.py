@@ -3,6 +3,7 @@
 import filecmp
 import html
 import importlib.util
+import json
 import os
 import re
 import shutil
@@ -284,6 +285,23 @@ class Repository(Scratch):
         self.assertIn('["commands.html#sec1_demo-one"', self.page("search-index.js"))
         packages = self.page("packages.html")
         self.assertIn("<code>no-such-package</code></td><td>not installed</td><td>book</td>", packages)
+
+    @needs_tools
+    def test_a_notebook_is_shown(self):
+        cells = [{"cell_type": "markdown", "source": ["# In Python\n", "\n", "By Eq. (9), $x^2$; [](num:a.one)."]},
+                 {"cell_type": "code", "source": ["x = 1  # one"], "outputs": [
+                     {"output_type": "stream", "text": ["a < b\n"]}, {"data": {"image/png": "AAAA"}}]}]
+        self.write("python/a_b.ipynb", json.dumps({"cells": cells}))
+        self.weave()
+        page = self.page("notebook-a-b.html")
+        for piece in ['<h1 id="in-python">In Python</h1><p class="card">', "equations.html#eq-9", 'class="katex"', "1.000</button>",
+                      '<span class="c"># one</span>', '<pre class="said">a &lt; b</pre>', "data:image/png;base64,AAAA"]:
+            self.assertIn(piece, page)
+        self.assertIn("In Python (Python)", self.page("index.html"))
+        self.assertIn('"notebook-a-b.html#in-python"', self.page("search-index.js"))
+        self.write("python/a_b.ipynb", json.dumps({"cells": [cells[1]]}))
+        with self.assertRaisesRegex(ecsv.Fault, "no title"):
+            self.weave()
 
     def test_a_summary_is_whole_sentences(self):
         long = "word " * 40 + "end."
