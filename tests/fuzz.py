@@ -206,6 +206,7 @@ def main():
             known[program].pop(command)
     assert len(known) > 10, "no programs"
     codes, bad = {}, 0
+    print(f"seed {seed}", flush=True)
     with concurrent.futures.ThreadPoolExecutor(len(os.sched_getaffinity(0))) as pool:
         lines = [Line(number, seed, known) for number in range(count)]
         for line, (code, wrong) in zip(lines, pool.map(lambda line: tried(line, folder), lines)):
