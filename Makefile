@@ -185,6 +185,20 @@ run-tests: programs
 	@$(MAKE) test-lineage
 	@cd $(B) && ctest -j $(JOBS) $(CTEST_ARGS)
 
+## test-faults: runs that are killed, out of time or disk, or that nobody reads (a minute)
+.PHONY: test-faults test-fuzz
+test-faults: programs
+	@$(or $(PYTHON),python3) tests/faults.py . $(B)/bin 60
+	@sh tests/make.sh . && sh tests/drawing.sh .
+
+## test-fuzz: 5,000 random command lines for programs with sanitizers (SEED=..., COUNT=...; an hour)
+COUNT := 5000
+SEED = $(shell date +%s)
+test-fuzz: install-deps
+	@cmake --preset asan > /dev/null
+	@sh tools/build.sh $(B)/asan $(JOBS) programs
+	@LATTICE_SLACK=12 $(or $(PYTHON),python3) tests/fuzz.py $(B)/asan/bin $(COUNT) $(SEED)
+
 ## bench: time our integrators against GSL and Boost.odeint (ten minutes, not part of the tests)
 .PHONY: bench
 bench: install-deps configure

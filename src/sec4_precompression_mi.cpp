@@ -165,10 +165,9 @@ void report_band(Report& report) {
 A uniform phonon is unstable to slow modulations where $\Phi = -\beta\,\omega_2 > 0$, Eq. (37). So we
 tabulate $\Phi$ for the three wells. It changes sign at the inflection $q_c$ of $\omega(q)$. The band
 of instability lies to the left of $q_c$ for $s \le 0$, where $\beta < 0$, and to its right for
-$s = 1$, where it ends at [](num:sec4_precompression_mi.unstable_to_s_1), before $\pi$, because $\beta$ changes
-sign as well. That $\Phi$ is much smaller
-for $s = 0$, as the article says, we take to mean that its largest value is less than a tenth of the
-others'.
+$s = 1$, where it ends at [2.00682](num:sec4_precompression_mi.unstable_to_s_1), before $\pi$, because $\beta$ changes
+sign as well. That $\Phi$ is much smaller for $s = 0$, as the article says, we take to mean that its largest
+value is less than a tenth of the others'.
 
 ![The modulation coefficient of Eq. (37).](fig:25) */
 Table instability_table() {

@@ -603,6 +603,8 @@ TEST_CASE("every complaint about the line is one of ours", "[cli]") {
       {run + "-profile", "'-profile': an option has two dashes"},
       {run + "--", "'--': an option has two dashes"},
       {"sec34_impact rum", "'rum': there is no such command; did you mean 'run'? (allowed: run)"},
+      {"sec34_impact rnu", "did you mean 'run'?"},
+      {"sec33_mobility kikc", "did you mean 'kick'?"},
       {"sec34_impact --velocity 1", "--velocity: belongs to 'run'"},
       {"sec34_impact fly", "'fly': there is no such command (allowed: run)"},
       {"sec36_cantilever_defect scale", "did you mean 'scales'? (allowed: run, scales, map)"},

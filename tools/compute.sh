@@ -14,6 +14,6 @@ echo "  compute  ${program##*/}"
 now() { cut -d' ' -f1 /proc/uptime 2>/dev/null || date +%s.%N; }
 start=$(now)
 "$@"
-echo "$start $(now)" | awk '{ printf "%.1f\n", $2 > $1 ? $2 - $1 : 0 }' > "$cost"
+echo "$start $(now)" | awk '{ printf "%.1f\n", ($2 > $1 ? $2 - $1 : 0) }' > "$cost"
 # What is older than its program is computed again: after a clock was set back, for ever.
 if [ "$program" -nt "$results" ]; then touch -r "$program" "$results"; fi

@@ -1,6 +1,7 @@
 """The reader of tables, digits and verdicts, and what is said of files that cannot be used."""
 
 import math
+import random
 import unittest
 
 from lineage import ecsv
@@ -39,6 +40,39 @@ class Tables(unittest.TestCase):
             ecsv.parse(good, "t", ["x"])
         with self.assertRaisesRegex(ecsv.Fault, "nowhere.ecsv is missing"):
             ecsv.read("nowhere.ecsv")
+
+    def test_numbers_are_those_of_the_other_reader(self):
+        """As tests/table.cpp asks of src/report/table.cpp: no blanks, no underscores, nothing too large."""
+        real, whole = ecsv.Column("x", "float64"), ecsv.Column("k", "int64")
+        for text, number in [("031", 31), ("+31", 31), ("3.1e+01", 31), (".5", 0.5), ("-5e-324", -5e-324), ("0e9", 0)]:
+            self.assertEqual(ecsv.value_of(text, real), number)
+        for text in (" 1", "1 ", "1_0", "0x1f", "1e", "--1", "+-1", "+", "one", "1e999", "1e-999", "1,5", "\u0663", "1\r"):
+            self.assertRaises(ValueError, ecsv.value_of, text, real)
+        for text in ("", "+1", " 1", "1.0", "1_0", "9223372036854775808", "1" * 5000, "\u0663"):
+            self.assertRaises(ValueError, ecsv.value_of, text, whole)
+        self.assertEqual(ecsv.value_of("-9223372036854775808", whole), -2 ** 63)
+
+    def test_no_text_makes_the_reader_fail_otherwise(self):
+        """Letters lost, doubled, changed or moved: a text is refused as a Fault of one line, or its rows fit."""
+        columns = [ecsv.Column("a", "string", "l'un"), ecsv.Column("b", "float64", "x", "m"), ecsv.Column("c", "int64", "n")]
+        good = ecsv.to_text(ecsv.Table(columns, [{"a": 'so, "it" #', "b": 0.1 * k, "c": k} for k in range(4)], {"title": "t"}))
+        chance, letters, count = random.Random(20130601), "\"',\n#{}:-+.0eE\r\\ na_\x00\x85\u2028\u0663", [0, 0]
+        for _ in range(3000):
+            text = good
+            for _ in range(chance.randint(1, 4)):
+                at, length = chance.randrange(len(text) + 1), chance.randrange(12)
+                piece = chance.choice(["", chance.choice(letters), text[at // 2:at // 2 + length]])
+                text = text[:at] + piece + text[at + chance.choice([0, len(piece), length]):]
+            try:
+                table = ecsv.parse(text, "t")
+            except ecsv.Fault as fault:
+                count[0] += 1
+                self.assertNotIn("\n", str(fault).replace(text, ""))
+                continue
+            count[1] += 1
+            for row in table.rows:
+                self.assertEqual(list(row), [c.name for c in table.columns])
+        self.assertGreater(min(count), 300)
 
     def test_a_number_shows_the_digits_that_its_error_allows(self):
         for f, shown in [
