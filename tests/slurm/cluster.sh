@@ -4,7 +4,8 @@
 #   cluster.sh start FOLDER     prints what to evaluate:  eval "$(cluster.sh start FOLDER)"
 #   cluster.sh stop FOLDER
 #   cluster.sh node FOLDER N    starts the daemon of node N again;  cluster.sh lose FOLDER N ends it and its jobs
-# The configuration is read from the folder: SLURM_CONF, which `start` prints. Needs root and the packages slurm-wlm and munge. Ends with 77 where they are missing.
+# Slurm's commands find the cluster by SLURM_CONF, which `start` prints. Needs root and the packages slurm-wlm and
+# munge, and ends with 77 where they are missing.
 set -eu
 verb=$1
 mkdir -p "$2"
@@ -12,7 +13,13 @@ folder=$(cd "$2" && pwd -P)
 PATH=$PATH:/usr/sbin
 export SLURM_CONF="$folder/slurm.conf"
 cannot() { echo "  slurm    no cluster here: $1" >&2; exit 77; }
-end() { [ ! -f "$1" ] || { kill "$(cat "$1")" 2>/dev/null && rm -f "$1"; } || true; }
+end() {
+  [ -f "$1" ] || return 0
+  pid=$(cat "$1")
+  kill "$pid" 2>/dev/null || true
+  for _ in $(seq 50); do kill -0 "$pid" 2>/dev/null || return 0; sleep 0.1; done
+  kill -9 "$pid"
+}
 
 # These processes and all that they have started, the youngest last.
 # shellcheck disable=SC2046
