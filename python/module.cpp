@@ -114,6 +114,7 @@ class Rows {
   void stiffnesses(const T* x, T* out, std::size_t n) const {
     call(&Functions::stiffness, "stiffness", x, out, n);
   }
+  // A single number is a row of one
   template <class T>
   T energy(T x) const {
     return energies(&x, &x, 1), x;
@@ -374,6 +375,7 @@ void translate(std::exception_ptr error) {
   }
 }
 
+// What can be made: potentials and chains
 void add_model(py::module_& m) {
   const auto functions = [](py::function e, py::function f, py::function s) {
     return Functions{std::move(e), std::move(f), std::move(s)};

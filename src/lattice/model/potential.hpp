@@ -156,6 +156,8 @@ class OwnPotential {
       if constexpr (TakesRows<P>) return potential.stiffnesses(x, out, n);
       for (std::size_t i = 0; i < n; ++i) out[i] = potential.stiffness(x[i]);
     }
+
+    // The same without templates
     const void* type() const override { return &tag; }
     void energies(const double* x, double* out, std::size_t n) const override {
       energy_row(x, out, n);
