@@ -239,10 +239,7 @@ double left_behind(const Shooting<double>& problem, const Orbit<double>& orbit, 
   for (std::size_t k = 0; k < shifts; ++k) {
     flow(problem.chain, z, time, rule);
     left = std::max(left, std::hypot(z.y.front(), z.v.front()));
-    for (auto* q : {&z.y, &z.v}) {
-      std::rotate(q->begin(), q->begin() + 1, q->end());
-      q->back() = 0;
-    }
+    move_on(z, 1);
   }
   return left / orbit.amplitude;
 }
@@ -302,10 +299,7 @@ Flown by_steps(const Exact& e, std::size_t shifts, double step) {
     evolve(stepper_for(1e-12, step), chain, state, TimeGrid{round * e.shift_time(), round, steps},
            Unobserved{});
     left = std::max(left, passed(state, round));
-    for (auto* q : {&state.y, &state.v}) {
-      std::rotate(q->begin(), q->begin() + round, q->end());
-      std::fill(q->end() - round, q->end(), 0.0);
-    }
+    move_on(state, round);
   }
   return {left / e.orbit.amplitude, largest_difference(state, start) / e.orbit.amplitude};
 }
