@@ -20,6 +20,7 @@ struct ChosenBreather {
   std::size_t sites = 0;  ///< 0: as many as needed
   Well onsite = Quartic{};
 
+  /// The options that ask for a breather, each alone, since not every command has them all.
   void add_centre(Parameters& p) {
     p.add("centre", centre, "where the breather is centred",
           {{"site", Centre::site}, {"bond", Centre::bond}});

@@ -60,6 +60,7 @@ struct GaussNewton {
   double increment = 0, rank = 0;
 };
 
+/// Five iterations, as printed, or as many as `how` says; whether they converge is the question.
 MapBreather find_breather(const FixedStep& map, State<double> guess, const GaussNewton& how);
 
 /**

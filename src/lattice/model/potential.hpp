@@ -294,6 +294,7 @@ std::vector<ParameterInfo> parameters_of(const std::string& name = "") {
   return all;
 }
 
+/// The words in one line, with commas in between.
 inline std::string comma_list(const std::vector<std::string>& words) {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;

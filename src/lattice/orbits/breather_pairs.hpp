@@ -29,6 +29,7 @@ wider type. */
 /// What double precision is checked against: a 64-bit mantissa where the processor has one.
 using Wide = long double;
 
+/// The breather of frequency `omega` in quartic wells, on the chain that all pairs use.
 inline Shooting<double> problem_of(Centre centre, double omega, double s = 0) {
   return breather_problem(centre, omega, s, sites_of(centre));
 }
