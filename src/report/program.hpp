@@ -165,13 +165,14 @@ struct Title {
   const char *name, *meaning;
 };
 
+/// A command as a program offers it.
 struct Command {
   Title title;
   /// Declares the parameters and returns what computes the table from their values.
   std::function<std::function<Table()>(Parameters&)> declare;
 };
 
-/// The commands of such structs, as `main` lists them.
+/// The command that such a struct declares.
 template <class Declared>
 Command command() {
   return {Declared::title, [](Parameters& p) -> std::function<Table()> {
@@ -181,6 +182,7 @@ Command command() {
           }};
 }
 
+/// The list of commands for `main`.
 template <class... Declared>
 std::vector<Command> commands() {
   return {command<Declared>()...};

@@ -13,6 +13,7 @@ $t = 0$; how many sites it needs follows from that. Who names a chain length as 
 
 namespace lattice {
 
+/// The breather that a command is asked for, of `omega_b` in wells `onsite`.
 struct ChosenBreather {
   Centre centre = Centre::site;
   Phase phase = Phase::compressed;

@@ -55,6 +55,7 @@ struct MapBreather {
   double residual = 0, variation = 0;
 };
 
+/// How the equations are solved: `increment` of the difference quotients, exact derivatives if zero.
 struct GaussNewton {
   int iterations = 5;
   double increment = 0, rank = 0;

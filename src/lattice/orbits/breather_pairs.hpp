@@ -107,6 +107,7 @@ family a breather belongs. Where a branch turns back in frequency the pairs end.
 /// One family at increasing frequencies, as far as it reaches.
 std::vector<Orbit<double>> climb(Centre centre, double s, const std::vector<double>& omegas);
 
+/// Pairs at increasing frequencies.
 using BreatherPairs = std::vector<BreatherPair>;
 
 /// Frequencies: 1.005, then up to 2 in `count` equal steps from 1. For a soft well (s < 0), whose
