@@ -248,6 +248,28 @@ std::vector<Setting> all_settings(bool quick) {
   return all;
 }
 
+Columns setting_columns() {
+  return {label("method", "integrator"),
+          count("steps", "for one period"),
+          number("residual", "after five iterations, site-centred, relative to the amplitude"),
+          number("variation", "last change of the positions, relative to the amplitude"),
+          number("residual_differences", "the residual with difference quotients"),
+          number("variation_differences", "the variation with difference quotients"),
+          number("barrier", "E_site - E_bond"),
+          number("barrier_size", "modulus of the barrier"),
+          number("off_site", "distance of the four multipliers from +1, around a site"),
+          number("off_bond", "the same around a bond"),
+          number("s0_site", "exchange of stability around a site; nan where none in [-1, 1]"),
+          number("s0_bond", "the same around a bond; may be nan"),
+          number("s0_site_differences", "with difference quotients; may be nan"),
+          number("s0_bond_differences", "with difference quotients; may be nan"),
+          number("threshold_above", "c_c is larger; 0 where nothing is known"),
+          number("threshold_below", "c_c is smaller; nan where nothing is known"),
+          number("jump", "sites from the start at the end; nan where not followed", "site"),
+          number("last_quarter", "of them in the last quarter; may be nan", "site"),
+          count("near", "how many of the six numbers are near the printed ones")};
+}
+
 void report_scan(Report& report) {
   std::vector<Setting> all = all_settings(report.quick);
   parallel_for("settings", all.size(), [&](std::size_t i) {
@@ -258,25 +280,7 @@ void report_scan(Report& report) {
     if (at.is_long) measure_threshold(at);
     if (at.is_long && has_threshold(at)) measure_jump(at, 2.5e5);
   });
-  Table& table = report.table(
-      "settings",
-      {label("method", "integrator"), count("steps", "for one period"),
-       number("residual", "after five iterations, site-centred, relative to the amplitude"),
-       number("variation", "last change of the positions, relative to the amplitude"),
-       number("residual_differences", "the residual with difference quotients"),
-       number("variation_differences", "the variation with difference quotients"),
-       number("barrier", "E_site - E_bond"), number("barrier_size", "modulus of the barrier"),
-       number("off_site", "distance of the four multipliers from +1, around a site"),
-       number("off_bond", "the same around a bond"),
-       number("s0_site", "exchange of stability around a site; nan where none in [-1, 1]"),
-       number("s0_bond", "the same around a bond; may be nan"),
-       number("s0_site_differences", "with difference quotients; may be nan"),
-       number("s0_bond_differences", "with difference quotients; may be nan"),
-       number("threshold_above", "c_c is larger; 0 where nothing is known"),
-       number("threshold_below", "c_c is smaller; nan where nothing is known"),
-       number("jump", "sites from the start at the end; nan where not followed", "site"),
-       number("last_quarter", "of them in the last quarter; may be nan", "site"),
-       count("near", "how many of the six numbers are near the printed ones")});
+  Table& table = report.table("settings", setting_columns());
   std::array<int, 7> near_counts{};  // by the number near: none, one, ...
   int barriers = 0, both_s0 = 0;
   const auto least_off = [](const Setting& at) {

@@ -61,6 +61,19 @@ class Blocks(unittest.TestCase):
         self.assertEqual(source.definitions(source.split_blocks(text)),
                          {"Well": 1, "sup": 5, "History": 8, "fit_from": 9, "Shot": 10})
 
+    def test_every_name_that_a_header_offers_is_explained(self):
+        unexplained = []
+        for path in sorted((ROOT / "src").rglob("*.hpp")):
+            text = ecsv.text_of(path)
+            lines = text.split("\n")
+            for name, line in source.definitions(source.split_blocks(text)).items():
+                paragraph = lines[:line]
+                while "" in paragraph:
+                    del paragraph[:paragraph.index("") + 1]
+                if not any("//" in piece or piece.endswith("*/") for piece in paragraph):
+                    unexplained.append(f"{path.relative_to(ROOT)}:{line}: {name}")
+        self.assertEqual(unexplained, [])
+
     def test_headers_come_after_what_they_need(self):
         a = source.Source("src/lattice/numbers/a.hpp", "", includes=["lattice/numbers/b.hpp"])
         b = source.Source("src/lattice/numbers/b.hpp", "")

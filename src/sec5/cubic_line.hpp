@@ -60,6 +60,7 @@ struct CellIntegrals {
   Interval<double> action{};          ///< of d_+^(5/2)
 };
 
+/// Bounds of the three integrals over one cell of the line.
 CellIntegrals integrate(const CubicLine& d, std::size_t cell, const Angles& angles);
 
 /// All cells together: C, S and the action from 0 to the beginning of each cell, and the convolution.

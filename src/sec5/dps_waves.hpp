@@ -119,6 +119,7 @@ struct WaveRates {
   double growth = 0, frequency = 0;
 };
 
+/// Both rates fitted to a run of the DpS equation with this relative tolerance.
 WaveRates run_in_dps(const ModulatedWave& wave, double tolerance);
 
 /**
