@@ -9,18 +9,19 @@ from markupsafe import Markup, escape
 from .. import ecsv
 from ..claims import VERDICTS
 from ..refresh import command_of
-from . import code, prose, words
+from . import code, notebooks, prose, words
 from .bind import PageBinding
 from .source import rooms_of
 
 LISTS = [("published.html", "Published against reproduced"), ("numbers.html", "All other numbers"),
-         ("equations.html", "Equations of the article"), ("figures.html", "All figures")]
+         ("equations.html", "Equations of the article"), ("figures.html", "All figures"),
+         ("tables.html", "All tables and columns"), ("commands.html", "All commands"), ("packages.html", "Packages used")]
 LIVE = [("strike", "Strike the chain"), ("breather", "Find a breather"), ("defect", "Put a defect in the way")]
 
 
 class Book:
-    def __init__(self, record, binder, chapters, rooms):
-        self.record, self.binder, self.chapters, self.rooms = record, binder, chapters, rooms
+    def __init__(self, record, binder, chapters, rooms, inventory):
+        self.record, self.inventory, self.binder, self.chapters, self.rooms = record, inventory, binder, chapters, rooms
         self.order = chapters + [s for room in rooms.values() for s in room]
         self.titles = {s.page: s.title for s in self.order}
         self.statuses = [c["status"] for c in record.claims.values()]
@@ -32,8 +33,11 @@ class Book:
                                undefined=StrictUndefined, keep_trailing_newline=False)
         self.env.filters.update({f.__name__: f for f in (words.number, words.spelled, words.unit, words.broken, words.value,
                                                          words.agreement, words.spoken, words.short_figure, command_of)})
+        self.notebooks = notebooks.read(record.root)
+        self.titles.update({page: title for page, title, *_ in self.notebooks})
         lists = LISTS + [(f"{page}.html", f"{title} (live)") for page, title in LIVE if binder.live]
-        self.env.globals.update(record=record, book=binder, chapters=chapters, rooms=rooms, titles=self.titles, lists=lists,
+        lists += [(page, f"{title} (Python)") for page, title, *_ in self.notebooks]
+        self.env.globals.update(record=record, inventory=inventory, book=binder, chapters=chapters, rooms=rooms, titles=self.titles, lists=lists,
                                 verdicts=VERDICTS, statuses=self.statuses)
         binder.parts = self.parts = self.env.get_template("parts.html").module
 
@@ -134,12 +138,16 @@ class Book:
                       escape(f'{c["quantity"]}; {c["printed"]}; {c["status"]} {c["reason"]}'))
         for number, e in self.binder.equations.items():
             self.note("equations.html", f"eq-{number}", LISTS[2][1], f"Eq. ({number})", escape(e["name"]))
+        for row in self.inventory["commands"]:
+            if row["command"] and not row["option"]:
+                name = f'{row["program"]} {row["command"]}'
+                self.note("commands.html", name.replace(" ", "-"), LISTS[5][1], name, escape(row["description"]))
         return {name: self.page(name, title, self.render(name.removesuffix(".html"))) for name, title in LISTS}
 
     def figure_page(self, id):
         figure = self.record.figures[id]
         script = ecsv.text_of(self.record.root / "figures" / figure["script"]).rstrip("\n")
-        tables = [(name, ecsv.read(self.record.table_path(figure["program"], name))) for name in figure["data"].split()
+        tables = [(name, ecsv.read_written(self.record.table_path(figure["program"], name))) for name in figure["data"].split()
                   if self.binder.has_table(figure["program"], name)]
         self.note(f"fig-{id}.html", "", LISTS[3][1], words.spoken(id),
                   escape(f'{figure["caption"]} Drawn by figures/{figure["script"]} from {figure["program"]}: {figure["data"]}'))
@@ -153,6 +161,14 @@ class Book:
             body = self.render(name)
             self.note(name + ".html", "", title, title, body)
             out[name + ".html"] = self.page(name + ".html", title, body)
+        return out
+
+    def notebook_pages(self):
+        out = {}
+        for name, title, *rest in self.notebooks:
+            body, records, headings = notebooks.page(self, name, title, *rest)
+            self.note_sections(name, title, str(body))
+            out[name] = self.page(name, title, body + records, headings)
         return out
 
     # Start and search
@@ -189,7 +205,7 @@ class Book:
         """All files that are text, by name."""
         start = prose.to_html([ecsv.text_of(self.record.root / "book/start.md")])[0]
         out = {}
-        pages = self.source_pages(bodies)
+        pages = self.source_pages(bodies) | self.notebook_pages()
         out["index.html"] = self.start(start)
         out.update(pages | self.lists() | {f"fig-{id}.html": self.figure_page(id) for id in self.record.figures})
         out.update(self.live_pages())

@@ -4,7 +4,7 @@ import shutil
 import subprocess
 import unittest
 
-from lineage import ecsv, lock, refresh, tex
+from lineage import ecsv, lock, metadata, refresh, tex
 
 from . import ROOT, Scratch
 
@@ -78,13 +78,14 @@ class Paper(Scratch):
         self.assertEqual(tex.unit("um"), r"$\mu$m")
 
     def test_a_reference_to_nothing_is_named(self):
-        good = r"\num{a.one} \err{a.one} \pub{a.one} \num{sec1_demo.fact} \fig{01} \tally{open}"
+        good = r"\num{a.one} \err{a.one} \pub{a.one} \num{sec1_demo.fact} \fig{01} \tally{open} \meta{code}"
         self.write("paper/paper.tex", good + "\n% \\num{x}\n\\newcommand\\q[1]{\\num{#1}} 5\\% of \\num{a.one}\n")
         self.assertEqual(self.lineage("macros")[0], 0)
         numbers, claims = self.read("build/paper/numbers.tex"), self.read("build/paper/claims.tex")
         for line in [r"\define{num}{a.one}{\ensuremath{1.000}}", r"\define{err}{a.one}{\ensuremath{0.001}}",
                      r"\define{pub}{a.one}{1.02}", r"\define{fig}{01}{fig01}", r"\define{tally}{discrepant}{1}",
-                     r"\define{caption}{01}{A line.}", r"\define{chapter}{sec1_demo}{}"]:
+                     r"\define{caption}{01}{A line.}", r"\define{chapter}{sec1_demo}{}",
+                     r"\define{meta}{version}{1.0.0}"]:
             self.assertIn(line + "\n", numbers)
         self.assertIn(r"\claim{a.one}{one}{1.02}{\ensuremath{1.000} m}{\ensuremath{0.001}}{discrepant}", claims)
         self.assertIn(r"\claim{a.two}{two}{yes}{}{}{open}", claims)
@@ -129,7 +130,7 @@ class ThisRepository(unittest.TestCase):
 
     def test_the_paper_refers_to_what_is_there(self):
         claims, locked, figures = lock.read_claims(ROOT), lock.read_lock(ROOT), refresh.read_figures(ROOT)
-        texts = tex.paper_texts(claims, locked, figures)
+        texts = tex.paper_texts(claims, locked, figures, metadata.read(ROOT))
         for path in sorted((ROOT / "paper").glob("*.tex")):
             if tex.chapter_needed(paper := ecsv.text_of(path)) in ("", *lock.programs_of(ROOT)):
                 self.assertEqual(tex.dangling(paper, texts), [], path)
