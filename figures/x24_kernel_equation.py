@@ -45,13 +45,14 @@ c.set_xscale("symlog", linthresh=10)
 c.set_xlim(0, None)
 c.legend(loc="lower left", fontsize=7, ncols=2, title="random start", title_fontsize=7)
 
+sure = np.abs(quotients["difference"]) > 10 * quotients["difference_error"]
 positive = quotients["difference"] > 0
 d.plot(quotients["alpha"], quotients["log_difference"], "-", color="#BBBBBB", lw=0.8)
-for keep, mark, colour, name in ((positive, "o", BLUE, "plus larger"), (~positive, "s", RED, "minus larger")):
+for keep, mark, colour, name in ((sure & positive, "o", BLUE, "plus larger"),
+                                 (sure & ~positive, "s", RED, "minus larger"),
+                                 (~sure, "x", "#666666", "not separable")):
     d.plot(quotients["alpha"][keep], quotients["log_difference"][keep], mark, ms=3.4, mfc="none",
            mew=0.8, color=colour, label=name)
-d.axhspan(-17, -13.5, color="#EEEEEE", zorder=0)
-d.text(2.6, -15.6, "rounding", fontsize=7, color="#666666")
 d.set(xlabel=r"exponent $\alpha$ of the contacts", ylim=(-16.6, 1),
       ylabel=r"$\log_{10}|Q_+/Q_- - 1|$")
 d.legend(loc="lower right", fontsize=7, bbox_to_anchor=(1, 0.2))

@@ -30,6 +30,14 @@ def lock(given):
     renew(given.root, given.data)
 
 
+def hashes(given):
+    from .hashes import check, renew
+    if given.check:
+        need(given.data)
+        return check(given.root, given.data, given.run_of, given.against)
+    renew(given.root, (given.data, given.quick))
+
+
 def refresh(given):
     from .refresh import measured_costs, renew
     return renew(given.root, measured_costs(given.costs), given.check) > 0 and given.check
@@ -71,6 +79,7 @@ def reader():
     parser.add_argument("--root", default=".", help="folder of the repository (default: here)")
     verbs = parser.add_subparsers(dest="verb", required=True, metavar="verb")
     options = {"data": ("build/data", "folder with one folder of tables a program"),
+               "quick": ("build/quick/data", "the same of the run with --quick"),
                "figures": ("build/figures", "folder of the drawings"),
                "costs": ("build/report/cost", "folder with the seconds that each program took"),
                "programs": ("build/bin", "folder of the compiled programs"),
@@ -88,6 +97,12 @@ def reader():
     verb(summary, "published against reproduced: the verdicts, and the table published.ecsv", "data", out="build/report")
     verb(show, "one number: printed, converged, error, verdict, figure, command", "data").add_argument("id")
     verb(lock, "renew paper/converged.ecsv and say what moved", "data")
+    same = verb(hashes, "record the bytes of all tables in paper/hashes.ecsv", "data", "quick")
+    same.add_argument("--check", action="store_true", help="only say what differs; exit code 1 if anything, 77 if the "
+                                                           "processor is another than that of the record")
+    same.add_argument("--run", dest="run_of", choices=("full", "quick"), default="full",
+                      help="which run the folder of --data has, with --check (default: %(default)s)")
+    same.add_argument("--against", help="folder of the tables of another platform, to tell in which row they differ")
     stale = verb(refresh, "write the locked values into the prose, and the tables of the pages", "costs")
     stale.add_argument("--check", action="store_true", help="only say what is stale; exit code 1 if anything")
     verb(macros, "write the locked values for the paper", out="build/paper")
@@ -102,10 +117,16 @@ def reader():
 def main(arguments=None):
     given = reader().parse_args(arguments)
     try:
-        return int(given.run(given) or 0)
+        code = int(given.run(given) or 0)
+        sys.stdout.flush()
+        return code
     except ecsv.Fault as fault:
         print(f"lineage {given.verb}: {fault}", file=sys.stderr)
         return fault.code
+    except OSError as error:  # of files a Fault is made; what is left is the place where this writes
+        sys.stdout = None
+        print(f"lineage {given.verb}: cannot write to standard output ({error.strerror})", file=sys.stderr)
+        return 1
     except ModuleNotFoundError as error:
         print(f"lineage {given.verb}: the module {error.name} is not installed (apt-packages.txt)", file=sys.stderr)
         return 1

@@ -100,9 +100,9 @@ def figure_rows(figures):
 
 
 def gallery_rows(figures):
-    """Every figure small, four in a row; a picture leads to the chapter that makes it."""
+    """Every figure small with its title, four in a row; a picture leads to the chapter that makes it."""
     cells = [f' [<img src="figures/gallery/{Path(f["script"]).stem}.png" width="200" alt="{f["caption"]}">]'
-             f"(src/{f['program']}.cpp)<br>{id} |" for id, f in figures.items()]
+             f"(src/{f['program']}.cpp)<br>{f['caption']} ({id}) |" for id, f in figures.items()]
     return ["| | | | |", "|---|---|---|---|"] + ["|" + "".join(cells[i:i + 4]) for i in range(0, len(cells), 4)]
 
 

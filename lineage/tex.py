@@ -20,7 +20,8 @@ WORDED = re.compile(
     r"|\^(?P<above>\([^)]*\)|-[0-9/]+|[A-Za-z0-9]+)"
     r"|(?P<number>-?\d+(?:\.\d+)?e-?\d+|-\d+(?:\.\d+)?)"
     r"|\b(?P<greek>pi|eps|omega|tau|mu|lambda|beta|Phi|Gamma|delta)\b"
-    r"|(?P<relation>>=|<=|\+-)|(?P<minus>(?:= | )-)(?= |i\b)")
+    r"|\bsqrt\((?P<root>[^()]*)\)"
+    r"|(?P<relation>>=|<=|\+-|->)|(?P<minus>(?:= | )-)(?= |i\b)")
 
 
 def value(shown):
@@ -66,7 +67,9 @@ def worded(plain):
             return value(m["number"])
         if m["greek"]:
             return f"${name(m['greek'])}$"
-        return m["minus"][:-1] + "$-$" if m["minus"] else {">=": r"$\ge$", "<=": r"$\le$", "+-": r"$\pm$"}[m[0]]
+        if m["root"]:
+            return rf"$\sqrt{{{name(m['root']) if m['root'].isalpha() else m['root']}}}$"
+        return m["minus"][:-1] + "$-$" if m["minus"] else {">=": r"$\ge$", "<=": r"$\le$", "+-": r"$\pm$", "->": r"$\to$"}[m[0]]
 
     out, done = "", 0
     for m in WORDED.finditer(plain):

@@ -10,7 +10,7 @@ import shutil
 from pathlib import Path
 
 from .. import inventory
-from ..ecsv import Fault, text_of
+from ..ecsv import Fault, check_written, text_of
 from . import check, pages, prose
 from .bind import Binder, PageBinding, read_live
 from .record import Record
@@ -92,7 +92,7 @@ def copy_katex(out):
 
 
 def copy_assets(out, record, figures, images):
-    for name in ("book.css", "book.js"):
+    for name in ("book.css", "book.js", "chain.js"):
         shutil.copyfile(prose.ASSETS / name, out / name)
     (out / "figures").mkdir()
     for name, *_ in images.values():
@@ -102,6 +102,7 @@ def copy_assets(out, record, figures, images):
     for program in sorted(record.sources):
         for path in sorted((record.data / program).glob("[!.]*.ecsv")):
             (out / "data" / program).mkdir(parents=True, exist_ok=True)
+            check_written(path, text_of(path))
             shutil.copyfile(path, out / "data" / program / path.name)
     copy_katex(out)
 

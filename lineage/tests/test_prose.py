@@ -71,6 +71,7 @@ class Paper(Scratch):
         for plain, ought in [("E_PN for omega_b = 1.1", r"$E_{\mathrm{PN}}$ for $\omega_{b}$ = 1.1"),
                              ("y_(1-n) = -y_n", "$y_{1-n}$ = $-y_{n}$"), ("c_c^2/2", "$c_{c}$$^{2}$/2"),
                              ("W = 1 - cos y, A(0) = -i well-known", "W = 1 $-$ cos y, A(0) = $-$i well-known"),
+                             ("24 sqrt(pi), sqrt(2), n -> m", r"24 $\sqrt{\pi}$, $\sqrt{2}$, n $\to$ m"),
                              ("O(eps^-1/2), s >= 5 %", r"O($\epsilon$$^{-1/2}$), s $\ge$ 5 \%"),
                              ("1e-14 to 1e-15", r"\ensuremath{1\times10^{-14}} to \ensuremath{1\times10^{-15}}")]:
             self.assertEqual(tex.worded(plain), ought)

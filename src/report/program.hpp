@@ -163,6 +163,9 @@ from them:
 `commands<Strike, ...>()` is what a program offers of such structs. */
 struct Title {
   const char *name, *meaning;
+  /// The last line of its help: what is not obvious about its answers.
+  const char* note =
+      "A quantity that does not exist, such as the speed of a packet that never left, is nan.";
 };
 
 /// A command as a program offers it.

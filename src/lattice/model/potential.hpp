@@ -61,7 +61,16 @@ using Ranges = std::map<std::string, std::pair<double, double>>;
 Not every potential is in a list. Any struct with the three functions can stand in a chain: it is kept behind
 the six functions below, three in double and three in extended precision, each of which treats a row of
 numbers at once. So a potential of one's own costs little more than the others. It has no name for the
-command line. */
+command line. One that is evaluated elsewhere, as by the interpreter of another language, may prefer rows to
+single numbers; it then has the three functions of rows as well. */
+template <class P>
+concept TakesRows = requires(const P& p, const double* x, double* out, std::size_t n) {
+  p.energies(x, out, n);
+  p.forces(x, out, n);
+  p.stiffnesses(x, out, n);
+};
+
+/// Holds any potential that takes rows; copies share it.
 class OwnPotential {
  public:
   OwnPotential() = default;
@@ -133,28 +142,41 @@ class OwnPotential {
     P potential;
     static constexpr char tag = 0;
     explicit Of(P p) : potential(std::move(p)) {}
-    template <class T, class F>
-    static void each(const T* x, T* out, std::size_t n, F of) {
-      for (std::size_t i = 0; i < n; ++i) out[i] = of(x[i]);
+    template <class T>
+    void energy_row(const T* x, T* out, std::size_t n) const {
+      if constexpr (TakesRows<P>) return potential.energies(x, out, n);
+      for (std::size_t i = 0; i < n; ++i) out[i] = potential.energy(x[i]);
     }
+    template <class T>
+    void force_row(const T* x, T* out, std::size_t n) const {
+      if constexpr (TakesRows<P>) return potential.forces(x, out, n);
+      for (std::size_t i = 0; i < n; ++i) out[i] = potential.force(x[i]);
+    }
+    template <class T>
+    void stiffness_row(const T* x, T* out, std::size_t n) const {
+      if constexpr (TakesRows<P>) return potential.stiffnesses(x, out, n);
+      for (std::size_t i = 0; i < n; ++i) out[i] = potential.stiffness(x[i]);
+    }
+
+    // The same without templates
     const void* type() const override { return &tag; }
     void energies(const double* x, double* out, std::size_t n) const override {
-      each(x, out, n, [this](double u) { return potential.energy(u); });
+      energy_row(x, out, n);
     }
     void forces(const double* x, double* out, std::size_t n) const override {
-      each(x, out, n, [this](double u) { return potential.force(u); });
+      force_row(x, out, n);
     }
     void stiffnesses(const double* x, double* out, std::size_t n) const override {
-      each(x, out, n, [this](double u) { return potential.stiffness(u); });
+      stiffness_row(x, out, n);
     }
     void energies(const long double* x, long double* out, std::size_t n) const override {
-      each(x, out, n, [this](long double u) { return potential.energy(u); });
+      energy_row(x, out, n);
     }
     void forces(const long double* x, long double* out, std::size_t n) const override {
-      each(x, out, n, [this](long double u) { return potential.force(u); });
+      force_row(x, out, n);
     }
     void stiffnesses(const long double* x, long double* out, std::size_t n) const override {
-      each(x, out, n, [this](long double u) { return potential.stiffness(u); });
+      stiffness_row(x, out, n);
     }
   };
 

@@ -43,6 +43,15 @@ NewtonRule<T> rule(int coarser) {
   return out;
 }
 
+/// The finer rule for the tail: every site to the same relative accuracy, and a landing on every contact.
+template <class T>
+NewtonRule<T> graded() {
+  NewtonRule<T> out = rule<T>(0);
+  out.graded = true;
+  out.events.floor = T(0);
+  return out;
+}
+
 /**
 A pair is made of two breathers of one frequency, site-centred first, and of what was measured on them. */
 struct BreatherPair {
