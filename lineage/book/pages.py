@@ -15,7 +15,8 @@ from .source import rooms_of
 
 LISTS = [("published.html", "Published against reproduced"), ("numbers.html", "All other numbers"),
          ("equations.html", "Equations of the article"), ("figures.html", "All figures")]
-LIVE = [("strike", "Strike the chain"), ("breather", "Find a breather"), ("defect", "Put a defect in the way")]
+LIVE = [("strike", "Strike the chain"), ("breather", "Find a breather"), ("defect", "Put a defect in the way"),
+        ("drive", "Drive the array")]
 
 
 class Book:
