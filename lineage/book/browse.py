@@ -284,12 +284,29 @@ def check_breather(browser, folder, bin_folder):
             out.append(f"defect.html: {name} is {value} ± {error}, the native program says {theirs[name]}")
     if found["state"] != "done" or not facts["net_reflected"][0] > 0.95:
         out.append(f"defect.html: {found['said']}, {facts}")
+    out += check_drive(browser, folder, bin_folder)
     browser.open(page + "?centre=bond&omega=1.7&s=-1")
     found = browser.evaluate(ENDED + "(document.getElementById('live-breather'))")
     if found["state"] != "failed" or "turns back" not in found["said"]:
         out.append(f"a breather beyond its fold is answered by: {found['said']}")
     return out
 
+
+
+def check_drive(browser, folder, bin_folder):
+    """The driven array: to the bit what the native program says, quiet and with a train."""
+    out, here = [], os.path.exists(os.path.join(bin_folder, "sec5_driving"))
+    for query, outcome in [("", 0), ("?amplitude=20&time=20", 1), ("?amplitude=5&by=base&time=20", 1)]:
+        browser.open("file://" + os.path.join(folder, "drive.html") + query)
+        found = browser.evaluate(ENDED + "(document.getElementById('live-drive'))")
+        facts = {name: tuple(map(float, pair)) for name, pair in found["facts"].items()}
+        if found["state"] != "done" or facts["outcome"][0] != outcome:
+            out.append(f"drive.html{query}: {found['said']}, {facts}")
+        theirs = native(found["command"], bin_folder) if here else facts
+        for name, pair in facts.items():
+            if repr(pair) != repr(theirs[name]):
+                out.append(f"drive.html{query}: {name} is {pair}, the native program says {theirs[name]}")
+    return out
 
 
 def check_all(folder):
