@@ -162,8 +162,7 @@ ForceIntegrals::ForceIntegrals(const CubicLine& d, const Angles& angles)
 }
 
 /// The integral from 0 to a node, which is even or odd in the node and constant where f is zero.
-ForceIntegrals::Wide ForceIntegrals::at(const std::vector<Wide>& sums, long node,
-                                        long sign) const {
+ForceIntegrals::Wide ForceIntegrals::at(const std::vector<Wide>& sums, long node, long sign) const {
   const std::size_t i = std::min(std::size_t(std::abs(node)), sums.size() - 1);
   return node < 0 && sign < 0 ? -sums[i] : sums[i];
 }
