@@ -149,7 +149,9 @@ TEST_CASE("bad input: one line, exit code 2, no file", "[cli]") {
                         {"sec5_kernel_equation wave --alpha 1e9", "--alpha"},
                         {"sec5_enclosures dps --centre corner", "--centre"},
                         {"sec5_enclosures breather --centre between", "--centre"},
-                        {"sec5_enclosures breather --omega 1.2", "--omega"}}) {
+                        {"sec5_enclosures breather --omega 1.2", "--omega"},
+                        {"sec5_enclosures wave --sign both", "--sign"},
+                        {"sec5_enclosures wave --k 2", "--k"}}) {
     CAPTURE(arguments);
     const Result r = call(arguments + out);
     CAPTURE(r.errors);
