@@ -119,6 +119,7 @@ void kick_drift_sites(const W& well, const C& contact, T* y, T* v, const Sum& su
     });
 }
 
+/// The call of chain.hpp for one well and one contact; `sum` says how a small number is added to a large one.
 template <class T, class W, class C, class Sum>
 void kick_drift(const Chain& chain, const W& well, const C& contact, State<T>& state,
                 Window& window, const T& kick, const T& drift, const Sum& sum) {
