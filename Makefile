@@ -207,6 +207,7 @@ bench: install-deps configure
 	  { cat $(B)/bench/build.log; exit 1; }
 	@$(B)/bin/bench_kernels --benchmark_min_time=0.1
 	@$(B)/bin/bench_ratios --out $(B)/bench
+	@cp $(B)/bench/ratios.ecsv bench/ratios.ecsv
 	@$(need_python) "$(PYTHON)" figures/x04_work_precision.py $(B)/bench $(B)/bench/work_precision.svg
 	@$(MAKE) $(B)/bench/work_precision.pdf $(B)/bench/work_precision.png
 
