@@ -62,7 +62,7 @@ side_by_side = $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS))
 figures: install-deps
 	@sh tools/need-tools.sh "$(PYTHON)"
 	@sh tools/configure.sh $(B)
-	@mkdir -p $(D)/report && date +%s > $(D)/report/start
+	@mkdir -p $(D)/report && (. tools/shared.sh; now) > $(D)/report/start
 	@sh tools/tables.sh $(D)/data
 	@$(MAKE) all-data
 	@$(MAKE) $(side_by_side) all-figures
@@ -137,7 +137,8 @@ summary:
 	@echo "figures    : $(words $(svgs)) in $(D)/figures (svg, pdf, png)"
 	@$(lineage) summary --data $(D)/data --out $(D)/report
 	@echo "computing  : $$(cat $(D)/report/cost/* | awk '{ s += $$1 } END { printf "%.0f", s }') s" \
-	  "in $(words $(chapters)) programs; all together $$(( $$(date +%s) - $$(cat $(D)/report/start) )) s"
+	  "in $(words $(chapters)) programs; all together" \
+	  "$$(. tools/shared.sh; echo "$$(now) $$(cat $(D)/report/start)" | awk '{ printf "%.0f", ($$1 > $$2 ? $$1 - $$2 : 0) }') s"
 	@echo "report     : $(D)/report/published.ecsv"
 
 ## book: weave the book from sources, data and figures into build/book
