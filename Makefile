@@ -242,7 +242,7 @@ show:
 gallery: all-figures
 	@$(need_python) $(lineage) gallery --figures $(D)/figures
 
-## mutants: errors of physics put into the library one at a time; the tests must notice (ten minutes)
+## mutants: errors of physics put into the library one at a time; the tests must notice (half an hour)
 .PHONY: mutants
 mutants: install-deps
 	@$(or $(PYTHON),python3) tools/mutants.py $(MUTANTS)
