@@ -180,13 +180,13 @@ run-tests: programs
 	@$(MAKE) test-lineage
 	@cd $(B) && ctest -j $(JOBS) $(CTEST_ARGS)
 
-## test-faults: runs that are killed, out of time or disk, or that nobody reads (a minute)
+## test-faults: runs that are killed, out of time or disk, or that nobody reads (minutes)
 .PHONY: test-faults test-fuzz
 test-faults: programs
 	@$(or $(PYTHON),python3) tests/faults.py . $(B)/bin 60
 	@sh tests/make.sh . && sh tests/drawing.sh .
 
-## test-fuzz: 5,000 random command lines for programs with sanitizers (SEED=..., COUNT=...; an hour)
+## test-fuzz: 5,000 random command lines for programs with sanitizers (SEED=..., COUNT=...; long)
 COUNT := 5000
 SEED = $(shell date +%s)
 test-fuzz: install-deps
@@ -242,7 +242,7 @@ show:
 gallery: all-figures
 	@$(need_python) $(lineage) gallery --figures $(D)/figures
 
-## mutants: errors of physics put into the library one at a time; the tests must notice (half an hour)
+## mutants: errors of physics put into the library one at a time; the tests must notice (long)
 .PHONY: mutants
 mutants: install-deps
 	@$(or $(PYTHON),python3) tools/mutants.py $(MUTANTS)
