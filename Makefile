@@ -150,7 +150,8 @@ book: install-book
 ## weave: the same from the data and figures that are there, in seconds
 weave:
 	@sh book/live/build.sh $(B)/live
-	@$(weaver) -m lineage weave --data $(D)/data --figures $(D)/figures --live $(B)/live --out $(D)/book
+	@$(weaver) -m lineage weave --data $(D)/data --figures $(D)/figures --live $(B)/live --programs $(B)/bin \
+	  --out $(D)/book
 
 install-book: install-deps
 	@DEPS=$(DEPS) sh tools/install-deps.sh apt-packages.txt book
@@ -171,6 +172,11 @@ src: programs
 ## examples: build the programs of examples/ against the installed library and run them
 examples: programs
 	@cd $(B) && ctest -R '^install$$' $(CTEST_ARGS)
+
+## python: build the Python module, build/python/lattice
+.PHONY: python
+python: configure
+	@sh tools/build.sh $(B) $(JOBS) python_module
 
 .PHONY: run-tests
 run-tests: programs
@@ -228,6 +234,13 @@ lock: install-deps
 	@$(MAKE) all-data
 	@$(lineage) lock --data $(B)/data
 
+## hashes: renew paper/hashes.ecsv, the bytes of all tables of the full and the quick run, and print what moved
+.PHONY: hashes
+hashes: install-deps
+	@$(MAKE) QUICK= all-data
+	@$(MAKE) QUICK=1 all-data
+	@$(lineage) hashes --data $(B)/data --quick $(B)/quick/data
+
 ## refresh: write the locked values into the prose of src/, and renew the tables of README.md
 refresh readme:
 	@$(lineage) refresh --costs $(B)/report/cost
@@ -247,10 +260,36 @@ gallery: all-figures
 mutants: install-deps
 	@$(or $(PYTHON),python3) tools/mutants.py $(MUTANTS)
 
+## test-platforms: the same bytes from other compilers, Debian 13 and ARM64 (an hour; PLATFORMS='clang trixie')
+.PHONY: test-platforms test-slurm
+test-platforms: install-deps
+	@sh tools/platforms.sh $(PLATFORMS)
+
+## test-slurm: the lineage and a map in parts under Slurm, on a cluster of two nodes on this machine (takes root)
+test-slurm: programs
+	@sh tests/slurm/run.sh
+
 ## fresh: the README's commands, make book and make paper in a bare Debian root (SUITE=trixie; takes root)
 .PHONY: fresh
 fresh:
 	@sh tools/fresh.sh $(SUITE)
+
+## container: the steps of the Dockerfile in a bare root, where no container can run (SUITE=trixie; takes root)
+.PHONY: container
+container:
+	@sh tools/fresh.sh --container $(SUITE)
+
+## dist: sources, tables, figures, and the book and the report that are there, in one archive, build/dist
+.PHONY: dist
+dist:
+	@$(lineage) inventory --data $(B)/data --programs $(B)/bin --out $(B)/report
+	@sh tools/dist.sh $(B)
+
+## style: clang-format and shellcheck, where they are installed
+.PHONY: style
+style:
+	@! command -v clang-format >/dev/null 2>&1 || git ls-files '*.cpp' '*.hpp' | xargs clang-format --dry-run --Werror
+	@! command -v shellcheck >/dev/null 2>&1 || shellcheck .ci/run tools/*.sh tests/*.sh tests/slurm/*.sh examples/*.sbatch
 
 ## install-deps: install the Debian packages of apt-packages.txt that are missing
 install-deps:

@@ -87,12 +87,12 @@ class Library:
 
     def __init__(self, scratch, tests, pool):
         self.source, self.objects = scratch / "src", scratch / "objects"
-        for folder in [ROOT / "src/lattice", ROOT / "src/report", *(ROOT / "src").glob("sec*/")]:
+        for folder in [ROOT / "src/lattice", ROOT / "src/report", ROOT / "src/commands", *(ROOT / "src").glob("sec*/")]:
             shutil.copytree(folder, self.source / folder.name)
         self.objects.mkdir()
         for path in (ROOT / "tests").glob("*.?pp"):
             shutil.copy(path, self.source)
-        sources = [path for where in ("lattice/*", "report", "sec*") for path in self.source.glob(where + "/*.cpp")]
+        sources = [path for where in ("lattice/*", "report", "commands", "sec*") for path in self.source.glob(where + "/*.cpp")]
         # Every object with its source and its flags
         self.of = {self.objects / f"{path.parent.name}-{path.stem}.o": (path.relative_to(self.source), ()) for path in sources}
         twice, flags = quadruple()

@@ -217,6 +217,7 @@ Frame::Frame(const Program& of, int argc, char** argv)
     Offer& offer = offers.emplace_back();
     offer.name = one.title.name;
     offer.meaning = one.title.meaning;
+    offer.note = one.title.note;
     offer.parameters.add("output", output, "file to write (default: standard output)", not_empty());
     add_threads(offer.parameters);
     computations.push_back(one.declare(offer.parameters));
@@ -225,8 +226,7 @@ Frame::Frame(const Program& of, int argc, char** argv)
 
 /// The last paragraph of help: what else there is to know.
 std::string Frame::footer(const Offer& of) const {
-  if (!of.name.empty())
-    return "A quantity that does not exist, such as the speed of a packet that never left, is nan.";
+  if (!of.name.empty()) return of.note;
   const std::string cost = full_run_takes(program.name);
   return std::string("Without a command everything that the section shows is computed.") +
          (cost.empty() ? "" : " " + cost);
