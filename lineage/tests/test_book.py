@@ -137,6 +137,7 @@ class Numbers(unittest.TestCase):
             self.assertIn(id, known.quotable)
             program, subcommand = command.split()[0].split("/")[-1], command.split()[1]
             shelves = [folder for folder in (ROOT / "src").glob("sec*/") if program.startswith(folder.name)]
+            shelves.append(ROOT / "src/commands")
             sources = [ROOT / "src" / f"{program}.cpp", *(h for shelf in shelves for h in shelf.glob("*.hpp"))]
             self.assertTrue(any(f'"{subcommand}"' in ecsv.text_of(path) for path in sources), f"{id}: {subcommand}")
             self.assertTrue(quantity, id)
