@@ -107,7 +107,7 @@ $(D)/figures/$(basename $(3)).svg: figures/$(3) $(D)/data/$(2)/results.ecsv $(ca
     $(if $(filter %.gp,$(3)),figures/style.gp,figures/draw.py figures/matplotlibrc)
 	@mkdir -p $$(@D)
 	@echo "  draw     $(basename $(3))"
-	@PYTHON="$$(PYTHON)" sh tools/draw.sh $$@ $(D)/data $$<
+	@PYTHON="$$(PYTHON)" FROM="$$^" sh tools/draw.sh $$@ $(D)/data $$<
 $(call tables,$(2),$(4)): $(D)/data/$(2)/results.ecsv
 endef
 need_python = test -n "$(PYTHON)" || { echo "no python3 with matplotlib found (set PYTHON=...)"; exit 1; };
@@ -122,9 +122,9 @@ $(foreach i,$(patsubst 0%,%,$(filter 0%,$(ids))),$(eval fig$(i): fig0$(i)))
 $(foreach i,$(patsubst x0%,%,$(filter x0%,$(ids))),$(eval x$(i): x0$(i)))
 
 %.pdf: %.svg
-	@sh tools/draw.sh $@ $<
+	@FROM="$<" sh tools/draw.sh $@ $<
 %.png: %.svg
-	@sh tools/draw.sh $@ $<
+	@FROM="$<" sh tools/draw.sh $@ $<
 
 # What reads the tables: a python with the standard library, for the book one with these modules too.
 lineage = "$(or $(PYTHON),python3)" -m lineage
@@ -149,7 +149,8 @@ book: install-book
 ## weave: the same from the data and figures that are there, in seconds
 weave:
 	@sh book/live/build.sh $(B)/live
-	@$(weaver) -m lineage weave --data $(D)/data --figures $(D)/figures --live $(B)/live --out $(D)/book
+	@$(weaver) -m lineage weave --data $(D)/data --figures $(D)/figures --live $(B)/live --programs $(B)/bin \
+	  --out $(D)/book
 
 install-book: install-deps
 	@DEPS=$(DEPS) sh tools/install-deps.sh apt-packages.txt book
@@ -183,6 +184,20 @@ run-tests: programs
 	@$(lineage) summary --data $(B)/data --out $(B)/report > /dev/null
 	@$(MAKE) test-lineage
 	@cd $(B) && ctest -j $(JOBS) $(CTEST_ARGS)
+
+## test-faults: runs that are killed, out of time or disk, or that nobody reads (a minute)
+.PHONY: test-faults test-fuzz
+test-faults: programs
+	@$(or $(PYTHON),python3) tests/faults.py . $(B)/bin 60
+	@sh tests/make.sh . && sh tests/drawing.sh .
+
+## test-fuzz: 5,000 random command lines for programs with sanitizers (SEED=..., COUNT=...; an hour)
+COUNT := 5000
+SEED = $(shell date +%s)
+test-fuzz: install-deps
+	@cmake --preset asan > /dev/null
+	@sh tools/build.sh $(B)/asan $(JOBS) programs
+	@LATTICE_SLACK=12 $(or $(PYTHON),python3) tests/fuzz.py $(B)/asan/bin $(COUNT) $(SEED)
 
 ## bench: time our integrators against GSL and Boost.odeint (ten minutes, not part of the tests)
 .PHONY: bench
@@ -218,6 +233,13 @@ lock: install-deps
 	@$(MAKE) all-data
 	@$(lineage) lock --data $(B)/data
 
+## hashes: renew paper/hashes.ecsv, the bytes of all tables of the full and the quick run, and print what moved
+.PHONY: hashes
+hashes: install-deps
+	@$(MAKE) QUICK= all-data
+	@$(MAKE) QUICK=1 all-data
+	@$(lineage) hashes --data $(B)/data --quick $(B)/quick/data
+
 ## refresh: write the locked values into the prose of src/, and renew the tables of README.md
 refresh readme:
 	@$(lineage) refresh --costs $(B)/report/cost
@@ -237,10 +259,36 @@ gallery: all-figures
 mutants: install-deps
 	@$(or $(PYTHON),python3) tools/mutants.py $(MUTANTS)
 
+## test-platforms: the same bytes from other compilers, Debian 13 and ARM64 (an hour; PLATFORMS='clang trixie')
+.PHONY: test-platforms test-slurm
+test-platforms: install-deps
+	@sh tools/platforms.sh $(PLATFORMS)
+
+## test-slurm: the lineage and a map in parts under Slurm, on a cluster of two nodes on this machine (takes root)
+test-slurm: programs
+	@sh tests/slurm/run.sh
+
 ## fresh: the README's commands, make book and make paper in a bare Debian root (SUITE=trixie; takes root)
 .PHONY: fresh
 fresh:
 	@sh tools/fresh.sh $(SUITE)
+
+## container: the steps of the Dockerfile in a bare root, where no container can run (SUITE=trixie; takes root)
+.PHONY: container
+container:
+	@sh tools/fresh.sh --container $(SUITE)
+
+## dist: sources, tables, figures, and the book and the report that are there, in one archive, build/dist
+.PHONY: dist
+dist:
+	@$(lineage) inventory --data $(B)/data --programs $(B)/bin --out $(B)/report
+	@sh tools/dist.sh $(B)
+
+## style: clang-format and shellcheck, where they are installed
+.PHONY: style
+style:
+	@! command -v clang-format >/dev/null 2>&1 || git ls-files '*.cpp' '*.hpp' | xargs clang-format --dry-run --Werror
+	@! command -v shellcheck >/dev/null 2>&1 || shellcheck .ci/run tools/*.sh tests/*.sh tests/slurm/*.sh examples/*.sbatch
 
 ## install-deps: install the Debian packages of apt-packages.txt that are missing
 install-deps:

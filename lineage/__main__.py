@@ -30,6 +30,14 @@ def lock(given):
     renew(given.root, given.data)
 
 
+def hashes(given):
+    from .hashes import check, renew
+    if given.check:
+        need(given.data)
+        return check(given.root, given.data, given.run_of, given.against)
+    renew(given.root, (given.data, given.quick))
+
+
 def refresh(given):
     from .refresh import measured_costs, renew
     return renew(given.root, measured_costs(given.costs), given.check) > 0 and given.check
@@ -50,9 +58,14 @@ def share(given):
     show_shares(given.root)
 
 
+def inventory(given):
+    from .inventory import write
+    write(given.root, given.data, given.programs, given.out)
+
+
 def weave(given):
     from .book.weave import make
-    count = make(given.root, given.data, given.figures, given.out, given.live)
+    count = make(given.root, given.data, given.figures, given.out, given.live, given.programs)
     print(f"book       : {count} pages, {given.out}/index.html")
 
 
@@ -66,8 +79,10 @@ def reader():
     parser.add_argument("--root", default=".", help="folder of the repository (default: here)")
     verbs = parser.add_subparsers(dest="verb", required=True, metavar="verb")
     options = {"data": ("build/data", "folder with one folder of tables a program"),
+               "quick": ("build/quick/data", "the same of the run with --quick"),
                "figures": ("build/figures", "folder of the drawings"),
                "costs": ("build/report/cost", "folder with the seconds that each program took"),
+               "programs": ("build/bin", "folder of the compiled programs"),
                "live": ("build/live", "folder of the compiled live pages")}
 
     def verb(run, help, *wanted, out=None):
@@ -82,23 +97,36 @@ def reader():
     verb(summary, "published against reproduced: the verdicts, and the table published.ecsv", "data", out="build/report")
     verb(show, "one number: printed, converged, error, verdict, figure, command", "data").add_argument("id")
     verb(lock, "renew paper/converged.ecsv and say what moved", "data")
+    same = verb(hashes, "record the bytes of all tables in paper/hashes.ecsv", "data", "quick")
+    same.add_argument("--check", action="store_true", help="only say what differs; exit code 1 if anything, 77 if the "
+                                                           "processor is another than that of the record")
+    same.add_argument("--run", dest="run_of", choices=("full", "quick"), default="full",
+                      help="which run the folder of --data has, with --check (default: %(default)s)")
+    same.add_argument("--against", help="folder of the tables of another platform, to tell in which row they differ")
     stale = verb(refresh, "write the locked values into the prose, and the tables of the pages", "costs")
     stale.add_argument("--check", action="store_true", help="only say what is stale; exit code 1 if anything")
     verb(macros, "write the locked values for the paper", out="build/paper")
     old = verb(gallery, "draw the small pictures of the README", "figures")
     old.add_argument("--check", action="store_true", help="only say which are not current")
     verb(share, "how much of each chapter's code is physics, method or criteria")
-    verb(weave, "weave the book", "data", "figures", "live", out="build/book")
+    verb(inventory, "every table with its columns, every command, the packages used", "data", "programs", out="build/report")
+    verb(weave, "weave the book", "data", "figures", "live", "programs", out="build/book")
     return parser
 
 
 def main(arguments=None):
     given = reader().parse_args(arguments)
     try:
-        return int(given.run(given) or 0)
+        code = int(given.run(given) or 0)
+        sys.stdout.flush()
+        return code
     except ecsv.Fault as fault:
         print(f"lineage {given.verb}: {fault}", file=sys.stderr)
         return fault.code
+    except OSError as error:  # of files a Fault is made; what is left is the place where this writes
+        sys.stdout = None
+        print(f"lineage {given.verb}: cannot write to standard output ({error.strerror})", file=sys.stderr)
+        return 1
     except ModuleNotFoundError as error:
         print(f"lineage {given.verb}: the module {error.name} is not installed (apt-packages.txt)", file=sys.stderr)
         return 1

@@ -260,10 +260,7 @@ Flown by_steps(const Exact& e, std::size_t shifts, double step) {
     evolve(stepper_for(1e-12, step), chain, state, TimeGrid{round * e.shift_time(), round, steps},
            Unobserved{});
     left = std::max(left, passed(state, round));
-    for (auto* q : {&state.y, &state.v}) {
-      std::rotate(q->begin(), q->begin() + round, q->end());
-      std::fill(q->end() - round, q->end(), 0.0);
-    }
+    move_on(state, round);
   }
   return {left / e.orbit.amplitude, largest_difference(state, start) / e.orbit.amplitude};
 }

@@ -503,6 +503,8 @@ TEST_CASE("phonons and compressed impacts report the contract's quantities", "[c
   CHECK(quantity(b, "lower_edge") == 1);
   check_close(quantity(b, "upper_edge"), std::sqrt(1 + 6 * std::sqrt(0.5)), 1e-14);
   check_close(quantity(b, "phi_at_0"), -1.5, 1e-14);
+  check_close(quantity(b, "unstable_from"), quantity(b, "inflection"), 1e-14);
+  check_close(quantity(b, "unstable_to"), 2.0068, 5e-5);
   const Result i = call("sec4_precompression_mi impact --s 1 --time 724");
   REQUIRE(i.code == 0);
   for (const char* name : {"centre", "width", "energy_fraction"}) {
@@ -601,6 +603,8 @@ TEST_CASE("every complaint about the line is one of ours", "[cli]") {
       {run + "-profile", "'-profile': an option has two dashes"},
       {run + "--", "'--': an option has two dashes"},
       {"sec34_impact rum", "'rum': there is no such command; did you mean 'run'? (allowed: run)"},
+      {"sec34_impact rnu", "did you mean 'run'?"},
+      {"sec33_mobility kikc", "did you mean 'kick'?"},
       {"sec34_impact --velocity 1", "--velocity: belongs to 'run'"},
       {"sec34_impact fly", "'fly': there is no such command (allowed: run)"},
       {"sec36_cantilever_defect scale", "did you mean 'scales'? (allowed: run, scales, map)"},

@@ -5,13 +5,15 @@ set -eu
 program=$1 results=$2 cost=$3
 shift 3
 mkdir -p "${results%/*}" "${cost%/*}"
-if command -v flock >/dev/null 2>&1; then
-  exec 9> "${cost%/*}/.${cost##*/}.lock"
-  flock 9
-  # Another make was here first.
-  [ -n "$(find "$results" -newer "$program" 2>/dev/null)" ] && exit 0
-fi
+. "${0%/*}/lock.sh"
+hold "${cost%/*}/.${cost##*/}.lock"
+# Another make was here first.
+if [ -f "$results" ] && ! [ "$program" -nt "$results" ]; then exit 0; fi
 echo "  compute  ${program##*/}"
-start=$(date +%s.%N)
+# The seconds since the machine started run forwards, also where somebody sets its clock.
+now() { cut -d' ' -f1 /proc/uptime 2>/dev/null || date +%s.%N; }
+start=$(now)
 "$@"
-echo "$start $(date +%s.%N)" | awk '{ printf "%.1f\n", $2 - $1 }' > "$cost"
+echo "$start $(now)" | awk '{ printf "%.1f\n", ($2 > $1 ? $2 - $1 : 0) }' > "$cost"
+# What is older than its program is computed again: after a clock was set back, for ever.
+if [ "$program" -nt "$results" ]; then touch -r "$program" "$results"; fi

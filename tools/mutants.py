@@ -1,6 +1,7 @@
 """Would the tests notice? Puts the errors of mutants.tsv into a copy of the library, one at a time.
 
-For each error only the tests that its row names are compiled and run. An error is killed if one of them
+For each error only the tests that its row names are compiled and run; of those that call programs or read their
+tables, the cases that do neither. An error is killed if one of them
 fails (or no longer compiles, or takes more than two minutes) and survives otherwise; the unchanged
 library must pass first. What an error does not touch is compiled once. A row whose right text is not in its room exactly once is a mistake in the
 table and ends the run before anything is built. Words given as arguments select rows by their room or
@@ -10,6 +11,7 @@ by their description.
 import concurrent.futures
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -18,15 +20,19 @@ import threading
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 COMPILE = [os.environ.get("CXX", "g++"), "-std=c++20", "-O1", "-w", "-ffp-contract=off", "-fno-math-errno",
-           "-DLATTICE_WIDE=", "-I/usr/include/eigen3"]
+           "-DLATTICE_WIDE=", "-I/usr/include/eigen3", *(f'-D{name}="{value}"' for name, value in {
+               "SOURCE_DIR": ROOT, "DATA_DIR": ROOT / "build/data", "BIN_DIR": ROOT / "build/bin", "LATTICE_VERSION": "0",
+               "LATTICE_BUILD": "mutants -O1", "LATTICE_LIBRARIES": "those of the machine"}.items())]
 LINK = ["-lgsl", "-lgslcblas", "-lpthread"]
+ALONE = "~[published]~[cli]~[quick]~[lineage]"  # what needs no program and no table
 LIMIT = 120  # seconds for one test
 
 
 def files(source, room):
-    """The sources of a room of the library or of a section's shelf."""
-    folder = source / room if room.startswith("sec") else source / "lattice" / room
-    return sorted(path for path in folder.iterdir() if path.suffix in (".hpp", ".cpp"))
+    """The sources of a room of the library, of a section's shelf, or what tests share."""
+    folder = ROOT / "tests" if room == "tests" else source / room if room == "report" or room.startswith("sec") else \
+        source / "lattice" / room
+    return sorted(path for path in folder.iterdir() if path.suffix == ".hpp" or (path.suffix == ".cpp" and room != "tests"))
 
 
 def read_table(selection):
@@ -38,8 +44,11 @@ def read_table(selection):
         counts = {path: path.read_text(encoding="utf8").count(right) for path in files(ROOT / "src", room)}
         if sum(counts.values()) != 1:
             mistakes.append(f"mutants.tsv:{number}: '{right}' occurs {sum(counts.values())} times in {room}")
+        elif missing := [test for test in tests.split() if not (ROOT / f"tests/{test}.cpp").exists()]:
+            mistakes.append(f"mutants.tsv:{number}: there is no tests/{missing[0]}.cpp")
         elif not selection or any(word in room or word in what for word in selection):
-            file = next(path for path, count in counts.items() if count).relative_to(ROOT / "src")
+            file = next(path for path, count in counts.items() if count)
+            file = file.relative_to(ROOT / ("tests" if room == "tests" else "src"))
             table.append((file, right, wrong, tests.split(), what))
     if mistakes:
         raise SystemExit("\n".join(mistakes))
@@ -63,12 +72,12 @@ class Library:
 
     def __init__(self, scratch, tests, pool):
         self.source, self.objects = scratch / "src", scratch / "objects"
-        for folder in [ROOT / "src/lattice", *(ROOT / "src").glob("sec*/")]:
+        for folder in [ROOT / "src/lattice", ROOT / "src/report", *(ROOT / "src").glob("sec*/")]:
             shutil.copytree(folder, self.source / folder.name)
         self.objects.mkdir()
         for path in (ROOT / "tests").glob("*.?pp"):
             shutil.copy(path, self.source)
-        sources = [*self.source.glob("lattice/*/*.cpp"), *self.source.glob("sec*/*.cpp")]
+        sources = [path for where in ("lattice/*", "report", "sec*") for path in self.source.glob(where + "/*.cpp")]
         self.of = {path.relative_to(self.source): self.objects / f"{path.parent.name}-{path.stem}.o" for path in sources}
         self.tests = {test: self.objects / f"test-{test}.o" for test in ["main", *tests]}
         self.of.update({pathlib.Path(test + ".cpp"): path for test, path in self.tests.items()})
@@ -92,7 +101,9 @@ class Library:
         if subprocess.run([COMPILE[0], *map(str, objects), *LINK, "-o", str(binary)], capture_output=True).returncode:
             return "no longer links"
         try:
-            run = subprocess.run([str(binary)], capture_output=True, timeout=LIMIT)
+            text = (self.source / f"{test}.cpp").read_text(encoding="utf8")
+            with_data = re.search('DATA_DIR|BIN_DIR|"run.hpp"', text)
+            run = subprocess.run([str(binary), *([ALONE] if with_data else [])], capture_output=True, timeout=LIMIT)
         except subprocess.TimeoutExpired:
             return "does not end"
         return None if run.returncode == 0 else "fails"

@@ -19,6 +19,7 @@ and half the samples; the speed also carries the error of the fit. A quantity th
 
 namespace lattice {
 
+/// The command: its parameters (dimensionless), its two runs, its tables.
 struct DpsStrike {
   static constexpr Title title{"impact", "the DpS impact: its packet and its residue"};
   double tau = 250;

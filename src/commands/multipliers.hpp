@@ -22,6 +22,7 @@ Columns multiplier_columns();
 /// Every multiplier with its error, the two of the phase pair first.
 std::vector<std::pair<std::complex<double>, double>> multipliers_of(const Spectrum& all);
 
+/// The command: which breather, its spectrum, its tables.
 struct Multipliers : ChosenBreather {
   static constexpr Title title{"multipliers", "all Floquet multipliers of one breather"};
 

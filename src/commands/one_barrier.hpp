@@ -10,6 +10,7 @@ with their signs, from two tolerances in the wider type. In Python this is `latt
 
 namespace lattice {
 
+/// The command: omega_b and s (dimensionless), the pair of breathers, the table.
 struct OneBarrier {
   static constexpr Title title{"barrier", "energy between the two breathers, with its sign"};
   double omega = 1.1, s = 0;

@@ -16,6 +16,7 @@ frequency at rest, so that their families begin alike, and each is followed from
 
 namespace lattice {
 
+/// The command: which breather and in which precision, what Newton finds, its tables.
 struct OneBreather : ChosenBreather {
   static constexpr Title title{"breather", "one breather: amplitude, energy, area, residual"};
   std::string precision = "double";

@@ -22,6 +22,7 @@ The chain is struck with ever smaller steps until the *end states* of two runs a
 their largest entry. */
 inline constexpr double usual_tolerance = 1e-4;
 
+/// The command: the impact (dimensionless), its two runs, its tables.
 struct OneImpact {
   static constexpr Title title{"run", "one impact: speed, centre, energies of the packet"};
   Impact impact{1.87, {0, Quartic{}}, 600};

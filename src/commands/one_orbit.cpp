@@ -45,10 +45,7 @@ static double left_behind(const Shooting<double>& problem, const Orbit<double>& 
   for (std::size_t k = 0; k < shifts; ++k) {
     flow(problem.chain, z, time, rule);
     left = std::max(left, std::hypot(z.y.front(), z.v.front()));
-    for (auto* q : {&z.y, &z.v}) {
-      std::rotate(q->begin(), q->begin() + 1, q->end());
-      q->back() = 0;
-    }
+    move_on(z, 1);
   }
   return left / orbit.amplitude;
 }

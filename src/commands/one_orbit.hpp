@@ -28,6 +28,7 @@ template <class T>
 std::pair<double, double> phase_and_rest(const Shooting<T>& problem, const Orbit<T>& orbit,
                                          const EventTolerance<T>& rule);
 
+/// The command: which orbit, in two precisions, its tables.
 struct OneOrbit {
   static constexpr Title title{"orbit", "one exact travelling breather"};
   std::size_t k = 1, reach = usual_reach;

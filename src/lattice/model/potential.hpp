@@ -70,6 +70,7 @@ concept TakesRows = requires(const P& p, const double* x, double* out, std::size
   p.stiffnesses(x, out, n);
 };
 
+/// Holds any potential that takes rows; copies share it.
 class OwnPotential {
  public:
   OwnPotential() = default;
@@ -196,6 +197,54 @@ constexpr bool lists(const std::variant<Potential...>*) {
   return (std::is_same_v<P, Potential> || ...);
 }
 
+/**
+A chain holds a potential of a list or one of the caller's own, and has the same type whichever it is: that is
+what `Well` and `Contact` have in common. Either is made from one of its structs, and `as` gives the struct
+back. The functions choose anew in every call; the loops along a chain choose once (chain.hpp). */
+template <class Own, class... Known>
+struct OneOf : std::variant<Known..., Own> {
+  using List = std::variant<Known..., Own>;
+
+  OneOf() = default;
+  template <class P>
+  requires(!std::is_base_of_v<List, P> && IsPotential<P>) OneOf(P potential)
+      : List(kept(std::move(potential))) {}
+
+  /// The potential as what it is. Throws std::bad_variant_access if it is another one.
+  template <class P>
+  const P& as() const {
+    if constexpr (lists<P>(static_cast<const List*>(nullptr)))
+      return std::get<P>(*this);
+    else
+      return std::get<Own>(*this).template as<P>();
+  }
+
+  /// The energy at `x`, in the potential's own units, as the two derivatives are.
+  template <class T>
+  T energy(T x) const {
+    return std::visit([&](const auto& p) -> T { return p.energy(x); }, *this);
+  }
+  /// The force, with the sign that the structs of the list give it.
+  template <class T>
+  T force(T x) const {
+    return std::visit([&](const auto& p) -> T { return p.force(x); }, *this);
+  }
+  /// The second derivative of the energy.
+  template <class T>
+  T stiffness(T x) const {
+    return std::visit([&](const auto& p) -> T { return p.stiffness(x); }, *this);
+  }
+
+ private:
+  template <class P>
+  static auto kept(P potential) {
+    if constexpr (std::is_constructible_v<List, P>)
+      return potential;
+    else
+      return Own(std::move(potential));
+  }
+};
+
 /// Forces and stiffnesses at a row of numbers.
 template <class P, class T>
 void forces_of(const P& potential, const T* x, T* out, std::size_t n) {
@@ -267,6 +316,7 @@ std::vector<ParameterInfo> parameters_of(const std::string& name = "") {
   return all;
 }
 
+/// The words in one line, with commas in between.
 inline std::string comma_list(const std::vector<std::string>& words) {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;

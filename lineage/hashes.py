@@ -1,0 +1,159 @@
+"""The bytes of all tables, paper/hashes.ecsv: SHA-256 over the lines of a table without those that begin with `#`.
+
+Equal sources give equal bytes on every machine with this kind of processor, whatever compiler, release of Debian,
+number of threads or width of the vectors. The record has them for the full run and for the quick one, which takes
+two minutes and serves to compare platforms (tools/platforms.sh). What is known to depend on the platform is left
+out of its table's hash: a row whose name stands in the column `left_out`, by hand, with the reason beside it."""
+
+import hashlib
+import platform
+from dataclasses import dataclass
+from pathlib import Path
+
+from . import ecsv
+from .claims import programs_of
+
+RUNS = ("full", "quick")
+OTHER_PROCESSOR = 77  # what ctest calls skipped
+COLUMNS = [
+    ecsv.Column("program", "string", "program that writes the table"),
+    ecsv.Column("table", "string", "name of the table"),
+    ecsv.Column("full", "string", "SHA-256 of the full run's table without its lines with #"),
+    ecsv.Column("quick", "string", "the same of the run with --quick"),
+    ecsv.Column("left_out", "string", "names of rows that depend on the platform and are left out, by hand"),
+    ecsv.Column("reason", "string", "why they do"),
+]
+
+
+@dataclass
+class Entry:
+    full: str = ""
+    quick: str = ""
+    left_out: str = ""
+    reason: str = ""
+
+
+def record_of(root):
+    return Path(root) / "paper/hashes.ecsv"
+
+
+def read_record(root):
+    """The entries by (program, table), and with what they were computed."""
+    table, out = ecsv.read(record_of(root), [c.name for c in COLUMNS]), {}
+    for row in table.rows:
+        key = row["program"], row["table"]
+        if key in out:
+            raise row.fault(f"two rows for {' '.join(key)}")
+        if bool(row["left_out"]) != bool(row["reason"]):
+            raise row.fault("rows are left out with a reason, and a reason is for rows that are left out")
+        out[key] = Entry(*(row[c.name] for c in COLUMNS[2:]))
+    return out, table.meta
+
+
+def rows_of(path, left_out=""):
+    """The lines that count."""
+    names = tuple(name + "," for name in left_out.split())
+    return [line for line in ecsv.text_of(path).splitlines() if line[:1] != "#" and not (names and line.startswith(names))]
+
+
+def hash_of(path, left_out=""):
+    return hashlib.sha256("".join(line + "\n" for line in rows_of(path, left_out)).encode()).hexdigest()
+
+
+def maker_of(path):
+    """The compiler and the libraries that its header names."""
+    meta = ecsv.header_of(ecsv.text_of(path))[1]
+    return ", ".join(meta.get(key, "unknown") for key in ("build", "libraries"))
+
+
+def tables_in(data, programs):
+    """The files of the runs that are complete, by (program, table)."""
+    return {(p, path.stem): path for p in programs if (Path(data) / p / "results.ecsv").exists()
+            for path in sorted((Path(data) / p).glob("*.ecsv"))}
+
+
+def first_difference(path, other, left_out=""):
+    """Where two tables part, and how far."""
+    one, two = rows_of(path, left_out), rows_of(other, left_out)
+    if not one or not two or one[0] != two[0]:
+        return "other columns"
+    if len(one) != len(two):
+        return f"{len(one) - 1} rows instead of {len(two) - 1}"
+    apart = [i for i in range(len(one)) if one[i] != two[i]]
+    tables = [ecsv.parse(ecsv.text_of(p), p) for p in (path, other)]
+    names = [c.name for c in tables[0].columns]
+    for row, twin in zip(tables[0].rows, tables[1].rows):
+        for name in names:
+            a, b = row[name], twin[name]
+            if str(a) != str(b) and str(row[names[0]]) not in left_out.split():
+                return f"row {row.number}, {name}: {a!r} instead of {b!r} ({len(apart)} of {len(one) - 1} rows differ)"
+    return "other spelling"
+
+
+def differences(record, data, programs, run):
+    """The tables of a run that differ from the record, each with a word."""
+    found = tables_in(data, programs)
+    for key, path in found.items():
+        entry = record.get(key, Entry())
+        wanted = getattr(entry, run)
+        if not wanted:
+            yield key, path, "not recorded"
+        elif hash_of(path, entry.left_out) != wanted:
+            yield key, path, "not the bytes that are recorded"
+    for key, entry in record.items():
+        if getattr(entry, run) and key not in found and (key[0] not in programs or (Path(data) / key[0]).is_dir()):
+            yield key, Path(data) / key[0] / f"{key[1]}.ecsv", "recorded and not there"
+
+
+def check(root, data, run, against=None):
+    """The verb with --check: 0, 1 if a table differs, 77 if it does on another kind of processor. A folder of tables
+    from another platform, `against`, tells in which row."""
+    (record, meta), programs = read_record(root), programs_of(root)
+    found, told = tables_in(data, programs), 0
+    if not found:
+        raise ecsv.Fault(f"{data}: no program has finished here")
+    for key, path, word in differences(record, data, programs, run):
+        told += 1
+        twin = Path(against or "") / key[0] / path.name
+        if against and path.exists() and twin.exists():
+            word += "; " + first_difference(path, twin, record.get(key, Entry()).left_out)
+        print(f"  differs  {path}: {word}")
+    print(f"hashes     : {len(found) - told} of {len(found)} tables of the {run} run have the recorded bytes")
+    if not told:
+        return 0
+    print(f"             here     {maker_of(next(iter(found.values())))}, {platform.machine()}")
+    print(f"             recorded {meta.get('maker', 'unknown')}, {meta.get('processor', 'unknown')}")
+    if meta.get("processor") == platform.machine():
+        print("             moved by a change that is meant: make hashes; values within their errors: make lock")
+        return 1
+    print("             another kind of processor need not give the same bytes (ARTIFACT.md)")
+    return OTHER_PROCESSOR
+
+
+def renew(root, folders):
+    """The verb: records what is in the folders of the runs, keeps what is written by hand, and says what moved."""
+    programs = programs_of(root)
+    record = read_record(root)[0] if record_of(root).exists() else {}
+    now = {key: Entry(left_out=e.left_out, reason=e.reason) for key, e in record.items() if key[0] in programs}
+    maker, counts = None, []
+    for run, data in zip(RUNS, folders):
+        found = tables_in(data, programs)
+        missing = [p for p in programs if (p, "results") not in found]
+        if missing:
+            raise ecsv.Fault(f"{data}: {', '.join(missing)} did not finish (make hashes runs everything)")
+        for key, path in found.items():
+            entry = now.setdefault(key, Entry())
+            setattr(entry, run, hash_of(path, entry.left_out))
+            maker = maker or maker_of(path)
+        counts.append(f"{len(found)} of the {run} run")
+    now = {key: e for key, e in now.items() if e.full or e.quick}
+    for key in sorted(record.keys() | now.keys()):
+        was, entry = record.get(key), now.get(key)
+        moved = [run for run in RUNS if was and entry and getattr(was, run) != getattr(entry, run)]
+        if moved or not was or not entry:
+            word = "new      " if not was else "gone     " if not entry else "moved    "
+            print(f"  {word}{' '.join(key)}" + (f": {' and '.join(moved)}" if moved else ""))
+    rows = [dict(zip((c.name for c in COLUMNS), (*key, e.full, e.quick, e.left_out, e.reason))) for key, e in sorted(now.items())]
+    ecsv.write_whole(record_of(root), ecsv.to_text(ecsv.Table(COLUMNS, rows, {
+        "title": "The bytes of all tables", "maker": maker, "processor": platform.machine()})))
+    print(f"hashes     : {' and '.join(counts)}, in {record_of(root)}")

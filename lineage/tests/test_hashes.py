@@ -1,0 +1,101 @@
+"""The record of the bytes: what counts, what is said, what is kept by hand."""
+
+import contextlib
+import io
+from unittest import mock
+
+from lineage import ecsv, hashes
+from lineage.__main__ import main
+
+from . import ROOT, Scratch, table
+
+
+class Hashes(Scratch):
+    def setUp(self):
+        super().setUp()
+        self.quick("1")
+        self.renew()
+
+    def quick(self, value):
+        self.write("build/quick/data/sec1_demo/results.ecsv", table(["id", "value"], [["a.one", float(value)]]))
+
+    def call(self, *more):
+        folders = "--data", str(self.root / "build/data"), "--quick", str(self.root / "build/quick/data")
+        out, err = io.StringIO(), io.StringIO()
+        with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+            code = main(["--root", str(self.root), "hashes", *folders, *more])
+        return code, out.getvalue() + err.getvalue()
+
+    def renew(self):
+        code, said = self.call()
+        self.assertEqual(code, 0, said)
+        return said
+
+    def leave_out(self, names, reason):
+        record, meta = hashes.read_record(self.root)
+        record["sec1_demo", "facts"].left_out, record["sec1_demo", "facts"].reason = names, reason
+        rows = [dict(zip((c.name for c in hashes.COLUMNS), (*key, *vars(e).values()))) for key, e in record.items()]
+        self.write("paper/hashes.ecsv", ecsv.to_text(ecsv.Table(hashes.COLUMNS, rows, meta)))
+
+    def test_what_is_recorded_is_found_again(self):
+        self.assertEqual(self.call("--check"), (0, "hashes     : 2 of 2 tables of the full run have the recorded bytes\n"))
+
+    def test_a_header_does_not_count_and_the_last_digit_does(self):
+        name, text = "build/data/sec1_demo/facts.ecsv", self.read("build/data/sec1_demo/facts.ecsv")
+        self.write(name, "# another machine\n" + text)
+        self.assertEqual(self.call("--check")[0], 0)
+        self.write(name, text.replace("fact,2,", "fact,2.0000000000000004,"))
+        code, said = self.call("--check")
+        self.assertEqual(code, 1)
+        self.assertIn(f"differs  {self.root}/{name}: not the bytes that are recorded\n", said)
+        self.assertIn("1 of 2 tables", said)
+
+    def test_another_platform_tells_the_row(self):
+        twin = self.root / "twin/sec1_demo"
+        twin.mkdir(parents=True)
+        text = self.read("build/data/sec1_demo/facts.ecsv")
+        (twin / "facts.ecsv").write_text(text, encoding="utf-8")
+        self.facts(["other", 1.0, 0.0, ""], ["fact", 2.5, 0.1, ""])
+        self.assertIn("row 2, value: 2.5 instead of 2.0 (1 of 2 rows differ)",
+                      self.call("--check", "--against", str(self.root / "twin"))[1])
+
+    def test_another_processor_is_no_failure(self):
+        self.facts(["fact", 2.5, 0.1, ""])
+        with mock.patch("platform.machine", return_value="aarch64"):
+            self.assertEqual(self.call("--check")[0], hashes.OTHER_PROCESSOR)
+
+    def test_a_table_more_or_less_is_told(self):
+        facts = self.root / "build/data/sec1_demo/facts.ecsv"
+        facts.rename(facts.with_name("new.ecsv"))
+        code, said = self.call("--check")
+        self.assertEqual(code, 1)
+        self.assertIn("new.ecsv: not recorded", said)
+        self.assertIn("facts.ecsv: recorded and not there", said)
+
+    def test_the_quick_run_has_its_own_bytes(self):
+        self.quick("2")
+        self.assertEqual(self.call("--check")[0], 0)
+        self.assertEqual(self.call("--check", "--run", "quick", "--data", str(self.root / "build/quick/data"))[0], 1)
+        self.assertIn("moved    sec1_demo results: quick\n", self.renew())
+
+    def test_a_row_is_left_out_by_hand_and_with_a_reason(self):
+        self.leave_out("fact", "rounding")
+        self.renew()
+        self.facts(["other", 1.0, 0.0, ""], ["fact", 2.5, 0.1, ""])
+        self.assertEqual(self.call("--check")[0], 0)
+        self.facts(["other", 1.5, 0.0, ""], ["fact", 2.5, 0.1, ""])
+        self.assertEqual(self.call("--check")[0], 1)
+        self.renew()
+        self.assertEqual(hashes.read_record(self.root)[0]["sec1_demo", "facts"].reason, "rounding")
+        self.leave_out("fact", "")
+        self.assertIn("with a reason", self.call("--check")[1])
+
+    def test_a_run_that_did_not_finish_is_not_recorded(self):
+        (self.root / "build/quick/data/sec1_demo/results.ecsv").unlink()
+        code, said = self.call()
+        self.assertEqual((code, said.count("\n")), (1, 1))
+        self.assertIn("sec1_demo did not finish", said)
+
+    def test_this_record_is_complete(self):
+        record = hashes.read_record(ROOT)[0]
+        self.assertEqual({p for p, t in record if t == "results"}, set(hashes.programs_of(ROOT)))
