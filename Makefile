@@ -62,7 +62,7 @@ side_by_side = $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS))
 figures: install-deps
 	@sh tools/need-tools.sh "$(PYTHON)"
 	@sh tools/configure.sh $(B)
-	@mkdir -p $(D)/report && date +%s > $(D)/report/start
+	@mkdir -p $(D)/report && (. tools/shared.sh; now) > $(D)/report/start
 	@sh tools/tables.sh $(D)/data
 	@$(MAKE) all-data
 	@$(MAKE) $(side_by_side) all-figures
@@ -107,7 +107,7 @@ $(D)/figures/$(basename $(3)).svg: figures/$(3) $(D)/data/$(2)/results.ecsv $(ca
     $(if $(filter %.gp,$(3)),figures/style.gp,figures/draw.py figures/matplotlibrc)
 	@mkdir -p $$(@D)
 	@echo "  draw     $(basename $(3))"
-	@PYTHON="$$(PYTHON)" sh tools/draw.sh $$@ $(D)/data $$<
+	@PYTHON="$$(PYTHON)" FROM="$$^" sh tools/draw.sh $$@ $(D)/data $$<
 $(call tables,$(2),$(4)): $(D)/data/$(2)/results.ecsv
 endef
 need_python = test -n "$(PYTHON)" || { echo "no python3 with matplotlib found (set PYTHON=...)"; exit 1; };
@@ -122,9 +122,9 @@ $(foreach i,$(patsubst 0%,%,$(filter 0%,$(ids))),$(eval fig$(i): fig0$(i)))
 $(foreach i,$(patsubst x0%,%,$(filter x0%,$(ids))),$(eval x$(i): x0$(i)))
 
 %.pdf: %.svg
-	@sh tools/draw.sh $@ $<
+	@FROM="$<" sh tools/draw.sh $@ $<
 %.png: %.svg
-	@sh tools/draw.sh $@ $<
+	@FROM="$<" sh tools/draw.sh $@ $<
 
 # What reads the tables: a python with the standard library, for the book one with these modules too.
 lineage = "$(or $(PYTHON),python3)" -m lineage
@@ -137,7 +137,8 @@ summary:
 	@echo "figures    : $(words $(svgs)) in $(D)/figures (svg, pdf, png)"
 	@$(lineage) summary --data $(D)/data --out $(D)/report
 	@echo "computing  : $$(cat $(D)/report/cost/* | awk '{ s += $$1 } END { printf "%.0f", s }') s" \
-	  "in $(words $(chapters)) programs; all together $$(( $$(date +%s) - $$(cat $(D)/report/start) )) s"
+	  "in $(words $(chapters)) programs; all together" \
+	  "$$(. tools/shared.sh; echo "$$(now) $$(cat $(D)/report/start)" | awk '{ printf "%.0f", ($$1 > $$2 ? $$1 - $$2 : 0) }') s"
 	@echo "report     : $(D)/report/published.ecsv"
 
 ## book: weave the book from sources, data and figures into build/book
@@ -149,7 +150,8 @@ book: install-book
 ## weave: the same from the data and figures that are there, in seconds
 weave:
 	@sh book/live/build.sh $(B)/live
-	@$(weaver) -m lineage weave --data $(D)/data --figures $(D)/figures --live $(B)/live --out $(D)/book
+	@$(weaver) -m lineage weave --data $(D)/data --figures $(D)/figures --live $(B)/live --programs $(B)/bin \
+	  --out $(D)/book
 
 install-book: install-deps
 	@DEPS=$(DEPS) sh tools/install-deps.sh apt-packages.txt book
@@ -171,6 +173,11 @@ src: programs
 examples: programs
 	@cd $(B) && ctest -R '^install$$' $(CTEST_ARGS)
 
+## python: build the Python module, build/python/lattice
+.PHONY: python
+python: configure
+	@sh tools/build.sh $(B) $(JOBS) python_module
+
 .PHONY: run-tests
 run-tests: programs
 	@echo "  build    tests"
@@ -178,6 +185,20 @@ run-tests: programs
 	@$(lineage) summary --data $(B)/data --out $(B)/report > /dev/null
 	@$(MAKE) test-lineage
 	@cd $(B) && ctest -j $(JOBS) $(CTEST_ARGS)
+
+## test-faults: runs that are killed, out of time or disk, or that nobody reads (minutes)
+.PHONY: test-faults test-fuzz
+test-faults: programs
+	@$(or $(PYTHON),python3) tests/faults.py . $(B)/bin 60
+	@sh tests/make.sh . && sh tests/drawing.sh .
+
+## test-fuzz: 5,000 random command lines for programs with sanitizers (SEED=..., COUNT=...; long)
+COUNT := 5000
+SEED = $(shell date +%s)
+test-fuzz: install-deps
+	@cmake --preset asan > /dev/null
+	@sh tools/build.sh $(B)/asan $(JOBS) programs
+	@LATTICE_SLACK=12 $(or $(PYTHON),python3) tests/fuzz.py $(B)/asan/bin $(COUNT) $(SEED)
 
 ## bench: time our integrators against GSL and Boost.odeint (ten minutes, not part of the tests)
 .PHONY: bench
@@ -187,6 +208,7 @@ bench: install-deps configure
 	  { cat $(B)/bench/build.log; exit 1; }
 	@$(B)/bin/bench_kernels --benchmark_min_time=0.1
 	@$(B)/bin/bench_ratios --out $(B)/bench
+	@cp $(B)/bench/ratios.ecsv bench/ratios.ecsv
 	@$(need_python) "$(PYTHON)" figures/x04_work_precision.py $(B)/bench $(B)/bench/work_precision.svg
 	@$(MAKE) $(B)/bench/work_precision.pdf $(B)/bench/work_precision.png
 
@@ -234,7 +256,7 @@ show:
 gallery: all-figures
 	@$(need_python) $(lineage) gallery --figures $(D)/figures
 
-## mutants: errors of physics put into the library one at a time; the tests must notice (ten minutes)
+## mutants: errors of physics put into the library one at a time; the tests must notice (long)
 .PHONY: mutants
 mutants: install-deps
 	@$(or $(PYTHON),python3) tools/mutants.py $(MUTANTS)
@@ -252,6 +274,23 @@ test-slurm: programs
 .PHONY: fresh
 fresh:
 	@sh tools/fresh.sh $(SUITE)
+
+## container: the steps of the Dockerfile in a bare root, where no container can run (SUITE=trixie; takes root)
+.PHONY: container
+container:
+	@sh tools/fresh.sh --container $(SUITE)
+
+## dist: sources, tables, figures, and the book and the report that are there, in one archive, build/dist
+.PHONY: dist
+dist:
+	@$(lineage) inventory --data $(B)/data --programs $(B)/bin --out $(B)/report
+	@sh tools/dist.sh $(B)
+
+## style: clang-format and shellcheck, where they are installed
+.PHONY: style
+style:
+	@! command -v clang-format >/dev/null 2>&1 || git ls-files '*.cpp' '*.hpp' | xargs clang-format --dry-run --Werror
+	@! command -v shellcheck >/dev/null 2>&1 || shellcheck .ci/run tools/*.sh tests/*.sh tests/slurm/*.sh examples/*.sbatch
 
 ## install-deps: install the Debian packages of apt-packages.txt that are missing
 install-deps:

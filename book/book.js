@@ -38,14 +38,15 @@
     const at = opener.getClientRects()[0], gap = 8;
     if (!at) return;
     panel.style.maxHeight = "";
+    const roof = Math.max(0, document.querySelector("header.top").getBoundingClientRect().bottom);
     const width = panel.offsetWidth, height = panel.offsetHeight;
     const left = Math.min(Math.max(gap, at.left), innerWidth - width - gap);
-    const above = at.top - 2 * gap, below = innerHeight - at.bottom - 2 * gap;
+    const above = at.top - roof - 2 * gap, below = innerHeight - at.bottom - 2 * gap;
     const under = height <= below || below >= above;
     const room = Math.max(160, Math.min(height, under ? below : above));
-    const top = Math.max(gap, Math.min(under ? at.bottom + gap : at.top - gap - room, innerHeight - room - gap));
+    const top = Math.max(roof + gap, Math.min(under ? at.bottom + gap : at.top - gap - room, innerHeight - room - gap));
     Object.assign(panel.style, { margin: "0", left: `${left}px`, top: `${top}px`, right: "auto", bottom: "auto" });
-    if (room < height) panel.style.maxHeight = `${room}px`;
+    panel.style.maxHeight = `${Math.min(room, innerHeight - top - gap)}px`;
   };
   for (const panel of document.querySelectorAll("[popover]"))
     panel.addEventListener("toggle", (event) => { if (event.newState === "open") place(panel); });
@@ -90,13 +91,17 @@
   // The search page: every word must occur; titles weigh most. SEARCH comes from search-index.js.
   const query = $("query");
   if (query && window.SEARCH) {
-    const fold = (text) => text.normalize("NFD").replace(/[\u0300-\u036f]/g, "").replace(/’/g, "'").toLowerCase();
+    // Accents, kinds of dashes and of apostrophes make no difference.
+    const fold = (text) => text.normalize("NFD").replace(/[\u0300-\u036f]/g, "").replace(/’/g, "'").replace(/[\u2010-\u2015\u2212]/g, "-").toLowerCase();
+    // "fig 19" means figure 19 and neither figure x19 nor a number with 19 in it: a whole word of a title counts most.
+    const whole = (text, w) => (" " + text.replace(/[^a-z0-9_.-]+/g, " ") + " ").includes(" " + w + " ");
+    const asked = (text) => fold(text).replace(/\bfig(?:ure)?s?\.?\s*0*(x?\d)/g, "figure $1").split(/[\s,;]+/).map((w) => w.replace(/[.:?!]+$/, "")).filter(Boolean);
     const entries = window.SEARCH.map(([url, page, title, text]) => ({ url, page, title, text, t: fold(title + " " + page), x: fold(text) }));
     const list = $("results"), count = $("count");
     const piece = (text, words) => {
       const folded = fold(text);
       const first = Math.min(...words.map((w) => { const at = folded.indexOf(w); return at < 0 ? Infinity : at; }));
-      const from = Number.isFinite(first) ? Math.max(0, first - 70) : 0;
+      const near = Number.isFinite(first) ? Math.max(0, first - 70) : 0, from = near ? text.indexOf(" ", near) + 1 : 0;
       const out = document.createElement("span");
       const part = (from ? "… " : "") + text.slice(from, from + 230) + (text.length > from + 230 ? " …" : "");
       const shown = fold(part);
@@ -111,15 +116,15 @@
       return out;
     };
     const search = () => {
-      const words = fold(query.value).split(/\s+/).filter(Boolean);
+      const words = asked(query.value);
       const hits = words.length ? entries.map((e) => {
         let score = 0;
         for (const w of words) {
           const inTitle = e.t.includes(w), times = e.x.split(w).length - 1;
           if (!inTitle && !times) return [0, e];
-          score += (inTitle ? 10 : 0) + Math.min(times, 5);
+          score += (whole(e.t, w) ? 30 : 0) + (inTitle ? 10 : 0) + (whole(e.x, w) ? 3 : 0) + Math.min(times, 5);
         }
-        return [score, e];
+        return [score + (e.t.startsWith(words.join(" ")) ? 20 : 0), e];
       }).filter(([score]) => score > 0).sort((a, b) => b[0] - a[0]) : [];
       count.textContent = words.length ? `${hits.length} place${hits.length === 1 ? "" : "s"}${hits.length > 60 ? ", the best 60 shown" : ""}` : "";
       list.replaceChildren(...hits.slice(0, 60).map(([, e]) => {

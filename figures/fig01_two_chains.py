@@ -79,9 +79,9 @@ measure(array, (rest - pitch, length + 3.4), (rest, length + 3.4), f"{pitch:g} m
 array.annotate(f"$R =$\n{radius:g} mm", (rest + thickness / 2 + radius, length / 2 - radius),
                (rest + 0.9, 1.2), fontsize=7, arrowprops={"arrowstyle": "-", "lw": 0.6, "shrinkB": 0},
                zorder=4)
-array.annotate(f"$h =$\n{thickness:g} mm", (-thickness / 2, length * 0.93),
-               (-0.75 * pitch, length * 0.74), arrowprops={"arrowstyle": "-", "lw": 0.6, "shrinkB": 0},
-               zorder=4)
+array.annotate(f"$h =$\n{thickness:g} mm", (-thickness / 2, length * 0.94),
+               (-0.8 * pitch, length * 0.74), fontsize=7,
+               arrowprops={"arrowstyle": "-", "lw": 0.6, "shrinkB": 0}, zorder=4)
 array.set(xlim=(-pitch * 0.85, edge + 11), ylim=(-6, length + 6))
 
 for axes, name in [(cradle, "a"), (array, "b")]:

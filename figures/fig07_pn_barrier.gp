@@ -12,6 +12,7 @@ set logscale y
 set yrange [1e-20:1e3]
 set format y '10^{%T}'
 set ytics 1e5
+unset mytics
 set xlabel 'frequency ω_b'
 unset key
 set ylabel 'energy, ratio' offset 1

@@ -5,7 +5,7 @@ set multiplot layout 1,2 margins char 8,1.5,3.4,0.8 spacing char 8,0
 set xrange [-8:8]
 set yrange [-1.1:0.75]
 set xlabel 'site n'
-set ylabel 'displacement, length one' offset 1
+set ylabel 'displacement (unit norm)' offset 1
 set key bottom center horizontal
 do for [name in "bond site"] {
   table = data.'/sec33_floquet/mode_'.name.'.ecsv'

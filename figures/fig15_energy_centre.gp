@@ -7,7 +7,7 @@ set ylabel 'energy centre X (sites)'
 set xrange [0:2.5]
 set yrange [-3.2:0.7]
 set key bottom left
-set grid ytics lw 0.4 lc rgb grey
+set ytics 1
 plot table using (1e-5*column("t")):"X_bond_stretched" with lines ls 1 title 'bond, stretched', \
      table using (1e-5*column("t")):"X_bond_compressed" with lines ls 3 lw 3.5 title 'bond, compressed', \
      table using (1e-5*column("t")):"X_site" with lines ls 2 title 'site'

@@ -25,7 +25,7 @@ for axes in (panels[1], panels[3]):
     axes.axvline(apart[0], color="black", lw=0.8, ls=(0, (4, 2)))
 axes = panels[3]
 axes.fill_between(spread["t"], spread["low"], spread["high"], color="#56B4E9", lw=0, alpha=0.6,
-                  label="tenth to tenth")
+                  label="10th to 90th percentile")
 axes.plot(spread["t"], spread["mean"], color="#0072B2", lw=1, label="mean")
 axes.set(xlabel="time $t$", ylabel="centre $X$ (site)", xlim=(0, 2500), ylim=(0, 45))
 panels[1].set_xlim(0, 2500)

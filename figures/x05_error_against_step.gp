@@ -6,13 +6,14 @@ set logscale xy
 set format y '10^{%T}'
 orbit = data.'/secA_integrators/error_orbit.ecsv'
 tangent = data.'/secA_integrators/error_tangent.ecsv'
-set key bottom left samplen 1.3 maxrows 3 width -6.5
+set key bottom left samplen 1.2 maxrows 3 width -6
 set xrange [0.0025:0.25]
 set yrange [1e-19:10]
 set ytics 1e3
+unset mytics
 set xtics (0.003, 0.01, 0.03, 0.1, 0.2)
 set label 1 panel('a') at graph 0.03,0.94
-set xlabel 'time step  {/:Italic h}'; set ylabel 'error of displacements  {/:Italic y}_n(50)' offset 1,0
+set xlabel 'time step  {/:Italic h}'; set ylabel 'error of displacements  {/:Italic y_n}(50)' offset 1,0
 plot orbit using 'step':'verlet' with linespoints ls 4 title 'velocity Verlet', \
      '' using 'step':'blanes_moan_4' with linespoints ls 3 title 'splitting, order 4', \
      '' using 'step':'blanes_moan_6' with linespoints ls 1 title 'splitting, order 6', \

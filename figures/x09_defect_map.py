@@ -19,7 +19,7 @@ for axes in (shares, small):
         axes.axvline(ratio, color="#888888", lw=0.5, ls=":", zorder=0)
     axes.set(xlabel=r"radius of the defect's beads $\tilde R_{100}$", xlim=(0.48, 2.02))
 shares.set(ylabel="share of the energy that arrives", ylim=(-0.03, 1.17))
-shares.legend(loc="center right", handlelength=2.4)
+shares.legend(loc="center right", handlelength=2.4, frameon=True, framealpha=1, edgecolor="none")
 small.set(yscale="log", ylim=(3e-4, 4), ylabel="share of the energy that arrives")
 draw.letter(shares, "a")
 draw.letter(small, "b")

@@ -53,6 +53,7 @@ for cut, behind, mark, colour, name in [
 e.set(xlabel="impact velocity $v_0$", xlim=(1.78, 1.98), ylabel="furthest centre (site)", yscale="log", ylim=(10, 1500))
 e.set_yticks([10, 30, 100, 300], ["10", "30", "100", "300"])
 e.minorticks_off()
+e.set_xticks([1.8, 1.84, 1.88, 1.92, 1.96])
 e.legend(loc="upper right", ncols=2, fontsize=7, title="waves left (filled: returned)",
          title_fontsize=7)
 

@@ -39,7 +39,7 @@ handles = axes.get_legend_handles_labels()[0] + [
 axes.set(xlabel=r"frequency $\omega_b$", ylabel="anharmonicity $s$", xlim=(1, 2), ylim=(-1, 1))
 axes.legend(handles=handles, loc="lower right", handlelength=1.4, frameon=True, framealpha=1,
             edgecolor="none")
-axes.text(0.02, 0.96, "(a)", transform=axes.transAxes, va="top")
+axes.text(0.035, 0.96, "(a)", transform=axes.transAxes, va="top")
 
 panels = lower.subplots(1, 2, sharey=True)
 shades = plt.get_cmap("viridis").copy()

@@ -37,13 +37,16 @@ left.legend(loc="lower right")
 draw.letter(left, "a")
 
 table = rows("integrators")
-for name, color, style in [("verlet", "#888888", "v-"), ("blanes_moan_4", "#56B4E9", "^-"),
-                           ("blanes_moan_4_compensated", "#000000", "+:"),
-                           ("contact_aware_6", "#D55E00", "o-"),
-                           ("contact_aware_14", "#0072B2", "s--"), ("landing", "#009E73", "D")]:
+for name, label, color, style in [
+        ("verlet", "velocity Verlet", "#888888", "v-"),
+        ("blanes_moan_4", "splitting, order 4", "#56B4E9", "^-"),
+        ("blanes_moan_4_compensated", "the same, compensated sums", "#000000", "+:"),
+        ("contact_aware_6", "contact-aware, order 6", "#D55E00", "o-"),
+        ("contact_aware_14", "contact-aware, 14 stages", "#0072B2", "s--"),
+        ("landing", "landing on the switchings", "#009E73", "D")]:
     part = [row for row in table if row["integrator"] == name]
     right.loglog(column(part, "work"), column(part, "drift"), style, color=color, ms=3.5, lw=0.9,
-                 label=name.replace("_", " "))
+                 label=label)
 right.axhline(float(table[0]["allowed"]), color="black", lw=0.8, ls=(0, (1, 1)))
 right.set(xlabel="work (site forces per unit of time)", ylabel="relative drift of the energy",
           ylim=(1e-15, 3e-1))

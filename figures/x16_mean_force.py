@@ -16,7 +16,8 @@ def motion(name, column):
 
 
 figure, grid = plt.subplot_mosaic([["a", "a", "b", "b", "c", "c"], ["d", "d", "d", "e", "e", "e"]],
-                                  figsize=(draw.TWO_COLUMNS, 118 * draw.MM), height_ratios=[1.3, 1])
+                                  figsize=(draw.TWO_COLUMNS, 118 * draw.MM), height_ratios=[1.3, 1],
+                                  width_ratios=[1, 1, 1, 1, 1.5, 1.5])
 free, wells, ends, core, mean = (grid[name] for name in "abcde")
 for name, mark, label in [("ring_wave", "o-", "wave on a ring"),
                           ("uneven_ring", "s--", "uneven ring"),
@@ -44,7 +45,7 @@ for k, (column, color, hatch, label) in enumerate([
     counts = [int(row[column]) for row in found]
     bars = ends.bar(place + 0.22 * (k - 1.5), counts, 0.22, color=color, hatch=hatch, ec="black",
                     lw=0.4, label=label)
-    ends.bar_label(bars, [str(c) if c else "" for c in counts], fontsize=5.5, padding=1)
+    ends.bar_label(bars, [str(c) if c else "" for c in counts], fontsize=5.2, padding=1)
 ends.set_xticks(place, [row["ends_in"] for row in found], rotation=35, ha="right",
                 rotation_mode="anchor")
 ends.set(ylabel="searches", ylim=(0, 118))

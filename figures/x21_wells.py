@@ -12,7 +12,7 @@ packet = draw.read(f"{folder}/packet_at_one.ecsv")
 
 figure, axes = plt.subplots(1, 4, figsize=(draw.TWO_COLUMNS, 65 * draw.MM), layout="constrained",
                             width_ratios=[1, 1, 1, 1.2])
-bounds = {1: (-0.03, 0.02, 0.86, 1.012), 2: (-0.15, 0.4, 1.6, 2.01), 3: (-0.5, 2.1, 2.7, 3.02)}
+bounds = {1: (-0.03, 0.02, 0.86, 1.012), 2: (-0.15, 0.4, 1.65, 2.015), 3: (-0.5, 2.1, 2.78, 3.015)}
 for panel, (k, (left, right, low, high)) in zip(axes, bounds.items()):
     for direction in (1, -1):
         way = draw.where(draw.where(branches, "k", k), "direction", direction)
@@ -32,5 +32,5 @@ axes[3].semilogy(exact["speed"], exact["energy"], "o", ms=4, mfc="none", color="
 axes[3].set(xlabel="speed (sites/time)", ylabel="energy", xlim=(0, 0.16), ylim=(1e-4, 5))
 axes[3].legend(loc="center right", fontsize=7)
 for panel, name in zip(axes, "abcd"):
-    panel.set_title(f"({name})", loc="left", pad=3)
+    panel.set_title(f"({name})" + (f" $k = {'abc'.find(name) + 1}$" if name in "abc" else ""), loc="left", pad=3)
 draw.save(figure, out)

@@ -27,7 +27,7 @@ for sign, mark, colour in ((1, "+", "#0072B2"), (-1, "x", "#D55E00")):
     c.plot(one["inverse_k"], one["scaled_energy"], mark, ms=5, mew=0.9, color=colour,
            label="type I, " + ("+" if sign > 0 else "−"))
 c.plot([0], [facts["dps_energy_over_c4"]], "D", ms=4, color="#009E73", clip_on=False, label="DpS")
-c.set(xlabel=r"$1/k$", ylabel=r"$E/c^4$", xlim=(0, 0.52), ylim=(50, 160))
+c.set(xlabel=r"$1/k$", ylabel=r"$E/c^4$", xlim=(0, 0.22), ylim=(60, 95))
 c.legend(loc="lower right", fontsize=7)
 for axes, name in zip((a, b, c), "abc"):
     draw.letter(axes, name)

@@ -21,19 +21,18 @@ for k, colour, dash in ((2, "#888888", "--"), (1, "black", "-")):
 a.set(xlabel=r"$\sigma/2\pi$", ylabel=r"kernel $K(\sigma)$", xlim=(-2.5, 2.5), ylim=(-1.2, 1.45))
 a.legend(loc="upper right", fontsize=7, ncols=2)
 
-inset = b.inset_axes([0.60, 0.52, 0.38, 0.44])
+inset = b.inset_axes([0.66, 0.53, 0.33, 0.43])
 for sign, name, colour, dash in ((1, "plus", BLUE, "-"), (-1, "minus", RED, "--")):
     one = draw.where(profiles, "sign", sign)
     t = np.concatenate((-one["turns"][::-1], one["turns"]))
     b.plot(t, np.concatenate((one["d"][::-1], one["d"])), dash, color=colour, lw=1, label=name)
     inset.plot(one["turns"], one["log_d"], dash, color=colour, lw=0.7)
 b.axhline(0, color="#888888", lw=0.5)
-b.set(xlabel=r"time $t/2\pi$", ylabel="compression $d$", xlim=(-3, 8), ylim=(-0.5, 0.62))
+b.set(xlabel=r"time $t/2\pi$", ylabel="compression $d$", xlim=(-3, 11), ylim=(-0.5, 0.62))
 b.legend(loc="lower right", fontsize=7)
-inset.set(xlim=(0, 6), ylim=(-8, 0.5))
-inset.set_yticks([-8, -4, 0])
+inset.set(xlim=(0, 6), ylim=(-7, 0.5))
+inset.set_yticks([-6, -3, 0])
 inset.tick_params(labelsize=6)
-inset.set_xlabel(r"$t/2\pi$", fontsize=6.5, labelpad=1)
 inset.set_ylabel(r"$\log_{10}|d|/d_{\mathrm{max}}$", fontsize=6.5, labelpad=1)
 
 dashes = ["-", "--", ":", "-.", (0, (5, 1)), (0, (1, 2))]
@@ -46,13 +45,14 @@ c.set_xscale("symlog", linthresh=10)
 c.set_xlim(0, None)
 c.legend(loc="lower left", fontsize=7, ncols=2, title="random start", title_fontsize=7)
 
+sure = np.abs(quotients["difference"]) > 10 * quotients["difference_error"]
 positive = quotients["difference"] > 0
 d.plot(quotients["alpha"], quotients["log_difference"], "-", color="#BBBBBB", lw=0.8)
-for keep, mark, colour, name in ((positive, "o", BLUE, "plus larger"), (~positive, "s", RED, "minus larger")):
+for keep, mark, colour, name in ((sure & positive, "o", BLUE, "plus larger"),
+                                 (sure & ~positive, "s", RED, "minus larger"),
+                                 (~sure, "x", "#666666", "not separable")):
     d.plot(quotients["alpha"][keep], quotients["log_difference"][keep], mark, ms=3.4, mfc="none",
            mew=0.8, color=colour, label=name)
-d.axhspan(-17, -13.5, color="#EEEEEE", zorder=0)
-d.text(2.6, -15.6, "rounding", fontsize=7, color="#666666")
 d.set(xlabel=r"exponent $\alpha$ of the contacts", ylim=(-16.6, 1),
       ylabel=r"$\log_{10}|Q_+/Q_- - 1|$")
 d.legend(loc="lower right", fontsize=7, bbox_to_anchor=(1, 0.2))

@@ -43,6 +43,9 @@ for color, mark, bond, name in [(COLORS[2], "s", 0, "site"), (COLORS[0], "o", 1,
     branch.semilogy(rows["frequency"], rows["energy_branch"] * 1e6, "+", color="black", ms=5)
 branch.plot([], [], "+", color="black", label="exact breather")
 branch.set(xlabel=r"frequency over that of a beam", ylabel=r"energy ($\mathrm{\mu J}$)")
+branch.set_yticks([6, 10, 20, 40], ["6", "10", "20", "40"])
+branch.minorticks_off()
+branch.set_xticks([1.07, 1.08, 1.09])
 branch.legend(loc="lower right")
 draw.letter(branch, "c")
 
@@ -50,6 +53,8 @@ seen.semilogy(instability["omega"], instability["quality_e"], "o-", color=COLORS
               mfc="white")
 seen.set(xlabel=r"frequency at the start over that of a beam",
          ylabel=r"quality factor for an $e$-fold growth")
+seen.set_yticks([7000, 8000, 10000, 12000, 14000], ["7000", "8000", "10000", "12000", "14000"])
+seen.minorticks_off()
 draw.letter(seen, "d", x=0.97)
 figure.tight_layout()
 draw.save(figure, out)

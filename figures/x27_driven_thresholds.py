@@ -25,8 +25,10 @@ for way, color, mark in [("up", "#D55E00", "^"), ("once", "#CC79A7", "x"), ("dow
     rows = [row for row in thresholds if row["way"] == way]
     law.loglog([float(row["delta"]) for row in rows], [float(row["threshold"]) for row in rows],
                mark, color=color, ms=4, mfc="none", label=f"piston, {way}")
-law.set(xlabel=r"distance $\delta$ from the frequency of a beam",
+law.set(xlabel=r"relative distance $\delta$ from the frequency of a beam",
         ylabel=r"amplitude ($\mathrm{\mu m}$)")
+law.set_xticks([0.05, 0.1, 0.2, 0.35], ["0.05", "0.1", "0.2", "0.35"])
+law.set_xticks([], minor=True)
 law.legend(loc="lower right", fontsize=6)
 draw.letter(law, "a")
 

@@ -18,9 +18,7 @@ for axes, ratio, name in zip(panels, ratios, "abc"):
                         aspect="auto", norm=LogNorm(1e-6 * most, most), cmap="viridis",
                         interpolation="nearest")
     axes.set(xlabel="bead $n$")
-    axes.text(0.97, 0.97, f"{ratio:g} of the law", transform=axes.transAxes, va="top", ha="right",
-              color="white")
-    draw.letter(axes, name, color="white")
+    axes.set_title(f"({name}) {ratio:g} of the law", loc="left", pad=3)
 panels[0].set(ylabel="time (ms)")
 figure.colorbar(shown, ax=panels, label="energy of a bead (J)", fraction=0.05, pad=0.02)
 draw.save(figure, out)

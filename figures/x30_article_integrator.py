@@ -25,6 +25,14 @@ def curve(axes, rows, method, y, scale=1, x="steps"):
               ls=dash, color=color, ms=3, lw=0.9, mfc="white", mew=0.8, label=name)
 
 
+def beyond(axes, x, y, length, method):
+    """The mark of a method with an arrow: what is known lies beyond."""
+    color, mark, _, _ = looks[method]
+    axes.annotate("", (x, y + length), (x, y), arrowprops={"arrowstyle": "->", "color": color,
+                                                           "lw": 0.9, "shrinkA": 0, "shrinkB": 0})
+    axes.plot(x, y, mark, color=color, ms=4, mfc="white", mew=0.8)
+
+
 figure, axes = plt.subplots(2, 3, figsize=(draw.TWO_COLUMNS, 115 * draw.MM),
                             layout="constrained")
 (a, b, c), (d, e, f) = axes
@@ -34,7 +42,7 @@ for method in methods:
     curve(b, settings, method, "barrier_size")
     curve(c, settings, method, "off_bond")
 for panel, value in [(a, 1.5e-9), (b, 1.77e-11), (c, 1e-3)]:
-    panel.set(xscale="log", yscale="log")
+    panel.set(xscale="log", yscale="log", xlabel="steps for one period")
     panel.axhline(value, color="black", lw=0.8)
 a.set(ylabel="Newton's residual")
 b.set(ylabel="barrier $|E_{PN}|$")
@@ -50,12 +58,13 @@ for shift, method in enumerate(methods):
         x = float(row["steps"]) * (1 + 0.012 * (shift - 2))
         if low > 0 and high > 0:
             d.plot([x, x], [low, high], "-", color=color, lw=2.5)
+            d.plot(x, (low + high) / 2, mark, color=color, ms=4, mfc="white", mew=0.8)
         elif low > 0:
-            d.plot(x, low, "^", color=color, ms=4, mfc="white")
+            beyond(d, x, low, 0.2, method)
         else:
-            d.plot(x, high, "v", color=color, ms=4, mfc="white")
+            beyond(d, x, high, -0.2, method)
 d.axhline(6.19, color="black", lw=0.8)
-d.set(ylabel="threshold $c_c$ ($10^{-6}$)", xlabel="steps for one period", xlim=(94, 134), ylim=(5.35, 7.2))
+d.set(ylabel="threshold $c_c$ ($10^{-6}$)", xlabel="steps for one period", xlim=(94, 134), ylim=(5.15, 7.4))
 
 for method in ["classical-4", "fehlberg-5", "dormand-prince-5"]:
     curve(e, dps, method, "amplitude", 1e4)

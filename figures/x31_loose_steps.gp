@@ -8,7 +8,7 @@ set xrange [1e-5:2]
 set yrange [9:14.2]
 set xlabel 'growth of the norm until  {/:Italic τ} = 250'
 set ylabel 'amplitude of the packet (10^{-4})' offset 1,0
-set key top left samplen 1.2 maxrows auto
+set key at graph 0.03,0.62 left top samplen 1.2 maxrows auto
 of(method, norm, column) = strcol('method') eq method && strcol('norm') eq norm ? column : NaN
 dp = 'dormand-prince-5'; rkf = 'fehlberg-5'
 set arrow 1 from graph 0, first 12.5 to graph 1, first 12.5 nohead lc rgb grey dt (4,3)

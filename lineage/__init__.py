@@ -5,8 +5,10 @@
     claims    what the article states, what the programs answer, and the verdict
     lock      paper/converged.ecsv: which values are kept, and how far a fresh one may be
     refresh   values and tables in prose: src/, README.md, ARTIFACT.md, figures/figures.ecsv
+    metadata  version, title, authors, licences: CITATION.cff, .zenodo.json, paper/metadata.yaml
     tex       the same values for the paper
     summary   the end of `make figures`, build/report/published.ecsv, one claim by its id
+    inventory every table with its columns, every command, the packages used
     gallery   the small pictures of the README
     book      the weaver, a package of its own
 

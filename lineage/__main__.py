@@ -58,9 +58,14 @@ def share(given):
     show_shares(given.root)
 
 
+def inventory(given):
+    from .inventory import write
+    write(given.root, given.data, given.programs, given.out)
+
+
 def weave(given):
     from .book.weave import make
-    count = make(given.root, given.data, given.figures, given.out, given.live)
+    count = make(given.root, given.data, given.figures, given.out, given.live, given.programs)
     print(f"book       : {count} pages, {given.out}/index.html")
 
 
@@ -77,6 +82,7 @@ def reader():
                "quick": ("build/quick/data", "the same of the run with --quick"),
                "figures": ("build/figures", "folder of the drawings"),
                "costs": ("build/report/cost", "folder with the seconds that each program took"),
+               "programs": ("build/bin", "folder of the compiled programs"),
                "live": ("build/live", "folder of the compiled live pages")}
 
     def verb(run, help, *wanted, out=None):
@@ -103,17 +109,24 @@ def reader():
     old = verb(gallery, "draw the small pictures of the README", "figures")
     old.add_argument("--check", action="store_true", help="only say which are not current")
     verb(share, "how much of each chapter's code is physics, method or criteria")
-    verb(weave, "weave the book", "data", "figures", "live", out="build/book")
+    verb(inventory, "every table with its columns, every command, the packages used", "data", "programs", out="build/report")
+    verb(weave, "weave the book", "data", "figures", "live", "programs", out="build/book")
     return parser
 
 
 def main(arguments=None):
     given = reader().parse_args(arguments)
     try:
-        return int(given.run(given) or 0)
+        code = int(given.run(given) or 0)
+        sys.stdout.flush()
+        return code
     except ecsv.Fault as fault:
         print(f"lineage {given.verb}: {fault}", file=sys.stderr)
         return fault.code
+    except OSError as error:  # of files a Fault is made; what is left is the place where this writes
+        sys.stdout = None
+        print(f"lineage {given.verb}: cannot write to standard output ({error.strerror})", file=sys.stderr)
+        return 1
     except ModuleNotFoundError as error:
         print(f"lineage {given.verb}: the module {error.name} is not installed (apt-packages.txt)", file=sys.stderr)
         return 1

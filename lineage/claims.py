@@ -103,7 +103,7 @@ def programs_of(root):
 def findings_in(path, program, name):
     """The values of one table of results or facts, by id."""
     out = {}
-    for id, row in ecsv.read(path, (name, "value")).by(name, "values").items():
+    for id, row in ecsv.read_written(path, (name, "value")).by(name, "values").items():
         error = float(row.get("error", 0))
         if error < 0:
             raise row.fault(f"{id}: the error {error:g} is negative")

@@ -4,6 +4,8 @@ Of the header's YAML we read what is written: a column on a line of its own, the
 wrong with a file is said in one line that names the file and the row."""
 
 import csv
+import hashlib
+import math
 import os
 import re
 from dataclasses import dataclass, field
@@ -12,6 +14,9 @@ from pathlib import Path
 QUOTED = r"'((?:[^']|'')*)'"
 COLUMN = re.compile(rf"# - \{{name: {QUOTED}(?:, unit: {QUOTED})?, datatype: (\w+)(?:, description: {QUOTED})?\}}$")
 ENTRY = re.compile(rf"# - \{{(\w[\w ]*): {QUOTED}\}}$")
+# Numbers are written in one way for both readers, src/report/table.cpp and this one.
+REAL = re.compile(r"[+-]?(?:(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?|nan|inf)")
+WHOLE = re.compile(r"-?[0-9]+")
 
 
 class Fault(Exception):
@@ -71,8 +76,24 @@ def text_of(path):
 def value_of(text, column):
     """A cell as its column promises it; an empty number is nan. Raises ValueError."""
     if column.kind == "float64":
-        return float(text or "nan")
-    return int(text) if column.kind == "int64" else text
+        return real_of(text or "nan")
+    return whole_of(text) if column.kind == "int64" else text
+
+
+def real_of(text):
+    """A decimal number that a double can hold."""
+    number = float(text) if REAL.fullmatch(text) else None
+    too_large = number is not None and math.isinf(number) and "inf" not in text
+    if number is None or too_large or (number == 0 and re.search("[1-9]", re.split("[eE]", text)[0])):
+        raise ValueError(text)
+    return number
+
+
+def whole_of(text):
+    """A whole number of 64 bits."""
+    if not WHOLE.fullmatch(text) or len(text) > 20 or not -2 ** 63 <= int(text) < 2 ** 63:
+        raise ValueError(text)
+    return int(text)
 
 
 def row_of(cells, columns, path, number):
@@ -89,7 +110,7 @@ def row_of(cells, columns, path, number):
 
 def header_of(text):
     """The columns and the provenance that the comments describe."""
-    lines = [line for line in text.splitlines() if line.startswith("# - {")]
+    lines = [line for line in text.split("\n") if line.startswith("# - {")]
     unquoted = [[(group or "").replace("''", "'") for group in found.groups()] for found in map(COLUMN.match, lines) if found]
     columns = [Column(name, kind, description, unit) for name, unit, kind, description in unquoted]
     return columns, {found[1]: found[2].replace("''", "'") for found in map(ENTRY.match, lines) if found}
@@ -102,7 +123,7 @@ def read(path, needed=()):
 
 def parse(text, path="<text>", needed=()):
     columns, meta = header_of(text)
-    lines = [line for line in text.splitlines() if line and not line.startswith("#")]
+    lines = [line for line in text.split("\n") if line and not line.startswith("#")]
     if not columns or not lines:
         raise Fault(f"{path}: no table ({'it is empty' if not text.strip() else 'it ends in its header'})")
     try:
@@ -117,6 +138,31 @@ def parse(text, path="<text>", needed=()):
     table = Table(columns, [row_of(cells, columns, path, i) for i, cells in enumerate(rows, 1)], meta)
     if not text.endswith("\n"):
         raise Fault(f"{path}: row {len(rows)}: the file is cut off")
+    return table
+
+
+# A table that was changed or cut after its program had run answers for nothing.
+
+
+def rows_sum(text):
+    """The checksum that stands in SHA256SUMS: of the lines without `#`."""
+    lines = text.split("\n")[:-1] if text.endswith("\n") else text.split("\n")
+    rows = "".join(line + "\n" for line in lines if not line.startswith("#"))
+    return hashlib.sha256(rows.encode("utf-8")).hexdigest()
+
+
+def check_written(path, text):
+    """Fault if the text is not what the program wrote into the file: its SHA256SUMS knows."""
+    known = {line[66:]: line[:64] for line in text_of(path.parent / "SHA256SUMS").split("\n")}
+    if known.get(path.name) != rows_sum(text):
+        raise Fault(f"{path}: not what {path.parent.name} wrote; remove it to have it computed again")
+
+
+def read_written(path, needed=()):
+    """The table in a file that a program wrote."""
+    text = text_of(path)
+    table = parse(text, path, needed)
+    check_written(Path(path), text)
     return table
 
 
@@ -144,8 +190,8 @@ def to_text(table):
 
 
 def write_whole(path, text):
-    """Under a temporary name and then renamed, so that nobody reads half a file."""
-    part = Path(f"{path}.part")
+    """Under a temporary name of its own and then renamed, so that nobody reads half a file."""
+    part = Path(f"{path}.{os.getpid()}.part")
     try:
         part.parent.mkdir(parents=True, exist_ok=True)
         part.write_bytes(text.encode("utf-8"))

@@ -1,6 +1,7 @@
 """Numbers in prose. Nobody types a result: `[](num:pn.omega11)` names the answer to a claim and
 `[](num:sec32_dps_profiles.norm_site)` a fact of a program, and the text of the link is the locked value. This
-file writes those texts, the tables of README.md and ARTIFACT.md, and the costs in figures/figures.ecsv.
+file writes those texts, the tables of README.md and ARTIFACT.md, the costs in figures/figures.ecsv, and the files
+that say to others what codemeta.json says (metadata.py).
 
 The quoted values are the locked ones and not the fresh ones, because another compiler may change a digit of a
 rounding residue; that fresh and locked values agree is asserted on its own."""
@@ -10,7 +11,7 @@ import math
 import re
 from pathlib import Path
 
-from . import ecsv
+from . import ecsv, metadata
 from .claims import VERDICTS, read_claims, verdict
 from .lock import name_of, read_lock, sources
 from .values import with_digits, without_zeros
@@ -99,9 +100,9 @@ def figure_rows(figures):
 
 
 def gallery_rows(figures):
-    """Every figure small, four in a row; a picture leads to the chapter that makes it."""
+    """Every figure small with its title, four in a row; a picture leads to the chapter that makes it."""
     cells = [f' [<img src="figures/gallery/{Path(f["script"]).stem}.png" width="200" alt="{f["caption"]}">]'
-             f"(src/{f['program']}.cpp)<br>{id} |" for id, f in figures.items()]
+             f"(src/{f['program']}.cpp)<br>{f['caption']} ({id}) |" for id, f in figures.items()]
     return ["| | | | |", "|---|---|---|---|"] + ["|" + "".join(cells[i:i + 4]) for i in range(0, len(cells), 4)]
 
 
@@ -177,7 +178,7 @@ def read_figures(root):
 
 
 def fresh_texts(root, costs):
-    """(path, fresh text) of every file that is generated in part, in which something could be stale."""
+    """(path, fresh text) of every file that is generated, or is in part, in which something could be stale."""
     root = Path(root)
     claims, lock = read_claims(root), read_lock(root)
     numbers = quotable(lock, claims)
@@ -195,12 +196,13 @@ def fresh_texts(root, costs):
     tables = generated_tables(claims, lock, ecsv.parse(text, index).by("id", "figures"))
     for name in PAGES:
         yield fresh(root / name, lambda text: fresh_page(text, tables))
+    yield from metadata.generated(root)
 
 
 def renew(root, costs, check=False):
     """The verb: rewrites what has changed, and only that, so that nothing is compiled again without need. Returns
     how many files differ."""
-    stale = [(path, text) for path, text in list(fresh_texts(root, costs)) if text != ecsv.text_of(path)]
+    stale = [(path, text) for path, text in list(fresh_texts(root, costs)) if not path.exists() or text != ecsv.text_of(path)]
     for path, text in stale:
         if not check:
             ecsv.write_whole(path, text)

@@ -1,6 +1,6 @@
 """Numbers in the paper. It says `\\num{pn.omega11}` and `\\err{pn.omega11}` for a locked value and its error,
 `\\pub{pn.omega11}` for what the article prints, `\\fig{07}` for a figure with the first sentence of its caption, and
-`\\tally{figures}` for what can be counted. This file writes the definitions of all these and the table of claims, and
+`\\tally{figures}` for what can be counted and `\\meta{version}` for what codemeta.json says. This file writes the definitions of all these and the table of claims, and
 names every reference that has nothing behind it.
 
 A file of the paper that begins with `% chapter: <program>` is read only where that chapter exists."""
@@ -8,7 +8,7 @@ A file of the paper that begins with `% chapter: <program>` is read only where t
 import re
 from pathlib import Path
 
-from . import ecsv
+from . import ecsv, metadata
 from .claims import VERDICTS, programs_of, read_claims, verdict
 from .lock import name_of, read_lock, uncommented
 from .refresh import read_figures
@@ -20,7 +20,8 @@ WORDED = re.compile(
     r"|\^(?P<above>\([^)]*\)|-[0-9/]+|[A-Za-z0-9]+)"
     r"|(?P<number>-?\d+(?:\.\d+)?e-?\d+|-\d+(?:\.\d+)?)"
     r"|\b(?P<greek>pi|eps|omega|tau|mu|lambda|beta|Phi|Gamma|delta)\b"
-    r"|(?P<relation>>=|<=|\+-)|(?P<minus>(?:= | )-)(?= |i\b)")
+    r"|\bsqrt\((?P<root>[^()]*)\)"
+    r"|(?P<relation>>=|<=|\+-|->)|(?P<minus>(?:= | )-)(?= |i\b)")
 
 
 def value(shown):
@@ -66,7 +67,9 @@ def worded(plain):
             return value(m["number"])
         if m["greek"]:
             return f"${name(m['greek'])}$"
-        return m["minus"][:-1] + "$-$" if m["minus"] else {">=": r"$\ge$", "<=": r"$\le$", "+-": r"$\pm$"}[m[0]]
+        if m["root"]:
+            return rf"$\sqrt{{{name(m['root']) if m['root'].isalpha() else m['root']}}}$"
+        return m["minus"][:-1] + "$-$" if m["minus"] else {">=": r"$\ge$", "<=": r"$\le$", "+-": r"$\pm$", "->": r"$\to$"}[m[0]]
 
     out, done = "", 0
     for m in WORDED.finditer(plain):
@@ -75,7 +78,7 @@ def worded(plain):
     return out + escaped(plain[done:])
 
 
-def paper_texts(claims, lock, figures):
+def paper_texts(claims, lock, figures, meta):
     """What the paper may refer to, in TeX by (kind of reference, id); of a figure the name of its file."""
     counts = {"figures": len(figures), "claims": len(claims)}
     counts.update({v: sum(c["status"] == v for c in claims.values()) for v in VERDICTS if v != "unresolved"})
@@ -85,13 +88,16 @@ def paper_texts(claims, lock, figures):
         out["err", name_of(f, claims)] = value(f.shown_error)
     out.update({("fig", id): Path(f["script"]).stem for id, f in figures.items()})
     out.update({("tally", what): str(n) for what, n in counts.items()})
+    code, text = metadata.licences(meta)
+    said = {"version": meta["version"], "keywords": ", ".join(meta["keywords"]), "code": code, "text": text}
+    out.update({("meta", what): escaped(words).replace("–", "--") for what, words in said.items()})
     return out
 
 
 def dangling(paper, texts):
     """References that would stay empty, each once. A comment refers to nothing, and `#1` is a parameter."""
     found = [m for line in paper.splitlines()
-             for m in re.finditer(r"\\(num|err|pub|fig|tally)\{([^}#]*)\}", uncommented(line))]
+             for m in re.finditer(r"\\(num|err|pub|fig|tally|meta)\{([^}#]*)\}", uncommented(line))]
     return sorted({m[0] for m in found if (m[1], m[2]) not in texts})
 
 
@@ -126,7 +132,7 @@ def claim_rows(claims, lock):
 def write(root, out):
     """The verb. A reference to nothing is found here, in the paper's own words, before TeX is called."""
     claims, lock, figures, programs = read_claims(root), read_lock(root), read_figures(root), programs_of(root)
-    texts, missing = paper_texts(claims, lock, figures), []
+    texts, missing = paper_texts(claims, lock, figures, metadata.read(root)), []
     for path in sorted((Path(root) / "paper").glob("*.tex")):
         paper = ecsv.text_of(path)
         if chapter_needed(paper) in ("", *programs):

@@ -26,6 +26,7 @@ the error of the approximation over four decades of amplitude. */
 #include <string>
 #include <vector>
 
+#include "commands/dps_strike.hpp"
 #include "lattice/dps/impact.hpp"
 #include "lattice/numbers/parallel.hpp"
 #include "lattice/packets/impact.hpp"
@@ -318,67 +319,9 @@ void reproduce(Report& report) {
 }
 
 /**
-## The DpS impact with your own parameters
-
-`sec31_dps_limit impact --tau 250` strikes the first site of a DpS chain, $A_1(0) = -i$, and measures
-the packet that runs away, in the way of the impact chapter (sec34_dps_impact.cpp). It prints the
-packet's centre (site), its speed (sites per unit of $\tau$, fitted from site 20 to twenty sites before
-the far end), its amplitude (the largest $|A_n|$ while the centre moves over the last site), its share of
-the norm within five sites of its peak, and the share left on the first ten sites. All are dimensionless
-and hold for every $\epsilon$. The error is the difference from a run with a thousand times the tolerance
-and half the samples; the speed also carries the error of the fit. A quantity that does not exist is
-`nan`. */
-struct DpsStrike {
-  static constexpr Title title{"impact", "the DpS impact: its packet and its residue"};
-  double tau = 250;
-  std::size_t sites = 0;  ///< 0: long enough for the packet
-  Ends end = Ends::free;
-
-  void parameters(Parameters& p) {
-    p.add("tau", tau, "slow time of the run", {1, 1e4});
-    p.add("sites", sites, "chain length (default: as long as needed)", {2, 1e5});
-    p.add("end", end, "end where the impact is", {{"free", Ends::free}, {"fixed", Ends::fixed}});
-  }
-  Table table() const;
-};
-
-DpsOutcome run_impact(const DpsStrike& options, double tolerance, double samples_per_tau) {
-  std::size_t n = options.sites;
-  if (n == 0) n = 20 + std::size_t(std::ceil(0.4 * options.tau));
-  const Dps dps{n, options.end};
-  const auto samples = std::size_t(std::ceil(samples_per_tau * std::max(options.tau, 25.0)));
-  return follow_dps(dps, dps_impact(n), options.tau, samples, tolerance, Unwatched{});
-}
-
-/**
-The error needs both runs, and both give the same five quantities. A test compares the first of them with
-those that the impact chapter measures in a run of its own. */
-Table DpsStrike::table() const {
-  std::array<DpsOutcome, 2> runs;
-  parallel_for(2, [&](std::size_t k) { runs[k] = run_impact(*this, k ? 1e-11 : 1e-8, k ? 4 : 2); });
-  const auto both = [&](auto of) {
-    const bool none = runs[0].track.t.empty() || runs[1].track.t.empty();
-    return none ? Estimate{std::nan(""), std::nan("")} : compare(of(runs[0]), of(runs[1]));
-  };
-  const double to = double(runs[1].end.size()) - 20;
-  Quantities q;
-  q.add("centre", both([](const DpsOutcome& out) { return out.track.centre.back(); }), "site");
-  q.add("speed", both([&](const DpsOutcome& out) {
-          const auto line = out.track.line(fit_from, to);
-          return line ? line->estimate() : Estimate{std::nan(""), std::nan("")};
-        }),
-        "site per tau");
-  q.add("amplitude", both([](const DpsOutcome& out) { return packet_amplitude(out.track); }));
-  q.add("norm_window", both([](const DpsOutcome& out) { return out.track.energy.back(); }));
-  q.add("residual_boundary",
-        both([](const DpsOutcome& out) { return boundary_share(density(out.end), 10); }));
-  return q.table;
-}
-
-/**
 ## Differences and limits
 
-The article quotes the order from a theorem and gives neither constants nor a figure; the two
+`sec31_dps_limit impact` follows an impact of your own (dps_strike.hpp). The article quotes the order from a theorem and gives neither constants nor a figure; the two
 starts, the three horizons and the range of $\epsilon$ are ours. The supremum is taken over
 positions and over sampled times. The theorem says nothing about times much longer than
 $\epsilon^{-1/2}$: the impact chapter compares both equations at $\tau = 250$.

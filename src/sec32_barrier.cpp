@@ -25,6 +25,7 @@ physics demands, it considers too difficult. This program does both, with signs,
 #include <utility>
 #include <vector>
 
+#include "commands/one_barrier.hpp"
 #include "lattice/numbers/parallel.hpp"
 #include "lattice/orbits/breather.hpp"
 #include "lattice/orbits/breather_pairs.hpp"
@@ -361,33 +362,9 @@ void report_printed(Report& report, const Estimate& barrier) {
 }
 
 /**
-## A barrier with your own parameters
-
-`sec32_barrier barrier --omega 1.1` prints the barrier at equal frequency and at equal area, both
-with their signs, from two tolerances in the wider type. */
-struct OneBarrier {
-  static constexpr Title title{"barrier", "energy between the two breathers, with its sign"};
-  double omega = 1.1, s = 0;
-
-  void parameters(Parameters& p) {
-    p.add("omega", omega, "frequency omega_b > 1", {1.0001, 3});
-    p.add("s", s, "anharmonicity of the well", {-10, 10});
-  }
-  Table table() const {
-    BreatherPair pair{s, omega};
-    for (int k : {0, 1}) pair.orbit[k] = find_breather(problem_of(both_centres[k], omega, s));
-    measure_in<Wide>(pair);
-    Quantities q;
-    q.add("equal_frequency", pair.equal_frequency);
-    q.add("equal_area", pair.equal_area);
-    return q.table;
-  }
-};
-
-/**
 ## What goes beyond the article
 
-The barrier at equal frequency has no fixed sign, and neither has the one at equal area; their zeros
+`sec32_barrier barrier` prints both barriers with your own parameters (one_barrier.hpp). The barrier at equal frequency has no fixed sign, and neither has the one at equal area; their zeros
 differ. Away from the zeros of the former the latter is smaller still, at $\omega_b = 1.1$ in the linear well
 [-2.35229e-13](num:sec32_barrier.equal_area_linear_110); there the bond is the stable centre although its
 energy is the higher one (sec33_mobility.cpp explains how that can be). Next to a zero it need not be

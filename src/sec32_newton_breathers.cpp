@@ -22,6 +22,7 @@ How much energy separates them is the question of the next chapter. */
 #include <utility>
 #include <vector>
 
+#include "commands/one_breather.hpp"
 #include "lattice/dps/stationary.hpp"
 #include "lattice/numbers/extended.hpp"
 #include "lattice/numbers/parallel.hpp"
@@ -30,7 +31,6 @@ How much energy separates them is the question of the next chapter. */
 #include "lattice/orbits/breather_pairs.hpp"
 #include "report/program.hpp"
 #include "sec3/branches.hpp"
-#include "sec3/breather_options.hpp"
 #include "sec3/continuum.hpp"
 
 using namespace lattice;
@@ -324,14 +324,6 @@ landed on. Double precision ends at $10^{-308}$, beyond site
 
 ![The tail of the site-centred breather.](fig:05) */
 template <class T>
-NewtonRule<T> graded() {
-  NewtonRule<T> out = rule<T>(0);
-  out.graded = true;
-  out.events.floor = T(0);
-  return out;
-}
-
-template <class T>
 Orbit<T> with_tail(std::size_t sites) {
   const auto problem = breather_problem<double>(Centre::site, omega_b, 0, sites);
   return polish(in_precision<T>(problem), find_breather(problem), graded<T>());
@@ -509,81 +501,9 @@ void reproduce(Report& report) {
 }
 
 /**
-## One breather with your own parameters
-
-`sec32_newton_breathers breather --centre site --omega 1.1` computes one breather. The chain must be long
-enough for it: a bead at the end must not feel that its outer neighbour is missing, and a longer chain tells
-how much it would. `--precision extended` repeats Newton's method in quadruple precision; the error is
-then the difference from a 64-bit mantissa. `--onsite pendulum` takes another well. All have the same
-frequency at rest, so that their families begin alike, and each is followed from there. */
-struct OneBreather : ChosenBreather {
-  static constexpr Title title{"breather", "one breather: amplitude, energy, area, residual"};
-  std::string precision = "double";
-  bool profile = false;
-
-  bool extended() const { return precision == "extended"; }
-  void parameters(Parameters& p) {
-    add_omega(p);
-    add_well(p);
-    add_centre(p);
-    p.add("sites", sites, "chain length (default: 31 or 32)", {3, 1001});
-    p.add("precision", precision, "of the orbit", {"double", "extended"});
-    add_phase(p);
-    p.add("profile", profile, "print the positions n,y instead");
-  }
-  Table table() const;
-};
-
-/**
-Values are printed in the chosen precision, and their errors are differences from another one.
-The residual is that of the whole period. */
-template <class T, class Other>
-Table breather_table(const Shooting<T>& problem, const Orbit<T>& orbit, const Orbit<Other>& other,
-                     const EventTolerance<T>& landing) {
-  State<T> end = orbit.start;
-  const FlowReport<T> run = flow(problem.chain, end, problem.period(), landing);
-  const T miss = largest_difference(end, orbit.start) / orbit.amplitude;
-  const auto differs = [](const T& a, const Other& b) {
-    return Estimate{double(a), double(magnitude<T>(a - T(b)))};
-  };
-  Quantities q;
-  q.add("amplitude", differs(orbit.amplitude, other.amplitude));
-  q.add("energy", differs(orbit.energy, other.energy));
-  q.add("area", differs(orbit.area, other.area));
-  q.add("residual", {double(miss), double(run.error)}, "relative to amplitude");
-  q.add("iterations", exact(double(orbit.iterations())));
-  return q.table;
-}
-
-/// A reader may want the tail, so it has relative accuracy at every site.
-template <class T>
-Table breather_profile(const Orbit<T>& orbit) {
-  Table table{{count("n", "site", "site"), number("y", "position at t = 0")}};
-  for (std::size_t i = 0; i < orbit.start.y.size(); ++i)
-    table.add({site_number(i, orbit.start.y.size()), double(orbit.start.y[i])});
-  return table;
-}
-
-/**
-Higher precision is expensive and needs a good start: double precision finds the orbit, and each wider type
-confirms the one before. */
-Table OneBreather::table() const {
-  const auto [problem, orbit] = find_chosen(*this, extended() ? 1e-34 : 1e-17);
-  if (profile && !extended()) return breather_profile(polish(problem, orbit, graded<double>()));
-  const auto wide = polish(in_precision<Wide>(problem), orbit, rule<Wide>(0));
-  if (!extended()) return breather_table(problem, orbit, wide, {});
-  NewtonRule<Quadruple> deep;
-  deep.events.tolerance = Quadruple(1e-27);
-  const auto quadruple = in_precision<Quadruple>(problem);
-  const auto deepest = polish(quadruple, wide, deep);
-  return profile ? breather_profile(deepest)
-                 : breather_table(quadruple, deepest, wide, deep.events);
-}
-
-/**
 ## Differences and limits
 
-The article counts five iterations of its Gauss-Newton method. Ours continues until rounding stops it, and
+`sec32_newton_breathers breather` computes a breather of your own (one_breather.hpp). The article counts five iterations of its Gauss-Newton method. Ours continues until rounding stops it, and
 with the symmetric equations that takes [4](num:sec32_newton_breathers.newton_iterations). The article's
 chain lengths are 31 and 99 around a site; around a bond we take one bead more. We follow no family through
 its fold.

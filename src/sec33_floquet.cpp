@@ -23,9 +23,9 @@ the seventh digit, and between them a breather that is centred neither on a site
 #include <utility>
 #include <vector>
 
+#include "commands/multipliers.hpp"
 #include "lattice/numbers/parallel.hpp"
 #include "report/program.hpp"
-#include "sec3/breather_options.hpp"
 #include "sec33/exchange.hpp"
 
 using namespace lattice;
@@ -75,23 +75,8 @@ is at a distance of [0.000214282](num:sec33_floquet.fourth_distance), the fifth 
 [0.229543](num:sec33_floquet.fifth_distance). No other pair leaves the unit circle by more than its error. And
 the others accumulate at $e^{\pm2\pi i/\omega_b}$: ten more sites add twenty multipliers there, within
 $10^{-9}$, and nowhere else (`four_near_one` of exchange.hpp). The table holds the multipliers of both
-breathers on the article's chains, with the two of the phase pair, which are exact. */
-Columns multiplier_columns() {
-  return {number("real", "real part"), number("imag", "imaginary part"),
-          number("modulus", "its modulus"), number("argument", "its argument", "rad"),
-          number("error", "of the multiplier, from two tolerances")};
-}
+breathers on the article's chains, with the two of the phase pair, which are exact.
 
-/// Every multiplier with its error, the two of the phase pair first.
-std::vector<std::pair<std::complex<double>, double>> multipliers_of(const Spectrum& all) {
-  std::vector<std::pair<std::complex<double>, double>> out{{1, 0}, {1, 0}};
-  for (const Pair& pair : all.pairs)
-    for (int sign : {1, -1})
-      out.emplace_back(multiplier(pair.kappa, sign), pair.multiplier_error());
-  return out;
-}
-
-/**
 The criterion is put to both breathers, each on two chains, of which one is ten sites longer. It can fail in
 three ways: by a fifth multiplier near one, by a pair off the circle, or by an accumulation elsewhere. Near
 one means within 0.01, and the fifth multiplier must be farther away than 0.1; the article gives no bounds,
@@ -305,27 +290,9 @@ void report_mode(Report& report) {
 /**
 ## Your own breather
 
-`sec33_floquet multipliers --centre site --omega 1.1` prints all multipliers with their errors, those
-next to $+1$ first, for wells of any name (`--onsite pendulum`); `sec33_floquet exchange --centre bond`
-prints where the stability changes in the article's. */
-struct Multipliers : ChosenBreather {
-  static constexpr Title title{"multipliers", "all Floquet multipliers of one breather"};
+`sec33_floquet multipliers` prints all multipliers of one breather (multipliers.hpp), and `sec33_floquet exchange
+--centre bond` where the stability changes in the article's wells.
 
-  void parameters(Parameters& p) {
-    ChosenBreather::parameters(p);
-    add_well(p);
-    p.add("sites", sites, "sites (default: as many as needed)", {3, 1000});
-  }
-  Table table() const {
-    const auto found = find_chosen(*this, 1e-17);
-    Table out{multiplier_columns()};
-    for (const auto& [z, error] : multipliers_of(spectrum<Wide>(found.problem, found.orbit)))
-      out.add({z.real(), z.imag(), std::abs(z), std::arg(z), error});
-    return out;
-  }
-};
-
-/**
 A breather may lose and regain its stability several times. All exchanges between $s=-1$ and $1$ are printed,
 the one nearest to the linear well first. */
 std::vector<Estimate> exchanges_on(Centre centre, double frequency, int side) {

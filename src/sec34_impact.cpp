@@ -23,10 +23,10 @@ the first beads, the *surface mode*. */
 #include <utility>
 #include <vector>
 
+#include "commands/one_impact.hpp"
 #include "lattice/numbers/parallel.hpp"
 #include "lattice/packets/impact.hpp"
 #include "lattice/stepping/reference.hpp"
-#include "report/model_options.hpp"
 #include "report/program.hpp"
 #include "sec34/criteria.hpp"
 
@@ -43,7 +43,7 @@ at the boundary as a surface mode (`impact.surface_mode`), which one snapshot sh
 (`impact.snapshot`). Up to moderate velocities the packet is as narrow as after a gentle impact, and a
 small oscillatory tail follows it (`impact.tail`). Hard wells and pendulum wells have chapters of their
 own. No statement rests on a single run: two with different steps must agree to `tolerance`. */
-constexpr double tolerance = 1e-4;
+constexpr double tolerance = usual_tolerance;
 
 /**
 ## Model
@@ -482,88 +482,9 @@ void reproduce(Report& report) {
 }
 
 /**
-## One impact with your own parameters
-
-`sec34_impact run --velocity 1.87 --s -0.1667 --time 587` measures a single impact in the same
-way, for any well and, with `--precompression`, for the compressed contacts of section 4. The speed
-is fitted on the way out, from site 20 to twenty sites before the far end; where the packet never
-gets there it is `nan`. Over a long stretch a packet slows down as it sheds energy, so the value
-depends on the window. If a bead runs away the command fails, because then there is no packet to
-measure. It also fails if the motion reaches the far end, unless you choose the end yourself with
-`--sites`: then what it sends back belongs to the run. */
-struct OneImpact {
-  static constexpr Title title{"run", "one impact: speed, centre, energies of the packet"};
-  Impact impact{1.87, {0, Quartic{}}, 600};
-  bool profile = false;
-  double tolerance = ::tolerance;
-
-  void parameters(Parameters& p) {
-    p.add("velocity", impact.velocity, "impact velocity", {1e-6, 100});
-    p.add("time", impact.time, "length of the run", {1, 1e5});
-    p.add("sites", impact.chain.sites, "chain length (default: as long as needed)", {2, 1e6});
-    add_well(p, impact.chain.well);
-    add_contact(p, impact.chain.contact);
-    p.add("tolerance", tolerance, "relative error allowed in the end state", {1e-11, 0.1});
-    p.add("profile", profile, "print the final profile n,y,v,e instead");
-  }
-  Table table() const;
-};
-
-/**
-A run of any length must print something, so a quantity that does not exist, such as the speed of a
-packet that never came so far, is `nan`. */
-Table run_quantities(const Impact& impact, const ImpactRun& coarse, const ImpactRun& fine) {
-  const double to = double(impact.chain.sites) - 20, undefined = std::nan("");
-  const auto both = [&](auto of) { return compare(of(coarse), of(fine)); };
-  const auto tracked = [&](auto of) {
-    return both([&](const ImpactRun& out) { return out.track.t.empty() ? undefined : of(out); });
-  };
-  Quantities q;
-  const auto line = [&](const ImpactRun& out) {
-    return out.track.line(fit_from, to).value_or(Line{undefined, undefined, undefined});
-  };
-  q.add("speed", compare(line(coarse).estimate(), line(fine).estimate()), "site per unit of time");
-  q.add("centre", tracked([](const ImpactRun& out) { return out.track.centre.back(); }), "site");
-  q.add("peak_energy_density", both([&](const ImpactRun& out) {
-          const double peak = out.track.largest_peak(fit_from, to);
-          return peak > 0 ? peak : undefined;
-        }));
-  q.add("packet_energy_fraction",
-        tracked([](const ImpactRun& out) { return out.track.energy.back() / total(out.density); }));
-  q.add("boundary_energy_fraction",
-        both([](const ImpactRun& out) { return boundary_share(out.density); }));
-  q.add("energy_drift", compare(coarse.run.energy_drift, fine.run.energy_drift));
-  q.add("escaped",
-        both([&](const ImpactRun& out) { return int(out.reach > impact.chain.well.rim()); }));
-  return q.table;
-}
-
-/**
-The reader may rather want to see the wave than to measure it: `--profile` prints the state at the
-end instead. */
-Table run_profile(const ImpactRun& fine) {
-  Table table{{count("n", "site", "site"), number("y", "displacement"), number("v", "velocity"),
-               number("e", "energy density")}};
-  for (std::size_t n = 0; n < fine.density.size(); ++n)
-    table.add({n + 1, fine.end.y[n], fine.end.v[n], fine.density[n]});
-  return table;
-}
-
-Table OneImpact::table() const {
-  Impact whole = complete(impact);
-  if (impact.chain.sites > 0) whole.far_end = reached;
-  const auto runs = strike_to(tolerance, whole);
-  const Run& run = runs.fine.run;
-  if (run.escaped())
-    throw Failure("the solution blows up at t = " + std::to_string(run.escape_time) +
-                  ": --velocity is beyond the threshold of this well");
-  return profile ? run_profile(runs.fine) : run_quantities(whole, runs.coarse, runs.fine);
-}
-
-/**
 ## Differences and limits
 
-The article does not say how far from the boundary it fits speeds, for which $s$ it draws figure
+`sec34_impact run` measures a single impact of your own (one_impact.hpp). The article does not say how far from the boundary it fits speeds, for which $s$ it draws figure
 19, or how it integrates; our choices stand where they are made. The ripple on the peak density of
 figure 19 is resolved and real: a packet passes a site in a time comparable to its internal
 period, and the largest density depends on the phase between the two. Just below the blow-up band

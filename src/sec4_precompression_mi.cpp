@@ -81,6 +81,24 @@ Estimate in_two_precisions(Formula formula) {
   return compare(double(formula(double(0))), double(formula(static_cast<long double>(0))));
 }
 
+/**
+The edges of the instability come in pairs, `unstable_from` and `unstable_to`, and those of a second interval
+with its number. Where every phonon is stable there are none. */
+void add_edges_of_instability(Quantities& q, double d, double s) {
+  const auto narrow = unstable_wavenumbers(d, s);
+  const auto wide = unstable_wavenumbers<long double>(d, s);
+  if (narrow.size() != wide.size())
+    throw Failure("the unstable wavenumbers are too close to one another to be told apart");
+  const Estimate none{std::nan(""), std::nan("")};
+  if (narrow.empty())
+    for (const char* name : {"unstable_from", "unstable_to"}) q.add(name, none, "1/site");
+  for (std::size_t i = 0; i < narrow.size(); ++i) {
+    const std::string number = i == 0 ? "" : "_" + std::to_string(i + 1);
+    q.add("unstable_from" + number, compare(narrow[i].from, double(wide[i].from)), "1/site");
+    q.add("unstable_to" + number, compare(narrow[i].to, double(wide[i].to)), "1/site");
+  }
+}
+
 Table band_quantities(double d, double s) {
   Quantities q;
   const auto add = [&](const std::string& name, auto formula, const std::string& unit = "") {
@@ -99,6 +117,7 @@ Table band_quantities(double d, double s) {
   add("phi_at_pi", [=](auto zero) {
     return coefficients(zero + std::numbers::pi_v<decltype(zero)>, zero + d, zero + s).phi;
   });
+  add_edges_of_instability(q, d, s);
   return q.table;
 }
 
@@ -133,7 +152,8 @@ void report_band(Report& report) {
   report.results.add("pre.v3", v([](const auto& c) { return c.v3; }));
   const Table band = band_quantities(compression, 0);
   for (const auto& row : band.rows)
-    if (std::get<std::string>(row[0]).rfind("phi", 0) != 0)
+    if (const auto& name = std::get<std::string>(row[0]);
+        name.rfind("phi", 0) != 0 && name.rfind("unstable", 0) != 0)
       report.facts.add(std::get<std::string>(row[0]),
                        {std::get<double>(row[1]), std::get<double>(row[2])},
                        std::get<std::string>(row[3]));
@@ -145,9 +165,9 @@ void report_band(Report& report) {
 A uniform phonon is unstable to slow modulations where $\Phi = -\beta\,\omega_2 > 0$, Eq. (37). So we
 tabulate $\Phi$ for the three wells. It changes sign at the inflection $q_c$ of $\omega(q)$. The band
 of instability lies to the left of $q_c$ for $s \le 0$, where $\beta < 0$, and to its right for
-$s = 1$, where it ends before $\pi$ because $\beta$ changes sign as well. That $\Phi$ is much smaller
-for $s = 0$, as the article says, we take to mean that its largest value is less than a tenth of the
-others'.
+$s = 1$, where it ends at [2.00682](num:sec4_precompression_mi.unstable_to_s_1), before $\pi$, because $\beta$ changes
+sign as well. That $\Phi$ is much smaller for $s = 0$, as the article says, we take to mean that its largest
+value is less than a tenth of the others'.
 
 ![The modulation coefficient of Eq. (37).](fig:25) */
 Table instability_table() {
@@ -174,6 +194,10 @@ void report_phi(Report& report) {
     coarse[w] = largest_phi(compression, wells[w], 2000);
     report.facts.add("largest_phi" + well_names[w], compare(coarse[w], largest[w]));
   }
+  const auto ends = [](auto zero) {
+    return unstable_wavenumbers(zero + compression, zero + wells[2]).front().to;
+  };
+  report.facts.add("unstable_to_s_1", in_two_precisions(ends), "1/site");
   judge(report, "pre.phi", small_in_linear_wells(coarse, largest));
 }
 
@@ -424,11 +448,13 @@ void report_order(Report& report) {
 /**
 ## One computation with your own parameters
 
-`coefficients` and `band` evaluate formulas. `impact` strikes a chain and reports the packet: its
+`coefficients` and `band` evaluate formulas, the latter also bisects for the wavenumbers between which phonons
+are unstable. `impact` strikes a chain and reports the packet: its
 energy centre, the width of the sech that fits its envelope, and the share of the energy within 20
 sites. It fails if a bead escapes from a soft well. */
 struct Band {
-  static constexpr Title title{"band", "edges and inflection of the phonon band"};
+  static constexpr Title title{"band",
+                               "edges and inflection of the phonon band, and of its instability"};
   double d = compression, s = -1.0 / 6;
 
   /**

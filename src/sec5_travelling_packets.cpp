@@ -66,14 +66,6 @@ struct Stretch {
   double begin_t = 0, begin_x = 0, energy = 0, contact = 0, looks = 0;
 };
 
-/// Moves the frame on by `drop` sites.
-void move_on(State<double>& state, std::size_t drop) {
-  for (auto* q : {&state.y, &state.v}) {
-    std::rotate(q->begin(), q->begin() + std::ptrdiff_t(drop), q->end());
-    std::fill(q->end() - std::ptrdiff_t(drop), q->end(), 0.0);
-  }
-}
-
 /**
 To see what is left behind we look at the bead eleven sites behind the largest one, which is out of the
 packet's reach; with the next one behind it, it gives the angle of the phase. */

@@ -34,6 +34,16 @@ while(says)
     message(FATAL_ERROR "${name} says: ${text}")
   endif()
 endwhile()
+# The Python module is installed with the rest
+if(PYTHON)
+  file(GLOB packages ${place}/prefix/lib/python*/site-packages)
+  run(${CMAKE_COMMAND} -E env PYTHONPATH=${packages} PYTHONDONTWRITEBYTECODE=1 ${PYTHON} -c
+      "import lattice; print(lattice.Chain(sites=3))")
+  if(NOT text MATCHES "^Chain of 3 beads: wells harmonic")
+    message(FATAL_ERROR "the Python module says: ${text}")
+  endif()
+endif()
+
 # None is left out
 file(GLOB programs ${EXAMPLES}/*.cpp)
 list(LENGTH programs count)

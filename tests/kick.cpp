@@ -2,6 +2,7 @@
 
 #include "sec33/depinning.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <numbers>
 
@@ -55,6 +56,39 @@ TEST_CASE("a kick brings the energy c^2/2", "[unit][kick]") {
   const double c = 1e-3;
   check_close(energy(at.chain, kicked(at.state, c)) - energy(at.chain, at.state), c * c / 2, 1e-18);
   CHECK_THROWS_AS(kick_direction(std::vector<double>(5, 0.0)), std::invalid_argument);
+}
+
+TEST_CASE("a breather in the middle is at the place zero", "[unit][kick]") {
+  for (const std::size_t sites : {20U, 21U}) {
+    std::vector<double> e(sites, 0);
+    e[(sites - 1) / 2] = e[sites / 2] = 1;
+    check_close(breather_place(e), 0, 1e-14);
+    std::rotate(e.begin(), e.end() - 3, e.end());
+    check_close(breather_place(e), 3, 1e-14);
+  }
+}
+
+TEST_CASE("the samples of a mean are spread over eleven periods", "[unit][kick]") {
+  const double period = 5.7, sample = creep_sample(period);
+  check_close(5 * sample / period, 0.618033988749894848, 1e-15);  // the golden ratio
+  check_close(samples_of_a_mean * sample, 11 * period, 0, 1e-4);
+  // The mean of a place that swings with the breather is its middle, at the middle of the samples
+  MeanPlace mean{.sample = sample};
+  for (std::size_t k = 1; k <= samples_of_a_mean; ++k) {
+    State<double> now(3);
+    now.t = double(k) * sample;
+    const double swing = 0.2 * std::sin(2 * std::numbers::pi * now.t / period + 0.3);
+    CHECK(mean.add(now, {0.5 - swing, 1, 0.5 + swing}) == (k == samples_of_a_mean));
+  }
+  REQUIRE(mean.path.X.size() == 1);
+  check_close(mean.path.X[0], 0, 1e-4);
+  check_close(mean.path.t[0], 45 * sample, 0, 1e-14);
+}
+
+TEST_CASE("a run is trusted by the energy of the kick over its drift", "[unit][kick]") {
+  Creep path;
+  path.run.energy_drift = 1e-8;
+  check_close(path.drift_margin(1e-3, 2), 25, 1e-13);
 }
 
 TEST_CASE("free and pinned are told from the path", "[unit][kick]") {

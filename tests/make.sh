@@ -18,7 +18,11 @@ stub cmake <<'STUB'
 #!/bin/sh
 set -eu
 case $1 in
--S) echo "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" > "$4/CMakeCache.txt" ;;
+-S)
+  mkdir "$4/configuring" || { echo "two at once configure $4"; exit 1; }
+  sleep 0.1
+  rmdir "$4/configuring"
+  echo "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" > "$4/CMakeCache.txt" ;;
 --build)
   home=$(sed -n 's/^CMAKE_HOME_DIRECTORY:INTERNAL=//p' "$2/CMakeCache.txt")
   mkdir -p "$2/bin"
@@ -86,11 +90,12 @@ rm -r build/quick
 run all-data QUICK=0 B=seven
 [ -d seven/data ] || fail "QUICK=0 is quick"
 
-# Two makes at once, and one whose files are from tomorrow.
+# Two makes at once, from nothing, and one whose files are from tomorrow.
 STUB_SLEEP=0.1 make DEPS=skip all-data B=eight > "$scratch/other" 2>&1 &
 STUB_SLEEP=0.1 run all-data B=eight
 wait $! || { cat "$scratch/other"; fail "one of two makes at once"; }
 [ "$(grep -c -- --out "$STUB_LOG")" = "$chapters" ] || fail "two makes at once compute twice"
+cat "$scratch/out" "$scratch/other" | grep -q 'wait  ' || fail "a make that waits does not say so"
 touch -d tomorrow src/*.cpp figures/*.gp
 run all-data
 

@@ -49,3 +49,24 @@ TEST_CASE("the highest peak is found between samples", "[unit][observe]") {
   }
   check_close(track.largest_peak(0, 10), 2, 2e-4);
 }
+
+TEST_CASE("a packet is eleven sites wide, as below Eq. (24)", "[unit][observe]") {
+  const std::vector<double> flat(100, 1.0);
+  CHECK(window_sum(flat, 50) == 11);
+  CHECK(energy_centre(flat, 50) == 51);
+  // A second peak six sites away is another packet, one five sites away is not
+  std::vector<double> e(100, 0);
+  e[50] = 1, e[56] = 0.5;
+  CHECK(*front_packet(e) == 56);
+  e[56] = 0, e[55] = 0.5;
+  CHECK(*front_packet(e) == 50);
+}
+
+TEST_CASE("a packet holds a hundredth of the energy", "[unit][observe]") {
+  std::vector<double> e(100, 0);
+  e[20] = 1;
+  for (const auto& [ahead, where] : {std::pair(0.0102, 70U), {0.0100, 20U}}) {
+    e[70] = ahead;
+    CHECK(*front_packet(e) == where);
+  }
+}

@@ -90,6 +90,13 @@ TEST_CASE("a shelf that uses another one is seen", "[unit]") {
   CHECK(foreign("<vector>") == 0);
   CHECK(foreign("\"sec5/b.hpp\"") == 1);
   CHECK(foreign("\"sec42_part.hpp\"") == 1);
+  CHECK(foreign("\"commands/b.hpp\"") == 1);
+  const auto asked = [](const std::string& to) {
+    return foreign_shelves({{"commands/a.cpp", {to}}}).size();
+  };
+  CHECK(asked("\"sec5/b.hpp\"") == 0);
+  CHECK(asked("\"commands/b.hpp\"") == 0);
+  CHECK(asked("\"sec42_part.hpp\"") == 1);
 }
 
 TEST_CASE("one name for two types is seen", "[unit]") {

@@ -3,6 +3,9 @@
 #include "report/table.hpp"
 
 #include <cstring>
+#include <random>
+#include <sstream>
+#include <utility>
 
 #include "check.hpp"
 
@@ -38,6 +41,84 @@ TEST_CASE("rows must fit, columns must exist", "[unit][table]") {
   std::istringstream ragged(
       "# - {name: 'x', unit: '', datatype: float64, description: ''}\nx\n1,2\n");
   CHECK_THROWS_AS(from_text(ragged), std::runtime_error);
+}
+
+TEST_CASE("a table that was cut or edited is refused", "[unit][table]") {
+  Table table{{number("x", "a number"), count("k", "a count"), label("s", "a text")}};
+  table.add({1.5, std::int64_t(2), std::string("a \"b\", c")});
+  const std::string good = to_text(table);
+  const auto refused = [](const std::string& text) {
+    std::istringstream in(text);
+    try {
+      from_text(in);
+    } catch (const std::runtime_error&) {
+      return true;
+    }
+    return false;
+  };
+  const auto with = [&](const std::string& old, const std::string& fresh) {
+    std::string text = good;
+    const auto at = text.find(old);
+    REQUIRE(at != std::string::npos);
+    return text.replace(at, old.size(), fresh);
+  };
+  CHECK_FALSE(refused(good));
+  // Cut anywhere but behind the names and behind the row
+  const std::size_t names = good.find("x,k,s\n") + 6;
+  for (std::size_t n = 0; n < good.size(); ++n)
+    if (n != names) {
+      CAPTURE(n, good.substr(0, n));
+      CHECK(refused(good.substr(0, n)));
+    }
+  const std::pair<const char*, const char*> edits[] = {
+      {"x,k,s", "x,s,k"},   {"x,k,s", "x,k"},     {"1.5,2", "1.5,2.5"},
+      {"1.5,2", "1_5,2"},   {"1.5,2", " 1.5,2"},  {"1.5,2", "1.5,"},
+      {"1.5,2", "1.5,2,2"}, {"1.5,2", "1e999,2"}, {"1.5,2", "0x1,2"},
+      {"1.5,2", "1.5"},     {"1.5,2", "1.5,2\r"}, {"\"a \"\"", "a \"\""},
+      {"c\"\n", "c\n"},     {"c\"\n", "c\"d\n"},  {"1.5,2", "1.5,99999999999999999999"}};
+  for (const auto& [old, fresh] : edits) {
+    CAPTURE(old, fresh);
+    CHECK(refused(with(old, fresh)));
+  }
+}
+
+// Bytes lost, doubled, changed or moved: a text is refused as what it is, or its rows fit its columns
+TEST_CASE("no text makes the reader of tables fail otherwise", "[property][table]") {
+  Table table{{number("x", "it's a number"), count("k", "a count"), label("s", "a text")}};
+  table.meta = {{"program", "test"}};
+  for (int i = 0; i < 4; ++i)
+    table.add({0.1 * i, std::int64_t(i), std::string(i % 2 ? "plain" : "a \"b\", c # d")});
+  const std::string good = to_text(table), letters = "\"',\n#{}:-+.0eE\r\\ na\x80\xff";
+  std::mt19937 chance(20130601);
+  const auto any = [&](std::size_t below) { return std::size_t(chance() % below); };
+  std::size_t read = 0, refused = 0;
+  for (int k = 0; k < 3000; ++k) {
+    std::string text = good;
+    for (std::size_t edits = 1 + any(4); edits > 0 && !text.empty(); --edits) {
+      const std::size_t at = any(text.size()), length = any(12), kind = any(5);
+      if (kind == 0) text.erase(at, length);
+      if (kind == 1) text.insert(at, text.substr(any(text.size()), length));
+      if (kind == 2) text[at] = letters[any(letters.size())];
+      if (kind == 3) text[at] = char(any(256));
+      if (kind == 4) text.insert(at, 1, letters[any(letters.size())]);
+    }
+    CAPTURE(k, text);
+    try {
+      std::istringstream in(text);
+      const Table got = from_text(in);
+      ++read;
+      for (const auto& row : got.rows) {
+        bool fits = row.size() == got.columns.size();
+        for (std::size_t c = 0; fits && c < row.size(); ++c)
+          fits = row[c].index() == std::size_t(got.columns[c].kind);
+        REQUIRE(fits);
+      }
+    } catch (const std::runtime_error&) {
+      ++refused;
+    }
+  }
+  CHECK(read > 300);
+  CHECK(refused > 300);
 }
 
 TEST_CASE("writing where it cannot leaves nothing", "[unit][table]") {

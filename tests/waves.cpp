@@ -145,6 +145,24 @@ TEST_CASE("phi changes its sign at the inflection, in every well", "[unit]") {
   for (double s : {-1.0 / 6, 0.0, 1.0})
     check_close(sign_change_of_phi(d, s, 0.9, 1.4), inflection(contact_series(d).v1), 1e-10);
   CHECK_THROWS_AS(sign_change_of_phi(d, 1.0, 0.2, 0.9), std::invalid_argument);
+  // The unstable wavenumbers of the three wells, of wells in which both factors change sign, and of none
+  const double q_c = inflection(contact_series(d).v1);
+  for (double s : {-1.0 / 6, 0.0}) {
+    const auto left = unstable_wavenumbers(d, s);
+    REQUIRE(left.size() == 1);
+    CHECK(left[0].from == 0);
+    check_close(left[0].to, q_c, 1e-14);
+  }
+  const auto hard = unstable_wavenumbers(d, 1.0);
+  REQUIRE(hard.size() == 1);
+  check_close(hard[0].from, q_c, 1e-14);
+  check_close(hard[0].to, 2.0068, 5e-5);
+  check_close(nls_beta(hard[0].to, contact_series(d), 1.0), 0, 1e-14);
+  CHECK(unstable_wavenumbers(d, 4.0).back().to == std::numbers::pi);
+  const auto weak = unstable_wavenumbers(d, 0.05);
+  REQUIRE(weak.size() == 1);
+  CHECK(weak[0].from > 0);
+  check_close(weak[0].to, q_c, 1e-14);
   CHECK(largest_phi(d, 0, 200) < 0.1 * largest_phi(d, 1, 200));
 }
 

@@ -5,11 +5,9 @@ set -eu
 build=$1 jobs=$2
 shift 2
 log=$build/build.log
-# A second make in the same checkout waits for the first.
-if command -v flock >/dev/null 2>&1; then
-  exec 9> "$build/.lock"
-  flock 9
-fi
+# shellcheck source=tools/shared.sh
+. "${0%/*}/shared.sh"
+hold "$build/.lock"
 if [ -t 2 ]; then
   : > "$log"
   status=$({ { cmake --build "$build" --parallel "$jobs" --target "$@" 2>&1 || echo failed >&3; } |

@@ -5,13 +5,13 @@ set -eu
 program=$1 results=$2 cost=$3
 shift 3
 mkdir -p "${results%/*}" "${cost%/*}"
-if command -v flock >/dev/null 2>&1; then
-  exec 9> "${cost%/*}/.${cost##*/}.lock"
-  flock 9
-  # Another make was here first.
-  [ -n "$(find "$results" -newer "$program" 2>/dev/null)" ] && exit 0
-fi
+# shellcheck source=tools/shared.sh
+. "${0%/*}/shared.sh"
+hold "${cost%/*}/.${cost##*/}.lock"
+# Another make was here first.
+if [ -f "$results" ] && ! newer "$program" "$results"; then exit 0; fi
 echo "  compute  ${program##*/}"
-start=$(date +%s.%N)
+start=$(now)
 "$@"
-echo "$start $(date +%s.%N)" | awk '{ printf "%.1f\n", $2 - $1 }' > "$cost"
+echo "$start $(now)" | awk '{ printf "%.1f\n", ($2 > $1 ? $2 - $1 : 0) }' > "$cost"
+catch_up "$results" "$program"

@@ -8,10 +8,13 @@ refuse() { echo "$1" >&2; exit 1; }
 case $here in
 *[\"\;\#\$\\]*) refuse "the folder '$here' has a character in its name that CMake or make cannot use (allowed: all but \" ; # \$ \\)" ;;
 esac
-# A log of yesterday must not be shown as today's cause.
-rm -f "$build/configure.log" "$build/build.log" 2>/dev/null || true
-(mkdir -p "$build" && : > "$build/configure.log") 2>/dev/null ||
+(mkdir -p "$build" && : > "$build/.writable" && rm "$build/.writable") 2>/dev/null ||
   refuse "cannot write to $here/$build (allowed: a checkout in which you may write)"
+# shellcheck source=tools/shared.sh
+. "${0%/*}/shared.sh"
+hold "$build/.lock"
+# A log of yesterday must not be shown as today's cause.
+rm -f "$build/configure.log" "$build/build.log"
 if [ -f "$build/CMakeCache.txt" ]; then
   home=$(sed -n 's/^CMAKE_HOME_DIRECTORY:INTERNAL=//p' "$build/CMakeCache.txt")
   if [ "$(cd "$home" 2>/dev/null && pwd -P)" != "$here" ]; then

@@ -2,6 +2,7 @@
 # Makes one drawing, $1, under a temporary name of its own, and gives it its own name only if it is whole:
 #   draw.sh OUT.svg DATA SCRIPT      a script of figures/ draws from the tables below DATA
 #   draw.sh OUT.pdf|OUT.png IN.svg   the same picture in another form
+# FROM lists the files from which make wants it made.
 # gnuplot ends with success also where it could not write, so its picture comes through a pipe, whose
 # end notices, and every form has an end that a cut file lacks.
 set -eu
@@ -38,4 +39,8 @@ case $out in
 *) end='IEND' ;;
 esac
 tail -c 64 "$part" | grep -aq -- "$end" || refuse "the drawing is cut short (is the disk full?)"
+# shellcheck source=tools/shared.sh
+. "${0%/*}/shared.sh"
+# shellcheck disable=SC2086
+catch_up "$part" ${FROM:-}
 mv "$part" "$out"

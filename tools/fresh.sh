@@ -4,16 +4,19 @@
 # empty environment.
 #   fresh.sh [SUITE]            both commands, then make book and make paper; SUITE is the machine's own release
 #   fresh.sh --two [SUITE]      both commands only
+#   fresh.sh --container [SUITE]  the steps of the Dockerfile instead, in a root without even those four
 # FRESH_ENV='CXXFLAGS=-Werror' adds to the empty environment; KEEP=1 leaves the root where it is. Ends with 77
 # where such a root cannot be made.
 set -eu
 cd "$(dirname "$0")/.."
-two=
-[ "${1:-}" = --two ] && two=yes && shift
+what=
+case ${1:-} in --*) what=$1 && shift ;; esac
 # shellcheck disable=SC1091
 suite=${1:-$(. /etc/os-release && echo "${VERSION_CODENAME:-}")}
 place=$PWD/build/fresh
-base=$place/$suite.tar root=$place/$suite logs=$place/log-$suite
+kind=$suite include=--include=g++,cmake,make,git,ca-certificates
+[ "$what" != --container ] || { kind=$suite-container include=; }
+base=$place/$kind.tar root=$place/$kind logs=$place/log-$kind
 cannot() { echo "  fresh    no bare root here: $1" >&2; exit 77; }
 case $suite in ''|*[!a-z]*) cannot "'$suite' is no name of a release" ;; esac
 
@@ -31,7 +34,8 @@ forget() { rm -rf "$root"; }
 if [ ! -f "$base" ]; then
   echo "  fresh    $suite: debootstrap"
   forget
-  debootstrap --variant=minbase --include=g++,cmake,make,git,ca-certificates "$suite" "$root" \
+  # shellcheck disable=SC2086
+  debootstrap --variant=minbase $include "$suite" "$root" \
     > "$logs/debootstrap" 2>&1 || { tail -n 3 "$logs/debootstrap" >&2; cannot "debootstrap $suite failed"; }
   tar -C "$root" -cf "$base.part" . && mv "$base.part" "$base"
 else
@@ -41,35 +45,62 @@ fi
 [ -n "${KEEP:-}" ] || trap forget EXIT
 cp /etc/resolv.conf /etc/hosts "$root/etc/" 2>/dev/null || true
 apt-config dump 2>/dev/null | grep '^Acquire::.*Proxy ' > "$root/etc/apt/apt.conf.d/proxy" || true
-git clone -q --no-hardlinks . "$root/home/a checkout" || exit 1
 [ -z "$(git status --porcelain --untracked-files=no)" ] || echo "  fresh    what is not committed is not in it"
 
-# What the reader is told to type, as the README tells it.
-commands=$(sed -n '/^## Two commands/,/^## /s/^\(make [a-z]*\).*/\1/p' README.md)
-[ "$(echo "$commands" | wc -l)" = 2 ] || { echo "README.md: the section 'Two commands' does not have two" >&2; exit 1; }
-[ -n "$two" ] || commands="$commands
-make book
-make paper"
 
+# A step in the root: step FOLDER USER COMMAND. Nothing is in the environment but what FRESH_ENV adds.
+home='' bad=0
 inside() {
-  # shellcheck disable=SC2016,SC2086
+  # shellcheck disable=SC2016
   unshare --mount --pid --fork --kill-child sh -c '
-    root=$1; shift
+    root=$1 folder=$2 user=$3 command=$4
     mount -t proc proc "$root/proc" && mkdir -p "$root/dev/shm" && mount -t tmpfs tmpfs "$root/dev/shm" &&
     { mkdir -p "$root/dev/pts" && mount -t devpts -o newinstance,ptmxmode=0666 devpts "$root/dev/pts" &&
       rm -f "$root/dev/ptmx" && ln -s pts/ptmx "$root/dev/ptmx" || true; } &&
-    exec chroot "$root" env -i PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin \
-      '"${FRESH_ENV:-}"' sh -c "cd \"/home/a checkout\" && $*"' sh "$root" "$1" < /dev/null
+    exec chroot --userspec="$user" "$root" env -i PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin \
+      '"$home ${FRESH_ENV:-}"' sh -c "cd \"$folder\" && $command"' sh "$root" "$@" < /dev/null
 }
-bad=0
+step() {
+  log="$logs/$(echo "$3" | tr -cs 'A-Za-z0-9\n' - | cut -c 1-40)"
+  start=$(date +%s)
+  [ ! -t 1 ] || printf '  fresh    %s: %.60s ...\r' "$kind" "$3"
+  if inside "$@" > "$log" 2>&1; then said=passes lines=6; else said=FAILS lines=80 bad=1; fi
+  echo "  fresh    $kind: $3 $said after $(($(date +%s) - start)) s"
+  tail -n $lines "$log" | sed 's/^/           | /'
+  [ $bad = 0 ]
+}
+
+# The Dockerfile, read as an engine reads it: one instruction a line, COPY from a clone, RUN by the last USER
+container() {
+  folder=/ user=root home=HOME=/root
+  git clone -q --no-hardlinks . "$root/context" || return 1
+  sed -e '/^ *#/d; /^ *$/d' -e ':more' -e '/\\$/ { N; s/\\\n *//; b more' -e '}' Dockerfile > "$logs/steps"
+  while read -r instruction rest; do
+    case $instruction in
+    ARG | FROM | CMD) ;;
+    WORKDIR) folder=$rest && mkdir -p "$root$folder" ;;
+    USER) user=$rest home=HOME=/home/$rest ;;
+    COPY)
+      owner=root
+      case $rest in --chown=*) owner=${rest%% *} owner=${owner#--chown=} rest=${rest#* } ;; esac
+      target=${rest##* } from=
+      for source in ${rest% *}; do from="$from '/context/$source'"; done
+      step "$folder" root "cp -r$from '$target' && chown -R $owner: '$target'" || return ;;
+    RUN) step "$folder" "$user" "$rest" || return ;;
+    *) echo "Dockerfile: '$instruction' is not known to tools/fresh.sh" >&2; return 1 ;;
+    esac
+  done < "$logs/steps"
+}
+[ "$what" != --container ] || { container; exit; }
+
+# What the reader is told to type, as the README tells it.
+git clone -q --no-hardlinks . "$root/home/a checkout" || exit 1
+commands=$(sed -n '/^## Two commands/,/^## /s/^\(make [a-z]*\).*/\1/p' README.md)
+[ "$(echo "$commands" | wc -l)" = 2 ] || { echo "README.md: the section 'Two commands' does not have two" >&2; exit 1; }
+[ "$what" = --two ] || commands="$commands
+make book
+make paper"
 echo "$commands" > "$logs/commands"
 while read -r command; do
-  log="$logs/$(echo "$command" | tr ' ' -)"
-  start=$(date +%s)
-  [ ! -t 1 ] || printf '  fresh    %s: %s ...\r' "$suite" "$command"
-  if inside "$command" > "$log" 2>&1; then said=passes lines=6; else said=FAILS lines=80 bad=1; fi
-  echo "  fresh    $suite: $command $said after $(($(date +%s) - start)) s"
-  tail -n $lines "$log" | sed 's/^/           | /'
-  [ $bad = 0 ] || break
+  step "/home/a checkout" root "$command" || exit
 done < "$logs/commands"
-exit $bad

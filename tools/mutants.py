@@ -1,6 +1,7 @@
 """Would the tests notice? Puts the errors of mutants.tsv into a copy of the library, one at a time.
 
-For each error only the tests that its row names are compiled and run. An error is killed if one of them
+For each error only the tests that its row names are compiled and run; of those that call programs or read their
+tables, the cases that do neither. An error is killed if one of them
 fails (or no longer compiles, or takes more than two minutes) and survives otherwise; the unchanged
 library must pass first. What an error does not touch is compiled once. A row whose right text is not in its room exactly once is a mistake in the
 table and ends the run before anything is built. Words given as arguments select rows by their room or
@@ -10,6 +11,7 @@ by their description.
 import concurrent.futures
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -18,15 +20,19 @@ import threading
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 COMPILE = [os.environ.get("CXX", "g++"), "-std=c++20", "-O1", "-w", "-ffp-contract=off", "-fno-math-errno",
-           "-DLATTICE_WIDE=", "-I/usr/include/eigen3"]
+           "-DLATTICE_WIDE=", "-I/usr/include/eigen3", *(f'-D{name}="{value}"' for name, value in {
+               "SOURCE_DIR": ROOT, "DATA_DIR": ROOT / "build/data", "BIN_DIR": ROOT / "build/bin", "LATTICE_VERSION": "0",
+               "LATTICE_BUILD": "mutants -O1", "LATTICE_LIBRARIES": "those of the machine"}.items())]
 LINK = ["-lgsl", "-lgslcblas", "-lpthread"]
+ALONE = "~[published]~[cli]~[quick]~[lineage]"  # what needs no program and no table
 LIMIT = 120  # seconds for one test
 
 
 def files(source, room):
-    """The sources of a room of the library or of a section's shelf."""
-    folder = source / room if room.startswith("sec") else source / "lattice" / room
-    return sorted(path for path in folder.iterdir() if path.suffix in (".hpp", ".cpp"))
+    """The sources of a room of the library, of a section's shelf, or what tests share."""
+    folder = ROOT / "tests" if room == "tests" else source / room if room == "report" or room.startswith("sec") else \
+        source / "lattice" / room
+    return sorted(path for path in folder.iterdir() if path.suffix == ".hpp" or (path.suffix == ".cpp" and room != "tests"))
 
 
 def read_table(selection):
@@ -38,18 +44,36 @@ def read_table(selection):
         counts = {path: path.read_text(encoding="utf8").count(right) for path in files(ROOT / "src", room)}
         if sum(counts.values()) != 1:
             mistakes.append(f"mutants.tsv:{number}: '{right}' occurs {sum(counts.values())} times in {room}")
+        elif missing := [test for test in tests.split() if not (ROOT / f"tests/{test}.cpp").exists()]:
+            mistakes.append(f"mutants.tsv:{number}: there is no tests/{missing[0]}.cpp")
         elif not selection or any(word in room or word in what for word in selection):
-            file = next(path for path, count in counts.items() if count).relative_to(ROOT / "src")
+            file = next(path for path, count in counts.items() if count)
+            file = file.relative_to(ROOT / ("tests" if room == "tests" else "src"))
             table.append((file, right, wrong, tests.split(), what))
     if mistakes:
         raise SystemExit("\n".join(mistakes))
     return table
 
 
-def build(code, target):
+def quadruple():
+    """The sources that are compiled once more in quadruple precision, and how: as CMakeLists.txt does it."""
+    listed = re.search(r"set\(QUADRUPLE ([^)]*)\)", (ROOT / "CMakeLists.txt").read_text(encoding="utf8"))
+    return {f"lattice/{name}.cpp" for name in listed[1].split()}, ["-include", "lattice/numbers/extended.hpp", "-DLATTICE_QUADRUPLE"]
+
+
+def take_float128():
+    """Quadruple precision is faster where the compiler brings it along."""
+    probe = '#include <boost/multiprecision/float128.hpp>\nint main() { return sqrt(boost::multiprecision::float128(2)) > 2; }'
+    if subprocess.run([*COMPILE, "-x", "c++", "-", "-o", os.devnull, "-lquadmath"], input=probe, text=True,
+                      capture_output=True).returncode == 0:
+        COMPILE.append("-DLATTICE_FLOAT128")
+        LINK.append("-lquadmath")
+
+
+def build(code, target, flags=()):
     """Compiles `code` below the folder of the library's copy that it reads; whether that works."""
     source = next(parent for parent in code.parents if (parent / "lattice").is_dir())
-    return subprocess.run([*COMPILE, f"-I{source}", "-MMD", "-c", str(code), "-o", str(target)],
+    return subprocess.run([*COMPILE, *flags, f"-I{source}", "-MMD", "-c", str(code), "-o", str(target)],
                           capture_output=True).returncode == 0
 
 
@@ -63,16 +87,21 @@ class Library:
 
     def __init__(self, scratch, tests, pool):
         self.source, self.objects = scratch / "src", scratch / "objects"
-        for folder in [ROOT / "src/lattice", *(ROOT / "src").glob("sec*/")]:
+        for folder in [ROOT / "src/lattice", ROOT / "src/report", ROOT / "src/commands", *(ROOT / "src").glob("sec*/")]:
             shutil.copytree(folder, self.source / folder.name)
         self.objects.mkdir()
         for path in (ROOT / "tests").glob("*.?pp"):
             shutil.copy(path, self.source)
-        sources = [*self.source.glob("lattice/*/*.cpp"), *self.source.glob("sec*/*.cpp")]
-        self.of = {path.relative_to(self.source): self.objects / f"{path.parent.name}-{path.stem}.o" for path in sources}
+        sources = [path for where in ("lattice/*", "report", "commands", "sec*") for path in self.source.glob(where + "/*.cpp")]
+        # Every object with its source and its flags
+        self.of = {self.objects / f"{path.parent.name}-{path.stem}.o": (path.relative_to(self.source), ()) for path in sources}
+        twice, flags = quadruple()
+        self.of.update({unit.with_name("quadruple-" + unit.name): (code, flags)
+                        for unit, (code, _) in list(self.of.items()) if str(code) in twice})
         self.tests = {test: self.objects / f"test-{test}.o" for test in ["main", *tests]}
-        self.of.update({pathlib.Path(test + ".cpp"): path for test, path in self.tests.items()})
-        for code, good in zip(self.of, pool.map(lambda code: build(self.source / code, self.of[code]), self.of)):
+        self.of.update({unit: (pathlib.Path(test + ".cpp"), ()) for test, unit in self.tests.items()})
+        built = pool.map(lambda unit: build(self.source / self.of[unit][0], unit, self.of[unit][1]), self.of)
+        for (code, _), good in zip(self.of.values(), built):
             if not good:
                 raise SystemExit(f"{code} does not compile without any error: nothing can be said")
 
@@ -80,19 +109,21 @@ class Library:
         """Whether `test` succeeds with the file `changed` in the copy below `work`; otherwise how not."""
         unused = {path for name, path in self.tests.items() if name not in ("main", test)}
         objects = []
-        for code, unchanged in self.of.items():
+        for unchanged, (code, flags) in self.of.items():
             if unchanged in unused:
                 continue
             objects.append(unchanged)
             if changed and reads(unchanged.with_suffix(".d"), changed):
                 objects[-1] = work / unchanged.name
-                if not build(work / "src" / code, objects[-1]):
+                if not build(work / "src" / code, objects[-1], flags):
                     return "no longer compiles"
         binary = work / test
         if subprocess.run([COMPILE[0], *map(str, objects), *LINK, "-o", str(binary)], capture_output=True).returncode:
             return "no longer links"
         try:
-            run = subprocess.run([str(binary)], capture_output=True, timeout=LIMIT)
+            text = (self.source / f"{test}.cpp").read_text(encoding="utf8")
+            with_data = re.search('DATA_DIR|BIN_DIR|"run.hpp"', text)
+            run = subprocess.run([str(binary), *([ALONE] if with_data else [])], capture_output=True, timeout=LIMIT)
         except subprocess.TimeoutExpired:
             return "does not end"
         return None if run.returncode == 0 else "fails"
@@ -118,6 +149,7 @@ def judge(mutant, scratch, library, places):
 
 def main():
     table = read_table(sys.argv[1:])
+    take_float128()
     workers = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count()
     survivors = 0
     with tempfile.TemporaryDirectory() as folder:

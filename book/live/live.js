@@ -163,7 +163,7 @@ window.Live = (() => {
     async start() {
       if (!this.read()) return;
       this.worker?.terminate();
-      this.rows = []; this.level = 0; this.next = 0; this.lists = {}; this.facts = null;
+      this.rows = []; this.finer = []; this.level = 0; this.lists = {}; this.facts = null;
       this.command.textContent = this.commands();
       this.link.href = `${this.page()}.html?${new URLSearchParams(Object.entries(this.ask).map(([k, v]) => [k, shown(v)]))}`;
       this.table.replaceChildren();
@@ -179,12 +179,13 @@ window.Live = (() => {
       this.worker.postMessage({ request: this.request() });
     }
 
-    // Rows of a finer run replace those of the coarser one, from the first.
+    // Rows of a finer run replace those of the coarser one when they are complete, so that a map is of one run.
     hear(data) {
       for (const [halvings, t, values] of data.rows || []) {
-        if (halvings > this.level) { this.level = halvings; this.next = 0; }
-        this.rows[this.next++] = { t, values };
+        if (halvings > this.level) { this.level = halvings; this.finer = []; }
+        (this.level ? this.finer : this.rows).push({ t, values });
       }
+      if (this.finer.length && (data.facts || this.finer.at(-1).t >= this.rows.at(-1).t)) { this.rows = this.finer; this.finer = []; }
       if (data.lists) this.lists = data.lists;
       if (data.failure !== undefined) {
         this.become("failed");
@@ -197,7 +198,7 @@ window.Live = (() => {
         this.report();
         this.become("done");
       } else if (data.rows && this.place.dataset.state === "running") {
-        this.progress(this.rows[this.next - 1].t);
+        this.progress((this.finer.at(-1) ?? this.rows.at(-1)).t);
       }
       if (!this.pending) {
         this.pending = true;

@@ -111,6 +111,12 @@ def preamble(lines):
     return count if count > 3 else 0
 
 
+def drawn(found):
+    """A drawing of letters with the number of its columns, by which the style makes it fit a narrow screen."""
+    columns = max(len(html.unescape(re.sub(r"<[^>]+>", "", line))) for line in found[2].split("\n"))
+    return f'<pre tabindex="0" style="--columns: {max(columns, 1)}">{found[1] or ""}{found[2]}</pre>'
+
+
 def folded(page):
     return f'<details class="block"><summary>What this file includes</summary>{page}</details>'
 
@@ -234,7 +240,7 @@ class PageBinding:
         for left in re.findall(r'"((?:num|fig):[^"]*)"', page):
             raise Fault(f"{self.page}: '{left}' stands where it cannot be bound")
         page = re.sub(r"<table>", '<div class="scroll" tabindex="0"><table>', page).replace("</table>", "</table></div>")
-        page = re.sub(r"<pre>", '<pre tabindex="0">', page)
+        page = re.sub(r"<pre>(<code>)?(.*?)</pre>", drawn, page, flags=re.S)
         return prose.on_text(page, self.text)
 
     # Names in code

@@ -9,18 +9,20 @@ from markupsafe import Markup, escape
 from .. import ecsv
 from ..claims import VERDICTS
 from ..refresh import command_of
-from . import code, prose, words
+from . import code, notebooks, prose, words
 from .bind import PageBinding
 from .source import rooms_of
 
 LISTS = [("published.html", "Published against reproduced"), ("numbers.html", "All other numbers"),
-         ("equations.html", "Equations of the article"), ("figures.html", "All figures")]
-LIVE = [("strike", "Strike the chain"), ("breather", "Find a breather"), ("defect", "Put a defect in the way")]
+         ("equations.html", "Equations of the article"), ("figures.html", "All figures"),
+         ("tables.html", "All tables and columns"), ("commands.html", "All commands"), ("packages.html", "Packages used")]
+LIVE = [("strike", "Strike the chain"), ("breather", "Find a breather"), ("defect", "Put a defect in the way"),
+        ("drive", "Drive the array")]
 
 
 class Book:
-    def __init__(self, record, binder, chapters, rooms):
-        self.record, self.binder, self.chapters, self.rooms = record, binder, chapters, rooms
+    def __init__(self, record, binder, chapters, rooms, inventory):
+        self.record, self.inventory, self.binder, self.chapters, self.rooms = record, inventory, binder, chapters, rooms
         self.order = chapters + [s for room in rooms.values() for s in room]
         self.titles = {s.page: s.title for s in self.order}
         self.statuses = [c["status"] for c in record.claims.values()]
@@ -32,8 +34,11 @@ class Book:
                                undefined=StrictUndefined, keep_trailing_newline=False)
         self.env.filters.update({f.__name__: f for f in (words.number, words.spelled, words.unit, words.broken, words.value,
                                                          words.agreement, words.spoken, words.short_figure, command_of)})
+        self.notebooks = notebooks.read(record.root)
+        self.titles.update({page: title for page, title, *_ in self.notebooks})
         lists = LISTS + [(f"{page}.html", f"{title} (live)") for page, title in LIVE if binder.live]
-        self.env.globals.update(record=record, book=binder, chapters=chapters, rooms=rooms, titles=self.titles, lists=lists,
+        lists += [(page, f"{title} (Python)") for page, title, *_ in self.notebooks]
+        self.env.globals.update(record=record, inventory=inventory, book=binder, chapters=chapters, rooms=rooms, titles=self.titles, lists=lists,
                                 verdicts=VERDICTS, statuses=self.statuses)
         binder.parts = self.parts = self.env.get_template("parts.html").module
 
@@ -97,6 +102,7 @@ class Book:
             parts[0] = re.sub(r"(</h1>)", lambda m: m[0] + card, parts[0], count=1)
             self.note_sections(source.page, source.title, "".join(p for p in parts if p.startswith('<div class="prose"')))
             self.note_definitions(source)
+            self.note_file(source)
             headings, end = list(binding.headings), ""
             if not source.room and not source.is_header:
                 end = self.end_of(source, binding)
@@ -117,6 +123,14 @@ class Book:
                 remark = " ".join(re.sub(r"^\s*///?\s*", "", l) for l in lines[first:line])
                 self.search.append([f"{source.page}#L{line}", source.title, name, remark])
 
+    def note_file(self, source):
+        """The file's name and the options that it declares, for the search."""
+        program = self.program_of(source)
+        self.search.append([source.page, source.title, source.path, f"the program build/bin/{program}" if program else "the library"])
+        for found in re.finditer(r'\b\w+\.add\("([a-z][a-z0-9-]*)",\s*[\w.]+,\s*"([^"]*)"', source.text):
+            line = source.text.count("\n", 0, found.start()) + 1
+            self.search.append([f"{source.page}#L{line}", source.title, f"--{found[1]}", f"{found[2]}, an option of {program or 'all programs'}"])
+
     # Lists, figures, the pages that compute
 
     def lists(self):
@@ -125,14 +139,19 @@ class Book:
                       escape(f'{c["quantity"]}; {c["printed"]}; {c["status"]} {c["reason"]}'))
         for number, e in self.binder.equations.items():
             self.note("equations.html", f"eq-{number}", LISTS[2][1], f"Eq. ({number})", escape(e["name"]))
+        for row in self.inventory["commands"]:
+            if row["command"] and not row["option"]:
+                name = f'{row["program"]} {row["command"]}'
+                self.note("commands.html", name.replace(" ", "-"), LISTS[5][1], name, escape(row["description"]))
         return {name: self.page(name, title, self.render(name.removesuffix(".html"))) for name, title in LISTS}
 
     def figure_page(self, id):
         figure = self.record.figures[id]
         script = ecsv.text_of(self.record.root / "figures" / figure["script"]).rstrip("\n")
-        tables = [(name, ecsv.read(self.record.table_path(figure["program"], name))) for name in figure["data"].split()
+        tables = [(name, ecsv.read_written(self.record.table_path(figure["program"], name))) for name in figure["data"].split()
                   if self.binder.has_table(figure["program"], name)]
-        self.note(f"fig-{id}.html", "", LISTS[3][1], words.spoken(id), escape(figure["caption"]))
+        self.note(f"fig-{id}.html", "", LISTS[3][1], words.spoken(id),
+                  escape(f'{figure["caption"]} Drawn by figures/{figure["script"]} from {figure["program"]}: {figure["data"]}'))
         language = "python" if figure["script"].endswith(".py") else "gnuplot"
         return self.page(f"fig-{id}.html", words.spoken(id), self.render(
             "figure", id=id, tables=tables, script=Markup(code.numbered(script, 1, language))))
@@ -145,6 +164,14 @@ class Book:
             out[name + ".html"] = self.page(name + ".html", title, body)
         return out
 
+    def notebook_pages(self):
+        out = {}
+        for name, title, *rest in self.notebooks:
+            body, records, headings = notebooks.page(self, name, title, *rest)
+            self.note_sections(name, title, str(body))
+            out[name] = self.page(name, title, body + records, headings)
+        return out
+
     # Start and search
 
     def start(self, text):
@@ -152,10 +179,15 @@ class Book:
         binding.anchor = "main"
         said = Markup(binding.prose(text))
         live = self.binder.live and Markup(binding.figure("21", str(escape(self.record.figures["21"]["caption"]))))
-        body = self.render("index", words=said, invitation=live, ideas=rooms_of(self.record.root),
+        body = self.render("index", words=said, invitation=live, findings=self.findings(), ideas=rooms_of(self.record.root),
                            summaries={s.path: self.summary(s) for s in self.chapters},
                            records={key: Markup(body) for key, body in binding.records.items()})
         return self.page("index.html", "", body, after=self.chapters[0])
+
+    def findings(self):
+        """Figures and sentences of book/findings.txt."""
+        rows = [line.split(" ", 1) for line in ecsv.text_of(prose.ASSETS / "findings.txt").splitlines() if line[:1] not in ("", "#")]
+        return [(id, said) for id, said in rows if id in self.record.figures]
 
     def summary(self, source):
         """The first sentences of a chapter."""
@@ -174,7 +206,7 @@ class Book:
         """All files that are text, by name."""
         start = prose.to_html([ecsv.text_of(self.record.root / "book/start.md")])[0]
         out = {}
-        pages = self.source_pages(bodies)
+        pages = self.source_pages(bodies) | self.notebook_pages()
         out["index.html"] = self.start(start)
         out.update(pages | self.lists() | {f"fig-{id}.html": self.figure_page(id) for id in self.record.figures})
         out.update(self.live_pages())

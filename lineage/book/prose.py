@@ -114,9 +114,31 @@ def greek(match):
     return unicodedata.lookup("GREEK SMALL LETTER " + match[1].removeprefix("var").replace("lambda", "lamda").upper())
 
 
+SIGNS = {"cdot": "·", "times": "×", "le": "≤", "leq": "≤", "ge": "≥", "geq": "≥", "pm": "±", "to": "→", "infty": "∞",
+         "approx": "≈", "ll": "≪", "gg": "≫", "sum": "Σ", "int": "∫", "partial": "∂", "nabla": "∇", "in": "∈", "sqrt": "√",
+         "propto": "∝", "sim": "∼", "ne": "≠", "neq": "≠", "dots": "…", "ldots": "…", "cdots": "…", "ell": "ℓ", "mid": "|",
+         "Delta": "Δ", "Gamma": "Γ", "Lambda": "Λ", "Omega": "Ω", "Phi": "Φ", "Psi": "Ψ", "Sigma": "Σ", "top": "T"}
+
+
+NAMES = {"cos", "sin", "ln", "log", "exp", "max", "min", "sup", "cosh", "sinh", "tanh", "sech"}
+
+
+def said(tex):
+    """A formula in letters and signs: `\\frac{1}{2}\\omega_b^2` is 1/2 ω_b^2."""
+    tex = re.sub(r"\\(?:left|right|big|Big|bigl|bigr|Bigl|Bigr|displaystyle|limits)(?![a-z])", "", tex)
+    tex = re.sub(r"\\[tdc]?frac\s*(\d)\s*(\d)", r"\1/\2", tex)
+    for _ in range(3):  # fractions in fractions
+        tex = re.sub(r"\\[tdc]?frac\s*\{([^{}]*)\}\s*\{([^{}]*)\}", r"\1/\2", tex)
+    tex = re.sub(r"\\(?:begin|end)\{[^}]*\}|\\tag\{[^}]*\}|\\[,;:!> ]|\\q?quad|&|\\\\|~", " ", tex)
+    tex = GREEK.sub(greek, tex)
+    tex = re.sub(r"\\([A-Za-z]+)( ?)", lambda m: SIGNS[m[1]] + m[2] if m[1] in SIGNS else m[1] + " " if m[1] in NAMES else "", tex)
+    tex = re.sub(r"([_^])\{([^{}]*[^{}\w][^{}]*)\}", r"\1(\2)", tex)
+    return re.sub(r"\s+", " ", re.sub(r"[{}]|\\(?=[{}|])", "", tex).replace("\\", "")).strip()
+
+
 def plain(page):
-    """The words of a piece of HTML; a formula is its TeX."""
-    page = MATH.sub(lambda m: html.escape(GREEK.sub(greek, unwrapped(html.unescape(m.group(2))))), page)
+    """The words of a piece of HTML; a formula is read aloud, as it were."""
+    page = MATH.sub(lambda m: html.escape(said(unwrapped(html.unescape(m.group(2))))), page)
     page = re.sub(r"<sup>(.*?)</sup>", r"^\1", page)
     page = re.sub(r"</?(?:a|b|button|code|em|i|small|span|strong|sub|wbr)\b[^>]*>", "", page)
     return re.sub(r"\s+", " ", html.unescape(re.sub(r"<[^>]+>", " ", page))).strip()

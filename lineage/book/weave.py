@@ -9,7 +9,8 @@ import re
 import shutil
 from pathlib import Path
 
-from ..ecsv import Fault, text_of
+from .. import inventory
+from ..ecsv import Fault, check_written, text_of
 from . import check, pages, prose
 from .bind import Binder, PageBinding, read_live
 from .record import Record
@@ -91,7 +92,7 @@ def copy_katex(out):
 
 
 def copy_assets(out, record, figures, images):
-    for name in ("book.css", "book.js"):
+    for name in ("book.css", "book.js", "chain.js"):
         shutil.copyfile(prose.ASSETS / name, out / name)
     (out / "figures").mkdir()
     for name, *_ in images.values():
@@ -101,6 +102,7 @@ def copy_assets(out, record, figures, images):
     for program in sorted(record.sources):
         for path in sorted((record.data / program).glob("[!.]*.ecsv")):
             (out / "data" / program).mkdir(parents=True, exist_ok=True)
+            check_written(path, text_of(path))
             shutil.copyfile(path, out / "data" / program / path.name)
     copy_katex(out)
 
@@ -115,7 +117,7 @@ def copy_live(out, folder):
                                  encoding="utf-8")
 
 
-def make(root, data, figures, out, live=""):
+def make(root, data, figures, out, live="", programs=""):
     """The verb; returns the number of files that are text."""
     root, figures, out, live = Path(root), Path(figures), Path(out), Path(live)
     record = Record(root, data)
@@ -125,7 +127,9 @@ def make(root, data, figures, out, live=""):
     images = find_images(record, figures)
     has_live = all((live / f"{name}.wasm").exists() for name, _ in pages.LIVE)
     binder = Binder(record, sources, images, read_live(root / "book/live/figures.txt") if has_live else {})
-    book = pages.Book(record, binder, chapters, library)
+    there = {"tables": list(inventory.tables(root, data)), "commands": list(inventory.commands(root, programs)),
+             "packages": inventory.packages(root)}
+    book = pages.Book(record, binder, chapters, library, there)
 
     found = book.assemble(bind_all(binder, sources))  # page name -> HTML with formulas still in TeX
     done = prose.typeset([f for page in found.values() for f in prose.formulas(page)])

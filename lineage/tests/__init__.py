@@ -19,6 +19,34 @@ LOCK = ["program", "id", "value", "error", "unit", "kind"]
 RESULTS = ["id", "value", "error", "unit"]
 FACTS = ["quantity", "value", "error", "unit"]
 FIGURES = ["id", "label", "section", "program", "script", "class", "data", "caption", "seconds"]
+HELP = """#!/bin/sh
+if [ "$1" = one ]; then cat <<'END'
+one thing, of two
+Usage: sec1_demo one [options]
+
+Options:
+  --help                      this text
+  --speed [0, 1]              how fast it is, in
+                              sites (default: 0.5)
+  --well none, harmonic, quartic, pendulum  well of every bead
+
+A remark.
+END
+else cat <<'END'
+A demonstration (section 1)
+Usage: sec1_demo [options]
+
+Options:
+  --help                      this text
+  --quick                     coarse
+
+Commands, each with its own --help:
+  one                         one thing, of two
+
+Without a command everything is computed.
+END
+fi
+"""
 REAL = ("value", "error", "seconds")
 
 
@@ -43,6 +71,7 @@ class Scratch(unittest.TestCase):
             ["sec1_demo", "a.one", 1.0000000000000002, 1e-3, "m", "value"], ["sec1_demo", "fact", 2.0, 0.1, "", "value"]]))
         self.write("figures/figures.ecsv", table(FIGURES, [
             ["01", "demo", "1", "sec1_demo", "fig01.gp", "ER", "facts", "A line.", 3.0]]))
+        self.write("codemeta.json", ecsv.text_of(ROOT / "codemeta.json"))
         self.write("README.md", "<!-- published -->\n<!-- /published -->\n")
         self.write("ARTIFACT.md", "<!-- costs -->\n<!-- /costs -->\n")
         self.results(["a.one", 1.0, 1e-3, "m"])
@@ -55,10 +84,24 @@ class Scratch(unittest.TestCase):
         return ecsv.text_of(self.root / name)
 
     def results(self, *rows):
-        self.write("build/data/sec1_demo/results.ecsv", table(RESULTS, rows))
+        self.computed("sec1_demo/results.ecsv", table(RESULTS, rows))
 
     def facts(self, *rows):
-        self.write("build/data/sec1_demo/facts.ecsv", table(FACTS, rows))
+        self.computed("sec1_demo/facts.ecsv", table(FACTS, rows))
+
+    def computed(self, name, text):
+        """Writes a table as a program does, with the checksums of its folder."""
+        path = self.root / "build/data" / name
+        ecsv.write_whole(path, text)
+        ecsv.write_whole(path.parent / "SHA256SUMS", "".join(
+            f"{ecsv.rows_sum(ecsv.text_of(one))}  {one.name}\n" for one in sorted(path.parent.glob("*.ecsv"))))
+
+    def program(self):
+        """A program with a command, that says so in the form of ours."""
+        path = self.root / "build/bin/sec1_demo"
+        self.write("build/bin/sec1_demo", HELP)
+        path.chmod(0o755)
+        return path
 
     def lineage(self, verb, *more):
         """Exit code, standard output and error of a verb."""

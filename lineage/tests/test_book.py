@@ -3,6 +3,7 @@
 import filecmp
 import html
 import importlib.util
+import json
 import os
 import re
 import shutil
@@ -59,6 +60,19 @@ class Blocks(unittest.TestCase):
                 "using History = int;\ninline constexpr double fit_from = 20;\ntemplate <class T> struct Shot {};\n")
         self.assertEqual(source.definitions(source.split_blocks(text)),
                          {"Well": 1, "sup": 5, "History": 8, "fit_from": 9, "Shot": 10})
+
+    def test_every_name_that_a_header_offers_is_explained(self):
+        unexplained = []
+        for path in sorted((ROOT / "src").rglob("*.hpp")):
+            text = ecsv.text_of(path)
+            lines = text.split("\n")
+            for name, line in source.definitions(source.split_blocks(text)).items():
+                paragraph = lines[:line]
+                while "" in paragraph:
+                    del paragraph[:paragraph.index("") + 1]
+                if not any("//" in piece or piece.endswith("*/") for piece in paragraph):
+                    unexplained.append(f"{path.relative_to(ROOT)}:{line}: {name}")
+        self.assertEqual(unexplained, [])
 
     def test_headers_come_after_what_they_need(self):
         a = source.Source("src/lattice/numbers/a.hpp", "", includes=["lattice/numbers/b.hpp"])
@@ -135,7 +149,7 @@ class Numbers(unittest.TestCase):
         for id, (command, quantity) in known.alone.items():
             self.assertIn(id, known.quotable)
             program, subcommand = command.split()[0].split("/")[-1], command.split()[1]
-            shelves = [folder for folder in (ROOT / "src").glob("sec*/") if program.startswith(folder.name)]
+            shelves = [ROOT / "src/commands", *(f for f in (ROOT / "src").glob("sec*/") if program.startswith(f.name))]
             sources = [ROOT / "src" / f"{program}.cpp", *(h for shelf in shelves for h in shelf.glob("*.hpp"))]
             self.assertTrue(any(f'"{subcommand}"' in ecsv.text_of(path) for path in sources), f"{id}: {subcommand}")
             self.assertTrue(quantity, id)
@@ -238,10 +252,11 @@ class Repository(Scratch):
         self.write("book/start.md", "Take [](num:a.one).\n")
         self.write("book/live/figures.txt", "")
         self.write("book/commands.txt", "a.one build/bin/sec1_demo one --exactly # one\n")
+        self.write("apt-packages.txt", "dpkg\n[book]\nno-such-package\n")
 
     def weave(self, out="book"):
         build = self.root / "build"
-        weave.make(self.root, build / "data", build / "figures", build / out, build / "live")
+        weave.make(self.root, build / "data", build / "figures", build / out, build / "live", build / "bin")
 
     def page(self, name, out="book"):
         return self.read(f"build/{out}/{name}")
@@ -268,6 +283,39 @@ class Repository(Scratch):
         self.assertIn('compiled in <a href="numbers-demo-cpp.html">demo.cpp</a>', self.page("numbers-demo.html"))
         self.assertIn('["sec1_demo.html#results"', self.page("search-index.js"))
 
+    @needs_tools
+    def test_tables_commands_and_packages_have_a_page(self):
+        self.program()
+        self.weave()
+        tables = self.page("tables.html")
+        for name in ("quantity", "value", "error", "unit"):
+            self.assertIn(f'<code>{name}</code></td><td data-label="table"><a href="data/sec1_demo/facts.ecsv"', tables)
+        self.assertIn('data-label="meaning">what error is</td>', tables)
+        commands = self.page("commands.html")
+        self.assertIn('<h3 id="sec1_demo-one"><code>sec1_demo one</code></h3><p>One thing, of two.</p>', commands)
+        self.assertIn("<code>--speed</code></td><td>[0, 1]</td><td>how fast it is, in sites (default: 0.5)</td>", commands)
+        self.assertEqual(commands.count("<code>--help</code>"), 2)  # in the sentence, and where it is explained
+        self.assertIn('["commands.html#sec1_demo-one"', self.page("search-index.js"))
+        packages = self.page("packages.html")
+        self.assertIn("<code>no-such-package</code></td><td>not installed</td><td>book</td>", packages)
+
+    @needs_tools
+    def test_a_notebook_is_shown(self):
+        cells = [{"cell_type": "markdown", "source": ["# In Python\n", "\n", "By Eq. (9), $x^2$; [](num:a.one)."]},
+                 {"cell_type": "code", "source": ["x = 1  # one"], "outputs": [
+                     {"output_type": "stream", "text": ["a < b\n"]}, {"data": {"image/png": "AAAA"}}]}]
+        self.write("python/a_b.ipynb", json.dumps({"cells": cells}))
+        self.weave()
+        page = self.page("notebook-a-b.html")
+        for piece in ['<h1 id="in-python">In Python</h1><p class="card">', "equations.html#eq-9", 'class="katex"', "1.000</button>",
+                      '<span class="c"># one</span>', '<pre class="said">a &lt; b</pre>', "data:image/png;base64,AAAA"]:
+            self.assertIn(piece, page)
+        self.assertIn("In Python (Python)", self.page("index.html"))
+        self.assertIn('"notebook-a-b.html#in-python"', self.page("search-index.js"))
+        self.write("python/a_b.ipynb", json.dumps({"cells": [cells[1]]}))
+        with self.assertRaisesRegex(ecsv.Fault, "no title"):
+            self.weave()
+
     def test_a_summary_is_whole_sentences(self):
         long = "word " * 40 + "end."
         self.assertEqual(pages.beginning(f"It is *so* (`a.b`, `c.d` and `e.f` in x.hpp) at\n$x. Y = 1$. {long} Not this."),
@@ -284,6 +332,10 @@ class Repository(Scratch):
         self.assertEqual(prose.formulas(found[3]), [("\\(|x|\\)", False)])
         self.assertEqual(found[4].count("<figure>"), 2)
         self.assertEqual(prose.plain("<p>a (<b>b</b>) &lt; 10<sup>−3</sup></p><p>c</p>"), "a (b) < 10^−3 c")
+        for tex, words_of_it in [(r"\frac{1}{2}\omega_b^{2}", "1/2ω_b^2"), (r"\tfrac12 x \le \infty", "1/2 x ≤ ∞"),
+                                 (r"\tilde E_{\mathrm{PN}} \to 0", "E_PN → 0"), (r"\cos q", "cos q"), ("y_{n-1}", "y_(n-1)")]:
+            page = f'<span class="math inline">\\({tex}\\)</span>'
+            self.assertEqual(prose.plain(page), words_of_it)
 
     @needs_tools
     def test_twice_the_same_bytes(self):

@@ -4,7 +4,7 @@ import shutil
 import subprocess
 import unittest
 
-from lineage import ecsv, lock, refresh, tex
+from lineage import ecsv, lock, metadata, refresh, tex
 
 from . import ROOT, Scratch
 
@@ -71,19 +71,21 @@ class Paper(Scratch):
         for plain, ought in [("E_PN for omega_b = 1.1", r"$E_{\mathrm{PN}}$ for $\omega_{b}$ = 1.1"),
                              ("y_(1-n) = -y_n", "$y_{1-n}$ = $-y_{n}$"), ("c_c^2/2", "$c_{c}$$^{2}$/2"),
                              ("W = 1 - cos y, A(0) = -i well-known", "W = 1 $-$ cos y, A(0) = $-$i well-known"),
+                             ("24 sqrt(pi), sqrt(2), n -> m", r"24 $\sqrt{\pi}$, $\sqrt{2}$, n $\to$ m"),
                              ("O(eps^-1/2), s >= 5 %", r"O($\epsilon$$^{-1/2}$), s $\ge$ 5 \%"),
                              ("1e-14 to 1e-15", r"\ensuremath{1\times10^{-14}} to \ensuremath{1\times10^{-15}}")]:
             self.assertEqual(tex.worded(plain), ought)
         self.assertEqual(tex.unit("um"), r"$\mu$m")
 
     def test_a_reference_to_nothing_is_named(self):
-        good = r"\num{a.one} \err{a.one} \pub{a.one} \num{sec1_demo.fact} \fig{01} \tally{open}"
+        good = r"\num{a.one} \err{a.one} \pub{a.one} \num{sec1_demo.fact} \fig{01} \tally{open} \meta{code}"
         self.write("paper/paper.tex", good + "\n% \\num{x}\n\\newcommand\\q[1]{\\num{#1}} 5\\% of \\num{a.one}\n")
         self.assertEqual(self.lineage("macros")[0], 0)
         numbers, claims = self.read("build/paper/numbers.tex"), self.read("build/paper/claims.tex")
         for line in [r"\define{num}{a.one}{\ensuremath{1.000}}", r"\define{err}{a.one}{\ensuremath{0.001}}",
                      r"\define{pub}{a.one}{1.02}", r"\define{fig}{01}{fig01}", r"\define{tally}{discrepant}{1}",
-                     r"\define{caption}{01}{A line.}", r"\define{chapter}{sec1_demo}{}"]:
+                     r"\define{caption}{01}{A line.}", r"\define{chapter}{sec1_demo}{}",
+                     r"\define{meta}{version}{1.0.0}"]:
             self.assertIn(line + "\n", numbers)
         self.assertIn(r"\claim{a.one}{one}{1.02}{\ensuremath{1.000} m}{\ensuremath{0.001}}{discrepant}", claims)
         self.assertIn(r"\claim{a.two}{two}{yes}{}{}{open}", claims)
@@ -128,7 +130,7 @@ class ThisRepository(unittest.TestCase):
 
     def test_the_paper_refers_to_what_is_there(self):
         claims, locked, figures = lock.read_claims(ROOT), lock.read_lock(ROOT), refresh.read_figures(ROOT)
-        texts = tex.paper_texts(claims, locked, figures)
+        texts = tex.paper_texts(claims, locked, figures, metadata.read(ROOT))
         for path in sorted((ROOT / "paper").glob("*.tex")):
             if tex.chapter_needed(paper := ecsv.text_of(path)) in ("", *lock.programs_of(ROOT)):
                 self.assertEqual(tex.dangling(paper, texts), [], path)

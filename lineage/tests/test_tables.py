@@ -1,6 +1,7 @@
 """The reader of tables, digits and verdicts, and what is said of files that cannot be used."""
 
 import math
+import random
 import unittest
 
 from lineage import ecsv
@@ -39,6 +40,39 @@ class Tables(unittest.TestCase):
             ecsv.parse(good, "t", ["x"])
         with self.assertRaisesRegex(ecsv.Fault, "nowhere.ecsv is missing"):
             ecsv.read("nowhere.ecsv")
+
+    def test_numbers_are_those_of_the_other_reader(self):
+        """As tests/table.cpp asks of src/report/table.cpp: no blanks, no underscores, nothing too large."""
+        real, whole = ecsv.Column("x", "float64"), ecsv.Column("k", "int64")
+        for text, number in [("031", 31), ("+31", 31), ("3.1e+01", 31), (".5", 0.5), ("-5e-324", -5e-324), ("0e9", 0)]:
+            self.assertEqual(ecsv.value_of(text, real), number)
+        for text in (" 1", "1 ", "1_0", "0x1f", "1e", "--1", "+-1", "+", "one", "1e999", "1e-999", "1,5", "\u0663", "1\r"):
+            self.assertRaises(ValueError, ecsv.value_of, text, real)
+        for text in ("", "+1", " 1", "1.0", "1_0", "9223372036854775808", "1" * 5000, "\u0663"):
+            self.assertRaises(ValueError, ecsv.value_of, text, whole)
+        self.assertEqual(ecsv.value_of("-9223372036854775808", whole), -2 ** 63)
+
+    def test_no_text_makes_the_reader_fail_otherwise(self):
+        """Letters lost, doubled, changed or moved: a text is refused as a Fault of one line, or its rows fit."""
+        columns = [ecsv.Column("a", "string", "l'un"), ecsv.Column("b", "float64", "x", "m"), ecsv.Column("c", "int64", "n")]
+        good = ecsv.to_text(ecsv.Table(columns, [{"a": 'so, "it" #', "b": 0.1 * k, "c": k} for k in range(4)], {"title": "t"}))
+        chance, letters, count = random.Random(20130601), "\"',\n#{}:-+.0eE\r\\ na_\x00\x85\u2028\u0663", [0, 0]
+        for _ in range(3000):
+            text = good
+            for _ in range(chance.randint(1, 4)):
+                at, length = chance.randrange(len(text) + 1), chance.randrange(12)
+                piece = chance.choice(["", chance.choice(letters), text[at // 2:at // 2 + length]])
+                text = text[:at] + piece + text[at + chance.choice([0, len(piece), length]):]
+            try:
+                table = ecsv.parse(text, "t")
+            except ecsv.Fault as fault:
+                count[0] += 1
+                self.assertNotIn("\n", str(fault).replace(text, ""))
+                continue
+            count[1] += 1
+            for row in table.rows:
+                self.assertEqual(list(row), [c.name for c in table.columns])
+        self.assertGreater(min(count), 300)
 
     def test_a_number_shows_the_digits_that_its_error_allows(self):
         for f, shown in [
@@ -107,7 +141,7 @@ class Faults(Scratch):
         self.refuses("summary", "sec1_demo/results.ecsv: row 2: two values for 'a.one'")
         self.results(["a.one", 1.0, 0.1, ""])
         self.write("src/sec2_other.cpp", "/**\n# 2 */\n")
-        self.write("build/data/sec2_other/results.ecsv", self.read("build/data/sec1_demo/results.ecsv"))
+        self.computed("sec2_other/results.ecsv", self.read("build/data/sec1_demo/results.ecsv"))
         self.refuses("summary", "sec2_other/results.ecsv: row 1: 'a.one' is answered by sec2_other, but", "by sec1_demo")
         self.results(["a.none", 1.0, 0.1, ""])
         self.refuses("lock", "row 1: 'a.none' is no claim")
@@ -130,6 +164,16 @@ class Faults(Scratch):
         self.refuses("summary", "sec1_demo/results.ecsv: no table (it is empty)")
         self.write(path, good[:-12])
         self.refuses("summary", "sec1_demo/results.ecsv: row 1: ", "cut off")
+        # Whole, and not what the program wrote: a digit, a row less, no checksums
+        self.write(path, good.replace("a.one,1,", "a.one,2,"))
+        for verb in ("summary", "lock"):
+            self.refuses(verb, "sec1_demo/results.ecsv: not what sec1_demo wrote")
+        self.write(path, "".join(good.splitlines(True)[:-1]))
+        self.refuses("summary", "sec1_demo/results.ecsv: not what sec1_demo wrote")
+        self.write(path, good)
+        (self.root / "build/data/sec1_demo/SHA256SUMS").unlink()
+        self.refuses("summary", "SHA256SUMS is missing")
+        self.computed("sec1_demo/results.ecsv", good)
         self.write("paper/converged.ecsv", self.read("paper/converged.ecsv").replace("m,value", "m,vaule"))
         self.refuses("refresh", "converged.ecsv: row 1: a.one: the kind 'vaule' is none")
         (self.root / "build/data").rename(self.root / "build/gone")
@@ -137,6 +181,18 @@ class Faults(Scratch):
             self.refuses(verb, "build/data is missing: compute it first")
         (self.root / "paper/converged.ecsv").unlink()
         self.refuses("macros", "converged.ecsv is missing")
+
+    def test_rows_that_are_broken(self):
+        """A cell lost, doubled or turned into a word, in what is claimed and in what is locked."""
+        for path, row in [("paper/published.ecsv", 'a.one,1,Fig. demo,one,'), ("paper/converged.ecsv", "sec1_demo,a.one,")]:
+            good, name = self.read(path), path.rpartition("/")[2]
+            for bad, message in [(good.replace(row, row + "x,"), "row 1: "), (good.replace(row, ""), "row 1: "),
+                                 (good.replace(row, '"' + row), "quotes that do not close"), (good[:-1], "cut off"),
+                                 (good.replace("# - {name: 'id'", "# - {name: 'di'"), "names above the rows")]:
+                self.assertNotEqual(bad, good)
+                self.write(path, bad)
+                self.refuses("lock", name, message)
+            self.write(path, good)
 
     def test_the_command_line(self):
         for arguments in (["summary", "--dat"], ["show"], ["show", "a.one", "a.two"]):

@@ -19,17 +19,18 @@ namespace lattice {
 
 /**
 A misspelt name is answered with the nearest one. The distance of two words is the least number of letters
-that must be inserted, removed or exchanged to make one out of the other (Levenshtein). */
+that must be inserted, removed or replaced to make one out of the other (Levenshtein), where two neighbours that
+have changed places count once (Damerau). */
 static std::size_t distance(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> row(b.size() + 1);
+  std::vector<std::size_t> row(b.size() + 1), above, highest;  // of words shorter by one and by two
   std::iota(row.begin(), row.end(), 0);
   for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t before = row[0];  // of the shorter words, without both last letters
+    highest = std::exchange(above, row);
     row[0] = i;
     for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t exchanged = before + (a[i - 1] != b[j - 1]);
-      before = row[j];
-      row[j] = std::min({exchanged, row[j] + 1, row[j - 1] + 1});
+      row[j] = std::min({above[j - 1] + (a[i - 1] != b[j - 1]), above[j] + 1, row[j - 1] + 1});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        row[j] = std::min(row[j], highest[j - 2] + 1);
     }
   }
   return row[b.size()];

@@ -17,7 +17,7 @@ namespace lattice {
 
 /// Parameters under the name of a command; the program itself has them under no name.
 struct Offer {
-  std::string name, meaning;
+  std::string name, meaning, note{};
   Parameters parameters{};
 };
 

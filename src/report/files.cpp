@@ -1,6 +1,10 @@
 #include "report/files.hpp"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <cerrno>
+#include <csignal>
 #include <fstream>
 #include <system_error>
 
@@ -20,6 +24,12 @@ std::string why_not_writable(const fs::path& folder, const std::string& file) {
     if (!known) fs::remove(part, ignored);
   }
   return error ? error.message() : "";
+}
+
+void guard_channels() {
+  for (int channel = STDIN_FILENO; channel <= STDERR_FILENO; ++channel)
+    if (fcntl(channel, F_GETFD) == -1 && open("/dev/null", O_RDONLY) != channel) break;
+  std::signal(SIGXFSZ, SIG_IGN);
 }
 
 fs::path executable() {

@@ -48,6 +48,7 @@ struct Allowed {
   std::string unit = "";
 };
 
+/// A number of this range.
 Check in_range(const Allowed& range);
 /// A name that is not empty.
 Check not_empty();
@@ -74,6 +75,7 @@ class Option {
   std::vector<std::string> old_names{}, rivals{};
   std::optional<std::string> typed{};
 
+  /// Whether it was typed, and whether `word` is its name or an earlier one.
   bool given() const { return typed.has_value(); }
   bool called(const std::string& word) const;
 
@@ -95,6 +97,7 @@ class Parameters {
   Parameters(const Parameters&) = delete;
   Parameters& operator=(const Parameters&) = delete;
 
+  /// A number, real or whole, with its range; the value of the variable is the default.
   Option& add(const std::string& name, double& value, const std::string& meaning,
               const Allowed& range);
   Option& add(const std::string& name, std::size_t& value, const std::string& meaning,

@@ -217,6 +217,7 @@ Frame::Frame(const Program& of, int argc, char** argv)
     Offer& offer = offers.emplace_back();
     offer.name = one.title.name;
     offer.meaning = one.title.meaning;
+    offer.note = one.title.note;
     offer.parameters.add("output", output, "file to write (default: standard output)", not_empty());
     add_threads(offer.parameters);
     computations.push_back(one.declare(offer.parameters));
@@ -225,23 +226,26 @@ Frame::Frame(const Program& of, int argc, char** argv)
 
 /// The last paragraph of help: what else there is to know.
 std::string Frame::footer(const Offer& of) const {
-  if (!of.name.empty())
-    return "A quantity that does not exist, such as the speed of a packet that never left, is nan.";
+  if (!of.name.empty()) return of.note;
   const std::string cost = full_run_takes(program.name);
   return std::string("Without a command everything that the section shows is computed.") +
          (cost.empty() ? "" : " " + cost);
+}
+
+/// Prints a text, whole.
+int say(const std::string& text) {
+  if (!(std::cout << text << std::flush)) throw Failure("cannot write to standard output");
+  return 0;
 }
 
 /// Reads the line and does what was asked for.
 int Frame::run(const std::vector<std::string>& words) {
   const Asked asked = read_line(offers, words);
   if (asked.what == Asked::What::help) {
-    std::cout << help_text(program.name, offers, *asked.of, footer(*asked.of));
-    return 0;
+    return say(help_text(program.name, offers, *asked.of, footer(*asked.of)));
   }
   if (asked.what == Asked::What::version) {
-    std::cout << program.name + " " LATTICE_VERSION " (" LATTICE_BUILD "; " LATTICE_LIBRARIES ")\n";
-    return 0;
+    return say(program.name + " " LATTICE_VERSION " (" LATTICE_BUILD "; " LATTICE_LIBRARIES ")\n");
   }
   set_threads(threads > 0 ? threads : granted_by_slurm());
   for (std::size_t k = 0; k < computations.size(); ++k)
@@ -277,11 +281,8 @@ int Frame::print(const Offer& of, const std::function<Table()>& compute) {
   const Table table = compute();  // may say more of its parameters
   alive.reset();
   const Table signed_table = provenance(program, command, of.parameters).sign(table);
-  if (!output.empty()) {
-    write(output, signed_table);
-  } else if (!(std::cout << to_text(signed_table) << std::flush)) {
-    throw Failure("cannot write to standard output");
-  }
+  if (output.empty()) return say(to_text(signed_table));
+  write(output, signed_table);
   return 0;
 }
 
@@ -310,6 +311,7 @@ int Frame::reproduce(const Offer& full) {
 All that can go wrong arrives here as an exception, and this is the only place that knows exit
 codes: 2 for input that cannot be used, 1 for a computation that failed. */
 int run(const Program& program, int argc, char** argv) {
+  guard_channels();
   gsl_set_error_handler_off();  // its errors are ours to report, not a reason to abort
   const auto complain = [&](std::string message, int code) {
     std::replace(message.begin(), message.end(), '\n', ' ');

@@ -52,6 +52,7 @@ struct Quantities {
                label("kind", "estimate, or exact where nothing could be different (error 0)")}};
   std::vector<std::string> makers{};  ///< a function for every row
 
+  /// One row; the name of the function that adds it is noted.
   void add(const std::string& quantity, const Estimate& e, const std::string& unit = "",
            const Origin& origin = Origin::current());
 };
@@ -88,6 +89,7 @@ the table's own `meta`; where that has the name of a parameter or of an entry, i
 struct Provenance {
   Meta entries, parameters;
 
+  /// Adds an entry, or replaces the one of this key.
   void set(const std::string& key, const std::string& value);
   /// The table under the whole header, as it is written.
   Table sign(Table table) const;
@@ -161,14 +163,19 @@ from them:
 `commands<Strike, ...>()` is what a program offers of such structs. */
 struct Title {
   const char *name, *meaning;
+  /// The last line of its help: what is not obvious about its answers.
+  const char* note =
+      "A quantity that does not exist, such as the speed of a packet that never left, is nan.";
 };
 
+/// A command as a program offers it.
 struct Command {
   Title title;
   /// Declares the parameters and returns what computes the table from their values.
   std::function<std::function<Table()>(Parameters&)> declare;
 };
 
+/// The command that such a struct declares.
 template <class Declared>
 Command command() {
   return {Declared::title, [](Parameters& p) -> std::function<Table()> {
@@ -178,6 +185,7 @@ Command command() {
           }};
 }
 
+/// The list of commands for `main`.
 template <class... Declared>
 std::vector<Command> commands() {
   return {command<Declared>()...};

@@ -72,14 +72,16 @@ void Sweep::compute(Part part, const std::function<Cells(std::size_t)>& row) {
   for (std::size_t i = 0; i < rows_.size(); ++i)
     if (part.holds(i) && rows_[i].empty()) open.push_back(i);
   if (open.empty()) return;
+  const bool keeps = !folder_.empty();
   std::ofstream kept;
-  if (!folder_.empty()) kept = reopen(part);
+  if (keeps) kept = reopen(part);
   std::mutex guard;
   parallel_for(name_, open.size(), [&](std::size_t j) {
     Cells cells = row(open[j]);
     Table{columns_}.add(cells);  // throws unless the row fits the columns
     const std::lock_guard lock(guard);
-    kept << line(open[j], cells) << std::flush;
+    if (keeps && !(kept << line(open[j], cells) << std::flush))
+      throw std::runtime_error("cannot write the rows of " + name_ + " to " + folder_.string());
     rows_[open[j]] = std::move(cells);
   });
 }

@@ -149,17 +149,20 @@ std::string cell_text(const Cell& cell) {
 }
 
 /**
-Reading undoes the quoting. A line is split at the commas outside double quotes; if it ends inside such
-quotes, a cell had a line break. */
+Reading undoes the quoting. A line is split at the commas outside double quotes, and such quotes hold a whole
+cell; if the line ends inside of them, the cell had a line break. */
 std::vector<std::string> fields(const std::string& line) {
   std::vector<std::string> out(1);
   bool inside = false;
   for (std::size_t i = 0; i < line.size(); ++i) {
     const char c = line[i];
-    if (inside && c == '"' && i + 1 < line.size() && line[i + 1] == '"')
+    const bool first = i == 0 || line[i - 1] == ',', last = i + 1 == line.size();
+    if (inside && c == '"' && !last && line[i + 1] == '"')
       out.back() += line[++i];
-    else if (c == '"')
+    else if (c == '"' && (inside ? last || line[i + 1] == ',' : first))
       inside = !inside;
+    else if (c == '"')
+      throw std::runtime_error("a quote in the middle of a cell: " + line);
     else if (c == ',' && !inside)
       out.emplace_back();
     else
@@ -280,11 +283,20 @@ std::vector<Cell> row_of(const std::string& line, const std::vector<Column>& col
 }  // namespace ecsv
 
 /**
-The first line without a comment repeats the names of the columns; the rows follow. */
+The first line without a comment repeats the names of the columns; the rows follow, and the last one ends like
+the others, or the file was cut off. */
+static void check_names(const std::string& line, const std::vector<Column>& columns) {
+  std::string names;
+  for (const Column& c : columns) names += (names.empty() ? "" : ",") + c.name;
+  if (columns.empty() || line != names)
+    throw std::runtime_error("the names above the rows are not those of the header: " + line);
+}
+
 Table from_text(std::istream& in) {
   Table table;
   bool header_done = false, in_meta = false;
   for (std::string line; std::getline(in, line);) {
+    if (in.eof()) throw std::runtime_error("the file is cut off in the line: " + line);
     if (!line.empty() && line.front() == '#') {
       if (line.rfind("# meta:", 0) == 0) in_meta = true;
       if (line.rfind("# - {", 0) != 0) continue;
@@ -292,12 +304,14 @@ Table from_text(std::istream& in) {
         table.meta.push_back(ecsv::entry_of(line));
       else
         table.columns.push_back(ecsv::column_of(line));
-    } else if (!header_done) {
+    } else if (!header_done && !line.empty()) {
+      check_names(line, table.columns);
       header_done = true;
     } else if (!line.empty()) {
       table.rows.push_back(ecsv::row_of(line, table.columns));
     }
   }
+  if (!header_done) throw std::runtime_error("no table: it ends in its header");
   return table;
 }
 

@@ -36,6 +36,7 @@ namespace lattice {
 /// One entry: a number, a count or a text.
 using Cell = std::variant<double, std::int64_t, std::string>;
 
+/// What a column holds: float64, int64 or string of the header.
 enum class Kind { real, integer, text };
 
 /// The heading of a column.

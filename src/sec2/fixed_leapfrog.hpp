@@ -24,6 +24,7 @@ struct LeapfrogShooting : Shooting<double> {
   double scale = 1;
   int steps = 128;  ///< per period; a multiple of the symmetry's parts
 
+  /// What newton.hpp asks of a problem.
   Sizes<double> sizes(const Vector<double>& x, bool) const {
     const auto rows = Eigen::Index(this->symmetry.equations.size());
     return {Vector<double>::Constant(x.size(), scale), Vector<double>::Constant(rows, scale)};

@@ -38,6 +38,7 @@ inline double wave_amplitude(double q, double alpha) {
   return std::pow(0.457 * std::pow(reach, alpha + 1), 1 / (1 - alpha));
 }
 
+/// Newton's method where the motion may move freely: damped, blind to directions that change nothing.
 inline NewtonRule<double> free_rule() {
   NewtonRule<double> rule;
   rule.damped = true;
@@ -68,6 +69,7 @@ all swing against their neighbours do so; from there we make masses, stiffnesses
 step by step. */
 inline constexpr int degrees = 4;
 
+/// Beads that swing against their neighbours on a ring, as a guess.
 inline State<double> zigzag(std::size_t sites) {
   State<double> guess(sites);
   for (std::size_t n = 0; n < sites; ++n)
@@ -102,6 +104,7 @@ struct MixedChain {
   double mass_of(std::size_t n) const { return mass[n]; }
 };
 
+/// The push of contact `i` at the positions `y`; never negative.
 inline double contact_push(const MixedChain& chain, const double* y, std::size_t i) {
   const double left = i > 0 ? y[i - 1] : 0, right = i < chain.sites ? y[i] : 0;
   return left > right ? chain.stiffness[i] * std::pow(left - right, chain.exponent[i]) : 0;
@@ -115,6 +118,7 @@ struct MixedProblem {
   MixedChain chain;
   double half_period;
 
+  /// What newton.hpp asks of a problem.
   std::string name() const { return "standing wave with mixed exponents"; }
   Sizes<double> sizes(const Vector<double>& x, bool) const {
     const Vector<double> all = Vector<double>::Constant(x.size(), sup(x));
@@ -159,6 +163,7 @@ inline MixedProblem mixed_chain(double part) {
   return {chain, std::numbers::pi};
 }
 
+/// The start of the standing wave; throws NewtonFailed.
 inline State<double> mixed_wave() {
   State<double> start = zigzag(5);
   NewtonRule<double> rule = free_rule();

@@ -39,6 +39,7 @@ inline double growth_exponent(const Orbit<double>& lower, const Orbit<double>& u
          std::log((upper.omega - 1) / (lower.omega - 1));
 }
 
+/// The exponent of the amplitude in omega_b - 1 is the two of Eq. (20).
 inline Condition begins_at_rest(const Estimate& exponent) {
   return below("exponent_off", {std::abs(exponent.value - 2), exponent.error}, 0.05);
 }
@@ -50,6 +51,7 @@ struct Family {
   Estimate exponent, end;  ///< of the amplitude near omega_b = 1; the last frequency, two at most
 };
 
+/// Throws NewtonFailed if not even the first breather is found.
 inline Family family_from_rest(Centre centre, double s) {
   std::vector<double> omegas{1.0005, 1.001, 1.01};
   for (int k = 1; k <= 10; ++k) omegas.push_back(1 + k / 10.0);

@@ -13,6 +13,7 @@ $t = 0$; how many sites it needs follows from that. Who names a chain length as 
 
 namespace lattice {
 
+/// The breather that a command is asked for, of `omega_b` in wells `onsite`.
 struct ChosenBreather {
   Centre centre = Centre::site;
   Phase phase = Phase::compressed;
@@ -20,6 +21,7 @@ struct ChosenBreather {
   std::size_t sites = 0;  ///< 0: as many as needed
   Well onsite = Quartic{};
 
+  /// The options that ask for a breather, each alone, since not every command has them all.
   void add_centre(Parameters& p) {
     p.add("centre", centre, "where the breather is centred",
           {{"site", Centre::site}, {"bond", Centre::bond}});

@@ -55,11 +55,13 @@ struct MapBreather {
   double residual = 0, variation = 0;
 };
 
+/// How the equations are solved: `increment` of the difference quotients, exact derivatives if zero.
 struct GaussNewton {
   int iterations = 5;
   double increment = 0, rank = 0;
 };
 
+/// Five iterations, as printed, or as many as `how` says; whether they converge is the question.
 MapBreather find_breather(const FixedStep& map, State<double> guess, const GaussNewton& how);
 
 /**

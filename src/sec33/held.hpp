@@ -36,6 +36,7 @@ struct Held {
   T centre{};            ///< Q, in sites from the middle of the chain
   double change = 1e-5;  ///< of the central difference in the parameter, see `differentiate`
 
+  /// What newton.hpp asks of a problem; `start` is the chain at rest at t = 0.
   std::string name() const { return "breather held at a centre"; }
   std::size_t sites() const { return problem.chain.sites; }
   Shooting<T> at(const Vector<T>& x) const { return along.at(problem, x[x.size() - 1]); }

@@ -14,6 +14,7 @@ the stretch relative to the whole slope, says how constant it is. */
 
 namespace lattice {
 
+/// The mean force in a stretch, and how much it changes there, both with errors.
 struct Force {
   Estimate force, bend;  ///< site per squared unit of time; relative
 };

@@ -14,6 +14,7 @@ $\lambda^{5/2}$, Eq. (29), rests on a length of half a metre and on a collision 
 
 namespace lattice {
 
+/// lambda^(5/2) of a cradle, for gravity in m/s^2 and the contact time in units of tau_h.
 inline double cradle(double gravity, double contact_time) {
   return cradle_ratio(gravity, 0.5, 0.077e-3, contact_time);  // length in m, contact in s
 }

@@ -32,6 +32,7 @@ namespace lattice {
 struct Ledger {
   double reflected = 0, near = 0, transmitted = 0;
 
+  /// One, but for the drift.
   double sum() const { return reflected + near + transmitted; }
   /// What becomes of the energy that passes the defect's place in the run `without` it.
   Ledger net(const Ledger& without) const {
@@ -55,6 +56,7 @@ struct Scattering {
   Ledger earlier, later;
 };
 
+/// `ratio` is that of the defect's radius to the usual one; throws FarEndReached.
 Scattering scatter(const StruckArray& blow, double ratio, ImpactRun run, double step, double end);
 
 /**

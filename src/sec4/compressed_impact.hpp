@@ -43,6 +43,7 @@ struct PacketSample {
   double t, centre, share, boundary, participation, packet_sites;
 };
 
+/// From the energy density `e` at time `t`.
 PacketSample packet_sample(double t, const std::vector<double>& e);
 
 /**
@@ -70,6 +71,7 @@ is there if it exceeds a hundredth, which is what a drawing still shows, and the
 /// Amplitude of the tail behind (`side` = -1) or ahead (+1) of the packet.
 double tail_amplitude(const Snapshot& shot, int side);
 
+/// From the late snapshots of two runs.
 Criterion tail_on_both_sides(const Snapshot& coarse, const Snapshot& fine);
 
 /// The snapshot of `state`, its sech fitted around the packet.

@@ -59,6 +59,7 @@ sites, its right-hand side $g$ that of $\nabla f\,(a_n - f)$. The matrix has thr
 will do. */
 double determinant(const double (&t)[3][3]);
 
+/// The step in height, centre and width from `f` on the values in `range`.
 std::array<double, 3> sech_step(const Sech& f, const std::vector<double>& a, Window range);
 
 /**

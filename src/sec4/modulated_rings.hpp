@@ -49,6 +49,7 @@ struct RingOfWell {
   }
 };
 
+/// The tables and verdicts of other wells, beside the course in soft ones.
 inline void report_courses(Report& report, const RingCourse& soft) {
   // The linear well at one wavenumber, for long; the hard one all over its band
   const std::array<double, 2> long_steps{0.8, 0.4}, usual_steps{0.4, 0.2};

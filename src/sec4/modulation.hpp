@@ -29,6 +29,7 @@ struct ModulatedPhonon {
   double s = -1.0 / 6, d = 0.5, q = std::numbers::pi / 4, a = 0.15, b = 0.01;
   std::size_t sites = 200;
 
+  /// The ring, and the chain's state at t = 0.
   Chain ring() const { return {sites, Quartic{s}, CompressedHertz{d}, Ends::periodic}; }
   State<double> start() const {
     const double pi = std::numbers::pi, omega = phonon(q, contact_series(d).v1).omega;
@@ -72,6 +73,7 @@ struct RingSample {
   bool gathered;
 };
 
+/// What is seen of a ring at one instant.
 RingSample ring_sample(const Chain& ring, const State<double>& state);
 
 /// Two runs side by side, the finer one second.
@@ -103,6 +105,7 @@ a thousand units of time, holds half of it or more in both runs while these agre
 Criterion slower_and_wider(const RingCourse& linear, const RingCourse& soft,
                            const RingCourse& hard);
 
+/// From the course in soft wells.
 Criterion pulse_splits(const RingCourse& course);
 
 /**

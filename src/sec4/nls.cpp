@@ -41,16 +41,38 @@ T fastest_modulation(const Coefficients<T>& at, T a) {
 }
 
 // Where the modulational instability sets in, by bisection in the wavenumber
-double sign_change_of_phi(double d, double s, double low, double high) {
-  const auto phi = [d, s](double q) { return coefficients(q, d, s).phi; };
-  if (!(phi(low) * phi(high) < 0))
+template <class T>
+T sign_change_of_phi(T d, T s, T low, T high) {
+  const auto phi = [d, s](T q) { return coefficients(q, d, s).phi; };
+  if (!(phi(low) * phi(high) < T(0)))
     throw std::invalid_argument("phi does not change its sign between the two wavenumbers");
-  const bool rises = phi(high) > 0;
-  for (int i = 0; i < 60; ++i) {
-    const double middle = (low + high) / 2;
-    ((phi(middle) > 0) == rises ? high : low) = middle;
+  const bool rises = phi(high) > T(0);
+  for (int i = 0; i < 70; ++i) {
+    const T middle = (low + high) / T(2);
+    ((phi(middle) > T(0)) == rises ? high : low) = middle;
   }
-  return (low + high) / 2;
+  return (low + high) / T(2);
+}
+
+// The wavenumbers of the grid are middles of its cells, so that no end of the band, where phi may vanish, decides
+template <class T>
+std::vector<Wavenumbers<T>> unstable_wavenumbers(T d, T s) {
+  constexpr std::size_t cells = 2000;
+  const T pi = std::numbers::pi_v<T>;
+  const auto at = [&](std::size_t k) { return pi * (T(double(k)) + T(0.5)) / T(double(cells)); };
+  const auto unstable = [&](std::size_t k) { return coefficients(at(k), d, s).phi > T(0); };
+  std::vector<Wavenumbers<T>> out;
+  bool inside = false;
+  for (std::size_t k = 0; k < cells; ++k) {
+    if (unstable(k) == inside) continue;
+    inside = !inside;
+    const T edge = k == 0 ? T(0) : sign_change_of_phi(d, s, at(k - 1), at(k));
+    if (inside)
+      out.push_back({edge, pi});
+    else
+      out.back().to = edge;
+  }
+  return out;
 }
 
 // How unstable is the most unstable wave of the band?
@@ -62,11 +84,13 @@ double largest_phi(double d, double s, std::size_t points) {
 }
 
 // The scalars that are used
-#define LATTICE_NLS(T)                                 \
-  template T nls_beta(T, const ContactSeries<T>&, T);  \
-  template Coefficients<T> coefficients(T, T, T);      \
-  template T nls_growth(const Coefficients<T>&, T, T); \
-  template T fastest_modulation(const Coefficients<T>&, T);
+#define LATTICE_NLS(T)                                      \
+  template T nls_beta(T, const ContactSeries<T>&, T);       \
+  template Coefficients<T> coefficients(T, T, T);           \
+  template T nls_growth(const Coefficients<T>&, T, T);      \
+  template T fastest_modulation(const Coefficients<T>&, T); \
+  template T sign_change_of_phi(T, T, T, T);                \
+  template std::vector<Wavenumbers<T>> unstable_wavenumbers(T, T);
 
 LATTICE_NLS(double)
 LATTICE_NLS(long double)

@@ -16,6 +16,7 @@ $$\beta = \frac{16v_2^2\sin^2q\,(1-\cos q)^2}{4v_1(1-\cos q)^2+3} +
   \tfrac32\left[4v_3(1-\cos q)^2 + s\right].$$ */
 
 #include <cstddef>
+#include <vector>
 
 #include "sec4/dispersion.hpp"
 
@@ -57,7 +58,22 @@ Where the instability begins is a zero of $\Phi$. Bisection finds it between two
 using the closed form of the inflection, so that one can check the other. */
 /// The zero of phi between the wavenumbers `low` and `high`. Throws std::invalid_argument if phi has the
 /// same sign at both.
-double sign_change_of_phi(double d, double s, double low, double high);
+template <class T>
+T sign_change_of_phi(T d, T s, T low, T high);
+
+/**
+Both factors of $\Phi$ can change sign, $\omega_2$ at the inflection and $\beta$ wherever the well outweighs the
+contact or no longer does. So the unstable wavenumbers may be one interval, or several, or none. */
+/// Wavenumbers from `from` to `to`, in 1/site.
+template <class T>
+struct Wavenumbers {
+  T from, to;
+};
+
+/// The intervals between 0 and pi in which phi is positive, as far as a grid of 2000 wavenumbers tells
+/// them apart.
+template <class T>
+std::vector<Wavenumbers<T>> unstable_wavenumbers(T d, T s);
 
 /// The largest value of phi on a grid of `points` + 1 wavenumbers from 0 to pi, or zero if all are
 /// negative.

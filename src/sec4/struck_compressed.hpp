@@ -50,6 +50,7 @@ struct Experiment {
         impact(compressed_impact(s_, time, 1.87, d_)),
         times(std::move(shown)) {}
 
+  /// What was seen in the coarser and in the finer run.
   Traits rough() const { return traits(coarse.samples); }
   Traits best() const { return traits(fine.samples); }
   /// The criterion `of` on the traits of both runs; its conditions are named after the experiment.
@@ -58,6 +59,7 @@ struct Experiment {
   }
 };
 
+/// The impacts of section 4.3 and their controls, each run with two steps.
 inline std::vector<Experiment> experiments(bool quick) {
   const double late = quick ? 1500 : 3000, linear = quick ? 1000 : 4399, soft = quick ? 1000 : 1998;
   std::vector<Experiment> all{{"s_1", 1, late, {291, 724, late}},
@@ -110,6 +112,14 @@ inline void add_tables(Report& report, const std::vector<Experiment>& all) {
       if (!e.times.empty() && p.t >= 10 && std::fmod(p.t + 1e-6, 5) < 1e-3)
         history.add({e.s, p.t, p.centre, p.share, p.boundary, p.participation});
   }
+}
+
+/// On how many sites the packet has its energy at time `t`.
+inline Estimate sites_of_packet(const Experiment& e, double t) {
+  const auto at = [&](const CompressedRun& run) {
+    return run.samples.at(std::size_t(t)).packet_sites;
+  };
+  return compare(at(e.coarse), at(e.fine));
 }
 
 /**
@@ -172,12 +182,6 @@ inline void report_impacts(Report& report) {
   judge(report, "pre.impact_other", trains);
 
   // Packets with and without compression, at the times of figures 27 and 23
-  const auto sites_of_packet = [](const Experiment& e, double t) {
-    const auto at = [&](const CompressedRun& run) {
-      return run.samples.at(std::size_t(t)).packet_sites;
-    };
-    return compare(at(e.coarse), at(e.fine));
-  };
   const Estimate compressed = sites_of_packet(all[0], 291), free = sites_of_packet(all[3], 238);
   report.facts.add("packet_sites_compressed", compressed, "site");
   report.facts.add("packet_sites_uncompressed", free, "site");

@@ -15,12 +15,16 @@ namespace lattice {
 struct ArrayUnits {
   Scales scales = CantileverArray{}.scales();
 
+  /// Milliseconds to units of tau_c, and back.
   double time(double ms) const { return ms * 1e-3 / scales.tau_c(); }
   double milliseconds(double t) const { return t * scales.tau_c() * 1e3; }
+  /// Metres per second to units of the chain.
   double velocity(double si) const { return si / scales.unit_velocity(); }
+  /// Displacements, rates and powers of the chain in micrometres, 1/s and watts.
   double micrometres(double y) const { return y * scales.xi() * 1e6; }
   double per_second(double rate) const { return rate / scales.tau_c(); }
   double watts(double power) const { return scales.unit_energy() * per_second(power); }
+  /// A frequency in hertz as an angular one of the chain, and back.
   double omega(double hertz) const { return 2 * std::numbers::pi * hertz * scales.tau_c(); }
   double hertz(double omega) const { return omega / (2 * std::numbers::pi * scales.tau_c()); }
   /// The damping rate nu for a lifetime of the energy in ms; zero stands for no damping.

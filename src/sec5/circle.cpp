@@ -16,7 +16,7 @@ Interval<double> enclosed_cosine(const Interval<double>& x) {
 }
 
 CosineTable::CosineTable(std::size_t count) : cosine(count), error(0) {
-  // One eighth of the circle by the series; the rest by symmetry
+  // A quarter of the circle by the series; the rest by symmetry
   const auto angle = [&](std::size_t j) {
     return Interval<double>(2) * enclosed_pi() * double(j) / double(count);
   };
@@ -49,7 +49,8 @@ Sampled sample(const std::vector<double>& c, const CosineTable& table) {
     out.value[j] = sum;
   }
   // The entries of the table are at most one, wrong by `error`
-  out.error = (size * (Interval<double>(table.error) + rounding_of_sum(c.size() + 1))).upper;
+  out.error =
+      (size * (Interval<double>(table.error) + rounding_of_sum(c.size() + 1)) + underflow).upper;
   return out;
 }
 
@@ -66,7 +67,8 @@ std::vector<Interval<double>> discrete_coefficients(const std::vector<Interval<d
   // The ends count half
   const double scale = 4.0 / double(m);  // exact: m is a power of two
   const Interval<double> error =
-      scale * (radius + size * (Interval<double>(table.error) + rounding_of_sum(half.size() + 2)));
+      scale * (radius + size * (Interval<double>(table.error) + rounding_of_sum(half.size() + 2)) +
+               underflow);
   std::vector<Interval<double>> out(count);
   for (std::size_t k = 0; k < count; ++k) {
     double sum = middle.front() / 2;

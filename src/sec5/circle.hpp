@@ -35,7 +35,10 @@ struct CosineTable {
 /**
 A sum of $n$ products, evaluated in any order, is wrong by at most $\gamma_n\sum|a_ib_i|$ with
 $\gamma_n = nu/(1-nu)$, where $u$ is half a unit in the last place (Higham). Sums as long as these are evaluated
-in the plain way and their error is added once. */
+in the plain way and their error is added once. Products so small that they lose digits add less than $2^{-1074}$
+each, in all sums less than `underflow`. */
+inline constexpr double underflow = std::numeric_limits<double>::min();
+
 /// An upper bound of gamma_n.
 double rounding_of_sum(std::size_t n);
 

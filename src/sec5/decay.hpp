@@ -57,6 +57,7 @@ struct Moment {
   double t, omega, energy;
 };
 
+/// The life of a breather with losses.
 struct Decay {
   std::vector<Moment> moments{};  ///< one for each period, over the eight that follow
   double drift = 0;               ///< of the energy centre from start to end, in sites

@@ -36,6 +36,7 @@ struct DpsGuess {
   std::vector<std::vector<T>> inverse;  ///< of the derivative, in the window
 };
 
+/// The breather of the DpS equation with mu = 1, found in ordinary arithmetic (stationary.hpp).
 template <class T>
 DpsGuess<T> dps_guess(Centre centre);
 

@@ -151,7 +151,7 @@ std::vector<Closed> KernelWave::closed(double least) const {
     now.to = low;
     if (now.most > limit) all.push_back(now);
   }
-  // The last one does not open again
+  // The last one does not open again on the grid
   now.to = double(line.periods()) * shift_time();
   if (d[d.size() - 1] > 0 && now.most > limit) all.push_back(now);
   return all;

@@ -57,8 +57,8 @@ struct KernelWave {
   /// Largest compression.
   double peak() const;
   /// The intervals with t >= 0 in which the contact is closed and the compression exceeds `least` of the
-  /// peak. The last one ends with the grid, because far out the contact stays closed: there K is positive
-  /// where f is largest.
+  /// peak. A contact that is closed where the grid ends counts as closed up to there; whether it opens again
+  /// later is not known.
   std::vector<Closed> closed(double least) const;
   /// In how many intervals a contact is closed, as far as double precision can tell.
   std::size_t contacts() const;

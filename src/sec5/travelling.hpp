@@ -224,6 +224,17 @@ State<T> embed(const State<T>& orbit, std::size_t sites, std::size_t place) {
 }
 
 /**
+Who follows it over many sites needs no chain that holds them all: a frame goes along, beads that have been
+passed are dropped, and beads at rest come in ahead. */
+/// Moves the frame that a state holds on by `sites`.
+inline void move_on(State<double>& state, std::size_t sites) {
+  for (auto* q : {&state.y, &state.v}) {
+    std::rotate(q->begin(), q->begin() + std::ptrdiff_t(sites), q->end());
+    std::fill(q->end() - std::ptrdiff_t(sites), q->end(), 0.0);
+  }
+}
+
+/**
 ## Stability
 
 The stability of a travelling orbit is that of the flow over $T$, read one site further on: it maps a small

@@ -30,15 +30,19 @@ A contact acts on its two beads with opposite forces, so each is computed once: 
 we keep that of the contact behind and find that of the contact in front. */
 void Dps::operator()(double, const double* a, double* da) const {
   double re = 0, im = 0;
-  if (near_end == Ends::fixed) {
-    const double m = root_modulus(a[0], a[1]);
-    re = m * a[0];
-    im = m * a[1];
+  const bool ring = near_end == Ends::periodic;
+  if (near_end != Ends::free) {
+    const double* behind = a + 2 * (sites - 1);
+    const double x = ring ? a[0] - behind[0] : a[0], y = ring ? a[1] - behind[1] : a[1];
+    const double m = root_modulus(x, y);
+    re = m * x;
+    im = m * y;
   }
   for (std::size_t n = 0; n < sites; ++n) {
     double re_next = 0, im_next = 0;
-    if (n + 1 < sites) {
-      const double x = a[2 * n + 2] - a[2 * n], y = a[2 * n + 3] - a[2 * n + 1];
+    if (n + 1 < sites || ring) {
+      const double* ahead = n + 1 < sites ? a + 2 * n + 2 : a;
+      const double x = ahead[0] - a[2 * n], y = ahead[1] - a[2 * n + 1];
       const double m = root_modulus(x, y);
       re_next = m * x;
       im_next = m * y;
@@ -57,10 +61,10 @@ double norm(const Field& field) {
   return sum;
 }
 
-double energy(const Field& field) {
+double energy(const Field& field, bool ring) {
   double sum = 0;
-  for (std::size_t n = 0; n + 1 < field.size(); ++n) {
-    const double d = std::abs(field[n + 1] - field[n]);
+  for (std::size_t n = 0; n + 1 < field.size() + std::size_t(ring); ++n) {
+    const double d = std::abs(field[n + 1 < field.size() ? n + 1 : 0] - field[n]);
     sum += 0.4 * (d * d * std::sqrt(d));
   }
   return sum;

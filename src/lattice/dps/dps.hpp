@@ -35,8 +35,8 @@ using Field = std::vector<std::complex<double>>;
 
 /**
 An integrator wants the right-hand side as a function. The boundary condition decides what stands in for
-the missing neighbour at the first site: a free end has no contact there, a fixed one has $A_0 = 0$. The
-far end is always free. Differences below $10^{-60}$ count as zero, for the reason given at `Hertz` in
+the missing neighbour at the first site: a free end has no contact there, a fixed one has $A_0 = 0$, and a
+periodic one is in contact with the last site. Otherwise the far end is free. Differences below $10^{-60}$ count as zero, for the reason given at `Hertz` in
 contact.hpp. */
 struct Dps {
   std::size_t sites;
@@ -54,8 +54,8 @@ check of every run. The figures show the density $|A_n|^2$, whose sum is the nor
 /// Norm sum |A_n|^2, conserved.
 double norm(const Field& field);
 
-/// Energy 2/5 sum |A_{n+1} - A_n|^{5/2} with free ends, conserved.
-double energy(const Field& field);
+/// Energy 2/5 sum |A_{n+1} - A_n|^{5/2}, conserved; a ring has the contact of last and first site too.
+double energy(const Field& field, bool ring = false);
 
 /// |A_n|^2, one entry per site.
 std::vector<double> density(const Field& field);

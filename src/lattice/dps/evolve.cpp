@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lattice/numbers/interrupt.hpp"
+
 namespace lattice {
 
 void TurningDps::operator()(double tau, const double* w, double* dw) const {
@@ -27,6 +29,7 @@ double evolve_dps(const Rhs& equation, Field& field, double duration, std::size_
   double tau = 0, drift = 0;
   observe(tau, field);
   for (std::size_t k = 1; k <= samples; ++k) {
+    heed_stop();
     reference.advance(tau, duration * double(k) / double(samples), x);
     for (std::size_t n = 0; n < field.size(); ++n) field[n] = {x[2 * n], x[2 * n + 1]};
     drift = std::max(drift, std::abs(norm(field) - start) / start);

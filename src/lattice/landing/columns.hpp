@@ -30,6 +30,15 @@ LATTICE_WIDE void kick_panel(const TangentRow<T>* row, const T* y, T* v, std::si
   }
 }
 
+/// The same for a single column.
+template <class T>
+void kick_column(const TangentRow<T>* row, const T* y, T* v, std::size_t rows) {
+  for (std::size_t n = 0; n < rows; ++n) {
+    const T before = y[n > 0 ? n - 1 : rows - 1], after = y[n + 1 < rows ? n + 1 : 0];
+    v[n] += (row[n].left * before + row[n].right * after) + row[n].self * y[n];
+  }
+}
+
 /// `y += factor * v`, for a drift and for the sum of the levels.
 template <class T>
 LATTICE_WIDE void add_scaled(T* __restrict__ y, const T* __restrict__ v, T factor,

@@ -11,8 +11,9 @@ namespace lattice {
 namespace {
 
 /**
-Two loops take most of the time and are left to the compiler to vectorise: one entry of the extrapolation
-table from its two predecessors, and the forces and curvatures (tangent.hpp) along the chain. */
+Three loops take most of the time and are left to the compiler to vectorise: one entry of the extrapolation
+table from its two predecessors, the forces and curvatures (tangent.hpp) along the chain, and the kicks of
+beads of unit mass. */
 template <class T>
 LATTICE_WIDE void refine(T* __restrict__ a, const T* __restrict__ b, T gain, std::size_t count) {
   for (std::size_t k = 0; k < count; ++k) a[k] = b[k] + gain * (b[k] - a[k]);
@@ -25,6 +26,12 @@ LATTICE_WIDE void sweep_curvature(const C contact, const T* __restrict__ y, std:
     push[i] = contact.force(y[i] - y[i - 1]);
     link[i] = contact.stiffness(y[i] - y[i - 1]);
   }
+}
+
+template <class T>
+LATTICE_WIDE void sweep_kick(T* __restrict__ v, T kick, const T* __restrict__ pull,
+                             const T* __restrict__ push, std::size_t n) {
+  for (std::size_t i = 0; i < n; ++i) v[i] += kick * (pull[i] + (push[i] - push[i + 1]));
 }
 
 /// A potential of the caller's own has no loop of ours, and wider numbers do not fit into vectors.
@@ -65,12 +72,11 @@ void Leapfrog<T>::run(std::vector<T>& z, T length, T s, T h, std::size_t kicks, 
   record.lead.push_back(length * span(at(0), at(1)));
   drift(z, record.lead.back());
   for (std::size_t i = 1; i < 2 * kicks; i += 2) {
-    Curvature<T> node{length * span(at(i - 1), at(i + 1)),
-                      length * span(at(i), at(std::min(i + 2, 2 * kicks))),
-                      std::vector<T>(chain_.sites), std::vector<T>(chain_.sites + 1, T(0))};
+    Curvature<T>& node = probe_ ? record.nodes.emplace_back(curvature_of(chain_)) : node_;
+    node.kick = length * span(at(i - 1), at(i + 1));
+    node.drift = length * span(at(i), at(std::min(i + 2, 2 * kicks)));
     kick(z, node);
     drift(z, node.drift);
-    if (probe_) record.nodes.push_back(std::move(node));
   }
 }
 
@@ -78,8 +84,12 @@ template <class T>
 void Leapfrog<T>::drift(std::vector<T>& z, T dt) const {
   const std::size_t n = chain_.sites;
   add_scaled(z.data(), z.data() + n, dt, n);
+  const T* v = z.data() + n;
   T rate(0);
-  for (std::size_t i = 0; i < n; ++i) rate += T(chain_.mass_of(i)) * z[n + i] * z[n + i];
+  if (chain_.mass.empty())
+    for (std::size_t i = 0; i < n; ++i) rate += v[i] * v[i];
+  else
+    for (std::size_t i = 0; i < n; ++i) rate += T(chain_.mass[i]) * v[i] * v[i];
   z[2 * n] += rate * dt;
   if (probe_) add_scaled(z.data() + 2 * n + 1, z.data() + 3 * n + 1, dt, n);
 }
@@ -92,11 +102,14 @@ void Leapfrog<T>::kick(std::vector<T>& z, Curvature<T>& node) {
   evaluate(z.data(), node);
   detail::with_kind(chain_.well,
                     [&](const auto& well) { forces_of(well, z.data(), pull_.data(), n); });
-  for (std::size_t i = 0; i < n; ++i)
-    z[n + i] += node.kick * inverse_mass<T>(chain_, i) * (pull_[i] + (push_[i] - push_[i + 1]));
+  if (chain_.mass.empty())
+    sweep_kick(z.data() + n, node.kick, pull_.data(), push_.data(), n);
+  else
+    for (std::size_t i = 0; i < n; ++i)
+      z[n + i] += node.kick * inverse_mass<T>(chain_, i) * (pull_[i] + (push_[i] - push_[i + 1]));
   if (!probe_) return;
   rows_at(chain_, node, {0, n}, rows_);
-  kick_panel(rows_.data(), z.data() + 2 * n + 1, z.data() + 3 * n + 1, n, 1);
+  kick_column(rows_.data(), z.data() + 2 * n + 1, z.data() + 3 * n + 1, n);
 }
 
 /**
@@ -180,18 +193,19 @@ results, taken at zero and computed by Neville's recursion. Returns the estimate
 template <class T>
 T Crossing<T>::step(Leapfrog<T>& leapfrog, std::vector<T>& z, T length, T s, T h,
                     Record<T>& record) {
-  table_.clear();
   T error = std::numeric_limits<T>::infinity();
   for (std::size_t j = 1; j <= std::size_t(rule_.levels) && !(error <= rule_.tolerance); ++j) {
-    const std::vector<T> previous = j > 1 ? table_.front() : z;
-    table_.push_back(z);
-    leapfrog.run(table_.back(), length, s, h, j, record);
-    add_scaled(table_.back().data(), z.data(), T(-1), z.size());
+    if (j > 1) previous_ = table_.front();
+    if (j > table_.size()) table_.emplace_back();
+    std::vector<T>& latest = table_[j - 1];
+    latest = z;
+    leapfrog.run(latest, length, s, h, j, record);
+    add_scaled(latest.data(), z.data(), T(-1), z.size());
     for (std::size_t i = j - 1; i > 0; --i) {
       const T ratio = T(double(j)) / T(double(i)), gain = T(1) / (ratio * ratio - T(1));
       refine(table_[i - 1].data(), table_[i].data(), gain, z.size());
     }
-    if (j > 1) error = difference(table_.front(), previous);
+    if (j > 1) error = difference(table_.front(), previous_);
   }
   add_scaled(z.data(), table_.front().data(), T(1), z.size());
   return error;
@@ -203,15 +217,21 @@ area, and absolute for the probe. It is infinite if anything is not a finite num
 template <class T>
 T Crossing<T>::difference(const std::vector<T>& a, const std::vector<T>& b) const {
   const std::size_t orbit = 2 * chain_.sites;
-  T worst[3] = {T(0), T(0), T(0)}, sum(0);
-  for (std::size_t k = 0; k < a.size(); ++k) {
-    const T d = a[k] - b[k], size = d < T(0) ? -d : d;
-    T& most = worst[k < orbit ? 0 : k == orbit ? 1 : 2];
-    most = size > most ? size : most;
-    sum += size;
-  }
-  if (!(sum < std::numeric_limits<T>::infinity())) return std::numeric_limits<T>::infinity();
-  return std::max({worst[0] / amplitude_, worst[1] / (amplitude_ * amplitude_), worst[2]});
+  const T infinity = std::numeric_limits<T>::infinity();
+  bool finite = true;
+  const auto worst = [&](std::size_t from, std::size_t to) {
+    T most(0);
+    for (std::size_t k = from; k < to; ++k) {
+      const T d = a[k] - b[k], size = d < T(0) ? -d : d;
+      most = size > most ? size : most;
+      finite &= size < infinity;
+    }
+    return most;
+  };
+  const T of_orbit = worst(0, orbit) / amplitude_;
+  const T of_area = worst(orbit, orbit + 1) / (amplitude_ * amplitude_);
+  const T of_probe = worst(orbit + 1, a.size());
+  return finite ? std::max({of_orbit, of_area, of_probe}) : infinity;
 }
 
 #define LATTICE_INSTANCES(T)  \

@@ -88,7 +88,9 @@ template <class T>
 class Leapfrog {
  public:
   Leapfrog(const Chain& chain, bool probe)
-      : chain_(chain), probe_(probe), push_(chain.sites + 1, T(0)), pull_(chain.sites, T(0)) {}
+      : chain_(chain), probe_(probe), push_(chain.sites + 1, T(0)), pull_(chain.sites, T(0)) {
+    if (!probe) node_ = curvature_of(chain);
+  }
 
   /// `kicks` kicks from `s` to `s + h` on an interval of the given length; adds to `record`.
   void run(std::vector<T>& z, T length, T s, T h, std::size_t kicks, Record<T>& record);
@@ -101,10 +103,16 @@ class Leapfrog {
   void kick(std::vector<T>& z, Curvature<T>& node);
   void evaluate(const T* y, Curvature<T>& node);
 
+  /// Room for the curvatures along the chain.
+  static Curvature<T> curvature_of(const Chain& chain) {
+    return {T(0), T(0), std::vector<T>(chain.sites), std::vector<T>(chain.sites + 1, T(0))};
+  }
+
   const Chain& chain_;
   bool probe_;
   std::vector<T> push_, pull_;
   std::vector<TangentRow<T>> rows_;
+  Curvature<T> node_{};  ///< of the latest kick, where no record is kept
 };
 
 /**
@@ -145,6 +153,7 @@ class Crossing {
   EventTolerance<T> rule_;
   T amplitude_;
   std::vector<std::vector<T>> table_;
+  std::vector<T> previous_;  ///< its first entry before the latest level
 };
 
 }  // namespace lattice

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "lattice/numbers/interrupt.hpp"
+
 namespace lattice {
 namespace {
 
@@ -129,8 +131,10 @@ time. Beyond that we fly straight to the end, with steps as short as the toleran
 template <class T>
 FlowReport<T> EventIntegrator<T>::fly() {
   const double limit = 64 * (1 + double(left_)) * double(chain_.sites + 1);
-  for (double landings = 0; left_ > T(0); ++landings)
+  for (double landings = 0; left_ > T(0); ++landings) {
+    heed_stop();
     land(landings < limit ? look() : Sight<T>{left_}, landings < limit);
+  }
   flow_.evaluations += crossing_.evaluations;
   return flow_;
 }

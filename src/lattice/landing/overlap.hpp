@@ -57,6 +57,7 @@ template <class T>
 struct Arc {
   T x0, u0, x1, u1, dt;
 
+  /// The cubic and its derivative at the share `s` of the step, from 0 to 1.
   T value(T s) const {
     const T r = T(1) - s;
     return r * r * ((T(1) + T(2) * s) * x0 + s * dt * u0) +

@@ -18,23 +18,24 @@ template <class T>
 Window core_of(const Chain& chain, const Record<T>& record, std::type_identity_t<T> negligible) {
   const std::size_t n = chain.sites;
   const T rest = chain.well.stiffness(T(0));
-  std::vector<char> live(n, 0);
   const auto light = [&](std::size_t i) { return i < n ? inverse_mass<T>(chain, i) : T(0); };
-  for (const Curvature<T>& node : record.nodes)
-    for (std::size_t i = 0; i <= n; ++i) {
-      const bool stiff = std::max(light(i - 1), light(i)) * node.link[i] > negligible;
-      if (stiff && i > 0) live[i - 1] = 1;
-      if (stiff && i < n) live[i] = 1;
-      if (i < n) {
-        const T change = light(i) * (node.well[i] - rest);
-        if (change > negligible || change < -negligible) live[i] = 1;
-      }
-    }
-  Window core{0, n};
-  while (core.first < n && !live[core.first]) ++core.first;
-  while (core.last > core.first && !live[core.last - 1]) --core.last;
-  const bool ring = chain.ends == Ends::periodic && core.first < core.last;
-  return ring ? Window{0, n} : core;
+  const auto stiff = [&](const Curvature<T>& node, std::size_t i) {
+    return std::max(light(i - 1), light(i)) * node.link[i] > negligible;
+  };
+  const auto live = [&](const Curvature<T>& node, std::size_t i) {
+    const T change = light(i) * (node.well[i] - rest);
+    return change > negligible || change < -negligible || stiff(node, i) || stiff(node, i + 1);
+  };
+  // From either end inwards, in each node up to where the last one stopped
+  std::size_t first = n, last = 0;
+  for (const Curvature<T>& node : record.nodes) {
+    for (std::size_t i = 0; i < first; ++i)
+      if (live(node, i)) first = i;
+    for (std::size_t i = n; i > last; --i)
+      if (live(node, i - 1)) last = i;
+  }
+  if (first == n) return {n, n};
+  return chain.ends == Ends::periodic ? Window{0, n} : Window{first, last};
 }
 
 namespace detail {

@@ -38,6 +38,7 @@ struct Tangent {
   const T& operator()(std::size_t row, std::size_t column) const {
     return entries[row * columns + column];
   }
+  /// The entries of row `i`: displacements first, then velocities.
   T* row(std::size_t i) { return entries.data() + i * columns; }
 };
 
@@ -62,6 +63,7 @@ struct Record {
   std::vector<T> lead;
   std::vector<Curvature<T>> nodes;  ///< one for level 1, two for level 2, and so on
 
+  /// How many leapfrog runs were combined.
   std::size_t levels() const { return lead.size(); }
 };
 

@@ -32,6 +32,7 @@ struct Boundary {
   std::size_t sites = 0;
   Ends first = Ends::free, last = Ends::free;
 
+  /// The end at which contact `i` stands, if it is not `inside`, between two beads.
   Ends end_at(std::size_t i) const { return i == 0 ? first : last; }
   bool inside(std::size_t i) const { return i > 0 && i < sites; }
 

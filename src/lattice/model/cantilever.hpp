@@ -98,11 +98,17 @@ is $V\tau_c/\xi = \lambda^{5/2}$, Eqs. (29) and (30). Speeds $V$ below are in m/
 struct Scales {
   double m, k, gamma;  ///< kg, N/m, N/m^(3/2)
 
+  /// Time 1/omega of a cantilever alone, s.
   double tau_c() const { return std::sqrt(m / k); }
+  /// Unit of length: where Hertz's force equals that of the spring, m.
   double xi() const { return (k / gamma) * (k / gamma); }
+  /// Duration of a Hertzian contact but for a factor of order one, s; `velocity` in m/s.
   double tau_h(double velocity) const { return std::pow(m * m / (gamma * gamma * velocity), 0.2); }
+  /// Compression of such a contact but for a factor of order one, m.
   double delta(double velocity) const { return std::pow(m * velocity * velocity / gamma, 0.4); }
+  /// (tau_c / tau_h)^2, Eq. (29); small where a bead swings many times while a contact lasts.
   double lambda(double velocity) const { return m / (k * tau_h(velocity) * tau_h(velocity)); }
+  /// What one means in the units of Eq. (9): m/s, N and J.
   double unit_velocity() const { return xi() / tau_c(); }
   double unit_force() const { return k * xi(); }
   double unit_energy() const { return k * xi() * xi(); }
@@ -131,6 +137,7 @@ struct CantileverArray {
   }
   /// Effective mass of a cantilever whose beads have `ratio` times the usual radius.
   double mass(double ratio = 1) const { return beam_share * beam_mass() + 2 * bead_mass(ratio); }
+  /// Stiffness of a beam clamped at both ends under a force at its middle, N/m.
   double stiffness() const {
     return 192 * beam_modulus * area_moment() / (length * length * length);
   }

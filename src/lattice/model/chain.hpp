@@ -53,7 +53,9 @@ struct Chain {
   std::vector<double> inverse_mass{};  ///< 1 / mu_n
   std::vector<double> eta{};           ///< sites + 1 entries; eta[i] is the contact of i-1 with i
 
+  /// Which contacts there are, at the ends too.
   Boundary boundary() const { return {sites, ends, ends}; }
+  /// Mass of bead `n`, from 0, and stiffness factor of contact `i`, the one between i - 1 and i.
   double mass_of(std::size_t n) const { return mass.empty() ? 1 : mass[n]; }
   double eta_of(std::size_t i) const { return eta.empty() ? 1 : eta[boundary().own(i)]; }
 };
@@ -114,6 +116,7 @@ template <class T>
 void kick_drift(const Chain& chain, State<T>& state, Window& window, std::type_identity_t<T> kick,
                 std::type_identity_t<T> drift);
 
+/// Writes the accelerations at the moving sites to `a`, one entry per site; wakes what is pushed.
 template <class T>
 void accelerate(const Chain& chain, const T* y, T* a, Window& window);
 

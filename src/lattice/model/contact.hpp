@@ -179,50 +179,18 @@ struct OwnContact : OwnPotential {
 };
 
 /**
-Like a well, a contact is one of a list or of the caller's own, and is made from one of these structs. A
-program lets its reader choose one by name (potential.hpp). Two types share the name `hertz`: the plain law,
-and the one with a precompression. */
-struct Contact : std::variant<Hertz, CompressedHertz, PowerContact, OwnContact> {
-  Contact() = default;
-  template <class P>
-  requires(!std::is_same_v<P, Contact> && IsPotential<P>) Contact(P contact)
-      : variant(kept(std::move(contact))) {}
+Like a well, a contact is one of a list or of the caller's own. A program lets its reader choose one by name
+(potential.hpp). Two types share the name `hertz`: the plain law, and the one with a precompression. */
+struct Contact : OneOf<OwnContact, Hertz, CompressedHertz, PowerContact> {
+  using OneOf::OneOf;
 
-  /// The contact as what it is. Throws std::bad_variant_access if it is another one.
-  template <class P>
-  const P& as() const {
-    if constexpr (lists<P>(static_cast<const variant*>(nullptr)))
-      return std::get<P>(*this);
-    else
-      return std::get<OwnContact>(*this).template as<P>();
-  }
-
-  template <class T>
-  T energy(T r) const {
-    return std::visit([&](const auto& c) -> T { return c.energy(r); }, *this);
-  }
-  template <class T>
-  T force(T r) const {
-    return std::visit([&](const auto& c) -> T { return c.force(r); }, *this);
-  }
-  template <class T>
-  T stiffness(T r) const {
-    return std::visit([&](const auto& c) -> T { return c.stiffness(r); }, *this);
-  }
+  /// The overlap at rest: a contact opens where the beads are that much further apart.
   double opening() const {
     return std::visit([](const auto& c) { return c.opening(); }, *this);
   }
+  /// The power of the overlap in the force, 3/2 for spheres.
   double exponent() const {
     return std::visit([](const auto& c) { return c.exponent; }, *this);
-  }
-
- private:
-  template <class P>
-  static auto kept(P contact) {
-    if constexpr (std::is_constructible_v<variant, P>)
-      return contact;
-    else
-      return OwnContact(std::move(contact));
   }
 };
 

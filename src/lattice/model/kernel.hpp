@@ -50,6 +50,7 @@ struct Varied {
   const double* mass = nullptr;          ///< mu_n
   const double* inverse_mass = nullptr;  ///< 1 / mu_n, rounded
 
+  /// The force of contact `i`, and the acceleration of bead `n`, from those of unit stiffness and mass.
   template <class T>
   T contact(std::size_t i, T force) const {
     return T(eta[i]) * force;

@@ -61,7 +61,16 @@ using Ranges = std::map<std::string, std::pair<double, double>>;
 Not every potential is in a list. Any struct with the three functions can stand in a chain: it is kept behind
 the six functions below, three in double and three in extended precision, each of which treats a row of
 numbers at once. So a potential of one's own costs little more than the others. It has no name for the
-command line. */
+command line. One that is evaluated elsewhere, as by the interpreter of another language, may prefer rows to
+single numbers; it then has the three functions of rows as well. */
+template <class P>
+concept TakesRows = requires(const P& p, const double* x, double* out, std::size_t n) {
+  p.energies(x, out, n);
+  p.forces(x, out, n);
+  p.stiffnesses(x, out, n);
+};
+
+/// Holds any potential that takes rows; copies share it.
 class OwnPotential {
  public:
   OwnPotential() = default;
@@ -133,28 +142,41 @@ class OwnPotential {
     P potential;
     static constexpr char tag = 0;
     explicit Of(P p) : potential(std::move(p)) {}
-    template <class T, class F>
-    static void each(const T* x, T* out, std::size_t n, F of) {
-      for (std::size_t i = 0; i < n; ++i) out[i] = of(x[i]);
+    template <class T>
+    void energy_row(const T* x, T* out, std::size_t n) const {
+      if constexpr (TakesRows<P>) return potential.energies(x, out, n);
+      for (std::size_t i = 0; i < n; ++i) out[i] = potential.energy(x[i]);
     }
+    template <class T>
+    void force_row(const T* x, T* out, std::size_t n) const {
+      if constexpr (TakesRows<P>) return potential.forces(x, out, n);
+      for (std::size_t i = 0; i < n; ++i) out[i] = potential.force(x[i]);
+    }
+    template <class T>
+    void stiffness_row(const T* x, T* out, std::size_t n) const {
+      if constexpr (TakesRows<P>) return potential.stiffnesses(x, out, n);
+      for (std::size_t i = 0; i < n; ++i) out[i] = potential.stiffness(x[i]);
+    }
+
+    // The same without templates
     const void* type() const override { return &tag; }
     void energies(const double* x, double* out, std::size_t n) const override {
-      each(x, out, n, [this](double u) { return potential.energy(u); });
+      energy_row(x, out, n);
     }
     void forces(const double* x, double* out, std::size_t n) const override {
-      each(x, out, n, [this](double u) { return potential.force(u); });
+      force_row(x, out, n);
     }
     void stiffnesses(const double* x, double* out, std::size_t n) const override {
-      each(x, out, n, [this](double u) { return potential.stiffness(u); });
+      stiffness_row(x, out, n);
     }
     void energies(const long double* x, long double* out, std::size_t n) const override {
-      each(x, out, n, [this](long double u) { return potential.energy(u); });
+      energy_row(x, out, n);
     }
     void forces(const long double* x, long double* out, std::size_t n) const override {
-      each(x, out, n, [this](long double u) { return potential.force(u); });
+      force_row(x, out, n);
     }
     void stiffnesses(const long double* x, long double* out, std::size_t n) const override {
-      each(x, out, n, [this](long double u) { return potential.stiffness(u); });
+      stiffness_row(x, out, n);
     }
   };
 
@@ -174,6 +196,54 @@ template <class P, class... Potential>
 constexpr bool lists(const std::variant<Potential...>*) {
   return (std::is_same_v<P, Potential> || ...);
 }
+
+/**
+A chain holds a potential of a list or one of the caller's own, and has the same type whichever it is: that is
+what `Well` and `Contact` have in common. Either is made from one of its structs, and `as` gives the struct
+back. The functions choose anew in every call; the loops along a chain choose once (chain.hpp). */
+template <class Own, class... Known>
+struct OneOf : std::variant<Known..., Own> {
+  using List = std::variant<Known..., Own>;
+
+  OneOf() = default;
+  template <class P>
+  requires(!std::is_base_of_v<List, P> && IsPotential<P>) OneOf(P potential)
+      : List(kept(std::move(potential))) {}
+
+  /// The potential as what it is. Throws std::bad_variant_access if it is another one.
+  template <class P>
+  const P& as() const {
+    if constexpr (lists<P>(static_cast<const List*>(nullptr)))
+      return std::get<P>(*this);
+    else
+      return std::get<Own>(*this).template as<P>();
+  }
+
+  /// The energy at `x`, in the potential's own units, as the two derivatives are.
+  template <class T>
+  T energy(T x) const {
+    return std::visit([&](const auto& p) -> T { return p.energy(x); }, *this);
+  }
+  /// The force, with the sign that the structs of the list give it.
+  template <class T>
+  T force(T x) const {
+    return std::visit([&](const auto& p) -> T { return p.force(x); }, *this);
+  }
+  /// The second derivative of the energy.
+  template <class T>
+  T stiffness(T x) const {
+    return std::visit([&](const auto& p) -> T { return p.stiffness(x); }, *this);
+  }
+
+ private:
+  template <class P>
+  static auto kept(P potential) {
+    if constexpr (std::is_constructible_v<List, P>)
+      return potential;
+    else
+      return Own(std::move(potential));
+  }
+};
 
 /// Forces and stiffnesses at a row of numbers.
 template <class P, class T>
@@ -246,6 +316,7 @@ std::vector<ParameterInfo> parameters_of(const std::string& name = "") {
   return all;
 }
 
+/// The words in one line, with commas in between.
 inline std::string comma_list(const std::vector<std::string>& words) {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;

@@ -57,11 +57,14 @@ T push_at(const Chain& chain, const C& contact, const T* y, std::size_t i) {
   return T(chain.eta_of(i)) * contact.force(stretch(chain, y, i));
 }
 
-/// Adds a site to the window at either edge where the contact there pushes.
+/// Adds a site to the window at either edge where the contact there pushes; returns the pushes at its edges.
 template <class T, class C>
-void widen(const Chain& chain, const C& contact, const T* y, Window& window) {
-  if (window.first > 0 && push_at(chain, contact, y, window.first) != T(0)) --window.first;
-  if (window.last < chain.sites && push_at(chain, contact, y, window.last) != T(0)) ++window.last;
+std::pair<T, T> widen(const Chain& chain, const C& contact, const T* y, Window& window) {
+  const auto push = [&](std::size_t i) { return push_at(chain, contact, y, i); };
+  T left = push(window.first), right = push(window.last);
+  if (window.first > 0 && left != T(0)) left = push(--window.first);
+  if (window.last < chain.sites && right != T(0)) right = push(++window.last);
+  return {left, right};
 }
 
 /// Calls `sweep(variation, at, count, left, right)` for the `count` moving sites from `at` on, with the
@@ -69,16 +72,16 @@ void widen(const Chain& chain, const C& contact, const T* y, Window& window) {
 template <class T, class C, class Sweep>
 void sweep_window(const Chain& chain, const C& contact, const T* y, Window& window, Sweep sweep) {
   if (window.first == window.last) return;
-  widen(chain, contact, y, window);
-  const T left = push_at(chain, contact, y, window.first),
-          right = push_at(chain, contact, y, window.last);
+  const auto [left, right] = widen(chain, contact, y, window);
   const auto from = [&](const std::vector<double>& all) {
     return all.empty() ? nullptr : all.data() + window.first;
   };
-  with_variation({from(chain.eta), from(chain.mass), from(chain.inverse_mass)},
-                 [&](const auto& along) {
-                   sweep(along, window.first, window.last - window.first, left, right);
-                 });
+  const std::size_t at = window.first, count = window.last - window.first;
+  if (chain.mass.empty())
+    sweep(Homogeneous{}, at, count, left, right);
+  else
+    sweep(Varied{from(chain.eta), from(chain.mass), from(chain.inverse_mass)}, at, count, left,
+          right);
 }
 
 /// Whether the loops of kernel.hpp are made for this pair.
@@ -116,6 +119,7 @@ void kick_drift_sites(const W& well, const C& contact, T* y, T* v, const Sum& su
     });
 }
 
+/// The call of chain.hpp for one well and one contact; `sum` says how a small number is added to a large one.
 template <class T, class W, class C, class Sum>
 void kick_drift(const Chain& chain, const W& well, const C& contact, State<T>& state,
                 Window& window, const T& kick, const T& drift, const Sum& sum) {

@@ -129,47 +129,15 @@ struct OwnWell : OwnPotential {
 };
 
 /**
-A chain holds a well of this list or one of the caller's own, and has the same type whichever it is. A well is
-made from one of these structs: `chain.well = Quartic{0.5}` sets it and `chain.well.as<Quartic>().s` reads
-it. Its functions choose anew in every call; the loops along a chain choose once (chain.hpp). */
-struct Well : std::variant<None, Harmonic, Quartic, Pendulum, OwnWell> {
-  Well() : variant(Harmonic{}) {}
-  template <class P>
-  requires(!std::is_same_v<P, Well> && IsPotential<P>) Well(P well)
-      : variant(kept(std::move(well))) {}
+The wells that have a name, and the caller's own: `chain.well = Quartic{0.5}` sets one and
+`chain.well.as<Quartic>().s` reads it (potential.hpp). */
+struct Well : OneOf<OwnWell, None, Harmonic, Quartic, Pendulum> {
+  using OneOf::OneOf;
+  Well() : OneOf(Harmonic{}) {}
 
-  /// The well as what it is. Throws std::bad_variant_access if it is another one.
-  template <class P>
-  const P& as() const {
-    if constexpr (lists<P>(static_cast<const variant*>(nullptr)))
-      return std::get<P>(*this);
-    else
-      return std::get<OwnWell>(*this).template as<P>();
-  }
-
-  template <class T>
-  T energy(T y) const {
-    return std::visit([&](const auto& w) -> T { return w.energy(y); }, *this);
-  }
-  template <class T>
-  T force(T y) const {
-    return std::visit([&](const auto& w) -> T { return w.force(y); }, *this);
-  }
-  template <class T>
-  T stiffness(T y) const {
-    return std::visit([&](const auto& w) -> T { return w.stiffness(y); }, *this);
-  }
+  /// The displacement at which a bead leaves the well; infinity if it cannot.
   double rim() const {
     return std::visit([](const auto& w) { return rim_of(w); }, *this);
-  }
-
- private:
-  template <class P>
-  static auto kept(P well) {
-    if constexpr (std::is_constructible_v<variant, P>)
-      return well;
-    else
-      return OwnWell(std::move(well));
   }
 };
 

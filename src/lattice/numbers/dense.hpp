@@ -12,6 +12,7 @@ few hundred rows and in several number types. Eigen does both, here under the na
 
 namespace lattice {
 
+/// Dense vectors and matrices of any number type.
 template <class T>
 using Vector = Eigen::Matrix<T, Eigen::Dynamic, 1>;
 template <class T>

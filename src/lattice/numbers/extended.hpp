@@ -17,12 +17,14 @@ and nothing else in quadruple precision is compared with fifty digits. */
 
 namespace lattice {
 
+/// A mantissa of 113 bits, by the compiler's own type where it has one.
 #ifdef LATTICE_FLOAT128
 using Quadruple = boost::multiprecision::float128;
 #else
 using Quadruple = boost::multiprecision::cpp_bin_float_quad;
 #endif
 
+/// Fifty decimal digits, against which quadruple precision is checked.
 using FiftyDigits = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>,
                                                   boost::multiprecision::et_off>;
 

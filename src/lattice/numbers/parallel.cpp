@@ -15,6 +15,8 @@
 #include <utility>
 #include <vector>
 
+#include "lattice/numbers/interrupt.hpp"
+
 namespace lattice {
 
 namespace {
@@ -44,8 +46,10 @@ void parallel_for(std::size_t count, const std::function<void(std::size_t)>& bod
   std::atomic<std::size_t> next{0};
   std::exception_ptr error;
   std::mutex guard;
-  const auto work = [&] {
+  const auto work = [&, flag = stop_flag] {
+    const Interruptible with_flag(flag);
     for (std::size_t i; (i = next++) < count;) try {
+        heed_stop();
         body(i);
       } catch (...) {
         const std::lock_guard lock(guard);

@@ -29,6 +29,7 @@ wider type. */
 /// What double precision is checked against: a 64-bit mantissa where the processor has one.
 using Wide = long double;
 
+/// The breather of frequency `omega` in quartic wells, on the chain that all pairs use.
 inline Shooting<double> problem_of(Centre centre, double omega, double s = 0) {
   return breather_problem(centre, omega, s, sites_of(centre));
 }
@@ -39,6 +40,15 @@ NewtonRule<T> rule(int coarser) {
   NewtonRule<T> out;
   out.events.tolerance = T(128) * std::numeric_limits<T>::epsilon();
   if (coarser) out.events.tolerance *= T(16);
+  return out;
+}
+
+/// The finer rule for the tail: every site to the same relative accuracy, and a landing on every contact.
+template <class T>
+NewtonRule<T> graded() {
+  NewtonRule<T> out = rule<T>(0);
+  out.graded = true;
+  out.events.floor = T(0);
   return out;
 }
 
@@ -106,6 +116,7 @@ family a breather belongs. Where a branch turns back in frequency the pairs end.
 /// One family at increasing frequencies, as far as it reaches.
 std::vector<Orbit<double>> climb(Centre centre, double s, const std::vector<double>& omegas);
 
+/// Pairs at increasing frequencies.
 using BreatherPairs = std::vector<BreatherPair>;
 
 /// Frequencies: 1.005, then up to 2 in `count` equal steps from 1. For a soft well (s < 0), whose

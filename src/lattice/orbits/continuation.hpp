@@ -34,11 +34,14 @@ struct Along {
   std::function<void(Shooting<T>&, const T&)> set;
   double change = 0;  ///< of the central difference; 0 for the frequency
 
+  /// Whether the parameter is the frequency, for which the coordinates are those of the limit.
   bool is_frequency() const { return change == 0; }
+  /// By what the unknowns are multiplied at `ell`: (omega_b - 1)^2, else one.
   T scale(T ell) const {
     using std::exp;
     return is_frequency() ? exp(T(2) * ell) : T(1);
   }
+  /// The parameter at `ell`, and back.
   T parameter(T ell) const {
     using std::exp;
     return is_frequency() ? T(1) + exp(ell) : ell;
@@ -47,6 +50,7 @@ struct Along {
     using std::log;
     return is_frequency() ? log(parameter - T(1)) : parameter;
   }
+  /// The problem at another value of the parameter.
   Shooting<T> at(Shooting<T> problem, const T& value) const {
     set(problem, value);
     return problem;
@@ -94,6 +98,7 @@ class Branch {
   Branch(Shooting<T> problem, Along<T> which, const Orbit<T>& start, int direction,
          NewtonRule<T> rule = {}, Stride stride = {});
 
+  /// The parameter at the point where the branch stands.
   T parameter() const { return along_.parameter(ell(z_)); }
   /// How the parameter changes along the curve; its sign changes at a fold.
   T slope() const { return tangent_[tangent_.size() - 1]; }

@@ -73,6 +73,7 @@ struct Iteration {
 };
 using History = std::vector<Iteration>;
 
+/// Residuals and steps in one line, for messages.
 std::string to_text(const History& history);
 
 /**
@@ -144,6 +145,7 @@ more. Anything else is a failure. Throws NewtonFailed. */
 template <class T>
 using Direction = std::function<Vector<T>(const Shot<T>&, const Vector<T>& x)>;
 
+/// The solution near `x`, with a step from `direction`; shots have a derivative if it asks for one.
 template <class T>
 Solution<T> iterate(const NewtonProblem<T>& problem, Vector<T> x, const NewtonRule<T>& rule,
                     bool jacobian, const Direction<T>& direction);

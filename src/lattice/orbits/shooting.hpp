@@ -63,12 +63,18 @@ struct Shooting {
   Symmetry symmetry;
   T omega{};
 
+  /// 2 pi / omega, or the last of the unknowns `x` if the period is free.
   T period() const { return T(2) * pi<T>() / omega; }
   T period(const Vector<T>& x) const { return symmetry.free_period ? x[x.size() - 1] : period(); }
+  /// What messages call the orbit.
   std::string name() const;
+  /// The state of the whole chain at t = 0 from the unknowns, and back.
   State<T> unfold(const Vector<T>& x) const;
   Vector<T> fold(const State<T>& state) const;
+  /// The sizes to which residuals and steps are relative (newton.hpp).
   Sizes<T> sizes(const Vector<T>& x, bool graded) const;
+  /// Flies through the part of a period that the symmetry leaves, and says by how much the equations
+  /// are missed; with the derivative, one row an equation, if it is wanted.
   Shot<T> shoot(const Vector<T>& x, const EventTolerance<T>& rule, bool with_jacobian = true) const;
   /// By how much a flight from `start` to `end`, however it was computed, misses the equations.
   Vector<T> residuals(const State<T>& start, const State<T>& end) const;
@@ -93,6 +99,7 @@ struct Orbit {
   History history;
   std::size_t switchings = 0;  ///< in the part of a period that was computed
   T error{};                   ///< of the flow, by its own estimate, relative to the amplitude
+  /// The last residual, relative to the amplitude.
   double residual() const { return history.back().residual; }
   std::size_t iterations() const { return history.size() - 1; }
   /// The last step, relative to the amplitude.

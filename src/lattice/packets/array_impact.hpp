@@ -33,6 +33,7 @@ struct StruckArray {
   double velocity = 1;  // m/s
   Scales scales = array.scales();
 
+  /// The velocity of the blow, and times in milliseconds, in units of the chain; and back.
   double struck_velocity() const { return velocity / scales.unit_velocity(); }
   double time(double milliseconds) const { return milliseconds * 1e-3 / scales.tau_c(); }
   double milliseconds(double t) const { return t * scales.tau_c() * 1e3; }
@@ -73,6 +74,7 @@ struct WatchedRun : ImpactRun {
   Watched at{};
 };
 
+/// Throws FarEndReached like every impact.
 WatchedRun pass(const StruckArray& blow, std::size_t n, double until, const Resolution& r);
 
 /**

@@ -43,6 +43,7 @@ give a result if that exceeds `far_end` times the impact's. Where the far end is
 /// `chain` at a length that an impact of `velocity` does not cross within `time`.
 Chain endless(Chain chain, double velocity, double time);
 
+/// For `far_end`: the far end may move.
 inline constexpr double reached = std::numeric_limits<double>::infinity();
 
 /// Thrown if the motion reaches the far end; the message says when and by how much.

@@ -87,12 +87,11 @@ Patience patience(double velocity, double s, double horizon) {
 Outlook probe(double velocity, double s, double horizon, int halvings) {
   const Patience wait = patience(velocity, s, horizon);
   const Chain chain{std::size_t(horizon) + 20, Quartic{s}};
-  State<double> state = struck(chain.sites, velocity);
   Outlook out;
   Path period;
   // The mean over one internal period decides: past the horizon, on the way back, or never away
-  const auto look = [&](const State<double>& now) {
-    period.add(now.t, energy_density(chain, now));
+  const auto look = [&](const State<double>& now, const std::vector<double>& density) {
+    period.add(now.t, density);
     if (period.t.size() < 8) return true;
     double x = 0;
     for (double c : period.centre) x += c / 8;
@@ -104,9 +103,9 @@ Outlook probe(double velocity, double s, double horizon, int halvings) {
     return out.fate == Fate::undecided;
   };
   // Four steps between two looks resolve the fastest motion; halvings shorten the steps only
-  const double step = wait.interval / 4;
-  evolve(ContactAware{step}, chain, state,
-         shorter_steps(time_grid(wait.time, wait.interval, step), halvings), look);
+  ContactAware stepper{wait.interval / 4};
+  stepper.halvings = halvings;
+  strike(stepper, {velocity, chain, wait.time, far_away, wait.interval, reached, false}, look);
   return out;
 }
 

@@ -17,11 +17,14 @@ inline __attribute__((always_inline)) T triple(const T* const* a, const T* weigh
   return weight[0] * a[0][i] + (weight[1] * a[1][i] + weight[2] * a[2][i]);
 }
 
-/// The sum $y + d\,v + \sum_j w_j a_j$ of a stage with as many triples, its small terms first.
+/// The sum $y + d\,v + \sum_j w_j a_j$ of a stage with as many triples, its small terms first; `stage` says
+/// whose accelerations, of all in `row`, the terms are.
 template <std::size_t triples, class T>
 LATTICE_WIDE void sweep_terms(const T* __restrict__ y, const T* __restrict__ v, T drift,
-                              const T* const* a, const T* weight, T* __restrict__ out,
-                              std::size_t n) {
+                              const T* const* row, const std::size_t* stage, const T* weight,
+                              T* __restrict__ out, std::size_t first, std::size_t n) {
+  const T* a[3 * triples + 1];
+  for (std::size_t j = 0; j < 3 * triples; ++j) a[j] = row[stage[j]] + first;
   for (std::size_t i = 0; i < n; ++i) {
     T sum = drift * v[i];
     for (std::size_t j = 0; j < 3 * triples; j += 3) sum += triple(a + j, weight + j, i);
@@ -33,21 +36,25 @@ LATTICE_WIDE void sweep_terms(const T* __restrict__ y, const T* __restrict__ v, 
 The scheme of six stages has at most six terms in a sum, the splitting with fourteen evaluations at most
 fifteen. Each number of triples has its own loop, which passes over the sites once. */
 template <class T>
-void sweep_stage(const T* y, const T* v, T drift, const T* const* a, const T* weight,
-                 std::size_t terms, T* out, std::size_t n) {
-  switch (terms / 3) {
+void sweep_stage(const T* y, const T* v, T drift, const T* const* row, const StageSum<T>& sum,
+                 T* out, Window window) {
+  const auto sweep = [&](auto terms) {
+    terms(y + window.first, v + window.first, drift, row, sum.stage.data(), sum.weight.data(),
+          out + window.first, window.first, window.last - window.first);
+  };
+  switch (sum.stage.size() / 3) {
     case 0:
-      return sweep_terms<0>(y, v, drift, a, weight, out, n);
+      return sweep(sweep_terms<0, T>);
     case 1:
-      return sweep_terms<1>(y, v, drift, a, weight, out, n);
+      return sweep(sweep_terms<1, T>);
     case 2:
-      return sweep_terms<2>(y, v, drift, a, weight, out, n);
+      return sweep(sweep_terms<2, T>);
     case 3:
-      return sweep_terms<3>(y, v, drift, a, weight, out, n);
+      return sweep(sweep_terms<3, T>);
     case 4:
-      return sweep_terms<4>(y, v, drift, a, weight, out, n);
+      return sweep(sweep_terms<4, T>);
     case 5:
-      return sweep_terms<5>(y, v, drift, a, weight, out, n);
+      return sweep(sweep_terms<5, T>);
     default:
       throw std::invalid_argument("a scheme of more than fifteen terms");
   }
@@ -101,7 +108,7 @@ NystromMemory<T>::NystromMemory(const Nystrom& base, std::size_t sites, double n
     : small(negligible) {
   v.resize(sites), shift.resize(sites);
   y.assign(base.c.size(), v), a = y;
-  shift_weight.resize(y.size()), term.resize(y.size() + 2);
+  shift_weight.resize(y.size());
   flag.resize(sites), correction.resize(sites + 1);
   for (std::size_t i = 0; i < y.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) shift_weight[j] += T(base.b[i] * base.a[i][j]);
@@ -140,10 +147,7 @@ struct NystromStep {
   static void combine(const std::vector<T>& y, const std::vector<T>& v, double drift,
                       const StageSum<T>& sum, Window window, NystromMemory<T>& at,
                       std::vector<T>& out) {
-    const std::size_t first = window.first, terms = sum.stage.size();
-    for (std::size_t j = 0; j < terms; ++j) at.term[j] = at.a[sum.stage[j]].data() + first;
-    sweep_stage<T>(y.data() + first, v.data() + first, T(drift), at.term.data(), sum.weight.data(),
-                   terms, out.data() + first, window.last - first);
+    sweep_stage<T>(y.data(), v.data(), T(drift), at.row.data(), sum, out.data(), window);
   }
 
   /// The overlap of contact `i` in the step that has just been tried.
@@ -188,7 +192,8 @@ struct NystromStep {
     const auto push = [&](T s) { return eta * (contact.force(d - x(s)) - open); };
     Impulse<T> sum = exact_impulse(x, push, twice != std::floor(twice));
     for (std::size_t k = 0; k <= last; ++k) {
-      const T f = push_at(chain, contact, k > 0 ? at.y[k].data() : state.y.data(), i) - eta * open;
+      const std::vector<T>& y = k > 0 ? at.y[k] : state.y;
+      const T f = eta * contact.force(stretch(chain, y.data(), i)) - eta * open;
       sum.velocity -= T(base.b[k]) * f;
       sum.position -= k < last ? T(base.a[last][k]) * f : T(0);
       sum.shift -= at.shift_weight[k] * f;
@@ -232,17 +237,25 @@ struct NystromStep {
   correction themselves. */
   void repair_forces(Window window, NystromMemory<T>& at) const {
     std::vector<T>&y = at.y[base.last()], &a = at.a[base.last()];
-    const auto pull = [&](std::size_t i) {
-      if (at.correction[i].velocity != T(0) || push_at(chain, contact, y.data(), i) == T(0))
-        return T(0);
-      return -T(chain.eta_of(i)) * contact.stiffness(stretch(chain, y.data(), i)) *
-             stretch(chain, at.shift.data(), i);
+    struct Side {
+      std::size_t contact = std::size_t(-1);
+      T push{}, pull{};
     };
+    const auto side = [&](std::size_t i) -> Side {
+      const T push = push_at(chain, contact, y.data(), i);
+      if (at.correction[i].velocity != T(0) || push == T(0)) return {i, push, T(0)};
+      return {i, push,
+              -T(chain.eta_of(i)) * contact.stiffness(stretch(chain, y.data(), i)) *
+                  stretch(chain, at.shift.data(), i)};
+    };
+    // The right side of a bead is the left one of the next
+    Side left, right;
     near_contacts(at, 2, [&](std::size_t n) {
       if (n < window.first || n >= window.last) return;
-      a[n] = chain.well.force(y[n]) +
-             (push_at(chain, contact, y.data(), n) - push_at(chain, contact, y.data(), n + 1));
-      T more = -chain.well.stiffness(y[n]) * at.shift[n] + (pull(n) - pull(n + 1));
+      left = right.contact == n ? right : side(n);
+      right = side(n + 1);
+      a[n] = chain.well.force(y[n]) + (left.push - right.push);
+      T more = -chain.well.stiffness(y[n]) * at.shift[n] + (left.pull - right.pull);
       if (!chain.mass.empty()) a[n] *= inverse_mass<T>(chain, n), more *= inverse_mass<T>(chain, n);
       at.v[n] += more;
     });
@@ -275,6 +288,8 @@ double NystromStep<T, C>::run(State<T>& state, Window& window, double h, std::si
   const auto accelerate = accelerator<T>(chain);
   const std::size_t last = base.last();
   at.prepare(base, h);
+  at.row.clear();
+  for (const std::vector<T>& stage : at.a) at.row.push_back(stage.data());
   accelerate(chain, state.y.data(), at.a[0].data(), window);
   double work = double(window.last - window.first);
   for (std::size_t k = 0; k < count; ++k) {
@@ -286,6 +301,7 @@ double NystromStep<T, C>::run(State<T>& state, Window& window, double h, std::si
     combine(state.v, state.v, 0, at.sums.back(), window, at, at.v);
     correct(state, window, T(h), at);
     std::swap(state.y, at.y[last]), std::swap(state.v, at.v), std::swap(at.a[0], at.a[last]);
+    std::swap(at.row[0], at.row[last]);
   }
   return work;
 }

@@ -46,7 +46,7 @@ struct NystromMemory {
   std::vector<T> shift_weight{};         ///< $\sum_i b_i a_{ij}$
   std::vector<StageSum<T>> sums{};       ///< of the stages and, last, of the velocities
   double prepared = 0;                   ///< the step for which the sums hold
-  std::vector<const T*> term{};          ///< the accelerations of the sum in hand
+  std::vector<const T*> row{};           ///< where the accelerations of the stages are
   std::vector<std::uint64_t> flag{};     ///< singular contacts,
   std::vector<std::size_t> contacts{};   ///< the list of them, ascending,
   std::vector<Impulse<T>> correction{};  ///< and what each one needs, zero for all the others

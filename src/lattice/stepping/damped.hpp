@@ -166,6 +166,7 @@ struct WithLedger {
   double step;
   int halvings;
 
+  /// Advances like every stepper (integrate.hpp), and notes what was lost in the memory.
   double advance(const Chain& chain, State<double>& state, Window& window, double h,
                  std::size_t count) const {
     return damped.advance(chain, state, window, h, count, memory);

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "lattice/model/typed.hpp"
+#include "lattice/numbers/interrupt.hpp"
 
 namespace lattice {
 
@@ -58,6 +59,7 @@ Run evolve(const Advance& advance, const Chain& chain, State<double>& state, con
   Run run{.t_end = t0};
   if (!look(state)) return run;
   for (std::size_t k = 1; k <= grid.samples; ++k) {
+    heed_stop();
     run.work += advance(state, window, grid.step(), grid.steps);
     run.steps += grid.steps;
     // Times are multiples of the interval and not sums of steps, so that rounding does not pile up

@@ -35,6 +35,7 @@ struct Stage {
   T kick, drift;
 };
 
+/// The number of stages of `steps` steps.
 std::size_t stage_count(const Scheme& scheme, std::size_t steps);
 
 /**
@@ -63,6 +64,7 @@ struct TimeGrid {
   double duration = 0;
   std::size_t samples = 0, steps = 1;
 
+  /// Time between two samples, and length of a step.
   double interval() const { return samples > 0 ? duration / double(samples) : 0; }
   double step() const { return interval() / double(steps); }
 };
@@ -146,6 +148,7 @@ state is not shown. */
 Run evolve(const Advance& advance, const Chain& chain, State<double>& state, const TimeGrid& grid,
            const Look& look);
 
+/// The same with any stepper; an observer that returns nothing never stops the run.
 template <class Stepper, class Observer>
 Run evolve(const Stepper& stepper, const Chain& chain, State<double>& state, const TimeGrid& grid,
            Observer observe) {

@@ -53,6 +53,7 @@ choice is the loosest: in a chain most of which is at rest, the mean is taken ov
 error. */
 enum class ErrorNorm { largest, two, rms };
 
+/// Tolerances and norm of a controlled step; the defaults are those of common programs.
 struct StepControl {
   double relative = 1e-3, absolute = 1e-6;
   ErrorNorm norm = ErrorNorm::rms;

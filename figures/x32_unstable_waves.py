@@ -1,0 +1,43 @@
+"""Figure x32: growth of modulations of plane waves without precompression, and the chain against it."""
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+import draw
+
+data, out = draw.arguments()
+folder = f"{data}/sec5_growth"
+growth = draw.read(f"{folder}/growth.ecsv")
+edge = draw.read(f"{folder}/edge.ecsv")
+chain = draw.read(f"{folder}/chain_growth.ecsv")
+
+figure, (chart, order) = plt.subplots(1, 2, figsize=(draw.TWO_COLUMNS, 75 * draw.MM))
+
+image, extent = draw.grid(growth, "q", "modulation", "growth")
+scaled = [x / np.pi for x in extent]
+shown = chart.imshow(np.where(image > 0, image, np.nan), extent=scaled, origin="lower",
+                     aspect="auto", cmap="viridis", interpolation="nearest")
+figure.colorbar(shown, ax=chart, label=r"growth rate (at $|A|=1$)", pad=0.02)
+for short in (True, False):
+    rows = (np.cos(edge["q"]) > -0.2) == short
+    chart.plot(edge["q"][rows] / np.pi, edge["edge"][rows] / np.pi, "-", color="#D55E00", lw=1.2,
+               label="edge of the band" if short else None)
+    chart.plot(edge["q"][rows] / np.pi, edge["fastest"][rows] / np.pi, "--", color="black", lw=0.9,
+               label="fastest" if short else None)
+chart.set(xlabel=r"wavenumber $q/\pi$ of the wave", ylabel=r"wavenumber $Q/\pi$ of the modulation",
+          xlim=(0.4, 1), ylim=(0, 1))
+chart.text(0.46, 0.4, "stable", ha="center")
+chart.legend(loc="upper right")
+draw.letter(chart, "a")
+
+marks = [("#0072B2", "o"), ("#E69F00", "s"), ("#009E73", "^"), ("#CC79A7", "D"), ("#D55E00", "v")]
+for (color, mark), q in zip(marks, sorted(np.unique(np.round(chain["q"], 9)), reverse=True)):
+    rows = draw.where(chain, "q", q)
+    order.loglog(rows["eps"], rows["apart"], mark + "-", color=color, ms=3.5, lw=0.7, mfc="white",
+                 label=r"$q = \pi$" if q > 3.14 else rf"$q = {q / np.pi:.3g}\pi$")
+sizes = np.array([1e-7, 1e-4])
+order.loglog(sizes, 0.4 * np.sqrt(sizes), "k:", lw=0.9, label=r"slope $\frac{1}{2}$")
+order.set(xlabel=r"amplitude scale $\epsilon$", ylabel="relative difference of the growth")
+order.legend(loc="lower right", fontsize=6)
+draw.letter(order, "b")
+draw.save(figure, out)

@@ -1,0 +1,118 @@
+"""What others are told of this repository: its version, title, authors and licences, and the article behind it.
+
+codemeta.json is the one place where that is written; it is JSON because CMake, Python and the world read it alike.
+`make refresh` writes from it CITATION.cff (for GitHub and reference managers), .zenodo.json (for the archive) and
+paper/metadata.yaml (for ReScience C); CMakeLists.txt takes the version from it, the paper its title and keywords."""
+
+import json
+from pathlib import Path
+
+from . import ecsv
+
+SOURCE = "codemeta.json"
+NOTE = f"# Written by `make refresh` from {SOURCE}; do not edit.\n"
+REQUIRED = ("name", "version", "description", "keywords", "author", "license", "referencePublication")
+
+
+def read(root):
+    """The metadata; Fault if it cannot be used."""
+    path = Path(root) / SOURCE
+    try:
+        meta = json.loads(ecsv.text_of(path))
+    except json.JSONDecodeError as error:
+        raise ecsv.Fault(f"{path}: line {error.lineno}: no JSON ({error.msg})") from None
+    for name in REQUIRED:
+        if not meta.get(name):
+            raise ecsv.Fault(f"{path}: there is no '{name}'")
+    return meta
+
+
+def licences(meta):
+    """The identifiers of SPDX; the first is that of the code."""
+    return [url.rsplit("/", 1)[-1] for url in meta["license"]]
+
+
+def article(meta):
+    """What the article is cited by, under the names of CITATION.cff."""
+    a = meta["referencePublication"]
+    return {"type": "article", "title": a["name"],
+            "authors": [{"family-names": p["familyName"], "given-names": p["givenName"]} for p in a["author"]],
+            "journal": a["isPartOf"]["isPartOf"]["name"], "volume": int(a["isPartOf"]["volumeNumber"]),
+            "start": a["pageStart"], "end": a["pageEnd"], "year": int(a["datePublished"]),
+            "doi": a["@id"].removeprefix("https://doi.org/")}
+
+
+def yaml(value, indent=0):
+    """A value in YAML: texts are quoted as in JSON, which YAML reads."""
+    lead = "  " * indent
+    if isinstance(value, dict):
+        return "".join(f"{lead}{key}:{nested(item, indent)}" for key, item in value.items())
+    return "".join(f"{lead}- {yaml(item, indent + 1).lstrip() if isinstance(item, dict) else scalar(item)}" for item in value)
+
+
+def nested(item, indent):
+    return "\n" + yaml(item, indent + 1) if isinstance(item, (dict, list)) else " " + scalar(item) if item != "" else "\n"
+
+
+def scalar(item):
+    return json.dumps(item, ensure_ascii=False) + "\n"
+
+
+def citation(meta):
+    """CITATION.cff, version 1.2.0 of the format."""
+    return NOTE + yaml({
+        "cff-version": "1.2.0",
+        "message": "If you use this software, please cite it together with the article that it reproduces.",
+        "type": "software", "title": meta["name"], "version": meta["version"], "abstract": meta["description"],
+        "keywords": meta["keywords"], "license": licences(meta),
+        "authors": [{"name": a["name"]} for a in meta["author"]], "references": [article(meta)]})
+
+
+def zenodo(meta):
+    """.zenodo.json, the form of a deposit. It has room for one licence; that of texts and data stands in the notes."""
+    code, *others = licences(meta)
+    return json.dumps({
+        "upload_type": "software", "title": meta["name"], "version": meta["version"],
+        "description": f"<p>{meta['description']}</p>", "creators": [{"name": a["name"]} for a in meta["author"]],
+        "keywords": meta["keywords"], "access_right": "open", "license": code,
+        "notes": f"Source code under {code}; texts, figures and tables under {', '.join(others)}.",
+        "related_identifiers": [{"identifier": article(meta)["doi"], "relation": "isDerivedFrom", "scheme": "doi"}],
+    }, ensure_ascii=False, indent=2) + "\n"
+
+
+def cited(a):
+    """The article as one line of text."""
+    names = ", ".join(f"{p['given-names']} {p['family-names']}" for p in a["authors"])
+    return f"{names}, {a['title']}, {a['journal']} {a['volume']} ({a['year']}) {a['start']}-{a['end']}"
+
+
+def rescience(meta):
+    """paper/metadata.yaml, what ReScience C asks of a replication. What is known at submission or after
+    acceptance only stays empty."""
+    a = article(meta)
+    return NOTE + yaml({
+        "title": f"[Re] {a['title']}",
+        "authors": [{"name": one["name"], "orcid": "", "email": "", "affiliations": ""} for one in meta["author"]],
+        "affiliations": [{"code": "", "name": "", "address": ""}],
+        "keywords": ", ".join(["rescience c", *meta["programmingLanguage"], *meta["keywords"]]),
+        "code": [{"url": meta.get("codeRepository", "")}, {"doi": meta.get("identifier", "")}, {"swh": ""}],
+        "data": [{"url": meta.get("codeRepository", "")}, {"doi": meta.get("identifier", "")}],
+        "replication": [{"cite": cited(a)}, {"bib": "james2013breathers"}, {"url": f"https://doi.org/{a['doi']}"},
+                        {"doi": a["doi"]}],
+        "abstract": meta["description"], "bibliography": "refs.bib", "type": "Replication",
+        "domain": "Nonlinear Physics", "language": meta["programmingLanguage"][0],
+        "review": [{"url": ""}],
+        "contributors": [{"name": "", "orcid": "", "role": role} for role in ("editor", "reviewer", "reviewer")],
+        "dates": [{"received": ""}, {"accepted": ""}, {"published": ""}],
+        "article": [{"number": ""}, {"doi": ""}, {"url": ""}],
+        "journal": [{"name": "ReScience C"}, {"issn": "2430-3658"}, {"volume": ""}, {"issue": ""}]})
+
+
+FILES = {"CITATION.cff": citation, ".zenodo.json": zenodo, "paper/metadata.yaml": rescience}
+
+
+def generated(root):
+    """(path, text) of every file that says the same to somebody else."""
+    meta = read(root)
+    for name, write in FILES.items():
+        yield Path(root) / name, write(meta)

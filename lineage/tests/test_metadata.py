@@ -1,0 +1,85 @@
+"""One version, one title, one article: what GitHub, the archive, ReScience C, CMake, the changelog and the paper are told."""
+
+import importlib.util
+import json
+import re
+import unittest
+
+from lineage import ecsv, metadata
+
+from . import ROOT, Scratch
+
+# What the schemas of CITATION.cff 1.2.0 and of a deposit at Zenodo allow at their top, and what they require.
+CITATION = ({"abstract", "authors", "cff-version", "commit", "contact", "date-released", "doi", "identifiers", "keywords",
+             "license", "license-url", "message", "preferred-citation", "references", "repository", "repository-artifact",
+             "repository-code", "title", "type", "url", "version"}, {"authors", "cff-version", "message", "title"})
+ZENODO = ({"upload_type", "title", "version", "description", "creators", "contributors", "keywords", "access_right", "license",
+           "notes", "related_identifiers", "publication_date", "communities", "grants", "references", "language", "doi"},
+          {"upload_type", "title", "description", "creators", "access_right"})
+RESCIENCE = {"title", "authors", "affiliations", "keywords", "code", "data", "replication", "abstract", "bibliography", "type",
+             "domain", "language", "review", "contributors", "dates", "article", "journal"}
+
+
+def keys(yaml):
+    return set(re.findall(r"^([a-z-]+):", yaml, re.M))
+
+
+class Told(unittest.TestCase):
+    def setUp(self):
+        self.meta = metadata.read(ROOT)
+        self.texts = {name: ecsv.text_of(ROOT / name) for name in metadata.FILES}
+
+    def test_each_file_has_what_its_readers_ask_for_and_nothing_else(self):
+        for found, (allowed, required) in [(keys(self.texts["CITATION.cff"]), CITATION),
+                                           (set(json.loads(self.texts[".zenodo.json"])), ZENODO),
+                                           (keys(self.texts["paper/metadata.yaml"]), (RESCIENCE, RESCIENCE))]:
+            self.assertEqual((found - allowed, required - found), (set(), set()))
+        reference = re.findall(r"^  (?:- |  )([a-z-]+):", self.texts["CITATION.cff"].split("references:")[1], re.M)
+        self.assertEqual({"type", "title", "authors"} - set(reference), set())
+
+    def test_one_version(self):
+        version = self.meta["version"]
+        self.assertRegex(version, r"^\d+\.\d+\.\d+$")
+        self.assertIn(f'version: "{version}"\n', self.texts["CITATION.cff"])
+        self.assertEqual(json.loads(self.texts[".zenodo.json"])["version"], version)
+        headings = re.findall(r"^## (\S+)", ecsv.text_of(ROOT / "CHANGELOG.md"), re.M)
+        self.assertEqual(next(h for h in headings if h != "Unreleased"), version)
+        cmake = ecsv.text_of(ROOT / "CMakeLists.txt")
+        self.assertIn('string(JSON version GET "${codemeta}" version)', cmake)
+        self.assertIn("project(lattice VERSION ${version} ", cmake)
+
+    def test_the_article_is_that_of_the_bibliography(self):
+        a, bib = metadata.article(self.meta), ecsv.text_of(ROOT / "paper/refs.bib").split("@article{james2013breathers,")[1]
+        said = {name: re.search(rf"\b{name}\s*=\s*\{{(.*?)\}}[,\n]", bib)[1].replace("{H}", "H")
+                for name in ("title", "journal", "volume", "pages", "year", "doi")}
+        self.assertEqual(said, {"title": a["title"], "journal": a["journal"], "volume": str(a["volume"]),
+                                "pages": f"{a['start']}--{a['end']}", "year": str(a["year"]), "doi": a["doi"]})
+        self.assertIn(a["title"], ecsv.text_of(ROOT / "README.md").replace("\n", " "))
+
+    def test_both_licences_are_those_of_the_text(self):
+        code, text = metadata.licences(self.meta)
+        said = ecsv.text_of(ROOT / "LICENSE")
+        self.assertIn(f"{code} License", said)
+        self.assertIn("creativecommons.org/licenses/by/4.0", said)
+        self.assertEqual(text, "CC-BY-4.0")
+
+    @unittest.skipUnless(importlib.util.find_spec("yaml"), "python3-yaml is not installed")
+    def test_our_yaml_is_yaml(self):
+        import yaml
+        said = yaml.safe_load(self.texts["CITATION.cff"])
+        self.assertEqual((said["title"], said["references"][0]), (self.meta["name"], metadata.article(self.meta)))
+        self.assertEqual(yaml.safe_load(self.texts["paper/metadata.yaml"])["abstract"], self.meta["description"])
+        value = {"a": ["x: #1", {"b": "", "c": 2}], "d": "\"'\\"}
+        self.assertEqual(yaml.safe_load(metadata.yaml(value)), {**value, "a": ["x: #1", {"b": None, "c": 2}]})
+
+
+class Faults(Scratch):
+    def test_what_cannot_be_used_is_named(self):
+        good = self.read("codemeta.json")
+        self.assertEqual(self.lineage("refresh")[0], 0)
+        self.write("codemeta.json", good.replace('"1.0.0"', '"1.0.1"'))
+        self.assertIn("stale  " + str(self.root / "CITATION.cff"), self.lineage("refresh", "--check")[1])
+        self.write("codemeta.json", good.replace('"version"', '"versoin"'))
+        self.refuses("refresh", "codemeta.json: there is no 'version'")
+        self.write("codemeta.json", good[:-5])
+        self.refuses("refresh", "codemeta.json: line", "no JSON")

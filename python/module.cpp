@@ -1,0 +1,428 @@
+/**
+# The Python module: how
+
+Each function of the module runs the command of the same meaning (src/commands): it reads its options as a
+program reads its line, computes, and returns the same tables. So bits, ranges and complaints are those of the
+programs, and nothing is decided here. What is added is what Python needs: arrays, exceptions, potentials that
+are written in Python, and a way to stop. The package around it (lattice/__init__.py) has the names and the
+documentation. */
+
+#include <gsl/gsl_errno.h>
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <deque>
+#include <exception>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "commands/dps_strike.hpp"
+#include "commands/multipliers.hpp"
+#include "commands/one_barrier.hpp"
+#include "commands/one_breather.hpp"
+#include "commands/one_impact.hpp"
+#include "commands/one_orbit.hpp"
+#include "lattice/numbers/interrupt.hpp"
+#include "lattice/numbers/parallel.hpp"
+#include "report/command_line.hpp"
+#include "report/model_options.hpp"
+
+namespace py = pybind11;
+using namespace lattice;
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+/**
+## Long work
+
+A computation runs in a thread of its own, without the lock of the interpreter, while the calling thread waits
+and asks from time to time whether the user has pressed Ctrl-C. If so, the computation is told to stop. */
+template <class Compute>
+auto at_work(Compute compute) {
+  std::atomic<bool> stop{false};
+  std::optional<decltype(compute())> out;
+  std::exception_ptr error;
+  {
+    const py::gil_scoped_release without_lock;
+    std::mutex guard;
+    std::condition_variable over;
+    bool done = false;
+    std::thread worker([&] {
+      const Interruptible with_flag(&stop);
+      try {
+        out.emplace(compute());
+      } catch (...) {
+        error = std::current_exception();
+      }
+      const std::lock_guard lock(guard);
+      done = true;
+      over.notify_one();
+    });
+    std::unique_lock lock(guard);
+    while (!over.wait_for(lock, std::chrono::milliseconds(50), [&] { return done; })) {
+      lock.unlock();
+      if (const py::gil_scoped_acquire with_lock; !stop && PyErr_CheckSignals() != 0) stop = true;
+      lock.lock();
+    }
+    lock.unlock();
+    worker.join();
+  }
+  if (PyErr_Occurred()) throw py::error_already_set();
+  if (error) std::rethrow_exception(error);
+  return std::move(*out);
+}
+
+/**
+## Potentials that are written in Python
+
+A well or a contact of one's own is three functions of an array. A row of numbers is one call, in which the
+interpreter's lock is held; without rows a chain of a hundred beads would make a hundred calls. The functions
+belong to Python, so the last owner takes the lock to let go of them. */
+struct Functions {
+  py::function energy, force, stiffness;
+};
+
+class Rows {
+ public:
+  explicit Rows(const Functions& functions)
+      : functions_(new Functions(functions), [](const Functions* last) {
+          const py::gil_scoped_acquire with_lock;
+          delete last;
+        }) {}
+
+  template <class T>
+  void energies(const T* x, T* out, std::size_t n) const {
+    call(&Functions::energy, "energy", x, out, n);
+  }
+  template <class T>
+  void forces(const T* x, T* out, std::size_t n) const {
+    call(&Functions::force, "force", x, out, n);
+  }
+  template <class T>
+  void stiffnesses(const T* x, T* out, std::size_t n) const {
+    call(&Functions::stiffness, "stiffness", x, out, n);
+  }
+  // A single number is a row of one
+  template <class T>
+  T energy(T x) const {
+    return energies(&x, &x, 1), x;
+  }
+  template <class T>
+  T force(T x) const {
+    return forces(&x, &x, 1), x;
+  }
+  template <class T>
+  T stiffness(T x) const {
+    return stiffnesses(&x, &x, 1), x;
+  }
+
+ private:
+  template <class T>
+  void call(py::function Functions::*which, const char* name, const T* x, T* out,
+            std::size_t n) const {
+    const py::gil_scoped_acquire with_lock;
+    const py::array_t<T> given(py::ssize_t(n), x);
+    const auto answer =
+        py::array_t<T, py::array::c_style | py::array::forcecast>(((*functions_).*which)(given));
+    if (std::size_t(answer.size()) != n)
+      throw std::invalid_argument(std::string(name) + " returns " + std::to_string(answer.size()) +
+                                  " numbers for " + std::to_string(n));
+    std::copy_n(answer.data(), n, out);
+  }
+  std::shared_ptr<const Functions> functions_;
+};
+
+struct RowWell : Rows {
+  double edge;
+  RowWell(const Functions& functions, double rim) : Rows(functions), edge(rim) {}
+  double rim() const { return edge; }
+};
+
+struct RowContact : Rows {
+  double open, exponent;
+  RowContact(const Functions& functions, double opening, double power)
+      : Rows(functions), open(opening), exponent(power) {}
+  double opening() const { return open; }
+};
+
+/**
+## Options
+
+A command reads words, as in a program. `options` tells what there is to be said, for signatures and
+documentation. */
+template <class Command>
+struct Spoken {
+  Command command{};
+  std::deque<Offer> offers{};
+
+  Spoken() {
+    offers.emplace_back();
+    Offer& offer = offers.emplace_back();
+    offer.name = Command::title.name;
+    command.parameters(offer.parameters);
+  }
+  Spoken(const Spoken&) = delete;
+  Spoken& operator=(const Spoken&) = delete;
+};
+
+template <class Command>
+Command read(Words words) {
+  Spoken<Command> spoken;
+  words.insert(words.begin(), Command::title.name);
+  if (read_line(spoken.offers, words).what != Asked::What::run)
+    throw UsageError("--help: is for programs (allowed: Python's own help)");
+  return spoken.command;
+}
+
+/// Name, whether it is a flag, what is allowed, meaning and default of every option.
+template <class Command>
+py::list options() {
+  const Spoken<Command> spoken;
+  py::list out;
+  for (const Option& p : spoken.offers.back().parameters.all())
+    out.append(py::make_tuple(p.name, p.takes == Option::Takes::flag, p.check.allowed, p.meaning,
+                              p.standard));
+  return out;
+}
+
+/**
+A chain is described by the options that all programs share, and beyond them by masses and stiffnesses. */
+struct OwnChain {
+  static constexpr Title title{"chain", "a chain"};
+  Chain chain{};
+
+  void parameters(Parameters& p) {
+    p.add("sites", chain.sites, "number of beads (default: as long as needed)", {2, 1e6});
+    add_well(p, chain.well);
+    add_contact(p, chain.contact);
+    add_ends(p, chain.ends);
+  }
+};
+
+Chain make_chain(const Words& words, const std::vector<double>& mass,
+                 const std::vector<double>& eta, const RowWell* well, const RowContact* contact) {
+  Chain chain = read<OwnChain>(words).chain;
+  if (well) chain.well = *well;
+  if (contact) chain.contact = *contact;
+  if (!mass.empty() || !eta.empty()) vary(chain, mass, eta);
+  return chain;
+}
+
+/**
+## Tables
+
+A column becomes an array of its own type. */
+py::object array_of(const std::vector<double>& x) {
+  return py::array_t<double>(py::ssize_t(x.size()), x.data());
+}
+
+py::object column_of(const Table& table, std::size_t k) {
+  if (table.columns[k].kind == Kind::real) return array_of(table.numbers(table.columns[k].name));
+  py::list out;
+  for (const auto& row : table.rows)
+    std::visit([&](const auto& cell) { out.append(cell); }, row[k]);
+  if (table.columns[k].kind == Kind::integer) return py::array::ensure(out);
+  return out;
+}
+
+py::dict to_python(const Table& table) {
+  py::dict out;
+  for (std::size_t k = 0; k < table.columns.size(); ++k)
+    out[py::str(table.columns[k].name)] = column_of(table, k);
+  return out;
+}
+
+py::dict to_python(const Track& track) {
+  py::dict out;
+  out["t"] = array_of(track.t);
+  out["centre"] = array_of(track.centre);
+  out["energy"] = array_of(track.energy);
+  out["peak"] = array_of(track.peak);
+  return out;
+}
+
+/// Both tables of a command, as dictionaries of columns.
+template <class Command, class Found>
+py::tuple answer(const Command& command, const Found& found) {
+  const auto tables = at_work([&] {
+    return std::pair{command.quantities(found), command.profile(found)};
+  });
+  return py::make_tuple(to_python(tables.first), to_python(tables.second));
+}
+
+/**
+## The commands */
+py::tuple strike_chain(const Words& words, const Chain* chain) {
+  auto command = read<OneImpact>(words);
+  if (chain) command.impact.chain = *chain;
+  const auto found = at_work([&] { return command.find(); });
+  return answer(command, found) +
+         py::make_tuple(to_python(found.runs.fine.track), found.impact.chain);
+}
+
+py::tuple one_breather(const Words& words, const RowWell* well) {
+  auto command = read<OneBreather>(words);
+  if (well) command.onsite = *well;
+  const auto found = at_work([&] { return command.find(); });
+  return answer(command, found) + py::make_tuple(found.problem.chain);
+}
+
+py::tuple all_multipliers(const Words& words, const RowWell* well) {
+  auto command = read<Multipliers>(words);
+  if (well) command.onsite = *well;
+  return answer(command, at_work([&] { return command.find(); }));
+}
+
+py::tuple one_orbit(const Words& words) {
+  const auto command = read<OneOrbit>(words);
+  const auto found = at_work([&] { return command.find(); });
+  return answer(command, found) + py::make_tuple(found.problem.chain);
+}
+
+py::tuple one_barrier(const Words& words) {
+  const auto command = read<OneBarrier>(words);
+  return py::make_tuple(to_python(at_work([&] { return command.table(); })));
+}
+
+py::tuple dps_strike(const Words& words) {
+  const auto command = read<DpsStrike>(words);
+  const auto found = at_work([&] { return command.find(); });
+  return answer(command, found) + py::make_tuple(to_python(found[1].track));
+}
+
+/**
+## A chain in motion
+
+Any motion of a chain can be followed, with the error of its end. */
+State<double> state_of(const Chain& chain, const std::vector<double>& y,
+                       const std::vector<double>& v) {
+  for (const auto* q : {&y, &v})
+    if (q->size() != chain.sites)
+      throw UsageError("a state has " + std::to_string(q->size()) +
+                       " entries (allowed: " + std::to_string(chain.sites) + ", one per site)");
+  State<double> state(chain.sites);
+  state.y = y, state.v = v;
+  return state;
+}
+
+py::tuple evolve_chain(const Chain& chain, const std::vector<double>& y,
+                       const std::vector<double>& v, double time, double sample, double tolerance) {
+  struct Seen {
+    std::vector<double> t{}, y{}, v{};
+    Run run{};
+  };
+  State<double> state = state_of(chain, y, v);
+  const Seen seen = at_work([&] {
+    Seen all;
+    all.run = evolve_to(tolerance, chain, state, time, sample, [&](const State<double>& now) {
+      all.t.push_back(now.t);
+      all.y.insert(all.y.end(), now.y.begin(), now.y.end());
+      all.v.insert(all.v.end(), now.v.begin(), now.v.end());
+    });
+    return all;
+  });
+  const auto rows = [&](const std::vector<double>& x) {
+    return py::array_t<double>({py::ssize_t(seen.t.size()), py::ssize_t(chain.sites)}, x.data());
+  };
+  return py::make_tuple(array_of(seen.t), rows(seen.y), rows(seen.v), seen.run.error,
+                        seen.run.energy_drift);
+}
+
+py::object density_of(const Chain& chain, const std::vector<double>& y,
+                      const std::vector<double>& v) {
+  return array_of(at_work([&] { return energy_density(chain, state_of(chain, y, v)); }));
+}
+
+py::object accelerations_of(const Chain& chain, const std::vector<double>& y) {
+  return array_of(at_work([&] { return accelerations(chain, state_of(chain, y, y).y); }));
+}
+
+/**
+## Complaints
+
+Whatever is wrong is said in the one line that the programs print: a ValueError if the input cannot be used, a
+RuntimeError if the computation did not deliver what it promised. */
+void say(PyObject* kind, std::string line) {
+  std::replace(line.begin(), line.end(), '\n', ' ');
+  PyErr_SetString(kind, line.c_str());
+}
+
+void translate(std::exception_ptr error) {
+  try {
+    if (error) std::rethrow_exception(error);
+  } catch (const py::error_already_set&) {
+    throw;  // Python's own exceptions pass
+  } catch (const py::builtin_exception&) {
+    throw;
+  } catch (const UsageError& e) {
+    say(PyExc_ValueError, e.what());
+  } catch (const std::invalid_argument& e) {
+    say(PyExc_ValueError, e.what());
+  } catch (const std::runtime_error& e) {
+    say(PyExc_RuntimeError, e.what());
+  }
+}
+
+// What can be made: potentials and chains
+void add_model(py::module_& m) {
+  const auto functions = [](py::function e, py::function f, py::function s) {
+    return Functions{std::move(e), std::move(f), std::move(s)};
+  };
+  py::class_<RowWell>(m, "Well")
+      .def(py::init([=](py::function e, py::function f, py::function s, double rim) {
+        return RowWell(functions(std::move(e), std::move(f), std::move(s)), rim);
+      }))
+      .def_property_readonly("rim", &RowWell::rim);
+  py::class_<RowContact>(m, "Contact")
+      .def(py::init([=](py::function e, py::function f, py::function s, double opening,
+                        double exponent) {
+        return RowContact(functions(std::move(e), std::move(f), std::move(s)), opening, exponent);
+      }))
+      .def_property_readonly("opening", &RowContact::opening)
+      .def_readonly("exponent", &RowContact::exponent);
+  py::class_<Chain>(m, "Chain")
+      .def(py::init(&make_chain))
+      .def(py::init<const Chain&>())
+      .def_readonly("sites", &Chain::sites)
+      .def_property_readonly("onsite", [](const Chain& c) { return describe<Well>(c.well); })
+      .def_property_readonly("contact", [](const Chain& c) { return describe<Contact>(c.contact); })
+      .def_property_readonly("ends", [](const Chain& c) { return ends_names[int(c.ends)]; })
+      .def_property_readonly("mass", [](const Chain& c) { return array_of(c.mass); })
+      .def_property_readonly("eta", [](const Chain& c) { return array_of(c.eta); })
+      .def("evolve", &evolve_chain)
+      .def("energy_density", &density_of)
+      .def("accelerations", &accelerations_of);
+}
+
+}  // namespace
+
+PYBIND11_MODULE(_lattice, m) {
+  gsl_set_error_handler_off();  // its errors are ours to report, not a reason to abort
+  py::register_exception_translator(&translate);
+  add_model(m);
+  m.attr("version") = LATTICE_VERSION;
+  m.attr("options") = py::dict(
+      py::arg("Chain") = options<OwnChain>(), py::arg("strike") = options<OneImpact>(),
+      py::arg("breather") = options<OneBreather>(), py::arg("multipliers") = options<Multipliers>(),
+      py::arg("barrier") = options<OneBarrier>(), py::arg("travelling") = options<OneOrbit>(),
+      py::arg("dps") = options<DpsStrike>());
+  m.def("set_threads", &set_threads);
+  m.def("strike", &strike_chain);
+  m.def("breather", &one_breather);
+  m.def("multipliers", &all_multipliers);
+  m.def("travelling", &one_orbit);
+  m.def("barrier", &one_barrier);
+  m.def("dps", &dps_strike);
+}

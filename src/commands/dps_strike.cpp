@@ -1,0 +1,63 @@
+#include "commands/dps_strike.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lattice/numbers/parallel.hpp"
+#include "lattice/packets/impact.hpp"
+
+namespace lattice {
+
+void DpsStrike::parameters(Parameters& p) {
+  p.add("tau", tau, "slow time of the run", {1, 1e4});
+  p.add("sites", sites, "chain length (default: as long as needed)", {2, 1e5});
+  p.add("end", end, "end where the impact is", {{"free", Ends::free}, {"fixed", Ends::fixed}});
+}
+
+DpsOutcome DpsStrike::run(double tolerance, double samples_per_tau) const {
+  std::size_t n = sites;
+  if (n == 0) n = 20 + std::size_t(std::ceil(0.4 * tau));
+  const Dps dps{n, end};
+  const auto samples = std::size_t(std::ceil(samples_per_tau * std::max(tau, 25.0)));
+  return follow_dps(dps, dps_impact(n), tau, samples, tolerance, Unwatched{});
+}
+
+DpsStrike::Found DpsStrike::find() const {
+  Found runs;
+  parallel_for(2, [&](std::size_t k) { runs[k] = run(k ? 1e-11 : 1e-8, k ? 4 : 2); });
+  return runs;
+}
+
+/**
+The error needs both runs, and both give the same five quantities. A test compares the first of them with
+those that the impact chapter measures in a run of its own. */
+Table DpsStrike::quantities(const Found& runs) const {
+  const auto both = [&](auto of) {
+    const bool none = runs[0].track.t.empty() || runs[1].track.t.empty();
+    return none ? Estimate{std::nan(""), std::nan("")} : compare(of(runs[0]), of(runs[1]));
+  };
+  const double to = double(runs[1].end.size()) - 20;
+  Quantities q;
+  q.add("centre", both([](const DpsOutcome& out) { return out.track.centre.back(); }), "site");
+  q.add("speed", both([&](const DpsOutcome& out) {
+          const auto line = out.track.line(fit_from, to);
+          return line ? line->estimate() : Estimate{std::nan(""), std::nan("")};
+        }),
+        "site per tau");
+  q.add("amplitude", both([](const DpsOutcome& out) { return packet_amplitude(out.track); }));
+  q.add("norm_window", both([](const DpsOutcome& out) { return out.track.energy.back(); }));
+  q.add("residual_boundary",
+        both([](const DpsOutcome& out) { return boundary_share(density(out.end), 10); }));
+  return q.table;
+}
+
+Table DpsStrike::profile(const Found& runs) const {
+  Table table{{count("n", "site", "site"), number("real", "real part of A_n at the end"),
+               number("imag", "imaginary part of A_n at the end")}};
+  const Field& field = runs[1].end;
+  for (std::size_t n = 0; n < field.size(); ++n)
+    table.add({n + 1, field[n].real(), field[n].imag()});
+  return table;
+}
+
+}  // namespace lattice

@@ -1,0 +1,43 @@
+#pragma once
+/**
+# The DpS impact with your own parameters
+
+`sec31_dps_limit impact --tau 250` strikes the first site of a DpS chain, $A_1(0) = -i$, and measures
+the packet that runs away, in the way of the impact chapter (sec34_dps_impact.cpp). It prints the
+packet's centre (site), its speed (sites per unit of $\tau$, fitted from site 20 to twenty sites before
+the far end), its amplitude (the largest $|A_n|$ while the centre moves over the last site), its share of
+the norm within five sites of its peak, and the share left on the first ten sites. All are dimensionless
+and hold for every $\epsilon$. The error is the difference from a run with a thousand times the tolerance
+and half the samples; the speed also carries the error of the fit. A quantity that does not exist is
+`nan`. In Python this is `lattice.dps`. */
+
+#include <array>
+#include <cstddef>
+
+#include "lattice/dps/impact.hpp"
+#include "report/program.hpp"
+
+namespace lattice {
+
+/// The command: its parameters (dimensionless), its two runs, its tables.
+struct DpsStrike {
+  static constexpr Title title{"impact", "the DpS impact: its packet and its residue"};
+  double tau = 250;
+  std::size_t sites = 0;  ///< 0: long enough for the packet
+  Ends end = Ends::free;
+
+  void parameters(Parameters& p);
+  using Found = std::array<DpsOutcome, 2>;  ///< the coarser and the finer run
+  /// Throws std::runtime_error if GSL cannot go on.
+  Found find() const;
+  /// Rows `quantity,value,error,unit`.
+  Table quantities(const Found& found) const;
+  /// The field at the end, site by site.
+  Table profile(const Found& found) const;
+  Table table() const { return quantities(find()); }
+
+ private:
+  DpsOutcome run(double tolerance, double samples_per_tau) const;
+};
+
+}  // namespace lattice

@@ -1,0 +1,40 @@
+#pragma once
+/**
+# All multipliers of one breather
+
+`sec33_floquet multipliers --centre site --omega 1.1` prints all Floquet multipliers (floquet.hpp) with their
+errors, those next to $+1$ first, for wells of any name (`--onsite pendulum`). In Python this is
+`lattice.multipliers`. */
+
+#include <complex>
+#include <utility>
+#include <vector>
+
+#include "sec3/breather_options.hpp"
+#include "sec33/exchange.hpp"
+
+namespace lattice {
+
+/**
+The chapter tabulates multipliers under the same headings. */
+Columns multiplier_columns();
+
+/// Every multiplier with its error, the two of the phase pair first.
+std::vector<std::pair<std::complex<double>, double>> multipliers_of(const Spectrum& all);
+
+/// The command: which breather, its spectrum, its tables.
+struct Multipliers : ChosenBreather {
+  static constexpr Title title{"multipliers", "all Floquet multipliers of one breather"};
+
+  void parameters(Parameters& p);
+  using Found = Spectrum;
+  /// The spectrum of the breather, in two precisions. Throws UsageError, NewtonFailed, NoBranch.
+  Found find() const;
+  /// Rows `quantity,value,error,unit` for the pinning pair.
+  Table quantities(const Found& found) const;
+  /// Every multiplier.
+  Table profile(const Found& found) const;
+  Table table() const { return profile(find()); }
+};
+
+}  // namespace lattice

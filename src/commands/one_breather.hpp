@@ -1,0 +1,38 @@
+#pragma once
+/**
+# One breather with your own parameters
+
+`sec32_newton_breathers breather --centre site --omega 1.1` computes one breather of section 3.2. The chain
+must be long enough for it: a bead at the end must not feel that its outer neighbour is missing, and a longer
+chain tells how much it would. `--precision extended` repeats Newton's method in quadruple precision; the error
+is then the difference from a 64-bit mantissa. `--onsite pendulum` takes another well. All have the same
+frequency at rest, so that their families begin alike, and each is followed from there. In Python this is
+`lattice.breather`. */
+
+#include <string>
+
+#include "lattice/orbits/breather_pairs.hpp"
+#include "sec3/breather_options.hpp"
+
+namespace lattice {
+
+/// The command: which breather and in which precision, what Newton finds, its tables.
+struct OneBreather : ChosenBreather {
+  static constexpr Title title{"breather", "one breather: amplitude, energy, area, residual"};
+  std::string precision = "double";
+  bool as_profile = false;
+
+  bool extended() const { return precision == "extended"; }
+  void parameters(Parameters& p);
+
+  using Found = Fitted;
+  /// The breather in double precision. Throws UsageError, NewtonFailed, NoBranch.
+  Found find() const;
+  /// Rows `quantity,value,error,unit`, in the chosen precision.
+  Table quantities(const Found& found) const;
+  /// The positions at t = 0, with relative accuracy at every site.
+  Table profile(const Found& found) const;
+  Table table() const;
+};
+
+}  // namespace lattice

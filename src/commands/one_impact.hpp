@@ -1,0 +1,49 @@
+#pragma once
+/**
+# One impact with your own parameters
+
+`sec34_impact run --velocity 1.87 --s -0.1667 --time 587` measures a single impact in the way of section 3.4
+(sec34_impact.cpp), for any well and, with `--precompression`, for the compressed contacts of section 4. The
+speed is fitted on the way out, from site 20 to twenty sites before the far end; where the packet never
+gets there it is `nan`. Over a long stretch a packet slows down as it sheds energy, so the value
+depends on the window. If a bead runs away the command fails, because then there is no packet to
+measure. It also fails if the motion reaches the far end, unless you choose the end yourself with
+`--sites`: then what it sends back belongs to the run.
+
+In Python this is `lattice.strike`, which also takes chains that no option can describe. */
+
+#include "lattice/packets/impact.hpp"
+#include "report/program.hpp"
+
+namespace lattice {
+
+/**
+The chain is struck with ever smaller steps until the *end states* of two runs agree to this, relative to
+their largest entry. */
+inline constexpr double usual_tolerance = 1e-4;
+
+/// The command: the impact (dimensionless), its two runs, its tables.
+struct OneImpact {
+  static constexpr Title title{"run", "one impact: speed, centre, energies of the packet"};
+  Impact impact{1.87, {0, Quartic{}}, 600};
+  bool as_profile = false;
+  double tolerance = usual_tolerance;
+
+  void parameters(Parameters& p);
+
+  /**
+  A command first computes, and then tells what it found in one way or the other. */
+  struct Found {
+    Impact impact;  ///< on a chain that has a length
+    Refined<ImpactRun> runs;
+  };
+  /// Both runs. Throws RefinementFailed, FarEndReached, and Failure if a bead runs away.
+  Found find() const;
+  /// Rows `quantity,value,error,unit`.
+  Table quantities(const Found& found) const;
+  /// The state at the end, bead by bead.
+  Table profile(const Found& found) const;
+  Table table() const;
+};
+
+}  // namespace lattice

@@ -1,0 +1,223 @@
+#include "commands/one_orbit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <vector>
+
+namespace lattice {
+
+template <class T>
+std::pair<double, double> phase_and_rest(const Shooting<T>& problem, const Orbit<T>& orbit,
+                                         const EventTolerance<T>& rule) {
+  const auto all = multipliers_of(shifted_map(problem.chain, orbit.start, shift_time(orbit), rule));
+  T rest(0);
+  std::vector<std::complex<T>> near = all;
+  std::stable_sort(near.begin(), near.end(),
+                   [](auto a, auto b) { return std::norm(a - T(1)) < std::norm(b - T(1)); });
+  for (std::size_t i = 4; i < near.size(); ++i) rest = std::max(rest, std::abs(near[i]));
+  return {double(phase_kappa(all)), double(rest)};
+}
+
+template std::pair<double, double> phase_and_rest(const Shooting<double>&, const Orbit<double>&,
+                                                  const EventTolerance<double>&);
+template std::pair<double, double> phase_and_rest(const Shooting<long double>&,
+                                                  const Orbit<long double>&,
+                                                  const EventTolerance<long double>&);
+
+/// The largest modulus of a multiplier; one where no growth shows above the error.
+static Estimate largest_modulus(const Pair& phase, const Estimate& rest) {
+  if (rest.value > 1 + rest.error) return rest;
+  const bool grows = phase.kappa.real() > phase.error;
+  return {grows ? multiplier(phase.kappa, 1).real() : 1, phase.multiplier_error()};
+}
+
+/**
+The equations cover one shift; here an orbit runs on. It is integrated over one shift at a time by the method
+that lands on every opening and closing of a contact (landing.hpp), and then the frame moves on by one site.
+What the last site of the frame holds is left behind. */
+static double left_behind(const Shooting<double>& problem, const Orbit<double>& orbit,
+                          std::size_t shifts, const EventTolerance<double>& rule) {
+  State<double> z = orbit.start;
+  const double time = shift_time(orbit);
+  double left = 0;
+  for (std::size_t k = 0; k < shifts; ++k) {
+    flow(problem.chain, z, time, rule);
+    left = std::max(left, std::hypot(z.y.front(), z.v.front()));
+    move_on(z, 1);
+  }
+  return left / orbit.amplitude;
+}
+
+/**
+An orbit can be named by its $k$ or by a shift time near it. */
+void OneOrbit::parameters(Parameters& p) {
+  const Option& type_one = p.add("k", k, "oscillations a site, of type I", {1, 60});
+  p.add("sign", sign, "of the central velocity at t = 0", {"plus", "minus"});
+  const Option& well = p.add("s", s, "anharmonicity of the well", {-10, 10});
+  p.add("near", near, "the orbit without a tail nearest to this shift time", {4, 100})
+      .excludes(type_one)
+      .excludes(well)
+      .shows("none");
+  p.add("reach", reach, "sites on either side of the centre", {2, 10});
+  p.add("profile", as_profile, "the orbit at t = 0 instead of its quantities");
+}
+
+constexpr double two_pi = 2 * std::numbers::pi;
+constexpr Stride in_s{.first = 0.02, .least = 1e-6, .most = 0.3};
+
+static Branch<double> branch_in_s(const Orbit<double>& start, int direction) {
+  const double time = shift_time(start);
+  auto problem = with_free_time(travelling_problem(time, 0, start.start.y.size() / 2 - 1));
+  const Vector<double> x = start.x.size() % 2 ? with_time(start.x, time) : start.x;
+  return {problem, along_s<double>(), newton(problem, x), direction, {}, in_s};
+}
+
+/**
+The branch is followed in double precision, and its end is confirmed in the wider type. */
+static OneOrbit::Found found_with_free_time(const Shooting<double>& problem,
+                                            const Orbit<double>& orbit) {
+  const auto wide = in_precision<long double>(problem);
+  return {problem, orbit, wide, polish(wide, orbit)};
+}
+
+static OneOrbit::Found on_branch(const OneOrbit& choice, const Orbit<double>& start) {
+  const int direction = choice.s > 0 ? 1 : -1;
+  auto branch = branch_in_s(start, direction);
+  try {
+    const Orbit<double> orbit = branch.reach(choice.s);
+    auto problem = branch.problem();
+    problem.chain.well = Quartic{choice.s};
+    return found_with_free_time(problem, orbit);
+  } catch (const NoBranch&) {
+    auto again = branch_in_s(start, direction);
+    const double fold = again.fold();
+    throw UsageError("--s: " + short_text(choice.s) + " has no orbit with k = " +
+                     std::to_string(choice.k) + " and the sign " + choice.sign +
+                     " (allowed: s up to " + short_text(fold) + ", where the branch folds)");
+  }
+}
+
+/**
+The reader may choose the length of the chain. It is too short if its last bead moves so much that the
+missing one would be felt. */
+static void need_reach(const OneOrbit& choice, const Orbit<double>& orbit) {
+  State<double> half = orbit.start;
+  auto problem = travelling_problem(shift_time(orbit), choice.s, choice.reach);
+  flow(problem.chain, half, shift_time(orbit) / 2);
+  const double edge = std::hypot(half.y.back(), half.v.back()) / orbit.amplitude;
+  if (edge > 1e-10)
+    throw UsageError("--reach: " + std::to_string(choice.reach) +
+                     " sites are too few for the tail, whose last bead still moves by " +
+                     short_text(edge) + " of the amplitude (allowed: more sites, at most 10)");
+}
+
+static OneOrbit::Found chosen_type_one(const OneOrbit& choice) {
+  Staircase stairs(choice.sign == "plus" ? 1 : -1, choice.reach);
+  const Orbit<double> orbit = stairs.reach(choice.k);
+  if (choice.s != 0) return on_branch(choice, orbit);
+  const auto problem = type_one<long double>(choice.k, choice.reach);
+  return {type_one<double>(choice.k, choice.reach), orbit, problem, polish(problem, orbit)};
+}
+
+/**
+One can also ask for the orbit without a tail nearest to a shift time. It may be of type I, or of
+type II: those lie at somewhat shorter shift times, on families that begin at the orbits of type I (next
+chapter). We follow the family that begins at the next multiple of $2\pi$ above the time asked for. */
+static OneOrbit::Found chosen_near(const OneOrbit& choice) {
+  const auto above = std::size_t(std::max(1.0, std::ceil(choice.near / two_pi)));
+  Staircase stairs(choice.sign == "plus" ? 1 : -1, choice.reach);
+  const Orbit<double> start = stairs.reach(above);
+  const double end = std::max(choice.near - 0.6, 3.0);
+  const auto members = follow_family(start, std::min(end, shift_time(start)), 0.1);
+  std::vector<OneOrbit::Found> candidates{{type_one<double>(above, choice.reach),
+                                           start,
+                                           type_one<long double>(above, choice.reach),
+                                           {}}};
+  for (std::size_t i = 1; i < members.size(); ++i)
+    if (velocity_sum(members[i - 1]) * velocity_sum(members[i]) < 0) {
+      const Orbit<double> orbit = type_two(members[i - 1], members[i]);
+      const auto problem = with_free_time(travelling_problem(shift_time(orbit), 0, choice.reach));
+      candidates.push_back({problem, orbit, in_precision<long double>(problem), {}});
+    }
+  // If none of them is near, the command fails and names the nearest one
+  const auto distance = [&](const OneOrbit::Found& f) {
+    return std::abs(shift_time(f.orbit) - choice.near);
+  };
+  OneOrbit::Found best =
+      *std::min_element(candidates.begin(), candidates.end(),
+                        [&](auto& a, auto& b) { return distance(a) < distance(b); });
+  if (distance(best) > 0.25)
+    throw UsageError("--near: no orbit without a tail within 0.25 of " + short_text(choice.near) +
+                     " (allowed: a time near one; the nearest is " +
+                     number_text(shift_time(best.orbit)) + ")");
+  best.wide = polish(best.wide_problem, best.orbit);
+  return best;
+}
+
+/**
+The residual is that of the profile as printed, so the wider orbit is rounded first. */
+static double residual_of(const OneOrbit::Found& f) {
+  const Vector<double> printed = f.wide.x.cast<double>();
+  const Vector<long double> x = printed.cast<long double>();
+  return double(sup<long double>(f.wide_problem.shoot(x, {}, false).miss)) / f.orbit.amplitude;
+}
+
+/**
+Every quantity needs an error. Times, speeds and energies are compared between double precision and
+the wider type; what is left behind, and the multipliers of slow orbits, for which the wider type would
+take long, between two tolerances of the landing. */
+Table OneOrbit::quantities(const Found& f) const {
+  const auto peak = [](const auto& problem, const auto& orbit) {
+    const auto e = energy_density(problem.chain, orbit.start);
+    return double(*std::max_element(e.begin(), e.end()));
+  };
+  EventTolerance<double> fine, coarse;
+  coarse.tolerance *= 8;
+  const double t = shift_time(f.orbit), t_wide = double(shift_time(f.wide));
+  const std::size_t shifts = f.problem.chain.sites;
+  const auto narrow = phase_and_rest(f.problem, f.orbit, coarse);
+  const auto better = t < 30 ? phase_and_rest(f.wide_problem, f.wide, {})
+                             : phase_and_rest(f.problem, f.orbit, fine);
+  const Pair phase{better.first, compare(narrow.first, better.first).error};
+  // A tail or a residual that is only rounding is printed as it is, because its smallness is the result
+  Quantities q;
+  q.add("shift_time", compare(t, t_wide), "time");
+  q.add("speed", compare(1 / t, 1 / t_wide), "site per unit of time");
+  q.add("energy", compare(f.orbit.energy, double(f.wide.energy)));
+  q.add("peak", compare(peak(f.problem, f.orbit), peak(f.wide_problem, f.wide)),
+        "largest energy density at t = 0");
+  q.add("tail",
+        compare(left_behind(f.problem, f.orbit, shifts, coarse),
+                left_behind(f.problem, f.orbit, shifts, fine)),
+        "left behind, relative to amplitude");
+  q.add("residual", {residual_of(f), residual_of(f)},
+        "of the profile as printed, relative to amplitude");
+  q.add("multiplier_modulus", largest_modulus(phase, compare(narrow.second, better.second)));
+  return q.table;
+}
+
+/**
+The profile is that of the wider type, rounded to double. */
+Table OneOrbit::profile(const Found& f) const {
+  Table table{{count("n", "site", "site"), number("y", "position at t = 0"),
+               number("v", "velocity at t = 0")}};
+  const long reach = long(f.problem.chain.sites / 2) - 1;
+  for (std::size_t i = 0; i < f.problem.chain.sites; ++i)
+    table.add({long(i) - reach, f.wide.start.y[i], f.wide.start.v[i]});
+  return table;
+}
+
+OneOrbit::Found OneOrbit::find() const {
+  const Found f = near > 0 ? chosen_near(*this) : chosen_type_one(*this);
+  need_reach(*this, f.orbit);
+  return f;
+}
+
+Table OneOrbit::table() const {
+  const Found f = find();
+  return as_profile ? profile(f) : quantities(f);
+}
+
+}  // namespace lattice

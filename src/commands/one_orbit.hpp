@@ -1,0 +1,58 @@
+#pragma once
+/**
+# One travelling breather with your own parameters
+
+`sec5_travelling_breathers orbit` computes one exact travelling breather (travelling.hpp), also in other
+wells. At $s \ne 0$ the sum $Z$ no longer rotates freely, the shift time is an unknown, and we follow the
+branch of orbits that begins at $s = 0$. If it folds before the $s$ that was asked for, the command says where.
+In Python this is `lattice.travelling`. */
+
+#include <cstddef>
+#include <string>
+#include <utility>
+
+#include "report/program.hpp"
+#include "sec5/travelling.hpp"
+
+namespace lattice {
+
+/**
+Do small disturbances grow? The derivative of the flow over $T$, read one site further, is the *shifted
+map* (travelling.hpp), and its eigenvalues are the multipliers per shift. Two of them are one: they
+belong to a shift in time and a change of speed. The pair $\lambda$, $1/\lambda$ of the internal phase
+also lies close to one, so it is judged by $\kappa = (\lambda+\lambda^{-1}-2)/4$: the phase is held if
+$\kappa < 0$, and a disturbance grows if $\kappa > 0$. All other multipliers are judged by their
+moduli. */
+/// kappa of the phase and the largest modulus of the multipliers that do not lie near one.
+template <class T>
+std::pair<double, double> phase_and_rest(const Shooting<T>& problem, const Orbit<T>& orbit,
+                                         const EventTolerance<T>& rule);
+
+/// The command: which orbit, in two precisions, its tables.
+struct OneOrbit {
+  static constexpr Title title{"orbit", "one exact travelling breather"};
+  std::size_t k = 1, reach = usual_reach;
+  std::string sign = "plus";
+  double s = 0, near = 0;
+  bool as_profile = false;
+
+  void parameters(Parameters& p);
+
+  /**
+  Whatever was asked for, the answer comes in two precisions, which give its error. */
+  struct Found {
+    Shooting<double> problem;
+    Orbit<double> orbit;
+    Shooting<long double> wide_problem;
+    Orbit<long double> wide;
+  };
+  /// The orbit. Throws UsageError if there is none, NewtonFailed.
+  Found find() const;
+  /// Rows `quantity,value,error,unit`.
+  Table quantities(const Found& found) const;
+  /// The orbit at t = 0, in the wider type and rounded to double.
+  Table profile(const Found& found) const;
+  Table table() const;
+};
+
+}  // namespace lattice

@@ -1,0 +1,37 @@
+#pragma once
+/**
+# Stopping a long computation
+
+A program that is interrupted ends. A library that computes inside another program cannot do that: it has to
+give up its work and return. So whoever wants to be able to stop a computation lends it a flag, and the long
+loops of the library (samples of a run, landings, parts of a sweep) look at it. No result depends on it. */
+
+#include <atomic>
+
+namespace lattice {
+
+/// Thrown by a computation that was asked to stop. It is no std::exception, so that nobody who is prepared
+/// for a failure takes it for one.
+struct Interrupted {};
+
+/// The flag that this thread looks at, if there is one; `parallel_for` hands it on to its workers.
+inline thread_local const std::atomic<bool>* stop_flag = nullptr;
+
+/// As long as it lives the computations of this thread end soon after `flag` has been set.
+class Interruptible {
+ public:
+  explicit Interruptible(const std::atomic<bool>* flag) : before_(stop_flag) { stop_flag = flag; }
+  ~Interruptible() { stop_flag = before_; }
+  Interruptible(const Interruptible&) = delete;
+  Interruptible& operator=(const Interruptible&) = delete;
+
+ private:
+  const std::atomic<bool>* before_;
+};
+
+/// Throws Interrupted if this thread was asked to stop.
+inline void heed_stop() {
+  if (stop_flag && stop_flag->load(std::memory_order_relaxed)) throw Interrupted{};
+}
+
+}  // namespace lattice

@@ -1,0 +1,108 @@
+#include "sec5/dps_tracks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "lattice/dps/stationary.hpp"
+#include "lattice/numbers/line_fit.hpp"
+#include "lattice/numbers/random.hpp"
+
+namespace lattice {
+namespace {
+
+constexpr long reach = 2;  ///< sites of a breather on either side of its peak
+
+}  // namespace
+
+void BreatherWatch::look(double tau, const Field& field) {
+  const long n = long(field.size());
+  const auto at = [&](long i) { return field[std::size_t(((i % n) + n) % n)]; };
+  std::vector<double> window(field.size());
+  double mean = 0;
+  for (long i = 0; i < n; ++i) {
+    for (long k = -reach; k <= reach; ++k) window[std::size_t(i)] += std::norm(at(i + k));
+    mean += window[std::size_t(i)] / double(n);
+  }
+  for (Path& path : paths_) path.seen = false;
+  // Peaks of the norm on five sites, with their centres and the energy of their contacts
+  for (long i = 0; i < n; ++i) {
+    const double here = window[std::size_t(i)];
+    bool highest = here > 2 * mean;
+    for (long k = 1; k <= reach && highest; ++k)
+      highest =
+          here >= window[std::size_t((i + k) % n)] && here > window[std::size_t((i - k + n) % n)];
+    if (!highest) continue;
+    double centre = 0, contacts = 0;
+    for (long k = -reach; k <= reach; ++k) centre += double(k) * std::norm(at(i + k)) / here;
+    for (long k = -reach - 1; k <= reach; ++k) {
+      const double d = std::abs(at(i + k + 1) - at(i + k));
+      contacts += 0.4 * (d * d * std::sqrt(d));
+    }
+    meet({tau, double(i) + centre, here, contacts, here > 3 * mean}, double(n));
+  }
+  for (Path& path : paths_) path.alive = path.alive && path.seen;
+}
+
+// The nearest path goes on; on a ring its centre may have gone round
+void BreatherWatch::meet(const Peak& peak, double sites) {
+  Path* nearest = nullptr;
+  double least = 1.5;
+  for (Path& path : paths_) {
+    if (!path.alive || path.seen) continue;
+    const double apart = std::abs(std::remainder(peak.centre - path.centre.back(), sites));
+    if (apart < least) nearest = &path, least = apart;
+  }
+  if (!nearest && !peak.high) return;
+  if (!nearest) nearest = &paths_.emplace_back();
+  Path& path = *nearest;
+  const double before = path.tau.empty() ? peak.centre : path.centre.back();
+  path.tau.push_back(peak.tau);
+  path.centre.push_back(before + std::remainder(peak.centre - before, sites));
+  path.norm += peak.norm, path.energy += peak.energy;
+  path.seen = true;
+}
+
+std::vector<BreatherTrack> BreatherWatch::breathers() const {
+  std::vector<BreatherTrack> out;
+  for (const Path& path : paths_) {
+    const double lived = path.tau.back() - path.tau.front(), seen = double(path.tau.size());
+    if (lived < least_) continue;
+    const auto [low, high] = std::minmax_element(path.centre.begin(), path.centre.end());
+    out.push_back({path.tau.front(), lived, path.norm / seen, path.energy / seen,
+                   fit_line(path.tau, path.centre).slope, *high - *low});
+  }
+  return out;
+}
+
+double static_energy(double norm) {
+  static const double unit = stationary<double>(Centre::site, 1.0, 31).norm();
+  return 0.4 * norm * std::sqrt(std::sqrt(norm / unit));
+}
+
+Field noisy_wave(std::size_t sites, int waves, double share, unsigned long seed) {
+  Random random(seed);
+  Field field(sites);
+  for (std::size_t n = 0; n < sites; ++n) {
+    const double real = random.uniform(-share, share), imaginary = random.uniform(-share, share);
+    const double phase = 2 * std::numbers::pi * waves * double(n) / double(sites);
+    field[n] = std::polar(1.0, phase) * std::complex<double>(1 + real, imaginary);
+  }
+  return field;
+}
+
+// Box and Muller's pairs of normal numbers
+Field random_field(std::size_t sites, unsigned long seed) {
+  Random random(seed);
+  Field field(sites);
+  for (auto& a : field) {
+    const double modulus = std::sqrt(-std::log(1 - random.uniform(0, 1)));
+    a = std::polar(modulus, 2 * std::numbers::pi * random.uniform(0, 1));
+  }
+  const double scale = std::sqrt(double(sites) / norm(field));
+  for (auto& a : field) a *= scale;
+  return field;
+}
+
+}  // namespace lattice

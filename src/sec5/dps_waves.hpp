@@ -1,0 +1,158 @@
+#pragma once
+/**
+# Plane waves of the DpS equation and their modulation
+
+A wave $A_n = A\,e^{i(qn-\Omega\tau)}$ solves the DpS equation (dps.hpp) exactly, because all its contacts are
+stretched equally. With $D = |2A\sin\frac q2|^{1/2}$ and the rate $\rho = D/(2\tau_0)$,
+$$\Omega = -4\rho\,\sin^2\tfrac q2.$$
+In the chain it has the frequency $1-\epsilon^{1/2}\Omega$, which is above the band for every $q$.
+
+## What a modulation does
+
+Let $A_n$ be changed by the factor $1+b_n$, $b_n = x\,e^{iQn+\sigma\tau}+\bar y\,e^{-iQn+\bar\sigma\tau}$. To first
+order a force $z|z|^{1/2}$ changes by $|z|^{1/2}(\frac54\delta z+\frac z{4\bar z}\,\delta\bar z)$. Sums over both
+contacts of a bead give, with $c = \cos q$ and $C = \cos Q$,
+$$\frac{i\sigma}\rho\begin{pmatrix}x\\y\end{pmatrix} =
+  \begin{pmatrix}a+e & k\\ -k & e-a\end{pmatrix}\begin{pmatrix}x\\y\end{pmatrix},\qquad
+  a = \tfrac52cC-\tfrac12-2c,\quad e = -\tfrac52\sin q\sin Q,\quad k = \tfrac12(c-C).$$
+So $\sigma = \rho\,(-ie\pm\sqrt{k^2-a^2})$, and the root factorises:
+$$\Bigl(\frac{\mathrm{Re}\,\sigma}\rho\Bigr)^2 = k^2-a^2 =
+  \tfrac14(1+5c)(1-C)\bigl[(5c-1)C-(1+3c)\bigr].$$
+Nothing grows for $c\ge0$. For $c<0$ there is a band with the edge $\cos Q_* = (1+3c)/(5c-1)$. It holds the
+*short* modulations $Q_*<Q\le\pi$ if $-\frac15<c<0$, fastest at $Q = \pi$, and the *long* ones $0<Q<Q_*$ if
+$c<-\frac15$, fastest halfway between $1$ and $\cos Q_*$. At $c = -\frac15$ the growth vanishes for all $Q$.
+No amplitude enters but by $\rho$, and the growth of long modulations is proportional to $Q$. */
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "lattice/dps/evolve.hpp"
+
+namespace lattice {
+
+/// The wave of wavenumber q and modulus `amplitude`; T is double or long double.
+template <class T>
+struct DpsWave {
+  T q, amplitude = 1;
+
+  T rate() const {
+    using std::abs, std::sin, std::sqrt;
+    return sqrt(abs(T(2) * amplitude * sin(q / T(2)))) / T(2 * tau_0());
+  }
+  T frequency() const {
+    using std::sin;
+    const T s = sin(q / T(2));
+    return T(-4) * rate() * (s * s);
+  }
+  /// d Omega / d q, the speed at which the energy goes.
+  T group_velocity() const {
+    using std::cos, std::sin;
+    return T(-5) * rate() * sin(q / T(2)) * cos(q / T(2));
+  }
+  /// The growth rate of a modulation of wavenumber Q, zero if it does not grow.
+  T growth(T Q) const {
+    using std::cos, std::sqrt;
+    const T c = cos(q), C = cos(Q);
+    const T square = (T(1) + T(5) * c) * (T(1) - C) * ((T(5) * c - T(1)) * C - (T(1) + T(3) * c));
+    return square > T(0) ? rate() * sqrt(square) / T(2) : T(0);
+  }
+  /// Whether any modulation grows.
+  bool unstable() const {
+    using std::cos;
+    return cos(q) < T(0) && cos(q) != T(-1) / T(5);
+  }
+  /// The edge Q_* of the band, not a number if there is no band.
+  T edge() const {
+    using std::acos, std::cos;
+    const T c = cos(q);
+    return unstable() ? acos((T(1) + T(3) * c) / (T(5) * c - T(1)))
+                      : std::numeric_limits<T>::quiet_NaN();
+  }
+  /// The modulation that grows fastest, not a number if none grows.
+  T fastest() const {
+    using std::acos, std::cos;
+    if (!unstable()) return std::numeric_limits<T>::quiet_NaN();
+    return cos(q) > T(-1) / T(5) ? std::numbers::pi_v<T> : acos((T(1) + cos(edge())) / T(2));
+  }
+};
+
+/**
+## The same without the formulas
+
+A ring of $N$ sites holds the waves $q = 2\pi k/N$ and the modulations $Q = 2\pi j/N$. In the frame that turns
+with the wave it stands still (evolve.hpp), and differences of the right-hand side of the DpS equation give a
+matrix of $2N$ rows, whose eigenvalues know nothing of the algebra. */
+/// All exponents of the wave with `waves` periods on a ring of `sites`.
+std::vector<std::complex<double>> ring_exponents(std::size_t sites, int waves);
+
+/// The largest distance of an exponent sigma of the closed form, for all modulations that fit on the ring but
+/// Q = 0, from the nearest of the ring, in units of the wave's rate.
+double exponents_apart(std::size_t sites, int waves);
+
+/**
+## Growth that is seen
+
+A run begins with the wave and its growing mode, $x = 1$ and $y = (i\,\mathrm{Re}\,\sigma/\rho-a)/k$, of relative size
+$10^{-7}$. The side band $q+Q$ is fitted from three to nine growth times on, the wave's own component gives the
+frequency. The DpS equation runs on a ring by GSL's method. */
+struct ModulatedWave {
+  std::size_t sites;
+  int waves, turns;
+
+  DpsWave<double> wave() const { return {around(waves)}; }
+  double modulation() const { return around(turns); }
+  double growth() const { return wave().growth(modulation()); }
+  /// The field at the start, with the growing mode of this size. Throws std::invalid_argument if none grows.
+  Field start(double size) const;
+
+ private:
+  double around(int k) const { return 2 * std::numbers::pi * k / double(sites); }
+};
+
+/// Growth of the side band and frequency Omega of the wave, per unit of the slow time.
+struct WaveRates {
+  double growth = 0, frequency = 0;
+};
+
+/// Both rates fitted to a run of the DpS equation with this relative tolerance.
+WaveRates run_in_dps(const ModulatedWave& wave, double tolerance);
+
+/**
+Newton's cradle with linear wells runs from the state that stands for the same field, Eq. (13), and there
+$y_n-i\dot y_n$ takes the place of $2\epsilon A_ne^{it}$. That state is not quite a wave of the chain: it holds
+harmonics $mq$ of the relative size $\epsilon^{1/2}$, which are modulations $(m-1)q$ and grow where these are unstable.
+So only waves will do whose own harmonics are stable, $q = \pi$ and $q = \frac23\pi$. */
+/// The chain at the amplitude `eps`, with steps of at most `step`.
+WaveRates run_in_chain(const ModulatedWave& wave, double eps, double step);
+
+/**
+## The chain's own waves
+
+For all others we compute the wave first. A travelling wave of the chain, $y_n(t) = u(qn+\omega t)$, is in the state of
+its neighbour after the time $q/\omega$ (James 2011 proves that such waves exist near those of the DpS equation). On a ring
+of one period this is a problem for Newton's method: the state and $\omega$ are unknown, the component
+$\frac1N\sum(y_n-i\dot y_n)e^{-iqn} = 2\epsilon$ is given, and least squares deal with the equation that the conserved energy makes
+superfluous. The same map on a longer ring, linearised by differences, has eigenvalues $\lambda$ and growth rates
+$\frac\omega q\ln|\lambda|$, at a cost that does not depend on $\epsilon$. */
+/// A wave of the chain on a ring of one period, with its frequency.
+struct ChainWave {
+  State<double> state;
+  double omega = 1;
+};
+
+/// The wave of the amplitude `eps`, with this many steps for the way to the neighbour's state. Throws
+/// std::runtime_error if Newton's method does not converge.
+ChainWave chain_wave(const ModulatedWave& wave, double eps, std::size_t steps);
+
+/// The largest growth rate among all modulations that fit on the ring, and the frequency, per unit of the slow time.
+WaveRates chain_rates(const ModulatedWave& wave, double eps, std::size_t steps);
+
+/// The largest growth rate of the DpS equation on that ring.
+double largest_growth(const ModulatedWave& wave);
+
+}  // namespace lattice

@@ -1,0 +1,429 @@
+/**
+# 5 Modulational instability without precompression
+
+"An extensive study of MI in the cradle model (with the help of the DpS equation) would be of interest", says
+the conclusion of James, Kevrekidis and Cuevas (Physica D 251, 2013), because such an instability could make
+static breathers where no bead can be set in motion by itself. Here is the study for plane waves.
+
+![Which waves are unstable to which modulations, and how nearly the chain agrees.](fig:x32)
+![What two unstable waves become, and the breathers that they leave.](fig:x33)
+
+Nothing is compressed: every contact is open for half of the time, and there is no linear band. James
+(J. Nonlinear Sci. 2011, arXiv:1008.1153) derived the DpS equation with its plane waves, proved that the chain
+has such waves too, and saw in runs that some of them break up into static and travelling breathers. When they
+do so, and how fast, is said by two lines of algebra. */
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "lattice/numbers/parallel.hpp"
+#include "lattice/stepping/contact_rkn.hpp"
+#include "report/program.hpp"
+#include "sec5/array_units.hpp"
+#include "sec5/dps_tracks.hpp"
+#include "sec5/dps_waves.hpp"
+
+using namespace lattice;
+using std::numbers::pi;
+
+/**
+In short: waves whose neighbours differ in phase by a quarter of a turn or less, $q\le\pi/2$, are stable, and all
+others are unstable but for $\cos q = -\frac15$. The fastest growth has the wave of opposite neighbours, $q = \pi$, with
+[](num:sec5_growth.greatest_growth) per unit of slow time. The chain agrees up to a difference in
+proportion to the root of the amplitude. Breathers that last remain only where the wave has more energy than
+irregular motion of the same norm could take up.
+
+## Model
+
+The wave $A_n = A\,e^{i(qn-\Omega\tau)}$ of the DpS equation, Eq. (12), its frequency, the growth of a
+modulation and the edge of the unstable band are derived in dps_waves.hpp. Since the equation scales, $|A| = 1$
+throughout; growth and frequency go like $|A|^{1/2}$. A bead of the chain then swings by $\pm2\epsilon$, Eq. (13).
+
+| symbol | program | meaning |
+|---|---|---|
+| $q$, $\Omega$ | `q`, `frequency` | wavenumber and frequency of the wave |
+| $Q$, $Q_*$ | `modulation`, `edge` | wavenumber of the modulation, edge of the unstable band |
+| $\mathrm{Re}\,\sigma$ | `growth` | growth rate per unit of the slow time $\tau = \epsilon^{1/2}t$ |
+| $\epsilon$ | `eps` | amplitude scale of the chain |
+
+## The chart
+
+Close to $q = \pi/2$ the shortest modulations grow, neighbours against each other, and where $\cos q$ passes
+$-\frac15$ the band changes sides: from there on it holds the long ones. Long modulations grow in proportion to
+$Q$, not to $Q$ times the amplitude as under precompression (section 4), because here no dispersion acts
+against the nonlinearity: both come from the contacts. */
+void report_chart(Report& report) {
+  const int points = report.quick ? 20 : 60;
+  Table& growth = report.table("growth", {number("q", "wavenumber of the wave", "1/site"),
+                                          number("modulation", "wavenumber Q", "1/site"),
+                                          number("growth", "per unit of slow time, at |A| = 1")});
+  for (int i = 0; i < points; ++i)
+    for (int k = 0; k < points; ++k) {
+      const double q = pi * (0.4 + 0.6 * (i + 0.5) / points), Q = pi * (k + 0.5) / points;
+      growth.add({q, Q, DpsWave<double>{q}.growth(Q)});
+    }
+  Table& edge =
+      report.table("edge", {number("q", "wavenumber of the wave", "1/site"),
+                            number("edge", "of the band", "1/site"),
+                            number("fastest", "modulation that grows fastest", "1/site")});
+  for (int i = 1; i <= 400; ++i) {
+    const DpsWave<double> wave{pi / 2 * (1 + i / 400.0)};
+    edge.add({wave.q, wave.edge(), wave.fastest()});
+  }
+}
+
+/**
+Formulas have no step to halve, so their error is the difference of two precisions. */
+template <class Of>
+Estimate in_two_precisions(double q, Of of) {
+  return compare(double(of(DpsWave<double>{q})), double(of(DpsWave<long double>{q})));
+}
+
+void report_fastest(Report& report) {
+  const auto add = [&](const std::string& name, auto of, const std::string& unit) {
+    report.facts.add(name, in_two_precisions(pi, of), unit);
+  };
+  add(
+      "greatest_growth", [](const auto& w) { return w.growth(w.fastest()); }, "");
+  add(
+      "fastest_modulation", [](const auto& w) { return w.fastest(); }, "1/site");
+  add(
+      "edge_at_pi", [](const auto& w) { return w.edge(); }, "1/site");
+}
+
+/**
+## Two checks without the algebra
+
+The matrix of a ring, from differences of the right-hand side of the DpS equation, must have the exponents of
+the closed form for every wave and modulation that fit on it; the largest distance is
+[](num:sec5_growth.exponents_apart) of the wave's rate. And runs of the DpS equation must show the growth:
+theirs differs by [](num:sec5_growth.dps_runs_apart) at most. */
+std::vector<ModulatedWave> waves_tried() {
+  return {{8, 4, 1}, {12, 4, 2}, {16, 6, 2}, {16, 5, 2}, {34, 9, 17}};
+}
+
+void report_checks(Report& report) {
+  std::array<double, 2> apart{};
+  for (int k = 1; k < 15; ++k) {
+    if (k < 9) apart[0] = std::max(apart[0], exponents_apart(18, k));
+    apart[1] = std::max(apart[1], exponents_apart(30, k));
+  }
+  report.facts.add("exponents_apart", compare(apart[0], apart[1]));
+  Estimate runs{};
+  for (const ModulatedWave& wave : waves_tried()) {
+    const double rough = run_in_dps(wave, 1e-10).growth, fine = run_in_dps(wave, 1e-12).growth;
+    runs = larger(runs,
+                  compare(std::abs(rough / wave.growth() - 1), std::abs(fine / wave.growth() - 1)));
+  }
+  report.facts.add("dps_runs_apart", runs);
+  if (!(apart[1] < 1e-6 && runs.value < 1e-5))
+    throw Failure("the closed form of the growth is not that of the DpS equation");
+}
+
+/**
+## The chain
+
+The limit is reached slowly. Averaging leaves corrections of relative size $\epsilon^{1/2}$, and so do growth and
+frequency approach those of the DpS equation. We follow the chain's own waves, computed by Newton's method, down to
+$\epsilon = 10^{-7}$, and compare the fastest growth on a ring (`chain_rates`, dps_waves.hpp). Between the
+two smallest amplitudes the order is [](num:sec5_growth.order_growth_8_4) at $q = \pi$ and between
+[](num:sec5_growth.order_growth_16_6) and [](num:sec5_growth.order_growth_16_5) at the other four. The
+prefactor is large: at $\epsilon = 10^{-2}$ the wave $q = \pi$ loses more than a quarter of its growth. */
+void report_chain(Report& report) {
+  Table& table = report.table(
+      "chain_growth",
+      {count("sites", "length of the ring", "site"), number("q", "wavenumber", "1/site"),
+       number("eps", "amplitude scale"), number("dps", "largest growth on the ring, DpS equation"),
+       estimate("growth", "the same in the chain"),
+       estimate("apart", "size of its relative difference"),
+       estimate("shift_apart", "relative difference of the frequency shift, its size")});
+  std::vector<double> sizes{1e-2, 1e-3, 1e-4};
+  if (!report.quick) sizes.insert(sizes.end(), {1e-5, 1e-6, 1e-7});
+  struct Point {
+    ModulatedWave wave;
+    double eps;
+  };
+  std::vector<Point> points;
+  for (const ModulatedWave& wave : waves_tried())
+    for (double eps : sizes) points.push_back({wave, eps});
+  table.fill(points, [](const Point& p) {
+    const WaveRates coarse = chain_rates(p.wave, p.eps, 12), fine = chain_rates(p.wave, p.eps, 24);
+    const double dps = largest_growth(p.wave), shift = p.wave.wave().frequency();
+    const auto off = [](double value, double limit) { return std::abs(value / limit - 1); };
+    return Cells{std::int64_t(p.wave.sites),
+                 p.wave.wave().q,
+                 p.eps,
+                 dps,
+                 compare(coarse.growth, fine.growth),
+                 compare(off(coarse.growth, dps), off(fine.growth, dps)),
+                 compare(off(coarse.frequency, shift), off(fine.frequency, shift))};
+  });
+
+  // The order between neighbouring amplitudes; that of the next pair tells how far it is from its limit
+  const auto order = [&](const std::string& column, std::size_t k) {
+    const auto x = table.numbers(column);
+    return std::log10(x[k - 1] / x[k]);
+  };
+  const std::vector<ModulatedWave> waves = waves_tried();
+  for (std::size_t i = 0; i < waves.size(); ++i) {
+    const ModulatedWave& wave = waves[i];
+    const std::string name = std::to_string(wave.sites) + "_" + std::to_string(wave.waves);
+    const std::size_t last = (i + 1) * sizes.size() - 1;
+    report.facts.add("order_growth_" + name,
+                     compare(order("apart", last - 1), order("apart", last)));
+    report.facts.add("order_shift_" + name,
+                     compare(order("shift_apart", last - 1), order("shift_apart", last)));
+  }
+}
+
+/**
+A linearisation may be right and a run show something else. The growth of the side band in runs of the chain is
+measured for the two waves whose harmonics do no harm, at $\epsilon = 10^{-3}$; the runs start from the field of the
+DpS equation, which is a wave of the chain up to $\epsilon^{1/2}$ only. */
+void report_runs(Report& report) {
+  const double eps = 1e-3;
+  for (const ModulatedWave& wave : {waves_tried()[0], waves_tried()[1]}) {
+    const double own = chain_rates(wave, eps, 24).growth;
+    report.facts.add("run_over_eigenvalue_" + std::to_string(wave.sites),
+                     compare(run_in_chain(wave, eps, 0.2).growth / own,
+                             run_in_chain(wave, eps, 0.1).growth / own));
+  }
+}
+
+/**
+In the array of section 3.6 a wave with $q = \pi$ that swings by one micrometre grows e-fold in
+[](num:sec5_growth.periods_at_1um) periods, and a hundredfold in less than five times as many; with the
+amplitude $a$ this goes like $a^{-1/2}$. So whoever can make every second bead swing against the others need not
+set up anything else. */
+void report_array(Report& report) {
+  const double eps = 1 / ArrayUnits{}.micrometres(1) / 2;
+  report.facts.add("periods_at_1um", in_two_precisions(pi, [&](const auto& wave) {
+                     return 1 / (wave.growth(wave.fastest()) * std::sqrt(eps) * 2 * pi);
+                   }));
+}
+
+/**
+## What is left
+
+Eight waves with noise of one per cent (seeds 1 to 8) run for 600 units of slow time on rings of 64 sites; from
+$\tau = 100$ on we look for breathers that live for at least 25 units, about ten of their periods (dps_tracks.hpp).
+These runs are chaotic. A tolerance ten times smaller gives other breathers, so that only means have a meaning:
+their errors are the standard error over the seeds and the difference of both tolerances.
+
+Norm and energy are conserved, and that decides. A field of independent normal amplitudes, the motion of
+infinite temperature, has the energy $\frac25\,2^{5/4}\,\Gamma(\frac94) = $ [](num:sec5_growth.random_energy)
+per site at norm one. A wave with more cannot become as irregular as that; the surplus must gather. This is the argument
+of Rasmussen, Cretegny, Kevrekidis and Grønbech-Jensen (Phys. Rev. Lett. 84, 3740, 2000) for the discrete nonlinear
+Schrödinger equation. Waves pass that energy at $q = $ [](num:sec5_growth.neutral_q), a little beyond $\pi/2$, so
+that nearly all unstable waves are above. */
+struct Leftover {
+  int waves;  ///< on the ring; zero stands for random amplitudes
+  unsigned long seed;
+  std::vector<BreatherTrack> found{};
+  double drift = 0;
+
+  void run(double duration, double tolerance) {
+    const std::size_t sites = 64;
+    Field field = waves > 0 ? noisy_wave(sites, waves, 0.01, seed) : random_field(sites, seed);
+    BreatherWatch watch(25);
+    drift = evolve_dps(Dps{sites, Ends::periodic}, field, duration, std::size_t(duration),
+                       tolerance, [&](double tau, const Field& now) {
+                         if (tau >= duration / 6) watch.look(tau, now);
+                       });
+    found = watch.breathers();
+  }
+};
+
+/// Means over the seeds, one entry a tolerance.
+Estimate over_seeds(const std::vector<std::vector<double>>& values) {
+  std::vector<Estimate> means;
+  for (const auto& v : values) {
+    double mean = 0, square = 0;
+    for (double x : v) mean += x / double(v.size());
+    for (double x : v) square += (x - mean) * (x - mean) / double(v.size() - 1);
+    means.push_back({mean, std::sqrt(square / double(v.size()))});
+  }
+  return compare(means[0], means[1]);
+}
+
+/**
+Energy and norm of a breather are compared with a static one, and its path tells how it moves: we call it at rest if
+it stays within two sites for all of its life. */
+void report_leftovers(Report& report) {
+  const std::vector<int> waves{32, 24, 17, 0};
+  const double duration = report.quick ? 240 : 600, watched = duration * 5 / 6;
+  const unsigned long seeds = report.quick ? 2 : 8;
+  std::vector<Leftover> runs[2];
+  for (int k = 0; k < 2; ++k)
+    for (int w : waves)
+      for (unsigned long seed = 1; seed <= seeds; ++seed) runs[k].push_back({w, seed});
+  parallel_for("breathers", 2 * runs[0].size(), [&](std::size_t i) {
+    const std::size_t k = i / runs[0].size();
+    runs[k][i % runs[0].size()].run(duration, k == 0 ? 1e-7 : 1e-8);
+  });
+  report.output.note("seeds", "1 to " + std::to_string(seeds));
+
+  // The breathers of the finer runs, one by one
+  Table& table = report.table(
+      "breathers",
+      {number("q", "wavenumber of the wave", "1/site"), count("seed", "of the noise"),
+       number("born", "slow time"), number("lived", "slow time"), number("norm", "on five sites"),
+       number("energy", "of their contacts"), number("static_energy", "of a static one"),
+       number("speed", "slope of its path", "site per unit of slow time"),
+       number("strayed", "from its lowest place to its highest", "site")});
+  for (const Leftover& r : runs[1])
+    for (const BreatherTrack& b : r.found)
+      table.add({2 * pi * r.waves / 64, std::int64_t(r.seed), b.born, b.lived, b.norm, b.energy,
+                 static_energy(b.norm), b.speed, b.strayed});
+
+  // Means of each wave: how many at a time, how they move, and their energy
+  for (int w : waves) {
+    std::vector<std::vector<double>> number(2), rest(2), share(2), speed(2), size(2);
+    for (int k = 0; k < 2; ++k)
+      for (const Leftover& r : runs[k]) {
+        if (r.waves != w) continue;
+        double life = 0;
+        for (const BreatherTrack& b : r.found) {
+          life += b.lived / watched;
+          rest[std::size_t(k)].push_back(b.strayed < 2);
+          speed[std::size_t(k)].push_back(b.speed);
+          size[std::size_t(k)].push_back(std::abs(b.speed));
+          share[std::size_t(k)].push_back(b.energy / static_energy(b.norm));
+        }
+        number[std::size_t(k)].push_back(life);
+      }
+    const std::string name = w > 0 ? "_" + std::to_string(w) : "_random";
+    report.facts.add("breathers_at_a_time" + name, over_seeds(number));
+    if (std::min(rest[0].size(), rest[1].size()) < 3) continue;
+    report.facts.add("share_at_rest" + name, over_seeds(rest));
+    report.facts.add("mean_speed" + name, over_seeds(speed), "site per unit of slow time");
+    report.facts.add("mean_size_of_speed" + name, over_seeds(size), "site per unit of slow time");
+    report.facts.add("energy_over_static" + name, over_seeds(share));
+  }
+}
+
+/**
+On a ring of 64 sites [](num:sec5_growth.breathers_at_a_time_32) breathers live at a time after the wave
+$q = \pi$ and [](num:sec5_growth.breathers_at_a_time_24) after $q = \frac34\pi$, with
+[](num:sec5_growth.energy_over_static_32) and [](num:sec5_growth.energy_over_static_24) of the energy of static
+ones. After $q = \frac{17}{32}\pi$, which is unstable but has no surplus, there are as many as in the random
+field, [](num:sec5_growth.breathers_at_a_time_random).
+
+Hardly any is at rest, [](num:sec5_growth.share_at_rest_32) and
+[](num:sec5_growth.share_at_rest_24) of them: they travel, and a collision or a wave turns them round. After $q = \pi$
+they go both ways, with the mean speed [](num:sec5_growth.mean_speed_32) and its mean size
+[](num:sec5_growth.mean_size_of_speed_32). After $q = \frac34\pi$ they go with the energy of the wave, at
+[](num:sec5_growth.mean_speed_24) on the mean, more slowly than its group velocity
+[](num:sec5_growth.group_velocity_24). The static breathers that the article hopes for are thus the exception, and $q = \pi$
+is the wave to begin with. */
+void report_energies(Report& report) {
+  const double random = 0.4 * std::pow(2, 1.25) * std::tgamma(2.25);
+  report.facts.add("random_energy", exact(random));
+  // (2/5) (2 sin(q/2))^{5/2} is the energy of the wave
+  const double neutral = 2 * std::asin(std::pow(random / 0.4, 0.4) / 2);
+  report.facts.add("neutral_q", exact(neutral), "1/site");
+  report.facts.add(
+      "group_velocity_24",
+      in_two_precisions(0.75 * pi, [](const auto& wave) { return wave.group_velocity(); }),
+      "site per unit of slow time");
+}
+
+/**
+The second figure shows the beginning: the wave $q = \pi$ in the DpS equation and, from the same field, in the chain
+with $\epsilon = 10^{-3}$, and $q = \frac34\pi$. The chain does in its own time what the DpS equation does, and makes its
+breathers elsewhere: noise of one per cent is not known better than the difference between both. */
+void report_maps(Report& report) {
+  const double duration = 160, eps = 1e-3, slow = std::sqrt(eps);
+  const std::size_t sites = 64, rows = report.quick ? 40 : 160;
+  Table& table = report.table(
+      "maps",
+      {count("panel", "0: q = pi, DpS; 1: the same in the chain; 2: q = 3 pi / 4, DpS"),
+       number("tau", "slow time"), count("n", "site", "site"), number("density", "|A_n|^2")});
+  const auto row = [&](int panel, double tau, const Field& field) {
+    for (std::size_t n = 0; n < sites; ++n)
+      table.add({panel, tau, std::int64_t(n + 1), std::norm(field[n])});
+  };
+  const auto in_dps = [&](int panel, int waves) {
+    Field field = noisy_wave(sites, waves, 0.01, 1);
+    evolve_dps(Dps{sites, Ends::periodic}, field, duration, rows, 1e-8,
+               [&](double tau, const Field& now) { row(panel, tau, now); });
+  };
+  in_dps(0, 32);
+  State<double> state = dps_state(noisy_wave(sites, 32, 0.01, 1), eps, 0);
+  const TimeGrid grid = time_grid(duration / slow, duration / slow / double(rows), 0.2);
+  evolve(ContactAware{0.2}, Chain{sites, Harmonic{}, Hertz{}, Ends::periodic}, state, grid,
+         [&](const State<double>& now) {
+           Field field(sites);
+           for (std::size_t n = 0; n < sites; ++n)
+             field[n] = std::complex<double>(now.y[n], -now.v[n]) / (2 * eps);
+           row(1, slow * now.t, field);
+         });
+  in_dps(2, 24);
+}
+
+/**
+## One wave with your own numbers
+
+`sec5_growth growth --q 2.5 --modulation 0.7` tells its frequency, the growth of the modulation, and the band. */
+struct OneWave {
+  static constexpr Title title{"growth", "frequency and growth of a modulated plane wave"};
+  double q = pi, modulation = pi / 4, amplitude = 1;
+
+  void parameters(Parameters& p) {
+    p.add("q", q, "wavenumber of the wave", {1e-6, pi, "1/site"});
+    p.add("modulation", modulation, "wavenumber Q of the modulation", {1e-6, pi, "1/site"});
+    p.add("amplitude", amplitude, "modulus |A| of the wave", {1e-12, 1e12});
+  }
+  Table table() const {
+    Quantities quantities;
+    const auto add = [&](const std::string& name, auto of, const std::string& unit = "") {
+      const DpsWave<double> narrow{q, amplitude};
+      const DpsWave<long double> wide{q, amplitude};
+      quantities.add(name, compare(double(of(narrow)), double(of(wide))), unit);
+    };
+    add("frequency", [](const auto& w) { return w.frequency(); });
+    add("growth", [this](const auto& w) { return w.growth(modulation); });
+    add(
+        "edge", [](const auto& w) { return w.edge(); }, "1/site");
+    add(
+        "fastest", [](const auto& w) { return w.fastest(); }, "1/site");
+    add("fastest_growth", [](const auto& w) { return w.unstable() ? w.growth(w.fastest()) : 0; });
+    return quantities.table;
+  }
+};
+
+void reproduce(Report& report) {
+  report_chart(report);
+  report_fastest(report);
+  report_checks(report);
+  report_chain(report);
+  report_runs(report);
+  report_array(report);
+  report_leftovers(report);
+  report_energies(report);
+  report_maps(report);
+}
+
+/**
+## Checks, differences and limits
+
+The growth has four routes: the closed form, the matrix of a ring, runs of the DpS equation, and the linearised chain with
+a run of it. What the article calls MI has been studied for plane waves and linear wells. The bound on
+breathers from the energy of a random field says that the surplus gathers, not how fast; on longer runs the breathers
+become fewer and larger, and we do not know whether one is left in the end. That so few are at rest is a
+statement about a ring full of waves; an array with losses calms them.
+
+## Extensions
+
+- Do standing waves, $\cos qn$, have a band of instability in closed form?
+- How do number and norm of the breathers change with time, on longer rings?
+- With the losses of an experiment (the chapter on damping), which breathers are left when the waves are gone? */
+int main(int argc, char** argv) {
+  return run({"sec5_growth", "5", "Modulational instability without precompression (section 5)",
+              reproduce, commands<OneWave>()},
+             argc, argv);
+}

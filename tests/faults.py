@@ -1,0 +1,277 @@
+#!/usr/bin/env python3
+"""What happens to runs on a bad day: killed, out of time, out of disk, without a place to write or somebody to read.
+
+    faults.py ROOT BIN [COUNT [SEED]]
+
+COUNT is how often runs are killed, at random moments. Every fault is a function; what is asked of it stands in the
+table of CONTRIBUTING.md. A line is printed for each, and one that starts with `skipped` where a machine cannot
+show it. What needs no program of ours is in tests/make.sh, tests/drawing.sh and lineage/tests."""
+
+import contextlib
+import hashlib
+import os
+import random
+import resource
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+ROOT, BIN = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve()
+COUNT = int((sys.argv + ["", "", "6"])[3] if len(sys.argv) > 3 else 6)
+SEED = int(sys.argv[4]) if len(sys.argv) > 4 else 1
+QUICK = [BIN / "sec32_dps_profiles", "--quick", "--threads", "1", "--out"]  # a full run that takes a moment
+MAP = [BIN / "sec34_boomeron_map", "map", "--columns", "3", "--rows", "3", "--threads", "1", "--output", "map.ecsv"]
+BAND = [BIN / "sec4_precompression_mi", "band"]
+NOBODY = 65534
+
+
+def check(good, what):
+    if not good:
+        raise AssertionError(what)
+
+
+def run(command, **more):
+    """A program that is not disturbed further: its exit code, what it prints and what it complains of."""
+    done = subprocess.run([str(word) for word in command], capture_output=True, text=True, timeout=300, check=False,
+                          stdin=subprocess.DEVNULL, **more)
+    return done.returncode, done.stdout, done.stderr
+
+
+def one_line(answer, code, *words):
+    """The answer is an exit code and one line that has these words."""
+    got, _, said = answer
+    check(got == code and said.count("\n") == 1 and all(word in said for word in words), f"{answer}, expected {code} {words}")
+
+
+def rows(path):
+    return "".join(line for line in path.read_text().splitlines(True) if not line.startswith("#"))
+
+
+def tables(folder):
+    """The rows of all tables by name, if the folder is complete and agrees with its checksums; else nothing."""
+    if not (folder / "results.ecsv").exists():
+        return None
+    out = {path.name: rows(path) for path in folder.glob("*.ecsv")}
+    sums = dict(reversed(line.split("  ")) for line in (folder / "SHA256SUMS").read_text().splitlines())
+    check(sums == {name: hashlib.sha256(text.encode()).hexdigest() for name, text in out.items()},
+          f"{folder}: complete, and not what SHA256SUMS says")
+    return out
+
+
+def debris(folder, *allowed):
+    return [path.name for path in folder.rglob("*") if path.is_file() and not path.match("*.ecsv")
+            and path.name != "SHA256SUMS" and not any(path.match(a) for a in allowed)]
+
+
+def disturbed(command, seconds, number, **more):
+    """Starts a program and sends it a signal some time later."""
+    started = subprocess.Popen([str(word) for word in command], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                               stdin=subprocess.DEVNULL, **more)
+    with contextlib.suppress(subprocess.TimeoutExpired):
+        return started.wait(seconds)
+    started.send_signal(number)
+    return started.wait(60)
+
+
+def interrupted(command, kept, number, **more):
+    """Starts a map and ends it when it has kept a row more; how many rows there are then."""
+    def rows_kept():
+        return sum(len(path.read_text().splitlines()) - 1 for path in kept.iterdir())
+    before = rows_kept()
+    started = subprocess.Popen([str(word) for word in command], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                               stdin=subprocess.DEVNULL, **more)
+    while started.poll() is None and rows_kept() <= before:
+        time.sleep(0.005)
+    started.send_signal(number)
+    started.wait(60)
+    return rows_kept()
+
+
+def duration(command, **more):
+    start = time.monotonic()
+    answer = run(command, **more)
+    check(answer[0] == 0, answer)
+    return time.monotonic() - start
+
+
+def killed_at_random(scratch):
+    """Runs killed at random moments: whole tables or none, and the next run is as if nothing had been."""
+    chance = random.Random(SEED)
+    takes = duration(QUICK + [scratch / "whole"])
+    whole, ended = tables(scratch / "whole"), 0
+    for k in range(COUNT):
+        number = chance.choice([signal.SIGKILL, signal.SIGTERM, signal.SIGINT, signal.SIGHUP, signal.SIGXCPU])
+        ended += disturbed(QUICK + [scratch / "hurt"], takes * chance.uniform(0, 1.1) if k else 0, number) != 0
+        if (scratch / "hurt").exists():
+            check(tables(scratch / "hurt") in (None, whole), "a killed run leaves tables that are not whole")
+            check(not debris(scratch / "hurt", "*.part"), f"a killed run leaves {debris(scratch / 'hurt')}")
+    check(ended > 0, "no run was killed in time")
+    duration(QUICK + [scratch / "hurt"])
+    check(tables(scratch / "hurt") == whole and not debris(scratch / "hurt"), "the run after the killed ones is not whole")
+    return f"{ended} of {COUNT} runs killed, seed {SEED}"
+
+
+def out_of_time(scratch):
+    """A scheduler's limit, in seconds of the processor: no table has its name."""
+    def limited():
+        resource.setrlimit(resource.RLIMIT_CPU, (1, 5))
+    got = run([BIN / "sec34_boomeron", "run", "--time", "1e5", "--threads", "1", "--output", "late.ecsv"],
+              cwd=scratch, preexec_fn=limited)[0]
+    check(got == -signal.SIGXCPU, f"the limit ends the run with {got}")
+    check(not list(scratch.iterdir()), f"left: {list(scratch.iterdir())}")
+
+
+def interrupted_map(scratch):
+    """A map that is ended again and again keeps its rows; in the end it has the bytes of one that was not."""
+    duration(MAP, cwd=scratch)
+    whole = rows(scratch / "map.ecsv")
+    (scratch / "map.ecsv").unlink()
+    (scratch / "kept").mkdir()
+    kept = MAP + ["--folder", "kept"]
+    found = 0
+    for number in (signal.SIGTERM, signal.SIGXCPU, signal.SIGKILL):
+        now = interrupted(kept, scratch / "kept", number, cwd=scratch)
+        check(now >= found, f"{found} rows were kept, and then {now}")
+        found = now
+    check(found > 0, "no row was kept")
+    # What was changed by hand or cut is computed again.
+    path = next((scratch / "kept").iterdir())
+    lines = path.read_text().splitlines(True)
+    path.write_text(lines[0] + lines[1].replace(",", ",9", 1) + "".join(lines[2:])[:-3])
+    check(run(kept, cwd=scratch)[0] == 0 and rows(scratch / "map.ecsv") == whole, "the map is not that of a quiet run")
+    return f"{found} of 9 rows kept"
+
+
+def full_disk(scratch):
+    """Writing fails: for a size limit as for a full disk, which is tried too where one can be mounted."""
+    def small():
+        resource.setrlimit(resource.RLIMIT_FSIZE, (600, 600))
+
+    def refused(folder, **more):
+        one_line(run(QUICK + [folder / "out"], **more), 1, "cannot write")
+        one_line(run(BAND + ["--output", folder / "band.ecsv"], **more), 1, "cannot write")
+        one_line(run(MAP + ["--folder", folder / "rows"], cwd=scratch, **more), 1, "cannot write")
+        left = debris(folder, ".*.rows-*", "filling") + [path.name for path in folder.rglob("results.ecsv")]
+        check(not left and not (scratch / "map.ecsv").exists(), f"left on a full disk: {left}")
+
+    (scratch / "limited").mkdir()
+    refused(scratch / "limited", preexec_fn=small)
+    disk = scratch / "disk"
+    disk.mkdir()
+    if not shutil.which("mount") or run(["mount", "-t", "tmpfs", "-o", "size=16k", "tmpfs", disk])[0] != 0:
+        return "by a limit of size only: no disk can be mounted here"
+    try:
+        for folder in ("out", "rows"):
+            (disk / folder).mkdir()
+        with contextlib.suppress(OSError), open(disk / "filling", "wb", buffering=0) as filling:
+            while filling.write(b"x" * 512):
+                pass
+        refused(disk)
+    finally:
+        subprocess.run(["umount", disk], check=False)
+    return "by a limit of size and on a disk that is full"
+
+
+def read_only(scratch):
+    """Who may not write is told so before anything is computed."""
+    closed = scratch / "closed"
+    closed.mkdir()
+    closed.chmod(0o555)
+    other = {}
+    if os.getuid() == 0:
+        scratch.chmod(0o755)
+        other = {"user": NOBODY, "group": NOBODY, "extra_groups": []}
+        try:
+            run([QUICK[0], "--version"], **other)
+        except OSError:
+            return "skipped: no other user may start the programs here"
+    one_line(run(QUICK + [closed / "out"], **other), 2, "--out: cannot write to", "Permission denied")
+    one_line(run(BAND + ["--output", closed / "x.ecsv"], **other), 2, "--output: cannot write to")
+    one_line(run(MAP[:-1] + ["/dev/null", "--folder", closed / "rows"], **other), 2, "--folder: cannot write to")
+    check(not list(closed.iterdir()), "something was written into a closed folder")
+
+
+def closed_channels(scratch):
+    """Nobody reads, or not to the end, or there is no place for what is said."""
+    def through(line):
+        done = subprocess.run(["sh", "-c", line, "sh", *map(str, BAND)], cwd=scratch, capture_output=True, text=True,
+                              timeout=60, check=False)
+        return done.returncode, done.stdout, done.stderr
+
+    whole = through('"$@"')[1]
+    one_line(through('"$@" > /dev/full'), 1, "cannot write to standard output")
+    one_line(through('"$@" >&-'), 1, "cannot write to standard output")
+    for word in ("--help", "--version"):
+        one_line(through(f'"$1" {word} > /dev/full'), 1, "cannot write to standard output")
+    check(through('"$@" | head -n 1')[1:] == (whole.splitlines(True)[0], ""), "a closed pipe is complained of")
+    code, said, errors = through('"$@" --output x.ecsv 2>&- <&- >&-')
+    rows_of = "".join(line for line in whole.splitlines(True) if not line.startswith("#"))
+    check((code, said, errors) == (0, "", "") and rows(scratch / "x.ecsv") == rows_of, "a table without any channel")
+    check(through('"$@" --d nonsense --output y.ecsv 2>&-')[0] == 2 and not (scratch / "y.ecsv").exists(), "refused unheard")
+
+
+def unread_report(scratch):
+    """What Python prints: a full device is one line, a closed pipe none."""
+    line = 'cd "$1" && PYTHONDONTWRITEBYTECODE=1 "$2" -m lineage share'
+    words = ["sh", str(ROOT), sys.executable]
+    full = subprocess.run(["sh", "-c", line + " > /dev/full", *words], capture_output=True, text=True, timeout=60, check=False)
+    one_line((full.returncode, full.stdout, full.stderr), 1, "lineage share: cannot write to standard output")
+    pipe = subprocess.run(["sh", "-c", line + " | head -n 1", *words], capture_output=True, text=True, timeout=60, check=False)
+    check(pipe.stderr == "" and pipe.stdout.count("\n") == 1, pipe)
+    check(not list(scratch.iterdir()), "something was written")
+
+
+def clock_set_back(scratch):
+    """Program and script are from tomorrow: nothing is made for ever, and no cost is negative."""
+    program, results, cost = scratch / "bin/demo", scratch / "data/demo/results.ecsv", scratch / "cost/demo"
+    program.parent.mkdir()
+    program.write_text("#!/bin/sh\necho ran >> log\nmkdir -p data/demo\necho done > data/demo/results.ecsv\n")
+    program.chmod(0o755)
+    (scratch / "stubs").mkdir()
+    (scratch / "stubs/date").write_text(f"#!/bin/sh\ncat '{scratch}/clock'\necho 5 > '{scratch}/clock'\n")
+    (scratch / "stubs/date").chmod(0o755)
+    (scratch / "clock").write_text("9\n")
+    tomorrow = time.time() + 86400
+    os.utime(program, (tomorrow, tomorrow))
+    places = {"cwd": scratch, "env": {**os.environ, "PATH": f"{scratch}/stubs:{os.environ['PATH']}"}}
+    for _ in range(2):
+        check(run(["sh", ROOT / "tools/compute.sh", program, results, cost, program], **places)[0] == 0, "compute.sh")
+    check((scratch / "log").read_text() == "ran\n", "a program from tomorrow runs again and again")
+    check(results.stat().st_mtime >= program.stat().st_mtime, "its results are older than the program")
+    check(float(cost.read_text()) >= 0, f"a run took {cost.read_text()} s")
+    (scratch / "draw.py").write_text("import sys\nopen(sys.argv[2], 'w').write('<svg></svg>')\n")
+    os.utime(scratch / "draw.py", (tomorrow, tomorrow))
+    places["env"].update({"PYTHON": sys.executable, "FROM": "draw.py"})
+    check(run(["sh", ROOT / "tools/draw.sh", "x.svg", "data", "draw.py"], **places)[0] == 0, "draw.sh")
+    check((scratch / "x.svg").stat().st_mtime >= tomorrow - 1, "a drawing is older than its script")
+
+
+FAULTS = [killed_at_random, out_of_time, interrupted_map, full_disk, read_only, closed_channels, unread_report,
+          clock_set_back]
+
+
+def main():
+    bad = 0
+    os.environ["LC_ALL"] = "C.UTF-8"
+    for fault in FAULTS:
+        start = time.monotonic()
+        with tempfile.TemporaryDirectory() as folder:
+            try:
+                said = fault(Path(folder)) or ""
+                verdict = "survived" if not said.startswith("skipped") else ""
+            except (AssertionError, subprocess.TimeoutExpired) as error:
+                bad, verdict, said = bad + 1, "FAILS", str(error)
+            finally:
+                for path in Path(folder).rglob("*"):
+                    if path.is_dir():
+                        path.chmod(0o755)
+        print(f"{fault.__name__.replace('_', ' '):18} {verdict:9} {said} ({time.monotonic() - start:.1f} s)", flush=True)
+    sys.exit(bad > 0)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,50 @@
+#!/bin/sh
+# Everything in one archive, for those who will not run anything: dist.sh BUILD, into BUILD/dist.
+# The sources are those of the last commit; products/ has tables, figures, the book, the report and the list of
+# packages, as they are; SHA256SUMS is over every file. Equal contents give equal bytes: names in order, nobody's
+# files, all of the time of the last commit.
+set -eu
+build=$1 products=
+refuse() { echo "dist: $1" >&2; exit 1; }
+git rev-parse HEAD >/dev/null 2>&1 || refuse "this is no checkout of the repository (allowed: a clone with its history)"
+version=$(sed -n 's/^ *"version": *"\([0-9.]*\)".*/\1/p' codemeta.json)
+[ -n "$version" ] || refuse "codemeta.json names no version"
+{ [ -d "$build/data" ] && [ -d "$build/figures" ]; } || refuse "$build/data and $build/figures are missing: compute them first (make figures)"
+sh "$(dirname "$0")/tables.sh" "$build/data"
+[ -z "$(git status --porcelain --untracked-files=no)" ] || echo "dist       : what is not committed is not in it"
+
+name=breathers-$version out=$build/dist
+epoch=$(git log -1 --format=%ct)
+part=$out/.part
+rm -rf "$part"
+mkdir -p "$part/$name/products"
+trap 'rm -rf "$part"' EXIT
+git archive HEAD | tar -C "$part/$name" -xf -
+
+# What there is of the products; hidden files are of runs that were cut off.
+take() {
+  if [ -e "$build/$1" ]; then
+    cp -r "$build/$1" "$part/$name/products/$2"
+    products="$products $2"
+  else
+    echo "dist       : without $3, which is not there ($4)"
+  fi
+}
+take data tables "the tables" "make figures"
+take figures figures "the figures" "make figures"
+take report/published.ecsv published.ecsv "published against reproduced" "make figures"
+for index in packages tables commands; do
+  take report/$index.ecsv $index.ecsv "the list of $index" "make dist"
+done
+take book book "the book" "make book"
+take paper.pdf report.pdf "the report" "make paper"
+find "$part/$name/products" -name '.*' -exec rm -rf {} +
+
+(cd "$part/$name" && find . -type f | LC_ALL=C sort | sed 's|^\./||' | tr '\n' '\0' | xargs -0 sha256sum) > "$part/sums"
+mv "$part/sums" "$part/$name/SHA256SUMS"
+tar -C "$part" --sort=name --mtime="@$epoch" --owner=0 --group=0 --numeric-owner --mode=u=rwX,go=rX \
+  --format=ustar -cf "$part/all.tar" "$name"
+gzip -n -9 "$part/all.tar"
+mv "$part/all.tar.gz" "$out/$name.tar.gz"
+(cd "$out" && sha256sum "$name.tar.gz" > "$name.tar.gz.sha256")
+echo "dist       : $out/$name.tar.gz ($(du -h "$out/$name.tar.gz" | cut -f 1)): sources$(echo "$products" | sed 's/ /, /g')"
