@@ -193,7 +193,7 @@ class LongWork(unittest.TestCase):
         other = threading.Thread(target=tick)
         for call in (lambda: lattice.strike(velocity=1, time=1e5, sites=3000, tolerance=1e-10),
                      lambda: lattice.dps(tau=1e4, sites=2000),
-                     lambda: lattice.multipliers(omega=1.1, sites=999)):
+                     lambda: lattice.multipliers(omega=1.1, sites=301)):
             timer = threading.Timer(0.5, lambda: os.kill(os.getpid(), signal.SIGINT))
             timer.start()
             if not ticks:

@@ -45,7 +45,8 @@ class Estimate(float):
             text = f"{value:.17g}" if not math.isfinite(value) or self.error == 0 else f"{value:.3g}"
             return f"{text} {self.unit}".rstrip()
         sure = math.floor(math.log10(abs(value))) - math.floor(math.log10(self.error)) if value else 0
-        return f"{value:#.{min(max(sure, 0) + 1, 17)}g} ± {self.error:.0e} {self.unit}".rstrip()
+        digits = f"#.{min(sure + 1, 17)}" if sure > 0 else ".1"
+        return f"{value:{digits}g} ± {self.error:.0e} {self.unit}".rstrip()
 
     __repr__ = __str__
 
