@@ -1,10 +1,12 @@
 """The bytes of all tables, paper/hashes.ecsv: SHA-256 over the lines of a table without those that begin with `#`.
 
 Equal sources give equal bytes on every machine with this kind of processor, whatever compiler, release of Debian,
-number of threads or width of the vectors. The record has them for the full run and for the quick one, which takes
-two minutes and serves to compare platforms (tools/platforms.sh). What is known to depend on the platform is left
-out of its table's hash: a row whose name stands in the column `left_out`, by hand, with the reason beside it."""
+number of threads or width of the vectors. The record has them for the full run, which the tests compare, and for the
+quick one, which takes two minutes and serves to compare platforms (tools/platforms.sh). What is known to depend on
+the platform is left out of its table's hash: a column, or the rows that begin with a name, that stands in the column
+`left_out`, by hand, with the reason beside it."""
 
+import csv
 import hashlib
 import platform
 from dataclasses import dataclass
@@ -20,7 +22,7 @@ COLUMNS = [
     ecsv.Column("table", "string", "name of the table"),
     ecsv.Column("full", "string", "SHA-256 of the full run's table without its lines with #"),
     ecsv.Column("quick", "string", "the same of the run with --quick"),
-    ecsv.Column("left_out", "string", "names of rows that depend on the platform and are left out, by hand"),
+    ecsv.Column("left_out", "string", "columns, or first cells of rows, that depend on the platform, by hand"),
     ecsv.Column("reason", "string", "why they do"),
 ]
 
@@ -51,9 +53,14 @@ def read_record(root):
 
 
 def rows_of(path, left_out=""):
-    """The lines that count."""
-    names = tuple(name + "," for name in left_out.split())
-    return [line for line in ecsv.text_of(path).splitlines() if line[:1] != "#" and not (names and line.startswith(names))]
+    """The lines that count, without the rows and the cells that are left out."""
+    lines = [line for line in ecsv.text_of(path).splitlines() if line[:1] != "#"]
+    if not left_out or not lines:
+        return lines
+    names, (header, *rows) = left_out.split(), csv.reader(lines)
+    kept = [i for i, column in enumerate(header) if column not in names]
+    rows = [header] + [cells for cells in rows if cells[0] not in names]
+    return [",".join(ecsv.cell_text(cells[i]) for i in kept) for cells in rows]
 
 
 def hash_of(path, left_out=""):
@@ -81,11 +88,11 @@ def first_difference(path, other, left_out=""):
         return f"{len(one) - 1} rows instead of {len(two) - 1}"
     apart = [i for i in range(len(one)) if one[i] != two[i]]
     tables = [ecsv.parse(ecsv.text_of(p), p) for p in (path, other)]
-    names = [c.name for c in tables[0].columns]
+    names, out = [c.name for c in tables[0].columns], left_out.split()
     for row, twin in zip(tables[0].rows, tables[1].rows):
         for name in names:
             a, b = row[name], twin[name]
-            if str(a) != str(b) and str(row[names[0]]) not in left_out.split():
+            if str(a) != str(b) and name not in out and str(row[names[0]]) not in out:
                 return f"row {row.number}, {name}: {a!r} instead of {b!r} ({len(apart)} of {len(one) - 1} rows differ)"
     return "other spelling"
 
@@ -101,24 +108,27 @@ def differences(record, data, programs, run):
         elif hash_of(path, entry.left_out) != wanted:
             yield key, path, "not the bytes that are recorded"
     for key, entry in record.items():
-        if getattr(entry, run) and key not in found and (key[0] not in programs or (Path(data) / key[0]).is_dir()):
+        if getattr(entry, run) and key not in found and (key[0] not in programs or (key[0], "results") in found):
             yield key, Path(data) / key[0] / f"{key[1]}.ecsv", "recorded and not there"
+    for program in programs:
+        if (Path(data) / program).is_dir() and (program, "results") not in found:
+            yield (program, "results"), Path(data) / program / "results.ecsv", "not there: the program did not finish"
 
 
 def check(root, data, run, against=None):
     """The verb with --check: 0, 1 if a table differs, 77 if it does on another kind of processor. A folder of tables
     from another platform, `against`, tells in which row."""
     (record, meta), programs = read_record(root), programs_of(root)
-    found, told = tables_in(data, programs), 0
+    found, told, moved = tables_in(data, programs), 0, 0
     if not found:
         raise ecsv.Fault(f"{data}: no program has finished here")
     for key, path, word in differences(record, data, programs, run):
-        told += 1
+        told, moved = told + 1, moved + (key in found)
         twin = Path(against or "") / key[0] / path.name
         if against and path.exists() and twin.exists():
             word += "; " + first_difference(path, twin, record.get(key, Entry()).left_out)
         print(f"  differs  {path}: {word}")
-    print(f"hashes     : {len(found) - told} of {len(found)} tables of the {run} run have the recorded bytes")
+    print(f"hashes     : {len(found) - moved} of {len(found)} tables of the {run} run have the recorded bytes")
     if not told:
         return 0
     print(f"             here     {maker_of(next(iter(found.values())))}, {platform.machine()}")

@@ -78,7 +78,7 @@ class Hashes(Scratch):
         self.assertEqual(self.call("--check", "--run", "quick", "--data", str(self.root / "build/quick/data"))[0], 1)
         self.assertIn("moved    sec1_demo results: quick\n", self.renew())
 
-    def test_a_row_is_left_out_by_hand_and_with_a_reason(self):
+    def test_a_row_or_a_column_is_left_out_by_hand_and_with_a_reason(self):
         self.leave_out("fact", "rounding")
         self.renew()
         self.facts(["other", 1.0, 0.0, ""], ["fact", 2.5, 0.1, ""])
@@ -87,6 +87,12 @@ class Hashes(Scratch):
         self.assertEqual(self.call("--check")[0], 1)
         self.renew()
         self.assertEqual(hashes.read_record(self.root)[0]["sec1_demo", "facts"].reason, "rounding")
+        self.leave_out("error", "rounding of it")
+        self.renew()
+        self.facts(["other", 1.5, 7.0, ""], ["fact", 2.5, 0.2, ""])
+        self.assertEqual(self.call("--check")[0], 0)
+        self.facts(["other", 1.25, 7.0, ""], ["fact", 2.5, 0.2, ""])
+        self.assertEqual(self.call("--check")[0], 1)
         self.leave_out("fact", "")
         self.assertIn("with a reason", self.call("--check")[1])
 
