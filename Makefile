@@ -62,7 +62,7 @@ side_by_side = $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS))
 figures: install-deps
 	@sh tools/need-tools.sh "$(PYTHON)"
 	@sh tools/configure.sh $(B)
-	@mkdir -p $(D)/report && date +%s > $(D)/report/start
+	@mkdir -p $(D)/report && (. tools/shared.sh; now) > $(D)/report/start
 	@sh tools/tables.sh $(D)/data
 	@$(MAKE) all-data
 	@$(MAKE) $(side_by_side) all-figures
@@ -137,7 +137,8 @@ summary:
 	@echo "figures    : $(words $(svgs)) in $(D)/figures (svg, pdf, png)"
 	@$(lineage) summary --data $(D)/data --out $(D)/report
 	@echo "computing  : $$(cat $(D)/report/cost/* | awk '{ s += $$1 } END { printf "%.0f", s }') s" \
-	  "in $(words $(chapters)) programs; all together $$(( $$(date +%s) - $$(cat $(D)/report/start) )) s"
+	  "in $(words $(chapters)) programs; all together" \
+	  "$$(. tools/shared.sh; echo "$$(now) $$(cat $(D)/report/start)" | awk '{ printf "%.0f", ($$1 > $$2 ? $$1 - $$2 : 0) }') s"
 	@echo "report     : $(D)/report/published.ecsv"
 
 ## book: weave the book from sources, data and figures into build/book
@@ -185,13 +186,13 @@ run-tests: programs
 	@$(MAKE) test-lineage
 	@cd $(B) && ctest -j $(JOBS) $(CTEST_ARGS)
 
-## test-faults: runs that are killed, out of time or disk, or that nobody reads (a minute)
+## test-faults: runs that are killed, out of time or disk, or that nobody reads (minutes)
 .PHONY: test-faults test-fuzz
 test-faults: programs
 	@$(or $(PYTHON),python3) tests/faults.py . $(B)/bin 60
 	@sh tests/make.sh . && sh tests/drawing.sh .
 
-## test-fuzz: 5,000 random command lines for programs with sanitizers (SEED=..., COUNT=...; an hour)
+## test-fuzz: 5,000 random command lines for programs with sanitizers (SEED=..., COUNT=...; long)
 COUNT := 5000
 SEED = $(shell date +%s)
 test-fuzz: install-deps
@@ -207,6 +208,7 @@ bench: install-deps configure
 	  { cat $(B)/bench/build.log; exit 1; }
 	@$(B)/bin/bench_kernels --benchmark_min_time=0.1
 	@$(B)/bin/bench_ratios --out $(B)/bench
+	@cp $(B)/bench/ratios.ecsv bench/ratios.ecsv
 	@$(need_python) "$(PYTHON)" figures/x04_work_precision.py $(B)/bench $(B)/bench/work_precision.svg
 	@$(MAKE) $(B)/bench/work_precision.pdf $(B)/bench/work_precision.png
 
@@ -254,7 +256,7 @@ show:
 gallery: all-figures
 	@$(need_python) $(lineage) gallery --figures $(D)/figures
 
-## mutants: errors of physics put into the library one at a time; the tests must notice (ten minutes)
+## mutants: errors of physics put into the library one at a time; the tests must notice (long)
 .PHONY: mutants
 mutants: install-deps
 	@$(or $(PYTHON),python3) tools/mutants.py $(MUTANTS)

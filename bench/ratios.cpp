@@ -8,8 +8,12 @@ to run; the ratios, taken within one run, hardly do. */
 
 #include <sys/resource.h>
 
+#include <ctime>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
+#include <string>
+#include <thread>
 
 #include "lattice/packets/impact.hpp"
 #include "lattice/stepping/compensated.hpp"
@@ -237,6 +241,26 @@ void measure_rates(Book& book, int rounds) {
   }
 }
 
+/**
+## Where and when
+
+Ratios differ from one processor to another, so the tables say on which one they were taken. */
+std::string machine() {
+  std::ifstream about("/proc/cpuinfo");
+  for (std::string line; std::getline(about, line);)
+    if (line.rfind("model name", 0) == 0 && line.find(": ") != std::string::npos)
+      return line.substr(line.find(": ") + 2) + ", " +
+             std::to_string(std::thread::hardware_concurrency()) + " threads";
+  return "unknown";
+}
+
+std::string today() {
+  const std::time_t now = std::time(nullptr);
+  char text[16];
+  std::strftime(text, sizeof text, "%Y-%m-%d", std::gmtime(&now));
+  return text;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -266,7 +290,10 @@ int main(int argc, char** argv) {
     if (wanted("B2")) race_impacts(book, problem_b2(), {0.1, 1e-9, 2}, 2, rounds);
     const std::filesystem::path folder = out;
     for (Table* t : {&book.ratios, &book.precision, &book.rates})
-      t->meta = {{"program", "ratios"}, {"build", LATTICE_BUILD}};
+      t->meta = {{"program", "ratios"},
+                 {"build", LATTICE_BUILD},
+                 {"machine", machine()},
+                 {"date", today()}};
     write(folder / "ratios.ecsv", book.ratios);
     write(folder / "work_precision.ecsv", book.precision);
     write(folder / "rates.ecsv", book.rates);

@@ -101,7 +101,7 @@
     const piece = (text, words) => {
       const folded = fold(text);
       const first = Math.min(...words.map((w) => { const at = folded.indexOf(w); return at < 0 ? Infinity : at; }));
-      const from = Number.isFinite(first) ? Math.max(0, first - 70) : 0;
+      const near = Number.isFinite(first) ? Math.max(0, first - 70) : 0, from = near ? text.indexOf(" ", near) + 1 : 0;
       const out = document.createElement("span");
       const part = (from ? "… " : "") + text.slice(from, from + 230) + (text.length > from + 230 ? " …" : "");
       const shown = fold(part);
@@ -124,7 +124,7 @@
           if (!inTitle && !times) return [0, e];
           score += (whole(e.t, w) ? 30 : 0) + (inTitle ? 10 : 0) + (whole(e.x, w) ? 3 : 0) + Math.min(times, 5);
         }
-        return [score, e];
+        return [score + (e.t.startsWith(words.join(" ")) ? 20 : 0), e];
       }).filter(([score]) => score > 0).sort((a, b) => b[0] - a[0]) : [];
       count.textContent = words.length ? `${hits.length} place${hits.length === 1 ? "" : "s"}${hits.length > 60 ? ", the best 60 shown" : ""}` : "";
       list.replaceChildren(...hits.slice(0, 60).map(([, e]) => {

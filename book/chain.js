@@ -4,7 +4,7 @@
   "use strict";
   const canvas = document.getElementById("chain"), button = document.getElementById("chain-button");
   if (!canvas) return;
-  const count = 64, step = 0.04, velocity = 1.2, ending = 260;
+  const count = Math.max(20, Math.min(64, Math.floor(canvas.clientWidth / 14))), step = 0.04, velocity = 1.2, ending = 4.5 * count;
   let y, v, t;
   const strike = () => { y = new Float64Array(count); v = new Float64Array(count); v[0] = velocity; t = 0; };
   const accelerations = () => {

@@ -21,14 +21,14 @@ for k, colour, dash in ((2, "#888888", "--"), (1, "black", "-")):
 a.set(xlabel=r"$\sigma/2\pi$", ylabel=r"kernel $K(\sigma)$", xlim=(-2.5, 2.5), ylim=(-1.2, 1.45))
 a.legend(loc="upper right", fontsize=7, ncols=2)
 
-inset = b.inset_axes([0.69, 0.56, 0.29, 0.40])
+inset = b.inset_axes([0.66, 0.53, 0.33, 0.43])
 for sign, name, colour, dash in ((1, "plus", BLUE, "-"), (-1, "minus", RED, "--")):
     one = draw.where(profiles, "sign", sign)
     t = np.concatenate((-one["turns"][::-1], one["turns"]))
     b.plot(t, np.concatenate((one["d"][::-1], one["d"])), dash, color=colour, lw=1, label=name)
     inset.plot(one["turns"], one["log_d"], dash, color=colour, lw=0.7)
 b.axhline(0, color="#888888", lw=0.5)
-b.set(xlabel=r"time $t/2\pi$", ylabel="compression $d$", xlim=(-3, 9), ylim=(-0.5, 0.72))
+b.set(xlabel=r"time $t/2\pi$", ylabel="compression $d$", xlim=(-3, 11), ylim=(-0.5, 0.62))
 b.legend(loc="lower right", fontsize=7)
 inset.set(xlim=(0, 6), ylim=(-7, 0.5))
 inset.set_yticks([-6, -3, 0])

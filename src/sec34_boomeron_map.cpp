@@ -102,21 +102,48 @@ void compute_map(Sweep& sweep, const MapGrid& grid, Part part) {
 }
 
 /**
+A bisection is made with either step. The finer one begins where the coarser one has ended: if the fate changes
+in its last interval too, that is the result; if not, the finer step goes all the way by itself. */
+struct Interval {
+  double low, high;
+};
+
+/// The middles of the last intervals, with the coarse and with the fine step. `escapes(x, halvings)` holds at
+/// the lower end.
+template <class Middle, class Escapes>
+std::pair<double, double> bisect_twice(Interval all, int bisections, Middle middle,
+                                       Escapes escapes) {
+  const auto bisect = [&](int halvings) {
+    Interval at = all;
+    for (int k = 0; k < bisections; ++k) {
+      const double x = middle(at.low, at.high);
+      (escapes(x, halvings) ? at.low : at.high) = x;
+    }
+    return at;
+  };
+  const Interval coarse = bisect(0);
+  const bool same = escapes(coarse.low, 1) && !escapes(coarse.high, 1);
+  const Interval fine = same ? coarse : bisect(1);
+  return {middle(coarse.low, coarse.high), middle(fine.low, fine.high)};
+}
+
+/**
 ## The law of a contour
 
 The contour on which the apex is at a given site needs more precision than the map has, so we bisect in $s$,
 with two steps. The error is their difference plus the last interval. A packet that has neither turned
 nor escaped by the end of a run is counted with those that turn. */
 Estimate critical_s(double velocity, int bisections, double site = horizon) {
-  const auto bisect = [&](int halvings) {
-    double low = std::log(0.5), high = std::log(60.0);  // of kappa
-    for (int k = 0; k < bisections; ++k) {
-      const double kappa = (low + high) / 2, s = std::exp(kappa) / (velocity * std::sqrt(velocity));
-      (probe(velocity, s, site, halvings).fate == Fate::escapes ? low : high) = kappa;
-    }
-    return std::exp((low + high) / 2) / (velocity * std::sqrt(velocity));
+  const auto s_of = [&](double log_kappa) {
+    return std::exp(log_kappa) / (velocity * std::sqrt(velocity));
   };
-  Estimate s = compare(bisect(0), bisect(1));
+  const auto escapes = [&](double log_kappa, int halvings) {
+    return probe(velocity, s_of(log_kappa), site, halvings).fate == Fate::escapes;
+  };
+  const auto middle = [&](double low, double high) { return (low + high) / 2; };
+  const auto [coarse, fine] =
+      bisect_twice({std::log(0.5), std::log(60.0)}, bisections, middle, escapes);
+  Estimate s = compare(s_of(coarse), s_of(fine));
   s.error += s.value * std::log(60 / 0.5) / std::ldexp(1.0, bisections);
   return s;
 }
@@ -255,15 +282,12 @@ void report_any_s(Report& report) {
   // The weakest impact in the softest well
   const double slowest = 20, fastest = MapGrid{}.fastest;
   const int bisections = report.quick ? 5 : 9;
-  const auto bisect = [&](int halvings) {
-    double low = slowest, high = fastest;
-    for (int k = 0; k < bisections; ++k) {
-      const double v = std::sqrt(low * high);
-      (probe(v, softest, horizon, halvings).fate == Fate::escapes ? low : high) = v;
-    }
-    return std::sqrt(low * high);
+  const auto escapes = [](double v, int halvings) {
+    return probe(v, softest, horizon, halvings).fate == Fate::escapes;
   };
-  Estimate v0 = compare(bisect(0), bisect(1));
+  const auto middle = [](double low, double high) { return std::sqrt(low * high); };
+  const auto [coarse, fine] = bisect_twice({slowest, fastest}, bisections, middle, escapes);
+  Estimate v0 = compare(coarse, fine);
   v0.error += v0.value * std::log(fastest / slowest) / std::ldexp(1.0, bisections);
   report.facts.add("v0_needed_at_s_0005", v0);
 

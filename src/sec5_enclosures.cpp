@@ -310,7 +310,7 @@ The waves of the kernel equation have the energies [0.180834](num:sec5_enclosure
 [0.457322](num:sec5_enclosures.wave_peak_minus). Each is known within
 [1.78063e-12](num:sec5_enclosures.wave_radius_plus) or [1.94232e-12](num:sec5_enclosures.wave_radius_minus) at all times and is
 alone within [1.52588e-5](num:sec5_enclosures.wave_unique_radius_plus). Plus minus minus, the energies differ by
-[-7.8e-11](num:sec5_enclosures.wave_energy_difference) and the actions by
+[-8e-11](num:sec5_enclosures.wave_energy_difference) and the actions by
 [-2.4e-11](num:sec5_enclosures.wave_action_difference): both signs are certain. So it is proved that there are two
 different waves, that the wave with the sign minus is *not* the maximum of the theorem, and
 that both have the same $T$ but not the same energy. Whether the sign plus is the maximum remains open. */

@@ -110,6 +110,14 @@ TEST_CASE("bad input: one line, exit code 2, no file", "[cli]") {
                         {"sec5_driving drive --by hand", "--by"},
                         {"sec5_driving drive --lifetime 0", "--lifetime"},
                         {"sec5_driving chart --part 5/4", "--part"},
+                        {"sec5_driving drive --amplitude nan", "--amplitude"},
+                        {"sec5_growth growth --q 0", "--q"},
+                        {"sec5_growth growth --q 3.2", "--q"},
+                        {"sec5_growth growth --q nan", "--q"},
+                        {"sec5_growth growth --modulation -1", "--modulation"},
+                        {"sec5_growth growth --modulation 4", "--modulation"},
+                        {"sec5_growth growth --amplitude -1", "--amplitude"},
+                        {"sec5_growth growth --amplitude 0", "--amplitude"},
                         {"sec36_cantilever_defect run --ratio -1", "--ratio"},
                         {"sec36_cantilever_defect run --sites 50", "--sites"},
                         {"sec36_cantilever_defect run --radius -1", "--radius"},
@@ -141,7 +149,9 @@ TEST_CASE("bad input: one line, exit code 2, no file", "[cli]") {
                         {"sec5_kernel_equation wave --alpha 1e9", "--alpha"},
                         {"sec5_enclosures dps --centre corner", "--centre"},
                         {"sec5_enclosures breather --centre between", "--centre"},
-                        {"sec5_enclosures breather --omega 1.2", "--omega"}}) {
+                        {"sec5_enclosures breather --omega 1.2", "--omega"},
+                        {"sec5_enclosures wave --sign both", "--sign"},
+                        {"sec5_enclosures wave --k 2", "--k"}}) {
     CAPTURE(arguments);
     const Result r = call(arguments + out);
     CAPTURE(r.errors);
@@ -417,6 +427,26 @@ TEST_CASE("breather and barrier report the contract's quantities", "[cli]") {
   REQUIRE(p.code == 0);
   CHECK(p.output.find("\nn,y\n-15,") != std::string::npos);
   CHECK(p.output.find("\n1,0.0101305") != std::string::npos);
+}
+
+TEST_CASE("a modulated wave and a drive report the contract's quantities", "[cli]") {
+  const Result r = call("sec5_growth growth --modulation 0.8410686705679303");
+  REQUIRE(r.code == 0);
+  check_close(quantity(r, "growth"), 0.3736744433810828, 0, 1e-12);
+  check_close(quantity(r, "fastest_growth"), 0.3736744433810828, 0, 1e-12);
+  check_close(quantity(r, "edge"), 1.230959417340775, 0, 1e-12);
+  check_close(quantity(r, "frequency"), -1.8306312, 1e-3);
+  CHECK(quantity(r, "growth", "error") < 1e-14);
+  const Result stable = call("sec5_growth growth --q 1.5");
+  REQUIRE(stable.code == 0);
+  CHECK(quantity(stable, "growth") == 0);
+  CHECK(std::isnan(quantity(stable, "edge")));
+  const Result drive = call("sec5_driving drive --amplitude 20 --time 20");
+  REQUIRE(drive.code == 0);
+  CHECK(quantity(drive, "outcome") == 1);
+  CHECK(quantity(drive, "ledger") > 0);
+  CHECK(quantity(drive, "ledger") < 1e-10);
+  CHECK(quantity(drive, "power", "error") > 0);
 }
 
 TEST_CASE("exact travelling breathers report the contract's quantities", "[cli]") {

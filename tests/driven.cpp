@@ -191,6 +191,26 @@ TEST_CASE("the orbit is that of a run", "[property][driven]") {
   CHECK(sup<double>(orbit.miss(x)) > 1e-4 * a);
 }
 
+TEST_CASE("the ledger of a driven chain closes at the steps of the command", "[property][driven]") {
+  // A quiet piston, one that makes a train, and a base; half the step closes it by more than order three
+  const ArrayUnits u;
+  struct Case {
+    Drive::By by;
+    double micrometres;
+  };
+  for (const Case& c :
+       {Case{Drive::By::piston, 5}, {Drive::By::piston, 20}, {Drive::By::base, 5}}) {
+    const double horizon = u.time(10), a = c.micrometres / u.micrometres(1);
+    const Bench bench{Chain{50}, {u.rate(10), 0}, {c.by, u.omega(7000), a, 0, horizon / 6}};
+    const double coarse = drive_chain(bench, horizon, 20, 0.08).ledger;
+    const double fine = drive_chain(bench, horizon, 20, 0.02).ledger;
+    CAPTURE(c.micrometres, coarse, fine);
+    CHECK(fine > 0);  // it was measured
+    CHECK(fine < 1e-10);
+    CHECK(fine < coarse / 64);
+  }
+}
+
 TEST_CASE("rates, spreads and bisections", "[unit][driven]") {
   Emission e;
   e.passages = {10, 60, 70, 80, 90};

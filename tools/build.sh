@@ -5,7 +5,8 @@ set -eu
 build=$1 jobs=$2
 shift 2
 log=$build/build.log
-. "${0%/*}/lock.sh"
+# shellcheck source=tools/shared.sh
+. "${0%/*}/shared.sh"
 hold "$build/.lock"
 if [ -t 2 ]; then
   : > "$log"

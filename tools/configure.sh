@@ -10,7 +10,8 @@ case $here in
 esac
 (mkdir -p "$build" && : > "$build/.writable" && rm "$build/.writable") 2>/dev/null ||
   refuse "cannot write to $here/$build (allowed: a checkout in which you may write)"
-. "${0%/*}/lock.sh"
+# shellcheck source=tools/shared.sh
+. "${0%/*}/shared.sh"
 hold "$build/.lock"
 # A log of yesterday must not be shown as today's cause.
 rm -f "$build/configure.log" "$build/build.log"

@@ -39,8 +39,8 @@ case $out in
 *) end='IEND' ;;
 esac
 tail -c 64 "$part" | grep -aq -- "$end" || refuse "the drawing is cut short (is the disk full?)"
-# A drawing is not older than what it was made from, also after the clock was set back: or it is made for ever.
-for from in ${FROM:-}; do
-  if [ "$from" -nt "$part" ]; then touch -r "$from" "$part"; fi
-done
+# shellcheck source=tools/shared.sh
+. "${0%/*}/shared.sh"
+# shellcheck disable=SC2086
+catch_up "$part" ${FROM:-}
 mv "$part" "$out"

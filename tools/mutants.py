@@ -55,10 +55,25 @@ def read_table(selection):
     return table
 
 
-def build(code, target):
+def quadruple():
+    """The sources that are compiled once more in quadruple precision, and how: as CMakeLists.txt does it."""
+    listed = re.search(r"set\(QUADRUPLE ([^)]*)\)", (ROOT / "CMakeLists.txt").read_text(encoding="utf8"))
+    return {f"lattice/{name}.cpp" for name in listed[1].split()}, ["-include", "lattice/numbers/extended.hpp", "-DLATTICE_QUADRUPLE"]
+
+
+def take_float128():
+    """Quadruple precision is faster where the compiler brings it along."""
+    probe = '#include <boost/multiprecision/float128.hpp>\nint main() { return sqrt(boost::multiprecision::float128(2)) > 2; }'
+    if subprocess.run([*COMPILE, "-x", "c++", "-", "-o", os.devnull, "-lquadmath"], input=probe, text=True,
+                      capture_output=True).returncode == 0:
+        COMPILE.append("-DLATTICE_FLOAT128")
+        LINK.append("-lquadmath")
+
+
+def build(code, target, flags=()):
     """Compiles `code` below the folder of the library's copy that it reads; whether that works."""
     source = next(parent for parent in code.parents if (parent / "lattice").is_dir())
-    return subprocess.run([*COMPILE, f"-I{source}", "-MMD", "-c", str(code), "-o", str(target)],
+    return subprocess.run([*COMPILE, *flags, f"-I{source}", "-MMD", "-c", str(code), "-o", str(target)],
                           capture_output=True).returncode == 0
 
 
@@ -72,16 +87,21 @@ class Library:
 
     def __init__(self, scratch, tests, pool):
         self.source, self.objects = scratch / "src", scratch / "objects"
-        for folder in [ROOT / "src/lattice", ROOT / "src/report", *(ROOT / "src").glob("sec*/")]:
+        for folder in [ROOT / "src/lattice", ROOT / "src/report", ROOT / "src/commands", *(ROOT / "src").glob("sec*/")]:
             shutil.copytree(folder, self.source / folder.name)
         self.objects.mkdir()
         for path in (ROOT / "tests").glob("*.?pp"):
             shutil.copy(path, self.source)
-        sources = [path for where in ("lattice/*", "report", "sec*") for path in self.source.glob(where + "/*.cpp")]
-        self.of = {path.relative_to(self.source): self.objects / f"{path.parent.name}-{path.stem}.o" for path in sources}
+        sources = [path for where in ("lattice/*", "report", "commands", "sec*") for path in self.source.glob(where + "/*.cpp")]
+        # Every object with its source and its flags
+        self.of = {self.objects / f"{path.parent.name}-{path.stem}.o": (path.relative_to(self.source), ()) for path in sources}
+        twice, flags = quadruple()
+        self.of.update({unit.with_name("quadruple-" + unit.name): (code, flags)
+                        for unit, (code, _) in list(self.of.items()) if str(code) in twice})
         self.tests = {test: self.objects / f"test-{test}.o" for test in ["main", *tests]}
-        self.of.update({pathlib.Path(test + ".cpp"): path for test, path in self.tests.items()})
-        for code, good in zip(self.of, pool.map(lambda code: build(self.source / code, self.of[code]), self.of)):
+        self.of.update({unit: (pathlib.Path(test + ".cpp"), ()) for test, unit in self.tests.items()})
+        built = pool.map(lambda unit: build(self.source / self.of[unit][0], unit, self.of[unit][1]), self.of)
+        for (code, _), good in zip(self.of.values(), built):
             if not good:
                 raise SystemExit(f"{code} does not compile without any error: nothing can be said")
 
@@ -89,13 +109,13 @@ class Library:
         """Whether `test` succeeds with the file `changed` in the copy below `work`; otherwise how not."""
         unused = {path for name, path in self.tests.items() if name not in ("main", test)}
         objects = []
-        for code, unchanged in self.of.items():
+        for unchanged, (code, flags) in self.of.items():
             if unchanged in unused:
                 continue
             objects.append(unchanged)
             if changed and reads(unchanged.with_suffix(".d"), changed):
                 objects[-1] = work / unchanged.name
-                if not build(work / "src" / code, objects[-1]):
+                if not build(work / "src" / code, objects[-1], flags):
                     return "no longer compiles"
         binary = work / test
         if subprocess.run([COMPILE[0], *map(str, objects), *LINK, "-o", str(binary)], capture_output=True).returncode:
@@ -129,6 +149,7 @@ def judge(mutant, scratch, library, places):
 
 def main():
     table = read_table(sys.argv[1:])
+    take_float128()
     workers = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count()
     survivors = 0
     with tempfile.TemporaryDirectory() as folder:

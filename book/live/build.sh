@@ -13,7 +13,7 @@ if ! command -v clang++-14 >/dev/null || ! command -v wasm-ld-14 >/dev/null || [
   exit 0
 fi
 mkdir -p "$out"
-pages="breather strike defect"
+pages="breather strike defect drive"
 # Whether the object $1 is newer than everything that its compiler has read.
 is_new() {
   [ -e "$1.o" ] && [ -e "$1.d" ] || return 1

@@ -111,7 +111,8 @@ USE = {
         button.focus(); button.click();
         if (!panel.matches(":popover-open")) return "a number does not open";
         const box = panel.getBoundingClientRect();
-        if (box.left < 0 || box.right > innerWidth + 1 || box.top < 0) return "a record opens beside the page";
+        if (box.left < 0 || box.right > innerWidth + 1) return "a record opens beside the page";
+        if (box.top < document.querySelector("header.top").getBoundingClientRect().bottom) return "a record covers the header";
         panel.hidePopover();
         const before = getComputedStyle(document.body).backgroundColor;
         document.getElementById("theme").click();
@@ -134,7 +135,15 @@ USE = {
         if (scrollY || document.activeElement !== query) return "the search does not open at its field";
         query.value = "surface mode"; query.dispatchEvent(new Event("input"));
         const links = [...document.querySelectorAll("#results a")].map((a) => a.getAttribute("href"));
-        return links.some((l) => l.startsWith("sec34_impact.html#")) ? "" : "the search does not find the surface mode: " + links;
+        if (!links.some((l) => l.startsWith("sec34_impact.html#"))) return "the search does not find the surface mode: " + links;
+        const first = (words) => {
+          query.value = words; query.dispatchEvent(new Event("input"));
+          return document.querySelector("#results a")?.getAttribute("href") ?? "nothing";
+        };
+        for (const [words, page] of [["fig 19", "fig-19.html"], ["Fig. x19", "fig-x19.html"], ["peierls-nabarro", "sec32_barrier.html"],
+            ["Peierls\u2013Nabarro", "sec32_barrier.html"], ["sec34_impact.cpp", "sec34_"], ["--velocity", "sec3"], ["velocity_sweep", "fig-19.html"]])
+          if (!first(words).startsWith(page)) return `'${words}' leads to ${first(words)}`;
+        return "";
       })()""",
 }
 
@@ -224,7 +233,7 @@ def check_keys(browser, folder):
     opened = "!!document.querySelector('[popover]:popover-open')"
     browser.open("file://" + os.path.join(folder, "index.html"))
     browser.evaluate("document.querySelector('h1').tabIndex = -1; document.querySelector('h1').focus()")
-    for _ in range(10):  # a button and six figures come first
+    for _ in range(16):  # the header, the chain and six figures come first
         browser.press("Tab")
         if browser.evaluate("document.activeElement.className") == "num":
             break
@@ -275,12 +284,29 @@ def check_breather(browser, folder, bin_folder):
             out.append(f"defect.html: {name} is {value} ± {error}, the native program says {theirs[name]}")
     if found["state"] != "done" or not facts["net_reflected"][0] > 0.95:
         out.append(f"defect.html: {found['said']}, {facts}")
+    out += check_drive(browser, folder, bin_folder)
     browser.open(page + "?centre=bond&omega=1.7&s=-1")
     found = browser.evaluate(ENDED + "(document.getElementById('live-breather'))")
     if found["state"] != "failed" or "turns back" not in found["said"]:
         out.append(f"a breather beyond its fold is answered by: {found['said']}")
     return out
 
+
+
+def check_drive(browser, folder, bin_folder):
+    """The driven array: to the bit what the native program says, quiet and with a train."""
+    out, here = [], os.path.exists(os.path.join(bin_folder, "sec5_driving"))
+    for query, outcome in [("", 0), ("?amplitude=20&time=20", 1), ("?amplitude=5&by=base&time=20", 1)]:
+        browser.open("file://" + os.path.join(folder, "drive.html") + query)
+        found = browser.evaluate(ENDED + "(document.getElementById('live-drive'))")
+        facts = {name: tuple(map(float, pair)) for name, pair in found["facts"].items()}
+        if found["state"] != "done" or facts["outcome"][0] != outcome:
+            out.append(f"drive.html{query}: {found['said']}, {facts}")
+        theirs = native(found["command"], bin_folder) if here else facts
+        for name, pair in facts.items():
+            if repr(pair) != repr(theirs[name]):
+                out.append(f"drive.html{query}: {name} is {pair}, the native program says {theirs[name]}")
+    return out
 
 
 def check_all(folder):

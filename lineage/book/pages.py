@@ -16,7 +16,8 @@ from .source import rooms_of
 LISTS = [("published.html", "Published against reproduced"), ("numbers.html", "All other numbers"),
          ("equations.html", "Equations of the article"), ("figures.html", "All figures"),
          ("tables.html", "All tables and columns"), ("commands.html", "All commands"), ("packages.html", "Packages used")]
-LIVE = [("strike", "Strike the chain"), ("breather", "Find a breather"), ("defect", "Put a defect in the way")]
+LIVE = [("strike", "Strike the chain"), ("breather", "Find a breather"), ("defect", "Put a defect in the way"),
+        ("drive", "Drive the array")]
 
 
 class Book:

@@ -4,6 +4,7 @@
 
 #include "lattice/numbers/dense.hpp"
 #include "lattice/orbits/breather_pairs.hpp"
+#include "sec5/chain_bounds.hpp"
 
 namespace lattice {
 
@@ -14,36 +15,6 @@ using Numbers = std::vector<Number>;
 using Rows = std::vector<Numbers>;
 
 const Number one(1), two(2);
-
-/// sin(pi / omega), which is positive for 1 < omega < 2.
-Number sine(const Number& omega) {
-  return enclosed_cosine(enclosed_pi() / omega - enclosed_pi() / two);
-}
-
-/// 2 / s - 1, the mean of |g|.
-Number mean_of_kernel(const Number& omega) {
-  return two / sine(omega) - one;
-}
-
-/// pi / (omega s), which no value of |g| exceeds.
-Number largest_of_kernel(const Number& omega) {
-  return enclosed_pi() / (omega * sine(omega));
-}
-
-enum class Weight { one, square };
-
-/// Sum of the moduli of coefficients, the k-th weighted with 1 or, for the second derivative, k^2.
-Number weighted_sum(const std::vector<double>& c, Weight weight) {
-  Number sum{};
-  for (std::size_t k = 0; k < c.size(); ++k)
-    sum += Number(std::abs(c[k])) * double(weight == Weight::one ? 1 : k * k);
-  return sum;
-}
-
-/// V / (2 pi) for f = c_+^(3/2).
-Number variation(const std::vector<double>& c) {
-  return Number(3) * root(weighted_sum(c, Weight::one)) * weighted_sum(c, Weight::square);
-}
 
 /// 1 / (1 - omega^2 k^2).
 Number transfer(const Number& omega, std::size_t k) {
@@ -107,19 +78,13 @@ std::vector<double> chain_residuals(const ChainGuess& guess, const Fineness& fin
     for (double x : values.value)
       f.push_back(hertz(Number(x) + Number(-values.error, values.error)));
     force.push_back(discrete_coefficients(f, harmonics, table));
-    spread.push_back(variation(c));
+    spread.push_back(variation_of_force(c));
   }
-  // sum over j != 0 of 1 / (j M + k)^2 is at most pi^2 / 3 over (M - k)^2; two for both signs of k
-  const Number gap = Number(double(fineness.samples)) - double(harmonics);
-  const Number folded = two * enclosed_pi() * enclosed_pi() / Number(3) / (gap * gap);
-  // sum over k > K of 2 |G_k| / k^2 with |G_k| <= 1 / (k^2 (omega^2 - 1 / K^2)) and K = harmonics - 1
-  const double last = double(harmonics - 1);
   const Number& w = guess.omega;
-  const Number beyond =
-      two / (Number(3) * (w * w - one / (Number(last) * last)) * last * last * last);
   Number response{};
   for (std::size_t k = 0; k < harmonics; ++k) response += abs(transfer(w, k));
-  const Number per_variation = response * folded + beyond;
+  const Number per_variation =
+      response * folded_back(fineness.samples, harmonics) + left_out(w, harmonics);
 
   std::vector<double> out;
   for (std::size_t n = 0; n <= window; ++n) {
@@ -140,18 +105,6 @@ std::vector<double> chain_residuals(const ChainGuess& guess, const Fineness& fin
 }
 
 namespace {
-
-/// Ranges of a cosine sum on equal cells of the half circle: from its ends and its second derivative.
-Numbers ranges(const std::vector<double>& c, std::size_t cells) {
-  const Sampled values = sample(c, CosineTable(2 * cells));
-  const Number h = enclosed_pi() / double(cells);
-  const Number bend = h * h / Number(8) * weighted_sum(c, Weight::square) + Number(values.error);
-  Numbers out;
-  for (std::size_t p = 0; p < cells; ++p)
-    out.push_back(hull(Number(values.value[p]), Number(values.value[p + 1])) +
-                  Number(-bend.upper, bend.upper));
-  return out;
-}
 
 /// (3/2) sqrt(x_+).
 Number stiffness(const Number& x) {

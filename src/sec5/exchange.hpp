@@ -8,6 +8,7 @@ costs one or two waves a value, and they are found by false position. */
 
 #include <cmath>
 
+#include "lattice/numbers/estimate.hpp"
 #include "sec5/kernel_wave.hpp"
 
 namespace lattice {
@@ -35,6 +36,12 @@ double zero_between(double low, double high, Of of) {
     }
   }
   return next;
+}
+
+/// By how much 1 / (alpha - 1) grows from one exchange to the next.
+inline Estimate spacing(const Estimate& larger, const Estimate& smaller) {
+  const double a = larger.value - 1, b = smaller.value - 1;
+  return {1 / b - 1 / a, larger.error / (a * a) + smaller.error / (b * b)};
 }
 
 /**

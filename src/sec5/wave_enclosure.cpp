@@ -160,7 +160,6 @@ struct Moments {
 
 }  // namespace
 
-/// NBE, the response of nodes to nodes.
 WaveProof::Rows WaveProof::response() const {
   const std::size_t per = cells_between_nodes(), m = fine_.window * fine_.nodes;
   const Number h = two * enclosed_pi() / double(fine_.per_turn);

@@ -61,15 +61,16 @@ class WaveProof {
   double delta() const { return delta_; }      ///< |1 - C (1 - B)| for the matrix
   double epsilon() const { return epsilon_; }  ///< what broken lines miss
 
+  using Rows = std::vector<std::vector<Interval<double>>>;
   /// 3/2 sqrt(d_+) in the middle of what it may be on each cell of the window; zero behind.
   const std::vector<double>& stiffness() const { return stiffness_; }
+  /// NBE, the response of nodes to broken lines.
+  Rows response() const;
 
  private:
-  using Rows = std::vector<std::vector<Interval<double>>>;
   std::size_t cells_between_nodes() const { return fine_.per_turn / fine_.nodes; }
   double widest(const std::vector<double>& density, std::size_t first, double behind) const;
   Interval<double> kernel(long difference) const;
-  Rows response() const;
   void invert();
 
   WaveFineness fine_;

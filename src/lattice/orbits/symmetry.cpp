@@ -84,25 +84,4 @@ Symmetry travelling_reversible(std::size_t reach, bool free_period) {
   return s;
 }
 
-// Even or odd perturbations under the reflection, first of positions, then of velocities
-Basis mirror_block(std::size_t sites, double sign) {
-  Basis basis;
-  for (std::size_t half : {std::size_t(0), sites})
-    for (std::size_t n = sites / 2; n < sites; ++n) {
-      const std::size_t mirror = sites - 1 - n;
-      if (mirror != n)
-        basis.push_back({{half + n, 1}, {half + mirror, sign}});
-      else if (sign > 0)
-        basis.push_back({{half + n, 1}});
-    }
-  return basis;
-}
-
-// Without a symmetry every entry of the state is a direction of its own
-Basis all_directions(std::size_t sites) {
-  Basis basis;
-  for (std::size_t i = 0; i < 2 * sites; ++i) basis.push_back({{i, 1}});
-  return basis;
-}
-
 }  // namespace lattice

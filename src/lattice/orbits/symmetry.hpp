@@ -103,17 +103,4 @@ imaginary at the start, only turns, and is imaginary again at $T/2$, so that the
 positions add up to zero whatever the unknowns are (travelling.hpp has more on this sum). */
 Symmetry travelling_reversible(std::size_t reach, bool free_period);
 
-/**
-## Blocks of perturbations
-
-The stability of an orbit is easier to find if its perturbations fall into blocks: a reflection that maps
-the orbit to itself splits them into even and odd ones, which the linearised flow does not mix. With $e_n$
-the perturbation of entry $n$ alone, the columns of a block are $e_n \pm e_{mirror}$ for the right half of
-the chain (and $e_n$ alone for a central site), first for positions and then for velocities. The
-coefficients of a perturbation in the block are its entries on the right half. */
-Basis mirror_block(std::size_t sites, double sign);
-
-/// All perturbations, in the order of the state's entries.
-Basis all_directions(std::size_t sites);
-
 }  // namespace lattice

@@ -237,17 +237,25 @@ struct NystromStep {
   correction themselves. */
   void repair_forces(Window window, NystromMemory<T>& at) const {
     std::vector<T>&y = at.y[base.last()], &a = at.a[base.last()];
-    const auto pull = [&](std::size_t i) {
-      if (at.correction[i].velocity != T(0) || push_at(chain, contact, y.data(), i) == T(0))
-        return T(0);
-      return -T(chain.eta_of(i)) * contact.stiffness(stretch(chain, y.data(), i)) *
-             stretch(chain, at.shift.data(), i);
+    struct Side {
+      std::size_t contact = std::size_t(-1);
+      T push{}, pull{};
     };
+    const auto side = [&](std::size_t i) -> Side {
+      const T push = push_at(chain, contact, y.data(), i);
+      if (at.correction[i].velocity != T(0) || push == T(0)) return {i, push, T(0)};
+      return {i, push,
+              -T(chain.eta_of(i)) * contact.stiffness(stretch(chain, y.data(), i)) *
+                  stretch(chain, at.shift.data(), i)};
+    };
+    // The right side of a bead is the left one of the next
+    Side left, right;
     near_contacts(at, 2, [&](std::size_t n) {
       if (n < window.first || n >= window.last) return;
-      a[n] = chain.well.force(y[n]) +
-             (push_at(chain, contact, y.data(), n) - push_at(chain, contact, y.data(), n + 1));
-      T more = -chain.well.stiffness(y[n]) * at.shift[n] + (pull(n) - pull(n + 1));
+      left = right.contact == n ? right : side(n);
+      right = side(n + 1);
+      a[n] = chain.well.force(y[n]) + (left.push - right.push);
+      T more = -chain.well.stiffness(y[n]) * at.shift[n] + (left.pull - right.pull);
       if (!chain.mass.empty()) a[n] *= inverse_mass<T>(chain, n), more *= inverse_mass<T>(chain, n);
       at.v[n] += more;
     });

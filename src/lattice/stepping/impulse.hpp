@@ -59,11 +59,13 @@ struct Impulse {
   T velocity{}, position{}, shift{};
 };
 
-/// Gauss-Legendre with eight nodes in (-1, 1): the four positive ones and their weights.
-inline constexpr double gauss_node[]{0.18343464249564981, 0.52553240991632899, 0.79666647741362674,
-                                     0.96028985649753623};
-inline constexpr double gauss_weight[]{0.36268378337836198, 0.31370664587788729,
-                                       0.22238103445337447, 0.10122853629037626};
+/// Gauss-Legendre with eight nodes in (-1, 1), and their weights.
+inline constexpr double gauss_node[]{
+    -0.18343464249564981, -0.52553240991632899, -0.79666647741362674, -0.96028985649753623,
+    0.18343464249564981,  0.52553240991632899,  0.79666647741362674,  0.96028985649753623};
+inline constexpr double gauss_weight[]{
+    0.36268378337836198, 0.31370664587788729, 0.22238103445337447, 0.10122853629037626,
+    0.36268378337836198, 0.31370664587788729, 0.22238103445337447, 0.10122853629037626};
 
 /**
 These integrals are computed by Gauss quadrature. At the singular point it would fail for the same reason
@@ -79,14 +81,19 @@ void add_piece(const Push& push, T a, T b, T root, bool fourth, Impulse<T>& sum)
   T ua = sqrt(abs(a - root)), ub = sqrt(abs(b - root));
   if (fourth) ua = sqrt(ua), ub = sqrt(ub);
   const T middle = (ua + ub) / T(2), half = abs(ub - ua) / T(2);
+  // Two loops, because the compiler vectorises the first one and the sums have one order
+  T push_ds[8], rest[8];
   for (std::size_t k = 0; k < 8; ++k) {
-    const T u = middle + (k < 4 ? -half : half) * T(gauss_node[k % 4]), u2 = u * u;
+    const T u = middle + half * T(gauss_node[k]), u2 = u * u;
     const T s = root + side * (fourth ? u2 * u2 : u2);
-    const T ds = half * T(gauss_weight[k % 4]) * (fourth ? T(4) * u2 * u : T(2) * u);
-    const T push_ds = push(s) * ds, rest = T(1) - s;
-    sum.velocity += push_ds;
-    sum.position += rest * push_ds;
-    sum.shift += rest * rest / T(2) * push_ds;
+    const T ds = half * T(gauss_weight[k]) * (fourth ? T(4) * u2 * u : T(2) * u);
+    push_ds[k] = push(s) * ds;
+    rest[k] = T(1) - s;
+  }
+  for (std::size_t k = 0; k < 8; ++k) {
+    sum.velocity += push_ds[k];
+    sum.position += rest[k] * push_ds[k];
+    sum.shift += rest[k] * rest[k] / T(2) * push_ds[k];
   }
 }
 

@@ -1,0 +1,59 @@
+#pragma once
+/**
+# One drive of the array
+
+What is driven, how fast and how far, in the units of a bench. A run tells what passes a gate bead; two runs, the
+finer with half the step, give each quantity with its error. The command `drive` and the live page ask for the
+same. */
+
+#include <string>
+#include <vector>
+
+#include "lattice/numbers/estimate.hpp"
+#include "sec5/array_units.hpp"
+#include "sec5/driven.hpp"
+
+namespace lattice {
+
+/// A quantity of such a drive.
+struct DrivenQuantity {
+  std::string name;
+  Estimate value;
+  std::string unit = "";
+};
+
+/// The array of section 3.6 with losses and a drive that grows during the first sixth of its `duration`.
+struct DrivenArray : ArrayUnits {
+  static constexpr std::size_t sites = 50, gate = 20;  ///< the bead behind which a packet counts
+  static constexpr double step = 0.02;                 ///< of the finer run
+
+  double frequency = 7000, amplitude = 5, lifetime = 10,
+         duration = 60;  ///< Hz, micrometres, ms, ms
+  Drive::By by = Drive::By::piston;
+
+  double horizon() const { return time(duration); }
+  Bench bench() const {
+    const Drive drive{by, omega(frequency), amplitude / micrometres(1), 0, horizon() / 6};
+    return {Chain{sites}, {rate(lifetime), 0}, drive};
+  }
+  Emission run(double h) const { return drive_chain(bench(), horizon(), gate, h); }
+
+  /// Two runs and what they say; the law of the DpS limit holds above the frequency of a beam.
+  std::vector<DrivenQuantity> quantities() const {
+    const Emission coarse = run(2 * step), fine = run(step);
+    const double per = per_second(1);
+    std::vector<DrivenQuantity> out{
+        {"outcome", compare(int(!coarse.passages.empty()), int(!fine.passages.empty()))},
+        {"emitted_per_second", compare(coarse.rate(horizon()) * per, fine.rate(horizon()) * per),
+         "1/s"},
+        {"power", compare(watts(coarse.power), watts(fine.power)), "W"},
+        {"response", compare(micrometres(coarse.response), micrometres(fine.response)), "um"},
+        {"ledger", compare(coarse.ledger, fine.ledger)}};
+    if (omega(frequency) > 1)
+      out.push_back(
+          {"threshold_law", exact(micrometres(threshold_law(by, omega(frequency)))), "um"});
+    return out;
+  }
+};
+
+}  // namespace lattice

@@ -1,8 +1,0 @@
-# shellcheck shell=sh
-# Sourced: `hold FILE` makes a second make in the same checkout wait here until the first has done what it does,
-# to the end of the script that calls it. Where there is no flock nobody waits.
-hold() {
-  command -v flock >/dev/null 2>&1 || return 0
-  exec 9> "$1"
-  flock -n 9 || { echo "  wait     for another make in this checkout" && flock 9; }
-}

@@ -1,0 +1,24 @@
+# shellcheck shell=sh
+# Sourced by the other scripts and by the Makefile.
+
+# `hold FILE` makes a second make in the same checkout wait here until the first has done what it does, to the end
+# of the script that calls it. Where there is no flock nobody waits.
+hold() {
+  command -v flock >/dev/null 2>&1 || return 0
+  exec 9> "$1"
+  flock -n 9 || { echo "  wait     for another make in this checkout" && flock 9; }
+}
+
+# The seconds since the machine started run forwards, also where somebody sets its clock.
+now() { cut -d' ' -f1 /proc/uptime 2>/dev/null || date +%s.%N; }
+
+# `catch_up FILE WITH...`: FILE is as new as what it was made from, also after a clock was set back: or it would be
+# made again for ever.
+newer() { [ -n "$(find "$1" -newer "$2" 2>/dev/null)" ]; }
+catch_up() {
+  made=$1
+  shift
+  for from in "$@"; do
+    if newer "$from" "$made"; then touch -r "$from" "$made"; fi
+  done
+}
