@@ -21,7 +21,7 @@ for k, colour, dash in ((2, "#888888", "--"), (1, "black", "-")):
 a.set(xlabel=r"$\sigma/2\pi$", ylabel=r"kernel $K(\sigma)$", xlim=(-2.5, 2.5), ylim=(-1.2, 1.45))
 a.legend(loc="upper right", fontsize=7, ncols=2)
 
-inset = b.inset_axes([0.66, 0.53, 0.33, 0.43])
+inset = b.inset_axes([0.66, 0.60, 0.33, 0.37])
 for sign, name, colour, dash in ((1, "plus", BLUE, "-"), (-1, "minus", RED, "--")):
     one = draw.where(profiles, "sign", sign)
     t = np.concatenate((-one["turns"][::-1], one["turns"]))

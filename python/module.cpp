@@ -21,9 +21,11 @@ documentation. */
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "commands/dps_strike.hpp"

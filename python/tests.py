@@ -1,6 +1,7 @@
 """Tests of the Python module. Argument: the folder of the programs, whose numbers and complaints are the measure."""
 
 import csv
+import importlib.util
 import inspect
 import math
 import os
@@ -237,6 +238,7 @@ class Documentation(unittest.TestCase):
         self.assertIn("speed", repr(lattice.strike(velocity=1, time=10)))
 
 
+@unittest.skipUnless(importlib.util.find_spec("matplotlib"), "there is no matplotlib")
 class Notebooks(unittest.TestCase):
     def test_they_say_what_they_hold(self):
         paths = sorted(HERE.glob("*.ipynb"))

@@ -111,7 +111,7 @@ TEST_CASE("integrals of cells against Simpson's rule", "[unit][kernel]") {
     if (!zero && p % 97) continue;
     const CellIntegrals found = integrate(s.guess, p, s.angles);
     double c = 0, sine = 0, work = 0;
-    const int n = zero ? 40000 : 40;
+    const int n = zero ? 40000 : 400;
     for (int i = 0; i < n; ++i) {
       const double t = h * (double(p) + (i + 0.5) / n), f = force(s.guess, t);
       c += f * std::cos(t) * h / n, sine += f * std::sin(t) * h / n;
@@ -291,7 +291,7 @@ TEST_CASE("the derivative changes no more in the ball than the bound says", "[pr
         t, [&](double u) { return (kernel(t - u) > 0 ? 1 : -1) * of(u); }, 4000);
   };
   for (int i = 0; i < 60; ++i) {
-    largest = std::max(largest, moduli(0.1 * i, change));
+    largest = std::max(largest, moduli(two_pi * double(s.fine.window) * i / 60, change));
     behind = std::max(behind, moduli(two_pi * double(s.fine.window) + 0.1 * i, whole));
   }
   const double bound = (1 + s.proof.kappa()) * largest;

@@ -1,7 +1,7 @@
 /**
 # A breather in the browser
 
-Newton's method, the multipliers and a kick, from the headers that the programs of sections 3.2
+Newton's method, the multipliers and a kick, from the library that the programs of sections 3.2
 and 3.3 are compiled from. Where those confirm a breather in a wider type, which a browser does not
 have, the page takes a second tolerance, sixteen times as large, for the error. */
 

@@ -47,6 +47,12 @@ class Told(unittest.TestCase):
         cmake = ecsv.text_of(ROOT / "CMakeLists.txt")
         self.assertIn('string(JSON version GET "${codemeta}" version)', cmake)
         self.assertIn("project(lattice VERSION ${version} ", cmake)
+        # Whoever shows the version is told it by CMake
+        for path in [*(ROOT / "src").rglob("*.cpp"), *(ROOT / "python").glob("*.cpp")]:
+            if "LATTICE_VERSION" in (text := ecsv.text_of(path)):
+                self.assertNotIn(version, text, path)
+                told = cmake if "src" in path.parts else ecsv.text_of(ROOT / "python/CMakeLists.txt")
+                self.assertIn('LATTICE_VERSION="${PROJECT_VERSION}"', told, path)
 
     def test_the_article_is_that_of_the_bibliography(self):
         a, bib = metadata.article(self.meta), ecsv.text_of(ROOT / "paper/refs.bib").split("@article{james2013breathers,")[1]
