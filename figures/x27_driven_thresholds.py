@@ -27,6 +27,8 @@ for way, color, mark in [("up", "#D55E00", "^"), ("once", "#CC79A7", "x"), ("dow
                mark, color=color, ms=4, mfc="none", label=f"piston, {way}")
 law.set(xlabel=r"distance $\delta$ from the frequency of a beam",
         ylabel=r"amplitude ($\mathrm{\mu m}$)")
+law.minorticks_off()
+law.set_xticks([0.05, 0.1, 0.2, 0.35], ["0.05", "0.1", "0.2", "0.35"])
 law.legend(loc="lower right", fontsize=6)
 draw.letter(law, "a")
 
