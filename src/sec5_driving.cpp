@@ -123,12 +123,15 @@ A threshold depends on how one comes to it. We raise the amplitude slowly from z
 once, or come down slowly from twice the law. Upward and at once the first packet at the gate decides. Downward
 the array still holds packets of the stronger drive, so that it is the power that decides: emission goes on if
 the drive gives more than twice as much in the second half of the run as to the quiet motion of the same
-amplitude. What the stronger drive has left must die out first, and it has to lose most at the larger
-$\delta$, where the quiet motion takes a thousandth of the power of a train: downward runs therefore last for ten
-lifetimes and more, and in shorter ones there is no threshold to be found. Each threshold is found at two horizons,
-of which the longer has half as fast a ramp. Slowly upward it
-is the fold, seen from a little above it, because the motion takes long to leave where the orbit has just vanished.
-At once it is lower, since the onset shakes the bead more than the orbit does. */
+amplitude. What the stronger drive has left must die out first, and at the larger
+$\delta$ it hides the small power of the quiet motion for long: in runs of four or eight lifetimes every amplitude
+seems to emit, and there is no threshold to be found. So downward runs last for ten and twenty. Each threshold is
+found at two horizons, of which the longer has half as fast a ramp; the slower a descent, the sooner does emission
+stop, and
+at the larger $\delta$ the two are still apart by more than the halving.
+
+Slowly upward the threshold is the fold, seen from a little above it, because the motion takes long to leave where the
+orbit has just vanished. At once it is lower, since the onset shakes the bead more than the orbit does. */
 enum class Way { up, once, down };
 
 bool emits(const Rig& rig, Way way, double omega, double a, double horizon) {
@@ -415,9 +418,12 @@ void reproduce(Report& report) {
 ## Checks, differences and limits
 
 The threshold has three routes: runs, Newton's method on the driven orbit, and a map of two lines in the DpS
-limit, which shares no code with the others. The bookkeeping of `drive`, energy and losses less work over the most energy that was there or came in, closes to
-[](num:sec5_driving.ledger) at its steps in a quiet motion, a train and a driven base; the program stops if it does
-not close to 1e-10. The piston is a bead of the same size that cannot be pushed back; a real shaker can, and its force is
+limit, which shares no code with the others. The bookkeeping of `drive`, energy and losses less work over the most
+energy that was there or came in, closes to
+[2e-12](num:sec5_driving.ledger) at its steps in a quiet motion, a train and a driven base; the program stops if it
+does
+not close to 1e-10. The piston is a bead of the same size that cannot be pushed back; a real shaker can, and its
+force is
 what `power` tells.
 That a quiet motion vanishes in a fold does not tell what comes after it: trains and
 irregular emission are what runs show, with one lifetime.

@@ -32,8 +32,9 @@ using std::numbers::pi;
 
 /**
 In short: waves whose neighbours differ in phase by a quarter of a turn or less, $q\le\pi/2$, are stable, and all
-others are unstable but for $\cos q = -\frac15$. The fastest growth has the wave of opposite neighbours, $q = \pi$, with
-[](num:sec5_growth.greatest_growth) per unit of slow time. The chain agrees up to a difference in
+others are unstable but for $\cos q = -\frac15$. The fastest growth has the wave of opposite neighbours, $q = \pi$,
+with
+[0.373674](num:sec5_growth.greatest_growth) per unit of slow time. The chain agrees up to a difference in
 proportion to the root of the amplitude. Breathers that last remain only where the wave has more energy than
 irregular motion of the same norm could take up.
 
@@ -100,8 +101,8 @@ void report_fastest(Report& report) {
 
 The matrix of a ring, from differences of the right-hand side of the DpS equation, must have the exponents of
 the closed form for every wave and modulation that fit on it; the largest distance is
-[](num:sec5_growth.exponents_apart) of the wave's rate. And runs of the DpS equation must show the growth:
-theirs differs by [](num:sec5_growth.dps_runs_apart) at most. */
+[6e-10](num:sec5_growth.exponents_apart) of the wave's rate. And runs of the DpS equation must show the growth:
+theirs differs by [2.959e-8](num:sec5_growth.dps_runs_apart) at most. */
 std::vector<ModulatedWave> waves_tried() {
   return {{8, 4, 1}, {12, 4, 2}, {16, 6, 2}, {16, 5, 2}, {34, 9, 17}};
 }
@@ -130,8 +131,8 @@ void report_checks(Report& report) {
 The limit is reached slowly. Averaging leaves corrections of relative size $\epsilon^{1/2}$, and so do growth and
 frequency approach those of the DpS equation. We follow the chain's own waves, computed by Newton's method, down to
 $\epsilon = 10^{-7}$, and compare the fastest growth on a ring (`chain_rates`, dps_waves.hpp). Between the
-two smallest amplitudes the order is [](num:sec5_growth.order_growth_8_4) at $q = \pi$ and between
-[](num:sec5_growth.order_growth_16_6) and [](num:sec5_growth.order_growth_16_5) at the other four. The
+two smallest amplitudes the order is [0.499](num:sec5_growth.order_growth_8_4) at $q = \pi$ and between
+[0.5003](num:sec5_growth.order_growth_16_6) and [0.51](num:sec5_growth.order_growth_16_5) at the other four. The
 prefactor is large: at $\epsilon = 10^{-2}$ the wave $q = \pi$ loses more than a quarter of its growth. */
 void report_chain(Report& report) {
   Table& table = report.table(
@@ -196,7 +197,7 @@ void report_runs(Report& report) {
 
 /**
 In the array of section 3.6 a wave with $q = \pi$ that swings by one micrometre grows e-fold in
-[](num:sec5_growth.periods_at_1um) periods, and a hundredfold in less than five times as many; with the
+[13.9759](num:sec5_growth.periods_at_1um) periods, and a hundredfold in less than five times as many; with the
 amplitude $a$ this goes like $a^{-1/2}$. So whoever can make every second bead swing against the others need not
 set up anything else. */
 void report_array(Report& report) {
@@ -215,10 +216,12 @@ These runs are chaotic. A tolerance ten times smaller gives other breathers, so 
 their errors are the standard error over the seeds and the difference of both tolerances.
 
 Norm and energy are conserved, and that decides. A field of independent normal amplitudes, the motion of
-infinite temperature, has the energy $\frac25\,2^{5/4}\,\Gamma(\frac94) = $ [](num:sec5_growth.random_energy)
-per site at norm one. A wave with more cannot become as irregular as that; the surplus must gather. This is the argument
+infinite temperature, has the energy $\frac25\,2^{5/4}\,\Gamma(\frac94) = $ [1.0779](num:sec5_growth.random_energy)
+per site at norm one. A wave with more cannot become as irregular as that; the surplus must gather. This is the
+argument
 of Rasmussen, Cretegny, Kevrekidis and Grønbech-Jensen (Phys. Rev. Lett. 84, 3740, 2000) for the discrete nonlinear
-Schrödinger equation. Waves pass that energy at $q = $ [](num:sec5_growth.neutral_q), a little beyond $\pi/2$, so
+Schrödinger equation. Waves pass that energy at $q = $ [1.67605](num:sec5_growth.neutral_q), a little beyond
+$\pi/2$, so
 that nearly all unstable waves are above. */
 struct Leftover {
   int waves;  ///< on the ring; zero stands for random amplitudes
@@ -307,18 +310,21 @@ void report_leftovers(Report& report) {
 }
 
 /**
-On a ring of 64 sites [](num:sec5_growth.breathers_at_a_time_32) breathers live at a time after the wave
-$q = \pi$ and [](num:sec5_growth.breathers_at_a_time_24) after $q = \frac34\pi$, with
-[](num:sec5_growth.energy_over_static_32) and [](num:sec5_growth.energy_over_static_24) of the energy of static
+On a ring of 64 sites [1](num:sec5_growth.breathers_at_a_time_32) breathers live at a time after the wave
+$q = \pi$ and [0.4](num:sec5_growth.breathers_at_a_time_24) after $q = \frac34\pi$, with
+[0.963](num:sec5_growth.energy_over_static_32) and [0.89](num:sec5_growth.energy_over_static_24) of the energy of
+static
 ones. After $q = \frac{17}{32}\pi$, which is unstable but has no surplus, there are as many as in the random
-field, [](num:sec5_growth.breathers_at_a_time_random).
+field, [0](num:sec5_growth.breathers_at_a_time_random).
 
-Hardly any is at rest, [](num:sec5_growth.share_at_rest_32) and
-[](num:sec5_growth.share_at_rest_24) of them: they travel, and a collision or a wave turns them round. After $q = \pi$
-they go both ways, with the mean speed [](num:sec5_growth.mean_speed_32) and its mean size
-[](num:sec5_growth.mean_size_of_speed_32). After $q = \frac34\pi$ they go with the energy of the wave, at
-[](num:sec5_growth.mean_speed_24) on the mean, more slowly than its group velocity
-[](num:sec5_growth.group_velocity_24). The static breathers that the article hopes for are thus the exception, and $q = \pi$
+Hardly any is at rest, [0.05](num:sec5_growth.share_at_rest_32) and
+[0](num:sec5_growth.share_at_rest_24) of them: they travel, and a collision or a wave turns them round. After $q =
+\pi$
+they go both ways, with the mean speed [0.06](num:sec5_growth.mean_speed_32) and its mean size
+[0.16](num:sec5_growth.mean_size_of_speed_32). After $q = \frac34\pi$ they go with the energy of the wave, at
+[-0.28](num:sec5_growth.mean_speed_24) on the mean, more slowly than its group velocity
+[-0.777628](num:sec5_growth.group_velocity_24). The static breathers that the article hopes for are thus the
+exception, and $q = \pi$
 is the wave to begin with. */
 void report_energies(Report& report) {
   const double random = 0.4 * std::pow(2, 1.25) * std::tgamma(2.25);
@@ -334,7 +340,8 @@ void report_energies(Report& report) {
 
 /**
 The second figure shows the beginning: the wave $q = \pi$ in the DpS equation and, from the same field, in the chain
-with $\epsilon = 10^{-3}$, and $q = \frac34\pi$. The chain does in its own time what the DpS equation does, and makes its
+with $\epsilon = 10^{-3}$, and $q = \frac34\pi$. The chain does in its own time what the DpS equation does, and
+makes its
 breathers elsewhere: noise of one per cent is not known better than the difference between both. */
 void report_maps(Report& report) {
   const double duration = 160, eps = 1e-3, slow = std::sqrt(eps);
@@ -411,7 +418,8 @@ void reproduce(Report& report) {
 /**
 ## Checks, differences and limits
 
-The growth has four routes: the closed form, the matrix of a ring, runs of the DpS equation, and the linearised chain with
+The growth has four routes: the closed form, the matrix of a ring, runs of the DpS equation, and the linearised
+chain with
 a run of it. What the article calls MI has been studied for plane waves and linear wells. The bound on
 breathers from the energy of a random field says that the surplus gathers, not how fast; on longer runs the breathers
 become fewer and larger, and we do not know whether one is left in the end. That so few are at rest is a

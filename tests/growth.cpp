@@ -140,7 +140,7 @@ TEST_CASE("breathers on a ring are counted with their energy and their way", "[u
   const Field field = with_breather(40, 39);  // across the seam
   const auto rest = watched(field, 0, 25).breathers();
   REQUIRE(rest.size() == 1);
-  check_close(rest[0].norm, 20, 0, 1e-3);
+  check_close(rest[0].norm, 20, 0, 5e-3);  // the sixth and seventh site hold the rest
   check_close(rest[0].energy, static_energy(20), 0, 1e-3);
   CHECK(rest[0].lived == 40);
   CHECK(rest[0].strayed < 1e-12);
@@ -162,7 +162,7 @@ TEST_CASE("noise has a seed and a size", "[unit][dps_tracks]") {
   check_close(norm(random_field(24, 3)), 24, 1e-12);
   // The energy of infinite temperature, 2/5 * 2^{5/4} * Gamma(9/4)
   double mean = 0;
-  for (unsigned long seed = 1; seed <= 20; ++seed)
-    mean += energy(random_field(500, seed), true) / (20 * 500);
+  for (unsigned long seed = 1; seed <= 200; ++seed)
+    mean += energy(random_field(500, seed), true) / (200 * 500);
   check_close(mean, 1.0779, 0.02);
 }

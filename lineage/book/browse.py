@@ -294,7 +294,7 @@ def check_breather(browser, folder, bin_folder):
 
 
 def check_drive(browser, folder, bin_folder):
-    """The driven array: to the bit what the native program says, quiet and with a train."""
+    """The driven array, quiet and emitting: the native numbers within the errors and rounding."""
     out, here = [], os.path.exists(os.path.join(bin_folder, "sec5_driving"))
     for query, outcome in [("", 0), ("?amplitude=20&time=20", 1), ("?amplitude=5&by=base&time=20", 1)]:
         browser.open("file://" + os.path.join(folder, "drive.html") + query)
@@ -303,9 +303,10 @@ def check_drive(browser, folder, bin_folder):
         if found["state"] != "done" or facts["outcome"][0] != outcome:
             out.append(f"drive.html{query}: {found['said']}, {facts}")
         theirs = native(found["command"], bin_folder) if here else facts
-        for name, pair in facts.items():
-            if repr(pair) != repr(theirs[name]):
-                out.append(f"drive.html{query}: {name} is {pair}, the native program says {theirs[name]}")
+        for name, (value, error) in facts.items():
+            wanted = theirs[name][0]
+            if not abs(value - wanted) <= error + theirs[name][1] + 1e-12 * abs(wanted):
+                out.append(f"drive.html{query}: {name} is {value} ± {error}, the native program says {theirs[name]}")
     return out
 
 

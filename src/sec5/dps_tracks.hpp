@@ -8,7 +8,8 @@ mean norm, and if it goes on doing so for a given time, while its centre never m
 half between two samples.
 
 The energy of a breather is compared with that of a static one of the same norm $N$ (stationary.hpp): with the
-frequency $\mu$ and $N = \mu^4N_1$ this is $\frac25\mu N = \frac25N(N/N_1)^{1/4}$, where $N_1$ is the norm at $\mu = 1$.
+frequency $\mu$ and $N = \mu^4N_1$ this is $\frac25\mu N = \frac25N(N/N_1)^{1/4}$, where $N_1$ is the norm at $\mu =
+1$.
 A peak that moves has less. */
 
 #include <cstddef>

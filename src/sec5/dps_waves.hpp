@@ -125,7 +125,8 @@ WaveRates run_in_dps(const ModulatedWave& wave, double tolerance);
 /**
 Newton's cradle with linear wells runs from the state that stands for the same field, Eq. (13), and there
 $y_n-i\dot y_n$ takes the place of $2\epsilon A_ne^{it}$. That state is not quite a wave of the chain: it holds
-harmonics $mq$ of the relative size $\epsilon^{1/2}$, which are modulations $(m-1)q$ and grow where these are unstable.
+harmonics $mq$ of the relative size $\epsilon^{1/2}$, which are modulations $(m-1)q$ and grow where these are
+unstable.
 So only waves will do whose own harmonics are stable, $q = \pi$ and $q = \frac23\pi$. */
 /// The chain at the amplitude `eps`, with steps of at most `step`.
 WaveRates run_in_chain(const ModulatedWave& wave, double eps, double step);
@@ -133,10 +134,13 @@ WaveRates run_in_chain(const ModulatedWave& wave, double eps, double step);
 /**
 ## The chain's own waves
 
-For all others we compute the wave first. A travelling wave of the chain, $y_n(t) = u(qn+\omega t)$, is in the state of
-its neighbour after the time $q/\omega$ (James 2011 proves that such waves exist near those of the DpS equation). On a ring
+For all others we compute the wave first. A travelling wave of the chain, $y_n(t) = u(qn+\omega t)$, is in the state
+of
+its neighbour after the time $q/\omega$ (James 2011 proves that such waves exist near those of the DpS equation). On
+a ring
 of one period this is a problem for Newton's method: the state and $\omega$ are unknown, the component
-$\frac1N\sum(y_n-i\dot y_n)e^{-iqn} = 2\epsilon$ is given, and least squares deal with the equation that the conserved energy makes
+$\frac1N\sum(y_n-i\dot y_n)e^{-iqn} = 2\epsilon$ is given, and least squares deal with the equation that the
+conserved energy makes
 superfluous. The same map on a longer ring, linearised by differences, has eigenvalues $\lambda$ and growth rates
 $\frac\omega q\ln|\lambda|$, at a cost that does not depend on $\epsilon$. */
 /// A wave of the chain on a ring of one period, with its frequency.
