@@ -9,6 +9,7 @@
 
 #include "check.hpp"
 #include "lattice/numbers/dense.hpp"
+#include "lattice/orbits/shooting.hpp"
 #include "sec5/chain_enclosure.hpp"
 
 using namespace lattice;
