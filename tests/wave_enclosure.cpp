@@ -10,6 +10,7 @@
 
 #include "check.hpp"
 #include "lattice/numbers/dense.hpp"
+#include "lattice/orbits/shooting.hpp"
 #include "sec5/kernel_wave.hpp"
 
 using namespace lattice;
