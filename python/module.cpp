@@ -4,7 +4,7 @@
 Each function of the module runs the command of the same meaning (src/commands): it reads its options as a
 program reads its line, computes, and returns the same tables. So bits, ranges and complaints are those of the
 programs, and nothing is decided here. What is added is what Python needs: arrays, exceptions, potentials that
-are written in Python, and a way to stop. The package around it (lattice/__init__.py) has the names and the
+are written in Python, and a way to stop. The package around it (package.py) has the names and the
 documentation. */
 
 #include <gsl/gsl_errno.h>
