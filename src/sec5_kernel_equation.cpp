@@ -182,8 +182,8 @@ struct Wave {
 The theorem does not say that the maximum is even, nor that there is one only, nor which sign of the
 central velocity it has, nor whether it is stable; nothing about other speeds, and nothing about wells
 with $s \ne 0$. For waves that repeat themselves only after $m$ sites, or for masses of period $m$ in wells of
-one frequency, the resonance leaves $m-1$ complex conditions. All this has to be computed, or is open. */
-/**
+one frequency, the resonance leaves $m-1$ complex conditions. All this has to be computed, or is open.
+
 ## Nearly free
 
 Only some properties of $K$ have been used: it is even, Lipschitz continuous, of compact support, not
@@ -384,6 +384,7 @@ std::vector<Comparison> comparisons(const std::vector<double>& alphas) {
     const Wave& w = found[i].front();
     if (alpha >= hertz.exponent) kappa[i] = compare(kappa_of(w.grids[0], 8), kappa_of(w.fine(), 1));
   });
+  // Both signs of an exponent side by side
   std::vector<Comparison> all;
   for (std::size_t i = 0; i < alphas.size(); ++i)
     all.push_back({alphas[i], found[2 * i].front(), found[2 * i + 1].front(), kappa[2 * i],
@@ -411,7 +412,7 @@ Table quotient_table(const std::vector<Comparison>& all) {
 }
 
 /**
-Where the quotients exchange their order, their difference passes thdense zero between two exponents of
+Where the quotients exchange their order, their difference passes through zero between two exponents of
 the table at which it is at least ten times its error. Does stability pass from one sign to the other at
 the same $\alpha$? A wave between the two, without symmetry, could carry it over an interval. So we look
 for the zeros of $\kappa$ of both signs too (exchange.hpp). */
@@ -588,7 +589,7 @@ are the waves, their quotients and the exchanges. That one of the two even waves
 theorem is a conjecture, with which the ascents agree; near an exchange it might be one without symmetry.
 
 - `sec5_kernel_equation wave --alpha 3 --sign minus` has the larger quotient there. Follow both signs
-  thdense an exchange and look for the wave without symmetry between them.
+  through an exchange and look for the wave without symmetry between them.
 - Give the cells a resonator with commensurate frequencies: the kernel has one more sine, the theorem is
   the same.
 - Does the contact really stay closed for ever once it has closed for the last time, as it does as far as

@@ -5,7 +5,7 @@
 
 The options are those that `--help` declares, with their ranges. Half of the values are drawn from them, sizes and times
 from their small ends, so that a run is short; the others are what people mistype, and what nobody does. Asked is of
-every answer: exit code 0, 1 or 2 and no signal, within ten seconds of the processor (times LATTICE_SLACK); a complaint is
+every answer: exit code 0, 1 or 2 and no signal, within thirty seconds of a slow processor (times LATTICE_SLACK); a complaint is
 one line and comes without a table; a table can be read, and holds a nan only where a description or the help allows one;
 nothing is left behind but the file that was asked for. A command that is mistyped is answered with the nearest one. Line
 number k of a seed is always the same."""
@@ -28,12 +28,13 @@ from lineage import ecsv  # noqa: E402
 BAD = ["0", "-1", "1", "2", "1.1", "1e-3", "nan", "inf", "-inf", "1e400", "1e-400", "-0", "", " ", "x", "1/0", "0x10", "031",
        "1e999", "99999999999999999999", "--", "-", "site", "bond", "quartic", "hertz", "\t", "é", "a,b", "2/8", "nowhere/x/y",
        "/", "'", '"', "$(ls)", "*", "0.5", "11", "-1/6", "a\nb", "1" * 400, "0." + "0" * 400 + "1", "\udcff", "+-1", "1_0"]
-SECONDS = 10 * float(os.environ.get("LATTICE_SLACK", "1"))
+SECONDS = 30 * float(os.environ.get("LATTICE_SLACK", "1"))
 # What decides how long a run takes, and how many times its least value is still short; tolerances at their large end.
 SIZES = {"sites": 4, "columns": 1.5, "rows": 1.5, "time": 3, "tau": 5, "patience": 2, "k": 4, "near": 3, "reach": 2}
 LOOSE = {"tolerance": 1e-2}
 LONG = {"sec34_boomeron_map map", "sec36_cantilever_defect map", "sec5_driving chart",  # a point of a map is a run
-        "sec5_enclosures dps", "sec5_enclosures breather"}
+        "sec33_floquet exchange", "sec33_mobility threshold",     # Newton and multipliers, or a run, many times
+        "sec5_enclosures dps", "sec5_enclosures breather", "sec5_enclosures wave"}
 FREE = {"output", "out", "folder"}
 
 

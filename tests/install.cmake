@@ -38,7 +38,7 @@ endwhile()
 if(PYTHON)
   file(GLOB packages ${place}/prefix/lib/python*/site-packages)
   run(${CMAKE_COMMAND} -E env PYTHONPATH=${packages} PYTHONDONTWRITEBYTECODE=1 ${PYTHON} -c
-      "import lattice; print(lattice.Chain(sites=3))")
+      "print(__import__('lattice').Chain(sites=3))")
   if(NOT text MATCHES "^Chain of 3 beads: wells harmonic")
     message(FATAL_ERROR "the Python module says: ${text}")
   endif()

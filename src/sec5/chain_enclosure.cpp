@@ -67,6 +67,7 @@ ChainGuess chain_guess(Centre centre, int numerator, int denominator, const Fine
   return guess;
 }
 
+// The force of each contact from its samples, and what its variation may hide
 std::vector<double> chain_residuals(const ChainGuess& guess, const Fineness& fineness) {
   const std::size_t window = guess.c.size(), harmonics = fineness.harmonics;
   const CosineTable table(fineness.samples);
@@ -86,6 +87,7 @@ std::vector<double> chain_residuals(const ChainGuess& guess, const Fineness& fin
   const Number per_variation =
       response * folded_back(fineness.samples, harmonics) + left_out(w, harmonics);
 
+  // What each equation leaves, the one beyond the window included
   std::vector<double> out;
   for (std::size_t n = 0; n <= window; ++n) {
     Number sum{}, varied{};

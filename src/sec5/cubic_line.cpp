@@ -121,6 +121,7 @@ struct Division {
       const Number work = Number(force) * at.upper;
       return {Number(-force, force), Number(-force, force), Number(0, work.upper)};
     }
+    // Where the contact is closed the rule has a remainder that is bounded
     if (at.lower > 0) {
       const Number n = Number(double(d.per_turn)) / (two * enclosed_pi());
       const Moduli by_t{Number(0), Number(magnitude(slope(cubic(), x))) * n,
@@ -136,6 +137,7 @@ struct Division {
         return all;
       }
     }
+    // Elsewhere, or where that is not enough, both halves
     const double middle = from + (to - from) / 2;
     CellIntegrals all = piece(from, middle, halvings + 1);
     const CellIntegrals rest = piece(middle, to, halvings + 1);

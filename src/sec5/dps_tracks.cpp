@@ -64,6 +64,7 @@ void BreatherWatch::meet(const Peak& peak, double sites) {
   path.seen = true;
 }
 
+// Only who lives long enough is a breather
 std::vector<BreatherTrack> BreatherWatch::breathers() const {
   std::vector<BreatherTrack> out;
   for (const Path& path : paths_) {
@@ -76,6 +77,7 @@ std::vector<BreatherTrack> BreatherWatch::breathers() const {
   return out;
 }
 
+// The energy goes with the power 5/4 of the norm
 double static_energy(double norm) {
   static const double unit = stationary<double>(Centre::site, 1.0, 31).norm();
   return 0.4 * norm * std::sqrt(std::sqrt(norm / unit));

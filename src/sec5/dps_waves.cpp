@@ -77,6 +77,7 @@ std::vector<std::complex<double>> ring_exponents(std::size_t sites, int waves) {
   return {found.begin(), found.end()};
 }
 
+// Each closed form against the nearest eigenvalue
 double exponents_apart(std::size_t sites, int waves) {
   const auto found = ring_exponents(sites, waves);
   double most = 0;
@@ -95,6 +96,7 @@ double exponents_apart(std::size_t sites, int waves) {
   return most;
 }
 
+// The wave with a little of its growing disturbance
 Field ModulatedWave::start(double size) const {
   if (!(growth() > 0)) throw std::invalid_argument("this modulation does not grow");
   const Coupling c(wave().q, modulation());
