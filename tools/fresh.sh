@@ -95,6 +95,7 @@ container() {
 
 # What the reader is told to type, as the README tells it.
 git clone -q --no-hardlinks . "$root/home/a checkout" || exit 1
+# shellcheck disable=SC2016
 commands=$(sed -n '/^```sh$/,/^```$/s/^\(make [a-z]*\).*/\1/p; /^```$/q' README.md)
 [ "$(echo "$commands" | wc -l)" = 2 ] || { echo "README.md does not begin with two commands" >&2; exit 1; }
 [ "$what" = --two ] || commands="$commands

@@ -25,7 +25,7 @@ namespace lattice {
 The compiler describes a function with its type, its arguments and its namespace, and a lambda by the
 function around it: `void lattice::beam(Report&)::<lambda(int)>` is `beam`. */
 std::string function_of(const Origin& origin) {
-  std::string text = origin.function_name();
+  std::string text = origin.function;
   for (const std::string hidden : {"{anonymous}::", "(anonymous namespace)::"})
     for (auto at = text.find(hidden); at != std::string::npos; at = text.find(hidden))
       text.erase(at, hidden.size());

@@ -35,8 +35,16 @@ struct Failure : std::runtime_error {
 
 /**
 Whoever meets a number wants to see the lines that made it. So a record knows from which function it comes:
-the compiler fills in the `Origin` where a number is recorded. */
-using Origin = std::source_location;
+the compiler fills in the `Origin` where a number is recorded. It keeps no line: a program whose comments have
+changed is the same program, and is not run again. */
+struct Origin {
+  const char* function;
+  /// That of the caller.
+  static constexpr Origin current(
+      const char* function = std::source_location::current().function_name()) {
+    return {function};
+  }
+};
 
 /// The bare name of the function at a place, the enclosing one for a lambda.
 std::string function_of(const Origin& origin);
