@@ -8,7 +8,7 @@ refuse() { echo "$1" >&2; exit 1; }
 case $here in
 *[\"\;\#\$\\]*) refuse "the folder '$here' has a character in its name that CMake or make cannot use (allowed: all but \" ; # \$ \\)" ;;
 esac
-(mkdir -p "$build" && : > "$build/.writable" && rm "$build/.writable") 2>/dev/null ||
+(mkdir -p "$build" && : > "$build/.writable.$$" && rm "$build/.writable.$$") 2>/dev/null ||
   refuse "cannot write to $here/$build (allowed: a checkout in which you may write)"
 # shellcheck source=tools/shared.sh
 . "${0%/*}/shared.sh"
