@@ -116,19 +116,6 @@ class Rows {
   void stiffnesses(const T* x, T* out, std::size_t n) const {
     call(&Functions::stiffness, "stiffness", x, out, n);
   }
-  // A single number is a row of one
-  template <class T>
-  T energy(T x) const {
-    return energies(&x, &x, 1), x;
-  }
-  template <class T>
-  T force(T x) const {
-    return forces(&x, &x, 1), x;
-  }
-  template <class T>
-  T stiffness(T x) const {
-    return stiffnesses(&x, &x, 1), x;
-  }
 
  private:
   template <class T>

@@ -1,11 +1,11 @@
 /**
 # 3.3 How little it takes to move a breather
 
-Section 3.3 of James, Kevrekidis and Cuevas (Physica D 251, 2013) ends with a push. A breather of
-frequency 1.1 receives a kick along its pinning mode, a hundredth of its velocity, and glides off at a
-constant speed; a kick nearly seventy times smaller does not free it. Between the two lies a threshold, from
-which the article reads the height of a barrier. This program repeats both experiments with the energy
-conserved so well that its error cannot matter, draws figures 14 and 15, and then derives the threshold:
+Section 3.3 of James, Kevrekidis and Cuevas (Physica D 251, 2013) ends with a push. A breather of frequency 1.1
+receives a kick along its pinning mode, a hundredth of its velocity, and glides off at a constant speed; a kick
+nearly seventy times smaller does not free it. Between the two lies a threshold, from which the article reads the
+height of a barrier. This program repeats both experiments with the energy conserved so well that its error cannot
+matter, draws figures 14 and 15, and then derives the threshold:
 
         landscape of the centre X          c small: swings about the bond
           __        __        __           c > c_c: over the site, and on
@@ -51,10 +51,10 @@ constexpr double omega_b = 1.1, strong = 2e-4, weak = 3e-6;
 
 The chain has linear wells, Eqs. (6) to (9), with free ends,
 $$\ddot y_n + y_n = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2}.$$
-It starts from a breather at rest with velocities $c\,g_n$ along the normalised discrete gradient (kick.hpp).
-We follow the energy centre $X$ of Eq. (24), $m = 5$, with the energy density of Eq. (23). A bond-centred
-breather can be kicked when its central contact is compressed or, half a period later, when it is stretched.
-The article does not say which; around a site the two are mirror images.
+It starts from a breather at rest with velocities $c\,g_n$ along the normalised discrete gradient (kick.hpp). We
+follow the energy centre $X$ of Eq. (24), $m = 5$, with the energy density of Eq. (23). A bond-centred breather can
+be kicked when its central contact is compressed or, half a period later, when it is stretched. The article does not
+say which; around a site the two are mirror images.
 
 | article | program | meaning |
 |---|---|---|
@@ -82,13 +82,12 @@ Breathers all_ready(std::size_t around_site, std::size_t around_bond) {
 /**
 ## Method
 
-A kick is tiny beside the breather: $c^2/2$ is $10^{-4}$ of its energy for the strong kick and
-$3\cdot10^{-8}$ for the weak one. So the relative drift of the energy must stay a hundred times below
-that. Contact-aware steps, which correct for the opening and closing of contacts (contact_rkn.hpp), achieve
-this for $10^5$ periods; plain symplectic steps do not, because each such event costs them $h^{5/2}$. For the
-speeds a method of order six with five forces a step is enough; the long runs need one with fourteen stages.
-Each run has a second one with another step or another scheme, and the difference is the error. Table
-`integrators` and figure x15 show why we choose so. */
+A kick is tiny beside the breather: $c^2/2$ is $10^{-4}$ of its energy for the strong kick and $3\cdot10^{-8}$ for
+the weak one. So the relative drift of the energy must stay a hundred times below that. Contact-aware steps, which
+correct for the opening and closing of contacts (contact_rkn.hpp), achieve this for $10^5$ periods; plain symplectic
+steps do not, because each such event costs them $h^{5/2}$. For the speeds a method of order six with five forces a
+step is enough; the long runs need one with fourteen stages. Each run has a second one with another step or another
+scheme, and the difference is the error. Table `integrators` and figure x15 show why we choose so. */
 struct Resolution {
   ContactAware speeds, paths, thresholds;
 };
@@ -108,8 +107,8 @@ Resolution coarse(bool quick = false) {
 ## A strong kick (figure 14)
 
 Is the speed really constant? Over 32000 units of time, more than 5000 oscillations, the breathers cover some
-seventeen sites. The speed is the slope of $X$ from $t = 2000$ on; if it is constant, the two halves of this
-window have the same slope. */
+seventeen sites. The speed is the slope of $X$ from $t = 2000$ on; if it is constant, the two halves of this window
+have the same slope. */
 struct Glide {
   Creep path;
   Table map{{number("t", "time"), count("n", "site", "site"), number("e", "energy density")}};
@@ -131,9 +130,9 @@ Glide glide(const RestingBreather& at, const ContactAware& stepper, double time)
 
 /**
 Which phase did the article kick? A stretched central contact gives its speed of the bond-centred breather, a
-compressed one [0.000552678](num:sec33_mobility.speed_bond_compressed). The kick points to the right and the
-breather goes to the left: its mass is negative (see the threshold). The article prints speeds without a
-direction, so we drop the sign. What we return is the speed per kick. */
+compressed one [0.000552678](num:sec33_mobility.speed_bond_compressed). The kick points to the right and the breather
+goes to the left: its mass is negative (see the threshold). The article prints speeds without a direction, so we drop
+the sign. What we return is the speed per kick. */
 std::array<double, 3> report_glides(Report& report) {
   const double time = report.quick ? 6000 : 32000;
   const Breathers at = all_ready(52, 52);
@@ -174,9 +173,9 @@ std::array<double, 3> report_glides(Report& report) {
 }
 
 /**
-The energy of the kick depends on the norm of $g$. With the printed denominator, the sum of squares and not
-its root, $g$ would be longer by the factor [63.0043](num:sec33_mobility.printed_norm), and the kick would
-tear the breather apart. */
+The energy of the kick depends on the norm of $g$. With the printed denominator, the sum of squares and not its root,
+$g$ would be longer by the factor [63.0043](num:sec33_mobility.printed_norm), and the kick would tear the breather
+apart. */
 void report_kick_energy(Report& report, const RestingBreather& at) {
   double plain = 0;
   long double careful = 0;
@@ -192,23 +191,22 @@ void report_kick_energy(Report& report, const RestingBreather& at) {
 /**
 ## A weak kick (figure 15)
 
-What does a kick below the barrier do? With $c = 3\cdot10^{-6}$ the site-centred breather travels
-without a stop from site to site: slowly over sites, which are its hills, faster over bonds. The bond-centred
-one swings.
+What does a kick below the barrier do? With $c = 3\cdot10^{-6}$ the site-centred breather travels without a stop from
+site to site: slowly over sites, which are its hills, faster over bonds. The bond-centred one swings.
 
 ![Energy centre after a weak kick.](fig:15)
 
-The answer to `moving.site_below` is the distance at the end of the run, where the breather still moves.
-The bond-centred one counts as pinned if it turns round before it comes near the next site, half a site away,
-in either phase and at both resolutions: its largest distance from the start must be less than 0.45. */
+The answer to `moving.site_below` is the distance at the end of the run, where the breather still moves. The
+bond-centred one counts as pinned if it turns round before it comes near the next site, half a site away, in either
+phase and at both resolutions: its largest distance from the start must be less than 0.45. */
 struct TwoPaths {
   Creep rough, good;
 };
 
 /**
 The verdict must be able to fail, and it does for a breather on the hill or beyond. The centre creeps slowly, so
-every eighth of its means is enough for the figure. The margin of the drift is an order of magnitude, so its
-error is put as large as itself. */
+every eighth of its means is enough for the figure. The margin of the drift is an order of magnitude, so its error is
+put as large as itself. */
 void report_weak(Report& report, const Breathers& at) {
   // All three breathers, each with two schemes
   std::array<TwoPaths, 3> paths;
@@ -259,14 +257,13 @@ void report_weak(Report& report, const Breathers& at) {
 /**
 ## The threshold, and why most of a kick is wasted
 
-How large must a kick be? A breather that creeps keeps its action, so the landscape of its centre is the
-energy at *equal area*. The kick does not keep the action: an oscillator of frequency one has an action as
-large as its energy, and nearly all of $c^2/2$ goes into a larger oscillation. Linear theory
-(depinning.hpp) gives the share $\varphi$ that remains as kinetic energy of the *centre*, from one period of
-the tangent map: [-0.0237402](num:sec33_mobility.kinetic_share_bond_stretched). In the DpS equation
-$|\varphi| = (\omega_b-1)/3$ for $\omega_b \to 1$. The share is negative: the moving breather has *less*
-energy than the resting one of the same action. Its effective mass is negative, and the stable centre is
-the one of *higher* energy. So
+How large must a kick be? A breather that creeps keeps its action, so the landscape of its centre is the energy at
+*equal area*. The kick does not keep the action: an oscillator of frequency one has an action as large as its energy,
+and nearly all of $c^2/2$ goes into a larger oscillation. Linear theory (depinning.hpp) gives the share $\varphi$
+that remains as kinetic energy of the *centre*, from one period of the tangent map:
+[-0.0237402](num:sec33_mobility.kinetic_share_bond_stretched). In the DpS equation $|\varphi| = (\omega_b-1)/3$ for
+$\omega_b \to 1$. The share is negative: the moving breather has *less* energy than the resting one of the same
+action. Its effective mass is negative, and the stable centre is the one of *higher* energy. So
 $$|\varphi|\,\frac{c_c^2}2 = |\tilde E_{PN}|,\qquad\text{not}\qquad \frac{c_c^2}2 = E_{PN}.$$ */
 BreatherPair barriers_at(double frequency) {
   BreatherPair pair{0, frequency};
@@ -277,15 +274,15 @@ BreatherPair barriers_at(double frequency) {
 
 /**
 Why did the article find its barriers to agree? In the limit $\omega_b \to 1$ the barrier at equal area is
-$(\omega_b-1)/5$ times the one at equal frequency, up to the sign, and $|\varphi|$ is $(\omega_b-1)/3$: two
-small factors of the same kind, which leave $c_c^2/2 = \frac35E_{PN}$. At $\omega_b = 1.1$ the factor is
-[0.61008](num:moving.barrier_close). So the two numbers have the same order of magnitude for a reason,
-but they are not the same number.
+$(\omega_b-1)/5$ times the one at equal frequency, up to the sign, and $|\varphi|$ is $(\omega_b-1)/3$: two small
+factors of the same kind, which leave $c_c^2/2 = \frac35E_{PN}$. At $\omega_b = 1.1$ the factor is
+[0.61008](num:moving.barrier_close). So the two numbers have the same order of magnitude for a reason, but they are
+not the same number.
 
-The whole chain must confirm the prediction. Three kicks beyond it free the breather, and the square of the
-speed with which it passes the hill leads to the threshold (kicked.hpp), with two schemes. For the phase
-that answers the claim we also check directly: one per cent below the threshold it must turn round, one per
-cent above it must get over. Runs whose energy drifts by a hundredth of the kick are refused. */
+The whole chain must confirm the prediction. Three kicks beyond it free the breather, and the square of the speed
+with which it passes the hill leads to the threshold (kicked.hpp), with two schemes. For the phase that answers the
+claim we also check directly: one per cent below the threshold it must turn round, one per cent above it must get
+over. Runs whose energy drifts by a hundredth of the kick are refused. */
 std::vector<Prediction> report_thresholds(Report& report, const std::vector<RestingBreather>& bonds,
                                           const std::array<double, 3>& response) {
   // What one period of the tangent map predicts, for either phase
@@ -332,8 +329,8 @@ std::vector<Prediction> report_thresholds(Report& report, const std::vector<Rest
 /**
 ## Speed against kick (figure x15)
 
-How does the speed depend on the kick? In a sine landscape the centre is a pendulum (depinning.hpp), with an
-initial speed proportional to the kick. We time it over one site, from the first and the second mean of $X$.
+How does the speed depend on the kick? In a sine landscape the centre is a pendulum (depinning.hpp), with an initial
+speed proportional to the kick. We time it over one site, from the first and the second mean of $X$.
 
 ![Mean speed against kick, and the drift of several integrators against their work.](fig:x15) */
 Estimate speed_over_a_site(const RestingBreather& at, double c, const Resolution& r) {
@@ -371,10 +368,10 @@ void report_speeds(Report& report, const Breathers& at, const std::array<double,
 /**
 ## Which integrator
 
-We compare every integrator that we have on the weakly kicked bond-centred breather, over 5000 units of time.
-Work is counted in forces on one site for one unit of time, which does not depend on the machine. Splittings
-lose accuracy wherever a contact opens or closes, and compensated sums do not help, because rounding is not
-the cause; landing on every such event is exact to the last digits and too expensive for $10^5$ periods. */
+We compare every integrator that we have on the weakly kicked bond-centred breather, over 5000 units of time. Work is
+counted in forces on one site for one unit of time, which does not depend on the machine. Splittings lose accuracy
+wherever a contact opens or closes, and compensated sums do not help, because rounding is not the cause; landing on
+every such event is exact to the last digits and too expensive for $10^5$ periods. */
 struct Candidate {
   std::string name;
   double step;
@@ -413,20 +410,19 @@ void report_integrators(Report& report, const RestingBreather& at) {
 /**
 ## Where the printed numbers may come from
 
-An integrator that steps across the opening and closing of contacts errs at each of them, and the error
-depends on where in its step the event falls. If the steps are *locked*, a whole number of them to a period,
-this is the same place in every period: errors that would cancel add up, as long as the breather stays where
-it is. The integrator then has a landscape of its own. We take the classical Runge-Kutta method with $T_b/k$
-as its step, for several $k$, locked and not, and repeat two of the article's experiments: the site-centred
-breather after the weak kick, and the bond-centred one after a kick of $5.5\cdot10^{-6}$, which lies between
-our threshold and the printed one.
+An integrator that steps across the opening and closing of contacts errs at each of them, and the error depends on
+where in its step the event falls. If the steps are *locked*, a whole number of them to a period, this is the same
+place in every period: errors that would cancel add up, as long as the breather stays where it is. The integrator
+then has a landscape of its own. We take the classical Runge-Kutta method with $T_b/k$ as its step, for several $k$,
+locked and not, and repeat two of the article's experiments: the site-centred breather after the weak kick, and the
+bond-centred one after a kick of $5.5\cdot10^{-6}$, which lies between our threshold and the printed one.
 
 With 80 locked steps a period the bond-centred breather stays where it is, with 80 steps that are not locked it
-moves. But none of these runs conserves the energy: it drifts by
-[6e2](num:sec33_mobility.least_drift_of_trials) to [2e5](num:sec33_mobility.largest_drift_of_trials) times the energy
-$c^2/2$ of the kick. They show that locked steps can pin a breather, not that they do so at a conserved
-energy. In a control, 160 locked steps of our own method, corrected for the contacts, let the energy drift by
-[0.008](num:sec33_mobility.drift_of_control) times that of the kick, and the breather moves. */
+moves. But none of these runs conserves the energy: it drifts by [6e2](num:sec33_mobility.least_drift_of_trials) to
+[2e5](num:sec33_mobility.largest_drift_of_trials) times the energy $c^2/2$ of the kick. They show that locked steps
+can pin a breather, not that they do so at a conserved energy. In a control, 160 locked steps of our own method,
+corrected for the contacts, let the energy drift by [0.008](num:sec33_mobility.drift_of_control) times that of the
+kick, and the breather moves. */
 struct Trial {
   std::size_t which;
   double c, steps;
@@ -486,10 +482,10 @@ void report_printed(Report& report, const Breathers& all) {
 /**
 ## With your own parameters
 
-`sec33_mobility kick --centre bond --omega 1.1 --c 2e-4` kicks one breather. The run ends early if the
-breather comes within eight sites of an end of its chain. If less than nine tenths of the energy stays
-together, the breather has broken up, and that is an error; so is a chain too short for the breather. Errors come
-from two step sizes. A breather that has moved less than one site has no speed: it is `nan`. */
+`sec33_mobility kick --centre bond --omega 1.1 --c 2e-4` kicks one breather. The run ends early if the breather comes
+within eight sites of an end of its chain. If less than nine tenths of the energy stays together, the breather has
+broken up, and that is an error; so is a chain too short for the breather. Errors come from two step sizes. A
+breather that has moved less than one site has no speed: it is `nan`. */
 struct Kicked : ChosenBreather {
   Kicked() { centre = Centre::bond; }
   void parameters(Parameters& p) {
@@ -578,13 +574,13 @@ struct Threshold : Kicked {
 | $c_c$ | $6.19\cdot10^{-6}$ | [4.45177e-6](num:moving.c_threshold) | perhaps locked steps |
 | $c_c^2/2$ | $1.92\cdot10^{-11}$ | [9.9091e-12](num:moving.pn_dynamic) | follows from $c_c$ |
 
-The prediction, [4.4516e-6](num:sec33_mobility.predicted_threshold_bond_stretched), agrees within its error;
-that of the pendulum is [4.45275e-6](num:sec33_mobility.threshold_of_pendulum_bond_stretched). With the
-central contact compressed the threshold is [4.31978e-6](num:sec33_mobility.threshold_bond_compressed). No
-trial here gives 6.19 in particular; the classical Runge-Kutta method with 120 to 128 steps per period does
-(sec33_article_integrator.cpp). Such locked steps pin the bond-centred breather at $5.5\cdot10^{-6}$, but only where
-the energy drifts by far more than the kick gives: whether steps can pin a breather at a conserved energy is
-open. That locked steps explain the article's numbers is a conjecture.
+The prediction, [4.4516e-6](num:sec33_mobility.predicted_threshold_bond_stretched), agrees within its error; that of
+the pendulum is [4.45275e-6](num:sec33_mobility.threshold_of_pendulum_bond_stretched). With the central contact
+compressed the threshold is [4.31978e-6](num:sec33_mobility.threshold_bond_compressed). No trial here gives 6.19 in
+particular; the classical Runge-Kutta method with 120 to 128 steps per period does (sec33_article_integrator.cpp).
+Such locked steps pin the bond-centred breather at $5.5\cdot10^{-6}$, but only where the energy drifts by far more
+than the kick gives: whether steps can pin a breather at a conserved energy is open. That locked steps explain the
+article's numbers is a conjecture.
 
 ## Extensions
 

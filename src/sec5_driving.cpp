@@ -1,16 +1,16 @@
 /**
 # 5 Driving an array at one end
 
-"A related aspect concerns the actuation of the system through the driving of a bead with a particular
-frequency", says the conclusion of James, Kevrekidis and Cuevas (Physica D 251, 2013): it is hard to prepare an
-array, and easy to shake its end. We shake the array of section 3.6, with a piston that touches the first bead
-or with the base of the first beam.
+"A related aspect concerns the actuation of the system through the driving of a bead with a particular frequency",
+says the conclusion of James, Kevrekidis and Cuevas (Physica D 251, 2013): it is hard to prepare an array, and easy
+to shake its end. We shake the array of section 3.6, with a piston that touches the first bead or with the base of
+the first beam.
 
 ![Thresholds of a driven array, and what it does beside them.](fig:x27)
 ![Energy in a driven array below, just above and far above the threshold.](fig:x28)
 
-All beams have one frequency, so nothing travels at small amplitude, and a drive above that frequency should
-shake the first beads only. It does so up to a sharp amplitude; beyond it the array sends out breathers. */
+All beams have one frequency, so nothing travels at small amplitude, and a drive above that frequency should shake
+the first beads only. It does so up to a sharp amplitude; beyond it the array sends out breathers. */
 
 #include <algorithm>
 #include <array>
@@ -31,10 +31,10 @@ using namespace lattice;
 
 /**
 In short: the threshold is the fold of the quiet motion, whose amplitude grows with the square of the distance
-$\delta = f/f_0-1$ from the frequency of a beam for a piston, and with its cube for a base. The constants are
-those of a static breather of the DpS equation, which the drive has to lift to its top:
-[0.0504148](num:sec5_driving.top) is the largest displacement of the site-centred one (section 3.2). At 7000 Hz a
-piston needs [6.970](num:sec5_driving.recipe_7000) micrometres.
+$\delta = f/f_0-1$ from the frequency of a beam for a piston, and with its cube for a base. The constants are those
+of a static breather of the DpS equation, which the drive has to lift to its top: [0.0504148](num:sec5_driving.top)
+is the largest displacement of the site-centred one (section 3.2). At 7000 Hz a piston needs
+[6.970](num:sec5_driving.recipe_7000) micrometres.
 
 ## Model
 
@@ -65,9 +65,9 @@ std::string name_of(Drive::By by) {
 /**
 ## The fold against the law of the DpS limit
 
-The quiet orbit has the period of the drive. Newton's method follows it from a weak drive through the fold, at
-two numbers of steps per period. The ratio of fold and law tends to one with $\delta$, faster for the piston;
-damping, which the law leaves out, keeps it from doing so altogether. */
+The quiet orbit has the period of the drive. Newton's method follows it from a weak drive through the fold, at two
+numbers of steps per period. The ratio of fold and law tends to one with $\delta$, faster for the piston; damping,
+which the law leaves out, keeps it from doing so altogether. */
 struct Fold {
   Drive::By by;
   double delta;
@@ -119,19 +119,18 @@ void report_folds(Report& report, const Rig& rig) {
 /**
 ## Thresholds, up and down
 
-A threshold depends on how one comes to it. We raise the amplitude slowly from zero, switch the drive on at
-once, or come down slowly from twice the law. Upward and at once the first packet at the gate decides. Downward
-the array still holds packets of the stronger drive, so that it is the power that decides: emission goes on if
-the drive gives more than twice as much in the second half of the run as to the quiet motion of the same
-amplitude. What the stronger drive has left must die out first, and at the larger
-$\delta$ it hides the small power of the quiet motion for long: in runs of four or eight lifetimes every amplitude
-seems to emit, and there is no threshold to be found. So downward runs last for ten and twenty. Each threshold is
-found at two horizons, of which the longer has half as fast a ramp; the slower a descent, the sooner does emission
-stop, and
-at the larger $\delta$ the two are still apart by more than the halving.
+A threshold depends on how one comes to it. We raise the amplitude slowly from zero, switch the drive on at once, or
+come down slowly from twice the law. Upward and at once the first packet at the gate decides. Downward the array
+still holds packets of the stronger drive, so that it is the power that decides: emission goes on if the drive gives
+more than twice as much in the second half of the run as to the quiet motion of the same amplitude. What the stronger
+drive has left must die out first, and at the larger $\delta$ it hides the small power of the quiet motion for long:
+in runs of four or eight lifetimes every amplitude seems to emit, and there is no threshold to be found. So downward
+runs last for ten and twenty. Each threshold is found at two horizons, of which the longer has half as fast a ramp;
+the slower a descent, the sooner does emission stop, and at the larger $\delta$ the two are still apart by more than
+the halving.
 
-Slowly upward the threshold is the fold, seen from a little above it, because the motion takes long to leave where the
-orbit has just vanished. At once it is lower, since the onset shakes the bead more than the orbit does. */
+Slowly upward the threshold is the fold, seen from a little above it, because the motion takes long to leave where
+the orbit has just vanished. At once it is lower, since the onset shakes the bead more than the orbit does. */
 enum class Way { up, once, down };
 
 bool emits(const Rig& rig, Way way, double omega, double a, double horizon) {
@@ -203,11 +202,11 @@ void report_thresholds(Report& report, const Rig& rig) {
 /**
 ## A chart for the bench
 
-The chart goes over frequencies and amplitudes in units of the law and holds the rate of packets, how regular
-they are and what power the drive gives. A drive below its threshold is *quiet* (nothing passes the gate), one
-above it makes a *train* if the intervals between packets differ by less than a tenth, and is *irregular*
-otherwise. Irregular runs are chaotic: two steps give two sequences, and only rate and power mean something. The
-points are independent; `chart --part k/n` computes a part of them. */
+The chart goes over frequencies and amplitudes in units of the law and holds the rate of packets, how regular they
+are and what power the drive gives. A drive below its threshold is *quiet* (nothing passes the gate), one above it
+makes a *train* if the intervals between packets differ by less than a tenth, and is *irregular* otherwise. Irregular
+runs are chaotic: two steps give two sequences, and only rate and power mean something. The points are independent;
+`chart --part k/n` computes a part of them. */
 struct ChartPoint {
   double delta, ratio;
 };
@@ -276,10 +275,10 @@ void report_chart(Report& report, const Rig& rig) {
 /**
 ## What the packets are
 
-In the DpS limit a packet of the velocity amplitude $v$ moves at a speed in proportion to $v^{1/2}$, and the
-factor tells packets apart. We take the time from bead 20 to bead 28 of the first packet of a piston at 1.3 times
-the law, $\delta = 0.1$, and of an impact of 1 m/s with the same losses. The drive's packet is slower for its
-amplitude: its factor is [0.2438](num:sec5_driving.scaled_speed_drive), that of the impact
+In the DpS limit a packet of the velocity amplitude $v$ moves at a speed in proportion to $v^{1/2}$, and the factor
+tells packets apart. We take the time from bead 20 to bead 28 of the first packet of a piston at 1.3 times the law,
+$\delta = 0.1$, and of an impact of 1 m/s with the same losses. The drive's packet is slower for its amplitude: its
+factor is [0.2438](num:sec5_driving.scaled_speed_drive), that of the impact
 [0.313496](num:sec5_driving.scaled_speed_impact). So a drive makes travelling breathers of another member of their
 two-parameter family, with a frequency that it prescribes. */
 double scaled_speed(double t20, double t28, double velocity) {
@@ -332,9 +331,9 @@ void report_maps(Report& report, const Rig& rig) {
 /**
 ## A recipe
 
-Whoever builds the array wants numbers for the bench: frequency, and the amplitude of the fold in micrometres,
-with a lifetime of 10 ms. Close to the beams' frequency small amplitudes suffice, but the packets are slow and
-damping stops them early. */
+Whoever builds the array wants numbers for the bench: frequency, and the amplitude of the fold in micrometres, with a
+lifetime of 10 ms. Close to the beams' frequency small amplitudes suffice, but the packets are slow and damping stops
+them early. */
 void report_recipe(Report& report, const Rig& rig) {
   const Estimate fold = fold_of(rig, Drive::By::piston, rig.omega(7000));
   const double unit = rig.micrometres(1);
@@ -345,8 +344,8 @@ void report_recipe(Report& report, const Rig& rig) {
 }
 
 /**
-The books are kept whether anything is sent out or not. Three drives with the steps of the command show how well
-they close. */
+The books are kept whether anything is sent out or not. Three drives with the steps of the command show how well they
+close. */
 void report_ledger(Report& report) {
   std::vector<DrivenArray> cases(3);
   for (DrivenArray& drive : cases) drive.duration = 20;
@@ -417,16 +416,12 @@ void reproduce(Report& report) {
 /**
 ## Checks, differences and limits
 
-The threshold has three routes: runs, Newton's method on the driven orbit, and a map of two lines in the DpS
-limit, which shares no code with the others. The bookkeeping of `drive`, energy and losses less work over the most
-energy that was there or came in, closes to
-[2e-12](num:sec5_driving.ledger) at its steps in a quiet motion, a train and a driven base; the program stops if it
-does
-not close to 1e-10. The piston is a bead of the same size that cannot be pushed back; a real shaker can, and its
-force is
-what `power` tells.
-That a quiet motion vanishes in a fold does not tell what comes after it: trains and
-irregular emission are what runs show, with one lifetime.
+The threshold has three routes: runs, Newton's method on the driven orbit, and a map of two lines in the DpS limit,
+which shares no code with the others. The bookkeeping of `drive`, energy and losses less work over the most energy
+that was there or came in, closes to [2e-12](num:sec5_driving.ledger) at its steps in a quiet motion, a train and a
+driven base; the program stops if it does not close to 1e-10. The piston is a bead of the same size that cannot be
+pushed back; a real shaker can, and its force is what `power` tells. That a quiet motion vanishes in a fold does not
+tell what comes after it: trains and irregular emission are what runs show, with one lifetime.
 
 ## Extensions
 

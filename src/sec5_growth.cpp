@@ -1,17 +1,17 @@
 /**
 # 5 Modulational instability without precompression
 
-"An extensive study of MI in the cradle model (with the help of the DpS equation) would be of interest", says
-the conclusion of James, Kevrekidis and Cuevas (Physica D 251, 2013), because such an instability could make
-static breathers where no bead can be set in motion by itself. Here is the study for plane waves.
+"An extensive study of MI in the cradle model (with the help of the DpS equation) would be of interest", says the
+conclusion of James, Kevrekidis and Cuevas (Physica D 251, 2013), because such an instability could make static
+breathers where no bead can be set in motion by itself. Here is the study for plane waves.
 
 ![Which waves are unstable to which modulations, and how nearly the chain agrees.](fig:x32)
 ![What two unstable waves become, and the breathers that they leave.](fig:x33)
 
-Nothing is compressed: every contact is open for half of the time, and there is no linear band. James
-(J. Nonlinear Sci. 2011, arXiv:1008.1153) derived the DpS equation with its plane waves, proved that the chain
-has such waves too, and saw in runs that some of them break up into static and travelling breathers. When they
-do so, and how fast, is said by two lines of algebra. */
+Nothing is compressed: every contact is open for half of the time, and there is no linear band. James (J. Nonlinear
+Sci. 2011, arXiv:1008.1153) derived the DpS equation with its plane waves, proved that the chain has such waves too,
+and saw in runs that some of them break up into static and travelling breathers. When they do so, and how fast, is
+said by two lines of algebra. */
 
 #include <algorithm>
 #include <array>
@@ -33,16 +33,15 @@ using std::numbers::pi;
 /**
 In short: waves whose neighbours differ in phase by a quarter of a turn or less, $q\le\pi/2$, are stable, and all
 others are unstable but for $\cos q = -\frac15$. The fastest growth has the wave of opposite neighbours, $q = \pi$,
-with
-[0.373674](num:sec5_growth.greatest_growth) per unit of slow time. The chain agrees up to a difference in
-proportion to the root of the amplitude. Breathers that last remain only where the wave has more energy than
-irregular motion of the same norm could take up.
+with [0.373674](num:sec5_growth.greatest_growth) per unit of slow time. The chain agrees up to a difference in
+proportion to the root of the amplitude. Breathers that last were
+found after waves that have more energy than irregular motion of the same norm could take up, and after no other.
 
 ## Model
 
-The wave $A_n = A\,e^{i(qn-\Omega\tau)}$ of the DpS equation, Eq. (12), its frequency, the growth of a
-modulation and the edge of the unstable band are derived in dps_waves.hpp. Since the equation scales, $|A| = 1$
-throughout; growth and frequency go like $|A|^{1/2}$. A bead of the chain then swings by $\pm2\epsilon$, Eq. (13).
+The wave $A_n = A\,e^{i(qn-\Omega\tau)}$ of the DpS equation, Eq. (12), its frequency, the growth of a modulation and
+the edge of the unstable band are derived in dps_waves.hpp. Since the equation scales, $|A| = 1$ throughout; growth
+and frequency go like $|A|^{1/2}$. A bead of the chain then swings by $\pm2\epsilon$, Eq. (13).
 
 | symbol | program | meaning |
 |---|---|---|
@@ -54,9 +53,9 @@ throughout; growth and frequency go like $|A|^{1/2}$. A bead of the chain then s
 ## The chart
 
 Close to $q = \pi/2$ the shortest modulations grow, neighbours against each other, and where $\cos q$ passes
-$-\frac15$ the band changes sides: from there on it holds the long ones. Long modulations grow in proportion to
-$Q$, not to $Q$ times the amplitude as under precompression (section 4), because here no dispersion acts
-against the nonlinearity: both come from the contacts. */
+$-\frac15$ the band changes sides: from there on it holds the long ones. Long modulations grow in proportion to $Q$,
+not to $Q$ times the amplitude as under precompression (section 4), because here no dispersion acts against the
+nonlinearity: both come from the contacts. */
 void report_chart(Report& report) {
   const int points = report.quick ? 20 : 60;
   Table& growth = report.table("growth", {number("q", "wavenumber of the wave", "1/site"),
@@ -99,8 +98,8 @@ void report_fastest(Report& report) {
 /**
 ## Two checks without the algebra
 
-The matrix of a ring, from differences of the right-hand side of the DpS equation, must have the exponents of
-the closed form for every wave and modulation that fit on it; the largest distance is
+The matrix of a ring, from differences of the right-hand side of the DpS equation, must have the exponents of the
+closed form for every wave and modulation that fit on it; the largest distance is
 [6e-10](num:sec5_growth.exponents_apart) of the wave's rate. And runs of the DpS equation must show the growth:
 theirs differs by [2.959e-8](num:sec5_growth.dps_runs_apart) at most. */
 std::vector<ModulatedWave> waves_tried() {
@@ -130,8 +129,8 @@ void report_checks(Report& report) {
 
 The limit is reached slowly. Averaging leaves corrections of relative size $\epsilon^{1/2}$, and so do growth and
 frequency approach those of the DpS equation. We follow the chain's own waves, computed by Newton's method, down to
-$\epsilon = 10^{-7}$, and compare the fastest growth on a ring (`chain_rates`, dps_waves.hpp). Between the
-two smallest amplitudes the order is [0.499](num:sec5_growth.order_growth_8_4) at $q = \pi$ and between
+$\epsilon = 10^{-7}$, and compare the fastest growth on a ring (`chain_rates`, dps_waves.hpp). Between the two
+smallest amplitudes the order is [0.499](num:sec5_growth.order_growth_8_4) at $q = \pi$ and between
 [0.5003](num:sec5_growth.order_growth_16_6) and [0.51](num:sec5_growth.order_growth_16_5) at the other four. The
 prefactor is large: at $\epsilon = 10^{-2}$ the wave $q = \pi$ loses more than a quarter of its growth. */
 void report_chain(Report& report) {
@@ -198,8 +197,8 @@ void report_runs(Report& report) {
 /**
 In the array of section 3.6 a wave with $q = \pi$ that swings by one micrometre grows e-fold in
 [13.9759](num:sec5_growth.periods_at_1um) periods, and a hundredfold in less than five times as many; with the
-amplitude $a$ this goes like $a^{-1/2}$. So whoever can make every second bead swing against the others need not
-set up anything else. */
+amplitude $a$ this goes like $a^{-1/2}$. So whoever can make every second bead swing against the others need not set
+up anything else. */
 void report_array(Report& report) {
   const double eps = 1 / ArrayUnits{}.micrometres(1) / 2;
   report.facts.add("periods_at_1um", in_two_precisions(pi, [&](const auto& wave) {
@@ -210,25 +209,29 @@ void report_array(Report& report) {
 /**
 ## What is left
 
-Eight waves with noise of one per cent (seeds 1 to 8) run for 600 units of slow time on rings of 64 sites; from
-$\tau = 100$ on we look for breathers that live for at least 25 units, about ten of their periods (dps_tracks.hpp).
-These runs are chaotic. A tolerance ten times smaller gives other breathers, so that only means have a meaning:
-their errors are the standard error over the seeds and the difference of both tolerances.
+Eight waves with noise of one per cent (seeds 1 to 8) run for 600 units of slow time on rings of 64 sites; from $\tau
+= 100$ on we look for breathers that live for at least 25 units, about ten of their periods (dps_tracks.hpp). These
+runs are chaotic. A tolerance ten times smaller gives other breathers, so that only means have a meaning: their
+errors are the standard error over the seeds and the difference of both tolerances.
 
-Norm and energy are conserved, and that decides. A field of independent normal amplitudes, the motion of
-infinite temperature, has the energy $\frac25\,2^{5/4}\,\Gamma(\frac94) =$ [1.0779](num:sec5_growth.random_energy)
-per site at norm one. A wave with more cannot become as irregular as that; the surplus must gather. This is the
-argument
-of Rasmussen, Cretegny, Kevrekidis and Grønbech-Jensen (Phys. Rev. Lett. 84, 3740, 2000) for the discrete nonlinear
-Schrödinger equation. Waves pass that energy at $q =$ [1.67605](num:sec5_growth.neutral_q), a little beyond
-$\pi/2$, so
-that nearly all unstable waves are above. */
+Norm and energy are conserved, and that decides. A field of independent normal amplitudes, the motion of infinite
+temperature, has the energy $\frac25\,2^{5/4}\,\Gamma(\frac94) =$ [1.0779](num:sec5_growth.random_energy) per site at
+norm one. A wave with more cannot become as irregular as that; the surplus must gather. This is the argument of
+Rasmussen, Cretegny, Kevrekidis and Grønbech-Jensen (Phys. Rev. Lett. 84, 3740, 2000) for the discrete nonlinear
+Schrödinger equation. Waves pass that energy at $q =$ [1.67605](num:sec5_growth.neutral_q), a little beyond $\pi/2$,
+so that nearly all unstable waves are above. */
 struct Leftover {
   int waves;  ///< on the ring; zero stands for random amplitudes
   unsigned long seed;
   std::vector<BreatherTrack> found{};
   double drift = 0;
 
+  /// How many live at a time while they are watched.
+  double at_a_time(double watched) const {
+    double life = 0;
+    for (const BreatherTrack& b : found) life += b.lived / watched;
+    return life;
+  }
   void run(double duration, double tolerance) {
     const std::size_t sites = 64;
     Field field = waves > 0 ? noisy_wave(sites, waves, 0.01, seed) : random_field(sites, seed);
@@ -257,7 +260,7 @@ Estimate over_seeds(const std::vector<std::vector<double>>& values) {
 Energy and norm of a breather are compared with a static one, and its path tells how it moves: we call it at rest if
 it stays within two sites for all of its life. */
 void report_leftovers(Report& report) {
-  const std::vector<int> waves{32, 24, 17, 0};
+  const std::vector<int> waves{32, 24, 20, 18, 17, 0};
   const double duration = report.quick ? 240 : 600, watched = duration * 5 / 6;
   const unsigned long seeds = report.quick ? 2 : 8;
   std::vector<Leftover> runs[2];
@@ -289,15 +292,13 @@ void report_leftovers(Report& report) {
     for (int k = 0; k < 2; ++k)
       for (const Leftover& r : runs[k]) {
         if (r.waves != w) continue;
-        double life = 0;
         for (const BreatherTrack& b : r.found) {
-          life += b.lived / watched;
           rest[std::size_t(k)].push_back(b.strayed < 2);
           speed[std::size_t(k)].push_back(b.speed);
           size[std::size_t(k)].push_back(std::abs(b.speed));
           share[std::size_t(k)].push_back(b.energy / static_energy(b.norm));
         }
-        number[std::size_t(k)].push_back(life);
+        number[std::size_t(k)].push_back(r.at_a_time(watched));
       }
     const std::string name = w > 0 ? "_" + std::to_string(w) : "_random";
     report.facts.add("breathers_at_a_time" + name, over_seeds(number));
@@ -310,28 +311,43 @@ void report_leftovers(Report& report) {
 }
 
 /**
-On a ring of 64 sites [1](num:sec5_growth.breathers_at_a_time_32) breathers live at a time after the wave
-$q = \pi$ and [0.4](num:sec5_growth.breathers_at_a_time_24) after $q = \frac34\pi$, with
+Does the wave just below the surplus, $q = \frac{17}{32}\pi$, only need more time? Two of its rings run ten times as
+long. */
+void report_long_runs(Report& report) {
+  const double duration = report.quick ? 600 : 6000;
+  std::array<std::vector<Leftover>, 2> runs;
+  for (auto& of_tolerance : runs) of_tolerance = {{17, 1}, {17, 2}};
+  parallel_for("long runs", 4,
+               [&](std::size_t i) { runs[i / 2][i % 2].run(duration, i / 2 ? 1e-8 : 1e-7); });
+  const auto mean = [&](const std::vector<Leftover>& two) {
+    return (two[0].at_a_time(duration * 5 / 6) + two[1].at_a_time(duration * 5 / 6)) / 2;
+  };
+  report.facts.add("breathers_in_long_runs", compare(mean(runs[0]), mean(runs[1])));
+}
+
+/**
+On a ring of 64 sites [1](num:sec5_growth.breathers_at_a_time_32) breathers live at a time after the wave $q = \pi$
+and [0.4](num:sec5_growth.breathers_at_a_time_24) after $q = \frac34\pi$, with
 [0.963](num:sec5_growth.energy_over_static_32) and [0.89](num:sec5_growth.energy_over_static_24) of the energy of
-static
-ones. After $q = \frac{17}{32}\pi$, which is unstable but has no surplus, there are as many as in the random
+static ones. After $q = \frac{17}{32}\pi$, which is unstable but has no surplus, there are as many as in the random
 field, [0](num:sec5_growth.breathers_at_a_time_random).
 
-Hardly any is at rest, [0.05](num:sec5_growth.share_at_rest_32) and
-[0](num:sec5_growth.share_at_rest_24) of them: they travel, and a collision or a wave turns them round. After $q =
-\pi$
-they go both ways, with the mean speed [0.06](num:sec5_growth.mean_speed_32) and its mean size
-[0.16](num:sec5_growth.mean_size_of_speed_32). After $q = \frac34\pi$ they go with the energy of the wave, at
-[-0.28](num:sec5_growth.mean_speed_24) on the mean, more slowly than its group velocity
-[-0.777628](num:sec5_growth.group_velocity_24). The static breathers that the article hopes for are thus the
-exception, and $q = \pi$
-is the wave to begin with. */
+Hardly any is at rest, [0.05](num:sec5_growth.share_at_rest_32) and [0](num:sec5_growth.share_at_rest_24) of them:
+they travel, and a collision or a wave turns them round. After $q = \pi$ they go both ways, with the mean speed
+[0.06](num:sec5_growth.mean_speed_32) and its mean size [0.16](num:sec5_growth.mean_size_of_speed_32). After $q =
+\frac34\pi$ they go with the energy of the wave, at [-0.28](num:sec5_growth.mean_speed_24) on the mean, more slowly
+than its group velocity [-0.777628](num:sec5_growth.group_velocity_24). The static breathers that the article hopes
+for are thus the exception, and $q = \pi$ is the wave to begin with. */
 void report_energies(Report& report) {
-  const double random = 0.4 * std::pow(2, 1.25) * std::tgamma(2.25);
-  report.facts.add("random_energy", exact(random));
-  // (2/5) (2 sin(q/2))^{5/2} is the energy of the wave
-  const double neutral = 2 * std::asin(std::pow(random / 0.4, 0.4) / 2);
-  report.facts.add("neutral_q", exact(neutral), "1/site");
+  // That of the wave is (2/5) (2 sin(q/2))^{5/2}
+  const auto random = []<class T>(const DpsWave<T>&) {
+    return T(0.4L) * std::pow(T(2), T(1.25)) * std::tgamma(T(2.25));
+  };
+  const auto neutral = [&]<class T>(const DpsWave<T>& w) {
+    return T(2) * std::asin(std::pow(random(w) / T(0.4L), T(0.4L)) / T(2));
+  };
+  report.facts.add("random_energy", in_two_precisions(pi, random));
+  report.facts.add("neutral_q", in_two_precisions(pi, neutral), "1/site");
   report.facts.add(
       "group_velocity_24",
       in_two_precisions(0.75 * pi, [](const auto& wave) { return wave.group_velocity(); }),
@@ -340,9 +356,8 @@ void report_energies(Report& report) {
 
 /**
 The second figure shows the beginning: the wave $q = \pi$ in the DpS equation and, from the same field, in the chain
-with $\epsilon = 10^{-3}$, and $q = \frac34\pi$. The chain does in its own time what the DpS equation does, and
-makes its
-breathers elsewhere: noise of one per cent is not known better than the difference between both. */
+with $\epsilon = 10^{-3}$, and $q = \frac34\pi$. The chain does in its own time what the DpS equation does, and makes
+its breathers elsewhere: noise of one per cent is not known better than the difference between both. */
 void report_maps(Report& report) {
   const double duration = 160, eps = 1e-3, slow = std::sqrt(eps);
   const std::size_t sites = 64, rows = report.quick ? 40 : 160;
@@ -411,6 +426,7 @@ void reproduce(Report& report) {
   report_runs(report);
   report_array(report);
   report_leftovers(report);
+  report_long_runs(report);
   report_energies(report);
   report_maps(report);
 }
@@ -418,12 +434,11 @@ void reproduce(Report& report) {
 /**
 ## Checks, differences and limits
 
-The growth has four routes: the closed form, the matrix of a ring, runs of the DpS equation, and the linearised
-chain with
-a run of it. What the article calls MI has been studied for plane waves and linear wells. The bound on
-breathers from the energy of a random field says that the surplus gathers, not how fast; on longer runs the breathers
-become fewer and larger, and we do not know whether one is left in the end. That so few are at rest is a
-statement about a ring full of waves; an array with losses calms them.
+The growth has four routes: the closed form, the matrix of a ring, runs of the DpS equation, and the linearised chain
+with a run of it. What the article calls MI has been studied for plane waves and linear wells. The bound on breathers
+from the energy of a random field says that the surplus gathers, not how fast; on longer runs the breathers become
+fewer and larger, and we do not know whether one is left in the end. That so few are at rest is a statement about a
+ring full of waves; an array with losses calms them.
 
 ## Extensions
 

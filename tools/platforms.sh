@@ -81,12 +81,12 @@ trixie() {
   [ -f "$there/made" ] || { rm -rf "$there"; debootstrap --variant=minbase \
     --include=g++,cmake,make,libgsl-dev,libeigen3-dev,libboost-dev,libcli11-dev,catch2 trixie "$there" \
     > "$place/debootstrap.log" 2>&1 && touch "$there/made"; } || { lacks "debootstrap fails"; return 0; }
-  mkdir -p "$there/work"
-  git ls-files -z | tar --null -T - -c | tar -x -C "$there/work"
-  chroot "$there" sh -c "cd /work && cmake -S . -B build && cmake --build build --parallel $jobs --target programs" \
+  mkdir -p "$there/tree"
+  git ls-files -z | tar --null -T - -c | tar -x -C "$there/tree"
+  chroot "$there" sh -c "cd /tree && cmake -S . -B build && cmake --build build --parallel $jobs --target programs" \
     > "$place/trixie.log" 2>&1 || { tail -n 20 "$place/trixie.log"; say "trixie: cannot be built"; bad=1; return 0; }
   # The programs find their libraries there, and the tables come out here.
-  run "$there/work/build/bin" 1 2 env LD_LIBRARY_PATH="$there/usr/lib/x86_64-linux-gnu" \
+  run "$there/tree/build/bin" 1 2 env LD_LIBRARY_PATH="$there/usr/lib/x86_64-linux-gnu" \
     "$there/lib64/ld-linux-x86-64.so.2"
   compare "Debian $(cat "$there/etc/debian_version"), $(chroot "$there" g++ --version | head -n 1)"
 }

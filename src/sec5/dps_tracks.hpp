@@ -3,14 +3,13 @@
 # What an instability leaves
 
 When the modulation of a wave (dps_waves.hpp) has grown, peaks stand on a sea of irregular waves, and many of them
-last for a few oscillations only. We call a peak a breather if the five sites around it hold more than three times the
-mean norm, and if it goes on doing so for a given time, while its centre never moves by more than a site and a
+last for a few oscillations only. We call a peak a breather if the five sites around it hold more than three times
+the mean norm, and if it goes on doing so for a given time, while its centre never moves by more than a site and a
 half between two samples.
 
 The energy of a breather is compared with that of a static one of the same norm $N$ (stationary.hpp): with the
 frequency $\mu$ and $N = \mu^4N_1$ this is $\frac25\mu N = \frac25N(N/N_1)^{1/4}$, where $N_1$ is the norm at $\mu =
-1$.
-A peak that moves has less. */
+1$. A peak that moves has less. */
 
 #include <cstddef>
 #include <vector>

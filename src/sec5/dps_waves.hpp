@@ -18,10 +18,10 @@ $$\frac{i\sigma}\rho\begin{pmatrix}x\\y\end{pmatrix} =
 So $\sigma = \rho\,(-ie\pm\sqrt{k^2-a^2})$, and the root factorises:
 $$\Bigl(\frac{\mathrm{Re}\,\sigma}\rho\Bigr)^2 = k^2-a^2 =
   \tfrac14(1+5c)(1-C)\bigl[(5c-1)C-(1+3c)\bigr].$$
-Nothing grows for $c\ge0$. For $c<0$ there is a band with the edge $\cos Q_* = (1+3c)/(5c-1)$. It holds the
-*short* modulations $Q_*<Q\le\pi$ if $-\frac15<c<0$, fastest at $Q = \pi$, and the *long* ones $0<Q<Q_*$ if
-$c<-\frac15$, fastest halfway between $1$ and $\cos Q_*$. At $c = -\frac15$ the growth vanishes for all $Q$.
-No amplitude enters but by $\rho$, and the growth of long modulations is proportional to $Q$. */
+Nothing grows for $c\ge0$. For $c<0$ there is a band with the edge $\cos Q_* = (1+3c)/(5c-1)$. It holds the *short*
+modulations $Q_*<Q\le\pi$ if $-\frac15<c<0$, fastest at $Q = \pi$, and the *long* ones $0<Q<Q_*$ if $c<-\frac15$,
+fastest halfway between $1$ and $\cos Q_*$. At $c = -\frac15$ the growth vanishes for all $Q$. No amplitude enters
+but by $\rho$, and the growth of long modulations is proportional to $Q$. */
 
 #include <algorithm>
 #include <cmath>
@@ -84,9 +84,9 @@ struct DpsWave {
 /**
 ## The same without the formulas
 
-A ring of $N$ sites holds the waves $q = 2\pi k/N$ and the modulations $Q = 2\pi j/N$. In the frame that turns
-with the wave it stands still (evolve.hpp), and differences of the right-hand side of the DpS equation give a
-matrix of $2N$ rows, whose eigenvalues know nothing of the algebra. */
+A ring of $N$ sites holds the waves $q = 2\pi k/N$ and the modulations $Q = 2\pi j/N$. In the frame that turns with
+the wave it stands still (evolve.hpp), and differences of the right-hand side of the DpS equation give a matrix of
+$2N$ rows, whose eigenvalues know nothing of the algebra. */
 /// All exponents of the wave with `waves` periods on a ring of `sites`.
 std::vector<std::complex<double>> ring_exponents(std::size_t sites, int waves);
 
@@ -97,8 +97,8 @@ double exponents_apart(std::size_t sites, int waves);
 /**
 ## Growth that is seen
 
-A run begins with the wave and its growing mode, $x = 1$ and $y = (i\,\mathrm{Re}\,\sigma/\rho-a)/k$, of relative size
-$10^{-7}$. The side band $q+Q$ is fitted from three to nine growth times on, the wave's own component gives the
+A run begins with the wave and its growing mode, $x = 1$ and $y = (i\,\mathrm{Re}\,\sigma/\rho-a)/k$, of relative
+size $10^{-7}$. The side band $q+Q$ is fitted from three to nine growth times on, the wave's own component gives the
 frequency. The DpS equation runs on a ring by GSL's method. */
 struct ModulatedWave {
   std::size_t sites;
@@ -123,11 +123,10 @@ struct WaveRates {
 WaveRates run_in_dps(const ModulatedWave& wave, double tolerance);
 
 /**
-Newton's cradle with linear wells runs from the state that stands for the same field, Eq. (13), and there
-$y_n-i\dot y_n$ takes the place of $2\epsilon A_ne^{it}$. That state is not quite a wave of the chain: it holds
-harmonics $mq$ of the relative size $\epsilon^{1/2}$, which are modulations $(m-1)q$ and grow where these are
-unstable.
-So only waves will do whose own harmonics are stable, $q = \pi$ and $q = \frac23\pi$. */
+Newton's cradle with linear wells runs from the state that stands for the same field, Eq. (13), and there $y_n-i\dot
+y_n$ takes the place of $2\epsilon A_ne^{it}$. That state is not quite a wave of the chain: it holds harmonics $mq$
+of the relative size $\epsilon^{1/2}$, which are modulations $(m-1)q$ and grow where these are unstable. So only
+waves will do whose own harmonics are stable, $q = \pi$ and $q = \frac23\pi$. */
 /// The chain at the amplitude `eps`, with steps of at most `step`.
 WaveRates run_in_chain(const ModulatedWave& wave, double eps, double step);
 
@@ -135,14 +134,11 @@ WaveRates run_in_chain(const ModulatedWave& wave, double eps, double step);
 ## The chain's own waves
 
 For all others we compute the wave first. A travelling wave of the chain, $y_n(t) = u(qn+\omega t)$, is in the state
-of
-its neighbour after the time $q/\omega$ (James 2011 proves that such waves exist near those of the DpS equation). On
-a ring
-of one period this is a problem for Newton's method: the state and $\omega$ are unknown, the component
+of its neighbour after the time $q/\omega$ (James 2011 proves that such waves exist near those of the DpS equation).
+On a ring of one period this is a problem for Newton's method: the state and $\omega$ are unknown, the component
 $\frac1N\sum(y_n-i\dot y_n)e^{-iqn} = 2\epsilon$ is given, and least squares deal with the equation that the
-conserved energy makes
-superfluous. The same map on a longer ring, linearised by differences, has eigenvalues $\lambda$ and growth rates
-$\frac\omega q\ln|\lambda|$, at a cost that does not depend on $\epsilon$. */
+conserved energy makes superfluous. The same map on a longer ring, linearised by differences, has eigenvalues
+$\lambda$ and growth rates $\frac\omega q\ln|\lambda|$, at a cost that does not depend on $\epsilon$. */
 /// A wave of the chain on a ring of one period, with its frequency.
 struct ChainWave {
   State<double> state;

@@ -62,7 +62,7 @@ Not every potential is in a list. Any struct with the three functions can stand 
 the six functions below, three in double and three in extended precision, each of which treats a row of
 numbers at once. So a potential of one's own costs little more than the others. It has no name for the
 command line. One that is evaluated elsewhere, as by the interpreter of another language, may prefer rows to
-single numbers; it then has the three functions of rows as well. */
+single numbers; it then has the three functions of rows instead. */
 template <class P>
 concept TakesRows = requires(const P& p, const double* x, double* out, std::size_t n) {
   p.energies(x, out, n);
@@ -144,18 +144,24 @@ class OwnPotential {
     explicit Of(P p) : potential(std::move(p)) {}
     template <class T>
     void energy_row(const T* x, T* out, std::size_t n) const {
-      if constexpr (TakesRows<P>) return potential.energies(x, out, n);
-      for (std::size_t i = 0; i < n; ++i) out[i] = potential.energy(x[i]);
+      if constexpr (TakesRows<P>)
+        potential.energies(x, out, n);
+      else
+        for (std::size_t i = 0; i < n; ++i) out[i] = potential.energy(x[i]);
     }
     template <class T>
     void force_row(const T* x, T* out, std::size_t n) const {
-      if constexpr (TakesRows<P>) return potential.forces(x, out, n);
-      for (std::size_t i = 0; i < n; ++i) out[i] = potential.force(x[i]);
+      if constexpr (TakesRows<P>)
+        potential.forces(x, out, n);
+      else
+        for (std::size_t i = 0; i < n; ++i) out[i] = potential.force(x[i]);
     }
     template <class T>
     void stiffness_row(const T* x, T* out, std::size_t n) const {
-      if constexpr (TakesRows<P>) return potential.stiffnesses(x, out, n);
-      for (std::size_t i = 0; i < n; ++i) out[i] = potential.stiffness(x[i]);
+      if constexpr (TakesRows<P>)
+        potential.stiffnesses(x, out, n);
+      else
+        for (std::size_t i = 0; i < n; ++i) out[i] = potential.stiffness(x[i]);
     }
 
     // The same without templates
@@ -183,9 +189,9 @@ class OwnPotential {
   std::shared_ptr<const Functions> kept_{};
 };
 
-/// A struct with the three functions of a potential.
+/// A struct with the three functions of a potential, of numbers or of rows.
 template <class P>
-concept IsPotential = requires(const P& p, double x) {
+concept IsPotential = TakesRows<P> || requires(const P& p, double x) {
   p.energy(x);
   p.force(x);
   p.stiffness(x);
