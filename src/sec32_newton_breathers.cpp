@@ -14,7 +14,6 @@ carry nearly all the energy, and the rest of the chain is almost at rest:
 We find both kinds by Newton's method with exact derivatives, and follow them as their frequency changes.
 How much energy separates them is the question of the next chapter. */
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -98,10 +97,7 @@ along this mode, and a small residual is followed by a large step. */
 struct FullMap {
   History history{};
   Vector<double> x{};
-  Eigen::JacobiSVD<Matrix<double>> svd{};
-
-  /// The direction along which the equations change least.
-  Vector<double> softest() const { return svd.matrixV().col(x.size() - 1); }
+  Softness soft{};
 };
 
 /**
@@ -116,16 +112,11 @@ FullMap solve_full_map(int steps) {
     const Shot<double> shot = problem.shoot(out.x, {});
     const Sizes<double> size = problem.sizes(out.x, false);
     const Vector<double> step = solve_scaled<double>(shot.jacobian, shot.miss, size, 0);
-    out.svd.compute(shot.jacobian, Eigen::ComputeThinU | Eigen::ComputeThinV);
+    out.soft = condition_of(shot.jacobian);
     out.history.push_back({sup<double>(shot.miss) / sup(out.x), sup(step) / sup(out.x)});
     if (k < steps) out.x -= step;
   }
   return out;
-}
-
-double condition(const Eigen::JacobiSVD<Matrix<double>>& svd) {
-  const auto& s = svd.singularValues();
-  return s[0] / s[s.size() - 1];
 }
 
 /**
@@ -147,7 +138,7 @@ void report_convergence(Report& report) {
   report.results.add("newton.variation", compare(coarse.variation(), orbit.variation()));
   report.facts.add("newton_iterations", exact(double(orbit.iterations())));
   const auto symmetric = [&](const Orbit<double>& o) {
-    return condition(Eigen::JacobiSVD<Matrix<double>>(problem.shoot(o.x, {}).jacobian));
+    return condition_of(problem.shoot(o.x, {}).jacobian).number;
   };
   report.facts.add("condition_site", compare(symmetric(coarse), symmetric(orbit)));
 
@@ -157,9 +148,9 @@ void report_convergence(Report& report) {
     return compare(before.history.back().*what, full.history.back().*what);
   };
   const Vector<double> sideways = gradient(orbit.start.y);
-  report.facts.add("condition_full", compare(condition(before.svd), condition(full.svd)));
-  report.facts.add("softest_along_gradient", compare(alignment(before.softest(), sideways),
-                                                     alignment(full.softest(), sideways)));
+  report.facts.add("condition_full", compare(before.soft.number, full.soft.number));
+  report.facts.add("softest_along_gradient", compare(alignment(before.soft.softest, sideways),
+                                                     alignment(full.soft.softest, sideways)));
   report.facts.add("full_residual", last(&Iteration::residual), "relative to amplitude");
   report.facts.add("full_step", last(&Iteration::step), "relative to amplitude");
 

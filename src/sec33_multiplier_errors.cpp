@@ -23,6 +23,7 @@ The claims are answered in the previous chapter; the results here are our own me
 #include <utility>
 #include <vector>
 
+#include "lattice/numbers/eigenvalues.hpp"
 #include "lattice/numbers/line_fit.hpp"
 #include "lattice/numbers/parallel.hpp"
 #include "lattice/numbers/random.hpp"

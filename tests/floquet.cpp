@@ -4,6 +4,7 @@
 #include "lattice/orbits/floquet.hpp"
 
 #include "check.hpp"
+#include "lattice/numbers/eigenvalues.hpp"
 #include "lattice/numbers/random.hpp"
 #include "lattice/orbits/breather.hpp"
 #include "sec33/exchange.hpp"

@@ -8,7 +8,7 @@
 
 #include "lattice/model/contact.hpp"
 #include "lattice/model/well.hpp"
-#include "lattice/numbers/dense.hpp"
+#include "lattice/numbers/eigenvalues.hpp"
 
 namespace lattice {
 

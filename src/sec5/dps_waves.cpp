@@ -1,9 +1,9 @@
 #include "sec5/dps_waves.hpp"
 
-#include <Eigen/Dense>
 #include <numeric>
 #include <stdexcept>
 
+#include "lattice/numbers/eigenvalues.hpp"
 #include "lattice/numbers/line_fit.hpp"
 #include "lattice/stepping/contact_rkn.hpp"
 
@@ -73,8 +73,7 @@ std::vector<std::complex<double>> ring_exponents(std::size_t sites, int waves) {
     for (Eigen::Index i = 0; i < rows; ++i)
       matrix(i, k) = (more[std::size_t(i)] - less[std::size_t(i)]) / (2 * change);
   }
-  const Eigen::VectorXcd found = matrix.eigenvalues();
-  return {found.begin(), found.end()};
+  return eigenvalues_of(matrix);
 }
 
 // Each closed form against the nearest eigenvalue
@@ -213,7 +212,7 @@ ChainWave chain_wave(const ModulatedWave& wave, double eps, std::size_t steps) {
         (2 * change);
     slopes.row(2 * n).head(2 * n) = real.transpose();
     slopes.row(2 * n + 1).head(2 * n) = imaginary.transpose();
-    const Eigen::VectorXd step = slopes.completeOrthogonalDecomposition().solve(miss);
+    const Eigen::VectorXd step = shortest_solution<double>(slopes, miss);
     x -= step.head(2 * n);
     time -= step[2 * n];
     moved = step.cwiseAbs().maxCoeff();
@@ -235,7 +234,9 @@ WaveRates chain_rates(const ModulatedWave& wave, double eps, std::size_t steps) 
   const double time = one_period(wave).wave().q / found.omega;
   const Eigen::MatrixXd map =
       shift_slopes(x, time, eps, steps) + Eigen::MatrixXd::Identity(2 * n, 2 * n);
-  const double most = map.eigenvalues().cwiseAbs().maxCoeff(), slow = std::sqrt(eps);
+  double most = 0;
+  for (const std::complex<double>& z : eigenvalues_of(map)) most = std::max(most, std::abs(z));
+  const double slow = std::sqrt(eps);
   return {std::log(most) / (time * slow), (1 - found.omega) / slow};
 }
 

@@ -21,6 +21,7 @@ exact orbit. */
 #include <utility>
 #include <vector>
 
+#include "lattice/numbers/eigenvalues.hpp"
 #include "lattice/numbers/estimate.hpp"
 #include "lattice/orbits/breather.hpp"
 #include "lattice/orbits/floquet.hpp"

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "lattice/model/sites.hpp"
+#include "lattice/numbers/eigenvalues.hpp"
 #include "lattice/numbers/extended.hpp"
 
 namespace lattice {

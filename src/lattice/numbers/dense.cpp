@@ -1,9 +1,8 @@
 #include "lattice/numbers/dense.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <Eigen/QR>
-#include <stdexcept>
+#include <Eigen/SVD>
 
 namespace lattice {
 
@@ -17,24 +16,24 @@ Vector<double> least_squares(const Matrix<double>& matrix, const Vector<double>&
 }
 
 template <class T>
-std::vector<std::complex<T>> eigenvalues_of(const Matrix<T>& matrix) {
-  const Eigen::EigenSolver<Matrix<T>> solver(matrix, false);
-  if (solver.info() != Eigen::Success)
-    throw std::runtime_error("the eigenvalues of a matrix did not converge");
-  return {solver.eigenvalues().begin(), solver.eigenvalues().end()};
+Vector<T> shortest_solution(const Matrix<T>& matrix, const Vector<T>& right, double rank) {
+  Eigen::CompleteOrthogonalDecomposition<Matrix<T>> shortest;
+  if (rank > 0) shortest.setThreshold(T(rank));
+  return shortest.compute(matrix).solve(right);
 }
 
-std::vector<std::complex<double>> eigenvalues_of(const Matrix<std::complex<double>>& matrix) {
-  const Eigen::ComplexEigenSolver<Matrix<std::complex<double>>> solver(matrix, false);
-  if (solver.info() != Eigen::Success)
-    throw std::runtime_error("the eigenvalues of a complex matrix did not converge");
-  return {solver.eigenvalues().begin(), solver.eigenvalues().end()};
+Softness condition_of(const Matrix<double>& matrix) {
+  const Eigen::JacobiSVD<Matrix<double>> svd(matrix, Eigen::ComputeFullV);
+  const auto& sizes = svd.singularValues();
+  const Eigen::Index last = matrix.cols() - 1;
+  return {sizes[0] / sizes[last], svd.matrixV().col(last)};
 }
 
 // The scalars that are used
 template Vector<double> solve_square(const Matrix<double>&, const Vector<double>&);
 template Vector<long double> solve_square(const Matrix<long double>&, const Vector<long double>&);
-template std::vector<std::complex<double>> eigenvalues_of(const Matrix<double>&);
-template std::vector<std::complex<long double>> eigenvalues_of(const Matrix<long double>&);
+template Vector<double> shortest_solution(const Matrix<double>&, const Vector<double>&, double);
+template Vector<long double> shortest_solution(const Matrix<long double>&,
+                                               const Vector<long double>&, double);
 
 }  // namespace lattice

@@ -2,13 +2,12 @@
 /**
 # Dense matrices
 
-Newton's method solves linear systems and stability is decided by eigenvalues, for matrices of at most a
-few hundred rows and in several number types. Eigen does both, here under the names that we use, in
-`double` and `long double` (and quadruple precision where extended.hpp says so). */
+Newton's method solves linear systems, for matrices of at most a few hundred rows and in several number
+types. Eigen does it, here under the names that we use, in `double` and `long double` (and quadruple
+precision where extended.hpp says so). Its solvers take the compiler a quarter of a minute each, so they are
+compiled once, these here and those of eigenvalues.hpp. */
 
 #include <Eigen/Core>
-#include <complex>
-#include <vector>
 
 namespace lattice {
 
@@ -30,13 +29,18 @@ With more equations than unknowns we take the solution of least squares. */
 Vector<double> least_squares(const Matrix<double>& matrix, const Vector<double>& right);
 
 /**
-Where a matrix has no structure that we could use, all of its eigenvalues are computed. */
-/// All eigenvalues of a square matrix, in Eigen's order. Throws std::runtime_error where the iteration
-/// does not converge.
+Where the equations leave a direction free, as Newton's method along a family of orbits does, the step is the
+shortest one that solves them in the sense of least squares. */
+/// The shortest x for which the norm of matrix * x - right is least. A direction counts as free if its
+/// singular value, relative to the largest, is below `rank`; zero stands for the rounding errors.
 template <class T>
-std::vector<std::complex<T>> eigenvalues_of(const Matrix<T>& matrix);
+Vector<T> shortest_solution(const Matrix<T>& matrix, const Vector<T>& right, double rank = 0);
 
-/// The same for a complex matrix.
-std::vector<std::complex<double>> eigenvalues_of(const Matrix<std::complex<double>>& matrix);
+/// How unequally a square matrix changes what it multiplies.
+struct Softness {
+  double number;           ///< largest over smallest singular value
+  Vector<double> softest;  ///< the unit vector that it shrinks most
+};
+Softness condition_of(const Matrix<double>& matrix);
 
 }  // namespace lattice

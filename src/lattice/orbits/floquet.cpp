@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "lattice/numbers/eigenvalues.hpp"
+
 namespace lattice {
 
 // Carry every small change along with the orbit; an inaccurate flow has no multipliers

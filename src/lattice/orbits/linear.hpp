@@ -1,13 +1,8 @@
 #pragma once
 /**
-# The linear problems of orbits
+# The linear problem of orbits
 
-Newton's method (newton.hpp) needs the solution of a linear system even where a direction is left free, and
-multipliers (floquet.hpp) need eigenvalues with their vectors. Both are in this file, apart from all that
-knows of chains, because they take long to compile. */
-
-#include <complex>
-#include <vector>
+Newton's method (newton.hpp) needs the solution of a linear system even where a direction is left free. */
 
 #include "lattice/numbers/dense.hpp"
 
@@ -20,16 +15,5 @@ squares. A direction counts as free if its singular value, relative to the large
 that is positive. Least squares need a built-in type; others throw std::logic_error. */
 template <class T>
 Vector<T> solve_system(const Matrix<T>& matrix, const Vector<T>& right, double rank = 0);
-
-/// Eigenvalues of a real matrix in Eigen's order, and the real parts of their vectors as columns.
-template <class T>
-struct Eigenpairs {
-  std::vector<std::complex<T>> values;
-  Matrix<T> vectors;
-};
-
-/// Throws std::runtime_error if Eigen finds no eigenvalues.
-template <class T>
-Eigenpairs<T> eigenpairs_of(const Matrix<T>& matrix);
 
 }  // namespace lattice
