@@ -287,7 +287,7 @@ void report_exchanges(Report& report, const Chart& grid) {
   // Neighbours of opposite sign
   struct Crossing_place {
     Cut cut;
-    Trial_kappa low, high;
+    TrialKappa low, high;
     const Node* near;
     Exchange found{};
     bool good = false;
@@ -296,7 +296,7 @@ void report_exchanges(Report& report, const Chart& grid) {
   const auto look = [&](const Node& a, const Node& b, bool along_s) {
     if (!(a.kappa() * b.kappa() < 0)) return;
     const auto at = [&](const Node& n) {
-      return Trial_kappa{along_s ? n.spot.s : n.spot.omega_b, n.kappa()};
+      return TrialKappa{along_s ? n.spot.s : n.spot.omega_b, n.kappa()};
     };
     places.push_back({{along_s, along_s ? a.spot.omega_b : a.spot.s}, at(a), at(b), &a});
   };

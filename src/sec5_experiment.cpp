@@ -286,7 +286,7 @@ void report_decay(Report& report) {
       const auto at = [&](const Decay& d) {
         return d.moments[std::size_t(share * double(d.moments.size()))];
       };
-      const Moment coarse = at(runs[0]), fine = at(runs[1]);
+      const DecayMoment coarse = at(runs[0]), fine = at(runs[1]);
       const auto same = breather_at(centre, fine.omega);
       table.add({bond, array.milliseconds(fine.t), compare(coarse.omega, fine.omega),
                  compare(coarse.energy * unit, fine.energy * unit), same.energy * unit,

@@ -54,8 +54,9 @@ struct Creep {
   State<double> end{};
   Run run{};
 
-  /// Sites moved from the first mean to mean `k`, and to the last.
+  /// Sites moved from the first mean to mean `k`.
   double moved(std::size_t k) const { return X[k] - X[0]; }
+  /// Sites moved from the first mean to the last; zero without means.
   double travelled() const { return X.empty() ? 0 : moved(X.size() - 1); }
   double farthest() const;
   Estimate speed(double from, double to) const;
@@ -66,9 +67,9 @@ struct Creep {
 /**
 The samples of eleven periods are added up to one mean of $X$. */
 struct MeanPlace {
-  Creep path{};
-  double sample, sum = 0;
-  std::size_t samples = 0;
+  Creep path{};             ///< the means so far
+  double sample, sum = 0;   ///< time between two samples; of the places since the last mean
+  std::size_t samples = 0;  ///< seen in all
 
   /// Whether `now` completes a mean.
   bool add(const State<double>& now, const std::vector<double>& e) {

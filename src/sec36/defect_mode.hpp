@@ -50,7 +50,7 @@ std::vector<double> mean_density(const Shooting<double>& problem, const Orbit<do
 Whether what stays at the defect in a run is this mode is seen from how the energy is distributed over the
 nine sites around the defect, as shares of their sum. */
 struct Profile {
-  std::vector<double> run, mode;
+  std::vector<double> run, mode;  ///< nine shares each
 
   /// One if both are equal, zero if they share no site.
   double overlap() const {

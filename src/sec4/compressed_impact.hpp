@@ -56,9 +56,9 @@ crest too, and over 21 sites a broad enough sech fits anything smooth; so the sh
 first. */
 struct Snapshot {
   State<double> state;
-  double centre;
-  Envelope envelope;
-  Sech sech;
+  double centre;      ///< of the packet, in sites from one
+  Envelope envelope;  ///< of the whole chain
+  Sech sech;          ///< fitted around the centre
 };
 
 /// From the snapshots of two runs: a sech explains the envelope.
@@ -107,6 +107,7 @@ way a surface mode keeps its share of the first five sites, while a train thins 
 faster; the line is $-1/2$. A packet that comes back moves backwards for some time: `steadiness` is the
 least advance in any 100 units of time over the mean one, and below a half we say that it returns. */
 struct Traits {
+  /// Shares at the end, of packet and boundary, with their exponents; speed of the centre.
   double share, share_exponent, boundary, boundary_exponent, speed, steadiness;
 
   /// One trait with its error from a coarser run.

@@ -48,9 +48,10 @@ One long run answers two questions: what becomes of the wave in the end, and whe
 second we follow the packet's centre during the last 60 units of time, about ten oscillations. */
 struct Modulated {
   State<double> end;
-  std::vector<double> density{}, t{}, centre{};
-  double drift = 0;
-  Snapshot shown{};
+  std::vector<double> density{};      ///< of the energy at the end
+  std::vector<double> t{}, centre{};  ///< during the last 60 units of time
+  double drift = 0;                   ///< of the energy, relative
+  Snapshot shown{};                   ///< of the end
 };
 
 /// The run of length `time`, with steps of at most `step`.
@@ -83,8 +84,9 @@ struct RingCourse {
   double gathered = std::nan("");     ///< when the energy has gathered in both,
   std::array<Modulated, 2> packet{};  ///< and what they look like a little later
 
-  /// The least number of sites that share the energy, and the largest density over the mean.
+  /// The least number of sites that share the energy.
   Estimate narrowest() const;
+  /// The largest density over the mean.
   Estimate highest() const;
 };
 
@@ -113,7 +115,7 @@ What has become of the wave is judged by a few numbers: the largest energy densi
 sites share the energy, and the speed of the centre with the error of its fit. */
 struct Formed {
   double peak_over_mean, participation, speed, speed_error;
-  std::size_t sites;
+  std::size_t sites;  ///< of the ring
 };
 
 /// The numbers by which a run is judged.

@@ -40,7 +40,7 @@ struct Fineness {
 struct ChainGuess {
   Centre centre = Centre::site;
   Interval<double> omega{};
-  std::vector<std::vector<double>> c{};
+  std::vector<std::vector<double>> c{};  ///< by contact, then by harmonic
 };
 
 /// The guess from Newton's method (breather.hpp), for omega = numerator / denominator.
@@ -74,6 +74,7 @@ $$\|1-A\,DF(d)\| \le (1+\kappa)(\epsilon+\|B_d-B\|)+\delta\|B\|$$
 in the window. Behind it $A$ is the identity and rows are bounded by $\gamma$ times the stiffness there. */
 class ChainProof {
  public:
+  /// Makes A and bounds it.
   ChainProof(const ChainGuess& guess, const Fineness& fineness);
 
   /// |A F(c)| in the supremum norm.

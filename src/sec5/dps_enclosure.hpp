@@ -91,7 +91,7 @@ operator of norm at most $4\sqrt{r}$, and by Weyl's inequality no eigenvalue ris
 template <class T>
 Interval<T> contact_eigenvalue(const DpsBreather<T>& breather, std::size_t k);
 
-/// |lambda|, and lambda^2 with its sign.
+/// lambda^2 with its sign, for an eigenvalue m.
 template <class T>
 Interval<T> square_of_exponent(const Interval<T>& m);
 
@@ -106,6 +106,7 @@ template <class T>
 struct DpsBarrier {
   Interval<T> equal_mu, equal_norm;  ///< H_site - H_bond
 };
+/// Both differences, for the breathers at mu = 1.
 template <class T>
 DpsBarrier<T> dps_barrier(const DpsBreather<T>& site, const DpsBreather<T>& bond);
 
@@ -126,6 +127,8 @@ some seventy degrees from contact to contact, so the profile increases again bef
 constant. */
 /// What became of an interval of r_0: discarded or decided at a contact, or open.
 enum class Decision { discarded, inside, open };
+
+/// An interval of r_0 and what became of it.
 template <class T>
 struct Piece {
   Interval<T> r_0;

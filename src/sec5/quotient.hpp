@@ -46,11 +46,14 @@ and $\pm T$; Euler and Maclaurin's formula says by how much, $h^2/12$ times the 
 which are $-2$ and $1$. */
 class PlainLine {
  public:
+  /// The first point is t = 0.
   PlainLine(double shift_time, std::size_t shifts, std::size_t per_shift);
 
   const Vector<double>& t() const { return t_; }
   double length() const { return step_ * double(t_.size()); }
+  /// Weights of the integral over the interval.
   Vector<double> weight() const { return Vector<double>::Constant(t_.size(), step_); }
+  /// K * f at the points of the grid.
   Vector<double> convolve(const Vector<double>& f) const;
 
  private:

@@ -50,6 +50,7 @@ continuous root costs no more than an integral over the instants at which contac
 $A$ is the identity, and rows are bounded by the integral of $a_d$ over two shifts around what lies there. */
 class WaveProof {
  public:
+  /// Makes A and bounds it.
   WaveProof(const CubicLine& d, const WaveFineness& fineness);
 
   /// |A F(c)| in the supremum norm.
