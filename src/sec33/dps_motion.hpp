@@ -107,10 +107,10 @@ double bisect_push(const PinnedBreather& bond, const Accuracy& accuracy, int ste
 /**
 ## Breathers under noise
 
-The article adds uniformly distributed noise to the breather. For complex numbers this is not definite: the
-noise may be complex or real, of both signs or positive, absolute or a share of
-$u_n$. The difference matters, since a push counts far more than a shift, so the kind of noise is a
-parameter. One seed gives the same perturbation on every machine. */
+The article adds uniformly distributed noise to the breather. For complex numbers this is not definite: the noise may
+be complex or real, of both signs or positive, absolute or a share of $u_n$. The difference matters, since a push
+counts far more than a shift, so the kind of noise is a parameter. One seed gives the same perturbation on every
+machine. */
 struct Noise {
   const char* name;
   bool imaginary, positive, relative;  ///< complex; of positive parts only; as a share of u_n

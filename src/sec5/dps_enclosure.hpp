@@ -6,10 +6,10 @@ The stationary DpS equation at $\mu = 1$ has strains of alternating signs. With 
 $\varphi(x) = x|x|^{1/2}$ it becomes
 $$F(r)_n = r_n - [\varphi(r_{n-1}) + 2\varphi(r_n) + \varphi(r_{n+1})] = 0,$$
 for bounded sequences, and conversely every bounded zero of $F$ gives a solution,
-$|u_n| = \varphi(r_{n-1})+\varphi(r_n)$ with alternating signs. Contact $n$ lies between the sites $n$ and
-$n+1$. Around a bond $r_{-n} = r_n$, around a site $r_{-1-n} = r_n$, so that the contacts $n \ge 0$ suffice.
-The map $F$ is continuously differentiable on $\ell^\infty$, since $\varphi' = \frac32|x|^{1/2}$ is
-continuous. It has no second derivative at zero, and none is used.
+$|u_n| = \varphi(r_{n-1})+\varphi(r_n)$ with alternating signs. Contact $n$ lies between the sites $n$ and $n+1$.
+Around a bond $r_{-n} = r_n$, around a site $r_{-1-n} = r_n$, so that the contacts $n \ge 0$ suffice. The map $F$ is
+continuously differentiable on $\ell^\infty$, since $\varphi' = \frac32|x|^{1/2}$ is continuous. It has no second
+derivative at zero, and none is used.
 
 The ball of the lemma in contraction.hpp has one radius in all contacts. In a window of `contacts` contacts
 $A$ is an approximate inverse of the derivative, outside it is the identity. There the map reads

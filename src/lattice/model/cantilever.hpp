@@ -93,8 +93,8 @@ order $\delta$. The well adds the period $2\pi\tau_c$, and the displacement $\xi
 equals that of a contact (section 3.5):
 $$\tau_h = \Bigl(\frac{m^2}{\gamma^2 V}\Bigr)^{1/5},\quad \delta = \Bigl(\frac{mV^2}{\gamma}\Bigr)^{2/5},\quad
 \tau_c = \sqrt{m/k},\quad \xi = (k/\gamma)^2,\quad \lambda = \frac{m}{k\,\tau_h^2}.$$
-In the units $\xi$ and $\tau_c$ the chain is that of Eq. (9), and the impact velocity
-is $V\tau_c/\xi = \lambda^{5/2}$, Eqs. (29) and (30). Speeds $V$ below are in m/s, results in SI units. */
+In the units $\xi$ and $\tau_c$ the chain is that of Eq. (9), and the impact velocity is
+$V\tau_c/\xi = \lambda^{5/2}$, Eqs. (29) and (30). Speeds $V$ below are in m/s, results in SI units. */
 struct Scales {
   double m, k, gamma;  ///< kg, N/m, N/m^(3/2)
 

@@ -54,10 +54,9 @@ $$M = \begin{pmatrix} 1+2K & 2D^TB\\ 2A^TC & 1+2K^T\end{pmatrix},\qquad K = B^TC
 M + M^{-1} = \begin{pmatrix} 2+4K & 0\\ 0& 2+4K^T\end{pmatrix}.$$
 Each eigenvalue $\kappa$ of the $N\times N$ matrix $K$ is therefore one pair,
 $$\lambda + \frac1\lambda - 2 = 4\kappa,\qquad \lambda = 1 + 2\kappa \pm 2\sqrt{\kappa(1+\kappa)},$$
-and its eigenvector holds the positions of the mode. A real $\kappa$ in $[-1,0]$ means a stable pair, at
-the angles $\pm 2\arcsin\sqrt{-\kappa}$; $\kappa > 0$ means an unstable one,
-$\ln\lambda = \pm 2\,\mathrm{arsinh}\sqrt\kappa$. Near $+1$ the difference $\lambda+1/\lambda-2$ would
-lose all digits; here it is never formed. */
+and its eigenvector holds the positions of the mode. A real $\kappa$ in $[-1,0]$ means a stable pair, at the angles
+$\pm 2\arcsin\sqrt{-\kappa}$; $\kappa > 0$ means an unstable one, $\ln\lambda = \pm 2\,\mathrm{arsinh}\sqrt\kappa$.
+Near $+1$ the difference $\lambda+1/\lambda-2$ would lose all digits; here it is never formed. */
 /// The matrix K of a half-period map in momenta.
 template <class T>
 Matrix<T> pair_matrix(const Matrix<T>& half);

@@ -66,8 +66,8 @@ struct ControlledRun {
 };
 
 /**
-The next step is the old one times $0.9\,e^{-1/5}$, where $e$ is the error in those units, at least a fifth and at most
-ten times as long; after a rejected step it does not grow. Samples lie on the cubic through both ends of a step
+The next step is the old one times $0.9\,e^{-1/5}$, where $e$ is the error in those units, at least a fifth and at
+most ten times as long; after a rejected step it does not grow. Samples lie on the cubic through both ends of a step
 with the slopes there, so that they do not shorten the steps. */
 /// Carries `x` over `duration`; `observe(t, x)` is called at the start and after each of `samples` equal
 /// intervals. Throws std::runtime_error if the step becomes too small or a value infinite.
