@@ -416,7 +416,7 @@ Criterion persists(const Course& coarse, const Course& fine) {
 }
 
 /**
-A loss of energy by the integrator could pass for dispersal, so the drift stands beside each run. */
+A loss of energy by the integrator could pass for dispersal, so every run is listed with its drift. */
 Criterion of_dispersal(Report& report) {
   // Without and with wells, each at two resolutions
   const double time = report.quick ? 60 : 200;

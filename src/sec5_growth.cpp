@@ -34,8 +34,8 @@ using std::numbers::pi;
 In short: waves whose neighbours differ in phase by a quarter of a turn or less, $q\le\pi/2$, are stable, and all
 others are unstable but for $\cos q = -\frac15$. The fastest growth has the wave of opposite neighbours, $q = \pi$,
 with [0.373674](num:sec5_growth.greatest_growth) per unit of slow time. The chain agrees up to a difference in
-proportion to the root of the amplitude. Breathers that last were
-found after waves that have more energy than irregular motion of the same norm could take up, and after no other.
+proportion to the root of the amplitude. Breathers that last were found after waves that have more energy than
+irregular motion of the same norm could take up, and after no other.
 
 ## Model
 

@@ -149,11 +149,11 @@ By the last step of the proof every localized wave of this $T$ falls double-expo
 - *No compacton.* If $f$ ended at $b$, then $d(t)$ for $b + T - \pi < t < b + T$ would be an integral of
   $f$ with $K > 0$ only, hence positive, and so would be $f(t)$, beyond $b$.
 - *Contacts open.* $\int K = 0$, so $\int d\,dt = 0$ and $d$ is negative somewhere.
-- *Growth with $k$.* $S$ is of the order of $k^{2/(\alpha+1)}$: not more by Young's bound, and not less
-  because of $k \ge 2$ equal pulses $2\pi - \pi/2k$ apart, each two of which have $K > 0$; they are narrow,
-  but of a width that does not depend on $k$. Two beads differ by $\max d$, so $E \ge \frac14(4k)^{-2/(\alpha-1)}$ for every localized wave, and by Young's
-  inequality for $\int(q^2+\dot q^2)$, whose kernel is $(T-|\sigma|)\cos\sigma$, the maximum has $E \le
-  C k^{-2/(\alpha-1)}$. In Hertzian contacts that is the fourth power of the speed. */
+- *Growth with $k$.* $S$ is of the order of $k^{2/(\alpha+1)}$: not more by Young's bound, and not less because of
+  $k \ge 2$ equal pulses $2\pi - \pi/2k$ apart, each two of which have $K > 0$; they are narrow, but of a width that
+  does not depend on $k$. Two beads differ by $\max d$, so $E \ge \frac14(4k)^{-2/(\alpha-1)}$ for every localized
+  wave, and by Young's inequality for $\int(q^2+\dot q^2)$, whose kernel is $(T-|\sigma|)\cos\sigma$, the maximum has
+  $E \le C k^{-2/(\alpha-1)}$. In Hertzian contacts that is the fourth power of the speed. */
 struct Wave {
   std::size_t k;
   int sign;
@@ -589,7 +589,8 @@ void reproduce(Report& report) {
 /**
 ## Limits and extensions
 
-Proved are the theorem and what stands under *What else follows*, and in the next chapter both waves of $k = 1$.
+What is proved: the theorem and what is listed under *What else follows*, and in the next chapter both waves of
+$k = 1$.
 Computed, with errors from two grids, are the waves, their quotients and the exchanges. That one of the two even
 waves is the maximum of the theorem is a conjecture, with which the ascents agree; near an exchange it might be one
 without symmetry.
