@@ -242,7 +242,7 @@ End classify(const Search& search, const State<double>& start) {
 }
 
 /**
-The leapfrog chain is not the chain itself, so every motion that was found must stand the exact flow: the
+The leapfrog chain is not the chain itself, so every motion that was found must survive the exact flow: the
 library's Newton method starts from it, may move it by no more than a tenth of its size, and must end
 in an orbit of the same kind. */
 struct Nearby : Shooting<double> {

@@ -75,7 +75,7 @@ std::string name_of(Centre centre) {
 
 The article's residual is the distance from $Y(0)$ to $Y(T_b)$, relative to $Y(0)$, where $Y$ holds all
 positions and velocities: a whole period without any symmetry. We evaluate it for our breather, which was
-found on a quarter of one. Its error is the difference from the same flight in a wider type, which has a
+found on a quarter of one. Its error is the difference from the same integration in a wider type, which has a
 64-bit mantissa. */
 template <class T>
 T distance_after_period(const Shooting<double>& problem, const State<double>& start) {

@@ -2,7 +2,7 @@
 # 3.3 The breather in between
 
 Where do the two breathers exchange their stability, and what happens there? Section 3.3 of
-James, Kevrekidis and Cuevas (Physica D 251, 2013) finds that it does so in $s$ at $\omega_b = 1.1$
+James, Kevrekidis and Cuevas (Physica D 251, 2013) finds that they do so in $s$ at $\omega_b = 1.1$
 and leaves the bifurcations to future work. This program maps the exchanges over the plane of
 $\omega_b$ and $s$ and finds the breathers that are born there: they are centred neither on a site nor on a
 bond. The landscapes below are drawn so that a stable breather sits in a valley.

@@ -299,7 +299,7 @@ void report_budgets(Report& report) {
 
 What is it that the waves turn? If the packet is a breather that moves, its frequency, energy and
 area should be related as in the breathers at rest of the same $s$, which we compute by Newton's
-method. How they are read from the packet says wake.hpp.
+method. wake.hpp says how they are read from the packet.
 
 The lattice itself could stop a packet. Its barrier is the energy difference of site-centred and
 bond-centred breathers, $E_{\rm site}-E_{\rm bond}$, at equal area (chapter 3.2). It repeats itself
@@ -324,7 +324,7 @@ Family family() {
 }
 
 /// A quantity of the bond-centred family at the frequency `omega`, interpolated linearly between two of
-/// every `each` rungs.
+/// every `each` members.
 template <class Of>
 double at_frequency(const Family& f, double omega, Of of, std::size_t each = 1) {
   std::size_t k = each;
@@ -334,8 +334,8 @@ double at_frequency(const Family& f, double omega, Of of, std::size_t each = 1) 
 }
 
 /**
-Its error has two sources: the distance of the rungs, which we see from every second one, and the error
-of the frequency. */
+Its error has two sources: the spacing of the members, which shows when only every second one is taken, and the
+error of the frequency. */
 template <class Of>
 Estimate at_rest(const Family& f, const Estimate& omega, Of of) {
   const double here = at_frequency(f, omega.value, of);

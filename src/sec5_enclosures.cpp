@@ -231,11 +231,11 @@ void report_chain(Report& report) {
 ## The travelling breathers of the kernel equation
 
 The travelling breathers of type I with $k = 1$ obey one scalar equation, $d = K*d_+^{3/2}$ with
-$K(\sigma) = -\sin|\sigma|$ for $|\sigma| \le 2\pi$ (chapter on the kernel equation). Its theorem gives a wave, but neither says that it is even
-nor that there is a second one. For each of the two signs of the central velocity it is proved here
-(wave_enclosure.hpp): there is an even solution $d$, it differs by no more than `radius` from the guess at all times,
-and it is the only even one within `unique_radius`. The guess is cubic on cells, its tail is zero, and the true tail
-is bounded by the inequality of the theorem, $M(t+T) \le 4M(t)^{3/2}$.
+$K(\sigma) = -\sin|\sigma|$ for $|\sigma| \le 2\pi$ (chapter on the kernel equation). Its theorem gives a wave, but
+neither says that it is even nor that there is a second one. For each of the two signs of the central velocity it is
+proved here (wave_enclosure.hpp): there is an even solution $d$, it differs by no more than `radius` from the guess
+at all times, and it is the only even one within `unique_radius`. The guess is cubic on cells, its tail is zero, and
+the true tail is bounded by the inequality of the theorem, $M(t+T) \le 4M(t)^{3/2}$.
 
 Energy and peak follow with errors of the order of the small radius. The action $\int d_+^{5/2}dt$ is a critical
 value, so that its error is of second order in the radius and is dominated by the residual. The actions of

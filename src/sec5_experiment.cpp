@@ -427,7 +427,7 @@ ground is not computed but given, and friction between beam and clamp, which is 
 ## Extensions
 
 - What does the slow clock become where contacts lose energy? Their share depends on the amplitude.
-- At which quality factor would the array show the boomerang of hard wells?
+- At which quality factor would the array show the boomeron of hard wells?
 - Which beam and clamp have a lifetime of 10 ms? */
 int main(int argc, char** argv) {
   return run({"sec5_experiment", "5", "What an experiment would see: damping (section 5)",

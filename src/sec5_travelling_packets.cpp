@@ -225,7 +225,7 @@ struct ExactLine {
 };
 
 /**
-The contact energy of an orbit fluctuates, so it is averaged over a flight of one shift. */
+The contact energy of an orbit fluctuates, so it is averaged over a run of one shift. */
 ExactLine exact_line() {
   ExactLine line;
   Staircase stairs(1);
@@ -339,7 +339,7 @@ Table course_table(const std::vector<TwoCourses>& runs) {
 ## The limit of small amplitude (figure x23)
 
 Do exact travelling breathers survive in the limit of small amplitude? There they are orbits of the DpS
-equation (orbits/dps_travelling.hpp), of the same two types. Since $A_n$ may be multiplied by any
+equation (dps_travelling.hpp), of the same two types. Since $A_n$ may be multiplied by any
 constant phase factor, nothing holds the internal phase in this limit: an orbit of type I is one of a
 whole circle of orbits, and the two signs of the chain are two of them. We follow its family with the
 angle $\varphi$ by which the phase turns from site to site. */
