@@ -43,8 +43,9 @@ struct PinnedBreather {
   PinningPair pair;  ///< with that sign
   double shift;      ///< g: how far the centre moves, in sites, for a unit of x
 
-  /// The breather of frequency `frequency` on `sites` sites, or that of a state.
+  /// The breather of frequency `frequency` on `sites` sites.
   PinnedBreather(Centre c, double frequency, std::size_t sites);
+  /// The breather that has been computed already.
   explicit PinnedBreather(const Stationary<double>& state);
 
   /// The push at which a pendulum passes the site beside its bond.

@@ -89,8 +89,10 @@ struct CompressedRun : ImpactRun {
 /// Steps before and after the settling time.
 struct CompressedSteps {
   double early = 0.1, late = 0.4;
+  /// Both half as long.
   CompressedSteps halved() const { return {early / 2, late / 2}; }
 };
+/// When the methods are changed, in units of time.
 inline constexpr double settling_time = 40;
 
 /**
@@ -122,8 +124,9 @@ Criterion lasting_breather(const Traits& coarse, const Traits& fine);
 /// A wave train, which keeps energy neither in a packet nor at the boundary.
 Criterion mere_train(const Traits& coarse, const Traits& fine);
 
-/// A packet that returns, and a surface mode: what runs without compression must show.
+/// A packet that returns, which the run without compression in hard wells must show.
 Criterion returning_packet(const Traits& coarse, const Traits& fine);
+/// A surface mode, which the one in soft wells must show.
 Criterion lasting_surface_mode(const Traits& coarse, const Traits& fine);
 
 /**

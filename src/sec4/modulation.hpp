@@ -29,8 +29,9 @@ struct ModulatedPhonon {
   double s = -1.0 / 6, d = 0.5, q = std::numbers::pi / 4, a = 0.15, b = 0.01;
   std::size_t sites = 200;
 
-  /// The ring, and the chain's state at t = 0.
+  /// The ring.
   Chain ring() const { return {sites, Quartic{s}, CompressedHertz{d}, Ends::periodic}; }
+  /// Its state at t = 0, Eq. (39).
   State<double> start() const {
     const double pi = std::numbers::pi, omega = phonon(q, contact_series(d).v1).omega;
     State<double> state(sites);

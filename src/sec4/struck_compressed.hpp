@@ -49,8 +49,9 @@ struct Experiment {
         impact(compressed_impact(s_, time, 1.87, d_)),
         times(std::move(shown)) {}
 
-  /// What was seen in the coarser and in the finer run.
+  /// What was seen in the coarser run.
   Traits rough() const { return traits(coarse.samples); }
+  /// What was seen in the finer run.
   Traits best() const { return traits(fine.samples); }
   /// The criterion `of` on the traits of both runs; its conditions are named after the experiment.
   Criterion judged(Criterion of(const Traits&, const Traits&)) const {

@@ -106,6 +106,7 @@ struct ModulatedWave {
   std::size_t sites;
   int waves, turns;  ///< periods of the wave and of the modulation on the ring
 
+  /// The wave by itself, of modulus one.
   DpsWave<double> wave() const { return {around(waves)}; }
   /// Q.
   double modulation() const { return around(turns); }

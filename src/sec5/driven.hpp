@@ -56,6 +56,7 @@ struct DrivenOrbit {
   double length = 0;               ///< how far along the direction the plane lies
   double scale = 1;                ///< in which unknowns and equations are measured
 
+  /// What newton.hpp asks of a problem.
   std::string name() const { return "the driven orbit"; }
   Sizes<double> sizes(const Vector<double>& x, bool graded) const;
   Shot<double> shoot(const Vector<double>& x, const EventTolerance<double>&,

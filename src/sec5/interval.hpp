@@ -50,6 +50,7 @@ struct Interval {
   static constexpr Interval all() {
     return {-std::numeric_limits<T>::infinity(), std::numeric_limits<T>::infinity()};
   }
+  /// Whether all of `x` is inside, ends included.
   constexpr bool contains(T x) const { return lower <= x && x <= upper; }
   constexpr bool contains(const Interval& x) const { return lower <= x.lower && x.upper <= upper; }
   /// Whether both ends are numbers of the format.

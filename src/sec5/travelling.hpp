@@ -139,6 +139,7 @@ class Staircase {
   /// The impact after which the packet moves by one site in about `first` oscillations.
   static constexpr double first_velocity = 0.0174;
 
+  /// The orbit that was reached last.
   const Orbit<double>& orbit() const { return orbit_; }
   /// Climbs up or down to k, in steps short enough for Newton's method. Throws NewtonFailed.
   const Orbit<double>& reach(std::size_t k) {

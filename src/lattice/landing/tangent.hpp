@@ -35,6 +35,7 @@ struct Tangent {
       : sites(site_count), columns(column_count), entries(2 * sites * columns, T(0)) {
     for (std::size_t i = 0; i < std::min(2 * sites, columns); ++i) (*this)(i, i) = T(1);
   }
+  /// Entry of row 0 <= row < 2 * sites.
   T& operator()(std::size_t row, std::size_t column) { return entries[row * columns + column]; }
   const T& operator()(std::size_t row, std::size_t column) const {
     return entries[row * columns + column];

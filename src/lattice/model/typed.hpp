@@ -191,6 +191,7 @@ KickDrift<T, PlainSum> plain_kick_drifter(const Chain& chain);
 template <class T>
 using BareKickDrift = void (*)(const Chain&, T* y, T* v, const Varied&, std::size_t n, T left,
                                T right, const T& kick, const T& drift);
+/// The function of this kind that fits the chain.
 template <class T>
 BareKickDrift<T> bare_kick_drifter(const Chain& chain);
 

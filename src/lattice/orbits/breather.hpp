@@ -82,6 +82,7 @@ struct Fitted {
 /// Thrown if the chain cannot hold the breather's tail; it needs `needed` sites.
 struct ShortChain : std::invalid_argument {
   std::size_t needed;
+  /// `sites` are needed.
   explicit ShortChain(std::size_t sites)
       : std::invalid_argument("the breather needs " + std::to_string(sites) + " sites"),
         needed(sites) {}

@@ -28,8 +28,9 @@ struct Quintic {
   T d = x1 - (x0 + w0 + g0), e = w1 - (w0 + T(2) * g0), f = g1 - g0;
   T c3 = T(10) * d - T(4) * e + f, c4 = T(7) * e - T(15) * d - T(2) * f;
   T c5 = T(6) * d - T(3) * e + f;
-  /// The overlap at s, and its derivative by s.
+  /// The overlap at s.
   T operator()(T s) const { return x0 + s * (w0 + s * (g0 + s * (c3 + s * (c4 + s * c5)))); }
+  /// Its derivative by s.
   T slope(T s) const {
     return w0 + s * (T(2) * g0 + s * (T(3) * c3 + s * (T(4) * c4 + s * T(5) * c5)));
   }

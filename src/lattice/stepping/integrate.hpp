@@ -97,6 +97,7 @@ struct Run {
   double error = 0;  ///< of the end state, relative; zero unless from `evolve_to` (accuracy.hpp)
   double t_end = 0;  ///< time of the last sample that is not a runaway
   double escape_time = std::numeric_limits<double>::infinity();
+  /// Whether the solution has run away.
   bool escaped() const { return std::isfinite(escape_time); }
 };
 
