@@ -55,8 +55,10 @@ images := $(svgs) $(svgs:.svg=.pdf) $(svgs:.svg=.png)
 .PHONY: figures test all-figures all-data programs install-deps burn help readme refresh lock summary
 .PHONY: $(foreach i,$(ids),$(if $(filter x%,$(i)),$(i),fig$(i)))
 
-# A program uses all cores, a drawing only one.
+# A drawing uses one core. Two programs side by side leave no core without work where one of them waits for its
+# slowest part; a scheduler that LAUNCH names places them itself.
 side_by_side = $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS))
+two_by_two = $(if $(filter -j%,$(MAKEFLAGS))$(LAUNCH)$(filter 1,$(CORES)),,-j2)
 
 ## figures: compute and draw everything, then compare with the article
 figures: install-deps
@@ -64,7 +66,8 @@ figures: install-deps
 	@sh tools/configure.sh $(B)
 	@mkdir -p $(D)/report && (. tools/shared.sh; now) > $(D)/report/start
 	@sh tools/tables.sh $(D)/data
-	@$(MAKE) all-data
+	@$(MAKE) programs
+	@$(MAKE) $(two_by_two) all-data
 	@$(MAKE) $(side_by_side) all-figures
 	@$(MAKE) summary
 
@@ -94,7 +97,7 @@ $(B)/bin/%: programs
 	@test -x $@
 
 $(D)/data/%/results.ecsv: $(B)/bin/%
-	@sh tools/compute.sh $< $@ $(D)/report/cost/$* \
+	@sh tools/compute.sh $< $@ $(D)/report/cost/$* $(at_once) \
 	  $(LAUNCH) $< --out $(@D) $(if $(quick),--quick) $(threads)
 
 # $(1) id, $(2) program, $(3) script, $(4) tables

@@ -32,10 +32,10 @@ using std::numbers::pi;
 
 /**
 In short: waves whose neighbours differ in phase by a quarter of a turn or less, $q\le\pi/2$, are stable, and all
-others are unstable but for $\cos q = -\frac15$. The fastest growth has the wave of opposite neighbours, $q = \pi$,
-with [0.373674](num:sec5_growth.greatest_growth) per unit of slow time. The chain agrees up to a difference in
-proportion to the root of the amplitude. Breathers that last were found after waves that have more energy than
-irregular motion of the same norm could take up, and after no other.
+others are unstable but for $\cos q = -\frac15$. The wave of opposite neighbours, $q = \pi$, grows fastest, at the
+rate [0.373674](num:sec5_growth.greatest_growth) per unit of slow time. The chain agrees up to a difference in
+proportion to the root of the amplitude. Breathers that last were found after waves that have clearly more energy
+than irregular motion of the same norm could take up, and after no other.
 
 ## Model
 
@@ -215,7 +215,7 @@ runs are chaotic. A tolerance ten times smaller gives other breathers, so that o
 errors are the standard error over the seeds and the difference of both tolerances.
 
 Norm and energy are conserved, and that decides. A field of independent normal amplitudes, the motion of infinite
-temperature, has the energy $\frac25\,2^{5/4}\,\Gamma(\frac94) =$ [1.0779](num:sec5_growth.random_energy) per site at
+temperature, has the energy $\frac25\,2^{5/4}\,\Gamma(\frac94) =$ [1.07790](num:sec5_growth.random_energy) per site at
 norm one. A wave with more cannot become as irregular as that; the surplus must gather. This is the argument of
 Rasmussen, Cretegny, Kevrekidis and Grønbech-Jensen (Phys. Rev. Lett. 84, 3740, 2000) for the discrete nonlinear
 Schrödinger equation. Waves pass that energy at $q =$ [1.67605](num:sec5_growth.neutral_q), a little beyond $\pi/2$,
@@ -329,8 +329,12 @@ void report_long_runs(Report& report) {
 On a ring of 64 sites [1](num:sec5_growth.breathers_at_a_time_32) breathers live at a time after the wave $q = \pi$
 and [0.4](num:sec5_growth.breathers_at_a_time_24) after $q = \frac34\pi$, with
 [0.963](num:sec5_growth.energy_over_static_32) and [0.89](num:sec5_growth.energy_over_static_24) of the energy of
-static ones. After $q = \frac{17}{32}\pi$, which is unstable but has no surplus, there are as many as in the random
-field, [0](num:sec5_growth.breathers_at_a_time_random).
+static ones. The rule of the surplus is necessary but not sharp: after $q = \frac{20}{32}\pi$ there are
+[0.03](num:sec5_growth.breathers_at_a_time_20), and after $\frac{18}{32}\pi$, which has a little surplus, there are
+[0](num:sec5_growth.breathers_at_a_time_18), as after $\frac{17}{32}\pi$, which is unstable but has none,
+[0](num:sec5_growth.breathers_at_a_time_17), and in the random field,
+[0](num:sec5_growth.breathers_at_a_time_random). Ten times as long a run without surplus makes
+[0](num:sec5_growth.breathers_in_long_runs) as well.
 
 Hardly any is at rest, [0.05](num:sec5_growth.share_at_rest_32) and [0](num:sec5_growth.share_at_rest_24) of them:
 they travel, and a collision or a wave turns them round. After $q = \pi$ they go both ways, with the mean speed

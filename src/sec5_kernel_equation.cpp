@@ -527,7 +527,7 @@ The actions differ by [-2.43979e-11](num:sec5_kernel_equation.action_difference)
 plus, whose phase is held, has the larger quotient. [30](num:sec5_kernel_equation.ascent_starts) random starts come
 to quotients between [1.1552](num:sec5_kernel_equation.ascent_lowest) and
 [1.1552](num:sec5_kernel_equation.ascent_highest), where the waves have
-[1.15521](num:sec5_kernel_equation.quotient_plus). They lie [4.51714e-5](num:sec5_kernel_equation.ascent_spread)
+[1.15521](num:sec5_kernel_equation.quotient_plus). They lie [4.52e-5](num:sec5_kernel_equation.ascent_spread)
 apart, less than the error of their grid: no second maximum is seen, and none that is closer is excluded.
 
 From large $\alpha$ to small the signs exchange their order at $\alpha =$
@@ -538,8 +538,8 @@ From large $\alpha$ to small the signs exchange their order at $\alpha =$
 the sign plus has the larger quotient. In $1/(\alpha-1)$ they lie
 [0.289679](num:sec5_kernel_equation.exchange_spacing_first) to
 [0.3031](num:sec5_kernel_equation.exchange_spacing_last) apart, as if there were no end of them towards $\alpha = 1$;
-a ninth one is beyond double precision. At [](num:sec5_kernel_equation.phases_agree) of the
-[](num:sec5_kernel_equation.phases_compared) exponents of the table at which the difference and $\kappa$ are beyond
+a ninth one is beyond double precision. At [27](num:sec5_kernel_equation.phases_agree) of the
+[27](num:sec5_kernel_equation.phases_compared) exponents of the table at which the difference and $\kappa$ are beyond
 their errors, the phase of the larger quotient is held and that of the other is not. */
 void report_waves(Report& report, const std::vector<Wave>& all) {
   const Wave &plus = all[0], &minus = all[1];
