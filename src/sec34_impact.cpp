@@ -486,10 +486,11 @@ void reproduce(Report& report) {
 
 `sec34_impact run` measures a single impact of your own (one_impact.hpp). The article does not say how far from the
 boundary it fits speeds, for which $s$ it draws figure 19, or how it integrates; our choices are stated where they
-are made. The ripple on the peak density of figure 19 is resolved and real: a packet passes a site in a time comparable
-to its internal period, and the largest density depends on the phase between the two. Just below the blow-up band the
-soft curves become erratic, because the first bead almost escapes and feeds the packet when it returns. Their last
-points, marked in the figure, are right for their velocities, but a finer scan would find more structure.
+are made. The ripple on the peak density of figure 19 is resolved and real: a packet passes a site in a time
+comparable to its internal period, and the largest density depends on the phase between the two. Just below the
+blow-up band the soft curves become erratic, because the first bead almost escapes and feeds the packet when it
+returns. Their last points, marked in the figure, are right for their velocities, but a finer scan would find more
+structure.
 
 ## Extensions
 

@@ -215,8 +215,8 @@ runs are chaotic. A tolerance ten times smaller gives other breathers, so that o
 errors are the standard error over the seeds and the difference of both tolerances.
 
 Norm and energy are conserved, and that decides. A field of independent normal amplitudes, the motion of infinite
-temperature, has the energy $\frac25\,2^{5/4}\,\Gamma(\frac94) =$ [1.07790](num:sec5_growth.random_energy) per site at
-norm one. A wave with more cannot become as irregular as that; the surplus must gather. This is the argument of
+temperature, has the energy $\frac25\,2^{5/4}\,\Gamma(\frac94) =$ [1.07790](num:sec5_growth.random_energy) per site
+at norm one. A wave with more cannot become as irregular as that; the surplus must gather. This is the argument of
 Rasmussen, Cretegny, Kevrekidis and Grønbech-Jensen (Phys. Rev. Lett. 84, 3740, 2000) for the discrete nonlinear
 Schrödinger equation. Waves pass that energy at $q =$ [1.67605](num:sec5_growth.neutral_q), a little beyond $\pi/2$,
 so that nearly all unstable waves are above. */

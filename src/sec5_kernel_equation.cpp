@@ -141,8 +141,9 @@ double least_peak(std::size_t k, double alpha) {
 
 By the last step of the proof every localized wave of this $T$ falls double-exponentially.
 
-- *Least action.* Every localized wave has $Q(f)/\|f\|_p^2 = A^{-(\alpha-1)/(\alpha+1)} \le S$, so the maximum has the
-  least action $A = S^{-(\alpha+1)/(\alpha-1)}$ of all. From now on the *quotient* of a wave is this power of its $A$.
+- *Least action.* Every localized wave has $Q(f)/\|f\|_p^2 = A^{-(\alpha-1)/(\alpha+1)} \le S$, so the maximum has
+  the least action $A = S^{-(\alpha+1)/(\alpha-1)}$ of all. From now on the *quotient* of a wave is this power of its
+  $A$.
 - *Any maximizing sequence* converges in $L^p$, up to translations, along a subsequence.
 - *Peaks.* From $\max d \le 4k(\max d)^\alpha$ every localized wave has $\max d \ge
   (4k)^{-1/(\alpha-1)}$.
