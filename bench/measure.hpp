@@ -60,12 +60,14 @@ inline std::vector<double> in_turns(const std::vector<std::function<void()>>& ta
 /**
 A score says what a run achieved. An error that a problem does not ask about is zero. */
 struct Score {
+  /// Largest relative error of the energy, of a displacement, of an entry of the monodromy matrix; evaluations of the
+  /// force on the whole chain.
   double energy = 0, solution = 0, tangent = 0, evaluations = 0;
 };
 
 /// What a run has to achieve.
 struct Demand {
-  double energy, solution, tangent;
+  double energy, solution, tangent;  ///< the errors allowed
   bool met_by(const Score& s) const {
     return s.energy <= energy && s.solution <= solution && s.tangent <= tangent;
   }
@@ -74,8 +76,8 @@ struct Demand {
 /// A competitor: `run` solves the problem with a setting, which is scanned from `coarse` on.
 struct Method {
   std::string name;
-  bool ours;
-  double coarse, factor;
+  bool ours;              ///< or a peer's
+  double coarse, factor;  ///< the first setting, and from one to the next
   std::function<Score(double)> run;
   int beyond = 2;  ///< settings tried after the first success
 };
@@ -94,6 +96,7 @@ struct Scan {
   std::optional<Point> best;
 };
 
+/// The scan of a method down to the setting `finest`, or until a run takes longer than `patience` seconds.
 inline Scan scan(const Method& method, const Demand& demand, double patience, double finest) {
   Scan result;
   int more = method.beyond;
@@ -142,6 +145,7 @@ struct Book {
        {"rate", "1/s", "site-steps per second", Kind::real},
        {"fraction", "", "rate over that of a vectorised loop of square roots", Kind::real}}};
 
+  /// One comparison, in the table and on standard output.
   void ratio(const std::string& problem, const std::string& peer, const std::string& quantity,
              double ours, double theirs, const std::string& note = "") {
     ratios.add({problem, peer, quantity, theirs / ours, ours, theirs, note});
@@ -149,6 +153,7 @@ struct Book {
                 quantity.c_str(), theirs / ours, ours, theirs, note.c_str());
     std::fflush(stdout);
   }
+  /// All settings that were tried; `tangent` says which errors count.
   void points(const std::string& problem, const std::string& method, const Scan& scan,
               bool tangent) {
     const double none = std::numeric_limits<double>::quiet_NaN();
@@ -166,8 +171,8 @@ inline std::string short_text(double x) {
 }
 
 /**
-A race: all are scanned, those who qualify are timed, and our best one is compared with
-everybody else. Who does not qualify is named with the best it did. */
+A race: all are scanned, those that qualify are timed, and our best one is compared with all the
+others. One that does not qualify is listed with how far it came. */
 inline void race(Book& book, const std::string& problem, const std::vector<Method>& methods,
                  const Demand& demand, double patience, double finest, int rounds) {
   const bool tangent = std::isfinite(demand.tangent);

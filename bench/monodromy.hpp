@@ -146,8 +146,8 @@ inline Score fixed_peer(std::size_t n, const gsl_odeiv2_step_type* type, double 
 }
 
 /**
-The reference is our own integrator with 128 bits, or with 80 where only double is judged; that another method with another
-tolerance comes close to it is seen in the peer's rows. */
+The reference is our own integrator with 128 bits, or with 80 where only double is judged; that another method with
+another tolerance comes close to it is seen in the peer's rows. */
 inline void race_monodromies(Book& book, std::size_t sites, int rounds, bool digits) {
   const std::string name = "M, N=" + std::to_string(sites);
   std::vector<Quad> exact;

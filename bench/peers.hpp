@@ -33,7 +33,7 @@ struct Problem {
   Chain chain;
   State<double> start;
   double time, sample = 100, compare_at = 100;
-  Numbers reference{};
+  Numbers reference{};  ///< displacements at `compare_at`
 };
 
 class Judge {

@@ -128,7 +128,7 @@ def renewed(locked, fresh, programs, kept):
 
 
 def changes(locked, now, kept):
-    """A line for each difference: what whoever renews the lock signs."""
+    """A line for each difference, to be signed by whoever renews the lock."""
     for key, was in locked.items():
         place = " ".join(key)
         if key not in now:

@@ -141,7 +141,7 @@ def fresh_page(text, tables):
 def with_costs(text, costs):
     """figures/figures.ecsv is written by hand but for its last column, the seconds that the program takes. A row
     without it gets one. A measured time is renewed when it has moved by more than a fifth and by more than half a
-    second: who refreshes the page should not see noise."""
+    second, since a refreshed page should not show noise."""
     out, names = [], None
     for line in text.splitlines():
         if line and line[0] != "#" and names is None:

@@ -1,7 +1,7 @@
 """Numbers in the paper. It says `\\num{pn.omega11}` and `\\err{pn.omega11}` for a locked value and its error,
-`\\pub{pn.omega11}` for what the article prints, `\\fig{07}` for a figure with the first sentence of its caption, and
-`\\tally{figures}` for what can be counted and `\\meta{version}` for what codemeta.json says. This file writes the definitions of all these and the table of claims, and
-names every reference that has nothing behind it.
+`\\pub{pn.omega11}` for what the article prints, `\\fig{07}` for a figure with the first sentence of its caption,
+`\\tally{figures}` for what can be counted and `\\meta{version}` for what codemeta.json says. This file writes the
+definitions of all these and the table of claims, and names every reference that has nothing behind it.
 
 A file of the paper that begins with `% chapter: <program>` is read only where that chapter exists."""
 

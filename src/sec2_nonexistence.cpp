@@ -242,7 +242,7 @@ End classify(const Search& search, const State<double>& start) {
 }
 
 /**
-The leapfrog chain is not the chain itself, so every motion that was found must stand the exact flow: the
+The leapfrog chain is not the chain itself, so every motion that was found must survive the exact flow: the
 library's Newton method starts from it, may move it by no more than a tenth of its size, and must end
 in an orbit of the same kind. */
 struct Nearby : Shooting<double> {
@@ -416,7 +416,7 @@ Criterion persists(const Course& coarse, const Course& fine) {
 }
 
 /**
-A loss of energy by the integrator could pass for dispersal, so the drift stands beside each run. */
+A loss of energy by the integrator could pass for dispersal, so every run is listed with its drift. */
 Criterion of_dispersal(Report& report) {
   // Without and with wells, each at two resolutions
   const double time = report.quick ? 60 : 200;

@@ -65,11 +65,10 @@ using Workspace = std::unique_ptr<gsl_integration_workspace, void (*)(gsl_integr
 /**
 ## The time constant
 
-Where does $\tau_0$ come from? Two neighbours with the amplitude difference
-$B = |B|e^{i\theta}$ have the relative displacement $2|B|\cos(t+\theta)$ in units of
-$\epsilon$. Their contact pushes during one half of the period only, with the power 3/2 of
-this number. Of that push only the part at the frequency of the well has a lasting
-effect. Its coefficient is $|B|^{1/2}B/\tau_0$ with
+Where does $\tau_0$ come from? Two neighbours with the amplitude difference $B = |B|e^{i\theta}$ have the relative
+displacement $2|B|\cos(t+\theta)$ in units of $\epsilon$. Their contact pushes during one half of the period only,
+with the power 3/2 of this number. Of that push only the part at the frequency of the well has a lasting effect. Its
+coefficient is $|B|^{1/2}B/\tau_0$ with
 $$\frac1{\tau_0} = \frac1{2\pi}\int_{-\pi/2}^{\pi/2} (2\cos t)^{3/2}\cos t\,dt.$$
 The article prints the closed form with $\Gamma(\frac14)$. We evaluate that form, and the integral itself
 with GSL's adaptive quadrature, which copes with the fractional powers at the two ends. The difference is
@@ -232,9 +231,8 @@ Estimate answer_order(const std::vector<Point>& points) {
 }
 
 /**
-An order without its constant does not say how large the error is. The constants
-$C = \mathrm{error}/\epsilon^{3/2}$ are taken at the smallest $\epsilon$, and the change from the next
-larger $\epsilon$ is their error. */
+An order without its constant does not say how large the error is. The constants $C = \mathrm{error}/\epsilon^{3/2}$
+are taken at the smallest $\epsilon$, and the change from the next larger $\epsilon$ is their error. */
 void report_constants(Report& report, const std::vector<Point>& points) {
   double worst = 0;
   for (std::size_t i = 1; i < points.size(); ++i) {
@@ -321,9 +319,9 @@ void reproduce(Report& report) {
 /**
 ## Differences and limits
 
-`sec31_dps_limit impact` follows an impact of your own (dps_strike.hpp). The article quotes the order from a theorem and gives neither constants nor a figure; the two
-starts, the three horizons and the range of $\epsilon$ are ours. The supremum is taken over
-positions and over sampled times. The theorem says nothing about times much longer than
+`sec31_dps_limit impact` follows an impact of your own (dps_strike.hpp). The article quotes the order from a theorem
+and gives neither constants nor a figure; the two starts, the three horizons and the range of $\epsilon$ are ours.
+The supremum is taken over positions and over sampled times. The theorem says nothing about times much longer than
 $\epsilon^{-1/2}$: the impact chapter compares both equations at $\tau = 250$.
 
 The `impact` command does not notice whether its packet has met the far end. The default length

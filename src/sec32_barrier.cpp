@@ -364,11 +364,12 @@ void report_printed(Report& report, const Estimate& barrier) {
 /**
 ## What goes beyond the article
 
-`sec32_barrier barrier` prints both barriers with your own parameters (one_barrier.hpp). The barrier at equal frequency has no fixed sign, and neither has the one at equal area; their zeros
-differ. Away from the zeros of the former the latter is smaller still, at $\omega_b = 1.1$ in the linear well
-[-2.35229e-13](num:sec32_barrier.equal_area_linear_110); there the bond is the stable centre although its
-energy is the higher one (sec33_mobility.cpp explains how that can be). Next to a zero it need not be
-smaller: at $1.3$ the two are [-5.22284e-12](num:sec32_barrier.equal_area_linear_130) and
+`sec32_barrier barrier` prints both barriers with your own parameters (one_barrier.hpp). The barrier at equal
+frequency has no fixed sign, and neither has the one at equal area; their zeros differ. Away from the zeros of the
+former the latter is smaller still, at $\omega_b = 1.1$ in the linear well
+[-2.35229e-13](num:sec32_barrier.equal_area_linear_110); there the bond is the stable centre although its energy is
+the higher one (sec33_mobility.cpp explains how that can be). Next to a zero it need not be smaller: at $1.3$ the two
+are [-5.22284e-12](num:sec32_barrier.equal_area_linear_130) and
 [-4.89193e-12](num:sec32_barrier.equal_frequency_linear_130).
 
 ## Differences and limits

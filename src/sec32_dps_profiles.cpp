@@ -159,12 +159,11 @@ void report_norms(Report& report) {
 /**
 ## The approximate profile
 
-The forces $w_n$ of both breathers alternate in sign with a smooth envelope, $w_n = (-1)^n f(n)$.
-Replacing $f(n\pm1)$ by three terms of a Taylor series gives Eq. (17), $F'' = -4F + F|F|^{-1/3}$. Its last
-term has an infinite slope at $F = 0$, which lets a solution reach zero and stay there.
-Multiplied by $F'$ and integrated with $F = F' = 0$ at the edge it becomes
-$F'^2 = \frac65F^{5/3} - 4F^2$. So $F$ is largest at $F^{1/3} = \frac3{10}$, and the half-width of
-the support is the integral of $dF/|F'|$ from zero to there.
+The forces $w_n$ of both breathers alternate in sign with a smooth envelope, $w_n = (-1)^n f(n)$. Replacing
+$f(n\pm1)$ by three terms of a Taylor series gives Eq. (17), $F'' = -4F + F|F|^{-1/3}$. Its last term has an infinite
+slope at $F = 0$, which lets a solution reach zero and stay there. Multiplied by $F'$ and integrated with
+$F = F' = 0$ at the edge it becomes $F'^2 = \frac65F^{5/3} - 4F^2$. So $F$ is largest at $F^{1/3} = \frac3{10}$, and
+the half-width of the support is the integral of $dF/|F'|$ from zero to there.
 
 With $F = z^3$ the integrand behaves like an inverse square root at both ends. GSL has the
 Gauss rule for exactly that weight, named after Chebyshev. We divide the integrand by the weight and apply
@@ -342,11 +341,11 @@ void report_tails(Report& report) {
 /**
 ## Scaling with the frequency
 
-If $u$ solves the equation at $\mu = 1$, $\mu^2u$ solves it at $\mu$. The computation must find this law
-without being told, so we walk from $\mu = 1$ to 64 and to 1/64 in steps of an eighth of an octave, and each
-time start Newton's method from the *unscaled* strains of the neighbour. The exponent is the
-slope of $\ln\max|u_n|$ against $\ln\mu$, the width is the participation number
-$(\sum u_n^2)^2/\sum u_n^4$, the number of sites that share the norm. */
+If $u$ solves the equation at $\mu = 1$, $\mu^2u$ solves it at $\mu$. The computation must find this law without
+being told, so we walk from $\mu = 1$ to 64 and to 1/64 in steps of an eighth of an octave, and each time start
+Newton's method from the *unscaled* strains of the neighbour. The exponent is the slope of $\ln\max|u_n|$ against
+$\ln\mu$, the width is the participation number $(\sum u_n^2)^2/\sum u_n^4$, the number of sites that share the
+norm. */
 struct Scaling {
   Estimate exponent{}, width{}, width_change{};
 };

@@ -55,12 +55,11 @@ $$\ddot y_n + y_n + s\,y_n^3 = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2},
 with free ends (Eqs. (6) and (9)), dimensionless. In the program `omega_b` is $\omega_b$, `Orbit::start`
 the breather at $t = 0$, where it is at rest, and `Orbit::energy` its energy $\mathcal H$, Eq. (6).
 
-We guess the positions from Eqs. (18) to (20) and integrate over a half or a quarter of a period. There the
-symmetry of the breather demands that certain combinations of positions and velocities vanish
-(symmetry.hpp), and Newton's method makes them vanish. The integrator lands on every *switching*, the
-opening or closing of a contact, because a step across it would spoil the orbit at
-$10^{-9}$ and its derivative much earlier (landing.hpp). Every number is computed at two tolerances
-or in two precisions, and the difference is its error. */
+We guess the positions from Eqs. (18) to (20) and integrate over a half or a quarter of a period. There the symmetry
+of the breather demands that certain combinations of positions and velocities vanish (symmetry.hpp), and Newton's
+method makes them vanish. The integrator lands on every *switching*, the opening or closing of a contact, because a
+step across it would spoil the orbit at $10^{-9}$ and its derivative much earlier (landing.hpp). Every number is
+computed at two tolerances or in two precisions, and the difference is its error. */
 Orbit<double> article_breather(const NewtonRule<double>& rule) {
   const Shooting<double> problem = problem_of(Centre::site, omega_b);
   return newton(problem, problem.fold(ansatz(Centre::site, omega_b, problem.chain.sites)), rule);
@@ -75,7 +74,7 @@ std::string name_of(Centre centre) {
 
 The article's residual is the distance from $Y(0)$ to $Y(T_b)$, relative to $Y(0)$, where $Y$ holds all
 positions and velocities: a whole period without any symmetry. We evaluate it for our breather, which was
-found on a quarter of one. Its error is the difference from the same flight in a wider type, which has a
+found on a quarter of one. Its error is the difference from the same integration in a wider type, which has a
 64-bit mantissa. */
 template <class T>
 T distance_after_period(const Shooting<double>& problem, const State<double>& start) {
@@ -169,13 +168,12 @@ void report_convergence(Report& report) {
 /**
 ## Symmetry
 
-Both symmetries are built into our equations, so they prove nothing about the breathers. We therefore
-look for the breathers without them: all positions are unknown, the start is shaken at random by a thousandth
-(a recorded seed), and we demand only that the chain comes to rest at $T_b/2$. If the breathers have
-their symmetries by nature, the symmetries come back: the images under
-$y_{1-n} = -y_n$ and $y_n(t) = -y_{-n}(t+T_b/2)$ then agree with the orbit far better than the guess
-did. What is left is rounding times the condition number of these equations, and shrinks with the
-precision; a breather without symmetry would keep the thousandth. */
+Both symmetries are built into our equations, so they prove nothing about the breathers. We therefore look for the
+breathers without them: all positions are unknown, the start is shaken at random by a thousandth (a recorded seed),
+and we demand only that the chain comes to rest at $T_b/2$. If the breathers have their symmetries by nature, the
+symmetries come back: the images under $y_{1-n} = -y_n$ and $y_n(t) = -y_{-n}(t+T_b/2)$ then agree with the orbit far
+better than the guess did. What is left is rounding times the condition number of these equations, and shrinks with
+the precision; a breather without symmetry would keep the thousandth. */
 template <class T>
 double broken_symmetry(Centre centre) {
   auto problem = in_precision<T>(problem_of(centre, omega_b));
@@ -229,11 +227,11 @@ Estimate approximation_error(Centre centre, double omega_b) {
 }
 
 /**
-The article calls the approximation excellent at $1.01$ and worse at $1.1$; the claim is this
-ordering, which must hold for each family beyond the errors. At $1.01$ the difference is
-[0.0511267](num:sec32_newton_breathers.continuum_101_site) of the
-amplitude around a site and [0.0475461](num:sec32_newton_breathers.continuum_101_bond) around a bond, at
-$1.1$ it is [0.117550](num:sec32_newton_breathers.continuum_110_site) and
+The article calls the approximation excellent at $1.01$ and worse at $1.1$; the claim is this ordering, which must
+hold for each family beyond the errors. At $1.01$ the difference is
+[0.0511267](num:sec32_newton_breathers.continuum_101_site) of the amplitude around a site and
+[0.0475461](num:sec32_newton_breathers.continuum_101_bond) around a bond, at $1.1$ it is
+[0.117550](num:sec32_newton_breathers.continuum_110_site) and
 [0.0977687](num:sec32_newton_breathers.continuum_110_bond). */
 void report_profiles(Report& report) {
   Criterion ordered;
@@ -375,11 +373,11 @@ void report_tail(Report& report) {
 /**
 ## The branches (figure 06)
 
-Both families are followed by arclength from $\omega_b = 1.001$ to $2$ (continuation.hpp). Their amplitudes
-differ by up to [0.130228](num:newton.amplitude_differs); their energies, which the article finds indistinguishable, by
-[1.18591e-6](num:newton.energy_equal), at
-[1.001](num:sec32_newton_breathers.largest_energy_difference_at). Towards $\omega_b = 1$ this tends to that of
-the DpS norms, [-1.33110e-6](num:sec32_dps_profiles.norm_gap_relative) without its sign.
+Both families are followed by arclength from $\omega_b = 1.001$ to $2$ (continuation.hpp). Their amplitudes differ by
+up to [0.130228](num:newton.amplitude_differs); their energies, which the article finds indistinguishable, by
+[1.18591e-6](num:newton.energy_equal), at [1.001](num:sec32_newton_breathers.largest_energy_difference_at). Towards
+$\omega_b = 1$ this tends to that of the DpS norms, [-1.33110e-6](num:sec32_dps_profiles.norm_gap_relative) without
+its sign.
 
 ![Amplitude and energy of both families.](fig:06)
 
@@ -494,10 +492,10 @@ void reproduce(Report& report) {
 /**
 ## Differences and limits
 
-`sec32_newton_breathers breather` computes a breather of your own (one_breather.hpp). The article counts five iterations of its Gauss-Newton method. Ours continues until rounding stops it, and
-with the symmetric equations that takes [4](num:sec32_newton_breathers.newton_iterations). The article's
-chain lengths are 31 and 99 around a site; around a bond we take one bead more. We follow no family through
-its fold.
+`sec32_newton_breathers breather` computes a breather of your own (one_breather.hpp). The article counts five
+iterations of its Gauss-Newton method. Ours continues until rounding stops it, and with the symmetric equations that
+takes [4](num:sec32_newton_breathers.newton_iterations). The article's chain lengths are 31 and 99 around a site;
+around a bond we take one bead more. We follow no family through its fold.
 
 ## Extensions
 

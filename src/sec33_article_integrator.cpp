@@ -139,8 +139,8 @@ void measure_breathers(Setting& at) {
 }
 
 /**
-A threshold costs many periods. First we ask whether it lies within twelve per cent of the printed one, with a kick on
-either side; if so, three halvings narrow it down. */
+A threshold costs many periods. First we ask whether it lies within twelve per cent of the printed one, with a kick
+on either side; if so, three halvings narrow it down. */
 void measure_threshold(Setting& at) {
   const FixedStep map = map_of(at, Centre::bond, 0);
   const State<double> start = breather_of(map, Centre::bond, 0);
@@ -200,37 +200,39 @@ Near near_printed(const Setting& at) {
 
 No setting comes near more than [2](num:sec33_article_integrator.most_at_once) of the six numbers.
 
-*The kicks.* The classical Runge-Kutta method with 120 steps per period gives
-$c_c =$ [6.05e-6](num:sec33_article_integrator.threshold_runge-kutta-4_120), and the site-centred breather is
+*The kicks.* The classical Runge-Kutta method with 120 steps per period gives $c_c =$
+[6.05e-6](num:sec33_article_integrator.threshold_runge-kutta-4_120), and the site-centred breather is
 [1.9](num:sec33_article_integrator.jump_runge-kutta-4_120) sites away at the end of its run; with 128 steps these are
 [6.43e-6](num:sec33_article_integrator.threshold_runge-kutta-4_128) and
 [2.0](num:sec33_article_integrator.jump_runge-kutta-4_128). So both printed numbers are compatible with one setting.
-Fehlberg's method with 120 steps does almost as well, [6.43e-6](num:sec33_article_integrator.threshold_fehlberg-5_120)
-and [2.3](num:sec33_article_integrator.jump_fehlberg-5_120); other methods and numbers of steps give thresholds
-twelve per cent off and more, in either direction. The jump is on the edge of our criterion: in the last
-quarter of the run the breather still swings by almost half a site.
+Fehlberg's method with 120 steps does almost as well,
+[6.43e-6](num:sec33_article_integrator.threshold_fehlberg-5_120) and
+[2.3](num:sec33_article_integrator.jump_fehlberg-5_120); other methods and numbers of steps give thresholds twelve
+per cent off and more, in either direction. The jump is on the edge of our criterion: in the last quarter of the run
+the breather still swings by almost half a site.
 
 *The residual.* The same method leaves [1.60775e-8](num:sec33_article_integrator.residual_runge-kutta-4_120) at 120
-steps, ten times the printed residual. But that one may not be an error of integration at all: for the flow itself the
-iteration, which leaves the shift along the chain alone, stops at
+steps, ten times the printed residual. But that one may not be an error of integration at all: for the flow itself
+the iteration, which leaves the shift along the chain alone, stops at
 [2.1e-9](num:sec33_article_integrator.residual_flow) with steps of
-[5e-15](num:sec33_article_integrator.variation_flow), perhaps because the DpS profile is slightly shifted. That a residual of
-$1.5\cdot10^{-9}$ was printed beside a last step of $1.7\cdot10^{-11}$ is compatible with such an iteration and an
-accurate integration. */
+[5e-15](num:sec33_article_integrator.variation_flow), perhaps because the DpS profile is slightly shifted. That a
+residual of $1.5\cdot10^{-9}$ was printed beside a last step of $1.7\cdot10^{-11}$ is compatible with such an
+iteration and an accurate integration. */
 // What the maps say of stability and of the barrier
 /**
 *The multipliers.* With none of these maps can $s_0$ be read off. The four multipliers next to $+1$ are at least
 [0.000410771](num:sec33_article_integrator.least_off) and at 120 steps of the classical method
-[0.005](num:sec33_article_integrator.off_runge-kutta-4_120) away from it in the linear well, and other wells change that
-by far less, because it is the phase pair that is not held; what decides the stability is [0.000214282](num:sec33_floquet.fourth_distance). Both centres show an exchange
-in $[-1, 1]$ in [0](num:sec33_article_integrator.settings_with_both_s0) of
-[55](num:sec33_article_integrator.settings) settings. The printed pair is compatible with variational
-equations at a tolerance of $10^{-9}$ instead (`sec33_multiplier_errors`), far more accurate than the steps that
-print the threshold. Difference quotients do not change this.
+[0.005](num:sec33_article_integrator.off_runge-kutta-4_120) away from it in the linear well, and other wells change
+that by far less, because it is the phase pair that is not held; what decides the stability is
+[0.000214282](num:sec33_floquet.fourth_distance). Both centres show an exchange in $[-1, 1]$ in
+[0](num:sec33_article_integrator.settings_with_both_s0) of [55](num:sec33_article_integrator.settings) settings. The
+printed pair is compatible with variational equations at a tolerance of $10^{-9}$ instead
+(`sec33_multiplier_errors`), far more accurate than the steps that print the threshold. Difference quotients do not
+change this.
 
 *The barrier* of the maps scatters about the converged one; at 120 steps its largest modulus is
-[6.35779e-10](num:sec33_article_integrator.largest_barrier_120), many times the barrier itself. It comes within ten per cent
-of the printed value in [0](num:sec33_article_integrator.settings_near_barrier) settings.
+[6.35779e-10](num:sec33_article_integrator.largest_barrier_120), many times the barrier itself. It comes within ten
+per cent of the printed value in [0](num:sec33_article_integrator.settings_near_barrier) settings.
 
 So the discrepancies of section 3.3 are compatible with two sources, not with one: long runs with some hundred and
 twenty steps per period, and breathers and multipliers from a much more accurate computation. */
@@ -344,10 +346,10 @@ void report_flow(Report& report) {
 ## The DpS amplitude
 
 The DpS equation is of first order and not separable, so only three of the methods apply to it. As its period we take
-that of the stationary breather with $\mu = 1$, which is $2\pi$ in the slow time. With a hundred steps, and
-even with twenty, all three give the converged amplitude; only near the limit of their stability, with five or six,
-does that of Dormand and Prince give [0.00126358](num:sec33_article_integrator.largest_dps) because the norm grows. So the printed
-$13\cdot10^{-4}$ is not compatible with the steps that print the threshold, and belongs to loosely controlled
+that of the stationary breather with $\mu = 1$, which is $2\pi$ in the slow time. With a hundred steps, and even with
+twenty, all three give the converged amplitude; only near the limit of their stability, with five or six, does that
+of Dormand and Prince give [0.00126358](num:sec33_article_integrator.largest_dps) because the norm grows. So the
+printed $13\cdot10^{-4}$ is not compatible with the steps that print the threshold, and belongs to loosely controlled
 steps if to any (`sec34_dps_impact`). */
 struct DpsRun {
   double amplitude = 0, growth = 0;
@@ -394,9 +396,9 @@ void reproduce(Report& report) {
 The scan has steps that divide the period and breathers on short chains. Steps of a round length, such as 0.05, are
 not locked, and then a moving breather is hardly pinned (`sec33_mobility`). A kick that has not freed the breather
 within 20000 periods counts as too weak; with 16000 some thresholds come out three per cent higher, and with 12000
-one more setting seems to come near. A number of a map is what it is
-and has no error from a second resolution; as the error of a threshold we give the half of its bracket, as that of a
-jump the way in the last quarter, and that of a residual is its difference from the one with difference quotients. */
+one more setting seems to come near. A number of a map is what it is and has no error from a second resolution; as
+the error of a threshold we give the half of its bracket, as that of a jump the way in the last quarter, and that of
+a residual is its difference from the one with difference quotients. */
 int main(int argc, char** argv) {
   return run({"sec33_article_integrator", "3.3", "Which integrator did the article use? (appendix)",
               reproduce},

@@ -2,7 +2,7 @@
 # 3.3 The breather in between
 
 Where do the two breathers exchange their stability, and what happens there? Section 3.3 of
-James, Kevrekidis and Cuevas (Physica D 251, 2013) finds that it does so in $s$ at $\omega_b = 1.1$
+James, Kevrekidis and Cuevas (Physica D 251, 2013) finds that they do so in $s$ at $\omega_b = 1.1$
 and leaves the bifurcations to future work. This program maps the exchanges over the plane of
 $\omega_b$ and $s$ and finds the breathers that are born there: they are centred neither on a site nor on a
 bond. The landscapes below are drawn so that a stable breather sits in a valley.
@@ -174,8 +174,7 @@ near as the fifth multiplier; its own distance cannot be prescribed, because for
 accumulation itself comes near. All others may leave the circle by $10^{-3}$ at most, the size that the article
 neglects. And ten more sites must add twenty multipliers at the point of accumulation, within $10^{-4}$ in $\kappa$,
 because the first of the new beads still touch the old ends; this is asked at $s = -1$, 0 and 1 in every thirteenth
-column. These bounds are ours. The nodes that decide are computed once more, with
-two tolerances. */
+column. These bounds are ours. The nodes that decide are computed once more, with two tolerances. */
 int added_at_edge(const Seen& at) {
   // The same breather on a longer chain, with beads at rest beyond the old ends
   const auto& [centre, node] = at;
@@ -191,21 +190,21 @@ int added_at_edge(const Seen& at) {
 }
 
 /**
-Neither statement survives. In hard wells the pinning pair leaves the neighbourhood of $+1$, along the axis
-around a bond and along the circle around a site: from $\omega_b =$ [1.44](num:sec33_between.far_from_bond) on there
-are wells in which the fourth multiplier is farther away than 0.01, at [398](num:sec33_between.far_bond) of
+Neither statement survives. In hard wells the pinning pair leaves the neighbourhood of $+1$, along the axis around a
+bond and along the circle around a site: from $\omega_b =$ [1.44](num:sec33_between.far_from_bond) on there are wells
+in which the fourth multiplier is farther away than 0.01, at [398](num:sec33_between.far_bond) of
 [1719](num:sec33_between.chart_nodes_bond) nodes around a bond and at [397](num:sec33_between.far_site) of
 [1730](num:sec33_between.chart_nodes_site) around a site. Moduli exceed one by more than $10^{-3}$ at
 [823](num:sec33_between.large_bond) nodes around a bond, from $\omega_b =$ [1.15](num:sec33_between.large_from_bond)
-on, and at [94](num:sec33_between.large_site) around a site, from [1.16](num:sec33_between.large_from_site) on, and by
-[1.06121](num:sec33_between.instability_size_largest) at most, at $\omega_b = 2$ and $s = 1$. Next to the end of the
-families in soft wells multipliers beside the four leave the circle too, by up to
+on, and at [94](num:sec33_between.large_site) around a site, from [1.16](num:sec33_between.large_from_site) on, and
+by [1.06121](num:sec33_between.instability_size_largest) at most, at $\omega_b = 2$ and $s = 1$. Next to the end of
+the families in soft wells multipliers beside the four leave the circle too, by up to
 [0.0493672](num:sec33_between.spectrum_others).
 
-The narrow reading is right: at $\omega_b = 1.1$ both statements hold in all wells, and in the linear well no
-modulus exceeds one by more than [0.000525970](num:sec33_between.largest_in_linear_wells), at any frequency. At all but
-[2](num:sec33_between.chart_same_sign) nodes the pinning pair makes one of the two breathers stable and the other
-one unstable. */
+The narrow reading is right: at $\omega_b = 1.1$ both statements hold in all wells, and in the linear well no modulus
+exceeds one by more than [0.000525970](num:sec33_between.largest_in_linear_wells), at any frequency. At all but
+[2](num:sec33_between.chart_same_sign) nodes the pinning pair makes one of the two breathers stable and the other one
+unstable. */
 void report_range(Report& report, const std::vector<Seen>& seen, double spacing) {
   // How many nodes are beyond a limit, and from which frequency on
   using Pairs = std::vector<Pair>;
@@ -287,7 +286,7 @@ void report_exchanges(Report& report, const Chart& grid) {
   // Neighbours of opposite sign
   struct Crossing_place {
     Cut cut;
-    Trial_kappa low, high;
+    TrialKappa low, high;
     const Node* near;
     Exchange found{};
     bool good = false;
@@ -296,7 +295,7 @@ void report_exchanges(Report& report, const Chart& grid) {
   const auto look = [&](const Node& a, const Node& b, bool along_s) {
     if (!(a.kappa() * b.kappa() < 0)) return;
     const auto at = [&](const Node& n) {
-      return Trial_kappa{along_s ? n.spot.s : n.spot.omega_b, n.kappa()};
+      return TrialKappa{along_s ? n.spot.s : n.spot.omega_b, n.kappa()};
     };
     places.push_back({{along_s, along_s ? a.spot.omega_b : a.spot.s}, at(a), at(b), &a});
   };

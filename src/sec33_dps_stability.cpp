@@ -353,8 +353,8 @@ void report_census(Report& report, const Group& group) {
 }
 
 /**
-Figure x06 shows single runs, so those of the main reading are kept one by one; what did not happen within 500
-units of time is `nan`. A breather that stays trembles faster than it is sampled, so its largest distance is known only to
+Figure x06 shows single runs, so those of the main reading are kept one by one; what did not happen within 500 units
+of time is `nan`. A breather that stays trembles faster than it is sampled, so its largest distance is known only to
 a thousandth of a site. That is enough: we ask whether it passes a whole site.
 
 The pendulum of the next section predicts a departure time for each breather that starts on a site, which
@@ -476,26 +476,25 @@ sine and very flat: the relative difference of their norms is
 [-1.33110e-6](num:sec32_dps_profiles.norm_gap_relative). */
 // What noise does to both
 /**
-All [16](num:sec33_dps_stability.moved_complex_site) of [16](num:sec33_dps_stability.seeds_complex_site)
-perturbed site-centred breathers move, and their controls move later, in the median after
+All [16](num:sec33_dps_stability.moved_complex_site) of [16](num:sec33_dps_stability.seeds_complex_site) perturbed
+site-centred breathers move, and their controls move later, in the median after
 [3.80](num:sec33_dps_stability.instability_moves_delay) times as long: by $t = 500$, 600, 750 and 1000 there move
 [0](num:sec33_dps_stability.controls_moved_by_500), [1](num:sec33_dps_stability.controls_moved_by_600),
-[8](num:sec33_dps_stability.controls_moved_by_750) and [10](num:sec33_dps_stability.controls_moved_by_1000) of them. The
-median departures are [113.1](num:sec33_dps_stability.departure_complex_site) and
+[8](num:sec33_dps_stability.controls_moved_by_750) and [10](num:sec33_dps_stability.controls_moved_by_1000) of them.
+The median departures are [113.1](num:sec33_dps_stability.departure_complex_site) and
 [454.66](num:sec33_dps_stability.departure_complex_control). The breathers travel at
-[0.0042927](num:sec33_dps_stability.slowest_complex_site) to
-[0.009006](num:sec33_dps_stability.fastest_complex_site) site per unit of time, slowly over
-sites and fast over bonds; [11](num:sec33_dps_stability.onward_complex_site) reach the bond behind the
-neighbouring site.
+[0.0042927](num:sec33_dps_stability.slowest_complex_site) to [0.009006](num:sec33_dps_stability.fastest_complex_site)
+site per unit of time, slowly over sites and fast over bonds; [11](num:sec33_dps_stability.onward_complex_site) reach
+the bond behind the neighbouring site.
 
-But [5](num:sec33_dps_stability.moved_complex_bond) of
-[16](num:sec33_dps_stability.seeds_complex_bond) *stable* breathers move as well. A push, the imaginary part
-of the noise, counts $(\mu-m_2)/|\lambda|$, some two hundred times, as much as a shift, its real part. The
-push that frees a bond-centred breather, [0.006542](num:sec33_dps_stability.freeing_push), is less than the
-amplitude of the noise. The noise exceeds it for [5](num:sec33_dps_stability.pushed_over) seeds, and the push
-alone predicts the fate of [16](num:sec33_dps_stability.told_by_push). None falls apart: the number of its sites never
-exceeds the first one by more than the factor [1.00541](num:sec33_dps_stability.bond_robust_spread). So the
-bond-centred breather is robust as a breather, but not in its place, and by our criterion `dps.bond_robust` fails. */
+But [5](num:sec33_dps_stability.moved_complex_bond) of [16](num:sec33_dps_stability.seeds_complex_bond) *stable*
+breathers move as well. A push, the imaginary part of the noise, counts $(\mu-m_2)/|\lambda|$, some two hundred
+times, as much as a shift, its real part. The push that frees a bond-centred breather,
+[0.006542](num:sec33_dps_stability.freeing_push), is less than the amplitude of the noise. The noise exceeds it for
+[5](num:sec33_dps_stability.pushed_over) seeds, and the push alone predicts the fate of
+[16](num:sec33_dps_stability.told_by_push). None falls apart: the number of its sites never exceeds the first one by
+more than the factor [1.00541](num:sec33_dps_stability.bond_robust_spread). So the bond-centred breather is robust as
+a breather, but not in its place, and by our criterion `dps.bond_robust` fails. */
 void reproduce(Report& report) {
   report.output.note(
       "seed", "GSL mt19937, seeds in the tables of trials; map: " + std::to_string(map_seed));
@@ -554,17 +553,17 @@ struct OneSpectrum : ChosenBreather {
 /**
 ## Differences and limits
 
-The article calls the bond-centred breather robust and mentions simulations that it does not show. This
-breather is stable, but in a landscape so flat that noise of the size of figure 10 frees it now and then. The
-article does not specify its perturbation either, and both verdicts depend on it. Real noise shifts a breather and
-hardly pushes it: no bond-centred one leaves its place then ([0](num:sec33_dps_stability.left_real_bond) of
+The article calls the bond-centred breather robust and mentions simulations that it does not show. This breather is
+stable, but in a landscape so flat that noise of the size of figure 10 frees it now and then. The article does not
+specify its perturbation either, and both verdicts depend on it. Real noise shifts a breather and hardly pushes it:
+no bond-centred one leaves its place then ([0](num:sec33_dps_stability.left_real_bond) of
 [6](num:sec33_dps_stability.seeds_real_bond) in a run half as long again), but a site-centred one leaves at
 [516.19](num:sec33_dps_stability.departure_real_site) instead of
 [113.1](num:sec33_dps_stability.departure_complex_site) and often stays in the trough beside it:
-[3](num:sec33_dps_stability.moved_real_site) of [6](num:sec33_dps_stability.seeds_real_site) move. Under none
-of our readings do most site-centred breathers leave within the 500 units of figure 10 while all bond-centred ones
-stay. Noise that is proportional to $u_n$ pushes harder
-and frees nearly all. Speeds are those over the first site that is crossed.
+[3](num:sec33_dps_stability.moved_real_site) of [6](num:sec33_dps_stability.seeds_real_site) move. Under none of our
+readings do most site-centred breathers leave within the 500 units of figure 10 while all bond-centred ones stay.
+Noise that is proportional to $u_n$ pushes harder and frees nearly all. Speeds are those over the first site that is
+crossed.
 
 ## Extensions
 

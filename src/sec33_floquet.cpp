@@ -52,10 +52,9 @@ The chain is that of Eqs. (6) and (10), the breathers those of section 3.2. Mult
 $\lambda, 1/\lambda$. One pair is exactly $+1$ for every breather, the *phase pair*: a shift in time. The
 *pinning pair* belongs to a shift along the chain. Each pair is one number
 $$\kappa = \tfrac14\Bigl(\lambda+\frac1\lambda-2\Bigr),$$
-an eigenvalue of an $N\times N$ matrix made of half a period of the linearised flow, from which the phase
-pair is removed (floquet.hpp). A pair is unstable where $\kappa > 0$, and there
-$\ln\lambda \simeq 2\sqrt\kappa$. The whole spectrum is computed on the article's chains of 31 and 32
-sites, the rest on shorter ones.
+an eigenvalue of an $N\times N$ matrix made of half a period of the linearised flow, from which the phase pair is
+removed (floquet.hpp). A pair is unstable where $\kappa > 0$, and there $\ln\lambda \simeq 2\sqrt\kappa$. The whole
+spectrum is computed on the article's chains of 31 and 32 sites, the rest on shorter ones.
 
 | article | program | meaning |
 |---|---|---|
@@ -140,12 +139,12 @@ The sign of $\kappa$ tells what a figure of moduli and arguments must show. A pa
 one exactly, a pair on the real axis the argument zero. The formulas of the columns keep all digits of a small
 $\kappa$.
 
-Near an exchange the multipliers leave $+1$ like square roots, so the sweep is denser there. Its largest
-instability, [0.000583922](num:sec33_floquet.largest_excess), occurs around a site and is smaller than the $10^{-3}$ of
-the article's conclusion. The error bar decides what may be said at $s = 0$. There
-$\kappa$ is [1.14767e-8](num:sec33_floquet.kappa_site) around a site and
-[-1.14768e-8](num:sec33_floquet.kappa_bond) around a bond. So the article's verdict holds, with a multiplier
-that exceeds one by [0.000214282](num:sec33_floquet.excess_site). */
+Near an exchange the multipliers leave $+1$ like square roots, so the sweep is denser there. Its largest instability,
+[0.000583922](num:sec33_floquet.largest_excess), occurs around a site and is smaller than the $10^{-3}$ of the
+article's conclusion. The error bar decides what may be said at $s = 0$. There $\kappa$ is
+[1.14767e-8](num:sec33_floquet.kappa_site) around a site and [-1.14768e-8](num:sec33_floquet.kappa_bond) around a
+bond. So the article's verdict holds, with a multiplier that exceeds one by
+[0.000214282](num:sec33_floquet.excess_site). */
 void report_wells(Report& report) {
   // From the linear well to both ends, more densely beside the exchange
   std::vector<double> wells;

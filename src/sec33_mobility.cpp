@@ -42,7 +42,8 @@ What is claimed, with the identifiers under which the answers are recorded:
 - after $c = 3\cdot10^{-6}$ the site-centred one jumps two sites and is pinned again
   (`moving.site_below`), and the bond-centred one stays where it is (`moving.bond_pinned`);
 - the bond-centred one is freed beyond $c_c = 6.19\cdot10^{-6}$ (`moving.c_threshold`), and
-  $c_c^2/2 = 1.92\cdot10^{-11}$ is the barrier (`moving.pn_dynamic`), quite close to $E_{PN}$ (`moving.barrier_close`);
+  $c_c^2/2 = 1.92\cdot10^{-11}$ is the barrier (`moving.pn_dynamic`), quite close to $E_{PN}$
+  (`moving.barrier_close`);
 - after the strong kick the speed is almost constant (`moving.steady`). */
 constexpr double omega_b = 1.1, strong = 2e-4, weak = 3e-6;
 

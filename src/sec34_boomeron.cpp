@@ -475,15 +475,14 @@ void report_check(Report& report) {
 /**
 ## One impact with your own parameters
 
-`sec34_boomeron run --velocity 1.9 --s 1 --time 1000` prints apex, rebound, and the time at which
-two impacts that differ by a fraction $10^{-8}$ have parted, looked for up to four times as long.
-What did not happen in the given time is `nan`. The step is halved until apex and rebound of two runs agree
-to the tolerance; where they never do, the motion became chaotic first, and the command fails. What is left
-of their difference is printed as `step_difference`. The errors of the times are larger: they hold what
-another width of the smoothing would change, and no step makes that smaller. Well and contact may be
-others, by name. The chain is so long that nothing returns from its far end, unless `--sites` gives it a
-length. The ranges exclude inputs for which the question has no answer: a run too short for the smoothing, a velocity at which
-nothing moves, a soft quartic well. */
+`sec34_boomeron run --velocity 1.9 --s 1 --time 1000` prints apex, rebound, and the time at which two impacts that
+differ by a fraction $10^{-8}$ have parted, looked for up to four times as long. What did not happen in the given
+time is `nan`. The step is halved until apex and rebound of two runs agree to the tolerance; where they never do, the
+motion became chaotic first, and the command fails. What is left of their difference is printed as `step_difference`.
+The errors of the times are larger: they hold what another width of the smoothing would change, and no step makes
+that smaller. Well and contact may be others, by name. The chain is so long that nothing returns from its far end,
+unless `--sites` gives it a length. The ranges exclude inputs for which the question has no answer: a run too short
+for the smoothing, a velocity at which nothing moves, a soft quartic well. */
 struct OneTurn {
   static constexpr Title title{"run", "one impact: apex, rebound, decorrelation"};
   double velocity = 1.9, time = 1000, tolerance = 1e-3;

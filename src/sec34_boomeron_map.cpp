@@ -53,9 +53,9 @@ DpS equation. What happens at which site can then depend on nothing but their ra
 $\epsilon$ is $v_0$ up to a factor: $\kappa = s\,v_0^{3/2}$. So we expect packets to turn before a given site
 for $s$ above
 $$s_c(v_0) = v_0^{-3/2}\,(\kappa_0 + \kappa_1 v_0^{1/2} + \dots),$$
-where the second term is the first correction, in $\epsilon^{1/2}$, to that limit, and both coefficients
-belong to the site. The contour thus crosses many decades of $s$ while $\kappa$ changes little, and we place the points of each velocity
-at equal ratios of $\kappa$. */
+where the second term is the first correction, in $\epsilon^{1/2}$, to that limit, and both coefficients belong to
+the site. The contour thus crosses many decades of $s$ while $\kappa$ changes little, and we place the points of each
+velocity at equal ratios of $\kappa$. */
 struct MapGrid {
   std::size_t columns = 42, rows = 42;
   double slowest = 0.03, fastest = 200, least = 0.7, most = 20;  ///< of v0 and of kappa

@@ -87,13 +87,12 @@ std::vector<Experiment> experiments(bool quick) {
 }
 
 /**
-With all its waves the packet returns, after its apex at site
-[20.0468](num:sec34_boomeron_why.furthest_waves). That the end hardly reflects any wave only moves
-the apex to site [33.26](num:sec34_boomeron_why.furthest_end). Absorbed more than six sites behind, the
-packet does not return at all. Put on a quiet chain at $t = 120$ it passes the old apex, creeps on, and returns
-long afterwards, from site [40.3411](num:sec34_boomeron_why.furthest_cut120) near
-$t =$ [2002](num:sec34_boomeron_why.when_cut120). So neither the old waves nor the end are *necessary* for
-a return, but with both the packet turns much earlier.
+With all its waves the packet returns, after its apex at site [20.0468](num:sec34_boomeron_why.furthest_waves). That
+the end hardly reflects any wave only moves the apex to site [33.26](num:sec34_boomeron_why.furthest_end). Absorbed
+more than six sites behind, the packet does not return at all. Put on a quiet chain at $t = 120$ it passes the old
+apex, creeps on, and returns long afterwards, from site [40.3411](num:sec34_boomeron_why.furthest_cut120) near $t =$
+[2002](num:sec34_boomeron_why.when_cut120). So neither the old waves nor the end are *necessary* for a return, but
+with both the packet turns much earlier.
 
 After a creeping packet its fate is a matter of chance. `returned_cut60` counts over both steps, and
 an error of one there says that they disagree: the motion is chaotic by then, and we say no more about it. */
@@ -204,11 +203,12 @@ a cut. Long runs are chaotic and no single one of them proves anything; so both 
 
 Of five packets of an impact [4](num:sec34_boomeron_why.of_five_return_waves_15) return if the waves up to fifteen
 sites behind them are left, [3](num:sec34_boomeron_why.of_five_return_waves_10) with ten sites,
-[0](num:sec34_boomeron_why.of_five_return_waves_8) with eight and
-[1](num:sec34_boomeron_why.of_five_return_waves_6) with six; the others go on or are caught. Of five that are cut out
-at $t = 60$ it is [1](num:sec34_boomeron_why.of_five_return_cut_30) with thirty sites of their fresh wake, and
-[0](num:sec34_boomeron_why.of_five_return_cut_6) with six. An error of one says that the steps disagree. What the distance decides is not whether a packet of an impact returns at
-all but where it stops: with fifteen sites all five before site 40, with six all five beyond site 50. */
+[0](num:sec34_boomeron_why.of_five_return_waves_8) with eight and [1](num:sec34_boomeron_why.of_five_return_waves_6)
+with six; the others go on or are caught. Of five that are cut out at $t = 60$ it is
+[1](num:sec34_boomeron_why.of_five_return_cut_30) with thirty sites of their fresh wake, and
+[0](num:sec34_boomeron_why.of_five_return_cut_6) with six. An error of one says that the steps disagree. What the
+distance decides is not whether a packet of an impact returns at all but where it stops: with fifteen sites all five
+before site 40, with six all five beyond site 50. */
 void report_late_fates(Report& report) {
   struct Packet {
     Bereft impact;
@@ -250,15 +250,14 @@ void report_late_fates(Report& report) {
 /**
 ## Budgets
 
-Where do energy and momentum go between $t=100$ and 220? With the waves left, the energy of the packet
-changes by [0.00821](num:sec34_boomeron_why.gain_waves); with those beyond six sites absorbed it changes by
-[-0.0556](num:sec34_boomeron_why.gain_behind). So the waves give back to the packet what it sheds. In the linear well it
-is [-0.06639](num:sec34_boomeron_why.gain_linear) with the waves and
-[-0.06624](num:sec34_boomeron_why.gain_linear_behind) without: there they make no difference.
-Since a contact only pushes, the waves push the packet forward, *away* from them, by
-[0.01131](num:sec34_boomeron_why.push_waves) on the mean, and by [0.00498](num:sec34_boomeron_why.push_behind) where they are
-absorbed; the wells take up the momentum. So the packet that is pushed forward more is the one that is slowed
-down more. */
+Where do energy and momentum go between $t=100$ and 220? With the waves left, the energy of the packet changes by
+[0.00821](num:sec34_boomeron_why.gain_waves); with those beyond six sites absorbed it changes by
+[-0.0556](num:sec34_boomeron_why.gain_behind). So the waves give back to the packet what it sheds. In the linear well
+it is [-0.06639](num:sec34_boomeron_why.gain_linear) with the waves and
+[-0.06624](num:sec34_boomeron_why.gain_linear_behind) without: there they make no difference. Since a contact only
+pushes, the waves push the packet forward, *away* from them, by [0.01131](num:sec34_boomeron_why.push_waves) on the
+mean, and by [0.00498](num:sec34_boomeron_why.push_behind) where they are absorbed; the wells take up the momentum.
+So the packet that is pushed forward more is the one that is slowed down more. */
 void report_budgets(Report& report) {
   struct Case {
     std::string name;
@@ -300,7 +299,7 @@ void report_budgets(Report& report) {
 
 What is it that the waves turn? If the packet is a breather that moves, its frequency, energy and
 area should be related as in the breathers at rest of the same $s$, which we compute by Newton's
-method. How they are read from the packet says wake.hpp.
+method. wake.hpp says how they are read from the packet.
 
 The lattice itself could stop a packet. Its barrier is the energy difference of site-centred and
 bond-centred breathers, $E_{\rm site}-E_{\rm bond}$, at equal area (chapter 3.2). It repeats itself
@@ -325,7 +324,7 @@ Family family() {
 }
 
 /// A quantity of the bond-centred family at the frequency `omega`, interpolated linearly between two of
-/// every `each` rungs.
+/// every `each` members.
 template <class Of>
 double at_frequency(const Family& f, double omega, Of of, std::size_t each = 1) {
   std::size_t k = each;
@@ -335,8 +334,8 @@ double at_frequency(const Family& f, double omega, Of of, std::size_t each = 1) 
 }
 
 /**
-Its error has two sources: the distance of the rungs, which we see from every second one, and the error
-of the frequency. */
+Its error has two sources: the spacing of the members, which shows when only every second one is taken, and the
+error of the frequency. */
 template <class Of>
 Estimate at_rest(const Family& f, const Estimate& omega, Of of) {
   const double here = at_frequency(f, omega.value, of);
@@ -508,7 +507,7 @@ void add_pull(Quantities& facts, const std::vector<Trial>& list, double well) {
 }
 
 /**
-The frequencies of the two breathers are chosen such that their energies agree; both energies stand
+The frequencies of the two breathers are chosen such that their energies agree; both energies are
 among the facts, so that this can be checked.
 
 In the hard well the waves draw the breather towards them, by
@@ -575,13 +574,12 @@ void reproduce(Report& report) {
 /**
 ## Differences and limits
 
-*Not shown* is why waves pull. A contact only pushes, and that a push from behind
-draws a packet back suggests a negative effective mass: in figure 23 neighbours in the packet
-oscillate in opposite phase, as at the upper edge of a band, while the waves behind it are long and
-in phase. Nor is it shown what slows the packet down without waves; that it sheds energy is a likely cause, but
-in the linear well it sheds as much. Nor do we know why the breather of the linear well hardly responds to waves
-beside it. A damping so close to the packet may touch the packet itself. "Returns" and "goes on" are said of
-the times that we followed, and where the two steps disagree we know neither.
+*Not shown* is why waves pull. A contact only pushes, and that a push from behind draws a packet back suggests a
+negative effective mass: in figure 23 neighbours in the packet oscillate in opposite phase, as at the upper edge of a
+band, while the waves behind it are long and in phase. Nor is it shown what slows the packet down without waves; that
+it sheds energy is a likely cause, but in the linear well it sheds as much. Nor do we know why the breather of the
+linear well hardly responds to waves beside it. A damping so close to the packet may touch the packet itself.
+"Returns" and "goes on" are said of the times that we followed, and where the two steps disagree we know neither.
 
 Exact travelling breathers (section 5) do not explain the turning. At the packet's energy we know of
 none at $s = 1$: the fastest one found there has the speed

@@ -380,9 +380,9 @@ and $10^{-3}$ unless told otherwise. A third choice is seldom made by the user: 
 components become one number. Most of a struck chain is still at rest and has no error at all, so
 the root of the *mean* square is small although a few sites are wrong.
 
-A run keeps its tolerance in both resolutions; they differ in the first step and in the number of samples, which
-are interpolated between the steps. (If a run must *stop* at each of a thousand samples, its steps are too short to do harm,
-whatever the tolerance allows.) */
+A run keeps its tolerance in both resolutions; they differ in the first step and in the number of samples, which are
+interpolated between the steps. (If a run must *stop* at each of a thousand samples, its steps are too short to do
+harm, whatever the tolerance allows.) */
 struct Loose {
   RungeKutta method;
   ErrorNorm norm;

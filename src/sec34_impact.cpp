@@ -66,7 +66,7 @@ constexpr double fit_to = 60;  // the packet is measured between sites 20 and 60
 /**
 ## Method
 
-The loop in time stands in impact.hpp, because several sections strike a chain. It samples the energy
+The loop in time is in impact.hpp, because several sections strike a chain. It samples the energy
 density at most every 0.2 units of time, about a thirtieth of an internal period. Several packets may
 leave, and the slow ones can carry as much energy as the first; `front_packet` looks from the far end
 and takes the front-most. A run ends when that one has passed the stretch on which it is measured, and
@@ -484,13 +484,13 @@ void reproduce(Report& report) {
 /**
 ## Differences and limits
 
-`sec34_impact run` measures a single impact of your own (one_impact.hpp). The article does not say how far from the boundary it fits speeds, for which $s$ it draws figure
-19, or how it integrates; our choices stand where they are made. The ripple on the peak density of
-figure 19 is resolved and real: a packet passes a site in a time comparable to its internal
-period, and the largest density depends on the phase between the two. Just below the blow-up band
-the soft curves become erratic, because the first bead almost escapes and feeds the packet when it
-returns. Their last points, marked in the figure, are right for their velocities, but a finer scan
-would find more structure.
+`sec34_impact run` measures a single impact of your own (one_impact.hpp). The article does not say how far from the
+boundary it fits speeds, for which $s$ it draws figure 19, or how it integrates; our choices are stated where they
+are made. The ripple on the peak density of figure 19 is resolved and real: a packet passes a site in a time
+comparable to its internal period, and the largest density depends on the phase between the two. Just below the
+blow-up band the soft curves become erratic, because the first bead almost escapes and feeds the packet when it
+returns. Their last points, marked in the figure, are right for their velocities, but a finer scan would find more
+structure.
 
 ## Extensions
 

@@ -167,12 +167,11 @@ Transition find_transition(std::vector<Point> points) {
 /**
 ## The transition (figure x01)
 
-Now we scan the impact velocity. The runs are independent and share the cores. There are three regimes. A weak impact leaves every bead in its well. From
-$v_0 =$ [2.48](num:sec34_kink.first_thrown_back) on the recoil throws beads back at the near end
-while the breather still travels. Between [4.66](num:sec34_kink.last_breather) and
-[4.72](num:sec34_kink.first_certain_kink) the kink takes over. The error of these velocities is the
-spacing of the scan; a share of [0.00569801](num:sec34_kink.kink_undecided) of them stays undecided
-and supports no statement. */
+Now we scan the impact velocity. The runs are independent and share the cores. There are three regimes. A weak impact
+leaves every bead in its well. From $v_0 =$ [2.48](num:sec34_kink.first_thrown_back) on the recoil throws beads back
+at the near end while the breather still travels. Between [4.66](num:sec34_kink.last_breather) and
+[4.72](num:sec34_kink.first_certain_kink) the kink takes over. The error of these velocities is the spacing of the
+scan; a share of [0.00569801](num:sec34_kink.kink_undecided) of them stays undecided and supports no statement. */
 void reproduce(Report& report) {
   report.output.note("tolerance", "steps 0.1 and 0.05, half of that near the transition");
   const std::size_t sites = Strike{}.sites;

@@ -36,14 +36,14 @@ We derive every constant in SI units, strike the array and send the packet to th
 using namespace lattice;
 
 /**
-Claims: two colliding beads and the cradle (`scale.contact_time`, `scale.max_compression`, `scale.cradle`); a
-clamped beam (`beam.stiffness`, `beam.frequency`, `beam.mass`); the times of the array (`cantilever.tau_h`,
-`cantilever.tau_c`, `cantilever.lambda`); the packet at $n = 80$ (`cantilever.speed`,
-`cantilever.bead_velocity`, `cantilever.deflection`, `cantilever.force`, `cantilever.duration`,
-`cantilever.period`, and `cantilever.frequency` in units of the linear one), which the DpS equation describes (`cantilever.dps_valid`); a defect with large beads reflects it, with slightly larger ones in part, and keeps
-a little energy (`cantilever.reflect16`, `cantilever.partial11`, and `cantilever.trapped` in
-sec36/trapped_mode.hpp); and in 10 ms it travels far enough to be seen (`outlook.travel_10ms`,
-`outlook.periods_10ms`). */
+Claims: two colliding beads and the cradle (`scale.contact_time`, `scale.max_compression`, `scale.cradle`); a clamped
+beam (`beam.stiffness`, `beam.frequency`, `beam.mass`); the times of the array (`cantilever.tau_h`,
+`cantilever.tau_c`, `cantilever.lambda`); the packet at $n = 80$ (`cantilever.speed`, `cantilever.bead_velocity`,
+`cantilever.deflection`, `cantilever.force`, `cantilever.duration`, `cantilever.period`, and `cantilever.frequency`
+in units of the linear one), which the DpS equation describes (`cantilever.dps_valid`); a defect with large beads
+reflects it, with slightly larger ones in part, and keeps a little energy (`cantilever.reflect16`,
+`cantilever.partial11`, and `cantilever.trapped` in sec36/trapped_mode.hpp); and in 10 ms it travels far enough to be
+seen (`outlook.travel_10ms`, `outlook.periods_10ms`). */
 constexpr std::size_t watched_site = 80;
 
 /**
@@ -213,9 +213,9 @@ void report_packet(Report& report, const StruckArray& blow, const WatchedRuns& r
 By the article's own definition the speed is [1998.60](num:cantilever.speed) sites/s, and
 [1937.80](num:sec36_cantilever_defect.speed_60_to_100) farther on; only the mean over the whole way,
 [2029.93](num:sec36_cantilever_defect.speed_mean), is the printed 2030. The duration is
-[3.06486](num:cantilever.duration) ms, between [1.17055](num:sec36_cantilever_defect.duration_half) for half the maximum
-and [3.78752](num:sec36_cantilever_defect.duration_thousandth) for a thousandth, the one threshold of ten that gives
-the printed 3.8 ms.
+[3.06486](num:cantilever.duration) ms, between [1.17055](num:sec36_cantilever_defect.duration_half) for half the
+maximum and [3.78752](num:sec36_cantilever_defect.duration_thousandth) for a thousandth, the one threshold of ten
+that gives the printed 3.8 ms.
 
 ## Is this the DpS regime? (`cantilever.dps_valid`)
 
@@ -512,15 +512,15 @@ void reproduce(Report& report) {
 /**
 ## Differences and limits
 
-The article does not define the duration and gives no energies for its reflections; our definitions stand
-where they are used. Replacing a beam with beads by a point mass costs a tenth of a per cent of its
+The article does not define the duration and gives no energies for its reflections; our definitions are
+given where they are used. Replacing a beam with beads by a point mass costs a tenth of a per cent of its
 frequency; twisting of the beams, their higher modes and dissipation in the contacts are left out.
 
-The article sees a small part of the energy loosely trapped at 1.6 radii. At 75 ms the nine sites up to the
-defect hold [0.00389406](num:cantilever.trapped) of the energy, against
+The article sees a small part of the energy loosely trapped at 1.6 radii. At 75 ms the nine sites up to the defect
+hold [0.00389406](num:cantilever.trapped) of the energy, against
 [0.00147795](num:sec36_cantilever_defect.before_75_without) without a defect, so there is indeed some. It is loosely
-held: after 25 ms [0.866036](num:sec36_cantilever_defect.kept_before_16) of it is left, and on the defect itself there
-is nothing. Only lighter defects keep energy for good.
+held: after 25 ms [0.866036](num:sec36_cantilever_defect.kept_before_16) of it is left, and on the defect itself
+there is nothing. Only lighter defects keep energy for good.
 
 ## Extensions
 

@@ -162,12 +162,12 @@ void report_band(Report& report) {
 /**
 ## Where phonons are unstable (figure 25)
 
-A uniform phonon is unstable to slow modulations where $\Phi = -\beta\,\omega_2 > 0$, Eq. (37). So we
-tabulate $\Phi$ for the three wells. It changes sign at the inflection $q_c$ of $\omega(q)$. The band
-of instability lies to the left of $q_c$ for $s \le 0$, where $\beta < 0$, and to its right for
-$s = 1$, where it ends at [2.00682](num:sec4_precompression_mi.unstable_to_s_1), before $\pi$, because $\beta$ changes
-sign as well. That $\Phi$ is much smaller for $s = 0$, as the article says, we take to mean that its largest
-value is less than a tenth of the others'.
+A uniform phonon is unstable to slow modulations where $\Phi = -\beta\,\omega_2 > 0$, Eq. (37). So we tabulate $\Phi$
+for the three wells. It changes sign at the inflection $q_c$ of $\omega(q)$. The band of instability lies to the left
+of $q_c$ for $s \le 0$, where $\beta < 0$, and to its right for $s = 1$, where it ends at
+[2.00682](num:sec4_precompression_mi.unstable_to_s_1), before $\pi$, because $\beta$ changes sign as well. That
+$\Phi$ is much smaller for $s = 0$, as the article says, we take to mean that its largest value is less than a tenth
+of the others'.
 
 ![The modulation coefficient of Eq. (37).](fig:25) */
 Table instability_table() {
@@ -448,10 +448,9 @@ void report_order(Report& report) {
 /**
 ## One computation with your own parameters
 
-`coefficients` and `band` evaluate formulas, the latter also bisects for the wavenumbers between which phonons
-are unstable. `impact` strikes a chain and reports the packet: its
-energy centre, the width of the sech that fits its envelope, and the share of the energy within 20
-sites. It fails if a bead escapes from a soft well. */
+`coefficients` and `band` evaluate formulas, the latter also bisects for the wavenumbers between which phonons are
+unstable. `impact` strikes a chain and reports the packet: its energy centre, the width of the sech that fits its
+envelope, and the share of the energy within 20 sites. It fails if a bead escapes from a soft well. */
 struct Band {
   static constexpr Title title{"band",
                                "edges and inflection of the phonon band, and of its instability"};
@@ -493,17 +492,15 @@ void reproduce(Report& report) {
 /**
 ## Differences and limits
 
-The printed $\beta$ is confirmed to a fraction of
-[0.0003](num:sec4_precompression_mi.beta_apart_by_shift) at every wavenumber tried. That the breather of
-$s = 1$ has a sech-like envelope at all three times fails by a little at the first: the packet is still
-forming at $t = 291$, where the best sech misses its envelope by
-[0.102555](num:sec4_precompression_mi.breather_residual_t_291) of the height, and our limit is a tenth. The
-limit is our choice; at the later times the sech is good, and nothing turns round. The breather loses energy
-to its tail all the time; at the end this has [0.0927420](num:sec4_precompression_mi.tail_both_sides_behind) times
-the breather's amplitude behind it and [0.0663363](num:sec4_precompression_mi.tail_both_sides_ahead) times ahead.
-For the other wells we confirm what the article says, with its restriction: no
-breather on these time scales. A likely reason is that for small $|s|$ the soliton of the NLS
-equation is too wide to form so early.
+The printed $\beta$ is confirmed to a fraction of [0.0003](num:sec4_precompression_mi.beta_apart_by_shift) at every
+wavenumber tried. That the breather of $s = 1$ has a sech-like envelope at all three times fails by a little at the
+first: the packet is still forming at $t = 291$, where the best sech misses its envelope by
+[0.102555](num:sec4_precompression_mi.breather_residual_t_291) of the height, and our limit is a tenth. The limit is
+our choice; at the later times the sech is good, and nothing turns round. The breather loses energy to its tail all
+the time; at the end this has [0.0927420](num:sec4_precompression_mi.tail_both_sides_behind) times the breather's
+amplitude behind it and [0.0663363](num:sec4_precompression_mi.tail_both_sides_ahead) times ahead. For the other
+wells we confirm what the article says, with its restriction: no breather on these time scales. A likely reason is
+that for small $|s|$ the soliton of the NLS equation is too wide to form so early.
 
 ## Extensions
 

@@ -44,8 +44,8 @@ suffices to take $\mu = 1$. For each of the two centres, on the infinite lattice
 4. The bond-centred breather is orbitally stable in $\ell^2$: what starts close to it stays close to its
    multiples $e^{i\varphi}u$ for all times.
 5. The energy of the site-centred breather minus that of the bond-centred one is positive at equal $\mu$,
-   [2.85411e-9](num:sec5_enclosures.barrier_equal_mu) at $\mu = 1$, and negative at equal norm, which physics asks for,
-   [-7.13526e-10](num:sec5_enclosures.barrier_equal_norm).
+   [2.85411e-9](num:sec5_enclosures.barrier_equal_mu) at $\mu = 1$, and negative at equal norm, which physics asks
+   for, [-7.13526e-10](num:sec5_enclosures.barrier_equal_norm).
 
 Existence of both is known (James and Starosvetsky 2014). Not proved are solutions without these signs or
 symmetries, and whether the instability of the linearised equation is followed by that of the full one. */
@@ -72,8 +72,8 @@ Estimate estimate_of(const Interval<double>& x) {
 
 The strains $r_n$ are sought with the contraction of dps_enclosure.hpp, from the profile that section 3.2 computes.
 That profile is only a guess, and the proof would fail if it were wrong. The map contracts on all sequences of this
-symmetry that differ from it by less than [0.0078125](num:sec5_enclosures.unique_radius_site) in each contact (about a
-twelfth of $r_0$), and it moves the guess by some $10^{-16}$. So the solution is that close and alone in the large
+symmetry that differ from it by less than [0.0078125](num:sec5_enclosures.unique_radius_site) in each contact (about
+a twelfth of $r_0$), and it moves the guess by some $10^{-16}$. So the solution is that close and alone in the large
 ball. Its components are then tightened until the tail, too, is known to many digits. */
 Table strain_table(const DpsBreather<double>& b) {
   Table table{{count("n", "contact, from the centre outwards"),
@@ -230,12 +230,12 @@ void report_chain(Report& report) {
 /**
 ## The travelling breathers of the kernel equation
 
-The travelling breathers of type I with $k = 1$ obey one scalar equation, $d = K*d_+^{3/2}$ with $K(\sigma) =
--\sin|\sigma|$ for $|\sigma| \le 2\pi$ (chapter on the kernel equation). Its theorem gives a wave, but neither
-says that it is even nor that there is a second one. For each of the two signs of the central velocity it is proved
-here (wave_enclosure.hpp): there is an even solution $d$, it differs by no more than `radius` from the guess at all
-times, and it is the only even one within `unique_radius`. The guess is cubic on
-cells, its tail is zero, and the true tail is bounded by the inequality of the theorem, $M(t+T) \le 4M(t)^{3/2}$.
+The travelling breathers of type I with $k = 1$ obey one scalar equation, $d = K*d_+^{3/2}$ with
+$K(\sigma) = -\sin|\sigma|$ for $|\sigma| \le 2\pi$ (chapter on the kernel equation). Its theorem gives a wave, but
+neither says that it is even nor that there is a second one. For each of the two signs of the central velocity it is
+proved here (wave_enclosure.hpp): there is an even solution $d$, it differs by no more than `radius` from the guess
+at all times, and it is the only even one within `unique_radius`. The guess is cubic on cells, its tail is zero, and
+the true tail is bounded by the inequality of the theorem, $M(t+T) \le 4M(t)^{3/2}$.
 
 Energy and peak follow with errors of the order of the small radius. The action $\int d_+^{5/2}dt$ is a critical
 value, so that its error is of second order in the radius and is dominated by the residual. The actions of
@@ -298,24 +298,24 @@ Table lemma_table() {
 ## Results
 
 The second eigenvalue differs from $\frac23$ by [4.85298e-6](num:sec5_enclosures.margin_site) around a site and by
-[-4.85327e-6](num:sec5_enclosures.margin_bond) around a bond. The norms are [0.00536042](num:sec5_enclosures.norm_site) and
-[0.00536041](num:sec5_enclosures.norm_bond), the largest displacements [0.0504148](num:sec5_enclosures.u0_site) and
-[0.0462323](num:sec5_enclosures.u0_bond).
+[-4.85327e-6](num:sec5_enclosures.margin_bond) around a bond. The norms are
+[0.00536042](num:sec5_enclosures.norm_site) and [0.00536041](num:sec5_enclosures.norm_bond), the largest
+displacements [0.0504148](num:sec5_enclosures.u0_site) and [0.0462323](num:sec5_enclosures.u0_bond).
 
 At $\omega_b = 1.1$ the chain's breathers have the amplitudes [0.0107480](num:sec5_enclosures.amplitude_site) (site)
-and [0.00978427](num:sec5_enclosures.amplitude_bond) (bond) and the energies [0.000153599](num:sec5_enclosures.energy_site) and
-[0.000153599](num:sec5_enclosures.energy_bond); the difference of the energies is far below what these intervals
-resolve.
+and [0.00978427](num:sec5_enclosures.amplitude_bond) (bond) and the energies
+[0.000153599](num:sec5_enclosures.energy_site) and [0.000153599](num:sec5_enclosures.energy_bond); the difference of
+the energies is far below what these intervals resolve.
 
 The waves of the kernel equation have the energies [0.180834](num:sec5_enclosures.wave_energy_plus) and
 [0.180834](num:sec5_enclosures.wave_energy_minus) and the peaks [0.446249](num:sec5_enclosures.wave_peak_plus) and
 [0.457322](num:sec5_enclosures.wave_peak_minus). Each is known within
-[1.78063e-12](num:sec5_enclosures.wave_radius_plus) or [1.94232e-12](num:sec5_enclosures.wave_radius_minus) at all times and is
-alone within [1.52588e-5](num:sec5_enclosures.wave_unique_radius_plus). Plus minus minus, the energies differ by
-[-8e-11](num:sec5_enclosures.wave_energy_difference) and the actions by
+[1.78063e-12](num:sec5_enclosures.wave_radius_plus) or [1.94232e-12](num:sec5_enclosures.wave_radius_minus) at all
+times and is alone within [1.52588e-5](num:sec5_enclosures.wave_unique_radius_plus). Plus minus minus, the energies
+differ by [-8e-11](num:sec5_enclosures.wave_energy_difference) and the actions by
 [-2.4e-11](num:sec5_enclosures.wave_action_difference): both signs are certain. So it is proved that there are two
-different waves, that the wave with the sign minus is *not* the maximum of the theorem, and
-that both have the same $T$ but not the same energy. Whether the sign plus is the maximum remains open. */
+different waves, that the wave with the sign minus is *not* the maximum of the theorem, and that both have the same
+$T$ but not the same energy. Whether the sign plus is the maximum remains open. */
 void reproduce(Report& report) {
   const Both both;
   for (const auto& [centre, name] : centres) {
@@ -346,10 +346,9 @@ digits: its intervals lie in ours. Errors put into the proof, one at a time, mak
 
 ## Enclosures to be printed
 
-`sec5_enclosures dps --centre bond` prints the bounds for the DpS equation, `sec5_enclosures breather
---centre site` those for the chain and `sec5_enclosures wave --sign minus` those for the kernel equation. The
-barriers belong to both centres. A quantity that cannot be certified
-is not printed. */
+`sec5_enclosures dps --centre bond` prints the bounds for the DpS equation, `sec5_enclosures breather --centre site`
+those for the chain and `sec5_enclosures wave --sign minus` those for the kernel equation. The barriers belong to
+both centres. A quantity that cannot be certified is not printed. */
 struct Bounds {
   Table table{{label("quantity", "what is enclosed"), number("lower", "lower bound"),
                number("upper", "upper bound")}};

@@ -171,7 +171,7 @@ this place for three resolutions and lifetimes up to 20 ms, on 200 cantilevers; 
 1 m/s reaches the end of the array. With a lifetime of 10 ms the best sensor sees
 [81.2795](num:sec5_experiment.seen_best) sites and one a hundred times coarser
 [47.3130](num:sec5_experiment.seen_coarse). A better sensor gains so little because the packet does not only fade: it
-comes to a stand. */
+comes to a stop. */
 constexpr std::array<double, 3> resolutions{1e-3, 1e-2, 1e-1};  // m/s
 
 void report_sights(Report& report) {
@@ -207,11 +207,11 @@ void report_sights(Report& report) {
 /**
 ## Losses in the contacts
 
-Viscous contacts damp the packet while it moves and not a beam that swings alone. We give the restitution that
-two cantilevers would show if they met at 1 m/s without their springs. With 0.9 and beams without losses the packet
+Viscous contacts damp the packet while it moves and not a beam that swings alone. We give the restitution that two
+cantilevers would show if they met at 1 m/s without their springs. With 0.9 and beams without losses the packet
 covers [14.5719](num:sec5_experiment.sites_restitution_90) sites in 10 ms, fewer than with elastic contacts and a
-lifetime of 5 ms, [17.0208](num:sec5_experiment.sites_5ms): whoever builds the array should look for beads with a high
-restitution as much as for good clamps. */
+lifetime of 5 ms, [17.0208](num:sec5_experiment.sites_5ms): whoever builds the array should look for beads with a
+high restitution as much as for good clamps. */
 void report_contacts(Report& report) {
   const ArrayUnits array;
   const auto& h = report.quick ? quick_steps : steps;
@@ -286,7 +286,7 @@ void report_decay(Report& report) {
       const auto at = [&](const Decay& d) {
         return d.moments[std::size_t(share * double(d.moments.size()))];
       };
-      const Moment coarse = at(runs[0]), fine = at(runs[1]);
+      const DecayMoment coarse = at(runs[0]), fine = at(runs[1]);
       const auto same = breather_at(centre, fine.omega);
       table.add({bond, array.milliseconds(fine.t), compare(coarse.omega, fine.omega),
                  compare(coarse.energy * unit, fine.energy * unit), same.energy * unit,
@@ -427,7 +427,7 @@ ground is not computed but given, and friction between beam and clamp, which is 
 ## Extensions
 
 - What does the slow clock become where contacts lose energy? Their share depends on the amplitude.
-- At which quality factor would the array show the boomerang of hard wells?
+- At which quality factor would the array show the boomeron of hard wells?
 - Which beam and clamp have a lifetime of 10 ms? */
 int main(int argc, char** argv) {
   return run({"sec5_experiment", "5", "What an experiment would see: damping (section 5)",

@@ -32,10 +32,10 @@ using std::numbers::pi;
 
 /**
 In short: waves whose neighbours differ in phase by a quarter of a turn or less, $q\le\pi/2$, are stable, and all
-others are unstable but for $\cos q = -\frac15$. The fastest growth has the wave of opposite neighbours, $q = \pi$,
-with [0.373674](num:sec5_growth.greatest_growth) per unit of slow time. The chain agrees up to a difference in
-proportion to the root of the amplitude. Breathers that last were found after waves that have clearly more energy than
-irregular motion of the same norm could take up, and after no other.
+others are unstable but for $\cos q = -\frac15$. The wave of opposite neighbours, $q = \pi$, grows fastest, at the
+rate [0.373674](num:sec5_growth.greatest_growth) per unit of slow time. The chain agrees up to a difference in
+proportion to the root of the amplitude. Breathers that last were found after waves that have clearly more energy
+than irregular motion of the same norm could take up, and after no other.
 
 ## Model
 
@@ -215,8 +215,8 @@ runs are chaotic. A tolerance ten times smaller gives other breathers, so that o
 errors are the standard error over the seeds and the difference of both tolerances.
 
 Norm and energy are conserved, and that decides. A field of independent normal amplitudes, the motion of infinite
-temperature, has the energy $\frac25\,2^{5/4}\,\Gamma(\frac94) =$ [1.07790](num:sec5_growth.random_energy) per site at
-norm one. A wave with more cannot become as irregular as that; the surplus must gather. This is the argument of
+temperature, has the energy $\frac25\,2^{5/4}\,\Gamma(\frac94) =$ [1.07790](num:sec5_growth.random_energy) per site
+at norm one. A wave with more cannot become as irregular as that; the surplus must gather. This is the argument of
 Rasmussen, Cretegny, Kevrekidis and Grønbech-Jensen (Phys. Rev. Lett. 84, 3740, 2000) for the discrete nonlinear
 Schrödinger equation. Waves pass that energy at $q =$ [1.67605](num:sec5_growth.neutral_q), a little beyond $\pi/2$,
 so that nearly all unstable waves are above. */

@@ -141,19 +141,20 @@ double least_peak(std::size_t k, double alpha) {
 
 By the last step of the proof every localized wave of this $T$ falls double-exponentially.
 
-- *Least action.* Every localized wave has $Q(f)/\|f\|_p^2 = A^{-(\alpha-1)/(\alpha+1)} \le S$, so the maximum has the least action $A = S^{-(\alpha+1)/(\alpha-1)}$ of all. From now on the
-  *quotient* of a wave is this power of its $A$.
+- *Least action.* Every localized wave has $Q(f)/\|f\|_p^2 = A^{-(\alpha-1)/(\alpha+1)} \le S$, so the maximum has
+  the least action $A = S^{-(\alpha+1)/(\alpha-1)}$ of all. From now on the *quotient* of a wave is this power of its
+  $A$.
 - *Any maximizing sequence* converges in $L^p$, up to translations, along a subsequence.
 - *Peaks.* From $\max d \le 4k(\max d)^\alpha$ every localized wave has $\max d \ge
   (4k)^{-1/(\alpha-1)}$.
 - *No compacton.* If $f$ ended at $b$, then $d(t)$ for $b + T - \pi < t < b + T$ would be an integral of
   $f$ with $K > 0$ only, hence positive, and so would be $f(t)$, beyond $b$.
 - *Contacts open.* $\int K = 0$, so $\int d\,dt = 0$ and $d$ is negative somewhere.
-- *Growth with $k$.* $S$ is of the order of $k^{2/(\alpha+1)}$: not more by Young's bound, and not less
-  because of $k \ge 2$ equal pulses $2\pi - \pi/2k$ apart, each two of which have $K > 0$; they are narrow,
-  but of a width that does not depend on $k$. Two beads differ by $\max d$, so $E \ge \frac14(4k)^{-2/(\alpha-1)}$ for every localized wave, and by Young's
-  inequality for $\int(q^2+\dot q^2)$, whose kernel is $(T-|\sigma|)\cos\sigma$, the maximum has $E \le
-  C k^{-2/(\alpha-1)}$. In Hertzian contacts that is the fourth power of the speed. */
+- *Growth with $k$.* $S$ is of the order of $k^{2/(\alpha+1)}$: not more by Young's bound, and not less because of
+  $k \ge 2$ equal pulses $2\pi - \pi/2k$ apart, each two of which have $K > 0$; they are narrow, but of a width that
+  does not depend on $k$. Two beads differ by $\max d$, so $E \ge \frac14(4k)^{-2/(\alpha-1)}$ for every localized
+  wave, and by Young's inequality for $\int(q^2+\dot q^2)$, whose kernel is $(T-|\sigma|)\cos\sigma$, the maximum has
+  $E \le C k^{-2/(\alpha-1)}$. In Hertzian contacts that is the fourth power of the speed. */
 struct Wave {
   std::size_t k;
   int sign;
@@ -217,8 +218,8 @@ Math. Phys. 161 (1994) 391), English and Pego (Proc. AMS 133 (2005) 1763), Stefa
 (arXiv:1709.08629). In the terms of Sire and James (nlin/0410036) ours are solitary waves, with $p = 1$. In the DpS
 equation James (2018) sees tails except at particular parameters.
 
-We searched public pages for a theorem like this one and found none that is equivalent. Journals behind a wall were
-not searched, and the papers named without an arXiv number are quoted without having been read. */
+We searched what is freely accessible for a theorem like this one and found none that is equivalent. Journals behind
+a paywall were not searched, and the papers named without an arXiv number are quoted without having been read. */
 Table kernel_table() {
   Table table{{count("k", "oscillations a site"), number("turns", "sigma over 2 pi"),
                number("kernel", "K(sigma)")}};
@@ -589,7 +590,7 @@ void reproduce(Report& report) {
 /**
 ## Limits and extensions
 
-Proved are the theorem and what stands under *What else follows*, and in the next chapter both waves of $k = 1$.
+Proved are the theorem and what is listed under *What else follows*, and in the next chapter both waves of $k = 1$.
 Computed, with errors from two grids, are the waves, their quotients and the exchanges. That one of the two even
 waves is the maximum of the theorem is a conjecture, with which the ascents agree; near an exchange it might be one
 without symmetry.
@@ -598,7 +599,7 @@ without symmetry.
   through an exchange and look for the wave without symmetry between them.
 - Give the cells a resonator with commensurate frequencies: the kernel has one more sine, the theorem is
   the same.
-- Does the contact really stay closed for ever once it has closed for the last time, as it does as far as
+- Does the contact really stay closed forever once it has closed for the last time, as it does as far as
   double precision reaches? */
 int main(int argc, char** argv) {
   return run({"sec5_kernel_equation", "5", "The kernel equation and a theorem (section 5)",

@@ -232,7 +232,7 @@ Table maps(const Exact& orbit) {
 The equations cover one shift; now we let an orbit run on, and look at what it leaves behind. The multipliers
 per shift say whether small disturbances grow (one_orbit.hpp).
 
-A long flight is the strictest test that an orbit leaves nothing behind. For a thousand shifts an
+A long run is the strictest test that an orbit leaves nothing behind. For a thousand shifts an
 ordinary stepper is cheaper; its error shows in what it leaves behind. The frame moves on by twenty
 sites at a time, and resting beads come in ahead. A hundred shifts are repeated by GSL, with which our
 steppers have nothing in common, in one long chain. */
@@ -277,7 +277,7 @@ Flown by_gsl(const Exact& e, std::size_t shifts, double tolerance) {
 }
 
 /**
-We fly the fastest orbit, $k = 1$, with the sign for which the phase is held; with the other sign
+We follow the fastest orbit, $k = 1$, with the sign for which the phase is held; with the other sign
 errors would grow. */
 void report_flights(Report& report, const Exact& e) {
   const std::size_t many = report.quick ? 100 : 1000, few = report.quick ? 10 : 100;

@@ -71,7 +71,7 @@ void follow(Family& f, double step) {
 What does a member of a family do that is no exact orbit? We set it free in a resting chain, and behind
 it each bead keeps oscillating. By the chapter before, the amplitude is $|1-e^{-iT}|\,|g(1)|$ with
 $g(1) = \int e^{it}f\,dt$, if the pulses $f$ in the contacts repeat themselves after $T$. We measure both
-sides in the same flight. The integral needs no quadrature: only the pulse changes $e^{it}Z$ when the
+sides in the same run. The integral needs no quadrature: only the pulse changes $e^{it}Z$ when the
 sum is taken over the beads on the right of its contact, so the integral is the difference of this
 quantity between the end and the beginning. */
 struct Left {
@@ -104,7 +104,7 @@ Left set_free(const Orbit<double>& member, double step) {
 
 /**
 The figure compares both with $|1-e^{-iT}|\,|V|$, since $|g(1)| = |V|$ as long as little is shed. The
-error of the flight is that of the step. For the error of $V$ we evaluate the equation that was left out
+error of the run is that of the step. For the error of $V$ we evaluate the equation that was left out
 and compare it with $V\sin(T/2)$, which also checks this identity for every member. */
 double missed_identity(const Orbit<double>& member) {
   const double time = shift_time(member);

@@ -150,10 +150,10 @@ struct CourseReading {
 };
 
 /**
-Exponents are those of the last decade of sites. The growth of $1/\varphi$ and $|g| = |z|/\varphi$ are taken
-over four rows, a third of a decade, from site 200 on and at the end. Final speed, energy and contact energy are extrapolated to $\varphi = 0$ by straight lines through the last half
-decade, six rows. How much this depends on the stretch shows when `half` is changed to three rows or to a
-whole decade. */
+Exponents are those of the last decade of sites. The growth of $1/\varphi$ and $|g| = |z|/\varphi$ are taken over
+four rows, a third of a decade, from site 200 on and at the end. Final speed, energy and contact energy are
+extrapolated to $\varphi = 0$ by straight lines through the last half decade, six rows. How much this depends on the
+stretch shows when `half` is changed to three rows or to a whole decade. */
 CourseReading read_off(const Course& c, std::size_t half = 6) {
   constexpr std::size_t decade = 12, few = 4;
   const std::size_t last = c.t.size() - 1, from = last - few;
@@ -225,7 +225,7 @@ struct ExactLine {
 };
 
 /**
-The contact energy of an orbit fluctuates, so it is averaged over a flight of one shift. */
+The contact energy of an orbit fluctuates, so it is averaged over a run of one shift. */
 ExactLine exact_line() {
   ExactLine line;
   Staircase stairs(1);
@@ -323,7 +323,7 @@ Table course_table(const std::vector<TwoCourses>& runs) {
                number("energy", "mean energy of the packet"),
                number("contact", "mean contact energy of the packet")}};
   /**
-  Errors stand beside the two columns that the figure draws; the others are means that fluctuate. */
+  The two columns that the figure draws have errors; the others are means that fluctuate. */
   for (const TwoCourses& p : runs)
     for (std::size_t i = 0; i < p.fine.t.size(); ++i) {
       const Course &f = p.fine, &c = p.coarse;
@@ -339,7 +339,7 @@ Table course_table(const std::vector<TwoCourses>& runs) {
 ## The limit of small amplitude (figure x23)
 
 Do exact travelling breathers survive in the limit of small amplitude? There they are orbits of the DpS
-equation (orbits/dps_travelling.hpp), of the same two types. Since $A_n$ may be multiplied by any
+equation (dps_travelling.hpp), of the same two types. Since $A_n$ may be multiplied by any
 constant phase factor, nothing holds the internal phase in this limit: an orbit of type I is one of a
 whole circle of orbits, and the two signs of the chain are two of them. We follow its family with the
 angle $\varphi$ by which the phase turns from site to site. */
@@ -464,21 +464,21 @@ void report_dps(Report& report, const DpsMember& coarse, const DpsMember& fine) 
 
 After an impact with $v_0 = 0.66$ and sixteen thousand sites the tail falls with the exponent
 [-0.72067](num:sec5_travelling_packets.tail_exponent_v66), and not with $-1$. The growth of $1/\varphi$ is not
-constant either: it falls from [0.0094495](num:sec5_travelling_packets.angle_growth_early_v66) per site beyond site 200
-to [0.00208](num:sec5_travelling_packets.angle_growth_v66) at the end, because $|g|$ falls from
-[0.0308411](num:sec5_travelling_packets.pulse_early_v66) to [0.01113](num:sec5_travelling_packets.pulse_v66). So the law
-$1/n$ is not confirmed: if it holds at all, it does so only beyond the sites computed here. If $g$ vanished
-with $\varphi$, as it does at an orbit of type II, the tail would fall otherwise. The packet tends to
-$T/2\pi =$ [1.1566](num:sec5_travelling_packets.final_turns_v66), no time of an exact orbit that we know,
-and to the scaled speed [0.25467](num:sec5_travelling_packets.final_scaled_speed_v66), where the line has
+constant either: it falls from [0.0094495](num:sec5_travelling_packets.angle_growth_early_v66) per site beyond site
+200 to [0.00208](num:sec5_travelling_packets.angle_growth_v66) at the end, because $|g|$ falls from
+[0.0308411](num:sec5_travelling_packets.pulse_early_v66) to [0.01113](num:sec5_travelling_packets.pulse_v66). So the
+law $1/n$ is not confirmed: if it holds at all, it does so only beyond the sites computed here. If $g$ vanished with
+$\varphi$, as it does at an orbit of type II, the tail would fall otherwise. The packet tends to $T/2\pi =$
+[1.1566](num:sec5_travelling_packets.final_turns_v66), no time of an exact orbit that we know, and to the scaled
+speed [0.25467](num:sec5_travelling_packets.final_scaled_speed_v66), where the line has
 [0.25466](num:sec5_travelling_packets.type_one_scaled_speed_v66). Its contact energy was
 [0.0135176](num:sec5_travelling_packets.contact_energy_early_v66) near site 100, is
 [0.013349](num:sec5_travelling_packets.contact_energy_late_v66) at the end, tends to
 [0.013329](num:sec5_travelling_packets.final_contact_energy_v66), and would be
-[0.01333](num:sec5_travelling_packets.contact_energy_of_type_one_v66) on the line. Scaled speed and final
-contact energy agree with the line within their errors, which come mainly from the choice of the stretch. So,
-from two impacts, a packet seems to become an orbit of type I whose internal phase is not locked to the
-shift, and its contact energy seems to select which one. */
+[0.01333](num:sec5_travelling_packets.contact_energy_of_type_one_v66) on the line. Scaled speed and final contact
+energy agree with the line within their errors, which come mainly from the choice of the stretch. So, from two
+impacts, a packet seems to become an orbit of type I whose internal phase is not locked to the shift, and its contact
+energy seems to select which one. */
 void report_packets(Report& report, std::size_t rows) {
   std::vector<TwoCourses> runs{{0.66}, {1.5}};
   if (report.quick) runs.resize(1);
@@ -539,15 +539,13 @@ int main(int argc, char** argv) {
 /**
 ## For the article
 
-The article proposes to compute exact travelling breathers by Newton's method, and this works. In the
-chain with linear wells those that repeat themselves from site to site have isolated shift times, at which
-the rotation of $\sum(y_n+i\dot y_n)$ allows them: multiples of the bead's period, and times at which the
-sum vanishes.
-Newton's method reaches them from the packets that the article describes. At small amplitude they tend to
-a travelling breather of the DpS equation; in hard wells the fast ones disappear in folds, in soft wells
-they continue. The article's packets approach the line that joins them without locking to any, and shed
-a tail that becomes weaker and weaker. The reversal of direction at $s > 0$ is not explained by
-exact orbits.
+The article proposes to compute exact travelling breathers by Newton's method, and this works. In the chain with
+linear wells those that repeat themselves from site to site have isolated shift times, at which the rotation of
+$\sum(y_n+i\dot y_n)$ allows them: multiples of the bead's period, and times at which the sum vanishes. Newton's
+method reaches them from the packets that the article describes. At small amplitude they tend to a travelling
+breather of the DpS equation; in hard wells the fast ones disappear in folds, in soft wells they continue. The
+article's packets approach the line that joins them without locking to any, and shed a tail that becomes weaker and
+weaker. The reversal of direction at $s > 0$ is not explained by exact orbits.
 
 ## Extensions
 

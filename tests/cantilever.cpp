@@ -119,7 +119,7 @@ TEST_CASE("the shared way to the defect changes nothing", "[property][cantilever
   const StruckArray blow = short_array();
   const Scattering there = scatter(blow, 1.6, approach(blow, 0.05), 0.05, 28);
   const ImpactRun run = strike(ContactAware{0.05}, blow.impact(1.6, 28, blow.time(28)));
-  const Ledger straight = ledger_of(blow, run.density);
+  const Division straight = division_of(blow, run.density);
   check_close(there.later.reflected, straight.reflected, 1e-8);
   check_close(there.later.transmitted, straight.transmitted, 1e-8);
 }

@@ -42,8 +42,8 @@ void check_potential(const Potential& p, const std::vector<double>& at) {
   CHECK(p.force(0.0L) == 0);
 }
 
-/// A well besides has no force to one side only, and its rim, if any, is the first place at which
-/// the force that brings a bead back has vanished.
+/// Up to its rim, if it has one, a well also pulls a bead back from either side; at the rim the force vanishes
+/// and the well is unstable.
 template <class Onsite>
 void check_well(const Onsite& well) {
   check_potential(well, {-1.3, -0.4, -0.1, 0.2, 0.9, 1.7});
@@ -58,8 +58,8 @@ void check_well(const Onsite& well) {
   CHECK(well.stiffness(rim) < 0);
 }
 
-/// A contact besides never pulls more than its compression, is open beyond `opening`, and begins
-/// there with its exponent.
+/// A contact also never pulls more than its compression, is open beyond `opening`, and begins there with its
+/// exponent.
 template <class Contact>
 void check_contact(const Contact& contact) {
   check_potential(contact, {-1.3, -0.4, -0.1, 0.2, 0.9, 1.7});

@@ -3,19 +3,13 @@
 #include "lattice/stepping/damped.hpp"
 
 #include "check.hpp"
+#include "lattice/landing/landing.hpp"
 #include "lattice/packets/impact.hpp"
 #include "lattice/stepping/contact_rkn.hpp"
 
 using namespace lattice;
 
 namespace {
-
-double difference(const State<double>& a, const State<double>& b) {
-  double d = 0;
-  for (std::size_t n = 0; n < a.y.size(); ++n)
-    d = std::max({d, std::abs(a.y[n] - b.y[n]), std::abs(a.v[n] - b.v[n])});
-  return d;
-}
 
 /// A wave on a ring whose contacts stay closed.
 
@@ -57,8 +51,8 @@ TEST_CASE("one damped bead follows the closed form", "[unit][damped]") {
 TEST_CASE("the order is two with any conservative stepper", "[convergence][damped]") {
   const auto order = [](auto stepper_of) {
     const auto exact = after(stepper_of(0.0025), 5);
-    return std::log2(difference(after(stepper_of(0.08), 5), exact) /
-                     difference(after(stepper_of(0.04), 5), exact));
+    return std::log2(largest_difference(after(stepper_of(0.08), 5), exact) /
+                     largest_difference(after(stepper_of(0.04), 5), exact));
   };
   check_close(order([](double h) { return Damped(Splitting{verlet(), h}, 0.3); }), 2, 0.1);
   check_close(order([](double h) { return Damped(Splitting{blanes_moan_6(), h}, 0.3); }), 2, 0.1);

@@ -106,7 +106,7 @@ inline std::string room_of(const std::string& header) {
   return to == std::string::npos ? "" : header.substr(from + 1, to - from - 1);
 }
 
-/// Includes that go up or sideways or leave the library. The room `report` stands beside the library and
+/// Includes that go up or sideways or leave the library. The room `report` is outside the library and
 /// knows numbers and models only.
 inline std::vector<std::string> forbidden_arrows(const Includes& includes) {
   std::vector<std::string> out;

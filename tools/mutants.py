@@ -1,11 +1,10 @@
 """Would the tests notice? Puts the errors of mutants.tsv into a copy of the library, one at a time.
 
 For each error only the tests that its row names are compiled and run; of those that call programs or read their
-tables, the cases that do neither. An error is killed if one of them
-fails (or no longer compiles, or takes more than two minutes) and survives otherwise; the unchanged
-library must pass first. What an error does not touch is compiled once. A row whose right text is not in its room exactly once is a mistake in the
-table and ends the run before anything is built. Words given as arguments select rows by their room or
-by their description.
+tables, the cases that do neither. An error is killed if one of them fails (or no longer compiles, or takes more than
+two minutes) and survives otherwise; the unchanged library must pass first. What an error does not touch is compiled
+once. A row whose right text is not in its room exactly once is a mistake in the table and ends the run before anything
+is built. Words given as arguments select rows by their room or by their description.
 """
 
 import concurrent.futures

@@ -78,7 +78,7 @@ def covered(name, literals):
         word = literal.split(".")[-1].strip("_")
         if len(word) < 2:
             continue
-        more = "A-Za-z0-9" if word[-1].isdigit() else "A-Za-z"  # a number may be put behind a letter
+        more = "A-Za-z0-9" if word[-1].isdigit() else "A-Za-z"  # a number may follow a letter
         found = re.search(rf"(?<![A-Za-z0-9]){re.escape(word)}(?![{more}])", left)
         if found:
             total += len(word)

@@ -22,10 +22,11 @@ namespace lattice {
 /// The command: its parameters (dimensionless), its two runs, its tables.
 struct DpsStrike {
   static constexpr Title title{"impact", "the DpS impact: its packet and its residue"};
-  double tau = 250;
+  double tau = 250;       ///< length of the run in slow time
   std::size_t sites = 0;  ///< 0: long enough for the packet
-  Ends end = Ends::free;
+  Ends end = Ends::free;  ///< where the impact is: free or fixed
 
+  /// Declares them, as every command does (program.hpp).
   void parameters(Parameters& p);
   using Found = std::array<DpsOutcome, 2>;  ///< the coarser and the finer run
   /// Throws std::runtime_error if GSL cannot go on.
@@ -34,6 +35,7 @@ struct DpsStrike {
   Table quantities(const Found& found) const;
   /// The field at the end, site by site.
   Table profile(const Found& found) const;
+  /// What the program prints.
   Table table() const { return quantities(find()); }
 
  private:

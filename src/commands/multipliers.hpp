@@ -17,6 +17,7 @@ namespace lattice {
 
 /**
 The chapter tabulates multipliers under the same headings. */
+/// Real and imaginary part, modulus, argument (rad), error.
 Columns multiplier_columns();
 
 /// Every multiplier with its error, the two of the phase pair first.
@@ -26,6 +27,7 @@ std::vector<std::pair<std::complex<double>, double>> multipliers_of(const Spectr
 struct Multipliers : ChosenBreather {
   static constexpr Title title{"multipliers", "all Floquet multipliers of one breather"};
 
+  /// Declares which breather.
   void parameters(Parameters& p);
   using Found = Spectrum;
   /// The spectrum of the breather, in two precisions. Throws UsageError, NewtonFailed, NoBranch.
@@ -34,6 +36,7 @@ struct Multipliers : ChosenBreather {
   Table quantities(const Found& found) const;
   /// Every multiplier.
   Table profile(const Found& found) const;
+  /// What the program prints.
   Table table() const { return profile(find()); }
 };
 

@@ -15,12 +15,14 @@ struct OneBarrier {
   static constexpr Title title{"barrier", "energy between the two breathers, with its sign"};
   double omega = 1.1, s = 0;
 
+  /// Declares both.
   void parameters(Parameters& p);
   using Found = BreatherPair;
   /// Both breathers, measured in the wider type. Throws NewtonFailed, NoBranch.
   Found find() const;
   /// Rows `quantity,value,error,unit`.
   Table quantities(const Found& found) const;
+  /// What the program prints.
   Table table() const { return quantities(find()); }
 };
 

@@ -19,10 +19,12 @@ namespace lattice {
 /// The command: which breather and in which precision, what Newton finds, its tables.
 struct OneBreather : ChosenBreather {
   static constexpr Title title{"breather", "one breather: amplitude, energy, area, residual"};
-  std::string precision = "double";
-  bool as_profile = false;
+  std::string precision = "double";  ///< or extended
+  bool as_profile = false;           ///< whether `table` is the profile
 
+  /// Whether the orbit is computed in quadruple precision.
   bool extended() const { return precision == "extended"; }
+  /// Declares them and which breather.
   void parameters(Parameters& p);
 
   using Found = Fitted;
@@ -32,6 +34,7 @@ struct OneBreather : ChosenBreather {
   Table quantities(const Found& found) const;
   /// The positions at t = 0, with relative accuracy at every site.
   Table profile(const Found& found) const;
+  /// What the program prints.
   Table table() const;
 };
 

@@ -26,16 +26,17 @@ inline constexpr double usual_tolerance = 1e-4;
 struct OneImpact {
   static constexpr Title title{"run", "one impact: speed, centre, energies of the packet"};
   Impact impact{1.87, {0, Quartic{}}, 600};
-  bool as_profile = false;
-  double tolerance = usual_tolerance;
+  bool as_profile = false;             ///< whether `table` is the profile
+  double tolerance = usual_tolerance;  ///< of the end states, relative
 
+  /// Declares them with wells and contacts of any name.
   void parameters(Parameters& p);
 
   /**
   A command first computes, and then tells what it found in one way or the other. */
   struct Found {
-    Impact impact;  ///< on a chain that has a length
-    Refined<ImpactRun> runs;
+    Impact impact;            ///< on a chain that has a length
+    Refined<ImpactRun> runs;  ///< that agree to the tolerance
   };
   /// Both runs. Throws RefinementFailed, FarEndReached, and Failure if a bead runs away.
   Found find() const;
@@ -43,6 +44,7 @@ struct OneImpact {
   Table quantities(const Found& found) const;
   /// The state at the end, bead by bead.
   Table profile(const Found& found) const;
+  /// What the program prints.
   Table table() const;
 };
 

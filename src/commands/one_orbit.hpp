@@ -31,11 +31,14 @@ std::pair<double, double> phase_and_rest(const Shooting<T>& problem, const Orbit
 /// The command: which orbit, in two precisions, its tables.
 struct OneOrbit {
   static constexpr Title title{"orbit", "one exact travelling breather"};
-  std::size_t k = 1, reach = usual_reach;
-  std::string sign = "plus";
-  double s = 0, near = 0;
-  bool as_profile = false;
+  std::size_t k = 1;                ///< oscillations per site of an orbit of type I
+  std::size_t reach = usual_reach;  ///< sites on either side of the centre
+  std::string sign = "plus";        ///< or minus, of the central velocity at t = 0
+  double s = 0;                     ///< anharmonicity of the wells
+  double near = 0;                  ///< a shift time instead of k and s; 0: not given
+  bool as_profile = false;          ///< whether `table` is the profile
 
+  /// Declares them.
   void parameters(Parameters& p);
 
   /**
@@ -52,6 +55,7 @@ struct OneOrbit {
   Table quantities(const Found& found) const;
   /// The orbit at t = 0, in the wider type and rounded to double.
   Table profile(const Found& found) const;
+  /// What the program prints.
   Table table() const;
 };
 

@@ -15,7 +15,7 @@ The checksum of checksum.hpp is that of the standard FIPS 180-4, whose examples 
 namespace lattice {
 
 /**
-The constants are the first 32 binary digits behind the point of the square roots of the first eight primes,
+The constants are the first 32 binary digits after the point of the square roots of the first eight primes,
 from which the state starts, and of the cube roots of the first sixty-four, one for each round. A `double`
 has digits enough for them. */
 namespace sha256 {

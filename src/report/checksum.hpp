@@ -27,6 +27,7 @@ std::string table_checksum(std::istream& in);
 
 /**
 Whoever reads tables asks first whether they are what the program wrote. */
+/// Name of the list.
 constexpr const char* checksums_name = "SHA256SUMS";
 
 /// The checksum of every name in the list of `folder`; empty if there is no list.

@@ -17,14 +17,14 @@ namespace lattice {
 
 /// Parameters under the name of a command; the program itself has them under no name.
 struct Offer {
-  std::string name, meaning, note{};
+  std::string name, meaning, note{};  ///< the note is the last line of its help
   Parameters parameters{};
 };
 
 /// What was asked for: the offer that was chosen, or its help, or the version.
 struct Asked {
   enum class What { run, help, version } what = What::run;
-  Offer* of = nullptr;
+  Offer* of = nullptr;  ///< one of the offers
 };
 
 /// Reads `words`, which do not contain the name of the program, into the variables of the chosen offer, the

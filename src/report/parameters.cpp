@@ -133,7 +133,7 @@ Option& Parameters::add(const std::string& name, bool& value, const std::string&
       {name, meaning, "", Option::Takes::flag, {}, [&value](const std::string&) { value = true; }});
 }
 
-/// Keeps an option, whose default may stand in its meaning.
+/// Keeps an option, whose default may be given at the end of its meaning.
 Option& Parameters::keep(Option parameter) {
   const std::string mark = " (default: ";
   std::string& meaning = parameter.meaning;

@@ -38,8 +38,8 @@ struct UsageError : std::runtime_error {
 /**
 A check is told what was typed and answers with a complaint, or with nothing. */
 struct Check {
-  std::function<std::string(const std::string&)> complaint;
-  std::string allowed;  ///< as help and complaints show it
+  std::function<std::string(const std::string&)> complaint;  ///< empty if there is none
+  std::string allowed;                                       ///< as help and complaints show it
 };
 
 /// Numbers in [least, most], in the given unit.
@@ -62,8 +62,8 @@ std::optional<double> typed_number(std::string_view text);
 
 /**
 An option is what help, complaints and headers know of a parameter. A default that is no plain value, such as
-a length that follows from another parameter, stands in the meaning, `(default: as long as needed)`, and is
-shown and recorded like all the others. */
+a length that follows from another parameter, is given at the end of the meaning, `(default: as long as needed)`, and
+is shown and recorded like all the others. */
 class Option {
  public:
   enum class Takes { flag, number, text };
@@ -71,12 +71,13 @@ class Option {
   std::string name, meaning, standard;  ///< `standard` is the default as help shows it
   Takes takes = Takes::text;
   Check check{};
-  std::function<void(const std::string&)> take{};
-  std::vector<std::string> old_names{}, rivals{};
-  std::optional<std::string> typed{};
+  std::function<void(const std::string&)> take{};  ///< hands a checked value to the variable
+  std::vector<std::string> old_names{}, rivals{};  ///< see `formerly` and `excludes`
+  std::optional<std::string> typed{};              ///< the value as it was typed; empty for a flag
 
-  /// Whether it was typed, and whether `word` is its name or an earlier one.
+  /// Whether it was typed.
   bool given() const { return typed.has_value(); }
+  /// Whether `word` is its name or an earlier one.
   bool called(const std::string& word) const;
 
   /// What help and header show instead of the value of the variable.
@@ -133,8 +134,11 @@ class Parameters {
 
   /**
   The reader of the line (command_line.hpp) looks a name up and tells when the line is complete. */
+  /// The option of this name, present or earlier; null if there is none.
   Option* find(const std::string& name);
+  /// Makes the calls of `when_read`. They may throw UsageError.
   void finish() const;
+  /// The options in the order in which they were added.
   const std::deque<Option>& all() const { return all_; }
   /// The names with their dashes, separated by commas.
   std::string names() const;

@@ -147,8 +147,8 @@ Provenance provenance(const Program& program, const std::string& command, const 
 /**
 ## What a run costs
 
-Whoever asks for help wants to know how long a full run takes. The time was measured and stands in the
-index of the figures, and nowhere else: it is read from there if the program is called where it was built. */
+Whoever asks for help wants to know how long a full run takes. The measured time is in the index of the
+figures and nowhere else: it is read from there if the program is called where it was built. */
 std::string full_run_takes(const std::string& program) try {
   std::filesystem::path folder = executable().parent_path();
   while (!std::filesystem::exists(folder / "figures/figures.ecsv")) {

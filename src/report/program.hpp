@@ -4,7 +4,7 @@
 
 Every chapter is a program with the same manners. Without a command it computes everything its section
 shows and writes tables to `--out`; a command computes one thing with the reader's parameters and prints a
-table. What they share stands here: provenance, results, errors and exit codes.
+table. What they share is in this file: provenance, results, errors and exit codes.
 
 Bad input ends with exit code 2 and one line that names the option, the value and what is allowed. A
 computation that does not deliver what it promised ends with exit code 1. In neither case is a file left
@@ -77,13 +77,13 @@ struct Results {
                number("error", "absolute error estimated from two resolutions"),
                label("unit", "unit of value and error; claim for yes or no"),
                label("kind", "estimate, or exact where nothing could be different (error 0)")}};
-  std::vector<std::string> makers{};
+  std::vector<std::string> makers{};  ///< a function for every row
 
   /// A number with its error; throws Failure unless both are finite, the error is no less than
   /// zero and the claim has no answer yet.
   void add(const std::string& id, const Estimate& e, const std::string& unit = "",
            const Origin& origin = Origin::current());
-  /// Yes or no.
+  /// Yes or no; throws Failure if the claim has an answer already.
   void claim(const std::string& id, bool holds, const Origin& origin = Origin::current());
 };
 
@@ -108,6 +108,7 @@ A full run writes several tables that belong together. They are kept until the l
 so that a run that fails leaves no half of a set, and all carry the same header. */
 class Output {
  public:
+  /// Nothing is written to `folder` before `finish`.
   Output(std::filesystem::path folder, Provenance provenance)
       : folder_(std::move(folder)), provenance_(std::move(provenance)) {}
 
@@ -136,9 +137,9 @@ The parts of a chapter write the tables of their figures, answer their claims an
 numbers among the `facts`, from which text and captions quote. */
 struct Report {
   Output& output;
-  bool quick;
-  Results results{};
-  Quantities facts{};
+  bool quick;          ///< whether the run has coarse parameters
+  Results results{};   ///< answers to claims
+  Quantities facts{};  ///< everything else that may be quoted
 
   /// A new table of the output, to be filled.
   Table& table(const std::string& name, const Columns& columns) {
@@ -149,8 +150,8 @@ struct Report {
 /**
 A yes-or-no statement of the article is decided by a criterion (criterion.hpp). The answer goes to the
 results, and every condition with its margin to the facts, so that no verdict stands alone. */
-/// Answers claim `id`. The facts are named after the part of the id behind its dot, followed by the name of
-/// the condition.
+/// Answers claim `id`. The facts are named after the part of the id that follows its dot, with the name of the
+/// condition appended.
 void judge(Report& report, const std::string& id, const Criterion& criterion,
            const Origin& origin = Origin::current());
 

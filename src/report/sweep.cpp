@@ -124,7 +124,7 @@ std::vector<std::filesystem::path> Sweep::files() const {
 
 /**
 Rows come back as they went, bit for bit. */
-/// Takes over all whole rows that stand under our key.
+/// Takes over all whole rows under our key.
 void Sweep::collect() {
   for (const auto& path : files()) {
     std::ifstream in(path);

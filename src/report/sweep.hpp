@@ -28,6 +28,7 @@ namespace lattice {
 /// The points i with i = index - 1 modulo count.
 struct Part {
   std::size_t index = 1, count = 1;
+  /// Whether point `i`, from 0, belongs to it.
   bool holds(std::size_t i) const { return i % count == index - 1; }
 };
 
@@ -42,6 +43,7 @@ A sweep is told how its columns look, how many points there are, and everything 
 depends, as one line of text. */
 class Sweep {
  public:
+  /// Takes over the rows that wait in `folder`, if that is not empty; `name` is in the names of its files.
   Sweep(std::filesystem::path folder, std::string name, const Columns& columns, std::size_t points,
         const std::string& parameters);
 

@@ -46,10 +46,13 @@ struct Column {
 };
 
 /**
-A table should explain itself, so no column can be made without a description. There are columns of
-numbers, of counts and of texts; the unit is empty if the quantity is dimensionless. */
+A table should explain itself, so no column can be made without a description. The unit is empty if the
+quantity is dimensionless. */
+/// A column of real numbers.
 Column number(std::string name, std::string description, std::string unit = "");
+/// A column of whole numbers.
 Column count(std::string name, std::string description, std::string unit = "");
+/// A column of texts.
 Column label(std::string name, std::string description);
 
 /// Columns one after the other; a list of them may hold single columns and other lists.
@@ -121,6 +124,7 @@ struct Table {
     const auto row = [&](std::size_t i) { return Cells(of(*std::next(std::begin(items), i))); };
     fill_rows(std::size(items), row, done);
   }
+  /// The same for the rows `of(i)`, i < count.
   void fill_rows(std::size_t count, const std::function<Cells(std::size_t)>& of,
                  const std::string& done);
 
@@ -129,16 +133,17 @@ struct Table {
 
   /**
   Tests and programs read columns by name, as the scripts of the figures do. Counts are converted if
-  numbers are asked for. Throws std::out_of_range if there is no such column. */
+  numbers are asked for. Both throw std::out_of_range if there is no such column. */
+  /// The numbers or counts of column `name`; throws std::bad_variant_access if it holds texts.
   std::vector<double> numbers(const std::string& name) const;
-
-  /// The texts of column `name`.
+  /// The texts of column `name`; throws std::bad_variant_access if it holds none.
   std::vector<std::string> texts(const std::string& name) const;
 };
 
 /**
 Numbers become text and text becomes numbers here and nowhere else, whatever language the machine is set
-to: 17 significant digits restore every bit, and `nan` stands where there is no value. */
+to: 17 significant digits restore every bit, and a missing value is `nan`. */
+/// The number with 17 significant digits.
 std::string number_text(double x);
 
 /// The fewest digits that restore `x`, for people to read.
@@ -151,17 +156,17 @@ std::optional<double> parse_number(std::string_view text);
 A table becomes a text and a text becomes a table: other ECSV files are read too if their columns are
 described on one line each. */
 
-/// Throws std::invalid_argument if a text of the table has a line break.
+/// The text of a table. Throws std::invalid_argument if a text in it has a line break.
 std::string to_text(const Table& table);
 
-/// Throws std::runtime_error for a row or cell that does not fit.
+/// The table of a text. Throws std::runtime_error for a row or cell that does not fit.
 Table from_text(std::istream& in);
 
 /**
 A reader must never find half a file, so `text` is written under a temporary name and the file renamed. If
 `path` is not an ordinary file (a device, a pipe) it is written to directly. */
 
-/// Throws std::runtime_error on failure and leaves nothing behind.
+/// Writes `text` to `path`. Throws std::runtime_error on failure and leaves nothing behind.
 void write_whole(const std::filesystem::path& path, const std::string& text);
 
 /// Writes a table; throws like `to_text` and `write_whole`.

@@ -47,6 +47,7 @@ struct MeanForces {
 /**
 The integrator returns one long vector: positions, velocities, integrals of the pushes and of the forces of
 the wells. Here it is taken apart again. */
+/// The means over `duration` from such a vector for `n` sites.
 MeanForces averages(const std::vector<double>& x, std::size_t n, double duration);
 
 /**

@@ -3,7 +3,8 @@
 # Choosing a breather on the command line
 
 A breather is named by its centre, its frequency, the well of the beads and, around a bond, the phase at
-$t = 0$; how many sites it needs follows from that. Who names a chain length as well gets that chain, or is told why not. */
+$t = 0$; how many sites it needs follows from that. If the reader names a chain length as well, it is taken or
+refused with the reason. */
 
 #include <string>
 
@@ -21,20 +22,24 @@ struct ChosenBreather {
   std::size_t sites = 0;  ///< 0: as many as needed
   Well onsite = Quartic{};
 
-  /// The options that ask for a breather, each alone, since not every command has them all.
+  /// The options that ask for a breather, one function each, since not every command has them all: `--centre`,
   void add_centre(Parameters& p) {
     p.add("centre", centre, "where the breather is centred",
           {{"site", Centre::site}, {"bond", Centre::bond}});
   }
+  /// `--omega`,
   void add_omega(Parameters& p) { p.add("omega", omega_b, "frequency omega_b > 1", {1.0001, 3}); }
+  /// both of them,
   void parameters(Parameters& p) {
     add_centre(p);
     add_omega(p);
   }
+  /// `--phase`,
   void add_phase(Parameters& p) {
     p.add("phase", phase, "central contact of a bond-centred breather at t = 0",
           {{"compressed", Phase::compressed}, {"stretched", Phase::stretched}});
   }
+  /// and `--onsite` with the parameters of the wells.
   void add_well(Parameters& p) { add_holding_well(p, onsite, "there is no breather"); }
 };
 

@@ -58,7 +58,7 @@ one (floquet.hpp), but symmetry separates the two. Around a bond a shift along t
 $n \to 1-n$ and a shift in time is odd. Around a site half a period followed by $y_n \to -y_{-n}$ leaves
 a shift in time alone and reverses one along the chain. `basis` holds the directions that are left. */
 struct PeriodMap {
-  Matrix<double> A, B, basis;
+  Matrix<double> A, B, basis;  ///< the basis column by column
 };
 
 /// A, B and the basis: of one period around a bond, of half a period and the reflection around a site.

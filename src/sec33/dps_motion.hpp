@@ -38,13 +38,14 @@ be compared with runs of the whole equation. */
 /// A breather with its pinning pair, whose sign is such that a shift x > 0 goes to larger n.
 struct PinnedBreather {
   Centre centre;
-  double mu;
-  Field u;
-  PinningPair pair;
-  double shift;  ///< g: how far the centre moves, in sites, for a unit of x
+  double mu;         ///< its frequency
+  Field u;           ///< its profile, real
+  PinningPair pair;  ///< with that sign
+  double shift;      ///< g: how far the centre moves, in sites, for a unit of x
 
-  /// The breather of frequency `frequency` on `sites` sites, or that of a state.
+  /// The breather of frequency `frequency` on `sites` sites.
   PinnedBreather(Centre c, double frequency, std::size_t sites);
+  /// The breather that has been computed already.
   explicit PinnedBreather(const Stationary<double>& state);
 
   /// The push at which a pendulum passes the site beside its bond.
@@ -107,14 +108,14 @@ double bisect_push(const PinnedBreather& bond, const Accuracy& accuracy, int ste
 /**
 ## Breathers under noise
 
-The article adds uniformly distributed noise to the breather. For complex numbers this is not definite: the
-noise may be complex or real, of both signs or positive, absolute or a share of
-$u_n$. The difference matters, since a push counts far more than a shift, so the kind of noise is a
-parameter. One seed gives the same perturbation on every machine. */
+The article adds uniformly distributed noise to the breather. For complex numbers this is not definite: the noise may
+be complex or real, of both signs or positive, absolute or a share of $u_n$. The difference matters, since a push
+counts far more than a shift, so the kind of noise is a parameter. One seed gives the same perturbation on every
+machine. */
 struct Noise {
   const char* name;
-  bool imaginary, positive, relative;
-  double amplitude;
+  bool imaginary, positive, relative;  ///< complex; of positive parts only; as a share of u_n
+  double amplitude;                    ///< the largest of either part
 
   /// Noise for every site of the breather `u`.
   Field operator()(const Field& u, std::size_t seed) const;
@@ -145,7 +146,7 @@ The speed of a trial is the mean over the first site that its breather crosses a
 departure that has not happened counts as infinitely late, so that the median is not biased by the end of
 the run. */
 struct Census {
-  std::size_t left = 0, moved = 0;
+  std::size_t left = 0, moved = 0;             ///< trials, by those definitions
   std::vector<double> departures{}, speeds{};  ///< sorted; a departure that is missing is infinite
 
   /// The median departure.

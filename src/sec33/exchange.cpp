@@ -91,13 +91,13 @@ double quick_kappa(Centre centre, const Spot& spot, Orbit<double>& orbit,
 }
 
 // Regula falsi for the sign change of kappa, each orbit followed from the one before
-Exchange exchange_between(Centre centre, const Cut& cut, Trial_kappa low, Trial_kappa high,
+Exchange exchange_between(Centre centre, const Cut& cut, TrialKappa low, TrialKappa high,
                           Orbit<double> orbit, double close, const NewtonRule<double>& how) {
-  Trial_kappa last = low;
+  TrialKappa last = low;
   double slope = (high.kappa - low.kappa) / (high.p - low.p), step = high.p - low.p;
   for (int k = 0, stays = 0; k < 30 && step > close; ++k) {
     const double p = low.p - low.kappa * (high.p - low.p) / (high.kappa - low.kappa);
-    const Trial_kappa now{p, quick_kappa(centre, cut.at(p), orbit, how)};
+    const TrialKappa now{p, quick_kappa(centre, cut.at(p), orbit, how)};
     // Two trials give a slope only if they are far enough apart to rise above rounding
     if (std::abs(now.p - last.p) > 1e-4) slope = (now.kappa - last.kappa) / (now.p - last.p);
     const int side = (now.kappa > 0) == (high.kappa > 0) ? 1 : -1;
@@ -126,8 +126,8 @@ Exchange polish_zero(Centre centre, const Cut& cut, Exchange found) {
 // Opposite signs of kappa at the two ends: in between the breather changes its stability
 template <class T>
 Exchange exchange(Centre centre, const Cut& cut, double low, double high, Orbit<double> orbit) {
-  const Trial_kappa below{low, quick_kappa(centre, cut.at(low), orbit)};
-  const Trial_kappa above{high, quick_kappa(centre, cut.at(high), orbit)};
+  const TrialKappa below{low, quick_kappa(centre, cut.at(low), orbit)};
+  const TrialKappa above{high, quick_kappa(centre, cut.at(high), orbit)};
   if (below.kappa * above.kappa >= 0)
     throw NoBranch("no exchange of stability between the two values");
   return polish_zero<T>(centre, cut, exchange_between(centre, cut, below, above, orbit, 1e-5));

@@ -32,6 +32,7 @@ a check. */
 struct Spot {
   double omega_b = 1.1, s = 0;
 };
+/// The problem of a breather in quartic wells at that place of the plane.
 inline Shooting<double> problem_at(Centre centre, const Spot& spot, std::size_t more = 0) {
   return breather_problem(centre, spot.omega_b, spot.s, sites_of(centre, Length::shortest) + more);
 }
@@ -47,6 +48,7 @@ a factor of 16, and the coarser one has to find the orbit again from a point bes
 struct Spectrum {
   std::vector<Pair> pairs;
   Vector<double> mode;  ///< of the pinning pair, positions at t = 0
+  /// That of the pinning pair.
   Estimate kappa() const { return {pairs.front().kappa.real(), pairs.front().error}; }
 };
 
@@ -103,8 +105,9 @@ Criterion bond_alone_stable(const Estimate& site, const Estimate& bond);
 
 A cut runs along $s$ at fixed $\omega_b$, or along $\omega_b$ at fixed $s$. */
 struct Cut {
-  bool along_s = true;
-  double fixed = 1.1;
+  bool along_s = true;  ///< or along omega_b
+  double fixed = 1.1;   ///< the other one of the two
+  /// The place on the cut with this parameter.
   Spot at(double p) const { return along_s ? Spot{fixed, p} : Spot{p, fixed}; }
 };
 
@@ -121,22 +124,23 @@ double quick_kappa(Centre centre, const Spot& spot, Orbit<double>& orbit,
 
 /**
 The search needs $\kappa$ at both ends of a bracket and an orbit nearby, which Newton's method follows from
-one trial to the next. An end of the bracket that stays has its value halved, so that it cannot stay for
-ever. The slope is that between the last two trials that are at least $10^{-4}$ apart; closer ones would
+one trial to the next. An end of the bracket that stays has its value halved, so that it cannot stay
+forever. The slope is that between the last two trials that are at least $10^{-4}$ apart; closer ones would
 show rounding. */
-struct Trial_kappa {
-  double p, kappa;
+struct TrialKappa {
+  double p, kappa;  ///< the parameter on the cut, and what was found there
 };
 
 /// The zero between two ends where kappa has opposite signs. The search ends when a step is shorter than
 /// `close`; the error is the last step.
-Exchange exchange_between(Centre centre, const Cut& cut, Trial_kappa low, Trial_kappa high,
+Exchange exchange_between(Centre centre, const Cut& cut, TrialKappa low, TrialKappa high,
                           Orbit<double> orbit, double close, const NewtonRule<double>& how = {});
 
 /**
 The last step is made with the wider type, from a point that double precision has brought as close as its
 rounding allows. The error of the zero is that of $\kappa$ over the slope, plus a hundredth of the step,
 because the slope is known no better than that. */
+/// The zero after that step, with its error. Throws NewtonFailed.
 template <class T>
 Exchange polish_zero(Centre centre, const Cut& cut, Exchange found);
 

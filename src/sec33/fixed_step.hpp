@@ -26,8 +26,8 @@ the same place within a step, in every period. */
 struct FixedStep {
   Chain chain;
   Nystrom method;
-  std::size_t steps = 0;
-  double period = 0;
+  std::size_t steps = 0;  ///< in a period
+  double period = 0;      ///< of the breather
 };
 
 /// Carries `state` over `count` periods.
@@ -52,13 +52,13 @@ A shift along the chain hardly violates the equations. Where they cannot be met,
 that direction; `rank` (linear.hpp) leaves it alone. */
 struct MapBreather {
   State<double> start;
-  double residual = 0, variation = 0;
+  double residual = 0, variation = 0;  ///< by how much it fails to close, and the last step
 };
 
 /// How the equations are solved: `increment` of the difference quotients, exact derivatives if zero.
 struct GaussNewton {
   int iterations = 5;
-  double increment = 0, rank = 0;
+  double increment = 0, rank = 0;  ///< the rank as in linear.hpp
 };
 
 /// Five iterations, as printed, or as many as `how` says; whether they converge is the question.

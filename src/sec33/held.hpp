@@ -36,15 +36,17 @@ struct Held {
   T centre{};            ///< Q, in sites from the middle of the chain
   double change = 1e-5;  ///< of the central difference in the parameter, see `differentiate`
 
-  /// What newton.hpp asks of a problem; `start` is the chain at rest at t = 0.
   std::string name() const { return "breather held at a centre"; }
   std::size_t sites() const { return problem.chain.sites; }
+  /// The problem with the parameter among the unknowns.
   Shooting<T> at(const Vector<T>& x) const { return along.at(problem, x[x.size() - 1]); }
+  /// The chain at rest at t = 0.
   State<T> start(const Vector<T>& x) const {
     State<T> state(sites());
     for (std::size_t n = 0; n < sites(); ++n) state.y[n] = x[Eigen::Index(n)];
     return state;
   }
+  /// What newton.hpp asks of a problem.
   Sizes<T> sizes(const Vector<T>& x, bool graded) const;
   Shot<T> shoot(const Vector<T>& x, const EventTolerance<T>& rule, bool with_jacobian = true) const;
 

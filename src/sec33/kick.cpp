@@ -29,17 +29,13 @@ double breather_place(const std::vector<double>& e) {
   return energy_centre(e, peak) - 0.5 * double(e.size() + 1);
 }
 
-/**
-Distances, speeds and the trust that a run deserves are read off a path. `farthest` is the largest distance
-from the start, in either direction. */
+// Distances, speeds and the trust that a run deserves are read off a path
 double Creep::farthest() const {
   double far = 0;
   for (std::size_t k = 0; k < X.size(); ++k) far = std::max(far, std::abs(moved(k)));
   return far;
 }
 
-/// Slope of X between two times, with the error of the fit; throws std::invalid_argument if fewer
-/// than three means lie there.
 Estimate Creep::speed(double from, double to) const {
   std::vector<double> ts, xs;
   for (std::size_t k = 0; k < t.size(); ++k)
@@ -47,8 +43,6 @@ Estimate Creep::speed(double from, double to) const {
   return fit_line(ts, xs).estimate();
 }
 
-/// `distance` over the time that it takes from mean `start` on, interpolated between two means. Throws
-/// std::runtime_error if the path does not lead so far.
 double Creep::mean_speed(double distance, std::size_t start) const {
   for (std::size_t k = start + 1; k < t.size(); ++k) {
     const double now = std::abs(X[k] - X[start]), before = std::abs(X[k - 1] - X[start]);
@@ -60,10 +54,7 @@ double Creep::mean_speed(double distance, std::size_t start) const {
                            " sites");
 }
 
-/**
-A run says something about a kick only if the energy that the integration gains or loses is far below that
-of the kick. `drift_margin` is $c^2/2$ over this drift, which `run` gives relative to the breather's
-`energy`. */
+// `run` gives its drift relative to the breather's energy
 double Creep::drift_margin(double c, double energy) const {
   return c * c / 2 / energy / run.energy_drift;
 }

@@ -54,21 +54,29 @@ struct Creep {
   State<double> end{};
   Run run{};
 
-  /// Sites moved from the first mean to mean `k`, and to the last.
+  /// Sites moved from the first mean to mean `k`.
   double moved(std::size_t k) const { return X[k] - X[0]; }
+  /// Sites moved from the first mean to the last; zero without means.
   double travelled() const { return X.empty() ? 0 : moved(X.size() - 1); }
+  /// The largest distance from the first mean, in either direction.
   double farthest() const;
+  /// Slope of X between two times, with the error of the fit. Throws std::invalid_argument if fewer than
+  /// three means lie there.
   Estimate speed(double from, double to) const;
+  /// `distance` over the time that it takes from mean `start` on, interpolated between two means. Throws
+  /// std::runtime_error if the path does not lead so far.
   double mean_speed(double distance, std::size_t start = 0) const;
+  /// The energy of a kick, c^2/2, over the energy that the integration gained or lost; `energy` is the
+  /// breather's. Below a hundred or so the run says nothing about the kick.
   double drift_margin(double c, double energy) const;
 };
 
 /**
 The samples of eleven periods are added up to one mean of $X$. */
 struct MeanPlace {
-  Creep path{};
-  double sample, sum = 0;
-  std::size_t samples = 0;
+  Creep path{};             ///< the means so far
+  double sample, sum = 0;   ///< time between two samples; of the places since the last mean
+  std::size_t samples = 0;  ///< seen in all
 
   /// Whether `now` completes a mean.
   bool add(const State<double>& now, const std::vector<double>& e) {

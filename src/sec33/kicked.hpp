@@ -29,8 +29,8 @@ To begin with we need a breather at rest on a chain that holds it, in harmonic w
 struct RestingBreather {
   Centre centre = Centre::bond;
   Chain chain{};
-  State<double> rest{};
-  double period = 0, energy = 0;
+  State<double> rest{};           ///< at the instant at which all beads are at rest
+  double period = 0, energy = 0;  ///< of the breather before the kick
 
   /// The path after a kick of size `c`, until `watch` stops it or `time` is over.
   template <class Stepper, class Watch>
@@ -58,7 +58,9 @@ carries it over the barrier follows from the two (depinning.hpp). The error come
 the tangent map and from the barrier. If the breather is unstable any kick moves it, and there is neither
 a frequency nor a threshold. */
 struct Prediction {
-  Estimate threshold{}, share{}, frequency{}, barrier{};
+  Estimate threshold{}, share{}, frequency{},
+      barrier{};  ///< c_c, phi, Omega, and the barrier at equal area
+  /// Whether there is a threshold.
   bool exists() const { return frequency.value > 0; }
 };
 
@@ -92,7 +94,7 @@ threshold; with the third instead of the second the extrapolation goes from twic
 difference is its error. With the threshold we keep the least margin of the runs: $c^2/2$, the energy of
 the kick, over the energy that the integration lost. */
 struct FreeingKick {
-  Estimate value{};
+  Estimate value{};  ///< c_c
   double margin = std::numeric_limits<double>::infinity();
 };
 

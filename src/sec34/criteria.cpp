@@ -27,11 +27,11 @@ double residue(const std::vector<double>& e, std::size_t peak) {
 }
 
 // The three conditions on a packet that lasts
-Criterion travelling_breather(const Journey& journey) {
-  const Estimate &speed = journey.speed_change, &energy = journey.energy_change;
+Criterion travelling_breather(const Endurance& packet) {
+  const Estimate &speed = packet.speed_change, &energy = packet.energy_change;
   return {below("speed_change", {std::abs(speed.value), speed.error}, 0.05),
           below("energy_change", {std::abs(energy.value), energy.error}, 0.1),
-          below("residue", journey.residue, 1)};
+          below("residue", packet.residue, 1)};
 }
 
 // How compact a packet is, judged on its undisturbed side by the last site in and the first one out

@@ -26,7 +26,7 @@ energy, since a young packet is still shedding its tail. The front of a linear w
 grows as the cube root of time, passes the first test and fails the second. What stays behind is weak if
 it is weaker than the packet: no window of the same width behind it holds as much energy. The limits are
 ours. */
-struct Journey {
+struct Endurance {
   Estimate speed_change, energy_change;  ///< second half against first half, relative
   Estimate residue;                      ///< largest content of a window behind, over the packet's
 };
@@ -41,8 +41,8 @@ largest energy in a window that is separated from the packet's by at least its w
 packet around `peak`. */
 double residue(const std::vector<double>& e, std::size_t peak);
 
-/// Whether the packet of a journey is a travelling breather, in three conditions.
-Criterion travelling_breather(const Journey& journey);
+/// Whether a packet is a travelling breather, in three conditions.
+Criterion travelling_breather(const Endurance& packet);
 
 /**
 The article says that a packet is mainly supported by seven sites. How many there are depends on where one
@@ -110,8 +110,8 @@ kinds, all breathers lie below all that is certain to be a kink, and so few velo
 that no third regime can hide among them: we allow a twentieth of the scan. */
 struct Transition {
   std::size_t breathers, kinks;  ///< velocities below the last breather and from the first kink on
-  double last_breather, first_kink;
-  double undecided;  ///< share of the scan
+  double last_breather, first_kink;  ///< impact velocities
+  double undecided;                  ///< share of the scan
 };
 
 /// Whether a scan of impact velocities shows the transition.

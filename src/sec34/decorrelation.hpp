@@ -49,7 +49,7 @@ double decorrelation_time(
 
 /**
 This time is a number like any other: it depends on the steps of the two runs, and has an error. */
-/// The time of parting, from two pairs of runs with different steps. A parting is noticed up to
+/// The decorrelation time, from two pairs of runs with different steps. A parting is noticed up to
 /// `look_every` late, which is added to the error; `nan` if there was none.
 Estimate decorrelation_of(double coarse, double fine);
 

@@ -186,7 +186,7 @@ struct Gauge {
   Inside sum{};
   double samples = 0, begin = 0;
 
-  void operator()(const Sight& now);
+  void operator()(const Sight& seen);
   void look_for_zero(double pattern, double t);
   void finish(double t);
 };

@@ -48,6 +48,7 @@ struct Sight {
   std::size_t shift;
   double dissipated;
 };
+/// Sees the chain; false ends the run.
 using Observer = std::function<bool(const Sight&)>;
 
 /**
@@ -67,6 +68,8 @@ What becomes of such a packet in a long time? It *returns* if its mean over the 
 back by five sites, the criterion of turning.hpp. Of the others one is *caught* if it moves by less than a site
 in the last tenth of the time, and the rest *go on*. */
 enum class Late : std::int64_t { goes_on, returns, caught };
+
+/// What became of one packet.
 struct LateFate {
   Late late = Late::goes_on;
   double furthest = 0;  ///< mean centre of the way out
@@ -96,7 +99,7 @@ time; so is $\sum\dot y_n^2$ over its sites, which times the period is its area 
 read from the upward zeros of $\sum(-1)^n y_n$ over the packet, since neighbours in a breather have opposite signs;
 the alternating sign cancels long waves that run through it and would shift the zeros of a single site. */
 struct Inside {
-  double t = 0, site = 0, energy = 0, area = 0, omega = 0;
+  double t = 0, site = 0, energy = 0, area = 0, omega = 0;  ///< t: middle of the stretch
 };
 
 /// The inside of a packet, stretch by stretch.

@@ -2,15 +2,14 @@
 /**
 # The mode of a defect
 
-In section 3.6 a cantilever with other beads reflects a breather, and some of the energy stays with it. If
-the defect is light, $\mu < 1$, it is an oscillator of the frequency $\mu^{-1/2} > 1$, faster than its
-neighbours. From this frequency a family of localized periodic orbits begins, as from $\omega_b = 1$ in the
-chain without a defect. Newton's method follows it from a guess in which the defect alone moves. Its
-amplitude $a$ is that at which its two contacts, which together push back with $\eta\,|y|^{1/2}y$, raise
-the frequency to $\omega_b$. The first harmonic of this force, with the factor
-$\frac1\pi\int_0^{2\pi}|\cos\theta|^{5/2}d\theta \approx 0.915$, gives
-$\mu\,\omega_b^2 \approx 1 + 0.915\,\eta\sqrt a$. We demand evenness in time only; that the mode has the
-mirror symmetry of the defect is then a result. */
+In section 3.6 a cantilever with other beads reflects a breather, and some of the energy stays with it. If the defect
+is light, $\mu < 1$, it is an oscillator of the frequency $\mu^{-1/2} > 1$, faster than its neighbours. From this
+frequency a family of localized periodic orbits begins, as from $\omega_b = 1$ in the chain without a defect.
+Newton's method follows it from a guess in which the defect alone moves. Its amplitude $a$ is that at which its two
+contacts, which together push back with $\eta\,|y|^{1/2}y$, raise the frequency to $\omega_b$. The first harmonic of
+this force, with the factor $\frac1\pi\int_0^{2\pi}|\cos\theta|^{5/2}d\theta \approx 0.915$, gives
+$\mu\,\omega_b^2 \approx 1 + 0.915\,\eta\sqrt a$. We demand evenness in time only; that the mode has the mirror
+symmetry of the defect is then a result. */
 
 #include <algorithm>
 #include <cmath>
@@ -50,7 +49,7 @@ std::vector<double> mean_density(const Shooting<double>& problem, const Orbit<do
 Whether what stays at the defect in a run is this mode is seen from how the energy is distributed over the
 nine sites around the defect, as shares of their sum. */
 struct Profile {
-  std::vector<double> run, mode;
+  std::vector<double> run, mode;  ///< nine shares each
 
   /// One if both are equal, zero if they share no site.
   double overlap() const {

@@ -70,7 +70,7 @@ inline void report_scales(Report& report, const StruckArray& blow) {
 The command `scales` prints them for an impact velocity of your choice. */
 struct AllScales {
   static constexpr Title title{"scales", "all constants in SI units"};
-  double velocity = 1;
+  double velocity = 1;  ///< m/s
 
   void parameters(Parameters& p) {
     p.add("velocity", velocity, "impact velocity in m/s", {1e-6, 1e3, "m/s"});

@@ -3,7 +3,7 @@
 namespace lattice {
 
 // Divide the energy among the sites before the defect, the nine around it, and those behind
-Ledger ledger_of(const StruckArray& blow, const std::vector<double>& density) {
+Division division_of(const StruckArray& blow, const std::vector<double>& density) {
   const std::size_t d = blow.array.defect;
   const auto part = [&](std::size_t from, std::size_t to) {
     return std::accumulate(density.begin() + std::ptrdiff_t(from),
@@ -28,28 +28,28 @@ Scattering scatter(const StruckArray& blow, double ratio, ImpactRun run, double 
   const Impact impact = blow.impact(ratio, end, blow.time(end));
   const auto on = [&](double until) {
     go_on(ContactAware{step}, impact, run, blow.time(until));
-    return ledger_of(blow, run.density);
+    return division_of(blow, run.density);
   };
-  const Ledger earlier = on(end - 10);
+  const Division earlier = on(end - 10);
   return {earlier, on(end)};
 }
 
 Fractions fractions(const Workshop& at, double ratio) {
   // Scatter with both steps: the finer gives the shares, its distance from the other the errors
   std::array<Scattering, 2> run;
-  std::array<Ledger, 2> now, net;
+  std::array<Division, 2> now, net;
   for (std::size_t k : {0, 1}) {
     run[k] = scatter(at.blow, ratio, at.start[k], at.steps[k], at.end);
     now[k] = run[k].later;
     net[k] = now[k].net(at.without[k]);
   }
-  const auto both = [](const std::array<Ledger, 2>& l, double Ledger::*of) {
+  const auto both = [](const std::array<Division, 2>& l, double Division::*of) {
     return compare(l[0].*of, l[1].*of);
   };
-  return {both(now, &Ledger::reflected),   both(now, &Ledger::near),
-          both(now, &Ledger::transmitted), compare(run[0].earlier.near, run[1].earlier.near),
-          both(net, &Ledger::reflected),   both(net, &Ledger::near),
-          both(net, &Ledger::transmitted), {now[1].sum() - 1, std::abs(now[0].sum() - 1)}};
+  return {both(now, &Division::reflected),   both(now, &Division::near),
+          both(now, &Division::transmitted), compare(run[0].earlier.near, run[1].earlier.near),
+          both(net, &Division::reflected),   both(net, &Division::near),
+          both(net, &Division::transmitted), {now[1].sum() - 1, std::abs(now[0].sum() - 1)}};
 }
 
 Criterion almost_total(const Estimate& reflected) {
@@ -80,7 +80,7 @@ Stay stay(const StruckArray& blow, double ratio, ImpactRun run, const Resolution
     // The energy near the defect every half millisecond, at the same instants for both steps
     if (time >= 50 + 0.5 * double(out.t.size()) - 1e-6) {
       out.t.push_back(50 + 0.5 * double(out.t.size()));
-      out.near.push_back(ledger_of(blow, density).near);
+      out.near.push_back(division_of(blow, density).near);
       out.before.push_back(window_sum(density, d - 4, 4) / energy_in);
     }
     if (time >= 70 && time <= 80)

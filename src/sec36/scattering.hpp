@@ -29,20 +29,20 @@ energies. */
 namespace lattice {
 
 /// Shares of the impact's energy before, near and behind the defect.
-struct Ledger {
+struct Division {
   double reflected = 0, near = 0, transmitted = 0;
 
   /// One, but for the drift.
   double sum() const { return reflected + near + transmitted; }
   /// What becomes of the energy that passes the defect's place in the run `without` it.
-  Ledger net(const Ledger& without) const {
+  Division net(const Division& without) const {
     const double arriving = 1 - without.reflected;
     return {(reflected - without.reflected) / arriving, near / arriving, transmitted / arriving};
   }
 };
 
 /// Shares of the impact's energy: sites 1 to 95, 96 to 104, and from 105 on if the defect is at 100.
-Ledger ledger_of(const StruckArray& blow, const std::vector<double>& density);
+Division division_of(const StruckArray& blow, const std::vector<double>& density);
 
 /**
 Until the front of the packet arrives the defect is exactly at rest, so all runs that differ in the defect
@@ -51,9 +51,9 @@ move, and checks that the one next to the defect has not. Throws NoPacket if thi
 `patience`, in ms. */
 ImpactRun approach(const StruckArray& blow, double step, double patience = 200);
 
-/// The ledger 10 ms before the end and at the end. `scatter` goes on from `approach` to `end` (ms).
+/// The division 10 ms before the end and at the end. `scatter` goes on from `approach` to `end` (ms).
 struct Scattering {
-  Ledger earlier, later;
+  Division earlier, later;
 };
 
 /// `ratio` is that of the defect's radius to the usual one; throws FarEndReached.
@@ -67,7 +67,7 @@ struct Workshop {
   std::array<double, 2> steps;  ///< in units of tau_c, the larger one first
   double end;                   ///< ms
   std::array<ImpactRun, 2> start{};
-  std::array<Ledger, 2> without{};
+  std::array<Division, 2> without{};
 
   Workshop(const StruckArray& how, const std::array<double, 2>& both_steps, double end_time)
       : blow(how), steps(both_steps), end(end_time) {

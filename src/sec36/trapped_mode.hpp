@@ -66,7 +66,7 @@ std::array<double, 2> misses(const Shooting<double>& problem, const Orbit<double
 }
 
 /**
-In the facts the mode stands beside what the run shows. */
+The facts have the numbers of the mode and those of the run. */
 inline void report_mode(Report& report, const StruckArray& blow, const std::array<Stay, 2>& stays,
                         double ratio) {
   const Estimate share = compare(stays[0].at(75), stays[1].at(75));

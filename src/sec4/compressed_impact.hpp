@@ -56,9 +56,9 @@ crest too, and over 21 sites a broad enough sech fits anything smooth; so the sh
 first. */
 struct Snapshot {
   State<double> state;
-  double centre;
-  Envelope envelope;
-  Sech sech;
+  double centre;      ///< of the packet, in sites from one
+  Envelope envelope;  ///< of the whole chain
+  Sech sech;          ///< fitted around the centre
 };
 
 /// From the snapshots of two runs: a sech explains the envelope.
@@ -89,8 +89,10 @@ struct CompressedRun : ImpactRun {
 /// Steps before and after the settling time.
 struct CompressedSteps {
   double early = 0.1, late = 0.4;
+  /// Both half as long.
   CompressedSteps halved() const { return {early / 2, late / 2}; }
 };
+/// When the methods are changed, in units of time.
 inline constexpr double settling_time = 40;
 
 /**
@@ -107,6 +109,7 @@ way a surface mode keeps its share of the first five sites, while a train thins 
 faster; the line is $-1/2$. A packet that comes back moves backwards for some time: `steadiness` is the
 least advance in any 100 units of time over the mean one, and below a half we say that it returns. */
 struct Traits {
+  /// Shares at the end, of packet and boundary, with their exponents; speed of the centre.
   double share, share_exponent, boundary, boundary_exponent, speed, steadiness;
 
   /// One trait with its error from a coarser run.
@@ -121,8 +124,9 @@ Criterion lasting_breather(const Traits& coarse, const Traits& fine);
 /// A wave train, which keeps energy neither in a packet nor at the boundary.
 Criterion mere_train(const Traits& coarse, const Traits& fine);
 
-/// A packet that returns, and a surface mode: what runs without compression must show.
+/// A packet that returns, which the run without compression in hard wells must show.
 Criterion returning_packet(const Traits& coarse, const Traits& fine);
+/// A surface mode, which the one in soft wells must show.
 Criterion lasting_surface_mode(const Traits& coarse, const Traits& fine);
 
 /**

@@ -35,7 +35,7 @@ nonlinear coefficient decides whether it is stable (nls.hpp). They are computed 
 template <class T>
 struct Phonon {
   T omega, group_velocity, omega_2;
-  /// omega''(q)
+  /// omega''(q).
   T curvature(T v1) const { return v1 * omega_2 / omega; }
 };
 

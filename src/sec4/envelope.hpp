@@ -34,8 +34,8 @@ std::size_t richest(const std::vector<double>& e, std::size_t reach);
 The frequency of the carrier is that of the packet and not of the waves behind it, so it is taken from the
 sites of `range`; with it the amplitude of the velocity is computed everywhere. */
 struct Envelope {
-  double omega = 0;
-  std::vector<double> amplitude{};
+  double omega = 0;                 ///< of the carrier
+  std::vector<double> amplitude{};  ///< of the velocity, one entry per site
 };
 
 /// Frequency of the carrier in `range` and amplitudes of all sites.
@@ -46,6 +46,7 @@ The soliton's form has three parameters: height, centre (sites counted from one)
 not explain of an envelope is the `residual`, the root mean square deviation relative to the height. */
 struct Sech {
   double height = 0, centre = 0, width = 0, residual = 0;
+  /// Its value at site n, counted from one.
   double at(double n) const { return height / std::cosh((n - centre) / width); }
 };
 
@@ -57,6 +58,7 @@ The three parameters follow by the Gauss–Newton method. With $\nabla f$ the de
 with respect to height, centre and width, its matrix $m$ is the sum of $\nabla f\,\nabla f^T$ over the
 sites, its right-hand side $g$ that of $\nabla f\,(a_n - f)$. The matrix has three rows, so Cramer's rule
 will do. */
+/// Of a matrix of three rows.
 double determinant(const double (&t)[3][3]);
 
 /// The step in height, centre and width from `f` on the values in `range`.

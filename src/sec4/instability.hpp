@@ -30,7 +30,7 @@ A comparison belongs to a wavenumber and a compressed chain. According to the NL
 modulation grows at the rate $|h||A|^2$, so the eigenvalue times $\omega|\omega_2|/|A|^2$ is a measured
 $\Phi$ (nls.hpp). This works only for $\Phi > 0$; otherwise the eigenvalues are imaginary. */
 struct PhaseOfWave {
-  double q, d, s;
+  double q, d, s;  ///< wavenumber, compression, anharmonicity
 
   /// What the NLS equation says.
   Coefficients<double> nls() const { return coefficients(q, d, s); }

@@ -107,12 +107,11 @@ inline void report_courses(Report& report, const RingCourse& soft) {
 /**
 ## The run of figure 26
 
-Is this state a fact about the equations or about the integrator? Two runs whose steps differ by a
-factor of two agree to [3e-6](num:sec4_precompression_mi.mi_state_error). We also ask when they
-part, since statements about later times would be statistical: up to
-$t =$ [30000](num:sec4_precompression_mi.mi_agreement_time), where we stop, they do not. So we can also say
-what becomes of the pulse: it is followed, and splits if a second one grows to half of its energy
-(`pre.splitting`). */
+Is this state a fact about the equations or about the integrator? Two runs whose steps differ by a factor of two
+agree to [3e-6](num:sec4_precompression_mi.mi_state_error). We also ask when they part, since statements about later
+times would be statistical: up to $t =$ [30000](num:sec4_precompression_mi.mi_agreement_time), where we stop, they do
+not. So we can also say what becomes of the pulse: it is followed, and splits if a second one grows to half of its
+energy (`pre.splitting`). */
 inline void report_modulated(Report& report) {
   // Two resolutions, and the hard well as the control
   const ModulatedPhonon soft, hard{.s = 1};
@@ -158,8 +157,8 @@ inline void report_modulated(Report& report) {
 /**
 ## What the rings show
 
-On the rings a breather forms in all three wells. For $s = 0$ this takes until
-$t =$ [3.635e4](num:sec4_precompression_mi.gathered_s_0), for $s = 1$ until
+On the rings a breather forms in all three wells. For $s = 0$ this takes until $t =$
+[3.635e4](num:sec4_precompression_mi.gathered_s_0), for $s = 1$ until
 [3.65e3](num:sec4_precompression_mi.gathered_s_1), and for $s = -1/6$ until
 [6.50e3](num:sec4_precompression_mi.gathered_s_minus_1_6). At its narrowest the wave shares its energy among
 [52.5573](num:sec4_precompression_mi.narrowest_s_0), [68.6](num:sec4_precompression_mi.narrowest_s_1) and

@@ -29,8 +29,9 @@ struct ModulatedPhonon {
   double s = -1.0 / 6, d = 0.5, q = std::numbers::pi / 4, a = 0.15, b = 0.01;
   std::size_t sites = 200;
 
-  /// The ring, and the chain's state at t = 0.
+  /// The ring.
   Chain ring() const { return {sites, Quartic{s}, CompressedHertz{d}, Ends::periodic}; }
+  /// Its state at t = 0, Eq. (39).
   State<double> start() const {
     const double pi = std::numbers::pi, omega = phonon(q, contact_series(d).v1).omega;
     State<double> state(sites);
@@ -48,9 +49,10 @@ One long run answers two questions: what becomes of the wave in the end, and whe
 second we follow the packet's centre during the last 60 units of time, about ten oscillations. */
 struct Modulated {
   State<double> end;
-  std::vector<double> density{}, t{}, centre{};
-  double drift = 0;
-  Snapshot shown{};
+  std::vector<double> density{};      ///< of the energy at the end
+  std::vector<double> t{}, centre{};  ///< during the last 60 units of time
+  double drift = 0;                   ///< of the energy, relative
+  Snapshot shown{};                   ///< of the end
 };
 
 /// The run of length `time`, with steps of at most `step`.
@@ -83,8 +85,9 @@ struct RingCourse {
   double gathered = std::nan("");     ///< when the energy has gathered in both,
   std::array<Modulated, 2> packet{};  ///< and what they look like a little later
 
-  /// The least number of sites that share the energy, and the largest density over the mean.
+  /// The least number of sites that share the energy.
   Estimate narrowest() const;
+  /// The largest density over the mean.
   Estimate highest() const;
 };
 
@@ -113,7 +116,7 @@ What has become of the wave is judged by a few numbers: the largest energy densi
 sites share the energy, and the speed of the centre with the error of its fit. */
 struct Formed {
   double peak_over_mean, participation, speed, speed_error;
-  std::size_t sites;
+  std::size_t sites;  ///< of the ring
 };
 
 /// The numbers by which a run is judged.

@@ -33,6 +33,7 @@ equation says about one wavenumber. */
 template <class T>
 struct Coefficients {
   T omega, group_velocity, curvature, beta, omega_2, phi;
+  /// Of Eq. (36).
   T h() const { return beta / omega; }
 };
 

@@ -28,8 +28,9 @@ struct PlaneWave {
   double q = 0, omega = 0;
   std::vector<double> b{};
 
-  /// phi(theta), and its derivative.
+  /// phi(theta).
   double profile(double theta) const;
+  /// Its derivative.
   double slope(double theta) const;
   /// r(theta).
   double relative(double theta) const { return profile(theta + q) - profile(theta); }

@@ -2,13 +2,12 @@
 /**
 # 4.2 An impact on a compressed chain (figures 27 and 28)
 
-In section 3.4 a blow on an uncompressed chain made a packet that travelled away or turned round, and
-in soft wells a surface mode. What does precompression change? This part of the chapter of section 4
-strikes a chain whose contacts are compressed by $d = 1/2$ and answers three claims: in the hard wells
-$s = 1$ a travelling breather forms that has a sech-like envelope and does not turn round
-(`pre.impact_s1`), and in the end it stands on a tail (`pre.tail_both_sides`); for $s = 0$ and $s = -1/6$
-there is a dispersive wave train only (`pre.impact_other`). Equations and symbols are those of sec4_precompression_mi.cpp, whose program
-runs it. */
+In section 3.4 a blow on an uncompressed chain made a packet that travelled away or turned round, and in soft wells a
+surface mode. What does precompression change? This part of the chapter of section 4 strikes a chain whose contacts
+are compressed by $d = 1/2$ and answers three claims: in the hard wells $s = 1$ a travelling breather forms that has
+a sech-like envelope and does not turn round (`pre.impact_s1`), and in the end it stands on a tail
+(`pre.tail_both_sides`); for $s = 0$ and $s = -1/6$ there is a dispersive wave train only (`pre.impact_other`).
+Equations and symbols are those of sec4_precompression_mi.cpp, whose program runs it. */
 
 #include <cmath>
 #include <cstddef>
@@ -50,8 +49,9 @@ struct Experiment {
         impact(compressed_impact(s_, time, 1.87, d_)),
         times(std::move(shown)) {}
 
-  /// What was seen in the coarser and in the finer run.
+  /// What was seen in the coarser run.
   Traits rough() const { return traits(coarse.samples); }
+  /// What was seen in the finer run.
   Traits best() const { return traits(fine.samples); }
   /// The criterion `of` on the traits of both runs; its conditions are named after the experiment.
   Criterion judged(Criterion of(const Traits&, const Traits&)) const {
@@ -123,13 +123,13 @@ inline Estimate sites_of_packet(const Experiment& e, double t) {
 }
 
 /**
-Now the claims can be decided. A breather has to keep its energy and must not return, and at all three times of
-the article its envelope is to be explained by a sech; a wave train keeps energy neither in a packet nor at
-the boundary. If a control comes out wrong, neither claim holds, because the conditions could then not tell
-these outcomes apart. At the last time the packet is to stand on a tail on both sides
-(`pre.tail_both_sides`). Beside the packet without compression, as it turns, this one is to be much less
-localized (`pre.less_localized`): we count the sites that share the energy of either. The facts have what decides, and what justifies the method: the drift of the energy,
-the time of the last open contact, and the velocity of the last bead. */
+Now the claims can be decided. A breather has to keep its energy and must not return, and at all three times of the
+article its envelope is to be explained by a sech; a wave train keeps energy neither in a packet nor at the boundary.
+If a control comes out wrong, neither claim holds, because the conditions could then not tell these outcomes apart.
+At the last time the packet is to stand on a tail on both sides (`pre.tail_both_sides`). Beside the packet without
+compression, as it turns, this one is to be much less localized (`pre.less_localized`): we count the sites that share
+the energy of either. The facts have what decides, and what justifies the method: the drift of the energy, the time
+of the last open contact, and the velocity of the last bead. */
 inline void report_impacts(Report& report) {
   const std::vector<Experiment> all = experiments(report.quick);
   add_tables(report, all);

@@ -31,7 +31,7 @@ namespace lattice {
 
 /// What takes energy out of a chain: the rate nu of the beams, and the time A of the contacts.
 struct Losses {
-  double rate = 0, contact = 0;
+  double rate = 0, contact = 0;  ///< per unit of time, and in units of time
 };
 
 /**
@@ -41,9 +41,11 @@ struct Drive {
   enum class By { nothing, piston, base } by = By::nothing;
   double omega = 1, amplitude = 0, from = 0, ramp = 0;
 
+  /// a at the time `t`.
   double amplitude_at(double t) const {
     return t < ramp ? from + (amplitude - from) * (t / ramp) : amplitude;
   }
+  /// a sin Omega t.
   double displacement(double t) const { return amplitude_at(t) * std::sin(omega * t); }
   /// Force on the first bead, at its position `y`.
   double force(double t, double y) const;
@@ -66,6 +68,8 @@ struct Bench {
 the observer returns false. The result is the largest deviation of energy + losses - work from its value at
 the start, relative to the largest energy that was there or came in. */
 using BenchObserver = std::function<bool(const State<double>&, const Ledger&)>;
+
+/// Carries `state` over the grid; returns that deviation.
 double run_bench(const Bench& bench, State<double>& state, const TimeGrid& grid,
                  const BenchObserver& observe);
 

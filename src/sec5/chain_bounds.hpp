@@ -12,8 +12,9 @@ bounds. */
 
 namespace lattice {
 
-/// 2 / s - 1, the mean of |g|, and pi / (omega s), which no |g| exceeds; s = sin(pi / omega), 1 < omega < 2.
+/// The mean of |g|, 2 / s - 1 with s = sin(pi / omega), 1 < omega < 2.
 Interval<double> mean_of_kernel(const Interval<double>& omega);
+/// pi / (omega s), which no |g| exceeds.
 Interval<double> largest_of_kernel(const Interval<double>& omega);
 
 /**

@@ -40,7 +40,7 @@ struct Fineness {
 struct ChainGuess {
   Centre centre = Centre::site;
   Interval<double> omega{};
-  std::vector<std::vector<double>> c{};
+  std::vector<std::vector<double>> c{};  ///< by contact, then by harmonic
 };
 
 /// The guess from Newton's method (breather.hpp), for omega = numerator / denominator.
@@ -49,11 +49,11 @@ ChainGuess chain_guess(Centre centre, int numerator, int denominator, const Fine
 /**
 ## The residual
 
-The Fourier coefficients of $f = (c_+)^{3/2}$ are computed from $M$ samples. The discrete ones contain those
-at $k+jM$ too. As $f'$ has bounded variation, $|f_k| \le V/(2\pi k^2)$, and integration by parts on each
-interval of contact gives $V \le 3\int c_+^{1/2}|c''|\,d\theta$: of
-$f'' = \frac32c^{1/2}c''+\frac34c'^2c^{-1/2}$ the second term has the integral $-\frac32\int c^{1/2}c''$.
-That bounds both what is folded back and what lies beyond the harmonics of the guess. */
+The Fourier coefficients of $f = (c_+)^{3/2}$ are computed from $M$ samples. The discrete ones contain those at
+$k+jM$ too. As $f'$ has bounded variation, $|f_k| \le V/(2\pi k^2)$, and integration by parts on each interval of
+contact gives $V \le 3\int c_+^{1/2}|c''|\,d\theta$: of $f'' = \frac32c^{1/2}c''+\frac34c'^2c^{-1/2}$ the second term
+has the integral $-\frac32\int c^{1/2}c''$. That bounds both what is folded back and what lies beyond the harmonics
+of the guess. */
 /// sup |F(c)_n| for every contact of the window, and for the first behind it.
 std::vector<double> chain_residuals(const ChainGuess& guess, const Fineness& fineness);
 
@@ -74,6 +74,7 @@ $$\|1-A\,DF(d)\| \le (1+\kappa)(\epsilon+\|B_d-B\|)+\delta\|B\|$$
 in the window. Behind it $A$ is the identity and rows are bounded by $\gamma$ times the stiffness there. */
 class ChainProof {
  public:
+  /// Makes A and bounds it.
   ChainProof(const ChainGuess& guess, const Fineness& fineness);
 
   /// |A F(c)| in the supremum norm.

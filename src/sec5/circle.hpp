@@ -24,7 +24,7 @@ Interval<double> enclosed_cosine(const Interval<double>& x);
 A table of $\cos(2\pi j/M)$ serves all sums. Its entries are numbers of the format, and `error` bounds the
 distance of every one from the true cosine. */
 struct CosineTable {
-  std::vector<double> cosine;
+  std::vector<double> cosine;  ///< entry j belongs to the angle 2 pi j / M
   double error;
 
   /// `count` is a multiple of four.
@@ -48,7 +48,7 @@ struct Sampled {
   double error;
 };
 
-/// sum_k c_k cos(k theta).
+/// sum_k c_k cos(k theta) at the angles of the table.
 Sampled sample(const std::vector<double>& c, const CosineTable& table);
 
 /// The coefficients of cos(k theta), k < count, in the discrete sense: of the sum of M samples.

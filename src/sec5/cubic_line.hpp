@@ -21,16 +21,19 @@ namespace lattice {
 /// c_0 + c_1 x + c_2 x^2 + c_3 x^3 for 0 <= x <= 1.
 using Cubic = std::array<double, 4>;
 
-/// The values of a cubic, of its first and of its second derivative by x, for all x of an interval.
+/// The values of a cubic for all x of an interval.
 Interval<double> value(const Cubic& c, const Interval<double>& x);
+/// Those of its first derivative by x.
 Interval<double> slope(const Cubic& c, const Interval<double>& x);
+/// Those of its second derivative.
 Interval<double> bend(const Cubic& c, const Interval<double>& x);
 
 /// An even function. The number of cells on 2 pi is a power of two.
 struct CubicLine {
-  std::size_t per_turn;
-  std::vector<Cubic> cell;
+  std::size_t per_turn;     ///< cells on 2 pi
+  std::vector<Cubic> cell;  ///< from t = 0 on; zero behind the last
 
+  /// The length h of a cell.
   Interval<double> step() const;
 };
 
@@ -38,9 +41,11 @@ struct CubicLine {
 Multiples of half a cell are angles of a table (circle.hpp). */
 class Angles {
  public:
+  /// For cells of length 2 pi / per_turn.
   explicit Angles(std::size_t per_turn) : table_(2 * per_turn) {}
-  /// cos(j h / 2) and sin(j h / 2).
+  /// cos(j h / 2).
   Interval<double> cosine(std::size_t j) const;
+  /// sin(j h / 2).
   Interval<double> sine(std::size_t j) const { return cosine(j + 3 * (table_.count() / 4)); }
 
  private:
@@ -68,13 +73,15 @@ class ForceIntegrals {
  public:
   ForceIntegrals(const CubicLine& d, const Angles& angles);
 
-  /// C or S between two nodes, 0 <= from <= to.
+  /// C between two nodes, 0 <= from <= to.
   Interval<double> cosine(std::size_t from, std::size_t to) const;
+  /// S likewise.
   Interval<double> sine(std::size_t from, std::size_t to) const;
   /// The integral of d_+^(5/2) over the whole line.
   Interval<double> action() const;
-  /// K * f and its derivative at a node.
+  /// K * f at a node.
   Interval<double> image(std::size_t node) const;
+  /// Its derivative there.
   Interval<double> image_slope(std::size_t node) const;
 
  private:

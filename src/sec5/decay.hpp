@@ -28,6 +28,7 @@ struct Member {
   double omega = 0, energy = 0, area = 0;
   double kappa = 0;   ///< of the pinning pair (floquet.hpp); unstable if positive
   double growth = 0;  ///< per unit of time, zero if stable
+  /// The multiplier per period that belongs to the growth.
   double multiplier() const;
 };
 
@@ -53,15 +54,15 @@ double growth_times_rate(const std::vector<Member>& members, double limit);
 /**
 What a decaying breather does is read from one bead: its upward passages through zero make periods; frequency
 and energy are means over eight of them. */
-struct Moment {
-  double t, omega, energy;
+struct DecayMoment {
+  double t, omega, energy;  ///< t: middle of the eight periods
 };
 
 /// The life of a breather with losses.
 struct Decay {
-  std::vector<Moment> moments{};  ///< one for each period, over the eight that follow
-  double drift = 0;               ///< of the energy centre from start to end, in sites
-  double ledger = 0;
+  std::vector<DecayMoment> moments{};  ///< one for each period, over the eight that follow
+  double drift = 0;                    ///< of the energy centre from start to end, in sites
+  double ledger = 0;                   ///< see run_bench
 };
 
 /// Lets a breather of this orbit decay at the rate `nu` for the time `duration`.

@@ -6,10 +6,10 @@ The stationary DpS equation at $\mu = 1$ has strains of alternating signs. With 
 $\varphi(x) = x|x|^{1/2}$ it becomes
 $$F(r)_n = r_n - [\varphi(r_{n-1}) + 2\varphi(r_n) + \varphi(r_{n+1})] = 0,$$
 for bounded sequences, and conversely every bounded zero of $F$ gives a solution,
-$|u_n| = \varphi(r_{n-1})+\varphi(r_n)$ with alternating signs. Contact $n$ lies between the sites $n$ and
-$n+1$. Around a bond $r_{-n} = r_n$, around a site $r_{-1-n} = r_n$, so that the contacts $n \ge 0$ suffice.
-The map $F$ is continuously differentiable on $\ell^\infty$, since $\varphi' = \frac32|x|^{1/2}$ is
-continuous. It has no second derivative at zero, and none is used.
+$|u_n| = \varphi(r_{n-1})+\varphi(r_n)$ with alternating signs. Contact $n$ lies between the sites $n$ and $n+1$.
+Around a bond $r_{-n} = r_n$, around a site $r_{-1-n} = r_n$, so that the contacts $n \ge 0$ suffice. The map $F$ is
+continuously differentiable on $\ell^\infty$, since $\varphi' = \frac32|x|^{1/2}$ is continuous. It has no second
+derivative at zero, and none is used.
 
 The ball of the lemma in contraction.hpp has one radius in all contacts. In a window of `contacts` contacts
 $A$ is an approximate inverse of the derivative, outside it is the identity. There the map reads
@@ -91,7 +91,7 @@ operator of norm at most $4\sqrt{r}$, and by Weyl's inequality no eigenvalue ris
 template <class T>
 Interval<T> contact_eigenvalue(const DpsBreather<T>& breather, std::size_t k);
 
-/// |lambda|, and lambda^2 with its sign.
+/// lambda^2 with its sign, for an eigenvalue m.
 template <class T>
 Interval<T> square_of_exponent(const Interval<T>& m);
 
@@ -106,6 +106,7 @@ template <class T>
 struct DpsBarrier {
   Interval<T> equal_mu, equal_norm;  ///< H_site - H_bond
 };
+/// Both differences, for the breathers at mu = 1.
 template <class T>
 DpsBarrier<T> dps_barrier(const DpsBreather<T>& site, const DpsBreather<T>& bond);
 
@@ -126,6 +127,8 @@ some seventy degrees from contact to contact, so the profile increases again bef
 constant. */
 /// What became of an interval of r_0: discarded or decided at a contact, or open.
 enum class Decision { discarded, inside, open };
+
+/// An interval of r_0 and what became of it.
 template <class T>
 struct Piece {
   Interval<T> r_0;

@@ -28,6 +28,7 @@ struct BreatherTrack {
 class BreatherWatch {
  public:
   explicit BreatherWatch(double least) : least_(least) {}
+  /// To be called at every sample; `field` is that of a ring.
   void look(double tau, const Field& field);
   /// All of them, those that still live included, in the order of their birth.
   std::vector<BreatherTrack> breathers() const;

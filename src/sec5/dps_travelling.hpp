@@ -41,6 +41,7 @@ struct DpsTravelling {
   static constexpr double shift_time = 2 * std::numbers::pi;
 
   std::string name() const { return "travelling orbit of the DpS equation"; }
+  /// The field at tau = 0, sites -L to L + 1.
   Field unfold(const Vector<double>& x) const {
     Field a(2 * reach + 2);
     a[reach] = {0, x[0]};
@@ -97,8 +98,8 @@ struct DpsTravelling {
 Of a member we keep what a program tabulates. */
 /// A member of the family: its field at tau = 0, V, norm and energy.
 struct DpsMember {
-  double phase;
-  Vector<double> x;
+  double phase;      ///< varphi
+  Vector<double> x;  ///< the unknowns
   Field field;
   double V, norm, energy, residual;
 };

@@ -40,10 +40,12 @@ template <class T>
 struct DpsWave {
   T q, amplitude = 1;
 
+  /// rho, per unit of slow time.
   T rate() const {
     using std::abs, std::sin, std::sqrt;
     return sqrt(abs(T(2) * amplitude * sin(q / T(2)))) / T(2 * tau_0());
   }
+  /// Omega.
   T frequency() const {
     using std::sin;
     const T s = sin(q / T(2));
@@ -102,10 +104,13 @@ size $10^{-7}$. The side band $q+Q$ is fitted from three to nine growth times on
 frequency. The DpS equation runs on a ring by GSL's method. */
 struct ModulatedWave {
   std::size_t sites;
-  int waves, turns;
+  int waves, turns;  ///< periods of the wave and of the modulation on the ring
 
+  /// The wave by itself, of modulus one.
   DpsWave<double> wave() const { return {around(waves)}; }
+  /// Q.
   double modulation() const { return around(turns); }
+  /// Re sigma.
   double growth() const { return wave().growth(modulation()); }
   /// The field at the start, with the growing mode of this size. Throws std::invalid_argument if none grows.
   Field start(double size) const;

@@ -53,9 +53,10 @@ struct DrivenOrbit {
   Bench bench;
   std::size_t steps = 64;          ///< per period of the drive
   Vector<double> from{}, along{};  ///< a point of the curve and its direction, in units of `scale`
-  double length = 0;               ///< how far along the direction the plane stands
-  double scale = 1;
+  double length = 0;               ///< how far along the direction the plane lies
+  double scale = 1;                ///< in which unknowns and equations are measured
 
+  /// What newton.hpp asks of a problem.
   std::string name() const { return "the driven orbit"; }
   Sizes<double> sizes(const Vector<double>& x, bool graded) const;
   Shot<double> shoot(const Vector<double>& x, const EventTolerance<double>&,
@@ -66,12 +67,12 @@ struct DrivenOrbit {
 
 /// The curve of quiet orbits from a weak drive to beyond its fold, and the fold.
 struct QuietBranch {
-  std::vector<double> amplitude{},
-      response{};   ///< of the drive; largest displacement of the first bead
-  double fold = 0;  ///< largest amplitude
+  std::vector<double> amplitude{};  ///< of the drive
+  std::vector<double> response{};   ///< largest displacement of the first bead
+  double fold = 0;                  ///< largest amplitude
 };
 
-/// Follows the quiet orbit of `sites` beads. The drive of `bench` says what is driven and how fast; its
+/// Follows the quiet orbit, with `steps` steps a period. The drive of `bench` says what is driven and how fast; its
 /// amplitude is not used. Throws NewtonFailed.
 QuietBranch quiet_branch(const Bench& bench, std::size_t steps);
 
@@ -86,7 +87,7 @@ struct Emission {
   double power = 0;                ///< mean power of the drive in the second half of the run
   double response = 0;             ///< largest displacement of the first bead in the second half
   double velocity = 0;             ///< largest velocity of the gate bead
-  double ledger = 0;
+  double ledger = 0;               ///< see run_bench
 
   /// Packets per unit of time in the second half of a run of this length.
   double rate(double duration) const;

@@ -25,17 +25,20 @@ struct DrivenQuantity {
 /// The array of section 3.6 with losses and a drive that grows during the first sixth of its `duration`.
 struct DrivenArray : ArrayUnits {
   static constexpr std::size_t sites = 50, gate = 20;  ///< the bead behind which a packet counts
-  static constexpr double step = 0.02;                 ///< of the finer run
+  static constexpr double step = 0.02;                 ///< of the finer run, in units of tau_c
 
-  double frequency = 7000, amplitude = 5, lifetime = 10,
-         duration = 60;  ///< Hz, micrometres, ms, ms
+  /// Hz, micrometres, ms, ms; the lifetime is that of the energy.
+  double frequency = 7000, amplitude = 5, lifetime = 10, duration = 60;
   Drive::By by = Drive::By::piston;
 
+  /// The duration in units of tau_c.
   double horizon() const { return time(duration); }
+  /// The same array in units of the chain.
   Bench bench() const {
     const Drive drive{by, omega(frequency), amplitude / micrometres(1), 0, horizon() / 6};
     return {Chain{sites}, {rate(lifetime), 0}, drive};
   }
+  /// One run with steps of length `h`.
   Emission run(double h) const { return drive_chain(bench(), horizon(), gate, h); }
 
   /// Two runs and what they say; the law of the DpS limit holds above the frequency of a beam.

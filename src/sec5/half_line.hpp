@@ -25,13 +25,15 @@ namespace lattice {
 What is the same for all panels: Gauss's nodes in $(0,1)$, their weights, the integrals from $0$ to each
 node, and the map $w$ with its derivative. */
 struct Panel {
+  /// With this many nodes; `order` is that of the zeros of w, 2 or 3.
   Panel(std::size_t nodes, std::size_t order);
 
-  std::size_t nodes, order;  ///< `order` of the zeros of w: 2 or 3
-  Vector<double> x, weight, lagrange;
-  Matrix<double>
-      integral;  ///< entry (i, j): integral of the j-th Lagrange polynomial from 0 to x_i
+  std::size_t nodes, order;
+  Vector<double> x, weight, lagrange;  ///< nodes, weights of Gauss, barycentric weights
+  Matrix<double> integral;             ///< (i, j): integral of Lagrange polynomial j from 0 to x_i
+  /// w(x).
   double map(double x) const;
+  /// w'(x).
   double slope(double x) const;
   /// The x with map(x) = u.
   double inverse(double u) const;
@@ -46,9 +48,11 @@ class HalfLine {
   /// Cuts in [0, T/2], sorted, the first 0 and the last T/2; `periods` shift times are covered.
   HalfLine(double shift_time, std::vector<double> cuts, std::size_t periods, const Panel& panel);
 
+  /// How many nodes there are.
   Eigen::Index size() const { return t_.size(); }
   double shift_time() const { return shift_time_; }
   std::size_t periods() const { return periods_; }
+  /// The nodes, ascending from t = 0.
   const Vector<double>& t() const { return t_; }
   /// Weights of the integral over the half line.
   const Vector<double>& weight() const { return weight_; }
@@ -69,6 +73,7 @@ class HalfLine {
     std::vector<double> half, half_v;  ///< X and its derivative at T/2, 3T/2, ...
     double component;                  ///< the integral of f cos t over the whole line
   };
+  /// The response to the force with these values at the nodes.
   Response respond(const Vector<double>& f) const;
 
   /// X(t+T) - 2 X(t) + X(|t-T|) + component * sin(T - t) for t < T (kernel_wave.hpp).

@@ -50,8 +50,10 @@ struct Interval {
   static constexpr Interval all() {
     return {-std::numeric_limits<T>::infinity(), std::numeric_limits<T>::infinity()};
   }
+  /// Whether all of `x` is inside, ends included.
   constexpr bool contains(T x) const { return lower <= x && x <= upper; }
   constexpr bool contains(const Interval& x) const { return lower <= x.lower && x.upper <= upper; }
+  /// Whether both ends are numbers of the format.
   constexpr bool finite() const {
     return lower >= std::numeric_limits<T>::lowest() && upper <= std::numeric_limits<T>::max();
   }
@@ -63,6 +65,7 @@ struct Interval {
 
 /**
 Overflow is answered by all numbers, so that no inequality is ever concluded from it. */
+/// The interval with both ends moved outwards by one number of the format.
 template <class T>
 Interval<T> outwards(T lower, T upper) {
   const Interval<T> wider{below(lower), above(upper)};
@@ -190,6 +193,7 @@ template <class T>
 constexpr Interval<T> common(const Interval<T>& a, const Interval<T>& b) {
   return {std::max(a.lower, b.lower), std::min(a.upper, b.upper)};
 }
+/// Whether it holds no number.
 template <class T>
 constexpr bool empty(const Interval<T>& a) {
   return !(a.lower <= a.upper);
@@ -204,6 +208,7 @@ constexpr Interval<T> positive_part(const Interval<T>& a) {
 A root is guessed by the processor and then verified: its lower bound must have a power that is certainly
 not larger than the radicand, its upper bound one that is certainly not smaller. Where one fails, its
 distance from the guess is doubled until it does not. */
+/// The root of `a`, from guesses for those of its ends; `power` undoes it.
 template <class T, class Power>
 Interval<T> verified_root(const Interval<T>& a, T low, T high, Power power) {
   if (a.upper == 0) return {};

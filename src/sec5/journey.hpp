@@ -33,8 +33,7 @@ double true_time(double nu, double s);
 /// The strongest push of one contact and the largest velocity of the bead before it.
 struct Passing {
   double t = 0, force = 0, period = 0, velocity = 0;
-  bool reached =
-      false;  ///< the contact has a strongest push, later than that of the contact before
+  bool reached = false;  ///< there is a strongest push, later than that of the contact before
 };
 
 /// What a run has seen: contact 1, that of the first two beads, has the index 0.
@@ -53,10 +52,10 @@ Journey follow_packet(const Bench& bench, double velocity, double duration, std:
 As in section 3.6 (array_impact.hpp) the way begins at the first contact at the time of the impact, and
 between two contacts the packet moves evenly and oscillates with the period that it has at the later one. How
 long it takes from one contact to the next depends on the phase in which it meets them; its speed is therefore
-a mean over the last five stretches. A packet that reaches no further contact stands at the last one. */
+a mean over the last five stretches. A packet that reaches no further contact stops at the last one. */
 struct Progressed {
-  double sites = 0, oscillations = 0;
-  double speed = 0, period = 0;  ///< at the end; the speed is zero if the packet stands
+  double sites = 0, oscillations = 0;  ///< from the first contact on
+  double speed = 0, period = 0;        ///< at the end; the speed is zero if the packet has stopped
 };
 
 /// How far the packet has come after the time `t`.

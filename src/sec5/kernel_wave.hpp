@@ -39,15 +39,18 @@ struct Closed {
 struct KernelWave {
   PowerContact law;
   HalfLine line;
-  Vector<double> d;
+  Vector<double> d;  ///< compressions at the nodes
 
   double shift_time() const { return line.shift_time(); }
+  /// d_+^alpha at the nodes.
   Vector<double> force() const;
 
   /**
   The *action* is $A = \int d_+^{\alpha+1}dt$; Hamilton's action of one site over all times is
   $\frac{\alpha-1}{2(\alpha+1)}A$. Where the kernel equation is solved, $Q = A^{-(\alpha-1)/(\alpha+1)}$. */
+  /// A.
   double action() const;
+  /// Q.
   double quotient() const;
   /// V, the component of the force at the frequency of the wells.
   double component() const;
@@ -69,6 +72,7 @@ struct KernelWave {
   State<double> state(std::size_t reach) const;
   /// Velocity of the central site.
   double central_velocity() const;
+  /// The energy of that lattice, Eq. (6).
   double energy() const;
 };
 

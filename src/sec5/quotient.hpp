@@ -29,6 +29,7 @@ struct Ascent {
   Vector<double> u, image;
   std::vector<double> quotients;
 
+  /// The last and largest.
   double quotient() const { return quotients.back(); }
   /// The compression d = K * f of the wave whose force is a multiple of u^alpha.
   Vector<double> wave(const PowerContact& law) const;
@@ -46,11 +47,16 @@ and $\pm T$; Euler and Maclaurin's formula says by how much, $h^2/12$ times the 
 which are $-2$ and $1$. */
 class PlainLine {
  public:
+  /// The first point is t = 0.
   PlainLine(double shift_time, std::size_t shifts, std::size_t per_shift);
 
+  /// The points of the grid.
   const Vector<double>& t() const { return t_; }
+  /// The length of the interval.
   double length() const { return step_ * double(t_.size()); }
+  /// Weights of the integral over the interval.
   Vector<double> weight() const { return Vector<double>::Constant(t_.size(), step_); }
+  /// K * f at the points of the grid.
   Vector<double> convolve(const Vector<double>& f) const;
 
  private:

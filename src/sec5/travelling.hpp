@@ -72,10 +72,12 @@ Vector<T> with_time(const Vector<T>& x, const T& shift_time) {
 /**
 Three numbers identify an orbit: its shift time, its central velocity $\dot y_0$, whose sign tells two
 orbits of the same $T$ apart, and $V$. */
+/// T.
 template <class T>
 T shift_time(const Orbit<T>& orbit) {
   return T(2) * pi<T>() / orbit.omega;
 }
+/// The velocity of site 0 at t = 0.
 template <class T>
 T central_velocity(const Orbit<T>& orbit) {
   return orbit.start.v[orbit.start.v.size() / 2 - 1];
@@ -138,6 +140,7 @@ class Staircase {
   /// The impact after which the packet moves by one site in about `first` oscillations.
   static constexpr double first_velocity = 0.0174;
 
+  /// The orbit that was reached last.
   const Orbit<double>& orbit() const { return orbit_; }
   /// Climbs up or down to k, in steps short enough for Newton's method. Throws NewtonFailed.
   const Orbit<double>& reach(std::size_t k) {
@@ -216,6 +219,7 @@ Orbit<double> type_two(Orbit<double> a, Orbit<double> b, const NewtonRule<double
 
 To see an orbit travel we put it into a longer chain at rest, from site `place` on; beyond its own reach
 all is zero. */
+/// The state of `sites` beads that holds the orbit.
 template <class T>
 State<T> embed(const State<T>& orbit, std::size_t sites, std::size_t place) {
   State<T> state(sites);
@@ -225,7 +229,7 @@ State<T> embed(const State<T>& orbit, std::size_t sites, std::size_t place) {
 }
 
 /**
-Who follows it over many sites needs no chain that holds them all: a frame goes along, beads that have been
+Following it over many sites takes no chain that holds them all: a frame goes along, beads that have been
 passed are dropped, and beads at rest come in ahead. */
 /// Moves the frame that a state holds on by `sites`.
 inline void move_on(State<double>& state, std::size_t sites) {

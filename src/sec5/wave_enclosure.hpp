@@ -50,6 +50,7 @@ continuous root costs no more than an integral over the instants at which contac
 $A$ is the identity, and rows are bounded by the integral of $a_d$ over two shifts around what lies there. */
 class WaveProof {
  public:
+  /// Makes A and bounds it.
   WaveProof(const CubicLine& d, const WaveFineness& fineness);
 
   /// |A F(c)| in the supremum norm.
@@ -83,12 +84,12 @@ class WaveProof {
 /**
 ## The wave
 
-In the ball, $|d| \le r$ behind the guess, and the largest $d_+$ beyond $t$ obeys $M(t+T) \le 4M(t)^{3/2}$. So
-it falls double-exponentially once $4\sqrt r < 1$, and what it adds to the integrals is bounded by a geometric sum.
-At $t = nT$ the sites have $\frac12(q^2+\dot q^2) = \frac12[(\int f\cos)^2+(\int f\sin)^2]$, integrals over
-one shift, and this yields the energy. The action $A$ follows to second order in $r$: solutions
-are critical points of $\frac12\int f(K*f)-\int fd+\frac25\int d_+^{5/2}$, with the value $-A/10$, in $f$ and $d$. With
-$I = \int a$ over the ball,
+In the ball, $|d| \le r$ behind the guess, and the largest $d_+$ beyond $t$ obeys $M(t+T) \le 4M(t)^{3/2}$. So it
+falls double-exponentially once $4\sqrt r < 1$, and what it adds to the integrals is bounded by a geometric sum. At
+$t = nT$ the sites have $\frac12(q^2+\dot q^2) = \frac12[(\int f\cos)^2+(\int f\sin)^2]$, integrals over one shift,
+and this yields the energy. The action $A$ follows to second order in $r$: solutions are critical points of
+$\frac12\int f(K*f)-\int fd+\frac25\int d_+^{5/2}$, with the value $-A/10$, in $f$ and $d$. With $I = \int a$ over
+the ball,
 $$|A-\tilde A| \le 5\sup|R|\int\tilde f+10\,r^2I(\tfrac32+\tfrac12I).$$ */
 struct EnclosedWave {
   Contraction<double> unique, exists;

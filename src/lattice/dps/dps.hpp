@@ -36,11 +36,11 @@ using Field = std::vector<std::complex<double>>;
 /**
 An integrator wants the right-hand side as a function. The boundary condition decides what stands in for
 the missing neighbour at the first site: a free end has no contact there, a fixed one has $A_0 = 0$, and a
-periodic one is in contact with the last site. Otherwise the far end is free. Differences below $10^{-60}$ count as zero, for the reason given at `Hertz` in
-contact.hpp. */
+periodic one is in contact with the last site. Otherwise the far end is free. Differences below $10^{-60}$
+count as zero, for the reason given at `Hertz` in contact.hpp. */
 struct Dps {
   std::size_t sites;
-  Ends near_end = Ends::free;
+  Ends near_end = Ends::free;       ///< at the first site
   double rate = 1 / (2 * tau_0());  ///< inverse time constant
 
   /// Writes dA/dtau into `da`. Real and imaginary parts alternate in `a` and `da`, because the

@@ -23,7 +23,7 @@ namespace lattice {
 /// The DpS equation in the frame that turns with e^{i mu t}, and at mu = 0 the equation itself.
 struct TurningDps {
   Dps dps;
-  double mu;
+  double mu;  ///< frequency of the frame, per unit of slow time
 
   /// Writes dw/dtau into `dw`, real and imaginary parts alternating as in Dps.
   void operator()(double tau, const double* w, double* dw) const;

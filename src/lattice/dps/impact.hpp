@@ -2,7 +2,7 @@
 /**
 # Striking a DpS chain
 
-This is the impact of section 3.4 (impact.hpp in `measure`) in the limit of small amplitude, Eq. (25):
+This is the impact of section 3.4 (packets/impact.hpp) in the limit of small amplitude, Eq. (25):
 $A_1(0) = -i$ and all others zero. The packet is followed in the density $|A_n|^2$ and the slow time. */
 
 #include <cstddef>
@@ -16,9 +16,9 @@ namespace lattice {
 
 /// The track of the packet, the field at the end, and how far the norm drifts on the way.
 struct DpsOutcome {
-  Track track;
+  Track track;  ///< its energy is the norm in the window
   Field end;
-  double norm_drift = 0;
+  double norm_drift = 0;  ///< relative
 };
 
 /// Follows the packet that leaves the struck field `start`; `watch` sees every sample. Throws

@@ -43,7 +43,7 @@ is known beforehand, the computed value checks state and solver at once. We keep
 itself in its place, so that the exponent of the phase is exactly zero. */
 template <class T>
 struct ContactSpectrum {
-  T mu;
+  T mu;                ///< frequency of the state
   std::vector<T> m;    ///< from the largest on; m[0] is known to be mu and set to it
   T phase_defect{0};   ///< computed m[0] minus mu
   Vector<T> second{};  ///< unit eigenvector of m[1], if asked for
@@ -104,9 +104,9 @@ The verdict is a sign, so it is worth nothing without an error. Two things could
 ends of the chain. We vary both, the precision from double to `Fine` and the length by ten sites, and add
 the two changes. Divided by $\mu$ both numbers are free of its scale, so margins at different frequencies
 may be compared digit by digit. */
-/// The margin (m_2 - 2 mu / 3) / mu and |lambda| / mu.
+/// How far a state is from the edge of stability.
 struct Margin {
-  Estimate margin, exponent;
+  Estimate margin, exponent;  ///< (m_2 - 2 mu / 3) / mu, positive if unstable, and |lambda| / mu
   /// The margin with its error a hundredfold, by which a verdict must stay clear of the edge.
   Estimate safe() const { return {margin.value, 100 * margin.error}; }
 };
@@ -136,7 +136,7 @@ The pair nearest to zero, after the two zeros of the phase, is the pinning pair.
 routes to it, including the part that should vanish, shows how well they agree; and the computed zeros of
 the phase show how large a real part has to be before it means anything. */
 struct Remainders {
-  double pair, zero;
+  double pair, zero;  ///< of the pinning pair; the larger one of the phase's two zeros
 };
 
 /// Remainders of the full matrix of `state`.
@@ -154,7 +154,7 @@ unstable, the growing direction is $y = \lambda x/(\mu-m)$ and the decaying one 
 growing share of a perturbation is then $\frac12(x + (\mu-m)y/\lambda)$: a push counts $(\mu-m)/\lambda$
 times as much as a shift of the same size. */
 struct PinningPair {
-  Eigen::VectorXd V;
+  Eigen::VectorXd V;   ///< of length one; its sign is arbitrary
   double mu, m, rate;  ///< rate: |lambda|
   double push;         ///< (mu - m) / |lambda|
 

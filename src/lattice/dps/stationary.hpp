@@ -25,7 +25,7 @@ from them. */
 template <class T>
 struct Stationary {
   Centre centre;
-  T mu;
+  T mu;                         ///< frequency
   std::vector<T> u;             ///< one entry per site
   std::vector<T> strain;        ///< one entry per contact of the right half that is not zero
   std::vector<double> history;  ///< largest relative correction of each Newton step

@@ -47,12 +47,12 @@ T span(T s, T e) {
 /**
 A single number governs the accuracy: `tolerance` bounds the error of a step, relative to the amplitude
 for the orbit and absolute for a tangent of order one. By default it is 128 units in the last place. The
-other members rarely need to be set. `floor` is explained at `Care` in landing.hpp; `sight` is short
+other members rarely need to be set. `floor` is explained at `Care` in landing.cpp; `sight` is short
 against the period $2\pi$ of a well; and a number type with more digits needs more `levels` of the
 extrapolation below. */
 template <class T>
 struct EventTolerance {
-  T tolerance = T(128) * std::numeric_limits<T>::epsilon();
+  T tolerance = T(128) * std::numeric_limits<T>::epsilon();  ///< sixteen units at least
   T floor = T(-1);    ///< slower switchings are not landed on; < 0: from the tolerance
   T sight = T(0.05);  ///< time step of the look-out for switchings
   int levels = 2 + std::numeric_limits<T>::digits10 / 2;  ///< of the extrapolation, at most
@@ -62,11 +62,11 @@ struct EventTolerance {
 /// the solution runs away it exceeds one or is infinite, and the state is the last one computed.
 template <class T>
 struct FlowReport {
-  std::size_t switchings = 0;   ///< contacts that opened or closed at the end of an interval
-  std::size_t unlanded = 0;     ///< contacts that did so in the middle of a step all the same
-  std::size_t steps = 0;        ///< of the final passage; their column work is `column_sweeps`
-  std::size_t evaluations = 0;  ///< of the force on the whole chain
-  std::size_t column_sweeps = 0;
+  std::size_t switchings = 0;     ///< contacts that opened or closed at the end of an interval
+  std::size_t unlanded = 0;       ///< contacts that did so in the middle of a step all the same
+  std::size_t steps = 0;          ///< of the final passage; their column work is `column_sweeps`
+  std::size_t evaluations = 0;    ///< of the force on the whole chain
+  std::size_t column_sweeps = 0;  ///< kicks and drifts of all columns of the tangent
   T error = T(0);
   T energy_drift = T(0);  ///< relative
   T area = T(0);          ///< time integral of sum mu_n v_n^2
@@ -87,6 +87,7 @@ switching, where the square root would magnify rounding errors. */
 template <class T>
 class Leapfrog {
  public:
+  /// `chain` must live as long; with a `probe` the array is twice as long.
   Leapfrog(const Chain& chain, bool probe)
       : chain_(chain), probe_(probe), push_(chain.sites + 1, T(0)), pull_(chain.sites, T(0)) {
     if (!probe) node_ = curvature_of(chain);
@@ -96,7 +97,7 @@ class Leapfrog {
   void run(std::vector<T>& z, T length, T s, T h, std::size_t kicks, Record<T>& record);
   /// One plain step of duration `dt`: drift for half of it, kick, drift for the other half.
   void step(std::vector<T>& z, T dt);
-  std::size_t evaluations = 0;
+  std::size_t evaluations = 0;  ///< of the force on the whole chain
 
  private:
   void drift(std::vector<T>& z, T dt) const;
@@ -120,9 +121,9 @@ A passage is the way across one interval: the state in which it ends, the sum of
 and the records that the columns will follow. */
 template <class T>
 struct Passage {
-  std::vector<T> z;
+  std::vector<T> z;  ///< positions, velocities and area, 2 * sites + 1 numbers
   T error = T(0);
-  std::vector<Record<T>> records;
+  std::vector<Record<T>> records;  ///< one for each step; without nodes if there was no probe
 };
 
 /**
@@ -138,11 +139,12 @@ the crossing gives up. */
 template <class T>
 class Crossing {
  public:
+  /// `chain` must live as long; errors of the orbit are relative to `amplitude`.
   Crossing(const Chain& chain, const EventTolerance<T>& rule, T amplitude);
   /// Crosses an interval of the given length (in time) from the positions, velocities and area in `z`,
   /// 2 * sites + 1 numbers; with `probe` it leaves records for the columns.
   Passage<T> cross(const std::vector<T>& z, T length, bool probe);
-  std::size_t evaluations = 0;
+  std::size_t evaluations = 0;  ///< of the force on the whole chain, in all crossings
 
  private:
   std::vector<T> with_probe(std::vector<T> z) const;

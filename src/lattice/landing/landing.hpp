@@ -47,9 +47,8 @@ T largest_difference(const State<T>& a, const State<T>& b) {
 }
 
 /**
-`flow` advances `state` by `duration` and replaces `tangent`, if there
-is one, by its image under the derivative of the flow. A runaway raises no exception: it shows in the
-`error` of what is returned. */
+`flow` advances `state` by `duration` and replaces `tangent`, if there is one, by its image under the
+derivative of the flow. A runaway raises no exception: it shows in the `error` of what is returned. */
 template <class T>
 FlowReport<T> flow(const Chain& chain, State<T>& state, std::type_identity_t<T> duration,
                    const EventTolerance<T>& rule = {}, Tangent<T>* tangent = nullptr);
@@ -58,7 +57,8 @@ FlowReport<T> flow(const Chain& chain, State<T>& state, std::type_identity_t<T> 
 To compare it with other methods, a flow can be used as a stepper of integrate.hpp. It needs no steps; they
 only say where it may be interrupted. `advance` returns the number of site-force evaluations. */
 struct Landed {
-  double step;
+  double step;  ///< between two interruptions
+  /// Advances `state` by `n` times `h`.
   double advance(const Chain& chain, State<double>& state, Window&, double h, std::size_t n) const {
     return double(flow(chain, state, h * double(n)).evaluations * chain.sites);
   }

@@ -17,11 +17,12 @@ landing.hpp asks both questions of all contacts of a chain. */
 
 namespace lattice {
 
-/// Sign and modulus, written out for every number type.
+/// 1, 0 or -1, written out for every number type.
 template <class T>
 int sign_of(T x) {
   return x > T(0) ? 1 : x < T(0) ? -1 : 0;
 }
+/// The modulus, likewise.
 template <class T>
 T magnitude(T x) {
   return x < T(0) ? -x : x;
@@ -55,14 +56,15 @@ the overlap well. A contact may close and open again within one step; both ends 
 and the cubic has an extremum of the opposite sign in between. */
 template <class T>
 struct Arc {
-  T x0, u0, x1, u1, dt;
+  T x0, u0, x1, u1, dt;  ///< values and speeds at the beginning and at the end
 
-  /// The cubic and its derivative at the share `s` of the step, from 0 to 1.
+  /// The cubic at the share `s` of the step, from 0 to 1.
   T value(T s) const {
     const T r = T(1) - s;
     return r * r * ((T(1) + T(2) * s) * x0 + s * dt * u0) +
            s * s * ((T(1) + T(2) * r) * x1 - r * dt * u1);
   }
+  /// Its derivative by time there.
   T slope(T s) const {
     const T r = T(1) - s;
     return T(6) * s * r * (x1 - x0) / dt + r * (T(1) - T(3) * s) * u0 + s * (T(3) * s - T(2)) * u1;

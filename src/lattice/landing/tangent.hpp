@@ -28,12 +28,14 @@ multipliers (floquet.hpp). Its first `sites` columns belong to changes of the in
 template <class T>
 struct Tangent {
   std::size_t sites = 0, columns = 0;
-  std::vector<T> entries;
+  std::vector<T> entries;  ///< row by row
 
+  /// The first columns of the identity.
   Tangent(std::size_t site_count, std::size_t column_count)
       : sites(site_count), columns(column_count), entries(2 * sites * columns, T(0)) {
     for (std::size_t i = 0; i < std::min(2 * sites, columns); ++i) (*this)(i, i) = T(1);
   }
+  /// Entry of row 0 <= row < 2 * sites.
   T& operator()(std::size_t row, std::size_t column) { return entries[row * columns + column]; }
   const T& operator()(std::size_t row, std::size_t column) const {
     return entries[row * columns + column];
@@ -48,7 +50,7 @@ contacts, which we call curvatures. They are kept together with the duration of 
 that they serve (schemes.hpp explains the two words). */
 template <class T>
 struct Curvature {
-  T kick, drift;
+  T kick, drift;              ///< durations
   std::vector<T> well, link;  ///< link[i] belongs to the contact of i - 1 with i
 };
 
@@ -59,8 +61,8 @@ kicks and drifts. The orbit is computed first and leaves a record of the curvatu
 columns follow it afterwards. */
 template <class T>
 struct Record {
-  T duration = 0;
-  std::vector<T> lead;
+  T duration = 0;                   ///< of the step
+  std::vector<T> lead;              ///< first drift of each level
   std::vector<Curvature<T>> nodes;  ///< one for level 1, two for level 2, and so on
 
   /// How many leapfrog runs were combined.
@@ -78,6 +80,7 @@ How are the runs combined? Those of $1, 2, \dots, k$ kicks differ from the exact
 even powers of their step. The polynomial in $1/j^2$ through their results, taken at zero, is free of its
 first $k-1$ terms, and Lagrange's formula gives the weights (Richardson extrapolation):
 $$w_j = \prod_{i \ne j} \frac{j^2}{j^2 - i^2}, \qquad \sum_j w_j = 1.$$ */
+/// w_j for the levels 1 to `levels`.
 template <class T>
 T extrapolation_weight(std::size_t j, std::size_t levels);
 

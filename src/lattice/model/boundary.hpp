@@ -29,11 +29,12 @@ inline constexpr const char* ends_names[] = {"free", "fixed", "periodic"};
 Both ends of a chain obey the same condition, and yet `Boundary` stores one for each: a piece of a
 chain that is computed by itself has a free end wherever it was cut, and the chain's own end elsewhere. */
 struct Boundary {
-  std::size_t sites = 0;
-  Ends first = Ends::free, last = Ends::free;
+  std::size_t sites = 0;                       ///< beads; contacts are numbered from 0 to `sites`
+  Ends first = Ends::free, last = Ends::free;  ///< beyond the first and beyond the last bead
 
-  /// The end at which contact `i` stands, if it is not `inside`, between two beads.
+  /// The end at which contact `i` lies, for i = 0 and i = sites.
   Ends end_at(std::size_t i) const { return i == 0 ? first : last; }
+  /// Whether contact `i` lies between two beads.
   bool inside(std::size_t i) const { return i > 0 && i < sites; }
 
   /// Whether contact `i` exists, 0 <= i <= sites, and acts on the bead or beads next to it.

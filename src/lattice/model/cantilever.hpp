@@ -93,8 +93,8 @@ order $\delta$. The well adds the period $2\pi\tau_c$, and the displacement $\xi
 equals that of a contact (section 3.5):
 $$\tau_h = \Bigl(\frac{m^2}{\gamma^2 V}\Bigr)^{1/5},\quad \delta = \Bigl(\frac{mV^2}{\gamma}\Bigr)^{2/5},\quad
 \tau_c = \sqrt{m/k},\quad \xi = (k/\gamma)^2,\quad \lambda = \frac{m}{k\,\tau_h^2}.$$
-In the units $\xi$ and $\tau_c$ the chain is that of Eq. (9), and the impact velocity
-is $V\tau_c/\xi = \lambda^{5/2}$, Eqs. (29) and (30). Speeds $V$ below are in m/s, results in SI units. */
+In the units $\xi$ and $\tau_c$ the chain is that of Eq. (9), and the impact velocity is
+$V\tau_c/\xi = \lambda^{5/2}$, Eqs. (29) and (30). Speeds $V$ below are in m/s, results in SI units. */
 struct Scales {
   double m, k, gamma;  ///< kg, N/m, N/m^(3/2)
 
@@ -108,9 +108,11 @@ struct Scales {
   double delta(double velocity) const { return std::pow(m * velocity * velocity / gamma, 0.4); }
   /// (tau_c / tau_h)^2, Eq. (29); small where a bead swings many times while a contact lasts.
   double lambda(double velocity) const { return m / (k * tau_h(velocity) * tau_h(velocity)); }
-  /// What one means in the units of Eq. (9): m/s, N and J.
+  /// The velocity that is one in the units of Eq. (9), m/s.
   double unit_velocity() const { return xi() / tau_c(); }
+  /// The force that is one, N.
   double unit_force() const { return k * xi(); }
+  /// The energy that is one, J.
   double unit_energy() const { return k * xi() * xi(); }
 };
 
@@ -120,17 +122,19 @@ beads may be larger; the defaults are the article's values for steel beams and t
 struct CantileverArray {
   std::size_t sites = 200;
   std::size_t defect = 100;  ///< site whose beads have another radius, counted from one
-  double beam_density = 8e3, beam_modulus = 193e9;                // kg/m^3, Pa
-  double length = 25e-3, width = 5e-3, thickness = 1e-3;          // m
-  double bead_density = 2.2e3, bead_modulus = 1.46e9, nu = 0.46;  // kg/m^3, Pa, 1
-  double radius = 2.38e-3;                                        // m
+  double beam_density = 8e3, beam_modulus = 193e9;                ///< kg/m^3, Young's modulus in Pa
+  double length = 25e-3, width = 5e-3, thickness = 1e-3;          ///< of a beam, m
+  double bead_density = 2.2e3, bead_modulus = 1.46e9, nu = 0.46;  ///< kg/m^3, Pa, Poisson's ratio
+  double radius = 2.38e-3;                                        ///< of a bead, m
   double beam_share = 0.38;  ///< effective mass of a beam over its mass, as printed in section 3.6
 
   /**
   From these follow the masses and stiffnesses of section 3.6, in kg and N/m. A `ratio` is that of a
   bead's radius to the usual one, $\tilde R_n$ in the article. */
+  /// Second moment of area of a beam's cross section, m^4.
   double area_moment() const { return width * thickness * thickness * thickness / 12; }
   double beam_mass() const { return beam_density * width * thickness * length; }
+  /// Mass of one bead; a cantilever carries two.
   double bead_mass(double ratio = 1) const {
     const double r = radius * ratio;
     return 4 * std::numbers::pi / 3 * bead_density * (r * r * r);
@@ -145,6 +149,7 @@ struct CantileverArray {
   double gamma(double modulus) const {
     return modulus * std::sqrt(2 * radius) / (3 * (1 - nu * nu));
   }
+  /// Mass, stiffness and Hertz's coefficient of the cantilevers without a defect.
   Scales scales() const { return {mass(), stiffness(), gamma(bead_modulus)}; }
 
   /// mu_n of the defect in Eq. (32): its mass over that of the other cantilevers.

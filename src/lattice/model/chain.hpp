@@ -29,6 +29,7 @@ struct State {
   std::vector<T> y, v;
   T t = 0;
   State() = default;
+  /// All beads at rest in their places at t = 0.
   explicit State(std::size_t sites) : y(sites, T(0)), v(sites, T(0)) {}
 };
 
@@ -55,8 +56,9 @@ struct Chain {
 
   /// Which contacts there are, at the ends too.
   Boundary boundary() const { return {sites, ends, ends}; }
-  /// Mass of bead `n`, from 0, and stiffness factor of contact `i`, the one between i - 1 and i.
+  /// mu_n of bead `n`, from 0.
   double mass_of(std::size_t n) const { return mass.empty() ? 1 : mass[n]; }
+  /// eta of contact `i`, the one between i - 1 and i.
   double eta_of(std::size_t i) const { return eta.empty() ? 1 : eta[boundary().own(i)]; }
 };
 

@@ -34,9 +34,10 @@ near $10^{-308}$, which cost the processor ten times as much. With the default o
 neglected force is $10^{-90}$, and beads ahead of the front are at rest *exactly*, so that they need not
 be integrated. Where the tail of a static breather is itself the subject, we set `floor = 0`. */
 struct Hertz {
-  double floor = 1e-60;
+  double floor = 1e-60;  ///< the largest overlap that counts as none
   static constexpr const char* name = "hertz";
 
+  /// (-r)_+, or zero up to the floor.
   template <class T>
   T overlap(T r) const {
     const T x = -r;
@@ -69,13 +70,13 @@ struct Hertz {
 };
 
 /**
-If neighbours are pressed together by $d$ at rest, small motions leave the contacts closed, and the chain
-carries linear waves (dispersion.hpp). The potential is that of Eq. (33):
-$V(r) = \frac25 (d-r)_+^{5/2} + d^{3/2} r - \frac25 d^{5/2}$. The linear term subtracts the constant force
-of the precompression, which cancels on every bead inside the chain, so that $V(0) = V'(0) = 0$. The
-contact now opens at $r = d$ instead of $r = 0$. */
+If neighbours are pressed together by $d$ at rest, small motions leave the contacts closed, and the chain carries
+linear waves (dispersion.hpp). The potential is that of Eq. (33):
+$V(r) = \frac25 (d-r)_+^{5/2} + d^{3/2} r - \frac25 d^{5/2}$. The linear term subtracts the constant force of the
+precompression, which cancels on every bead inside the chain, so that $V(0) = V'(0) = 0$. The contact now opens at
+$r = d$ instead of $r = 0$. */
 struct CompressedHertz {
-  double d = 0;
+  double d = 0;  ///< compression at rest, not negative
   static constexpr const char* name = "hertz";
   static constexpr auto parameters() {
     return std::array{Parameter<CompressedHertz>{
@@ -118,8 +119,8 @@ $\alpha \ge 1$: $V(r) = (d-r)_+^{\alpha+1}/(\alpha+1)$, plus the terms that make
 general power is slower, and its last bit depends on the mathematical library; for $\alpha = 3/2$ the
 square root of the other laws is used instead. */
 struct PowerContact {
-  double exponent = 1.5;
-  double d = 0;
+  double exponent = 1.5;  ///< alpha, at least one
+  double d = 0;           ///< compression at rest, not negative
   static constexpr const char* name = "power";
   static constexpr auto parameters() {
     using P = Parameter<PowerContact>;

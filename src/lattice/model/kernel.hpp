@@ -15,8 +15,8 @@ on one site (the build forbids fused multiply-adds), so all versions give the sa
 #include <cstddef>
 #include <type_traits>
 
-// A compiler that may reorder sums or forget infinities computes another chain. (GCC names the parts of
-// -ffast-math only, Clang the whole.)
+// A compiler that may reorder sums or forget infinities computes another chain. (GCC has a macro for each part of
+// -ffast-math, Clang for few of them but for the whole.)
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__) || \
     defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || defined(__NO_SIGNED_ZEROS__)
 #error "the chain needs IEEE arithmetic: compile without -ffast-math and its parts"
@@ -50,11 +50,12 @@ struct Varied {
   const double* mass = nullptr;          ///< mu_n
   const double* inverse_mass = nullptr;  ///< 1 / mu_n, rounded
 
-  /// The force of contact `i`, and the acceleration of bead `n`, from those of unit stiffness and mass.
+  /// The force of contact `i` from that of unit stiffness.
   template <class T>
   T contact(std::size_t i, T force) const {
     return T(eta[i]) * force;
   }
+  /// The acceleration of bead `n` under this force.
   template <class T>
   T bead(std::size_t n, T force) const {
     if constexpr (std::is_same_v<T, double>)
@@ -117,6 +118,7 @@ struct PlainSum {
   __attribute__((always_inline)) void drift(T& y, std::size_t, T term) const {
     y += term;
   }
+  /// The same for a range that begins at this site.
   PlainSum from(std::size_t) const { return {}; }
 };
 

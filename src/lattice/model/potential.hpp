@@ -40,10 +40,10 @@ has a name, a meaning, an allowed range and a place where it is stored. Its defa
 has in a freshly made potential. */
 template <class Potential>
 struct Parameter {
-  const char* name;
-  const char* meaning;
-  double least, most;
-  double Potential::*value;
+  const char* name;          ///< as an option has it, without dashes
+  const char* meaning;       ///< for help, a few words
+  double least, most;        ///< the allowed range, ends included
+  double Potential::*value;  ///< where it is stored
 };
 
 /// The same without the type of the potential, as help and messages need it.
@@ -79,8 +79,8 @@ class OwnPotential {
 
   static constexpr const char* name = "own";
 
-  /// The same functions as those of other potentials. In other types than double and long double they
-  /// throw std::logic_error.
+  /// The same three functions as those of other potentials, for one number. They throw std::logic_error in other
+  /// types than double and long double.
   template <class T>
   T energy(T x) const {
     return energies(&x, &x, 1), x;
@@ -94,7 +94,7 @@ class OwnPotential {
     return stiffnesses(&x, &x, 1), x;
   }
 
-  /// Each for a row of `n` numbers.
+  /// The same three for a row of `n` numbers; `out` may be `x`.
   template <class T>
   void energies(const T* x, T* out, std::size_t n) const {
     if constexpr (known<T>) return kept_->energies(x, out, n);
@@ -251,7 +251,7 @@ struct OneOf : std::variant<Known..., Own> {
   }
 };
 
-/// Forces and stiffnesses at a row of numbers.
+/// Forces at a row of `n` numbers; `out` may be `x`.
 template <class P, class T>
 void forces_of(const P& potential, const T* x, T* out, std::size_t n) {
   if constexpr (std::is_base_of_v<OwnPotential, P>)
@@ -259,6 +259,7 @@ void forces_of(const P& potential, const T* x, T* out, std::size_t n) {
   else
     for (std::size_t i = 0; i < n; ++i) out[i] = potential.force(x[i]);
 }
+/// Stiffnesses at a row of `n` numbers.
 template <class P, class T>
 void stiffnesses_of(const P& potential, const T* x, T* out, std::size_t n) {
   if constexpr (std::is_base_of_v<OwnPotential, P>)

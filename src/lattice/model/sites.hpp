@@ -15,6 +15,7 @@ namespace lattice {
 /// Where the centre is. The profile u_n of the small-amplitude limit (stationary.hpp) has the symmetry
 /// u_{-n} = u_n if it is site-centred, u_{1-n} = -u_n if bond-centred.
 enum class Centre { site, bond };
+/// Both, in the order in which pairs of breathers keep them (breather_pairs.hpp).
 inline constexpr Centre both_centres[] = {Centre::site, Centre::bond};
 
 /**

@@ -21,6 +21,7 @@ namespace lattice::detail {
 Potentials of the caller's own are known by what they do to a row of numbers (potential.hpp). A chain with
 such a one is swept block by block, and well and contact are chosen once for a block. So is a chain whose
 arithmetic takes longer than the choice: with contacts of any exponent, or in a type wider than `double`. */
+/// Calls `use` with the potential by its own type.
 template <class P, class Use>
 void with_kind(const P& potential, Use use) {
   std::visit([&](const auto& known) { use(known); }, potential);
@@ -51,6 +52,7 @@ void sweep_blocks(const Well& well, const Contact& contact, const T* y, const Al
 The loops of kernel.hpp know nothing of windows and ends; they want a range of sites, the pushes at its
 two edges, and the masses and stiffnesses in between. So before each sweep the window is widened and the
 pushes `left` and `right` at its edges are evaluated. */
+/// `contact_push` of chain.hpp for a contact whose type is known.
 template <class T, class C>
 T push_at(const Chain& chain, const C& contact, const T* y, std::size_t i) {
   if (!chain.boundary().pushes(i)) return T(0);
@@ -189,6 +191,7 @@ KickDrift<T, PlainSum> plain_kick_drifter(const Chain& chain);
 template <class T>
 using BareKickDrift = void (*)(const Chain&, T* y, T* v, const Varied&, std::size_t n, T left,
                                T right, const T& kick, const T& drift);
+/// The function of this kind that fits the chain.
 template <class T>
 BareKickDrift<T> bare_kick_drifter(const Chain& chain);
 

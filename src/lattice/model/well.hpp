@@ -58,11 +58,12 @@ How much does the shape of the well matter? The article adds the first symmetric
 sign, Eq. (10): $W = y^2/2 + s\,y^4/4$. A well with $s > 0$ is called hard, one with $s < 0$ soft; the
 soft one has a rim at $|y| = (-s)^{-1/2}$, beyond which a bead runs away. */
 struct Quartic {
-  double s = 0;
+  double s = 0;  ///< anharmonicity
   static constexpr const char* name = "quartic";
   static constexpr auto parameters() {
     return std::array{Parameter<Quartic>{"s", "anharmonicity of the well", -10, 10, &Quartic::s}};
   }
+  /// (-s)^(-1/2) in a soft well, otherwise infinity.
   double rim() const { return s < 0 ? 1 / std::sqrt(-s) : std::numeric_limits<double>::infinity(); }
 
   template <class T>
@@ -86,6 +87,7 @@ another well beyond each. The energy is computed as $2\sin^2(y/2)$, which loses 
 bottom. */
 struct Pendulum {
   static constexpr const char* name = "pendulum";
+  /// The nearest of the rims.
   double rim() const { return std::numbers::pi; }
 
   template <class T>

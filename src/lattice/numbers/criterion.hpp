@@ -16,9 +16,9 @@ namespace lattice {
 
 /// `value` must be above (or below) `limit`.
 struct Condition {
-  std::string name;
-  Estimate value;
-  enum class Side { below, above } side;
+  std::string name;  ///< by which the facts of a chapter call it (report/program.hpp)
+  Estimate value;    ///< what is judged
+  enum class Side { below, above } side;  ///< of the limit on which it must lie
   double limit;
 
   /// Distance from the limit, positive on the right side, with the error of the value.

@@ -41,6 +41,8 @@ struct Softness {
   double number;           ///< largest over smallest singular value
   Vector<double> softest;  ///< the unit vector that it shrinks most
 };
+
+/// Of a regular matrix, from its singular values.
 Softness condition_of(const Matrix<double>& matrix);
 
 }  // namespace lattice

@@ -27,6 +27,7 @@ struct Eigenpairs {
   Matrix<T> vectors;
 };
 
+/// All of them.
 template <class T>
 Eigenpairs<T> eigenpairs_of(const Matrix<T>& matrix);
 

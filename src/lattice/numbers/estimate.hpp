@@ -12,8 +12,8 @@ namespace lattice {
 
 /// A value with the error from two resolutions, or without one because it is exact.
 struct Estimate {
-  double value = 0, error = 0;
-  bool is_exact = false;
+  double value = 0, error = 0;  ///< the error is absolute and not negative
+  bool is_exact = false;        ///< counted, decided or given; the error is then zero
 };
 
 /// A number that no resolution can change.

@@ -21,6 +21,7 @@ namespace lattice {
 struct Tolerance {
   double absolute, relative;
   const gsl_odeiv2_step_type* method = gsl_odeiv2_step_rk8pd;
+  /// The same number for both parts.
   Tolerance(double both) : absolute(both), relative(both) {}
   Tolerance(double absolute_part, double relative_part, const gsl_odeiv2_step_type* type)
       : absolute(absolute_part), relative(relative_part), method(type) {}

@@ -20,6 +20,7 @@ inline thread_local const std::atomic<bool>* stop_flag = nullptr;
 /// As long as it lives the computations of this thread end soon after `flag` has been set.
 class Interruptible {
  public:
+  /// `flag` must live as long; null stands for no flag.
   explicit Interruptible(const std::atomic<bool>* flag) : before_(stop_flag) { stop_flag = flag; }
   ~Interruptible() { stop_flag = before_; }
   Interruptible(const Interruptible&) = delete;

@@ -65,6 +65,7 @@ std::function<void(double)> shown(const std::string& label, double until);
 /// Shows `label` and the seconds since it was made, once a second, while nobody shows a `Progress`.
 class Heartbeat {
  public:
+  /// Begins at once if somebody watches a terminal.
   explicit Heartbeat(std::string label);
   ~Heartbeat();
   Heartbeat(const Heartbeat&) = delete;

@@ -16,6 +16,7 @@ namespace lattice {
 /// A source of random numbers with a recorded seed.
 class Random {
  public:
+  /// Equal seeds give equal numbers.
   explicit Random(unsigned long seed);
   /// Uniformly distributed in [lo, hi).
   double uniform(double lo, double hi);

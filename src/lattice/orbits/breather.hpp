@@ -82,6 +82,7 @@ struct Fitted {
 /// Thrown if the chain cannot hold the breather's tail; it needs `needed` sites.
 struct ShortChain : std::invalid_argument {
   std::size_t needed;
+  /// `sites` are needed.
   explicit ShortChain(std::size_t sites)
       : std::invalid_argument("the breather needs " + std::to_string(sites) + " sites"),
         needed(sites) {}
@@ -112,13 +113,12 @@ double alignment(const Vector<double>& a, const Vector<double>& b);
 /**
 ## The barrier
 
-To move along the chain a breather passes from bond to site to bond, and if the energies of the two kinds
-differ there is a barrier (named after Peierls and Nabarro). The article, section 3.2, takes the
-difference at the same frequency. The effective Hamiltonian that it refers to compares breathers of the
-same area $\mathcal A = \oint\sum\dot y_n^2\,dt$ instead. We keep the frequency of the bond-centred
-breather and correct that of the site-centred one until the areas agree. Along a branch
-$dE = d\mathcal A/T_b$; this turns the remaining difference of the areas into energy, and what is
-neglected is of third order. */
+To move along the chain a breather passes from bond to site to bond, and if the energies of the two kinds differ
+there is a barrier (named after Peierls and Nabarro). The article, section 3.2, takes the difference at the same
+frequency. The effective Hamiltonian that it refers to compares breathers of the same area
+$\mathcal A = \oint\sum\dot y_n^2\,dt$ instead. We keep the frequency of the bond-centred breather and correct that
+of the site-centred one until the areas agree. Along a branch $dE = d\mathcal A/T_b$; this turns the remaining
+difference of the areas into energy, and what is neglected is of third order. */
 template <class T>
 struct Barrier {
   T equal_frequency{};  ///< E_site - E_bond at the same frequency

@@ -55,7 +55,7 @@ NewtonRule<T> graded() {
 /**
 A pair is made of two breathers of one frequency, site-centred first, and of what was measured on them. */
 struct BreatherPair {
-  double s = 0, omega = 0;
+  double s = 0, omega = 0;               ///< anharmonicity of the wells, frequency of both
   std::array<Orbit<double>, 2> orbit{};  ///< site, bond
   std::array<Estimate, 2> energy{}, amplitude{};
   Estimate equal_frequency{}, equal_area{};  ///< the two barriers, E_site - E_bond
@@ -71,6 +71,7 @@ struct Measured {
   std::array<Orbit<T>, 2> orbit;
   Barrier<T> gap;
 
+  /// Throws NewtonFailed.
   Measured(const BreatherPair& pair, int coarser);
 };
 
@@ -79,6 +80,7 @@ The difference of the two is the error, but it may be small by chance. Compariso
 shows errors of the energy of up to ten tolerances, so we never take the error to be below sixteen: 2048
 roundings of `size`. At equal area a quarter of the energy serves as size: an orbit makes
 $E - \mathcal A/T_b$ stationary, and this barrier suffers less from an error of the orbit. */
+/// `fine` with that error.
 template <class T>
 Estimate agree(const T& coarse, const T& fine, const T& size) {
   const T floor = T(2048) * std::numeric_limits<T>::epsilon() * magnitude(size);
@@ -90,13 +92,16 @@ Both barriers have derivatives that cost nothing. At equal frequency it is the d
 energies; at equal area $d\mathcal H = \omega\,d\mathcal A/2\pi$ along both families leaves
 $(\omega_{site}/\omega_b-1)\,\mathcal H'_{bond}$, where $\omega_{site}$ is the frequency of the site-centred
 breather of that area. */
+/// Fills the pair with what the two resolutions say.
 template <class T>
 void assess(BreatherPair& pair, const Measured<T>& coarse, const Measured<T>& fine);
 
 /**
 A pair is measured at both tolerances; a search, which asks again and again, takes one at a time. */
+/// Measures at both tolerances in type T. Throws NewtonFailed.
 template <class T>
 void measure_in(BreatherPair& pair);
+/// Measures at one tolerance; the errors are those of rounding alone. Throws NewtonFailed.
 template <class T>
 void measure_once(BreatherPair& pair, int coarser = 0);
 
@@ -134,11 +139,13 @@ BreatherPairs climb_pairs(double s, const std::vector<double>& omegas,
 A zero of the barrier lies between two pairs, and to find it we need another pair there. In the coordinates
 of continuation.hpp the branches are almost straight, so Newton's method starts from the point in
 between. */
+/// The pair of frequency `omega`, not yet measured. Throws NewtonFailed.
 BreatherPair pair_between(const BreatherPair& left, const BreatherPair& right, double omega);
 
 /**
 Between two pairs of opposite sign a barrier vanishes. Its derivative is known with it, so that Newton's
 method, kept between the pairs, finds the frequency in double precision in a few steps. */
+/// The frequency at which `gap` vanishes. Throws std::runtime_error if the wider type does not confirm it.
 Estimate zero_between(const BreatherPair& left, const BreatherPair& right,
                       Estimate BreatherPair::*gap);
 

@@ -29,9 +29,9 @@ respect to another parameter it is a central difference, whose error affects onl
 converges and how long the steps are. */
 template <class T>
 struct Along {
-  std::string name;
-  std::function<T(const Shooting<T>&)> get;
-  std::function<void(Shooting<T>&, const T&)> set;
+  std::string name;                                 ///< for messages
+  std::function<T(const Shooting<T>&)> get;         ///< reads it from a problem,
+  std::function<void(Shooting<T>&, const T&)> set;  ///< and writes it there
   double change = 0;  ///< of the central difference; 0 for the frequency
 
   /// Whether the parameter is the frequency, for which the coordinates are those of the limit.
@@ -41,11 +41,12 @@ struct Along {
     using std::exp;
     return is_frequency() ? exp(T(2) * ell) : T(1);
   }
-  /// The parameter at `ell`, and back.
+  /// The parameter at `ell`.
   T parameter(T ell) const {
     using std::exp;
     return is_frequency() ? T(1) + exp(ell) : ell;
   }
+  /// ell for this parameter; a frequency must be above one.
   T coordinate(T parameter) const {
     using std::log;
     return is_frequency() ? log(parameter - T(1)) : parameter;
@@ -73,12 +74,12 @@ Along<T> along_s() {
           [](Shooting<T>& p, const T& s) { p.chain.well = Quartic{double(s)}; }, 1.0 / 1024};
 }
 
-/// How long the steps are, as lengths in the space of (xi, ell), where xi is scaled to a maximum of one,
-/// and how accurate the points are. Six corrections are enough if a step is not too long.
+/// How long the steps are and how accurate the points. Six corrections are enough if a step is not too long.
 struct Stride {
+  /// Lengths in the space of (xi, ell), where xi is scaled to a maximum of one.
   double first = 0.1, least = 1e-4, most = 0.4;
   double tolerance = 1e-9;  ///< relative residual of the points on the curve
-  int corrections = 6;
+  int corrections = 6;      ///< at most, for one step
 };
 
 /**
@@ -110,8 +111,9 @@ class Branch {
   /// Follows the branch up to `target` and converges there to the accuracy of `rule`; throws NoBranch
   /// if the branch turns back before.
   Orbit<T> reach(T target, int most_steps = 400);
-  /// The problem and the unknowns at the point where the branch stands.
+  /// The problem with the parameter of that point.
   Shooting<T> problem() const { return along_.at(problem_, parameter()); }
+  /// The unknowns there.
   Vector<T> unknowns() const { return unknowns(z_); }
 
   /**

@@ -54,10 +54,9 @@ $$M = \begin{pmatrix} 1+2K & 2D^TB\\ 2A^TC & 1+2K^T\end{pmatrix},\qquad K = B^TC
 M + M^{-1} = \begin{pmatrix} 2+4K & 0\\ 0& 2+4K^T\end{pmatrix}.$$
 Each eigenvalue $\kappa$ of the $N\times N$ matrix $K$ is therefore one pair,
 $$\lambda + \frac1\lambda - 2 = 4\kappa,\qquad \lambda = 1 + 2\kappa \pm 2\sqrt{\kappa(1+\kappa)},$$
-and its eigenvector holds the positions of the mode. A real $\kappa$ in $[-1,0]$ means a stable pair, at
-the angles $\pm 2\arcsin\sqrt{-\kappa}$; $\kappa > 0$ means an unstable one,
-$\ln\lambda = \pm 2\,\mathrm{arsinh}\sqrt\kappa$. Near $+1$ the difference $\lambda+1/\lambda-2$ would
-lose all digits; here it is never formed. */
+and its eigenvector holds the positions of the mode. A real $\kappa$ in $[-1,0]$ means a stable pair, at the angles
+$\pm 2\arcsin\sqrt{-\kappa}$; $\kappa > 0$ means an unstable one, $\ln\lambda = \pm 2\,\mathrm{arsinh}\sqrt\kappa$.
+Near $+1$ the difference $\lambda+1/\lambda-2$ would lose all digits; here it is never formed. */
 /// The matrix K of a half-period map in momenta.
 template <class T>
 Matrix<T> pair_matrix(const Matrix<T>& half);
@@ -83,6 +82,7 @@ struct Pairs {
   Vector<T> mode;   ///< positions at t = 0 of the mode of kappa.front(), of length one
   T defect{};       ///< of the half-period map, see symplectic_defect
   T phase_error{};  ///< largest entry of f^T K for f of length one
+  /// kappa of the pinning pair.
   T pinning() const { return kappa.front().real(); }
 };
 
@@ -112,7 +112,8 @@ grows by $|d\lambda/d\kappa| \sim |\kappa|^{-1/2}$, up to the square root of the
 be told from zero. */
 struct Pair {
   std::complex<double> kappa;
-  double error;
+  double error;  ///< of kappa, absolute
+  /// Whether the multipliers leave the unit circle by more than the error allows.
   bool is_unstable() const {
     return std::abs(kappa.imag()) > error || kappa.real() > error || kappa.real() < -1 - error;
   }
@@ -138,8 +139,9 @@ bond-centred breather the reflection of the chain splits all changes into odd on
 time belongs, and even ones, to which the pinning mode belongs: the block of $K$ on even vectors needs no
 restriction. For a site-centred one $-PF$, half a period followed by the sign change and reflection of
 $S'$, is a map whose square is $M$; its phase pair is at $+1$ and its pinning pair near $-1$. By the
-argument from before, applied to this map, its first block $-PA$ has the mean $\alpha$ of the two
+same argument, applied to this map, its first block $-PA$ has the mean $\alpha$ of the two
 multipliers of each pair as its eigenvalue, and $\kappa = \alpha^2 - 1$. */
+/// kappa of the pinning pair, from the half-period map in momenta.
 template <class T>
 T pinning_by_symmetry(const Matrix<T>& half, Centre centre);
 
@@ -147,6 +149,7 @@ T pinning_by_symmetry(const Matrix<T>& half, Centre centre);
 The same can be had from the monodromy matrix of any integrator. Each of the four eigenvalues nearest to
 $+1$ may be wrong by the square root of the matrix's error, but not the sum of their
 $(\lambda-1)^2/\lambda$. It is $8\kappa$ of the pinning pair, because the phase pair adds nothing. */
+/// kappa of the pinning pair, from a monodromy matrix of two rows per site.
 double quadruplet_kappa(const Matrix<double>& map);
 
 }  // namespace lattice

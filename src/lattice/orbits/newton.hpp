@@ -41,7 +41,7 @@ template <class T>
 struct Shot {
   Vector<T> miss, miss_period;  ///< residuals and their derivative with respect to the period
   Matrix<T> jacobian;           ///< with respect to the unknowns; empty if it was not asked for
-  FlowReport<T> flow;
+  FlowReport<T> flow;           ///< of the integration; all zero from another integrator
 };
 
 /// The units of unknowns and of equations.
@@ -69,8 +69,9 @@ A result that has not converged must not leave a program unnoticed, so every ite
 Residual and step are relative to the amplitude of the orbit, or, if `graded`, to the local size, so that
 the tail has to converge as well as the centre. */
 struct Iteration {
-  double residual, step;
+  double residual, step;  ///< the step from that point on; zero where none was made
 };
+/// All iterations, from the guess on.
 using History = std::vector<Iteration>;
 
 /// Residuals and steps in one line, for messages.
@@ -89,11 +90,11 @@ struct NewtonFailed : std::runtime_error {
 /// How Newton's method proceeds and when it stops.
 template <class T>
 struct NewtonRule {
-  EventTolerance<T> events{};
-  int most = 30;        ///< iterations
-  bool graded = false;  ///< demand relative accuracy of every site
-  bool damped = false;  ///< halve a step until it lowers the residual
-  double rank = 0;      ///< see solve_system
+  EventTolerance<T> events{};  ///< of the flow
+  int most = 30;               ///< iterations
+  bool graded = false;         ///< demand relative accuracy of every site
+  bool damped = false;         ///< halve a step until it lowers the residual
+  double rank = 0;             ///< see solve_system
   /// A residual below which the method may stop, as soon as the residual no longer falls. A shot of many
   /// steps misses by some multiple of the tolerance of one; relative to the local size, in the tail, by
   /// a thousand times more.
@@ -104,6 +105,7 @@ struct NewtonRule {
 An orbit is no better than the flow from which it was computed. Every step of the integrator estimates its
 own error. If one could not meet the tolerance, or if a contact that matters opened or closed in the middle
 of a step (`unlanded`), the residual means nothing and the orbit is refused. */
+/// Whether the flow is good enough for an orbit.
 template <class T>
 bool is_accurate(const FlowReport<T>& flow, const EventTolerance<T>& landing);
 
@@ -141,11 +143,13 @@ NewtonProblem<typename P::Scalar> seen(const P& problem) {
 Now everything is put together. `direction` gives the step from a shot: `solve`, below, uses the exact
 derivative, `polish` of shooting.hpp one that was computed before. We stop when the residual is small and
 no longer falls by a factor of four, and keep the better of the last two points; rounding then forbids
-more. Anything else is a failure. Throws NewtonFailed. */
+more. Anything else is a failure. */
+/// The step from a shot at `x`; it is subtracted.
 template <class T>
 using Direction = std::function<Vector<T>(const Shot<T>&, const Vector<T>& x)>;
 
-/// The solution near `x`, with a step from `direction`; shots have a derivative if it asks for one.
+/// The solution near `x`, with steps from `direction`; shots have a derivative if `jacobian` is set. Throws
+/// NewtonFailed.
 template <class T>
 Solution<T> iterate(const NewtonProblem<T>& problem, Vector<T> x, const NewtonRule<T>& rule,
                     bool jacobian, const Direction<T>& direction);
@@ -157,6 +161,7 @@ template <class T>
 Solution<T> solve(const NewtonProblem<T>& problem, const Vector<T>& x,
                   const NewtonRule<T>& rule = {});
 
+/// The same for any problem.
 template <class P, class T = typename P::Scalar>
 Solution<T> solve(const P& problem, const Vector<T>& x, const NewtonRule<T>& rule = {}) {
   return solve(seen(problem), x, rule);

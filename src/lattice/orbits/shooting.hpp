@@ -31,14 +31,16 @@ T pi() {
 }
 
 /**
-The derivative of a flight is wanted for some directions only. Its tangent has one column for each
+The derivative of the flow is wanted for some directions only. Its tangent has one column for each
 direction in a basis. */
+/// That tangent at the start: one column for each combination.
 template <class T>
 Tangent<T> tangent_of(const Basis& basis, std::size_t sites);
 
 /**
 In a symmetry the entries of a state are numbered from 0 to $2N-1$, first positions, then velocities.
 `entry` finds them. */
+/// Entry `i` of a state.
 template <class T>
 const T& entry(const State<T>& state, std::size_t i) {
   const std::size_t n = state.y.size();
@@ -55,25 +57,27 @@ T& entry(State<T>& state, std::size_t i) {
 
 A `Shooting` is the problem of finding a periodic orbit of `chain` with `symmetry`. The contacts of a
 localized orbit should have `floor = 0` (contact.hpp), because the tail is part of it. If the period is
-free it is the last unknown, and `omega` is not used. */
+free it is the last unknown. */
 template <class T>
 struct Shooting {
   using Scalar = T;
   Chain chain;
   Symmetry symmetry;
-  T omega{};
+  T omega{};  ///< frequency, not used if the period is free
 
-  /// 2 pi / omega, or the last of the unknowns `x` if the period is free.
+  /// 2 pi / omega.
   T period() const { return T(2) * pi<T>() / omega; }
+  /// The last of the unknowns `x` if the period is free, otherwise the same.
   T period(const Vector<T>& x) const { return symmetry.free_period ? x[x.size() - 1] : period(); }
   /// What messages call the orbit.
   std::string name() const;
-  /// The state of the whole chain at t = 0 from the unknowns, and back.
+  /// The state of the whole chain at t = 0 from the unknowns.
   State<T> unfold(const Vector<T>& x) const;
+  /// The unknowns of a state; a free period is taken from its time.
   Vector<T> fold(const State<T>& state) const;
   /// The sizes to which residuals and steps are relative (newton.hpp).
   Sizes<T> sizes(const Vector<T>& x, bool graded) const;
-  /// Flies through the part of a period that the symmetry leaves, and says by how much the equations
+  /// Integrates over the part of a period that the symmetry leaves, and says by how much the equations
   /// are missed; with the derivative, one row an equation, if it is wanted.
   Shot<T> shoot(const Vector<T>& x, const EventTolerance<T>& rule, bool with_jacobian = true) const;
   /// By how much a flight from `start` to `end`, however it was computed, misses the equations.
@@ -101,6 +105,7 @@ struct Orbit {
   T error{};                   ///< of the flow, by its own estimate, relative to the amplitude
   /// The last residual, relative to the amplitude.
   double residual() const { return history.back().residual; }
+  /// Newton steps that were made.
   std::size_t iterations() const { return history.size() - 1; }
   /// The last step, relative to the amplitude.
   double variation() const {

@@ -25,8 +25,9 @@ namespace lattice {
 /// An entry of the state, by its index, with a sign.
 struct Term {
   std::size_t index;
-  double sign;
+  double sign;  ///< 1 or -1
 };
+/// A sum of entries.
 using Combination = std::vector<Term>;
 /// Directions in phase space, each of them a column of the tangent map (tangent.hpp).
 using Basis = std::vector<Combination>;
@@ -39,13 +40,13 @@ struct Equation {
 
 /// All that Newton's method has to know of an orbit's symmetry.
 struct Symmetry {
-  std::string name;
+  std::string name;  ///< for messages
   std::size_t sites = 0;
-  Basis unknowns{};  ///< how the initial state depends on each unknown
-  std::vector<Equation> equations{};
-  int parts = 1;             ///< the flight lasts for the period over this number
-  bool free_period = false;  ///< the period is the last unknown
-  bool decays = true;        ///< a localized orbit; its tail is scaled site by site
+  Basis unknowns{};                   ///< how the initial state depends on each unknown
+  std::vector<Equation> equations{};  ///< what must vanish
+  int parts = 1;                      ///< the flight lasts for the period over this number
+  bool free_period = false;           ///< the period is the last unknown
+  bool decays = true;                 ///< a localized orbit; its tail is scaled site by site
 };
 
 /**

@@ -30,12 +30,14 @@ struct NoPacket : std::runtime_error {
 /// An array and the blow on its first cantilever, Eq. (28).
 struct StruckArray {
   CantileverArray array{};
-  double velocity = 1;  // m/s
+  double velocity = 1;  ///< m/s
   Scales scales = array.scales();
 
-  /// The velocity of the blow, and times in milliseconds, in units of the chain; and back.
+  /// The velocity of the blow in units of the chain.
   double struck_velocity() const { return velocity / scales.unit_velocity(); }
+  /// A time in milliseconds in units of tau_c.
   double time(double milliseconds) const { return milliseconds * 1e-3 / scales.tau_c(); }
+  /// A time in units of tau_c in milliseconds.
   double milliseconds(double t) const { return t * scales.tau_c() * 1e3; }
 
   /// The impact on the dimensionless chain in which the defect's radius is `ratio` times the usual one,
@@ -59,7 +61,7 @@ struct Watched {
 The article quotes what the packet does at cantilever 80, in SI units: the largest push, velocity and
 deflection, and the internal period. To these we add the time of the strongest push, its arrival. */
 struct Pulse {
-  double arrival, force, velocity, deflection, period;  // SI
+  double arrival, force, velocity, deflection, period;  ///< s, N, m/s, m, s
 };
 
 /// The pulse at a watched cantilever; throws NoPacket if the packet did not pass it.
@@ -74,7 +76,7 @@ struct WatchedRun : ImpactRun {
   Watched at{};
 };
 
-/// Throws FarEndReached like every impact.
+/// The run with steps and samples of `r`. Throws FarEndReached like every impact.
 WatchedRun pass(const StruckArray& blow, std::size_t n, double until, const Resolution& r);
 
 /**

@@ -141,7 +141,8 @@ Refined<ImpactRun> strike_to(double tolerance, const Impact& impact, Differ diff
 }
 
 /**
-Shares of the energy refer to its total, the sum of the density. */
+Shares of the energy refer to its total. */
+/// The sum of a density.
 double total(const std::vector<double>& e);
 
 /// Share of the first `sites` sites in a density: what an impact leaves at the boundary.

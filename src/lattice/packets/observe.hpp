@@ -55,6 +55,7 @@ A track collects what the packet does from sample to sample. Its speed is the sl
 The article fits it only where the packet is far from the end where it was launched, and gives no number;
 so the stretch `from <= X <= to` is an argument here and is stated with every result. */
 struct Track {
+  /// One entry per sample: time, centre X (sites, from one), energy of the window, largest density.
   std::vector<double> t, centre, energy, peak;
 
   /// Appends the packet around `peak_site` of the density `e` at time `time`.
@@ -68,6 +69,7 @@ struct Track {
   /**
   What happens to a packet after it has left the stretch, a reflection for example, does not count. So
   samples count up to the first one whose centre lies beyond `to`, even if a later one is back within. */
+  /// How many samples count.
   std::size_t until(double to) const {
     return std::size_t(
         std::find_if(centre.begin(), centre.end(), [to](double x) { return x > to; }) -

@@ -31,7 +31,7 @@ double largest_modulus(const std::vector<double>& t, std::vector<double> x);
 
 /// The strongest push of a train, and half the time between the one before and the one after it.
 struct Push {
-  double t, force, period;
+  double t, force, period;  ///< in the units of the samples
 };
 
 /// The strongest push of the samples `force`; nothing if it is the first or the last one, because the

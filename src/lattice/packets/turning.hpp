@@ -29,7 +29,7 @@ namespace lattice {
 
 /// Centre and energy of the strongest packet at equally spaced times.
 struct Path {
-  std::vector<double> t, centre, energy;
+  std::vector<double> t, centre, energy;  ///< centres in sites, from one
 
   /// Appends the packet around the strongest site of the density `e`.
   void add(double time, const std::vector<double>& e) {
@@ -59,6 +59,7 @@ itself is taken. */
 struct Moment {
   double site = std::numeric_limits<double>::quiet_NaN(),
          time = std::numeric_limits<double>::quiet_NaN();
+  /// Whether there is one.
   bool found() const { return !std::isnan(time); }
 };
 
@@ -77,6 +78,7 @@ A packet has turned once it has come back by `back` sites, which is more than it
 it is caught between two sites; the apex is its furthest point. It has rebounded once it then moves out
 again by `again` sites. The first stop is sought beyond site `clear`, where the packet has detached
 itself from the end. */
+/// The turn of a smoothed path; what it does not show stays `nan`.
 Turn find_turn(const Path& path, double back = 5, double again = 3, double clear = 8);
 
 /**
@@ -96,9 +98,10 @@ inline constexpr double smoothing = 15, sampling = 0.2;
 
 /// One struck chain, followed (impact.hpp).
 struct Voyage {
-  Path path;
+  Path path;  ///< as sampled, not smoothed
   State<double> end;
   Run run;
+  /// The turn of the path smoothed over `width`. Throws std::invalid_argument for fewer than three samples.
   Turn turn(double width = smoothing) const { return find_turn(smooth(path, width)); }
 };
 
@@ -131,6 +134,7 @@ The time of a turn has one error from the step and one from the width of the smo
 choice. The first is the difference of two runs; for the second we read the finer run again with half the
 width and add what this changes. */
 struct TurnEstimate {
+  /// Of the first stop and of the apex; the return is the rebound.
   Estimate stop_time, stop_site, apex_time, apex_site, return_time;
 };
 
@@ -160,6 +164,7 @@ For a map of which impacts turn round and which do not, the smoothed path is not
 internal period tells whether a packet has passed a given site, the horizon, has come back by five sites,
 or has never left the end. */
 enum class Fate : std::int64_t { escapes, turns, stays, undecided };
+
 /// A fate, and how far the packet came.
 struct Outlook {
   Fate fate = Fate::undecided;

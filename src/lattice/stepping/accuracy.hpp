@@ -42,6 +42,7 @@ double distance(const State<double>& a, const State<double>& b);
 Which scheme is the cheapest depends on the tolerance: up to ten digits it is that of Dormand, El-Mikkawy
 and Prince, beyond that the splitting with fourteen force evaluations (schemes.hpp), whose errors are
 smaller. Both are used with the treatment of contacts of contact_rkn.hpp. */
+/// The stepper for a relative tolerance, with steps of at most `step`, halved `halvings` times by the run.
 ContactAware stepper_for(double tolerance, double step, int halvings = 0);
 
 /**
@@ -50,7 +51,7 @@ most seven times. The period of small oscillations in a well is $2\pi$, so that 
 resolves the motion. */
 inline constexpr double largest_step = 0.2, smallest_step = 0.2 / 128;
 
-/// The pace of a run in a refinement whose samples become denser together with the steps.
+/// The grid of a run in a refinement whose samples become denser together with the steps.
 inline TimeGrid dense_time_grid(const ContactAware& stepper, double duration, double sample) {
   return denser_samples(time_grid(duration, sample, stepper.step), stepper.halvings);
 }
@@ -83,7 +84,7 @@ struct Reading {
   }
 };
 
-/// For example `reading("speeds", [](const Outcome& out) { return ...; })`.
+/// For example `reading("speeds", [](const ImpactRun& run) { return ...; })`.
 template <class Of>
 Reading<Of> reading(std::string name, Of of) {
   return {std::move(name), std::move(of)};
@@ -95,10 +96,11 @@ whether the tolerance was reached. */
 template <class Result>
 struct Refined {
   Result coarse, fine;
-  double error, step;
-  bool converged;
-  std::string history;
-  int halvings = 0;  ///< of the finer run
+  double error;         ///< of what must agree: the difference of the two
+  double step;          ///< of the finer run, before it is fitted to the samples
+  bool converged;       ///< whether the error is below the tolerance
+  std::string history;  ///< steps and errors of all attempts, for messages
+  int halvings = 0;     ///< of the finer run
 };
 
 /// Whether two results come from one run made twice: equal numbers of steps and equal bits at the end.

@@ -36,7 +36,7 @@ The stepper is a splitting with such sums. It keeps the lost parts during a call
 them between two calls: a run then rounds once per sample instead of twice per stage. */
 struct Compensated {
   Scheme scheme;
-  double step;
+  double step;  ///< the largest that it may take
 
   /// Advances `state` by `count` steps of length `h`; returns the number of site-force evaluations.
   double advance(const Chain& chain, State<double>& state, Window& window, double h,

@@ -31,6 +31,7 @@ template <class T>
 struct StageSum {
   std::vector<T> weight{};
   std::vector<std::size_t> stage{};
+  /// The terms of a row of coefficients that are not zero, times `scale`.
   StageSum(const std::vector<double>& row, double scale);
 };
 
@@ -51,7 +52,9 @@ struct NystromMemory {
   std::vector<std::size_t> contacts{};   ///< the list of them, ascending,
   std::vector<Impulse<T>> correction{};  ///< and what each one needs, zero for all the others
   T small;                               ///< overlap that is not worth a correction
+  /// `negligible` becomes `small`.
   NystromMemory(const Nystrom& base, std::size_t sites, double negligible);
+  /// Makes the sums for steps of length `h`, unless they are those of the last call.
   void prepare(const Nystrom& base, double h);
 };
 
@@ -65,7 +68,7 @@ $$\frac{K h^3}{\mu}\Bigl[\int_0^1 \tfrac12 (1-s)^2 F\,ds
 What remains are errors in $h^5$ per switching, mostly from the quintic. The scheme is neither symplectic
 nor reversible; its energy drifts by as much as its error. */
 struct ContactAware {
-  double step;
+  double step;  ///< the largest that it may take
   Nystrom base = dormand_prince_6();
   double negligible = 1e-19;  ///< contact force that is not worth a correction
   int halvings = 0;  ///< how often a run halves the steps that `step` asks for (accuracy.hpp)

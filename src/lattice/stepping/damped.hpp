@@ -46,10 +46,10 @@ step calls the conservative stepper anew, so that a splitting cannot merge its k
 pays one more force evaluation per step. Without any friction the bits are those of the inner stepper. */
 template <class Stepper>
 struct Damped {
-  Stepper stepper;
-  std::vector<double> nu;
-  double step;
-  int halvings = 0;
+  Stepper stepper;         ///< of the conservative motion
+  std::vector<double> nu;  ///< rates of the velocities, per unit of time: one, or one per site
+  double step;             ///< that of `stepper`
+  int halvings = 0;        ///< likewise (accuracy.hpp)
 
   /// Throws std::invalid_argument if there is no rate, or one is negative or not finite.
   Damped(Stepper inner, std::vector<double> rates)
@@ -59,6 +59,7 @@ struct Damped {
     if (nu.empty() || !std::all_of(nu.begin(), nu.end(), good))
       throw std::invalid_argument("a damping rate must be finite and >= 0");
   }
+  /// The same rate for all sites.
   Damped(Stepper inner, double rate) : Damped(std::move(inner), std::vector<double>{rate}) {}
 
   /**
@@ -163,8 +164,8 @@ template <class Stepper, class Memory>
 struct WithLedger {
   const Damped<Stepper>& damped;
   Memory& memory;
-  double step;
-  int halvings;
+  double step;   ///< that of the damped stepper
+  int halvings;  ///< likewise
 
   /// Advances like every stepper (integrate.hpp), and notes what was lost in the memory.
   double advance(const Chain& chain, State<double>& state, Window& window, double h,
@@ -213,7 +214,7 @@ DampedRun evolve(const Damped<Stepper>& damped, const Chain& chain, State<double
   });
 }
 
-/// The same at a pace of samples and steps.
+/// The same on a given time grid.
 template <class Stepper, class Observer>
 DampedRun evolve(const Damped<Stepper>& damped, const Chain& chain, State<double>& state,
                  const TimeGrid& grid, Observer observe) {

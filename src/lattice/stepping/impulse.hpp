@@ -24,11 +24,13 @@ $(t-t^*)_+^{\alpha+2}$, so for spheres the quintic errs by $O(h^{7/2})$. Near $t
 is $O(h^{1/2})$; over a step the impulse therefore errs by $O(h^5)$ only. */
 template <class T>
 struct Quintic {
-  T x0, w0, g0, x1, w1, g1;
+  T x0, w0, g0, x1, w1, g1;  ///< at s = 0 and at s = 1
   T d = x1 - (x0 + w0 + g0), e = w1 - (w0 + T(2) * g0), f = g1 - g0;
   T c3 = T(10) * d - T(4) * e + f, c4 = T(7) * e - T(15) * d - T(2) * f;
   T c5 = T(6) * d - T(3) * e + f;
+  /// The overlap at s.
   T operator()(T s) const { return x0 + s * (w0 + s * (g0 + s * (c3 + s * (c4 + s * c5)))); }
+  /// Its derivative by s.
   T slope(T s) const {
     return w0 + s * (T(2) * g0 + s * (T(3) * c3 + s * (T(4) * c4 + s * T(5) * c5)));
   }
@@ -102,6 +104,7 @@ Now the impulse over the whole step is put together. While the contact is closed
 one root of the quintic to the next. We look for changes of sign between the `probe` points. Roots more
 than a step outside do not matter, since the force is smooth enough for the eight nodes. A piece between
 two roots is cut in the middle, and each half is referred to its own root. */
+/// `push(s)` is the force at s while the contact is closed; `fourth` where twice its exponent is no integer.
 template <class T, class Push>
 Impulse<T> exact_impulse(const Quintic<T>& x, const Push& push, bool fourth) {
   static constexpr double probe[]{-1, -0.5, 0, 0.25, 0.5, 0.75, 1, 1.5, 2};

@@ -32,7 +32,7 @@ of one is merged with the first of the next, so that `count` steps of a scheme w
 `count * (m - 1) + 1` stages. */
 template <class T>
 struct Stage {
-  T kick, drift;
+  T kick, drift;  ///< durations, the weights of the scheme times the step
 };
 
 /// The number of stages of `steps` steps.
@@ -48,7 +48,7 @@ Stage<T> stage_at(const Scheme& scheme, double h, std::size_t steps, std::size_t
 /// anything that has a `step` and this `advance`.
 struct Splitting {
   Scheme scheme;
-  double step;
+  double step;  ///< the largest that it may take
 
   /// Advances `state` by `count` steps of length `h`; returns the number of site-force evaluations.
   template <class T>
@@ -62,15 +62,16 @@ each. Doubling either count then halves the step exactly. Dividing by lengths wo
 has to be shortened to fit an interval, half of it may end up as the same step. */
 struct TimeGrid {
   double duration = 0;
-  std::size_t samples = 0, steps = 1;
+  std::size_t samples = 0, steps = 1;  ///< intervals in the duration, steps in an interval
 
-  /// Time between two samples, and length of a step.
+  /// Time between two samples; zero if there are none.
   double interval() const { return samples > 0 ? duration / double(samples) : 0; }
+  /// Length of a step.
   double step() const { return interval() / double(steps); }
 };
 
 /**
-`pace` finds the coarsest division of `duration` with samples at most `sample` apart and steps of at most
+`time_grid` is the coarsest division of `duration` with samples at most `sample` apart and steps of at most
 `step`; without duration there are no samples. The factor $1 - 10^{-12}$ keeps a quotient that rounding
 has put just above a whole number from adding one more interval. Throws std::invalid_argument if the
 duration is negative or not finite, or `sample` or `step` is not positive. */
@@ -93,10 +94,10 @@ struct Run {
   double energy_drift = 0;
   double work = 0;        ///< site-force evaluations
   std::size_t steps = 0;  ///< time steps
-  double error =
-      0;  ///< relative error of the end state, where a tolerance was asked for (accuracy.hpp)
-  double t_end = 0;
+  double error = 0;  ///< of the end state, relative; zero unless from `evolve_to` (accuracy.hpp)
+  double t_end = 0;  ///< time of the last sample that is not a runaway
   double escape_time = std::numeric_limits<double>::infinity();
+  /// Whether the solution has run away.
   bool escaped() const { return std::isfinite(escape_time); }
 };
 
@@ -142,7 +143,7 @@ Advance advance_of(const Stepper& stepper, const Chain& chain) {
 }
 
 /**
-`evolve` carries a state forward at a given pace and shows it to `observe(state)` at the start and after
+`evolve` carries a state forward on a given time grid and shows it to `observe(state)` at the start and after
 every sample. It stops early when `observe` returns false, or when the solution runs away; the runaway
 state is not shown. */
 Run evolve(const Advance& advance, const Chain& chain, State<double>& state, const TimeGrid& grid,
@@ -165,7 +166,7 @@ int halvings_of(const Stepper& stepper) {
   return 0;
 }
 
-/// The pace for `stepper` with fixed samples: the coarsest that suits its step, then its halvings.
+/// The grid for `stepper` with fixed samples: the coarsest that suits its step, then its halvings.
 template <class Stepper>
 TimeGrid time_grid_for(const Stepper& stepper, double duration, double sample) {
   return shorter_steps(time_grid(duration, sample, stepper.step), halvings_of(stepper));

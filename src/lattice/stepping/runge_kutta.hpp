@@ -3,7 +3,7 @@
 # Runge-Kutta methods as the field uses them
 
 Our own steppers know about contacts (contact_rkn.hpp). Most published computations with such chains come from
-general methods that do not: Runge-Kutta methods with a fixed step, or with steps that a programme chooses so that
+general methods that do not: Runge-Kutta methods with a fixed step, or with steps that a program chooses so that
 an estimate of its error stays below a tolerance. To find out what such a choice does to a number we need these
 methods as they are. They solve $\dot x = f(x)$ by
 $$X_i = x + h\sum_{j<i}\alpha_{ij}f(X_j), \qquad x' = x + h\sum_j\beta_jf(X_j).$$ */
@@ -22,9 +22,9 @@ namespace lattice {
 /// less those of the lower order.
 struct RungeKutta {
   std::string name;
-  int order;
-  std::vector<std::vector<double>> stages;  ///< row i has i entries
-  std::vector<double> weights, error{};
+  int order;                                ///< of the result that is carried on
+  std::vector<std::vector<double>> stages;  ///< alpha; row i has i entries
+  std::vector<double> weights, error{};     ///< beta, and the differences; empty without a pair
 };
 
 /// The classical method of order four.
@@ -55,19 +55,19 @@ enum class ErrorNorm { largest, two, rms };
 
 /// Tolerances and norm of a controlled step; the defaults are those of common programs.
 struct StepControl {
-  double relative = 1e-3, absolute = 1e-6;
+  double relative = 1e-3, absolute = 1e-6;  ///< r and a
   ErrorNorm norm = ErrorNorm::rms;
   double first = 1e-3;  ///< step to begin with
 };
 
 /// What a controlled run did.
 struct ControlledRun {
-  std::size_t accepted = 0, rejected = 0;
+  std::size_t accepted = 0, rejected = 0;  ///< steps
 };
 
 /**
-The next step is the old one times $0.9\,e^{-1/5}$, where $e$ is the error in those units, at least a fifth and at most
-ten times as long; after a rejected step it does not grow. Samples lie on the cubic through both ends of a step
+The next step is the old one times $0.9\,e^{-1/5}$, where $e$ is the error in those units, at least a fifth and at
+most ten times as long; after a rejected step it does not grow. Samples lie on the cubic through both ends of a step
 with the slopes there, so that they do not shorten the steps. */
 /// Carries `x` over `duration`; `observe(t, x)` is called at the start and after each of `samples` equal
 /// intervals. Throws std::runtime_error if the step becomes too small or a value infinite.

@@ -5,8 +5,8 @@
 Two families of time steppers share this file. *Splittings* alternate kicks (a change of the velocities
 at fixed positions) and drifts (a change of the positions at fixed velocities); they are symplectic,
 which keeps the energy error of a long run bounded. *Runge-Kutta-Nystrom schemes* combine accelerations
-taken at several instants of a step of length $h$. Both are lists of numbers; what is done with them
-stands in integrate.hpp and contact_rkn.hpp. The tests measure every order claimed here: a scheme has
+taken at several instants of a step of length $h$. Both are lists of numbers; integrate.hpp and
+contact_rkn.hpp say what is done with them. The tests measure every order claimed here: a scheme has
 order $p$ if the error of a run of fixed duration falls like $h^p$. */
 
 #include <cstddef>
@@ -68,6 +68,7 @@ struct Nystrom {
   std::vector<double> c;               ///< times of the stages, from 0 to 1
   std::vector<std::vector<double>> a;  ///< row i has i entries; the last gives the new positions
   std::vector<double> b;               ///< weights of the new velocities
+  /// The index of the stage that is the new state.
   std::size_t last() const { return c.size() - 1; }
 };
 

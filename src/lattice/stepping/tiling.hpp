@@ -29,8 +29,8 @@ threads. The copies take as much memory as the state. Threads, block, depth and 
 and nothing else. */
 struct Tiled {
   Scheme scheme;
-  double step;
-  std::size_t threads = lattice::threads();
+  double step;                               ///< the largest that it may take
+  std::size_t threads = lattice::threads();  ///< at most
   std::size_t block = 1024;     ///< sites; with their shift they fit in the first-level cache
   std::size_t depth = 32;       ///< stages per pass
   std::size_t least = 1 << 13;  ///< sites per thread; fewer are in the cache anyway
