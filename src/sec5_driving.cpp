@@ -278,15 +278,15 @@ void report_chart(Report& report, const Rig& rig) {
 ## What the packets are
 
 Are the breathers of a train those of an impact, and are they exact? In the DpS limit two numbers determine a
-travelling breather, its shift time $T$ and the phase $\varphi$ by which it turns from site to site, and so they nearly
-do in the chain (traveller.hpp). We measure both, at $\delta = 0.1$ for a piston at several multiples of the law, and
-after an impact of 1 m/s. If the packet is such a breather its energy and width are no longer free: they must be those
-of the members of the exact families. So their ratios have to be one, and nothing is fitted.
+travelling breather, its shift time $T$ and the phase $\varphi$ by which it turns from site to site, and so they
+nearly do in the chain (traveller.hpp). We measure both, at $\delta = 0.1$ for a piston at several multiples of the
+law, and after an impact of 1 m/s. If the packet is such a breather its energy and width are no longer free: they
+must be those of the members of the exact families. So their ratios have to be one, and nothing is fitted.
 
 Without losses we look at beads 12 to 28. With 10 ms the packets of a train catch up with the first one, which has
-lost more (second figure), and meet it between beads 20 and 30; so we look at beads 9 to 17. The packet's inner motion
-ripples all means. So errors are differences from stretches that begin two and three beads later, the former with
-twice the step; those of the ratios contain the difference that the farthest members make. */
+lost more (second figure), and meet it between beads 20 and 30; so we look at beads 9 to 17. The packet's inner
+motion ripples all means. So errors are differences from stretches that begin two and three beads later, the former
+with twice the step; those of the ratios contain the difference that the farthest members make. */
 struct Packet {
   std::string name;
   double strength;  ///< amplitude of the piston over the law; 0 for an impact
@@ -364,21 +364,21 @@ void report_exact(Report& report, const Rig& rig) {
 
 /**
 Energy and width agree with those of the families to one per cent. The first packet of a drive at 1.3 times the law
-has the ratios [0.999](num:sec5_driving.energy_ratio_drive) and [0.999](num:sec5_driving.width_ratio_drive); the ratio
-of the energies is [1.002](num:sec5_driving.energy_ratio_drive_third) for the third packet of this train,
+has the ratios [0.999](num:sec5_driving.energy_ratio_drive) and [0.999](num:sec5_driving.width_ratio_drive); the
+ratio of the energies is [1.002](num:sec5_driving.energy_ratio_drive_third) for the third packet of this train,
 [1.01](num:sec5_driving.energy_ratio_drive_lossy) for the first one with losses and
 [1.009](num:sec5_driving.energy_ratio_impact) for the impact. Only the impact with losses is out by more: its packet,
-which still sheds a tail on these beads, is too wide, [1.05](num:sec5_driving.width_ratio_impact_lossy). The comparison
-could have failed: an orbit of type I, $\varphi = 0$, of the same speed has another energy, of which the drive's packet
-has [2.25](num:sec5_driving.type_one_ratio_drive) times as much and that of the impact
+which still sheds a tail on these beads, is too wide, [1.05](num:sec5_driving.width_ratio_impact_lossy). The
+comparison could have failed: an orbit of type I, $\varphi = 0$, of the same speed has another energy, of which the
+drive's packet has [2.25](num:sec5_driving.type_one_ratio_drive) times as much and that of the impact
 [0.627](num:sec5_driving.type_one_ratio_impact) times.
 
-So a train and an impact consist of the same breathers with other phases. A drive gives positive ones, the smaller the
-stronger it is, [0.680](num:sec5_driving.phase_drive_weak), [0.50](num:sec5_driving.phase_drive) and
+So a train and an impact consist of the same breathers with other phases. A drive gives positive ones, the smaller
+the stronger it is, [0.680](num:sec5_driving.phase_drive_weak), [0.50](num:sec5_driving.phase_drive) and
 [0.1016](num:sec5_driving.phase_drive_strong) at 1.15, 1.3 and 1.6 times the law, an impact a negative one,
 [-0.264](num:sec5_driving.phase_impact). But none of them is an exact breather, which is the same again one site
-further on and leaves nothing behind: for the first $(T+\varphi)/2\pi$ would have to be a whole number, for the second
-$\varphi$ would have to vanish, or the sum $V$. The first is [3.81](num:sec5_driving.family_drive),
+further on and leaves nothing behind: for the first $(T+\varphi)/2\pi$ would have to be a whole number, for the
+second $\varphi$ would have to vanish, or the sum $V$. The first is [3.81](num:sec5_driving.family_drive),
 [4.12](num:sec5_driving.family_drive_weak) and [3.055](num:sec5_driving.family_drive_strong) for the drives. Nothing
 locks it: it follows the strength, and losses, which lengthen $T$, change it on the way.
 

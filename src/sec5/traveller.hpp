@@ -70,9 +70,9 @@ Traveller traveller_on(const Bench& bench, State<double> start, double duration,
 ## Breathers of the same shift time and phase
 
 The families have members at $T+\varphi = 2\pi k$ only, a packet has any $T$. But the scaled energy $ET^4$ and the
-width, which in the DpS limit depend on $\varphi$ alone, change little with $1/T$. So a grid of members, for some $k$ and
-some $\varphi$, and polynomials in $1/T$ and then in $\varphi$ tell what lies between them. Four digits are enough here,
-so Newton's method may stop early. */
+width, which in the DpS limit depend on $\varphi$ alone, change little with $1/T$. So a grid of members, for some $k$
+and some $\varphi$, and polynomials in $1/T$ and then in $\varphi$ tell what lies between them. Four digits are
+enough here, so Newton's method may stop early. */
 struct MemberGrid {
   std::vector<double> phases{};
   std::vector<std::vector<Traveller>> members{};  ///< one row a phase, one entry a family
