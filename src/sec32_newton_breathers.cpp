@@ -137,7 +137,7 @@ void report_convergence(Report& report) {
   report.results.add("newton.variation", compare(coarse.variation(), orbit.variation()));
   report.facts.add("newton_iterations", exact(double(orbit.iterations())));
   const auto symmetric = [&](const Orbit<double>& o) {
-    return condition_of(problem.shoot(o.x, {}).jacobian).number;
+    return condition_of(problem.shoot(o.x, {}).jacobian).condition;
   };
   report.facts.add("condition_site", compare(symmetric(coarse), symmetric(orbit)));
 
@@ -147,7 +147,7 @@ void report_convergence(Report& report) {
     return compare(before.history.back().*what, full.history.back().*what);
   };
   const Vector<double> sideways = gradient(orbit.start.y);
-  report.facts.add("condition_full", compare(before.soft.number, full.soft.number));
+  report.facts.add("condition_full", compare(before.soft.condition, full.soft.condition));
   report.facts.add("softest_along_gradient", compare(alignment(before.soft.softest, sideways),
                                                      alignment(full.soft.softest, sideways)));
   report.facts.add("full_residual", last(&Iteration::residual), "relative to amplitude");

@@ -190,7 +190,6 @@ Emission drive_chain(const Bench& bench, double duration, std::size_t gate, doub
                          [&](const State<double>& now, const Ledger& l) {
                            const double y = now.y[gate - 1], v = now.v[gate - 1];
                            turnstile.look(now.t, (y * y + v * v) / 2, out.passages);
-                           out.velocity = std::max(out.velocity, std::abs(v));
                            if (now.t <= duration / 2)
                              half = l.work;
                            else

@@ -86,7 +86,6 @@ struct Emission {
   std::vector<double> passages{};  ///< times at which packets are counted
   double power = 0;                ///< mean power of the drive in the second half of the run
   double response = 0;             ///< largest displacement of the first bead in the second half
-  double velocity = 0;             ///< largest velocity of the gate bead
   double ledger = 0;               ///< see run_bench
 
   /// Packets per unit of time in the second half of a run of this length.

@@ -38,7 +38,7 @@ Vector<T> shortest_solution(const Matrix<T>& matrix, const Vector<T>& right, dou
 
 /// How unequally a square matrix changes what it multiplies.
 struct Softness {
-  double number;           ///< largest over smallest singular value
+  double condition;        ///< largest over smallest singular value
   Vector<double> softest;  ///< the unit vector that it shrinks most
 };
 
