@@ -279,9 +279,10 @@ void report_chart(Report& report, const Rig& rig) {
 
 Are the breathers of a train those of an impact, and are they exact? In the DpS limit two numbers determine a
 travelling breather, its shift time $T$ and the phase $\varphi$ by which it turns from site to site, and so they
-nearly do in the chain (traveller.hpp). We measure both, at $\delta = 0.1$ for a piston at several multiples of the
-law, and after an impact of 1 m/s. If the packet is such a breather its energy and width are no longer free: they
-must be those of the members of the exact families. So their ratios have to be one, and nothing is fitted.
+nearly do in the chain (traveller.hpp). We measure both, at $\delta = 0.1$ for a piston that begins at once with
+several multiples of the law, and after an impact of 1 m/s. If the packet is such a breather its energy and width are
+no longer free: they must be those of the members of the exact families. So their ratios have to be one, and nothing
+is fitted.
 
 Without losses we look at beads 12 to 28. With 10 ms the packets of a train catch up with the first one, which has
 lost more (second figure), and meet it between beads 20 and 30; so we look at beads 9 to 17. The packet's inner

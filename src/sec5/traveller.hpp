@@ -5,10 +5,10 @@
 How does one recognize a travelling breather? In the frame that turns with a free bead,
 $z_n = e^{it}(y_n+i\dot y_n)$, it repeats itself one site further on after the shift time $T$ but for a phase,
 $$z_n(t+T) = e^{-i\varphi}z_{n-1}(t).$$
-In the DpS limit (dps_travelling.hpp) $T$ and $\varphi$ may be chosen freely, and everything else follows: the energy,
-the width. In the chain the breathers of the family that begins at $T = 2\pi k$ (travelling.hpp) have
-$\varphi = 2\pi k-T$. This file measures $T$, $\varphi$, energy and width of a packet, whoever has made it, and tells
-what energy and width a breather between these families has with the same $T$ and $\varphi$. */
+In the DpS limit (dps_travelling.hpp) $T$ and $\varphi$ may be chosen freely, and everything else follows: the
+energy, the width. In the chain the breathers of the family that begins at $T = 2\pi k$ (travelling.hpp) have
+$\varphi = 2\pi k-T$. This file measures $T$, $\varphi$, energy and width of a packet, whoever has made it, and
+tells what energy and width a breather between these families has with the same $T$ and $\varphi$. */
 
 #include <complex>
 #include <cstddef>
