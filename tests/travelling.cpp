@@ -54,7 +54,10 @@ TEST_CASE("the equation that a family leaves out is V sin(T/2) in the linear wel
 }
 
 TEST_CASE("the state at a part of the way between two others", "[unit][travelling]") {
-  const State<double> a{{1, 2}, {3, -4}}, b{{5, 0}, {3, 4}}, z = between(a, b, 0.25);
+  State<double> a(2), b(2);
+  a.y = {1, 2}, a.v = {3, -4};
+  b.y = {5, 0}, b.v = {3, 4};
+  const State<double> z = between(a, b, 0.25);
   CHECK(z.y == std::vector<double>{2, 1.5});
   CHECK(z.v == std::vector<double>{3, -2});
 }
