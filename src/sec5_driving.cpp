@@ -368,25 +368,24 @@ Energy and width agree with those of the families to one per cent. The first pac
 has the ratios [0.999](num:sec5_driving.energy_ratio_drive) and [0.999](num:sec5_driving.width_ratio_drive); the
 ratio of the energies is [1.002](num:sec5_driving.energy_ratio_drive_third) for the third packet of this train,
 [1.01](num:sec5_driving.energy_ratio_drive_lossy) for the first one with losses and
-[1.009](num:sec5_driving.energy_ratio_impact) for the impact. Only the impact with losses is out by more: its packet,
-which still sheds a tail on these beads, is too wide, [1.05](num:sec5_driving.width_ratio_impact_lossy). The
-comparison could have failed: an orbit of type I, $\varphi = 0$, of the same speed has another energy, of which the
-drive's packet has [2.25](num:sec5_driving.type_one_ratio_drive) times as much and that of the impact
+[1.009](num:sec5_driving.energy_ratio_impact) for the impact. Only the impact with losses, whose packet still sheds a
+tail on these beads, is too wide, [1.05](num:sec5_driving.width_ratio_impact_lossy). The phase matters: of the energy
+of the orbit of type I ($\varphi = 0$) with its speed the drive's packet has
+[2.25](num:sec5_driving.type_one_ratio_drive) times as much, that of the impact
 [0.627](num:sec5_driving.type_one_ratio_impact) times.
 
 So a train and an impact consist of the same breathers with other phases. A drive gives positive ones, the smaller
 the stronger it is, [0.680](num:sec5_driving.phase_drive_weak), [0.50](num:sec5_driving.phase_drive) and
 [0.1016](num:sec5_driving.phase_drive_strong) at 1.15, 1.3 and 1.6 times the law, an impact a negative one,
 [-0.264](num:sec5_driving.phase_impact). But none of them is an exact breather, which is the same again one site
-further on and leaves nothing behind: for the first $(T+\varphi)/2\pi$ would have to be a whole number, for the
-second $\varphi$ would have to vanish, or the sum $V$. The first is [3.81](num:sec5_driving.family_drive),
-[4.12](num:sec5_driving.family_drive_weak) and [3.055](num:sec5_driving.family_drive_strong) for the drives. Nothing
-locks it: it follows the strength, and losses, which lengthen $T$, change it on the way.
+further on, $(T+\varphi)/2\pi$ being a whole number, and leaves nothing behind, $\varphi$ or the sum $V$ being zero.
+The former is [3.81](num:sec5_driving.family_drive), [4.12](num:sec5_driving.family_drive_weak) and
+[3.055](num:sec5_driving.family_drive_strong) for the drives. Nothing locks it: it follows the strength, and losses,
+which lengthen $T$, change it on the way.
 
-A packet that sheds a tail changes its phase. The tail is the smaller the larger the phase, because $V$ falls
-(sec5_travelling_packets.cpp), so the packet of a drive should hold its phase better than that of an impact. From
-beads 12 to 24 to beads 30 to 42 that of the impact changes by [0.08](num:sec5_driving.phase_change_impact), and that
-of the drive by [-0.02](num:sec5_driving.phase_change_drive), which is less than its error. */
+A packet that sheds a tail changes its phase, less at larger ones, where $V$ is smaller (sec5_travelling_packets.cpp):
+from beads 12 to 24 to beads 30 to 42 that of an impact by [0.08](num:sec5_driving.phase_change_impact), that of a
+drive by [-0.02](num:sec5_driving.phase_change_drive), which is less than its error. */
 void report_phase_changes(Report& report, const Rig& rig) {
   for (const double strength : {1.3, 0.0}) {
     const auto phase = [](const Traveller& p) { return p.phase; };
