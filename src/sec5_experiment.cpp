@@ -92,7 +92,7 @@ Columns journey_columns() {
           number("sites_law", "the same from the slow clock", "site"),
           estimate("periods", "oscillations in 10 ms"),
           number("periods_law", "the same from the slow clock"),
-          estimate("speed", "at 10 ms", "site/s", "difference of two resolutions; 0: it stands"),
+          estimate("speed", "at 10 ms", "site/s", "difference of two resolutions; 0 at rest"),
           number("speed_law", "the same from the slow clock", "site/s"),
           estimate("frequency", "at 10 ms", "Hz"),
           number("frequency_law", "the same from the slow clock", "Hz"),

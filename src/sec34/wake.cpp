@@ -197,7 +197,7 @@ void Gauge::operator()(const Sight& seen) {
   const std::vector<double>& e = seen.density;
   const std::size_t peak = strongest(e), m = packet_half_width;
   double pattern = 0;
-  for (std::size_t n = peak > m ? peak - m : 0; n <= peak + m; ++n) {
+  for (std::size_t n = peak > m ? peak - m : 0; n < std::min(peak + m + 1, e.size()); ++n) {
     pattern += (n % 2 ? -1 : 1) * now.y[n];
     sum.area += now.v[n] * now.v[n];
   }
