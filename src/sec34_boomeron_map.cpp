@@ -313,23 +313,19 @@ The points of the map are independent, so several machines can share them.
 `sec34_boomeron_map map --part 2/8 --folder rows` computes every eighth point from the second on and
 keeps it in the folder; without `--part` the command collects what all parts have left there,
 computes what is missing and prints the whole map. */
-struct TurningMap {
+struct TurningMap : MapPart {
   static constexpr Title title{"map", "the map of turning, or a part of it"};
   MapGrid grid{};
-  std::string part = "1/1", folder{};
 
   void parameters(Parameters& p) {
-    p.add("part", part, "k/n: every n-th point from the k-th on", part_text());
-    p.add("folder", folder, "where rows wait for each other (default: nothing is kept)",
-          writable_folder());
+    MapPart::parameters(p);
     p.add("columns", grid.columns, "impact velocities", {2, 1000});
     p.add("rows", grid.rows, "anharmonicities", {2, 1000});
   }
   Table table() const {
-    const Part mine = parse_part(part);
     Sweep sweep = map_sweep(folder, grid);
-    compute_map(sweep, grid, mine);
-    return sweep.table(mine);
+    compute_map(sweep, grid, mine());
+    return sweep.table(mine());
   }
 };
 

@@ -451,16 +451,8 @@ struct OneDefect {
   Table table() const;
 };
 
-struct DefectMap {
+struct DefectMap : MapPart {
   static constexpr Title title{"map", "a part of the map of defects"};
-  std::string part = "1/1", folder{};
-
-  void parameters(Parameters& p) {
-    p.add("part", part, "part k of n, as k/n", part_text());
-    p.add("folder", folder,
-          "where rows wait for each other and the full run (default: nothing is kept)",
-          writable_folder());
-  }
   Table table() const;
 };
 
@@ -482,11 +474,10 @@ Table OneDefect::table() const {
 }
 
 Table DefectMap::table() const {
-  const Part mine = parse_part(part);
   Sweep sweep = map_sweep(folder, false);
-  if (sweep.known(mine) < sweep.size(mine))
-    compute_map(sweep, workshop_for(StruckArray{}, false), false, mine);
-  return sweep.table(mine);
+  if (sweep.known(mine()) < sweep.size(mine()))
+    compute_map(sweep, workshop_for(StruckArray{}, false), false, mine());
+  return sweep.table(mine());
 }
 
 /**

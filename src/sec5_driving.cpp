@@ -473,21 +473,13 @@ struct OneDrive : DrivenArray {
   }
 };
 
-struct Chart {
+struct Chart : MapPart {
   static constexpr Title title{"chart", "a part of the chart over frequency and amplitude"};
-  std::string part = "1/1", folder{};
 
-  void parameters(Parameters& p) {
-    p.add("part", part, "part k of n, as k/n", part_text());
-    p.add("folder", folder,
-          "where rows wait for each other and the full run (default: nothing is kept)",
-          writable_folder());
-  }
   Table table() const {
-    const Part mine = parse_part(part);
     Sweep sweep = chart_sweep(folder, false);
-    compute_chart(sweep, Rig{}, false, mine);
-    return sweep.table(mine);
+    compute_chart(sweep, Rig{}, false, mine());
+    return sweep.table(mine());
   }
 };
 

@@ -25,7 +25,8 @@ Part parse_part(const std::string& text) {
   return {k, n};
 }
 
-Check part_text() {
+/// The check of an option: a part as k/n.
+static Check part_text() {
   const auto complaint = [](const std::string& value) {
     try {
       parse_part(value);
@@ -35,6 +36,12 @@ Check part_text() {
     return std::string();
   };
   return {complaint, "k/n"};
+}
+
+void MapPart::parameters(Parameters& p) {
+  p.add("part", part, "k/n: every n-th point from the k-th on", part_text());
+  p.add("folder", folder, "where rows wait for each other (default: nothing is kept)",
+        writable_folder());
 }
 
 /**

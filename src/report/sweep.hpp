@@ -35,8 +35,14 @@ struct Part {
 /// Reads "k/n"; throws std::invalid_argument unless 1 <= k <= n <= 100000.
 Part parse_part(const std::string& text);
 
-/// The check of an option: a part as k/n.
-Check part_text();
+/// What a command that computes a map is told: which part of it, and where rows wait for each other.
+struct MapPart {
+  std::string part = "1/1", folder{};
+
+  void parameters(Parameters& p);
+  /// Throws std::invalid_argument where `part` is none.
+  Part mine() const { return parse_part(part); }
+};
 
 /**
 A sweep is told how its columns look, how many points there are, and everything on which a row
