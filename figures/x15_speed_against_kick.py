@@ -52,5 +52,4 @@ right.set(xlabel="work (site forces per unit of time)", ylabel="relative drift o
           ylim=(1e-15, 3e-1))
 right.legend(loc="lower left", fontsize=6)
 right.text(0.97, 0.97, "(b)", transform=right.transAxes, va="top", ha="right")
-figure.tight_layout()
 draw.save(figure, out)

@@ -56,5 +56,4 @@ seen.set(xlabel=r"frequency at the start over that of a beam",
 seen.set_yticks([7000, 8000, 10000, 12000, 14000], ["7000", "8000", "10000", "12000", "14000"])
 seen.minorticks_off()
 draw.letter(seen, "d", x=0.97)
-figure.tight_layout()
 draw.save(figure, out)

@@ -56,5 +56,4 @@ for color, mark, dash, delta in zip(["#0072B2", "#009E73", "#D55E00"], "os^", ["
 power.set(xlabel="amplitude over the law of the DpS limit", ylabel="mean power (mW)")
 power.legend(loc="lower right")
 draw.letter(power, "d")
-figure.tight_layout()
 draw.save(figure, out)
