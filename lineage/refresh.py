@@ -115,11 +115,22 @@ def cost_rows(figures):
     yield f"| together | {shown_cost(sum(c for c in costs.values() if not math.isnan(c)))} |"
 
 
-def generated_tables(claims, lock, figures):
+def ratio_rows(bench):
+    """How our integrators compare with those of other libraries, as last measured and committed."""
+    yield f"| {bench.meta['machine']}, {bench.meta['date']} | compared with | theirs over ours | settings |"
+    yield "|---|---|---|---|"
+    for row in bench.rows:
+        if row["peer"].startswith(("GSL", "Boost")):
+            reached = math.isfinite(row["ratio"])
+            shown = f"{row['ratio']:.{0 if row['ratio'] >= 10 else 1}f}" if reached else "not reached"
+            yield f"| {row['problem']}, {row['quantity']} | {row['peer']} | {shown} | {row['note'] if reached else ''} |"
+
+
+def generated_tables(claims, lock, figures, bench):
     """Every table that a page may show, by the name in its marks."""
     return {"gallery": gallery_rows(figures), "summary": summary_rows(claims, figures),
             "discrepant": list(discrepancy_rows(claims, lock)), "published": list(published_rows(claims, lock)),
-            "figures": list(figure_rows(figures)), "costs": list(cost_rows(figures))}
+            "figures": list(figure_rows(figures)), "costs": list(cost_rows(figures)), "ratios": list(ratio_rows(bench))}
 
 
 def fresh_page(text, tables):
@@ -177,6 +188,10 @@ def read_figures(root):
     return ecsv.read(Path(root) / "figures/figures.ecsv", ("id", "program", "script", "data", "seconds")).by("id", "figures")
 
 
+def read_ratios(root):
+    return ecsv.read(Path(root) / "bench/ratios.ecsv", ("problem", "peer", "quantity", "ratio", "note"))
+
+
 def fresh_texts(root, costs):
     """(path, fresh text) of every file that is generated, or is in part, in which something could be stale."""
     root = Path(root)
@@ -193,7 +208,7 @@ def fresh_texts(root, costs):
         yield fresh(path, lambda text: with_numbers(text, numbers))
     index, text = fresh(root / "figures/figures.ecsv", lambda text: with_costs(text, costs))
     yield index, text
-    tables = generated_tables(claims, lock, ecsv.parse(text, index).by("id", "figures"))
+    tables = generated_tables(claims, lock, ecsv.parse(text, index).by("id", "figures"), read_ratios(root))
     for name in PAGES:
         yield fresh(root / name, lambda text: fresh_page(text, tables))
     yield from metadata.generated(root)

@@ -71,7 +71,8 @@ class Scratch(unittest.TestCase):
             ["sec1_demo", "a.one", 1.0000000000000002, 1e-3, "m", "value"], ["sec1_demo", "fact", 2.0, 0.1, "", "value"]]))
         self.write("figures/figures.ecsv", table(FIGURES, [
             ["01", "demo", "1", "sec1_demo", "fig01.gp", "ER", "facts", "A line.", 3.0]]))
-        self.write("codemeta.json", ecsv.text_of(ROOT / "codemeta.json"))
+        for name in ("codemeta.json", "bench/ratios.ecsv"):
+            self.write(name, ecsv.text_of(ROOT / name))
         self.write("README.md", "<!-- published -->\n<!-- /published -->\n")
         self.write("ARTIFACT.md", "<!-- costs -->\n<!-- /costs -->\n")
         self.results(["a.one", 1.0, 1e-3, "m"])

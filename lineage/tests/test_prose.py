@@ -37,6 +37,12 @@ class Links(unittest.TestCase):
         with self.assertRaises(ecsv.Fault):
             refresh.with_costs(head + "02,p\n", {})
 
+    def test_a_comparison_without_a_value_says_so(self):
+        rows = [{"problem": "B1", "peer": peer, "quantity": "s", "ratio": ratio, "note": "h"}
+                for peer, ratio in (("GSL", 2.345), ("Boost", float("nan")), ("demand", 1.0))]
+        bench = ecsv.Table([], rows, {"machine": "a machine", "date": "today"})
+        self.assertEqual(list(refresh.ratio_rows(bench))[2:], ["| B1, s | GSL | 2.3 | h |", "| B1, s | Boost | not reached |  |"])
+
     def test_costs(self):
         self.assertEqual([refresh.shown_cost(s) for s in (float("nan"), 0.6, 2.5, 3.4)], ["?", "< 1", "3", "3"])
 
@@ -125,7 +131,7 @@ class ThisRepository(unittest.TestCase):
 
     def test_every_table_has_a_place(self):
         claims, locked, figures = lock.read_claims(ROOT), lock.read_lock(ROOT), refresh.read_figures(ROOT)
-        for name in refresh.generated_tables(claims, locked, figures):
+        for name in refresh.generated_tables(claims, locked, figures, refresh.read_ratios(ROOT)):
             self.assertIn(f"<!-- {name} -->", ecsv.text_of(ROOT / "README.md"))
 
     def test_the_paper_refers_to_what_is_there(self):
