@@ -211,9 +211,14 @@ bench: install-deps configure
 	  { cat $(B)/bench/build.log; exit 1; }
 	@$(B)/bin/bench_kernels --benchmark_min_time=0.1
 	@$(B)/bin/bench_ratios --out $(B)/bench
-	@cp $(B)/bench/ratios.ecsv bench/ratios.ecsv
 	@$(need_python) "$(PYTHON)" figures/x04_work_precision.py $(B)/bench $(B)/bench/work_precision.svg
 	@$(MAKE) $(B)/bench/work_precision.pdf $(B)/bench/work_precision.png
+
+## ratios: put the ratios of the last `make bench` into bench/ratios.ecsv and README.md
+.PHONY: ratios
+ratios:
+	@cp $(B)/bench/ratios.ecsv bench/ratios.ecsv
+	@$(MAKE) refresh
 
 ## paper: typeset build/paper.pdf from the locked values and all figures
 .PHONY: paper typeset install-paper
