@@ -100,8 +100,9 @@ def _described(target, command, extra=(), without=("profile",)):
         except ValueError:
             default = standard if standard in allowed.split(", ") else None
         parameters.append(inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=default))
-        lines.append(f"    {name}: {meaning}; {allowed}" + (f" (default: {standard})" if standard else ""))
-    target.__doc__ = target.__doc__.replace("    OPTIONS", "\n".join(lines))
+        lines.append(f"{name}: {meaning}; {allowed}" + (f" (default: {standard})" if standard else ""))
+    # Python 3.13 takes the indentation out of docstrings itself
+    target.__doc__ = inspect.cleandoc(target.__doc__).replace("\nOPTIONS\n", "\n" + "\n".join(lines) + "\n")
     more = [inspect.Parameter(name, inspect.Parameter.POSITIONAL_OR_KEYWORD, default=None) for name in extra]
     target.__signature__ = inspect.Signature(more + parameters)
     return target

@@ -7,7 +7,7 @@
 # that stand beside it, and ends with a word where they are missing.
 #   gcc      g++ -O3, vectors as wide as the processor allows, every program on all cores
 #   narrow   g++ -O2, vectors of 128 bits, eight programs at once, one thread each
-#   clang    clang++ -O2, vectors of 128 bits, one thread                          (clang)
+#   clang    clang++ -O2, vectors of 128 bits, one thread                          (clang 16 or later)
 #   trixie   Debian 13 in a bare root: its compiler and its libraries              (debootstrap, root)
 #   arm64    ARM64: cross-compiled, under emulation; `long double` is another type (g++-aarch64-linux-gnu
 #            and qemu-user-static); also runs the unit tests
@@ -69,6 +69,9 @@ narrow() {
 }
 clang() {
   command -v clang++ > /dev/null || { lacks "clang++ is missing"; return 0; }
+  printf '#include <source_location>\nint main() { return std::source_location::current().line() == 0; }\n' |
+    clang++ -std=c++20 -x c++ -fsyntax-only - 2> /dev/null ||
+    { lacks "$(clang++ --version | head -n 1) has no std::source_location"; return 0; }
   # shellcheck disable=SC2086
   build "$place/clang" programs -DCMAKE_CXX_COMPILER=clang++ $o2 || return 0
   run "$place/clang/bin" 1 1 env
