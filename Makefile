@@ -158,7 +158,7 @@ weave:
 
 install-book: install-deps
 	@DEPS=$(DEPS) sh tools/install-deps.sh apt-packages.txt book
-	@! apt-cache show libc++-14-dev-wasm32 >/dev/null 2>&1 || \
+	@! apt-cache show libc++-dev-wasm32 >/dev/null 2>&1 || \
 	  DEPS=$(DEPS) sh tools/install-deps.sh apt-packages.txt live || true
 
 ## test-book: the tests of the weaver, and every page of the book in a headless Chromium
