@@ -88,6 +88,21 @@ TEST_CASE("pushes of a passing packet", "[unit][cantilever]") {
   check_close(up[1], 2.5, 1e-15);
 }
 
+TEST_CASE("a journey ends with the ten milliseconds", "[unit][cantilever]") {
+  // A packet that takes a quarter of them for a site, beginning with the first contact at a tenth.
+  const StruckArray blow;
+  const double end = blow.time(10), period = end / 40;
+  Pushes pushes(8);
+  for (std::size_t n = 1; n < pushes.size(); ++n)
+    pushes[n] = Push{end * (double(n) / 4 - 0.15), 1, period};
+  const Transit seen = journey_of(blow, pushes);
+  check_close(seen.oscillations, 40, 1e-10);
+  check_close(seen.sites, 1 + 0.9 * 4, 1e-10);
+  check_close(seen.period, period * blow.scales.tau_c(), 0, 1e-12);
+  pushes.resize(5);
+  CHECK_THROWS_AS(journey_of(blow, pushes), NoPacket);
+}
+
 namespace {
 
 /// A short array whose packet meets the defect early.

@@ -127,6 +127,14 @@ TEST_CASE("a condition counts its error bar", "[unit][criteria]") {
   check_close(below("x", {0.8, 0.1}, 1).margin().value, 0.2, 1e-15);
 }
 
+TEST_CASE("the larger and the smaller of two count their error bars", "[unit][criteria]") {
+  const Estimate wide{1.0, 0.3}, sharp{1.1, 0.05}, narrow{1.0, 0.05}, blurred{1.1, 0.3};
+  CHECK(larger(wide, sharp).value == 1.0);
+  CHECK(larger(sharp, narrow).value == 1.1);
+  CHECK(smaller(narrow, blurred).value == 1.1);
+  CHECK(smaller(narrow, sharp).value == 1.0);
+}
+
 TEST_CASE("a travelling breather lasts", "[unit][criteria]") {
   CHECK(lasts(journey(0.3, 0, 0)));
   CHECK(lasts(journey(0.3, 2e-5, 1e-4)));

@@ -126,6 +126,20 @@ TEST_CASE("the derivative with respect to a free period is exact", "[unit][orbit
   }
 }
 
+TEST_CASE("the slopes along a branch are those between its orbits", "[unit][orbits]") {
+  for (Centre centre : {Centre::site, Centre::bond}) {
+    const auto at = [&](double omega) {
+      return find_breather(breather_problem(centre, omega, 0.3, centre == Centre::site ? 7 : 8));
+    };
+    const double h = 1e-4;
+    const auto here = at(1.2), faster = at(1.2 + h), slower = at(1.2 - h);
+    const Vector<double> between = (faster.x - slower.x) / (2 * h);
+    CHECK(sup<double>(between) > 1e-2);
+    CHECK(sup<double>(between - here.x_omega) < 1e-5 * sup<double>(between));
+    check_close(here.energy_omega, (faster.energy - slower.energy) / (2 * h), 0, 1e-5);
+  }
+}
+
 TEST_CASE("an orbit is refused where its flow is not accurate", "[unit][orbits]") {
   const Problem good = breather_problem(Centre::site, 1.1, 0, 31);
   const Orbit<double> orbit = find_breather(good);

@@ -175,6 +175,16 @@ TEST_CASE("numbers are read in one way", "[unit][table]") {
   CHECK(short_text(1e-6) == "1e-06");
 }
 
+TEST_CASE("a number that is written is the number that is read", "[property][table]") {
+  CHECK(number_text(0.1 + 0.2) == "0.30000000000000004");
+  for (double x = 1; x < 1e300; x *= -1.2345678901234567e3 / 7e2) {
+    const auto read = parse_number(number_text(1 / x));
+    REQUIRE(read);
+    REQUIRE(*read == 1 / x);
+    if (std::abs(x) > 1e200) break;
+  }
+}
+
 TEST_CASE("an estimate brings the column of its error", "[unit][table]") {
   Table table{count("n", "site"), estimate("speed", "of the packet", "site per unit of time"),
               estimate("force", "of a contact", "", "against the largest"), label("how", "word")};

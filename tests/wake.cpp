@@ -49,6 +49,7 @@ TEST_CASE("the changes of a budget cancel", "[unit][wake]") {
     const Budget b = budget(impact, 0.1, 100, 150);
     CHECK(std::abs(b.packet + b.near + b.far + b.friction) < 1e-3);
     CHECK(b.push_behind > 0);
+    CHECK(b.push_ahead < b.push_behind / 20);  // the contact ahead is outside, and nearly at rest
     CHECK((b.friction > 1e-3) == (impact.behind > 0));
   }
 }

@@ -103,21 +103,37 @@ class Library:
         for (code, _), good in zip(self.of.values(), built):
             if not good:
                 raise SystemExit(f"{code} does not compile without any error: nothing can be said")
+        self.archive = scratch / "library.a"
+        subprocess.run(["ar", "rcs", str(self.archive), *map(str, set(self.of) - set(self.tests.values()))], check=True)
+        self.used = dict(zip(tests, pool.map(lambda test: self.linked(test, scratch), tests)))
+        if not any(len(units) > 2 for units in self.used.values()):
+            raise SystemExit("the linker does not say what it takes from an archive: nothing can be said")
 
-    def passes(self, test, work, changed=None):
-        """Whether `test` succeeds with the file `changed` in the copy below `work`; otherwise how not."""
-        unused = {path for name, path in self.tests.items() if name not in ("main", test)}
-        objects = []
-        for unchanged, (code, flags) in self.of.items():
-            if unchanged in unused:
-                continue
-            objects.append(unchanged)
-            if changed and reads(unchanged.with_suffix(".d"), changed):
-                objects[-1] = work / unchanged.name
-                if not build(work / "src" / code, objects[-1], flags):
+    def linked(self, test, scratch):
+        """The objects that a test consists of."""
+        out = subprocess.run(self.link(test, scratch / ("linked-" + test), []) + ["-Wl,--trace,--trace"], capture_output=True, text=True)
+        taken = set(re.findall(r"library\.a\)?\(?([\w-]+\.o)", out.stdout))
+        if out.returncode:
+            raise SystemExit(f"{test} does not link without any error: nothing can be said")
+        return [unit for unit in self.of if unit.name in taken or unit in (self.tests["main"], self.tests[test])]
+
+    def link(self, test, binary, renewed):
+        """How a test is linked: what is renewed comes before what stands in the archive."""
+        own = [unit for unit in (self.tests["main"], self.tests[test]) if unit.name not in {new.name for new in renewed}]
+        return [COMPILE[0], *map(str, [*own, *renewed, self.archive]), *LINK, "-o", str(binary)]
+
+    def passes(self, test, work, renewed, changed=None):
+        """Whether `test` succeeds with the file `changed` in the copy below `work`; otherwise how not. What earlier
+        tests of the same error have compiled is in `renewed`."""
+        for unit in self.used[test]:
+            code, flags = self.of[unit]
+            if changed and unit not in renewed and reads(unit.with_suffix(".d"), changed):
+                renewed[unit] = work / unit.name
+                if not build(work / "src" / code, renewed[unit], flags):
                     return "no longer compiles"
         binary = work / test
-        if subprocess.run([COMPILE[0], *map(str, objects), *LINK, "-o", str(binary)], capture_output=True).returncode:
+        if subprocess.run(self.link(test, binary, [renewed[unit] for unit in self.used[test] if unit in renewed]),
+                          capture_output=True).returncode:
             return "no longer links"
         try:
             text = (self.source / f"{test}.cpp").read_text(encoding="utf8")
@@ -136,9 +152,10 @@ def judge(mutant, scratch, library, places):
     path = place / "src" / file
     original = path.read_text(encoding="utf8")
     path.write_text(original.replace(right, wrong), encoding="utf8")
+    renewed = {}
     try:
         for test in tests:
-            how = library.passes(test, place, file)
+            how = library.passes(test, place, renewed, file)
             if how:
                 return f"{test} {how}"
     finally:
@@ -156,7 +173,7 @@ def main():
         with concurrent.futures.ThreadPoolExecutor(workers) as pool:
             tests = sorted({test for mutant in table for test in mutant[3]})
             library = Library(scratch, tests, pool)
-            unchanged = pool.map(lambda test: library.passes(test, scratch), tests)
+            unchanged = pool.map(lambda test: library.passes(test, scratch, {}), tests)
             for test, how in zip(tests, unchanged):
                 if how:
                     raise SystemExit(f"{test} {how} without any error: nothing can be said")
