@@ -492,8 +492,9 @@ breathers move as well. A push, the imaginary part of the noise, counts $(\mu-m_
 times, as much as a shift, its real part. The push that frees a bond-centred breather,
 [0.006542](num:sec33_dps_stability.freeing_push), is less than the amplitude of the noise. The noise exceeds it for
 [5](num:sec33_dps_stability.pushed_over) seeds, and the push alone predicts the fate of
-[16](num:sec33_dps_stability.told_by_push). None falls apart: the number of its sites never exceeds the first one by
-more than the factor [1.00541](num:sec33_dps_stability.bond_robust_spread). So the bond-centred breather is robust as
+[16](num:sec33_dps_stability.told_by_push). As long as we look none falls
+apart: the number of its sites exceeds the first one by no more than the factor
+[1.00541](num:sec33_dps_stability.bond_robust_spread). So the bond-centred breather is robust as
 a breather, but not in its place, and by our criterion `dps.bond_robust` fails. */
 void reproduce(Report& report) {
   report.output.note(

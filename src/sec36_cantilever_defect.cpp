@@ -283,8 +283,8 @@ void report_forces(Report& report, const StruckArray& blow, std::size_t bins) {
 
 The words "almost total" call for numbers. At 75 ms the packet has left the defect, and we divide the
 energy into what is on the sites up to 95 (reflected), from 96 to 104 (near the defect) and beyond
-(transmitted). Over half of it, [0.566749](num:sec36_cantilever_defect.left_behind), never gets so far
-and stays in the wave train of the boundary; the *net* shares count only what arrives
+(transmitted). Over half of it, [0.566749](num:sec36_cantilever_defect.left_behind), has not got so far by
+then: it is in the wave train of the boundary; the *net* shares count only what arrives
 (scattering.hpp). The sum of the three less one is the *ledger*. The radius of the defect's beads
 varies by a factor of four, their mass by one of 64. The points are independent: `map --part k/n`
 computes a part of them, an interrupted map goes on where it stopped, and the full run collects what

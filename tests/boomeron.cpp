@@ -149,3 +149,16 @@ TEST_CASE("parts of the map merge to the same bytes, also after an interruption"
   CHECK(body(call(map + two).output) == whole);
   fs::remove_all(scratch);
 }
+
+TEST_CASE("no phonon reaches the end of an endless chain", "[unit][boomeron]") {
+  // The largest group velocity of omega^2 = 1 + 4 k sin^2(q/2), sought among the wavenumbers.
+  const Chain chain{0, Quartic{1}, CompressedHertz{0.5}};
+  const double k = chain.contact.stiffness(0.0), time = 2000;
+  double fastest = 0;
+  for (double q = 0.001; q < 3.14; q += 0.001)
+    fastest =
+        std::max(fastest, k * std::sin(q) / std::sqrt(1 + 4 * k * std::pow(std::sin(q / 2), 2)));
+  const double sites = double(endless(chain, 0.1, time).sites);
+  CHECK(sites > fastest * time);
+  CHECK(sites < 2 * fastest * time);
+}

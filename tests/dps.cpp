@@ -26,8 +26,7 @@ TEST_CASE("tau_0 is the first harmonic of the contact force", "[unit][dps]") {
   check_close(tau_0(), 1.545, 5e-4);
 }
 
-TEST_CASE("the field turns by the derivative of the energy", "[unit][dps]") {
-  // Of one contact the energy is 2/5 |r|^(5/2), whichever way its ends point.
+TEST_CASE("the energy is the sum of two fifths of |r|^(5/2)", "[unit][dps]") {
   using namespace std::complex_literals;
   check_close(energy({0.0, 0.3 + 0.4i}), 0.4 * std::pow(0.5, 2.5), 1e-15);
   check_close(energy({0.0, 0.0, 2.0, 0.0}), 0.8 * std::pow(2.0, 2.5), 0, 1e-15);

@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "check.hpp"
-#include "lattice/packets/impact.hpp"
 #include "lattice/stepping/accuracy.hpp"
 #include "sec33/kicked.hpp"
 
@@ -57,19 +56,6 @@ TEST_CASE("a kick brings the energy c^2/2", "[unit][kick]") {
   const double c = 1e-3;
   check_close(energy(at.chain, kicked(at.state, c)) - energy(at.chain, at.state), c * c / 2, 1e-18);
   CHECK_THROWS_AS(kick_direction(std::vector<double>(5, 0.0)), std::invalid_argument);
-}
-
-TEST_CASE("no phonon reaches the end of an endless chain", "[unit][kick]") {
-  // The largest group velocity of omega^2 = 1 + 4 k sin^2(q/2), sought among the wavenumbers.
-  const Chain chain{0, Quartic{1}, CompressedHertz{0.5}};
-  const double k = chain.contact.stiffness(0.0), time = 2000;
-  double fastest = 0;
-  for (double q = 0.001; q < 3.14; q += 0.001)
-    fastest =
-        std::max(fastest, k * std::sin(q) / std::sqrt(1 + 4 * k * std::pow(std::sin(q / 2), 2)));
-  const double sites = double(endless(chain, 0.1, time).sites);
-  CHECK(sites > fastest * time);
-  CHECK(sites < 2 * fastest * time);
 }
 
 TEST_CASE("a breather in the middle is at the place zero", "[unit][kick]") {

@@ -177,11 +177,10 @@ TEST_CASE("numbers are read in one way", "[unit][table]") {
 
 TEST_CASE("a number that is written is the number that is read", "[property][table]") {
   CHECK(number_text(0.1 + 0.2) == "0.30000000000000004");
-  for (double x = 1; x < 1e300; x *= -1.2345678901234567e3 / 7e2) {
+  for (double x = 1; std::abs(x) < 1e200; x *= -1.7636684144902381) {
     const auto read = parse_number(number_text(1 / x));
     REQUIRE(read);
     REQUIRE(*read == 1 / x);
-    if (std::abs(x) > 1e200) break;
   }
 }
 

@@ -104,23 +104,25 @@ class Library:
             if not good:
                 raise SystemExit(f"{code} does not compile without any error: nothing can be said")
         self.archive = scratch / "library.a"
-        subprocess.run(["ar", "rcs", str(self.archive), *map(str, set(self.of) - set(self.tests.values()))], check=True)
+        members = [str(unit) for unit in self.of if unit not in self.tests.values()]
+        subprocess.run(["ar", "rcs", str(self.archive), *members], check=True)
         self.used = dict(zip(tests, pool.map(lambda test: self.linked(test, scratch), tests)))
         if not any(len(units) > 2 for units in self.used.values()):
             raise SystemExit("the linker does not say what it takes from an archive: nothing can be said")
 
     def linked(self, test, scratch):
         """The objects that a test consists of."""
-        out = subprocess.run(self.link(test, scratch / ("linked-" + test), []) + ["-Wl,--trace,--trace"], capture_output=True, text=True)
+        own = [self.tests["main"], self.tests[test]]
+        trace = [*self.link(own, scratch / ("linked-" + test)), "-Wl,--trace,--trace"]
+        out = subprocess.run(trace, capture_output=True, text=True)
         taken = set(re.findall(r"library\.a\)?\(?([\w-]+\.o)", out.stdout))
         if out.returncode:
             raise SystemExit(f"{test} does not link without any error: nothing can be said")
-        return [unit for unit in self.of if unit.name in taken or unit in (self.tests["main"], self.tests[test])]
+        return [unit for unit in self.of if unit.name in taken or unit in own]
 
-    def link(self, test, binary, renewed):
-        """How a test is linked: what is renewed comes before what stands in the archive."""
-        own = [unit for unit in (self.tests["main"], self.tests[test]) if unit.name not in {new.name for new in renewed}]
-        return [COMPILE[0], *map(str, [*own, *renewed, self.archive]), *LINK, "-o", str(binary)]
+    def link(self, units, binary):
+        """How a test is linked; the archive has what the units lack."""
+        return [COMPILE[0], *map(str, units), str(self.archive), *LINK, "-o", str(binary)]
 
     def passes(self, test, work, renewed, changed=None):
         """Whether `test` succeeds with the file `changed` in the copy below `work`; otherwise how not. What earlier
@@ -132,8 +134,8 @@ class Library:
                 if not build(work / "src" / code, renewed[unit], flags):
                     return "no longer compiles"
         binary = work / test
-        if subprocess.run(self.link(test, binary, [renewed[unit] for unit in self.used[test] if unit in renewed]),
-                          capture_output=True).returncode:
+        units = [renewed.get(unit, unit) for unit in self.used[test]]
+        if subprocess.run(self.link(units, binary), capture_output=True).returncode:
             return "no longer links"
         try:
             text = (self.source / f"{test}.cpp").read_text(encoding="utf8")

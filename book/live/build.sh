@@ -22,7 +22,8 @@ is_new() {
   [ -z "$changed" ]
 }
 
-# Compiles $1 into the object $2, without its ending. Clang 19 breaks off while it threads jumps, so nobody does.
+# Compiles $1 into the object $2, without its ending. Clang 19 crashes while it threads jumps, so
+# that pass is left out.
 compile() {
   is_new "$2" && return
   $browser -std=c++20 -O2 -mllvm -jump-threading-threshold=0 -fexceptions -fno-rtti -ffp-contract=off \

@@ -7,8 +7,8 @@ while its energy is divided among three parts of the array: the sites before the
 it, and those behind. All shares refer to the energy of the impact, so that their sum differs from one by
 the drift of the run.
 
-Much of the energy never comes near the defect, because it stays behind in the wave train near the struck
-end. If a share $1-r_0$ passes the same place in an array without a defect, then the defect divides that
+Much of the energy does not come near the defect in this while, but stays behind in the wave train near the
+struck end. If a share $1-r_0$ passes the same place in an array without a defect, then the defect divides that
 share as
 $$\frac{r-r_0}{1-r_0} + \frac{d}{1-r_0} + \frac{t}{1-r_0} = 1,$$
 with $r$, $d$, $t$ the shares of the three parts. These are the *net* reflected, remaining and transmitted
