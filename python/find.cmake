@@ -1,7 +1,8 @@
 # Whether the Python module can be built, and with which interpreter: the first one that has numpy and its own
-# headers. Sets LATTICE_HAS_PYTHON and, where that is on, the targets of pybind11.
+# headers, and none where the compiler is that of another machine. Sets LATTICE_HAS_PYTHON and, where that is on,
+# the targets of pybind11.
 set(LATTICE_HAS_PYTHON OFF)
-if(NOT LATTICE_PYTHON)
+if(NOT LATTICE_PYTHON OR CMAKE_CROSSCOMPILING)
   return()
 endif()
 if(NOT Python_EXECUTABLE)
