@@ -43,9 +43,12 @@ for kind, name, mark, color in STYLE:
     rows = draw.where(chart, "kind", kind)
     kinds.plot(rows["frequency"] / 1000, rows["amplitude"], mark, color=color, ms=4, mfc="none",
                label=name)
+unsure = {name: column[chart["kind"] != chart["kind_rough"]] for name, column in chart.items()}
+kinds.plot(unsure["frequency"] / 1000, unsure["amplitude"], "s", color="#000000", ms=6, mew=0.5, mfc="none",
+           label="another kind in half the time")
 kinds.set(xlabel="frequency (kHz)", ylabel=r"amplitude of the piston ($\mathrm{\mu m}$)",
           yscale="log")
-kinds.legend(loc="lower right")
+kinds.legend(loc="lower right", fontsize=6)
 draw.letter(kinds, "c")
 
 for color, mark, dash, delta in zip(["#0072B2", "#009E73", "#D55E00"], "os^", ["-", "--", "-."],

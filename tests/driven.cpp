@@ -213,6 +213,21 @@ TEST_CASE("the ledger of a driven chain closes at the steps of the command", "[p
   }
 }
 
+TEST_CASE("a threshold that is no sharp one lies among its neighbours", "[unit][driven]") {
+  const auto sharp = threshold_among(1, 0.1, 3, [](double a) { return a > 1.04; });
+  check_close(sharp.value, 1.05, 1e-12);
+  check_close(sharp.error, 0.05, 1e-12);
+  // 0.9 emits, 1.0 and 1.1 are quiet
+  const auto mixed =
+      threshold_among(1, 0.1, 3, [](double a) { return a > 0.85 && (a < 0.95 || a > 1.15); });
+  check_close(mixed.value, 1.0, 1e-12);
+  check_close(mixed.error, 0.1, 1e-12);
+  for (bool always : {true, false})
+    CHECK_THROWS_AS(threshold_among(1, 0.1, 3, [&](double) { return always; }), std::runtime_error);
+  CHECK_THROWS_AS(threshold_among(1, 0.1, 3, [](double a) { return a < 1.04; }),
+                  std::runtime_error);
+}
+
 TEST_CASE("rates, spreads and bisections", "[unit][driven]") {
   Emission e;
   e.passages = {10, 60, 70, 80, 90};
@@ -276,6 +291,29 @@ TEST_CASE("packets of a train are told apart", "[unit][traveller]") {
   CHECK_THROWS_AS(TravellerWatch(bench.chain, 9, 9), std::invalid_argument);
   CHECK_THROWS_AS(TravellerWatch(bench.chain, 9, 55), std::invalid_argument);
   CHECK_THROWS_AS(TravellerWatch(bench.chain, 9, 20, 0), std::invalid_argument);
+}
+
+TEST_CASE("a packet that has passed does not come again", "[unit][traveller]") {
+  // Two packets six sites apart, of which now the one and now the other has more energy where it is looked at
+  const Chain chain{60};
+  const auto ends = [&](std::size_t which) {
+    TravellerWatch watch(chain, 25, 29, which);
+    State<double> now(60);
+    for (; now.t < 200; now.t += 0.4) {
+      const double place = 14 + now.t / 4, swing = 0.2 * std::sin(now.t);
+      for (std::size_t n = 0; n < 60; ++n) {
+        const double ahead = double(n) - place, behind = ahead + 6;
+        now.v[n] =
+            (1 + swing) * std::exp(-ahead * ahead) + (1 - swing) * std::exp(-behind * behind);
+      }
+      if (!watch.look(now)) break;
+    }
+    check_close(watch.traveller().shift_time, 4, 0, 0.05);
+    return now.t;
+  };
+  // Bead 29 has the index 28
+  check_close(ends(1), 4 * 14, 3);
+  check_close(ends(2), 4 * 20, 3);
 }
 
 TEST_CASE("members are joined by polynomials in speed and phase", "[unit][traveller]") {

@@ -20,7 +20,7 @@ struct Request {
 /**
 A row of the map holds the largest energy of each bead since the row before, in joules and without the contacts. */
 void draw_map(const DrivenArray& array, double rows) {
-  std::vector<double> most(DrivenArray::sites, 0.0);
+  std::vector<double> most(DrivenArray::drawn, 0.0);
   double shown = 0;
   State<double> state(DrivenArray::sites);
   run_bench(array.bench(), state, time_grid(array.horizon(), 0.8, 0.1),

@@ -117,7 +117,7 @@ Shot<double> DrivenOrbit::shoot(const Vector<double>& x, const EventTolerance<do
 }
 
 // Steps along the curve, and a parabola through the three points about the largest amplitude
-QuietBranch quiet_branch(const Bench& bench, std::size_t steps) {
+QuietBranch quiet_branch(const Bench& bench, std::size_t steps, double apart) {
   const Eigen::Index n = Eigen::Index(2 * bench.chain.sites + 1);
   const double law = threshold_law(bench.drive.by, bench.drive.omega);
   const double size = threshold_law(Drive::By::piston, bench.drive.omega);
@@ -132,14 +132,14 @@ QuietBranch quiet_branch(const Bench& bench, std::size_t steps) {
   std::vector<double> lengths;
   double gone = 0;
   problem.length = 0.2 * law / size;
-  for (int k = 0; k < 200; ++k) {
+  for (int k = 0; k < int(20 / apart); ++k) {
     problem.from = at, problem.along = tangent;
     const Vector<double> guess = at + problem.length * size * tangent;
     const Vector<double> next = solve(problem, guess, rule).x;
     const Vector<double> way = next - at;
     gone += way.norm() / size;
     tangent = way.normalized(), at = next;
-    problem.length = 0.1;
+    problem.length = apart;
     out.amplitude.push_back(at[n - 1]);
     out.response.push_back(std::hypot(at[0], at[n / 2]));
     lengths.push_back(gone);
@@ -227,6 +227,21 @@ Estimate bisect_threshold(double quiet, double emits, double accuracy,
     (does_emit(middle) ? emits : quiet) = middle;
   }
   return {(quiet + emits) / 2, (emits - quiet) / 2};
+}
+
+// The lowest that emits and the highest that is quiet may lie on either side of each other
+Estimate threshold_among(double centre, double apart, int side,
+                         const std::function<bool(double)>& does_emit) {
+  std::vector<double> quiet, loud;
+  for (int k = -side; k <= side; ++k) {
+    const double a = centre + k * apart;
+    (does_emit(a) ? loud : quiet).push_back(a);
+  }
+  if (quiet.empty() || loud.empty() || loud.front() < quiet.front() || quiet.back() > loud.back())
+    throw std::runtime_error("the threshold is not between " +
+                             std::to_string(centre - side * apart) + " and " +
+                             std::to_string(centre + side * apart));
+  return {(quiet.back() + loud.front()) / 2, std::abs(quiet.back() - loud.front()) / 2};
 }
 
 }  // namespace lattice

@@ -72,9 +72,10 @@ struct QuietBranch {
   double fold = 0;                  ///< largest amplitude
 };
 
-/// Follows the quiet orbit, with `steps` steps a period. The drive of `bench` says what is driven and how fast; its
-/// amplitude is not used. Throws NewtonFailed.
-QuietBranch quiet_branch(const Bench& bench, std::size_t steps);
+/// Follows the quiet orbit, with `steps` steps a period, from point to point at the distance `apart` in units of the
+/// law for a piston. The drive of `bench` says what is driven and how fast; its amplitude is not used. Throws
+/// NewtonFailed.
+QuietBranch quiet_branch(const Bench& bench, std::size_t steps, double apart = 0.1);
 
 /**
 ## What comes out
@@ -107,5 +108,14 @@ emits, until it is shorter than the share `accuracy`. Its error is that interval
 both ends do the same. */
 Estimate bisect_threshold(double quiet, double emits, double accuracy,
                           const std::function<bool(double)>& does_emit);
+
+/**
+Where emission dies out after an erratic time a stronger drive may be quiet and a weaker one emit. Then the
+threshold is not an interval that can be halved, but what lies between the lowest amplitude that emits and the
+highest that is quiet. */
+/// The middle of these two among the 2 * `side` + 1 amplitudes around `centre` at the distance `apart`, and half the
+/// way between them. Throws std::runtime_error unless the lowest is quiet and the highest emits.
+Estimate threshold_among(double centre, double apart, int side,
+                         const std::function<bool(double)>& does_emit);
 
 }  // namespace lattice

@@ -24,8 +24,10 @@ struct DrivenQuantity {
 
 /// The array of section 3.6 with losses and a drive that grows during the first sixth of its `duration`.
 struct DrivenArray : ArrayUnits {
-  static constexpr std::size_t sites = 50, gate = 20;  ///< the bead behind which a packet counts
-  static constexpr double step = 0.02;                 ///< of the finer run, in units of tau_c
+  /// Long enough that with losses nothing comes back from the far end; the bead behind which a packet counts.
+  static constexpr std::size_t sites = 120, gate = 20;
+  static constexpr std::size_t drawn = 60;  ///< beads that a map shows
+  static constexpr double step = 0.02;      ///< of the finer run, in units of tau_c
 
   /// Hz, micrometres, ms, ms; the lifetime is that of the energy.
   double frequency = 7000, amplitude = 5, lifetime = 10, duration = 60;

@@ -53,14 +53,17 @@ TravellerWatch::TravellerWatch(const Chain& chain, std::size_t from, std::size_t
                                 " to " + std::to_string(to));
 }
 
-// A packet arrives when the largest density nearby moves up to the site
+// A packet arrives when the largest density nearby moves up to the site. Where two are nearby, the largest density may
+// be now in one and now in the other, and only one that passes the site itself has come
 bool TravellerWatch::arrives(const std::vector<double>& density) {
   const auto first = density.begin() + std::ptrdiff_t(from_ - reach);
   const auto most = std::size_t(std::max_element(first, first + 2 * reach + 1) - first);
-  if (most + 2 <= reach) before_ = true;
-  if (most < reach || !before_) return false;
-  before_ = false;
-  return --wanted_ == 0;
+  const bool here = most == reach || most == reach + 1, came = before_ && here;
+  if (most + 2 <= reach)
+    before_ = true;
+  else if (most >= reach)
+    before_ = false;
+  return came && --wanted_ == 0;
 }
 
 TravellerWatch::Crossing TravellerWatch::seen(const State<double>& now) const {

@@ -25,7 +25,7 @@ struct Traveller {
 };
 
 /**
-Packets of a train follow each other at a distance of seven sites or more, and losses let the later ones catch up. So
+Packets of a train follow each other at a distance of six sites or more, and losses let the later ones catch up. So
 a packet is what lies within three sites of its peak, and the peak is followed from sample to sample. A packet comes
 to a site when the largest energy density nearby moves up to that site from two sites before. Whenever the centre
 passes a bead we keep the time and the seven $z$ about it; interpolation between two samples is linear, because $z$
@@ -70,7 +70,7 @@ Traveller traveller_on(const Bench& bench, State<double> start, double duration,
 ## Breathers of the same shift time and phase
 
 The families have members at $T+\varphi = 2\pi k$ only, a packet has any $T$. But the scaled energy $ET^4$ and the
-width, which in the DpS limit depend on $\varphi$ alone, change little with $1/T$. So a grid of members, for some $k$
+width, which in the DpS limit depend on $\varphi$ alone, change smoothly with $1/T$. So a grid of members, for some $k$
 and some $\varphi$, and polynomials in $1/T$ and then in $\varphi$ tell what lies between them. Four digits are
 enough here, so Newton's method may stop early. */
 struct MemberGrid {
