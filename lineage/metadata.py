@@ -2,7 +2,8 @@
 
 codemeta.json is the one place where that is written; it is JSON because CMake, Python and the world read it alike.
 `make refresh` writes from it CITATION.cff (for GitHub and reference managers), .zenodo.json (for the archive) and
-paper/metadata.yaml (for ReScience C); CMakeLists.txt takes the version from it, the paper its title and keywords."""
+paper/metadata.yaml (for ReScience C); CMakeLists.txt takes the version from it, the paper its title and keywords. The
+date of the version is its `datePublished`, if it has one: report and CITATION.cff show that and no other day."""
 
 import json
 from pathlib import Path
@@ -63,8 +64,9 @@ def citation(meta):
     return NOTE + yaml({
         "cff-version": "1.2.0",
         "message": "If you use this software, please cite it together with the article that it reproduces.",
-        "type": "software", "title": meta["name"], "version": meta["version"], "abstract": meta["description"],
-        "keywords": meta["keywords"], "license": licences(meta),
+        "type": "software", "title": meta["name"], "version": meta["version"],
+        **({"date-released": meta["datePublished"]} if meta.get("datePublished") else {}),
+        "abstract": meta["description"], "keywords": meta["keywords"], "license": licences(meta),
         "authors": [{"name": a["name"]} for a in meta["author"]], "references": [article(meta)]})
 
 

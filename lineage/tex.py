@@ -1,7 +1,9 @@
 """Numbers in the paper. It says `\\num{pn.omega11}` and `\\err{pn.omega11}` for a locked value and its error,
-`\\pub{pn.omega11}` for what the article prints, `\\fig{07}` for a figure with the first sentence of its caption,
-`\\tally{figures}` for what can be counted and `\\meta{version}` for what codemeta.json says. This file writes the
-definitions of all these and the table of claims, and names every reference that has nothing behind it.
+`\\pub{pn.omega11}` for what the article prints and `\\claimed{pn.omega11}` for what that is, `\\fig{07}` for a figure
+with the first sentence of its caption, `\\tally{figures}` for what can be counted and `\\meta{version}` for what
+codemeta.json says. This file writes the definitions of all these and the table of claims. It names every reference
+that has nothing behind it, every figure that the paper forgets, and every claim that does not survive and is not
+among those for which the paper has a cause.
 
 A file of the paper that begins with `% chapter: <program>` is read only where that chapter exists."""
 
@@ -83,6 +85,7 @@ def paper_texts(claims, lock, figures, meta):
     counts = {"figures": len(figures), "claims": len(claims)}
     counts.update({v: sum(c["status"] == v for c in claims.values()) for v in VERDICTS if v != "unresolved"})
     out = {("pub", id): worded(c["printed"]) for id, c in claims.items()}
+    out.update({("claimed", id): worded(c["quantity"]) for id, c in claims.items()})
     for f in lock.values():
         out["num", name_of(f, claims)] = value(f.shown)
         out["err", name_of(f, claims)] = value(f.shown_error)
@@ -90,6 +93,7 @@ def paper_texts(claims, lock, figures, meta):
     out.update({("tally", what): str(n) for what, n in counts.items()})
     code, text = metadata.licences(meta)
     said = {"version": meta["version"], "keywords": ", ".join(meta["keywords"]), "code": code, "text": text}
+    said["edition"] = ", ".join(["Version " + meta["version"], *([day] if (day := meta.get("datePublished")) else [])])
     out.update({("meta", what): escaped(words).replace("–", "--") for what, words in said.items()})
     return out
 
@@ -97,8 +101,50 @@ def paper_texts(claims, lock, figures, meta):
 def dangling(paper, texts):
     """References that would stay empty, each once. A comment refers to nothing, and `#1` is a parameter."""
     found = [m for line in paper.splitlines()
-             for m in re.finditer(r"\\(num|err|pub|fig|tally|meta)\{([^}#]*)\}", uncommented(line))]
+             for m in re.finditer(r"\\(num|err|pub|claimed|fig|tally|meta)\{([^}#]*)\}", uncommented(line))]
     return sorted({m[0] for m in found if (m[1], m[2]) not in texts})
+
+
+PLACED = re.compile(r"\\(?:wide|twins|pair|own|ownpair)(?:\[[^]]*\])?((?:\{x?\d\d\})+)")
+CITED = re.compile(r"\bFigs?\.[~\s](x?\d\d(?:(?:--|,\s|\sand\s|,\sand\s)x?\d\d)*)")
+CAUSED = re.compile(r"\\gone\{([^}#]*)\}")
+
+
+def without_comments(paper):
+    return "\n".join(uncommented(line) for line in paper.splitlines())
+
+
+def omissions(paper, claims, figures):
+    """What the paper, all its files together, leaves out: figures that it does not show or that it shows twice,
+    figures that it cites without having them, discrepant claims without a cause, and causes of what is not
+    discrepant."""
+    paper = without_comments(paper)
+    shown = [id for found in PLACED.findall(paper) for id in re.findall(r"x?\d\d", found)]
+    cited = {id for found in CITED.findall(paper) for id in re.findall(r"x?\d\d", found)}
+    caused, lost = CAUSED.findall(paper), [id for id, c in claims.items() if c["status"] == "discrepant"]
+    return ([f"figure {id} of figures/figures.ecsv is not shown" for id in figures if id not in shown]
+            + [f"figure {id} is shown {shown.count(id)} times" for id in figures if shown.count(id) > 1]
+            + [f"figure {id} is cited and not in figures/figures.ecsv" for id in sorted(cited - set(figures))]
+            + [f"the discrepant claim '{id}' has no row \\gone" for id in lost if id not in caused]
+            + [f"'{id}' has a row \\gone and is not discrepant" for id in caused if id not in lost])
+
+
+SEE = re.compile(r"\\see\{(x?\d\d)\}\{((?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*)\}")
+
+
+def captions(root):
+    """What paper/captions.tex says of each figure after the first sentence, in TeX. Fault for what is no entry."""
+    path = Path(root) / "paper/captions.tex"
+    if not path.exists():
+        return {}
+    text, out = without_comments(ecsv.text_of(path)), {}
+    for id, said in SEE.findall(text):
+        if id in out:
+            raise ecsv.Fault(f"{path}: figure {id} has two captions")
+        out[id] = " ".join(said.split())
+    if left := SEE.sub("", text).strip():
+        raise ecsv.Fault(f"{path}: this is no \\see{{number}}{{text}}: {left.splitlines()[0][:60]}")
+    return out
 
 
 def chapter_needed(paper):
@@ -114,14 +160,16 @@ def macros(texts, figures, programs):
 
 
 def claim_rows(claims, lock):
-    """A row for each claim: what is claimed and printed, what we found with its error, and the verdict. Only a
-    claim that is open has no number."""
+    """A row for each claim but the discrepant ones, which the paper has in a table of their own: what is claimed and
+    printed, what we found with its error, and the verdict. Only a claim that is open has no number."""
     out = HEAD
     for id, c in claims.items():
         f = lock.get((c["program"], id))
         if not f and c["status"] != "open":
             raise ecsv.Fault(f"nothing is locked for the claim '{id}' (make lock)")
         said = verdict(c, f)
+        if c["status"] == "discrepant":
+            continue
         here = value(f.shown) + (f" {unit(f.unit)}" if f.shown_unit else "") if f and f.shown != said else ""
         cells = [escaped(id), worded(c["quantity"]), worded(c["printed"]) + (f" {unit(c['unit'])}" if c["unit"] else ""),
                  here, value(f.shown_error) if f else "", said]
@@ -132,12 +180,16 @@ def claim_rows(claims, lock):
 def write(root, out):
     """The verb. A reference to nothing is found here, in the paper's own words, before TeX is called."""
     claims, lock, figures, programs = read_claims(root), read_lock(root), read_figures(root), programs_of(root)
-    texts, missing = paper_texts(claims, lock, figures, metadata.read(root)), []
+    texts, missing, papers = paper_texts(claims, lock, figures, metadata.read(root)), [], []
     for path in sorted((Path(root) / "paper").glob("*.tex")):
         paper = ecsv.text_of(path)
         if chapter_needed(paper) in ("", *programs):
             missing += [f"{path}: nothing is there for {reference}" for reference in dangling(paper, texts)]
+            papers.append(paper)
     if missing:
         raise ecsv.Fault("; ".join(missing) + " (a new number: make lock)")
+    captions(root)
+    if left := omissions("\n".join(papers), claims, figures):
+        raise ecsv.Fault(f"{Path(root) / 'paper'}: " + "; ".join(left))
     ecsv.write_whole(Path(out) / "numbers.tex", macros(texts, figures, programs))
     ecsv.write_whole(Path(out) / "claims.tex", claim_rows(claims, lock))

@@ -145,16 +145,28 @@ class Book:
                 self.note("commands.html", name.replace(" ", "-"), LISTS[5][1], name, escape(row["description"]))
         return {name: self.page(name, title, self.render(name.removesuffix(".html"))) for name, title in LISTS}
 
-    def figure_page(self, id):
+    def captions(self):
+        """Whole captions by figure: the first sentence, and what the report says after it."""
+        further = {id: said for id, said in self.record.captions.items() if id in self.record.figures}
+        pages = dict(zip(further, prose.to_html([prose.from_tex(said) for said in further.values()])))
+        out = {}
+        for id, figure in self.record.figures.items():
+            said = re.sub(r"</?p>", "", pages.get(id, ""))
+            said = re.sub(r"\bFig\. (x?\d\d)\b",
+                          lambda m: f'<a href="fig-{m[1]}.html">Fig. {words.short_figure(m[1])}</a>', said)
+            out[id] = escape(figure["caption"]) + Markup(" " + said if said else "")
+        return out
+
+    def figure_page(self, id, caption):
         figure = self.record.figures[id]
         script = ecsv.text_of(self.record.root / "figures" / figure["script"]).rstrip("\n")
         tables = [(name, ecsv.read_written(self.record.table_path(figure["program"], name))) for name in figure["data"].split()
                   if self.binder.has_table(figure["program"], name)]
         self.note(f"fig-{id}.html", "", LISTS[3][1], words.spoken(id),
-                  escape(f'{figure["caption"]} Drawn by figures/{figure["script"]} from {figure["program"]}: {figure["data"]}'))
+                  caption + escape(f' Drawn by figures/{figure["script"]} from {figure["program"]}: {figure["data"]}'))
         language = "python" if figure["script"].endswith(".py") else "gnuplot"
         return self.page(f"fig-{id}.html", words.spoken(id), self.render(
-            "figure", id=id, tables=tables, script=Markup(code.numbered(script, 1, language))))
+            "figure", id=id, caption=caption, tables=tables, script=Markup(code.numbered(script, 1, language))))
 
     def live_pages(self):
         out = {}
@@ -208,7 +220,8 @@ class Book:
         out = {}
         pages = self.source_pages(bodies) | self.notebook_pages()
         out["index.html"] = self.start(start)
-        out.update(pages | self.lists() | {f"fig-{id}.html": self.figure_page(id) for id in self.record.figures})
+        out.update(pages | self.lists())
+        out.update({f"fig-{id}.html": self.figure_page(id, said) for id, said in self.captions().items()})
         out.update(self.live_pages())
         out["search.html"] = self.page("search.html", "Search", self.render("search"))
         rows = ",\n".join(json.dumps(entry, ensure_ascii=False) for entry in self.search)

@@ -40,6 +40,16 @@ def to_html(texts):
     return [p.strip() for p in pieces[2::2]]
 
 
+def from_tex(caption):
+    """A caption of paper/captions.tex as Markdown: words, formulas, dashes and spaces that do not break."""
+    pieces = caption.split("$")
+    odd = re.search(r"[\\{}&#_^*`<>|\[\]]", "".join(pieces[::2]))
+    if odd or len(pieces) % 2 == 0:
+        raise Fault(f"paper/captions.tex: {repr(odd[0]) if odd else 'an open formula'} in '{caption[:60]}...'")
+    pieces[::2] = [words.replace("~", "\u00a0").replace("--", "–") for words in pieces[::2]]
+    return "$".join(pieces)
+
+
 MATH = re.compile(r'<span class="math (inline|display)">(.*?)</span>', re.S)
 
 

@@ -10,6 +10,7 @@ from ..claims import programs_of, read_claims
 from ..lock import name_of, read_fresh, read_lock
 from ..refresh import read_figures
 from ..summary import read_commands
+from ..tex import captions
 from ..values import Finding
 from . import origin
 
@@ -49,6 +50,7 @@ class Record:
                          if self.claims.get(f.id, {}).get("program", f.program) == f.program}
         self.seconds = {f["program"]: f["seconds"] for f in self.figures.values()}
         self.alone = read_commands(root)
+        self.captions = captions(root)  # figure -> what its caption says after the first sentence, in TeX
         self.sources = {}  # program -> its sources, set by the weaver
         self._columns, self._quotes = {}, {}
 

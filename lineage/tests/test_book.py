@@ -12,7 +12,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from lineage import ecsv
+from lineage import ecsv, tex
 from lineage.values import Finding
 
 from . import ROOT, Scratch
@@ -73,6 +73,14 @@ class Blocks(unittest.TestCase):
                 if not any("//" in piece or piece.endswith("*/") for piece in paragraph):
                     unexplained.append(f"{path.relative_to(ROOT)}:{line}: {name}")
         self.assertEqual(unexplained, [])
+
+    def test_captions_are_words_and_formulas(self):
+        self.assertEqual(prose.from_tex(r"(a--c) At~$x_{1} = \frac12$."), "(a–c) At\u00a0$x_{1} = \\frac12$.")
+        for wrong in (r"\num{a.one}", "5 & 6", "$x", "a_b"):
+            with self.assertRaises(ecsv.Fault):
+                prose.from_tex(wrong)
+        for said in tex.captions(ROOT).values():
+            prose.from_tex(said)
 
     def test_headers_come_after_what_they_need(self):
         a = source.Source("src/lattice/numbers/a.hpp", "", includes=["lattice/numbers/b.hpp"])
@@ -282,6 +290,18 @@ class Repository(Scratch):
         self.assertIn('what <a href="numbers-demo.html">demo.hpp</a> declares', half)
         self.assertIn('compiled in <a href="numbers-demo-cpp.html">demo.cpp</a>', self.page("numbers-demo.html"))
         self.assertIn('["sec1_demo.html#results"', self.page("search-index.js"))
+
+    @needs_tools
+    def test_a_figure_has_the_caption_of_the_report(self):
+        self.write("paper/captions.tex", "\\see{01}{(a--c) As Fig. 01, at~$t = \\frac12$.}\n")
+        self.weave()
+        page = self.page("fig-01.html")
+        for piece in ['<figcaption>A line. (a–c) As <a href="fig-01.html">Fig. 1</a>, at\u00a0<span', 'class="katex"']:
+            self.assertIn(piece, page)
+        self.assertIn("A line. (a–c) As Fig. 1", self.page("search-index.js"))
+        self.write("paper/captions.tex", "\\see{01}{A \\emph{word}.}\n")
+        with self.assertRaisesRegex(ecsv.Fault, "captions.tex: '"):
+            self.weave()
 
     @needs_tools
     def test_tables_commands_and_packages_have_a_page(self):

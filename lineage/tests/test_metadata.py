@@ -79,6 +79,19 @@ class Told(unittest.TestCase):
         self.assertEqual(yaml.safe_load(metadata.yaml(value)), {**value, "a": ["x: #1", {"b": None, "c": 2}]})
 
 
+class Day(Scratch):
+    def test_a_version_has_the_day_that_codemeta_says_and_no_other(self):
+        self.write("paper/paper.tex", r"\wide{01}\gone{a.one}{cause}")
+        self.assertEqual((self.lineage("refresh")[0], self.lineage("macros")[0]), (0, 0))
+        self.assertNotIn("date-released", self.read("CITATION.cff"))
+        self.assertIn(r"\define{meta}{edition}{Version 1.0.0}", self.read("build/paper/numbers.tex"))
+        self.write("codemeta.json", self.read("codemeta.json").replace(
+            '"version": "1.0.0"', '"version": "1.0.0", "datePublished": "2001-02-03"'))
+        self.assertEqual((self.lineage("refresh")[0], self.lineage("macros")[0]), (0, 0))
+        self.assertIn('date-released: "2001-02-03"\n', self.read("CITATION.cff"))
+        self.assertIn(r"\define{meta}{edition}{Version 1.0.0, 2001-02-03}", self.read("build/paper/numbers.tex"))
+
+
 class Faults(Scratch):
     def test_what_cannot_be_used_is_named(self):
         good = self.read("codemeta.json")

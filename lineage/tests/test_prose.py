@@ -84,25 +84,60 @@ class Paper(Scratch):
         self.assertEqual(tex.unit("um"), r"$\mu$m")
 
     def test_a_reference_to_nothing_is_named(self):
-        good = r"\num{a.one} \err{a.one} \pub{a.one} \num{sec1_demo.fact} \fig{01} \tally{open} \meta{code}"
+        good = (r"\num{a.one} \err{a.one} \pub{a.one} \claimed{a.one} \num{sec1_demo.fact} \fig{01} \tally{open}"
+                r" \meta{code} \wide{01} \gone{a.one}{cause}")
         self.write("paper/paper.tex", good + "\n% \\num{x}\n\\newcommand\\q[1]{\\num{#1}} 5\\% of \\num{a.one}\n")
         self.assertEqual(self.lineage("macros")[0], 0)
         numbers, claims = self.read("build/paper/numbers.tex"), self.read("build/paper/claims.tex")
         for line in [r"\define{num}{a.one}{\ensuremath{1.000}}", r"\define{err}{a.one}{\ensuremath{0.001}}",
                      r"\define{pub}{a.one}{1.02}", r"\define{fig}{01}{fig01}", r"\define{tally}{discrepant}{1}",
                      r"\define{caption}{01}{A line.}", r"\define{chapter}{sec1_demo}{}",
-                     r"\define{meta}{version}{1.0.0}"]:
+                     r"\define{claimed}{a.one}{one}", r"\define{meta}{version}{1.0.0}",
+                     r"\define{meta}{edition}{Version 1.0.0}"]:
             self.assertIn(line + "\n", numbers)
-        self.assertIn(r"\claim{a.one}{one}{1.02}{\ensuremath{1.000} m}{\ensuremath{0.001}}{discrepant}", claims)
+        self.assertNotIn(r"\claim{a.one}", claims)  # it is in the table of those that do not survive
         self.assertIn(r"\claim{a.two}{two}{yes}{}{}{open}", claims)
         shutil.rmtree(self.root / "build/paper")
         self.write("paper/paper.tex", "\\num{a.three} 5\\% of \\pub{sec1_demo.fact}\n\\fig{08} \\num{a.three}\n")
         self.refuses("macros", r"\fig{08}", r"\num{a.three}", r"\pub{sec1_demo.fact}")
         self.assertFalse((self.root / "build/paper").exists())
-        self.write("paper/paper.tex", "% chapter: sec9_none\n\\num{a.three}\n")
+        self.write("paper/paper.tex", good)
+        self.write("paper/more.tex", "% chapter: sec9_none\n\\num{a.three}\n")
         self.assertEqual(self.lineage("macros")[0], 0)
+        self.write("paper/paper.tex", r"\wide{01} \gone{a.one}{cause}")
         self.write("paper/converged.ecsv", self.read("paper/converged.ecsv").replace("a.one", "a.none"))
         self.refuses("macros", "nothing is locked for the claim 'a.one'")
+
+    def test_a_claim_that_agrees_has_its_row(self):
+        published = self.read("paper/published.ecsv").replace("1.02", "1.00")
+        self.write("paper/published.ecsv", published.replace("discrepant", "reproduced"))
+        self.write("paper/paper.tex", r"\wide{01}")
+        self.assertEqual(self.lineage("macros")[0], 0)
+        self.assertIn(r"\claim{a.one}{one}{1.00}{\ensuremath{1.000} m}{\ensuremath{0.001}}{reproduced}",
+                      self.read("build/paper/claims.tex"))
+
+    def test_what_the_paper_leaves_out_is_named(self):
+        whole = "\\wide[0.6]{01}\n\\gone{a.one}{they erred}\n\\newcommand\\gone[2]{\\num{#1}} (Fig.~01).\n"
+        self.write("paper/paper.tex", whole)
+        self.assertEqual(self.lineage("macros"), (0, "", ""))
+        for paper, words in [(whole.replace("\\wide", "% \\wide"), "figure 01 of figures/figures.ecsv is not shown"),
+                             (whole + "\\pair{01}{02}", "figure 01 is shown 2 times"),
+                             (whole + "See Figs.~01, x02\nand 03.",
+                              "figure 03 is cited and not in figures/figures.ecsv; figure x02"),
+                             (whole.replace("\\gone{a.one}", "\\num{a.one}"), "claim 'a.one' has no row"),
+                             (whole + "\\gone{a.two}{none}", "'a.two' has a row \\gone and is not discrepant")]:
+            self.write("paper/paper.tex", paper)
+            self.refuses("macros", words)
+
+    def test_captions(self):
+        self.write("paper/captions.tex",
+                   "% first\n\\see{01}{(a) A line of slope $\\frac{1}{2}$\nand so on.}\n\\see{x09}{Gone.}\n")
+        self.assertEqual(tex.captions(self.root), {"01": r"(a) A line of slope $\frac{1}{2}$ and so on.", "x09": "Gone."})
+        self.write("paper/paper.tex", "\\wide{01}\\gone{a.one}{cause}")
+        for wrong, words in [("\\see{01}{One.}\n\\see{01}{Two.}\n", "figure 01 has two captions"),
+                             ("\\see{01}{One.}\n\\sea{02}{Two.}\n", r"this is no \see{number}{text}: \sea{02}")]:
+            self.write("paper/captions.tex", wrong)
+            self.refuses("macros", words)
 
     @unittest.skipUnless(shutil.which("latexmk"), "latexmk is not installed (make install-paper)")
     def test_tex_stops_at_a_missing_number(self):
@@ -137,9 +172,13 @@ class ThisRepository(unittest.TestCase):
     def test_the_paper_refers_to_what_is_there(self):
         claims, locked, figures = lock.read_claims(ROOT), lock.read_lock(ROOT), refresh.read_figures(ROOT)
         texts = tex.paper_texts(claims, locked, figures, metadata.read(ROOT))
+        papers = []
         for path in sorted((ROOT / "paper").glob("*.tex")):
             if tex.chapter_needed(paper := ecsv.text_of(path)) in ("", *lock.programs_of(ROOT)):
                 self.assertEqual(tex.dangling(paper, texts), [], path)
+                papers.append(paper)
+        self.assertEqual(tex.omissions("\n".join(papers), claims, figures), [])
+        self.assertEqual(set(tex.captions(ROOT)) - set(figures), set())
 
     def test_the_lock_holds_what_is_claimed_quoted_or_a_headline(self):
         claims, locked, names = lock.read_claims(ROOT), lock.read_lock(ROOT), lock.quoted(ROOT)
