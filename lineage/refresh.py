@@ -17,6 +17,7 @@ from .lock import name_of, read_lock, sources
 from .values import with_digits, without_zeros
 
 LINK = re.compile(r"(\[[^\]]*\])?\(num:([^)\n]*)(\)?)")
+MARK = re.compile(r"<!--num:([\w.]+)-->[^<\n]*<!--/-->")
 PAGES = ("README.md", "ARTIFACT.md")
 
 
@@ -36,6 +37,17 @@ def with_numbers(text, numbers):
     return LINK.sub(renewed, text)
 
 
+def with_marked_numbers(text, numbers):
+    """The same for a page that others show, where such a link would lead nowhere: `<!--num:id-->value<!--/-->`, of
+    which a reader sees the value. Fault for a mark that is not whole, or an id that is not there."""
+    if len(MARK.findall(text)) != text.count("<!--num:") or text.count("<!--num:") != text.count("<!--/-->"):
+        raise ecsv.Fault("a number whose two marks do not match")
+    for id in MARK.findall(text):
+        if id not in numbers:
+            raise ecsv.Fault(f"nothing is locked under '{id}' (a new one: make lock)")
+    return MARK.sub(lambda found: f"<!--num:{found[1]}-->{numbers[found[1]]}<!--/-->", text)
+
+
 def quotable(lock, claims):
     """Every text that prose may quote, by its name."""
     return {name_of(f, claims): f.shown for f in lock.values()}
@@ -50,14 +62,20 @@ def here(finding, said):
 
 
 def published_rows(claims, lock):
-    yield "| claim | article | here | error | verdict |"
-    yield "|---|---|---|---|---|"
+    yield "| claim | what is claimed | article | asked | here | error | verdict |"
+    yield "|---|---|---|---|---|---|---|"
     for id, c in claims.items():
         f = lock.get((c["program"], id))
         if f:
-            printed = c["printed"] + (f" {c['unit']}" if c["unit"] else "")
             said = verdict(c, f)
-            yield f"| `{id}` | {printed} | {here(f, said)} | {f.shown_error} | {said} |"
+            cells = [f"`{id}`", c["quantity"], printed(c), c["tolerance"], here(f, said), f.shown_error, said]
+            yield "| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |"
+
+
+def printed(claim):
+    """What the article prints, with a unit where it is a number."""
+    text = claim["printed"]
+    return f"{text} {claim['unit']}" if claim["unit"] and re.fullmatch(r"[-+.\de]+", text) else text
 
 
 def discrepancy_rows(claims, lock):
@@ -210,7 +228,7 @@ def fresh_texts(root, costs):
     yield index, text
     tables = generated_tables(claims, lock, ecsv.parse(text, index).by("id", "figures"), read_ratios(root))
     for name in PAGES:
-        yield fresh(root / name, lambda text: fresh_page(text, tables))
+        yield fresh(root / name, lambda text: fresh_page(with_marked_numbers(text, numbers), tables))
     yield from metadata.generated(root)
 
 

@@ -20,6 +20,15 @@ class Links(unittest.TestCase):
             with self.assertRaises(ecsv.Fault):
                 refresh.with_numbers(bad, numbers)
 
+    def test_a_page_shows_numbers_without_links(self):
+        numbers = {"pn.omega11": "1.62e-11"}
+        page = "It is <!--num:pn.omega11-->17<!--/-->, not 1.77e-11."
+        ought = "It is <!--num:pn.omega11-->1.62e-11<!--/-->, not 1.77e-11."
+        self.assertEqual(refresh.with_marked_numbers(page, numbers), ought)
+        for bad in (page.replace("omega11", "omega12"), page.replace("<!--/-->", ""), page + "<!--/-->"):
+            with self.assertRaises(ecsv.Fault):
+                refresh.with_marked_numbers(bad, numbers)
+
     def test_a_page_gets_the_tables_for_which_it_has_marks(self):
         page = "a\n<!-- t -->\nold\n<!-- /t -->\nb\n"
         self.assertEqual(refresh.fresh_page(page, {"t": ["x", "y"], "u": []}), "a\n<!-- t -->\nx\ny\n<!-- /t -->\nb\n")
@@ -52,7 +61,7 @@ class Refreshing(Scratch):
         self.assertEqual(self.lineage("refresh", "--check")[0], 1)
         self.assertEqual(self.lineage("refresh")[0], 0)
         self.assertIn("It is [1.000](num:a.one).", self.read("src/sec1_demo.cpp"))
-        self.assertIn("| `a.one` | 1.02 | 1.000 m | 0.001 | discrepant |", self.read("README.md"))
+        self.assertIn("| `a.one` | one | 1.02 | rel 1e-2 | 1.000 m | 0.001 | discrepant |", self.read("README.md"))
         self.assertIn("| together | 3 |", self.read("ARTIFACT.md"))
         self.assertEqual(self.lineage("refresh", "--check"), (0, "", ""))
         self.write("build/report/cost/sec1_demo", "9.1\n")
@@ -93,7 +102,7 @@ class Paper(Scratch):
                      r"\define{pub}{a.one}{1.02}", r"\define{fig}{01}{fig01}", r"\define{tally}{discrepant}{1}",
                      r"\define{caption}{01}{A line.}", r"\define{chapter}{sec1_demo}{}",
                      r"\define{claimed}{a.one}{one}", r"\define{meta}{version}{1.0.0}",
-                     r"\define{meta}{edition}{Version 1.0.0}"]:
+                     r"\define{meta}{text}{CC-BY-4.0}"]:
             self.assertIn(line + "\n", numbers)
         self.assertNotIn(r"\claim{a.one}", claims)  # it is in the table of those that do not survive
         self.assertIn(r"\claim{a.two}{two}{yes}{}{}{open}", claims)
