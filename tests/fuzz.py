@@ -47,8 +47,8 @@ def options_of(help_text):
     out = {}
     for name, rest in re.findall(r"^  --([\w-]+)(.*)$", help_text, re.M):
         range_ = re.match(r" \[([^,]+), ([^\]]+)\]", rest)
-        names = re.match(r" ((?:[\w-]+, )+[\w-]+)  ", rest)
-        out[name] = [float(range_[1]), float(range_[2])] if range_ else names[1].split(", ") if names else \
+        names = re.match(r" {((?:[\w-]+\|)+[\w-]+)}  ", rest)
+        out[name] = [float(range_[1]), float(range_[2])] if range_ else names[1].split("|") if names else \
             "flag" if rest.startswith("  ") else "text"
     for name in ("help", "version"):
         out.pop(name, None)
