@@ -112,6 +112,8 @@ Table band_quantities(double d, double s) {
   const auto fastest = [v1](auto zero) {
     return phonon(inflection(v1(zero)), v1(zero)).group_velocity;
   };
+
+  // The band, its inflection, and where modulations grow
   add(
       "lower_edge", [](auto zero) { return 1 + zero; }, "",
       "frequency of the phonons of q = 0, that of a bead in its well");

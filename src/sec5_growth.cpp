@@ -412,6 +412,7 @@ struct OneWave {
       const DpsWave<long double> wide{q, amplitude};
       answers.add(name, compare(double(of(narrow)), double(of(wide))), unit, meaning);
     };
+    // The wave and this modulation, then all modulations
     add(
         "frequency", [](const auto& w) { return w.frequency(); }, "",
         "frequency Omega of the plane wave in the slow time of the DpS equation");

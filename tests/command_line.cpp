@@ -708,7 +708,8 @@ static std::vector<std::string> commands_of(const std::string& program) {
   std::vector<std::string> names;
   bool here = false;
   for (std::string line; std::getline(help, line); here = here && !line.empty()) {
-    if (here && line.rfind("   ", 0) != 0) names.push_back(line.substr(2, line.find(' ', 2) - 2));
+    if (here && line.size() > 2 && line[2] != ' ')
+      names.push_back(line.substr(2, line.find(' ', 2) - 2));
     here = here || line.rfind("Commands", 0) == 0;
   }
   return names;
