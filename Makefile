@@ -85,7 +85,6 @@ all-data: $(results)
 # A single figure needs only its own program.
 TARGETS := programs
 programs: configure
-	@test -d $(B)/bin || echo "  build    programs (a few minutes the first time; $(B)/build.log)"
 	@sh tools/build.sh $(B) $(JOBS) $(TARGETS)
 
 .PHONY: configure
@@ -106,6 +105,7 @@ $(if $(filter x%,$(1)),$(1),fig$(1)): install-deps
 	@sh tools/need-tools.sh "$$(PYTHON)"
 	@sh tools/tables.sh $(D)/data
 	@$$(MAKE) TARGETS=$(2) $(foreach e,svg pdf png,$(D)/figures/$(basename $(3)).$(e))
+	@echo "  figure   $(D)/figures/$(basename $(3)).png"
 $(D)/figures/$(basename $(3)).svg: figures/$(3) $(D)/data/$(2)/results.ecsv $(call tables,$(2),$(4)) tools/draw.sh \
     $(if $(filter %.gp,$(3)),figures/style.gp,figures/draw.py figures/matplotlibrc)
 	@mkdir -p $$(@D)
@@ -183,7 +183,6 @@ python: configure
 
 .PHONY: run-tests
 run-tests: programs
-	@echo "  build    tests"
 	@sh tools/build.sh $(B) $(JOBS) all
 	@$(lineage) summary --data $(B)/data --out $(B)/report > /dev/null
 	@$(MAKE) test-lineage
@@ -316,3 +315,7 @@ help:
 	  sub(/,[^,"]*$$/, "", text); gsub(/"/, "", text); printf "  make %s: %s\n", (id ~ /^x/ ? id : "fig" id), text }' figures/figures.ecsv
 	@echo "Variables: DEPS=skip (install nothing), PYTHON=..., JOBS=..., LAUNCH=... (put before every program),"
 	@echo "  THREADS=... (of each program), QUICK=1 (coarse, into $(B)/quick)"
+
+# What has no rule is mistyped.
+.DEFAULT:
+	$(error '$@': there is no such target or file (allowed: what `make help` lists))

@@ -5,7 +5,7 @@ together to statements, up to a semicolon or a brace at the end of a line. A sta
 lines, if it
 
 - declares or passes on a table, its columns, the list of quantities or a note, or fills them
-  (`Table`, `Columns`, `Cells`, `Quantities`, `x.add(` and `x.fill(` of one of them, `facts.`, `results.`, `output.`),
+  (`Table`, `Columns`, `Cells`, `Quantities`, `Answers`, `x.add(` and `x.fill(` of one of them, `facts.`, `results.`, `output.`),
 - declares a command or its parameters (`Title`, `Parameters`, `UsageError`, `table() const`, `main`),
 - makes a name or a text (`std::string`, `const char*`),
 - or is the head of a function that returns a table or takes a report, or the call of one.
@@ -16,11 +16,11 @@ evaluates a formula) is method, and so is `judge`, which puts a criterion to the
 import re
 from pathlib import Path
 
-WORDS = re.compile(r"""\b(Table|Columns|Cells|Quantities|Parameters|Title|UsageError|Report|Output|Results)\b
+WORDS = re.compile(r"""\b(Table|Columns|Cells|Quantities|Answers|Parameters|Title|UsageError|Report|Output|Results)\b
     | \b(facts|results|output)\s*\. | \b(report\.(table|output|facts|results))\b
     | \b(number|count|label|estimate)\("  | table\(\)\ const | \bmain\( | \breturn\ run\( | \bcommands<
     | \bstd::string\b | \bconst\ char\s*\* | \breport_\w+\( | \bfill\( """, re.X)
-HOLDER = re.compile(r"\b(?:Table|Quantities|Parameters|Columns)\s*&?\s+(\w+)")
+HOLDER = re.compile(r"\b(?:Table|Quantities|Answers|Parameters|Columns)\s*&?\s+(\w+)")
 
 RECORD = re.compile(r"\.add\(|\bCells\{")
 COMPUTES = re.compile(r"""[\w)\]]\s(?:[-*/])\s[\w(] | \b(compare|quotient|larger|smaller|size|std::(abs|log|sqrt|arg|asin|sin|cos|expm1))\( |

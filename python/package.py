@@ -27,16 +27,16 @@ __all__ = ["Chain", "Contact", "Estimate", "Result", "Well", "barrier", "breathe
 
 class Estimate(float):
     """A number that knows its error: a float with the attributes `error` (absolute, in the unit of the number), `unit`
-    (empty if dimensionless) and `exact` (True where nothing could be different). Errors are differences of two
-    resolutions, as in the tables of the programs. Arithmetic returns plain floats."""
+    (empty if dimensionless), `exact` (True where nothing could be different) and `meaning` (what it is, in words). Errors
+    are differences of two resolutions, as in the tables of the programs. Arithmetic returns plain floats."""
 
-    def __new__(cls, value, error, unit="", exact=False):
+    def __new__(cls, value, error, unit="", exact=False, meaning=""):
         self = super().__new__(cls, value)
-        self.error, self.unit, self.exact = float(error), unit, exact
+        self.error, self.unit, self.exact, self.meaning = float(error), unit, exact, meaning
         return self
 
     def __getnewargs__(self):
-        return float(self), self.error, self.unit, self.exact
+        return float(self), self.error, self.unit, self.exact, self.meaning
 
     def __str__(self):
         """The digits that the error allows, and the error."""
@@ -52,7 +52,8 @@ class Estimate(float):
 
 
 class Result:
-    """What a function found. `quantities` is a dictionary of Estimates; they and the arrays are attributes too."""
+    """What a function found. `quantities` is a dictionary of Estimates, each with its `meaning`; they and the arrays are
+    attributes too."""
 
     def __init__(self, quantities, **arrays):
         self.quantities = quantities
@@ -67,8 +68,8 @@ class Result:
 
 
 def _estimates(table):
-    rows = zip(table["quantity"], table["value"], table["error"], table["unit"], table["kind"])
-    return {name: Estimate(value, error, unit, kind == "exact") for name, value, error, unit, kind in rows}
+    rows = zip(*(table[name] for name in ("quantity", "value", "error", "unit", "kind", "meaning")))
+    return {name: Estimate(value, error, unit, kind == "exact", meaning) for name, value, error, unit, kind, meaning in rows}
 
 
 def _words(options):
@@ -172,7 +173,8 @@ class Chain(_lattice.Chain):
         relative deviation of the energy, Eq. (6)."""
         t, y, v, error, drift = super().evolve(np.asarray(y, float).tolist(), np.asarray(v, float).tolist(), float(time),
                                                float(sample), float(tolerance))
-        known = {"error": Estimate(error, 0, "relative"), "energy_drift": Estimate(drift, 0, "relative")}
+        known = {"error": Estimate(error, 0, "relative", meaning="difference of the end states of the last two runs"),
+                 "energy_drift": Estimate(drift, 0, "relative", meaning="largest deviation of the energy, Eq. (6)")}
         return Result(known, t=t, y=y, v=v)
 
     def energy_density(self, y, v):
@@ -204,8 +206,9 @@ def strike(chain=None, **options):
         the packet needs; if it has, what its far end sends back belongs to the run.
     OPTIONS
 
-    Returns a Result with the quantities of `sec34_impact run`: speed (of the packet's centre X, Eq. (24), from site 20 to
-    twenty sites before the far end; sites per unit of time), centre (site, from one), peak_energy_density,
+    Returns a Result with the quantities of `sec34_impact run`: speed (of the foremost packet's centre X, Eq. (24), from site
+    20 to twenty sites before the far end; sites per unit of time), centre (site, from one), strongest_site (of the largest
+    energy density outside of the first five, which in hard wells need not be the foremost packet's), peak_energy_density,
     packet_energy_fraction, boundary_energy_fraction (first five sites), energy_drift and escaped (0 or 1), nan where one
     does not exist; the arrays n, y, v and e, one entry per bead: site (from one), position, velocity and energy density,
     Eq. (23), at the end; t, track_centre, track_energy and track_peak, one entry per sample: the packet's way, energy and

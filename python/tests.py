@@ -50,6 +50,8 @@ class SameBits(unittest.TestCase):
         self.assertEqual(bits([q.error for q in got]), bits(table["error"]))
         self.assertEqual([q.unit for q in got], table["unit"])
         self.assertEqual(["exact" if q.exact else "estimate" for q in got], table["kind"])
+        self.assertEqual([q.meaning for q in got], table["meaning"])
+        self.assertTrue(all(table["meaning"]))
         if profile:
             table = program(command, *words, "--profile")
             for name in profile:

@@ -327,9 +327,10 @@ struct Exchanges : ChosenBreather {
       return std::abs(a.value) < std::abs(b.value);
     };
     std::sort(found.begin(), found.end(), nearer);
-    Quantities q;
+    Answers q;
     for (std::size_t k = 0; k < found.size(); ++k)
-      q.add(k ? "s0_" + std::to_string(k + 1) : "s0", found[k]);
+      q.add(k ? "s0_" + std::to_string(k + 1) : "s0", found[k], "",
+            "anharmonicity s at which kappa of the pinning pair changes its sign");
     return q.table;
   }
 };

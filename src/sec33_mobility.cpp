@@ -528,14 +528,18 @@ Table Kick::table() const {
   });
   const double ends = std::min(runs[0].run.t_end, runs[1].run.t_end);
   const double way = std::abs(runs[1].travelled()), none = std::nan("");
-  Quantities q;
+  Answers q;
   const Estimate speed = way >= 1 && runs[1].t.size() > 3
                              ? compare(runs[0].speed(0, ends), runs[1].speed(0, ends))
                              : Estimate{none, none};
-  q.add("velocity", speed, "site per unit of time");
-  q.add("drift", compare(runs[0].run.energy_drift, runs[1].run.energy_drift), "relative");
-  q.add("sites_travelled", compare(runs[0].travelled(), runs[1].travelled()), "site");
-  q.add("time", exact(runs[1].run.t_end));
+  q.add("velocity", speed, "site per unit of time",
+        "speed of the breather's energy centre over the whole run, with its sign");
+  q.add("drift", compare(runs[0].run.energy_drift, runs[1].run.energy_drift), "relative",
+        "largest change of the chain's energy during the run");
+  q.add("sites_travelled", compare(runs[0].travelled(), runs[1].travelled()), "site",
+        "way of the energy centre, averaged over eleven periods, with its sign");
+  q.add("time", exact(runs[1].run.t_end), "",
+        "when the run ended: the given time, or earlier near an end of the chain");
   return q.table;
 }
 
@@ -554,12 +558,17 @@ struct Threshold : Kicked {
     FreeingKick found = freeing_kicks({at}, {p}, coarse().thresholds, fine().thresholds).front();
     confirm(at, p, fine().thresholds, found);
     const Estimate& c = found.value;
-    Quantities q;
-    q.add("c_threshold", c, "site per unit of time");
-    q.add("barrier", {c.value * c.value / 2, c.value * c.error});
-    q.add("predicted", p.threshold, "site per unit of time");
-    q.add("effective_barrier", p.barrier);
-    q.add("kinetic_share", p.share);
+    Answers q;
+    q.add("c_threshold", c, "site per unit of time",
+          "least size c of the kick after which the breather passes the barrier, from runs");
+    q.add("barrier", {c.value * c.value / 2, c.value * c.error}, "",
+          "energy c^2/2 of the threshold kick");
+    q.add("predicted", p.threshold, "site per unit of time",
+          "the threshold kick as it follows from the barrier and the pinning mode");
+    q.add("effective_barrier", p.barrier, "",
+          "E_site - E_bond at equal area, the barrier of the moving breather");
+    q.add("kinetic_share", p.share, "",
+          "share of the energy c^2/2 that moves the breather along; below 0 if its mass is");
     return q.table;
   }
 };

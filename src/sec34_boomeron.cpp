@@ -523,12 +523,17 @@ Table OneTurn::table() const {
     return decorrelation(at, v, at, v * (1 + 1e-8), chain, 4 * time,
                          shown("two impacts", 4 * time));
   };
-  Quantities q;
-  q.add("apex_site", read.apex_site, "site");
-  q.add("apex_time", read.apex_time);
-  q.add("return_time", read.return_time);
-  q.add("decorrelation_time", decorrelation_of(neighbours(0), neighbours(1)));
-  q.add("step_difference", exact(runs.error), "relative");
+  Answers q;
+  q.add("apex_site", read.apex_site, "site",
+        "farthest site of the energy centre, smoothed over time, of the strongest packet");
+  q.add("apex_time", read.apex_time, "",
+        "time at which this packet turns round, at its farthest site");
+  q.add("return_time", read.return_time, "",
+        "time at which this packet, on its way back, is nearest to the struck end");
+  q.add("decorrelation_time", decorrelation_of(neighbours(0), neighbours(1)), "",
+        "time after which two impacts whose velocities differ by a fraction 1e-8 have parted");
+  q.add("step_difference", exact(runs.error), "relative",
+        "difference of apex and rebound in the last two runs, with a step and with half of it");
   return q.table;
 }
 

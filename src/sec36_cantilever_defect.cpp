@@ -463,13 +463,17 @@ Table OneDefect::table() const {
   blow.array.sites = sites;
   const Workshop workshop = workshop_for(blow, false);
   const Fractions f = fractions(workshop, ratio);
-  Quantities q;
-  for (const auto& named : f.named()) q.add(named.name, named.share, named.unit);
-  q.add("ledger", f.ledger);
-  q.add("speed", speed_between(pass_twice(blow), blow, 20, 60), "sites/s");
-  q.add("mu", exact(blow.array.mu(ratio)));
-  q.add("eta", exact(CantileverArray::eta(ratio)));
-  q.add("linear_frequency", exact(blow.array.linear_frequency(ratio)), "1 / tau_c");
+  Answers q;
+  for (const auto& named : f.named()) q.add(named.name, named.share, named.unit, named.meaning);
+  q.add("ledger", f.ledger, "", "reflected + near + transmitted - 1: zero but for errors");
+  q.add("speed", speed_between(pass_twice(blow), blow, 20, 60), "sites/s",
+        "speed of the packet between sites 20 and 60, before it meets the defect");
+  q.add("mu", exact(blow.array.mu(ratio)), "",
+        "mass of the defect over that of the other cantilevers, Eq. (32)");
+  q.add("eta", exact(CantileverArray::eta(ratio)), "",
+        "stiffness of the defect's two contacts over that of the others, Eq. (32)");
+  q.add("linear_frequency", exact(blow.array.linear_frequency(ratio)), "1 / tau_c",
+        "angular frequency of the defect alone, without its contacts");
   return q.table;
 }
 

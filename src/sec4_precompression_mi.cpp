@@ -84,39 +84,55 @@ Estimate in_two_precisions(Formula formula) {
 /**
 The edges of the instability come in pairs, `unstable_from` and `unstable_to`, and those of a second interval
 with its number. Where every phonon is stable there are none. */
-void add_edges_of_instability(Quantities& q, double d, double s) {
+void add_edges_of_instability(Answers& q, double d, double s) {
   const auto narrow = unstable_wavenumbers(d, s);
   const auto wide = unstable_wavenumbers<long double>(d, s);
   if (narrow.size() != wide.size())
     throw Failure("the unstable wavenumbers are too close to one another to be told apart");
   const Estimate none{std::nan(""), std::nan("")};
   if (narrow.empty())
-    for (const char* name : {"unstable_from", "unstable_to"}) q.add(name, none, "1/site");
+    for (const char* name : {"unstable_from", "unstable_to"})
+      q.add(name, none, "1/site", "edge of the unstable wavenumbers; there are none");
   for (std::size_t i = 0; i < narrow.size(); ++i) {
     const std::string number = i == 0 ? "" : "_" + std::to_string(i + 1);
-    q.add("unstable_from" + number, compare(narrow[i].from, double(wide[i].from)), "1/site");
-    q.add("unstable_to" + number, compare(narrow[i].to, double(wide[i].to)), "1/site");
+    q.add("unstable_from" + number, compare(narrow[i].from, double(wide[i].from)), "1/site",
+          "least wavenumber of an interval in which phonons are modulationally unstable");
+    q.add("unstable_to" + number, compare(narrow[i].to, double(wide[i].to)), "1/site",
+          "largest wavenumber of this interval, which begins at unstable_from" + number);
   }
 }
 
 Table band_quantities(double d, double s) {
-  Quantities q;
-  const auto add = [&](const std::string& name, auto formula, const std::string& unit = "") {
-    q.add(name, in_two_precisions(formula), unit);
+  Answers q;
+  const auto add = [&](const std::string& name, auto formula, const std::string& unit,
+                       const std::string& meaning) {
+    q.add(name, in_two_precisions(formula), unit, meaning);
   };
   const auto v1 = [d](auto zero) { return contact_series(zero + d).v1; };
   const auto fastest = [v1](auto zero) {
     return phonon(inflection(v1(zero)), v1(zero)).group_velocity;
   };
-  add("lower_edge", [](auto zero) { return 1 + zero; });
-  add("upper_edge", [=](auto zero) { return upper_edge(v1(zero)); });
+
+  // The band, its inflection, and where modulations grow
   add(
-      "inflection", [=](auto zero) { return inflection(v1(zero)); }, "1/site");
-  add("largest_group_velocity", fastest, speed_unit);
-  add("phi_at_0", [=](auto zero) { return coefficients(zero, zero + d, zero + s).phi; });
-  add("phi_at_pi", [=](auto zero) {
-    return coefficients(zero + std::numbers::pi_v<decltype(zero)>, zero + d, zero + s).phi;
-  });
+      "lower_edge", [](auto zero) { return 1 + zero; }, "",
+      "frequency of the phonons of q = 0, that of a bead in its well");
+  add(
+      "upper_edge", [=](auto zero) { return upper_edge(v1(zero)); }, "",
+      "frequency of the phonons of q = pi, the highest of the band");
+  add(
+      "inflection", [=](auto zero) { return inflection(v1(zero)); }, "1/site",
+      "wavenumber q_c at which phonons are fastest: the inflection of omega(q)");
+  add("largest_group_velocity", fastest, speed_unit, "group velocity of the phonons of q_c");
+  add(
+      "phi_at_0", [=](auto zero) { return coefficients(zero, zero + d, zero + s).phi; }, "",
+      "Phi = -beta omega_2 of Eq. (37) at q = 0; modulations grow where it is positive");
+  add(
+      "phi_at_pi",
+      [=](auto zero) {
+        return coefficients(zero + std::numbers::pi_v<decltype(zero)>, zero + d, zero + s).phi;
+      },
+      "", "Phi of Eq. (37) at q = pi; modulations grow where it is positive");
   add_edges_of_instability(q, d, s);
   return q.table;
 }
@@ -125,18 +141,28 @@ Table band_quantities(double d, double s) {
 At one wavenumber all coefficients come from one evaluation, so here we evaluate once in each
 precision and compare the coefficients one by one. */
 Table coefficient_quantities(double at, double d, double s) {
-  Quantities q;
+  Answers q;
   const auto narrow = coefficients(at, d, s);
   const auto wide = coefficients<long double>(at, d, s);
-  const auto add = [&](const std::string& name, auto of, const std::string& unit = "") {
-    q.add(name, compare(double(of(narrow)), double(of(wide))), unit);
+  const auto add = [&](const std::string& name, auto of, const std::string& unit,
+                       const std::string& meaning) {
+    q.add(name, compare(double(of(narrow)), double(of(wide))), unit, meaning);
   };
-  add("omega", [](const auto& c) { return c.omega; });
   add(
-      "group_velocity", [](const auto& c) { return c.group_velocity; }, speed_unit);
-  add("beta", [](const auto& c) { return c.beta; });
-  add("omega_2", [](const auto& c) { return c.omega_2; });
-  add("phi", [](const auto& c) { return c.phi; });
+      "omega", [](const auto& c) { return c.omega; }, "",
+      "frequency of the phonon of wavenumber q");
+  add(
+      "group_velocity", [](const auto& c) { return c.group_velocity; }, speed_unit,
+      "group velocity of this phonon, d omega / d q");
+  add(
+      "beta", [](const auto& c) { return c.beta; }, "",
+      "coefficient of the cubic term of the NLS equation, after Eq. (36)");
+  add(
+      "omega_2", [](const auto& c) { return c.omega_2; }, "",
+      "reduced curvature of the band, omega omega''/v_1");
+  add(
+      "phi", [](const auto& c) { return c.phi; }, "",
+      "-beta omega_2 of Eq. (37); the phonon is modulationally unstable where it is positive");
   return q.table;
 }
 

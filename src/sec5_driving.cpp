@@ -583,8 +583,9 @@ struct OneDrive : DrivenArray {
           {20, 500, "ms"});
   }
   Table table() const {
-    Quantities q;
-    for (const DrivenQuantity& one : quantities()) q.add(one.name, one.value, one.unit);
+    Answers q;
+    for (const DrivenQuantity& one : quantities())
+      q.add(one.name, one.value, one.unit, one.meaning);
     return q.table;
   }
 };

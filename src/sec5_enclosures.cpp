@@ -351,9 +351,9 @@ those for the chain and `sec5_enclosures wave --sign minus` those for the kernel
 both centres. A quantity that cannot be certified is not printed. */
 struct Bounds {
   Table table{{label("quantity", "what is enclosed"), number("lower", "lower bound"),
-               number("upper", "upper bound")}};
-  void add(const std::string& quantity, const Interval<double>& x) {
-    table.add({quantity, x.lower, x.upper});
+               number("upper", "upper bound"), label("meaning", "what the quantity is, in words")}};
+  void add(const std::string& quantity, const Interval<double>& x, const std::string& meaning) {
+    table.add({quantity, x.lower, x.upper, meaning});
   }
 };
 
@@ -373,12 +373,18 @@ struct EnclosedDps {
     const DpsBreather<double>& b = both.of(centre);
     const DpsBarrier<double> barrier = certain_barrier(both);
     Bounds bounds;
-    bounds.add("u0", b.largest());
-    bounds.add("norm", b.norm());
-    bounds.add("second_eigenvalue", contact_eigenvalue(b, 2));
-    bounds.add("exponent", root(abs(square_of_exponent(contact_eigenvalue(b, 2)))));
-    bounds.add("barrier_equal_mu", barrier.equal_mu);
-    bounds.add("barrier_equal_norm", barrier.equal_norm);
+    bounds.add("u0", b.largest(), "largest |u_n| of the breather");
+    bounds.add("norm", b.norm(), "sum of u_n^2 over all sites");
+    bounds.add(
+        "second_eigenvalue", contact_eigenvalue(b, 2),
+        "second largest eigenvalue of the linearised contacts, which decides on the stability");
+    bounds.add("exponent", root(abs(square_of_exponent(contact_eigenvalue(b, 2)))),
+               "modulus of the exponent of the second eigenvalue, a growth rate if its square is "
+               "positive");
+    bounds.add("barrier_equal_mu", barrier.equal_mu,
+               "H_site - H_bond of the two breathers at mu = 1");
+    bounds.add("barrier_equal_norm", barrier.equal_norm,
+               "H_site - H_bond at the norm of the bond-centred breather");
     return bounds.table;
   }
 };
@@ -397,8 +403,9 @@ struct EnclosedBreather {
   Table table() const {
     const ChainBreather b = enclose_chain(centre, omega_b.first, omega_b.second);
     Bounds bounds;
-    bounds.add("amplitude", b.amplitude);
-    bounds.add("energy", b.energy);
+    bounds.add("amplitude", b.amplitude,
+               "largest displacement of a bead at t = 0, when all are at rest");
+    bounds.add("energy", b.energy, "energy of the whole chain, Eq. (6)");
     return bounds.table;
   }
 };
@@ -418,9 +425,10 @@ struct EnclosedWaves {
   Table table() const {
     const EnclosedWave w = enclose_wave(int(sign));
     Bounds bounds;
-    bounds.add("energy", w.energy);
-    bounds.add("peak", w.peak);
-    bounds.add("action", w.action);
+    bounds.add("energy", w.energy, "energy of the whole lattice that carries the wave, Eq. (6)");
+    bounds.add("peak", w.peak, "largest compression of a contact");
+    bounds.add("action", w.action,
+               "integral over all times of d_+^(5/2), d being the compression of a contact");
     return bounds.table;
   }
 };

@@ -390,13 +390,20 @@ struct DampedArray {
     const double t10 = array.time(ten), contact = contact_loss(restitution, array.velocity(1));
     const TwoJourneys found = two_journeys(velocity, lifetime, contact, 16, {0.05, 0.025});
     const double per_second = array.per_second(1);
-    Quantities q;
-    q.add("sites_10ms", found.of_way(t10, &Progressed::sites), "sites");
-    q.add("periods_10ms", found.of_way(t10, &Progressed::oscillations));
-    q.add("speed", found.of_way(t10, &Progressed::speed, per_second), "sites/s");
-    q.add("period", found.of_way(t10, &Progressed::period, array.milliseconds(1)), "ms");
-    q.add("ledger", found.both([](const Journey& j) { return j.ledger; }));
-    q.add("slowest_clock", exact(array.milliseconds(slow_clock(array.rate(lifetime), t10))), "ms");
+    Answers q;
+    q.add("sites_10ms", found.of_way(t10, &Progressed::sites), "sites",
+          "way of the packet from the first contact in the 10 ms after the impact");
+    q.add("periods_10ms", found.of_way(t10, &Progressed::oscillations), "",
+          "oscillations of the packet on this way");
+    q.add("speed", found.of_way(t10, &Progressed::speed, per_second), "sites/s",
+          "speed of the packet after 10 ms, over its last five sites; 0 if it has stopped");
+    q.add("period", found.of_way(t10, &Progressed::period, array.milliseconds(1)), "ms",
+          "period of the packet's oscillation after 10 ms");
+    q.add("ledger", found.both([](const Journey& j) { return j.ledger; }), "",
+          "energy and losses less the energy of the impact, relative to it: zero but for errors");
+    q.add("slowest_clock", exact(array.milliseconds(slow_clock(array.rate(lifetime), t10))), "ms",
+          "what the slow clock shows after 10 ms: undamped beams would bring the packet as far in "
+          "it");
     return q.table;
   }
 };

@@ -405,20 +405,30 @@ struct OneWave {
     p.add("amplitude", amplitude, "modulus |A| of the wave", {1e-12, 1e12});
   }
   Table table() const {
-    Quantities quantities;
-    const auto add = [&](const std::string& name, auto of, const std::string& unit = "") {
+    Answers answers;
+    const auto add = [&](const std::string& name, auto of, const std::string& unit,
+                         const std::string& meaning) {
       const DpsWave<double> narrow{q, amplitude};
       const DpsWave<long double> wide{q, amplitude};
-      quantities.add(name, compare(double(of(narrow)), double(of(wide))), unit);
+      answers.add(name, compare(double(of(narrow)), double(of(wide))), unit, meaning);
     };
-    add("frequency", [](const auto& w) { return w.frequency(); });
-    add("growth", [this](const auto& w) { return w.growth(modulation); });
+    // The wave and this modulation, then all modulations
     add(
-        "edge", [](const auto& w) { return w.edge(); }, "1/site");
+        "frequency", [](const auto& w) { return w.frequency(); }, "",
+        "frequency Omega of the plane wave in the slow time of the DpS equation");
     add(
-        "fastest", [](const auto& w) { return w.fastest(); }, "1/site");
-    add("fastest_growth", [](const auto& w) { return w.unstable() ? w.growth(w.fastest()) : 0; });
-    return quantities.table;
+        "growth", [this](const auto& w) { return w.growth(modulation); }, "",
+        "growth rate in the slow time of a modulation of the given Q; 0 if it does not grow");
+    add(
+        "edge", [](const auto& w) { return w.edge(); }, "1/site",
+        "edge Q_* of the band of modulations that grow");
+    add(
+        "fastest", [](const auto& w) { return w.fastest(); }, "1/site",
+        "wavenumber Q of the modulation that grows fastest");
+    add(
+        "fastest_growth", [](const auto& w) { return w.unstable() ? w.growth(w.fastest()) : 0; },
+        "", "growth rate in the slow time of the fastest modulation; 0 if none grows");
+    return answers.table;
   }
 };
 

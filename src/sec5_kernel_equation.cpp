@@ -507,14 +507,18 @@ struct OneWave {
   Table table() const {
     const Wave w = wave(k, int(sign), alpha);
     const double residual = w.fine().residual();
-    Quantities q;
-    q.add("energy", w(&KernelWave::energy));
-    q.add("action", w(&KernelWave::action), "integral of d_+^(alpha+1)");
-    q.add("peak", w(&KernelWave::peak), "largest compression");
-    q.add("contacts", compare(w.grids[0].contacts(), w.fine().contacts()),
-          "intervals in which a contact is closed");
-    q.add("quotient", w(&KernelWave::quotient));
-    q.add("residual", {residual, residual}, "of the kernel equation, relative to the peak");
+    Answers q;
+    q.add("energy", w(&KernelWave::energy), "",
+          "energy of the whole lattice that carries the wave, Eq. (6)");
+    q.add("action", w(&KernelWave::action), "",
+          "integral over all times of d_+^(alpha+1), d being the compression of a contact");
+    q.add("peak", w(&KernelWave::peak), "", "largest compression of a contact");
+    q.add("contacts", compare(w.grids[0].contacts(), w.fine().contacts()), "",
+          "number of intervals of time in which one contact is closed");
+    q.add("quotient", w(&KernelWave::quotient), "",
+          "value Q of the variational quotient, action^(-(alpha-1)/(alpha+1))");
+    q.add("residual", {residual, residual}, "relative to the peak",
+          "by how much the kernel equation is missed");
     return q.table;
   }
 };

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <set>
 #include <thread>
+#include <utility>
 
 #include "check.hpp"
 #include "lattice/numbers/parallel.hpp"
@@ -99,6 +100,39 @@ TEST_CASE("what must agree is named, and named again where it does not", "[unit]
   }
   CHECK(message.find("shares of the first bead") != std::string::npos);
   CHECK(message.find("step 0.1:") != std::string::npos);
+}
+
+TEST_CASE("a refinement gives up when halvings cannot help any more", "[unit][accuracy]") {
+  // Two halvings are left after five, and divide by 64 twice
+  CHECK(hopeless(1, 1e-4, 5));
+  CHECK(hopeless(4097e-4, 1e-4, 5));
+  CHECK_FALSE(hopeless(4095e-4, 1e-4, 5));
+  CHECK_FALSE(hopeless(1, 1e-4, 4));
+  CHECK_FALSE(hopeless(1e-5, 1e-4, 5));
+  // The first errors and infinite ones do not tell
+  CHECK_FALSE(hopeless(1, 1e-30, 2));
+  CHECK(hopeless(1, 1e-30, 3));
+  for (double strange : {std::nan(""), double(INFINITY)}) CHECK_FALSE(hopeless(strange, 1e-4, 5));
+
+  // What never agrees is run six times by `converge`, and to the smallest step by `refine`
+  struct Outcome {
+    double x;
+    Run run{};
+  };
+  int runs = 0;
+  const auto erratic = [&](const ContactAware&) { return Outcome{++runs % 2 ? 1.0 : 2.0}; };
+  const auto number = reading("numbers", [](const Outcome& out) { return out.x; });
+  CHECK_FALSE(refine(1e-4, erratic, number).converged);
+  CHECK(std::exchange(runs, 0) == 8);
+  std::string message;
+  try {
+    converge(1e-4, erratic, number);
+  } catch (const RefinementFailed& refusal) {
+    message = refusal.what();
+  }
+  CHECK(runs == 6);
+  CHECK(message.find("differ by more than the tolerance (step 0.1: 0.5, ") != std::string::npos);
+  CHECK(message.find("a larger tolerance") != std::string::npos);
 }
 
 TEST_CASE("a run of no duration returns its start", "[unit][accuracy]") {

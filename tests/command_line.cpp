@@ -2,6 +2,8 @@
 
 #include <filesystem>
 #include <fstream>
+#include <map>
+#include <set>
 #include <sstream>
 #include <vector>
 
@@ -37,6 +39,15 @@ TEST_CASE("help and version", "[cli]") {
   CHECK(help.output.find("run") != std::string::npos);
   CHECK(call("sec34_impact run --help").output.find("--velocity") != std::string::npos);
   CHECK(call("sec34_impact --version").output.find("sec34_impact") == 0);
+  CHECK(call("sec34_impact help").output == help.output);
+  CHECK(call("sec34_impact help run").output == call("sec34_impact run --help").output);
+  CHECK(call("sec34_impact run --help").output.find("--contact {hertz|power} ") !=
+        std::string::npos);
+  // That fractions are accepted is said once, and where there are numbers
+  const std::string run = call("sec34_impact run --help").output, fraction = "such as -1/6";
+  REQUIRE(run.find(fraction) != std::string::npos);
+  CHECK(run.find(fraction, run.find(fraction) + 1) == std::string::npos);
+  CHECK(call("sec5_enclosures dps --help").output.find(fraction) == std::string::npos);
 }
 
 TEST_CASE("bad input: one line, exit code 2, no file", "[cli]") {
@@ -489,8 +500,9 @@ TEST_CASE("a wave of the kernel equation reports the contract's quantities", "[c
 TEST_CASE("run reports the contract's quantities with errors", "[cli]") {
   const Result r = call("sec34_impact run --velocity 0.94 --s -0.7 --time 300");
   REQUIRE(r.code == 0);
-  for (const char* name : {"speed", "centre", "peak_energy_density", "packet_energy_fraction",
-                           "boundary_energy_fraction", "energy_drift", "escaped"}) {
+  for (const char* name :
+       {"speed", "centre", "strongest_site", "peak_energy_density", "packet_energy_fraction",
+        "boundary_energy_fraction", "energy_drift", "escaped"}) {
     CAPTURE(name);
     CHECK(std::isfinite(quantity(r, name)));
     CHECK(std::isfinite(quantity(r, name, "error")));
@@ -687,5 +699,78 @@ TEST_CASE("facts and results name the function that made them", "[cli]") {
     for (const std::string& function : made.texts("made_by")) CHECK(function == "reproduce");
   }
   const Result printed = call("sec34_kink run --velocity 2");
-  CHECK(printed.output.find("\nquantity,value,error,unit,kind\n") != std::string::npos);
+  CHECK(printed.output.find("\nquantity,value,error,unit,kind,meaning\n") != std::string::npos);
+}
+
+/// The commands that a program offers.
+static std::vector<std::string> commands_of(const std::string& program) {
+  std::istringstream help(call(program + " --help").output);
+  std::vector<std::string> names;
+  bool here = false;
+  for (std::string line; std::getline(help, line); here = here && !line.empty()) {
+    if (here && line.size() > 2 && line[2] != ' ')
+      names.push_back(line.substr(2, line.find(' ', 2) - 2));
+    here = here || line.rfind("Commands", 0) == 0;
+  }
+  return names;
+}
+
+TEST_CASE("every quantity of every command says what it is", "[cli]") {
+  // How a command is called, so that it takes a moment; those of no entry print no quantities
+  const std::map<std::string, std::string> asks{
+      {"sec31_dps_limit impact", "--tau 10"},
+      {"sec32_barrier barrier", ""},
+      {"sec32_newton_breathers breather", ""},
+      {"sec33_floquet exchange", "--omega 1.3"},
+      {"sec33_mobility kick", "--c 1e-4 --time 1000"},
+      {"sec33_mobility threshold", "--centre bond --omega 1.8"},
+      {"sec34_boomeron run", "--time 60"},
+      {"sec34_impact run", "--time 20"},
+      {"sec34_kink run", "--velocity 2"},
+      {"sec36_cantilever_defect run", ""},
+      {"sec4_precompression_mi coefficients", ""},
+      {"sec4_precompression_mi band", "--s -4"},
+      {"sec4_precompression_mi impact", "--time 20"},
+      {"sec5_driving drive", "--time 20"},
+      {"sec5_enclosures dps", ""},
+      {"sec5_enclosures breather", ""},
+      {"sec5_enclosures wave", ""},
+      {"sec5_experiment damped", ""},
+      {"sec5_growth growth", ""},
+      {"sec5_kernel_equation wave", ""},
+      {"sec5_travelling_breathers orbit", ""}};
+  // Single parts of maps, multipliers, profiles; `scales` prints a table of the full run
+  const std::set<std::string> others{
+      "sec32_dps_profiles profile",  "sec33_dps_stability spectrum",
+      "sec33_floquet multipliers",   "sec34_boomeron_map map",
+      "sec36_cantilever_defect map", "sec36_cantilever_defect scales",
+      "sec5_driving chart"};
+  std::size_t seen = 0;
+  for (const auto& entry : fs::directory_iterator(BIN_DIR)) {
+    const std::string program = entry.path().filename().string();
+    if (program.rfind("sec", 0) != 0) continue;
+    for (const std::string& command : commands_of(program)) {
+      const std::string line = program + " " + command;
+      CAPTURE(line);
+      if (others.count(line)) continue;
+      REQUIRE(asks.count(line) == 1);
+      const Result answer = call(line + " " + asks.at(line));
+      CAPTURE(answer.errors);
+      REQUIRE(answer.code == 0);
+      std::istringstream in(answer.output);
+      const Table table = from_text(in);
+      REQUIRE(table.columns.back().name == "meaning");
+      for (const std::string& meaning : table.texts("meaning")) CHECK(meaning.size() > 10);
+      ++seen;
+    }
+  }
+  CHECK(seen == asks.size());
+}
+
+TEST_CASE("the strongest site is not always in the foremost packet", "[cli]") {
+  const Result hard = call("sec34_impact run --velocity 2.5 --s 1 --time 200");
+  REQUIRE(hard.code == 0);
+  CHECK(quantity(hard, "packet_energy_fraction") < 0.1);
+  CHECK(quantity(hard, "strongest_site") < quantity(hard, "centre") - 5);
+  CHECK(std::isnan(quantity(call("sec34_impact run --sites 5 --time 5"), "strongest_site")));
 }

@@ -96,6 +96,26 @@ TEST_CASE("the function that recorded a number is known by its bare name", "[uni
   CHECK(table.texts("made_by") == std::vector<std::string>{"one", "two"});
 }
 
+TEST_CASE("an answer says what it means", "[unit][frame]") {
+  Answers answers;
+  answers.add("speed", {1, 0.1}, "m/s", "speed of the packet, in front");
+  CHECK_THROWS_AS(answers.add("centre", {1, 0.1}, "site", ""), std::invalid_argument);
+  CHECK(answers.table.texts("meaning") ==
+        std::vector<std::string>{"speed of the packet, in front"});
+  std::istringstream in(to_text(answers.table));  // the comma is quoted
+  CHECK(from_text(in).rows == answers.table.rows);
+}
+
+TEST_CASE("help may be asked for in a word", "[unit][frame]") {
+  std::deque<Offer> offers(2);
+  offers[1].name = "run";
+  CHECK(read_line(offers, {"help"}).of == &offers[0]);
+  const Asked asked = read_line(offers, {"help", "run"});
+  CHECK(asked.what == Asked::What::help);
+  CHECK(asked.of == &offers[1]);
+  CHECK_THROWS_AS(read_line(offers, {"run", "help"}), UsageError);
+}
+
 TEST_CASE("a word is answered with the nearest one", "[unit][frame]") {
   const std::vector<std::string> names{"velocity", "time", "sites", "onsite", "s"};
   CHECK(nearest("velocty", names) == "velocity");

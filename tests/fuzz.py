@@ -47,8 +47,8 @@ def options_of(help_text):
     out = {}
     for name, rest in re.findall(r"^  --([\w-]+)(.*)$", help_text, re.M):
         range_ = re.match(r" \[([^,]+), ([^\]]+)\]", rest)
-        names = re.match(r" ((?:[\w-]+, )+[\w-]+)  ", rest)
-        out[name] = [float(range_[1]), float(range_[2])] if range_ else names[1].split(", ") if names else \
+        names = re.match(r" {((?:[\w-]+\|)+[\w-]+)}  ", rest)
+        out[name] = [float(range_[1]), float(range_[2])] if range_ else names[1].split("|") if names else \
             "flag" if rest.startswith("  ") else "text"
     for name in ("help", "version"):
         out.pop(name, None)
@@ -150,6 +150,14 @@ def nan_complaints(text):
                 yield f"the column {name} has a nan and does not say so"
 
 
+def without_meaning(text):
+    """Quantities of which a printed table does not say what they are. Those of `scales` are a table of a full run too."""
+    table = ecsv.parse(text)
+    for row in table.rows:
+        if "quantity" in row and not row.get("meaning"):
+            yield f"{row['quantity']} has no meaning"
+
+
 def complaints(line, code, out, errors, left):
     if code not in (0, 1, 2):
         yield "is computing for too long" if code in (-24, "hangs") else f"ends with {code}"
@@ -164,6 +172,8 @@ def complaints(line, code, out, errors, left):
         yield f"leaves {left}"
     if code == 0 and out:
         yield from nan_complaints(out)
+        if line.words[0] != "scales":
+            yield from without_meaning(out)
     near = re.search(r"did you mean '([\w-]+)'", errors)
     if line.meant and code == 2 and "there is no such command" in errors and (not near or near[1] not in line.meant):
         yield f"does not say which command is the nearest to '{line.words[0]}'"

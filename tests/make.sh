@@ -133,21 +133,35 @@ grep -q -- --out "$STUB_LOG" && fail "computed before gnuplot is missed"
 make -n tests DEPS=skip 2>&1 | grep -q ctest || fail "make tests tests nothing"
 make -n examples DEPS=skip 2>&1 | grep -q ctest || fail "make examples does nothing"
 
-# On a terminal one sees what is compiled, elsewhere not.
+# A name that is mistyped is answered in one line.
+for wrong in fgi04 figure7 build/data/sec99/facts.ecsv; do
+  code=0
+  make DEPS=skip $wrong > "$scratch/out" 2>&1 || code=$?
+  [ "$code" = 2 ] || { cat "$scratch/out"; fail "make $wrong ends with $code"; }
+  [ "$(wc -l < "$scratch/out")" = 1 ] || { cat "$scratch/out"; fail "make $wrong is answered in several lines"; }
+  grep -q "'$wrong'.*make help" "$scratch/out" || { cat "$scratch/out"; fail "make $wrong is not answered"; }
+done
+
+# On a terminal one sees what is compiled, elsewhere one line says that something is, and none if nothing is.
 stub slow <<'STUB'
 #!/bin/sh
-echo "[ 50%] Building CXX object CMakeFiles/x.dir/src/sec2_nonexistence.cpp.o"
+for k in 1 2; do echo "[ ${k}0%] Building CXX object CMakeFiles/x.dir/src/sec2_nonexistence.cpp.o"; done
 STUB
 mkdir "$scratch/terminal"
 cp "$scratch/bin/slow" "$scratch/terminal/cmake"
 if script -qec true /dev/null < /dev/null > /dev/null 2>&1; then
   PATH="$scratch/terminal:$PATH" script -qec "sh tools/build.sh build 1 programs" /dev/null < /dev/null > "$scratch/out" 2>&1
-  grep -q '50%.*sec2_nonexistence' "$scratch/out" || fail "compiling shows nothing on a terminal"
+  grep -q '20%.*sec2_nonexistence' "$scratch/out" || fail "compiling shows nothing on a terminal"
 else
   echo "no terminal can be made here: what it shows while compiling is not tested"
 fi
 PATH="$scratch/terminal:$PATH" sh tools/build.sh build 1 programs > "$scratch/out" 2>&1
-[ -s "$scratch/out" ] && fail "compiling talks into a log"
+grep -q 'build    programs on 1 core: about .* minutes .*build/build.log' "$scratch/out" ||
+  fail "compiling does not say what it does"
+[ "$(wc -l < "$scratch/out")" = 1 ] || fail "compiling talks into a log"
+[ "$(wc -l < build/build.log)" = 2 ] || fail "compiling leaves no log"
+sh tools/build.sh build 1 programs > "$scratch/out" 2>&1
+[ -s "$scratch/out" ] && fail "what is not compiled is announced"
 
 # A run that is killed leaves no answer, and the next make goes on where it was.
 rm build/data/*/results.ecsv
@@ -186,6 +200,7 @@ STUB
 if /usr/bin/python3 -c 'import matplotlib' 2>/dev/null; then
   run x01
   [ "$(cat build/figures/"${script%.py}".svg)" = "drawn</svg>" ] || fail "no figure"
+  tail -n 1 "$scratch/out" | grep -q "build/figures/${script%.py}.png" || fail "the figure's place is not said"
   # One that the shell exports is only tried: it need not be able to draw.
   rm -f build/figures/x01*
   PYTHON=python3 run x01

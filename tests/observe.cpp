@@ -3,6 +3,7 @@
 #include "lattice/packets/observe.hpp"
 
 #include "check.hpp"
+#include "lattice/packets/impact.hpp"
 
 using namespace lattice;
 
@@ -69,4 +70,11 @@ TEST_CASE("a packet holds a hundredth of the energy", "[unit][observe]") {
     e[70] = ahead;
     CHECK(*front_packet(e) == where);
   }
+}
+
+TEST_CASE("the strongest site is looked for outside of the first five", "[unit][observe]") {
+  CHECK(strongest_site({9, 9, 9, 9, 9, 1, 3, 2}) == 7);
+  CHECK(strongest_site({9, 8, 7}, 1) == 2);
+  CHECK_FALSE(strongest_site({1, 2, 3, 4, 5}));
+  CHECK_FALSE(strongest_site({1, 2, 3, 4, 5, 0, 0}));
 }

@@ -90,7 +90,7 @@ TEST_CASE("a law that is Hertz's becomes Hertz", "[unit][potential]") {
 TEST_CASE("what is not known is refused in one line that says what is", "[unit][potential]") {
   const std::string wells = comma_list(names_of<Well>());
   CHECK(refusal<Well>("cubic", {}) == "'cubic' is not one of " + wells);
-  CHECK(refusal<Well>("pendulum", {{"s", 0}}) == "'pendulum' has no parameter s (it has none)");
+  CHECK(refusal<Well>("pendulum", {{"s", 0}}) == "'pendulum' has no parameter s, nor any other");
   CHECK(refusal<Well>("quartic", {{"s", 11}}) == "s = 11 is not in the allowed range [-10, 10]");
   CHECK(refusal<Well>("quartic", {{"s", std::nan("")}}).find("allowed range") != std::string::npos);
   CHECK(refusal<Contact>("hertz", {{"alpha", 2}}) ==

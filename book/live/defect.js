@@ -39,7 +39,7 @@
     }
 
     draw() {
-      if (this.rows?.length) drawMap(this.map, this.rows, [0, 75], "contact n", "time t (ms)", "Map of the contact forces in newtons");
+      if (this.rows?.length) drawMap(this.map, this.rows, [0, 75], "contact n", "time t (ms)", "Map of the contact forces in newtons", "contact force in newtons");
     }
   };
 })();

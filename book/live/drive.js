@@ -41,7 +41,7 @@
     }
 
     draw() {
-      if (this.rows?.length) drawMap(this.map, this.rows, [0, this.ask.time], "bead n", "time t (ms)", "Map of the energy of the beads in joules");
+      if (this.rows?.length) drawMap(this.map, this.rows, [0, this.ask.time], "bead n", "time t (ms)", "Map of the energy of the beads in joules", "energy of a bead in joules");
     }
   };
 })();

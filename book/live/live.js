@@ -189,7 +189,7 @@ window.Live = (() => {
       if (data.lists) this.lists = data.lists;
       if (data.failure !== undefined) {
         this.become("failed");
-        const chaos = /two resolutions differ/.test(data.failure) ? "No number: the motion is too irregular for its end to be known after so long a time. " : "";
+        const chaos = /two resolutions differ/.test(data.failure) && !/erratic/.test(data.failure) ? "No number: the motion is too irregular for its end to be known after so long a time. " : "";
         this.say(chaos + data.failure, true);
       }
       if (data.facts) {
@@ -286,16 +286,26 @@ window.Live = (() => {
     return STOPS[k].map((a, c) => Math.round(a + (STOPS[k + 1][c] - a) * (at - k)));
   });
 
+  const colour = (share) => PALETTE[Math.round(255 * Math.min(1, share) ** 0.4)];
+
+  // What the colours of a map mean, in a line below it.
+  const drawScale = (canvas, largest, what) => {
+    let line = canvas.nextElementSibling;
+    if (!line?.classList.contains("scale")) canvas.after(line = make("p", { class: "scale" }));
+    const stops = [0, 0.005, 0.02, 0.05, 0.1, 0.2, 0.35, 0.5, 0.7, 1].map((share) => `rgb(${colour(share)}) ${100 * share}%`);
+    line.replaceChildren(`${what}: 0 `, make("i", { style: `background: linear-gradient(to right, ${stops})` }), ` ${rounded(largest, 3)} and more`);
+  };
+
   // A map of rows {t, values}: time to the right, sites upward; what is there fills the time so far.
-  const drawMap = (canvas, rows, [begin, end], y, x, words) => {
+  const drawMap = (canvas, rows, [begin, end], y, x, words, what) => {
     const sites = rows[0].values.length;
     let largest = 0;
     for (const { t, values } of rows) if (t > 0.03 * end || rows.length < 5) for (const v of values) largest = Math.max(largest, Math.abs(v));
     const image = new ImageData(rows.length, sites);
     rows.forEach(({ values }, i) => {
       for (let n = 0; n < sites; ++n) {
-        const share = Math.min(1, Math.abs(values[n] || 0) / (largest || 1));
-        image.data.set([...PALETTE[Math.round(255 * share ** 0.4)], 255], 4 * ((sites - 1 - n) * rows.length + i));
+        const share = Math.abs(values[n] || 0) / (largest || 1);
+        image.data.set([...colour(share), 255], 4 * ((sites - 1 - n) * rows.length + i));
       }
     });
     const strip = document.createElement("canvas");
@@ -305,6 +315,7 @@ window.Live = (() => {
     map.pen.imageSmoothingEnabled = false;
     map.pen.drawImage(strip, map.left, map.top, Math.max(1, map.width * (rows.at(-1).t - begin) / (end - begin)), map.height);
     map.axes(x, y);
+    drawScale(canvas, largest, what);
     canvas.setAttribute("aria-label", `${words} over time and sites, up to ${largest.toPrecision(3)}`);
   };
 

@@ -49,13 +49,15 @@
       if (this.facts.centre.value > 11 && Number.isFinite(share)) {
         const rest = Math.max(0, 1 - stays - share), percent = (x) => `${(100 * x).toFixed(1)} %`;
         const part = (name, x) => make("span", { class: name, style: `flex-grow: ${Math.max(x, 0.0005)}` });
-        this.budget.append(make("div", { class: "bar", "aria-hidden": "true" }, part("stays", stays), part("rest", rest), part("packet", share)),
-          make("p", {}, `Where the energy is at the end: ${percent(stays)} on the first five beads, ${percent(share)} in the packet, ${percent(rest)} elsewhere.`));
+        const key = (name) => make("span", { class: `key ${name}`, "aria-hidden": "true" });
+        this.budget.append(make("div", { class: "bar", "aria-hidden": "true" }, part("stays", stays), part("packet", share), part("rest", rest)),
+          make("p", {}, "Where the energy is at the end: ", key("stays"), ` ${percent(stays)} on the first five beads, `,
+            key("packet"), ` ${percent(share)} in the foremost packet, `, key("rest"), ` ${percent(rest)} elsewhere.`));
       }
-      this.fact("speed", "speed of the packet beyond site 20", "sites per unit of time");
-      this.fact("centre", "place of the packet at the end", "(site)");
+      this.fact("speed", "speed of the foremost packet beyond site 20", "sites per unit of time");
+      this.fact("centre", "place of the foremost packet at the end", "(site)");
       this.fact("peak_energy_density", "largest energy density of the packet");
-      this.fact("packet_energy_fraction", "share of the energy in the packet");
+      this.fact("packet_energy_fraction", "share of the energy in the foremost packet");
       this.fact("boundary_energy_fraction", "share that stays on the first five beads");
       this.fact("energy_drift", "relative drift of the energy");
     }
@@ -63,7 +65,8 @@
     draw() {
       if (!this.rows?.length) return;
       const { sites, time } = this.ask, force = this.ask.show === "force", rows = this.rows;
-      drawMap(this.map, rows, [0, time], force ? "contact n" : "site n", "time t", `Map of the ${force ? "contact force" : "energy density"}`);
+      drawMap(this.map, rows, [0, time], force ? "contact n" : "site n", "time t", `Map of the ${force ? "contact force" : "energy density"}`,
+        `${force ? "contact force" : "energy density"} (dimensionless)`);
       const v = this.lists.v || [], most = 1.05 * v.reduce((m, x) => Math.max(m, Math.abs(x)), 0) || 1;
       const profile = new Plot(this.profile, 170, [0.5, sites + 0.5], [-most, most]);
       if (!v.length) return;

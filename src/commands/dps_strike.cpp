@@ -37,17 +37,22 @@ Table DpsStrike::quantities(const Found& runs) const {
     return none ? Estimate{std::nan(""), std::nan("")} : compare(of(runs[0]), of(runs[1]));
   };
   const double to = double(runs[1].end.size()) - 20;
-  Quantities q;
-  q.add("centre", both([](const DpsOutcome& out) { return out.track.centre.back(); }), "site");
+  Answers q;
+  q.add("centre", both([](const DpsOutcome& out) { return out.track.centre.back(); }), "site",
+        "centre of the norm of the foremost packet at the end of the run, as in Eq. (24)");
   q.add("speed", both([&](const DpsOutcome& out) {
           const auto line = out.track.line(fit_from, to);
           return line ? line->estimate() : Estimate{std::nan(""), std::nan("")};
         }),
-        "site per tau");
-  q.add("amplitude", both([](const DpsOutcome& out) { return packet_amplitude(out.track); }));
-  q.add("norm_window", both([](const DpsOutcome& out) { return out.track.energy.back(); }));
+        "site per tau",
+        "speed of the foremost packet, fitted between site 20 and twenty sites before the far end");
+  q.add("amplitude", both([](const DpsOutcome& out) { return packet_amplitude(out.track); }), "",
+        "largest |A_n| of the foremost packet while its centre moves over its last site");
+  q.add("norm_window", both([](const DpsOutcome& out) { return out.track.energy.back(); }), "",
+        "sum of |A_n|^2 over the eleven sites about the packet's peak at the end; 1 in all");
   q.add("residual_boundary",
-        both([](const DpsOutcome& out) { return boundary_share(density(out.end), 10); }));
+        both([](const DpsOutcome& out) { return boundary_share(density(out.end), 10); }), "",
+        "sum of |A_n|^2 over the first ten sites at the end, over that of all sites");
   return q.table;
 }
 

@@ -15,9 +15,11 @@ OneBarrier::Found OneBarrier::find() const {
 }
 
 Table OneBarrier::quantities(const Found& found) const {
-  Quantities q;
-  q.add("equal_frequency", found.equal_frequency);
-  q.add("equal_area", found.equal_area);
+  Answers q;
+  q.add("equal_frequency", found.equal_frequency, "",
+        "E_site - E_bond, the energies of both breathers at the frequency omega_b");
+  q.add("equal_area", found.equal_area, "",
+        "E_site - E_bond at the area of the bond-centred breather, as a moving one keeps it");
   return q.table;
 }
 

@@ -9,7 +9,8 @@ void OneBreather::parameters(Parameters& p) {
   add_well(p);
   add_centre(p);
   p.add("sites", sites, "chain length (default: 31 or 32)", {3, 1001});
-  p.add("precision", precision, "of the orbit", {"double", "extended"});
+  p.add("precision", precision, "of the orbit; extended takes some seventy times as long",
+        {"double", "extended"});
   add_phase(p);
   p.add("profile", as_profile, "print the positions n,y instead");
 }
@@ -26,12 +27,16 @@ static Table breather_table(const Shooting<T>& problem, const Orbit<T>& orbit,
   const auto differs = [](const T& a, const Other& b) {
     return Estimate{double(a), double(magnitude<T>(a - T(b)))};
   };
-  Quantities q;
-  q.add("amplitude", differs(orbit.amplitude, other.amplitude));
-  q.add("energy", differs(orbit.energy, other.energy));
-  q.add("area", differs(orbit.area, other.area));
-  q.add("residual", {double(miss), double(run.error)}, "relative to amplitude");
-  q.add("iterations", exact(double(orbit.iterations())));
+  Answers q;
+  q.add("amplitude", differs(orbit.amplitude, other.amplitude), "",
+        "largest displacement of a bead at t = 0, when all beads are at rest");
+  q.add("energy", differs(orbit.energy, other.energy), "", "energy of the whole chain, Eq. (6)");
+  q.add("area", differs(orbit.area, other.area), "",
+        "integral over a period of the sum of the squared velocities, the action of the orbit");
+  q.add("residual", {double(miss), double(run.error)}, "relative to amplitude",
+        "largest difference of positions and velocities after a period from those before");
+  q.add("iterations", exact(double(orbit.iterations())), "",
+        "steps of Newton's method in the last solve");
   return q.table;
 }
 

@@ -28,6 +28,12 @@ OneImpact::Found OneImpact::find() const {
   return found;
 }
 
+/// The strongest site in both runs, which differ where two sites are nearly as strong.
+static Estimate strongest(const ImpactRun& coarse, const ImpactRun& fine) {
+  const auto a = strongest_site(coarse.density), b = strongest_site(fine.density);
+  return a && b ? compare(*a, *b) : Estimate{std::nan(""), std::nan("")};
+}
+
 /**
 A run of any length must print something, so a quantity that does not exist, such as the speed of a
 packet that never came so far, is `nan`. */
@@ -40,25 +46,34 @@ Table OneImpact::quantities(const Found& found) const {
   const auto tracked = [&](auto of) {
     return both([&](const ImpactRun& out) { return out.track.t.empty() ? undefined : of(out); });
   };
-  Quantities q;
+  Answers q;
   const auto line = [&](const ImpactRun& out) {
     return out.track.line(fit_from, to).value_or(Line{undefined, undefined, undefined});
   };
   q.add("speed", compare(line(runs.coarse).estimate(), line(runs.fine).estimate()),
-        "site per unit of time");
-  q.add("centre", tracked([](const ImpactRun& out) { return out.track.centre.back(); }), "site");
+        "site per unit of time",
+        "speed of the foremost packet, fitted between site 20 and twenty sites before the far end");
+  q.add("centre", tracked([](const ImpactRun& out) { return out.track.centre.back(); }), "site",
+        "energy centre of the foremost packet at the end of the run, Eq. (24)");
+  q.add("strongest_site", strongest(runs.coarse, runs.fine), "site",
+        "site of the largest energy density outside of the first five at the end of the run");
   q.add("peak_energy_density", both([&](const ImpactRun& out) {
           const double peak = out.track.largest_peak(fit_from, to);
           return peak > 0 ? peak : undefined;
-        }));
+        }),
+        "",
+        "largest energy density of the foremost packet, on the way on which the speed is fitted");
   q.add("packet_energy_fraction",
-        tracked([](const ImpactRun& out) { return out.track.energy.back() / total(out.density); }));
+        tracked([](const ImpactRun& out) { return out.track.energy.back() / total(out.density); }),
+        "", "energy of the foremost packet (eleven sites) over that of the chain, at the end");
   q.add("boundary_energy_fraction",
-        both([](const ImpactRun& out) { return boundary_share(out.density); }));
-  q.add("energy_drift", both([](const ImpactRun& out) { return out.run.energy_drift; }));
-  q.add("escaped", both([rim = whole.chain.well.rim()](const ImpactRun& out) {
-          return int(out.reach > rim);
-        }));
+        both([](const ImpactRun& out) { return boundary_share(out.density); }), "",
+        "energy of the first five sites over that of the chain, at the end");
+  q.add("energy_drift", both([](const ImpactRun& out) { return out.run.energy_drift; }), "",
+        "largest change of the chain's energy during the run, relative to it");
+  q.add("escaped",
+        both([rim = whole.chain.well.rim()](const ImpactRun& out) { return int(out.reach > rim); }),
+        "", "1 if a bead was beyond the rim of its well at any time, otherwise 0");
   return q.table;
 }
 

@@ -10,6 +10,10 @@ depends on the window. If a bead runs away the command fails, because then there
 measure. It also fails if the motion reaches the far end, unless you choose the end yourself with
 `--sites`: then what it sends back belongs to the run.
 
+The packet that is measured is the foremost one. In soft wells it is the breather of the article. In hard wells a weak
+packet may run ahead of the one that has most of the energy, and `strongest_site` tells where this is; how it
+turns round is measured by `sec34_boomeron run`.
+
 In Python this is `lattice.strike`, which also takes chains that no option can describe. */
 
 #include "lattice/packets/impact.hpp"
@@ -24,7 +28,11 @@ inline constexpr double usual_tolerance = 1e-4;
 
 /// The command: the impact (dimensionless), its two runs, its tables.
 struct OneImpact {
-  static constexpr Title title{"run", "one impact: speed, centre, energies of the packet"};
+  static constexpr Title title{
+      "run", "one impact: speed, centre, energies of the foremost packet",
+      "A quantity that does not exist, such as the speed of a packet that never left, is nan.\n"
+      "For s > 0 most of the energy may lag behind the foremost packet, at strongest_site;\n"
+      "sec34_boomeron run follows this packet, which turns."};
   Impact impact{1.87, {0, Quartic{}}, 600};
   bool as_profile = false;             ///< whether `table` is the profile
   double tolerance = usual_tolerance;  ///< of the end states, relative
@@ -40,7 +48,7 @@ struct OneImpact {
   };
   /// Both runs. Throws RefinementFailed, FarEndReached, and Failure if a bead runs away.
   Found find() const;
-  /// Rows `quantity,value,error,unit`.
+  /// Rows `quantity,value,error,unit,kind,meaning`.
   Table quantities(const Found& found) const;
   /// The state at the end, bead by bead.
   Table profile(const Found& found) const;

@@ -182,19 +182,24 @@ Table OneOrbit::quantities(const Found& f) const {
                              : phase_and_rest(f.problem, f.orbit, fine);
   const Pair phase{better.first, compare(narrow.first, better.first).error};
   // A tail or a residual that is only rounding is printed as it is, because its smallness is the result
-  Quantities q;
-  q.add("shift_time", compare(t, t_wide), "time");
-  q.add("speed", compare(1 / t, 1 / t_wide), "site per unit of time");
-  q.add("energy", compare(f.orbit.energy, double(f.wide.energy)));
-  q.add("peak", compare(peak(f.problem, f.orbit), peak(f.wide_problem, f.wide)),
-        "largest energy density at t = 0");
+  Answers q;
+  q.add("shift_time", compare(t, t_wide), "time",
+        "the T after which every bead does what its neighbour behind did: one site of way");
+  q.add("speed", compare(1 / t, 1 / t_wide), "site per unit of time",
+        "speed of the breather, one site per shift time");
+  q.add("energy", compare(f.orbit.energy, double(f.wide.energy)), "",
+        "energy of the whole chain, Eq. (6)");
+  q.add("peak", compare(peak(f.problem, f.orbit), peak(f.wide_problem, f.wide)), "",
+        "largest energy density of a site at t = 0");
   q.add("tail",
         compare(left_behind(f.problem, f.orbit, shifts, coarse),
                 left_behind(f.problem, f.orbit, shifts, fine)),
-        "left behind, relative to amplitude");
-  q.add("residual", {residual_of(f), residual_of(f)},
-        "of the profile as printed, relative to amplitude");
-  q.add("multiplier_modulus", largest_modulus(phase, compare(narrow.second, better.second)));
+        "relative to amplitude",
+        "largest position and velocity that are left behind on the way through the chain");
+  q.add("residual", {residual_of(f), residual_of(f)}, "relative to amplitude",
+        "by how much the printed profile misses itself after a shift time, one site further");
+  q.add("multiplier_modulus", largest_modulus(phase, compare(narrow.second, better.second)), "",
+        "largest modulus of a multiplier per shift; 1 where no disturbance is seen to grow");
   return q.table;
 }
 

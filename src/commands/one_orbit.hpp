@@ -51,7 +51,7 @@ struct OneOrbit {
   };
   /// The orbit. Throws UsageError if there is none, NewtonFailed.
   Found find() const;
-  /// Rows `quantity,value,error,unit`.
+  /// Rows `quantity,value,error,unit,kind,meaning`.
   Table quantities(const Found& found) const;
   /// The orbit at t = 0, in the wider type and rounded to double.
   Table profile(const Found& found) const;

@@ -236,10 +236,19 @@ void Reader::take() const {
   at->offer->parameters.finish();
 }
 
+/// `help` and `help COMMAND` are other words for `--help` and `COMMAND --help`.
+std::vector<std::string> help_as_option(std::vector<std::string> words) {
+  if (!words.empty() && words.front() == "help") {
+    words.erase(words.begin());
+    words.emplace_back("--help");
+  }
+  return words;
+}
+
 Asked Reader::run() {
   for (Offer& offer : offers) places.emplace_back(offer, root);
   root.require_subcommand(0, 1);
-  std::vector<std::string> line = joined(words);
+  std::vector<std::string> line = help_as_option(joined(words));
   std::reverse(line.begin(), line.end());  // as CLI11 wants them
   root.parse(std::move(line));
 
@@ -300,15 +309,18 @@ std::string help_text(const std::string& program, const std::deque<Offer>& offer
                     " [options]" + (commands ? "\n       " + program + " COMMAND [options]" : "") +
                     "\n\nOptions:\n" + entry("--help", "this text");
   if (whole) out += entry("--version", "version and build");
+  bool numbers = false;
   for (const Option& p : of.parameters.all()) {
     const bool flag = p.takes == Option::Takes::flag;
-    out += entry("--" + p.name + (flag ? "" : " " + p.check.allowed),
+    numbers = numbers || (p.takes == Option::Takes::number && p.name != "threads");
+    out += entry("--" + p.name + (flag ? "" : " " + p.check.shown()),
                  p.meaning + (flag || p.standard.empty() ? "" : " (default: " + p.standard + ")"));
   }
   if (commands) out += "\nCommands, each with its own --help:\n";
   for (const Offer& offer : offers)
     if (commands && !offer.name.empty()) out += entry(offer.name, offer.meaning);
-  return out + (after.empty() ? "" : "\n" + after + "\n");
+  if (numbers) out += "\nA number may be a fraction, such as -1/6.\n";
+  return out + (after.empty() ? "" : (numbers ? "" : "\n") + after + "\n");
 }
 
 /**

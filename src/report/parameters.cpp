@@ -62,7 +62,14 @@ Check one_of(const std::vector<std::string>& names) {
     const bool known = std::find(names.begin(), names.end(), value) != names.end();
     return known ? "" : "'" + value + "' is not one of the allowed names " + comma_list(names);
   };
-  return {complaint, comma_list(names)};
+  return {complaint, comma_list(names), names};
+}
+
+std::string Check::shown() const {
+  if (names.empty()) return allowed;
+  std::string out;
+  for (const std::string& name : names) out += (out.empty() ? "{" : "|") + name;
+  return out + "}";
 }
 
 Check writable_folder() {

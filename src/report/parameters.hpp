@@ -39,7 +39,11 @@ struct UsageError : std::runtime_error {
 A check is told what was typed and answers with a complaint, or with nothing. */
 struct Check {
   std::function<std::string(const std::string&)> complaint;  ///< empty if there is none
-  std::string allowed;                                       ///< as help and complaints show it
+  std::string allowed;                                       ///< as complaints show it
+  std::vector<std::string> names{};                          ///< if only some names are allowed
+
+  /// As help shows it: names as {one|other}.
+  std::string shown() const;
 };
 
 /// Numbers in [least, most], in the given unit.

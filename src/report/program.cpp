@@ -45,6 +45,19 @@ static std::string kind_of(const Estimate& e) {
   return e.is_exact ? "exact" : "estimate";
 }
 
+Columns quantity_columns() {
+  return {label("quantity", "what is reported"), number("value", "converged value"),
+          number("error", "absolute error estimated from two resolutions"),
+          label("unit", "unit of value and error"),
+          label("kind", "estimate, or exact where nothing could be different (error 0)")};
+}
+
+void Answers::add(const std::string& quantity, const Estimate& e, const std::string& unit,
+                  const std::string& meaning) {
+  if (meaning.empty()) throw std::invalid_argument(quantity + ": has no meaning");
+  table.add({quantity, e, unit, kind_of(e), meaning});
+}
+
 // Quantities and results keep for each row the function that recorded it
 void Quantities::add(const std::string& quantity, const Estimate& e, const std::string& unit,
                      const Origin& origin) {

@@ -51,18 +51,29 @@ std::string function_of(const Origin& origin);
 
 /**
 Not every number answers a claim. Commands and the facts of a chapter report rows
-`quantity,value,error,unit`. A quantity that is not defined (the speed of a packet that never left)
+`quantity,value,error,unit,kind`. A quantity that is not defined (the speed of a packet that never left)
 is `nan` here, where a claim would refuse it. */
+/// These columns.
+Columns quantity_columns();
+
+/// The facts of a chapter, which its prose explains.
 struct Quantities {
-  Table table{{label("quantity", "what is reported"), number("value", "converged value"),
-               number("error", "absolute error estimated from two resolutions"),
-               label("unit", "unit of value and error"),
-               label("kind", "estimate, or exact where nothing could be different (error 0)")}};
+  Table table{quantity_columns()};
   std::vector<std::string> makers{};  ///< a function for every row
 
   /// One row; the name of the function that adds it is noted.
   void add(const std::string& quantity, const Estimate& e, const std::string& unit = "",
            const Origin& origin = Origin::current());
+};
+
+/**
+Whoever calls a command sees its names without the prose around them. So each row of an answer ends with its meaning. */
+struct Answers {
+  Table table{quantity_columns(), label("meaning", "what the quantity is, in words")};
+
+  /// One row; throws std::invalid_argument without a meaning.
+  void add(const std::string& quantity, const Estimate& e, const std::string& unit,
+           const std::string& meaning);
 };
 
 /**

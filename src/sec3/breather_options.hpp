@@ -36,7 +36,9 @@ struct ChosenBreather {
   }
   /// `--phase`,
   void add_phase(Parameters& p) {
-    p.add("phase", phase, "central contact of a bond-centred breather at t = 0",
+    p.add("phase", phase,
+          "central contact of a bond-centred breather at t = 0; around a site the two are mirror "
+          "images",
           {{"compressed", Phase::compressed}, {"stretched", Phase::stretched}});
   }
   /// and `--onsite` with the parameters of the wells.

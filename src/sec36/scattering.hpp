@@ -89,19 +89,25 @@ struct Fractions {
   struct Named {
     const char *name, *unit;
     Estimate share;
+    const char* meaning;
     const char* judged = "";  ///< against what its error is to be judged, if not itself
   };
   /// All but the ledger, as tables call them.
   std::vector<Named> named() const {
     const char *all = "share of the energy", *arriving = "share of what arrives";
-    return {{"reflected", all, reflected},
-            {"near", all, near},
-            {"transmitted", all, transmitted},
-            {"near_earlier", all, near_earlier},
+    return {{"reflected", all, reflected,
+             "energy of the sites up to the fifth before the defect, at the end"},
+            {"near", all, near, "energy of the defect and four sites on either side, at the end"},
+            {"transmitted", all, transmitted,
+             "energy from the fifth site behind the defect, at the end"},
+            {"near_earlier", all, near_earlier, "energy about the defect 10 ms before the end"},
             {"net_reflected", arriving, net_reflected,
+             "what comes back of the energy that would pass in an array without a defect",
              ", against the neighbouring rows: it is zero by definition without a defect"},
-            {"net_near", arriving, net_near},
-            {"net_transmitted", arriving, net_transmitted}};
+            {"net_near", arriving, net_near,
+             "what stays about the defect of the energy that would pass"},
+            {"net_transmitted", arriving, net_transmitted,
+             "what passes the defect of the energy that would pass without it"}};
   }
 };
 

@@ -19,7 +19,7 @@ namespace lattice {
 struct DrivenQuantity {
   std::string name;
   Estimate value;
-  std::string unit = "";
+  std::string unit, meaning;
 };
 
 /// The array of section 3.6 with losses and a drive that grows during the first sixth of its `duration`.
@@ -48,15 +48,19 @@ struct DrivenArray : ArrayUnits {
     const Emission coarse = run(2 * step), fine = run(step);
     const double per = per_second(1);
     std::vector<DrivenQuantity> out{
-        {"outcome", compare(int(!coarse.passages.empty()), int(!fine.passages.empty()))},
+        {"outcome", compare(int(!coarse.passages.empty()), int(!fine.passages.empty())), "",
+         "1 if a packet passes bead 20, otherwise 0"},
         {"emitted_per_second", compare(coarse.rate(horizon()) * per, fine.rate(horizon()) * per),
-         "1/s"},
-        {"power", compare(watts(coarse.power), watts(fine.power)), "W"},
-        {"response", compare(micrometres(coarse.response), micrometres(fine.response)), "um"},
-        {"ledger", compare(coarse.ledger, fine.ledger)}};
+         "1/s", "packets that pass bead 20 in the second half of the run, per second"},
+        {"power", compare(watts(coarse.power), watts(fine.power)), "W",
+         "mean power of the drive in the second half of the run"},
+        {"response", compare(micrometres(coarse.response), micrometres(fine.response)), "um",
+         "largest displacement of the first bead in the second half of the run"},
+        {"ledger", compare(coarse.ledger, fine.ledger), "",
+         "energy and losses less work, over the most energy that came in: zero but for errors"}};
     if (omega(frequency) > 1)
-      out.push_back(
-          {"threshold_law", exact(micrometres(threshold_law(by, omega(frequency)))), "um"});
+      out.push_back({"threshold_law", exact(micrometres(threshold_law(by, omega(frequency)))), "um",
+                     "amplitude from which the drive emits, by the law of small amplitudes"});
     return out;
   }
 };

@@ -366,8 +366,8 @@ std::string why_not_named(const std::string& name, const Settings& given) {
   for (const ParameterInfo& p : parameters_of<Any>(name)) has.push_back(p.name);
   for (const auto& [key, value] : given)
     if (std::find(has.begin(), has.end(), key) == has.end())
-      return "'" + name + "' has no parameter " + key + " (it has " +
-             (has.empty() ? "none" : comma_list(has)) + ")";
+      return "'" + name + "' has no parameter " + key +
+             (has.empty() ? ", nor any other" : " (it has " + comma_list(has) + ")");
   return "'" + name + "' does not have all these parameters at once";
 }
 

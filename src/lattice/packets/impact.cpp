@@ -44,4 +44,11 @@ double boundary_share(const std::vector<double>& e, std::size_t sites) {
          total(e);
 }
 
+std::optional<std::size_t> strongest_site(const std::vector<double>& e, std::size_t sites) {
+  if (e.size() <= sites) return {};
+  const auto most = std::max_element(e.begin() + std::ptrdiff_t(sites), e.end());
+  if (!(*most > 0)) return {};
+  return std::size_t(most - e.begin()) + 1;
+}
+
 }  // namespace lattice

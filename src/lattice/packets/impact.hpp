@@ -13,6 +13,7 @@ energy and the front-most packet, and it sees to it that nothing comes back from
 #include <cstddef>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
 #include <type_traits>
 #include <utility>
@@ -147,5 +148,11 @@ double total(const std::vector<double>& e);
 
 /// Share of the first `sites` sites in a density: what an impact leaves at the boundary.
 double boundary_share(const std::vector<double>& e, std::size_t sites = 5);
+
+/**
+The foremost packet need not be the strongest. In hard wells a weak one runs ahead while most of the energy stays
+behind, in a packet that slows down and turns. */
+/// The site, from one, of the largest entry of a density behind the first `sites`; nothing where all are zero.
+std::optional<std::size_t> strongest_site(const std::vector<double>& e, std::size_t sites = 5);
 
 }  // namespace lattice

@@ -19,4 +19,9 @@ ContactAware stepper_for(double tolerance, double step, int halvings) {
   return stepper;
 }
 
+bool hopeless(double error, double tolerance, int halvings) {
+  const int left = std::ilogb(largest_step / smallest_step) - halvings;
+  return halvings >= 3 && std::isfinite(error) && std::ldexp(error, -6 * left) > tolerance;
+}
+
 }  // namespace lattice

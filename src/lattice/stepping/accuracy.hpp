@@ -13,7 +13,7 @@ such as a velocity, a threshold or a share. Two runs that turn out to be the sam
 count as an error rather than an agreement.
 
 If the motion is chaotic, no step is small enough for a long run. The exception then carries the history
-of the attempts as its message. */
+of the attempts as its message, and comes as soon as it is clear that there is no hope. */
 
 #include <algorithm>
 #include <cmath>
@@ -113,11 +113,28 @@ bool same_run(const Result& a, const Result& b) {
 }
 
 /**
+A halving costs as much as all runs before it, and at the order six of the schemes it divides an error by 64 at best.
+So after a look at the error one may know that the halvings which are left are in vain. The first two errors do not
+tell: with such large steps the next one may be smaller by more. An infinite error, of a run that escapes and one that
+does not, does not tell either. */
+/// Whether the `error` after `halvings` of the largest step cannot come down to the tolerance at the smallest one.
+bool hopeless(double error, double tolerance, int halvings);
+
+/// What can be done about it, to be appended to the history.
+inline constexpr const char* hopeless_advice =
+    ", and smaller steps cannot mend it: the motion is too erratic for so long a run; ask for a "
+    "shorter one or a larger tolerance";
+
+/// Goes on to the smallest step whatever the errors are.
+inline constexpr auto to_the_end = [](double, double, int) { return false; };
+
+/**
 Now the refinement itself: `compute(stepper)` is repeated until two successive results agree to
-`tolerance` in the sense of `differ(coarse, fine)`, or the smallest step is reached. Throws
-std::logic_error if `compute` ignores the halvings of its stepper, so that both runs are the same. */
-template <class Compute, class Differ = EndState>
-auto refine(double tolerance, Compute compute, Differ differ = {}) {
+`tolerance` in the sense of `differ(coarse, fine)`, the smallest step is reached, or `give_up(error, tolerance,
+halvings)` says so. Throws std::logic_error if `compute` ignores the halvings of its stepper, so that both runs are
+the same. */
+template <class Compute, class Differ = EndState, class GiveUp = decltype(to_the_end)>
+auto refine(double tolerance, Compute compute, Differ differ = {}, GiveUp give_up = {}) {
   using Result = decltype(compute(stepper_for(tolerance, largest_step)));
   std::ostringstream history;
   Result coarse = compute(stepper_for(tolerance, largest_step));
@@ -129,7 +146,7 @@ auto refine(double tolerance, Compute compute, Differ differ = {}) {
     const double error = differ(coarse, fine), step = std::ldexp(largest_step, -k);
     history << (history.tellp() > 0 ? ", " : "") << "step " << step << ": " << error;
     const bool good = error <= tolerance;
-    if (good || step <= smallest_step)
+    if (good || step <= smallest_step || give_up(error, tolerance, k))
       return Refined<Result>{
           std::move(coarse), std::move(fine), error, step, good, history.str(), k};
     coarse = std::move(fine);
@@ -138,15 +155,15 @@ auto refine(double tolerance, Compute compute, Differ differ = {}) {
 
 /**
 Most callers have no use for a result that has not converged. `converge` does the same as `refine` and
-throws RefinementFailed if the tolerance is not reached. */
+throws RefinementFailed if the tolerance is not reached, or cannot be reached any more. */
 template <class Compute, class Differ = EndState>
 auto converge(double tolerance, Compute compute, Differ differ = {}) {
-  auto pair = refine(tolerance, compute, differ);
-  if (!pair.converged)
-    throw RefinementFailed("the " + differ.name +
-                           " of two resolutions differ by more than the tolerance (" +
-                           pair.history + ")");
-  return pair;
+  auto pair = refine(tolerance, compute, differ, hopeless);
+  if (pair.converged) return pair;
+  const bool early = pair.step > smallest_step;
+  throw RefinementFailed("the " + differ.name +
+                         " of two resolutions differ by more than the tolerance (" + pair.history +
+                         ")" + (early ? hopeless_advice : ""));
 }
 
 /**
