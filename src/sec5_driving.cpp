@@ -174,7 +174,7 @@ void report_thresholds(Report& report, const Rig& rig) {
     for (Way w : {Way::up, Way::once, Way::down}) points.push_back({w, omega});
   const double accuracy = report.quick ? 0.05 : 0.01;
   const Patience rising{report.quick ? 800.0 : 3000, 0.2},
-      falling{report.quick ? 2000.0 : 16000, 0.2};
+      falling{report.quick ? 6000.0 : 16000, 0.2};
   Table& table = report.table(
       "thresholds",
       {label("way", "slowly up, at once, or slowly down"),
