@@ -117,7 +117,8 @@ TEST_CASE("at rest the tangent is drift, rotation or growth, exactly", "[unit][t
 TEST_CASE("a bead light enough to feel a faint contact belongs to the core", "[unit][tangent]") {
   Chain chain{3, {}, Hertz{.floor = 0}};
   Record<double> record;
-  record.nodes.push_back({0, 0, {1, 1, 1}, {0, 1e-18, 0, 0}});
+  const std::vector<double> wells_and_links{1, 1, 1, 0, 1e-18, 0, 0};
+  std::copy(wells_and_links.begin(), wells_and_links.end(), record.nodes.add(3, 0, 0));
   CHECK(core_of(chain, record, 1e-16) == Window{3, 3});
   vary(chain, {1, 1e-6, 1}, {});
   CHECK(core_of(chain, record, 1e-16) == Window{0, 2});

@@ -61,10 +61,11 @@ bool Voyager::go(const Chain& chain, State<double>& state, double until, Path& p
   const double from = state.t;
   for (std::size_t k = 0; state.t < until - look / 2; ++k) {
     const std::vector<double> density = energy_density(chain, state);
-    path.add(state.t, density);
+    const std::size_t peak = strongest(density);
+    path.add(state.t, density, peak);
     path.centre.back() -= double(shift);
-    if (!observe({chain, state, density, shift, dissipated})) return false;
-    const Absorber now = absorber(impact, strongest(density), state.t);
+    if (!observe({chain, state, density, peak, shift, dissipated})) return false;
+    const Absorber now = absorber(impact, peak, state.t);
     for (std::size_t i = 0; i < grid.steps; ++i) {
       dissipated += rub(now, grid.step() / 2, state);
       advance(state, moving, grid.step(), 1);
@@ -122,7 +123,7 @@ LateFate late_fate(const Bereft& impact, double step, double until, std::size_t 
   Path recent;
   double mean = 0, late = std::nan("");
   const auto watch = [&](const Sight& now) {
-    recent.add(now.state.t, now.density);
+    recent.add(now.state.t, now.density, now.peak);
     recent.centre.back() -= double(now.shift);
     if (recent.t.size() < width) return true;
     mean = std::accumulate(recent.centre.begin(), recent.centre.end(), 0.0) / double(width);

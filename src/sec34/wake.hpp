@@ -45,6 +45,7 @@ struct Sight {
   const Chain& chain;
   const State<double>& state;
   const std::vector<double>& density;
+  std::size_t peak;  ///< where the density is largest
   std::size_t shift;
   double dissipated;
 };

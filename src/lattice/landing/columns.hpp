@@ -30,13 +30,10 @@ LATTICE_WIDE void kick_panel(const TangentRow<T>* row, const T* y, T* v, std::si
   }
 }
 
-/// The same for a single column.
+/// The same for an entry.
 template <class T>
-void kick_column(const TangentRow<T>* row, const T* y, T* v, std::size_t rows) {
-  for (std::size_t n = 0; n < rows; ++n) {
-    const T before = y[n > 0 ? n - 1 : rows - 1], after = y[n + 1 < rows ? n + 1 : 0];
-    v[n] += (row[n].left * before + row[n].right * after) + row[n].self * y[n];
-  }
+void kick_row(const TangentRow<T>& row, T before, T here, T after, T& v) {
+  v += (row.left * before + row.right * after) + row.self * here;
 }
 
 /// `y += factor * v`, for a drift and for the sum of the levels.
@@ -50,17 +47,12 @@ LATTICE_WIDE void add_scaled(T* __restrict__ y, const T* __restrict__ v, T facto
 The core's rows of the matrix come multiplied by the duration of the kick. The contacts across the edges
 of the core are negligible or lead to a wall, and so they count in the diagonal alone. */
 template <class T>
-void rows_at(const Chain& chain, const Curvature<T>& node, Window core,
-             std::vector<TangentRow<T>>& rows) {
+TangentRow<T> row_at(const Chain& chain, const Curvature<T>& node, Window core, std::size_t n) {
   const bool ring = chain.ends == Ends::periodic;
-  rows.resize(core.last - core.first);
-  for (std::size_t n = core.first; n < core.last; ++n) {
-    const T push = node.kick * inverse_mass<T>(chain, n);
-    const T left = node.link[n], right = node.link[n + 1];
-    rows[n - core.first] = {-push * (node.well[n] + left + right),
-                            n > core.first || ring ? push * left : T(0),
-                            n + 1 < core.last || ring ? push * right : T(0)};
-  }
+  const T push = node.kick * inverse_mass<T>(chain, n);
+  const T left = node.link[n], right = node.link[n + 1];
+  return {-push * (node.well[n] + left + right), n > core.first || ring ? push * left : T(0),
+          n + 1 < core.last || ring ? push * right : T(0)};
 }
 
 }  // namespace lattice

@@ -1,7 +1,9 @@
 #include "lattice/landing/crossing.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 #include "lattice/landing/columns.hpp"
@@ -11,9 +13,9 @@ namespace lattice {
 namespace {
 
 /**
-Three loops take most of the time and are left to the compiler to vectorise: one entry of the extrapolation
-table from its two predecessors, the forces and curvatures (tangent.hpp) along the chain, and the kicks of
-beads of unit mass. */
+A few loops take most of the time and are left to the compiler to vectorise: one entry of the extrapolation
+table from its two predecessors, the forces and curvatures (tangent.hpp) along the chain, the kicks of beads of
+unit mass, and the largest difference of two rows of numbers. */
 template <class T>
 LATTICE_WIDE void refine(T* __restrict__ a, const T* __restrict__ b, T gain, std::size_t count) {
   for (std::size_t k = 0; k < count; ++k) a[k] = b[k] + gain * (b[k] - a[k]);
@@ -32,6 +34,46 @@ template <class T>
 LATTICE_WIDE void sweep_kick(T* __restrict__ v, T kick, const T* __restrict__ pull,
                              const T* __restrict__ push, std::size_t n) {
   for (std::size_t i = 0; i < n; ++i) v[i] += kick * (pull[i] + (push[i] - push[i + 1]));
+}
+
+/**
+Numbers without a sign are ordered as their bits are, infinity above all of them and what is not a number above
+that, so that a comparison of integers finds the largest and misses no runaway. */
+/// The largest |a[k] - b[k]|; infinite if anything is not a finite number.
+LATTICE_WIDE std::int64_t largest_bits(const double* __restrict__ a, const double* __restrict__ b,
+                                       std::size_t count) {
+  constexpr std::int64_t no_sign = std::numeric_limits<std::int64_t>::max();
+  std::int64_t most = 0;
+  for (std::size_t k = 0; k < count; ++k)
+    most = std::max(most, std::bit_cast<std::int64_t>(a[k] - b[k]) & no_sign);
+  return most;
+}
+
+template <class T>
+T farthest(const T* a, const T* b, std::size_t count) {
+  const T infinity = std::numeric_limits<T>::infinity();
+  T most(0);
+  if constexpr (std::is_same_v<T, double>)
+    most = std::bit_cast<double>(largest_bits(a, b, count));
+  else
+    for (std::size_t k = 0; k < count && most < infinity; ++k) {
+      const T d = a[k] - b[k], size = d < T(0) ? -d : d;
+      if (!(size <= most)) most = size;
+    }
+  return most < infinity ? most : infinity;
+}
+
+/**
+The probe is one column, and its rows are used once: the coefficients (row_at in columns.hpp) need not be kept. */
+/// Adds to velocities `v` what a kick does to a column, for the rows 1 to n - 2 of beads of unit mass.
+template <class T>
+LATTICE_WIDE void sweep_probe(const T* __restrict__ y, T* __restrict__ v, T kick,
+                              const T* __restrict__ well, const T* __restrict__ link,
+                              std::size_t n) {
+  for (std::size_t i = 1; i + 1 < n; ++i) {
+    const T left = link[i], right = link[i + 1], self = -kick * (well[i] + left + right);
+    v[i] += ((kick * left) * y[i - 1] + (kick * right) * y[i + 1]) + self * y[i];
+  }
 }
 
 /// A potential of the caller's own has no loop of ours, and wider numbers do not fit into vectors.
@@ -72,9 +114,12 @@ void Leapfrog<T>::run(std::vector<T>& z, T length, T s, T h, std::size_t kicks, 
   record.lead.push_back(length * span(at(0), at(1)));
   drift(z, record.lead.back());
   for (std::size_t i = 1; i < 2 * kicks; i += 2) {
-    Curvature<T>& node = probe_ ? record.nodes.emplace_back(curvature_of(chain_)) : node_;
-    node.kick = length * span(at(i - 1), at(i + 1));
-    node.drift = length * span(at(i), at(std::min(i + 2, 2 * kicks)));
+    if (!probe_) own_.clear();
+    Curvatures<T>& nodes = probe_ ? record.nodes : own_;
+    T* room = nodes.add(chain_.sites, length * span(at(i - 1), at(i + 1)),
+                        length * span(at(i), at(std::min(i + 2, 2 * kicks))));
+    evaluate(z.data(), room, room + chain_.sites);
+    const Curvature<T> node = nodes[nodes.size() - 1];
     kick(z, node);
     drift(z, node.drift);
   }
@@ -94,12 +139,9 @@ void Leapfrog<T>::drift(std::vector<T>& z, T dt) const {
   if (probe_) add_scaled(z.data() + 2 * n + 1, z.data() + 3 * n + 1, dt, n);
 }
 
-/**
-A kick needs the forces, and its record the curvatures; both come from the same square roots. */
 template <class T>
-void Leapfrog<T>::kick(std::vector<T>& z, Curvature<T>& node) {
+void Leapfrog<T>::kick(std::vector<T>& z, const Curvature<T>& node) {
   const std::size_t n = chain_.sites;
-  evaluate(z.data(), node);
   detail::with_kind(chain_.well,
                     [&](const auto& well) { forces_of(well, z.data(), pull_.data(), n); });
   if (chain_.mass.empty())
@@ -107,32 +149,46 @@ void Leapfrog<T>::kick(std::vector<T>& z, Curvature<T>& node) {
   else
     for (std::size_t i = 0; i < n; ++i)
       z[n + i] += node.kick * inverse_mass<T>(chain_, i) * (pull_[i] + (push_[i] - push_[i + 1]));
-  if (!probe_) return;
-  rows_at(chain_, node, {0, n}, rows_);
-  kick_column(rows_.data(), z.data() + 2 * n + 1, z.data() + 3 * n + 1, n);
+  if (probe_) kick_probe(node, z.data() + 2 * n + 1, z.data() + 3 * n + 1);
+}
+
+/// The end rows, and all rows where masses differ, are those of the columns.
+template <class T>
+void Leapfrog<T>::kick_probe(const Curvature<T>& node, const T* y, T* v) const {
+  const std::size_t n = chain_.sites;
+  const Window all{0, n};
+  const auto row = [&](std::size_t i) {
+    kick_row(row_at(chain_, node, all, i), y[i > 0 ? i - 1 : n - 1], y[i], y[i + 1 < n ? i + 1 : 0],
+             v[i]);
+  };
+  if (chain_.mass.empty())
+    sweep_probe(y, v, node.kick, node.well, node.link, n);
+  else
+    for (std::size_t i = 1; i + 1 < n; ++i) row(i);
+  row(0);
+  if (n > 1) row(n - 1);
 }
 
 /**
+A kick needs the forces, and its record the curvatures; both come from the same square roots.
 The vectorised sweep leaves out the two end contacts, which depend on the boundary condition
 (boundary.hpp), and the stiffnesses $\eta_n$; both follow here. */
 template <class T>
-void Leapfrog<T>::evaluate(const T* y, Curvature<T>& node) {
+void Leapfrog<T>::evaluate(const T* y, T* well, T* link) {
   const std::size_t n = chain_.sites;
   ++evaluations;
-  detail::with_kind(chain_.contact, [&](const auto& contact) {
-    curvatures_of(contact, y, n, push_.data(), node.link.data());
-  });
-  detail::with_kind(chain_.well,
-                    [&](const auto& well) { stiffnesses_of(well, y, node.well.data(), n); });
+  detail::with_kind(chain_.contact,
+                    [&](const auto& contact) { curvatures_of(contact, y, n, push_.data(), link); });
+  detail::with_kind(chain_.well, [&](const auto& kind) { stiffnesses_of(kind, y, well, n); });
   for (std::size_t i : {std::size_t(0), n}) {
     push_[i] = contact_push(chain_, y, i);
-    node.link[i] = chain_.boundary().pushes(i)
-                       ? T(chain_.eta_of(i)) * chain_.contact.stiffness(stretch(chain_, y, i))
-                       : T(0);
+    link[i] = chain_.boundary().pushes(i)
+                  ? T(chain_.eta_of(i)) * chain_.contact.stiffness(stretch(chain_, y, i))
+                  : T(0);
   }
   for (std::size_t i = 1; i < n && !chain_.eta.empty(); ++i) {
     push_[i] *= T(chain_.eta[i]);
-    node.link[i] *= T(chain_.eta[i]);
+    link[i] *= T(chain_.eta[i]);
   }
 }
 
@@ -217,21 +273,14 @@ area, and absolute for the probe. It is infinite if anything is not a finite num
 template <class T>
 T Crossing<T>::difference(const std::vector<T>& a, const std::vector<T>& b) const {
   const std::size_t orbit = 2 * chain_.sites;
-  const T infinity = std::numeric_limits<T>::infinity();
-  bool finite = true;
   const auto worst = [&](std::size_t from, std::size_t to) {
-    T most(0);
-    for (std::size_t k = from; k < to; ++k) {
-      const T d = a[k] - b[k], size = d < T(0) ? -d : d;
-      most = size > most ? size : most;
-      finite &= size < infinity;
-    }
-    return most;
+    return farthest(a.data() + from, b.data() + from, to - from);
   };
-  const T of_orbit = worst(0, orbit) / amplitude_;
-  const T of_area = worst(orbit, orbit + 1) / (amplitude_ * amplitude_);
-  const T of_probe = worst(orbit + 1, a.size());
-  return finite ? std::max({of_orbit, of_area, of_probe}) : infinity;
+  const T of_orbit = worst(0, orbit), of_area = worst(orbit, orbit + 1),
+          of_probe = worst(orbit + 1, a.size());
+  const T most = std::max({of_orbit, of_area, of_probe});
+  if (!(most < std::numeric_limits<T>::infinity())) return most;
+  return std::max({of_orbit / amplitude_, of_area / (amplitude_ * amplitude_), of_probe});
 }
 
 #define LATTICE_INSTANCES(T)  \

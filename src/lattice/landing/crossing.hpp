@@ -89,9 +89,7 @@ class Leapfrog {
  public:
   /// `chain` must live as long; with a `probe` the array is twice as long.
   Leapfrog(const Chain& chain, bool probe)
-      : chain_(chain), probe_(probe), push_(chain.sites + 1, T(0)), pull_(chain.sites, T(0)) {
-    if (!probe) node_ = curvature_of(chain);
-  }
+      : chain_(chain), probe_(probe), push_(chain.sites + 1, T(0)), pull_(chain.sites, T(0)) {}
 
   /// `kicks` kicks from `s` to `s + h` on an interval of the given length; adds to `record`.
   void run(std::vector<T>& z, T length, T s, T h, std::size_t kicks, Record<T>& record);
@@ -101,19 +99,14 @@ class Leapfrog {
 
  private:
   void drift(std::vector<T>& z, T dt) const;
-  void kick(std::vector<T>& z, Curvature<T>& node);
-  void evaluate(const T* y, Curvature<T>& node);
-
-  /// Room for the curvatures along the chain.
-  static Curvature<T> curvature_of(const Chain& chain) {
-    return {T(0), T(0), std::vector<T>(chain.sites), std::vector<T>(chain.sites + 1, T(0))};
-  }
+  void kick(std::vector<T>& z, const Curvature<T>& node);
+  void kick_probe(const Curvature<T>& node, const T* y, T* v) const;
+  void evaluate(const T* y, T* well, T* link);
 
   const Chain& chain_;
   bool probe_;
   std::vector<T> push_, pull_;
-  std::vector<TangentRow<T>> rows_;
-  Curvature<T> node_{};  ///< of the latest kick, where no record is kept
+  Curvatures<T> own_{};  ///< that of the latest kick, where no record is kept
 };
 
 /**

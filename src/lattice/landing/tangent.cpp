@@ -28,7 +28,8 @@ Window core_of(const Chain& chain, const Record<T>& record, std::type_identity_t
   };
   // From either end inwards, in each node up to where the last one stopped
   std::size_t first = n, last = 0;
-  for (const Curvature<T>& node : record.nodes) {
+  for (std::size_t k = 0; k < record.nodes.size(); ++k) {
+    const Curvature<T> node = record.nodes[k];
     for (std::size_t i = 0; i < first; ++i)
       if (live(node, i)) first = i;
     for (std::size_t i = n; i > last; --i)
@@ -123,7 +124,7 @@ their rounding would otherwise spoil the entries of order one. */
 template <class T>
 void extrapolate_panel(const Chain& chain, const Record<T>& record, Window core, Panel<T>& panel) {
   const std::size_t count = panel.y.size();
-  std::vector<TangentRow<T>> rows;
+  std::vector<TangentRow<T>> rows(panel.rows);
   std::vector<T> y, v, dy(count, T(0)), dv(count, T(0));
   std::size_t at = 0;
   // Level j crosses the step in j substeps, along the positions that the trajectory had there
@@ -132,9 +133,11 @@ void extrapolate_panel(const Chain& chain, const Record<T>& record, Window core,
     v = panel.v;
     add_scaled(y.data(), v.data(), record.lead[j - 1], count);
     for (std::size_t i = 0; i < j; ++i, ++at) {
-      rows_at(chain, record.nodes[at], core, rows);
+      const Curvature<T> node = record.nodes[at];
+      for (std::size_t n = 0; n < panel.rows; ++n)
+        rows[n] = row_at(chain, node, core, core.first + n);
       kick_panel(rows.data(), y.data(), v.data(), panel.rows, panel.columns);
-      add_scaled(y.data(), v.data(), record.nodes[at].drift, count);
+      add_scaled(y.data(), v.data(), node.drift, count);
     }
     // What this level adds to the start enters with its extrapolation weight
     add_scaled(y.data(), panel.y.data(), T(-1), count);

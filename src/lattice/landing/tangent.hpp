@@ -50,8 +50,34 @@ contacts, which we call curvatures. They are kept together with the duration of 
 that they serve (schemes.hpp explains the two words). */
 template <class T>
 struct Curvature {
-  T kick, drift;              ///< durations
-  std::vector<T> well, link;  ///< link[i] belongs to the contact of i - 1 with i
+  T kick, drift;         ///< durations
+  const T *well, *link;  ///< link[i] belongs to the contact of i - 1 with i
+};
+
+/**
+A step meets hundreds of them, one after the other, and allocating each would cost as much as a loop over the
+sites. So they share one block of memory. */
+template <class T>
+class Curvatures {
+ public:
+  /// One more along a chain of so many sites; returns where its wells are to be written, and then its links.
+  T* add(std::size_t sites, T kick, T drift) {
+    sites_ = sites;
+    durations_.push_back(kick), durations_.push_back(drift);
+    numbers_.resize(size() * (2 * sites + 1), T(0));
+    return numbers_.data() + (size() - 1) * (2 * sites + 1);
+  }
+  /// Number `k`, from zero; valid until the next one is added.
+  Curvature<T> operator[](std::size_t k) const {
+    const T* well = numbers_.data() + k * (2 * sites_ + 1);
+    return {durations_[2 * k], durations_[2 * k + 1], well, well + sites_};
+  }
+  std::size_t size() const { return durations_.size() / 2; }  ///< how many there are
+  void clear() { durations_.clear(), numbers_.clear(); }
+
+ private:
+  std::size_t sites_ = 0;
+  std::vector<T> durations_{}, numbers_{};
 };
 
 /**
@@ -61,9 +87,9 @@ kicks and drifts. The orbit is computed first and leaves a record of the curvatu
 columns follow it afterwards. */
 template <class T>
 struct Record {
-  T duration = 0;                   ///< of the step
-  std::vector<T> lead;              ///< first drift of each level
-  std::vector<Curvature<T>> nodes;  ///< one for level 1, two for level 2, and so on
+  T duration = 0;         ///< of the step
+  std::vector<T> lead{};  ///< first drift of each level
+  Curvatures<T> nodes{};  ///< one for level 1, two for level 2, and so on
 
   /// How many leapfrog runs were combined.
   std::size_t levels() const { return lead.size(); }

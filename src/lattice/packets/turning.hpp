@@ -33,7 +33,10 @@ struct Path {
 
   /// Appends the packet around the strongest site of the density `e`.
   void add(double time, const std::vector<double>& e) {
-    const auto peak = std::size_t(std::max_element(e.begin(), e.end()) - e.begin());
+    add(time, e, std::size_t(std::max_element(e.begin(), e.end()) - e.begin()));
+  }
+  /// The same where the strongest site is known.
+  void add(double time, const std::vector<double>& e, std::size_t peak) {
     t.push_back(time);
     centre.push_back(energy_centre(e, peak));
     energy.push_back(window_sum(e, peak));
