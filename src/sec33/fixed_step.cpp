@@ -17,12 +17,11 @@ namespace {
 using Rows = std::vector<std::vector<double>>;
 
 /// to += factor * from
-LATTICE_WIDE void add_row(double* __restrict__ to, double factor, const double* __restrict__ from,
-                          std::size_t count) {
-  for (std::size_t i = 0; i < count; ++i) to[i] += factor * from[i];
-}
 void add(std::vector<double>& to, double factor, const std::vector<double>& from) {
-  if (factor != 0) add_row(to.data(), factor, from.data(), to.size());
+  if (factor == 0) return;
+  const double* __restrict__ x = from.data();
+  double* __restrict__ out = to.data();
+  for (std::size_t i = 0, n = to.size(); i < n; ++i) out[i] += factor * x[i];
 }
 
 /// The scheme with its step worked in, so that a stage is a sum of rows.
@@ -40,8 +39,8 @@ struct Weights {
   /// Positions of stage `i`.
   void positions(std::size_t i, const std::vector<double>& y, const std::vector<double>& v,
                  const Rows& forces, std::vector<double>& out) const {
-    out = y;
-    add_row(out.data(), drift[i], v.data(), v.size());
+    const double d = drift[i];
+    for (std::size_t n = 0; n < y.size(); ++n) out[n] = y[n] + d * v[n];
     for (std::size_t j = 0; j < i; ++j) add(out, stage[i][j], forces[j]);
   }
 

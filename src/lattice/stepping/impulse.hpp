@@ -40,9 +40,9 @@ struct Quintic {
 The contact switches at the root $s^*$ of the quintic, where its impulse begins or ends. Newton's method
 finds it in a few steps, and bisection replaces every step that would leave the bracket (`lo`, `hi`). A
 last move below $10^{-5}$ is enough, because the next one would be of the order of its square. */
+/// `below` and `above` are the overlaps at `lo` and `hi`.
 template <class T>
-T root_between(const Quintic<T>& x, T lo, T hi) {
-  const T below = x(lo), above = x(hi);
+T root_between(const Quintic<T>& x, T lo, T hi, T below, T above) {
   T s = lo + (hi - lo) * (below / (below - above)), move(1);
   for (int k = 0; k < 60 && std::abs(double(move)) > 1e-5; ++k) {
     const T value = x(s), newton = s - value / x.slope(s);
@@ -108,9 +108,11 @@ two roots is cut in the middle, and each half is referred to its own root. */
 template <class T, class Push>
 Impulse<T> exact_impulse(const Quintic<T>& x, const Push& push, bool fourth) {
   static constexpr double probe[]{-1, -0.5, 0, 0.25, 0.5, 0.75, 1, 1.5, 2};
+  T at[std::size(probe)];
+  for (std::size_t k = 0; k < std::size(probe); ++k) at[k] = x(T(probe[k]));
   Impulse<T> sum;
   T left(-1);
-  bool closed = x(left) > T(0), left_root = false;
+  bool closed = at[0] > T(0), left_root = false;
   const auto stretch = [&](T right, bool right_root) {
     const T a = left > T(0) ? left : T(0), b = right < T(1) ? right : T(1);
     if (!(a < b)) return;
@@ -119,8 +121,8 @@ Impulse<T> exact_impulse(const Quintic<T>& x, const Push& push, bool fourth) {
     if (cut < b) add_piece(push, cut, b, right, fourth, sum);
   };
   for (std::size_t k = 1; k < std::size(probe); ++k) {
-    if ((x(T(probe[k])) > T(0)) == closed) continue;
-    const T root = root_between(x, T(probe[k - 1]), T(probe[k]));
+    if ((at[k] > T(0)) == closed) continue;
+    const T root = root_between(x, T(probe[k - 1]), T(probe[k]), at[k - 1], at[k]);
     if (closed) stretch(root, true);
     left = root, left_root = true, closed = !closed;
   }
