@@ -7,6 +7,7 @@
 #include "check.hpp"
 #include "lattice/dps/dps.hpp"
 #include "lattice/landing/landing.hpp"
+#include "lattice/numbers/dense.hpp"
 #include "lattice/numbers/parabola.hpp"
 #include "lattice/packets/impact.hpp"
 #include "lattice/stepping/compensated.hpp"
@@ -366,4 +367,14 @@ TEST_CASE("the vertex of a parabola through three samples, by hand", "[unit][for
   check_close(top.bend, -4, 1e-15);
   check_close(top.vertex(), 0.25, 1e-15);
   check_close(top.extremum(), 3, 1e-15);
+}
+
+TEST_CASE("the singular values of a matrix with more rows than columns, by hand",
+          "[unit][formulas]") {
+  Matrix<double> tall(3, 2);
+  tall << 3, 0, 4, 0, 0, 0.5;
+  const Softness soft = condition_of(tall);
+  check_close(soft.condition, 10, 1e-14, 1e-14);
+  check_close(std::abs(soft.softest[1]), 1, 1e-14);
+  check_close(soft.softest[0], 0, 1e-14);
 }

@@ -123,3 +123,22 @@ TEST_CASE("a bead light enough to feel a faint contact belongs to the core", "[u
   vary(chain, {1, 1e-6, 1}, {});
   CHECK(core_of(chain, record, 1e-16) == Window{0, 2});
 }
+
+TEST_CASE("masses that are all one change no bit of a flow, of its tangent and of its energies",
+          "[unit][tangent]") {
+  constexpr std::size_t n = 12;
+  for (const Ends ends : {Ends::free, Ends::fixed, Ends::periodic}) {
+    CAPTURE(int(ends));
+    Chain plain{n, Quartic{0.5}, {}, ends}, varied = plain;
+    vary(varied, std::vector<double>(n, 1), std::vector<double>(n + 1, 1));
+    const auto carried = [&](const Chain& chain) {
+      State<double> state = stirred<double>(n);
+      Tangent<double> tangent(n, 2 * n);
+      const FlowReport<double> report = flow(chain, state, 3.0, {}, &tangent);
+      CHECK(report.error < 1e-11);
+      return std::tuple{state.y,      state.v,     tangent.entries, energy_density(chain, state),
+                        report.error, report.steps};
+    };
+    CHECK(carried(plain) == carried(varied));
+  }
+}

@@ -114,6 +114,7 @@ void Leapfrog<T>::run(std::vector<T>& z, T length, T s, T h, std::size_t kicks, 
   record.lead.push_back(length * span(at(0), at(1)));
   drift(z, record.lead.back());
   for (std::size_t i = 1; i < 2 * kicks; i += 2) {
+    // A run that keeps no record has room for one node
     if (!probe_) own_.clear();
     Curvatures<T>& nodes = probe_ ? record.nodes : own_;
     T* room = nodes.add(chain_.sites, length * span(at(i - 1), at(i + 1)),
@@ -152,7 +153,9 @@ void Leapfrog<T>::kick(std::vector<T>& z, const Curvature<T>& node) {
   if (probe_) kick_probe(node, z.data() + 2 * n + 1, z.data() + 3 * n + 1);
 }
 
-/// The end rows, and all rows where masses differ, are those of the columns.
+/**
+The sweep over the probe leaves out its end rows, and does not know of masses; for these the rows are those of the
+columns. */
 template <class T>
 void Leapfrog<T>::kick_probe(const Curvature<T>& node, const T* y, T* v) const {
   const std::size_t n = chain_.sites;
@@ -170,8 +173,8 @@ void Leapfrog<T>::kick_probe(const Curvature<T>& node, const T* y, T* v) const {
 }
 
 /**
-A kick needs the forces, and its record the curvatures; both come from the same square roots.
-The vectorised sweep leaves out the two end contacts, which depend on the boundary condition
+A kick needs the forces, and its record the curvatures; both come from the same square roots. The vectorised sweep
+leaves out the two end contacts, which depend on the boundary condition
 (boundary.hpp), and the stiffnesses $\eta_n$; both follow here. */
 template <class T>
 void Leapfrog<T>::evaluate(const T* y, T* well, T* link) {

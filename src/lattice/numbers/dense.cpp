@@ -23,9 +23,7 @@ Vector<T> shortest_solution(const Matrix<T>& matrix, const Vector<T>& right, dou
 }
 
 Softness condition_of(const Matrix<double>& matrix) {
-  // A square matrix needs no preconditioner, and without one it compiles in half the time
-  const Eigen::JacobiSVD<Matrix<double>, Eigen::NoQRPreconditioner> svd(matrix,
-                                                                        Eigen::ComputeFullV);
+  const Eigen::JacobiSVD<Matrix<double>> svd(matrix, Eigen::ComputeFullV);
   const auto& sizes = svd.singularValues();
   const Eigen::Index last = matrix.cols() - 1;
   return {sizes[0] / sizes[last], svd.matrixV().col(last)};

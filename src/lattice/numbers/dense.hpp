@@ -36,13 +36,13 @@ shortest one that solves them in the sense of least squares. */
 template <class T>
 Vector<T> shortest_solution(const Matrix<T>& matrix, const Vector<T>& right, double rank = 0);
 
-/// How unequally a square matrix changes what it multiplies.
+/// How unequally a matrix changes what it multiplies.
 struct Softness {
   double condition;        ///< largest over smallest singular value
   Vector<double> softest;  ///< the unit vector that it shrinks most
 };
 
-/// Of a regular matrix, from its singular values.
+/// Of a matrix with independent columns, from its singular values; it may have more rows than columns.
 Softness condition_of(const Matrix<double>& matrix);
 
 }  // namespace lattice
