@@ -10,7 +10,7 @@
 #   clang    clang++ -O2, vectors of 128 bits, one thread                          (clang 16 or later)
 #   trixie   Debian 13 in a bare root: its compiler and its libraries              (debootstrap, root)
 #   arm64    ARM64: cross-compiled, under emulation; `long double` is another type (g++-aarch64-linux-gnu
-#            and qemu-user-static); also runs the unit tests
+#            and qemu-user-static); also runs the unit tests and, on the tables of build/data, the published suite
 # shellcheck disable=SC2012,SC2015,SC2317
 set -eu
 cd "$(dirname "$0")/.."
@@ -121,6 +121,12 @@ arm64() {
     -DBoost_NO_BOOST_CMAKE=ON -DBoost_INCLUDE_DIR="$here/include" -DCATCH_INCLUDE="$here/include" || return 0
   qemu-aarch64-static "$here/build/bin/tests" "[unit]" > "$place/arm64-unit.log" 2>&1 || bad=1
   say "arm64: unit tests: $(tail -n 2 "$place/arm64-unit.log" | head -n 1)"
+  # The published suite reads the tables of this machine's full run
+  if [ -d "$root/build/data" ]; then
+    ln -sfn "$root/build/data" "$here/build/data"
+    qemu-aarch64-static "$here/build/bin/tests" "[published]" > "$place/arm64-published.log" 2>&1 || bad=1
+    say "arm64: published suite: $(tail -n 2 "$place/arm64-published.log" | head -n 1)"
+  fi
   run "$here/build/bin" "$jobs" 1 qemu-aarch64-static
   compare "ARM64 under $(qemu-aarch64-static --version | head -n 1)"
 }
