@@ -142,3 +142,14 @@ TEST_CASE("masses that are all one change no bit of a flow, of its tangent and o
     CHECK(carried(plain) == carried(varied));
   }
 }
+
+TEST_CASE("a mirrored flow has the mirrored errors", "[unit][tangent]") {
+  constexpr std::size_t n = 5;
+  Chain chain{n, Quartic{0.5}};
+  vary(chain, {}, std::vector<double>(n + 1, 0));
+  State<double> state = stirred<double>(n), mirrored = state;
+  for (std::size_t i = 0; i < n; ++i) mirrored.y[i] = -state.y[i], mirrored.v[i] = -state.v[i];
+  const FlowReport<double> one = flow(chain, state, 3.0), other = flow(chain, mirrored, 3.0);
+  CHECK(one.error > 0);
+  CHECK(one.error == other.error);
+}
