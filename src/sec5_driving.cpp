@@ -10,14 +10,14 @@ the first beam.
 ![Energy in a driven array below, just above and far above the threshold.](fig:x28)
 
 All beams have one frequency, so nothing travels at small amplitude, and a drive above that frequency should shake
-the first beads only. It does so up to a sharp amplitude; beyond it the array sends out breathers. */
+the first beads only. It does so up to a sharp amplitude; beyond it the array sends out breathers (what kind of
+breathers is another chapter, `sec5_driven_packets`). */
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
 #include <limits>
-#include <numbers>
 #include <string>
 #include <vector>
 
@@ -25,8 +25,6 @@ the first beads only. It does so up to a sharp amplitude; beyond it the array se
 #include "report/program.hpp"
 #include "report/sweep.hpp"
 #include "sec5/driven_array.hpp"
-#include "sec5/traveller.hpp"
-#include "sec5/travelling.hpp"
 
 using namespace lattice;
 
@@ -47,19 +45,6 @@ The chain is that of bench.hpp with beams of 10 ms lifetime; thresholds and fold
 | $a$ | `amplitude` | of piston or base | µm, $\xi$ |
 | $\delta = \Omega-1$ | `delta` | distance from the frequency of a beam, relative | 1 |
 | $\tau$ | `lifetime` | of the energy of a free beam | ms | */
-struct Rig : ArrayUnits {
-  double lifetime = 10;  // ms
-
-  /// The chain, with a drive that grows from `from` to `amplitude` within `ramp`.
-  Bench bench(Drive::By by, double omega, double amplitude, double from, double ramp,
-              std::size_t sites = DrivenArray::sites) const {
-    return {Chain{sites}, {rate(lifetime), 0}, {by, omega, amplitude, from, ramp}};
-  }
-};
-
-constexpr std::size_t gate = DrivenArray::gate;
-constexpr double two_pi = 2 * std::numbers::pi;
-
 std::string name_of(Drive::By by) {
   return by == Drive::By::piston ? "piston" : "base";
 }
@@ -68,8 +53,8 @@ std::string name_of(Drive::By by) {
 ## The fold against the law of the DpS limit
 
 The quiet orbit has the period of the drive. Newton's method follows it from a weak drive through the fold, at two
-numbers of steps per period and two distances along the curve. The ratio of fold and law tends to one with $\delta$, faster for the piston; damping,
-which the law leaves out, keeps it from doing so altogether. */
+numbers of steps per period and two distances along the curve. The ratio of fold and law tends to one with $\delta$,
+faster for the piston; damping, which the law leaves out, keeps it from doing so altogether. */
 struct Fold {
   Drive::By by;
   double delta;
@@ -142,17 +127,17 @@ struct Patience {
 
 /// The power that a drive gives coming down from twice the law over that of the quiet motion; infinite without one.
 double power_left(const Rig& rig, double omega, double a, const Patience& p,
-                  std::size_t sites = DrivenArray::sites) {
+                  std::size_t sites = Rig::sites) {
   const auto by = Drive::By::piston;
   // The quiet motion settles within ten lifetimes
   const double rise = std::min(p.horizon, 4000.0);
   const Emission quiet =
-      drive_chain(rig.bench(by, omega, a, 0, rise / 3, sites), rise, gate, p.step, 1);
+      drive_chain(rig.bench(by, omega, a, 0, rise / 3, sites), rise, Rig::gate, p.step, 1);
   if (!quiet.passages.empty()) return std::numeric_limits<double>::infinity();
   // Down in a third of the run
   const double twice = 2 * threshold_law(by, omega);
   const Bench falling = rig.bench(by, omega, a, twice, p.horizon / 3, sites);
-  return drive_chain(falling, p.horizon, gate, p.step).power / quiet.power;
+  return drive_chain(falling, p.horizon, Rig::gate, p.step).power / quiet.power;
 }
 
 /// Is something sent through the gate?
@@ -160,7 +145,7 @@ bool emits(const Rig& rig, Way way, double omega, double a, const Patience& p) {
   if (way == Way::down) return power_left(rig, omega, a, p) > 2;
   const Bench bench =
       rig.bench(Drive::By::piston, omega, a, 0, way == Way::once ? 0 : p.horizon / 2);
-  return !drive_chain(bench, p.horizon, gate, p.step, 1).passages.empty();
+  return !drive_chain(bench, p.horizon, Rig::gate, p.step, 1).passages.empty();
 }
 
 struct Threshold {
@@ -287,8 +272,8 @@ void compute_chart(Sweep& sweep, const Rig& rig, bool quick, Part part) {
     const ChartPoint& p = points[i];
     const double omega = 1 + p.delta, a = p.ratio * threshold_law(Drive::By::piston, omega);
     const Bench bench = rig.bench(Drive::By::piston, omega, a, 0, horizon / 12);
-    const Emission coarse = drive_chain(bench, horizon / 2, gate, 0.4);
-    const Emission fine = drive_chain(bench, horizon, gate, 0.2);
+    const Emission coarse = drive_chain(bench, horizon / 2, Rig::gate, 0.4);
+    const Emission fine = drive_chain(bench, horizon, Rig::gate, 0.2);
     const double per_second = rig.per_second(1);
     return Cells{p.delta,
                  rig.hertz(omega),
@@ -324,239 +309,10 @@ void report_chart(Report& report, const Rig& rig) {
 }
 
 /**
-## What the packets are
-
-Are the breathers of a train those of an impact, and are they exact? In the DpS limit two numbers determine a
-travelling breather, its shift time $T$ and the phase $\varphi$ by which it turns from site to site, and so they
-nearly do in the chain (traveller.hpp). We measure both, at $\delta = 0.1$ for a piston that begins at once with
-several multiples of the law, and after an impact of 1 m/s. If the packet is such a breather its energy and width are
-no longer free: they must be those of the members of the exact families. So their ratios have to be one, and nothing
-is fitted.
-
-Without losses we look at beads 12 to 28. With 10 ms the packets of a train catch up with the first one, which has
-lost more (second figure), and meet it between beads 20 and 30; so we look at beads 9 to 17. The packet's inner
-motion ripples all means, and a packet changes on its way. So errors are the larger of two differences: from a
-stretch that begins two beads later, with twice the step, and half that between the two halves of the stretch; those
-of the ratios contain the difference that the farthest members make. */
-struct Packet {
-  std::string name;
-  double strength;  ///< amplitude of the piston over the law; 0 for an impact
-  double lifetime;  ///< ms; 0 without losses
-  Stretch stretch{};
-};
-
-std::vector<Packet> packets(bool quick) {
-  if (quick) return {{"drive", 1.3, 0}, {"impact", 0, 0}};
-  return {{"drive", 1.3, 0},
-          {"drive_weak", 1.15, 0},
-          {"drive_strong", 1.6, 0},
-          {"drive_third", 1.3, 0, {12, 28, 3}},
-          {"drive_lossy", 1.3, 10, {9, 17}},
-          {"impact", 0, 0},
-          {"impact_far", 0, 0, {44, 60}},
-          {"impact_lossy", 0, 10, {9, 17}}};
-}
-
-Traveller packet_seen(Rig rig, const Packet& p, double step, const Stretch& stretch) {
-  rig.lifetime = p.lifetime;
-  const auto by = p.strength > 0 ? Drive::By::piston : Drive::By::nothing;
-  const double a = p.strength * threshold_law(Drive::By::piston, 1.1);
-  State<double> start(DrivenArray::sites);
-  if (p.strength == 0) start.v[0] = rig.velocity(1);
-  return traveller_on(rig.bench(by, 1.1, a, 0, 0), start, 3000, step, stretch);
-}
-
-/// A packet as it is, as another look shows it, and on the two halves of its way.
-struct Looks {
-  Traveller fine, coarse, before, after;
-
-  /// A function of the packet, with the larger of the two differences.
-  template <class Of>
-  Estimate operator()(Of of) const {
-    Estimate e = compare(of(coarse), of(fine));
-    e.error = std::max(e.error, std::abs(of(after) - of(before)) / 2);
-    return e;
-  }
-};
-
-Looks look_at(const Rig& rig, const Packet& p) {
-  const auto [from, to, which] = p.stretch;
-  const std::size_t middle = (from + to) / 2;
-  return {packet_seen(rig, p, 0.1, p.stretch), packet_seen(rig, p, 0.2, {from + 2, to, which}),
-          packet_seen(rig, p, 0.1, {from, middle, which}),
-          packet_seen(rig, p, 0.1, {middle, to, which})};
-}
-
-/// Energy or width of a packet over that of the breather with its shift time and the share `own` of its phase.
-double over_member(const MemberGrid& grid, Traveller p, double Traveller::*of, double own,
-                   std::size_t left_out = 0) {
-  p.phase *= own;
-  return p.*of / (member_like(grid, p, left_out).*of);
-}
-
-/// The same for all looks, with the difference that the farthest members make.
-Estimate ratio_of(const MemberGrid& grid, const Looks& looks, double Traveller::*of, double own) {
-  Estimate e = looks([&](const Traveller& p) { return over_member(grid, p, of, own); });
-  e.error += std::abs(over_member(grid, looks.fine, of, own, 1) - e.value);
-  return e;
-}
-
-double family_of(const Traveller& p) {
-  return (p.shift_time + p.phase) / two_pi;
-}
-
-/**
-The energies are those of the families to one per cent. The first packet of a drive at 1.3 times the law has the ratio
-[0.999](num:sec5_driving.energy_ratio_drive), the third one of this train
-[1.001](num:sec5_driving.energy_ratio_drive_third), the first one with losses
-[1.01](num:sec5_driving.energy_ratio_drive_lossy), and in the whole table `strengths` none is farther from one than
-[1.009](num:sec5_driving.energy_ratio_worst). After an impact, where the packet still sheds a tail, the ratio is
-[1.009](num:sec5_driving.energy_ratio_impact) on beads 12 to 28 and [1.00](num:sec5_driving.energy_ratio_impact_far)
-on beads 44 to 60. This tests one combination of $T$ and $\varphi$: a phase that is wrong by a tenth would multiply
-the ratio by [0.8636](num:sec5_driving.energy_ratio_mistimed), but an error in time changes $T$ and $\varphi$ so that
-most of it cancels. The width tests little ([0.9938](num:sec5_driving.width_ratio_mistimed) for such a phase); without
-losses the ratio farthest from one is [0.986](num:sec5_driving.width_ratio_worst), for the impact with losses it is
-[1.05](num:sec5_driving.width_ratio_impact_lossy). Of the energy of the orbit of type I ($\varphi = 0$) with its speed
-the drive's packet has [2.25](num:sec5_driving.type_one_ratio_drive) times as much, that of the impact
-[0.63](num:sec5_driving.type_one_ratio_impact) times. */
-void report_exact(Report& report, const Rig& rig, const MemberGrid& grid) {
-  const std::vector<Packet> all = packets(report.quick);
-  std::vector<Looks> looks(all.size());
-  parallel_for(all.size(), [&](std::size_t i) { looks[i] = look_at(rig, all[i]); });
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const auto fact = [&](const std::string& what, const Estimate& e) {
-      report.facts.add(what + "_" + all[i].name, e);
-    };
-    fact("phase", looks[i]([](const Traveller& p) { return p.phase; }));
-    fact("family", looks[i](family_of));
-    fact("energy_ratio", ratio_of(grid, looks[i], &Traveller::energy, 1));
-    fact("width_ratio", ratio_of(grid, looks[i], &Traveller::width, 1));
-    fact("type_one_ratio", ratio_of(grid, looks[i], &Traveller::energy, 0));
-  }
-  // How much would a phase that is wrong by a tenth change the two ratios of the drive's packet?
-  const auto mistimed = [&](double Traveller::*of) {
-    return looks[0]([&](Traveller p) {
-      const double right = over_member(grid, p, of, 1);
-      p.phase += 0.1;
-      return over_member(grid, p, of, 1) / right;
-    });
-  };
-  report.facts.add("energy_ratio_mistimed", mistimed(&Traveller::energy));
-  report.facts.add("width_ratio_mistimed", mistimed(&Traveller::width));
-}
-
-/**
-How do the two numbers follow the strength of the drive? The table `strengths` has the first packet of seventeen
-drives without losses. Between two of them we interpolate to find where the phase changes its sign and where
-$(T+\varphi)/2\pi$ is a whole number. If the drive locked the packets to an exact breather, this number would stay
-there for a while. */
-struct LevelCrossing {
-  Estimate strength, slope;
-};
-
-/// Where `column` last passes `level` as the strength grows, and its slope there.
-LevelCrossing last_crossing(const Table& table, const std::string& column, double level) {
-  const auto x = table.numbers("strength"), y = table.numbers(column),
-             error = table.numbers(column + "_spread");
-  for (std::size_t k = x.size() - 1; k > 0; --k)
-    if ((y[k] - level) * (y[k - 1] - level) <= 0) {
-      const double apart = x[k] - x[k - 1], slope = (y[k] - y[k - 1]) / apart;
-      return {{x[k] + (level - y[k]) / slope, std::max(error[k], error[k - 1]) / std::abs(slope)},
-              {slope, (error[k] + error[k - 1]) / apart}};
-    }
-  throw Failure(column + " is nowhere " + short_text(level));
-}
-
-void report_strengths(Report& report, const Rig& rig, const MemberGrid& grid) {
-  std::vector<double> strengths{1.05, 1.1, 1.15, 1.2,  1.22, 1.24, 1.26, 1.3, 1.35,
-                                1.4,  1.5, 1.6,  1.65, 1.7,  1.8,  2.0,  2.4};
-  if (report.quick) strengths = {1.1, 1.3, 2.0};
-  const auto seen = [](const std::string& name, const std::string& meaning) {
-    return Columns{number(name, meaning), number(name + "_spread", "largest difference of looks")};
-  };
-  Table& table = report.table(
-      "strengths",
-      {number("strength", "amplitude of the piston over the law"),
-       seen("phase", "from site to site"), seen("family", "shift time and phase over 2 pi"),
-       seen("energy_ratio", "energy over that of the exact family's member"),
-       seen("width_ratio", "width over that of the exact family's member")});
-
-  // Four looks at the first packet of every drive
-  table.fill(strengths, [&](double strength) {
-    const Looks look = look_at(rig, {"", strength, 0});
-    Cells row{strength};
-    for (const Estimate& e :
-         {look([](const Traveller& p) { return p.phase; }), look(family_of),
-          ratio_of(grid, look, &Traveller::energy, 1), ratio_of(grid, look, &Traveller::width, 1)})
-      row.insert(row.end(), {e.value, e.error});
-    return row;
-  });
-
-  // Where the phase changes its sign and the number is whole
-  const auto in_row = [&](std::size_t k, const std::string& column) {
-    return Estimate{table.numbers(column)[k], table.numbers(column + "_spread")[k]};
-  };
-  report.facts.add("phase_zero_at", last_crossing(table, "phase", 0).strength);
-  report.facts.add("phase_weakest", in_row(0, "phase"));
-  if (report.quick) return;
-  for (int whole : {4, 3}) {
-    const LevelCrossing there = last_crossing(table, "family", whole);
-    report.facts.add("family_at_" + std::to_string(whole), there.strength);
-    report.facts.add("family_slope_at_" + std::to_string(whole), there.slope);
-  }
-
-  // How far two neighbours are at least apart, in units of what is uncertain of them
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 1; k < strengths.size(); ++k) {
-    const Estimate weaker = in_row(k - 1, "family"), stronger = in_row(k, "family");
-    const double apart = std::abs(stronger.value - weaker.value);
-    least = std::min(least, apart / (weaker.error + stronger.error));
-  }
-  report.facts.add("family_least_change", exact(least), "sum of two spreads");
-
-  // The ratios that are farthest from one
-  for (const char* column : {"energy_ratio", "width_ratio"}) {
-    const auto ratio = table.numbers(column);
-    const auto nearer = [](double a, double b) { return std::abs(a - 1) < std::abs(b - 1); };
-    const auto worst = std::max_element(ratio.begin(), ratio.end(), nearer) - ratio.begin();
-    report.facts.add(std::string(column) + "_worst", in_row(std::size_t(worst), column));
-  }
-}
-
-/**
-So a train and an impact consist of breathers of one kind with different phases. Those of the first packets of a drive
-rise from [0.630](num:sec5_driving.phase_weakest) at 1.05 to [0.680](num:sec5_driving.phase_drive_weak) at 1.15 times
-the law and then fall, through zero at [1.77](num:sec5_driving.phase_zero_at); that of an impact is
-[-0.26](num:sec5_driving.phase_impact). An exact breather is the same again one site further on, $(T+\varphi)/2\pi$
-being a whole number, and leaves nothing behind, $\varphi$ or the sum $V$ being zero. The drives at 1.15, 1.3 and 1.6
-have [4.122](num:sec5_driving.family_drive_weak), [3.81](num:sec5_driving.family_drive) and
-[3.06](num:sec5_driving.family_drive_strong). The number is 4 at [1.230](num:sec5_driving.family_at_4) and 3 at
-[1.63](num:sec5_driving.family_at_3) times the law, where it falls at the rates
-[-3.2](num:sec5_driving.family_slope_at_4) and [-1.8](num:sec5_driving.family_slope_at_3). A drive that
-locked its packets to an exact breather would hold it there over a range of strengths. From each of the seventeen
-strengths to the next it changes by more than the spreads of both, at least by
-[1.6](num:sec5_driving.family_least_change) times their sum. So a plateau, if there is one, is narrower than the
-distance of two strengths; at single ones the number comes close to a whole one, and at 1.65 times the law it cannot be
-told from 3.
-
-A packet that sheds a tail changes its phase: from beads 12 to 24 to beads 30 to 42 that of an impact by
-[0.08](num:sec5_driving.phase_change_impact). The change of a drive's, [-0.02](num:sec5_driving.phase_change_drive),
-is not resolved. */
-void report_phase_changes(Report& report, const Rig& rig) {
-  for (const double strength : {1.3, 0.0}) {
-    const auto phase = [](const Traveller& p) { return p.phase; };
-    const Estimate early = look_at(rig, {"", strength, 0, {12, 24}})(phase),
-                   late = look_at(rig, {"", strength, 0, {30, 42}})(phase);
-    report.facts.add(strength > 0 ? "phase_change_drive" : "phase_change_impact",
-                     {late.value - early.value, late.error + early.error});
-  }
-}
-
-/**
 The second figure shows the three kinds in space and time, for a piston at $\delta = 0.1$. */
 void report_maps(Report& report, const Rig& rig) {
   const std::array<double, 3> ratios{0.95, 1.3, 3};
-  const std::size_t bins = report.quick ? 40 : 160, sites = DrivenArray::sites;
+  const std::size_t bins = report.quick ? 40 : 160, sites = Rig::sites;
   const double omega = 1.1, horizon = 2000;
   std::array<std::vector<double>, 3> maps;
   parallel_for(3, [&](std::size_t i) {
@@ -648,10 +404,6 @@ void reproduce(Report& report) {
   report_folds(report, rig);
   report_recipe(report, rig);
   report_thresholds(report, rig);
-  const MemberGrid grid = member_grid(2, 5, {-0.4, -0.2, 0, 0.25, 0.5, 0.75});
-  report_exact(report, rig, grid);
-  report_strengths(report, rig, grid);
-  report_phase_changes(report, rig);
   report_maps(report, rig);
   report_ledger(report);
   report_chart(report, rig);
@@ -669,7 +421,6 @@ tell what comes after it: trains and irregular emission are what runs show, with
 
 ## Extensions
 
-- What decides the phase of a driven packet? Is there a drive whose packets are exact?
 - Where is the second threshold, from trains to irregular emission, and is it a bifurcation of the train?
 - Drive two ends: do trains pass through each other?
 - Tune the frequency during the run and make one breather only. */

@@ -731,6 +731,7 @@ TEST_CASE("every quantity of every command says what it is", "[cli]") {
       {"sec4_precompression_mi coefficients", ""},
       {"sec4_precompression_mi band", "--s -4"},
       {"sec4_precompression_mi impact", "--time 20"},
+      {"sec5_driven_packets packet", "--strength 0"},
       {"sec5_driving drive", "--time 20"},
       {"sec5_enclosures dps", ""},
       {"sec5_enclosures breather", ""},

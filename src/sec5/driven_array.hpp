@@ -22,23 +22,33 @@ struct DrivenQuantity {
   std::string unit, meaning;
 };
 
-/// The array of section 3.6 with losses and a drive that grows during the first sixth of its `duration`.
-struct DrivenArray : ArrayUnits {
+/// The array of section 3.6 with losses.
+struct Rig : ArrayUnits {
   /// Long enough that with losses nothing comes back from the far end; the bead behind which a packet counts.
   static constexpr std::size_t sites = 120, gate = 20;
+
+  double lifetime = 10;  ///< of the energy, in ms; 0 without losses
+
+  /// The chain, with a drive that grows from `from` to `amplitude` within `ramp`, in units of the chain.
+  Bench bench(Drive::By by, double omega, double amplitude, double from, double ramp,
+              std::size_t beads = sites) const {
+    return {Chain{beads}, {rate(lifetime), 0}, {by, omega, amplitude, from, ramp}};
+  }
+};
+
+/// One drive, which grows during the first sixth of its `duration`.
+struct DrivenArray : Rig {
   static constexpr std::size_t drawn = 60;  ///< beads that a map shows
   static constexpr double step = 0.02;      ///< of the finer run, in units of tau_c
 
-  /// Hz, micrometres, ms, ms; the lifetime is that of the energy.
-  double frequency = 7000, amplitude = 5, lifetime = 10, duration = 60;
+  double frequency = 7000, amplitude = 5, duration = 60;  ///< Hz, micrometres, ms
   Drive::By by = Drive::By::piston;
 
   /// The duration in units of tau_c.
   double horizon() const { return time(duration); }
   /// The same array in units of the chain.
   Bench bench() const {
-    const Drive drive{by, omega(frequency), amplitude / micrometres(1), 0, horizon() / 6};
-    return {Chain{sites}, {rate(lifetime), 0}, drive};
+    return Rig::bench(by, omega(frequency), amplitude / micrometres(1), 0, horizon() / 6);
   }
   /// One run with steps of length `h`.
   Emission run(double h) const { return drive_chain(bench(), horizon(), gate, h); }
