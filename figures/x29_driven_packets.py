@@ -12,7 +12,7 @@ figure, (a, b) = plt.subplots(1, 2, figsize=(draw.TWO_COLUMNS, 62 * draw.MM), la
 
 
 def points(axes, column, mark, colour, label):
-    axes.errorbar(strength, seen[column], seen[f"{column}_error"], fmt=mark, ms=3.5, mfc="none", mew=0.9,
+    axes.errorbar(strength, seen[column], seen[f"{column}_spread"], fmt=mark, ms=3.5, mfc="none", mew=0.9,
                   lw=0.9, capsize=1.5, color=colour, label=label)
 
 

@@ -227,8 +227,6 @@ Estimate farthest(const std::vector<Estimate>& ratio) {
   });
 }
 
-constexpr const char* looks_differ = "largest difference of looks";
-
 void report_strengths(Report& report, const Families& families) {
   std::vector<double> strengths{1.05, 1.1, 1.15, 1.2,  1.22, 1.24, 1.26, 1.3, 1.35,
                                 1.4,  1.5, 1.6,  1.65, 1.7,  1.8,  2.0,  2.4};
@@ -242,13 +240,15 @@ void report_strengths(Report& report, const Families& families) {
     energy[i] = families.ratio(looks, &Traveller::energy);
     width[i] = families.ratio(looks, &Traveller::width);
   });
+  const auto seen = [](const std::string& name, const std::string& meaning) {
+    return Columns{number(name, meaning), number(name + "_spread", "largest difference of looks")};
+  };
   Table& table = report.table(
       "strengths",
       {number("strength", "amplitude of the piston over the law"),
-       estimate("phase", "from site to site", "", looks_differ),
-       estimate("family", "shift time and phase over 2 pi", "", looks_differ),
-       estimate("energy_ratio", "energy over that of the exact family's member", "", looks_differ),
-       estimate("width_ratio", "width over that of the exact family's member", "", looks_differ)});
+       seen("phase", "from site to site"), seen("family", "shift time and phase over 2 pi"),
+       seen("energy_ratio", "energy over that of the exact family's member"),
+       seen("width_ratio", "width over that of the exact family's member")});
   for (std::size_t i = 0; i < strengths.size(); ++i)
     table.add({strengths[i], phase[i], family[i], energy[i], width[i]});
 
@@ -261,7 +261,7 @@ void report_strengths(Report& report, const Families& families) {
     report.facts.add("family_at_" + std::to_string(whole), there.strength);
     report.facts.add("family_slope_at_" + std::to_string(whole), there.slope);
   }
-  report.facts.add("family_least_change", exact(least_change(family)), "sum of two errors");
+  report.facts.add("family_least_change", exact(least_change(family)), "sum of two spreads");
   report.facts.add("energy_ratio_worst", farthest(energy));
   report.facts.add("width_ratio_worst", farthest(width));
 }
@@ -269,16 +269,15 @@ void report_strengths(Report& report, const Families& families) {
 /**
 The phases of the first packets of a drive rise from [0.630](num:sec5_driven_packets.phase_weakest) at 1.05 to
 [0.680](num:sec5_driven_packets.phase_drive_weak) at 1.15 times the law and then fall, through zero at
-[1.77](num:sec5_driven_packets.phase_zero_at); that of an impact is
-[-0.26](num:sec5_driven_packets.phase_impact). The drives at 1.15, 1.3 and 1.6 have $(T+\varphi)/2\pi =$
-[4.122](num:sec5_driven_packets.family_drive_weak), [3.81](num:sec5_driven_packets.family_drive) and
-[3.06](num:sec5_driven_packets.family_drive_strong). The number is 4 at
-[1.230](num:sec5_driven_packets.family_at_4) and 3 at [1.63](num:sec5_driven_packets.family_at_3) times the law, where
-it falls at the rates [-3.2](num:sec5_driven_packets.family_slope_at_4) and
+[1.77](num:sec5_driven_packets.phase_zero_at); that of an impact is [-0.26](num:sec5_driven_packets.phase_impact). The
+drives at 1.15, 1.3 and 1.6 have $(T+\varphi)/2\pi =$ [4.122](num:sec5_driven_packets.family_drive_weak),
+[3.81](num:sec5_driven_packets.family_drive) and [3.06](num:sec5_driven_packets.family_drive_strong). The number is 4
+at [1.230](num:sec5_driven_packets.family_at_4) and 3 at [1.63](num:sec5_driven_packets.family_at_3) times the law,
+where it falls at the rates [-3.2](num:sec5_driven_packets.family_slope_at_4) and
 [-1.8](num:sec5_driven_packets.family_slope_at_3). From each of the seventeen strengths to the next it changes by more
-than the errors of both, at least by [1.58478](num:sec5_driven_packets.family_least_change) times their sum. So a plateau,
-if there is one, is narrower than the distance of two strengths; at single ones the number comes close to a whole one,
-and at 1.65 times the law it cannot be told from 3.
+than the spreads of both, at least by [1.58478](num:sec5_driven_packets.family_least_change) times their sum. So a
+plateau, if there is one, is narrower than the distance of two strengths; at single ones the number comes close to a
+whole one, and at 1.65 times the law it cannot be told from 3.
 
 ## Does a packet stay the same?
 
