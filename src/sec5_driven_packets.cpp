@@ -39,7 +39,7 @@ after an impact of 1 m/s.
 |---|---|---|---|
 | $T$, $\varphi$ | `shift_time`, `phase` | time, and phase in the frame of a free bead, from site to site | $\tau_c$, 1 |
 | $(T+\varphi)/2\pi$ | `family` | a whole number if the packet repeats itself one site further on | 1 |
-| $V$ | | sum of all $e^{it}(y_n+i\dot y_n)$ at the phase of the packet; if it is zero nothing is left behind | $\xi$ |
+| $Z$ | | sum of all $y_n+i\dot y_n$ of a breather; where it is zero nothing is left behind, whatever the phase | $\xi$ |
 
 Without losses we look at beads 12 to 28. With 10 ms the packets of a train catch up with the first one, which has
 lost more (figure x28), and meet it between beads 20 and 30; so we look at beads 9 to 17. */
@@ -189,7 +189,7 @@ void report_packets(Report& report, const Families& families) {
 ## Does a drive lock its packets to an exact breather?
 
 An exact breather is the same again one site further on, $(T+\varphi)/2\pi$ being a whole number, and leaves nothing
-behind, $\varphi$ or the sum $V$ being zero. How do the two numbers follow the strength of the drive? The table
+behind, $\varphi$ or the sum $Z$ being zero. How do the two numbers follow the strength of the drive? The table
 `strengths` has the first packet of seventeen drives without losses. Between two of them we interpolate to find where
 the phase changes its sign and where $(T+\varphi)/2\pi$ is a whole number. A drive that locked its packets to an exact
 breather would hold this number there over a range of strengths; so we also ask how far two neighbours are at least
