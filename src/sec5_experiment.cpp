@@ -29,7 +29,7 @@ using namespace lattice;
 
 /**
 In short: damping of the beams is a clock that runs slower and slower. With an energy lifetime $\tau$ the
-packet never comes farther than one without losses does in $4\tau$, its amplitude falls like $e^{-t/2\tau}$,
+packet comes no farther than one without losses does in $4\tau$, its amplitude falls like $e^{-t/2\tau}$,
 its speed like $e^{-t/4\tau}$, and its frequency tends to that of a beam. A law without free parameters
 (journey.hpp) says so from a single run without losses, and the runs agree.
 

@@ -8,8 +8,8 @@ compute exact ones, which after a time $T$ are the same again, one site further:
       t = 0    .  .  o  O  o  .  .  .            y_n(t + T) = y_(n-1)(t)
       t = T    .  .  .  o  O  o  .  .            and nothing is left behind
 
-One can. In the linear well those that repeat themselves from site to site have isolated speeds, and one sum
-says which.
+One can. In the linear well those that repeat themselves from site to site have, as far as we find them, isolated
+speeds, and one sum says which.
 
 ![Exact travelling breathers, and a packet that sheds a tail.](fig:x18) */
 

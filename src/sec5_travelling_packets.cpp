@@ -1,8 +1,9 @@
 /**
 # 5 What becomes of a packet
 
-An impact on a chain with linear wells sends out a packet that sheds a tail. Exact travelling breathers
-shed none, but those that repeat themselves from site to site have isolated speeds. Where does the packet go?
+An impact on a chain with linear wells sends out a packet that sheds a tail. Exact travelling breathers shed none,
+but those that repeat themselves from site to site have isolated speeds, as far as we find them. Where does the
+packet go?
 
       |z_n|  left behind
         |**
@@ -540,12 +541,12 @@ int main(int argc, char** argv) {
 ## For the article
 
 The article proposes to compute exact travelling breathers by Newton's method, and this works. In the chain with
-linear wells those that repeat themselves from site to site have isolated shift times, at which the rotation of
-$\sum(y_n+i\dot y_n)$ allows them: multiples of the bead's period, and times at which the sum vanishes. Newton's
-method reaches them from the packets that the article describes. At small amplitude they tend to a travelling
-breather of the DpS equation; in hard wells the fast ones disappear in folds, in soft wells they continue. The
-article's packets approach the line that joins them without locking to any, and shed a tail that becomes weaker and
-weaker. The reversal of direction at $s > 0$ is not explained by exact orbits.
+linear wells those that repeat themselves from site to site have, as far as we find them, isolated shift times, at
+which the rotation of $\sum(y_n+i\dot y_n)$ allows them: multiples of the bead's period, and times at which the sum
+vanishes. Newton's method reaches them from the packets that the article describes. At small amplitude they tend to
+a travelling breather of the DpS equation; in hard wells the fast ones disappear in folds, in soft wells they
+continue. The article's packets approach the line that joins them without locking to any, and shed a tail that
+becomes weaker and weaker. The reversal of direction at $s > 0$ is not explained by exact orbits.
 
 ## Extensions
 
