@@ -5,12 +5,14 @@ The verdicts are
 
     reproduced   a printed number, met within its tolerance
     holds        a yes-or-no statement that our criterion confirms
-    discrepant   a printed number missed, or a statement that fails
+    within       a printed number missed by no more than the accuracy that the article itself prints
     measured     the article uses a word without a number; we give the number and pass no judgement
+    follows      missed because the article computes it from another printed number, which is judged in its own row
+    discrepant   a printed number missed, or a statement that fails, in every natural reading
     unresolved   the error bar does not allow a verdict, which no test accepts
     open         not answered yet
 
-`lineage summary` writes them down, and the tests in C++ assert each (tests/published.cpp)."""
+`lineage summary` writes them down; the tests judge once more, in C++ (tests/judge.hpp), and ask that both agree."""
 
 import math
 import re
@@ -19,8 +21,11 @@ from pathlib import Path
 from . import ecsv
 from .values import Finding
 
-VERDICTS = ["reproduced", "holds", "measured", "discrepant", "unresolved", "open"]
-COLUMNS = ("id", "section", "where", "quantity", "printed", "unit", "class", "tolerance", "program", "status", "reason")
+VERDICTS = ["reproduced", "holds", "within", "measured", "follows", "discrepant", "unresolved", "open"]
+COLUMNS = ("id", "section", "where", "quantity", "printed", "unit", "class", "tolerance", "program", "status", "reading",
+           "covered_by", "reason")
+SAID = {"within": "within its own accuracy", "follows": "follows from another"}  # where one word would not do
+QUOTED = re.compile(r"\{([a-z]\w*\.\w+)\}")
 NUMBER = r"-?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
 
 
@@ -60,8 +65,8 @@ def agreement(printed, tolerance):
     return low - amount, high + amount
 
 
-def verdict(claim, answer):
-    """The row and the answer decide together. A yes or a no is no answer to a printed number, and a number that
+def alone(claim, answer):
+    """The verdict from the row and its answer. A yes or a no is no answer to a printed number, and a number that
     answers a word is a measurement. Where the error bar straddles an edge there is no verdict."""
     if answer is None:
         return "open"
@@ -81,6 +86,62 @@ def verdict(claim, answer):
     return "discrepant" if most < low or least > high else "unresolved"
 
 
+def covered(claim, answer, by):
+    """What covers a number that is missed: `within`, if by this fact of ours the article's own accuracy is not better
+    than the distance; `follows`, if the number is the article's other number to a power (`moving.c_threshold^2`) and
+    ours, with that number in the place of our own, is what is printed. Else nothing, and it stays discrepant."""
+    low, high, _ = printed_range(claim["printed"])
+    if isinstance(by, Finding):
+        apart = max(low - answer.value, answer.value - high) + answer.error
+        return "within" if apart <= by.value - by.error else None
+    other, found, power = by
+    scale = (printed_range(other["printed"])[0] / found.value) ** power
+    theirs = Finding("", "", answer.value * scale, answer.error * scale, answer.unit)
+    return "follows" if alone(other, found) == "discrepant" and alone(claim, theirs) == "reproduced" else None
+
+
+def name_of(finding, claims):
+    """How prose calls a finding: a claim by its id, a fact with its program before it."""
+    return finding.id if finding.id in claims else f"{finding.program}.{finding.id}"
+
+
+class Judge:
+    """All verdicts on one set of findings: those of a run, or the locked ones."""
+
+    def __init__(self, claims, findings):
+        self.claims, self.found = claims, {name_of(f, claims): f for f in findings}
+
+    def answer(self, id):
+        found = self.found.get(id)
+        return found if found and found.program == self.claims[id]["program"] else None
+
+    def verdict(self, id):
+        claim, answer = self.claims[id], self.answer(id)
+        said = alone(claim, answer)
+        if said != "discrepant" or not claim["covered_by"]:
+            return said
+        name, _, power = claim["covered_by"].partition("^")
+        if name not in self.found:
+            raise ecsv.Fault(f"{id}: nothing is known of '{name}', by which it is covered")
+        by = (self.claims[name], self.found[name], float(power or 1)) if name in self.claims else self.found[name]
+        return covered(claim, answer, by) or said
+
+    def said(self, text):
+        """A text of the list of claims with our numbers in the places of their names, `{pn.omega11}`."""
+        def shown(m):
+            if m[1] not in self.found:
+                raise ecsv.Fault(f"paper/published.ecsv: nothing is known of '{m[1]}' (a new number: make lock)")
+            return self.found[m[1]].shown
+
+        return QUOTED.sub(shown, text)
+
+
+def quoted_by(claims):
+    """Every number of ours that the list of claims names."""
+    return {name for c in claims.values() for name in QUOTED.findall(c["reading"] + c["reason"])
+            } | {c["covered_by"].partition("^")[0] for c in claims.values()} - {""}
+
+
 def read_claims(root):
     """The rows of paper/published.ecsv by id, each with a tolerance and a status that mean something."""
     claims = ecsv.read(Path(root) / "paper/published.ecsv", COLUMNS).by("id", "claims")
@@ -92,6 +153,8 @@ def read_claims(root):
                               "abs 1e-3, at most, exact, order of magnitude, or nothing)") from None
         if claim["status"] not in VERDICTS or claim["status"] == "unresolved":
             raise claim.fault(f"{claim['id']}: the status '{claim['status']}' is none")
+        if claim["reason"] and claim["status"] not in ("within", "follows", "discrepant"):
+            raise claim.fault(f"{claim['id']}: a reason, but nothing is missed")
     return claims
 
 

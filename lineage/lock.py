@@ -15,7 +15,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from . import ecsv
-from .claims import programs_of, read_claims, read_facts, read_results
+from .claims import name_of, programs_of, quoted_by, read_claims, read_facts, read_results
 from .values import Finding
 
 KINDS = ("value", "residue", "headline")
@@ -67,11 +67,6 @@ def read_fresh(data, programs, claims):
 # What is quoted
 
 
-def name_of(finding, claims):
-    """How prose calls a finding: a claim by its id, a fact with its program before it."""
-    return finding.id if finding.id in claims else f"{finding.program}.{finding.id}"
-
-
 def sources(root):
     return sorted(p for p in (Path(root) / "src").rglob("*") if p.suffix in (".cpp", ".hpp"))
 
@@ -82,8 +77,8 @@ def uncommented(tex):
 
 
 def quoted(root):
-    """Every name that prose, paper or book quotes."""
-    root, out = Path(root), set()
+    """Every name that prose, paper, book or the list of claims quotes."""
+    root, out = Path(root), quoted_by(read_claims(root))
     for path in sources(root) + sorted((root / "book").glob("*.md")):
         out.update(re.findall(r"\]\(num:([^)]+)\)", ecsv.text_of(path)))
     for path in sorted((root / "paper").glob("*.tex")):

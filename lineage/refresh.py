@@ -12,8 +12,8 @@ import re
 from pathlib import Path
 
 from . import ecsv, metadata
-from .claims import VERDICTS, read_claims, verdict
-from .lock import name_of, read_lock, sources
+from .claims import SAID, VERDICTS, Judge, name_of, read_claims
+from .lock import read_lock, sources
 from .values import with_digits, without_zeros
 
 LINK = re.compile(r"(\[[^\]]*\])?\(num:([^)\n]*)(\)?)")
@@ -62,13 +62,16 @@ def here(finding, said):
 
 
 def published_rows(claims, lock):
+    judge = Judge(claims, lock.values())
     yield "| claim | what is claimed | article | asked | here | error | verdict |"
     yield "|---|---|---|---|---|---|---|"
     for id, c in claims.items():
         f = lock.get((c["program"], id))
         if f:
-            said = verdict(c, f)
-            cells = [f"`{id}`", c["quantity"], printed(c), c["tolerance"], here(f, said), f.shown_error, said]
+            said = judge.verdict(id)
+            read = "".join(f"<br>*{word}:* {judge.said(c[key])}" for word, key in (("Read", "reading"), ("Why", "reason"))
+                           if c[key] and not (key == "reason" and said == "discrepant"))
+            cells = [f"`{id}`", c["quantity"] + read, printed(c), c["tolerance"], here(f, said), f.shown_error, SAID.get(said, said)]
             yield "| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |"
 
 
@@ -79,17 +82,18 @@ def printed(claim):
 
 
 def discrepancy_rows(claims, lock):
+    judge = Judge(claims, lock.values())
     yield "| claim | article | here | why |"
     yield "|---|---|---|---|"
     for id, c in claims.items():
         f = lock.get((c["program"], id))
         if f and c["status"] == "discrepant":
-            yield f"| `{id}` | {c['printed']} | {f.shown} | {c['reason']} |"
+            yield f"| `{id}` | {c['printed']} | {f.shown} | {judge.said(c['reason'])} |"
 
 
 def tally(statuses):
     """The verdicts counted, in the words of the summary."""
-    words = {"holds": "hold"}
+    words = SAID | {"holds": "hold", "follows": "following from another"}
     return ", ".join(f"{list(statuses).count(v)} {words.get(v, v)}" for v in VERDICTS)
 
 

@@ -6,8 +6,8 @@ import re
 from pathlib import Path
 
 from . import ecsv
-from .claims import programs_of, read_claims, read_results, verdict
-from .lock import name_of, read_fresh, read_lock
+from .claims import SAID, Judge, name_of, programs_of, read_claims
+from .lock import read_fresh, read_lock
 from .refresh import command_of, read_figures, tally
 
 COLUMNS = [ecsv.Column(name, kind, text) for name, kind, text in [
@@ -18,19 +18,20 @@ COLUMNS = [ecsv.Column(name, kind, text) for name, kind, text in [
     ("reproduced", "float64", "converged value; 1 or 0 where the unit is claim"),
     ("error", "float64", "error of the reproduced value"),
     ("unit", "string", "unit of the reproduced value; claim for yes or no"),
-    ("verdict", "string", "reproduced, holds, discrepant, measured, unresolved or open"),
+    ("verdict", "string", "reproduced, holds, within, measured, follows, discrepant, unresolved or open"),
     ("program", "string", "program that answers"),
+    ("reading", "string", "which natural reading of what is not printed was taken, and what others give"),
     ("reason", "string", "likely cause of a discrepancy")]]
 
 
-def compared(claims, answers):
+def compared(claims, judge):
     """The rows of the table, one for each claim."""
     for id, c in claims.items():
-        f = answers.get(id)
+        f = judge.answer(id)
         yield {"id": id, "where": c["where"], "quantity": c["quantity"], "published": c["printed"],
                "reproduced": f.value if f else math.nan, "error": f.error if f else math.nan,
-               "unit": f.unit if f and f.unit else c["unit"], "verdict": verdict(c, f), "program": c["program"],
-               "reason": c["reason"]}
+               "unit": f.unit if f and f.unit else c["unit"], "verdict": judge.verdict(id), "program": c["program"],
+               "reading": judge.said(c["reading"]), "reason": judge.said(c["reason"])}
 
 
 def complaint(row):
@@ -39,17 +40,17 @@ def complaint(row):
         what = "does not hold by our criterion"
     else:
         what = f"converged {row['reproduced']:.6g} +- {row['error']:.1g} {row['unit']}"
-    return f"  {row['verdict']:10} {row['id']:22} printed {row['published']}, {what.strip()}"
+    return f"  {row['verdict']:10} {row['id']:26} printed {row['published']}, {what.strip()}"
 
 
 def summarize(root, data, out):
     """The verb: writes published.ecsv, counts the verdicts and names what does not agree."""
     claims = read_claims(root)
-    rows = list(compared(claims, read_results(data, programs_of(root), claims)))
+    rows = list(compared(claims, Judge(claims, read_fresh(data, programs_of(root), claims).values())))
     ecsv.write_whole(Path(out) / "published.ecsv", ecsv.to_text(ecsv.Table(COLUMNS, rows, {"program": "lineage summary"})))
     print(f"claims     : {tally([row['verdict'] for row in rows])}")
     for row in rows:
-        if row["verdict"] in ("discrepant", "unresolved"):
+        if row["verdict"] in ("within", "follows", "discrepant", "unresolved"):
             print(complaint(row))
 
 
@@ -73,9 +74,9 @@ def figures_of(claim, figures):
     return [id for id, f in figures.items() if f["label"] and f["label"] in words]
 
 
-def facts_of(name, finding, claim, root):
+def facts_of(name, finding, judge, root):
     """What there is to say of a number: pairs of a word and a text."""
-    figures, alone = read_figures(root), read_commands(root).get(name)
+    figures, alone, claim = read_figures(root), read_commands(root).get(name), judge.claims.get(name)
     if claim:
         printed = claim["printed"] or "a statement"
         yield "claim", f"{claim['quantity']} ({claim['where']})"
@@ -85,9 +86,10 @@ def facts_of(name, finding, claim, root):
         if finding.unit != "claim":
             yield "error", finding.shown_error
     if claim:
-        yield "verdict", verdict(claim, finding)
-        if claim["reason"]:
-            yield "why", claim["reason"]
+        yield "verdict", judge.verdict(name)
+        for word, key in (("read", "reading"), ("why", "reason")):
+            if claim[key]:
+                yield word, judge.said(claim[key])
     program = finding.program if finding else claim["program"]
     shown = (figures_of(claim, figures) if claim else []) or [i for i, f in figures.items() if f["program"] == program]
     yield "figure", ", ".join(f"{id} ({command_of(id)})" for id in shown) or "none"
@@ -100,6 +102,7 @@ def show(root, data, name):
     claims, known = read_claims(root), {}
     for findings in (read_lock(root), read_fresh(data, programs_of(root), claims)):
         known.update({name_of(f, claims): f for f in findings.values()})
+    judge = Judge(claims, known.values())
     names = sorted(known.keys() | claims.keys())
     if name not in names:
         near = difflib.get_close_matches(name, names, 3) or sorted(n for n in names if n.split(".")[-1] == name)
@@ -107,7 +110,7 @@ def show(root, data, name):
                           " (allowed: a claim such as pn.omega11, a fact such as sec31_dps_limit.tau_0_by_quadrature)"))
     finding = known.get(name)
     print(name)
-    for word, text in facts_of(name, finding, claims.get(name), root):
+    for word, text in facts_of(name, finding, judge, root):
         print(f"  {word:9}  {text}")
     if finding:
         print(f"  {'from':9}  {'build/data, computed here' if finding.row else 'paper/converged.ecsv (not computed here yet)'}")

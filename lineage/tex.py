@@ -11,8 +11,8 @@ import re
 from pathlib import Path
 
 from . import ecsv, metadata
-from .claims import VERDICTS, programs_of, read_claims, verdict
-from .lock import name_of, read_lock, uncommented
+from .claims import SAID, VERDICTS, Judge, name_of, programs_of, read_claims
+from .lock import read_lock, uncommented
 from .refresh import read_figures
 
 HEAD = "% Written by `python3 -m lineage macros`; do not edit.\n"
@@ -162,17 +162,17 @@ def macros(texts, figures, programs):
 def claim_rows(claims, lock):
     """A row for each claim but the discrepant ones, which the paper has in a table of their own: what is claimed and
     printed, what we found with its error, and the verdict. Only a claim that is open has no number."""
-    out = HEAD
+    out, judge = HEAD, Judge(claims, lock.values())
     for id, c in claims.items():
         f = lock.get((c["program"], id))
         if not f and c["status"] != "open":
             raise ecsv.Fault(f"nothing is locked for the claim '{id}' (make lock)")
-        said = verdict(c, f)
+        said = judge.verdict(id)
         if c["status"] == "discrepant":
             continue
         here = value(f.shown) + (f" {unit(f.unit)}" if f.shown_unit else "") if f and f.shown != said else ""
         cells = [escaped(id), worded(c["quantity"]), worded(c["printed"]) + (f" {unit(c['unit'])}" if c["unit"] else ""),
-                 here, value(f.shown_error) if f else "", said]
+                 here, value(f.shown_error) if f else "", SAID.get(said, said)]
         out += r"\claim" + "".join(f"{{{cell}}}" for cell in cells) + "\n"
     return out
 

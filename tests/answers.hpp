@@ -1,6 +1,5 @@
 #pragma once
-// What the tests ask of claims, answers and the lock. The verdicts are those of lineage/claims.py, which
-// `lineage summary` writes to build/report/published.ecsv; `make lock` (lineage/lock.py) says what is locked.
+// What the tests ask of claims, answers and the lock; `make lock` (lineage/lock.py) says what is locked.
 
 #include <algorithm>
 #include <cmath>
@@ -18,16 +17,19 @@ namespace lattice {
 
 /// A row of `paper/published.ecsv`, by what is asked of it.
 struct Claim {
-  std::string program, status, reason;
+  std::string program, status, reason, printed = "", kind = "", tolerance = "", covered_by = "";
 };
 
 inline std::map<std::string, Claim> read_claims(const std::filesystem::path& path) {
   const Table t = read(path);
   const auto id = t.texts("id"), program = t.texts("program"), status = t.texts("status"),
-             reason = t.texts("reason");
+             reason = t.texts("reason"), printed = t.texts("printed"), kind = t.texts("class"),
+             tolerance = t.texts("tolerance"), covered_by = t.texts("covered_by");
   std::map<std::string, Claim> out;
   for (std::size_t i = 0; i < id.size(); ++i)
-    if (!out.emplace(id[i], Claim{program[i], status[i], reason[i]}).second)
+    if (!out.emplace(id[i], Claim{program[i], status[i], reason[i], printed[i], kind[i],
+                                  tolerance[i], covered_by[i]})
+             .second)
       throw std::runtime_error(path.string() + ": two claims for " + id[i]);
   return out;
 }

@@ -107,7 +107,7 @@ TEST_CASE("claims named in a chapter are rows", "[lineage]") {
   for (const auto& path : sources())
     for (const auto& id : matches(text_of(root / path),
                                   "`((?:thm|dps|newton|pn|floquet|pinning|moving|"
-                                  "impact|boomeron|scale|beam|cantilever|pre|outlook)\\.\\w+)`")) {
+                                  "impact|boomeron|scale|beam|cantilever|pre|outlook|chain)\\.\\w+)`")) {
       CAPTURE(path, id);
       CHECK(ids.count(id) == 1);
     }

@@ -7,7 +7,7 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from markupsafe import Markup, escape
 
 from .. import ecsv
-from ..claims import VERDICTS
+from ..claims import SAID, VERDICTS
 from ..refresh import command_of
 from . import code, notebooks, prose, words
 from .bind import PageBinding
@@ -39,7 +39,7 @@ class Book:
         lists = LISTS + [(f"{page}.html", f"{title} (live)") for page, title in LIVE if binder.live]
         lists += [(page, f"{title} (Python)") for page, title, *_ in self.notebooks]
         self.env.globals.update(record=record, inventory=inventory, book=binder, chapters=chapters, rooms=rooms, titles=self.titles, lists=lists,
-                                verdicts=VERDICTS, statuses=self.statuses)
+                                verdicts=VERDICTS, said=SAID, statuses=self.statuses)
         binder.parts = self.parts = self.env.get_template("parts.html").module
 
     # The frame
@@ -136,7 +136,7 @@ class Book:
     def lists(self):
         for id, c in self.record.claims.items():
             self.note("published.html", id, LISTS[0][1], id,
-                      escape(f'{c["quantity"]}; {c["printed"]}; {c["status"]} {c["reason"]}'))
+                      escape(f'{c["quantity"]}; {c["printed"]}; {c["status"]} {c["reading"]} {c["reason"]}'))
         for number, e in self.binder.equations.items():
             self.note("equations.html", f"eq-{number}", LISTS[2][1], f"Eq. ({number})", escape(e["name"]))
         for row in self.inventory["commands"]:

@@ -6,8 +6,8 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from .. import ecsv
-from ..claims import programs_of, read_claims
-from ..lock import name_of, read_fresh, read_lock
+from ..claims import Judge, name_of, programs_of, read_claims
+from ..lock import read_fresh, read_lock
 from ..refresh import read_figures
 from ..summary import read_commands
 from ..tex import captions
@@ -48,6 +48,9 @@ class Record:
         known.update({key: replace(self.locked.get(key, f), made_by=f.made_by, row=f.row) for key, f in fresh.items()})
         self.quotable = {name_of(f, self.claims): f for f in known.values()
                          if self.claims.get(f.id, {}).get("program", f.program) == f.program}
+        judge = Judge(self.claims, self.quotable.values())
+        for claim in self.claims.values():
+            claim.update({key: judge.said(claim[key]) for key in ("reading", "reason")})
         self.seconds = {f["program"]: f["seconds"] for f in self.figures.values()}
         self.alone = read_commands(root)
         self.captions = captions(root)  # figure -> what its caption says after the first sentence, in TeX

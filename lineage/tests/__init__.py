@@ -14,7 +14,7 @@ from lineage.__main__ import main
 
 ROOT = Path(__file__).resolve().parents[2]
 CLAIMS = ["id", "section", "where", "quantity", "printed", "unit", "class", "tolerance", "note", "program", "status",
-          "reason"]
+          "reading", "covered_by", "reason"]
 LOCK = ["program", "id", "value", "error", "unit", "kind"]
 RESULTS = ["id", "value", "error", "unit"]
 FACTS = ["quantity", "value", "error", "unit"]
@@ -65,8 +65,8 @@ class Scratch(unittest.TestCase):
         self.write("src/sec1_demo.cpp", "/**\n# 1 A demonstration\n\nIt is [](num:a.one). */\n")
         self.write("paper/published.ecsv", table(CLAIMS, [
             ["a.one", "1", "Fig. demo", "one", "1.02", "", "converged", "rel 1e-2", "", "sec1_demo", "discrepant",
-             "they erred"],
-            ["a.two", "1", "text", "two", "yes", "", "claim", "", "", "", "open", ""]]))
+             "", "", "they erred"],
+            ["a.two", "1", "text", "two", "yes", "", "claim", "", "", "", "open", "", "", ""]]))
         self.write("paper/converged.ecsv", table(LOCK, [
             ["sec1_demo", "a.one", 1.0000000000000002, 1e-3, "m", "value"], ["sec1_demo", "fact", 2.0, 0.1, "", "value"]]))
         self.write("figures/figures.ecsv", table(FIGURES, [

@@ -78,8 +78,9 @@ class Locking(Scratch):
 class Summary(Scratch):
     def test_verdicts_are_counted_and_named(self):
         code, out, _ = self.lineage("summary")
-        self.assertEqual((code, out), (0, "claims     : 0 reproduced, 0 hold, 0 measured, 1 discrepant, 0 unresolved, 1 open\n"
-                                          "  discrepant a.one                  printed 1.02, converged 1 +- 0.001 m\n"))
+        self.assertEqual((code, out), (0, "claims     : 0 reproduced, 0 hold, 0 within its own accuracy, 0 measured, "
+                                          "0 following from another, 1 discrepant, 0 unresolved, 1 open\n"
+                                          "  discrepant a.one                      printed 1.02, converged 1 +- 0.001 m\n"))
         self.assertIn("a.one,Fig. demo,one,1.02,1,0.001", self.read("build/report/published.ecsv"))
         self.assertIn('a.two,text,two,yes,nan,nan,"",open', self.read("build/report/published.ecsv"))
 

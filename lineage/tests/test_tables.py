@@ -5,7 +5,7 @@ import random
 import unittest
 
 from lineage import ecsv
-from lineage.claims import verdict
+from lineage.claims import Judge, alone
 from lineage.values import Finding
 
 from . import LOCK, Scratch, table
@@ -93,7 +93,7 @@ class Tables(unittest.TestCase):
 class Verdicts(unittest.TestCase):
     def check(self, printed, tolerance, value, error, expected, unit="", kind="converged"):
         claim = {"printed": printed, "tolerance": tolerance, "class": kind}
-        self.assertEqual(verdict(claim, finding(value, error, unit)), expected, (printed, tolerance, value, error))
+        self.assertEqual(alone(claim, finding(value, error, unit)), expected, (printed, tolerance, value, error))
 
     def test_a_printed_number(self):
         self.check("9e-4", "rel 5e-2", 9.2e-4, 1e-6, "reproduced")
@@ -124,7 +124,30 @@ class Verdicts(unittest.TestCase):
             self.check("visually equal", "", value, error, expected, unit, "claim")
         self.check("7 sites", "", 1, 0, "holds", "claim")
         self.check("7", "", 1, 0, "holds", "claim", "claim")
-        self.assertEqual(verdict({"printed": "1", "tolerance": "", "class": ""}, None), "open")
+        self.assertEqual(alone({"printed": "1", "tolerance": "", "class": ""}, None), "open")
+
+
+    def covered(self, by, kick=4.45e-6, power="^2", accuracy=1.6e-12):
+        claim = {"program": "p", "tolerance": "rel 2e-2", "class": "converged", "reading": "", "reason": ""}
+        claims = {"a.kick": claim | {"printed": "6.19e-6", "covered_by": ""},
+                  "a.energy": claim | {"printed": "1.92e-11", "covered_by": "a.kick" + power},
+                  "a.barrier": claim | {"printed": "1.77e-11", "covered_by": "p.accuracy"}}
+        found = {"a.kick": kick, "a.energy": 9.9e-12, "a.barrier": 1.62e-11, "accuracy": accuracy}
+        return Judge(claims, [Finding("p", id, value) for id, value in found.items()]).verdict(by)
+
+    def test_what_covers_a_number_that_is_missed(self):
+        self.assertEqual([self.covered("a.kick"), self.covered("a.energy"), self.covered("a.barrier")],
+                         ["discrepant", "follows", "within"])
+        self.assertEqual(self.covered("a.energy", power="^1"), "discrepant")
+        self.assertEqual(self.covered("a.energy", kick=6.19e-6), "discrepant")
+        self.assertEqual(self.covered("a.barrier", accuracy=1.4e-12), "discrepant")
+        self.assertEqual(self.covered("a.barrier", accuracy=math.nan), "discrepant")
+
+    def test_our_numbers_in_the_list_of_claims(self):
+        judge = Judge({}, [Finding("p", "q", 1.25, 1e-3)])
+        self.assertEqual(judge.said("It is {p.q}, {not a name}."), "It is 1.250, {not a name}.")
+        with self.assertRaisesRegex(ecsv.Fault, "nothing is known of 'p.none'"):
+            judge.said("{p.none}")
 
 
 class Faults(Scratch):
