@@ -11,7 +11,7 @@ import re
 from pathlib import Path
 
 from . import ecsv, metadata
-from .claims import SAID, VERDICTS, Judge, name_of, programs_of, read_claims
+from .claims import VERDICTS, Judge, name_of, programs_of, read_claims
 from .lock import read_lock, uncommented
 from .refresh import read_figures
 
@@ -172,7 +172,7 @@ def claim_rows(claims, lock):
             continue
         here = value(f.shown) + (f" {unit(f.unit)}" if f.shown_unit else "") if f and f.shown != said else ""
         cells = [escaped(id), worded(c["quantity"]), worded(c["printed"]) + (f" {unit(c['unit'])}" if c["unit"] else ""),
-                 here, value(f.shown_error) if f else "", SAID.get(said, said)]
+                 here, value(f.shown_error) if f else "", said]
         out += r"\claim" + "".join(f"{{{cell}}}" for cell in cells) + "\n"
     return out
 
