@@ -42,6 +42,7 @@ using namespace lattice;
   $9\cdot10^{-4}$ (`impact.amp_full`) where the DpS approximation is said to give
   $13\cdot10^{-4}$ (`impact.amp_dps`).
 - Mainly seven sites carry the packet (`impact.support`).
+- The scales of figure 17 belong to a frequency of 1.01 (`impact.scales_fig17`).
 
 To see the packet by itself we wait until the slow time $\tau = 250$ of the article's figures, on
 a chain so long that the packet does not reach its far end by then. */
@@ -62,8 +63,16 @@ $$y_n \approx 2\epsilon\,\mathrm{Re}\,[A_n(\tau)\,e^{it}], \quad \tau = \epsilon
   2i\tau_0\dot A_n = (A_{n+1}-A_n)|A_{n+1}-A_n|^{1/2} - (A_n-A_{n-1})|A_n-A_{n-1}|^{1/2},$$
 with $A_1(0) = -i$ and all others zero, Eq. (25), and $\tau_0$ from chapter 3.1. All ends are free
 and all quantities dimensionless. In the program $\epsilon$, $\tau$ and $A_n$ are `eps`, `tau` and
-`Field`. */
+`Field`. Do the article's scales belong together (`impact.scales_fig17`)? By Eq. (20) the frequency 1.01 needs
+$\epsilon =$ [](num:sec34_dps_impact.eps_of_1_01), printed as $0.9548\cdot10^{-3}$, and then $\tau = 250$ is
+$t =$ [](num:impact.scales_fig17), printed as 8090. */
 constexpr double eps = 0.9548e-3;
+
+void report_scales(Report& report) {
+  const double by_frequency = breather_eps(1.01);
+  report.facts.add("eps_of_1_01", exact(by_frequency));
+  report.results.add("impact.scales_fig17", exact(tau_end / std::sqrt(by_frequency)));
+}
 
 /**
 We need to know where a packet is and how much it carries. For the chain, Eqs. (23) and (24) say,
@@ -528,6 +537,7 @@ void reproduce(Report& report) {
   if (report.quick) resolution = {1e-3, 1e-9, 100, 500};
   report.output.note("tolerance", "end state " + short_text(resolution.tolerance) + ", GSL " +
                                       short_text(resolution.dps_tolerance));
+  report_scales(report);
   const DpsPair dps = report_dps(report, resolution);
   const Estimate chain_speed = report_comparison(report, dps, resolution);
   report_slips(report, resolution);

@@ -203,6 +203,20 @@ TEST_CASE("a transition needs both sides, in order, and few doubts", "[unit][cri
   CHECK_FALSE(holds(transition({100, 80, 4.6, 4.7, 0.2})));
 }
 
+TEST_CASE("a struck soft well blows up, a pendulum does not", "[property][criteria]") {
+  const auto bounded = [](const Well& well, double velocity, double time) {
+    const Impact impact{velocity, {20, well}, time, far_away, 0.2, reached, false};
+    return no_blowup(confinement(impact, stepper_for(1e-4, 0.1), stepper_for(1e-4, 0.1, 1)));
+  };
+  CHECK(holds(bounded(Pendulum{}, 6, 200)));  // beads leave at both ends
+  CHECK(holds(bounded(Quartic{-1.0 / 6}, 1.5, 200)));
+  CHECK_FALSE(holds(bounded(Quartic{-1.0 / 6}, 2.5, 200)));
+  Confinement cut{{1, 0}, {0.5, 0}, {1e-9, 0}, 0.9, {1, 0}};
+  CHECK(failing(no_blowup(cut)) == "lasted");
+  cut.lasted = 1, cut.speed = {1.1, 0};
+  CHECK(failing(no_blowup(cut)) == "speed");
+}
+
 TEST_CASE("a stable sign must be safe, and growth linear", "[unit][criteria]") {
   CHECK(surely_stable("x", {{-5e-6, 1e-9}, {}}).holds());
   CHECK_FALSE(surely_stable("x", {{-5e-6, 1e-7}, {}}).holds());  // a sign within a hundred errors
@@ -234,12 +248,18 @@ TEST_CASE("an instability moves many, and not what it does not reach", "[unit][c
   CHECK(moves(torn, breathers(16, 0)) == "torn");
 }
 
-TEST_CASE("a robust breather stays, and whole", "[unit][criteria]") {
-  CHECK(failing(stays_whole(breathers(16, 0))).empty());
-  CHECK(failing(stays_whole(breathers(16, 1))) == "left");
+TEST_CASE("a robust breather stays where others leave, and whole", "[unit][criteria]") {
+  const auto wrong = [](std::vector<Trial> stable, std::vector<Trial> unstable) {
+    const Estimate spread = largest_spread(stable);
+    return failing(structurally_robust(stable, unstable, spread));
+  };
+  CHECK(wrong(breathers(16, 1), breathers(16, 15)).empty());
+  CHECK(wrong(breathers(16, 2), breathers(16, 16)) == "left");
+  CHECK(wrong(breathers(16, 0), breathers(16, 14)) == "beside");  // noise too weak to tell
+  CHECK(wrong(breathers(16, 16), breathers(16, 0)) == "left beside");  // the wrong one is stable
   auto wide = breathers(16, 0);
   wide[2].good.most_sites = 7;
-  CHECK(failing(stays_whole(wide)) == "spread");
+  CHECK(wrong(wide, breathers(16, 16)) == "spread");
 }
 
 TEST_CASE("four multipliers near one, no more and no fewer", "[unit][criteria]") {
@@ -300,6 +320,31 @@ TEST_CASE("what increases does so at every step, beyond its errors", "[unit][cri
   CHECK_FALSE(holds(increasing({{-1, 1e-3}, {3, 1e-3}, {9, 1e-3}})));
 }
 
+TEST_CASE("a curve increases as a whole if its arches do", "[unit][criteria]") {
+  const auto whole = [](std::vector<double> values) {
+    std::vector<Estimate> curve;
+    for (double v : values) curve.push_back({v, 1e-3});
+    return failing(increasing_on_the_whole(curve));
+  };
+  CHECK(whole({1, 2, -3, -5, -2, 4, 8, 6, -9, -20}).empty());
+  CHECK(whole({1, 2, 3}).empty());
+  CHECK(whole({1, 3, 2}) == "least_ratio");  // one arch, not growing
+  CHECK(whole({20, 9, -6, -8, 4}) == "arches_least_ratio end_over_highest_before");  // reversed
+  CHECK(whole({1, 2, -5, -4, 3, 6, -4, -7, 5}) == "arches_least_ratio end_over_highest_before");
+  CHECK(whole({1, 2, -3, -9, -4}) == "end_over_highest_before");  // falls at the end
+  CHECK(whole({1, -1.0005, 3, 4}) == "arches_least_ratio");       // within the errors
+}
+
+TEST_CASE("one curve is smaller than another as a whole by its mean", "[unit][criteria]") {
+  const std::vector<Estimate> dips{{1, 0}, {2, 0}, {1e-6, 0}, {3, 0}, {4, 0}, {2, 0}},
+      flat{{0.5, 0}, {0.4, 0}, {-0.5, 0}, {0.6, 0}, {0.5, 0}, {0.4, 0}};
+  CHECK(smaller_on_the_whole("x", flat, dips)
+            .holds());  // although the other one is smaller at a zero
+  CHECK_FALSE(smaller_on_the_whole("x", dips, flat).holds());
+  CHECK_FALSE(smaller_on_the_whole("x", flat, flat).holds());
+  CHECK_FALSE(smaller_on_the_whole("x", {{1, 1}, {1, 1}}, {{1.5, 0}, {1.5, 0}}).holds());
+}
+
 TEST_CASE("a family begins at rest only with the square of the detuning", "[unit][criteria]") {
   const auto at = [](double omega, double power, double rest) {
     Orbit<double> orbit;
@@ -338,6 +383,10 @@ TEST_CASE("a reflection is total, partial or neither", "[unit][criteria]") {
   CHECK(holds(almost_total({0.99, 1e-3})));
   CHECK_FALSE(holds(almost_total({0.9, 1e-3})));
   CHECK_FALSE(holds(almost_total({1.01, 1e-3})));  // more than what arrives
+  const std::vector<Estimate> every{{0.96, 1e-3}, {0.99, 1e-3}};
+  CHECK(holds(almost_total(every)));
+  CHECK(failing(almost_total({{0.96, 1e-3}, {0.94, 1e-3}, {0.99, 1e-3}})) == "least");
+  CHECK_FALSE(holds(almost_total(std::vector<Estimate>{})));
   CHECK(holds(partial({0.3, 1e-3})));
   CHECK(failing(partial({0.05, 1e-3})) == "least");
   CHECK(failing(partial({0.95, 1e-3})) == "most");

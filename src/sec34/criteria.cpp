@@ -1,5 +1,7 @@
 #include "sec34/criteria.hpp"
 
+#include <array>
+
 namespace lattice {
 
 // Does the packet keep its energy? The means over both halves of the way average out its pulsation
@@ -71,6 +73,26 @@ Criterion transition(const Transition& t) {
           above("kinks", exact(double(t.kinks)), 0),
           above("order", exact(t.first_kink - t.last_breather), 0),
           below("undecided", exact(t.undecided), 0.05)};
+}
+
+// Speed and way of the beads in an impact, at two resolutions
+Confinement confinement(const Impact& impact, const ContactAware& rough, const ContactAware& fine) {
+  std::array<double, 2> speed{};
+  std::array<ImpactRun, 2> run;
+  for (std::size_t i : {0, 1})
+    run[i] = strike(i ? fine : rough, impact, [&](const State<double>& now, const auto&) {
+      for (double v : now.v) speed[i] = std::max(speed[i], std::abs(v) / impact.velocity);
+    });
+  const Estimate furthest = compare(run[0].reach, run[1].reach);
+  return {compare(speed[0], speed[1]), quotient(furthest, exact(impact.velocity * impact.time)),
+          compare(run[0].run.energy_drift, run[1].run.energy_drift),
+          std::min(run[0].end.t, run[1].end.t) / impact.time, furthest};
+}
+
+// The limits leave a thousandth for errors
+Criterion no_blowup(const Confinement& c) {
+  return {below("speed", c.speed, 1.001), below("way", exact(c.way.value), 1.001),
+          below("drift", c.drift, 1e-3), above("lasted", exact(c.lasted), 0.999)};
 }
 
 }  // namespace lattice

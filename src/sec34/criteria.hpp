@@ -15,6 +15,7 @@ functions without side effects, so that tests can feed them inputs for which the
 #include <vector>
 
 #include "lattice/numbers/criterion.hpp"
+#include "lattice/packets/impact.hpp"
 #include "lattice/packets/observe.hpp"
 
 namespace lattice {
@@ -116,5 +117,23 @@ struct Transition {
 
 /// Whether a scan of impact velocities shows the transition.
 Criterion transition(const Transition& t);
+
+/**
+A blow-up is a displacement that becomes infinite in finite time. Where no energy is negative, as in pendulum wells,
+that of the impact bounds the speed of every bead by $v_0$ and its way by $v_0t$: a bead that is thrown off an end
+goes away, but no faster than that. A bead that leaves a soft quartic well gains speed without bound. */
+struct Confinement {
+  Estimate speed;     ///< largest of any bead, over the impact's
+  Estimate way;       ///< largest displacement, over v_0 times the time of the run
+  Estimate drift;     ///< of the energy, relative
+  double lasted;      ///< share of its time after which the run ended
+  Estimate furthest;  ///< largest displacement
+};
+
+/// An impact followed to its end with two steps.
+Confinement confinement(const Impact& impact, const ContactAware& rough, const ContactAware& fine);
+
+/// Whether the run came to its end, keeps its energy, and no bead is faster or farther than that allows.
+Criterion no_blowup(const Confinement& c);
 
 }  // namespace lattice

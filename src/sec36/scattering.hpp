@@ -120,6 +120,8 @@ A reflection is almost total if more than 95 per cent of what arrives is reflect
 tenth and nine tenths of it is transmitted; the bounds are ours. */
 /// From the net reflected energy.
 Criterion almost_total(const Estimate& reflected);
+/// The same of every defect in a range of sizes: the least and the most of their net reflected energies decide.
+Criterion almost_total(const std::vector<Estimate>& reflected);
 /// From the net transmitted energy.
 Criterion partial(const Estimate& transmitted);
 
@@ -161,7 +163,7 @@ their distance as well. */
 Stay stay(const StruckArray& blow, double ratio, ImpactRun run, const Resolution& r);
 
 /**
-Energy is trapped for good if at least 95 per cent of it stays from 75 to 100 ms, if there is more of it than
+Energy is held firmly if at least 95 per cent of it stays from 75 to 100 ms, if there is more of it than
 in the wake that a packet leaves in an array without a defect, and if it is densest at the defect or next
 to it. */
 /// From runs with two steps, the finer one second; `defect` counts sites from zero.
