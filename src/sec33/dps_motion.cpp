@@ -262,16 +262,24 @@ Criterion moved_by_instability(const std::vector<Trial>& trials,
           above("delay", compare(delay[0], delay[1]), 2), below("torn", exact(double(torn)), 0.5)};
 }
 
-// A robust breather stays where it is and does not fall apart
-Criterion stays_whole(const std::vector<Trial>& trials) {
+Estimate largest_spread(const std::vector<Trial>& trials) {
   double rough = 0, good = 0;
   for (const Trial& trial : trials) {
     rough = std::max(rough, trial.rough.spread());
     good = std::max(good, trial.good.spread());
   }
-  return {below("left",
-                compare(tally(trials, &Trial::rough).left, tally(trials, &Trial::good).left), 0.5),
-          below("spread", compare(rough, good), 2)};
+  return compare(rough, good);
+}
+
+// A robust breather does not fall apart, and stays where an unstable one leaves
+Criterion structurally_robust(const std::vector<Trial>& stable, const std::vector<Trial>& unstable,
+                              const Estimate& spread) {
+  const auto left = [](const std::vector<Trial>& trials) {
+    return compare(tally(trials, &Trial::rough).left, tally(trials, &Trial::good).left);
+  };
+  return {below("left", left(stable), 0.1 * double(stable.size())),
+          above("beside", left(unstable), 0.9 * double(unstable.size())),
+          below("spread", spread, 2)};
 }
 
 }  // namespace lattice

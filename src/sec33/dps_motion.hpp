@@ -185,8 +185,9 @@ Stability is a sign, and `Margin::safe` (spectrum.hpp) must have it beyond its e
 linear in $\mu$ is tested by its ratio to $\mu$, which may vary by a fraction of $10^{-8}$. The instability
 moves breathers if at least half of those under noise move, both tolerances giving each the same fate, and if
 the `controls`, whose noise lacks the pinning pair, move later: for at least three quarters of the seeds, and in
-the median after twice the time. Breathers are robust if none leaves its place and none spreads over twice as
-many sites. The bounds are ours. */
+the median after twice the time. A structure is robust if it stays whole, that is if no breather spreads over twice
+as many sites under noise of any kind, and if there is noise under which less than a tenth leave their places,
+though more than nine tenths of the `unstable` breathers leave theirs. The bounds are ours. */
 /// Around a bond, from its margin.
 Condition surely_stable(const std::string& name, const Margin& found);
 
@@ -197,7 +198,11 @@ Criterion linear_growth(const Estimate& weakest, const Estimate& variation);
 Criterion moved_by_instability(const std::vector<Trial>& trials,
                                const std::vector<Trial>& controls);
 
-/// From trials at both tolerances.
-Criterion stays_whole(const std::vector<Trial>& trials);
+/// By which factor the breathers of these trials spread at most, at both tolerances.
+Estimate largest_spread(const std::vector<Trial>& trials);
+
+/// From trials of stable and unstable breathers under equal noise, and the largest spread under any noise.
+Criterion structurally_robust(const std::vector<Trial>& stable, const std::vector<Trial>& unstable,
+                              const Estimate& spread);
 
 }  // namespace lattice
