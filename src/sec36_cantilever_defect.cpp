@@ -352,8 +352,8 @@ smoothly from one radius of the map to the next: a heavy defect reflects because
 far below that of the packet, a light one because it is far above.
 
 What the packet leaves behind, the fairly extended wave train of `cantilever.wavetrain`, has no number in the article.
-When the front comes to the defect we take the sites up to ten behind the packet's largest one, as in section 3.4:
-they hold a share of [](num:sec36_cantilever_defect.wavetrain_share) of the energy, and by their participation number
+Just before the packet meets the defect we take the sites up to ten behind its largest one, as in section 3.4. They
+hold a share of [](num:sec36_cantilever_defect.wavetrain_share) of the energy, and by their participation number
 [](num:cantilever.wavetrain) of them share it. */
 Estimate in_train(const Workshop& workshop, double (*of)(const std::vector<double>&)) {
   const auto train = [&](const std::vector<double>& density) {
@@ -390,10 +390,10 @@ shows it, to 2.5 every defect must reflect more than 95 per cent. The map has th
 [](num:sec36_cantilever_defect.net_transmitted_5) of what arrives is transmitted. */
 void report_large(Report& report, const Workshop& workshop, const Table& map) {
   std::vector<Estimate> reflected;
-  for (std::size_t i = 0; i < map.rows.size(); ++i)
-    if (map.numbers("ratio")[i] >= 1.6)
-      reflected.emplace_back(map.numbers("net_reflected")[i],
-                             map.numbers("net_reflected_error")[i]);
+  const auto ratio = map.numbers("ratio"), share = map.numbers("net_reflected"),
+             error = map.numbers("net_reflected_error");
+  for (std::size_t i = 0; i < ratio.size(); ++i)
+    if (ratio[i] >= 1.6) reflected.push_back({share[i], error[i]});
   const std::vector<double> radii =
       report.quick ? std::vector{2.5, 5.0} : std::vector{2.1, 2.2, 2.3, 2.4, 2.5, 3.0, 4.0, 5.0};
   std::vector<Fractions> large(radii.size());
