@@ -599,8 +599,8 @@ void reproduce(Report& report) {
 ## Differences and limits
 
 The article prints neither the stretch of its speed nor a threshold for the duration, which are read in its favour,
-and gives no energies for its reflections; our definitions are given where they are used. Replacing a beam with beads by a point mass costs a tenth of a per cent of its
-frequency; twisting of the beams, their higher modes and dissipation in the contacts are left out.
+and gives no energies for its reflections; our definitions are given where they are used. Replacing a beam with beads
+by a point mass costs a tenth of a per cent of its frequency; twisting of the beams, their higher modes and dissipation in the contacts are left out.
 
 The article sees a small part of the energy loosely trapped at 1.6 radii. At 75 ms the nine sites up to the defect
 hold [0.00389406](num:cantilever.trapped) of the energy, against

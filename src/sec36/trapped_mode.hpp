@@ -31,8 +31,8 @@ left its wake. The facts also have what is left of it at 100 ms, and the push of
 Another question is whether a defect can hold energy firmly. For that we ask three things (`trapped_at`
 of scattering.hpp): 95 per cent of the energy around the defect remain from 75 to 100 ms; it exceeds the wake
 in the same place; and its density is largest at the defect or beside it. Beads of 0.925 and 0.8 radii show all
-three, those of 1.6 radii none. A light defect oscillates faster than its neighbours: a family of breathers begins at its
-linear frequency, and the packet leaves energy in one of them (defect_mode.hpp).
+three, those of 1.6 radii none. A light defect oscillates faster than its neighbours: a family of breathers begins at
+its linear frequency, and the packet leaves energy in one of them (defect_mode.hpp).
 
 ![Energy around the defect against time, and the mode in which it is trapped.](fig:x10)
 
