@@ -55,7 +55,11 @@ for keep, mark, colour, name in ((sure & positive, "o", BLUE, "plus larger"),
            mew=0.8, color=colour, label=name)
 d.set(xlabel=r"exponent $\alpha$ of the contacts", ylim=(-16.6, 1),
       ylabel=r"$\log_{10}|Q_+/Q_- - 1|$")
-d.legend(loc="lower right", fontsize=7, bbox_to_anchor=(1, 0.2))
+d.set_xscale("function", functions=(lambda x: np.log(np.maximum(x, 1.01) - 1),
+                                    lambda x: np.exp(x) + 1))
+d.set_xticks([1.2, 1.3, 1.5, 2, 3, 4, 6, 8], ["1.2", "1.3", "1.5", "2", "3", "4", "6", "8"])
+d.set_xlim(1.18, 8.6)
+d.legend(loc="lower right", fontsize=7)
 for axes, name in zip((a, b, c, d), "abcd"):
     draw.letter(axes, name, x=0.97 if axes is c else 0.03)
 draw.save(figure, out)

@@ -30,8 +30,14 @@ Vector<double> Ascent::wave(const PowerContact& law) const {
   return std::pow(quotient(), -law.exponent / (law.exponent - 1)) * image;
 }
 
+bool Ascent::rests(double gain, std::size_t over) const {
+  if (quotients.size() <= over) return false;
+  const double grown = quotient() - quotients[quotients.size() - 1 - over];
+  return grown < gain * double(over) * quotient();
+}
+
 Ascent ascend(const Convolution& convolve, const Vector<double>& weight, const PowerContact& law,
-              Vector<double> u, double gain, std::size_t most) {
+              Vector<double> u, double gain, std::size_t most, std::size_t over) {
   Vector<double> f = normalized(law, weight, u);
   Ascent course{u, convolve(f), {}};
   course.quotients.push_back(weight.dot(f.cwiseProduct(course.image)));
@@ -49,7 +55,7 @@ Ascent ascend(const Convolution& convolve, const Vector<double>& weight, const P
     mu *= 0.8;
     course.u = trial, course.image = image;
     course.quotients.push_back(quotient);
-    if (grown < gain * quotient) break;
+    if (course.rests(gain, over)) break;
   }
   return course;
 }

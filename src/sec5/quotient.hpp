@@ -31,14 +31,16 @@ struct Ascent {
 
   /// The last and largest.
   double quotient() const { return quotients.back(); }
+  /// Whether the last `over` steps gained less than `gain` of the quotient each, on average.
+  bool rests(double gain, std::size_t over) const;
   /// The compression d = K * f of the wave whose force is a multiple of u^alpha.
   Vector<double> wave(const PowerContact& law) const;
 };
 
-/// Goes up from `u` until a step gains less than `gain` of the quotient, or `most` steps are taken. A
-/// start whose quotient is not positive is allowed, since only the growth counts.
+/// Goes up from `u` until the ascent rests, or `most` steps are tried. A start whose quotient is not
+/// positive is allowed, since only the growth counts.
 Ascent ascend(const Convolution& convolve, const Vector<double>& weight, const PowerContact& law,
-              Vector<double> u, double gain, std::size_t most);
+              Vector<double> u, double gain, std::size_t most, std::size_t over = 1);
 
 /**
 Random starts have no symmetry, so they live on a plain grid of the whole line, the interval of `shifts`
