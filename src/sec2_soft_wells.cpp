@@ -227,9 +227,12 @@ The width grows with a power of $\kappa$ that tends to [-0.4999](num:sec2_soft_w
 central mean force to [0.0759926](num:sec2_soft_wells.central_limit), where the rule of equal areas demands
 [0.0759928](num:sec2_soft_wells.central_theory): the two agree within the error. Hence there is no sign that
 the breather is lost at a positive stiffness. That is seen on thirteen breathers between $\kappa = 1/2$ and
-$1/128$ and on the limit to which they tend; it is not proved for the stiffnesses in between and below. In the
-limit the breather becomes a motion of the free chain, with the same mean force at every contact, as the
-theorem demands, and it is no longer localized. The article claims nothing about soft wells, so the
+$1/128$ and on the limit to which they tend; it is not proved for the stiffnesses in between and below. The amplitude
+does not stay finite, however: from the first of them to the last it grows by the factor
+[](num:sec2_soft_wells.amplitude_growth). By $\kappa\,\bar y_n = \bar F_{n-1}-\bar F_n$ the mean displacements grow
+like $\kappa^{-1/2}$, while the swing of neighbours against each other tends to a limit. In this limit the breather
+becomes a motion of the free chain, with the same mean force at every contact, as the theorem demands, and it is
+no longer localized. The article claims nothing about soft wells, so the
 results are facts. */
 void reproduce(Report& report) {
   // The same branch on chains of two lengths
@@ -272,6 +275,8 @@ void reproduce(Report& report) {
   report.facts.add("central_limit", compare(central_limit(shorter), central_limit(longer)));
   report.facts.add("central_theory", compare(central_force(1e-9), central_force(1e-12)));
   report.facts.add("softest", exact(last.kappa));
+  report.facts.add("amplitude_growth", compare(short_last.amplitude / shorter.front().amplitude,
+                                               last.amplitude / longer.front().amplitude));
   report.facts.add("softest_width", compare(short_last.width, last.width), "site");
   report.facts.add("softest_central", compare(short_last.central, last.central));
 

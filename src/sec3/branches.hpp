@@ -8,6 +8,7 @@ at rest and that some quantities grow along it; in soft wells it turns back. */
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "lattice/numbers/criterion.hpp"
@@ -42,6 +43,48 @@ inline double growth_exponent(const Orbit<double>& lower, const Orbit<double>& u
 /// The exponent of the amplitude in omega_b - 1 is the two of Eq. (20).
 inline Condition begins_at_rest(const Estimate& exponent) {
   return below("exponent_off", {std::abs(exponent.value - 2), exponent.error}, 0.05);
+}
+
+/**
+A curve that crosses zero again and again does not increase from point to point, but it may do so as a whole. Then
+its *arches*, the pieces between two changes of sign, become higher and higher, and it ends at its highest point.
+An arch is as high as the largest of its values; a curve of one arch has to increase from point to point. */
+inline Criterion increasing_on_the_whole(const std::vector<Estimate>& values) {
+  std::vector<Estimate> heights;
+  Estimate before{};
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const Estimate size{std::abs(values[k].value), values[k].error};
+    const bool same_arch = k > 0 && values[k].value * values[k - 1].value > 0;
+    if (same_arch)
+      heights.back() = larger(heights.back(), size);
+    else
+      heights.push_back(size);
+    if (k + 1 < values.size()) before = larger(before, size);
+  }
+  if (heights.size() < 2) return increasing(values);
+  const Estimate end{std::abs(values.back().value), values.back().error};
+  Criterion out = named("arches", increasing(heights));
+  out.push_back(above("end_over_highest_before", quotient(end, before), 1));
+  return out;
+}
+
+/**
+One curve is smaller than another as a whole if the mean of its modulus is. The mean of every second value tells how
+well it is known. */
+inline Estimate mean_size(const std::vector<Estimate>& values) {
+  const auto mean = [&](std::size_t step) {
+    Estimate sum{};
+    double count = 0;
+    for (std::size_t k = 0; k < values.size(); k += step, ++count)
+      sum = {sum.value + std::abs(values[k].value), sum.error + values[k].error};
+    return Estimate{sum.value / count, sum.error / count};
+  };
+  return compare(mean(2), mean(1));
+}
+
+inline Condition smaller_on_the_whole(const std::string& name, const std::vector<Estimate>& curve,
+                                      const std::vector<Estimate>& other) {
+  return below(name, quotient(mean_size(curve), mean_size(other)), 1);
 }
 
 /**
