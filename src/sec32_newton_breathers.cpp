@@ -127,13 +127,12 @@ full map a residual of [1e-14](num:sec32_newton_breathers.full_residual) still d
 [4e-14](num:newton.residual) (printed: $1.5\cdot10^{-9}$) and the last variation
 [7e-14](num:newton.variation) (printed: $1.7\cdot10^{-11}$).
 
-So both printed numbers are met by another algorithm than the article's. Its own, Gauss-Newton on the full map, leaves a
-residual of [](num:sec32_newton_breathers.full_residual_5) after five steps, of which the last is
+So both printed numbers are met by another algorithm than the article's. Its own, Gauss-Newton on the full map, leaves
+a residual of [](num:sec32_newton_breathers.full_residual_5) after five steps, of which the last is
 [](num:sec32_newton_breathers.full_step_5): the residual is met, the variation is not. Least squares that leave the
-pinning mode alone stop at
-[2.1e-9](num:sec33_article_integrator.residual_flow) with steps of
-[5e-15](num:sec33_article_integrator.variation_flow) (sec33_article_integrator.cpp). The printed pair, a residual that is
-large beside the variation, is of this last kind. */
+pinning mode alone stop at [2.1e-9](num:sec33_article_integrator.residual_flow) with steps of
+[5e-15](num:sec33_article_integrator.variation_flow) (sec33_article_integrator.cpp). The printed pair, a residual that
+is large beside the variation, is of this last kind. */
 void report_convergence(Report& report) {
   // The symmetric equations at two tolerances
   const auto problem = problem_of(Centre::site, omega_b);

@@ -180,15 +180,15 @@ std::vector<Seen> report_multipliers(Report& report, const Chart& site, const Ch
 ## Two lines through the plane
 
 The article has "computed the Floquet spectrum for different values" of $\omega_b\in(1,2]$ and $s\in[-1,1]$, without
-saying which. It cannot mean every pair of values, since the families of soft wells end before $\omega_b=2$. It describes
-two continuations with these two ranges: in $\omega_b$ through the linear well, and in $s$ at $\omega_b=1.1$, of which it
-shows the multipliers. So we judge the statement on these two lines. Near $+1$ means within 0.01 and at least ten times as
-near as the fifth multiplier; its own distance cannot be prescribed, because for $\omega_b \to 1$ the point of
-accumulation itself comes near. All others may leave the circle by $10^{-3}$ at most, the size that the article
-neglects. And ten more sites must add twenty multipliers at the point of accumulation, within $10^{-4}$ in $\kappa$,
-because the first of the new beads still touch the old ends; this is asked at every thirteenth frequency of the linear
-well and in three wells at $1.1$. These bounds are ours, and the nodes that decide are computed once more, with two
-tolerances. */
+saying which. It cannot mean every pair of values, since the families of soft wells end before $\omega_b=2$. It
+describes two continuations with these two ranges: in $\omega_b$ through the linear well, and in $s$ at
+$\omega_b=1.1$, of which it shows the multipliers. So we judge the statement on these two lines. Near $+1$ means
+within 0.01 and at least ten times as near as the fifth multiplier; its own distance cannot be prescribed, because for
+$\omega_b \to 1$ the point of accumulation itself comes near. All others may leave the circle by $10^{-3}$ at most,
+the size that the article neglects. And ten more sites must add twenty multipliers at the point of accumulation,
+within $10^{-4}$ in $\kappa$, because the first of the new beads still touch the old ends; this is asked at every
+thirteenth frequency of the linear well and in three wells at $1.1$. These bounds are ours, and the nodes that decide
+are computed once more, with two tolerances. */
 int added_at_edge(const Seen& at) {
   // The same breather on a longer chain, with beads at rest beyond the old ends
   const auto& [centre, node] = at;
@@ -235,8 +235,8 @@ struct Worst {
 
 /**
 On the two lines the statement is true: the fourth multiplier is no farther from $+1$ than
-[](num:sec33_between.spectrum_fourth). The second statement is one of section 5, about the instabilities that section 3.3
-identified. Those are the ones at $\omega_b=1.1$, and there no modulus exceeds one by more than
+[](num:sec33_between.spectrum_fourth). The second statement is one of section 5, about the instabilities that section
+3.3 identified. Those are the ones at $\omega_b=1.1$, and there no modulus exceeds one by more than
 [](num:sec33_between.instability_size_largest). An earlier criterion judged both statements in the whole plane, which
 held against the article what lies outside of its figures. Through the linear well the largest excess is
 [0.000525970](num:sec33_between.largest_in_linear_wells). */
@@ -266,16 +266,16 @@ int judge_lines(Report& report, const std::vector<Seen>& seen, const std::vector
 /**
 ## Over the whole plane
 
-What happens elsewhere is a finding of ours. In hard wells the pinning pair leaves the neighbourhood of $+1$, along the
-axis around a bond and along the circle around a site: from $\omega_b =$ [1.44](num:sec33_between.far_from_bond) on there
-are wells in which the fourth multiplier is farther away than 0.01, at [398](num:sec33_between.far_bond) of
+What happens elsewhere is a finding of ours. In hard wells the pinning pair leaves the neighbourhood of $+1$, along
+the axis around a bond and along the circle around a site: from $\omega_b =$ [1.44](num:sec33_between.far_from_bond)
+on there are wells in which the fourth multiplier is farther away than 0.01, at [398](num:sec33_between.far_bond) of
 [1719](num:sec33_between.chart_nodes_bond) nodes around a bond and at [397](num:sec33_between.far_site) of
-[1730](num:sec33_between.chart_nodes_site) around a site, and from [](num:sec33_between.farther_from_bond) on farther than
-0.1, at [](num:sec33_between.farther_bond) and [](num:sec33_between.farther_site) nodes. Moduli exceed one by more than
-$10^{-3}$ at [823](num:sec33_between.large_bond) nodes around a bond, from $\omega_b =$
+[1730](num:sec33_between.chart_nodes_site) around a site, and from [](num:sec33_between.farther_from_bond) on farther
+than 0.1, at [](num:sec33_between.farther_bond) and [](num:sec33_between.farther_site) nodes. Moduli exceed one by
+more than $10^{-3}$ at [823](num:sec33_between.large_bond) nodes around a bond, from $\omega_b =$
 [1.15](num:sec33_between.large_from_bond) on, and at [94](num:sec33_between.large_site) around a site, from
-[1.16](num:sec33_between.large_from_site) on, and by [](num:sec33_between.range_largest) at most, at $\omega_b = 2$ and
-$s = 1$. Next to the end of the families in soft wells multipliers beside the four leave the circle too, by up to
+[1.16](num:sec33_between.large_from_site) on, and by [](num:sec33_between.range_largest) at most, at $\omega_b = 2$
+and $s = 1$. Next to the end of the families in soft wells multipliers beside the four leave the circle too, by up to
 [](num:sec33_between.range_others). They accumulate at the same point everywhere. At all but
 [2](num:sec33_between.chart_same_sign) nodes the pinning pair makes one of the two breathers stable and the other one
 unstable. */
