@@ -1,13 +1,13 @@
 """Figure x30: numbers of the article, computed with five methods and fixed steps."""
 
 import matplotlib.pyplot as plt
-import numpy as np
 
 import draw
 
 data, out = draw.arguments()
 folder = f"{data}/sec33_article_integrator"
 settings = draw.records(f"{folder}/settings.ecsv")
+kicks = draw.records(f"{folder}/thresholds.ecsv")
 dps = draw.records(f"{folder}/dps_steps.ecsv")
 looks = {"verlet": ("#888888", "v", ":", "Verlet"),
          "runge-kutta-4": ("#0072B2", "o", "-", "Runge–Kutta 4"),
@@ -51,15 +51,15 @@ c.set(ylabel="multipliers off $+1$")
 # A threshold is between two kicks, or known to be below or above one
 for shift, method in enumerate(methods):
     color, mark, _, _ = looks[method]
-    for row in settings:
-        low, high = 1e6 * float(row["threshold_above"]), 1e6 * float(row["threshold_below"])
-        if row["method"] != method or (low == 0 and np.isnan(high)):
+    for row in kicks:
+        if row["method"] != method:
             continue
+        low, high = 1e6 * float(row["pinned_at"]), 1e6 * float(row["freed_at"])
         x = float(row["steps"]) * (1 + 0.012 * (shift - 2))
-        if low > 0 and high > 0:
+        if row["outcome"] == "between":
             d.plot([x, x], [low, high], "-", color=color, lw=2.5)
             d.plot(x, (low + high) / 2, mark, color=color, ms=4, mfc="white", mew=0.8)
-        elif low > 0:
+        elif row["outcome"] == "above":
             beyond(d, x, low, 0.2, method)
         else:
             beyond(d, x, high, -0.2, method)

@@ -217,3 +217,17 @@ TEST_CASE(
   CHECK(frees(map, start, 4e-4, 2000));
   CHECK_FALSE(frees(map, start, 1e-6, 2000));
 }
+
+TEST_CASE("two sites away for one horizon is no jump if the breather travels on", "[unit]") {
+  const auto path = [](const std::vector<double>& X) {
+    Creep out;
+    for (std::size_t k = 0; k < X.size(); ++k) out.t.push_back(double(k)), out.X.push_back(X[k]);
+    return out;
+  };
+  CHECK(stays_away(path({0, -1, -2, -1.8, -2.1, -2}), 2, 2));
+  CHECK_FALSE(stays_away(path({0, 0.7, 1.4, 2, 2.6}), 2, 3));    // at constant speed
+  CHECK_FALSE(stays_away(path({0, 1, 1.9, 1.9, 1.2}), 2, 2));    // comes back
+  CHECK_FALSE(stays_away(path({0, 0.9, 0.9, 0.9, 0.9}), 2, 2));  // one site only
+  CHECK_FALSE(stays_away(path({0, 2, 2}), 2, 4));                // not followed so far
+  CHECK_FALSE(stays_away({}, 2, 0));
+}

@@ -195,6 +195,13 @@ Creep path_of(const FixedStep& map, State<double> state, std::size_t periods, st
   return path;
 }
 
+bool stays_away(const Creep& path, double sites, double since) {
+  if (path.t.empty() || path.t.back() < since) return false;
+  for (std::size_t k = 0; k < path.t.size(); ++k)
+    if (path.t[k] >= since && !(std::abs(std::abs(path.moved(k)) - sites) <= 0.5)) return false;
+  return true;
+}
+
 bool frees(const FixedStep& map, const State<double>& start, double c, std::size_t periods) {
   const Creep path = path_of(map, kicked(start, c), periods, 16, [](const Creep& so_far) {
     return mobility_of(so_far) != Mobility::undecided;

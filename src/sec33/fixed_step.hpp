@@ -82,6 +82,10 @@ it gets well beyond the next site before it turns round (depinning.hpp). */
 Creep path_of(const FixedStep& map, State<double> state, std::size_t periods, std::size_t every,
               const std::function<bool(const Creep&)>& stop);
 
+/// Whether the centre is `sites` from its start, by half a site more or less, at every look from the time
+/// `since` on; false for a path that does not lead so far.
+bool stays_away(const Creep& path, double sites, double since);
+
 /// Whether the breather at rest in `start` gets free within `periods` after a kick of size `c`.
 bool frees(const FixedStep& map, const State<double>& start, double c, std::size_t periods);
 
