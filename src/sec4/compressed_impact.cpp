@@ -43,12 +43,25 @@ Criterion tail_on_both_sides(const Snapshot& coarse, const Snapshot& fine) {
   return {above("behind", on(-1), 0.01), above("ahead", on(1), 0.01)};
 }
 
-// The envelope around the packet's centre and the sech that fits it best
-Snapshot snapshot(const Chain& chain, const State<double>& state) {
-  const double centre = packet_sample(state.t, energy_density(chain, state)).centre;
+// The envelope about a site, and the sech that fits it best
+static Snapshot snapshot_about(double centre, const Chain& chain, const State<double>& state) {
   const Window range = around(std::size_t(centre) - 1, envelope_reach, chain.sites);
   Snapshot out{state, centre, envelope(chain, state, range), {}};
   out.sech = fit_sech(out.envelope.amplitude, range, 8);
+  return out;
+}
+
+// About the centre of energy, unless the envelope has its top elsewhere
+Snapshot snapshot(const Chain& chain, const State<double>& state) {
+  const double centre = packet_sample(state.t, energy_density(chain, state)).centre;
+  Snapshot out = snapshot_about(centre, chain, state);
+  const Window packet = around(std::size_t(centre) - 1, packet_reach, chain.sites);
+  const auto a = out.envelope.amplitude.begin();
+  const auto top =
+      std::max_element(a + std::ptrdiff_t(packet.first), a + std::ptrdiff_t(packet.last));
+  const double site = double(top - a) + 1;
+  if (std::abs(site - centre) > double(envelope_reach) / 2)
+    out = snapshot_about(site, chain, state);
   return out;
 }
 
@@ -83,6 +96,15 @@ CompressedRun strike_compressed(const Impact& impact, const std::vector<double>&
 Criterion lasting_breather(const Traits& coarse, const Traits& fine) {
   return {above("packet_exponent", fine.with(coarse, &Traits::share_exponent), -1.0 / 6),
           above("steadiness", fine.with(coarse, &Traits::steadiness), 0.5)};
+}
+
+Criterion sech_breather(const std::string& name, const CompressedRun& coarse,
+                        const CompressedRun& fine) {
+  Criterion all = named(name, lasting_breather(traits(coarse.samples), traits(fine.samples)));
+  for (std::size_t k = 0; k < fine.shown.size(); ++k)
+    append(all, named("sech_t_" + std::to_string(std::lround(fine.shown[k].state.t)),
+                      sech_like(coarse.shown[k], fine.shown[k])));
+  return all;
 }
 
 Criterion mere_train(const Traits& coarse, const Traits& fine) {

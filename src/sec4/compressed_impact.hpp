@@ -15,6 +15,7 @@ which the motion falls off super-exponentially. */
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include "lattice/numbers/criterion.hpp"
@@ -50,15 +51,21 @@ PacketSample packet_sample(double t, const std::vector<double>& e);
 Is it a soliton of the NLS equation, whose envelope is a sech (Eq. (38))? At a few times we keep the whole
 state, with the amplitudes of the velocity and the sech that fits them around the packet's centre.
 
+The 21 sites of the fit lie about the top of the envelope. The centre of energy is near it once the packet has formed.
+While it forms, at $t = 291$, the centre lies six sites behind, because waves on one side of the packet hold energy
+too; a window about it sees one flank of the packet and these waves, and the sech comes out too wide, by forty per
+cent, and misses by more. So where the top is not in the inner half of the window about the centre, the window moves
+there.
+
 We say that a sech explains the envelope if it deviates by less than a tenth of its height (root mean
 square over 21 sites), and if its top and its width lie within these sites. The front of a wave train has a
 crest too, and over 21 sites a broad enough sech fits anything smooth; so the share of the energy must decide
-first. */
+first (`sech_breather`). */
 struct Snapshot {
   State<double> state;
-  double centre;      ///< of the packet, in sites from one
+  double centre;      ///< of the window of the fit, in sites from one
   Envelope envelope;  ///< of the whole chain
-  Sech sech;          ///< fitted around the centre
+  Sech sech;          ///< fitted about the top of the envelope
 };
 
 /// From the snapshots of two runs: a sech explains the envelope.
@@ -120,6 +127,11 @@ struct Traits {
 
 /// From the traits of two runs: a breather, which keeps its energy and does not return.
 Criterion lasting_breather(const Traits& coarse, const Traits& fine);
+
+/// The breather of the hard wells: it lasts, and at each time that was shown a sech explains its envelope.
+/// What concerns the whole run is named after it.
+Criterion sech_breather(const std::string& name, const CompressedRun& coarse,
+                        const CompressedRun& fine);
 
 /// A wave train, which keeps energy neither in a packet nor at the boundary.
 Criterion mere_train(const Traits& coarse, const Traits& fine);

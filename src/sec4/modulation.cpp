@@ -1,5 +1,7 @@
 #include "sec4/modulation.hpp"
 
+#include <limits>
+
 #include "sec4/nls.hpp"
 
 namespace lattice {
@@ -28,6 +30,25 @@ Modulated modulate(const ModulatedPhonon& phonon, double time, double step) {
   return out;
 }
 
+// Averaged over five sites; from the top down to half of its height, on either side, between two sites
+double packet_width(const std::vector<double>& density) {
+  const std::size_t n = density.size();
+  std::vector<double> mean(n, 0.0);
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t k = 0; k < 5; ++k) mean[i] += density[(i + n + k - 2) % n] / 5;
+  const auto top = std::size_t(std::max_element(mean.begin(), mean.end()) - mean.begin());
+  const double half = mean[top] / 2;
+  double width = 0;
+  for (std::size_t step : {std::size_t(1), n - 1}) {
+    std::size_t k = 0, at = top;
+    for (; k < n && mean[at] > half; ++k) at = (at + step) % n;
+    if (k == n) return double(n);
+    const double inside = mean[(at + n - step) % n];
+    width += double(k) - (half - mean[at]) / (inside - mean[at]);
+  }
+  return std::min(width, double(n));
+}
+
 // The two richest windows on the ring that have no site in common
 RingSample ring_sample(const Chain& ring, const State<double>& state) {
   const std::vector<double> e = energy_density(ring, state);
@@ -42,7 +63,9 @@ RingSample ring_sample(const Chain& ring, const State<double>& state) {
     second = std::max(second, content[(first + k) % n]);
   const double peak = *std::max_element(e.begin(), e.end()) * double(n) / total(e);
   const double sharing = participation(e);
-  return {state.t, peak, sharing, second / content[first], peak > 5 && 2 * sharing < double(n)};
+  return {
+      state.t,        peak, sharing, second / content[first], peak > 5 && 2 * sharing < double(n),
+      packet_width(e)};
 }
 
 // Two steps side by side, as long as they give the same state
@@ -79,6 +102,14 @@ Estimate RingCourse::narrowest() const {
   return compare(at[0].participation, at[1].participation);
 }
 
+Estimate RingCourse::width() const {
+  Estimate least{std::numeric_limits<double>::infinity(), 0};
+  for (const auto& [coarse, fine] : samples)
+    if (fine.t >= gathered && fine.t <= 1.5 * gathered && fine.width < least.value)
+      least = compare(coarse.width, fine.width);
+  return least;
+}
+
 Estimate RingCourse::highest() const {
   const auto lower = [](const auto& a, const auto& b) {
     return a[1].peak_over_mean < b[1].peak_over_mean;
@@ -104,8 +135,12 @@ Formed formed(const Modulated& m) {
   const std::size_t sites = m.density.size();
   const double mean = total(m.density) / double(sites);
   const Line line = fit_line(m.t, m.centre);
-  return {*std::max_element(m.density.begin(), m.density.end()) / mean, participation(m.density),
-          line.slope, line.slope_error, sites};
+  return {*std::max_element(m.density.begin(), m.density.end()) / mean,
+          participation(m.density),
+          line.slope,
+          line.slope_error,
+          sites,
+          packet_width(m.density)};
 }
 
 Estimate ring_speed(const Formed& coarse, const Formed& fine) {
@@ -120,6 +155,13 @@ Criterion formed_breather(const Formed& coarse, const Formed& fine) {
           above("speed", ring_speed(coarse, fine), 0)};
 }
 
+// The same of the packet alone
+Criterion formed_packet(const Formed& coarse, const Formed& fine) {
+  return {above("peak_over_mean", compare(coarse.peak_over_mean, fine.peak_over_mean), 5),
+          below("packet_width", compare(coarse.width, fine.width), double(fine.sites) / 4),
+          above("speed", ring_speed(coarse, fine), 0)};
+}
+
 // The same measure of a peak, for a wave that has stayed uniform
 Criterion uniform_still(const Formed& coarse, const Formed& fine) {
   return {below("peak_over_mean", compare(coarse.peak_over_mean, fine.peak_over_mean), 5)};
@@ -128,27 +170,32 @@ Criterion uniform_still(const Formed& coarse, const Formed& fine) {
 // Compared at the same stage of the instability, from its own wavenumber in each well
 Criterion slower_and_wider(const RingCourse& linear, const RingCourse& soft,
                            const RingCourse& hard) {
-  const Estimate wider = larger(soft.narrowest(), hard.narrowest());
+  const Estimate wider = larger(soft.width(), hard.width());
   const Estimate later{linear.gathered, 50}, earlier{std::max(soft.gathered, hard.gathered), 50};
   return {above("gathers_later", quotient(later, earlier), 1),
-          above("sites_over_others", quotient(linear.narrowest(), wider), 1)};
+          above("width_over_others", quotient(linear.width(), wider), 1)};
 }
 
-// One pulse for a while, then two
-Criterion pulse_splits(const RingCourse& course) {
-  double since = std::nan(""), alone = 0, split = std::nan("");
+// One pulse on its way round the ring, then two, and in the end two that stand apart
+Criterion pulse_splits(const RingCourse& course, double round) {
+  double since = std::nan(""), alone = 0, split = std::nan(""), apart = std::nan("");
   for (const auto& [coarse, fine] : course.samples) {
-    if (!(fine.t >= course.gathered) || !std::isnan(split)) continue;
+    if (!(fine.t >= course.gathered)) continue;
     const bool one = coarse.second < 0.5 && fine.second < 0.5;
     const bool two = coarse.second >= 0.5 && fine.second >= 0.5;
-    if (one && std::isnan(since)) since = fine.t;
-    if (one) alone = std::max(alone, fine.t - since);
-    if (two && alone >= 1000) split = fine.t;
-    if (two) since = std::nan("");
+    if (std::isnan(split)) {
+      if (one && std::isnan(since)) since = fine.t;
+      if (one) alone = std::max(alone, fine.t - since);
+      if (two && alone >= round) split = fine.t;
+      if (two) since = std::nan("");
+    }
+    if (!std::isnan(split) && std::isnan(apart) && two && coarse.gathered && fine.gathered)
+      apart = fine.t;
   }
   const double interval = 50, last = course.samples.back()[1].t;
-  return {above("one_pulse_for", {alone, interval}, 1000),
-          below("splits_at", {std::isnan(split) ? 2 * last : split, interval}, last)};
+  const auto at = [&](double t) { return Estimate{std::isnan(t) ? 2 * last : t, interval}; };
+  return {above("one_pulse_for", {alone, interval}, round), below("splits_at", at(split), last),
+          below("apart_at", at(apart), last)};
 }
 
 }  // namespace lattice

@@ -31,6 +31,8 @@ struct ModulatedPhonon {
 
   /// The ring.
   Chain ring() const { return {sites, Quartic{s}, CompressedHertz{d}, Ends::periodic}; }
+  /// How long a packet with the phonon's group velocity needs to go round the ring.
+  double round() const { return double(sites) / phonon(q, contact_series(d).v1).group_velocity; }
   /// Its state at t = 0, Eq. (39).
   State<double> start() const {
     const double pi = std::numbers::pi, omega = phonon(q, contact_series(d).v1).omega;
@@ -67,13 +69,22 @@ merely statistical. The time at which they part is known to within one interval;
 
 A packet shows in a few numbers. How many times the mean is the largest energy density, and how many sites
 share the energy? The energy has *gathered* when the first is more than five and the second less than half of
-the ring. And is there one packet or are there two: how much energy has the richest window of 21 sites, and
-how much the richest one beside it? */
+the ring. How wide is the packet itself? And is there one packet or are there two: how much energy has the
+richest window of 21 sites, and how much the richest one beside it? */
 struct RingSample {
   double t, peak_over_mean, participation;
   double second;  ///< energy of the second window over that of the first
   bool gathered;
+  double width = 0;  ///< of the packet at half height
 };
+
+/**
+The number of sites that share the energy of the *ring* does not measure the packet: it counts the background too, and
+a narrow packet on a background has a larger one than a wide packet without. So we take the width of the highest hump
+at half its height, of the energy density averaged over five neighbours, because within half a wavelength the carrier
+makes it oscillate. */
+/// That width, in sites; all of them if the density does not fall to half of its height.
+double packet_width(const std::vector<double>& density);
 
 /// What is seen of a ring at one instant.
 RingSample ring_sample(const Chain& ring, const State<double>& state);
@@ -87,6 +98,8 @@ struct RingCourse {
 
   /// The least number of sites that share the energy.
   Estimate narrowest() const;
+  /// The least width of the packet, up to half as long again as it took the energy to gather.
+  Estimate width() const;
   /// The largest density over the mean.
   Estimate highest() const;
 };
@@ -100,16 +113,17 @@ RingCourse ring_course(const ModulatedPhonon& phonon, double longest,
 std::vector<double> unstable_band(const ModulatedPhonon& phonon, std::size_t every);
 
 /**
-Two statements of section 4.2 are decided from such courses. In linear wells the instability is slower and
-its breather less localized than in the others if the energy takes longer to gather, and if more sites share
-it where it is narrowest. The pulse splits if the second window, after it has held less than half of the first for
-a thousand units of time, holds half of it or more in both runs while these agree. */
+Two statements of section 4.2 are decided from such courses. In linear wells the instability is slower and its
+breather less localized than in the others if the energy takes longer to gather, and if the packet is wider where it
+is narrowest. The pulse splits if, in both runs and while these agree, the second window holds half of the first or
+more after the pulse has gone round the ring once as one, with the group velocity $c$ of its phonon. This alone could
+be a pulse that spreads; so later the energy is to be gathered and shared in the same way. */
 /// From the courses in linear wells and in two others.
 Criterion slower_and_wider(const RingCourse& linear, const RingCourse& soft,
                            const RingCourse& hard);
 
-/// From the course in soft wells.
-Criterion pulse_splits(const RingCourse& course);
+/// From the course in soft wells, with the time that a pulse needs to go round the ring.
+Criterion pulse_splits(const RingCourse& course, double round);
 
 /**
 What has become of the wave is judged by a few numbers: the largest energy density over the mean, how many
@@ -117,6 +131,7 @@ sites share the energy, and the speed of the centre with the error of its fit. *
 struct Formed {
   double peak_over_mean, participation, speed, speed_error;
   std::size_t sites;  ///< of the ring
+  double width;       ///< of the packet at half height
 };
 
 /// The numbers by which a run is judged.
@@ -132,6 +147,9 @@ if the centre moves to the right at a speed larger than its error. Where no dens
 mean, the wave has stayed uniform. */
 /// From runs with two steps.
 Criterion formed_breather(const Formed& coarse, const Formed& fine);
+
+/// The same with the packet's own width, below a quarter of the ring, in the place of the share of sites.
+Criterion formed_packet(const Formed& coarse, const Formed& fine);
 
 /// From runs with two steps: no breather has formed.
 Criterion uniform_still(const Formed& coarse, const Formed& fine);

@@ -153,7 +153,6 @@ inline void report_impacts(Report& report) {
   }
 
   // The breather's envelope at three times, and the crests of the wave trains
-  Criterion pulse;
   for (const Experiment& e : all)
     for (std::size_t k = 0; k < e.times.size(); ++k) {
       const Snapshot &coarse = e.coarse.shown[k], &fine = e.fine.shown[k];
@@ -163,7 +162,6 @@ inline void report_impacts(Report& report) {
       };
       if (e.s != 1) add("front_width_" + e.name, &Sech::width, "site");
       if (e.s != 1) continue;
-      append(pulse, named("sech" + at, sech_like(coarse, fine)));
       add("breather_centre" + at, &Sech::centre, "site");
       add("breather_width" + at, &Sech::width, "site");
       add("breather_height" + at, &Sech::height);
@@ -173,8 +171,8 @@ inline void report_impacts(Report& report) {
   // The verdicts, with the controls
   Criterion controls = all[3].judged(returning_packet);
   append(controls, all[4].judged(lasting_surface_mode));
-  Criterion made = all[0].judged(lasting_breather), trains = all[1].judged(mere_train);
-  append(made, pulse);
+  Criterion made = sech_breather(all[0].name, all[0].coarse, all[0].fine);
+  Criterion trains = all[1].judged(mere_train);
   append(made, controls);
   append(trains, all[2].judged(mere_train));
   append(trains, controls);
