@@ -8,9 +8,33 @@
 
 #include "check.hpp"
 #include "lattice/dps/impact.hpp"
+#include "lattice/landing/landing.hpp"
 #include "lattice/packets/impact.hpp"
+#include "sec3/dps_error.hpp"
+#include "sec3/travelling_wave.hpp"
 
 using namespace lattice;
+
+namespace {
+
+/// A well whose frequency at rest is not one.
+struct Stiff {
+  static constexpr const char* name = "stiff";
+  template <class T>
+  T energy(T y) const {
+    return T(0.501) * y * y;
+  }
+  template <class T>
+  T force(T y) const {
+    return T(-1.002) * y;
+  }
+  template <class T>
+  T stiffness(T) const {
+    return T(1.002);
+  }
+};
+
+}  // namespace
 
 TEST_CASE("tau_0 is the first harmonic of the contact force", "[unit][dps]") {
   // The force (2 a cos t)_+^{3/2} has the first Fourier coefficient c a^{3/2}, c = 1 / (2 tau_0) * 2.
@@ -70,6 +94,37 @@ TEST_CASE("the approximation approaches the chain as eps goes to zero", "[proper
   const double coarse = relative_error(1e-4), fine = relative_error(1e-6);
   CHECK(coarse < 0.1);
   check_close(coarse / fine, 10, 4);
+}
+
+TEST_CASE("the order 3/2 needs a well of frequency one and the right tau_0", "[property][dps]") {
+  const auto stays = [](const Compared& both) {
+    const auto error = [&](double eps) { return refined_deviations(both, eps, {1}).front(); };
+    return holds(order_stays({order_between(1e-4, error(1e-4), 1e-5, error(1e-5))}));
+  };
+  const Field start = dps_impact(12);
+  CHECK(stays({start}));
+  CHECK(stays({start, Quartic{-1}}));
+  CHECK_FALSE(stays({start, Stiff{}}));
+  for (const double wrong : {1.5, 1.6}) CHECK_FALSE(stays({start, Harmonic{}, 1 / (2 * wrong)}));
+  CHECK_FALSE(holds(order_stays({})));
+  CHECK_FALSE(holds(order_stays({{1.5, 0}, {1.4, 0}})));
+}
+
+TEST_CASE("a travelling wave comes back, its ansatz does not", "[property][dps]") {
+  for (const std::size_t beads : {2U, 3U, 4U}) {
+    TravellingWave wave(beads, 1e-3);
+    const auto misses = [&] {
+      Chain ring{12};
+      ring.ends = Ends::periodic;
+      const State<double> start = wave.on_ring(12);
+      State<double> end = start;
+      flow(ring, end, 2 * std::numbers::pi / wave.omega);
+      return largest_difference(start, end) / wave.eps;
+    };
+    CHECK(misses() < 1e-5);
+    std::fill(wave.b.begin() + 1, wave.b.end(), 0.0);
+    CHECK(misses() > 1e-4);
+  }
 }
 
 TEST_CASE("a fixed end takes part, a free one does not", "[unit][dps]") {
