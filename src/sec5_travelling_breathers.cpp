@@ -59,7 +59,8 @@ amplitude $|\int e^{it}(f_{n-1}-f_n)\,dt|$, where $f_n$ is the force in the cont
 these pulses repeat themselves after $T$ from contact to contact, the amplitude is
 $$|1-e^{-iT}|\,|g(1)|,\qquad g(1) = \int e^{it}f_0(t)\,dt.$$
 It vanishes in just these two cases, because the pulse that has passed a contact is all that has
-changed the sum over the beads beyond it, and so $|g(1)| = |Z|$.
+changed the sum over the beads beyond it, and so $|g(1)| = |Z|$. Pulses of a packet that sheds repeat themselves only
+nearly, so that for it this is an order of magnitude (chapter on families).
 
 This chapter finds orbits of type I, starting from a packet cut out of an impact (travelling.hpp).
 Each is computed in double precision and again in a wider type, which gives its errors. */
@@ -85,6 +86,14 @@ Exact confirmed(std::size_t k, int sign, const Orbit<double>& orbit) {
           polish(type_one<long double>(k, orbit.start.y.size() / 2 - 1), orbit, rule)};
 }
 
+/**
+Could an orbit come back with the opposite sign after one site, $y_n(t+T) = -y_{n-1}(t)$? No localized one in wells
+with $W'(-y) = -W'(y)$. With $d_n = y_n-y_{n+1}$ the contact $n$ pushes with $(d_n)_+^{3/2}$ at $t$, and at $t+T$,
+where its compression is $-d_{n-1}(t)$, with $(-d_{n-1})_+^{3/2}$: it is closed when the one before was open. So the
+sum of Newton's law for the bead $n$ at $t+T$ and for the bead $n-1$ at $t$, whose left sides cancel, is
+$$0 = (-d_{n-2})_+^{3/2}-(-d_{n-1})_+^{3/2}+(d_{n-2})_+^{3/2}-(d_{n-1})_+^{3/2} = |d_{n-2}|^{3/2}-|d_{n-1}|^{3/2}$$
+at every $t$. At each instant all $|d_n|$ are equal; if the orbit is localized they vanish, and so does the orbit. In
+other wells $W'(y_{n-1})+W'(-y_{n-1})$ takes the place of zero, and nothing is excluded. */
 /// The orbits of type I with the given k, in ascending order, of one sign.
 std::vector<Exact> type_one_orbits(int sign, const std::vector<std::size_t>& ks) {
   std::vector<Exact> found;
@@ -347,9 +356,8 @@ void reproduce(Report& report) {
 
 `sec5_travelling_breathers orbit` computes one orbit of your choice, also in other wells (one_orbit.hpp).
 
-Orbits that repeat themselves only after $m > 1$ sites, or with the opposite sign after each shift, or never,
-were not looked for. For a shift by $m$ sites the sum $Z$ still demands $T = 2\pi k$, and the speeds
-$m/2\pi k$ are dense: so it is not this identity alone that isolates speeds. But it settles only one of the $m$
+Orbits that repeat themselves only after $m > 1$ sites, or never, were not looked for. For a shift by $m$
+sites the sum $Z$ still demands $T = 2\pi k$, and the speeds $m/2\pi k$ are dense: so it is not this identity alone that isolates speeds. But it settles only one of the $m$
 complex amplitudes that such an orbit may leave behind on $m$ successive beads, so that $m - 1$ conditions
 remain without an unknown to meet them. We therefore expect such orbits only at particular $s$ or exponents.
 

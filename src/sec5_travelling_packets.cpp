@@ -520,18 +520,21 @@ void reproduce(Report& report) {
 /**
 ## What is proved, what is computed, what is conjectured
 
-*Proved*: in the linear well an exact travelling breather has $T = 2\pi k$ or $Z = 0$; pulses that repeat
-themselves leave behind the amplitude $|1-e^{-iT}|\,|g(1)|$; the last equation of a family is
-$V\sin(T/2) = 0$.
+*Proved*: in the linear well an exact travelling breather has $T = 2\pi k$ or $Z = 0$; pulses *that repeat
+themselves exactly* leave behind the amplitude $|1-e^{-iT}|\,|g(1)|$, which those of a packet only nearly do;
+the last equation of a family is $V\sin(T/2) = 0$; no localized orbit repeats itself with the opposite sign
+after one site. There is an orbit of type I for every $k$ (chapter on the kernel equation), and for $k = 1$ there
+are two (chapter on enclosures).
 
 *Computed*: the orbits of type I, two for each $k$ that was tried, and those of type II, to the residuals
 stated; their folds in $s$; the multipliers; the limit of small amplitude. A computation to seventeen
-digits is no proof that an orbit exists. But a proof by interval arithmetic would start from just this: a
-regular solution of as many equations as unknowns. Another proof, in the chapter on the kernel equation,
-gives at least one orbit of type I for every $k$.
+digits is no proof that an orbit exists: those of type II, and all in other wells, are computed only.
 
-*Conjectured*: that there are two for every $k$; that what holds the phase decreases with $k$ faster than
-any power of $1/k$. How the tail of a packet falls in the end remains open. */
+*Conjectured*: that there are two for every $k \ge 2$; that what holds the phase decreases with $k$ faster than
+any power of $1/k$.
+
+*Open*: how the tail of a packet falls in the end; whether there are orbits that repeat themselves only after several
+sites; a proof for type II. */
 int main(int argc, char** argv) {
   return run({"sec5_travelling_packets", "5", "What becomes of a packet (section 5)", reproduce},
              argc, argv);
@@ -545,7 +548,7 @@ linear wells those that repeat themselves from site to site have, as far as we f
 which the rotation of $\sum(y_n+i\dot y_n)$ allows them: multiples of the bead's period, and times at which the sum
 vanishes. Newton's method reaches them from the packets that the article describes. At small amplitude they tend to
 a travelling breather of the DpS equation; in hard wells the fast ones disappear in folds, in soft wells they
-continue. The article's packets approach the line that joins them without locking to any, and shed a tail that
+continue as far as they were followed. The article's packets approach the line that joins them without locking to any, and shed a tail that
 becomes weaker and weaker. The reversal of direction at $s > 0$ is not explained by exact orbits.
 
 ## Extensions
