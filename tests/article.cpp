@@ -280,7 +280,8 @@ TEST_CASE(
     return newton(problem, problem.fold(ansatz(Centre::site, 1.1, 31)), rule<double>(coarser));
   };
   const std::array<Orbit<double>, 2> orbits{found(1), found(0)};
-  // The article's residual belongs to a whole period, ours was made zero after a quarter of one
+  // By another algorithm: ours is made zero after a quarter of a period and judged, like the article's, after a whole
+  // one. The article's own iteration leaves 2.1e-9 in our hands (sec33_article_integrator)
   const auto residual = [&](const Orbit<double>& orbit) {
     State<double> end = orbit.start;
     flow(problem.chain, end, problem.period());
@@ -306,14 +307,16 @@ TEST_CASE("3.2: after a hundred periods the breather of omega_b = 1.1 looks as a
 
 TEST_CASE("3.2: the tail falls super-exponentially, with the exponent 3/2 from site to site",
           "[article]") {
-  const auto problem = breather_problem<double>(Centre::site, 1.1, 0, 99);
-  const auto orbit = polish(problem, find_breather(problem), graded<double>());
+  const auto problem = breather_problem<double>(Centre::site, 1.1, 0, 63);
+  const auto orbit = polish(in_precision<Wide>(problem), find_breather(problem), graded<Wide>());
   const auto exponent = [&](long n) {
-    return std::log(std::abs(orbit.start.y[site_index(n + 1, 99)])) /
-           std::log(std::abs(orbit.start.y[site_index(n, 99)]));
+    const auto log_of = [&](long k) {
+      return std::log(std::abs(orbit.start.y[site_index(k, 63)]));
+    };
+    return double(log_of(n + 1) / log_of(n));
   };
-  CHECK(agrees(compare(exponent(12), exponent(13)), 1.5, Abs{5e-3}));
-  CHECK(stands("super-exponential", super_exponential(exponent(12), exponent(13))));
+  CHECK(agrees(compare(exponent(18), exponent(19)), 1.5, Abs{5e-3}));
+  CHECK(stands("super-exponential", super_exponential(exponent(18), exponent(19))));
 }
 
 TEST_CASE("3.2: the energies of both centres are indistinguishable, their amplitudes are not",
@@ -423,12 +426,15 @@ TEST_CASE(
       const Estimate k = kappa_at(centre, s);
       return Estimate{sign * k.value, k.error};
     };
-    CHECK(stands("a sign below the exchange", {above("kappa", kappa(0.1524), 0)}));
-    CHECK(stands("the other one above it", {below("kappa", kappa(0.1527), 0)}));
-    const Estimate s_0{0.15255, 0.00015};
+    const double low = 0.1524, high = 0.1527;
+    const Estimate before = kappa(low), after = kappa(high);
+    CHECK(stands("an exchange", {above("below", before, 0), below("above", after, 0)}));
+    const double zero = low + (high - low) * before.value / (before.value - after.value);
+    const Estimate s_0{zero, high - low};
+    CHECK(remains(s_0, 0.1525, Abs{5e-4}));
     CHECK(differs(s_0, centre == Centre::site ? 0.05 : 0.26, Abs{5e-3},
-                  "variational equations at a tolerance of 1e-9 or so"));
-    // Half-way to the printed exchange each breather still is, or already is, the opposite of what is printed
+                  "perhaps variational equations at a tolerance of 1e-9"));
+    // Between ours and the printed one each is unstable where the article has it stable
     if (centre == Centre::site) CHECK(stands("unstable", {above("kappa", kappa(0.10), 0)}));
     if (centre == Centre::bond) CHECK(stands("unstable", {below("kappa", kappa(0.20), 0)}));
   }
@@ -467,9 +473,10 @@ TEST_CASE(
     CHECK(path.drift_margin(c, at.energy) > 100);
     return mobility_of(path);
   };
-  CHECK(fate(4.40e-6) == Mobility::pinned);
-  CHECK(fate(4.50e-6) == Mobility::free);
-  const Estimate c_c{4.45e-6, 0.05e-6};
+  const double low = 4.4e-6, high = 4.5e-6;
+  const bool between = fate(low) == Mobility::pinned && fate(high) == Mobility::free;
+  const Estimate c_c{between ? (low + high) / 2 : std::nan(""), (high - low) / 2};
+  CHECK(remains(c_c, 4.452e-6, Rel{2e-2}));
   CHECK(differs(c_c, 6.19e-6, Rel{1e-2}, "perhaps steps that are locked to the period"));
   CHECK(
       differs({c_c.value * c_c.value / 2, c_c.value * c_c.error}, 1.92e-11, Rel{2e-2}, "follows"));
@@ -570,8 +577,6 @@ TEST_CASE(
     CHECK(stands("coincide", within(off(weak_soft[k], weak[k]), -0.01, 0.01)));
     CHECK(stands("lower", {above("deficit", off(strong_soft[k], strong[k]), 0.05)}));
   }
-  // In the limit of small impacts the speed is that of the DpS packet, 0.3613 (v_0 / 2)^(1/2)
-  CHECK(remains(weak[0], 0.3613 * std::sqrt(0.05 / 2), Rel{0.1}));
 }
 
 TEST_CASE("3.4: with s = -0.7 an impact of 0.94 leaves a surface mode, with s = 0 it does not",
