@@ -24,6 +24,7 @@ the seventh digit, and between them a breather that is centred neither on a site
 #include <vector>
 
 #include "commands/multipliers.hpp"
+#include "lattice/dps/spectrum.hpp"
 #include "lattice/numbers/parallel.hpp"
 #include "report/program.hpp"
 #include "sec33/exchange.hpp"
@@ -36,6 +37,9 @@ What is claimed, with the identifiers under which the answers are recorded:
 - the exchange of stability at $\omega_b = 1.1$ (`floquet.s0_bond`, `floquet.s0_site`);
 - at $s = 0$ and $\omega_b = 1.1$ the site-centred breather is weakly unstable, the bond-centred one
   stable (`floquet.harmonic`);
+- the stability depends on the strength and the sign of the anharmonicity (`outlook.sign_of_s`);
+- near $\omega_b = 1$ the instability is $O(\epsilon^{1/2})$ times weaker than that of the DpS equation
+  (`floquet.weaker`);
 - the *pinning mode*, which shifts the breather along the chain, is very close to the discrete gradient
   (`pinning.gradient`).
 
@@ -246,6 +250,65 @@ void report_exchange(Report& report) {
 }
 
 /**
+The conclusion of the article says that the stability depends on the strength and the sign of the anharmonicity. At
+$s = -0.1$, 0 and $0.1$ the verdict is the same: $\kappa$ is [](num:sec33_floquet.kappa_s_minus_01_site),
+[](num:sec33_floquet.kappa_site) and [](num:sec33_floquet.kappa_s_01_site) around a site,
+[](num:sec33_floquet.kappa_s_minus_01_bond), [](num:sec33_floquet.kappa_bond) and
+[](num:sec33_floquet.kappa_s_01_bond) around a bond. Only hard wells beyond the exchange reverse it, and soft ones as
+strong do not: of all $s$ in $[-1,1]$ those above [](num:floquet.s0_site). So it depends on both (`depends_on_well`
+of exchange.hpp, from $s = 0.1$, 1 and $-1$). */
+void report_strength(Report& report) {
+  const std::vector<double> wells{-1, -0.5, -0.1, 0, 0.1, 0.5, 1};
+  std::vector<std::array<Estimate, 2>> kappa(wells.size());
+  for (std::size_t c : {0U, 1U}) {
+    const auto all = along_wells(both_centres[c], wells);
+    for (std::size_t k = 0; k < wells.size(); ++k) kappa[k][c] = all[k].kappa();
+    report.facts.add("kappa_s_minus_01_" + name_of(both_centres[c]), kappa[2][c]);
+    report.facts.add("kappa_s_01_" + name_of(both_centres[c]), kappa[4][c]);
+  }
+  judge(report, "outlook.sign_of_s", depends_on_well(kappa[4], kappa.back(), kappa.front()));
+}
+
+/**
+## Towards $\omega_b = 1$
+
+In the DpS equation the site-centred breather of frequency $\mu$ grows unstable at the rate
+[](num:sec33_floquet.dps_rate) $\mu$ in slow time, whatever its size. By Eq. (20) a breather of the chain of size
+$\epsilon$ has $\omega_b-1 = \epsilon^{1/2}/(2\tau_0)$, and if the same happens in the chain its rate is
+$\ln\lambda/T_b = $ [](num:sec33_floquet.dps_rate) $(\omega_b-1)$, weaker by $O(\epsilon^{1/2})$. The exponent
+between two sizes, $\omega_b-1 = 2\cdot10^{-4}$ and $10^{-4}$, is [](num:floquet.weaker); its error is the change from
+the sizes before. The rate over $\omega_b-1$ tends to [](num:sec33_floquet.slow_rate_limit), but slowly: at
+$\omega_b-1 = 10^{-4}$ it is [](num:sec33_floquet.slow_rate), and at $\omega_b = 1.1$ a quarter of the limit. There
+$\kappa$ is so small that a wider type is needed. */
+void report_slow(Report& report) {
+  const double beyond[] = {4e-4, 2e-4, 1e-4};
+  std::array<Estimate, 3> rate;
+  parallel_for(rate.size(), [&](std::size_t k) {
+    const auto problem = problem_at(Centre::site, {1 + beyond[k], 0});
+    const Orbit<double> orbit = find_breather(problem);
+    const Estimate kappa = spectrum<Wide>(problem, orbit).kappa();
+    const double root = std::sqrt(kappa.value);
+    rate[k] = {2 * std::asinh(root) / orbit.period(), kappa.error / root / orbit.period()};
+  });
+
+  // The exponent in eps, and what the rate over omega_b - 1 tends to, linearly
+  const auto exponent = [&](std::size_t k) {
+    const double ratio = std::log(breather_eps(1 + beyond[k]) / breather_eps(1 + beyond[k + 1]));
+    return Estimate{
+        std::log(rate[k].value / rate[k + 1].value) / ratio,
+        (rate[k].error / rate[k].value + rate[k + 1].error / rate[k + 1].value) / ratio};
+  };
+  const auto limit = [&](std::size_t k) {
+    return 2 * rate[k + 1].value / beyond[k + 1] - rate[k].value / beyond[k];
+  };
+  report.results.add("floquet.weaker", compare(exponent(0), exponent(1)));
+  report.facts.add("slow_rate", {rate[2].value / beyond[2], rate[2].error / beyond[2]});
+  report.facts.add("slow_rate_limit", compare(limit(0), limit(1)));
+  report.facts.add("dps_rate",
+                   margin_of<long double>(Centre::site, 1, sites_of(Centre::site)).exponent);
+}
+
+/**
 ## The pinning mode is the gradient (figure 13)
 
 What motion belongs to the pinning pair? We compare its eigenvector, with vanishing velocities, with
@@ -343,6 +406,8 @@ void reproduce(Report& report) {
   report_wells(report);
   report_harmonic(report);
   report_exchange(report);
+  report_strength(report);
+  report_slow(report);
   report_mode(report);
 }
 

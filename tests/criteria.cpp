@@ -255,7 +255,7 @@ TEST_CASE("a robust breather stays where others leave, and whole", "[unit][crite
   };
   CHECK(wrong(breathers(16, 1), breathers(16, 15)).empty());
   CHECK(wrong(breathers(16, 2), breathers(16, 16)) == "left");
-  CHECK(wrong(breathers(16, 0), breathers(16, 14)) == "beside");  // noise too weak to tell
+  CHECK(wrong(breathers(16, 0), breathers(16, 14)) == "beside");       // noise too weak to tell
   CHECK(wrong(breathers(16, 16), breathers(16, 0)) == "left beside");  // the wrong one is stable
   auto wide = breathers(16, 0);
   wide[2].good.most_sites = 7;
@@ -274,6 +274,15 @@ TEST_CASE("four multipliers near one, no more and no fewer", "[unit][criteria]")
   CHECK(holds(bond_alone_stable({1e-8, 1e-15}, {-1e-8, 1e-15})));
   CHECK(failing(bond_alone_stable({1e-8, 1e-15}, {1e-8, 1e-15})) == "bond");
   CHECK(failing(bond_alone_stable({1e-8, 1e-7}, {-1e-8, 1e-7})) == "site bond");
+}
+
+TEST_CASE("stability depends on a well that exchanges it", "[unit][criteria]") {
+  const std::array<Estimate, 2> same{{{1e-8, 1e-12}, {-1e-8, 1e-12}}},
+      reversed{{{-1e-8, 1e-12}, {1e-8, 1e-12}}};
+  CHECK(holds(depends_on_well(same, reversed, same)));
+  CHECK_FALSE(holds(depends_on_well(same, same, same)));          // no exchange at all
+  CHECK_FALSE(holds(depends_on_well(same, reversed, reversed)));  // the sign does not matter
+  CHECK_FALSE(holds(depends_on_well(reversed, reversed, same)));  // nor the strength
 }
 
 TEST_CASE("the worst of many spectra decides", "[unit][criteria]") {

@@ -82,6 +82,15 @@ Criterion bond_alone_stable(const Estimate& site, const Estimate& bond) {
   return {above("site", site, 0), below("bond", bond, 0)};
 }
 
+Criterion depends_on_well(const std::array<Estimate, 2>& weak,
+                          const std::array<Estimate, 2>& strong,
+                          const std::array<Estimate, 2>& opposite) {
+  Criterion out = named("weak", bond_alone_stable(weak[0], weak[1]));
+  append(out, named("strong", bond_alone_stable(strong[1], strong[0])));
+  append(out, named("opposite", bond_alone_stable(opposite[0], opposite[1])));
+  return out;
+}
+
 // One value of kappa: the orbit, followed from the last one, and its pinning pair
 double quick_kappa(Centre centre, const Spot& spot, Orbit<double>& orbit,
                    const NewtonRule<double>& how) {

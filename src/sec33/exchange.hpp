@@ -101,6 +101,14 @@ Criterion small_instability(const Estimate& excess);
 Criterion bond_alone_stable(const Estimate& site, const Estimate& bond);
 
 /**
+The stability depends on the strength of the anharmonicity if a stronger one of the same sign reverses the verdict on
+both breathers, and on its sign if one that is as strong and has the other sign does not. */
+/// From the kappa around a site and around a bond in three wells.
+Criterion depends_on_well(const std::array<Estimate, 2>& weak,
+                          const std::array<Estimate, 2>& strong,
+                          const std::array<Estimate, 2>& opposite);
+
+/**
 ## A zero of $\kappa$
 
 A cut runs along $s$ at fixed $\omega_b$, or along $\omega_b$ at fixed $s$. */
