@@ -201,6 +201,33 @@ TEST_CASE("wrong guesses prove nothing", "[unit][kernel]") {
   CHECK(enclose_wave(-1, s.fine).exists.holds());
 }
 
+TEST_CASE("a fineness of the wave whose spacings do not agree is refused", "[unit][kernel]") {
+  const auto complaint = [](auto change) -> std::string {
+    WaveFineness fine = coarse();
+    change(fine);
+    try {
+      WaveProof(shared().guess, fine);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "";
+  };
+  CHECK(complaint([](WaveFineness& f) { f.nodes = 48; }) ==
+        "nodes = 48: allowed is a power of two from 4 to 2048");
+  CHECK(complaint([](WaveFineness& f) { f.nodes = 24; }).starts_with("nodes = 24: "));
+  CHECK(complaint([](WaveFineness& f) { f.nodes = 2; }).starts_with("nodes = 2: "));
+  CHECK(complaint([](WaveFineness& f) { f.nodes = 4096; }).starts_with("nodes = 4096: "));
+  CHECK(complaint([](WaveFineness& f) { f.per_turn = 3000; }).starts_with("per_turn = 3000: "));
+  CHECK(complaint([](WaveFineness& f) { f.window = 10; }) == "window = 10: allowed is 1 to 9");
+  CHECK(complaint([](WaveFineness& f) { f.window = 0; }).starts_with("window = 0: "));
+  // What agrees with itself but not with the guess
+  CHECK(complaint([](WaveFineness& f) { f.per_turn = 4096; }).starts_with("per_turn = 4096: "));
+  CHECK(complaint([](WaveFineness& f) { f.turns = f.window = 10; }).starts_with("window = 10: "));
+  WaveFineness fine = coarse();
+  fine.per_turn = 4096, fine.nodes = 48;
+  CHECK_THROWS_AS(enclose_wave(1, fine), std::invalid_argument);
+}
+
 TEST_CASE("the matrix holds the response of nodes to broken lines", "[property][kernel]") {
   const Sample& s = shared();
   const auto matrix = s.proof.response();

@@ -5,6 +5,7 @@
 #include "lattice/numbers/dense.hpp"
 #include "lattice/orbits/breather_pairs.hpp"
 #include "sec5/chain_bounds.hpp"
+#include "sec5/fineness.hpp"
 
 namespace lattice {
 
@@ -41,10 +42,27 @@ std::vector<Link> links(Centre centre, std::size_t n) {
 
 }  // namespace
 
+namespace {
+
+constexpr std::size_t guess_samples = 1024;  ///< of the guess, on the half circle
+
+}  // namespace
+
+void Fineness::check() const {
+  demand_within("contacts", contacts, 2, 15);
+  demand_within("harmonics", harmonics, 2, guess_samples);
+  demand_power("samples", samples, std::bit_ceil(2 * harmonics), 1 << 24);
+  demand_power("cells", cells, 2, 1 << 20);
+  demand_power("nodes", nodes, 2, cells);
+}
+
 ChainGuess chain_guess(Centre centre, int numerator, int denominator, const Fineness& fineness) {
+  fineness.check();
+  demand(denominator > 0 && numerator > denominator && numerator - denominator < denominator,
+         "omega", std::to_string(numerator) + "/" + std::to_string(denominator), "1 < omega < 2");
   const auto problem = problem_of(centre, double(numerator) / denominator);
   const Orbit<double> orbit = find_breather(problem);
-  const std::size_t half = 1024, sites = problem.chain.sites;
+  const std::size_t half = guess_samples, sites = problem.chain.sites;
   // The compressions on half a period
   State<double> state = orbit.start;
   Matrix<double> d(half + 1, fineness.contacts);
@@ -69,6 +87,7 @@ ChainGuess chain_guess(Centre centre, int numerator, int denominator, const Fine
 
 // The force of each contact from its samples, and what its variation may hide
 std::vector<double> chain_residuals(const ChainGuess& guess, const Fineness& fineness) {
+  fineness.check();
   const std::size_t window = guess.c.size(), harmonics = fineness.harmonics;
   const CosineTable table(fineness.samples);
   Rows force;
@@ -205,8 +224,9 @@ ChainProof::ChainProof(const ChainGuess& guess, const Fineness& fineness)
       omega_(guess.omega),
       gamma_(mean_of_kernel(guess.omega)),
       largest_g_(largest_of_kernel(guess.omega)),
-      fine_(fineness),
+      fine_((fineness.check(), fineness)),
       kernel_(kernel_at_nodes(omega_, largest_g_, fineness.nodes)) {
+  demand(omega_ > one && omega_ < two, "omega", std::to_string(omega_.middle()), "1 < omega < 2");
   bound_operator(guess);
   const Rows matrix = matrix_of_nodes();
   const auto inverse = resolvent(matrix);

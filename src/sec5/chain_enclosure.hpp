@@ -27,13 +27,16 @@ namespace lattice {
 
 /**
 How fine the proof is made. More samples and harmonics make the residual smaller, more nodes and cells the bound
-of the derivative; none of them is needed for the argument to be right. */
+of the derivative. Every choice that `check` lets pass is right. */
 struct Fineness {
   std::size_t contacts = 7;     ///< of the half chain, in the window
   std::size_t harmonics = 320;  ///< of the guess
   std::size_t samples = 65536;  ///< on the circle, for the Fourier coefficients of the forces
   std::size_t nodes = 32;       ///< on the half circle, for the inverse of the derivative
   std::size_t cells = 2048;  ///< on the half circle, on which the stiffness is taken to be constant
+
+  /// Throws std::invalid_argument where spacings and cuts do not agree (fineness.hpp).
+  void check() const;
 };
 
 /// The guess: cosine coefficients of the compressions of the contacts 0, 1, ... of the half chain.
@@ -43,7 +46,8 @@ struct ChainGuess {
   std::vector<std::vector<double>> c{};  ///< by contact, then by harmonic
 };
 
-/// The guess from Newton's method (breather.hpp), for omega = numerator / denominator.
+/// The guess from Newton's method (breather.hpp), for omega = numerator / denominator. Throws
+/// std::invalid_argument unless 1 < omega < 2.
 ChainGuess chain_guess(Centre centre, int numerator, int denominator, const Fineness& fineness);
 
 /**
@@ -118,7 +122,7 @@ struct ChainBreather {
   Interval<double> energy;
 };
 
-/// The breather of the chain in linear wells. Throws NotProved.
+/// The breather of the chain in linear wells. Throws NotProved, and std::invalid_argument as the guess does.
 ChainBreather enclose_chain(Centre centre, int numerator, int denominator,
                             const Fineness& fineness = {});
 

@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 
 #include "lattice/numbers/dense.hpp"
+#include "sec5/fineness.hpp"
 #include "sec5/kernel_wave.hpp"
 
 namespace lattice {
@@ -33,9 +34,17 @@ Cell cell_at(const CubicLine& d, long index) {
 
 }  // namespace
 
+void WaveFineness::check() const {
+  demand_power("per_turn", per_turn, 4, 1 << 24);
+  demand_within("turns", turns, 1, 64);
+  demand_power("nodes", nodes, 4, per_turn);
+  demand_within("window", window, 1, turns);
+}
+
 /**
 The slopes at the nodes come from differences of the fourth order. */
 CubicLine wave_guess(int sign, const WaveFineness& fineness) {
+  fineness.check();
   const KernelWave wave = wave_of_type_one(1, sign, {1.5, 0}, {24, 0.4});
   CubicLine line{fineness.per_turn, std::vector<Cubic>(fineness.per_turn * fineness.turns)};
   const double h = line.step().middle();
@@ -106,7 +115,11 @@ std::vector<double> wave_residuals(const CubicLine& d, const ForceIntegrals& int
 }
 
 WaveProof::WaveProof(const CubicLine& d, const WaveFineness& fineness)
-    : fine_(fineness), angles_(fineness.per_turn) {
+    : fine_((fineness.check(), fineness)), angles_(fineness.per_turn) {
+  demand(d.per_turn == fineness.per_turn, "per_turn", std::to_string(fineness.per_turn),
+         std::to_string(d.per_turn) + ", as in the guess");
+  demand(d.cell.size() >= fineness.window * fineness.per_turn, "window",
+         std::to_string(fineness.window), "not beyond the end of the guess");
   const Number h = d.step();
   std::vector<double> area;
   for (std::size_t p = 0; p < d.cell.size(); ++p) {

@@ -16,12 +16,15 @@ guess is made of cubics and ends after some shifts (cubic_line.hpp). */
 namespace lattice {
 
 /**
-How fine the proof is made; none of these numbers is needed for the argument to be right. */
+How fine the proof is made. Every choice that `check` lets pass is right. */
 struct WaveFineness {
   std::size_t per_turn = 16384;  ///< cells of the guess on 2 pi, a power of two
   std::size_t turns = 9;         ///< on which the guess is not zero
   std::size_t nodes = 64;        ///< for the inverse of the derivative on 2 pi, a power of two
   std::size_t window = 6;        ///< turns on which the inverse acts
+
+  /// Throws std::invalid_argument where spacings and cuts do not agree (fineness.hpp).
+  void check() const;
 };
 
 /// The guess from Newton's method (kernel_wave.hpp); `sign` is that of the central velocity.
