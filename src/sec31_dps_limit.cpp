@@ -310,8 +310,9 @@ For an impact the constants are [2.124](num:sec31_dps_limit.constant_impact_tau_
 [6.61](num:sec31_dps_limit.constant_impact_tau_10) for $\tau \le 1$, 4 and 10, for the pair
 [4.48](num:sec31_dps_limit.constant_pair_tau_1), [7.017](num:sec31_dps_limit.constant_pair_tau_4) and
 [18.81](num:sec31_dps_limit.constant_pair_tau_10). The numerical error of a deviation is at most
-[0.004](num:sec31_dps_limit.largest_resolution_error) of the deviation.
-
+[0.004](num:sec31_dps_limit.largest_resolution_error) of the deviation. */
+// Other wells and waves
+/**
 The shape of the well does not matter: the orders are [](num:sec31_dps_limit.order_hard_impact) and
 [](num:sec31_dps_limit.order_hard_pair) at $s = 1$, [](num:sec31_dps_limit.order_lopsided_impact) and
 [](num:sec31_dps_limit.order_lopsided_pair) with a quadratic force. The distance of the travelling waves has the order

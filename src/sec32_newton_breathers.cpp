@@ -465,13 +465,13 @@ void report_branches(Report& report) {
 ## The width
 
 A breather of the DpS equation keeps its width when its amplitude goes to zero, whereas one of the discrete nonlinear
-Schrödinger equation broadens like $(\omega_b-1)^{-1/2}$. Section 1 says that those of the chain do likewise, "nearly". As
+Schrödinger equation broadens like $(\omega_b-1)^{-1/2}$. Section 1 says that those of the chain nearly keep it, too. As
 width we take the number of sites on which the displacements live, $(\sum y_n^2)^2/\sum y_n^4$ at $t = 0$. Around a site
 it is [](num:sec32_newton_breathers.width_limit_site) in the limit, [](num:sec32_newton_breathers.width_1001_site) at
 $\omega_b = 1.001$ and [](num:sec32_newton_breathers.width_105_site) at 1.05; around a bond
 [](num:sec32_newton_breathers.width_limit_bond), [](num:sec32_newton_breathers.width_1001_bond) and
-[](num:sec32_newton_breathers.width_105_bond). In this range, where the amplitude grows about 2500-fold, it changes by a fraction
-of [](num:chain.width_constant) at most; a width like $(\omega_b-1)^{-1/2}$ would change by a factor of seven. */
+[](num:sec32_newton_breathers.width_105_bond). In this range the amplitude grows about 2500-fold and the width by a
+fraction of [](num:chain.width_constant) at most; a width like $(\omega_b-1)^{-1/2}$ would change by a factor of seven. */
 template <class Profile>
 double sites_filled(const Profile& y) {
   double squares = 0, fourth = 0;

@@ -10,8 +10,7 @@ Two static breathers are left in the limit of small amplitude. Does a small push
 ![The site-centred breather has a real pair of exponents.](fig:09)
 
 Section 3.3 of James, Kevrekidis and Cuevas (Physica D 251, 2013) linearises the DpS equation about both
-and lets the unstable one go. Both verdicts depend on the sixth digit of one number; we watch what that
-means in time. What is claimed, with the identifiers under which the answers are recorded:
+and lets the unstable one go. Both verdicts depend on the sixth digit of one number. What is claimed:
 
 - the bond-centred breather is spectrally stable at $\mu = 1$ and 10 (`dps.bond_stable`);
 - the site-centred one has a real pair $\pm\lambda$, and $\lambda$ is linear in $\mu$
