@@ -340,9 +340,12 @@ void reproduce(Report& report) {
 ## Checks
 
 The arithmetic is tested on a million random operations against four-fold precision, and so is
-Boost.Interval, which fails without a special option of the compiler. All that concerns the DpS equation is
-repeated by a second program in another language, with the intervals of the Python package mpmath and eighty
-digits: its intervals lie in ours. Errors put into the proof, one at a time, make it fail.
+Boost.Interval, which fails without a special option of the compiler. A second program in another language, with the
+intervals of the Python package mpmath and eighty digits, repeats for the DpS equation: existence, with the norm and the
+largest displacement; the second eigenvalue, its exponent, and how many eigenvalues lie above $\frac23$; both
+barriers; and the radius of uniqueness. Its intervals lie in ours. Not repeated are the search for other profiles and
+all that concerns the chain and the kernel equation, whose waves and breathers are only compared with those that
+Newton's method finds. Errors put into the proof, one at a time, make it fail.
 
 ## Enclosures to be printed
 

@@ -3,7 +3,8 @@
 Nothing is shared with the program but the equation: the intervals are those of mpmath with eighty digits, the guess
 comes from shooting (bisection of the central strain), existence is shown for the forces P = r^(3/2) on a window
 with Krawczyk's operator componentwise, and the eigenvalues are counted by the signs of principal minors. The
-intervals found here are far narrower, and each has to lie in that of the program.
+intervals found here are far narrower, and each has to lie in that of the program. Repeated as well are which
+eigenvalues lie above 2/3, and the radius of uniqueness. Not repeated is the search for other profiles.
 
 Called with the folder of the programs. Where mpmath is missing it says so and ends with 77, which the tests count as skipped.
 """
@@ -20,6 +21,7 @@ except ImportError:
 
 mp.dps = iv.dps = 80
 N = 11  # contacts of the half chain in the window
+UNIQUE = mpf(2) ** -7  # sec5_enclosures.unique_radius_site and _bond
 
 
 def low(x):
@@ -156,9 +158,13 @@ def count_above(s, x):
     return count
 
 
-def second_eigenvalue(centre, r, tail):
+def couplings(centre, r):
     s = [iv.sqrt(x) for x in r]
-    s = list(reversed(s[1:] if centre == "bond" else s)) + s
+    return list(reversed(s[1:] if centre == "bond" else s)) + s
+
+
+def second_eigenvalue(centre, r, tail):
+    s = couplings(centre, r)
     ends = [mpf("0.6"), mpf("0.9")]
     for side in (0, 1):
         good, bad = ends[side], ends[1 - side]
@@ -171,6 +177,42 @@ def second_eigenvalue(centre, r, tail):
                 bad = x
         ends[side] = good
     return iv.mpf(ends) + iv.mpf([0, high(4 * iv.sqrt(tail))])
+
+
+def counts_at_edge(s, tail):
+    """Certain eigenvalues above 2/3, and above 2/3 less what the tail may add: the same where the edge is free."""
+    edge = iv.mpf(2) / 3
+    return count_above(s, edge), count_above(s, edge - 4 * iv.sqrt(iv.mpf(high(tail))))
+
+
+def alone_within(centre, r, radius):
+    """Whether x - A F(x) contracts the ball of this radius, and keeps it; A is the identity behind the window."""
+    c = [(low(x) + high(x)) / 2 for x in r]
+    inverse = equations(centre, c, mp)[1] ** -1
+
+    def slope(x):  # of x |x|^(1/2) on the ball around x
+        return 3 * iv.sqrt(iv.mpf([max(x - radius, 0), x + radius])) / 2
+
+    steep, behind = [slope(x) for x in c], high(slope(mpf(0)))
+    derivative = iv.matrix(N, N)
+    for n in range(N):
+        derivative[n, n] += 1 - 2 * steep[n]
+        derivative[n, left(centre, n)] -= steep[left(centre, n)]
+        if n + 1 < N:
+            derivative[n, n + 1] -= steep[n + 1]
+    f, _ = equations(centre, [iv.mpf(x) for x in c], iv)
+    eta = max(high(sum(abs(iv.mpf(inverse[i, k])) * abs(f[k]) for k in range(N))) for i in range(N))
+    eta = max(eta, high(iv.mpf(c[N - 1]) * iv.sqrt(iv.mpf(c[N - 1]))))
+    q = max(4 * behind, high(steep[N - 1]) + 3 * behind)
+    for i in range(N):
+        row = abs(iv.mpf(inverse[i, N - 1])) * behind
+        for j in range(N):
+            entry = iv.mpf(1 if i == j else 0)
+            for k in range(N):
+                entry -= iv.mpf(inverse[i, k]) * derivative[k, j]
+            row += abs(entry)
+        q = max(q, high(row))
+    return q < 1 and eta + q * radius <= radius
 
 
 def printed(programs, centre):
@@ -188,6 +230,9 @@ def main():
         m = second_eigenvalue(centre, r, tail)
         found[centre]["second_eigenvalue"] = m
         found[centre]["exponent"] = iv.sqrt(abs((1 - m) * (3 * m / 2 - 1)))
+        above = 2 if centre == "site" else 1
+        assert counts_at_edge(couplings(centre, r), tail) == (above, above), f"{centre}: eigenvalues above 2/3"
+        assert alone_within(centre, r, UNIQUE), f"{centre}: another solution within {UNIQUE}?"
     site, bond = found["site"]["norm"], found["bond"]["norm"]
     barriers = {"barrier_equal_mu": 2 * (site - bond) / 5,
                 "barrier_equal_norm": 2 * bond * (iv.sqrt(iv.sqrt(bond / site)) - 1) / 5}
