@@ -270,8 +270,9 @@ furthest site is [](num:sec34_boomeron_why.apex_10_19_all), [](num:sec34_boomero
 out. Thirty sites leave the last one at [](num:sec34_boomeron_why.apex_06_25_30), and with six sites none of the four
 returns in that time.
 
-At $s = 0.6$, $v_0 = 1.9$ no packet turns, and there the waves make no difference: with all of them and with six
-sites of them it is at the same place at the end, within [](num:sec34_boomeron_why.apart_without_turn) sites. */
+At $s = 0.6$, $v_0 = 1.9$ the packet does not turn, and until then the waves make no difference: with all of them and
+with six sites of them it is at the same place, within [](num:sec34_boomeron_why.apart_without_turn) sites. Later they
+do: followed once to $t = 20000$ it is beyond site 1100 with all waves, and beyond site 1400 with six sites. */
 void report_range(Report& report) {
   std::vector<Packet> list;
   for (const auto& [s, velocity] : {std::pair{1.0, 1.9}, {0.8, 2.2}, {1.0, 1.7}, {0.6, 2.5}})
@@ -611,8 +612,8 @@ than six sites behind it, and at $s = 1$, $v_0 = 1.9$ the force on the way out f
 three other wells and velocities with an apex between sites 20 and 80, the packet goes far beyond its old apex. How
 far behind the waves may be depends on the packet: for an apex near site 20 fifteen sites are enough, for one near
 site 77 not even twenty are. So the article's suspicion that other waves turn the packet is supported, but these waves
-need not be confined: at $s = 1$, $v_0 = 1.9$ an end that absorbs them only moves the apex. Where no packet turns,
-at $s = 0.6$, $v_0 = 1.9$, waves make no difference.
+need not be confined: at $s = 1$, $v_0 = 1.9$ an end that absorbs them only moves the apex. At $s = 0.6$, $v_0 = 1.9$
+no packet turns, and until $t = 4000$ waves make no difference.
 
 **A part of the slowing down needs no waves beyond the fourth site.** It is the same for a packet that has been cut
 out and meets only its own fresh wake, however much of that is left. The slower the packet, the less it slows down.
@@ -622,7 +623,8 @@ turned, creeps on, and may go on, be caught, or come back after thousands of uni
 that the barrier and any wave matter. What brings it back can only be its own fresh wake; but how much of it that
 takes we do not know, and which packets come back is a matter of chance.
 
-At $s=0$ the waves behind the packet make no difference to the force, and no packet turns. */
+At $s=0$ the waves behind the packet make no difference to the force, between $t = 100$ and 220, and no packet
+turns. */
 void reproduce(Report& report) {
   report_experiments(report);
   report_distance(report);
