@@ -225,8 +225,7 @@ it after 200000 periods (run once).
 
 *The jump.* In [](num:sec33_article_integrator.settings_near_jump) of these settings the site-centred breather jumps
 two sites and stays. With 120 steps of the classical method it is two sites away at $t = 2.5\cdot10^5$, as at
-constant speed, and leaves that place at [](num:sec33_article_integrator.left_runge-kutta-4_120).
-*/
+constant speed, and leaves that place at [](num:sec33_article_integrator.left_runge-kutta-4_120). */
 // What the iteration leaves
 /**
 *The residual.* The classical method leaves [1.60775e-8](num:sec33_article_integrator.residual_runge-kutta-4_120) at 120
@@ -442,9 +441,9 @@ void reproduce(Report& report) {
 The scan has steps that divide the period and breathers on short chains. Steps of a round length, such as 0.05, are
 not locked, and then a moving breather is hardly pinned (`sec33_mobility`). A kick that has not freed the breather
 within 20000 periods, or after which it has turned round before, counts as too weak; with 16000 some thresholds come
-out three per cent higher, and with 12000 one more setting seems to come near. A number of a map is what it is and has no error from a
-second resolution; as the error of a threshold we give the half of its bracket, as that of a time the 64 periods
-between two looks, and that of a residual is its difference from the one with difference quotients. */
+out three per cent higher, and with 12000 one more setting seems to come near. A number of a map is what it is and has
+no error from a second resolution; as the error of a threshold we give the half of its bracket, as that of a time the
+64 periods between two looks, and that of a residual is its difference from the one with difference quotients. */
 int main(int argc, char** argv) {
   return run({"sec33_article_integrator", "3.3", "Which integrator did the article use? (appendix)",
               reproduce},

@@ -623,8 +623,7 @@ turned, creeps on, and may go on, be caught, or come back after thousands of uni
 that the barrier and any wave matter. What brings it back can only be its own fresh wake; but how much of it that
 takes we do not know, and which packets come back is a matter of chance.
 
-At $s=0$ the waves behind the packet make no difference to the force, between $t = 100$ and 220, and no packet
-turns. */
+At $s=0$ waves make no difference to the force, between $t = 100$ and 220, and no packet turns. */
 void reproduce(Report& report) {
   report_experiments(report);
   report_distance(report);
