@@ -296,7 +296,8 @@ starts come to the same value, that of the waves above, up to the error of the p
 same function: translations change nothing, and the internal phase changes the quotient only in the eleventh digit,
 far below what this grid resolves. Along these two directions the ascent creeps, so that a single small step says
 nothing: each start goes on until 25 steps together gain less than $10^{-10}$ a step. A limit of two thousand steps
-would cut off 13 of them, and the ends would lie $4.5\times10^{-5}$ apart. */
+would cut off 13 of them, and the ends would lie $4.5\times10^{-5}$ apart; continued, once, until a step gains less
+than $10^{-15}$, they lie $1.5\times10^{-6}$ apart. */
 constexpr double stop = 1e-10;
 
 std::vector<Ascent> ascents(std::size_t count, std::size_t per_shift) {
@@ -538,14 +539,13 @@ struct OneWave {
 ## Results
 
 The energies of the two signs at $k = 1$ are [0.180834](num:sec5_kernel_equation.energy_plus) and
-[0.180834](num:sec5_kernel_equation.energy_minus), as the shift map of the lattice has them, and so up to $k = 6$.
-The actions differ by [-2.43979e-11](num:sec5_kernel_equation.action_difference), plus minus minus, so that the sign
-plus, whose phase is held, has the larger quotient. [](num:sec5_kernel_equation.ascents_finished) of
+[0.180834](num:sec5_kernel_equation.energy_minus), as the shift map of the lattice has them, and so up to $k = 6$. The
+actions differ by [-2.43979e-11](num:sec5_kernel_equation.action_difference), plus minus minus, so that the sign plus,
+whose phase is held, has the larger quotient. [](num:sec5_kernel_equation.ascents_finished) of
 [](num:sec5_kernel_equation.ascent_starts) random starts come to rest, at quotients between
-[](num:sec5_kernel_equation.ascent_lowest) and [](num:sec5_kernel_equation.ascent_highest), where the waves have
+[](num:sec5_kernel_equation.ascent_lowest) and [](num:sec5_kernel_equation.ascent_highest); the waves have
 [](num:sec5_kernel_equation.quotient_plus). Their distance is [](num:sec5_kernel_equation.ascent_spread), no more than
-it changes with the grid ($1.5\times10^{-6}$ when each is continued, once, until a step gains $10^{-15}$): no second
-maximum is seen, and none that is closer is excluded.
+it changes with the grid: no second maximum is seen, and none that is closer is excluded.
 
 From large $\alpha$ to small the signs exchange their order at $\alpha =$ [](num:sec5_kernel_equation.exchange_1),
 [](num:sec5_kernel_equation.exchange_2), [](num:sec5_kernel_equation.exchange_3),
@@ -555,8 +555,8 @@ From large $\alpha$ to small the signs exchange their order at $\alpha =$ [](num
 where the table ends, the sign minus has the larger quotient. In $1/(\alpha-1)$ the exchanges lie
 [](num:sec5_kernel_equation.exchange_spacing_first) to [](num:sec5_kernel_equation.exchange_spacing_last) apart, as if
 there were no end of them towards $\alpha = 1$; a tenth one is beyond double precision. At
-[](num:sec5_kernel_equation.phases_agree) of the [](num:sec5_kernel_equation.phases_compared) exponents of the table at
-which the difference and $\kappa$ are beyond their errors, the phase of the larger quotient is held and that of the
+[](num:sec5_kernel_equation.phases_agree) of the [](num:sec5_kernel_equation.phases_compared) exponents of the table
+at which the difference and $\kappa$ are beyond their errors, the phase of the larger quotient is held and that of the
 other is not. */
 void report_waves(Report& report, const std::vector<Wave>& all) {
   const Wave &plus = all[0], &minus = all[1];

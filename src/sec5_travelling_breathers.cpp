@@ -356,10 +356,11 @@ void reproduce(Report& report) {
 
 `sec5_travelling_breathers orbit` computes one orbit of your choice, also in other wells (one_orbit.hpp).
 
-Orbits that repeat themselves only after $m > 1$ sites, or never, were not looked for. For a shift by $m$
-sites the sum $Z$ still demands $T = 2\pi k$, and the speeds $m/2\pi k$ are dense: so it is not this identity alone that isolates speeds. But it settles only one of the $m$
-complex amplitudes that such an orbit may leave behind on $m$ successive beads, so that $m - 1$ conditions
-remain without an unknown to meet them. We therefore expect such orbits only at particular $s$ or exponents.
+Orbits that repeat themselves only after $m > 1$ sites, or never, were not looked for. For a shift by $m$ sites the
+sum $Z$ still demands $T = 2\pi k$, and the speeds $m/2\pi k$ are dense: so it is not this identity alone that
+isolates speeds. But it settles only one of the $m$ complex amplitudes that such an orbit may leave behind on $m$
+successive beads, so that $m - 1$ conditions remain without an unknown to meet them. We therefore expect such
+orbits only at particular $s$ or exponents.
 
 That tails vanish at countably many speeds, where the resonance meets a zero, is known from chains of beads
 with resonators (Kevrekidis, Stefanov and Xu, Letters in Mathematical Physics 106, 2016, arXiv:1502.01995);

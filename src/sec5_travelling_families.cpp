@@ -70,14 +70,13 @@ void follow(Family& f, double step) {
 /**
 ## What is left behind (figure x19)
 
-What does a member of a family do that is no exact orbit? We set it free in a resting chain, and behind
-it each bead keeps oscillating. By the chapter before, the amplitude is $|1-e^{-iT}|\,|g(1)|$ with
+What does a member of a family do that is no exact orbit? We set it free in a resting chain, and behind it each
+bead keeps oscillating. By the chapter before, the amplitude is $|1-e^{-iT}|\,|g(1)|$ with
 $g(1) = \int e^{it}f\,dt$, if the pulses $f$ in the contacts repeat themselves after $T$. Those of a member that
-sheds do not: its core answers at the first order in $V$, as the tail itself is. So this gives the order of magnitude,
-and we measure how well. The integral needs no quadrature: only the
-pulse changes $e^{it}Z$ when the
-sum is taken over the beads on the right of its contact, so the integral is the difference of this
-quantity between the end and the beginning. */
+sheds do not: its core answers what it sheds at the order of the tail itself. So this gives the order of magnitude,
+and we measure how well. The integral needs no quadrature: only the pulse changes $e^{it}Z$ when the sum is taken
+over the beads on the right of its contact, so the integral is the difference of this quantity between the end and
+the beginning. */
 struct Left {
   double beads = 0, pulse = 0;  ///< both relative to the amplitude
 };
@@ -424,13 +423,14 @@ void report_boomeron(Report& report, const Table& exact_orbits, const Path& coar
 /**
 ## Results
 
-**Between two exact orbits a travelling breather leaves behind, in order of magnitude, what the sum $Z$ says**: from
-[](num:sec5_travelling_families.left_over_sum_least) to [](num:sec5_travelling_families.left_over_sum_most) of it,
-and at [](num:sec5_travelling_families.left_off_by_a_fifth) of the [](num:sec5_travelling_families.left_compared)
-members compared it differs by more than a fifth. The ratio does not tend to one towards an orbit of type I either:
-with this measurement at $T/2\pi = k-10^{-4}$, once outside this program, it is 1.079, 0.961 and 0.889 for $k = 1$, $2$
-and $4$. Where $V$ vanishes, nothing is left behind. On the family that begins at $T = 2\pi$ the first orbit of type II lies at
-$T/2\pi =$ [0.897407](num:sec5_travelling_families.turns_type_two_1); in all we found
+**Between two exact orbits a travelling breather leaves behind, in order of magnitude, what the sum $Z$ says**:
+from [](num:sec5_travelling_families.left_over_sum_least) to [](num:sec5_travelling_families.left_over_sum_most) of
+it, and at [](num:sec5_travelling_families.left_off_by_a_fifth) of the
+[](num:sec5_travelling_families.left_compared) members compared it differs by more than a fifth. The ratio does not
+tend to one towards an orbit of type I either: with this measurement at $T/2\pi = k-10^{-4}$, once outside this
+program, it is 1.079, 0.961 and 0.889 for $k = 1$, $2$ and $4$. Where $V$ vanishes, nothing is left behind. On the
+family that begins at $T = 2\pi$ the first orbit of type II lies at $T/2\pi =$
+[0.897407](num:sec5_travelling_families.turns_type_two_1); in all we found
 [12](num:sec5_travelling_families.found_type_one) orbits of type I and
 [18](num:sec5_travelling_families.found_type_two) of type II.
 
