@@ -300,19 +300,22 @@ std::vector<Place> follow_branch(const Orbit<double>& start, int direction, int 
 }
 
 /**
-Each fold is computed with two lengths of the steps, which gives its error. */
+Each fold is computed with two lengths of the steps, which gives its error. In soft wells the fastest orbit has one
+too. */
 void report_folds(Report& report, const std::vector<Start>& starts) {
-  std::vector<Estimate> folds(starts.size());
-  parallel_for(starts.size(), [&](std::size_t i) {
+  const std::size_t hard = starts.size();
+  std::vector<Estimate> folds(hard + (report.quick ? 0 : 1));
+  parallel_for(folds.size(), [&](std::size_t i) {
     Stride finer = in_s;
     finer.first /= 2, finer.most /= 2;
     const auto fold = [&](const Stride& stride) {
-      return branch_from(starts[i].second, 1, stride).fold();
+      return branch_from(starts[i % hard].second, i < hard ? 1 : -1, stride).fold();
     };
     folds[i] = compare(fold(in_s), fold(finer));
   });
-  for (std::size_t i = 0; i < starts.size(); ++i)
+  for (std::size_t i = 0; i < hard; ++i)
     report.facts.add("fold_k" + std::to_string(starts[i].first), folds[i], "s");
+  if (folds.size() > hard) report.facts.add("soft_fold_k1", folds[hard], "s");
 }
 
 /**
@@ -434,10 +437,12 @@ family that begins at $T = 2\pi$ the first orbit of type II lies at $T/2\pi =$
 [12](num:sec5_travelling_families.found_type_one) orbits of type I and
 [18](num:sec5_travelling_families.found_type_two) of type II.
 
-**In hard wells the fast ones disappear.** In soft wells the orbits of type I continue as far as they are followed,
-to $s =$ [](num:sec5_travelling_families.soft_k1) ($k = 1$), [](num:sec5_travelling_families.soft_k2) ($k = 2$),
-[](num:sec5_travelling_families.soft_k3) ($k = 3$) and [](num:sec5_travelling_families.soft_k4) ($k = 4$). In hard
-ones their branch meets that of type II in a fold, at a smaller $s$ the faster the orbit is: for $k = 1$ at
+**In hard wells the fast ones disappear.** In soft wells the orbits of type I continue as far as the table follows
+them, to $s =$ [](num:sec5_travelling_families.soft_k1) ($k = 1$), [](num:sec5_travelling_families.soft_k2) ($k = 2$),
+[](num:sec5_travelling_families.soft_k3) ($k = 3$) and [](num:sec5_travelling_families.soft_k4) ($k = 4$), but not for
+ever: that of $k = 1$ folds at $s =$ [](num:sec5_travelling_families.soft_fold_k1), and followed further, once outside
+this program, that of $k = 2$ at $-54.4$, while those of $k = 3$ and $4$ reach $-13.9$. In hard ones their branch meets
+that of type II in a fold, at a smaller $s$ the faster the orbit is: for $k = 1$ at
 $s =$ [0.0103021](num:sec5_travelling_families.fold_k1), for $k = 2$ at
 [0.325575](num:sec5_travelling_families.fold_k2), for $k = 3$ at
 [1.90265](num:sec5_travelling_families.fold_k3). */
