@@ -50,7 +50,7 @@ double breather_place(const std::vector<double>& e);
 /// of their intervals, and the report of the run.
 struct Creep {
   std::vector<double> t{}, X{};
-  double share = 1;  ///< the least share of the energy near the largest density
+  double share = 1;  ///< the least share of the energy near the largest density, of all samples
   State<double> end{};
   Run run{};
 
@@ -81,9 +81,9 @@ struct MeanPlace {
   /// Whether `now` completes a mean.
   bool add(const State<double>& now, const std::vector<double>& e) {
     sum += breather_place(e);
-    if (++samples % samples_of_a_mean != 0) return false;
     const std::size_t peak = std::size_t(std::max_element(e.begin(), e.end()) - e.begin());
     path.share = std::min(path.share, window_sum(e, peak) / window_sum(e, 0, e.size()));
+    if (++samples % samples_of_a_mean != 0) return false;
     path.t.push_back(now.t - sample * 0.5 * double(samples_of_a_mean - 1));
     path.X.push_back(sum / double(samples_of_a_mean));
     sum = 0;
