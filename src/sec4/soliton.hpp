@@ -4,9 +4,8 @@
 
 The article's ansatz, Eq. (35), says that near $y_n = \epsilon A[\epsilon^2t, \epsilon(n-ct)]\,e^{i(qn-\omega t)} +
 c.c.$ there is a solution of the chain for times up to $O(\epsilon^{-2})$, with an error $O(\epsilon^{3/2})$. In which
-norm? Nothing is said, but the theorems that the article cites (Giannoulis and Mielke) measure displacements and
-velocities together in $\ell^2$, the norm of the energy. There the power is no accident: what the ansatz omits, above
-all the second harmonic, is of size $\epsilon^2$ on $O(1/\epsilon)$ sites, and
+norm? Nothing is said. The natural norm is that of the energy, $\ell^2$ of displacements and velocities together, and
+there the power is no accident: what the ansatz omits, above all the second harmonic, is of size $\epsilon^2$ on $O(1/\epsilon)$ sites, and
 $$\Bigl(\epsilon^{-1}\,\epsilon^4\Bigr)^{1/2} = \epsilon^{3/2}.$$
 The largest error of any bead should then go like $\epsilon^2$.
 
