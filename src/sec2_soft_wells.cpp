@@ -229,7 +229,7 @@ central mean force to [0.0759926](num:sec2_soft_wells.central_limit), where the 
 the breather is lost at a positive stiffness. That is seen on thirteen breathers between $\kappa = 1/2$ and
 $1/128$ and on the limit to which they tend; it is not proved for the stiffnesses in between and below. The amplitude
 does not stay finite, however: from the first of them to the last it grows by the factor
-[](num:sec2_soft_wells.amplitude_growth). By $\kappa\,\bar y_n = \bar F_{n-1}-\bar F_n$ the mean displacements grow
+[12.0909](num:sec2_soft_wells.amplitude_growth). By $\kappa\,\bar y_n = \bar F_{n-1}-\bar F_n$ the mean displacements grow
 like $\kappa^{-1/2}$, while the swing of neighbours against each other tends to a limit. In this limit the breather
 becomes a motion of the free chain, with the same mean force at every contact, as the theorem demands, and it is
 no longer localized. The article claims nothing about soft wells, so the

@@ -129,8 +129,8 @@ full map a residual of [1e-14](num:sec32_newton_breathers.full_residual) still d
 [7e-14](num:newton.variation) (printed: $1.7\cdot10^{-11}$).
 
 So both printed numbers are met by another algorithm than the article's. Its own, Gauss-Newton on the full map, leaves
-a residual of [](num:sec32_newton_breathers.full_residual_5) after five steps, of which the last is
-[](num:sec32_newton_breathers.full_step_5): the residual is met, the variation is not. Least squares that leave the
+a residual of [3.6091e-10](num:sec32_newton_breathers.full_residual_5) after five steps, of which the last is
+[5.63924e-5](num:sec32_newton_breathers.full_step_5): the residual is met, the variation is not. Least squares that leave the
 pinning mode alone stop at [2.1e-9](num:sec33_article_integrator.residual_flow) with steps of
 [5e-15](num:sec33_article_integrator.variation_flow) (sec33_article_integrator.cpp). The printed pair, a residual that
 is large beside the variation, is of this last kind. */
@@ -467,11 +467,11 @@ void report_branches(Report& report) {
 A breather of the DpS equation keeps its width when its amplitude goes to zero, whereas one of the discrete nonlinear
 Schrödinger equation broadens like $(\omega_b-1)^{-1/2}$. Section 1 says that those of the chain nearly keep it, too. As
 width we take the number of sites on which the displacements live, $(\sum y_n^2)^2/\sum y_n^4$ at $t = 0$. Around a site
-it is [](num:sec32_newton_breathers.width_limit_site) in the limit, [](num:sec32_newton_breathers.width_1001_site) at
-$\omega_b = 1.001$ and [](num:sec32_newton_breathers.width_105_site) at 1.05; around a bond
-[](num:sec32_newton_breathers.width_limit_bond), [](num:sec32_newton_breathers.width_1001_bond) and
-[](num:sec32_newton_breathers.width_105_bond). In this range the amplitude grows about 2500-fold and the width by a
-fraction of [](num:chain.width_constant) at most; a width like $(\omega_b-1)^{-1/2}$ would change by a factor of seven. */
+it is [2.96314](num:sec32_newton_breathers.width_limit_site) in the limit, [2.96507](num:sec32_newton_breathers.width_1001_site) at
+$\omega_b = 1.001$ and [3.05955](num:sec32_newton_breathers.width_105_site) at 1.05; around a bond
+[2.97033](num:sec32_newton_breathers.width_limit_bond), [2.97330](num:sec32_newton_breathers.width_1001_bond) and
+[3.12164](num:sec32_newton_breathers.width_105_bond). In this range the amplitude grows about 2500-fold and the width by a
+fraction of [0.0498881](num:chain.width_constant) at most; a width like $(\omega_b-1)^{-1/2}$ would change by a factor of seven. */
 template <class Profile>
 double sites_filled(const Profile& y) {
   double squares = 0, fourth = 0;

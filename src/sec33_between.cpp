@@ -235,9 +235,9 @@ struct Worst {
 
 /**
 On the two lines the statement is true: the fourth multiplier is no farther from $+1$ than
-[](num:sec33_between.spectrum_fourth). The second statement is one of section 5, about the instabilities that section
+[0.000815379](num:sec33_between.spectrum_fourth). The second statement is one of section 5, about the instabilities that section
 3.3 identified. Those are the ones at $\omega_b=1.1$, and there no modulus exceeds one by more than
-[](num:sec33_between.instability_size_largest). An earlier criterion judged both statements in the whole plane, which
+[0.000583922](num:sec33_between.instability_size_largest). An earlier criterion judged both statements in the whole plane, which
 held against the article what lies outside of its figures. Through the linear well the largest excess is
 [0.000525970](num:sec33_between.largest_in_linear_wells). */
 int judge_lines(Report& report, const std::vector<Seen>& seen, const std::vector<Seen>& at_110,
@@ -270,13 +270,13 @@ What happens elsewhere is a finding of ours. In hard wells the pinning pair leav
 the axis around a bond and along the circle around a site: from $\omega_b =$ [1.44](num:sec33_between.far_from_bond)
 on there are wells in which the fourth multiplier is farther away than 0.01, at [398](num:sec33_between.far_bond) of
 [1719](num:sec33_between.chart_nodes_bond) nodes around a bond and at [397](num:sec33_between.far_site) of
-[1730](num:sec33_between.chart_nodes_site) around a site, and from [](num:sec33_between.farther_from_bond) on farther
-than 0.1, at [](num:sec33_between.farther_bond) and [](num:sec33_between.farther_site) nodes. Moduli exceed one by
+[1730](num:sec33_between.chart_nodes_site) around a site, and from [1.65](num:sec33_between.farther_from_bond) on farther
+than 0.1, at [202](num:sec33_between.farther_bond) and [201](num:sec33_between.farther_site) nodes. Moduli exceed one by
 more than $10^{-3}$ at [823](num:sec33_between.large_bond) nodes around a bond, from $\omega_b =$
 [1.15](num:sec33_between.large_from_bond) on, and at [94](num:sec33_between.large_site) around a site, from
-[1.16](num:sec33_between.large_from_site) on, and by [](num:sec33_between.range_largest) at most, at $\omega_b = 2$
+[1.16](num:sec33_between.large_from_site) on, and by [1.06121](num:sec33_between.range_largest) at most, at $\omega_b = 2$
 and $s = 1$. Next to the end of the families in soft wells multipliers beside the four leave the circle too, by up to
-[](num:sec33_between.range_others). They accumulate at the same point everywhere. At all but
+[0.0493672](num:sec33_between.range_others). They accumulate at the same point everywhere. At all but
 [2](num:sec33_between.chart_same_sign) nodes the pinning pair makes one of the two breathers stable and the other one
 unstable. */
 void report_range(Report& report, const std::vector<Seen>& seen, int missing, double spacing) {

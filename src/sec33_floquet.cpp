@@ -251,11 +251,11 @@ void report_exchange(Report& report) {
 
 /**
 The conclusion of the article says that the stability depends on the strength and the sign of the anharmonicity. At
-$s = -0.1$, 0 and $0.1$ the verdict is the same: $\kappa$ is [](num:sec33_floquet.kappa_s_minus_01_site),
-[](num:sec33_floquet.kappa_site) and [](num:sec33_floquet.kappa_s_01_site) around a site,
-[](num:sec33_floquet.kappa_s_minus_01_bond), [](num:sec33_floquet.kappa_bond) and
-[](num:sec33_floquet.kappa_s_01_bond) around a bond. Only hard wells beyond the exchange reverse it, and soft ones as
-strong do not: of all $s$ in $[-1,1]$ those above [](num:floquet.s0_site). So it depends on both (`depends_on_well`
+$s = -0.1$, 0 and $0.1$ the verdict is the same: $\kappa$ is [1.89678e-8](num:sec33_floquet.kappa_s_minus_01_site),
+[1.14767e-8](num:sec33_floquet.kappa_site) and [3.95898e-9](num:sec33_floquet.kappa_s_01_site) around a site,
+[-1.89680e-8](num:sec33_floquet.kappa_s_minus_01_bond), [-1.14768e-8](num:sec33_floquet.kappa_bond) and
+[-3.95900e-9](num:sec33_floquet.kappa_s_01_bond) around a bond. Only hard wells beyond the exchange reverse it, and soft ones as
+strong do not: of all $s$ in $[-1,1]$ those above [0.152519](num:floquet.s0_site). So it depends on both (`depends_on_well`
 of exchange.hpp, from $s = 0.1$, 1 and $-1$). */
 void report_strength(Report& report) {
   const std::vector<double> wells{-1, -0.5, -0.1, 0, 0.1, 0.5, 1};
@@ -273,12 +273,12 @@ void report_strength(Report& report) {
 ## Towards $\omega_b = 1$
 
 In the DpS equation the site-centred breather of frequency $\mu$ grows unstable at the rate
-[](num:sec33_floquet.dps_rate) $\mu$ in slow time, whatever its size. By Eq. (20) a breather of the chain of size
+[0.00155771](num:sec33_floquet.dps_rate) $\mu$ in slow time, whatever its size. By Eq. (20) a breather of the chain of size
 $\epsilon$ has $\omega_b-1 = \epsilon^{1/2}/(2\tau_0)$, and if the same happens in the chain its rate is
-$\ln\lambda/T_b = $ [](num:sec33_floquet.dps_rate) $(\omega_b-1)$, weaker by $O(\epsilon^{1/2})$. The exponent
-between two sizes, $\omega_b-1 = 2\cdot10^{-4}$ and $10^{-4}$, is [](num:floquet.weaker); its error is the change from
-the sizes before. The rate over $\omega_b-1$ tends to [](num:sec33_floquet.slow_rate_limit), but slowly: at
-$\omega_b-1 = 10^{-4}$ it is [](num:sec33_floquet.slow_rate), and at $\omega_b = 1.1$ a quarter of the limit. There
+$\ln\lambda/T_b = $ [0.00155771](num:sec33_floquet.dps_rate) $(\omega_b-1)$, weaker by $O(\epsilon^{1/2})$. The exponent
+between two sizes, $\omega_b-1 = 2\cdot10^{-4}$ and $10^{-4}$, is [0.497](num:floquet.weaker); its error is the change from
+the sizes before. The rate over $\omega_b-1$ tends to [0.00155770](num:sec33_floquet.slow_rate_limit), but slowly: at
+$\omega_b-1 = 10^{-4}$ it is [0.0015503](num:sec33_floquet.slow_rate), and at $\omega_b = 1.1$ a quarter of the limit. There
 $\kappa$ is so small that a wider type is needed. */
 void report_slow(Report& report) {
   const double beyond[] = {4e-4, 2e-4, 1e-4};

@@ -112,7 +112,7 @@ Is the speed really constant? Over 32000 units of time, more than 5000 oscillati
 seventeen sites. The speed is the slope of $X$ from $t = 2000$ on; if it is constant, the two halves of this window
 have the same slope. And what does the breather leave behind? The answer to `moving.dispersion` is the largest share
 of the energy that is at any of 45000 samples of a run further than five sites from the strongest one,
-[](num:moving.dispersion): a bound, because the breather's own tail is part of it. */
+[2.95e-9](num:moving.dispersion): a bound, because the breather's own tail is part of it. */
 struct Glide {
   Creep path;
   Table map{{number("t", "time"), count("n", "site", "site"), number("e", "energy density")}};
@@ -184,7 +184,7 @@ std::array<double, 3> report_glides(Report& report) {
 /**
 The energy of the kick depends on the norm of $g$. With the printed denominator, the sum of squares and not its root,
 $g$ would be longer by the factor [63.0043](num:sec33_mobility.printed_norm), and the kick $c = 2\cdot10^{-4}$ would
-tear the breather apart. The threshold would be [](num:sec33_mobility.threshold_as_printed) then, and neither
+tear the breather apart. The threshold would be [7.0658e-8](num:sec33_mobility.threshold_as_printed) then, and neither
 $c = 3\cdot10^{-6}$ nor $6.19\cdot10^{-6}$ would leave anything pinned: so this reading is not what was computed. */
 Estimate printed_norm() {
   const auto longer = [](std::size_t sites) { return 1 / gradient(ready(1, sites).rest.y).norm(); };
@@ -225,17 +225,17 @@ struct TwoPaths {
 
 /**
 The article prints no horizon. Does one make its sentence true? The site-centred breather is two sites away at
-$t = $ [](num:sec33_mobility.two_sites_time), and a figure that ended there would show two sites, but nothing that is
-pinned: on the second site the breather has still [](num:sec33_mobility.slow_over_fast) of its speed between two of
+$t = $ [180339](num:sec33_mobility.two_sites_time), and a figure that ended there would show two sites, but nothing that is
+pinned: on the second site the breather has still [0.589652](num:sec33_mobility.slow_over_fast) of its speed between two of
 them. The sign of the kick and the phase change nothing, since around a site they come to a reversal of time or
 of the chain. Four times as long, `sec33_mobility kick --centre site --c 3e-6 --time 1e6 --sites 61`, it has
 travelled 11.07 sites, which is the same mean speed.
 
 A horizon would also move the threshold: whoever calls a breather pinned that has not passed the next site by some
 time finds a larger $c_c$. After the printed $6.19\cdot10^{-6}$ the bond-centred breather passes the site at
-$t = $ [](num:sec33_mobility.hill_time_bond_stretched) (stretched) or
-[](num:sec33_mobility.hill_time_bond_compressed) (compressed). By the first of these times the site-centred one of the
-same paragraph has moved by [](num:sec33_mobility.site_by_then) sites, so that one horizon for both experiments
+$t = $ [35877.4](num:sec33_mobility.hill_time_bond_stretched) (stretched) or
+[34335.1](num:sec33_mobility.hill_time_bond_compressed) (compressed). By the first of these times the site-centred one of the
+same paragraph has moved by [0.368812](num:sec33_mobility.site_by_then) sites, so that one horizon for both experiments
 leaves either the two sites or the threshold unexplained. */
 void report_horizon(Report& report, const Breathers& at, const TwoPaths& site) {
   // The printed kick, until the breather is past the next site

@@ -260,18 +260,18 @@ void report_late_fates(Report& report) {
 So far there was one well. Do fifteen sites suffice in others, and at other velocities? Four packets that turn, between
 sites 20 and 80, are followed to $t = 4000$ with the waves left up to four distances, and with all of them. The later a
 packet turns, the further behind are the waves that matter. With all waves, twenty sites and fifteen sites of them the
-furthest site is [](num:sec34_boomeron_why.apex_10_19_all), [](num:sec34_boomeron_why.apex_10_19_20) and
-[](num:sec34_boomeron_why.apex_10_19_15) at $s = 1$, $v_0 = 1.9$, where with fifteen the packet is caught there;
-[](num:sec34_boomeron_why.apex_08_22_all), [](num:sec34_boomeron_why.apex_08_22_20) and
-[](num:sec34_boomeron_why.apex_08_22_15) at $s = 0.8$, $v_0 = 2.2$; [](num:sec34_boomeron_why.apex_10_17_all),
-[](num:sec34_boomeron_why.apex_10_17_20) and [](num:sec34_boomeron_why.apex_10_17_15) at $s = 1$, $v_0 = 1.7$; and
-[](num:sec34_boomeron_why.apex_06_25_all), [](num:sec34_boomeron_why.apex_06_25_20) and
-[](num:sec34_boomeron_why.apex_06_25_15) at $s = 0.6$, $v_0 = 2.5$, where with fifteen the packet is still on its way
-out. Thirty sites leave the last one at [](num:sec34_boomeron_why.apex_06_25_30), and with six sites none of the four
+furthest site is [20.0468](num:sec34_boomeron_why.apex_10_19_all), [20.0468](num:sec34_boomeron_why.apex_10_19_20) and
+[20.12](num:sec34_boomeron_why.apex_10_19_15) at $s = 1$, $v_0 = 1.9$, where with fifteen the packet is caught there;
+[26.1075](num:sec34_boomeron_why.apex_08_22_all), [26.1258](num:sec34_boomeron_why.apex_08_22_20) and
+[27.1809](num:sec34_boomeron_why.apex_08_22_15) at $s = 0.8$, $v_0 = 2.2$; [54.2](num:sec34_boomeron_why.apex_10_17_all),
+[63.123](num:sec34_boomeron_why.apex_10_17_20) and [64.3195](num:sec34_boomeron_why.apex_10_17_15) at $s = 1$, $v_0 = 1.7$; and
+[77.3](num:sec34_boomeron_why.apex_06_25_all), [84.241](num:sec34_boomeron_why.apex_06_25_20) and
+[128.34](num:sec34_boomeron_why.apex_06_25_15) at $s = 0.6$, $v_0 = 2.5$, where with fifteen the packet is still on its way
+out. Thirty sites leave the last one at [75.10](num:sec34_boomeron_why.apex_06_25_30), and with six sites none of the four
 returns in that time.
 
 At $s = 0.6$, $v_0 = 1.9$ the packet does not turn, and until then the waves make no difference: with all of them and
-with six sites of them it is at the same place, within [](num:sec34_boomeron_why.apart_without_turn) sites. Later they
+with six sites of them it is at the same place, within [0.017](num:sec34_boomeron_why.apart_without_turn) sites. Later they
 do: followed once to $t = 20000$ it is beyond site 1100 with all waves, and beyond site 1400 with six sites. */
 void report_range(Report& report) {
   std::vector<Packet> list;

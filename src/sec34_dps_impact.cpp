@@ -64,8 +64,8 @@ $$y_n \approx 2\epsilon\,\mathrm{Re}\,[A_n(\tau)\,e^{it}], \quad \tau = \epsilon
 with $A_1(0) = -i$ and all others zero, Eq. (25), and $\tau_0$ from chapter 3.1. All ends are free
 and all quantities dimensionless. In the program $\epsilon$, $\tau$ and $A_n$ are `eps`, `tau` and
 `Field`. Do the article's scales belong together (`impact.scales_fig17`)? By Eq. (20) the frequency 1.01 needs
-$\epsilon =$ [](num:sec34_dps_impact.eps_of_1_01), printed as $0.9548\cdot10^{-3}$, and then $\tau = 250$ is
-$t =$ [](num:impact.scales_fig17), printed as 8090. */
+$\epsilon =$ [0.000954887](num:sec34_dps_impact.eps_of_1_01), printed as $0.9548\cdot10^{-3}$, and then $\tau = 250$ is
+$t =$ [8090.29](num:impact.scales_fig17), printed as 8090. */
 constexpr double eps = 0.9548e-3;
 
 void report_scales(Report& report) {

@@ -307,8 +307,8 @@ void report_decay(Report& report) {
 
 The article compares one growth rate with one lifetime: an instability is hidden if $1+\epsilon$ does not grow
 by a factor of $e$ in 10 ms, that is for $\epsilon < 0.015$ (`outlook.dominated`). With the printed period of 0.15 ms
-$(1+\epsilon)^{10/0.15} = e$ gives [](num:outlook.dominated), with $2\pi\tau_c$
-[](num:sec5_experiment.epsilon_e_fold). */
+$(1+\epsilon)^{10/0.15} = e$ gives [0.0151131](num:outlook.dominated), with $2\pi\tau_c$
+[0.0159718](num:sec5_experiment.epsilon_e_fold). */
 void report_bound(Report& report) {
   const double linear_period = ArrayUnits{}.milliseconds(2 * std::numbers::pi);
   report.results.add("outlook.dominated", exact(std::expm1(0.15 / ten)));

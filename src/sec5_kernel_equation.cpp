@@ -541,21 +541,21 @@ struct OneWave {
 The energies of the two signs at $k = 1$ are [0.180834](num:sec5_kernel_equation.energy_plus) and
 [0.180834](num:sec5_kernel_equation.energy_minus), as the shift map of the lattice has them, and so up to $k = 6$. The
 actions differ by [-2.43979e-11](num:sec5_kernel_equation.action_difference), plus minus minus, so that the sign plus,
-whose phase is held, has the larger quotient. [](num:sec5_kernel_equation.ascents_finished) of
-[](num:sec5_kernel_equation.ascent_starts) random starts come to rest, at quotients between
-[](num:sec5_kernel_equation.ascent_lowest) and [](num:sec5_kernel_equation.ascent_highest); the waves have
-[](num:sec5_kernel_equation.quotient_plus). Their distance is [](num:sec5_kernel_equation.ascent_spread), no more than
+whose phase is held, has the larger quotient. [30](num:sec5_kernel_equation.ascents_finished) of
+[30](num:sec5_kernel_equation.ascent_starts) random starts come to rest, at quotients between
+[1.1552](num:sec5_kernel_equation.ascent_lowest) and [1.1552](num:sec5_kernel_equation.ascent_highest); the waves have
+[1.15521](num:sec5_kernel_equation.quotient_plus). Their distance is [3e-6](num:sec5_kernel_equation.ascent_spread), no more than
 it changes with the grid: no second maximum is seen, and none that is closer is excluded.
 
-From large $\alpha$ to small the signs exchange their order at $\alpha =$ [](num:sec5_kernel_equation.exchange_1),
-[](num:sec5_kernel_equation.exchange_2), [](num:sec5_kernel_equation.exchange_3),
-[](num:sec5_kernel_equation.exchange_4), [](num:sec5_kernel_equation.exchange_5),
-[](num:sec5_kernel_equation.exchange_6), [](num:sec5_kernel_equation.exchange_7),
-[](num:sec5_kernel_equation.exchange_8) and [](num:sec5_kernel_equation.exchange_9). From the first to $\alpha = 8$,
+From large $\alpha$ to small the signs exchange their order at $\alpha =$ [5.82355](num:sec5_kernel_equation.exchange_1),
+[3.10428](num:sec5_kernel_equation.exchange_2), [2.30736](num:sec5_kernel_equation.exchange_3),
+[1.94497](num:sec5_kernel_equation.exchange_4), [1.73825](num:sec5_kernel_equation.exchange_5),
+[1.60461](num:sec5_kernel_equation.exchange_6), [1.51174](num:sec5_kernel_equation.exchange_7),
+[1.44347](num:sec5_kernel_equation.exchange_8) and [1.39092](num:sec5_kernel_equation.exchange_9). From the first to $\alpha = 8$,
 where the table ends, the sign minus has the larger quotient. In $1/(\alpha-1)$ the exchanges lie
-[](num:sec5_kernel_equation.exchange_spacing_first) to [](num:sec5_kernel_equation.exchange_spacing_last) apart, as if
+[0.267906](num:sec5_kernel_equation.exchange_spacing_first) to [0.3031](num:sec5_kernel_equation.exchange_spacing_last) apart, as if
 there were no end of them towards $\alpha = 1$; a tenth one is beyond double precision. At
-[](num:sec5_kernel_equation.phases_agree) of the [](num:sec5_kernel_equation.phases_compared) exponents of the table
+[35](num:sec5_kernel_equation.phases_agree) of the [35](num:sec5_kernel_equation.phases_compared) exponents of the table
 at which the difference and $\kappa$ are beyond their errors, the phase of the larger quotient is held and that of the
 other is not. */
 void report_waves(Report& report, const std::vector<Wave>& all) {
@@ -578,11 +578,11 @@ void report_waves(Report& report, const std::vector<Wave>& all) {
 
 /**
 Stability does not pass from one sign to the other in one point. With growing $\alpha$ the phase of the sign plus is
-held from [](num:sec5_kernel_equation.kappa_plus_exchange_2) on and that of the sign minus up to
-[](num:sec5_kernel_equation.kappa_minus_exchange_2): between them both are held, so that a third wave, without
+held from [3.10381](num:sec5_kernel_equation.kappa_plus_exchange_2) on and that of the sign minus up to
+[3.10475](num:sec5_kernel_equation.kappa_minus_exchange_2): between them both are held, so that a third wave, without
 symmetry, should separate them there. At the exchange above it is the other way round: plus is held up to
-[](num:sec5_kernel_equation.kappa_plus_exchange_1), minus only from
-[](num:sec5_kernel_equation.kappa_minus_exchange_1) on, and between them neither is. There an ascent from a disturbed
+[5.79556](num:sec5_kernel_equation.kappa_plus_exchange_1), minus only from
+[5.85298](num:sec5_kernel_equation.kappa_minus_exchange_1) on, and between them neither is. There an ascent from a disturbed
 wave, made once outside this program by Fourier transforms on a circle of sixteen shifts, comes to a wave without
 symmetry, at the exchange with a quotient $4\times10^{-6}$ above those of both signs.
 

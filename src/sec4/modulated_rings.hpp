@@ -174,21 +174,21 @@ inline void report_modulated(Report& report) {
 ## What the rings show
 
 On the rings a breather forms in all three wells. For $s = 0$ this takes until $t =$
-[](num:sec4_precompression_mi.gathered_s_0), for $s = 1$ until [](num:sec4_precompression_mi.gathered_s_1), and for
-$s = -1/6$ until [](num:sec4_precompression_mi.gathered_s_minus_1_6). At half height the packets are at their narrowest
-[](num:sec4_precompression_mi.packet_width_s_0), [](num:sec4_precompression_mi.packet_width_s_1) and
-[](num:sec4_precompression_mi.packet_width_s_minus_1_6) sites wide: in linear wells the breather is later and less
+[3.635e4](num:sec4_precompression_mi.gathered_s_0), for $s = 1$ until [4.70e3](num:sec4_precompression_mi.gathered_s_1), and for
+$s = -1/6$ until [6.50e3](num:sec4_precompression_mi.gathered_s_minus_1_6). At half height the packets are at their narrowest
+[31.1791](num:sec4_precompression_mi.packet_width_s_0), [7.12680](num:sec4_precompression_mi.packet_width_s_1) and
+[7.07776](num:sec4_precompression_mi.packet_width_s_minus_1_6) sites wide: in linear wells the breather is later and less
 localized, as the article says. For $s = 1$ the choice of the wavenumber does not matter. Of
-[](num:sec4_precompression_mi.rings_tried_s_1) in the unstable band, [](num:sec4_precompression_mi.rings_formed_s_1)
-make a breather; the widest of these is [](num:sec4_precompression_mi.widest_packet_s_1) sites wide, and the last has
-gathered at $t =$ [](num:sec4_precompression_mi.last_gathered_s_1). Of the others three do not gather in the time of
+[26](num:sec4_precompression_mi.rings_tried_s_1) in the unstable band, [19](num:sec4_precompression_mi.rings_formed_s_1)
+make a breather; the widest of these is [29.4516](num:sec4_precompression_mi.widest_packet_s_1) sites wide, and the last has
+gathered at $t =$ [1.325e4](num:sec4_precompression_mi.last_gathered_s_1). Of the others three do not gather in the time of
 the runs, two of them at the edge of the band; in four the energy gathers, but the richest window jumps between
 packets, and its speed means nothing. */
 
 /**
 Before, we counted the sites that share the energy of the ring, and tried every fourth wavenumber only. That measure
-saw the background: it gives [](num:sec4_precompression_mi.narrowest_s_0),
-[](num:sec4_precompression_mi.narrowest_s_1) and [](num:sec4_precompression_mi.narrowest_s_minus_1_6) sites, most of
+saw the background: it gives [52.5573](num:sec4_precompression_mi.narrowest_s_0),
+[78.2169](num:sec4_precompression_mi.narrowest_s_1) and [24.19](num:sec4_precompression_mi.narrowest_s_minus_1_6) sites, most of
 them for $s = 1$, where a narrow packet stands on more background.
 
 In linear wells the width does depend on the wavenumber: `sec4_precompression_mi ring --s 0 --waves 31` finds a packet
@@ -200,11 +200,11 @@ is everywhere: of the 37 wavenumbers below the inflection none has gathered befo
 ## The pulse splits
 
 The breather of figure 26 passes round the ring as one pulse. Then it spreads, and at $t =$
-[](num:sec4_precompression_mi.splitting_splits_at) a second window of 21 sites holds half as much energy as the first.
-The spread pulse breaks up, and at [](num:sec4_precompression_mi.splitting_apart_at) the energy has gathered again, in
+[7.35e3](num:sec4_precompression_mi.splitting_splits_at) a second window of 21 sites holds half as much energy as the first.
+The spread pulse breaks up, and at [8.70e3](num:sec4_precompression_mi.splitting_apart_at) the energy has gathered again, in
 two pulses of which the second has at least half of the energy of the first. The runs with two steps agree beyond, up
-to $t =$ [](num:sec4_precompression_mi.agree_s_minus_1_6). That a pulse has lasted we now take from its way round the
-ring, [](num:sec4_precompression_mi.splitting_one_pulse_for) units of time being enough; our earlier thousand units
+to $t =$ [30000](num:sec4_precompression_mi.agree_s_minus_1_6). That a pulse has lasted we now take from its way round the
+ring, [8.0e2](num:sec4_precompression_mi.splitting_one_pulse_for) units of time being enough; our earlier thousand units
 were more than this pulse lives, and so the criterion missed its splitting and found a much later one. */
 /**
 The subcommand `ring` follows one phonon of your choice. */
