@@ -82,6 +82,7 @@ inline Estimate mean_size(const std::vector<Estimate>& values) {
   return compare(mean(2), mean(1));
 }
 
+/// The mean size of `curve` is below that of `other`; compared at the same places.
 inline Condition smaller_on_the_whole(const std::string& name, const std::vector<Estimate>& curve,
                                       const std::vector<Estimate>& other) {
   return below(name, quotient(mean_size(curve), mean_size(other)), 1);
