@@ -105,9 +105,10 @@ TEST_CASE("figures named in the prose exist", "[lineage]") {
 TEST_CASE("claims named in a chapter are rows", "[lineage]") {
   const auto ids = read_claims(root / "paper/published.ecsv");
   for (const auto& path : sources())
-    for (const auto& id : matches(text_of(root / path),
-                                  "`((?:thm|dps|newton|pn|floquet|pinning|moving|"
-                                  "impact|boomeron|scale|beam|cantilever|pre|outlook|chain)\\.\\w+)`")) {
+    for (const auto& id :
+         matches(text_of(root / path),
+                 "`((?:thm|dps|newton|pn|floquet|pinning|moving|"
+                 "impact|boomeron|scale|beam|cantilever|pre|outlook|chain)\\.\\w+)`")) {
       CAPTURE(path, id);
       CHECK(ids.count(id) == 1);
     }

@@ -49,6 +49,16 @@ struct RingOfWell {
   }
 };
 
+/**
+Before, we counted the sites that share the energy of the ring, and tried every fourth wavenumber only. That measure
+saw the background: it gives [52.5573](num:sec4_precompression_mi.narrowest_s_0),
+[78.2169](num:sec4_precompression_mi.narrowest_s_1) and [24.19](num:sec4_precompression_mi.narrowest_s_minus_1_6) sites, most of
+them for $s = 1$, where a narrow packet stands on more background.
+
+In linear wells the width does depend on the wavenumber: `sec4_precompression_mi ring --s 0 --waves 31` finds a packet
+no wider than the others, 7.0 sites, where $\Phi$ is a third below its largest value, and up to the inflection it
+stays that narrow; at $q = \pi/4$ (`--waves 25`), where the article has its soft wells, it is 26 sites wide. Slower it
+is everywhere: of the 37 wavenumbers below the inflection none has gathered before $t = 27800$. */
 /// What the wavenumbers of the hard wells have in common: how many make a breather, how wide, and when.
 inline void report_band_of(Report& report, const std::string& name,
                            const std::vector<RingOfWell>& band) {
@@ -67,6 +77,20 @@ inline void report_band_of(Report& report, const std::string& name,
   report.facts.add("last_gathered" + name, latest);
 }
 
+/**
+## What the rings show
+
+On the rings a breather forms in all three wells. For $s = 0$ this takes until $t =$
+[3.635e4](num:sec4_precompression_mi.gathered_s_0), for $s = 1$ until [4.70e3](num:sec4_precompression_mi.gathered_s_1), and for
+$s = -1/6$ until [6.50e3](num:sec4_precompression_mi.gathered_s_minus_1_6). At half height the packets are at their narrowest
+[31.1791](num:sec4_precompression_mi.packet_width_s_0), [7.12680](num:sec4_precompression_mi.packet_width_s_1) and
+[7.07776](num:sec4_precompression_mi.packet_width_s_minus_1_6) sites wide: in linear wells the breather is later and less
+localized, as the article says. For $s = 1$ the choice of the wavenumber does not matter. Of
+[26](num:sec4_precompression_mi.rings_tried_s_1) in the unstable band, [19](num:sec4_precompression_mi.rings_formed_s_1)
+make a breather; the widest of these is [29.4516](num:sec4_precompression_mi.widest_packet_s_1) sites wide, and the last has
+gathered at $t =$ [1.325e4](num:sec4_precompression_mi.last_gathered_s_1). Of the others three do not gather in the time of
+the runs, two of them at the edge of the band; in four the energy gathers, but the richest window jumps between
+packets, and its speed means nothing. */
 /// The tables and verdicts of other wells, beside the course in soft ones.
 inline void report_courses(Report& report, const RingCourse& soft) {
   // The linear well at one wavenumber, for long; the hard one all over its band
@@ -171,32 +195,6 @@ inline void report_modulated(Report& report) {
 }
 
 /**
-## What the rings show
-
-On the rings a breather forms in all three wells. For $s = 0$ this takes until $t =$
-[3.635e4](num:sec4_precompression_mi.gathered_s_0), for $s = 1$ until [4.70e3](num:sec4_precompression_mi.gathered_s_1), and for
-$s = -1/6$ until [6.50e3](num:sec4_precompression_mi.gathered_s_minus_1_6). At half height the packets are at their narrowest
-[31.1791](num:sec4_precompression_mi.packet_width_s_0), [7.12680](num:sec4_precompression_mi.packet_width_s_1) and
-[7.07776](num:sec4_precompression_mi.packet_width_s_minus_1_6) sites wide: in linear wells the breather is later and less
-localized, as the article says. For $s = 1$ the choice of the wavenumber does not matter. Of
-[26](num:sec4_precompression_mi.rings_tried_s_1) in the unstable band, [19](num:sec4_precompression_mi.rings_formed_s_1)
-make a breather; the widest of these is [29.4516](num:sec4_precompression_mi.widest_packet_s_1) sites wide, and the last has
-gathered at $t =$ [1.325e4](num:sec4_precompression_mi.last_gathered_s_1). Of the others three do not gather in the time of
-the runs, two of them at the edge of the band; in four the energy gathers, but the richest window jumps between
-packets, and its speed means nothing. */
-
-/**
-Before, we counted the sites that share the energy of the ring, and tried every fourth wavenumber only. That measure
-saw the background: it gives [52.5573](num:sec4_precompression_mi.narrowest_s_0),
-[78.2169](num:sec4_precompression_mi.narrowest_s_1) and [24.19](num:sec4_precompression_mi.narrowest_s_minus_1_6) sites, most of
-them for $s = 1$, where a narrow packet stands on more background.
-
-In linear wells the width does depend on the wavenumber: `sec4_precompression_mi ring --s 0 --waves 31` finds a packet
-no wider than the others, 7.0 sites, where $\Phi$ is a third below its largest value, and up to the inflection it
-stays that narrow; at $q = \pi/4$ (`--waves 25`), where the article has its soft wells, it is 26 sites wide. Slower it
-is everywhere: of the 37 wavenumbers below the inflection none has gathered before $t = 27800$. */
-
-/**
 ## The pulse splits
 
 The breather of figure 26 passes round the ring as one pulse. Then it spreads, and at $t =$
@@ -205,8 +203,8 @@ The spread pulse breaks up, and at [8.70e3](num:sec4_precompression_mi.splitting
 two pulses of which the second has at least half of the energy of the first. The runs with two steps agree beyond, up
 to $t =$ [30000](num:sec4_precompression_mi.agree_s_minus_1_6). That a pulse has lasted we now take from its way round the
 ring, [8.0e2](num:sec4_precompression_mi.splitting_one_pulse_for) units of time being enough; our earlier thousand units
-were more than this pulse lives, and so the criterion missed its splitting and found a much later one. */
-/**
+were more than this pulse lives, and so the criterion missed its splitting and found a much later one.
+
 The subcommand `ring` follows one phonon of your choice. */
 struct OneRing {
   static constexpr Title title{"ring",

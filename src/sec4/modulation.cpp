@@ -94,6 +94,7 @@ RingCourse ring_course(const ModulatedPhonon& phonon, double longest,
   return out;
 }
 
+// What is narrowest and highest on the way
 Estimate RingCourse::narrowest() const {
   const auto narrower = [](const auto& a, const auto& b) {
     return a[1].participation < b[1].participation;
