@@ -258,8 +258,8 @@ void report_late_fates(Report& report) {
 ## How far behind the waves may be
 
 So far there was one well. Do fifteen sites suffice in others, and at other velocities? Four packets that turn, between
-sites 20 and 80, are followed to $t = 4000$ with the waves left up to four distances, and with all of them. The later a
-packet turns, the further behind are the waves that matter. With all waves, twenty sites and fifteen sites of them the
+sites 20 and 80, are followed to $t = 4000$ with the waves left up to four distances, and with all of them. Of these,
+those that turn later need waves from further behind. With all waves, twenty sites and fifteen sites of them the
 furthest site is [20.0468](num:sec34_boomeron_why.apex_10_19_all), [20.0468](num:sec34_boomeron_why.apex_10_19_20) and
 [20.12](num:sec34_boomeron_why.apex_10_19_15) at $s = 1$, $v_0 = 1.9$, where with fifteen the packet is caught there;
 [26.1075](num:sec34_boomeron_why.apex_08_22_all), [26.1258](num:sec34_boomeron_why.apex_08_22_20) and
