@@ -313,7 +313,7 @@ For an impact the constants are [2.124](num:sec31_dps_limit.constant_impact_tau_
 [0.004](num:sec31_dps_limit.largest_resolution_error) of the deviation. */
 // Other wells and waves
 /**
-The shape of the well does not matter: the orders are [1.49548](num:sec31_dps_limit.order_hard_impact) and
+In two other wells the order stays: it is [1.49548](num:sec31_dps_limit.order_hard_impact) and
 [1.4978](num:sec31_dps_limit.order_hard_pair) at $s = 1$, [1.49695](num:sec31_dps_limit.order_lopsided_impact) and
 [1.4982](num:sec31_dps_limit.order_lopsided_pair) with a quadratic force. The distance of the travelling waves has the order
 [1.4999](num:dps.travelling_close); on the ring they come back to [6e-7](num:sec31_dps_limit.wave_returns) of their size.

@@ -128,7 +128,8 @@ full map a residual of [1e-14](num:sec32_newton_breathers.full_residual) still d
 [4e-14](num:newton.residual) (printed: $1.5\cdot10^{-9}$) and the last variation
 [7e-14](num:newton.variation) (printed: $1.7\cdot10^{-11}$).
 
-So both printed numbers are met by another algorithm than the article's. Its own, Gauss-Newton on the full map, leaves
+So both printed numbers are met by another algorithm than the article's. Gauss-Newton on the full map, nearest to
+its own, leaves
 a residual of [3.6091e-10](num:sec32_newton_breathers.full_residual_5) after five steps, of which the last is
 [5.63924e-5](num:sec32_newton_breathers.full_step_5): the residual is met, the variation is not. Least squares that leave the
 pinning mode alone stop at [2.1e-9](num:sec33_article_integrator.residual_flow) with steps of

@@ -181,8 +181,8 @@ std::vector<Seen> report_multipliers(Report& report, const Chart& site, const Ch
 
 The article has "computed the Floquet spectrum for different values" of $\omega_b\in(1,2]$ and $s\in[-1,1]$, without
 saying which. It cannot mean every pair of values, since the families of soft wells end before $\omega_b=2$. It
-describes two continuations with these two ranges: in $\omega_b$ through the linear well, and in $s$ at
-$\omega_b=1.1$, of which it shows the multipliers. So we judge the statement on these two lines. Near $+1$ means
+shows multipliers at $\omega_b=1.1$ only, for all $s$, and follows breathers in $\omega_b$ through the linear well; we
+judge the statement on these two lines. In hard wells, which its figure 7 follows too, it fails (next section). Near $+1$ means
 within 0.01 and at least ten times as near as the fifth multiplier; its own distance cannot be prescribed, because for
 $\omega_b \to 1$ the point of accumulation itself comes near. All others may leave the circle by $10^{-3}$ at most,
 the size that the article neglects. And ten more sites must add twenty multipliers at the point of accumulation,

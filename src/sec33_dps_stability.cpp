@@ -517,8 +517,8 @@ Noise of half that size separates the two. In the narrow reading [16](num:sec33_
 the claim holds: robust as a structure in all readings, and in one of them in its place as well, though not for
 certain: two in a hundred draws of this noise push harder than the freeing push. With 48 seeds (in
 `groups_of_trials`) all site-centred breathers leave by $t = 500$, and one bond-centred one in ten times that time
-(`duration`); a second program with a generator of its own counts 48 and none, and with 1000 seeds 25 that leave a
-bond by $t = 500$. */
+(`duration`); a second program with a generator of its own (not part of this repository) counts 48 and none, and with 1000
+seeds 25 that leave a bond by $t = 500$. */
 void reproduce(Report& report) {
   report.output.note(
       "seed", "GSL mt19937, seeds in the tables of trials; map: " + std::to_string(map_seed));

@@ -654,7 +654,8 @@ compressed the threshold is [4.31978e-6](num:sec33_mobility.threshold_bond_compr
 particular; within 20000 periods the classical Runge-Kutta method with 120 to 128 steps per period comes near
 (sec33_article_integrator.cpp). Such locked steps pin the bond-centred breather at $5.5\cdot10^{-6}$, but only where
 the energy drifts by far more than the kick gives: whether steps can pin a breather at a conserved energy is open. That
-locked steps explain the threshold is a conjecture, and none of them makes the site-centred breather jump two sites and
+locked steps explain the threshold is a conjecture, and none of the
+[6](num:sec33_article_integrator.thresholds_near) that come near it makes the site-centred breather jump two sites and
 stay.
 
 ## Extensions

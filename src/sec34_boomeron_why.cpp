@@ -258,8 +258,8 @@ void report_late_fates(Report& report) {
 ## How far behind the waves may be
 
 So far there was one well. Do fifteen sites suffice in others, and at other velocities? Four packets that turn, between
-sites 20 and 80, are followed to $t = 4000$ with the waves left up to four distances, and with all of them. Of these,
-those that turn later need waves from further behind. With all waves, twenty sites and fifteen sites of them the
+sites 20 and 80, are followed to $t = 4000$ with the waves left up to four distances, and with all of them. The farther
+out the apex, the more such a cut moves it. With all waves, twenty sites and fifteen sites of them the
 furthest site is [20.0468](num:sec34_boomeron_why.apex_10_19_all), [20.0468](num:sec34_boomeron_why.apex_10_19_20) and
 [20.12](num:sec34_boomeron_why.apex_10_19_15) at $s = 1$, $v_0 = 1.9$, where with fifteen the packet is caught there;
 [26.1075](num:sec34_boomeron_why.apex_08_22_all), [26.1258](num:sec34_boomeron_why.apex_08_22_20) and
@@ -610,8 +610,8 @@ void report_waves(Report& report) {
 **A packet is turned early by waves that travel behind it, and these come from the impact.** Take away what lies more
 than six sites behind it, and at $s = 1$, $v_0 = 1.9$ the force on the way out falls to less than a half; there, and at
 three other wells and velocities with an apex between sites 20 and 80, the packet goes far beyond its old apex. How
-far behind the waves may be depends on the packet: for an apex near site 20 fifteen sites are enough, for one near
-site 77 not even twenty are. So the article's suspicion that other waves turn the packet is supported, but these waves
+far behind the waves may be depends on the packet: an apex near site 20 stays where it is with fifteen
+sites (though the packet is caught there), one near site 77 moves even with twenty. So the article's suspicion that other waves turn the packet is supported, but these waves
 need not be confined: at $s = 1$, $v_0 = 1.9$ an end that absorbs them only moves the apex. At $s = 0.6$, $v_0 = 1.9$
 no packet turns, and until $t = 4000$ waves make no difference.
 

@@ -213,8 +213,8 @@ The linear waves of the chain at rest all have the frequency 1, so a wave of any
 general drag a tail. At $T = 2\pi k$ that one is the uniform oscillation, which no contact feels. So these waves are
 embedded in a band, as embedded solitons are (Champneys, Malomed, Yang and Kaup, Physica D 152 (2001) 340), but
 protected by an identity. The mechanism is known from chains of beads with one resonator each, where Kevrekidis,
-Stefanov and Xu (arXiv:1502.01995) call it anti-resonance and have rigorous waves: there our *identical linear cells*
-are theirs. Chains without wells have the theorems of Friesecke and Wattis (Commun. Math. Phys. 161 (1994) 391),
+Stefanov and Xu (arXiv:1502.01995) call it anti-resonance and have rigorous waves: for one
+resonator in a bead the case *identical linear cells* is theirs. Chains without wells have the theorems of Friesecke and Wattis (Commun. Math. Phys. 161 (1994) 391),
 English and Pego (Proc. AMS 133 (2005) 1763), Stefanov and Kevrekidis (J. Nonlinear Sci. 22 (2012) 327), the first and
 the last of which are variational too; periodic trains in convex wells that of Herrmann
 (arXiv:0902.4201). Waves with tails, nanoptera, are in Faver (arXiv:1910.12313) and Vorotnikov et al.
@@ -296,8 +296,8 @@ starts come to the same value, that of the waves above, up to the error of the p
 same function: translations change nothing, and the internal phase changes the quotient only in the eleventh digit,
 far below what this grid resolves. Along these two directions the ascent creeps, so that a single small step says
 nothing: each start goes on until 25 steps together gain less than $10^{-10}$ a step. A limit of two thousand steps
-would cut off 13 of them, and the ends would lie $4.5\times10^{-5}$ apart; continued, once, until a step gains less
-than $10^{-15}$, they lie $1.5\times10^{-6}$ apart. */
+would cut off 13 of them, and the ends would lie $4.5\times10^{-5}$ apart; continued, once (`stop`, `most_tries`), until a step gains
+less than $10^{-15}$, they lie $1.5\times10^{-6}$ apart. */
 constexpr double stop = 1e-10;
 
 std::vector<Ascent> ascents(std::size_t count, std::size_t per_shift) {
@@ -542,7 +542,8 @@ The energies of the two signs at $k = 1$ are [0.180834](num:sec5_kernel_equation
 [0.180834](num:sec5_kernel_equation.energy_minus), as the shift map of the lattice has them, and so up to $k = 6$. The
 actions differ by [-2.43979e-11](num:sec5_kernel_equation.action_difference), plus minus minus, so that the sign plus,
 whose phase is held, has the larger quotient. [30](num:sec5_kernel_equation.ascents_finished) of
-[30](num:sec5_kernel_equation.ascent_starts) random starts come to rest, at quotients between
+[30](num:sec5_kernel_equation.ascent_starts) random starts meet the stopping rule, though some still creep (see *The ascent*),
+at quotients between
 [1.1552](num:sec5_kernel_equation.ascent_lowest) and [1.1552](num:sec5_kernel_equation.ascent_highest); the waves have
 [1.15521](num:sec5_kernel_equation.quotient_plus). Their distance is [3e-6](num:sec5_kernel_equation.ascent_spread), no more than
 it changes with the grid: no second maximum is seen, and none that is closer is excluded.
@@ -580,13 +581,13 @@ void report_waves(Report& report, const std::vector<Wave>& all) {
 Stability does not pass from one sign to the other in one point. With growing $\alpha$ the phase of the sign plus is
 held from [3.10381](num:sec5_kernel_equation.kappa_plus_exchange_2) on and that of the sign minus up to
 [3.10475](num:sec5_kernel_equation.kappa_minus_exchange_2): between them both are held, so that a third wave, without
-symmetry, should separate them there. At the exchange above it is the other way round: plus is held up to
+symmetry, should separate them there. At the first exchange it is the other way round: plus is held up to
 [5.79556](num:sec5_kernel_equation.kappa_plus_exchange_1), minus only from
 [5.85298](num:sec5_kernel_equation.kappa_minus_exchange_1) on, and between them neither is. There an ascent from a disturbed
-wave, made once outside this program by Fourier transforms on a circle of sixteen shifts, comes to a wave without
+wave, made once by Fourier transforms on a circle of sixteen shifts (not part of this repository), comes to a wave without
 symmetry, at the exchange with a quotient $4\times10^{-6}$ above those of both signs.
 
-Beyond the table, again outside this program, the quotient of the sign minus is the larger one at fourteen exponents
+Beyond the table, computed once with the functions of this chapter and the limit of `--alpha` lifted, the quotient of the sign minus is the larger one at fourteen exponents
 from 8.5 to 40. But from $\alpha = 8.5636$ on $\kappa$ is positive for *both* signs, though ascents from the disturbed
 wave minus return to it: a larger quotient means a held phase in the table and not everywhere.
 
@@ -617,11 +618,11 @@ void reproduce(Report& report) {
 
 Proved are the theorem and what is listed under *What else follows*, and in the next chapter both waves of $k = 1$.
 Computed, with errors from two grids, are the waves, their quotients and the exchanges. That one of the two even
-waves is the maximum of the theorem at $\alpha = 3/2$ is a conjecture, with which the ascents agree; near an exchange
-it might be one without symmetry.
+waves is the maximum of the theorem at $\alpha = 3/2$ is a conjecture, with which the ascents agree; at the exchange near 5.82 it is
+neither, since a wave without symmetry has the larger quotient.
 
 - `sec5_kernel_equation wave --alpha 3 --sign minus` has the larger quotient there. Follow both signs
-  through an exchange and look for the wave without symmetry between them.
+  through the second exchange and look for the wave without symmetry between them.
 - Give the cells a resonator with commensurate frequencies: the kernel has one more sine, the theorem is
   the same.
 - Does the contact really stay closed forever once it has closed for the last time, as it does as far as

@@ -430,8 +430,8 @@ void report_boomeron(Report& report, const Table& exact_orbits, const Path& coar
 from [0.40](num:sec5_travelling_families.left_over_sum_least) to [1.05406](num:sec5_travelling_families.left_over_sum_most) of
 it, and at [126](num:sec5_travelling_families.left_off_by_a_fifth) of the
 [141](num:sec5_travelling_families.left_compared) members compared it differs by more than a fifth. The ratio does not
-tend to one towards an orbit of type I either: with this measurement at $T/2\pi = k-10^{-4}$, once outside this
-program, it is 1.079, 0.961 and 0.889 for $k = 1$, $2$ and $4$. Where $V$ vanishes, nothing is left behind. On the
+tend to one towards an orbit of type I either: with this measurement at $T/2\pi = k-10^{-4}$, made once by a program that is not part of this
+repository, it is 1.079, 0.961 and 0.889 for $k = 1$, $2$ and $4$. Where $V$ vanishes, nothing is left behind. On the
 family that begins at $T = 2\pi$ the first orbit of type II lies at $T/2\pi =$
 [0.897407](num:sec5_travelling_families.turns_type_two_1); in all we found
 [12](num:sec5_travelling_families.found_type_one) orbits of type I and
@@ -440,8 +440,7 @@ family that begins at $T = 2\pi$ the first orbit of type II lies at $T/2\pi =$
 **In hard wells the fast ones disappear.** In soft wells the orbits of type I continue as far as the table follows
 them, to $s =$ [-1.163](num:sec5_travelling_families.soft_k1) ($k = 1$), [-1.38](num:sec5_travelling_families.soft_k2) ($k = 2$),
 [-1.392](num:sec5_travelling_families.soft_k3) ($k = 3$) and [-0.049](num:sec5_travelling_families.soft_k4) ($k = 4$), but not for
-ever: that of $k = 1$ folds at $s =$ [-5.73337](num:sec5_travelling_families.soft_fold_k1), and followed further, once outside
-this program, that of $k = 2$ at $-54.4$, while those of $k = 3$ and $4$ reach $-13.9$. In hard ones their branch meets
+ever: that of $k = 1$ folds at $s =$ [-5.73337](num:sec5_travelling_families.soft_fold_k1), and followed further, once (not part of this program), that of $k = 2$ at $-54.4$, while those of $k = 3$ and $4$ reach $-13.9$. In hard ones their branch meets
 that of type II in a fold, at a smaller $s$ the faster the orbit is: for $k = 1$ at
 $s =$ [0.0103021](num:sec5_travelling_families.fold_k1), for $k = 2$ at
 [0.325575](num:sec5_travelling_families.fold_k2), for $k = 3$ at

@@ -548,7 +548,7 @@ linear wells those that repeat themselves from site to site have, as far as we f
 which the rotation of $\sum(y_n+i\dot y_n)$ allows them: multiples of the bead's period, and times at which the sum
 vanishes. Newton's method reaches them from the packets that the article describes. At small amplitude they tend to
 a travelling breather of the DpS equation; in hard wells the fast ones disappear in folds, in soft wells they
-continue much further. The article's packets approach the line that joins them without locking to
+continue as far as we followed them, the fastest to a fold at $s =$ [-5.73337](num:sec5_travelling_families.soft_fold_k1). The article's packets approach the line that joins them without locking to
 any, and shed a tail that becomes weaker and weaker. The reversal of direction at $s > 0$ is not explained by exact
 orbits.
 

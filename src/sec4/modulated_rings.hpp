@@ -84,8 +84,9 @@ On the rings a breather forms in all three wells. For $s = 0$ this takes until $
 [3.635e4](num:sec4_precompression_mi.gathered_s_0), for $s = 1$ until [4.70e3](num:sec4_precompression_mi.gathered_s_1), and for
 $s = -1/6$ until [6.50e3](num:sec4_precompression_mi.gathered_s_minus_1_6). At half height the packets are at their narrowest
 [31.1791](num:sec4_precompression_mi.packet_width_s_0), [7.12680](num:sec4_precompression_mi.packet_width_s_1) and
-[7.07776](num:sec4_precompression_mi.packet_width_s_minus_1_6) sites wide: in linear wells the breather is later and less
-localized, as the article says. For $s = 1$ the choice of the wavenumber does not matter. Of
+[7.07776](num:sec4_precompression_mi.packet_width_s_minus_1_6) sites wide: at the most unstable wavenumber of linear
+wells the breather is later and less localized, as the article says. For $s = 1$ no wavenumber that makes a breather
+changes this order: of
 [26](num:sec4_precompression_mi.rings_tried_s_1) in the unstable band, [19](num:sec4_precompression_mi.rings_formed_s_1)
 make a breather; the widest of these is [29.4516](num:sec4_precompression_mi.widest_packet_s_1) sites wide, and the last has
 gathered at $t =$ [1.325e4](num:sec4_precompression_mi.last_gathered_s_1). Of the others three do not gather in the time of
