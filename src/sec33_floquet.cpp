@@ -275,7 +275,7 @@ void report_strength(Report& report) {
 In the DpS equation the site-centred breather of frequency $\mu$ grows unstable at the rate
 [0.00155771](num:sec33_floquet.dps_rate) $\mu$ in slow time, whatever its size. By Eq. (20) a breather of the chain of size
 $\epsilon$ has $\omega_b-1 = \epsilon^{1/2}/(2\tau_0)$, and if the same happens in the chain its rate is
-$\ln\lambda/T_b = $ [0.00155771](num:sec33_floquet.dps_rate) $(\omega_b-1)$, weaker by $O(\epsilon^{1/2})$. The exponent
+$\ln\lambda/T_b =$ [0.00155771](num:sec33_floquet.dps_rate) $(\omega_b-1)$, weaker by $O(\epsilon^{1/2})$. The exponent
 between two sizes, $\omega_b-1 = 2\cdot10^{-4}$ and $10^{-4}$, is [0.497](num:floquet.weaker); its error is the change from
 the sizes before. The rate over $\omega_b-1$ tends to [0.00155770](num:sec33_floquet.slow_rate_limit), but slowly: at
 $\omega_b-1 = 10^{-4}$ it is [0.0015503](num:sec33_floquet.slow_rate), and at $\omega_b = 1.1$ a quarter of the limit. There

@@ -226,7 +226,7 @@ struct TwoPaths {
 
 /**
 The article prints no horizon. Does one make its sentence true? The site-centred breather is two sites away at
-$t = $ [180339](num:sec33_mobility.two_sites_time), and a figure that ended there would show two sites, but nothing that is
+$t =$ [180339](num:sec33_mobility.two_sites_time), and a figure that ended there would show two sites, but nothing that is
 pinned: on the second site the breather has still [0.589652](num:sec33_mobility.slow_over_fast) of its speed between two of
 them. The sign of the kick and the phase change nothing, since around a site they come to a reversal of time or
 of the chain. By $t = 10^6$ (`sec33_mobility kick --centre site --c 3e-6 --time 1e6 --sites 61`) it has travelled 11.07
@@ -234,7 +234,7 @@ sites, at the same mean speed.
 
 A horizon would also move the threshold: whoever calls a breather pinned that has not passed the next site by some
 time finds a larger $c_c$. After the printed $6.19\cdot10^{-6}$ the bond-centred breather passes the site at
-$t = $ [35877.4](num:sec33_mobility.hill_time_bond_stretched) (with the contact stretched). By this time the site-centred one of
+$t =$ [35877.4](num:sec33_mobility.hill_time_bond_stretched) (with the contact stretched). By this time the site-centred one of
 the same paragraph has moved by [0.368812](num:sec33_mobility.site_by_then) sites, so that one horizon for both
 experiments leaves either the two sites or the threshold unexplained. */
 void report_horizon(Report& report, const Breathers& at, const TwoPaths& site) {
