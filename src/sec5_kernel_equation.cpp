@@ -539,26 +539,28 @@ struct OneWave {
 ## Results
 
 The energies of the two signs at $k = 1$ are [0.180834](num:sec5_kernel_equation.energy_plus) and
-[0.180834](num:sec5_kernel_equation.energy_minus), as the shift map of the lattice has them, and so up to $k = 6$. The
-actions differ by [-2.43979e-11](num:sec5_kernel_equation.action_difference), plus minus minus, so that the sign plus,
-whose phase is held, has the larger quotient. [30](num:sec5_kernel_equation.ascents_finished) of
-[30](num:sec5_kernel_equation.ascent_starts) random starts meet the stopping rule, though some still creep (see *The
-ascent*), at quotients between [1.1552](num:sec5_kernel_equation.ascent_lowest) and
-[1.1552](num:sec5_kernel_equation.ascent_highest); the waves have [1.15521](num:sec5_kernel_equation.quotient_plus).
-Their distance is [3e-6](num:sec5_kernel_equation.ascent_spread), no more than it changes with the grid: no second
-maximum is seen, and none that is closer is excluded.
-
+[0.180834](num:sec5_kernel_equation.energy_minus), up to $k = 6$ those of the lattice. The actions differ by
+[-2.43979e-11](num:sec5_kernel_equation.action_difference), plus minus minus, so that the sign plus, whose phase is
+held, has the larger quotient. [30](num:sec5_kernel_equation.ascents_finished) of
+[30](num:sec5_kernel_equation.ascent_starts) random starts meet the stopping rule (some still creep) at quotients
+between [1.1552](num:sec5_kernel_equation.ascent_lowest) and [1.1552](num:sec5_kernel_equation.ascent_highest); the
+waves have [1.15521](num:sec5_kernel_equation.quotient_plus). Their ends differ by
+[3e-6](num:sec5_kernel_equation.ascent_spread), no more than this changes with the grid: a second maximum is not seen,
+nor excluded if it is closer. */
+// The exchanges
+/**
 From large $\alpha$ to small the signs exchange their order at $\alpha =$
 [5.82355](num:sec5_kernel_equation.exchange_1), [3.10428](num:sec5_kernel_equation.exchange_2),
 [2.30736](num:sec5_kernel_equation.exchange_3), [1.94497](num:sec5_kernel_equation.exchange_4),
 [1.73825](num:sec5_kernel_equation.exchange_5), [1.60461](num:sec5_kernel_equation.exchange_6),
 [1.51174](num:sec5_kernel_equation.exchange_7), [1.44347](num:sec5_kernel_equation.exchange_8) and
-[1.39092](num:sec5_kernel_equation.exchange_9). From the first to $\alpha = 8$, where the table ends, the sign minus has
-the larger quotient. In $1/(\alpha-1)$ the exchanges lie [0.267906](num:sec5_kernel_equation.exchange_spacing_first) to
-[0.3031](num:sec5_kernel_equation.exchange_spacing_last) apart, as if there were no end of them towards $\alpha = 1$; a
-tenth one is beyond double precision. At [35](num:sec5_kernel_equation.phases_agree) of the
-[35](num:sec5_kernel_equation.phases_compared) exponents of the table at which the difference and $\kappa$ are beyond
-their errors, the phase of the larger quotient is held and that of the other is not. */
+[1.39092](num:sec5_kernel_equation.exchange_9). From the first to $\alpha = 8$, where the table ends, the sign minus
+has the larger quotient. In $1/(\alpha-1)$ the exchanges lie
+[0.267906](num:sec5_kernel_equation.exchange_spacing_first) to
+[0.3031](num:sec5_kernel_equation.exchange_spacing_last) apart; a tenth one is beyond double precision. At
+[35](num:sec5_kernel_equation.phases_agree) of the [35](num:sec5_kernel_equation.phases_compared) exponents of the
+table at which the difference and $\kappa$ are beyond their errors, the phase of the larger quotient is held and that
+of the other is not. */
 void report_waves(Report& report, const std::vector<Wave>& all) {
   const Wave &plus = all[0], &minus = all[1];
   Quantities& facts = report.facts;
