@@ -347,18 +347,7 @@ $E'(\omega_b)\,\delta\omega$, and nothing in the residual tells the two cases ap
 [1.59887e-12](num:sec32_barrier.hidden_energy) for one of the two breathers, and the printed barrier exceeds ours by
 [1.45775e-12](num:sec32_barrier.printed_excess). So the article agrees with us within its own accuracy; our value is the
 more accurate one. */
-double hidden_energy(double residual, double detuning) {
-  auto problem = problem_of(Centre::site, 1.1);
-  const Orbit<double> orbit = find_breather(problem);
-  problem.omega += detuning;
-  const Orbit<double> other = newton(problem, orbit.x);
-  problem.omega = 1.1;
-  State<double> end = other.start;
-  flow(problem.chain, end, problem.period());
-  const double left = largest_difference(end, other.start) / largest(other.start);
-  return std::abs(other.energy - orbit.energy) * residual / left;
-}
-
+// What integrations of that accuracy give
 /**
 Do integrations of that accuracy differ from ours by as much? We try some: adaptive Runge-Kutta integration, which
 steps across the switchings of the contacts, with the symmetric equations or with those of the article. The

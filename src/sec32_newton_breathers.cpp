@@ -28,6 +28,7 @@ How much energy separates them is the question of the next chapter. */
 #include "lattice/numbers/random.hpp"
 #include "lattice/orbits/breather.hpp"
 #include "lattice/orbits/breather_pairs.hpp"
+#include "lattice/packets/observe.hpp"
 #include "report/program.hpp"
 #include "sec3/branches.hpp"
 #include "sec3/continuum.hpp"
@@ -475,9 +476,9 @@ $\omega_b = 1.001$ and [3.05955](num:sec32_newton_breathers.width_105_site) at 1
 fraction of [0.0498881](num:chain.width_constant) at most; a width like $(\omega_b-1)^{-1/2}$ would change by a factor of seven. */
 template <class Profile>
 double sites_filled(const Profile& y) {
-  double squares = 0, fourth = 0;
-  for (const double y_n : y) squares += y_n * y_n, fourth += y_n * y_n * (y_n * y_n);
-  return squares * squares / fourth;
+  std::vector<double> squares;
+  for (const double y_n : y) squares.push_back(y_n * y_n);
+  return participation(squares);
 }
 
 void report_width(Report& report) {

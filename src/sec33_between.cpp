@@ -276,7 +276,8 @@ more than $10^{-3}$ at [823](num:sec33_between.large_bond) nodes around a bond, 
 [1.15](num:sec33_between.large_from_bond) on, and at [94](num:sec33_between.large_site) around a site, from
 [1.16](num:sec33_between.large_from_site) on, and by [1.06121](num:sec33_between.range_largest) at most, at $\omega_b = 2$
 and $s = 1$. Next to the end of the families in soft wells multipliers beside the four leave the circle too, by up to
-[0.0493672](num:sec33_between.range_others). They accumulate at the same point everywhere. At all but
+[0.0493672](num:sec33_between.range_others). Wherever longer chains were tried
+they accumulate at the same point. At all but
 [2](num:sec33_between.chart_same_sign) nodes the pinning pair makes one of the two breathers stable and the other one
 unstable. */
 void report_range(Report& report, const std::vector<Seen>& seen, int missing, double spacing) {

@@ -218,7 +218,23 @@ struct Packet {
     for (int k : {0, 1}) fate[k] = late_fate(impact, k ? step : 2 * step, until, room);
   }
   Estimate furthest() const { return compare(fate[0].furthest, fate[1].furthest); }
+
+  /// A row: which packet it is, and what becomes of it.
+  Cells row(Cells which) const {
+    const Cells what{impact.behind, fate[1].late, fate[0].late, fate[1].furthest, fate[1].when};
+    which.insert(which.end(), what.begin(), what.end());
+    return which;
+  }
 };
+
+Columns with_fates(const Columns& which) {
+  return {which,
+          count("behind", "waves are left up to so many sites behind, 0: all", "site"),
+          count("fate", "0 goes on, 1 returns, 2 caught"),
+          count("fate_coarse", "the same with twice the step"),
+          number("furthest", "furthest mean centre by the end of the run", "site"),
+          number("when", "time of it")};
+}
 
 void report_late_fates(Report& report) {
   std::vector<Packet> list;
@@ -230,17 +246,11 @@ void report_late_fates(Report& report) {
 
   const auto row = [&](Packet& p) {
     p.follow(until, step);
-    return Cells{p.impact.velocity, p.impact.cut,       p.impact.behind, p.fate[1].late,
-                 p.fate[0].late,    p.fate[1].furthest, p.fate[1].when};
+    return p.row({p.impact.velocity, p.impact.cut});
   };
   report
-      .table("late_fates",
-             {number("velocity", "impact velocity"), number("cut", "time of the cut, 0: never"),
-              count("behind", "waves are left up to so many sites behind", "site"),
-              count("fate", "0 goes on, 1 returns, 2 caught"),
-              count("fate_coarse", "the same with twice the step"),
-              number("furthest", "furthest mean centre by the end of the run", "site"),
-              number("when", "time of it")})
+      .table("late_fates", with_fates({number("velocity", "impact velocity"),
+                                       number("cut", "time of the cut, 0: never")}))
       .fill(list, row, "packets");
 
   // How many of five return, for each distance
@@ -281,17 +291,11 @@ void report_range(Report& report) {
   const double until = report.quick ? 300 : 4000, step = report.quick ? 0.2 : 0.1;
   const auto row = [&](Packet& p) {
     p.follow(until, step);
-    return Cells{p.impact.s,     p.impact.velocity,  p.impact.behind, p.fate[1].late,
-                 p.fate[0].late, p.fate[1].furthest, p.fate[1].when};
+    return p.row({p.impact.s, p.impact.velocity});
   };
   report
       .table("range_of_waves",
-             {number("s", "anharmonicity"), number("velocity", "impact velocity"),
-              count("behind", "waves are left up to so many sites behind, 0: all", "site"),
-              count("fate", "0 goes on, 1 returns, 2 caught"),
-              count("fate_coarse", "the same with twice the step"),
-              number("furthest", "furthest mean centre by the end of the run", "site"),
-              number("when", "time of it")})
+             with_fates({number("s", "anharmonicity"), number("velocity", "impact velocity")}))
       .fill(list, row, "wells");
 
   // The furthest place of each packet, and how far apart those are that do not turn

@@ -22,6 +22,7 @@ impact in sec4/struck_compressed.hpp. */
 #include <utility>
 #include <vector>
 
+#include "lattice/numbers/line_fit.hpp"
 #include "lattice/numbers/parallel.hpp"
 #include "lattice/stepping/reference.hpp"
 #include "report/program.hpp"
@@ -402,13 +403,6 @@ struct SizeOfError {
   }
 };
 
-/// The slope on logarithmic axes between two sizes, and what their errors do to it.
-Estimate local_order(const SizeOfError& a, const SizeOfError& b, Estimate SizeOfError::*of) {
-  const Estimate ratio = quotient(a.*of, b.*of);
-  const double way = std::log(a.eps / b.eps);
-  return {std::log(ratio.value) / way, ratio.error / ratio.value / way};
-}
-
 void report_ansatz(Report& report) {
   std::vector<SizeOfError> sizes;
   for (double eps = 0.2; eps > (report.quick ? 0.04 : 0.02); eps /= 2) sizes.push_back({eps});
@@ -422,7 +416,7 @@ void report_ansatz(Report& report) {
 
   // Local orders; the last is the answer, and its distance to the one before is its error
   const auto order = [&](std::size_t i, Estimate SizeOfError::*of) {
-    return local_order(sizes[i], sizes[i + 1], of);
+    return order_between(sizes[i].eps, sizes[i].*of, sizes[i + 1].eps, sizes[i + 1].*of);
   };
   const auto last = [&](Estimate SizeOfError::*of) {
     return compare(order(sizes.size() - 3, of), order(sizes.size() - 2, of));

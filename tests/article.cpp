@@ -13,7 +13,9 @@
 #include "lattice/dps/impact.hpp"
 #include "lattice/packets/array_impact.hpp"
 #include "lattice/packets/turning.hpp"
+#include "sec3/branches.hpp"
 #include "sec3/continuum.hpp"
+#include "sec3/dps_error.hpp"
 #include "sec33/dps_motion.hpp"
 #include "sec33/exchange.hpp"
 #include "sec33/kicked.hpp"
@@ -187,30 +189,8 @@ TEST_CASE("3.1: the time constant tau_0 is 1.545, in closed form and from the pu
 }
 
 TEST_CASE("3.1: the DpS approximation of an impact errs by the order 3/2 in epsilon", "[article]") {
-  const auto largest_error = [](double eps, int halvings) {
-    const Field start = dps_impact(16);
-    const Chain chain{start.size()};
-    State<double> state = dps_state(start, eps, 0);
-    Reference slow(Dps{start.size()}, 2 * start.size(), halvings ? 1e-11 : 1e-9);
-    std::vector<double> x = interleaved(start);
-    Field field = start;
-    double tau = 0, most = 0;
-    const ContactAware stepper = stepper_for(1e-6, 0.1, halvings);
-    evolve(stepper, chain, state, dense_time_grid(stepper, 1 / std::sqrt(eps), 0.2),
-           [&](const State<double>& now) {
-             if (now.t == 0) return;
-             slow.advance(tau, std::sqrt(eps) * now.t, x);
-             for (std::size_t n = 0; n < field.size(); ++n) field[n] = {x[2 * n], x[2 * n + 1]};
-             const auto near = dps_state(field, eps, now.t).y;
-             for (std::size_t n = 0; n < near.size(); ++n)
-               most = std::max(most, std::abs(near[n] - now.y[n]));
-           });
-    return most;
-  };
-  const auto order = [&](int halvings) {
-    return std::log10(largest_error(1e-5, halvings) / largest_error(1e-6, halvings));
-  };
-  CHECK(agrees(compare(order(0), order(1)), 1.5, Abs{0.03}));
+  const auto error = [](double eps) { return refined_deviations({dps_impact(16)}, eps, {1})[0]; };
+  CHECK(agrees(order_between(1e-5, error(1e-5), 1e-6, error(1e-6)), 1.5, Abs{0.03}));
 }
 
 // ## 3.2 Static breathers
@@ -342,18 +322,7 @@ TEST_CASE(
   CHECK(differs(barrier, 1.77e-11, Rel{5e-3}, "8 per cent, in all precisions"));
   CHECK(remains(barrier, 1.62422e-11, Rel{1e-4}));
   // A residual of 1.5e-9 cannot be told from a change of the frequency; by how much does the energy change then?
-  const auto hidden = [](double detuning) {
-    auto problem = problem_of(Centre::site, 1.1);
-    const Orbit<double> orbit = find_breather(problem);
-    problem.omega += detuning;
-    const Orbit<double> other = newton(problem, orbit.x);
-    problem.omega = 1.1;
-    State<double> end = other.start;
-    flow(problem.chain, end, problem.period());
-    const double left = largest_difference(end, other.start) / largest(other.start);
-    return std::abs(other.energy - orbit.energy) * 1.5e-9 / left;
-  };
-  const Estimate covered = compare(hidden(2e-6), hidden(1e-6));
+  const Estimate covered = compare(hidden_energy(1.5e-9, 2e-6), hidden_energy(1.5e-9, 1e-6));
   CHECK(remains(covered, 1.6e-12, Rel{1e-2}));
   CHECK(agrees(barrier, 1.77e-11, Abs{covered.value - covered.error}));
 }

@@ -45,6 +45,20 @@ inline Condition begins_at_rest(const Estimate& exponent) {
   return below("exponent_off", {std::abs(exponent.value - 2), exponent.error}, 0.05);
 }
 
+/// The energy by which an exact site-centred breather at omega_b = 1.1 + detuning differs from that at 1.1, scaled to
+/// the detuning at which the period map of 1.1 leaves it with `residual`, relative to its largest displacement.
+inline double hidden_energy(double residual, double detuning) {
+  auto problem = problem_of(Centre::site, 1.1);
+  const Orbit<double> orbit = find_breather(problem);
+  problem.omega += detuning;
+  const Orbit<double> other = newton(problem, orbit.x);
+  problem.omega = 1.1;
+  State<double> end = other.start;
+  flow(problem.chain, end, problem.period());
+  const double left = largest_difference(end, other.start) / largest(other.start);
+  return std::abs(other.energy - orbit.energy) * residual / left;
+}
+
 /**
 A curve that crosses zero again and again does not increase from point to point, but it may do so as a whole. Then
 its *arches*, the pieces between two changes of sign, become higher and higher, and it ends at its highest point.

@@ -14,6 +14,7 @@ followed here from the same start, and what counts is the largest deviation of a
 
 #include "lattice/dps/evolve.hpp"
 #include "lattice/numbers/criterion.hpp"
+#include "lattice/numbers/line_fit.hpp"
 #include "lattice/stepping/accuracy.hpp"
 
 namespace lattice {
@@ -33,18 +34,18 @@ equation by GSL's adaptive method of order eight. Every point is computed twice,
 half the step, twice the samples and a hundredth of the tolerance. What must agree is the *deviation*,
 the number that we want. The difference of the two is the error in the tables, and it must stay far
 below the deviation. */
-struct Resolution {
+struct ErrorResolution {
   int halvings;
   double tolerance;
 };
-inline constexpr Resolution resolutions[] = {{0, 1e-9}, {1, 1e-11}};
+inline constexpr ErrorResolution resolutions[] = {{0, 1e-9}, {1, 1e-11}};
 
 /**
 The deviation compares both equations at the same instants, so they run side by side: the chain's samples
 set the grid, and the DpS integrator is carried to the same slow time. */
 /// The largest deviations up to each of the `horizons` in slow time, of which the last is the longest.
 inline std::vector<double> deviations(const Compared& both, double eps,
-                                      const Resolution& resolution,
+                                      const ErrorResolution& resolution,
                                       const std::vector<double>& horizons) {
   Chain chain{both.start.size()};
   chain.well = both.well;
@@ -79,14 +80,6 @@ inline std::vector<Estimate> refined_deviations(const Compared& both, double eps
   std::vector<Estimate> out;
   for (std::size_t k = 0; k < fine.size(); ++k) out.push_back(compare(coarse[k], fine[k]));
   return out;
-}
-
-/**
-The order is the slope between two sizes in the doubly logarithmic plot. A relative error $\delta$ of a point shifts it
-by $\delta$ over the logarithm of the ratio of the sizes; the errors of both points are added. */
-inline Estimate order_between(double large, const Estimate& a, double small, const Estimate& b) {
-  const double ratio = std::log(large / small);
-  return {std::log(a.value / b.value) / ratio, (a.error / a.value + b.error / b.value) / ratio};
 }
 
 /**

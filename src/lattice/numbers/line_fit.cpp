@@ -38,4 +38,9 @@ Estimate bend(const std::vector<double>& t, const std::vector<double>& x) {
   return {(second.slope - first.slope) / scale, (first.slope_error + second.slope_error) / scale};
 }
 
+Estimate order_between(double large, const Estimate& a, double small, const Estimate& b) {
+  const double ratio = std::log(large / small);
+  return {std::log(a.value / b.value) / ratio, (a.error / a.value + b.error / b.value) / ratio};
+}
+
 }  // namespace lattice

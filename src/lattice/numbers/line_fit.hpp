@@ -31,4 +31,8 @@ Do the points lie on a line? If they do, the slopes of their first and second ha
 /// six points.
 Estimate bend(const std::vector<double>& t, const std::vector<double>& x);
 
+/// The order of a power law, from its values `a` and `b` at two sizes: the slope on logarithmic axes, with the relative
+/// errors of both added.
+Estimate order_between(double large, const Estimate& a, double small, const Estimate& b);
+
 }  // namespace lattice
