@@ -26,6 +26,7 @@ the seventh digit, and between them a breather that is centred neither on a site
 #include "commands/multipliers.hpp"
 #include "lattice/dps/spectrum.hpp"
 #include "lattice/numbers/parallel.hpp"
+#include "lattice/numbers/progress.hpp"
 #include "report/program.hpp"
 #include "sec33/exchange.hpp"
 
@@ -361,8 +362,9 @@ std::vector<Estimate> exchanges_on(Centre centre, double frequency, int side) {
   std::vector<Estimate> found;
   Orbit<double> orbit = find_breather(problem_at(centre, {frequency, 0}));
   double last = quick_kappa(centre, {frequency, 0}, orbit);
+  Progress progress(side > 0 ? "s up to 1" : "s down to -1", 20);
   try {
-    for (int k = 1; k <= 20; ++k) {
+    for (int k = 1; k <= 20; ++k, progress.tick()) {
       const double s = side * k / 20.0, before = side * (k - 1) / 20.0;
       const Orbit<double> near = orbit;
       const double kappa = quick_kappa(centre, {frequency, s}, orbit);

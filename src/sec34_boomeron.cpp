@@ -17,7 +17,6 @@ their direction. How far does it get, and for how long can its motion be known?
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <memory>
 #include <string>
 #include <utility>
@@ -170,11 +169,10 @@ velocities with two or three digits; half a unit of the last digit of 1.87 means
 $\delta\approx 3\cdot10^{-3}$. */
 /// The time when two struck chains have parted; infinite if they have not by `time`.
 template <class Struck>
-double decorrelation(
-    const ContactAware& first, double velocity, const ContactAware& second, double other,
-    const Struck& chain, double time, const std::function<void(double)>& watch = [](double) {}) {
+double decorrelation(const ContactAware& first, double velocity, const ContactAware& second,
+                     double other, const Struck& chain, double time) {
   return decorrelation_time(first, struck(chain.sites, velocity), second,
-                            struck(chain.sites, other), chain, time, watch);
+                            struck(chain.sites, other), chain, time);
 }
 
 /**
@@ -507,21 +505,14 @@ Table OneTurn::table() const {
   const bool needed = like.sites == 0;
   const Chain chain = needed ? endless(like, v, time) : like;
   const auto runs = converge(
-      tolerance,
-      [&](const ContactAware& at) {
-        const auto show = shown("step " + short_text(std::ldexp(at.step, -at.halvings)), time);
-        return voyage(at, chain, v, time,
-                      [&](const State<double>& now, const auto&) { show(now.t); });
-      },
-      SameTurn{});
+      tolerance, [&](const ContactAware& at) { return voyage(at, chain, v, time); }, SameTurn{});
   if (needed && std::abs(runs.fine.end.v.back()) > 1e-9 * v)
     throw Failure("the motion reaches the far end");
   // The neighbours start from the steps that have proved to be short enough
   const TurnEstimate read = estimate_turn(runs.coarse, runs.fine);
   const auto neighbours = [&](int more) {
     const ContactAware at = stepper_for(tolerance, largest_step, runs.halvings + more);
-    return decorrelation(at, v, at, v * (1 + 1e-8), chain, 4 * time,
-                         shown("two impacts", 4 * time));
+    return decorrelation(at, v, at, v * (1 + 1e-8), chain, 4 * time);
   };
   Answers q;
   q.add("apex_site", read.apex_site, "site",

@@ -8,20 +8,19 @@ cd "$scratch"
 fail() { echo "$1"; cat said; exit 1; }
 on_terminal() { script -qec "$*" /dev/null < /dev/null > said 2>&1; }
 
-# On a terminal one sees that something moves: the hundredths of a run, or the seconds where nobody counts.
+# On a terminal one sees how far a run, a search and a sweep are.
 if script -qec true /dev/null < /dev/null > said 2>&1; then
-  on_terminal "'$bin/sec34_boomeron' run --time 300" || fail "a run on a terminal"
-  grep -q 'step 0.* [0-9]*/100' said || fail "a run does not show how far it is"
-  on_terminal "'$bin/sec33_mobility' threshold" || fail "a threshold on a terminal"
-  grep -qE 'thresholds? [0-9]+(/[0-9]| s)' said || fail "a threshold does not show that it is alive"
-  # Where nobody counts, the seconds are shown.
   on_terminal "'$bin/sec34_impact' run --time 3000" || fail "an impact on a terminal"
-  grep -qE 'sec34_impact run [0-9]+ s' said || fail "an impact does not show that it is alive"
+  grep -qE 'sec34_impact run [0-9]+ s, step 0\.[0-9]+: [0-9]+ %' said || fail "an impact does not show how far it is"
+  on_terminal "'$bin/sec33_floquet' exchange --omega 1.5" || fail "an exchange on a terminal"
+  grep -qE 'exchange [0-9]+ s, s up to 1 [0-9]+/20' said || fail "an exchange does not show how far it is"
+  on_terminal "'$bin/sec33_mobility' threshold" || fail "a threshold on a terminal"
+  grep -qE 'threshold [0-9]+ s, thresholds [0-9]+/2' said || fail "a threshold does not show how far it is"
 else
   echo "no terminal can be made here: what commands show on one is not tested"
 fi
 # Elsewhere nothing but the table.
-"$bin/sec34_boomeron" run --time 300 2> said > table
+"$bin/sec34_impact" run --time 2000 2> said > table
 [ -s said ] && fail "a run talks into a log"
 
 # A long run keeps two states and not its history.

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <vector>
 
+#include "lattice/numbers/progress.hpp"
+
 namespace lattice {
 
 template <class T>
@@ -42,10 +44,12 @@ static double left_behind(const Shooting<double>& problem, const Orbit<double>& 
   State<double> z = orbit.start;
   const double time = shift_time(orbit);
   double left = 0;
+  Progress progress("shifts", shifts);
   for (std::size_t k = 0; k < shifts; ++k) {
     flow(problem.chain, z, time, rule);
     left = std::max(left, std::hypot(z.y.front(), z.v.front()));
     move_on(z, 1);
+    progress.tick();
   }
   return left / orbit.amplitude;
 }

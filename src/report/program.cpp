@@ -16,6 +16,7 @@
 #include "report/checksum.hpp"
 #include "report/command_line.hpp"
 #include "report/files.hpp"
+#include "report/heartbeat.hpp"
 
 namespace lattice {
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "lattice/numbers/progress.hpp"
+
 namespace lattice {
 
 // Displacements grow like the square of omega_b - 1; scaled so, an orbit is a guess for the next
@@ -15,6 +17,7 @@ Orbit<double> follow(const Shooting<double>& problem, const Orbit<double>& from,
 template <class T>
 Spectrum spectrum(const Shooting<double>& problem, const Orbit<double>& orbit) {
   const auto in_t = in_precision<T>(problem);
+  Progress progress("tolerances", 2);
   const auto pairs = [&](int coarser) {
     Orbit<double> guess = orbit;
     // Slightly off the orbit, so that the coarser run has to find it for itself
@@ -24,6 +27,7 @@ Spectrum spectrum(const Shooting<double>& problem, const Orbit<double>& orbit) {
     return floquet_pairs(in_t.chain, there.start, there.period(), how.events);
   };
   const Pairs<T> fine = pairs(0);
+  progress.tick();
   return {compare_pairs(pairs(1), fine), fine.mode.template cast<double>()};
 }
 

@@ -10,11 +10,11 @@ displacement or velocity. */
 
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <limits>
 #include <vector>
 
 #include "lattice/numbers/estimate.hpp"
+#include "lattice/numbers/progress.hpp"
 #include "lattice/stepping/accuracy.hpp"
 
 namespace lattice {
@@ -25,22 +25,21 @@ inline constexpr double look_every = 2;  ///< units of time between two comparis
 /**
 The two runs go on side by side from look to look, so that no more is kept than the two states. */
 /// The time at which the states `a`, advanced by the stepper `first`, and `b`, advanced by `second`, are
-/// first seen to have parted; infinite if they have not by `time`. Both belong to `chain`. After each
-/// look `watch(t)` is called.
+/// first seen to have parted; infinite if they have not by `time`. Both belong to `chain`.
 template <class First, class Second>
-double decorrelation_time(
-    const First& first, State<double> a, const Second& second, State<double> b, const Chain& chain,
-    double time, const std::function<void(double)>& watch = [](double) {}) {
+double decorrelation_time(const First& first, State<double> a, const Second& second,
+                          State<double> b, const Chain& chain, double time) {
   const TimeGrid one = time_grid_for(first, time, look_every),
                  other = time_grid_for(second, time, look_every);
   Window of_a = waking(chain, a), of_b = waking(chain, b);
   auto advance_a = advance_of(first, chain);
   auto advance_b = advance_of(second, chain);
   const double start = a.t;
+  Progress progress("two runs", 1);
   for (std::size_t k = 0;; ++k) {
     a.t = b.t = start + one.interval() * double(k);
     if (!bounded(a) || !bounded(b) || distance(a, b) > parted) return a.t;
-    watch(a.t);
+    progress.reach(double(k) / double(one.samples));
     if (k == one.samples) return std::numeric_limits<double>::infinity();
     advance_a(a, of_a, one.step(), one.steps);
     advance_b(b, of_b, other.step(), other.steps);

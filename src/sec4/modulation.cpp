@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "lattice/numbers/progress.hpp"
 #include "sec4/nls.hpp"
 
 namespace lattice {
@@ -77,12 +78,14 @@ RingCourse ring_course(const ModulatedPhonon& phonon, double longest,
   RingCourse out;
   const auto stepper = [&](std::size_t k) { return Splitting{blanes_moan_6_14(), steps[k]}; };
   bool together = true;
+  Progress progress("ring", 1);
   while (together && state[1].t < longest && !(state[1].t > patience * out.gathered)) {
     std::array<RingSample, 2> seen;
     for (std::size_t k : {0, 1}) {
       evolve(stepper(k), ring, state[k], interval, interval, Unobserved{});
       seen[k] = ring_sample(ring, state[k]);
     }
+    progress.reach(state[1].t / longest);
     together = distance(state[0], state[1]) < 0.1;
     if (!together) break;
     out.samples.push_back(seen);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "lattice/numbers/progress.hpp"
+
 namespace lattice {
 namespace {
 
@@ -107,6 +109,7 @@ double run_bench(const Bench& bench, State<double>& state, const TimeGrid& grid,
   const double start = energy(bench.chain, state), t0 = state.t;
   double scale = start, open = 0;
   if (!observe(state, run.ledger)) return 0;
+  Progress progress(number_label("step", grid.step()), 1);
   for (std::size_t k = 1; k <= grid.samples; ++k) {
     run.advance(state, window, grid.steps);
     state.t = t0 + double(k) * grid.interval();
@@ -115,6 +118,7 @@ double run_bench(const Bench& bench, State<double>& state, const TimeGrid& grid,
     scale = std::max({scale, now, l.work});
     open = std::max(open, std::abs(now + l.beams + l.contacts - l.work - start));
     if (!observe(state, l)) break;
+    progress.reach(double(k) / double(grid.samples));
   }
   return scale > 0 ? open / scale : 0;
 }

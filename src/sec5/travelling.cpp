@@ -82,9 +82,11 @@ std::vector<Orbit<double>> follow_family(const Orbit<double>& start, double to, 
   const double from = shift_time(start);
   const auto count = std::size_t(std::ceil(std::abs(to - from) / step));
   std::vector<Orbit<double>> members{start};
+  Progress progress("members", count);
   for (std::size_t i = 1; i <= count; ++i) {
     const double t = from + (to - from) * double(i) / double(count);
     members.push_back(next_member(members[i > 1 ? i - 2 : 0], members.back(), t, reach, rule));
+    progress.tick();
   }
   return members;
 }

@@ -23,6 +23,7 @@ exact orbit. */
 
 #include "lattice/numbers/eigenvalues.hpp"
 #include "lattice/numbers/estimate.hpp"
+#include "lattice/numbers/progress.hpp"
 #include "lattice/orbits/breather.hpp"
 #include "lattice/orbits/floquet.hpp"
 #include "lattice/packets/impact.hpp"
@@ -144,9 +145,11 @@ class Staircase {
   const Orbit<double>& orbit() const { return orbit_; }
   /// Climbs up or down to k, in steps short enough for Newton's method. Throws NewtonFailed.
   const Orbit<double>& reach(std::size_t k) {
-    while (k_ != k) {
+    Progress progress("orbits up to k = " + std::to_string(k), 1);
+    for (const double from = double(k_); k_ != k;) {
       const std::size_t up = std::min(k, k_ + 1 + k_ / 4);
       step(k > k_ ? up : k_ - 1);
+      progress.reach((double(k_) - from) / (double(k) - from));
     }
     return orbit_;
   }

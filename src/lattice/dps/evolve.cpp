@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lattice/numbers/interrupt.hpp"
+#include "lattice/numbers/progress.hpp"
 
 namespace lattice {
 
@@ -28,12 +29,14 @@ double evolve_dps(const Rhs& equation, Field& field, double duration, std::size_
   const double start = norm(field);
   double tau = 0, drift = 0;
   observe(tau, field);
+  Progress progress(number_label("tolerance", tolerance.relative), 1);
   for (std::size_t k = 1; k <= samples; ++k) {
     heed_stop();
     reference.advance(tau, duration * double(k) / double(samples), x);
     for (std::size_t n = 0; n < field.size(); ++n) field[n] = {x[2 * n], x[2 * n + 1]};
     drift = std::max(drift, std::abs(norm(field) - start) / start);
     observe(tau, field);
+    progress.reach(double(k) / double(samples));
   }
   return drift;
 }

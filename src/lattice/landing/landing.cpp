@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "lattice/numbers/interrupt.hpp"
+#include "lattice/numbers/progress.hpp"
 
 namespace lattice {
 namespace {
@@ -130,10 +131,12 @@ that rests at zero chatter. So the number of landings is bounded, generously: 64
 time. Beyond that we fly straight to the end, with steps as short as the tolerance demands. */
 template <class T>
 FlowReport<T> EventIntegrator<T>::fly() {
-  const double limit = 64 * (1 + double(left_)) * double(chain_.sites + 1);
+  const double duration(left_), limit = 64 * (1 + duration) * double(chain_.sites + 1);
+  Progress progress("", 1);
   for (double landings = 0; left_ > T(0); ++landings) {
     heed_stop();
     land(landings < limit ? look() : Sight<T>{left_}, landings < limit);
+    progress.reach(1 - double(left_) / duration);
   }
   flow_.evaluations += crossing_.evaluations;
   return flow_;

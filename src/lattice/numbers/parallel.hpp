@@ -8,10 +8,8 @@ depend neither on the number of cores nor on which worker was faster. The number
 a program; by default it is the number of cores that the process may use, which a scheduler or `taskset`
 can make smaller than that of the machine. */
 
-#include <atomic>
 #include <cstddef>
 #include <functional>
-#include <memory>
 #include <string>
 
 namespace lattice {
@@ -31,49 +29,8 @@ std::size_t threads();
 further ones are begun, and the first exception is thrown again here. */
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& body);
 
-/// The same for long sweeps, with a counter under the name `label`.
+/// The same for long sweeps, which show how many parts are done (progress.hpp).
 void parallel_for(const std::string& label, std::size_t count,
                   const std::function<void(std::size_t)>& body);
-
-/**
-Whoever waits wants to see that something moves. On a terminal, and never in a log, standard error shows one
-line that is overwritten: `Progress` counts the parts of a sweep or the hundredths of a run, and where
-nobody counts `Heartbeat` shows the seconds. */
-class Progress {
- public:
-  /// A counter up to `total` under the name `label`.
-  Progress(std::string label, std::size_t total);
-  ~Progress();
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
-
-  /// One more part is done. Safe to call from several threads.
-  void tick() { reach(done_ + 1); }
-  /// `k` parts are done; what was reached before is not shown again.
-  void reach(std::size_t k);
-
- private:
-  std::string label_;
-  std::size_t total_;
-  std::atomic<std::size_t> done_{0};
-  bool shown_;
-};
-
-/// A function that takes the time of a run and shows under `label` how many hundredths of `until` it is.
-std::function<void(double)> shown(const std::string& label, double until);
-
-/// Shows `label` and the seconds since it was made, once a second, while nobody shows a `Progress`.
-class Heartbeat {
- public:
-  /// Begins at once if somebody watches a terminal.
-  explicit Heartbeat(std::string label);
-  ~Heartbeat();
-  Heartbeat(const Heartbeat&) = delete;
-  Heartbeat& operator=(const Heartbeat&) = delete;
-
- private:
-  struct Beat;
-  std::unique_ptr<Beat> beat_;
-};
 
 }  // namespace lattice

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "lattice/landing/overlap.hpp"
+#include "lattice/numbers/progress.hpp"
 
 namespace lattice {
 
@@ -140,10 +141,12 @@ To reach a given parameter we step beyond it, interpolate the unknowns between t
 let Newton's method finish at the target itself. */
 template <class T>
 Orbit<T> Branch<T>::reach(T target, int most_steps) {
-  const T goal = along_.coordinate(target);
+  const T goal = along_.coordinate(target), start = ell(z_);
   const T side = slope() > T(0) ? T(1) : T(-1);
+  Progress progress(number_label("branch to " + along_.name + " =", double(target)), 1);
   for (int k = 0; side * ell(z_) < side * goal; ++k) {
     advance();
+    progress.reach(double((ell(z_) - start) / (goal - start)));
     if (k == most_steps || (side * slope() < T(0) && side * ell(z_) < side * goal))
       throw NoBranch("the branch does not reach " + std::to_string(double(target)) +
                      ": it turns back near " + std::to_string(double(parameter())) +

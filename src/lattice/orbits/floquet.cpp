@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "lattice/numbers/eigenvalues.hpp"
+#include "lattice/numbers/progress.hpp"
 
 namespace lattice {
 
@@ -12,6 +13,7 @@ namespace lattice {
 template <class T>
 Matrix<T> monodromy(const Chain& chain, const State<T>& start,
                     const std::type_identity_t<T>& duration, const EventTolerance<T>& rule) {
+  const Progress progress("tangent map");
   State<T> end = start;
   Tangent<T> tangent(chain.sites, 2 * chain.sites);
   if (!is_accurate(flow(chain, end, duration, rule, &tangent), rule))
@@ -96,6 +98,7 @@ Pairs<T> floquet_pairs(const Chain& chain, const State<T>& start,
   for (const T& v : start.v)
     if (v != T(0)) throw std::invalid_argument("the orbit must begin at rest");
   const Matrix<T> half = in_momenta(chain, monodromy<T>(chain, start, period / T(2), rule));
+  const Progress progress("pairs of multipliers");
   // A shift in time changes the momenta along the force: this is the direction to leave out
   const std::vector<T> a = accelerations(chain, start.y);
   Vector<T> force(Eigen::Index(a.size()));

@@ -6,6 +6,8 @@
 #include <limits>
 #include <type_traits>
 
+#include "lattice/numbers/progress.hpp"
+
 namespace lattice {
 
 #ifndef LATTICE_QUADRUPLE
@@ -65,6 +67,12 @@ Solution<T> accepted(const NewtonProblem<T>& problem, Solution<T> found,
   throw failure(problem, "the integration is not accurate enough for an orbit", found);
 }
 
+/// What is shown of an iteration: how many went before, and what they left.
+std::string iteration_label(int i, double residual) {
+  const std::string number = "Newton step " + std::to_string(i + 1);
+  return i == 0 ? number : number_label(number + ", residual", residual);
+}
+
 /**
 The residual is that of the worst equation, each in its own unit. Far from any orbit a full step may lead
 even farther away. A damped iteration tries the step, its half, its quarter and so on until the residual
@@ -96,6 +104,7 @@ Solution<T> iterate(const NewtonProblem<T>& problem, Vector<T> x, const NewtonRu
   Solution<T> best{x, {}, {}};
   T last = std::numeric_limits<T>::infinity();
   for (int i = 0; i <= rule.most; ++i) {
+    const Progress progress(iteration_label(i, double(last)));
     // By how much does the orbit from here fail to close?
     Shot<T> shot = problem.shoot(x, rule.events, jacobian);
     const T residual = residual_of(problem, shot, x, rule);

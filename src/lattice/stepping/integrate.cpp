@@ -5,6 +5,7 @@
 
 #include "lattice/model/typed.hpp"
 #include "lattice/numbers/interrupt.hpp"
+#include "lattice/numbers/progress.hpp"
 
 namespace lattice {
 
@@ -58,6 +59,7 @@ Run evolve(const Advance& advance, const Chain& chain, State<double>& state, con
   Window window = waking(chain, state);
   Run run{.t_end = t0};
   if (!look(state)) return run;
+  Progress progress(number_label("step", grid.step()), 1);
   for (std::size_t k = 1; k <= grid.samples; ++k) {
     heed_stop();
     run.work += advance(state, window, grid.step(), grid.steps);
@@ -72,6 +74,7 @@ Run evolve(const Advance& advance, const Chain& chain, State<double>& state, con
     run.energy_drift = std::max(run.energy_drift, std::abs(e - start) / scale);
     run.t_end = state.t;
     if (!look(state)) break;
+    progress.reach(double(k) / double(grid.samples));
   }
   return run;
 }

@@ -1,0 +1,108 @@
+#pragma once
+/**
+# How far a computation is
+
+A long loop says where it is by a `Progress` that lives as long as the loop. Those of nested loops form a tree, with a
+branch for each worker of `parallel_for`. Whoever wants to show it (report/heartbeat.hpp) makes a `Watch` and brings a
+clock; without one a `Progress` does nothing. No result depends on it. */
+
+#include <atomic>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace lattice {
+
+/**
+## When will it be done?
+
+The steps of a run become slower while its wave sets more and more beads in motion. So we let the share that is
+done grow like a power of the time, with the exponent from now and the last look before half of the time. It is one at
+a constant pace and one half for a wave of constant speed; beyond one half and two we trust it no longer. */
+/// Sees a stage now and then and tells when it will be done.
+class Forecast {
+ public:
+  /// After `seconds` the share is done.
+  void see(double seconds, double share);
+  /// Seconds that are left; nothing while nothing is done, and where the stage is later than was foreseen.
+  std::optional<double> left(double seconds) const;
+
+ private:
+  std::vector<std::pair<double, double>> seen_{};  ///< whenever the share had grown
+};
+
+/// A stage as it is shown.
+struct ShownStage {
+  std::string label{};
+  double done = 0, total = 0;    ///< a total of one is shown in per cent, zero is not known
+  std::optional<double> left{};  ///< seconds, if that is worth saying
+};
+
+/// `step 0.05`: a label with a number, to two digits.
+std::string number_label(const std::string& what, double value);
+
+/**
+## Stages
+
+A stage begins inside of the one in which its thread is. It counts its parts with `tick` from any thread, or a single
+thread says by `reach` how much is done. */
+/// Seconds since some instant.
+using Clock = double (*)();
+
+class Progress {
+ public:
+  /// A stage of `total` parts; one stands for a quantity that grows to one, zero for a number that nobody knows.
+  explicit Progress(std::string label, std::size_t total = 0);
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  /// One more part is done.
+  void tick() { ++parts_; }
+  /// So much is done of a total of one.
+  void reach(double share) { share_.store(share, std::memory_order_relaxed); }
+
+  /// The innermost stage of this thread; null if nobody watches.
+  static Progress* here();
+  /// Lets this thread work inside of `stage`, that of the thread which began it.
+  static void join(Progress* stage);
+
+ private:
+  friend class Watch;
+  explicit Progress(Clock clock) : clock_(clock) {}
+  double share() const;
+  Progress* slowest() const;
+
+  std::string label_{};
+  std::size_t total_ = 0;
+  std::atomic<std::size_t> parts_{0};
+  std::atomic<double> share_{0};
+  Progress* around_ = nullptr;
+  std::vector<Progress*> inside_{};
+  Clock clock_ = nullptr;
+  double since_ = 0;
+  Forecast forecast_{};
+};
+
+/**
+A `Watch` is the root of the tree. Where several workers are busy inside of a stage that counts, that stage is the
+last one to be told; if it does not count, the slowest of them goes on. */
+/// As long as it lives the stages of this thread and its workers can be seen.
+class Watch {
+ public:
+  explicit Watch(Clock clock);
+  ~Watch();
+  Watch(const Watch&) = delete;
+  Watch& operator=(const Watch&) = delete;
+
+  /// The stages of now, the outermost first. The seconds left are said of a stage that takes long.
+  std::vector<ShownStage> stages() const;
+
+ private:
+  Progress root_;
+  Progress* before_;
+};
+
+}  // namespace lattice
