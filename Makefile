@@ -70,6 +70,8 @@ figures: install-deps
 	@$(MAKE) $(two_by_two) all-data
 	@$(MAKE) $(side_by_side) all-figures
 	@$(MAKE) summary
+	@. tools/shared.sh; echo "$$(now) $$(cat $(D)/report/start)" | \
+	  awk '{ printf "together   : %.0f s, with compiling and drawing\n", ($$1 > $$2 ? $$1 - $$2 : 0) }'
 
 ## test: everything the tests need (data and figures), then the tests
 test: install-deps
@@ -139,9 +141,7 @@ summary:
 	@echo
 	@echo "figures    : $(words $(svgs)) in $(D)/figures (svg, pdf, png)"
 	@$(lineage) summary --data $(D)/data --out $(D)/report
-	@echo "computing  : $$(cat $(D)/report/cost/* | awk '{ s += $$1 } END { printf "%.0f", s }') s" \
-	  "in $(words $(chapters)) programs; all together" \
-	  "$$(. tools/shared.sh; echo "$$(now) $$(cat $(D)/report/start)" | awk '{ printf "%.0f", ($$1 > $$2 ? $$1 - $$2 : 0) }') s"
+	@echo "computing  : $$(cat $(D)/report/cost/* | awk '{ s += $$1 } END { printf "%.0f", s }') s in $(words $(chapters)) programs"
 	@echo "report     : $(D)/report/published.ecsv"
 
 ## book: weave the book from sources, data and figures into build/book
@@ -312,7 +312,7 @@ help:
 	@sed -n 's/^## /  make /p' Makefile
 	@awk '!/^#/ { at = index($$0, ","); id = substr($$0, 1, at - 1); if (id == "id") next; \
 	  text = $$0; for (k = 0; k < 7; ++k) text = substr(text, index(text, ",") + 1); \
-	  sub(/,[^,"]*$$/, "", text); gsub(/"/, "", text); printf "  make %s: %s\n", (id ~ /^x/ ? id : "fig" id), text }' figures/figures.ecsv
+	  gsub(/"/, "", text); printf "  make %s: %s\n", (id ~ /^x/ ? id : "fig" id), text }' figures/figures.ecsv
 	@echo "Variables: DEPS=skip (install nothing), PYTHON=..., JOBS=..., LAUNCH=... (put before every program),"
 	@echo "  THREADS=... (of each program), QUICK=1 (coarse, into $(B)/quick)"
 

@@ -1,14 +1,21 @@
 """What the matplotlib figures share: reading tables by column name, sizes, panel letters.
 
 A script is called with the folder of all tables and the SVG file to write; it computes nothing
-beyond scaling.
+beyond scaling. It imports this file first, which says what is missing.
 """
 
 import csv
 import sys
+from pathlib import Path
 
-import matplotlib.pyplot as plt
-import numpy as np
+sys.path.append(str(Path(__file__).resolve().parents[1]))
+from lineage import ecsv, lacking  # noqa: E402
+
+try:
+    import matplotlib.pyplot as plt
+    import numpy as np
+except ModuleNotFoundError as error:
+    sys.exit(f"figures: {lacking(error)}")
 
 MM = 1 / 25.4
 ONE_COLUMN, TWO_COLUMNS = 85 * MM, 170 * MM
@@ -20,24 +27,31 @@ def arguments():
     return data, out
 
 
+def rows_of(path):
+    """The lines of an ECSV table without its header; ends the script unless they are what its program wrote."""
+    try:
+        text = ecsv.text_of(path)
+        ecsv.check_written(Path(path), text)
+    except ecsv.Fault as fault:
+        sys.exit(str(fault))
+    return [line for line in text.split("\n") if line and not line.startswith("#")]
+
+
 def read(path):
     """The columns of an ECSV table, by name, as arrays of numbers."""
-    with open(path, encoding="utf8") as file:
-        rows = list(csv.reader(line for line in file if not line.startswith("#")))
+    rows = list(csv.reader(rows_of(path)))
     body = np.array(rows[1:], dtype=float)
     return {name: body[:, i] for i, name in enumerate(rows[0])}
 
 
 def records(path):
     """The rows of an ECSV table as dictionaries of texts, for tables that hold names."""
-    with open(path, encoding="utf8") as file:
-        return list(csv.DictReader(line for line in file if not line.startswith("#")))
+    return list(csv.DictReader(rows_of(path)))
 
 
 def read_numbers(path):
     """As `read`, without the columns that hold text."""
-    with open(path, encoding="utf8") as file:
-        rows = list(csv.reader(line for line in file if not line.startswith("#")))
+    rows = list(csv.reader(rows_of(path)))
     kept = {}
     for name, entries in zip(rows[0], zip(*rows[1:])):
         try:

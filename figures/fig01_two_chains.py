@@ -1,10 +1,9 @@
 """Figure 01: the two chains. Sizes are those of the table; displacements are amplified."""
 
+import draw
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.patches import Circle, Polygon, Rectangle
-
-import draw
 
 data, out = draw.arguments()
 size = {(row["id"], row["parameter"]): float(row["value"])

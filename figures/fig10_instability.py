@@ -1,9 +1,8 @@
 """Figure 10: |v_n|^2 over site and time, perturbed, without the pinning pair, and at a bond."""
 
+import draw
 import matplotlib.pyplot as plt
 from matplotlib.colors import PowerNorm
-
-import draw
 
 data, out = draw.arguments()
 figure, panels = plt.subplots(1, 3, figsize=(draw.TWO_COLUMNS, 75 * draw.MM), sharey=True)

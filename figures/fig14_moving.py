@@ -1,9 +1,8 @@
 """Figure 14: energy density after a kick of the bond-centred and of the site-centred breather."""
 
+import draw
 import matplotlib.pyplot as plt
 from matplotlib.colors import PowerNorm
-
-import draw
 
 data, out = draw.arguments()
 

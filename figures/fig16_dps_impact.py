@@ -1,9 +1,8 @@
 """Figure 16: |A_n|^2 over site and slow time after the impact, with the final profile inset."""
 
+import draw
 import matplotlib.pyplot as plt
 from matplotlib.colors import PowerNorm
-
-import draw
 
 data, out = draw.arguments()
 field = draw.read(f"{data}/sec34_dps_impact/dps_impact_map.ecsv")

@@ -1,9 +1,8 @@
 """Figure 18: energy density of the struck chain and of the DpS approximation."""
 
+import draw
 import matplotlib.pyplot as plt
 from matplotlib.colors import PowerNorm
-
-import draw
 
 data, out = draw.arguments()
 maps = draw.read(f"{data}/sec34_dps_impact/impact_density_maps.ecsv")

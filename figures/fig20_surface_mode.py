@@ -1,9 +1,8 @@
 """Figure 20: contact forces in grey (white: no contact) for a linear and a very soft well."""
 
+import draw
 import matplotlib.pyplot as plt
 from matplotlib.colors import PowerNorm
-
-import draw
 
 data, out = draw.arguments()
 forces = draw.read(f"{data}/sec34_impact/surface_mode_forces.ecsv")

@@ -1,9 +1,8 @@
 """Figure 22: energy density of packets that turn round, and an ensemble of their centres."""
 
+import draw
 import matplotlib.pyplot as plt
 from matplotlib.colors import PowerNorm
-
-import draw
 
 data, out = draw.arguments()
 maps = draw.read(f"{data}/sec34_boomeron/density_maps.ecsv")

@@ -1,9 +1,8 @@
 """Figure 24: contact forces in grey (white: no contact) for two sizes of the defect's beads."""
 
+import draw
 import matplotlib.pyplot as plt
 from matplotlib.colors import PowerNorm
-
-import draw
 
 data, out = draw.arguments()
 forces = draw.read(f"{data}/sec36_cantilever_defect/contact_forces.ecsv")

@@ -1,8 +1,7 @@
 """Figure 27: velocities at three times after an impact on a compressed chain, s = 1."""
 
-import matplotlib.pyplot as plt
-
 import draw
+import matplotlib.pyplot as plt
 
 data, out = draw.arguments()
 table = draw.where(draw.read(f"{data}/sec4_precompression_mi/impact_profiles.ecsv"), "s", 1)

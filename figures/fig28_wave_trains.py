@@ -1,8 +1,7 @@
 """Figure 28: wave trains after an impact, s = 0 and s = -1/6, and the packets' share of the energy."""
 
-import matplotlib.pyplot as plt
-
 import draw
+import matplotlib.pyplot as plt
 
 data, out = draw.arguments()
 folder = f"{data}/sec4_precompression_mi"

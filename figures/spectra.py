@@ -1,8 +1,7 @@
 """What figures 8 and 9 share: profile and spectrum of a DpS breather at two frequencies."""
 
-import matplotlib.pyplot as plt
-
 import draw
+import matplotlib.pyplot as plt
 
 BLUE, VERMILION, GREY = "#0072B2", "#D55E00", "#888888"
 

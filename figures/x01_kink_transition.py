@@ -1,9 +1,8 @@
 """Figure x01: the transition from breather to kink in pendulum wells, and two examples."""
 
+import draw
 import matplotlib.pyplot as plt
 from matplotlib.colors import SymLogNorm
-
-import draw
 
 data, out = draw.arguments()
 scan = draw.read(f"{data}/sec34_kink/kink_transition.ecsv")

@@ -1,8 +1,7 @@
 """Figure x03: static DpS breathers, their quasi-continuum profiles and their tails."""
 
-import matplotlib.pyplot as plt
-
 import draw
+import matplotlib.pyplot as plt
 
 data, out = draw.arguments()
 site = draw.read(f"{data}/sec32_dps_profiles/profile_site.ecsv")

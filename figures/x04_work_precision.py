@@ -5,10 +5,9 @@ Holds timings, so `make bench` draws it and figures.ecsv does not list it.
 
 import csv
 
+import draw
 import matplotlib.pyplot as plt
 import numpy as np
-
-import draw
 
 data, out = draw.arguments()
 with open(f"{data}/work_precision.ecsv", encoding="utf8") as file:

@@ -1,20 +1,14 @@
 """Figure x06: eigenvalues of the contact matrix against the edge, and what follows in time."""
 
+import draw
 import matplotlib.pyplot as plt
 import numpy as np
-
-import draw
 
 data, out = draw.arguments()
 folder = f"{data}/sec33_dps_stability"
 BLUE, VERMILION, GREY = "#0072B2", "#D55E00", "#888888"
 LOOKS = {"site": (BLUE, "o"), "bond": (VERMILION, "s"), "control": ("black", "^")}
-facts = {}
-with open(f"{folder}/facts.ecsv", encoding="utf8") as lines:
-    for line in lines:
-        if not line.startswith("#"):
-            quantity, value = line.split(",")[:2]
-            facts[quantity] = value
+facts = {row["quantity"]: row["value"] for row in draw.records(f"{folder}/facts.ecsv")}
 
 figure, panels = plt.subplots(2, 2, figsize=(draw.TWO_COLUMNS, 115 * draw.MM))
 (spectrum, paths), (departures, distances) = panels

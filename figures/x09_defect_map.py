@@ -1,8 +1,7 @@
 """Figure x09: what a defect reflects, keeps and lets pass, against the radius of its beads."""
 
-import matplotlib.pyplot as plt
-
 import draw
+import matplotlib.pyplot as plt
 
 data, out = draw.arguments()
 table = draw.read(f"{data}/sec36_cantilever_defect/defect_map.ecsv")

@@ -1,8 +1,7 @@
 """Figure x10: energy around the defect against time, and the breather in which it is trapped."""
 
-import matplotlib.pyplot as plt
-
 import draw
+import matplotlib.pyplot as plt
 
 data, out = draw.arguments()
 times = draw.read(f"{data}/sec36_cantilever_defect/trapping.ecsv")

@@ -1,11 +1,10 @@
 """Figure x11: which packets turn, against impact and well, and the law of the boundary."""
 
+import draw
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.colors import ListedColormap, LogNorm
 from matplotlib.patches import Patch
-
-import draw
 
 data, out = draw.arguments()
 cells = draw.read(f"{data}/sec34_boomeron_map/reversal_map.ecsv")

@@ -1,9 +1,8 @@
 """Figure x12: why packets turn: what is left of the waves, forces, late fates, and waves beside a breather."""
 
+import draw
 import matplotlib.pyplot as plt
 import numpy as np
-
-import draw
 
 data, out = draw.arguments()
 folder = f"{data}/sec34_boomeron_why"

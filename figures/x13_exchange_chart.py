@@ -1,10 +1,9 @@
 """Figure x13: which breather is stable in the plane of frequency and anharmonicity, and how unstable both are."""
 
+import draw
 import matplotlib.pyplot as plt
 from matplotlib.colors import ListedColormap, LogNorm
 from matplotlib.patches import Patch, Rectangle
-
-import draw
 
 data, out = draw.arguments()
 folder = f"{data}/sec33_between"

@@ -1,18 +1,14 @@
 """Figure x15: mean speed against kick, and the drift of several integrators against their work."""
 
-import csv
-
-import matplotlib.pyplot as plt
-
 import draw
+import matplotlib.pyplot as plt
 
 data, out = draw.arguments()
 
 
 def rows(name):
     """The rows of a table with texts in it."""
-    with open(f"{data}/sec33_mobility/{name}.ecsv", encoding="utf8") as file:
-        return list(csv.DictReader(line for line in file if not line.startswith("#")))
+    return draw.records(f"{data}/sec33_mobility/{name}.ecsv")
 
 
 def column(table, name):

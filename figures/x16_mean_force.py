@@ -1,9 +1,8 @@
 """Figure x16: mean contact forces, searches and a localized state, without and with wells."""
 
+import draw
 import matplotlib.pyplot as plt
 import numpy as np
-
-import draw
 
 data, out = draw.arguments()
 folder = f"{data}/sec2_nonexistence"

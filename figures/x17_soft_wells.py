@@ -1,9 +1,8 @@
 """Figure x17: a breather spreads in ever softer wells."""
 
+import draw
 import matplotlib.pyplot as plt
 import numpy as np
-
-import draw
 
 data, out = draw.arguments()
 softer = draw.read(f"{data}/sec2_soft_wells/softer_wells.ecsv")

@@ -1,8 +1,7 @@
 """Figure x18: an exact travelling breather beside an impact's packet; profiles and ends."""
 
-import matplotlib.pyplot as plt
-
 import draw
+import matplotlib.pyplot as plt
 
 data, out = draw.arguments()
 folder = f"{data}/sec5_travelling_breathers"

@@ -1,8 +1,7 @@
 """Figure x19: what travelling breathers leave behind against their shift time, and where nothing."""
 
-import matplotlib.pyplot as plt
-
 import draw
+import matplotlib.pyplot as plt
 
 data, out = draw.arguments()
 folder = f"{data}/sec5_travelling_families"

@@ -1,9 +1,8 @@
 """Figure x20: all exact travelling breathers found at s = 0, with the families on which they lie."""
 
+import draw
 import matplotlib.pyplot as plt
 import numpy as np
-
-import draw
 
 data, out = draw.arguments()
 folder = f"{data}/sec5_travelling_families"

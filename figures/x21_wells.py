@@ -1,8 +1,7 @@
 """Figure x21: exact travelling breathers in soft and hard wells, and the packet that turns at s = 1."""
 
-import matplotlib.pyplot as plt
-
 import draw
+import matplotlib.pyplot as plt
 
 data, out = draw.arguments()
 folder = f"{data}/sec5_travelling_families"

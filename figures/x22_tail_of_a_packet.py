@@ -1,9 +1,8 @@
 """Figure x22: how an impact's packet loses its tail, and where its speed and energy go."""
 
+import draw
 import matplotlib.pyplot as plt
 import numpy as np
-
-import draw
 
 data, out = draw.arguments()
 courses = draw.read(f"{data}/sec5_travelling_packets/courses.ecsv")

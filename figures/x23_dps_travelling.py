@@ -1,8 +1,7 @@
 """Figure x23: the travelling breather of the DpS equation, its family, and the limit of the chain's."""
 
-import matplotlib.pyplot as plt
-
 import draw
+import matplotlib.pyplot as plt
 
 data, out = draw.arguments()
 folder = f"{data}/sec5_travelling_packets"

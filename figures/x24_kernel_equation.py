@@ -1,9 +1,8 @@
 """Figure x24: the kernel, waves of both signs, the ascent of the quotient, and the quotients against alpha."""
 
+import draw
 import matplotlib.pyplot as plt
 import numpy as np
-
-import draw
 
 data, out = draw.arguments()
 folder = f"{data}/sec5_kernel_equation"

@@ -1,9 +1,8 @@
 """Figure x25: enclosed strains of the DpS breathers, the search for others, and what the lemma needs."""
 
+import draw
 import matplotlib.pyplot as plt
 import numpy as np
-
-import draw
 
 data, out = draw.arguments()
 folder = f"{data}/sec5_enclosures"

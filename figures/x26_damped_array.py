@@ -1,9 +1,8 @@
 """Figure x26: the packet of an impact and breathers at rest in a damped array."""
 
+import draw
 import matplotlib.pyplot as plt
 import numpy as np
-
-import draw
 
 data, out = draw.arguments()
 folder = f"{data}/sec5_experiment"

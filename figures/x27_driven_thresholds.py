@@ -1,9 +1,8 @@
 """Figure x27: thresholds of a driven array, quiet orbits, and a chart of what it sends out."""
 
+import draw
 import matplotlib.pyplot as plt
 import numpy as np
-
-import draw
 
 data, out = draw.arguments()
 folder = f"{data}/sec5_driving"

@@ -1,10 +1,9 @@
 """Figure x28: energy in space and time in a driven array, quiet, with a train, and irregular."""
 
+import draw
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.colors import LogNorm
-
-import draw
 
 data, out = draw.arguments()
 maps = draw.read(f"{data}/sec5_driving/maps.ecsv")

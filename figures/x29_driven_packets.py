@@ -1,8 +1,7 @@
 """Figure x29: what the first packet of a drive is, against the strength of the drive."""
 
-import matplotlib.pyplot as plt
-
 import draw
+import matplotlib.pyplot as plt
 
 data, out = draw.arguments()
 seen = draw.read(f"{data}/sec5_driven_packets/strengths.ecsv")

@@ -1,8 +1,7 @@
 """Figure x30: numbers of the article, computed with five methods and fixed steps."""
 
-import matplotlib.pyplot as plt
-
 import draw
+import matplotlib.pyplot as plt
 
 data, out = draw.arguments()
 folder = f"{data}/sec33_article_integrator"

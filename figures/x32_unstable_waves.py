@@ -1,9 +1,8 @@
 """Figure x32: growth of modulations of plane waves without precompression, and the chain against it."""
 
+import draw
 import matplotlib.pyplot as plt
 import numpy as np
-
-import draw
 
 data, out = draw.arguments()
 folder = f"{data}/sec5_growth"

@@ -1,9 +1,8 @@
 """Figure x33: unstable waves in space and time, and the breathers that they leave."""
 
+import draw
 import matplotlib.pyplot as plt
 import numpy as np
-
-import draw
 
 data, out = draw.arguments()
 maps = draw.read(f"{data}/sec5_growth/maps.ecsv")

@@ -3,9 +3,10 @@
     ecsv      the one reader and writer of tables
     values    a value with its error, and the digits that people see of it
     claims    what the article states, what the programs answer, and the verdict
+    chapters  which chapters answer and explain a claim, their commands and costs
     lock      paper/converged.ecsv: which values are kept, and how far a fresh one may be
     hashes    paper/hashes.ecsv: the bytes of every table
-    refresh   values and tables in prose: src/, README.md, ARTIFACT.md, figures/figures.ecsv
+    refresh   values and tables in prose: src/, README.md, ARTIFACT.md, DATA.md, bench/costs.ecsv
     metadata  version, title, authors, licences: CITATION.cff, .zenodo.json, paper/metadata.yaml
     tex       the same values for the paper
     summary   the end of `make figures`, build/report/published.ecsv, one claim by its id
@@ -16,3 +17,12 @@
 
 `python3 -m lineage --help` lists the verbs. All but `gallery` and `weave` need the standard library only.
 """
+
+import sys
+
+
+def lacking(error):
+    """What a ModuleNotFoundError says to somebody whose python lacks a module."""
+    name = error.name.partition(".")[0]
+    return (f"{sys.executable} has no module {name} (Debian: python3-{name.lower()}; "
+            "PYTHON=... names another python3 to make)")

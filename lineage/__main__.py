@@ -5,7 +5,7 @@ import signal
 import sys
 from pathlib import Path
 
-from . import ecsv
+from . import ecsv, lacking
 
 
 def need(folder):
@@ -39,7 +39,8 @@ def hashes(given):
 
 
 def refresh(given):
-    from .refresh import measured_costs, renew
+    from .chapters import measured_costs
+    from .refresh import renew
     return renew(given.root, measured_costs(given.costs), given.check) > 0 and given.check
 
 
@@ -128,7 +129,7 @@ def main(arguments=None):
         print(f"lineage {given.verb}: cannot write to standard output ({error.strerror})", file=sys.stderr)
         return 1
     except ModuleNotFoundError as error:
-        print(f"lineage {given.verb}: the module {error.name} is not installed (apt-packages.txt)", file=sys.stderr)
+        print(f"lineage {given.verb}: {lacking(error)}", file=sys.stderr)
         return 1
 
 

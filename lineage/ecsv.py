@@ -151,11 +151,31 @@ def rows_sum(text):
     return hashlib.sha256(rows.encode("utf-8")).hexdigest()
 
 
+def sums_in(folder):
+    """The checksums of a program's tables, by their names."""
+    return {line[66:]: line[:64] for line in text_of(folder / "SHA256SUMS").splitlines()}
+
+
+def check_run(path, text, quick):
+    """Fault if the table is of a quick run, as its header says, and should be of a full one, or the other way round."""
+    if bool(re.search(r"^# - \{parameters: '(?:[^'\n]*, )?quick = yes[,']", text, re.M)) != quick:
+        raise Fault(f"{path}: of a {'full' if quick else 'quick'} run; remove {path.parent} to have it computed again")
+
+
 def check_written(path, text):
-    """Fault if the text is not what the program wrote into the file: its SHA256SUMS knows."""
-    known = {line[66:]: line[:64] for line in text_of(path.parent / "SHA256SUMS").split("\n")}
-    if known.get(path.name) != rows_sum(text):
+    """Fault if the text is not what the program wrote into the file, or if it is of a quick run in a folder of full
+    ones. Quick runs are in `quick/data`, where a full one does no harm."""
+    if sums_in(path.parent).get(path.name) != rows_sum(text):
         raise Fault(f"{path}: not what {path.parent.name} wrote; remove it to have it computed again")
+    if path.resolve().parents[2].name != "quick":
+        check_run(path, text, quick=False)
+
+
+def check_all_written(data):
+    """Fault if a table of a complete run in the folder is not what its program wrote."""
+    for results in sorted(Path(data).glob("*/results.ecsv")):
+        for name in sums_in(results.parent):
+            check_written(results.parent / name, text_of(results.parent / name))
 
 
 def read_written(path, needed=()):

@@ -122,6 +122,8 @@ def check(root, data, run, against=None):
     found, told, moved = tables_in(data, programs), 0, 0
     if not found:
         raise ecsv.Fault(f"{data}: no program has finished here")
+    for path in found.values():
+        ecsv.check_run(path, ecsv.text_of(path), run == "quick")
     for key, path, word in differences(record, data, programs, run):
         told, moved = told + 1, moved + (key in found)
         twin = Path(against or "") / key[0] / path.name
@@ -151,7 +153,9 @@ def renew(root, folders):
         missing = [p for p in programs if (p, "results") not in found]
         if missing:
             raise ecsv.Fault(f"{data}: {', '.join(missing)} did not finish (make hashes runs everything)")
+        ecsv.check_all_written(data)
         for key, path in found.items():
+            ecsv.check_run(path, ecsv.text_of(path), run == "quick")
             entry = now.setdefault(key, Entry())
             setattr(entry, run, hash_of(path, entry.left_out))
             maker = maker or maker_of(path)

@@ -90,6 +90,7 @@ def packages(root):
 
 def write(root, data, folder, out):
     """The verb: tables.ecsv, commands.ecsv and packages.ecsv."""
+    ecsv.check_all_written(data)
     for name, rows in [("tables", tables(root, data)), ("commands", commands(root, folder)), ("packages", packages(root))]:
         columns = [ecsv.Column(column, "string", text) for column, text in COLUMNS[name]]
         ecsv.write_whole(Path(out) / f"{name}.ecsv",

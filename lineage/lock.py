@@ -56,9 +56,10 @@ def lock_text(findings):
 
 
 def read_fresh(data, programs, claims):
-    """What the programs have just written, by (program, id)."""
+    """What the programs have just written, by (program, id); Fault if any of their tables was changed since."""
     answers = {f.key: f for f in read_results(data, programs, claims).values()}
     facts = read_facts(data, programs)
+    ecsv.check_all_written(data)
     for program, id in answers.keys() & facts.keys():
         raise ecsv.Fault(f"{Path(data) / program}: '{id}' is an answer and a fact")
     return answers | facts

@@ -1,24 +1,23 @@
 """Numbers in prose. Nobody types a result: `[](num:pn.omega11)` names the answer to a claim and
 `[](num:sec32_dps_profiles.norm_site)` a fact of a program, and the text of the link is the locked value. This
-file writes those texts, the tables of README.md and ARTIFACT.md, the costs in figures/figures.ecsv, and the files
-that say to others what codemeta.json says (metadata.py).
+file writes those texts, the tables of the pages, the costs in bench/costs.ecsv, and the files that say to others what
+codemeta.json says (metadata.py).
 
 The quoted values are the locked ones and not the fresh ones, because another compiler may change a digit of a
 rounding residue; that fresh and locked values agree is asserted on its own."""
 
-import csv
 import math
 import re
 from pathlib import Path
 
 from . import ecsv, metadata
+from .chapters import costs_text, explained_by, read_commands, renewed_costs, run_of, shown_cost
 from .claims import SAID, VERDICTS, Judge, name_of, read_claims
 from .lock import read_lock, sources
-from .values import with_digits, without_zeros
 
 LINK = re.compile(r"(\[[^\]]*\])?\(num:([^)\n]*)(\)?)")
 MARK = re.compile(r"<!--num:([\w.]+)-->[^<\n]*<!--/-->")
-PAGES = ("README.md", "ARTIFACT.md")
+PAGES = ("README.md", "ARTIFACT.md", "DATA.md")
 
 
 def with_numbers(text, numbers):
@@ -53,7 +52,7 @@ def quotable(lock, claims):
     return {name_of(f, claims): f.shown for f in lock.values()}
 
 
-# The tables of README.md and ARTIFACT.md. Where the article and we differ, the list of claims says why.
+# The tables of the pages. Where the article and we differ, the list of claims says why.
 
 
 def here(finding, said):
@@ -61,7 +60,15 @@ def here(finding, said):
     return "" if finding.shown == said else finding.shown + finding.shown_unit
 
 
-def published_rows(claims, lock):
+def see(id, claims, costs, alone):
+    """Where a claim that is missed is computed and explained: chapters with their commands and costs, and the command
+    for the number alone."""
+    chapters = ", ".join(f"[`{run_of(program)}`](src/{program}.cpp) ({shown_cost(costs.get(program, math.nan))} s)"
+                         for program in explained_by(id, claims))
+    return chapters + (f"; alone: `{alone[id][0]}`" if id in alone else "")
+
+
+def published_rows(claims, lock, costs, alone):
     judge = Judge(claims, lock.values())
     yield "| claim | what is claimed | article | asked | here | error | verdict |"
     yield "|---|---|---|---|---|---|---|"
@@ -71,6 +78,7 @@ def published_rows(claims, lock):
             said = judge.verdict(id)
             read = "".join(f"<br>*{word}:* {judge.said(c[key])}" for word, key in (("Read", "reading"), ("Why", "reason"))
                            if c[key] and not (key == "reason" and said == "discrepant"))
+            read += f"<br>*See:* {see(id, claims, costs, alone)}" if said in SAID else ""
             cells = [f"`{id}`", c["quantity"] + read, printed(c), c["tolerance"], here(f, said), f.shown_error, SAID.get(said, said)]
             yield "| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |"
 
@@ -81,14 +89,14 @@ def printed(claim):
     return f"{text} {claim['unit']}" if claim["unit"] and re.fullmatch(r"[-+.\de]+", text) else text
 
 
-def discrepancy_rows(claims, lock):
+def discrepancy_rows(claims, lock, costs, alone):
     judge = Judge(claims, lock.values())
-    yield "| claim | article | here | why |"
-    yield "|---|---|---|---|"
+    yield "| claim | article | here | why | chapters |"
+    yield "|---|---|---|---|---|"
     for id, c in claims.items():
         f = lock.get((c["program"], id))
         if f and c["status"] == "discrepant":
-            yield f"| `{id}` | {c['printed']} | {f.shown} | {judge.said(c['reason'])} |"
+            yield f"| `{id}` | {c['printed']} | {f.shown} | {judge.said(c['reason'])} | {see(id, claims, costs, alone)} |"
 
 
 def tally(statuses):
@@ -108,17 +116,13 @@ def command_of(figure):
     return "make " + (figure if figure.startswith("x") else "fig" + figure)
 
 
-def shown_cost(seconds):
-    return "?" if math.isnan(seconds) else "< 1" if seconds < 1 else str(math.floor(seconds + 0.5))
-
-
-def figure_rows(figures):
+def figure_rows(figures, costs):
     yield "| figure | command | program | seconds | tables | shows |"
     yield "|---|---|---|---|---|---|"
     for id, f in figures.items():
         tables = ", ".join(f"`{name}`" for name in f["data"].split())
         yield (f"| {id} | `{command_of(id)}` | [`{f['program']}`](src/{f['program']}.cpp) | "
-               f"{shown_cost(f['seconds'])} | {tables} | {f['caption']} |")
+               f"{shown_cost(costs.get(f['program'], math.nan))} | {tables} | {f['caption']} |")
 
 
 def gallery_rows(figures):
@@ -128,12 +132,11 @@ def gallery_rows(figures):
     return ["| | | | |", "|---|---|---|---|"] + ["|" + "".join(cells[i:i + 4]) for i in range(0, len(cells), 4)]
 
 
-def cost_rows(figures):
-    costs = {f["program"]: f["seconds"] for f in figures.values()}
+def cost_rows(costs):
     yield "| program | seconds |"
     yield "|---|---|"
-    for program in sorted(costs):
-        yield f"| `{program}` | {shown_cost(costs[program])} |"
+    for program, seconds in costs.items():
+        yield f"| `{program}` | {shown_cost(seconds)} |"
     yield f"| together | {shown_cost(sum(c for c in costs.values() if not math.isnan(c)))} |"
 
 
@@ -148,11 +151,12 @@ def ratio_rows(bench):
             yield f"| {row['problem']}, {row['quantity']} | {row['peer']} | {shown} | {row['note'] if reached else ''} |"
 
 
-def generated_tables(claims, lock, figures, bench):
+def generated_tables(claims, lock, figures, bench, costs, alone):
     """Every table that a page may show, by the name in its marks."""
     return {"gallery": gallery_rows(figures), "summary": summary_rows(claims, figures),
-            "discrepant": list(discrepancy_rows(claims, lock)), "published": list(published_rows(claims, lock)),
-            "figures": list(figure_rows(figures)), "costs": list(cost_rows(figures)), "ratios": list(ratio_rows(bench))}
+            "discrepant": list(discrepancy_rows(claims, lock, costs, alone)),
+            "published": list(published_rows(claims, lock, costs, alone)),
+            "figures": list(figure_rows(figures, costs)), "costs": list(cost_rows(costs)), "ratios": list(ratio_rows(bench))}
 
 
 def fresh_page(text, tables):
@@ -168,53 +172,18 @@ def fresh_page(text, tables):
     return re.sub(r"<!-- (\w+) -->\n.*?<!-- /\1 -->", renewed, text, flags=re.S)
 
 
-# The index of figures
-
-
-def with_costs(text, costs):
-    """figures/figures.ecsv is written by hand but for its last column, the seconds that the program takes. A row
-    without it gets one. A measured time is renewed when it has moved by more than a fifth and by more than half a
-    second, since a refreshed page should not show noise."""
-    out, names = [], None
-    for line in text.splitlines():
-        if line and line[0] != "#" and names is None:
-            names = line.split(",")
-            if names[-1] != "seconds":
-                raise ecsv.Fault("the last column is not 'seconds'")
-        elif line and line[0] != "#":
-            cells = next(csv.reader([line]))
-            if not len(names) - 1 <= len(cells) <= len(names):
-                raise ecsv.Fault(f"a row with a wrong number of cells: {line}")
-            if len(cells) < len(names):
-                line += ",nan"
-            head, _, was = line.rpartition(",")
-            now = costs.get(cells[names.index("program")])
-            if now is not None and not abs(now - float(was)) < max(0.5, 0.2 * now):
-                line = f"{head},{without_zeros(with_digits(now, 2))}"
-        out.append(line)
-    return "\n".join(out) + "\n"
-
-
-def measured_costs(folder):
-    """The seconds that each program took, from the files that the Makefile leaves."""
-    out = {}
-    for path in sorted(p for p in Path(folder).glob("*") if not p.name.startswith(".")):  # locks of running programs
-        try:
-            out[path.name] = float(ecsv.text_of(path))
-        except ValueError:
-            raise ecsv.Fault(f"{path}: no time in seconds") from None
-    return out
+# What is stale
 
 
 def read_figures(root):
-    return ecsv.read(Path(root) / "figures/figures.ecsv", ("id", "program", "script", "data", "seconds")).by("id", "figures")
+    return ecsv.read(Path(root) / "figures/figures.ecsv", ("id", "program", "script", "data")).by("id", "figures")
 
 
 def read_ratios(root):
     return ecsv.read(Path(root) / "bench/ratios.ecsv", ("problem", "peer", "quantity", "ratio", "note"))
 
 
-def fresh_texts(root, costs):
+def fresh_texts(root, measured):
     """(path, fresh text) of every file that is generated, or is in part, in which something could be stale."""
     root = Path(root)
     claims, lock = read_claims(root), read_lock(root)
@@ -228,9 +197,9 @@ def fresh_texts(root, costs):
 
     for path in sources(root):
         yield fresh(path, lambda text: with_numbers(text, numbers))
-    index, text = fresh(root / "figures/figures.ecsv", lambda text: with_costs(text, costs))
-    yield index, text
-    tables = generated_tables(claims, lock, ecsv.parse(text, index).by("id", "figures"), read_ratios(root))
+    costs = renewed_costs(root, measured)
+    yield root / "bench/costs.ecsv", costs_text(costs)
+    tables = generated_tables(claims, lock, read_figures(root), read_ratios(root), costs, read_commands(root))
     for name in PAGES:
         yield fresh(root / name, lambda text: fresh_page(with_marked_numbers(text, numbers), tables))
     yield from metadata.generated(root)

@@ -6,6 +6,7 @@ import re
 from pathlib import Path
 
 from . import ecsv
+from .chapters import explained_by, read_commands, read_costs, run_of, shown_cost
 from .claims import SAID, Judge, name_of, programs_of, read_claims
 from .lock import read_fresh, read_lock
 from .refresh import command_of, read_figures, tally
@@ -21,17 +22,25 @@ COLUMNS = [ecsv.Column(name, kind, text) for name, kind, text in [
     ("verdict", "string", "reproduced, holds, within, measured, follows, discrepant, unresolved or open"),
     ("program", "string", "program that answers"),
     ("reading", "string", "which natural reading of what is not printed was taken, and what others give"),
-    ("reason", "string", "likely cause of a discrepancy")]]
+    ("reason", "string", "likely cause of a discrepancy"),
+    ("see", "string", "the chapters that answer and explain it, as commands with their seconds on two cores, and the "
+                      "command for the number alone")]]
 
 
-def compared(claims, judge):
+def see(id, claims, costs, alone):
+    """How to compute the answer and its explanation again."""
+    runs = [f"{run_of(program)} ({shown_cost(costs.get(program, math.nan))} s)" for program in explained_by(id, claims)]
+    return "; ".join(runs + ([f"alone: {alone[id][0]}"] if id in alone else []))
+
+
+def compared(claims, judge, costs, alone):
     """The rows of the table, one for each claim."""
     for id, c in claims.items():
         f = judge.answer(id)
         yield {"id": id, "where": c["where"], "quantity": c["quantity"], "published": c["printed"],
                "reproduced": f.value if f else math.nan, "error": f.error if f else math.nan,
                "unit": f.unit if f and f.unit else c["unit"], "verdict": judge.verdict(id), "program": c["program"],
-               "reading": judge.said(c["reading"]), "reason": judge.said(c["reason"])}
+               "reading": judge.said(c["reading"]), "reason": judge.said(c["reason"]), "see": see(id, claims, costs, alone)}
 
 
 def complaint(row):
@@ -46,7 +55,8 @@ def complaint(row):
 def summarize(root, data, out):
     """The verb: writes published.ecsv, counts the verdicts and names what does not agree."""
     claims = read_claims(root)
-    rows = list(compared(claims, Judge(claims, read_fresh(data, programs_of(root), claims).values())))
+    judge = Judge(claims, read_fresh(data, programs_of(root), claims).values())
+    rows = list(compared(claims, judge, read_costs(root), read_commands(root)))
     ecsv.write_whole(Path(out) / "published.ecsv", ecsv.to_text(ecsv.Table(COLUMNS, rows, {"program": "lineage summary"})))
     print(f"claims     : {tally([row['verdict'] for row in rows])}")
     for row in rows:
@@ -55,17 +65,6 @@ def summarize(root, data, out):
 
 
 # One number
-
-
-def read_commands(root):
-    """Commands that compute one number alone, and what they call it, by its name: book/commands.txt."""
-    out, path = {}, Path(root) / "book/commands.txt"
-    for line in ecsv.text_of(path).splitlines() if path.exists() else ():
-        if line.strip() and not line.startswith("#"):
-            id, _, command = line.strip().partition(" ")
-            command, _, quantity = command.partition("#")
-            out[id] = command.strip(), quantity.strip()
-    return out
 
 
 def figures_of(claim, figures):
@@ -93,8 +92,10 @@ def facts_of(name, finding, judge, root):
     program = finding.program if finding else claim["program"]
     shown = (figures_of(claim, figures) if claim else []) or [i for i, f in figures.items() if f["program"] == program]
     yield "figure", ", ".join(f"{id} ({command_of(id)})" for id in shown) or "none"
-    yield "command", f"{alone[0]} (prints it as {alone[1]})" if alone else \
-        f"build/bin/{program} --out build/data/{program}" if program else "none"
+    yield "command", f"{alone[0]} (prints it as {alone[1]})" if alone else run_of(program) if program else "none"
+    costs = read_costs(root)
+    for one in explained_by(name, judge.claims) if claim else [program]:
+        yield "chapter", f"src/{one}.cpp ({run_of(one)}, {shown_cost(costs.get(one, math.nan))} s on two cores)"
 
 
 def show(root, data, name):

@@ -1,6 +1,7 @@
 #!/bin/sh
 # The examples of DATA.md, as they stand there: each prints the largest speed of figure 19 in the linear well, and all
-# must agree. A tool that is not installed is passed over with a line. Arguments: the repository, the build folder.
+# must agree; numpy's must read every table, and the command must print what the figure shows. Then the scan of
+# examples/. A tool that is not installed is passed over with a line. Arguments: the repository, the build folder.
 set -eu
 root=$(cd "$1" && pwd -P)
 build=$(cd "$2" && pwd -P)
@@ -26,22 +27,62 @@ agree() {
 }
 there() { "$@" > /dev/null 2>&1 || { echo "skipped: $label is not installed"; return 1; }; }
 
+# Any table is read whole, with as many rows and columns as it has.
+every_table() {
+  for path in build/data/*/*.ecsv; do
+    sed -e "s|build/data/sec34_impact/velocity_sweep.ecsv|$path|" -e '/^print/d' a.py
+    echo "assert table.size == len(rows) - 1 and len(table.dtype) == len(rows[0].split(chr(9))), '$path'"
+  done > every.py
+  "$1" -W error every.py || { echo "numpy: the example of DATA.md does not read every table"; exit 1; }
+}
+
 # What all must give, read here in a way of its own: the columns by their places.
 ought=$(awk -F, '!/^#/ && $1 + 0 == 0 && $1 != "s" && $3 > most { most = $3 } END { printf "%.17g", most }' "build/$table")
 block awk 1 > a.awk
 agree awk awk -f a.awk "build/$table"
-for label in gnuplot pandas astropy octave julia; do
+for label in gnuplot numpy pandas astropy octave julia; do
   case $label in
   gnuplot) there gnuplot --version && { block gnuplot 1 > a.gp; agree gnuplot gnuplot --default-settings a.gp; } ;;
-  pandas | astropy)
+  numpy | pandas | astropy)
     for python in python3 /usr/bin/python3 none; do "$python" -c "import $label" 2> /dev/null && break; done
     there "$python" -c "import $label" && {
-      block python "$([ $label = pandas ] && echo 1 || echo 2)" > a.py
+      case $label in numpy) k=1 ;; pandas) k=2 ;; *) k=3 ;; esac
+      block python $k > a.py
       agree $label "$python" -W ignore a.py
+      [ $label != numpy ] || every_table "$python"
     } ;;
   octave) there octave-cli --version && { block octave 1 > a.m; agree octave octave-cli --norc --quiet a.m; } ;;
   julia) there julia --version && { block julia 1 > a.jl; agree julia julia a.jl; } ;;
   esac || [ $? = 1 ]
 done
+# The command prints what figure 19 shows at its velocity, bit by bit.
+block sh 1 > a.sh
+velocity=$(sed 's/.*--velocity \([^ ]*\).*/\1/' a.sh)
+sh a.sh | awk -F, '$1 == "speed" { print $2 }' > printed
+awk -F, -v v="$velocity" '!/^#/ && $1 == 0 && $2 > v - 1e-9 && $2 < v + 1e-9 { print $3 }' "build/$table" | cmp -s - printed ||
+  { echo "at the velocity $velocity the command of DATA.md prints $(cat printed)"; exit 1; }
+
+# A scan of one's own: three points, of which one fails; called again, it goes on where it was cut off.
+for python in /usr/bin/python3 python3 none; do
+  PYTHONPATH="$build/python" "$python" -c "import lattice" 2> /dev/null && break
+done
+label="the Python module"
+if PYTHONPATH="$build/python" there "$python" -c "import lattice"; then
+  cat > a.py << 'PY'
+import scan
+scan.scan("scan.csv", [(1.0, 0.0), (0.5, 1.0), (2.5, -0.25)])
+PY
+  scan() { PYTHONDONTWRITEBYTECODE=1 PYTHONPATH="$build/python:$root/examples" SLURM_CPUS_PER_TASK=2 "$python" a.py; }
+  scan
+  awk -F, 'NR == 1 { ok = $0 == "velocity,s,speed,speed_error,reason" }
+    $1 != 2.5 && NR > 1 { good += $3 > 0.1 && $4 > 0 && $4 < 1e-4 && NF == 5 && $5 == "" }
+    $1 == 2.5 { failed += $3 == "nan" && $5 != "" } END { exit !(ok && good == 2 && failed == 1 && NR == 4) }' scan.csv ||
+    { cat scan.csv; echo "examples/scan.py"; exit 1; }
+  sort scan.csv > whole
+  head -c -20 scan.csv > part
+  mv part scan.csv
+  scan
+  sort scan.csv | cmp -s - whole || { cat scan.csv; echo "examples/scan.py does not go on where it was"; exit 1; }
+fi
 [ "$tried" -ge 2 ] || { echo "only $tried example was tried"; exit 1; }
 echo "$tried examples agree: $ought"

@@ -1,5 +1,6 @@
 #!/bin/sh
-# A drawing gets its name only if it is whole, and a table that was changed after the run is drawn by nobody.
+# A drawing gets its name only if it is whole, and a table that was changed after the run, or that is of a quick one, is
+# drawn by nobody. A python that lacks a module says which.
 # Argument: the repository.
 set -eu
 root=$(cd "$1" && pwd -P)
@@ -83,6 +84,55 @@ tables && fail "a doubled value is not noticed"
 grep -q 'data/prog/speeds.ecsv: not what prog wrote' said || fail "the changed table is not named"
 sed '/3,4/d' kept > data/prog/speeds.ecsv
 tables && fail "a deleted row is not noticed"
+
+# Nor does a script draw them, however it is called.
+cat > speeds.py <<'PY'
+import sys
+sys.path.insert(0, sys.argv.pop())
+import draw
+data, out = draw.arguments()
+figure, axes = draw.plt.subplots()
+axes.plot(draw.read(f"{data}/prog/speeds.ecsv")["y"])
+draw.save(figure, out)
+PY
+by_hand() { PYTHONDONTWRITEBYTECODE=1 "$PYTHON" speeds.py "$1" speeds.svg "$root/figures" > said 2>&1; }
+refused() { by_hand "$1" && fail "$2 is drawn"; [ "$(cat said)" = "$3" ] || fail "$2 is not named in one line"; }
+refused data "a changed table" "data/prog/speeds.ecsv: not what prog wrote; remove it to have it computed again"
+FROM="speeds.py data/prog/speeds.ecsv" draw good.svg data curve.gp && fail "a changed table is drawn by gnuplot"
+[ ! -e good.svg ] || fail "a drawing of a changed table has a name"
+grep -q 'speeds.ecsv: not what prog wrote' said || fail "a changed table is not named"
+cp kept data/prog/speeds.ecsv
+
+# Tables of a quick run are drawn where they belong.
+mkdir -p other build/quick
+cp -r data other/data
+sed -i "1i # - {parameters: 'quick = yes'}" other/data/prog/*.ecsv
+mv other/data build/quick/data
+cp -r build/quick/data other/data
+quick="other/data/prog/results.ecsv: of a quick run; remove other/data/prog to have it computed again"
+sh "$root/tools/tables.sh" other/data > said 2>&1 && fail "tables of a quick run are taken"
+[ "$(cat said)" = "$quick" ] || fail "a quick run is not named in one line"
+FROM="other/data/prog/results.ecsv" draw good.svg other/data curve.gp && fail "a quick run is drawn by gnuplot"
+[ "$(cat said)" = "$quick" ] || fail "gnuplot: a quick run is not named in one line"
+refused other/data "a quick run" "other/data/prog/speeds.ecsv: of a quick run; remove other/data/prog to have it computed again"
+sh "$root/tools/tables.sh" build/quick/data > said 2>&1 || fail "a quick run is refused in its own folder"
+by_hand build/quick/data || fail "a quick run is not drawn from its own folder"
+FROM="build/quick/data/prog/speeds.ecsv" draw good.svg build/quick/data curve.gp || fail "gnuplot does not draw a quick run"
+
+# A table that is gone is computed again.
 rm data/prog/speeds.ecsv
 tables || fail "a missing table is an error"
 [ ! -e data/prog/results.ecsv ] || fail "a missing table is not computed again"
+
+# A python without numpy and matplotlib: a script says which module it lacks, and how to get it.
+mkdir bare
+echo 'import sys; sys.modules.update(numpy=None, matplotlib=None)' > bare/sitecustomize.py
+for script in "$root"/figures/draw.py "$root"/figures/fig08*.py "$root"/figures/x04*.py; do
+  PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=bare "$PYTHON" "$script" data out.svg > said 2>&1 && fail "$script draws without matplotlib"
+  grep -qx 'figures: .* has no module matplotlib (Debian: python3-matplotlib; PYTHON=.*)' said || fail "$script does not say what is missing"
+  [ "$(wc -l < said)" = 1 ] || fail "$script says it in more than one line"
+done
+for script in "$root"/figures/[!d]*.py; do
+  awk '/^import (draw|spectra)$/ { first = 1 } /^(import|from) (matplotlib|numpy)/ && !first { exit 1 }' "$script" ||
+    { echo "$script" > said; fail "a script does not import draw first"; }
+done

@@ -65,12 +65,10 @@ TEST_CASE("every figure has its script, program and tables", "[lineage]") {
   const Table figures = read(root / "figures/figures.ecsv");
   const auto id = figures.texts("id"), script = figures.texts("script");
   const auto program = figures.texts("program"), tables = figures.texts("data");
-  const auto seconds = figures.numbers("seconds");
   for (std::size_t i = 0; i < id.size(); ++i) {
     CAPTURE(id[i]);
     CHECK(fs::exists(root / "figures" / script[i]));
     CHECK(fs::exists(root / "src" / (program[i] + ".cpp")));
-    CHECK(seconds[i] >= 0);
     std::istringstream names(tables[i]);
     for (std::string name; names >> name;) {
       CAPTURE(name);
@@ -81,6 +79,15 @@ TEST_CASE("every figure has its script, program and tables", "[lineage]") {
       for (const Column& column : table.columns) CHECK_FALSE(column.description.empty());
     }
   }
+}
+
+TEST_CASE("every chapter has its cost", "[lineage]") {
+  const Table costs = read(root / "bench/costs.ecsv");
+  std::vector<std::string> chapters;
+  for (const auto& path : files("src", {".cpp"}))
+    if (path.parent_path() == "src") chapters.push_back(path.stem().string());
+  CHECK(costs.texts("program") == chapters);
+  for (const double seconds : costs.numbers("seconds")) CHECK(seconds >= 0);
 }
 
 TEST_CASE("every script draws from tables that its row names", "[lineage]") {

@@ -46,8 +46,8 @@ for table in $(awk -F, -v me="${0##*/}" '$4 == me { print $7 }' "$STUB_FIGURES")
   printf '# header\nx\n1\n' > "$table.ecsv"
 done
 echo done > results.ecsv.new
-for table in *.ecsv; do
-  printf '%s  %s\n' "$(grep -v '^#' "$table" | sha256sum | cut -c -64)" "$table"
+for table in *.ecsv results.ecsv.new; do
+  [ ! -f "$table" ] || printf '%s  %s\n' "$(grep -v '^#' "$table" | sha256sum | cut -c -64)" "${table%.new}"
 done > SHA256SUMS
 mv results.ecsv.new results.ecsv
 STUB
@@ -208,13 +208,30 @@ if /usr/bin/python3 -c 'import matplotlib' 2>/dev/null; then
   table=build/data/sec34_kink/kink_transition.ecsv
   run x01
   grep -q draw "$scratch/out" && fail "a figure is drawn again without a reason"
+  refused() {
+    for target in x01 build/figures/"${script%.py}".svg; do
+      make DEPS=skip "$target" > "$scratch/out" 2>&1 && fail "$1 is drawn"
+      grep -q "$2" "$scratch/out" || { cat "$scratch/out"; fail "$1 is not named"; }
+    done
+  }
+  sed -i "1i # - {parameters: 'quick = yes'}" build/data/sec34_kink/*.ecsv
+  refused "a quick run" "build/data/sec34_kink/results.ecsv: of a quick run; remove build/data/sec34_kink to"
+  sed -i 1d build/data/sec34_kink/*.ecsv
   sed -i s/1/2/ $table
-  make DEPS=skip x01 > "$scratch/out" 2>&1 && fail "a changed table is drawn"
-  grep -q "$table: not what sec34_kink wrote" "$scratch/out" || { cat "$scratch/out"; fail "the table is not named"; }
+  refused "a changed table" "$table: not what sec34_kink wrote"
   rm $table
   run x01
   [ "$(grep -c 'sec34_kink --out' "$STUB_LOG")" = 1 ] || fail "a missing table is not computed again"
   grep -q 'draw *x01' "$scratch/out" || fail "a new table is not drawn"
+  # What a run took altogether is said by the run, and not by who looks at it hours later.
+  mkdir lineage
+  : > lineage/__main__.py
+  run figures images=
+  grep -q '^together   : [0-9]* s' "$scratch/out" || fail "a run does not say how long it took"
+  echo 0 > build/report/start
+  run summary
+  grep -q '^computing  : [0-9]* s in' "$scratch/out" || fail "the summary does not say what the programs took"
+  grep -Eq 'together|[0-9]{3} s' "$scratch/out" && fail "the summary counts the hours since the run"
 fi
 rm -f build/figures/x01*
 cp /usr/bin/python3 "$scratch/a b/python3" 2>/dev/null || exit 0

@@ -2,7 +2,7 @@
 # Makes one drawing, $1, under a temporary name of its own, and gives it its own name only if it is whole:
 #   draw.sh OUT.svg DATA SCRIPT      a script of figures/ draws from the tables below DATA
 #   draw.sh OUT.pdf|OUT.png IN.svg   the same picture in another form
-# FROM lists the files from which make wants it made.
+# FROM lists the files from which make wants it made; tables among them must be what their programs wrote.
 # gnuplot ends with success also where it could not write, so its picture comes through a pipe, whose
 # end notices, and every form has an end that a cut file lacks.
 set -eu
@@ -13,7 +13,13 @@ refuse() {
   exit 1
 }
 
+# shellcheck source=tools/shared.sh
+. "${0%/*}/shared.sh"
+
 if [ $# = 3 ]; then
+  for table in ${FROM:-}; do
+    case $table in *.ecsv) { of_full_run "$table" && as_written "$table"; } || exit 1 ;; esac
+  done
   case $3 in
   *.gp)
     # The status of gnuplot goes past the pipe, that of the pipe is the last command's.
@@ -39,8 +45,6 @@ case $out in
 *) end='IEND' ;;
 esac
 tail -c 64 "$part" | grep -aq -- "$end" || refuse "the drawing is cut short (is the disk full?)"
-# shellcheck source=tools/shared.sh
-. "${0%/*}/shared.sh"
 # shellcheck disable=SC2086
 catch_up "$part" ${FROM:-}
 mv "$part" "$out"

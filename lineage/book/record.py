@@ -6,10 +6,10 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from .. import ecsv
+from ..chapters import explained_by, read_commands, read_costs, run_of
 from ..claims import Judge, name_of, programs_of, read_claims
 from ..lock import read_fresh, read_lock
 from ..refresh import read_figures
-from ..summary import read_commands
 from ..tex import captions
 from ..values import Finding
 from . import origin
@@ -49,9 +49,10 @@ class Record:
         self.quotable = {name_of(f, self.claims): f for f in known.values()
                          if self.claims.get(f.id, {}).get("program", f.program) == f.program}
         judge = Judge(self.claims, self.quotable.values())
+        self.explained_by = {id: explained_by(id, self.claims) for id in self.claims}
         for claim in self.claims.values():
             claim.update({key: judge.said(claim[key]) for key in ("reading", "reason")})
-        self.seconds = {f["program"]: f["seconds"] for f in self.figures.values()}
+        self.seconds = read_costs(root)
         self.alone = read_commands(root)
         self.captions = captions(root)  # figure -> what its caption says after the first sentence, in TeX
         self.sources = {}  # program -> its sources, set by the weaver
@@ -64,7 +65,7 @@ class Record:
         return "less than a second" if seconds < 1 else f"{seconds:.0f} s"
 
     def command(self, program):
-        return f"build/bin/{program} --out build/data/{program}"
+        return run_of(program)
 
     def table_path(self, program, table):
         return self.data / program / f"{table}.ecsv"

@@ -18,7 +18,7 @@ CLAIMS = ["id", "section", "where", "quantity", "printed", "unit", "class", "tol
 LOCK = ["program", "id", "value", "error", "unit", "kind"]
 RESULTS = ["id", "value", "error", "unit"]
 FACTS = ["quantity", "value", "error", "unit"]
-FIGURES = ["id", "label", "section", "program", "script", "class", "data", "caption", "seconds"]
+FIGURES = ["id", "label", "section", "program", "script", "class", "data", "caption"]
 HELP = """#!/bin/sh
 if [ "$1" = one ]; then cat <<'END'
 one thing, of two
@@ -56,6 +56,11 @@ def table(names, rows):
     return ecsv.to_text(ecsv.Table(columns, [dict(zip(names, row)) for row in rows]))
 
 
+def of_run(quick, text):
+    """The text of a table as of a run with --quick ("yes"), or of a full one."""
+    return text.replace("# schema", f"# - {{parameters: 'quick = {quick}'}}\n# schema", 1)
+
+
 class Scratch(unittest.TestCase):
     """A small repository: one chapter, two claims, two facts, one figure."""
 
@@ -70,11 +75,13 @@ class Scratch(unittest.TestCase):
         self.write("paper/converged.ecsv", table(LOCK, [
             ["sec1_demo", "a.one", 1.0000000000000002, 1e-3, "m", "value"], ["sec1_demo", "fact", 2.0, 0.1, "", "value"]]))
         self.write("figures/figures.ecsv", table(FIGURES, [
-            ["01", "demo", "1", "sec1_demo", "fig01.gp", "ER", "facts", "A line.", 3.0]]))
+            ["01", "demo", "1", "sec1_demo", "fig01.gp", "ER", "facts", "A line."]]))
+        self.write("bench/costs.ecsv", table(["program", "seconds"], [["sec1_demo", 3.0]]))
         for name in ("codemeta.json", "bench/ratios.ecsv"):
             self.write(name, ecsv.text_of(ROOT / name))
         self.write("README.md", "<!-- published -->\n<!-- /published -->\n")
         self.write("ARTIFACT.md", "<!-- costs -->\n<!-- /costs -->\n")
+        self.write("DATA.md", "It is <!--num:a.one--><!--/-->.\n")
         self.results(["a.one", 1.0, 1e-3, "m"])
         self.facts(["other", 1.0, 0.0, ""], ["fact", 2.0, 0.1, ""])
 
@@ -90,9 +97,9 @@ class Scratch(unittest.TestCase):
     def facts(self, *rows):
         self.computed("sec1_demo/facts.ecsv", table(FACTS, rows))
 
-    def computed(self, name, text):
+    def computed(self, name, text, data="build/data"):
         """Writes a table as a program does, with the checksums of its folder."""
-        path = self.root / "build/data" / name
+        path = self.root / data / name
         ecsv.write_whole(path, text)
         ecsv.write_whole(path.parent / "SHA256SUMS", "".join(
             f"{ecsv.rows_sum(ecsv.text_of(one))}  {one.name}\n" for one in sorted(path.parent.glob("*.ecsv"))))
@@ -108,7 +115,8 @@ class Scratch(unittest.TestCase):
         """Exit code, standard output and error of a verb."""
         places = {"summary": ["--data", "build/data", "--out", "build/report"], "lock": ["--data", "build/data"],
                   "show": ["--data", "build/data"], "refresh": ["--costs", "build/report/cost"],
-                  "macros": ["--out", "build/paper"]}[verb]
+                  "macros": ["--out", "build/paper"], "weave": [], "gallery": ["--figures", "build/figures"],
+                  "inventory": ["--data", "build/data", "--programs", "build/bin", "--out", "build/report"]}[verb]
         places = [p if p.startswith("-") else str(self.root / p) for p in places]
         out, err = io.StringIO(), io.StringIO()
         with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
@@ -119,8 +127,8 @@ class Scratch(unittest.TestCase):
         return code, out.getvalue(), err.getvalue()
 
     def refuses(self, verb, *words, code=1):
-        """The verb answers in one line that has these words."""
-        got, out, err = self.lineage(verb)
+        """The verb, with its words, answers in one line that has these words."""
+        got, out, err = self.lineage(*verb.split())
         self.assertEqual((got, out), (code, ""), err)
         self.assertEqual(err.count("\n"), 1, err)
         for word in words:

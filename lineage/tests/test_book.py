@@ -282,6 +282,8 @@ class Repository(Scratch):
         published = self.page("published.html")
         self.assertIn('<tr id="a.one" data-verdict="discrepant">', published)
         self.assertIn('href="sec1_demo.html#P1">quoted', published)
+        self.assertIn('<small>See: <a href="sec1_demo.html">sec1_demo</a> (<code>build/bin/sec1_demo</code>, 3 s); '
+                      'alone: <code>build/bin/sec1_demo one --exactly</code></small>', published)
         self.assertIn('id="a.two"', published)
         self.assertIn("a line", self.page("fig-01.html"))
         self.assertIn("what quantity is", self.page("fig-01.html"))

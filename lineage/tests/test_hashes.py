@@ -7,7 +7,7 @@ from unittest import mock
 from lineage import ecsv, hashes
 from lineage.__main__ import main
 
-from . import ROOT, Scratch, table
+from . import ROOT, Scratch, of_run, table
 
 
 class Hashes(Scratch):
@@ -16,8 +16,8 @@ class Hashes(Scratch):
         self.quick("1")
         self.renew()
 
-    def quick(self, value):
-        self.write("build/quick/data/sec1_demo/results.ecsv", table(["id", "value"], [["a.one", float(value)]]))
+    def quick(self, value, quick="yes"):
+        self.computed("sec1_demo/results.ecsv", of_run(quick, table(["id", "value"], [["a.one", float(value)]])), "build/quick/data")
 
     def call(self, *more):
         folders = "--data", str(self.root / "build/data"), "--quick", str(self.root / "build/quick/data")
@@ -77,6 +77,27 @@ class Hashes(Scratch):
         self.assertEqual(self.call("--check")[0], 0)
         self.assertEqual(self.call("--check", "--run", "quick", "--data", str(self.root / "build/quick/data"))[0], 1)
         self.assertIn("moved    sec1_demo results: quick\n", self.renew())
+
+    def test_each_folder_has_runs_of_its_kind(self):
+        """And tables that were not changed since: else nothing is recorded."""
+        record = self.read("paper/hashes.ecsv")
+
+        def refused(words, *more):
+            code, said = self.call(*more)
+            self.assertEqual((code, said.count("\n")), (1, 1), said)
+            self.assertIn(words, said)
+            self.assertEqual(self.read("paper/hashes.ecsv"), record)
+
+        self.quick("1", "no")
+        refused("quick/data/sec1_demo/results.ecsv: of a full run; remove")
+        self.quick("1")
+        self.computed("sec1_demo/results.ecsv", of_run("yes", self.read("build/data/sec1_demo/results.ecsv")))
+        for more in ((), ("--check",)):
+            refused("build/data/sec1_demo/results.ecsv: of a quick run; remove", *more)
+        self.results(["a.one", 1.0, 1e-3, "m"])
+        name, text = "build/data/sec1_demo/facts.ecsv", self.read("build/data/sec1_demo/facts.ecsv")
+        self.write(name, text.replace("fact,2,", "fact,3,"))
+        refused("sec1_demo/facts.ecsv: not what sec1_demo wrote; remove it to have it computed again")
 
     def test_a_row_or_a_column_is_left_out_by_hand_and_with_a_reason(self):
         self.leave_out("fact", "rounding")

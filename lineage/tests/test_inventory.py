@@ -53,7 +53,7 @@ class Archive(Scratch):
 
     def setUp(self):
         super().setUp()
-        for tool in ("dist.sh", "tables.sh"):
+        for tool in ("dist.sh", "shared.sh", "tables.sh"):
             self.write(f"tools/{tool}", ecsv.text_of(ROOT / "tools" / tool))
         self.write(".gitignore", "/build/\n")
         self.write("build/figures/fig01.svg", "<svg/>\n")

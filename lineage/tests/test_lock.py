@@ -84,12 +84,19 @@ class Summary(Scratch):
         self.assertIn("a.one,Fig. demo,one,1.02,1,0.001", self.read("build/report/published.ecsv"))
         self.assertIn('a.two,text,two,yes,nan,nan,"",open', self.read("build/report/published.ecsv"))
 
+    def test_the_table_says_what_computes_a_number_again(self):
+        self.write("book/commands.txt", "a.one build/bin/sec1_demo one --exactly # exact\n")
+        self.lineage("summary")
+        self.assertIn(",they erred,build/bin/sec1_demo (3 s); alone: build/bin/sec1_demo one --exactly\n",
+                      self.read("build/report/published.ecsv"))
+
     def test_one_number(self):
         self.write("book/commands.txt", "a.one build/bin/sec1_demo one --exactly # exact\n")
         out = self.lineage("show", "a.one")[1]
         for line in ["printed    1.02", "converged  1.000 m", "error      0.001", "verdict    discrepant",
                      "why        they erred", "figure     01 (make fig01)",
                      "command    build/bin/sec1_demo one --exactly (prints it as exact)",
+                     "chapter    src/sec1_demo.cpp (build/bin/sec1_demo, 3 s on two cores)",
                      "from       build/data"]:
             self.assertIn(f"  {line}", out)
         self.assertIn("converged  1\n", self.lineage("show", "sec1_demo.other")[1])

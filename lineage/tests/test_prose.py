@@ -4,9 +4,9 @@ import shutil
 import subprocess
 import unittest
 
-from lineage import ecsv, lock, metadata, refresh, tex
+from lineage import chapters, ecsv, lock, metadata, refresh, tex
 
-from . import ROOT, Scratch
+from . import ROOT, Scratch, table
 
 
 class Links(unittest.TestCase):
@@ -36,16 +36,6 @@ class Links(unittest.TestCase):
             with self.assertRaises(ecsv.Fault):
                 refresh.fresh_page(bad, {"t": []})
 
-    def test_a_cost_is_renewed_when_it_has_really_moved(self):
-        head = "# x\nid,program,caption,seconds\n"
-        text = head + '02,p,"A, b.",10\n03,q,C.,0.4\n04,p,"New."\n'
-        fresh = head + '02,p,"A, b.",10\n03,q,C.,3\n04,p,"New.",11\n'
-        self.assertEqual(refresh.with_costs(text, {"p": 11.0, "q": 3.0}), fresh)
-        self.assertEqual(refresh.with_costs(fresh, {"p": 10.0, "q": 3.2}), fresh)
-        self.assertEqual(refresh.with_costs(text, {}), text.replace('"New."', '"New.",nan'))
-        with self.assertRaises(ecsv.Fault):
-            refresh.with_costs(head + "02,p\n", {})
-
     def test_a_comparison_without_a_value_says_so(self):
         rows = [{"problem": "B1", "peer": peer, "quantity": "s", "ratio": ratio, "note": "h"}
                 for peer, ratio in (("GSL", 2.345), ("Boost", float("nan")), ("demand", 1.0))]
@@ -53,7 +43,7 @@ class Links(unittest.TestCase):
         self.assertEqual(list(refresh.ratio_rows(bench))[2:], ["| B1, s | GSL | 2.3 | h |", "| B1, s | Boost | not reached |  |"])
 
     def test_costs(self):
-        self.assertEqual([refresh.shown_cost(s) for s in (float("nan"), 0.6, 2.5, 3.4)], ["?", "< 1", "3", "3"])
+        self.assertEqual([chapters.shown_cost(s) for s in (float("nan"), 0.6, 2.5, 3.4)], ["?", "< 1", "3", "3"])
 
 
 class Refreshing(Scratch):
@@ -67,6 +57,26 @@ class Refreshing(Scratch):
         self.write("build/report/cost/sec1_demo", "9.1\n")
         self.assertIn("renewed", self.lineage("refresh")[1])
         self.assertIn("| together | 9 |", self.read("ARTIFACT.md"))
+
+    def test_a_cost_is_renewed_when_it_has_really_moved(self):
+        """And every program has one, whether it draws a figure or not."""
+        self.write("src/sec2_new.cpp", "/**\n# 2 */\n")
+        self.write("bench/costs.ecsv", table(["program", "seconds"], [["sec1_demo", 10.0], ["sec0_gone", 1.0]]))
+        costs = chapters.renewed_costs(self.root, {"sec1_demo": 11.0, "sec2_new": 0.412})
+        self.assertEqual(costs, {"sec1_demo": 10.0, "sec2_new": 0.41})
+        self.assertEqual(chapters.renewed_costs(self.root, {"sec1_demo": 13.02})["sec1_demo"], 13)
+        self.lineage("refresh")
+        self.assertEqual(self.read("bench/costs.ecsv").splitlines()[-2:], ["sec1_demo,10", "sec2_new,nan"])
+        self.assertIn("| `sec2_new` | ? |", self.read("ARTIFACT.md"))
+
+    def test_what_is_missed_names_the_chapters_that_explain_it(self):
+        """Those whose facts the reason quotes, or the reason of a claim that it names: nobody types them."""
+        claim = {"program": "sec1_demo", "covered_by": "", "reason": "As {sec2_why.fact} and {a.one}, by {sec1_demo.fact}."}
+        claims = {"a.one": claim, "a.o": claim | {"reason": "No a.one_more."}, "b.two": claim | {"reason": "As for a.one: so."},
+                  "c.three": claim | {"program": "sec3_own", "reason": "", "covered_by": "b.two^2"}, "d": claim | {"reason": ""}}
+        for id, programs in [("a.one", "sec1_demo sec2_why"), ("a.o", "sec1_demo"), ("b.two", "sec1_demo sec2_why"),
+                             ("c.three", "sec3_own sec1_demo sec2_why"), ("d", "sec1_demo")]:
+            self.assertEqual(chapters.explained_by(id, claims), programs.split(), id)
 
     def test_what_is_quoted_must_be_locked(self):
         self.write("src/sec1_demo.cpp", "/** [](num:sec1_demo.other) */\n")
@@ -173,9 +183,25 @@ class ThisRepository(unittest.TestCase):
         stale = [str(path) for path, text in refresh.fresh_texts(ROOT, {}) if text != ecsv.text_of(path)]
         self.assertEqual(stale, [], "make refresh")
 
+    def test_every_discrepancy_names_its_chapters(self):
+        """In README's list, with command and cost; sec33_multiplier_errors draws no figure, and shows why s_0 is wrong."""
+        claims, costs = lock.read_claims(ROOT), chapters.read_costs(ROOT)
+        readme, known = ecsv.text_of(ROOT / "README.md"), lock.programs_of(ROOT)
+        for id, claim in claims.items():
+            if not claim["reason"]:
+                continue
+            see = refresh.see(id, claims, costs, chapters.read_commands(ROOT))
+            self.assertIn(f"{see} |" if claim["status"] == "discrepant" else f"*See:* {see} |", readme)
+            for program in chapters.explained_by(id, claims):
+                self.assertIn(program, known)
+                self.assertIn(f"[`build/bin/{program}`](src/{program}.cpp) ({chapters.shown_cost(costs[program])} s)", see)
+        for id in ("floquet.s0_bond", "floquet.s0_site"):
+            self.assertEqual(chapters.explained_by(id, claims), ["sec33_floquet", "sec33_multiplier_errors"])
+        self.assertEqual(chapters.explained_by("moving.pn_dynamic", claims), ["sec33_mobility", "sec33_article_integrator"])
+
     def test_every_table_has_a_place(self):
         claims, locked, figures = lock.read_claims(ROOT), lock.read_lock(ROOT), refresh.read_figures(ROOT)
-        for name in refresh.generated_tables(claims, locked, figures, refresh.read_ratios(ROOT)):
+        for name in refresh.generated_tables(claims, locked, figures, refresh.read_ratios(ROOT), {}, {}):
             self.assertIn(f"<!-- {name} -->", ecsv.text_of(ROOT / "README.md"))
 
     def test_the_paper_refers_to_what_is_there(self):

@@ -2,13 +2,15 @@
 
 import math
 import random
+import sys
 import unittest
+from unittest import mock
 
 from lineage import ecsv
 from lineage.claims import Judge, alone
 from lineage.values import Finding
 
-from . import LOCK, Scratch, table
+from . import LOCK, Scratch, of_run, table
 
 
 def finding(value, error=0.0, unit="", kind="value"):
@@ -205,6 +207,37 @@ class Faults(Scratch):
         (self.root / "paper/converged.ecsv").unlink()
         self.refuses("macros", "converged.ecsv is missing")
 
+    def test_tables_that_no_number_is_read_from(self):
+        """Who changes one, or takes one away, stops everything that reads the run."""
+        path, verbs = "build/data/sec1_demo/speeds.ecsv", ("summary", "lock", "show a.one", "inventory")
+        self.computed("sec1_demo/speeds.ecsv", table(["value"], [[1.0], [2.0]]))
+        good = self.read(path)
+        self.write(path, good.replace("\n2\n", "\n3\n"))
+        for verb in verbs:
+            self.refuses(verb, "build/data/sec1_demo/speeds.ecsv: not what sec1_demo wrote; remove it to have it computed again")
+        (self.root / path).unlink()
+        for verb in verbs:
+            self.refuses(verb, "build/data/sec1_demo/speeds.ecsv is missing")
+        self.write(path, "# a header does not count\n" + good)
+        self.write("apt-packages.txt", "")
+        for verb in verbs:
+            self.assertEqual(self.lineage(*verb.split())[0], 0, verb)
+
+    def test_quick_tables_are_for_quick_folders(self):
+        for name in ("results", "facts"):
+            path = f"sec1_demo/{name}.ecsv"
+            text = of_run("yes, and = more", self.read(f"build/data/{path}"))
+            for data in ("build/data", "build/quick/data"):
+                self.computed(path, text, data)
+        for verb in ("summary", "lock", "show a.one", "inventory"):
+            self.refuses(verb, "ecsv: of a quick run; remove",
+                         "build/data/sec1_demo to have it computed again")
+        self.assertEqual(self.lineage("summary", "--data", str(self.root / "build/quick/data"))[0], 0)
+        for name in ("results", "facts"):
+            path = f"sec1_demo/{name}.ecsv"
+            self.computed(path, self.read(f"build/data/{path}").replace("quick = yes", "quick = no, not quick = yesterday"))
+        self.assertEqual(self.lineage("summary")[0], 0)
+
     def test_rows_that_are_broken(self):
         """A cell lost, doubled or turned into a word, in what is claimed and in what is locked."""
         for path, row in [("paper/published.ecsv", 'a.one,1,Fig. demo,one,'), ("paper/converged.ecsv", "sec1_demo,a.one,")]:
@@ -216,6 +249,14 @@ class Faults(Scratch):
                 self.write(path, bad)
                 self.refuses("lock", name, message)
             self.write(path, good)
+
+    def test_a_python_that_lacks_a_module_says_which(self):
+        for module, verb in [("jinja2", "weave"), ("PIL", "gallery")]:
+            with mock.patch.dict(sys.modules, {module: None}):
+                for name in [name for name in sys.modules if name.startswith("lineage.book")]:
+                    del sys.modules[name]
+                self.refuses(f"{verb}", f"lineage {verb}: {sys.executable} has no module {module} "
+                             f"(Debian: python3-{module.lower()}; PYTHON=")
 
     def test_the_command_line(self):
         for arguments in (["summary", "--dat"], ["show"], ["show", "a.one", "a.two"]):

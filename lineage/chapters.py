@@ -1,0 +1,86 @@
+"""What a reader needs to compute a number again: the chapters that answer and explain a claim, the commands of their
+programs, and what these cost.
+
+Nobody types which chapter explains a discrepancy: it is one whose facts the reason quotes. The costs are in
+bench/costs.ecsv, a row for each program, which `make refresh` renews from what the last run took."""
+
+import math
+import re
+from pathlib import Path
+
+from . import ecsv
+from .claims import QUOTED, programs_of
+from .values import with_digits
+
+COSTS = [ecsv.Column("program", "string", "chapter of src/"),
+         ecsv.Column("seconds", "float64", "computing time of its full run on two cores", "s")]
+
+
+def explained_by(id, claims, known=()):
+    """The programs behind a claim: the one that answers it, then those of the facts that its reason quotes, and those
+    behind the claims that it names or follows from."""
+    claim, programs = claims[id], [claims[id]["program"]]
+    named = [name for name in claims if re.search(rf"(?<![\w.]){re.escape(name)}(?!\w)", claim["reason"])]
+    for name in QUOTED.findall(claim["reason"]) + [claim["covered_by"].partition("^")[0]] + named:
+        if name not in claims:
+            programs.append(name.partition(".")[0])
+        elif name != id and name not in known:
+            programs += explained_by(name, claims, (id, *known))
+    return [program for program in dict.fromkeys(programs) if program]
+
+
+def run_of(program):
+    """The command that computes a whole chapter."""
+    return f"build/bin/{program}"
+
+
+def read_commands(root):
+    """Commands that compute one number alone, and what they call it, by its name: book/commands.txt."""
+    out, path = {}, Path(root) / "book/commands.txt"
+    for line in ecsv.text_of(path).splitlines() if path.exists() else ():
+        if line.strip() and not line.startswith("#"):
+            id, _, command = line.strip().partition(" ")
+            command, _, quantity = command.partition("#")
+            out[id] = command.strip(), quantity.strip()
+    return out
+
+
+# What it costs
+
+
+def read_costs(root):
+    """The seconds of every program that has been measured, by its name."""
+    table = ecsv.read(Path(root) / "bench/costs.ecsv", [c.name for c in COSTS])
+    return {program: row["seconds"] for program, row in table.by("program", "costs").items()}
+
+
+def measured_costs(folder):
+    """The seconds that each program took, from the files that the Makefile leaves."""
+    out = {}
+    for path in sorted(p for p in Path(folder).glob("*") if not p.name.startswith(".")):  # locks of running programs
+        try:
+            out[path.name] = float(ecsv.text_of(path))
+        except ValueError:
+            raise ecsv.Fault(f"{path}: no time in seconds") from None
+    return out
+
+
+def renewed_costs(root, measured):
+    """The costs of all programs that exist, nan where nobody has measured one. A time is renewed when it has moved by
+    more than a fifth and by more than half a second, since a refreshed page should not show noise."""
+    known, out = read_costs(root), {}
+    for program in programs_of(root):
+        was, now = known.get(program, math.nan), measured.get(program, math.nan)
+        moved = not math.isnan(now) and not abs(now - was) < max(0.5, 0.2 * now)
+        out[program] = float(with_digits(now, 2)) if moved else was
+    return out
+
+
+def costs_text(costs):
+    """The text of bench/costs.ecsv."""
+    rows = [{"program": program, "seconds": f"{seconds:.6g}"} for program, seconds in costs.items()]
+    return ecsv.to_text(ecsv.Table(COSTS, rows, {"title": "What a full run of each program costs, written by make refresh"}))
+
+
+def shown_cost(seconds):
+    return "?" if math.isnan(seconds) else "< 1" if seconds < 1 else str(math.floor(seconds + 0.5))
