@@ -127,9 +127,9 @@ tables || fail "a missing table is an error"
 # A python without numpy and matplotlib: a script says which module it lacks, and how to get it.
 mkdir bare
 echo 'import sys; sys.modules.update(numpy=None, matplotlib=None)' > bare/sitecustomize.py
-for script in "$root"/figures/draw.py "$root"/figures/fig08*.py "$root"/figures/x04*.py; do
-  PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=bare "$PYTHON" "$script" data out.svg > said 2>&1 && fail "$script draws without matplotlib"
-  grep -qx 'figures: .* has no module matplotlib (Debian: python3-matplotlib; PYTHON=.*)' said || fail "$script does not say what is missing"
+for script in "$root"/figures/draw.py "$root"/figures/fig08*.py "$root"/figures/x04*.py "$root/python/notebooks.py"; do
+  PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=bare "$PYTHON" "$script" > said 2>&1 && fail "$script draws without matplotlib"
+  grep -qx '[a-z]*: .* has no module matplotlib (Debian: python3-matplotlib; PYTHON=.*)' said || fail "$script does not say what is missing"
   [ "$(wc -l < said)" = 1 ] || fail "$script says it in more than one line"
 done
 for script in "$root"/figures/[!d]*.py; do
