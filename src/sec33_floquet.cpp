@@ -394,8 +394,8 @@ struct Exchanges : ChosenBreather {
     std::sort(found.begin(), found.end(), nearer);
     Answers q;
     for (std::size_t k = 0; k < found.size(); ++k)
-      q.add(k ? "s0_" + std::to_string(k + 1) : "s0", found[k], "",
-            "anharmonicity s at which kappa of the pinning pair changes its sign");
+      q.add_small(k ? "s0_" + std::to_string(k + 1) : "s0", found[k], "",
+                  "anharmonicity s at which kappa of the pinning pair changes its sign");
     return q.table;
   }
 };

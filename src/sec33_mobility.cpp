@@ -591,17 +591,20 @@ Table Kick::table() const {
       throw Failure("the breather breaks up after a kick of " + short_text(c));
   });
   const double ends = std::min(runs[0].run.t_end, runs[1].run.t_end);
-  const double way = std::abs(runs[1].travelled()), none = std::nan("");
-  Answers q;
-  const Estimate speed = way >= 1 && runs[1].t.size() > 3
-                             ? compare(runs[0].speed(0, ends), runs[1].speed(0, ends))
-                             : Estimate{none, none};
+  const double way = std::abs(runs[1].travelled());
+  const bool few = runs[1].t.size() <= 3 || runs[0].t.size() < 3;
+  Estimate speed{std::nan(""), std::nan("")};
+  if (way >= 1 && !few) speed = compare(runs[0].speed(0, ends), runs[1].speed(0, ends));
+  Answers q{"a larger --c or a shorter --time"};
   q.add("velocity", speed, "site per unit of time",
-        "speed of the breather's energy centre over the whole run, with its sign");
-  q.add("drift", compare(runs[0].run.energy_drift, runs[1].run.energy_drift), "relative",
-        "largest change of the chain's energy during the run");
-  q.add("sites_travelled", compare(runs[0].travelled(), runs[1].travelled()), "site",
-        "way of the energy centre, averaged over eleven periods, with its sign");
+        "speed of the breather's energy centre over the whole run, with its sign",
+        way < 1 ? "the breather has moved by " + short_text(std::round(100 * way) / 100) +
+                      " sites, less than one"
+                : "the run ends before its place has been averaged four times over eleven periods");
+  q.add_small("drift", compare(runs[0].run.energy_drift, runs[1].run.energy_drift), "relative",
+              "largest change of the chain's energy during the run");
+  q.add_small("sites_travelled", compare(runs[0].travelled(), runs[1].travelled()), "site",
+              "way of the energy centre, averaged over eleven periods, with its sign");
   q.add("time", exact(runs[1].run.t_end), "",
         "when the run ended: the given time, or earlier near an end of the chain");
   return q.table;
@@ -629,10 +632,10 @@ struct Threshold : Kicked {
           "energy c^2/2 of the threshold kick");
     q.add("predicted", p.threshold, "site per unit of time",
           "the threshold kick as it follows from the barrier and the pinning mode");
-    q.add("effective_barrier", p.barrier, "",
-          "E_site - E_bond at equal area, the barrier of the moving breather");
-    q.add("kinetic_share", p.share, "",
-          "share of the energy c^2/2 that moves the breather along; below 0 if its mass is");
+    q.add_small("effective_barrier", p.barrier, "",
+                "E_site - E_bond at equal area, the barrier of the moving breather");
+    q.add_small("kinetic_share", p.share, "",
+                "share of the energy c^2/2 that moves the breather along; below 0 if its mass is");
     return q.table;
   }
 };

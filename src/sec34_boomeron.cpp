@@ -514,15 +514,23 @@ Table OneTurn::table() const {
     const ContactAware at = stepper_for(tolerance, largest_step, runs.halvings + more);
     return decorrelation(at, v, at, v * (1 + 1e-8), chain, 4 * time);
   };
-  Answers q;
+  const std::array<double, 2> parted{neighbours(0), neighbours(1)};
+  const Turn turn = runs.fine.turn();
+  const std::string by = " by t = " + short_text(time),
+                    on = "the packet has not come back by five sites" + by;
+  Answers q{"a smaller --tolerance or a shorter --time"};
   q.add("apex_site", read.apex_site, "site",
-        "farthest site of the energy centre, smoothed over time, of the strongest packet");
+        "farthest site of the energy centre, smoothed over time, of the strongest packet", on);
   q.add("apex_time", read.apex_time, "",
-        "time at which this packet turns round, at its farthest site");
-  q.add("return_time", read.return_time, "",
-        "time at which this packet, on its way back, is nearest to the struck end");
-  q.add("decorrelation_time", decorrelation_of(neighbours(0), neighbours(1)), "",
-        "time after which two impacts whose velocities differ by a fraction 1e-8 have parted");
+        "time at which this packet turns round, at its farthest site", on);
+  q.add(
+      "return_time", read.return_time, "",
+      "time at which this packet, on its way back, is nearest to the struck end",
+      turn.apex.found() ? "the packet has turned and not moved out again by three sites" + by : on);
+  q.add("decorrelation_time", decorrelation_of(parted[0], parted[1]), "",
+        "time after which two impacts whose velocities differ by a fraction 1e-8 have parted",
+        "the two impacts have not parted by t = " + short_text(4 * time) +
+            (std::isfinite(parted[1]) ? " in the coarser runs" : ""));
   q.add("step_difference", exact(runs.error), "relative",
         "difference of apex and rebound in the last two runs, with a step and with half of it");
   return q.table;

@@ -270,11 +270,12 @@ Table Strike::table() const {
     return compare(coarse.counts.*count, fine.counts.*count);
   };
   Answers q;
-  q.add("moved", both(&Counts::moved), "beads", "beads that have advanced by at least one well");
-  q.add("ejected_far", both(&Counts::ejected_far), "beads",
-        "beads of the far half that have advanced by more wells than the middle bead");
-  q.add("ejected_near", both(&Counts::ejected_near), "beads",
-        "beads of the near half that have gone backwards over a rim");
+  q.add_small("moved", both(&Counts::moved), "beads",
+              "beads that have advanced by at least one well");
+  q.add_small("ejected_far", both(&Counts::ejected_far), "beads",
+              "beads of the far half that have advanced by more wells than the middle bead");
+  q.add_small("ejected_near", both(&Counts::ejected_near), "beads",
+              "beads of the near half that have gone backwards over a rim");
   return q.table;
 }
 

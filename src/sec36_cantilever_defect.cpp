@@ -546,16 +546,26 @@ struct DefectMap : MapPart {
   Table table() const;
 };
 
+/// The shares; throws Failure if the array is too short for them.
+static Fractions within_array(const StruckArray& blow, double ratio) try {
+  return fractions(workshop_for(blow, false), ratio);
+} catch (const FarEndReached&) {
+  throw Failure("the packet that passes the defect comes to the end of the array within " +
+                short_text(shown_until) + " ms: --sites " + std::to_string(blow.array.sites) +
+                " are too few");
+}
+
 /**
 The quantities of `run` are those of the map, with the speed and the constants of the defect. */
 Table OneDefect::table() const {
   StruckArray blow{.velocity = velocity};
   blow.array.sites = sites;
-  const Workshop workshop = workshop_for(blow, false);
-  const Fractions f = fractions(workshop, ratio);
+  const Fractions f = within_array(blow, ratio);
+  // What a defect lets through, or sends back, may be nothing
   Answers q;
-  for (const auto& named : f.named()) q.add(named.name, named.share, named.unit, named.meaning);
-  q.add("ledger", f.ledger, "", "reflected + near + transmitted - 1: zero but for errors");
+  for (const auto& named : f.named())
+    q.add_small(named.name, named.share, named.unit, named.meaning);
+  q.add_small("ledger", f.ledger, "", "reflected + near + transmitted - 1: zero but for errors");
   q.add("speed", speed_between(pass_twice(blow), blow, 20, 40), "sites/s",
         "speed of the packet between sites 20 and 40, before it meets the defect");
   q.add("mu", exact(blow.array.mu(ratio)), "",

@@ -120,6 +120,14 @@ class Families {
     const double k = family_of(p);
     return k >= fastest && k <= slowest && p.phase >= phases.front() && p.phase <= phases.back();
   }
+  /// What they cover, in words.
+  std::string range() const {
+    const auto between = [](const char* name, double a, double b) {
+      return name + short_text(a) + " to " + short_text(b);
+    };
+    return between("the exact members that we have: family ", fastest, slowest) +
+           between(", phase ", phases.front(), phases.back());
+  }
   /// Energy or width of a packet over that of the breather with its shift time and phase; nan beyond the members.
   double over(const Traveller& p, double Traveller::*of, std::size_t left_out = 0) const {
     if (!cover(p)) return std::numeric_limits<double>::quiet_NaN();
@@ -319,18 +327,20 @@ struct OnePacket {
   Table table() const {
     const Looks looks = look_at({"", strength, lifetime, {from, from + beads, which}});
     const Families families;
+    const std::string beyond = "at least one of four looks lies outside of " + families.range();
     Answers q;
     q.add("shift_time", looks([](const Traveller& p) { return p.shift_time; }), "tau_c",
           "time from site to site");
-    q.add("phase", looks(phase_of), "", "phase from site to site, in the frame of a free bead");
+    q.add_small("phase", looks(phase_of), "",
+                "phase from site to site, in the frame of a free bead");
     q.add("family", looks(family_of), "",
           "shift time and phase over 2 pi, a whole number for an exact breather");
     q.add("energy", looks([](const Traveller& p) { return p.energy; }), "units of the chain",
           "energy on the seven sites about the peak");
     q.add("energy_ratio", families.ratio(looks, &Traveller::energy), "",
-          "energy over that of the exact family's member with this shift time and phase");
+          "energy over that of the exact family's member with this shift time and phase", beyond);
     q.add("width_ratio", families.ratio(looks, &Traveller::width), "",
-          "participation number over that of the same member");
+          "participation number over that of the same member", beyond);
     return q.table;
   }
 };

@@ -381,8 +381,9 @@ struct OneDrive : DrivenArray {
   }
   Table table() const {
     Answers q;
+    // Below the threshold all of them may be nothing
     for (const DrivenQuantity& one : quantities())
-      q.add(one.name, one.value, one.unit, one.meaning);
+      q.add_small(one.name, one.value, one.unit, one.meaning);
     return q.table;
   }
 };

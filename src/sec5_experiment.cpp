@@ -406,12 +406,13 @@ struct DampedArray {
           "way of the packet from the first contact in the 10 ms after the impact");
     q.add("periods_10ms", found.of_way(t10, &Progressed::oscillations), "",
           "oscillations of the packet on this way");
-    q.add("speed", found.of_way(t10, &Progressed::speed, per_second), "sites/s",
-          "speed of the packet after 10 ms, over its last five sites; 0 if it has stopped");
+    q.add_small("speed", found.of_way(t10, &Progressed::speed, per_second), "sites/s",
+                "speed of the packet after 10 ms, over its last five sites; 0 if it has stopped");
     q.add("period", found.of_way(t10, &Progressed::period, array.milliseconds(1)), "ms",
           "period of the packet's oscillation after 10 ms");
-    q.add("ledger", found.both([](const Journey& j) { return j.ledger; }), "",
-          "energy and losses less the energy of the impact, relative to it: zero but for errors");
+    q.add_small(
+        "ledger", found.both([](const Journey& j) { return j.ledger; }), "",
+        "energy and losses less the energy of the impact, relative to it: zero but for errors");
     q.add("slowest_clock", exact(array.milliseconds(slow_clock(array.rate(lifetime), t10))), "ms",
           "what the slow clock shows after 10 ms: undamped beams would bring the packet as far in "
           "it");

@@ -405,29 +405,26 @@ struct OneWave {
     p.add("amplitude", amplitude, "modulus |A| of the wave", {1e-12, 1e12});
   }
   Table table() const {
-    Answers answers;
-    const auto add = [&](const std::string& name, auto of, const std::string& unit,
-                         const std::string& meaning) {
-      const DpsWave<double> narrow{q, amplitude};
-      const DpsWave<long double> wide{q, amplitude};
-      answers.add(name, compare(double(of(narrow)), double(of(wide))), unit, meaning);
+    const auto both = [this](auto of) {
+      return compare(double(of(DpsWave<double>{q, amplitude})),
+                     double(of(DpsWave<long double>{q, amplitude})));
     };
     // The wave and this modulation, then all modulations
-    add(
-        "frequency", [](const auto& w) { return w.frequency(); }, "",
-        "frequency Omega of the plane wave in the slow time of the DpS equation");
-    add(
-        "growth", [this](const auto& w) { return w.growth(modulation); }, "",
+    const std::string stable = "the wave is stable: no modulation of it grows";
+    Answers answers;
+    answers.add("frequency", both([](const auto& w) { return w.frequency(); }), "",
+                "frequency Omega of the plane wave in the slow time of the DpS equation");
+    answers.add_small(
+        "growth", both([this](const auto& w) { return w.growth(modulation); }), "",
         "growth rate in the slow time of a modulation of the given Q; 0 if it does not grow");
-    add(
-        "edge", [](const auto& w) { return w.edge(); }, "1/site",
-        "edge Q_* of the band of modulations that grow");
-    add(
-        "fastest", [](const auto& w) { return w.fastest(); }, "1/site",
-        "wavenumber Q of the modulation that grows fastest");
-    add(
-        "fastest_growth", [](const auto& w) { return w.unstable() ? w.growth(w.fastest()) : 0; },
-        "", "growth rate in the slow time of the fastest modulation; 0 if none grows");
+    answers.add_small("edge", both([](const auto& w) { return w.edge(); }), "1/site",
+                      "edge Q_* of the band of modulations that grow", stable);
+    answers.add_small("fastest", both([](const auto& w) { return w.fastest(); }), "1/site",
+                      "wavenumber Q of the modulation that grows fastest", stable);
+    answers.add_small("fastest_growth",
+                      both([](const auto& w) { return w.unstable() ? w.growth(w.fastest()) : 0; }),
+                      "",
+                      "growth rate in the slow time of the fastest modulation; 0 if none grows");
     return answers.table;
   }
 };

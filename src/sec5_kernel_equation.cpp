@@ -529,8 +529,8 @@ struct OneWave {
           "number of intervals of time in which one contact is closed");
     q.add("quotient", w(&KernelWave::quotient), "",
           "value Q of the variational quotient, action^(-(alpha-1)/(alpha+1))");
-    q.add("residual", {residual, residual}, "relative to the peak",
-          "by how much the kernel equation is missed");
+    q.add_small("residual", {residual, residual}, "relative to the peak",
+                "by how much the kernel equation is missed");
     return q.table;
   }
 };

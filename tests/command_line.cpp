@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "check.hpp"
+#include "report/checksum.hpp"
 #include "report/table.hpp"
 #include "run.hpp"
 
@@ -259,7 +260,8 @@ TEST_CASE("help shows the default of every option and what nan means", "[cli]") 
                {"sec34_impact run", "--sites", "as long as needed"},
                {"sec34_impact run", "--output", "standard output"},
                {"sec32_dps_profiles profile", "--mu", "1"},
-               {"sec34_impact", "--out", "build/data/sec34_impact"}};
+               {"sec34_impact", "--out",
+                "build/data/sec34_impact, with --quick build/quick/data/sec34_impact"}};
   for (const auto& [command, option, value] : shown) {
     CAPTURE(command, option);
     std::istringstream help(call(std::string(command) + " --help").output);
@@ -272,7 +274,9 @@ TEST_CASE("help shows the default of every option and what nan means", "[cli]") 
     }
     CHECK(text.find("(default: " + std::string(value) + ")") != std::string::npos);
   }
-  CHECK(call("sec34_impact run --help").output.find("is nan") != std::string::npos);
+  for (const char* command : {"sec34_impact run", "sec31_dps_limit impact"})
+    CHECK(call(std::string(command) + " --help").output.find("is nan, and its reason says why") !=
+          std::string::npos);
 }
 
 TEST_CASE("the header records every parameter with the value used", "[cli]") {
@@ -340,6 +344,40 @@ TEST_CASE("no number of threads changes a bit", "[cli]") {
   CHECK(one == bytes(""));
 }
 
+TEST_CASE("coarse tables do not come into the place of full ones", "[cli]") {
+  Scratch scratch;
+  const auto run = [&](const std::string& options) {
+    return call_in(scratch.path, "sec32_dps_profiles --threads 1 " + options);
+  };
+  const auto is_quick = [&](const std::string& folder) {
+    for (const auto& [key, value] : read(scratch.path / folder / "results.ecsv").meta)
+      if (key == "parameters") return value;
+    return std::string("no entry");
+  };
+  const std::string full = "build/data/sec32_dps_profiles",
+                    quick = "build/quick/data/sec32_dps_profiles";
+  REQUIRE(run("--quick").code == 0);
+  CHECK_FALSE(fs::exists(scratch.path / "build/data"));
+  CHECK(is_quick(quick) == "quick = yes");
+  // A full run is refused to a coarse one, and left as it is
+  REQUIRE(run("").code == 0);
+  CHECK(is_quick(full) == "quick = no");
+  const Result refused = run("--quick --out " + full);
+  CAPTURE(refused.errors);
+  CHECK(refused.code == 2);
+  CHECK(refused.error_lines() == 1);
+  CHECK(refused.errors.find("--out: '" + full + "' holds the tables of a full run") !=
+        std::string::npos);
+  CHECK(refused.errors.find("(allowed: another folder, such as " + quick + ")") !=
+        std::string::npos);
+  CHECK(altered_tables(scratch.path / full).empty());
+  CHECK(is_quick(full) == "quick = no");
+  // Into a coarse folder both may go
+  REQUIRE(run("--quick").code == 0);
+  REQUIRE(run("--out " + quick).code == 0);
+  CHECK(is_quick(quick) == "quick = no");
+}
+
 TEST_CASE("a run that is killed leaves no table", "[cli]") {
   Scratch scratch;
   const std::string command =
@@ -378,7 +416,71 @@ TEST_CASE("a short chain does not spoil the speed", "[cli]") {
   const Result small = call(run + "80"), large = call(run + "82");
   check_close(quantity(small, "speed"), quantity(large, "speed"), 0, 0.01);
   CHECK(quantity(small, "speed") > 0.19);
-  CHECK(std::isnan(quantity(call("sec34_impact run --velocity 1 --sites 2 --time 20"), "speed")));
+}
+
+TEST_CASE("what does not exist has a reason", "[cli]") {
+  const struct {
+    const char *command, *quantity, *reason;
+  } all[] = {
+      {"sec34_impact run --velocity 1 --sites 2 --time 20", "speed",
+       "the way from site 20 to -18, twenty sites before the far end, is empty: it takes more than "
+       "40 sites"},
+      {"sec34_impact run --sites 5 --time 5", "strongest_site",
+       "the chain has no site beyond the first five"},
+      {"sec34_impact run --time 20", "speed",
+       "no packet comes to site 20: the foremost one comes to"},
+      {"sec34_impact run --time 20", "peak_energy_density",
+       "% of the energy stays on the first 5 sites"},
+      {"sec31_dps_limit impact --tau 40 --sites 60", "speed",
+       "% of the norm stays on the first 10 sites"},
+      {"sec31_dps_limit impact --tau 10 --sites 30", "speed", "is empty"},
+      {"sec33_mobility kick --c 1e-6 --time 2000", "velocity", "sites, less than one"},
+      {"sec34_boomeron run --time 60", "apex_site", "not come back by five sites by t = 60"},
+      {"sec34_boomeron run --time 60", "return_time", "not come back by five sites by t = 60"},
+      {"sec34_boomeron run --time 60", "decorrelation_time", "have not parted by t = 240"},
+      {"sec4_precompression_mi ring --longest 200", "gathered",
+       "the energy has not gathered by t = 200"},
+      {"sec4_precompression_mi ring --longest 200", "width",
+       "the energy has not gathered by t = 200"},
+      {"sec4_precompression_mi band --s 0.3", "unstable_to", ""},
+      {"sec5_growth growth --q 1", "edge", "the wave is stable: no modulation of it grows"}};
+  for (const auto& [command, name, reason] : all) {
+    const Result answer = call(command);
+    CAPTURE(command, name, answer.output, answer.errors);
+    REQUIRE(answer.code == 0);
+    const std::string said = text_of(answer, name, "reason");
+    CHECK(std::isnan(quantity(answer, name)) == (*reason != '\0'));
+    CHECK(said.empty() == (*reason == '\0'));
+    CHECK(said.find(reason) != std::string::npos);
+  }
+}
+
+TEST_CASE("an error beyond its value is a failure", "[cli]") {
+  const Result r = call("sec4_precompression_mi impact --d 0.001 --time 2000");
+  CAPTURE(r.errors, r.output);
+  CHECK(r.code == 1);
+  CHECK(r.output.empty());
+  CHECK(r.error_lines() == 1);
+  CHECK(r.errors.find("centre: the error ") != std::string::npos);
+  CHECK(r.errors.find("take a --time at which") != std::string::npos);
+}
+
+TEST_CASE("what the reader has typed is named where a run does not succeed", "[cli]") {
+  const struct {
+    const char *command, *said;
+  } all[] = {
+      {"sec36_cantilever_defect run --sites 120", "--sites 120 are too few"},
+      {"sec5_driven_packets packet --strength 0.5", "packet 1 has not passed the beads 12 to 28"}};
+  for (const auto& [command, said] : all) {
+    const Result r = call(command);
+    CAPTURE(command, r.errors);
+    CHECK(r.code == 1);
+    CHECK(r.error_lines() == 1);
+    CHECK(r.errors.find(said) != std::string::npos);
+  }
+  const Result hard = call("sec34_boomeron run --velocity 100 --s 1000");
+  CAPTURE(hard.errors);
+  CHECK(hard.errors.find("samples") == std::string::npos);
 }
 
 TEST_CASE("a runaway is a failure, not a number", "[cli]") {
@@ -665,8 +767,8 @@ TEST_CASE("every complaint about the line is one of ours", "[cli]") {
 }
 
 TEST_CASE("help says how long a full run takes", "[cli]") {
-  const Table figures = read(fs::path(SOURCE_DIR) / "figures/figures.ecsv");
-  for (const std::string& program : figures.texts("program")) {
+  const Table costs = read(fs::path(SOURCE_DIR) / "bench/costs.ecsv");
+  for (const std::string& program : costs.texts("program")) {
     const std::string help = call(program + " --help").output;
     CAPTURE(program, help);
     CHECK(help.find("A full run takes ") != std::string::npos);
@@ -703,7 +805,8 @@ TEST_CASE("facts and results name the function that made them", "[cli]") {
     CHECK(functions == std::set<std::string>{"report_confinement", "reproduce"});
   }
   const Result printed = call("sec34_kink run --velocity 2");
-  CHECK(printed.output.find("\nquantity,value,error,unit,kind,meaning\n") != std::string::npos);
+  CHECK(printed.output.find("\nquantity,value,error,unit,kind,meaning,reason\n") !=
+        std::string::npos);
 }
 
 /// The commands that a program offers.
@@ -765,7 +868,8 @@ TEST_CASE("every quantity of every command says what it is", "[cli]") {
       REQUIRE(answer.code == 0);
       std::istringstream in(answer.output);
       const Table table = from_text(in);
-      REQUIRE(table.columns.back().name == "meaning");
+      REQUIRE(table.columns.back().name ==
+              (program == "sec5_enclosures" ? "meaning" : "reason"));  // bounds always exist
       for (const std::string& meaning : table.texts("meaning")) CHECK(meaning.size() > 10);
       ++seen;
     }

@@ -106,6 +106,35 @@ TEST_CASE("an answer says what it means", "[unit][frame]") {
   CHECK(from_text(in).rows == answers.table.rows);
 }
 
+TEST_CASE("an answer that is nan has a reason, and one that is smaller than its error is none",
+          "[unit][frame]") {
+  const double nan = std::nan(""), least = std::numeric_limits<double>::min();
+  Answers q{"less time"};
+  q.add("speed", {nan, nan}, "", "of the packet", "no packet left");
+  q.add("centre", {3, nan}, "site", "of the packet");
+  q.add("width", {5, 5}, "site", "of the packet", "not said of a number");
+  q.add("count", compare(0.0, 0.0), "", "of packets");  // with the error of a rounding
+  q.add_small("drift", {1e-9, 2e-9}, "", "of the energy");
+  CHECK(q.table.columns.back().name == "reason");
+  CHECK(q.table.texts("reason") == std::vector<std::string>{"no packet left",
+                                                            "only the finer of two runs has it", "",
+                                                            "", ""});
+  CHECK(std::isnan(q.table.numbers("value")[1]));
+  CHECK(q.table.numbers("error")[3] == least);
+  CHECK_THROWS_AS(q.add("speed", {nan, nan}, "", "of the packet"), std::logic_error);
+  CHECK_THROWS_AS(q.add_small("speed", {nan, nan}, "", "of the packet"), std::logic_error);
+  try {
+    q.add("width", {5.62, 28.96}, "site", "of the packet");
+    FAIL("an error beyond its value");
+  } catch (const Failure& error) {
+    CHECK(
+        std::string(error.what()) ==
+        "width: the error 28.96 is larger than the value 5.62, which is no answer; take less time");
+  }
+  CHECK_THROWS_AS(q.add("speed", {-1, 1.1}, "", "of the packet"), Failure);
+  CHECK(q.table.rows.size() == 5);
+}
+
 TEST_CASE("help may be asked for in a word", "[unit][frame]") {
   std::deque<Offer> offers(2);
   offers[1].name = "run";

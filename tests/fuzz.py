@@ -6,9 +6,9 @@
 The options are those that `--help` declares, with their ranges. Half of the values are drawn from them, sizes and times
 from their small ends, so that a run is short; the others are what people mistype, and what nobody does. Asked is of
 every answer: exit code 0, 1 or 2 and no signal, within thirty seconds of a slow processor (times LATTICE_SLACK); a complaint is
-one line and comes without a table; a table can be read, and holds a nan only where a description or the help allows one;
-nothing is left behind but the file that was asked for. A command that is mistyped is answered with the nearest one. Line
-number k of a seed is always the same."""
+one line and comes without a table; a table can be read, and holds a nan only where a description allows one or a reason
+stands beside it, and no reason elsewhere; nothing is left behind but the file that was asked for. A command that is mistyped
+is answered with the nearest one. Line number k of a seed is always the same."""
 
 import concurrent.futures
 import math
@@ -141,7 +141,9 @@ def nan_complaints(text):
                 continue
             if math.isinf(cell):
                 yield f"{name} is {cell} in {dict(row)}"
-            elif quantities:  # help says: a quantity that does not exist is nan, and its error with it
+            elif quantities:  # help says: a quantity that does not exist is nan, and its reason says why
+                if name == "value" and not row.get("reason"):
+                    yield f"{row['quantity']} is nan without a reason"
                 if not math.isnan(row["error"]):
                     yield f"{row['quantity']} is nan with the error {row['error']}"
                 elif not math.isnan(row["value"]):
@@ -156,6 +158,8 @@ def without_meaning(text):
     for row in table.rows:
         if "quantity" in row and not row.get("meaning"):
             yield f"{row['quantity']} has no meaning"
+        if row.get("reason") and not math.isnan(row["value"]):
+            yield f"{row['quantity']} is {row['value']}, for the reason: {row['reason']}"
 
 
 def complaints(line, code, out, errors, left):
@@ -166,6 +170,8 @@ def complaints(line, code, out, errors, left):
         yield f"complains in {errors.count(chr(10))} lines"
     if code > 0 and (out or left):
         yield f"is refused and leaves {left or 'a table'}"
+    if "without a reason" in errors or "has no meaning" in errors:
+        yield "forgets what its own table must say"
     if code == 0 and errors:
         yield "succeeds and complains"
     if code == 0 and left != ([line.output] if line.output else []):

@@ -30,11 +30,12 @@ struct Result {
   }
 };
 
-/// Runs a command whose first word is a program of ours. One that hangs ends with code 124.
-inline Result call(const std::string& command) {
+/// Runs a command whose first word is a program of ours, in a folder. One that hangs ends with code 124.
+inline Result call_in(const std::filesystem::path& folder, const std::string& command) {
   namespace fs = std::filesystem;
   const auto errors = fs::temp_directory_path() / ("lattice_err_" + std::to_string(::getpid()));
-  const std::string line = "timeout 300 " + word(BIN_DIR) + "/" + command + " 2>" + word(errors);
+  const std::string line = "cd " + word(folder) + " && timeout 300 " + word(BIN_DIR) + "/" +
+                           command + " 2>" + word(errors);
   FILE* pipe = popen(line.c_str(), "r");
   std::string output;
   std::array<char, 4096> buffer;
@@ -48,6 +49,11 @@ inline Result call(const std::string& command) {
   return {WEXITSTATUS(status), output, text.str()};
 }
 
+/// The same where the tests are.
+inline Result call(const std::string& command) {
+  return call_in(".", command);
+}
+
 /// What the table says in the row of a quantity.
 inline double quantity(const Result& r, const std::string& name,
                        const std::string& column = "value") {
@@ -58,6 +64,15 @@ inline double quantity(const Result& r, const std::string& name,
     if (names[i] == name) return t.numbers(column)[i];
   FAIL("no quantity " << name);
   return 0;
+}
+
+/// The same of a column of words.
+inline std::string text_of(const Result& r, const std::string& name, const std::string& column) {
+  std::istringstream in(r.output);
+  const lattice::Table t = lattice::from_text(in);
+  const auto names = t.texts("quantity");
+  const auto at = std::find(names.begin(), names.end(), name) - names.begin();
+  return t.texts(column).at(std::size_t(at));
 }
 
 /// The rows of a table without its header, which tells the command.

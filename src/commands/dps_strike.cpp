@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
+#include "commands/why_no_speed.hpp"
 #include "lattice/numbers/parallel.hpp"
-#include "lattice/packets/impact.hpp"
 
 namespace lattice {
 
@@ -36,23 +37,27 @@ Table DpsStrike::quantities(const Found& runs) const {
     const bool none = runs[0].track.t.empty() || runs[1].track.t.empty();
     return none ? Estimate{std::nan(""), std::nan("")} : compare(of(runs[0]), of(runs[1]));
   };
-  const double to = double(runs[1].end.size()) - 20;
+  const double to = way_end(runs[1].end.size());
+  const Track& track = runs[1].track;
+  const std::string lost = why_no_packet(track),
+                    still = why_no_speed(track, density(runs[1].end), 10, "norm");
   Answers q;
   q.add("centre", both([](const DpsOutcome& out) { return out.track.centre.back(); }), "site",
-        "centre of the norm of the foremost packet at the end of the run, as in Eq. (24)");
+        "centre of the norm of the foremost packet at the end of the run, as in Eq. (24)", lost);
   q.add("speed", both([&](const DpsOutcome& out) {
           const auto line = out.track.line(fit_from, to);
           return line ? line->estimate() : Estimate{std::nan(""), std::nan("")};
         }),
         "site per tau",
-        "speed of the foremost packet, fitted between site 20 and twenty sites before the far end");
+        "speed of the foremost packet, fitted between site 20 and twenty sites before the far end",
+        still);
   q.add("amplitude", both([](const DpsOutcome& out) { return packet_amplitude(out.track); }), "",
-        "largest |A_n| of the foremost packet while its centre moves over its last site");
+        "largest |A_n| of the foremost packet while its centre moves over its last site", lost);
   q.add("norm_window", both([](const DpsOutcome& out) { return out.track.energy.back(); }), "",
-        "sum of |A_n|^2 over the eleven sites about the packet's peak at the end; 1 in all");
-  q.add("residual_boundary",
-        both([](const DpsOutcome& out) { return boundary_share(density(out.end), 10); }), "",
-        "sum of |A_n|^2 over the first ten sites at the end, over that of all sites");
+        "sum of |A_n|^2 over the eleven sites about the packet's peak at the end; 1 in all", lost);
+  q.add_small("residual_boundary",
+              both([](const DpsOutcome& out) { return boundary_share(density(out.end), 10); }), "",
+              "sum of |A_n|^2 over the first ten sites at the end, over that of all sites");
   return q.table;
 }
 

@@ -31,7 +31,7 @@ struct DpsStrike {
   using Found = std::array<DpsOutcome, 2>;  ///< the coarser and the finer run
   /// Throws std::runtime_error if GSL cannot go on.
   Found find() const;
-  /// Rows `quantity,value,error,unit,kind,meaning`.
+  /// Rows `quantity,value,error,unit,kind,meaning,reason`.
   Table quantities(const Found& found) const;
   /// The field at the end, site by site.
   Table profile(const Found& found) const;

@@ -31,8 +31,9 @@ Multipliers::Found Multipliers::find() const {
 The pair that decides on stability is the one next to $+1$. */
 Table Multipliers::quantities(const Found& found) const {
   Answers q;
-  q.add("kappa", found.kappa(), "",
-        "(lambda + 1/lambda - 2)/4 of the pinning pair of multipliers; above 0 it is unstable");
+  q.add_small(
+      "kappa", found.kappa(), "",
+      "(lambda + 1/lambda - 2)/4 of the pinning pair of multipliers; above 0 it is unstable");
   return q.table;
 }
 

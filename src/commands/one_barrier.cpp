@@ -1,9 +1,11 @@
 #include "commands/one_barrier.hpp"
 
+#include "sec3/breather_options.hpp"
+
 namespace lattice {
 
 void OneBarrier::parameters(Parameters& p) {
-  p.add("omega", omega, "frequency omega_b > 1", {1.0001, 3});
+  p.add("omega", omega, "frequency omega_b > 1", breather_range(1.0001, 3));
   p.add("s", s, "anharmonicity of the well", {-10, 10});
 }
 
@@ -16,10 +18,10 @@ OneBarrier::Found OneBarrier::find() const {
 
 Table OneBarrier::quantities(const Found& found) const {
   Answers q;
-  q.add("equal_frequency", found.equal_frequency, "",
-        "E_site - E_bond, the energies of both breathers at the frequency omega_b");
-  q.add("equal_area", found.equal_area, "",
-        "E_site - E_bond at the area of the bond-centred breather, as a moving one keeps it");
+  q.add_small("equal_frequency", found.equal_frequency, "",
+              "E_site - E_bond, the energies of both breathers at the frequency omega_b");
+  q.add_small("equal_area", found.equal_area, "",
+              "E_site - E_bond at the area of the bond-centred breather, as a moving one keeps it");
   return q.table;
 }
 

@@ -20,7 +20,7 @@ struct OneBarrier {
   using Found = BreatherPair;
   /// Both breathers, measured in the wider type. Throws NewtonFailed, NoBranch.
   Found find() const;
-  /// Rows `quantity,value,error,unit,kind,meaning`.
+  /// Rows `quantity,value,error,unit,kind,meaning,reason`.
   Table quantities(const Found& found) const;
   /// What the program prints.
   Table table() const { return quantities(find()); }

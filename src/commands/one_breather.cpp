@@ -33,8 +33,8 @@ static Table breather_table(const Shooting<T>& problem, const Orbit<T>& orbit,
   q.add("energy", differs(orbit.energy, other.energy), "", "energy of the whole chain, Eq. (6)");
   q.add("area", differs(orbit.area, other.area), "",
         "integral over a period of the sum of the squared velocities, the action of the orbit");
-  q.add("residual", {double(miss), double(run.error)}, "relative to amplitude",
-        "largest difference of positions and velocities after a period from those before");
+  q.add_small("residual", {double(miss), double(run.error)}, "relative to amplitude",
+              "largest difference of positions and velocities after a period from those before");
   q.add("iterations", exact(double(orbit.iterations())), "",
         "steps of Newton's method in the last solve");
   return q.table;

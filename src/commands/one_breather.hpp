@@ -30,7 +30,7 @@ struct OneBreather : ChosenBreather {
   using Found = Fitted;
   /// The breather in double precision. Throws UsageError, NewtonFailed, NoBranch.
   Found find() const;
-  /// Rows `quantity,value,error,unit,kind,meaning`, in the chosen precision.
+  /// Rows `quantity,value,error,unit,kind,meaning,reason`, in the chosen precision.
   Table quantities(const Found& found) const;
   /// The positions at t = 0, with relative accuracy at every site.
   Table profile(const Found& found) const;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "commands/why_no_speed.hpp"
 #include "report/model_options.hpp"
 
 namespace lattice {
@@ -28,52 +29,69 @@ OneImpact::Found OneImpact::find() const {
   return found;
 }
 
-/// The strongest site in both runs, which differ where two sites are nearly as strong.
-static Estimate strongest(const ImpactRun& coarse, const ImpactRun& fine) {
+/// The strongest site in both runs. Where two sites are nearly as strong these differ, and it may be that neither is
+/// the strongest.
+static void add_strongest(Answers& q, const ImpactRun& coarse, const ImpactRun& fine) {
   const auto a = strongest_site(coarse.density), b = strongest_site(fine.density);
-  return a && b ? compare(*a, *b) : Estimate{std::nan(""), std::nan("")};
+  Estimate e{std::nan(""), std::nan("")};
+  std::string reason = fine.density.size() > 5 ? "nothing has moved beyond the first five sites"
+                                               : "the chain has no site beyond the first five";
+  if (a && b) e = compare(*a, *b);
+  if (e.error > e.value) {
+    reason = "sites " + std::to_string(*a) + " and " + std::to_string(*b) + " are nearly as strong";
+    e = {std::nan(""), std::nan("")};
+  }
+  q.add("strongest_site", e, "site",
+        "site of the largest energy density outside of the first five at the end of the run",
+        reason);
 }
 
 /**
 A run of any length must print something, so a quantity that does not exist, such as the speed of a
-packet that never came so far, is `nan`. */
+packet that never came so far, is `nan`, with its reason. */
 Table OneImpact::quantities(const Found& found) const {
   const auto& [whole, runs] = found;
-  const double to = double(whole.chain.sites) - 20, undefined = std::nan("");
+  const double to = way_end(whole.chain.sites), undefined = std::nan("");
   const auto both = [&coarse = runs.coarse, &fine = runs.fine](auto of) {
     return compare(of(coarse), of(fine));
   };
   const auto tracked = [&](auto of) {
     return both([&](const ImpactRun& out) { return out.track.t.empty() ? undefined : of(out); });
   };
-  Answers q;
+  const Track& track = runs.fine.track;
+  const std::string still = why_no_speed(track, runs.fine.density, 5, "energy"),
+                    lost = why_no_packet(track);
+  Answers q{"a shorter --time or a smaller --tolerance"};
   const auto line = [&](const ImpactRun& out) {
     return out.track.line(fit_from, to).value_or(Line{undefined, undefined, undefined});
   };
   q.add("speed", compare(line(runs.coarse).estimate(), line(runs.fine).estimate()),
         "site per unit of time",
-        "speed of the foremost packet, fitted between site 20 and twenty sites before the far end");
+        "speed of the foremost packet, fitted between site 20 and twenty sites before the far end",
+        still);
   q.add("centre", tracked([](const ImpactRun& out) { return out.track.centre.back(); }), "site",
-        "energy centre of the foremost packet at the end of the run, Eq. (24)");
-  q.add("strongest_site", strongest(runs.coarse, runs.fine), "site",
-        "site of the largest energy density outside of the first five at the end of the run");
+        "energy centre of the foremost packet at the end of the run, Eq. (24)", lost);
+  add_strongest(q, runs.coarse, runs.fine);
   q.add("peak_energy_density", both([&](const ImpactRun& out) {
           const double peak = out.track.largest_peak(fit_from, to);
           return peak > 0 ? peak : undefined;
         }),
         "",
-        "largest energy density of the foremost packet, on the way on which the speed is fitted");
+        "largest energy density of the foremost packet, on the way on which the speed is fitted",
+        still);
   q.add("packet_energy_fraction",
         tracked([](const ImpactRun& out) { return out.track.energy.back() / total(out.density); }),
-        "", "energy of the foremost packet (eleven sites) over that of the chain, at the end");
-  q.add("boundary_energy_fraction",
-        both([](const ImpactRun& out) { return boundary_share(out.density); }), "",
-        "energy of the first five sites over that of the chain, at the end");
-  q.add("energy_drift", both([](const ImpactRun& out) { return out.run.energy_drift; }), "",
-        "largest change of the chain's energy during the run, relative to it");
-  q.add("escaped",
-        both([rim = whole.chain.well.rim()](const ImpactRun& out) { return int(out.reach > rim); }),
-        "", "1 if a bead was beyond the rim of its well at any time, otherwise 0");
+        "", "energy of the foremost packet (eleven sites) over that of the chain, at the end",
+        lost);
+  q.add_small("boundary_energy_fraction",
+              both([](const ImpactRun& out) { return boundary_share(out.density); }), "",
+              "energy of the first five sites over that of the chain, at the end");
+  q.add_small("energy_drift", both([](const ImpactRun& out) { return out.run.energy_drift; }), "",
+              "largest change of the chain's energy during the run, relative to it");
+  q.add_small("escaped", both([rim = whole.chain.well.rim()](const ImpactRun& out) {
+                return int(out.reach > rim);
+              }),
+              "", "1 if a bead was beyond the rim of its well at any time, otherwise 0");
   return q.table;
 }
 

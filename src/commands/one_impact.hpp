@@ -30,7 +30,7 @@ inline constexpr double usual_tolerance = 1e-4;
 struct OneImpact {
   static constexpr Title title{
       "run", "one impact: speed, centre, energies of the foremost packet",
-      "A quantity that does not exist, such as the speed of a packet that never left, is nan.\n"
+      "A quantity that does not exist is nan, and its reason says why.\n"
       "For s > 0 most of the energy may lag behind the foremost packet, at strongest_site;\n"
       "sec34_boomeron run follows this packet, which turns."};
   Impact impact{1.87, {0, Quartic{}}, 600};
@@ -48,7 +48,7 @@ struct OneImpact {
   };
   /// Both runs. Throws RefinementFailed, FarEndReached, and Failure if a bead runs away.
   Found find() const;
-  /// Rows `quantity,value,error,unit,kind,meaning`.
+  /// Rows `quantity,value,error,unit,kind,meaning,reason`.
   Table quantities(const Found& found) const;
   /// The state at the end, bead by bead.
   Table profile(const Found& found) const;

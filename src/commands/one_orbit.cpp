@@ -195,13 +195,13 @@ Table OneOrbit::quantities(const Found& f) const {
         "energy of the whole chain, Eq. (6)");
   q.add("peak", compare(peak(f.problem, f.orbit), peak(f.wide_problem, f.wide)), "",
         "largest energy density of a site at t = 0");
-  q.add("tail",
-        compare(left_behind(f.problem, f.orbit, shifts, coarse),
-                left_behind(f.problem, f.orbit, shifts, fine)),
-        "relative to amplitude",
-        "largest position and velocity that are left behind on the way through the chain");
-  q.add("residual", {residual_of(f), residual_of(f)}, "relative to amplitude",
-        "by how much the printed profile misses itself after a shift time, one site further");
+  q.add_small("tail",
+              compare(left_behind(f.problem, f.orbit, shifts, coarse),
+                      left_behind(f.problem, f.orbit, shifts, fine)),
+              "relative to amplitude",
+              "largest position and velocity that are left behind on the way through the chain");
+  q.add_small("residual", {residual_of(f), residual_of(f)}, "relative to amplitude",
+              "by how much the printed profile misses itself after a shift time, one site further");
   q.add("multiplier_modulus", largest_modulus(phase, compare(narrow.second, better.second)), "",
         "largest modulus of a multiplier per shift; 1 where no disturbance is seen to grow");
   return q.table;

@@ -51,7 +51,7 @@ struct OneOrbit {
   };
   /// The orbit. Throws UsageError if there is none, NewtonFailed.
   Found find() const;
-  /// Rows `quantity,value,error,unit,kind,meaning`.
+  /// Rows `quantity,value,error,unit,kind,meaning,reason`.
   Table quantities(const Found& found) const;
   /// The orbit at t = 0, in the wider type and rounded to double.
   Table profile(const Found& found) const;

@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <deque>
 #include <iostream>
+#include <limits>
 #include <optional>
 #include <sstream>
 
@@ -53,10 +54,32 @@ Columns quantity_columns() {
           label("kind", "estimate, or exact where nothing could be different (error 0)")};
 }
 
+/**
+Where only one of two runs has a quantity its error is not known, and it is not printed either. Numbers that agree
+to the last bit have the error of a rounding, which at zero is the least number of the type. */
 void Answers::add(const std::string& quantity, const Estimate& e, const std::string& unit,
-                  const std::string& meaning) {
+                  const std::string& meaning, const std::string& reason) {
+  const double size = std::max(std::abs(e.value), std::numeric_limits<double>::min());
+  if (e.error > size) {
+    std::ostringstream text;
+    text << quantity << ": the error " << e.error << " is larger than the value " << e.value
+         << ", which is no answer; take " << remedy;
+    throw Failure(text.str());
+  }
+  add_small(quantity, e, unit, meaning, reason);
+}
+
+void Answers::add_small(const std::string& quantity, const Estimate& e, const std::string& unit,
+                        const std::string& meaning, const std::string& reason) {
   if (meaning.empty()) throw std::invalid_argument(quantity + ": has no meaning");
-  table.add({quantity, e, unit, kind_of(e), meaning});
+  const double nan = std::nan("");
+  const bool none = std::isnan(e.value) || std::isnan(e.error);
+  std::string why = none ? reason : "";
+  if (none && why.empty()) {
+    if (std::isnan(e.value)) throw std::logic_error(quantity + ": is nan without a reason");
+    why = "only the finer of two runs has it";
+  }
+  table.add({quantity, none ? Estimate{nan, nan} : e, unit, kind_of(e), meaning, why});
 }
 
 // Quantities and results keep for each row the function that recorded it
@@ -161,22 +184,20 @@ Provenance provenance(const Program& program, const std::string& command, const 
 /**
 ## What a run costs
 
-Whoever asks for help wants to know how long a full run takes. The measured time is in the index of the
-figures and nowhere else: it is read from there if the program is called where it was built. */
+Whoever asks for help wants to know how long a full run takes. The measured time is in bench/costs.ecsv and
+nowhere else: it is read from there if the program is called where it was built. */
 std::string full_run_takes(const std::string& program) try {
   std::filesystem::path folder = executable().parent_path();
-  while (!std::filesystem::exists(folder / "figures/figures.ecsv")) {
+  while (!std::filesystem::exists(folder / "bench/costs.ecsv")) {
     if (folder == folder.parent_path()) return "";
     folder = folder.parent_path();
   }
-  const Table figures = read(folder / "figures/figures.ecsv");
-  const auto programs = figures.texts("program");
-  const auto seconds = figures.numbers("seconds");
-  double longest = 0;
-  for (std::size_t i = 0; i < programs.size(); ++i)
-    if (programs[i] == program) longest = std::max(longest, seconds[i]);
-  if (!(longest > 0)) return "";
-  const double rounded = std::round(longest);
+  const Table costs = read(folder / "bench/costs.ecsv");
+  const auto programs = costs.texts("program");
+  const auto at = std::find(programs.begin(), programs.end(), program) - programs.begin();
+  const double seconds = costs.numbers("seconds").at(std::size_t(at));
+  if (!(seconds > 0)) return "";
+  const double rounded = std::round(seconds);
   const std::string time = rounded < 1    ? "less than a second"
                            : rounded == 1 ? "about a second"
                                           : "about " + short_text(rounded) + " seconds";
@@ -209,6 +230,10 @@ struct Frame {
   Frame(const Program& of, int argc, char** argv);
   int run(const std::vector<std::string>& words);
   std::string footer(const Offer& of) const;
+  /// Where the tables go unless `--out` says so.
+  std::string folder(bool coarse) const {
+    return (coarse ? "build/quick/data/" : "build/data/") + program.name;
+  }
   int print(const Offer& of, const std::function<Table()>& compute);
   int reproduce(const Offer& full);
 };
@@ -224,7 +249,7 @@ Frame::Frame(const Program& of, int argc, char** argv)
   Offer& full = offers.emplace_back();
   full.meaning = of.title;
   full.parameters.add("out", out, "folder for the tables of a full run", not_empty())
-      .shows("build/data/" + of.name);
+      .shows(folder(false) + ", with --quick " + folder(true));
   full.parameters.add("quick", quick, "coarse parameters: seconds, for trying out");
   add_threads(full.parameters);
   for (const Command& one : of.commands) {
@@ -301,10 +326,29 @@ int Frame::print(const Offer& of, const std::function<Table()>& compute) {
 }
 
 /**
+Where summary and figures look for the tables of a full run, coarse ones with fresh checksums would pass for them. So
+they have a folder of their own, and another one is refused if the header of its results says that they are not
+coarse. */
+bool holds_full_run(const std::filesystem::path& folder) try {
+  const Meta meta = read(folder / "results.ecsv").meta;
+  return std::any_of(meta.begin(), meta.end(), [](const auto& entry) {
+    return entry.first == "parameters" &&
+           (entry.second + ",").find("quick = no,") != std::string::npos;
+  });
+} catch (const std::exception&) {
+  return false;  // without results, or with broken ones, it is not complete
+}
+
+/**
 A full run removes the old `results.ecsv` before it begins: as long as there is none, the folder is
 not complete. */
 int Frame::reproduce(const Offer& full) {
-  if (out.empty()) out = "build/data/" + program.name;
+  if (out.empty()) out = folder(quick);
+  if (quick && holds_full_run(out))
+    throw UsageError(
+        "--out: '" + out +
+        "' holds the tables of a full run, which --quick would replace by coarse ones" +
+        " (allowed: another folder, such as " + folder(true) + ")");
   need_writable(out, "results.ecsv", "--out");
   std::error_code ignored;
   std::filesystem::remove(std::filesystem::path(out) / "results.ecsv", ignored);

@@ -67,13 +67,23 @@ struct Quantities {
 };
 
 /**
-Whoever calls a command sees its names without the prose around them. So each row of an answer ends with its meaning. */
-struct Answers {
-  Table table{quantity_columns(), label("meaning", "what the quantity is, in words")};
+Whoever calls a command sees its names without the prose around them. So each row of an answer says what it means,
+and where its value is `nan` the reason: nobody should have to guess why a packet has no speed.
 
-  /// One row; throws std::invalid_argument without a meaning.
+A value smaller than its error is no answer, and the command fails. Only what may vanish is printed whatever its
+error is: drifts, residuals and shares that are left, differences of either sign, counts. */
+struct Answers {
+  std::string remedy = "other parameters";  ///< what to take where an error is too large
+  Table table{quantity_columns(), label("meaning", "what the quantity is, in words"),
+              label("reason", "why the value is nan; empty otherwise")};
+
+  /// One row. `reason` is why the value is nan, if it is; throws std::logic_error for a nan without one or an empty
+  /// meaning, and Failure if the error exceeds the value.
   void add(const std::string& quantity, const Estimate& e, const std::string& unit,
-           const std::string& meaning);
+           const std::string& meaning, const std::string& reason = "");
+  /// The same for a quantity that may vanish within its error.
+  void add_small(const std::string& quantity, const Estimate& e, const std::string& unit,
+                 const std::string& meaning, const std::string& reason = "");
 };
 
 /**
@@ -184,8 +194,7 @@ from them:
 struct Title {
   const char *name, *meaning;
   /// The last line of its help: what is not obvious about its answers.
-  const char* note =
-      "A quantity that does not exist, such as the speed of a packet that never left, is nan.";
+  const char* note = "A quantity that does not exist is nan, and its reason says why.";
 };
 
 /// A command as a program offers it.

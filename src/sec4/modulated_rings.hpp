@@ -223,12 +223,16 @@ struct OneRing {
     const RingCourse course = ring_course({.s = s, .q = q}, longest, {0.4, 0.2}, 1.5);
     const Estimate none{std::nan(""), std::nan("")};
     const bool gathered = !std::isnan(course.gathered);
-    Answers a;
+    const std::string by = "by t = " + short_text(course.agree.value),
+                      why = course.agree.is_exact ? "the energy has not gathered " + by
+                                                  : "the runs with two steps part " + by +
+                                                        ", before the energy has gathered";
+    Answers a{"a shorter --longest"};
     a.add("gathered", gathered ? Estimate{course.gathered, 50} : none, "",
-          "time at which the energy has gathered in a part of the ring, nan if it has not");
+          "time at which the energy has gathered in a part of the ring, nan if it has not", why);
     a.add("agree", course.agree, "", "time up to which the runs with two steps agree");
     a.add("width", gathered ? course.width() : none, "site",
-          "least width of the packet at half height, up to half as long again");
+          "least width of the packet at half height, up to half as long again", why);
     a.add("highest", course.highest(), "", "largest energy density over the mean");
     return a.table;
   }

@@ -212,19 +212,20 @@ struct OneImpact {
       throw Failure("the solution blows up: --velocity is beyond the threshold of this well");
     const PacketSample &a = coarse.samples.back(), &b = fine.samples.back();
     const Sech &rough = coarse.shown[0].sech, &best = fine.shown[0].sech;
-    Answers q;
+    Answers q{"a --time at which one packet stands out"};
     q.add("centre", compare(a.centre, b.centre), "site",
           "energy centre of the packet that holds the most energy, at the end of the run");
     q.add("width", compare(rough.width, best.width), "site",
           "width w of the sech((n - n_0)/w) that fits the envelope of its velocities");
-    q.add("residual", compare(rough.residual, best.residual), "",
-          "root mean square of what this sech leaves of the envelope, relative to its height");
+    q.add_small(
+        "residual", compare(rough.residual, best.residual), "",
+        "root mean square of what this sech leaves of the envelope, relative to its height");
     q.add("energy_fraction", compare(a.share, b.share), "",
           "energy within twenty sites of the packet's peak over that of the chain, at the end");
-    q.add("boundary_energy_fraction", compare(a.boundary, b.boundary), "",
-          "energy of the first five sites over that of the chain, at the end");
-    q.add("energy_drift", compare(coarse.run.energy_drift, fine.run.energy_drift), "",
-          "largest change of the chain's energy during the run, relative to it");
+    q.add_small("boundary_energy_fraction", compare(a.boundary, b.boundary), "",
+                "energy of the first five sites over that of the chain, at the end");
+    q.add_small("energy_drift", compare(coarse.run.energy_drift, fine.run.energy_drift), "",
+                "largest change of the chain's energy during the run, relative to it");
     return q.table;
   }
 };

@@ -47,7 +47,7 @@ Traveller set_free(const Orbit<double>& member, double phase) {
 
 TravellerWatch::TravellerWatch(const Chain& chain, std::size_t from, std::size_t to,
                                std::size_t which)
-    : chain_(chain), from_(from - 1), to_(to - 1), wanted_(which) {
+    : chain_(chain), from_(from - 1), to_(to - 1), which_(which), wanted_(which) {
   if (from <= reach || to <= from || to + 2 * reach > chain.sites || which == 0)
     throw std::invalid_argument("no packet can be followed from bead " + std::to_string(from) +
                                 " to " + std::to_string(to));
@@ -104,7 +104,10 @@ bool TravellerWatch::look(const State<double>& now) {
 }
 
 Traveller TravellerWatch::traveller() const {
-  if (next_ <= to_ || crossings_.size() < 2) throw std::runtime_error("no packet passes the beads");
+  if (next_ <= to_ || crossings_.size() < 2)
+    throw std::runtime_error("packet " + std::to_string(which_) + " has not passed the beads " +
+                             std::to_string(from_ + 1) + " to " + std::to_string(to_ + 1) +
+                             " by the end of the run");
   const double steps = double(crossings_.size() - 1);
   double phase = 0;
   for (std::size_t i = 1; i < crossings_.size(); ++i) {

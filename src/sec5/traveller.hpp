@@ -50,7 +50,7 @@ class TravellerWatch {
   Crossing seen(const State<double>& now) const;
 
   const Chain& chain_;
-  std::size_t from_, to_, wanted_, peak_ = 0, next_ = 0;
+  std::size_t from_, to_, which_, wanted_, peak_ = 0, next_ = 0;
   bool before_ = false;
   double centre_ = 0, log_energy_ = 0, width_ = 0, samples_ = 0;
   State<double> last_{};

@@ -1,0 +1,48 @@
+#pragma once
+/**
+# Why a packet has no speed
+
+The foremost packet of an impact is measured on its way from site 20 to twenty sites before the far end
+(observe.hpp). There may be no such way, or no packet on it, and whoever gets `nan` wants to know which. */
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "lattice/packets/impact.hpp"
+#include "report/table.hpp"
+
+namespace lattice {
+
+/// Where this way ends in a chain of so many sites.
+inline double way_end(std::size_t sites) {
+  return double(sites) - 20;
+}
+
+/// Why there is no packet in `track`; empty if there is one.
+inline std::string why_no_packet(const Track& track) {
+  if (!track.t.empty()) return "";
+  return "no packet: nowhere do eleven neighbours hold a hundredth of the whole";
+}
+
+/// Why `track` has no speed on this way, from the `density` at the end; empty if it has one. `share` is what the
+/// first `sites` sites then hold a part of, such as the energy.
+inline std::string why_no_speed(const Track& track, const std::vector<double>& density,
+                                std::size_t sites, const std::string& share) {
+  const double to = way_end(density.size());
+  if (track.line(fit_from, to)) return "";
+  if (!(to > fit_from))
+    return "the way from site 20 to " + short_text(to) +
+           ", twenty sites before the far end, is empty: it takes more than 40 sites";
+  if (track.t.empty()) return why_no_packet(track);
+  const double farthest = *std::max_element(track.centre.begin(), track.centre.end());
+  if (farthest >= fit_from)
+    return "fewer than three samples of the packet lie between sites 20 and " + short_text(to);
+  return "no packet comes to site 20: the foremost one comes to " +
+         short_text(std::round(10 * farthest) / 10) + ", and " +
+         short_text(std::round(100 * boundary_share(density, sites))) + " % of the " + share +
+         " stays on the first " + std::to_string(sites) + " sites";
+}
+
+}  // namespace lattice
