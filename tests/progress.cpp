@@ -87,6 +87,8 @@ TEST_CASE("stages are seen from the outermost on, and only if somebody watches",
     const Progress named("named");
     Progress inner("", 1);
     inner.reach(0.25);
+    CHECK(line() == "p 0 s, outer 1/4");
+    ++hands;
     CHECK(line() == "p 0 s, outer 1/4, named: 25 %");
   }
   CHECK(line() == "p 0 s, outer 1/4");

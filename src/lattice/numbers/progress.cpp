@@ -94,13 +94,14 @@ Watch::~Watch() {
 }
 
 /**
-A forecast is worth saying if the stage takes twenty seconds or more, and three have to pass before it means
-something. */
+A stage inside of another one is shown when it has lasted for a second, lest the line flicker. A forecast is worth saying
+if the stage takes twenty seconds or more, and three have to pass before it means something. */
 std::vector<ShownStage> Watch::stages() const {
   const TreeLock lock;
   std::vector<ShownStage> all;
   for (Progress* at = root_.slowest(); at; at = at->slowest()) {
     const double seconds = root_.clock_() - at->since_, share = at->share();
+    if (seconds < 1 && !all.empty()) break;
     at->forecast_.see(seconds, share);
     std::optional<double> left = at->forecast_.left(seconds);
     if (seconds < 3 || (left && seconds + *left < 20)) left.reset();
