@@ -166,13 +166,15 @@ struct PowerContact {
 };
 
 /// A contact law that the list does not know (potential.hpp), with its opening and its exponent, which
-/// the law's struct names like those above.
+/// the law's struct names like those above. Throws std::invalid_argument where `require_contact` does.
 struct OwnContact : OwnPotential {
   double exponent = 1.5;
   OwnContact() = default;
   template <class P>
   explicit OwnContact(P contact)
-      : OwnPotential(contact), exponent(contact.exponent), opening_(contact.opening()) {}
+      : OwnPotential(contact), exponent(contact.exponent), opening_(contact.opening()) {
+    require_contact(*this, opening_, exponent);
+  }
   double opening() const { return opening_; }
 
  private:

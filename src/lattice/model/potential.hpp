@@ -189,6 +189,21 @@ class OwnPotential {
   std::shared_ptr<const Functions> kept_{};
 };
 
+/**
+Nobody else has checked a potential of one's own, and where its three functions do not belong together no run
+fails: a wrong stiffness makes wrong multipliers, a wrong energy a drift. So each is asked once, when it is made,
+whether force and stiffness are the slopes that they claim to be (potential.cpp says how). */
+/// Throws std::invalid_argument, in one line, unless force and stiffness of `well` are minus the slopes of energy
+/// and force on both sides, energy and force vanish at rest, and `rim` > 0.
+void require_well(const OwnPotential& well, double rim);
+
+/// The same for a contact on either side of its `opening`, which must be finite as must the `exponent` >= 1.
+/// Beads that are pressed together repel each other.
+void require_contact(const OwnPotential& contact, double opening, double exponent);
+
+/// Whether small displacements have forces of few digits, as in $1 - e^{-y}$ when written like this.
+bool loses_digits(const OwnPotential& potential);
+
 /// A struct with the three functions of a potential, of numbers or of rows.
 template <class P>
 concept IsPotential = TakesRows<P> || requires(const P& p, double x) {

@@ -119,11 +119,14 @@ double rim_of(const Onsite& onsite) {
     return std::numeric_limits<double>::infinity();
 }
 
-/// A well that the list does not know (potential.hpp), with its rim.
+/// A well that the list does not know (potential.hpp), with its rim. Throws std::invalid_argument where
+/// `require_well` does.
 struct OwnWell : OwnPotential {
   OwnWell() = default;
   template <class P>
-  explicit OwnWell(P well) : OwnPotential(well), edge_(rim_of(well)) {}
+  explicit OwnWell(P well) : OwnPotential(well), edge_(rim_of(well)) {
+    require_well(*this, edge_);
+  }
   double rim() const { return edge_; }
 
  private:
@@ -142,5 +145,20 @@ struct Well : OneOf<OwnWell, None, Harmonic, Quartic, Pendulum> {
     return std::visit([](const auto& w) { return rim_of(w); }, *this);
   }
 };
+
+/**
+The tail of a breather falls to $10^{-100}$ and below, and its positions are wanted with relative accuracy. A
+well may be right and yet lose all digits there: $1 - e^{-y}$ is zero for $y < 10^{-16}$. The wells above do not,
+and one of the caller's own can be asked. */
+/// Whether the force of an own well loses its digits near zero.
+inline bool loses_digits(const Well& well) {
+  const auto* own = std::get_if<OwnWell>(&well);
+  return own && loses_digits(static_cast<const OwnPotential&>(*own));
+}
+
+/// What its author is told.
+inline constexpr const char* digits_hint =
+    "the force of the well loses its digits near zero, where the tail of a breather is: "
+    "write it with expm1, log1p, 2 sin^2(y/2) or the like";
 
 }  // namespace lattice
