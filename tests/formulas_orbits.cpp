@@ -16,6 +16,13 @@ TEST_CASE("quasi-continuum profiles by hand", "[unit][formulas]") {
                 1e-15);
   }
   CHECK(quasi_continuum(Centre::bond, 6) == 0);
+  // With alpha = 2 the envelope is cos^4(x/2)/9, and the first harmonic of the force is 4/(3 pi)
+  const auto h = [](double x) { return std::pow(std::cos(x / 2), 4) / 9; };
+  check_close(quasi_continuum(Centre::bond, 1, 2), -h(1) - h(0), 1e-15);
+  check_close(quasi_continuum(Centre::site, 2, 2), h(2.5) + h(1.5), 1e-15);
+  CHECK(quasi_continuum(Centre::bond, 5, 2) == 0);
+  const auto guess = ansatz(Centre::bond, 1.1, 8, Phase::compressed, PowerContact{2});
+  check_close(guess.y[3], 0.15 * M_PI * (h(0) + h(1)), 1e-14);
 }
 
 TEST_CASE("stationary states solve their equation on short chains", "[unit][formulas]") {

@@ -232,3 +232,110 @@ TEST_CASE("a branch follows any parameter of its problem", "[property][orbits]")
   CHECK(return_error(there, heavy, 0) < 1e-12);
   CHECK(std::abs(heavy.energy - start.energy) > 1e-3 * start.energy);
 }
+
+namespace {
+
+/// What is said when `make` is refused.
+template <class Error, class Make>
+std::string refusal(Make make) {
+  try {
+    make();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// A contact that pushes like `k` times a sphere and stiffens when it is squeezed.
+struct Layer {
+  double k = 1, exponent = 1.5;
+  double opening() const { return 0; }
+  static double overlap(double r) { return std::max(-r, 0.0); }
+  double energy(double r) const {
+    return k * (0.4 * std::pow(overlap(r), 2.5) + std::pow(overlap(r), 3.5));
+  }
+  double force(double r) const {
+    return k * (std::pow(overlap(r), 1.5) + 3.5 * std::pow(overlap(r), 2.5));
+  }
+  double stiffness(double r) const {
+    return k * (1.5 * std::pow(overlap(r), 0.5) + 8.75 * std::pow(overlap(r), 1.5));
+  }
+};
+
+/// Springs of frequency one that are stiffer on one side, or that lose digits near rest.
+struct Toda {
+  double energy(double y) const { return std::expm1(-y) + y; }
+  double force(double y) const { return std::expm1(-y); }
+  double stiffness(double y) const { return std::exp(-y); }
+};
+struct Naive {
+  double energy(double y) const { return (std::exp(y) + std::exp(-y)) / 2 - 1; }
+  double force(double y) const { return (std::exp(-y) - std::exp(y)) / 2; }
+  double stiffness(double y) const { return std::cosh(y); }
+};
+
+}  // namespace
+
+TEST_CASE("an orbit that shrinks to rest is none", "[unit][orbits]") {
+  // The breather of spheres is a bad guess for other contacts: numbers of size 1e-321 came of it
+  Problem problem = breather_problem(Centre::bond, 1.05, 0, 16);
+  problem.chain.contact = PowerContact{1.75};
+  const State<double> guess = ansatz(Centre::bond, 1.05, 16);
+  const auto far = [&] { newton(problem, problem.fold(guess)); };
+  const std::string why = refusal<NewtonFailed>(far);
+  CAPTURE(why);
+  CHECK(why.find("bond-centred orbit at omega_b = 1.05: it shrinks to rest, from a guess of size "
+                 "0.0022 to ") == 0);
+  CHECK(why.find("; relative residuals 1.1e-01, ") != std::string::npos);
+  CHECK(why.find('\n') == std::string::npos);
+  // Rest itself, also with a free period, and as the start of a polish
+  CHECK_THROWS_AS(newton(problem, problem.fold(State<double>(16))), NewtonFailed);
+  Orbit<double> resting = find_breather(problem);
+  resting.x.setZero();
+  CHECK_THROWS_AS(polish(in_precision<long double>(problem), resting), NewtonFailed);
+  problem.symmetry.free_period = true;
+  State<double> still(16);
+  still.t = 6;
+  CHECK_THROWS_AS(newton(problem, problem.fold(still)), NewtonFailed);
+  // Small breathers are breathers
+  for (Centre centre : both_centres) {
+    const auto small = find_breather(breather_problem(centre, 1.0001, 0, sites_of(centre)));
+    CHECK(small.amplitude > 1e-9);
+    CHECK(small.amplitude < 2e-8);
+  }
+}
+
+TEST_CASE("contacts of any exponent have breathers of the size that is guessed",
+          "[property][orbits]") {
+  for (Centre centre : both_centres) {
+    const std::size_t sites = sites_of(centre, Length::shortest);
+    for (const Contact& contact :
+         {Contact(PowerContact{1.75}), Contact(PowerContact{2}), Contact(PowerContact{3}),
+          Contact(PowerContact{6}), Contact(Layer{}), Contact(Layer{10})}) {
+      Problem problem = breather_problem(centre, 1.05, 0, sites);
+      problem.chain.contact = contact;
+      CAPTURE(contact.exponent());
+      const Orbit<double> orbit = find_breather(problem);
+      const auto guess = ansatz(centre, 1.05, sites, Phase::compressed, contact);
+      check_close(orbit.amplitude / largest(guess), 1, 0.3);
+      CHECK(return_error(problem, orbit, 0) < 1e-11);
+    }
+    // A power that is no root: the guess is that of the article's contacts
+    const auto spheres = ansatz(centre, 1.05, sites);
+    const auto same = ansatz(centre, 1.05, sites, Phase::compressed, PowerContact{1.5});
+    CHECK(largest_difference(spheres, same) < 1e-14 * largest(spheres));
+  }
+  CHECK_THROWS_AS(ansatz(Centre::site, 1.05, 21, Phase::compressed, PowerContact{1}),
+                  std::invalid_argument);
+}
+
+TEST_CASE("breathers need wells of their symmetry, with all digits", "[unit][orbits]") {
+  const auto in = [](const Well& well) {
+    return refusal<std::invalid_argument>([&] { breather_problem(Centre::site, 1.1, well, 21); });
+  };
+  CHECK(in(Toda{}) == "a breather with a centre needs wells with W(-y) = W(y)");
+  CHECK(in(Naive{}) == digits_hint);
+  for_each_potential<Well>([&](const auto& well) {
+    if (well.stiffness(0.0) == 1) CHECK(in(OwnWell(well)) == "");
+  });
+}

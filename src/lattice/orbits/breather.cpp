@@ -2,18 +2,39 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "lattice/dps/dps.hpp"
 #include "lattice/dps/quasi_continuum.hpp"
 
 namespace lattice {
 
+/**
+A contact pushes with $k\,(-r)_+^\alpha$. If beads move like $\cos\omega_b t$ the first harmonic of that is
+$k\,b$ times the same power of their amplitudes, $b = \Gamma(\frac\alpha2+1)/[\sqrt\pi\,\Gamma(\frac\alpha2+\frac32)]$.
+So the profile at $\mu = 1$ is multiplied by the power $1/(\alpha-1)$ of $2(\omega_b-1)/(k\,b)$, as in Eq. (20). */
+static double size_of(const Contact& contact, double omega) {
+  if (std::holds_alternative<Hertz>(contact)) return 2 * breather_eps(omega);
+  const double alpha = contact.exponent(), small = 1e-4;
+  const double k = contact.force(-small) / std::pow(small, alpha);
+  const double b =
+      std::tgamma(alpha / 2 + 1) / (std::sqrt(std::numbers::pi) * std::tgamma(alpha / 2 + 1.5));
+  return std::pow(2 * (omega - 1) / (k * b), 1 / (alpha - 1));
+}
+
 // The profile of Eq. (20); its sign tells whether the central contact is compressed or stretched
-State<double> ansatz(Centre centre, double omega, std::size_t sites, Phase phase) {
-  const double scale = 2 * breather_eps(omega) * (phase == Phase::stretched ? -1 : 1);
+State<double> ansatz(Centre centre, double omega, std::size_t sites, Phase phase,
+                     const Contact& contact) {
+  const double alpha = contact.exponent();
+  if (!(alpha > 1))
+    throw std::invalid_argument("a breather needs contacts whose exponent is above one");
+  const bool spheres = std::holds_alternative<Hertz>(contact);
+  const double scale = size_of(contact, omega) * (phase == Phase::stretched ? -1 : 1);
   State<double> state(sites);
-  for (std::size_t i = 0; i < sites; ++i)
-    state.y[i] = scale * quasi_continuum(centre, site_number(i, sites));
+  for (std::size_t i = 0; i < sites; ++i) {
+    const long n = site_number(i, sites);
+    state.y[i] = scale * (spheres ? quasi_continuum(centre, n) : quasi_continuum(centre, n, alpha));
+  }
   return state;
 }
 
@@ -23,7 +44,8 @@ Orbit<double> find_breather(const Shooting<double>& problem, Phase phase,
   Shooting<double> nearby = problem;
   nearby.omega = std::min(problem.omega, direct_up_to);
   const Centre centre = problem.chain.sites % 2 == 0 ? Centre::bond : Centre::site;
-  const State<double> guess = ansatz(centre, nearby.omega, problem.chain.sites, phase);
+  const State<double> guess =
+      ansatz(centre, nearby.omega, problem.chain.sites, phase, problem.chain.contact);
   const Orbit<double> start = newton(nearby, nearby.fold(guess), rule);
   if (nearby.omega == problem.omega) return start;
   Branch branch(nearby, along_omega<double>(), start, 1, rule);
@@ -74,6 +96,16 @@ Criterion worse_when_large(const Estimate& small, const Estimate& large) {
   return {above("worse", {large.value - small.value, large.error + small.error}, 0)};
 }
 
+// The motion that the symmetry of a breather relates to itself has the signs of all positions changed
+static bool is_even(const Well& well) {
+  for (const double place : {1e-3, 0.05, 0.7}) {
+    const double y = place * std::min(1.0, well.rim());
+    const double one = well.force(y), other = well.force(-y);
+    if (std::abs(one + other) > 1e-6 * std::abs(one)) return false;
+  }
+  return true;
+}
+
 // Contacts without a floor, lest they cut off the tail, and symmetry about a bond or a site
 template <class T>
 Shooting<T> breather_problem(Centre centre, const T& omega, const Well& well, std::size_t sites) {
@@ -84,6 +116,9 @@ Shooting<T> breather_problem(Centre centre, const T& omega, const Well& well, st
         std::to_string(sites) + ")");
   if (well.stiffness(0.0) != 1)
     throw std::invalid_argument("a breather needs wells whose frequency at rest is one");
+  if (!is_even(well))
+    throw std::invalid_argument("a breather with a centre needs wells with W(-y) = W(y)");
+  if (loses_digits(well)) throw std::invalid_argument(digits_hint);
   Shooting<T> problem;
   problem.chain.sites = sites;
   problem.chain.well = well;

@@ -30,7 +30,7 @@ In the limit of small amplitude only the frequency of a well at rest counts, and
 one. So the families begin in the same way in wells of any shape, and what follows asks for nothing else. */
 /// The problem of a breather of frequency `omega` in wells of a kind. The contacts have no floor, because
 /// the tail is part of the breather. Throws std::invalid_argument if the number of sites does not fit the
-/// centre or the frequency of a bead at rest is not one.
+/// centre, or if the well has not the frequency one at rest, is not even or loses digits (`loses_digits`).
 template <class T>
 Shooting<T> breather_problem(Centre centre, const T& omega, const Well& well, std::size_t sites);
 
@@ -43,9 +43,10 @@ Shooting<T> breather_problem(Centre centre, const T& omega, double s, std::size_
 
 /**
 Newton's method needs a guess, and close to $\omega_b = 1$ the quasi-continuum profile is a good one. */
-/// The approximate breather of Eq. (20), at rest.
+/// The approximate breather of Eq. (20), at rest, and the same for contacts that are none of spheres. Throws
+/// std::invalid_argument unless the exponent of the contact is above one.
 State<double> ansatz(Centre centre, double omega, std::size_t sites,
-                     Phase phase = Phase::compressed);
+                     Phase phase = Phase::compressed, const Contact& contact = Hertz{});
 
 /// Up to this frequency, that of figure 4, Newton's method starts from the quasi-continuum profile.
 constexpr double direct_up_to = 1.1;

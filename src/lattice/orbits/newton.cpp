@@ -74,6 +74,22 @@ std::string iteration_label(int i, double residual) {
 }
 
 /**
+Rest is a periodic orbit of any frequency, and from a bad guess the method shrinks towards it until the numbers
+end. What is a millionth of its guess is no orbit: in all families that we know the two are of one size. */
+/// Throws NewtonFailed if the unknowns `x` are close to rest.
+template <class T>
+void refuse_rest(const NewtonProblem<T>& problem, const Vector<T>& guess, const Vector<T>& x,
+                 const Solution<T>& so_far) {
+  if (!problem.amplitude) return;
+  const T begin = problem.amplitude(guess), now = problem.amplitude(x);
+  if (!(now <= T(1e-6) * begin)) return;
+  char why[80];
+  std::snprintf(why, sizeof why, "it shrinks to rest, from a guess of size %.2g to %.2g",
+                double(begin), double(now));
+  throw failure(problem, why, so_far);
+}
+
+/**
 The residual is that of the worst equation, each in its own unit. Far from any orbit a full step may lead
 even farther away. A damped iteration tries the step, its half, its quarter and so on until the residual
 falls, and gives up below a thousandth of the step. */
@@ -102,9 +118,11 @@ template <class T>
 Solution<T> iterate(const NewtonProblem<T>& problem, Vector<T> x, const NewtonRule<T>& rule,
                     bool jacobian, const Direction<T>& direction) {
   Solution<T> best{x, {}, {}};
+  const Vector<T> guess = x;
   T last = std::numeric_limits<T>::infinity();
   for (int i = 0; i <= rule.most; ++i) {
     const Progress progress(iteration_label(i, double(last)));
+    refuse_rest(problem, guess, x, best);
     // By how much does the orbit from here fail to close?
     Shot<T> shot = problem.shoot(x, rule.events, jacobian);
     const T residual = residual_of(problem, shot, x, rule);

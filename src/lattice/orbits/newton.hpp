@@ -124,6 +124,8 @@ struct NewtonProblem {
   std::function<Shot<T>(const Vector<T>& x, const EventTolerance<T>&, bool with_jacobian)> shoot;
   std::function<Sizes<T>(const Vector<T>& x, bool graded)> sizes;
   std::function<std::string()> name;
+  /// How large the motion is; where this is given the method does not go to rest.
+  std::function<T(const Vector<T>& x)> amplitude{};
 };
 
 /// `problem` as Newton's method sees it; it must live as long.

@@ -204,11 +204,21 @@ void add_slopes(const Shooting<T>& problem, const Vector<T>& x_omega, Orbit<T>& 
         T(problem.chain.mass_of(n)) * (orbit.start.v[n] * rate.v[n] - a[n] * rate.y[n]);
 }
 
+/// The problem as Newton's method sees it, which is not to end at rest.
+template <class T>
+NewtonProblem<T> moving(const Shooting<T>& problem) {
+  NewtonProblem<T> out = seen(problem);
+  out.amplitude = [&](const Vector<T>& x) {
+    return largest_difference(problem.unfold(x), State<T>(problem.chain.sites));
+  };
+  return out;
+}
+
 // Solve for the orbit, then differentiate along the branch: a change of frequency changes the
 // period, and one more solution with the same Jacobian says how the start must follow
 template <class T>
 Orbit<T> newton(const Shooting<T>& problem, const Vector<T>& x, const NewtonRule<T>& rule) {
-  const Solution<T> found = solve(seen(problem), x, rule);
+  const Solution<T> found = solve(moving(problem), x, rule);
   Orbit<T> orbit = describe(problem, found);
   orbit.jacobian = found.shot.jacobian.template cast<double>();
   if (problem.symmetry.free_period) return orbit;
@@ -227,7 +237,7 @@ Orbit<T> polish(const Shooting<T>& problem, const Orbit<From>& from, const Newto
   Solution<T> found;
   try {
     found = iterate<T>(
-        seen(problem), guess, rule, false, [&](const Shot<T>& shot, const Vector<T>& at) {
+        moving(problem), guess, rule, false, [&](const Shot<T>& shot, const Vector<T>& at) {
           const Sizes<T> size = problem.sizes(at, true);
           return solve_scaled<T>(from.jacobian.template cast<T>(), shot.miss, size, rule.rank);
         });
