@@ -555,7 +555,7 @@ struct Kicked : ChosenBreather {
   Kicked() { centre = Centre::bond; }
   void parameters(Parameters& p) {
     add_centre(p);
-    p.add("omega", omega_b, "frequency omega_b > 1", {1.01, 2});
+    p.add("omega", omega_b, "frequency omega_b > 1", breather_range(1.01, 2));
     add_phase(p);
     p.add("sites", sites, "chain length (default: 52 or 53)", {8, 400});
   }

@@ -221,3 +221,12 @@ TEST_CASE("the compressed impact strikes the well that was named", "[cli][model]
   CHECK(quantity(r, "centre") == own.samples.back().centre);
   CHECK(quantity(r, "energy_fraction") == own.samples.back().share);
 }
+
+TEST_CASE("a frequency without breathers is refused with the reason", "[cli][model]") {
+  const std::string why = "these breathers begin at 1, the frequency of a bead at rest";
+  for (const std::string& command : {breather, multipliers, std::string("sec32_barrier barrier ")})
+    for (const char* omega : {"0.9", "1", "3.5"})
+      check_refused(command + "--omega " + omega,
+                    "'" + std::string(omega) + "' is not in the allowed range [1.0001, 3]: " + why);
+  check_refused("sec33_mobility kick --omega 0.9", "is not in the allowed range [1.01, 2]: " + why);
+}

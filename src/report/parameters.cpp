@@ -35,7 +35,8 @@ Check in_range(const Allowed& range) {
     const auto x = typed_number(value);
     if (!x) return "'" + value + "' is not a number (allowed: " + allowed + ")";
     const bool good = *x >= range.least && *x <= range.most;
-    return good ? "" : "'" + value + "' is not in the allowed range " + allowed;
+    const std::string why = range.why.empty() ? "" : ": " + range.why;
+    return good ? "" : "'" + value + "' is not in the allowed range " + allowed + why;
   };
   return {complaint, allowed};
 }

@@ -46,10 +46,10 @@ struct Check {
   std::string shown() const;
 };
 
-/// Numbers in [least, most], in the given unit.
+/// Numbers in [least, most], in the given unit. Where a reader may expect others, complaints end with the reason.
 struct Allowed {
   double least, most;
-  std::string unit = "";
+  std::string unit = "", why = "";
 };
 
 /// A number of this range.

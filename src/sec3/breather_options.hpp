@@ -14,6 +14,13 @@ refused with the reason. */
 
 namespace lattice {
 
+/// Frequencies of breathers, and why there are no others.
+inline Allowed breather_range(double least, double most) {
+  return {least, most, "",
+          "these breathers begin at 1, the frequency of a bead at rest, which contacts without "
+          "precompression raise; higher ones are untested"};
+}
+
 /// The breather that a command is asked for, of `omega_b` in wells `onsite`.
 struct ChosenBreather {
   Centre centre = Centre::site;
@@ -28,7 +35,9 @@ struct ChosenBreather {
           {{"site", Centre::site}, {"bond", Centre::bond}});
   }
   /// `--omega`,
-  void add_omega(Parameters& p) { p.add("omega", omega_b, "frequency omega_b > 1", {1.0001, 3}); }
+  void add_omega(Parameters& p) {
+    p.add("omega", omega_b, "frequency omega_b > 1", breather_range(1.0001, 3));
+  }
   /// both of them,
   void parameters(Parameters& p) {
     add_centre(p);
