@@ -10,7 +10,7 @@ on_terminal() { script -qec "$*" /dev/null < /dev/null > said 2>&1; }
 
 # On a terminal one sees how far a run, a search and a sweep are.
 if script -qec true /dev/null < /dev/null > said 2>&1; then
-  on_terminal "'$bin/sec34_impact' run --time 3000" || fail "an impact on a terminal"
+  on_terminal "'$bin/sec34_impact' run --time 2500" || fail "an impact on a terminal"
   grep -qE 'sec34_impact run [0-9]+ s, step 0\.[0-9]+: [0-9]+ %' said || fail "an impact does not show how far it is"
   on_terminal "'$bin/sec33_floquet' exchange --omega 1.5" || fail "an exchange on a terminal"
   grep -qE 'exchange [0-9]+ s, s up to 1 [0-9]+/20' said || fail "an exchange does not show how far it is"
