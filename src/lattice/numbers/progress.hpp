@@ -43,14 +43,14 @@ struct ShownStage {
 /// `step 0.05`: a label with a number, to two digits.
 std::string number_label(const std::string& what, double value);
 
+/// Seconds since some instant.
+using Clock = double (*)();
+
 /**
 ## Stages
 
 A stage begins inside of the one in which its thread is. It counts its parts with `tick` from any thread, or a single
 thread says by `reach` how much is done. */
-/// Seconds since some instant.
-using Clock = double (*)();
-
 class Progress {
  public:
   /// A stage of `total` parts; one stands for a quantity that grows to one, zero for a number that nobody knows.
