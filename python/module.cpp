@@ -21,6 +21,7 @@ documentation. */
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -104,6 +105,8 @@ class Rows {
           delete last;
         }) {}
 
+  const Functions& functions() const { return *functions_; }
+
   template <class T>
   void energies(const T* x, T* out, std::size_t n) const {
     call(&Functions::energy, "energy", x, out, n);
@@ -123,11 +126,14 @@ class Rows {
             std::size_t n) const {
     const py::gil_scoped_acquire with_lock;
     const py::array_t<T> given(py::ssize_t(n), x);
-    const auto answer =
-        py::array_t<T, py::array::c_style | py::array::forcecast>(((*functions_).*which)(given));
-    if (std::size_t(answer.size()) != n)
-      throw std::invalid_argument(std::string(name) + " returns " + std::to_string(answer.size()) +
-                                  " numbers for " + std::to_string(n));
+    const auto returned = py::array::ensure(((*functions_).*which)(given));
+    if (!returned || std::string("fiu").find(returned.dtype().kind()) == std::string::npos)
+      throw std::invalid_argument(std::string(name) + " returns something else than real numbers");
+    if (std::size_t(returned.size()) != n)
+      throw std::invalid_argument(std::string(name) + " returns " +
+                                  std::to_string(returned.size()) + " numbers for " +
+                                  std::to_string(n));
+    const auto answer = py::array_t<T, py::array::c_style | py::array::forcecast>(returned);
     std::copy_n(answer.data(), n, out);
   }
   std::shared_ptr<const Functions> functions_;
@@ -187,7 +193,7 @@ py::list options() {
 }
 
 /**
-A chain is described by the options that all programs share, and beyond them by masses and stiffnesses. */
+A chain is described by the options that all programs share, and beyond them by potentials of one's own. */
 struct OwnChain {
   static constexpr Title title{"chain", "a chain"};
   Chain chain{};
@@ -200,13 +206,18 @@ struct OwnChain {
   }
 };
 
-Chain make_chain(const Words& words, const std::vector<double>& mass,
-                 const std::vector<double>& eta, const RowWell* well, const RowContact* contact) {
+Chain make_chain(const Words& words, const OwnWell* well, const OwnContact* contact) {
   Chain chain = read<OwnChain>(words).chain;
   if (well) chain.well = *well;
   if (contact) chain.contact = *contact;
-  if (!mass.empty() || !eta.empty()) vary(chain, mass, eta);
   return chain;
+}
+
+/// The potential of one's own that a chain has, None if it has a name.
+template <class Own, class Any>
+py::object own_in(const Any& any) {
+  const auto* own = std::get_if<Own>(&any);
+  return own ? py::cast(*own) : py::none();
 }
 
 /**
@@ -261,14 +272,14 @@ py::tuple strike_chain(const Words& words, const Chain* chain) {
          py::make_tuple(to_python(found.runs.fine.track), found.impact.chain);
 }
 
-py::tuple one_breather(const Words& words, const RowWell* well) {
+py::tuple one_breather(const Words& words, const OwnWell* well) {
   auto command = read<OneBreather>(words);
   if (well) command.onsite = *well;
   const auto found = at_work([&] { return command.find(); });
   return answer(command, found) + py::make_tuple(found.problem.chain);
 }
 
-py::tuple all_multipliers(const Words& words, const RowWell* well) {
+py::tuple all_multipliers(const Words& words, const OwnWell* well) {
   auto command = read<Multipliers>(words);
   if (well) command.onsite = *well;
   return answer(command, at_work([&] { return command.find(); }));
@@ -294,48 +305,75 @@ py::tuple dps_strike(const Words& words) {
 /**
 ## A chain in motion
 
-Any motion of a chain can be followed, with the error of its end. */
-State<double> state_of(const Chain& chain, const std::vector<double>& y,
-                       const std::vector<double>& v) {
-  for (const auto* q : {&y, &v})
-    if (q->size() != chain.sites)
-      throw UsageError("a state has " + std::to_string(q->size()) +
-                       " entries (allowed: " + std::to_string(chain.sites) + ", one per site)");
+Any motion of a chain can be followed, with the error of its end. The arrays for what is seen are made before the
+run, so that one which would not fit is refused before it begins. */
+using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+constexpr double most_gigabytes = 2;
+
+State<double> state_of(const Chain& chain, const double* y, const double* v) {
   State<double> state(chain.sites);
-  state.y = y, state.v = v;
+  std::copy_n(y, chain.sites, state.y.begin());
+  std::copy_n(v, chain.sites, state.v.begin());
   return state;
 }
 
-py::tuple evolve_chain(const Chain& chain, const std::vector<double>& y,
-                       const std::vector<double>& v, double time, double sample, double tolerance) {
-  struct Seen {
-    std::vector<double> t{}, y{}, v{};
-    Run run{};
-  };
-  State<double> state = state_of(chain, y, v);
-  const Seen seen = at_work([&] {
-    Seen all;
-    all.run = evolve_to(tolerance, chain, state, time, sample, [&](const State<double>& now) {
-      all.t.push_back(now.t);
-      all.y.insert(all.y.end(), now.y.begin(), now.y.end());
-      all.v.insert(all.v.end(), now.v.begin(), now.v.end());
+void refuse_too_many(const Chain& chain, double time, double sample) {
+  const double gigabytes = (time / sample + 2) * 2 * double(chain.sites) * sizeof(double) / 1e9;
+  if (gigabytes <= most_gigabytes) return;
+  std::ostringstream text;
+  text.precision(3);
+  text << "sample: y and v would take " << gigabytes << " GB (allowed: " << most_gigabytes
+       << "; take samples further apart, or several runs, each from the end of the one before)";
+  throw UsageError(text.str());
+}
+
+py::tuple evolve_chain(const Chain& chain, const Numbers& y, const Numbers& v, double time,
+                       double sample, double tolerance) {
+  refuse_too_many(chain, time, sample);
+  const std::size_t rows = time_grid(time, sample, largest_step).samples + 1;
+  const std::vector<std::size_t> shape{rows, chain.sites};
+  Numbers t(std::vector{rows}), all_y(shape), all_v(shape);
+  double *t_to = t.mutable_data(), *y_to = all_y.mutable_data(), *v_to = all_v.mutable_data();
+  const double* const end = t_to + rows;
+  State<double> state = state_of(chain, y.data(), v.data());
+  const Run run = at_work([&] {
+    return evolve_to(tolerance, chain, state, time, sample, [&](const State<double>& now) {
+      if (t_to == end) throw std::logic_error("more samples than the run has room for");
+      *t_to++ = now.t;
+      y_to = std::copy(now.y.begin(), now.y.end(), y_to);
+      v_to = std::copy(now.v.begin(), now.v.end(), v_to);
     });
-    return all;
   });
-  const auto rows = [&](const std::vector<double>& x) {
-    return py::array_t<double>({py::ssize_t(seen.t.size()), py::ssize_t(chain.sites)}, x.data());
-  };
-  return py::make_tuple(array_of(seen.t), rows(seen.y), rows(seen.v), seen.run.error,
-                        seen.run.energy_drift);
+  if (t_to != end) throw std::logic_error("a run ends before its time and does not say so");
+  return py::make_tuple(t, all_y, all_v, run.error, run.energy_drift);
 }
 
-py::object density_of(const Chain& chain, const std::vector<double>& y,
-                      const std::vector<double>& v) {
-  return array_of(at_work([&] { return energy_density(chain, state_of(chain, y, v)); }));
+/// What `compute(state)` says, one number a site, of every row of `y` and `v`.
+template <class Compute>
+Numbers by_rows(const Chain& chain, const Numbers& y, const Numbers& v, Compute compute) {
+  Numbers out(std::vector<py::ssize_t>(y.shape(), y.shape() + y.ndim()));
+  const double *y_at = y.data(), *v_at = v.data(), *const end = y_at + y.size();
+  double* to = out.mutable_data();
+  at_work([&] {
+    for (; y_at < end; y_at += chain.sites, v_at += chain.sites) {
+      heed_stop();
+      const std::vector<double> row = compute(state_of(chain, y_at, v_at));
+      to = std::copy(row.begin(), row.end(), to);
+    }
+    return to;
+  });
+  return out;
 }
 
-py::object accelerations_of(const Chain& chain, const std::vector<double>& y) {
-  return array_of(at_work([&] { return accelerations(chain, state_of(chain, y, y).y); }));
+Numbers density_of(const Chain& chain, const Numbers& y, const Numbers& v) {
+  return by_rows(chain, y, v,
+                 [&](const State<double>& state) { return energy_density(chain, state); });
+}
+
+Numbers accelerations_of(const Chain& chain, const Numbers& y) {
+  return by_rows(chain, y, y,
+                 [&](const State<double>& state) { return accelerations(chain, state.y); });
 }
 
 /**
@@ -364,23 +402,43 @@ void translate(std::exception_ptr error) {
   }
 }
 
-// What can be made: potentials and chains
+/// The three functions of a potential, as they were given.
+template <class Row, class Own>
+py::tuple functions_of(const Own& own) {
+  const Functions& all = own.template as<Row>().functions();
+  return py::make_tuple(all.energy, all.force, all.stiffness);
+}
+
+/// The names of all parameters in a list of potentials.
+template <class Any>
+py::list parameter_names() {
+  py::list out;
+  for (const ParameterInfo& p : parameters_of<Any>()) out.append(p.name);
+  return out;
+}
+
+// What can be made: potentials, which are checked then, and chains
 void add_model(py::module_& m) {
-  const auto functions = [](py::function e, py::function f, py::function s) {
+  using py::function;
+  const auto functions = [](function e, function f, function s) {
     return Functions{std::move(e), std::move(f), std::move(s)};
   };
-  py::class_<RowWell>(m, "Well")
-      .def(py::init([=](py::function e, py::function f, py::function s, double rim) {
-        return RowWell(functions(std::move(e), std::move(f), std::move(s)), rim);
+  py::class_<OwnWell>(m, "Well")
+      .def(py::init([=](function e, function f, function s, double rim) {
+        return OwnWell(RowWell(functions(std::move(e), std::move(f), std::move(s)), rim));
       }))
-      .def_property_readonly("rim", &RowWell::rim);
-  py::class_<RowContact>(m, "Contact")
-      .def(py::init([=](py::function e, py::function f, py::function s, double opening,
-                        double exponent) {
-        return RowContact(functions(std::move(e), std::move(f), std::move(s)), opening, exponent);
+      .def_property_readonly("functions", functions_of<RowWell, OwnWell>)
+      .def_property_readonly("_loses_digits",
+                             [](const OwnWell& well) { return loses_digits(well); })
+      .def_property_readonly("rim", &OwnWell::rim);
+  py::class_<OwnContact>(m, "Contact")
+      .def(py::init([=](function e, function f, function s, double opening, double exponent) {
+        return OwnContact(
+            RowContact(functions(std::move(e), std::move(f), std::move(s)), opening, exponent));
       }))
-      .def_property_readonly("opening", &RowContact::opening)
-      .def_readonly("exponent", &RowContact::exponent);
+      .def_property_readonly("functions", functions_of<RowContact, OwnContact>)
+      .def_property_readonly("opening", &OwnContact::opening)
+      .def_readonly("exponent", &OwnContact::exponent);
   py::class_<Chain>(m, "Chain")
       .def(py::init(&make_chain))
       .def(py::init<const Chain&>())
@@ -390,6 +448,10 @@ void add_model(py::module_& m) {
       .def_property_readonly("ends", [](const Chain& c) { return ends_names[int(c.ends)]; })
       .def_property_readonly("mass", [](const Chain& c) { return array_of(c.mass); })
       .def_property_readonly("eta", [](const Chain& c) { return array_of(c.eta); })
+      .def_property_readonly("_well", [](const Chain& c) { return own_in<OwnWell>(c.well); })
+      .def_property_readonly("_contact",
+                             [](const Chain& c) { return own_in<OwnContact>(c.contact); })
+      .def("_vary", &vary)
       .def("evolve", &evolve_chain)
       .def("energy_density", &density_of)
       .def("accelerations", &accelerations_of);
@@ -407,6 +469,9 @@ PYBIND11_MODULE(_lattice, m) {
       py::arg("breather") = options<OneBreather>(), py::arg("multipliers") = options<Multipliers>(),
       py::arg("barrier") = options<OneBarrier>(), py::arg("travelling") = options<OneOrbit>(),
       py::arg("dps") = options<DpsStrike>());
+  m.attr("digits_hint") = digits_hint;
+  m.attr("parameters") = py::dict(py::arg("onsite") = parameter_names<Well>(),
+                                  py::arg("contact") = parameter_names<Contact>());
   m.def("set_threads", &set_threads);
   m.def("strike", &strike_chain);
   m.def("breather", &one_breather);

@@ -6,19 +6,36 @@ that does not deliver what it promises is a RuntimeError). A `Chain` may have ma
 
     >>> import lattice
     >>> lattice.strike(velocity=1.5, time=200, s="-1/6").speed
+    >>> lattice.strike(lattice.Chain(100, mass=[1, 1.1]), velocity=1, time=150).centre
 
 All quantities are dimensionless, as in Eqs. (9) and (10): the unit of time makes the frequency of small oscillations in
 a well one, the unit of length does the same for the coefficient of the contact force. Equation numbers are those of
 James, Kevrekidis and Cuevas, Physica D 251 (2013) 39-59. A long computation can be interrupted (Ctrl-C) and runs without
-the interpreter's lock. No result depends on the number of threads (`set_threads`).
+the interpreter's lock. No result depends on the number of threads (`set_threads`). A Chain and a Result can be pickled,
+so that processes can share a scan; potentials of your own go with them if their functions can be pickled.
 """
 
 import inspect
 import math
+import reprlib
+import sys
+import warnings
+from pathlib import Path
 
-import numpy as np
-
-from . import _lattice
+try:
+    import numpy as np
+except ImportError:
+    raise ImportError(f"lattice needs numpy, which {sys.executable} does not have (Debian: apt install python3-numpy, and "
+                      "call /usr/bin/python3)") from None
+try:
+    from . import _lattice
+except ImportError as _error:
+    _found = [path.name for path in Path(__file__).parent.glob("_lattice.*")]
+    raise ImportError(
+        "lattice: its compiled half is missing (`make python` builds it; before cmake --install, cmake --build BUILD "
+        "--target python_module)" if not _found else
+        f"lattice: {_found[0]} cannot be loaded by {sys.executable}, a Python {sys.version.split()[0]}"
+        + (f": {_error}" if "circular" not in str(_error) else " (it was compiled for another one)")) from None
 
 __version__ = _lattice.version
 __all__ = ["Chain", "Contact", "Estimate", "Result", "Well", "barrier", "breather", "dps", "multipliers", "set_threads",
@@ -27,26 +44,29 @@ __all__ = ["Chain", "Contact", "Estimate", "Result", "Well", "barrier", "breathe
 
 class Estimate(float):
     """A number that knows its error: a float with the attributes `error` (absolute, in the unit of the number), `unit`
-    (empty if dimensionless), `exact` (True where nothing could be different) and `meaning` (what it is, in words). Errors
-    are differences of two resolutions, as in the tables of the programs. Arithmetic returns plain floats."""
+    (empty if dimensionless), `exact` (True where nothing could be different), `meaning` (what it is, in words) and
+    `reason` (why it is nan; otherwise empty). Errors are differences of two resolutions, as in the tables of the programs.
+    Arithmetic returns plain floats."""
 
-    def __new__(cls, value, error, unit="", exact=False, meaning=""):
+    def __new__(cls, value, error, unit="", exact=False, meaning="", reason=""):
         self = super().__new__(cls, value)
-        self.error, self.unit, self.exact, self.meaning = float(error), unit, exact, meaning
+        self.error, self.unit, self.exact, self.meaning, self.reason = float(error), unit, exact, meaning, reason
         return self
 
     def __getnewargs__(self):
-        return float(self), self.error, self.unit, self.exact, self.meaning
+        return float(self), self.error, self.unit, self.exact, self.meaning, self.reason
 
     def __str__(self):
-        """The digits that the error allows, and the error."""
+        """The digits that the error allows, and the error; the reason of a nan."""
         value = float(self)
+        if self.reason:
+            return f"{value} ({self.reason})"
         if self.exact or not (self.error > 0 and math.isfinite(value)):
             text = f"{value:.17g}" if not math.isfinite(value) or self.error == 0 else f"{value:.3g}"
             return f"{text} {self.unit}".rstrip()
         sure = math.floor(math.log10(abs(value))) - math.floor(math.log10(self.error)) if value else 0
         digits = f"#.{min(sure + 1, 17)}" if sure > 0 else ".1"
-        return f"{value:{digits}g} ± {self.error:.0e} {self.unit}".rstrip()
+        return f"{value:{digits}g} +- {self.error:.0e} {self.unit}".rstrip()
 
     __repr__ = __str__
 
@@ -68,39 +88,110 @@ class Result:
 
 
 def _estimates(table):
-    rows = zip(*(table[name] for name in ("quantity", "value", "error", "unit", "kind", "meaning")))
-    return {name: Estimate(value, error, unit, kind == "exact", meaning) for name, value, error, unit, kind, meaning in rows}
+    rows = zip(*(table[name] for name in ("quantity", "value", "error", "unit", "kind", "meaning", "reason")))
+    return {name: Estimate(value, error, unit, kind == "exact", meaning, reason)
+            for name, value, error, unit, kind, meaning, reason in rows}
 
 
-def _words(options):
-    """Options as they would be typed, with all digits."""
-    words = []
-    for name, value in options.items():
-        if value is True:
-            words.append(f"--{name}")
-        elif value is not None and value is not False:
-            words.append(f"--{name}={value if isinstance(value, str) else repr(_number(name, value))}")
-    return words
+def _short(value):
+    """A value in at most sixty characters of one line, for a complaint."""
+    try:
+        text = f"array of shape {value.shape}" if isinstance(value, np.ndarray) and value.ndim else _SHORT.repr(value)
+    except Exception:  # whatever a foreign type raises, or a whole number of more digits than Python prints
+        text = f"<{type(value).__name__}>"
+    text = " ".join(text.split())
+    return text if len(text) <= 60 else text[:57] + "..."
+
+
+_SHORT = reprlib.Repr()
+_SHORT.maxstring = _SHORT.maxother = _SHORT.maxlong = 50
 
 
 def _number(name, value):
+    """A real number as a float: no text, no truth value, no array. What is too large for a float is infinite."""
+    if isinstance(value, np.ndarray) and not value.ndim:
+        value = value[()]
+    odd = isinstance(value, (str, bytes, bool, np.bool_, np.complexfloating)) or np.ma.is_masked(value)
+    if not odd and not getattr(value, "ndim", 0):
+        try:
+            return float(value)
+        except OverflowError:
+            return math.copysign(math.inf, value > 0 or -1)
+        except (TypeError, ValueError):
+            pass
+    raise ValueError(f"{name}: {_short(value)} is not a number")
+
+
+def _within(name, value, least, most):
+    x = _number(name, value)
+    if not least <= x <= most:
+        raise ValueError(f"{name}: {_short(value)} is not in the allowed range [{least:g}, {most:g}]")
+    return x
+
+
+def _array(name, value, shapes, fits):
+    """Finite real numbers as an array that fits. `shapes` tells which do."""
     try:
-        return value if isinstance(value, int) else float(value)
-    except (TypeError, ValueError):
-        raise ValueError(f"--{name}: {value!r} is not a number") from None
+        array = np.asarray(value)
+        if array.dtype.kind in "biufO" and not np.ma.is_masked(value):
+            with np.errstate(all="ignore"):
+                array = np.ascontiguousarray(array, float).reshape(array.shape)
+    except (TypeError, ValueError, OverflowError):
+        array = None
+    if array is None or array.dtype != float or np.ma.is_masked(value):
+        raise ValueError(f"{name}: {_short(value)} is no array of real numbers")
+    if not fits(array.shape):
+        has = f"{len(array)} entries" if array.ndim == 1 else _short(value) if not array.ndim else f"shape {array.shape}"
+        raise ValueError(f"{name}: {has} (allowed: {shapes})")
+    bad = np.flatnonzero(~np.isfinite(array))
+    if len(bad):
+        at = np.unravel_index(bad[0], array.shape)
+        raise ValueError(f"{name}: {array[at]} in entry {', '.join(map(str, at))} (allowed: finite numbers)")
+    return array
 
 
-def _described(target, command, extra=(), without=("profile",)):
+def _words(command, options):
+    """Options as they would be typed, with all digits."""
+    declared = {name: (flag, allowed) for name, flag, allowed, *_ in _lattice.options[command]}
+    words = []
+    for name, value in options.items():
+        if len(name) > 60 or not name.isidentifier():
+            raise ValueError(f"{_short(name)}: there is no such option")
+        flag, allowed = declared.get(name, (False, ""))
+        if name not in declared or flag and value is True:
+            words.append(f"--{name}")
+        elif value is not None and not (flag and value is False):
+            words.append(f"--{name}={_typed(name, value, allowed)}")
+    return words
+
+
+def _typed(name, value, allowed):
+    """A value as it would be typed."""
+    if isinstance(value, str):
+        if len(value) > 60 or not value.isprintable():
+            raise ValueError(f"--{name}: {_short(value)} is neither a number nor a name (allowed: {allowed})")
+        return value
+    if isinstance(value, (_lattice.Well, _lattice.Contact)):
+        kind = type(value).__name__
+        raise ValueError(f"--{name}: a {kind} of your own has no place here (allowed: {allowed}; in a Chain)")
+    if not allowed.startswith("["):
+        raise ValueError(f"--{name}: {_short(value)} is not one of the allowed names {allowed}")
+    x = _number(f"--{name}", value)
+    return str(int(value)) if hasattr(value, "__index__") and abs(x) < 1e50 else repr(x)
+
+
+def _described(target, command, extra=()):
     """Signature and list of options, from what the command declares."""
     lines, parameters = [], []
-    for name, _, allowed, meaning, standard in _lattice.options[command]:
-        if name in without:
-            continue
+    for name, flag, allowed, meaning, standard in _lattice.options[command]:
+        if flag:
+            continue  # --profile, which is for programs
         try:
             default = int(standard) if standard.lstrip("-").isdigit() else float(standard)
         except ValueError:
             default = standard if standard in allowed.split(", ") else None
-        parameters.append(inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=default))
+        if name not in extra:
+            parameters.append(inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=default))
         lines.append(f"{name}: {meaning}; {allowed}" + (f" (default: {standard})" if standard else ""))
     # Python 3.13 takes the indentation out of docstrings itself
     target.__doc__ = inspect.cleandoc(target.__doc__).replace("\nOPTIONS\n", "\n" + "\n".join(lines) + "\n")
@@ -120,7 +211,20 @@ class Well(_lattice.Well):
     Breathers need a well with W''(0) = 1, which the unit of time can always give."""
 
     def __init__(self, energy, force, stiffness, rim=math.inf):
-        super().__init__(energy, force, stiffness, rim)
+        functions = _functions(energy=energy, force=force, stiffness=stiffness)
+        super().__init__(*functions.values(), _number("rim", rim))
+        narrow = [name for name, function in functions.items() if _is_narrow(function)]
+        if narrow:
+            warnings.warn(f"{' and '.join(narrow)} of the well: no longdouble is returned for longdouble, and the errors of "
+                          "breathers and multipliers will be too small", stacklevel=2)
+        if self._loses_digits:
+            warnings.warn(_lattice.digits_hint, stacklevel=2)
+
+    def __reduce__(self):
+        return type(self), (*self.functions, self.rim)
+
+    def __repr__(self):
+        return f"Well of your own, rim {self.rim:g}"
 
 
 class Contact(_lattice.Contact):
@@ -133,12 +237,61 @@ class Contact(_lattice.Contact):
         closing contact are corrected for it"""
 
     def __init__(self, energy, force, stiffness, opening=0.0, exponent=1.5):
-        super().__init__(energy, force, stiffness, opening, exponent)
+        super().__init__(*_functions(energy=energy, force=force, stiffness=stiffness).values(),
+                         _number("opening", opening), _number("exponent", exponent))
+
+    def __reduce__(self):
+        return type(self), (*self.functions, self.opening, self.exponent)
+
+    def __repr__(self):
+        return f"Contact of your own, exponent {self.exponent:g}, opening {self.opening:g}"
+
+
+def _functions(**functions):
+    for name, function in functions.items():
+        if not callable(function):
+            raise TypeError(f"{name}: {_short(function)} is not a function")
+    return functions
+
+
+def _is_narrow(function):
+    """Whether digits are lost where more are asked for. Whole numbers have none to lose."""
+    try:
+        y = np.asarray(function(np.array([-0.1, 0.1], np.longdouble)))
+        return y.dtype != np.longdouble and bool(np.any(y != np.round(y)))
+    except Exception:  # some functions know no longdouble
+        return True
 
 
 def _own(options, name, kind):
-    """Takes a potential of one's own out of the options."""
-    return options.pop(name) if isinstance(options.get(name), kind) else None
+    """Takes a potential of one's own out of the options, which then have no parameters of the library's."""
+    if not isinstance(options.get(name), kind):
+        return None
+    for parameter in _lattice.parameters[name]:
+        if options.get(parameter) is not None:
+            raise ValueError(f"--{parameter}: a {kind.__name__} of your own does not have it (allowed: with a name)")
+    return options.pop(name)
+
+
+def _repeated(name, row, count, ring):
+    """A row of `count` numbers, or a pattern that is repeated along the chain. The two ends of a ring are one contact."""
+    if row is None:
+        return []
+    if count < 2:
+        raise ValueError(f"{name}: the chain has no number of sites (allowed: with `sites`)")
+    row = _array(name, row, f"{count}, or a pattern that fits in at least twice",
+                 lambda shape: len(shape) < 2 and (shape in ((), (count,)) or 0 < 2 * shape[0] <= count)).ravel()
+    return np.append(np.resize(row, count - 1), row[:1]) if ring and len(row) < count else np.resize(row, count)
+
+
+def _pattern(name, row):
+    """Masses or stiffnesses in words: the value of all, a short pattern, or the range; nothing where all are one."""
+    if np.all(row == 1):
+        return ""
+    for period in range(1, min(4, len(row) // 2) + 1):
+        if np.array_equal(row, np.resize(row[:period], len(row))):
+            return f"; {name} " + " and ".join(f"{x:g}" for x in row[:period]) + (" in turn" if period > 1 else "")
+    return f"; {name} {row.min():g} to {row.max():g}"
 
 
 class Chain(_lattice.Chain):
@@ -147,43 +300,89 @@ class Chain(_lattice.Chain):
         mass_n y_n'' = -W'(y_n) + eta_(n+1) V'(y_(n+1) - y_n) - eta_n V'(y_n - y_(n-1)).
 
     OPTIONS
-    mass: masses of the beads, `sites` numbers > 0 (default: one)
-    eta: stiffnesses of the contacts, `sites` + 1 numbers >= 0; eta[n] is that of the contact on the left of bead n
+    mass: masses of the beads, `sites` numbers > 0, or a pattern that is repeated along the chain, such as [1, 0.5]
         (default: one)
+    eta: stiffnesses of the contacts, `sites` + 1 numbers >= 0, or a pattern; eta[n] is that of the contact on the left of
+        bead n, and the last one that of the right end (default: one)
 
     `onsite` may be a `Well` and `contact` a `Contact` of your own. The attributes `sites`, `onsite`, `contact`, `ends`,
     `mass` and `eta` tell what the chain is. Beads are counted from zero here, and from one in the article."""
 
-    def __init__(self, mass=None, eta=None, **options):
+    def __init__(self, sites=None, mass=None, eta=None, **options):
         well, contact = _own(options, "onsite", Well), _own(options, "contact", Contact)
-        arrays = [[] if a is None else np.asarray(a, float).ravel().tolist() for a in (mass, eta)]
-        super().__init__(_words(options), *arrays, well, contact)
+        super().__init__(_words("Chain", {"sites": sites, **options}), well, contact)
+        self._vary(_repeated("mass", mass, self.sites, False),
+                   _repeated("eta", eta, self.sites and self.sites + 1, self.ends == "periodic"))
+
+    def __reduce__(self):
+        options = {"sites": self.sites or None, "ends": self.ends}
+        for name, own, kind in (("onsite", self._well, Well), ("contact", self._contact, Contact)):
+            word, *parameters = getattr(self, name).split(", ")
+            options |= {name: _like(own, kind) if own else word} | dict(parameter.split(" = ") for parameter in parameters)
+        for name in ("mass", "eta"):
+            if len(getattr(self, name)):
+                options[name] = getattr(self, name)
+        return _made, (type(self), options), self.__dict__ or None
 
     def __repr__(self):
-        varied = "".join(f", {name} varied" for name in ("mass", "eta") if len(getattr(self, name)))
-        return f"Chain of {self.sites or 'as many'} beads{'' if self.sites else ' as needed'}: " \
-               f"wells {self.onsite}; contacts {self.contact}; ends {self.ends}{varied}"
+        return f"Chain of {self.sites or 'as many'} beads{'' if self.sites else ' as needed'}: wells {self.onsite}; " \
+               f"contacts {self.contact}; ends {self.ends}{_pattern('mass', self.mass)}{_pattern('eta', self.eta)}"
+
+    def _rows(self, **arrays):
+        """Positions or velocities: one number a site, or a whole run of such rows; all of one shape."""
+        if not self.sites:
+            raise ValueError("the chain has no number of sites (allowed: Chain(sites=...))")
+        out = [_array(name, value, f"{self.sites}, one a site, or samples x {self.sites}",
+                      lambda shape: 0 < len(shape) < 3 and shape[-1] == self.sites) for name, value in arrays.items()]
+        if out[0].shape != out[-1].shape:
+            raise ValueError(f"y and v: shapes {out[0].shape} and {out[-1].shape} (allowed: equal ones)")
+        return out
 
     def evolve(self, y, v, time, sample=0.2, tolerance=1e-4):
         """The motion from positions `y` and velocities `v` (arrays of `sites` numbers) over `time`.
 
         The steps are halved until the end states of two runs agree to `tolerance`, relative to their largest entry;
-        otherwise RuntimeError with the history. Returns a Result with the arrays t (samples), y and v (samples x sites),
-        samples being at most `sample` apart, and the quantities error, of the end state, and energy_drift, the largest
-        relative deviation of the energy, Eq. (6)."""
-        t, y, v, error, drift = super().evolve(np.asarray(y, float).tolist(), np.asarray(v, float).tolist(), float(time),
-                                               float(sample), float(tolerance))
+        otherwise RuntimeError with the history, and when a bead runs away. Returns a Result with the arrays t (samples), y
+        and v (samples x sites; 2 GB at most), samples being at most `sample` apart, and the quantities error, of the end
+        state, and energy_drift, the largest relative deviation of the energy, Eq. (6). The error is zero only where rounding
+        leaves no difference, as in a chain at rest."""
+        y, v = self._rows(y=y, v=v)
+        if y.ndim != 1:
+            raise ValueError(f"y and v: shape {y.shape} (allowed: ({self.sites},), one number a site)")
+        t, y, v, error, drift = super().evolve(y, v, _within("time", time, 0, 1e9), _within("sample", sample, 1e-9, 1e9),
+                                               _within("tolerance", tolerance, 1e-14, 0.1))
         known = {"error": Estimate(error, 0, "relative", meaning="difference of the end states of the last two runs"),
                  "energy_drift": Estimate(drift, 0, "relative", meaning="largest deviation of the energy, Eq. (6)")}
         return Result(known, t=t, y=y, v=v)
 
     def energy_density(self, y, v):
-        """e_n of Eq. (23), an array of `sites` numbers that adds up to the energy of Eq. (6)."""
-        return super().energy_density(np.asarray(y, float).tolist(), np.asarray(v, float).tolist())
+        """e_n of Eq. (23), an array of `sites` numbers that adds up to the energy of Eq. (6); `y` and `v` may be those of a
+        whole run (samples x sites)."""
+        return _finite("energy density", super().energy_density(*self._rows(y=y, v=v)))
 
     def accelerations(self, y):
-        """The accelerations of all beads at the positions `y`, an array of `sites` numbers."""
-        return super().accelerations(np.asarray(y, float).tolist())
+        """The accelerations of all beads at the positions `y`, an array of `sites` numbers, or samples x sites."""
+        return _finite("acceleration", super().accelerations(*self._rows(y=y)))
+
+
+def _finite(what, array):
+    bad = np.flatnonzero(~np.isfinite(array))
+    if len(bad):
+        raise RuntimeError(f"the {what} of bead {bad[0] % array.shape[-1]} is {array.flat[bad[0]]}: beyond the range of "
+                           "double precision, or of a potential of your own")
+    return array
+
+
+def _like(own, kind):
+    """A potential that comes from the compiled half, as it was made."""
+    return kind(*own.functions, *([own.rim] if kind is Well else [own.opening, own.exponent]))
+
+
+def _made(kind, options):
+    """A chain made again, as it was before it was pickled."""
+    chain = kind.__new__(kind)
+    Chain.__init__(chain, **options)
+    return chain
 
 
 def _chain(found):
@@ -216,8 +415,10 @@ def strike(chain=None, **options):
 
     RuntimeError: a bead runs away, the motion reaches the far end, or no step reaches the tolerance."""
     if chain is not None:
+        if not isinstance(chain, Chain):
+            raise TypeError(f"chain: {_short(chain)} is not a lattice.Chain")
         _refuse_both(options)
-    found, end, track, chain = _lattice.strike(_words(options), chain)
+    found, end, track, chain = _lattice.strike(_words("strike", options), chain)
     path = {"t": track["t"]} | {f"track_{name}": track[name] for name in ("centre", "energy", "peak")}
     return Result(_estimates(found), **end, **path, chain=_chain(chain))
 
@@ -236,7 +437,7 @@ def breather(**options):
 
     RuntimeError: Newton's method fails, or the branch that begins at omega = 1 does not reach `omega`."""
     well = _own(options, "onsite", Well)
-    found, profile, chain = _lattice.breather(_words(options), well)
+    found, profile, chain = _lattice.breather(_words("breather", options), well)
     return Result(_estimates(found), **profile, chain=_chain(chain))
 
 
@@ -252,7 +453,7 @@ def multipliers(**options):
     of the phase, which is exactly +1, as `sec33_floquet multipliers` prints them. Errors are differences of two
     tolerances."""
     well = _own(options, "onsite", Well)
-    found, all_of_them = _lattice.multipliers(_words(options), well)
+    found, all_of_them = _lattice.multipliers(_words("multipliers", options), well)
     return Result(_estimates(found), multiplier=all_of_them["real"] + 1j * all_of_them["imag"],
                   multiplier_error=all_of_them["error"])
 
@@ -265,7 +466,7 @@ def barrier(**options):
     Returns a Result with the quantities of `sec32_barrier barrier`: equal_frequency, E_site - E_bond at one frequency, as
     in the article but with its sign, and equal_area, the same at equal area, which is what a moving breather keeps.
     Errors are differences of two tolerances in a wider number type."""
-    return Result(_estimates(_lattice.barrier(_words(options))[0]))
+    return Result(_estimates(_lattice.barrier(_words("barrier", options))[0]))
 
 
 def travelling(**options):
@@ -280,7 +481,7 @@ def travelling(**options):
     tolerances.
 
     ValueError: there is no such orbit; the message names the nearest."""
-    found, profile, chain = _lattice.travelling(_words(options))
+    found, profile, chain = _lattice.travelling(_words("travelling", options))
     return Result(_estimates(found), **profile, chain=_chain(chain))
 
 
@@ -294,17 +495,17 @@ def dps(**options):
     ten sites); the arrays n and amplitude_n, one entry per site: site (from one) and complex amplitude A_n at the end;
     and tau, track_centre, track_energy and track_peak, one entry per sample, the packet's way in |A_n|^2. They hold for
     every epsilon. Errors are differences of two tolerances."""
-    found, end, track = _lattice.dps(_words(options))
+    found, end, track = _lattice.dps(_words("dps", options))
     path = {"tau": track["t"]} | {f"track_{name}": track[name] for name in ("centre", "energy", "peak")}
     return Result(_estimates(found), n=end["n"], amplitude_n=end["real"] + 1j * end["imag"], **path)
 
 
 def set_threads(count=0):
     """Sets the number of threads; zero stands for all cores that the process may use. No result depends on it."""
-    _lattice.set_threads(count)
+    _lattice.set_threads(int(_within("count", count, 0, 1024)))
 
 
-_described(Chain, "Chain", extra=["mass", "eta"])
+_described(Chain, "Chain", extra=["sites", "mass", "eta"])
 _described(strike, "strike", extra=["chain"])
 for _function in (breather, multipliers, barrier, travelling, dps):
     _described(_function, _function.__name__)

@@ -1,9 +1,12 @@
 """Tests of the Python module. Argument: the folder of the programs, whose numbers and complaints are the measure."""
 
+import concurrent.futures
 import csv
+import functools
 import importlib.util
 import inspect
 import math
+import multiprocessing
 import os
 import pickle
 import signal
@@ -12,6 +15,8 @@ import sys
 import threading
 import time
 import unittest
+import warnings
+from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
@@ -19,7 +24,7 @@ import numpy as np
 import lattice
 import notebooks
 
-BIN = Path(sys.argv.pop(1))
+BIN = Path(sys.argv.pop(1)) if __name__ == "__main__" else None  # a process of a test reads this file too
 HERE = Path(__file__).parent
 
 
@@ -51,6 +56,7 @@ class SameBits(unittest.TestCase):
         self.assertEqual([q.unit for q in got], table["unit"])
         self.assertEqual(["exact" if q.exact else "estimate" for q in got], table["kind"])
         self.assertEqual([q.meaning for q in got], table["meaning"])
+        self.assertEqual([q.reason for q in got], table["reason"])
         self.assertTrue(all(table["meaning"]))
         if profile:
             table = program(command, *words, "--profile")
@@ -64,6 +70,11 @@ class SameBits(unittest.TestCase):
         self.assertEqual(len(found.t), len(found.track_centre))
         self.assertEqual(found.track_centre[-1], found.centre)
         self.check(lattice.strike, "sec34_impact run", "y", velocity=1, time=60, contact="power", alpha=2, onsite="pendulum")
+
+    def test_a_nan_has_its_reason(self):
+        found = self.check(lattice.strike, "sec34_impact run", velocity=1, time=10)
+        self.assertTrue(math.isnan(found.speed) and found.speed.reason)
+        self.assertIn(f"= nan ({found.speed.reason})", repr(found))
 
     def test_a_chain_says_the_same_as_options(self):
         chain = lattice.Chain(onsite="quartic", s=-1 / 6)
@@ -126,8 +137,62 @@ class Refusals(unittest.TestCase):
                 lattice.Chain(**options)
         with self.assertRaisesRegex(ValueError, "--s: belongs to the chain"):
             lattice.strike(lattice.Chain(sites=30), s=1)
-        with self.assertRaisesRegex(ValueError, "2 entries .allowed: 3"):
-            lattice.Chain(sites=3).accelerations([1, 2])
+
+    def test_whatever_is_not_a_state(self):
+        """Lengths, types and numbers that cannot be meant, said with the name and in a few words."""
+        chain, zero = lattice.Chain(4), np.zeros(4)
+        long = list(range(100000))
+        for message, y in [(f"{n} entries .allowed: 4", range(n)) for n in (0, 3, 5)] + [
+                ("None", None), ("'abc' is no array", "abc"), ("no array of real", zero + 1j),
+                ("no array of real", ["1"] * 4), ("no array of real", [[1], [2, 3]]),
+                ("no array of real", np.ma.masked_equal([0, 1, 2, 3], 1)),
+                ("nan in entry 1", [0, math.nan, 0, 0]), ("inf in entry 3", [0, 0, 0, math.inf]),
+                ("nan in entry 0", np.array([None, 1, 2, 3], object)), ("100000 entries", long), ("shapes", [zero, zero])]:
+            for call in (chain.accelerations, lambda y: chain.energy_density(y, zero), lambda y: chain.evolve(y, zero, 1)):
+                if message != "shapes" or call != chain.accelerations:
+                    with self.assertRaisesRegex(ValueError, f"^y.*{message}"):
+                        call(y)
+        with self.assertRaisesRegex(ValueError, "v: inf in entry 2"):
+            chain.evolve(zero, [0, 0, math.inf, 0], 1)
+        with self.assertRaisesRegex(ValueError, "no number of sites"):
+            lattice.Chain().accelerations([])
+        with self.assertRaisesRegex(RuntimeError, "the acceleration of bead 0 is -inf"):
+            chain.accelerations([1e308, -1e308, 0, 0])
+        same = chain.accelerations([1, 2, 3, 4])
+        for y in ((1, 2, 3, 4), np.arange(1, 5), np.arange(1, 5, dtype=np.float32), [Fraction(n) for n in (1, 2, 3, 4)]):
+            self.assertEqual(bits(chain.accelerations(y)), bits(same))
+
+    def test_runs_that_cannot_be_meant(self):
+        chain, v = lattice.Chain(4), np.eye(4)[0]
+        for name, values in {"time": (-1, math.nan, math.inf, None, "20", 1j, True, [1], np.ones(3)),
+                             "sample": (0, -1, math.nan), "tolerance": (0, -1, 1, 1e300, 1e-30, math.nan)}.items():
+            for value in values:
+                with self.assertRaisesRegex(ValueError, f"^{name}: "):
+                    chain.evolve(0 * v, v, **{"time": 1, name: value})
+        with self.assertRaisesRegex(ValueError, "sample: y and v would take 160 GB .allowed: 2;"):
+            lattice.Chain(1000).evolve(np.zeros(1000), np.eye(1000)[0], time=1e6, sample=0.1)
+        self.assertEqual(chain.evolve(0 * v, v, 0).t.tolist(), [0])
+
+    def test_no_complaint_is_long(self):
+        """One of them was a megabyte."""
+        big, text = list(range(100000)), "x" * 100000
+        for call in (lambda: lattice.strike(velocity=big), lambda: lattice.strike(velocity=np.ones(100000)),
+                     lambda: lattice.strike(velocity=text), lambda: lattice.strike(**{text: 1}), lambda: lattice.strike(big),
+                     lambda: lattice.strike(velocity="1\0002"), lambda: lattice.strike(velocity="\udcff"),
+                     lambda: lattice.breather(onsite=big), lambda: lattice.Chain(big), lambda: lattice.Chain(10**10000),
+                     lambda: lattice.Chain(4, mass=big), lambda: lattice.Well(big, big, big),
+                     lambda: lattice.set_threads(big), lambda: lattice.set_threads(10**9), lambda: lattice.strike(mass=big),
+                     lambda: lattice.strike(onsite=lattice.Well(lambda y: y * y / 2, lambda y: -y, np.ones_like))):
+            with self.assertRaises((ValueError, TypeError)) as caught:
+                call()
+            self.assertRegex(str(caught.exception), r"\A[ -~]{10,250}\Z")
+
+    def test_a_value_that_is_none(self):
+        for value in (True, False, np.True_, 1j, np.complex128(1), b"1", [1], np.ones(1)):
+            with self.assertRaisesRegex(ValueError, "--velocity: .* is not a number"):
+                lattice.strike(velocity=value)
+        with self.assertRaisesRegex(ValueError, "there is no such option; did you mean --velocity"):
+            lattice.strike(velocty=None)
 
 
 class OwnChains(unittest.TestCase):
@@ -137,7 +202,7 @@ class OwnChains(unittest.TestCase):
         n, alpha = 9, 1.75
         mass, eta, y = rng.uniform(0.5, 2, n), rng.uniform(0.5, 2, n + 1), rng.normal(size=n)
         for ends in ("free", "fixed"):
-            chain = lattice.Chain(sites=n, onsite="quartic", s=0.3, contact="power", alpha=alpha, ends=ends, mass=mass, eta=eta)
+            chain = lattice.Chain(n, mass, eta, onsite="quartic", s=0.3, contact="power", alpha=alpha, ends=ends)
             z = np.concatenate([[0], y, [0]])
             push = eta * np.maximum(z[:-1] - z[1:], 0) ** alpha
             if ends == "free":
@@ -146,16 +211,78 @@ class OwnChains(unittest.TestCase):
             np.testing.assert_allclose(chain.accelerations(y), a, rtol=1e-13, atol=1e-14)
 
     def test_a_dimer_keeps_its_energy(self):
-        chain = lattice.Chain(sites=40, mass=np.resize([1.0, 3.0], 40))
+        chain = lattice.Chain(sites=40, mass=[1, 3])
         v = np.zeros(40)
         v[0] = 1
         run = chain.evolve(np.zeros(40), v, time=20, sample=0.5, tolerance=1e-8)
         self.assertEqual(run.y.shape, (len(run.t), 40))
         self.assertLess(run.energy_drift, 1e-8)
-        self.assertAlmostEqual(chain.energy_density(run.y[-1], run.v[-1]).sum(), 0.5, delta=1e-8)
+        e = chain.energy_density(run.y, run.v)
+        self.assertEqual(e.shape, run.y.shape)
+        np.testing.assert_allclose(e.sum(axis=1), 0.5, rtol=0, atol=1e-8)
+        self.assertEqual(bits(e[7]), bits(chain.energy_density(run.y[7], run.v[7])))
+        self.assertEqual(bits(chain.accelerations(run.y)[7]), bits(chain.accelerations(run.y[7])))
         light = lattice.strike(lattice.Chain(sites=40, mass=np.ones(40)), velocity=1, time=20)
         heavy = lattice.strike(chain, velocity=1, time=20)
         self.assertLess(heavy.centre, light.centre)
+
+    def test_a_pattern_is_repeated(self):
+        self.assertEqual(bits(lattice.Chain(20, mass=[1, 0.5]).mass), bits([1, 0.5] * 10))
+        self.assertEqual(bits(lattice.Chain(5, mass=(1, 0.5)).mass), bits([1, 0.5, 1, 0.5, 1]))
+        self.assertEqual(bits(lattice.Chain(4, mass=2, eta=[1, 3]).eta), bits([1, 3, 1, 3, 1]))
+        self.assertEqual(bits(lattice.Chain(4, eta=[1, 3, 5, 7, 9]).eta), bits([1, 3, 5, 7, 9]))
+        self.assertEqual(bits(lattice.Chain(5, eta=[1, 3], ends="periodic").eta), bits([1, 3, 1, 3, 1, 1]))
+        for mass in ([1, 2, 3], [1] * 5, [], [[1, 2], [1, 2]]):  # more than half of it, which may be a slip
+            with self.assertRaisesRegex(ValueError, "mass: .*allowed: 4, or a pattern that fits in at least twice"):
+                lattice.Chain(4, mass=mass)
+        with self.assertRaisesRegex(ValueError, "mass: the chain has no number of sites"):
+            lattice.Chain(mass=[1, 0.5])
+        with self.assertRaisesRegex(ValueError, "mass must be finite and > 0"):
+            lattice.Chain(4, mass=[1, -1])
+
+    def test_a_chain_says_what_it_is(self):
+        for words, chain in [("Chain of 10 beads: wells harmonic; contacts hertz; ends free", lattice.Chain(10)),
+                             ("; ends free", lattice.Chain(10, mass=1)), ("free; mass 2", lattice.Chain(10, mass=2)),
+                             ("; mass 1 and 0.5 in turn", lattice.Chain(10, mass=[1, 0.5])),
+                             ("; mass 1 to 10", lattice.Chain(10, mass=range(1, 11))),
+                             ("free; eta 1 to 3", lattice.Chain(2, eta=[1, 2, 3]))]:
+            self.assertEqual(repr(chain)[-len(words):], words)
+
+    def test_a_run_that_ends_before_its_time(self):
+        """In a soft well the solution itself ends. It used to be a run of 44 units with the error zero."""
+        soft, zero = lattice.Chain(sites=60, onsite="quartic", s="-1/6"), np.zeros(60)
+        with self.assertRaisesRegex(RuntimeError, r"a bead runs away at t = 44\.4"):
+            soft.evolve(zero, 2.12 * np.eye(60)[0], 100)
+        for huge in (1e20, 1e300):
+            with self.assertRaises(ValueError):
+                soft.evolve(zero, huge * np.eye(60)[0], 100)
+
+        def broken_later(y):
+            return np.where(abs(y) < 1.2, -y, math.nan)
+
+        for well in (lattice.Well(lambda y: y * y / 2, broken_later, np.ones_like),):
+            with self.assertRaisesRegex(RuntimeError, "no step is short enough"):
+                lattice.Chain(4, onsite=well).evolve(np.zeros(4), 3 * np.eye(4)[0], 10)
+
+    def test_what_is_taken_along(self):
+        """A chain, and a result with its chain, goes to another process and moves there to the same bits."""
+        contact = lattice.Contact(overlap_energy, overlap_force, functools.partial(overlap_stiffness))
+        for chain in (lattice.Chain(), lattice.Chain(12, mass=[1, 1.1], eta=range(13), ends="fixed"),
+                      lattice.Chain(12, onsite="quartic", s="-1/6", contact="power", alpha=1.75, precompression=0.3),
+                      lattice.Chain(12, onsite="pendulum", precompression=0.1, ends="periodic", eta=2),
+                      lattice.Chain(12, onsite=lattice.Well(cosh_energy, cosh_force, np.cosh, rim=9), contact=contact)):
+            again = pickle.loads(pickle.dumps(chain))
+            self.assertEqual(repr(again), repr(chain))
+            y = np.random.default_rng(1).normal(size=(12 if chain.sites else 1))
+            if chain.sites:
+                self.assertEqual(bits(again.accelerations(y)), bits(chain.accelerations(y)))
+        with concurrent.futures.ProcessPoolExecutor(1, multiprocessing.get_context("spawn")) as pool:
+            there = pool.submit(lattice.strike, chain, velocity=1, time=20).result()
+        here = lattice.strike(chain, velocity=1, time=20)
+        self.assertEqual((repr(there), repr(there.chain), bits(there.y)), (repr(here), repr(here.chain), bits(here.y)))
+        self.assertEqual(there.speed.reason, here.speed.reason)
+        found = lattice.breather(omega=1.1)
+        self.assertEqual(repr(pickle.loads(pickle.dumps(found)).chain), repr(found.chain))
 
     def test_potentials_in_python(self):
         """The article's well and contact, written in Python, against those of the library."""
@@ -179,10 +306,62 @@ class OwnChains(unittest.TestCase):
             raise KeyError("mine")
 
         with self.assertRaisesRegex(KeyError, "mine"):
-            lattice.Chain(sites=4, onsite=lattice.Well(broken, broken, broken)).accelerations(np.zeros(4))
-        short = lattice.Well(lambda y: y, lambda y: y[:-1], lambda y: y)
-        with self.assertRaisesRegex(ValueError, "force returns 3 numbers for 4"):
-            lattice.Chain(sites=4, onsite=short).accelerations(np.zeros(4))
+            lattice.Well(broken, broken, broken)
+        with self.assertRaisesRegex(KeyError, "mine"):
+            late = lattice.Well(lambda y: y * y / 2, lambda y: broken(y) if abs(y).max() > 1.5 else -y, np.ones_like)
+            lattice.Chain(4, onsite=late).accelerations([2, 0, 0, 0])
+
+    def test_potentials_that_are_none(self):
+        """They used to give wrong multipliers, or a drift, without a word."""
+        energy, force = lambda y: y * y / 2, lambda y: -y
+        for message, functions in [("force", (energy, lambda y: -1.01 * y, np.ones_like)),
+                                   ("force", (energy, energy, np.ones_like)),
+                                   ("stiffness", (energy, force, lambda y: 2 + 0 * y)),
+                                   ("nan", (lambda y: y * math.nan, force, force)),
+                                   ("force returns 88 numbers for 89", (energy, lambda y: -y[1:], np.ones_like)),
+                                   ("energy returns something else", (lambda y: y * y / 2 + 0j, force, np.ones_like)),
+                                   ("force returns something else", (energy, lambda y: None, np.ones_like)),
+                                   ("1 numbers for", (energy, force, lambda y: 1))]:
+            with self.assertRaisesRegex(ValueError, message):
+                lattice.Well(*functions)
+        with self.assertRaisesRegex(ValueError, "rim is nan"):
+            lattice.Well(energy, force, np.ones_like, math.nan)
+        with self.assertRaisesRegex(ValueError, "exponent"):
+            lattice.Contact(overlap_energy, overlap_force, overlap_stiffness, exponent=math.inf)
+        with self.assertRaisesRegex(TypeError, "stiffness: 1 is not a function"):
+            lattice.Well(energy, force, 1)
+        with self.assertRaisesRegex(ValueError, "--s: a Well of your own does not have it"):
+            lattice.breather(onsite=lattice.Well(energy, force, np.ones_like), s=0.1)
+
+    def test_digits_that_are_lost(self):
+        with self.assertWarnsRegex(UserWarning, "expm1"):
+            lattice.Well(lambda y: np.exp(-y) - 1 + y, lambda y: np.exp(-y) - 1, lambda y: np.exp(-y))
+        with self.assertWarnsRegex(UserWarning, "^force of the well: no longdouble"):
+            lattice.Well(lambda y: y * y / 2, lambda y: (-y).astype(float), np.ones_like)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            lattice.Well(lambda y: np.expm1(-y) + y, lambda y: np.expm1(-y), lambda y: np.exp(-y))
+            lattice.Well(cosh_energy, cosh_force, np.cosh)
+
+
+def cosh_energy(y):
+    return 2 * np.sinh(y / 2) ** 2
+
+
+def cosh_force(y):
+    return -np.sinh(y)
+
+
+def overlap_energy(r):
+    return np.maximum(-r, 0) ** 2 * np.sqrt(np.maximum(-r, 0)) * 2 / 5
+
+
+def overlap_force(r):
+    return np.maximum(-r, 0) * np.sqrt(np.maximum(-r, 0))
+
+
+def overlap_stiffness(r):
+    return np.sqrt(np.maximum(-r, 0)) * 3 / 2
 
 
 class LongWork(unittest.TestCase):
@@ -196,6 +375,7 @@ class LongWork(unittest.TestCase):
         other = threading.Thread(target=tick)
         for call in (lambda: lattice.strike(velocity=1, time=1e5, sites=3000, tolerance=1e-10),
                      lambda: lattice.dps(tau=1e4, sites=2000),
+                     lambda: lattice.Chain(3000).evolve(np.ones(3000), np.zeros(3000), 1e6, sample=1e6),
                      lambda: lattice.multipliers(omega=1.1, sites=301)):
             timer = threading.Timer(0.5, lambda: os.kill(os.getpid(), signal.SIGINT))
             timer.start()
@@ -232,12 +412,29 @@ class Documentation(unittest.TestCase):
         self.assertEqual(inspect.signature(lattice.breather).parameters["omega"].default, 1.1)
 
     def test_a_number_shows_what_is_known(self):
-        self.assertEqual(str(lattice.Estimate(0.361294, 2e-5, "site")), "0.36129 ± 2e-05 site")
+        self.assertEqual(str(lattice.Estimate(0.361294, 2e-5, "site")), "0.36129 +- 2e-05 site")
         self.assertEqual(str(lattice.Estimate(4, 0, "", True)), "4")
         self.assertEqual(str(lattice.Estimate(math.nan, math.nan)), "nan")
-        copy = pickle.loads(pickle.dumps(lattice.Estimate(1.5, 0.1, "site")))
-        self.assertEqual((copy, copy.error, copy.unit), (1.5, 0.1, "site"))
+        self.assertEqual(str(lattice.Estimate(math.nan, math.nan, "site", reason="no packet left")), "nan (no packet left)")
+        copy = pickle.loads(pickle.dumps(lattice.Estimate(1.5, 0.1, "site", reason="none")))
+        self.assertEqual((copy, copy.error, copy.unit, copy.reason), (1.5, 0.1, "site", "none"))
         self.assertIn("speed", repr(lattice.strike(velocity=1, time=10)))
+
+
+    def test_a_strict_terminal_can_show_everything(self):
+        code = "import lattice; print(lattice.strike(velocity=1, time=10)); help(lattice)"
+        run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True,
+                             env={**os.environ, "PYTHONIOENCODING": "ascii:strict"})
+        self.assertEqual(run.stderr, "")
+        self.assertRegex(run.stdout, r"centre += [0-9.]+ \+- ")
+        self.assertIn("set_threads(count=0)", run.stdout)
+
+    def test_what_an_import_needs(self):
+        for setting, message in [("numpy", "ImportError: lattice needs numpy, .*python3-numpy"),
+                                 ("lattice._lattice", "ImportError: lattice: .*_lattice")]:
+            run = subprocess.run([sys.executable, "-c", f"import sys; sys.modules['{setting}'] = None; import lattice"],
+                                 capture_output=True, text=True)
+            self.assertRegex(run.stderr.splitlines()[-1], message)
 
 
 @unittest.skipUnless(importlib.util.find_spec("matplotlib"), "there is no matplotlib")

@@ -1,0 +1,383 @@
+#!/usr/bin/env python3
+"""Random calls of the Python module: whatever is asked, it answers as it promises.
+
+    fuzz.py PYTHON_FOLDER [COUNT [SEED]]
+
+PYTHON_FOLDER holds the package, as build/python does. The calls are of all functions and methods, with options that are
+declared, and small enough for a short run; a share of the arguments is what people get wrong, and what nobody does: other
+types and lengths, nan, inf, huge and tiny numbers. Asked is of every call: it returns, or raises ValueError, TypeError or
+RuntimeError with one line of at most 400 characters; nothing else is said, but the warnings that are documented; a run ends
+at the time that was asked for; what is returned is finite and knows its error, and a nan its reason; no more than 2 GB are
+taken, and no more than thirty seconds (times LATTICE_SLACK); and the interpreter lives. The calls are made in processes of
+their own, one for each core. Call number k of a seed is always the same."""
+
+import concurrent.futures
+import json
+import math
+import os
+import random
+import resource
+import subprocess
+import sys
+import time
+import warnings
+from fractions import Fraction
+
+SECONDS = 30 * float(os.environ.get("LATTICE_SLACK", "1"))
+MOST = 2 << 30  # bytes
+# What decides how long a call takes, and how many times its least value is still short.
+SIZES = {"sites": 4, "time": 3, "tau": 5, "k": 2, "near": 3, "reach": 2}
+STIFF = {"alpha": 3, "precompression": 2}  # contacts that are stiffer take very many steps
+FUNCTIONS = ["strike", "strike", "breather", "multipliers", "barrier", "travelling", "dps", "set_threads", "Estimate"]
+METHODS = ["Chain", "Chain", "evolve", "evolve", "evolve", "energy_density", "accelerations", "strike a chain", "Well",
+           "Contact", "pickle"]
+
+
+class Mine(Exception):
+    """What an own potential raises."""
+
+
+def odd_value(chance):
+    """What is no number that can be meant, or hardly."""
+    import numpy as np
+    return chance.choice([
+        lambda: None, lambda: True, lambda: False, lambda: np.True_, lambda: "", lambda: "x", lambda: "1/0", lambda: "nan",
+        lambda: "1\n2", lambda: "\0", lambda: "\udcff", lambda: "é", lambda: "9" * 5000, lambda: b"1", lambda: 1j,
+        lambda: np.complex128(2), lambda: [1], lambda: [[1, 2], [3]], lambda: [], lambda: {}, lambda: {1: 2}, lambda: print,
+        lambda: object(), lambda: np.ones(3), lambda: np.ones(100000), lambda: list(range(100000)), lambda: np.array(None),
+        lambda: np.array([None, 1], object), lambda: np.array(["a"]), lambda: np.datetime64("2020-01-01"), lambda: ...,
+        lambda: Fraction(1, 3), lambda: Fraction(10**400), lambda: 10**400, lambda: -(10**5000), lambda: np.float64(0.5),
+        lambda: np.int8(3), lambda: np.longdouble("1e4000"), lambda: np.array(2.0), lambda: (n for n in range(3)),
+        lambda: np.ma.masked, lambda: range(5), lambda: set(), lambda: type, lambda: memoryview(b"12345678")])()
+
+
+def odd_number(chance):
+    return chance.choice([math.nan, math.inf, -math.inf, 0, -0.0, -1, 1, 1e-3, 5e-324, 1e-310, 1e-100, -1e-9, 1e5, 1e20,
+                          1e100, 1e308, -1e308, 0.5, 2**31, 2**63, 2**64, -(2**63), 10**18])
+
+
+def odd(chance):
+    return odd_number(chance) if chance.random() < 0.5 else odd_value(chance)
+
+
+class Call:
+    """One call: what is done, and what it is done with."""
+
+    def __init__(self, number, seed):
+        import lattice
+        import numpy as np
+        self.np, self.lattice = np, lattice
+        self.chance = random.Random(f"{seed} {number}")
+        self.share = self.chance.choice([0, 0, 0, 0.1, 0.3, 1])  # of odd arguments
+        self.said = []
+        self.what = self.chance.choice(FUNCTIONS + METHODS)
+
+    def odd(self):
+        return self.chance.random() < self.share
+
+    def note(self, **arguments):
+        for name, value in arguments.items():
+            self.said.append(f"{name}={self.lattice._short(value)}")
+        return arguments
+
+    def option(self, name, allowed, standard):
+        """A value that is declared as allowed, and cheap."""
+        chance = self.chance
+        if self.odd():
+            return odd(chance)
+        if not allowed.startswith("["):
+            return chance.choice(allowed.split(", "))
+        least, most = (float(x) for x in allowed[1:].split("]")[0].split(", "))
+        if name in SIZES:
+            most = min(most, max(least, 1) * SIZES[name])
+        most = min(most, STIFF.get(name, most))
+        least = max(least, 1e-3) if name == "tolerance" else least
+        x = chance.choice([least, most]) if chance.random() < 0.15 else \
+            least * (most / least) ** chance.random() if least > 0 and most / least > 50 else chance.uniform(least, most)
+        x = math.floor(x) if name in ("sites", "k", "reach") else min(max(x, least), most)
+        return chance.choice([x, x, repr(x), self.np.float64(x), Fraction(x)])
+
+    def options(self, command, without=()):
+        out = {}
+        for name, flag, allowed, _, standard in self.lattice._lattice.options[command]:
+            if not flag and name not in without and (self.chance.random() < 0.3 or name in SIZES):
+                out[name] = self.option(name, allowed, standard)
+        if command == "travelling" and "near" in out:
+            out.pop(self.chance.choice(["near", "k"]), None)
+        if self.odd() and self.chance.random() < 0.3:
+            name = self.chance.choice(["bogus", "", "x" * 1000, "a b", "velocity=1 --s", "help", "version", "mass", "\udcff",
+                                       "é"])
+            out[name] = odd(self.chance)
+        return self.note(**out)
+
+    def numbers(self, count, scale=1.0):
+        """A row, as people write one."""
+        chance, np = self.chance, self.np
+        x = np.zeros(count)
+        x[:max(1, count // 3)] = [chance.gauss(0, scale) for _ in range(max(1, count // 3))]
+        if self.odd():
+            kind = chance.randrange(4)
+            if kind == 0:
+                return odd(chance)
+            if kind == 1:
+                return x[:chance.randrange(count)]
+            if kind == 2:
+                return [x] * chance.choice([0, 1, 3])
+            x[chance.randrange(count)] = chance.choice([math.nan, math.inf, 1e20, 1e300, 1e-310, 1e5])
+        return chance.choice([np.asarray, list, tuple, lambda a: a.astype(np.float32), lambda a: a.astype(np.longdouble),
+                              lambda a: np.array(list(a), object), lambda a: np.repeat(a, 2)[::2]])(x)
+
+    def well(self):
+        """A well of one's own, right in one case of two."""
+        np, chance = self.np, self.chance
+        right = [lambda y: y * y / 2, lambda y: -y, np.ones_like]
+        if chance.random() < 0.3:
+            right = [lambda y: 2 * np.sinh(y / 2) ** 2, lambda y: -np.sinh(y), np.cosh]
+
+        def raises(y):
+            raise Mine("mine")
+
+        force = right[1]
+        wrong = chance.choice([None, 5, "x", raises, lambda y: y[:-1], lambda y: None, lambda y: 1.0, lambda y: y * math.nan,
+                               lambda y: y + 0j, lambda y: 1.5 * y, lambda y: "x", lambda: 1, lambda y: np.zeros((3, 3)),
+                               lambda y: y * 1e300 * 1e300, lambda y: np.array([None] * len(y)), lambda y: list(y),
+                               lambda y: np.where(abs(y) < 1.01, force(y), math.nan)])
+        if self.odd():
+            right[chance.randrange(3)] = wrong
+        self.said.append("a well of one's own")
+        return self.lattice.Well(*right, **({"rim": odd(chance)} if self.odd() else {}))
+
+    def contact(self):
+        np, chance = self.np, self.chance
+        right = [lambda r: np.maximum(-r, 0) ** 3 / 3, lambda r: np.maximum(-r, 0) ** 2, lambda r: 2 * np.maximum(-r, 0)]
+        if self.odd():
+            wrong = [None, np.sin, lambda r: r[:-1], lambda r: -r, lambda r: r * math.nan]
+            right[chance.randrange(3)] = chance.choice(wrong)
+        self.said.append("a contact of one's own")
+        return self.lattice.Contact(*right, exponent=odd(chance) if self.odd() else 2,
+                                    **({"opening": odd(chance)} if self.odd() else {}))
+
+    def chain(self, sites=True):
+        chance = self.chance
+        options = self.options("Chain", without=("sites",))
+        if chance.random() < 0.2:
+            options |= {"onsite": self.well()}
+            options.pop("s", None)
+        if chance.random() < 0.1:
+            options |= {"contact": self.contact()}
+        if sites or chance.random() < 0.8:
+            options |= self.note(sites=odd(chance) if self.odd() else chance.choice([2, 3, 5, 8, 20]))
+        # Light beads take very many steps, which is long where each of them calls Python
+        own = any(isinstance(value, (self.lattice.Well, self.lattice.Contact)) for value in options.values())
+        for name in ("mass", "eta"):
+            if chance.random() < 0.3:
+                rows = [1, 2.5, [1], [1, 0.5], (2, 1, 1), range(1, 4), [0.01] if own else [1e-5]]
+                options |= self.note(**{name: odd(chance) if self.odd() else chance.choice(rows)})
+        return self.lattice.Chain(**options)
+
+    def state(self, chain):
+        n = chain.sites or 3
+        return self.note(y=self.numbers(n, 0.3), v=self.numbers(n))
+
+    def run(self):
+        """Makes the call; returns what came back, and the time that was asked for."""
+        lattice, chance, what = self.lattice, self.chance, self.what
+        if what == "Chain":
+            return self.chain()
+        if what == "Well":
+            return self.well()
+        if what == "Contact":
+            return self.contact()
+        if what == "set_threads":
+            return lattice.set_threads(**self.note(count=odd(chance) if self.odd() else chance.choice([0, 1, 2, 7])))
+        if what == "Estimate":
+            return repr(lattice.Estimate(chance.gauss(0, 1), abs(chance.gauss(0, 1)) ** 5))
+        if what in ("evolve", "energy_density", "accelerations", "pickle", "strike a chain"):
+            chain = self.chain(what != "strike a chain")
+            return self.moved(chain)
+        options = self.options(what)
+        if what in ("breather", "multipliers") and self.odd():
+            options |= {"onsite": self.well()}
+        if what == "strike" and self.odd():
+            options["chain"] = odd_value(chance)
+        return getattr(lattice, what)(**options)
+
+    def moved(self, chain):
+        import pickle
+        lattice, chance, what, np = self.lattice, self.chance, self.what, self.np
+        if what == "pickle":
+            if chain._well or chain._contact:
+                return None
+            again = pickle.loads(pickle.dumps(chain, chance.choice([2, 3, 4, 5])))
+            assert repr(again) == repr(chain) and np.array_equal(again.eta, chain.eta), "another chain comes back"
+            return again
+        if what == "strike a chain":
+            options = self.options("strike", without=[o[0] for o in lattice._lattice.options["Chain"]])
+            return lattice.strike(chain, **options)
+        state = self.state(chain)
+        if what == "evolve":
+            rest = {"time": odd(chance) if self.odd() else chance.choice([0.1, 3, 20, 20.5, 7])}
+            if chance.random() < 0.5:
+                rest["sample"] = odd(chance) if self.odd() else chance.choice([0.01, 0.2, 1, 100])
+            if chance.random() < 0.5:
+                rest["tolerance"] = odd(chance) if self.odd() else chance.choice([1e-2, 1e-6, 1e-9])
+            self.note(**rest)
+            most = 1e3 if chain.sites < 100 else 1
+            if isinstance(rest["time"], (int, float)) and most < rest["time"] <= 1e9:
+                rest["time"] = most
+            found = chain.evolve(**state, **rest)
+            self.asked = float(rest["time"]), len(state["y"])
+            return found
+        if chance.random() < 0.4:
+            state = {name: [row] * 3 for name, row in state.items()}
+        if what == "accelerations":
+            state.pop("v")
+        return getattr(chain, what)(**state)
+
+
+def complaints_of(call, found):
+    """What is wrong with what came back."""
+    np = call.np
+    if call.what == "evolve":
+        time_, sites = call.asked
+        if not math.isclose(found.t[-1], time_, rel_tol=1e-12):
+            yield f"a run over {time_} ends at {found.t[-1]}"
+        if found.y.shape != (len(found.t), sites) or found.v.shape != found.y.shape:
+            yield f"shapes {found.t.shape}, {found.y.shape}, {found.v.shape}"
+        if found.error == 0 and time_ >= 1 and np.ptp(found.y, axis=0).max() > 1e-9 * abs(found.y).max():
+            yield "the error is zero"
+    for name, value in getattr(found, "quantities", {}).items():
+        if not math.isfinite(value) and not (math.isnan(value) and value.reason):
+            yield f"{name} is {float(value)} and has the reason '{value.reason}'"
+        if math.isfinite(value) and not value.error >= 0:
+            yield f"{name} is {float(value)} with the error {value.error}"
+    arrays = {"": found} if isinstance(found, np.ndarray) else vars(found) if hasattr(found, "quantities") else {}
+    for name, value in arrays.items():
+        # A packet that is not there has no place
+        if isinstance(value, np.ndarray) and not np.all(np.isfinite(value)) and not name.startswith("track"):
+            yield f"{name or 'the array'} has {value[~np.isfinite(value)][0]}"
+    text = repr(found)
+    if len(text) > 4000 or not text.isascii():
+        yield f"it is shown in {len(text)} characters"
+
+
+def tried(number, seed):
+    """Whether call number `number` was answered or refused, the call in words, and what is wrong."""
+    call = Call(number, seed)
+    wrong = []
+    with warnings.catch_warnings(record=True) as warned:
+        warnings.simplefilter("always")
+        try:
+            found = call.run()
+            kind = "answered"
+            wrong += complaints_of(call, found)
+        except (ValueError, TypeError, RuntimeError) as error:
+            kind, line = type(error).__name__, str(error)
+            if not 5 <= len(line) <= 400 or "\n" in line or not line.isprintable() or type(error) not in (
+                    ValueError, TypeError, RuntimeError):
+                wrong.append(f"{type(error).__name__} with {len(line)} characters: {line[:1000]!r}")
+            if any(word in line for word in ("incompatible", "bad ", "std::", "variant", "vector", "stod", "_lattice")):
+                wrong.append(f"speaks C++: {line}")
+        except Mine:
+            kind = "Mine"
+        except BaseException as error:
+            kind = type(error).__name__
+            wrong.append(f"{kind}: {str(error)[:1000]}")
+    for warning in warned:
+        if not any(word in str(warning.message) for word in ("expm1", "longdouble", "encountered")):
+            wrong.append(f"warns: {warning.message}")
+    return kind, f"{call.what}({', '.join(call.said)})", wrong
+
+
+def work(folder):
+    """A process that makes the calls whose numbers it reads."""
+    sys.path.insert(0, folder)
+    import lattice  # noqa: F401
+    used = int(open("/proc/self/statm").read().split()[0]) * resource.getpagesize()
+    resource.setrlimit(resource.RLIMIT_AS, (used + MOST + (1 << 30), used + MOST + (1 << 30)))
+    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+    for line in sys.stdin:
+        number, seed = json.loads(line)
+        answer = tried(number, seed)
+        answer[2].extend(["takes more than 2 GB"] * (resource.getrusage(resource.RUSAGE_SELF).ru_maxrss > MOST >> 10))
+        print("answer " + json.dumps(answer), flush=True)
+
+
+class Worker:
+    """Such a process, seen from outside."""
+
+    def __init__(self, folder):
+        self.folder, self.process = folder, None
+
+    def tried(self, number, seed):
+        if not self.process:
+            self.process = subprocess.Popen([sys.executable, __file__, "--work", self.folder], stdin=subprocess.PIPE,
+                                            stdout=subprocess.PIPE, text=True, start_new_session=True)
+        self.process.stdin.write(json.dumps([number, seed]) + "\n")
+        self.process.stdin.flush()
+        with concurrent.futures.ThreadPoolExecutor(1) as reader:
+            line = reader.submit(self.process.stdout.readline)
+            begin = time.monotonic()
+            # Processor time, so that a busy machine is no fault
+            while not concurrent.futures.wait([line], 0.5).done:
+                if self.seconds() > SECONDS and time.monotonic() - begin > SECONDS:
+                    self.process.kill()
+                    self.end()
+                    return "hangs", f"call {number}", ["is computing for too long"]
+            answer = line.result()
+        if answer.startswith("answer "):
+            self.before = self.seconds(0)
+            return json.loads(answer[7:])
+        code = self.process.wait()
+        self.end()
+        return "dies", f"call {number}", [f"the interpreter ends with {code} and says {answer!r}"]
+
+    before = 0.0
+
+    def seconds(self, since=None):
+        """Processor time of this call."""
+        try:
+            with open(f"/proc/{self.process.pid}/stat", encoding="utf8") as file:
+                fields = file.read().rpartition(")")[2].split()
+            used = (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+        except OSError:
+            used = 0.0
+        return used - (self.before if since is None else since)
+
+    def end(self):
+        if self.process:
+            self.process.stdin.close()
+            self.process.stdout.close()
+            self.process.wait()
+            self.process, self.before = None, 0.0
+
+
+def main():
+    folder = os.path.abspath(sys.argv[1])
+    count = int(sys.argv[2]) if len(sys.argv) > 2 else 150
+    seed = int(sys.argv[3]) if len(sys.argv) > 3 else 1
+    print(f"seed {seed}", flush=True)
+    kinds, bad = {}, 0
+    free = [Worker(folder) for _ in os.sched_getaffinity(0)]
+
+    def one(number):
+        worker = free.pop()
+        try:
+            return worker.tried(number, seed)
+        finally:
+            free.append(worker)
+
+    with concurrent.futures.ThreadPoolExecutor(len(free)) as pool:
+        for number, (kind, call, wrong) in enumerate(pool.map(one, range(count))):
+            kinds[kind] = kinds.get(kind, 0) + 1
+            bad += bool(wrong)
+            for what in wrong:
+                print(f"{number}: {call}: {what}", flush=True)
+    for worker in free:
+        worker.end()
+    print(f"{count} random calls, seed {seed}: {dict(sorted(kinds.items()))}, {bad} answers wrong")
+    sys.exit(bad > 0 or kinds.get("answered", 0) < count / 8 or kinds.get("ValueError", 0) < count / 8)
+
+
+if __name__ == "__main__":
+    work(sys.argv[2]) if sys.argv[1] == "--work" else main()
