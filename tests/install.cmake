@@ -34,14 +34,29 @@ while(says)
     message(FATAL_ERROR "${name} says: ${text}")
   endif()
 endwhile()
-# The Python module is installed with the rest
-if(PYTHON)
-  file(GLOB packages ${place}/prefix/lib/python*/site-packages)
-  run(${CMAKE_COMMAND} -E env PYTHONPATH=${packages} PYTHONDONTWRITEBYTECODE=1 ${PYTHON} -c
-      "print(__import__('lattice').Chain(sites=3))")
-  if(NOT text MATCHES "^Chain of 3 beads: wells harmonic")
+# The Python module is installed with the rest; without its compiled half it is not, and says so where it is imported
+function(python_says folder code expected)
+  execute_process(COMMAND ${CMAKE_COMMAND} -E env PYTHONPATH=${folder} PYTHONDONTWRITEBYTECODE=1 ${PYTHON} -c "${code}"
+                  OUTPUT_VARIABLE text ERROR_VARIABLE text)
+  if(NOT text MATCHES "${expected}")
     message(FATAL_ERROR "the Python module says: ${text}")
   endif()
+endfunction()
+if(PYTHON)
+  file(GLOB packages ${place}/prefix/lib/python*/site-packages)
+  python_says("${packages}" "print(__import__('lattice').Chain(3))" "^Chain of 3 beads: wells harmonic")
+  python_says("${packages}" "import sys\nsys.modules['numpy'] = None\nimport lattice"
+              "\nImportError: lattice needs numpy, [^\n]*python3-numpy[^\n]*\n$")
+  file(READ ${BUILD}/python/cmake_install.cmake script)
+  string(REPLACE "${BUILD}/python/lattice" "${place}/bare/lattice" script "${script}")
+  file(WRITE ${place}/bare/install.cmake "${script}")
+  file(COPY ${BUILD}/python/lattice/__init__.py DESTINATION ${place}/bare/lattice)
+  run(${CMAKE_COMMAND} -D CMAKE_INSTALL_PREFIX=${place}/bare/prefix -P ${place}/bare/install.cmake)
+  file(GLOB_RECURSE installed ${place}/bare/prefix/*)
+  if(installed OR NOT text MATCHES "The Python module is not installed: it is not built")
+    message(FATAL_ERROR "without the compiled half of the module the installation says: ${text}")
+  endif()
+  python_says("${place}/bare" "import lattice" "\nImportError: lattice: its compiled half is missing[^\n]*\n$")
 endif()
 
 # None is left out
