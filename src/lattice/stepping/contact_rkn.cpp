@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "lattice/model/typed.hpp"
+#include "lattice/numbers/interrupt.hpp"
 
 namespace lattice {
 namespace {
@@ -293,6 +294,7 @@ double NystromStep<T, C>::run(State<T>& state, Window& window, double h, std::si
   accelerate(chain, state.y.data(), at.a[0].data(), window);
   double work = double(window.last - window.first);
   for (std::size_t k = 0; k < count; ++k) {
+    if (k % 64 == 63) heed_stop();
     for (std::size_t i = 1; i <= last; ++i) {
       combine(state.y, state.v, base.c[i] * h, at.sums[i], window, at, at.y[i]);
       accelerate(chain, at.y[i].data(), at.a[i].data(), window);
