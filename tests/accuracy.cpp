@@ -7,12 +7,14 @@
 #include <mutex>
 #include <set>
 #include <thread>
+#include <tuple>
 #include <utility>
 
 #include "check.hpp"
 #include "lattice/numbers/parallel.hpp"
 #include "lattice/packets/impact.hpp"
 #include "report/table.hpp"
+#include "run.hpp"
 
 using namespace lattice;
 
@@ -31,6 +33,34 @@ Struck after_impact(const ContactAware& stepper, double sample) {
   out.run = evolve(stepper, hard, out.end, 10, sample, Unobserved{});
   return out;
 }
+
+/// What is said of a run; nothing if it comes to its time.
+std::string evolved(const Chain& chain, State<double> state, double time, double sample,
+                    double tolerance = 1e-6) {
+  try {
+    evolve_to(tolerance, chain, state, time, sample, Unobserved{});
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return state.t == time ? "" : "a silent short run";
+}
+
+/// Whether `text` is one line that has `part`.
+void check_line(const std::string& text, const std::string& part) {
+  CAPTURE(text, part);
+  CHECK(text.find(part) != std::string::npos);
+  CHECK(text.find('\n') == std::string::npos);
+  CHECK(text.size() < 300);
+}
+
+/// A harmonic well until it is told otherwise: its force may become nan, or wrong by a cubic term.
+struct Changing {
+  const bool* nothing;
+  const double* wrong;
+  double energy(double y) const { return y * y / 2; }
+  double force(double y) const { return *nothing ? std::nan("") : -y - *wrong * y * y * y; }
+  double stiffness(double) const { return 1; }
+};
 
 }  // namespace
 
@@ -154,6 +184,126 @@ TEST_CASE("a run of no duration returns its start", "[unit][accuracy]") {
     }
   }
   CHECK_THROWS_AS(time_grid(1, 0, 1), std::invalid_argument);
+}
+
+TEST_CASE("a run in which a bead runs away says when, whatever the samples are",
+          "[unit][accuracy]") {
+  const Chain soft{60, Quartic{-1.0 / 6}};
+  for (double sample : {0.2, 10.0, 100.0})
+    for (double tolerance : {1e-4, 1e-9}) {
+      CAPTURE(sample, tolerance);
+      const auto [near, further, held] =
+          std::tuple{evolved(soft, struck(60, 2.12), 100, sample, tolerance),
+                     evolved(soft, struck(60, 2.125), 100, sample, tolerance),
+                     evolved(soft, struck(60, 2.13), 100, sample, tolerance)};
+      check_line(near, "a bead runs away at t = 44.48, having left its well at t = 41.5");
+      check_line(further, "a bead runs away at t = 44.84");
+      CHECK(held == "");
+    }
+  // A strong blow sends the bead away within the first steps
+  check_line(evolved(soft, struck(60, 100), 100, 1), "a bead runs away at t = 0.351");
+  CHECK_THROWS_AS(strike_to(1e-4, {2.12, {0, Quartic{-1.0 / 6}}, 100}), RanAway);
+}
+
+TEST_CASE("a start that is not finite, or absurd, is refused", "[unit][accuracy]") {
+  const double nan = std::nan(""), inf = INFINITY;
+  const Chain chain{20, Quartic{1}};
+  for (double bad : {nan, inf, -inf, 1e20, -1e20}) {
+    State<double> off = struck(20, 1), fast = off;
+    off.y[2] = fast.v[4] = bad;
+    check_line(evolved(chain, off, 10, 1), "bead 3 starts with the displacement ");
+    check_line(evolved(chain, fast, 10, 1), "bead 5 starts with the velocity ");
+  }
+  for (double bad : {nan, inf, -1.0}) {
+    check_line(evolved(chain, struck(20, 1), bad, 1), "a run of duration ");
+    check_line(evolved(chain, struck(20, 1), 10, bad), "with samples ");
+    check_line(evolved(chain, struck(20, 1), 10, 1, bad), "tolerance = ");
+  }
+  check_line(evolved(chain, struck(20, 1), 10, 1e-300), "at most 1e+12 steps");
+}
+
+TEST_CASE("runs that end early prove nothing by their end", "[unit][accuracy]") {
+  Run whole, broken, left;
+  broken.escape_time = 0.2;
+  left.escape_time = 44.5, left.t_end = 44.25, left.leave_time = 41;
+  CHECK(broken.broken());
+  CHECK_FALSE(left.broken());
+  for (const auto& [a, b] : {std::pair(broken, broken), {broken, left}, {left, whole}})
+    CHECK(std::isinf(escape_difference(a, b)));
+  check_close(escape_difference(left, left), 0.25 / 44.5, 0, 1e-15);
+  State<double> a(3), b(3);
+  CHECK(distance(a, b) == 0);
+  a.v[1] = std::nan("");
+  CHECK(std::isinf(distance(a, b)));
+  CHECK(std::isinf(distance(a, a)));
+}
+
+TEST_CASE("a step that is too long is halved until a run holds", "[convergence][accuracy]") {
+  // Stiff contacts after a strong blow, and a light bead
+  Chain stiff{8, Quartic{0}, PowerContact{10, 0}}, light{8};
+  vary(light, {1e-6, 1, 1, 1, 1, 1, 1, 1}, {});
+  for (const auto& [chain, velocity] : {std::pair(stiff, 100.0), {light, 1.87}}) {
+    const Impact impact{velocity, chain, 3, far_away, 0.2, reached};
+    CHECK(strike(stepper_for(1e-4, largest_step, 3), impact).run.broken());
+    const auto runs = strike_to(1e-4, impact);
+    CAPTURE(runs.history);
+    CHECK(runs.history.find("breaks at t = ") < runs.history.find("holds"));
+    CHECK(runs.fine.end.t == 3);
+    CHECK(runs.error <= 1e-4);
+    CHECK(runs.fine.run.energy_drift < 1e-5);
+    const auto finer = strike(stepper_for(1e-4, largest_step, runs.halvings + 1), impact);
+    CHECK(distance(runs.fine.end, finer.end) <= runs.error);
+  }
+  // Free flight is no escape, however far it leads
+  CHECK(evolved({2, None{}}, struck(2, 1000), 2000, 1000) == "");
+}
+
+TEST_CASE("nothing is said to leave a well without a rim", "[property][accuracy]") {
+  for (double velocity : {3.0, 30.0, 100.0})
+    for (double alpha : {1.5, 3.0, 10.0})
+      for (const Well& well :
+           {Well(None{}), Well(Harmonic{}), Well(Quartic{1}), Well(Quartic{10})}) {
+        const Chain chain{6, well, PowerContact{alpha, 0}};
+        CAPTURE(velocity, alpha, describe(well));
+        CHECK(evolved(chain, struck(6, velocity), 2, 0.2).find("runs away") == std::string::npos);
+        CHECK_NOTHROW(strike_to(1e-2, {velocity, chain, 2, far_away, 0.2, reached}));
+      }
+}
+
+TEST_CASE("forces that are nothing or wrong are told by the run", "[unit][accuracy]") {
+  bool nothing = false;
+  double wrong = 0;
+  const Chain chain{20, Changing{&nothing, &wrong}};
+  const auto start = struck(20, 1.5);
+  CHECK(evolved(chain, start, 20, 1) == "");
+  nothing = true;
+  check_line(evolved(chain, start, 20, 1), "no step is short enough (step ");
+  nothing = false;
+  for (double by : {0.1, 1e-2, 1e-3}) {
+    wrong = by;
+    check_line(evolved(chain, start, 20, 1), "the energy drifts by ");
+    check_line(evolved(chain, start, 20, 1), "with half of the step as well");
+  }
+  // From rest on a hill the energy is nearly zero, and its relative drift says nothing
+  struct Hill {
+    double energy(double y) const { return y * y * (y * y / 4 - 0.5); }
+    double force(double y) const { return y - y * y * y; }
+    double stiffness(double y) const { return 3 * y * y - 1; }
+  };
+  CHECK(evolved({5, Hill{}}, struck(5, 1e-6), 30, 1) == "");
+}
+
+TEST_CASE("commands halve a step that is too long, and say when a bead leaves", "[cli]") {
+  const Result stiff =
+      call("sec34_impact run --velocity 100 --contact power --alpha 10 --sites 10 --time 5");
+  CHECK(stiff.code == 0);
+  CHECK(quantity(stiff, "energy_drift") < 1e-5);
+  const Result pressed = call("sec4_precompression_mi impact --velocity 100 --d 10 --s 10");
+  CHECK(pressed.code == 0);
+  CHECK(quantity(pressed, "energy_drift") < 1e-3);
+  const Result gone = call("sec4_precompression_mi impact --velocity 5 --s -1/6");
+  CHECK(gone.code == 1);
+  check_line(gone.errors.substr(0, gone.errors.find('\n')), "a bead runs away at t = 2.30");
 }
 
 TEST_CASE("packets are followed with samples that differ, up to the same time",

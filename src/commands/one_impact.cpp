@@ -21,12 +21,7 @@ void OneImpact::parameters(Parameters& p) {
 OneImpact::Found OneImpact::find() const {
   Impact whole = complete(impact);
   if (impact.chain.sites > 0) whole.far_end = reached;
-  Found found{whole, strike_to(tolerance, whole)};
-  const Run& run = found.runs.fine.run;
-  if (run.escaped())
-    throw Failure("the solution blows up at t = " + std::to_string(run.escape_time) +
-                  ": --velocity is beyond the threshold of this well");
-  return found;
+  return {whole, strike_to(tolerance, whole)};
 }
 
 /// The strongest site in both runs. Where two sites are nearly as strong these differ, and it may be that neither is

@@ -46,7 +46,7 @@ struct OneImpact {
     Impact impact;            ///< on a chain that has a length
     Refined<ImpactRun> runs;  ///< that agree to the tolerance
   };
-  /// Both runs. Throws RefinementFailed, FarEndReached, and Failure if a bead runs away.
+  /// Both runs. Throws RefinementFailed, FarEndReached, and RanAway if a bead runs away.
   Found find() const;
   /// Rows `quantity,value,error,unit,kind,meaning,reason`.
   Table quantities(const Found& found) const;

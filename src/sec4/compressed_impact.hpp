@@ -96,8 +96,10 @@ struct CompressedRun : ImpactRun {
 /// Steps before and after the settling time.
 struct CompressedSteps {
   double early = 0.1, late = 0.4;
-  /// Both half as long.
-  CompressedSteps halved() const { return {early / 2, late / 2}; }
+  /// Both halved so many times.
+  CompressedSteps halved(int times = 1) const {
+    return {std::ldexp(early, -times), std::ldexp(late, -times)};
+  }
 };
 /// When the methods are changed, in units of time.
 inline constexpr double settling_time = 40;
@@ -107,6 +109,11 @@ The impact takes place at $t = 0$. With compression we change methods at the set
 contacts never cease to open, and the contact-aware method integrates all the time. */
 CompressedRun strike_compressed(const Impact& impact, const std::vector<double>& times,
                                 CompressedSteps steps);
+
+/// Two such runs, the second with half of the steps. After a strong blow the usual steps are too long; they are halved
+/// until the second run conserves the energy. Throws like `converge`.
+Refined<CompressedRun> strike_compressed_twice(const Impact& impact,
+                                               const std::vector<double>& times);
 
 /**
 What is a breather, and what a wave train? A breather keeps its energy: the share of the packet goes like

@@ -191,8 +191,8 @@ inline void report_impacts(Report& report) {
 /**
 The subcommand `impact` does the same for one blow of your choice, in wells of any name; the contact, whose
 compression is the subject, stays. The named wells all have the phonons of the harmonic one, on which the
-length of the chain rests. It fails if a bead escapes from a soft well before the end, because then there is
-no packet to report. */
+length of the chain rests. It fails if a bead runs away before the end, because then there is no packet to
+report. */
 struct OneImpact {
   static constexpr Title title{"impact", "one impact: centre, width and energy of the packet"};
   double time = 724, velocity = 1.87, d = 0.5;
@@ -206,10 +206,8 @@ struct OneImpact {
   }
   Table table() const {
     const Impact impact = complete({velocity, {0, well, CompressedHertz{d}}, time, far_away, 1});
-    const CompressedRun coarse = strike_compressed(impact, {time}, {}),
-                        fine = strike_compressed(impact, {time}, CompressedSteps{}.halved());
-    if (fine.shown.empty() || coarse.shown.empty())
-      throw Failure("the solution blows up: --velocity is beyond the threshold of this well");
+    const auto runs = strike_compressed_twice(impact, {time});
+    const CompressedRun &coarse = runs.coarse, &fine = runs.fine;
     const PacketSample &a = coarse.samples.back(), &b = fine.samples.back();
     const Sech &rough = coarse.shown[0].sech, &best = fine.shown[0].sech;
     Answers q{"a --time at which one packet stands out"};

@@ -147,12 +147,10 @@ TurnEstimate estimate_turn(const Voyage& coarse, const Voyage& fine);
 /**
 If a tolerance is stated (accuracy.hpp), two runs agree if both have an apex and a rebound at the same site
 and time, or if neither has one. Two runs without either would agree at any step, so their end states count
-as well, but only with a thousandth of their distance, since the question is the turn. A run whose step is so long
-that the motion blows up has no turn to compare, and agrees with no other. */
+as well, but only with a thousandth of their distance, since the question is the turn. */
 struct SameTurn {
   std::string name = "apex and rebound";
   double operator()(const Voyage& a, const Voyage& b) const {
-    if (a.run.escaped() || b.run.escaped()) return std::numeric_limits<double>::infinity();
     const Turn x = a.turn(), y = b.turn();
     double worst = 0;
     for (auto [p, q] : {std::pair{x.apex, y.apex}, {x.rebound, y.rebound}}) {

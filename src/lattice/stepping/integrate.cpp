@@ -1,6 +1,8 @@
 #include "lattice/stepping/integrate.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <sstream>
 #include <stdexcept>
 
 #include "lattice/model/typed.hpp"
@@ -17,9 +19,17 @@ std::size_t stage_count(const Scheme& scheme, std::size_t steps) {
 
 // The coarsest division into equal samples and steps, safe from rounding at whole numbers
 TimeGrid time_grid(double duration, double sample, double step) {
-  const bool good = duration >= 0 && duration < 1e15 && sample > 0 && step > 0;
-  if (!good)
-    throw std::invalid_argument("a run needs a finite duration and positive samples and steps");
+  constexpr double most_steps = 1e12;
+  const auto positive = [](double x) { return x > 0 && std::isfinite(x); };
+  const bool good = duration >= 0 && positive(sample) && positive(step) &&
+                    duration / std::min(sample, step) <= most_steps;
+  if (!good) {
+    std::ostringstream text;
+    text << "a run of duration " << duration << " with samples " << sample << " apart and steps of "
+         << step << " (allowed: finite and positive, the duration may vanish, at most "
+         << most_steps << " steps)";
+    throw std::invalid_argument(text.str());
+  }
   TimeGrid p{duration, std::size_t(std::ceil(duration / sample * (1 - 1e-12)))};
   if (p.samples > 0) p.steps = std::size_t(std::ceil(p.interval() / step * (1 - 1e-12)));
   p.steps = std::max<std::size_t>(p.steps, 1);
@@ -40,24 +50,54 @@ TimeGrid denser_samples(TimeGrid p, int times) {
 Run joined(const Run& first, const Run& second) {
   Run both = second;
   both.energy_drift += first.energy_drift;
+  both.energy_defect += first.energy_defect;
   both.work += first.work;
   both.steps += first.steps;
   return both;
 }
 
-// Has no bead run away over the rim of a soft well?
-bool bounded(const State<double>& state) {
+// Has no bead gone too far?
+bool bounded(const State<double>& state, double bound) {
   return std::all_of(state.y.begin(), state.y.end(),
-                     [](double y) { return std::abs(y) < escape_displacement; });
+                     [bound](double y) { return std::abs(y) < bound; });
 }
 
-// March from sample to sample, watch the energy, and stop where the solution runs away
+static double kinetic_energy(const Chain& chain, const State<double>& state) {
+  double sum = 0;
+  for (std::size_t n = 0; n < chain.sites; ++n)
+    sum += chain.mass_of(n) * state.v[n] * state.v[n] / 2;
+  return sum;
+}
+
+// Beyond the wells and beyond the flight of the lightest bead with all of the energy
+static double farthest(const Chain& chain, double energy, double duration) {
+  const double mass =
+      chain.mass.empty() ? 1 : *std::min_element(chain.mass.begin(), chain.mass.end());
+  const double flight = std::sqrt(2 * std::max(energy, 0.0) / mass) * duration;
+  return escape_displacement + (std::isfinite(flight) ? flight : 0);
+}
+
+// March from sample to sample, watch energy and rim, and stop where the solution runs away
 Run evolve(const Advance& advance, const Chain& chain, State<double>& state, const TimeGrid& grid,
            const Look& look) {
   const double start = energy(chain, state), scale = start != 0 ? std::abs(start) : 1;
-  const double t0 = state.t, interval = grid.interval();
+  const double t0 = state.t, interval = grid.interval(), rim = chain.well.rim();
+  const double far = farthest(chain, start, grid.duration);
+  double largest = scale;
   Window window = waking(chain, state);
   Run run{.t_end = t0};
+  const auto note = [&](double e) {
+    const double off = std::abs(e - start);
+    largest = std::max(largest, kinetic_energy(chain, state));
+    run.energy_drift = std::max(run.energy_drift, off / scale);
+    run.energy_defect = std::max(run.energy_defect, off / largest);
+    if (bounded(state, rim))
+      run.leave_time = std::numeric_limits<double>::infinity();
+    else if (run.energy_defect <= largest_defect)
+      run.leave_time = std::min(run.leave_time, state.t);
+    run.t_end = state.t;
+  };
+  note(start);
   if (!look(state)) return run;
   Progress progress(number_label("step", grid.step()), 1);
   for (std::size_t k = 1; k <= grid.samples; ++k) {
@@ -67,12 +107,11 @@ Run evolve(const Advance& advance, const Chain& chain, State<double>& state, con
     // Times are multiples of the interval and not sums of steps, so that rounding does not pile up
     state.t = t0 + interval * double(k);
     const double e = energy(chain, state);
-    if (!std::isfinite(e) || !bounded(state)) {
+    if (!std::isfinite(e) || !bounded(state, far)) {
       run.escape_time = state.t;
       break;
     }
-    run.energy_drift = std::max(run.energy_drift, std::abs(e - start) / scale);
-    run.t_end = state.t;
+    note(e);
     if (!look(state)) break;
     progress.reach(double(k) / double(grid.samples));
   }

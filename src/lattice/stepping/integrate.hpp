@@ -87,31 +87,42 @@ TimeGrid shorter_steps(TimeGrid p, int times);
 TimeGrid denser_samples(TimeGrid p, int times);
 
 /**
-A run reports how far it can be trusted. `energy_drift` is the largest deviation of the energy seen at
-the samples, relative to the energy at the start; `escape_time` is the time of the first sample at which
-the solution has run away, as it does beyond the rim of a soft well. */
+A run reports how far it can be trusted. At every sample its energy is compared with that at the start. The
+difference is given relative to the latter, and relative to the largest energy that occurs: a bead that falls
+from a height has more than it started with. A run may end early for two reasons. In a well with a rim a bead
+may run away, and then it is first seen beyond the rim, with the energy still conserved. Otherwise the steps
+are too long for the forces: such a run is *broken* and says nothing. */
 struct Run {
-  double energy_drift = 0;
-  double work = 0;        ///< site-force evaluations
-  std::size_t steps = 0;  ///< time steps
+  double energy_drift = 0;   ///< largest change of the energy, relative to the start
+  double energy_defect = 0;  ///< the same, relative to the largest kinetic energy if that is more
+  double work = 0;           ///< site-force evaluations
+  std::size_t steps = 0;     ///< time steps
   double error = 0;  ///< of the end state, relative; zero unless from `evolve_to` (accuracy.hpp)
   double t_end = 0;  ///< time of the last sample that is not a runaway
+  /// Time of the first sample that is one.
   double escape_time = std::numeric_limits<double>::infinity();
-  /// Whether the solution has run away.
+  /// Time of the sample since which a bead has been beyond the rim of its well.
+  double leave_time = std::numeric_limits<double>::infinity();
+  /// Whether the solution has run away, or seems to.
   bool escaped() const { return std::isfinite(escape_time); }
+  /// Whether it seems to, but no bead was seen to leave its well.
+  bool broken() const { return escaped() && !std::isfinite(leave_time); }
 };
 
-/// Two runs one after the other, as one; the drifts add up.
+/// With a larger `energy_defect` the energy is not conserved.
+inline constexpr double largest_defect = 1e-3;
+
+/// Two runs one after the other, as one; drifts and defects add up.
 Run joined(const Run& first, const Run& second);
 
 /**
-A displacement beyond this counts as a runaway. Wells have a width of order one, and a bead that rolls
-over the rims of a pendulum potential travels at a speed of order ten, so that in no run of ours does one
-come near a million otherwise. */
+A displacement beyond this counts as a runaway. Wells have a width of order one, and a bead that rolls over the
+rims of a pendulum potential travels at a speed of order ten. The way that a bead can fly freely, with all of
+the energy, is added to it. */
 inline constexpr double escape_displacement = 1e6;
 
-/// Whether no displacement is a runaway.
-bool bounded(const State<double>& state);
+/// Whether all displacements are smaller than `bound`; one that is not a number is not.
+bool bounded(const State<double>& state, double bound = escape_displacement);
 
 /// Shows `state` to an observer, which may return false to stop the run; if it returns nothing the run
 /// goes on.
