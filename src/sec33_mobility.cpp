@@ -600,7 +600,7 @@ Table Kick::table() const {
         "speed of the breather's energy centre over the whole run, with its sign",
         way < 1 ? "the breather has moved by " + short_text(std::round(100 * way) / 100) +
                       " sites, less than one"
-                : "the run ends before its place has been averaged four times over eleven periods");
+                : "the run ends before the place has been averaged four times over eleven periods");
   q.add_small("drift", compare(runs[0].run.energy_drift, runs[1].run.energy_drift), "relative",
               "largest change of the chain's energy during the run");
   q.add_small("sites_travelled", compare(runs[0].travelled(), runs[1].travelled()), "site",
