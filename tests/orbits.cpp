@@ -310,8 +310,9 @@ TEST_CASE("contacts of any exponent have breathers of the size that is guessed",
   for (Centre centre : both_centres) {
     const std::size_t sites = sites_of(centre, Length::shortest);
     for (const Contact& contact :
-         {Contact(PowerContact{1.75}), Contact(PowerContact{2}), Contact(PowerContact{3}),
-          Contact(PowerContact{6}), Contact(Layer{}), Contact(Layer{10})}) {
+         {Contact(PowerContact{1.2}), Contact(PowerContact{1.75}), Contact(PowerContact{2}),
+          Contact(PowerContact{3}), Contact(PowerContact{6}), Contact(Layer{}),
+          Contact(Layer{10})}) {
       Problem problem = breather_problem(centre, 1.05, 0, sites);
       problem.chain.contact = contact;
       CAPTURE(contact.exponent());

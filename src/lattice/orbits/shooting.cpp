@@ -73,11 +73,11 @@ Vector<T> Shooting<T>::fold(const State<T>& state) const {
 
 Newton's method wants to know how large each unknown is. The local size of an orbit is the larger of
 position and velocity at the start. A guess may be zero in the tail, where the breather is not; there
-the law $|y_{n+1}|\sim|y_n|^{3/2}$ of the tail, divided by 16 to be on the safe side, supplies a least
-size, from the largest site outwards. */
+the law $|y_{n+1}|\sim|y_n|^\alpha$ of the tail, with $\alpha = 3/2$ for spheres, divided by 16 to be on the safe side,
+supplies a least size, from the largest site outwards. */
 template <class T>
-std::vector<T> local_sizes(const State<T>& state) {
-  using std::sqrt;
+std::vector<T> local_sizes(const State<T>& state, double alpha) {
+  using std::pow, std::sqrt;
   const std::size_t n = state.y.size();
   std::vector<T> size(n);
   std::size_t top = 0;
@@ -86,7 +86,8 @@ std::vector<T> local_sizes(const State<T>& state) {
     if (size[i] > size[top]) top = i;
   }
   const auto tail = [&](std::size_t i, std::size_t inner) {
-    const T law = (size[inner] < T(1) ? sqrt(size[inner]) : T(1)) * size[inner] / T(16);
+    const T part = alpha == 1.5 ? sqrt(size[inner]) : pow(size[inner], T(alpha - 1));
+    const T law = (size[inner] < T(1) ? part : T(1)) * size[inner] / T(16);
     size[i] = std::max({size[i], law, vanishing<T>()});
   };
   for (std::size_t i = top + 1; i < n; ++i) tail(i, i - 1);
@@ -101,8 +102,9 @@ template <class T>
 Sizes<T> Shooting<T>::sizes(const Vector<T>& x, bool graded) const {
   const State<T> start = unfold(x);
   const std::size_t n = chain.sites;
-  const std::vector<T> local =
-      graded && symmetry.decays ? local_sizes(start) : std::vector<T>(n, largest(start));
+  const std::vector<T> local = graded && symmetry.decays
+                                   ? local_sizes(start, chain.contact.exponent())
+                                   : std::vector<T>(n, largest(start));
   Sizes<T> out;
   out.unknown = Vector<T>::Ones(x.size());
   out.equation.resize(Eigen::Index(symmetry.equations.size()));
