@@ -284,6 +284,11 @@ TEST_CASE("forces that are nothing or wrong are told by the run", "[unit][accura
     check_line(evolved(chain, start, 20, 1), "the energy drifts by ");
     check_line(evolved(chain, start, 20, 1), "with half of the step as well");
   }
+  // Under a strong compression the energies are small differences of large ones, and known to few digits
+  const auto pressed =
+      strike_to(1e-4, {1e-3, {5, Harmonic{}, PowerContact{8, 8}}, 1, far_away, 0.2, reached});
+  CHECK(pressed.fine.run.energy_drift > 1e-4);
+  CHECK(pressed.fine.run.energy_defect < 1e-4);
   // From rest on a hill the energy is nearly zero, and its relative drift says nothing
   struct Hill {
     double energy(double y) const { return y * y * (y * y / 4 - 0.5); }

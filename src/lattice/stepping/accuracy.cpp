@@ -51,9 +51,9 @@ void Attempts::add(int k, const Run& run, double error) {
   if (k > 0 || held < 0) history += (history.empty() ? "" : ", ") + text.str();
 }
 
-// More is due to forces that are wrong; below lies rounding
+// More is due to steps that are too long, or to forces that are wrong
 static double allowed_defect(double tolerance) {
-  return std::max(tolerance, 1e-10);
+  return std::max(tolerance, rounded_defect);
 }
 
 double defect_difference(const Run& a, const Run& b, double tolerance) {

@@ -93,10 +93,11 @@ from a height has more than it started with. A run may end early for two reasons
 may run away, and then it is first seen beyond the rim, with the energy still conserved. Otherwise the steps
 are too long for the forces: such a run is *broken* and says nothing. */
 struct Run {
-  double energy_drift = 0;   ///< largest change of the energy, relative to the start
-  double energy_defect = 0;  ///< the same, relative to the largest kinetic energy if that is more
-  double work = 0;           ///< site-force evaluations
-  std::size_t steps = 0;     ///< time steps
+  double energy_drift = 0;  ///< largest change of the energy, relative to the start
+  /// The same, relative to the largest kinetic energy if that is more, and beyond what rounding explains.
+  double energy_defect = 0;
+  double work = 0;        ///< site-force evaluations
+  std::size_t steps = 0;  ///< time steps
   double error = 0;  ///< of the end state, relative; zero unless from `evolve_to` (accuracy.hpp)
   double t_end = 0;  ///< time of the last sample that is not a runaway
   /// Time of the first sample that is one.
@@ -111,6 +112,8 @@ struct Run {
 
 /// With a larger `energy_defect` the energy is not conserved.
 inline constexpr double largest_defect = 1e-3;
+/// A smaller one is not worth a thought, whether it is rounding or not.
+inline constexpr double rounded_defect = 1e-5;
 
 /// Two runs one after the other, as one; drifts and defects add up.
 Run joined(const Run& first, const Run& second);
