@@ -81,7 +81,8 @@ std::string escape_message(const Run& run) {
 
 std::string broken_message(const std::string& history) {
   return "no step is short enough (" + history +
-         "): a force may not be finite there, or a well without a rim lets go of a bead";
+         "): contacts may be too stiff, a force not finite there, or a well without a rim "
+         "lets go of a bead";
 }
 
 EndOfRun end_of_run(const ContactAware& stepper, const Chain& chain, const State<double>& start,
