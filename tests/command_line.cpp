@@ -444,6 +444,8 @@ TEST_CASE("what does not exist has a reason", "[cli]") {
        "the energy has not gathered by t = 200"},
       {"sec4_precompression_mi ring --longest 200", "width",
        "the energy has not gathered by t = 200"},
+      {"sec4_precompression_mi impact --velocity 20 --d 10 --s 10 --time 60", "width",
+       "beyond the 21 sites of the fit"},
       {"sec4_precompression_mi band --s 0.3", "unstable_to", ""},
       {"sec5_growth growth --q 1", "edge", "the wave is stable: no modulation of it grows"}};
   for (const auto& [command, name, reason] : all) {

@@ -60,6 +60,7 @@ Table OneImpact::quantities(const Found& found) const {
   const auto line = [&](const ImpactRun& out) {
     return out.track.line(fit_from, to).value_or(Line{undefined, undefined, undefined});
   };
+  // The foremost packet
   q.add("speed", compare(line(runs.coarse).estimate(), line(runs.fine).estimate()),
         "site per unit of time",
         "speed of the foremost packet, fitted between site 20 and twenty sites before the far end",
@@ -78,6 +79,7 @@ Table OneImpact::quantities(const Found& found) const {
         tracked([](const ImpactRun& out) { return out.track.energy.back() / total(out.density); }),
         "", "energy of the foremost packet (eleven sites) over that of the chain, at the end",
         lost);
+  // What stays behind, and how far all of it can be trusted
   q.add_small("boundary_energy_fraction",
               both([](const ImpactRun& out) { return boundary_share(out.density); }), "",
               "energy of the first five sites over that of the chain, at the end");

@@ -210,11 +210,17 @@ struct OneImpact {
     const CompressedRun &coarse = runs.coarse, &fine = runs.fine;
     const PacketSample &a = coarse.samples.back(), &b = fine.samples.back();
     const Sech &rough = coarse.shown[0].sech, &best = fine.shown[0].sech;
+    const auto width = [](const Snapshot& shot) {
+      const double off = std::abs(shot.sech.centre - shot.centre), reach = envelope_reach;
+      return std::max(off, shot.sech.width) < reach ? shot.sech.width : std::nan("");
+    };
     Answers q{"a --time at which one packet stands out"};
     q.add("centre", compare(a.centre, b.centre), "site",
           "energy centre of the packet that holds the most energy, at the end of the run");
-    q.add("width", compare(rough.width, best.width), "site",
-          "width w of the sech((n - n_0)/w) that fits the envelope of its velocities");
+    q.add("width", compare(width(coarse.shown[0]), width(fine.shown[0])), "site",
+          "width w of the sech((n - n_0)/w) that fits the envelope of its velocities",
+          "no sech: the top or the width of the one that fits best lies beyond the " +
+              std::to_string(2 * envelope_reach + 1) + " sites of the fit");
     q.add_small(
         "residual", compare(rough.residual, best.residual), "",
         "root mean square of what this sech leaves of the envelope, relative to its height");

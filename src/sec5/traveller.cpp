@@ -103,6 +103,7 @@ bool TravellerWatch::look(const State<double>& now) {
   return true;
 }
 
+// Means over the beads that were passed: of time and phase from one to the next, of energy and width
 Traveller TravellerWatch::traveller() const {
   if (next_ <= to_ || crossings_.size() < 2)
     throw std::runtime_error("packet " + std::to_string(which_) + " has not passed the beads " +

@@ -34,6 +34,7 @@ bool hopeless(double error, double tolerance, int halvings) {
   return halvings >= 3 && std::isfinite(error) && std::ldexp(error, -6 * left) > tolerance;
 }
 
+// What the history says of a run, and whether another one is worth its cost
 void Attempts::add(int k, const Run& run, double error) {
   std::ostringstream text;
   text << "step " << std::ldexp(largest_step, -k) << ": ";

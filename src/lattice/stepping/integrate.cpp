@@ -57,16 +57,9 @@ Run joined(const Run& first, const Run& second) {
 }
 
 // Has no bead gone too far?
-bool bounded(const State<double>& state, double bound) {
+bool bounded(const State<double>& state) {
   return std::all_of(state.y.begin(), state.y.end(),
-                     [bound](double y) { return std::abs(y) < bound; });
-}
-
-static double kinetic_energy(const Chain& chain, const State<double>& state) {
-  double sum = 0;
-  for (std::size_t n = 0; n < chain.sites; ++n)
-    sum += chain.mass_of(n) * state.v[n] * state.v[n] / 2;
-  return sum;
+                     [](double y) { return std::abs(y) < escape_displacement; });
 }
 
 #ifndef __wasm__
@@ -92,27 +85,60 @@ static double farthest(const Chain& chain, double energy, double duration) {
   return escape_displacement + (std::isfinite(flight) ? flight : 0);
 }
 
-// March from sample to sample, watch energy and rim, and stop where the solution runs away
-Run evolve(const Advance& advance, const Chain& chain, State<double>& state, const TimeGrid& grid,
-           const Look& look) {
-  const double start = energy(chain, state), scale = start != 0 ? std::abs(start) : 1;
-  const double t0 = state.t, interval = grid.interval(), rim = chain.well.rim();
-  const double far = farthest(chain, start, grid.duration);
-  double largest = scale;
-  Window window = waking(chain, state);
-  Run run{.t_end = t0};
-  const auto note = [&](double e) {
-    const double off = std::abs(e - start);
-    largest = std::max(largest, kinetic_energy(chain, state));
-    run.energy_drift = std::max(run.energy_drift, off / scale);
-    run.energy_defect = std::max(run.energy_defect, off / largest);
-    if (bounded(state, rim))
+namespace {
+
+/// What a run must keep: its energy, and its beads.
+class Audit {
+ public:
+  Audit(const Chain& chain, const State<double>& state, double duration)
+      : chain_(chain), start_(energy(chain, state)), far_(farthest(chain, start_, duration)) {}
+
+  /// Enters a sample into the run; false if the solution has run away.
+  bool holds(const State<double>& state, const Window& window, Run& run) {
+    const double now = energy(chain_, state), off = std::abs(now - start_);
+    double reach = 0, kinetic = 0;
+    for (std::size_t n = window.first; n < window.last; ++n) {
+      if (!(std::abs(state.y[n]) < far_)) return false;
+      reach = std::max(reach, std::abs(state.y[n]));
+      kinetic += chain_.mass_of(n) * state.v[n] * state.v[n] / 2;
+    }
+    if (!std::isfinite(now)) return false;
+    largest_ = std::max(largest_, kinetic);
+    run.energy_drift = std::max(run.energy_drift, off / scale_);
+    run.energy_defect = std::max(run.energy_defect, off / largest_);
+    if (reach < rim_)
       run.leave_time = std::numeric_limits<double>::infinity();
     else if (run.energy_defect <= largest_defect)
       run.leave_time = std::min(run.leave_time, state.t);
     run.t_end = state.t;
-  };
-  note(start);
+    return true;
+  }
+
+  /// Takes what rounding explains from the defect. The browser has no wider type to tell.
+  void excuse_rounding([[maybe_unused]] const State<double>& state, [[maybe_unused]] Run& run) {
+#ifndef __wasm__
+    if (run.energy_defect > rounded_defect && !run.escaped())
+      run.energy_defect =
+          std::max(0.0, run.energy_defect - 10 * rounding(chain_, state) / largest_);
+#endif
+  }
+
+ private:
+  const Chain& chain_;
+  double start_, far_, scale_ = start_ != 0 ? std::abs(start_) : 1, largest_ = scale_;
+  double rim_ = chain_.well.rim();
+};
+
+}  // namespace
+
+// March from sample to sample, watch energy and rim, and stop where the solution runs away
+Run evolve(const Advance& advance, const Chain& chain, State<double>& state, const TimeGrid& grid,
+           const Look& look) {
+  const double t0 = state.t, interval = grid.interval();
+  Audit audit(chain, state, grid.duration);
+  Window window = waking(chain, state);
+  Run run{.t_end = t0};
+  audit.holds(state, window, run);
   if (!look(state)) return run;
   Progress progress(number_label("step", grid.step()), 1);
   for (std::size_t k = 1; k <= grid.samples; ++k) {
@@ -121,19 +147,14 @@ Run evolve(const Advance& advance, const Chain& chain, State<double>& state, con
     run.steps += grid.steps;
     // Times are multiples of the interval and not sums of steps, so that rounding does not pile up
     state.t = t0 + interval * double(k);
-    const double e = energy(chain, state);
-    if (!std::isfinite(e) || !bounded(state, far)) {
+    if (!audit.holds(state, window, run)) {
       run.escape_time = state.t;
       break;
     }
-    note(e);
     if (!look(state)) break;
     progress.reach(double(k) / double(grid.samples));
   }
-#ifndef __wasm__  // no wider type in the browser
-  if (run.energy_defect > rounded_defect && !run.escaped())
-    run.energy_defect = std::max(0.0, run.energy_defect - 10 * rounding(chain, state) / largest);
-#endif
+  audit.excuse_rounding(state, run);
   return run;
 }
 #endif

@@ -124,8 +124,8 @@ rims of a pendulum potential travels at a speed of order ten. The way that a bea
 the energy, is added to it. */
 inline constexpr double escape_displacement = 1e6;
 
-/// Whether all displacements are smaller than `bound`; one that is not a number is not.
-bool bounded(const State<double>& state, double bound = escape_displacement);
+/// Whether no displacement is a runaway; one that is not a number is.
+bool bounded(const State<double>& state);
 
 /// Shows `state` to an observer, which may return false to stop the run; if it returns nothing the run
 /// goes on.
