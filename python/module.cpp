@@ -129,11 +129,13 @@ class Rows {
     const auto returned = py::array::ensure(((*functions_).*which)(given));
     if (!returned || std::string("fiu").find(returned.dtype().kind()) == std::string::npos)
       throw std::invalid_argument(std::string(name) + " returns something else than real numbers");
+    const auto answer = py::array_t<T, py::array::c_style | py::array::forcecast>(returned);
+    // One number stands for as many as are asked for
+    if (returned.size() == 1) return void(std::fill_n(out, n, *answer.data()));
     if (std::size_t(returned.size()) != n)
       throw std::invalid_argument(std::string(name) + " returns " +
                                   std::to_string(returned.size()) + " numbers for " +
-                                  std::to_string(n));
-    const auto answer = py::array_t<T, py::array::c_style | py::array::forcecast>(returned);
+                                  std::to_string(n) + " (allowed: as many, or one)");
     std::copy_n(answer.data(), n, out);
   }
   std::shared_ptr<const Functions> functions_;

@@ -281,7 +281,10 @@ def _repeated(name, row, count, ring):
         raise ValueError(f"{name}: the chain has no number of sites (allowed: with `sites`)")
     row = _array(name, row, f"{count}, or a pattern that fits in at least twice",
                  lambda shape: len(shape) < 2 and (shape in ((), (count,)) or 0 < 2 * shape[0] <= count)).ravel()
-    return np.append(np.resize(row, count - 1), row[:1]) if ring and len(row) < count else np.resize(row, count)
+    around = count - (name == "eta")
+    if ring and 1 < len(row) < count and around % len(row):
+        raise ValueError(f"{name}: a pattern of {len(row)} does not close after {around} sites (allowed: one that does)")
+    return np.append(np.resize(row, around), row[:count - around]) if len(row) < count and ring else np.resize(row, count)
 
 
 def _pattern(name, row):
@@ -311,7 +314,7 @@ class Chain(_lattice.Chain):
     def __init__(self, sites=None, mass=None, eta=None, **options):
         well, contact = _own(options, "onsite", Well), _own(options, "contact", Contact)
         super().__init__(_words("Chain", {"sites": sites, **options}), well, contact)
-        self._vary(_repeated("mass", mass, self.sites, False),
+        self._vary(_repeated("mass", mass, self.sites, self.ends == "periodic"),
                    _repeated("eta", eta, self.sites and self.sites + 1, self.ends == "periodic"))
 
     def __reduce__(self):

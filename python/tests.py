@@ -231,7 +231,10 @@ class OwnChains(unittest.TestCase):
         self.assertEqual(bits(lattice.Chain(5, mass=(1, 0.5)).mass), bits([1, 0.5, 1, 0.5, 1]))
         self.assertEqual(bits(lattice.Chain(4, mass=2, eta=[1, 3]).eta), bits([1, 3, 1, 3, 1]))
         self.assertEqual(bits(lattice.Chain(4, eta=[1, 3, 5, 7, 9]).eta), bits([1, 3, 5, 7, 9]))
-        self.assertEqual(bits(lattice.Chain(5, eta=[1, 3], ends="periodic").eta), bits([1, 3, 1, 3, 1, 1]))
+        self.assertEqual(bits(lattice.Chain(6, eta=[1, 3], ends="periodic").eta), bits([1, 3, 1, 3, 1, 3, 1]))
+        for name in ("mass", "eta"):
+            with self.assertRaisesRegex(ValueError, f"{name}: a pattern of 2 does not close after 5 sites"):
+                lattice.Chain(5, ends="periodic", **{name: [1, 3]})
         for mass in ([1, 2, 3], [1] * 5, [], [[1, 2], [1, 2]]):  # more than half of it, which may be a slip
             with self.assertRaisesRegex(ValueError, "mass: .*allowed: 4, or a pattern that fits in at least twice"):
                 lattice.Chain(4, mass=mass)
@@ -318,12 +321,14 @@ class OwnChains(unittest.TestCase):
                                    ("force", (energy, energy, np.ones_like)),
                                    ("stiffness", (energy, force, lambda y: 2 + 0 * y)),
                                    ("nan", (lambda y: y * math.nan, force, force)),
-                                   ("force returns 88 numbers for 89", (energy, lambda y: -y[1:], np.ones_like)),
+                                   (r"force returns (\d+) numbers for \d+ .allowed: as many, or one", (energy, lambda y: -y[1:], np.ones_like)),
                                    ("energy returns something else", (lambda y: y * y / 2 + 0j, force, np.ones_like)),
                                    ("force returns something else", (energy, lambda y: None, np.ones_like)),
-                                   ("1 numbers for", (energy, force, lambda y: 1))]:
+                                   ("stiffness", (energy, force, lambda y: 2))]:
             with self.assertRaisesRegex(ValueError, message):
                 lattice.Well(*functions)
+        one = lattice.Chain(3, onsite=lattice.Well(energy, force, lambda y: 1.0))  # a number stands for a row of it
+        self.assertEqual(list(one.accelerations([1, 1, 1])), [-1, -1, -1])
         with self.assertRaisesRegex(ValueError, "rim is nan"):
             lattice.Well(energy, force, np.ones_like, math.nan)
         with self.assertRaisesRegex(ValueError, "exponent"):

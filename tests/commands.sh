@@ -13,7 +13,7 @@ if script -qec true /dev/null < /dev/null > said 2>&1; then
   on_terminal "'$bin/sec34_impact' run --time 2500" || fail "an impact on a terminal"
   grep -qE 'sec34_impact run [0-9]+ s, step 0\.[0-9]+: [0-9]+ %' said || fail "an impact does not show how far it is"
   on_terminal "'$bin/sec33_floquet' exchange --omega 1.5" || fail "an exchange on a terminal"
-  grep -qE 'exchange [0-9]+ s, s up to 1 [0-9]+/20' said || fail "an exchange does not show how far it is"
+  grep -qE 'exchange [0-9]+ s, s (up to 1|down to -1) [0-9]+/20' said || fail "an exchange does not show how far it is"
   on_terminal "'$bin/sec33_mobility' threshold" || fail "a threshold on a terminal"
   grep -qE 'threshold [0-9]+ s, thresholds [0-9]+/2' said || fail "a threshold does not show how far it is"
 else

@@ -25,7 +25,44 @@ Pairs<double> pairs_at(const Problem& problem, const Orbit<double>& orbit, doubl
   return floquet_pairs(problem.chain, orbit.start, orbit.period(), rule);
 }
 
+/// A quartic well whose stiffness is wrong by too little to be seen when it is made.
+struct Stiffer {
+  double off = 0;
+  template <class T>
+  T energy(T y) const {
+    return Quartic{1}.energy(y);
+  }
+  template <class T>
+  T force(T y) const {
+    return Quartic{1}.force(y);
+  }
+  template <class T>
+  T stiffness(T y) const {
+    return Quartic{1}.stiffness(y) + T(off) * std::min(T(1e3) * y * y, T(1));
+  }
+};
+
 }  // namespace
+
+TEST_CASE("a stiffness that is not that of the force has no multipliers", "[unit][floquet]") {
+  for (const double off : {0.0, 5e-4, 1e-5}) {
+    Problem problem = small_problem(Centre::site, 1.02, 1);
+    const Orbit<double> orbit = find_breather(problem);
+    problem.chain.well = Stiffer{off};
+    CAPTURE(off);
+    if (off == 0) {
+      CHECK_NOTHROW(pairs_at(problem, orbit));
+      continue;
+    }
+    try {
+      pairs_at(problem, orbit);
+      FAIL("taken");
+    } catch (const NewtonFailed& error) {
+      CHECK(std::string(error.what()).find("not minus the derivative of its force") !=
+            std::string::npos);
+    }
+  }
+}
 
 TEST_CASE("a pair follows from kappa", "[unit][floquet]") {
   for (const std::complex<double> kappa :

@@ -106,6 +106,11 @@ TEST_CASE("honest wells are taken, steep or flat, large or small", "[unit][poten
   taken(OneWell{{[](double y) { return y * y / 2 + 1e-5 * (1 - std::cos(1e4 * y)); },
                  [](double y) { return -y - 0.1 * std::sin(1e4 * y); },
                  [](double y) { return 1 + 1e3 * std::cos(1e4 * y); }}});
+  // Structure that is finer than the first steps of the check
+  for (const double a : {1e-4, 3e-5, 1e-5, 1e-6})
+    taken(OneWell{{[=](double y) { return 2 * std::pow(a * std::sin(y / a / 2), 2); },
+                   [=](double y) { return -a * std::sin(y / a); },
+                   [=](double y) { return std::cos(y / a); }}});
 }
 
 TEST_CASE("honest contacts are taken, and a chain of links that never open", "[unit][potential]") {
@@ -121,6 +126,21 @@ TEST_CASE("honest contacts are taken, and a chain of links that never open", "[u
   taken(OneContact{{[](double r) { return std::exp(-r) - 1 + r; },
                     [](double r) { return std::exp(-r) - 1; },
                     [](double r) { return std::exp(-r); }}});
+  // Links that pull when they are pressed too far, and those of Lennard-Jones, beyond their centre as well
+  for (const double k : {-2.0, 1.3, 2.0})
+    taken(OneContact{
+        {[=](double r) { return r * r / 2 + k * r * r * r / 3; },
+         [=](double r) { return -r - k * r * r; }, [=](double r) { return 1 + 2 * k * r; }},
+        0,
+        1});
+  for (const double a : {0.1, 0.3, 0.5, 0.7, 0.8, 2.0}) {
+    const auto power = [=](double r, int n) { return std::pow(1 + r / a, -n); };
+    taken(OneContact{{[=](double r) { return a * a * (power(r, 12) - 2 * power(r, 6) + 1) / 72; },
+                      [=](double r) { return a * (power(r, 13) - power(r, 7)) / 6; },
+                      [=](double r) { return (13 * power(r, 14) - 7 * power(r, 8)) / 6; }},
+                     0,
+                     1});
+  }
 }
 
 TEST_CASE("a well whose functions do not belong together is refused", "[unit][potential]") {
@@ -160,7 +180,7 @@ TEST_CASE("a well must rest at zero, be finite and have a rim beyond it", "[unit
           "energy(0) is 1 and must be 0");
   refused({{[](double y) { return y + y * y / 2; }, [](double y) { return -1 - y; },
             [](double) { return 1; }}},
-          "force(0) is -1 and must be 0");
+          "force(0) is -1 and must be 0: count displacements from the place of rest");
   for (const double bad : {none, inf, -inf}) {
     const auto broken = [=](double) { return bad; };
     refused({{broken, good.f, good.k}}, "energy(0) is");

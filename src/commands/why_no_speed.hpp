@@ -33,8 +33,9 @@ inline std::string why_no_speed(const Track& track, const std::vector<double>& d
   const double to = way_end(density.size());
   if (track.line(fit_from, to)) return "";
   if (!(to > fit_from))
-    return "the way from site 20 to " + short_text(to) +
-           ", twenty sites before the far end, is empty: it takes more than 40 sites";
+    return "the way from site 20 to twenty sites before the far end is empty: it takes more than "
+           "40 "
+           "sites";
   if (track.t.empty()) return why_no_packet(track);
   const double farthest = *std::max_element(track.centre.begin(), track.centre.end());
   if (farthest >= fit_from)

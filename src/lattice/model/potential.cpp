@@ -13,9 +13,9 @@ namespace {
 
 A stated slope is compared with central differences at steps that become shorter by factors of eight. An honest
 potential agrees at one of them; where it does not, be it that the function is steep, has a kink or loses digits,
-the differences disagree with each other too. So we refuse a slope only if three steps in a row tell of the same
-error. */
-constexpr double steps[] = {0x1p-6, 0x1p-9, 0x1p-12, 0x1p-15, 0x1p-18};
+the differences disagree with each other too. So we refuse a slope only if the three shortest steps tell of the same
+error. What is left of an error below the slack shows in the tangent map of an orbit (orbits/floquet.hpp). */
+constexpr double steps[] = {0x1p-6, 0x1p-9, 0x1p-12, 0x1p-15, 0x1p-18, 0x1p-21, 0x1p-24};
 constexpr double slack = 1e-3;  ///< relative error of a slope that is still believed
 
 /// Where the check is made, in units of a length; no place at which a table or a kink is likely.
@@ -95,11 +95,9 @@ std::optional<double> other_slope(const double* x, const double* f, double state
     const double most = slack * std::max(std::abs(stated), std::abs(slope)) + rounding;
     if (std::abs(off.back()) <= most || !std::isfinite(off.back())) return std::nullopt;
   }
-  for (std::size_t k = 2; k < off.size(); ++k) {
-    const auto [low, high] = std::minmax({off[k - 2], off[k - 1], off[k]});
-    if (high - low <= 0.5 * std::min(std::abs(low), std::abs(high))) return stated - off[k];
-  }
-  return std::nullopt;
+  const auto [low, high] = std::minmax_element(off.end() - 3, off.end());
+  if (*high - *low > 0.5 * std::min(std::abs(*low), std::abs(*high))) return std::nullopt;
+  return slope;
 }
 
 /// Throws unless the functions belong together at every place of the rows.
@@ -125,12 +123,12 @@ double largest_of(const std::vector<double>& values) {
 
 /// Throws unless energy and force vanish at rest, up to the rounding of larger terms.
 void require_rest(const std::string& what, const Rows& rows) {
-  const auto look = [&](const char* name, const std::vector<double>& values) {
+  const auto look = [&](const char* name, const std::vector<double>& values, const char* cure) {
     if (std::abs(values[0]) > 1e-6 * largest_of(values))
-      throw complaint(what, name, "(0) is ", values[0], " and must be 0: subtract it");
+      throw complaint(what, name, "(0) is ", values[0], " and must be 0: ", cure);
   };
-  look("energy", rows.energy);
-  look("force", rows.force);
+  look("energy", rows.energy, "subtract it");
+  look("force", rows.force, "count displacements from the place of rest");
 }
 
 }  // namespace
@@ -155,14 +153,12 @@ void require_contact(const OwnPotential& contact, double opening, double exponen
   require_slopes(what, rows);
   if (opening != 0)
     require_slopes(what, rows_about(what, contact, 0, std::min(std::abs(opening) / 2, 1.0)));
-  // The push just beyond the opening, the last of the places
+  // Just beyond the opening and just before it, the last of the places on either side
   const double open = rows.force[1 + (2 * std::size(places) - 1) * samples];
-  for (std::size_t k = 0; k < std::size(places); ++k) {
-    const std::size_t at = 1 + k * samples;
-    if (rows.force[at] - open < -1e-9 * largest_of(rows.force))
-      throw complaint(what, "force(", rows.x[at], ") is ", rows.force[at], " and must be at least ",
-                      open, ", that of an open contact: it pulls");
-  }
+  const double pressed = rows.force[1 + (std::size(places) - 1) * samples];
+  if (pressed < open - 1e-9 * std::abs(open))
+    throw complaint(what, "force(", rows.x[1 + (std::size(places) - 1) * samples], ") is ", pressed,
+                    " and must be at least ", open, ", that of an open contact: it pulls");
 }
 
 /**

@@ -1,6 +1,8 @@
 #include "lattice/orbits/floquet.hpp"
 
+#include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -8,6 +10,29 @@
 #include "lattice/numbers/progress.hpp"
 
 namespace lattice {
+
+/// Velocities and accelerations of a state, one below the other: what a shift in time changes.
+template <class T>
+Vector<T> shift_of(const Chain& chain, const State<T>& state) {
+  const std::vector<T> a = accelerations(chain, state.y);
+  Vector<T> out(Eigen::Index(2 * chain.sites));
+  for (std::size_t n = 0; n < chain.sites; ++n) {
+    out[Eigen::Index(n)] = state.v[n];
+    out[Eigen::Index(chain.sites + n)] = a[n];
+  }
+  return out;
+}
+
+/**
+A shift in time goes on along the orbit: the map takes that of the start to that of the end, whatever the orbit is.
+If it does not, the tangent map was computed with other stiffnesses than those of the forces. */
+/// By how much it does not, relative to the shift.
+template <class T>
+T phase_defect(const Chain& chain, const State<T>& start, const State<T>& end,
+               const Matrix<T>& map) {
+  const Vector<T> shift = shift_of(chain, end);
+  return sup<T>(map * shift_of(chain, start) - shift) / sup<T>(shift);
+}
 
 // Carry every small change along with the orbit; an inaccurate flow has no multipliers
 template <class T>
@@ -19,8 +44,15 @@ Matrix<T> monodromy(const Chain& chain, const State<T>& start,
   if (!is_accurate(flow(chain, end, duration, rule, &tangent), rule))
     throw NewtonFailed("the flow is not accurate enough for multipliers", {});
   const auto n = Eigen::Index(2 * chain.sites);
-  return Eigen::Map<Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
+  Matrix<T> map = Eigen::Map<Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
       tangent.entries.data(), n, n);
+  const T off = phase_defect(chain, start, end, map);
+  if (off > T(1e4) * std::max(rule.tolerance, std::numeric_limits<T>::epsilon()))
+    throw NewtonFailed(
+        number_label("the tangent map misses a shift in time by", double(off)) +
+            ": the stiffness of a well or a contact is not minus the derivative of its force",
+        {});
+  return map;
 }
 
 // From velocities to momenta, at the end (rows) and at the start (columns)

@@ -83,7 +83,7 @@ bad, the flow inaccurate, or the branch at its end. */
 struct NewtonFailed : std::runtime_error {
   History history;
   NewtonFailed(const std::string& what, History steps)
-      : std::runtime_error(what + "; relative residuals " + to_text(steps)),
+      : std::runtime_error(what + (steps.empty() ? "" : "; relative residuals " + to_text(steps))),
         history(std::move(steps)) {}
 };
 

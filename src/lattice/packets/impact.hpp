@@ -133,27 +133,36 @@ ImpactRun strike(const Stepper& stepper, const Impact& impact, Watch watch = {})
 }
 
 /**
-For errors the chain is struck twice, with resolutions that agree to `tolerance` (accuracy.hpp), by default
-in their end states. A run stops when the far end moves. If its energy is not conserved, this says nothing about the
-far end, and the run is broken. */
-/// Throws like `converge`, and FarEndReached.
-template <class Differ = EndState>
-Refined<ImpactRun> strike_to(double tolerance, const Impact& impact, Differ differ = {}) {
+A run of a refinement stops when the far end moves. If its energy is not conserved, this says nothing about the far
+end, and the run is broken. */
+/// As `strike`, which `watch` cannot stop; throws FarEndReached if the run is not broken.
+template <class Watch = Unwatched>
+ImpactRun strike_once(const ContactAware& stepper, const Impact& impact, Watch watch = {}) {
   const Impact whole = complete(impact);
   Impact open = whole;
   open.far_end = reached;
-  const auto quiet = [&](const State<double>& now, const std::vector<double>&) {
+  const auto quiet = [&](const State<double>& now) {
     return std::abs(now.v.back()) <= whole.far_end * std::abs(whole.velocity);
   };
-  const auto compute = [&](const ContactAware& stepper) {
-    ImpactRun run = strike(stepper, open, quiet);
-    if (run.run.energy_defect <= largest_defect)
-      assert_quiet(whole, run);
-    else if (!quiet(run.end, run.density))
-      run.run.escape_time = run.end.t;
-    return run;
-  };
-  return converge(tolerance, compute, differ);
+  ImpactRun run = strike(stepper, open, [&](const State<double>& now, const auto& density) {
+    watch(now, density);
+    return quiet(now);
+  });
+  if (run.run.energy_defect <= largest_defect)
+    assert_quiet(whole, run);
+  else if (!quiet(run.end))
+    run.run.escape_time = run.end.t;
+  return run;
+}
+
+/**
+For errors the chain is struck twice, with resolutions that agree to `tolerance` (accuracy.hpp), by default
+in their end states. */
+/// Throws like `converge`, and FarEndReached.
+template <class Differ = EndState>
+Refined<ImpactRun> strike_to(double tolerance, const Impact& impact, Differ differ = {}) {
+  return converge(
+      tolerance, [&](const ContactAware& stepper) { return strike_once(stepper, impact); }, differ);
 }
 
 /**

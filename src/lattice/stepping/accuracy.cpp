@@ -65,12 +65,14 @@ double defect_difference(const Run& a, const Run& b, double tolerance) {
 void assert_conserved(const Run& run, double tolerance) {
   if (run.energy_defect <= allowed_defect(tolerance)) return;
   std::ostringstream text;
-  text << "the energy drifts by " << run.energy_defect
-       << ", with half of the step as well (allowed: " << allowed_defect(tolerance)
-       << "): a force may not be minus the derivative of its energy";
+  text
+      << "the energy drifts by " << run.energy_defect
+      << ", with half of the step as well (allowed: " << allowed_defect(tolerance)
+      << "): a force may not be minus the derivative of its energy; a larger tolerance allows more";
   throw RefinementFailed(text.str());
 }
 
+// What is said of runs that end early
 std::string escape_message(const Run& run) {
   std::ostringstream text;
   text.precision(4);
@@ -86,6 +88,7 @@ std::string broken_message(const std::string& history) {
          "lets go of a bead";
 }
 
+// With a sample for every step only where the run ends early
 EndOfRun end_of_run(const ContactAware& stepper, const Chain& chain, const State<double>& start,
                     double duration, double sample) {
   EndOfRun out{start, {}};
