@@ -13,7 +13,7 @@ namespace lattice {
 
 /// Velocities and accelerations of a state, one below the other: what a shift in time changes.
 template <class T>
-Vector<T> shift_of(const Chain& chain, const State<T>& state) {
+static Vector<T> shift_of(const Chain& chain, const State<T>& state) {
   const std::vector<T> a = accelerations(chain, state.y);
   Vector<T> out(Eigen::Index(2 * chain.sites));
   for (std::size_t n = 0; n < chain.sites; ++n) {
@@ -28,8 +28,8 @@ A shift in time goes on along the orbit: the map takes that of the start to that
 If it does not, the tangent map was computed with other stiffnesses than those of the forces. */
 /// By how much it does not, relative to the shift.
 template <class T>
-T phase_defect(const Chain& chain, const State<T>& start, const State<T>& end,
-               const Matrix<T>& map) {
+static T phase_defect(const Chain& chain, const State<T>& start, const State<T>& end,
+                      const Matrix<T>& map) {
   const Vector<T> shift = shift_of(chain, end);
   return sup<T>(map * shift_of(chain, start) - shift) / sup<T>(shift);
 }

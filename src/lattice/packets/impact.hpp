@@ -84,8 +84,13 @@ struct ImpactRun {
   double far_end = 0;  ///< largest velocity of the last bead
 };
 
-/// Throws FarEndReached if the last bead moved more than `impact` allows.
-void assert_quiet(const Impact& impact, const ImpactRun& run);
+/**
+A run stops when the far end moves. If its energy is not conserved, this says nothing about the far end, and the run
+is broken. */
+/// Whether the last bead has moved no more than `impact` allows.
+bool is_quiet(const Impact& impact, const ImpactRun& run);
+/// Throws FarEndReached if it has, or makes `run` one that is broken.
+void assert_quiet(const Impact& impact, ImpactRun& run);
 
 /**
 Here is the loop. `go_on` carries a run from where it is to `time`; in between the chain or the method may
@@ -116,7 +121,7 @@ void go_on(const Stepper& stepper, const Impact& impact, ImpactRun& run, double 
     const auto site = front_packet(run.density);
     if (site) run.track.add(now.t, run.density, *site);
     const bool passed = site && run.track.centre.back() >= impact.until;
-    return on && ((k - 1) % each != 0 || !passed);
+    return on && is_quiet(impact, run) && ((k - 1) % each != 0 || !passed);
   };
   const Run part = evolve(stepper, chain, run.end, grid, look);
   run.run = joined(run.run, part);
@@ -133,36 +138,13 @@ ImpactRun strike(const Stepper& stepper, const Impact& impact, Watch watch = {})
 }
 
 /**
-A run of a refinement stops when the far end moves. If its energy is not conserved, this says nothing about the far
-end, and the run is broken. */
-/// As `strike`, which `watch` cannot stop; throws FarEndReached if the run is not broken.
-template <class Watch = Unwatched>
-ImpactRun strike_once(const ContactAware& stepper, const Impact& impact, Watch watch = {}) {
-  const Impact whole = complete(impact);
-  Impact open = whole;
-  open.far_end = reached;
-  const auto quiet = [&](const State<double>& now) {
-    return std::abs(now.v.back()) <= whole.far_end * std::abs(whole.velocity);
-  };
-  ImpactRun run = strike(stepper, open, [&](const State<double>& now, const auto& density) {
-    watch(now, density);
-    return quiet(now);
-  });
-  if (run.run.energy_defect <= largest_defect)
-    assert_quiet(whole, run);
-  else if (!quiet(run.end))
-    run.run.escape_time = run.end.t;
-  return run;
-}
-
-/**
 For errors the chain is struck twice, with resolutions that agree to `tolerance` (accuracy.hpp), by default
 in their end states. */
 /// Throws like `converge`, and FarEndReached.
 template <class Differ = EndState>
 Refined<ImpactRun> strike_to(double tolerance, const Impact& impact, Differ differ = {}) {
   return converge(
-      tolerance, [&](const ContactAware& stepper) { return strike_once(stepper, impact); }, differ);
+      tolerance, [&](const ContactAware& stepper) { return strike(stepper, impact); }, differ);
 }
 
 /**

@@ -118,7 +118,7 @@ Voyage voyage(const ContactAware& stepper, const Chain& chain, double velocity, 
               Watch watch = {}) {
   Path path;
   const Impact impact{velocity, chain, time, far_away, sampling, 1e-9, false};
-  ImpactRun run = strike_once(stepper, impact, [&](const State<double>& now, const auto& density) {
+  ImpactRun run = strike(stepper, impact, [&](const State<double>& now, const auto& density) {
     path.add(now.t, density);
     watch(now, density);
   });

@@ -34,22 +34,27 @@ bool hopeless(double error, double tolerance, int halvings) {
   return halvings >= 3 && std::isfinite(error) && std::ldexp(error, -6 * left) > tolerance;
 }
 
-// What the history says of a run, and whether another one is worth its cost
+// What a run with a shorter step would cost: seven halvings of one that holds, but many more of one that ends soon
+static bool is_last(int k, const Run& run, int held) {
+  if (k >= most_halvings) return true;
+  return run.escaped() ? k >= usual_halvings && run.steps > many_steps : held >= usual_halvings;
+}
+
+// The history begins anew where a run ends early
 void Attempts::add(int k, const Run& run, double error) {
-  std::ostringstream text;
-  text << "step " << std::ldexp(largest_step, -k) << ": ";
-  const bool tedious =
-      run.escaped() ? k >= usual_halvings && run.steps > many_steps : held + 1 >= usual_halvings;
-  spent = tedious || k >= most_halvings;
-  if (run.escaped()) history.clear();
   held = run.broken() ? -1 : held + 1;
+  spent = is_last(k, run, held);
+  if (run.escaped()) history.clear();
+  if (k == 0 && held == 0) return;
+  std::ostringstream text;
+  text << (history.empty() ? "" : ", ") << "step " << std::ldexp(largest_step, -k) << ": ";
   if (held < 0)
     text << "breaks at t = " << run.escape_time;
-  else if (k > 0 && held == 0)
+  else if (held == 0)
     text << "holds";
   else
     text << error;
-  if (k > 0 || held < 0) history += (history.empty() ? "" : ", ") + text.str();
+  history += text.str();
 }
 
 // More is due to steps that are too long, or to forces that are wrong
