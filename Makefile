@@ -263,6 +263,11 @@ show:
 gallery: all-figures
 	@$(need_python) $(lineage) gallery --figures $(D)/figures
 
+## second: headline numbers again by other methods in plain Python, into paper/second.ecsv (minutes)
+.PHONY: second
+second: install-deps
+	@PYTHONPATH=tests $(call with,numpy; import mpmath) -m second --out paper/second.ecsv
+
 ## mutants: errors of physics put into the library one at a time; the tests must notice (long)
 .PHONY: mutants
 mutants: install-deps

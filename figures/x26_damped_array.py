@@ -52,7 +52,7 @@ seen.semilogy(instability["omega"], instability["quality_e"], "o-", color=COLORS
               mfc="white")
 seen.set(xlabel=r"frequency at the start over that of a beam",
          ylabel=r"quality factor for an $e$-fold growth")
-seen.set_yticks([7000, 8000, 10000, 12000, 14000], ["7000", "8000", "10000", "12000", "14000"])
+seen.set_yticks([20000, 50000, 100000], ["20000", "50000", "100000"])
 seen.minorticks_off()
 draw.letter(seen, "d", x=0.97)
 draw.save(figure, out)

@@ -14,21 +14,27 @@ chart = draw.read(f"{folder}/chart.ecsv")
 figure, axes = plt.subplots(2, 2, figsize=(draw.TWO_COLUMNS, 125 * draw.MM))
 (law, quiet), (kinds, power) = axes
 
-for by, color, mark, dash in [("piston", "#0072B2", "o", "-"), ("base", "#009E73", "D", "--")]:
+colors = {"piston": "#0072B2", "base": "#009E73"}
+for by, dash in [("piston", "-"), ("base", "--")]:
     rows = [row for row in folds if row["by"] == by]
-    delta = [float(row["delta"]) for row in rows]
-    law.loglog(delta, [float(row["law"]) for row in rows], dash, color=color, lw=0.9)
-    law.loglog(delta, [float(row["fold"]) for row in rows], mark, color=color, ms=4, mfc="white",
-               label=f"fold, {by}")
-for way, color, mark in [("up", "#D55E00", "^"), ("once", "#CC79A7", "x"), ("down", "#E69F00", "v")]:
-    rows = [row for row in thresholds if row["way"] == way]
-    law.loglog([float(row["delta"]) for row in rows], [float(row["threshold"]) for row in rows],
-               mark, color=color, ms=4, mfc="none", label=f"piston, {way}")
+    law.semilogx([float(row["delta"]) for row in rows], [float(row["ratio"]) for row in rows], "o" + dash,
+                 color=colors[by], ms=4, lw=0.9, mfc="white", label=f"fold, {by}")
+law.axhline(1, color="#888888", lw=0.8, ls=":")
+marks = {"up": ("^", "slowly up"), "lasting": ("s", "at once, lasting"), "down": ("v", "slowly down"),
+         "once": ("x", "at once, first packet")}
+for way, (mark, name) in marks.items():
+    for (by, color), beside in zip(colors.items(), (1 / 1.03, 1.03)):
+        # 7 kHz would hide beside 0.1
+        rows = [row for row in thresholds
+                if row["way"] == way and row["by"] == by and row["name"] != "recipe_7000"]
+        law.plot([beside * float(row["delta"]) for row in rows], [float(row["over_law"]) for row in rows], mark,
+                 color=color, ms=4.5, mfc="none", mew=0.9)
+    law.plot([], [], mark, color="#000000", ms=4.5, mfc="none", mew=0.9, label=name)
 law.set(xlabel=r"relative distance $\delta$ from the frequency of a beam",
-        ylabel=r"amplitude ($\mathrm{\mu m}$)")
-law.set_xticks([0.05, 0.1, 0.2, 0.35], ["0.05", "0.1", "0.2", "0.35"])
+        ylabel="amplitude over the law", ylim=(0.93, 1.92))
+law.set_xticks([0.025, 0.05, 0.1, 0.2, 0.35], ["0.025", "0.05", "0.1", "0.2", "0.35"])
 law.set_xticks([], minor=True)
-law.legend(loc="lower right", fontsize=6)
+law.legend(loc="upper left", fontsize=6, bbox_to_anchor=(0.08, 1))
 draw.letter(law, "a")
 
 quiet.plot(orbits["amplitude"], orbits["response"], "o-", color="#0072B2", ms=2.5, lw=0.9)

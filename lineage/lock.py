@@ -8,15 +8,14 @@ The programs give the same bits on every machine, but another compiler or mathem
 logarithm differently, so that a relative difference of 1e-12 is always allowed. A `residue` is itself made of
 rounding: of it only the size counts, and it may grow tenfold."""
 
-import math
 import re
-import sys
 from dataclasses import replace
 from pathlib import Path
 
 from . import ecsv
 from .claims import name_of, programs_of, quoted_by, read_claims, read_facts, read_results
-from .values import Finding
+from .findings import quoted_in, read_findings
+from .values import Finding, distance
 
 KINDS = ("value", "residue", "headline")
 COLUMNS = [
@@ -80,6 +79,8 @@ def uncommented(tex):
 def quoted(root):
     """Every name that prose, paper, book or the list of claims quotes."""
     root, out = Path(root), quoted_by(read_claims(root))
+    for row in read_findings(root).values():
+        out.update(quoted_in(row))
     for path in sources(root) + sorted((root / "book").glob("*.md")):
         out.update(re.findall(r"\]\(num:([^)]+)\)", ecsv.text_of(path)))
     for path in sorted((root / "paper").glob("*.tex")):
@@ -96,22 +97,6 @@ def is_kept(finding, claims, names):
 
 
 # Locked and fresh
-
-
-def distance(locked, fresh):
-    """How far apart the two are, in units of what is allowed: up to one they agree. Where one of them is not a
-    number, the other must not be one either."""
-    if locked.unit != fresh.unit:
-        return math.inf
-    if math.isnan(locked.value) or math.isnan(fresh.value):
-        return 0 if math.isnan(locked.value) and math.isnan(fresh.value) else math.inf
-    if locked.kind == "residue":
-        return abs(fresh.value) / (10 * (abs(locked.value) or sys.float_info.epsilon))
-    if locked.value == fresh.value:
-        return 0
-    allowed = locked.error + fresh.error + 1e-12 * max(abs(locked.value), abs(fresh.value))
-    apart = abs(fresh.value - locked.value) / allowed
-    return math.inf if math.isnan(apart) else apart
 
 
 def renewed(locked, fresh, programs, kept):

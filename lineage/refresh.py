@@ -13,6 +13,7 @@ from pathlib import Path
 from . import ecsv, metadata
 from .chapters import costs_text, explained_by, read_commands, renewed_costs, run_of, shown_cost
 from .claims import SAID, VERDICTS, Judge, name_of, read_claims
+from .findings import check_quotations, in_plain, read_findings, tally as kinds_of
 from .lock import read_lock, sources
 
 LINK = re.compile(r"(\[[^\]]*\])?\(num:([^)\n]*)(\)?)")
@@ -105,10 +106,23 @@ def tally(statuses):
     return ", ".join(f"{list(statuses).count(v)} {words.get(v, v)}" for v in VERDICTS)
 
 
-def summary_rows(claims, figures):
+def found_rows(findings, numbers):
+    """The findings that have a figure, as the first page tells them."""
+    return [f"- {in_plain(row['sentence'], numbers)} ({command_of(row['figure'])})" for row in findings.values() if row["figure"]]
+
+
+def finding_rows(findings, numbers):
+    """Every finding with its kind and its range."""
+    return ["| finding | what we found | evidence | shown over |", "|---|---|---|---|"] + [
+        "| " + " | ".join(in_plain(cell, numbers).replace("|", "\\|") for cell in
+                          (f"`{id}`", row["sentence"], row["kind"], row["range"])) + " |" for id, row in findings.items()]
+
+
+def summary_rows(claims, figures, findings):
     """What `make figures` ends with, as whoever runs it wants to know beforehand."""
     return ["```", f"figures    : {len(figures)} in build/figures (svg, pdf, png)",
-            f"claims     : {tally([c['status'] for c in claims.values()])}", "```"]
+            f"claims     : {tally([c['status'] for c in claims.values()])}",
+            f"findings   : {kinds_of(findings)}", "```"]
 
 
 def command_of(figure):
@@ -151,9 +165,11 @@ def ratio_rows(bench):
             yield f"| {row['problem']}, {row['quantity']} | {row['peer']} | {shown} | {row['note'] if reached else ''} |"
 
 
-def generated_tables(claims, lock, figures, bench, costs, alone):
+def generated_tables(claims, lock, figures, bench, costs, alone, findings):
     """Every table that a page may show, by the name in its marks."""
-    return {"gallery": gallery_rows(figures), "summary": summary_rows(claims, figures),
+    numbers = quotable(lock, claims)
+    return {"gallery": gallery_rows(figures), "summary": summary_rows(claims, figures, findings),
+            "found": found_rows(findings, numbers), "findings": finding_rows(findings, numbers),
             "discrepant": list(discrepancy_rows(claims, lock, costs, alone)),
             "published": list(published_rows(claims, lock, costs, alone)),
             "figures": list(figure_rows(figures, costs)), "costs": list(cost_rows(costs)), "ratios": list(ratio_rows(bench))}
@@ -187,7 +203,8 @@ def fresh_texts(root, measured):
     """(path, fresh text) of every file that is generated, or is in part, in which something could be stale."""
     root = Path(root)
     claims, lock = read_claims(root), read_lock(root)
-    numbers = quotable(lock, claims)
+    numbers, findings = quotable(lock, claims), read_findings(root)
+    check_quotations(findings, {path: ecsv.text_of(path) for path in sources(root) + sorted((root / "paper").glob("*.tex"))})
 
     def fresh(path, change):
         try:
@@ -199,7 +216,7 @@ def fresh_texts(root, measured):
         yield fresh(path, lambda text: with_numbers(text, numbers))
     costs = renewed_costs(root, measured)
     yield root / "bench/costs.ecsv", costs_text(costs)
-    tables = generated_tables(claims, lock, read_figures(root), read_ratios(root), costs, read_commands(root))
+    tables = generated_tables(claims, lock, read_figures(root), read_ratios(root), costs, read_commands(root), findings)
     for name in PAGES:
         yield fresh(root / name, lambda text: fresh_page(with_marked_numbers(text, numbers), tables))
     yield from metadata.generated(root)

@@ -8,6 +8,7 @@ from pathlib import Path
 from . import ecsv
 from .chapters import explained_by, read_commands, read_costs, run_of, shown_cost
 from .claims import SAID, Judge, name_of, programs_of, read_claims
+from .findings import agrees, holds, in_plain, margins, read_findings, read_second, tally as kinds_of
 from .lock import read_fresh, read_lock
 from .refresh import command_of, read_figures, tally
 
@@ -62,6 +63,17 @@ def summarize(root, data, out):
     for row in rows:
         if row["verdict"] in ("within", "follows", "discrepant", "unresolved"):
             print(complaint(row))
+    if findings := read_findings(root):
+        print(f"findings   : {kinds_of(findings)}")
+        for id, row in findings.items():
+            if not holds(row, judge.found):
+                print(f"  fails      {id:26} {'; '.join(condition_texts(row, judge.found))}")
+
+
+def condition_texts(row, found):
+    """The conditions of a finding with their values and what is left to the limits."""
+    for m in margins(row, found):
+        yield f"{m.name} = {m.value.shown} {m.side} {m.limit}, margin {m.left:.3g} (error {m.error:.1g})"
 
 
 # One number
@@ -96,6 +108,20 @@ def facts_of(name, finding, judge, root):
     costs = read_costs(root)
     for one in explained_by(name, judge.claims) if claim else [program]:
         yield "chapter", f"src/{one}.cpp ({run_of(one)}, {shown_cost(costs.get(one, math.nan))} s on two cores)"
+    if agrees(name, finding, second := read_second(root)):
+        there, method = second[name]
+        yield "second", f"{there.shown}{there.shown_unit} (error {there.shown_error}): {method}"
+
+
+def facts_of_finding(row, found):
+    """The same of a finding of ours."""
+    numbers = {name: f.shown for name, f in found.items()}
+    yield "we found", in_plain(row["sentence"], numbers)
+    yield "evidence", row["kind"]
+    for word, column in (("range", "range"), ("tried", "tried"), ("second", "second")):
+        yield word, in_plain(row[column], numbers)
+    for text in condition_texts(row, found):
+        yield "condition", text
 
 
 def show(root, data, name):
@@ -103,15 +129,16 @@ def show(root, data, name):
     claims, known = read_claims(root), {}
     for findings in (read_lock(root), read_fresh(data, programs_of(root), claims)):
         known.update({name_of(f, claims): f for f in findings.values()})
-    judge = Judge(claims, known.values())
-    names = sorted(known.keys() | claims.keys())
+    judge, findings = Judge(claims, known.values()), read_findings(root)
+    names = sorted(known.keys() | claims.keys() | findings.keys())
     if name not in names:
         near = difflib.get_close_matches(name, names, 3) or sorted(n for n in names if n.split(".")[-1] == name)
         raise ecsv.Unknown(f"ID: there is no number '{name}'" + (f" (near it: {', '.join(near)})" if near else
                           " (allowed: a claim such as pn.omega11, a fact such as sec31_dps_limit.tau_0_by_quadrature)"))
     finding = known.get(name)
     print(name)
-    for word, text in facts_of(name, finding, judge, root):
+    said = facts_of_finding(findings[name], known) if name in findings else facts_of(name, finding, judge, root)
+    for word, text in said:
         print(f"  {word:9}  {text}")
     if finding:
         print(f"  {'from':9}  {'build/data, computed here' if finding.row else 'paper/converged.ecsv (not computed here yet)'}")

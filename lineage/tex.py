@@ -1,9 +1,9 @@
 """Numbers in the paper. It says `\\num{pn.omega11}` and `\\err{pn.omega11}` for a locked value and its error,
 `\\pub{pn.omega11}` for what the article prints and `\\claimed{pn.omega11}` for what that is, `\\fig{07}` for a figure
-with the first sentence of its caption, `\\tally{figures}` for what can be counted and `\\meta{version}` for what
-codemeta.json says. This file writes the definitions of all these and the table of claims. It names every reference
-that has nothing behind it, every figure that the paper forgets, and every claim that does not survive and is not
-among those for which the paper has a cause.
+with the first sentence of its caption, `\\finding{pull}` for the sentence of a finding, `\\tally{figures}` for what can
+be counted and `\\meta{version}` for what codemeta.json says. This file writes the definitions of all these and the
+table of claims. It names every reference that has nothing behind it, every figure that the paper forgets, and every
+claim that does not survive and is not among those for which the paper has a cause.
 
 A file of the paper that begins with `% chapter: <program>` is read only where that chapter exists."""
 
@@ -12,6 +12,7 @@ from pathlib import Path
 
 from . import ecsv, metadata
 from .claims import VERDICTS, Judge, name_of, programs_of, read_claims
+from .findings import NUMBERS, read_findings
 from .lock import read_lock, uncommented
 from .refresh import read_figures
 
@@ -80,7 +81,18 @@ def worded(plain):
     return out + escaped(plain[done:])
 
 
-def paper_texts(claims, lock, figures, meta):
+def sentence(row, nums):
+    """The sentence of a finding, with its kind of evidence, in TeX."""
+    pieces = row["sentence"].split("$")
+    for i in range(0, len(pieces), 2):
+        words = re.split(r"\[[^\]]*\]\(num:([^)]+)\)", pieces[i])
+        words[::2] = [re.sub(r"`([^`]*)`", r"\\texttt{\1}", escaped(w).replace("–", "--")) for w in words[::2]]
+        words[1::2] = [nums[name] for name in words[1::2]]
+        pieces[i] = "".join(words)
+    return "$".join(pieces) + rf" [\emph{{{row['kind']}}}]"
+
+
+def paper_texts(claims, lock, figures, meta, findings):
     """What the paper may refer to, in TeX by (kind of reference, id); of a figure the name of its file."""
     counts = {"figures": len(figures), "claims": len(claims)}
     counts.update({v: sum(c["status"] == v for c in claims.values()) for v in VERDICTS if v != "unresolved"})
@@ -89,6 +101,11 @@ def paper_texts(claims, lock, figures, meta):
     for f in lock.values():
         out["num", name_of(f, claims)] = value(f.shown)
         out["err", name_of(f, claims)] = value(f.shown_error)
+    nums = {name: text for (kind, name), text in out.items() if kind == "num"}
+    for id, row in findings.items():
+        if lost := [name for name in NUMBERS.findall(row["sentence"]) if name not in nums]:
+            raise row.fault(f"{id}: nothing is locked under '{lost[0]}' (a new one: make lock)")
+        out["finding", id] = sentence(row, nums)
     out.update({("fig", id): Path(f["script"]).stem for id, f in figures.items()})
     out.update({("tally", what): str(n) for what, n in counts.items()})
     code, text = metadata.licences(meta)
@@ -101,7 +118,7 @@ def paper_texts(claims, lock, figures, meta):
 def dangling(paper, texts):
     """References that would stay empty, each once. A comment refers to nothing, and `#1` is a parameter."""
     found = [m for line in paper.splitlines()
-             for m in re.finditer(r"\\(num|err|pub|claimed|fig|tally|meta)\{([^}#]*)\}", uncommented(line))]
+             for m in re.finditer(r"\\(num|err|pub|claimed|fig|tally|meta|finding)\{([^}#]*)\}", uncommented(line))]
     return sorted({m[0] for m in found if (m[1], m[2]) not in texts})
 
 
@@ -180,7 +197,7 @@ def claim_rows(claims, lock):
 def write(root, out):
     """The verb. A reference to nothing is found here, in the paper's own words, before TeX is called."""
     claims, lock, figures, programs = read_claims(root), read_lock(root), read_figures(root), programs_of(root)
-    texts, missing, papers = paper_texts(claims, lock, figures, metadata.read(root)), [], []
+    texts, missing, papers = paper_texts(claims, lock, figures, metadata.read(root), read_findings(root)), [], []
     for path in sorted((Path(root) / "paper").glob("*.tex")):
         paper = ecsv.text_of(path)
         if chapter_needed(paper) in ("", *programs):

@@ -1,6 +1,7 @@
 """A value with its error, and the digits that people see of it: the same in prose, paper and book."""
 
 import math
+import sys
 from dataclasses import dataclass
 
 
@@ -63,3 +64,19 @@ class Finding:
     @property
     def shown_unit(self):
         return f" {self.unit}" if self.unit not in ("", "claim") else ""
+
+
+def distance(locked, fresh):
+    """How far apart the two are, in units of what is allowed: up to one they agree. Where one of them is not a
+    number, the other must not be one either."""
+    if locked.unit != fresh.unit:
+        return math.inf
+    if math.isnan(locked.value) or math.isnan(fresh.value):
+        return 0 if math.isnan(locked.value) and math.isnan(fresh.value) else math.inf
+    if locked.kind == "residue":
+        return abs(fresh.value) / (10 * (abs(locked.value) or sys.float_info.epsilon))
+    if locked.value == fresh.value:
+        return 0
+    allowed = locked.error + fresh.error + 1e-12 * max(abs(locked.value), abs(fresh.value))
+    apart = abs(fresh.value - locked.value) / allowed
+    return math.inf if math.isnan(apart) else apart

@@ -110,7 +110,8 @@ std::array<Balance, 2> MeanTable::add(const std::string& motion, const AnyChain&
 /**
 A constant mean force would mean nothing if it were zero, so that of a free chain must exceed a thousandth
 of the amplitude. Its spread must stay below a hundred-millionth, errors included: orbits in double
-precision, followed at a tolerance of a hundred-billionth, leave less, and any physics would leave more. */
+precision, followed at a tolerance of a hundred-billionth, leave less, and a start that is wrong by a
+thousandth leaves far more. */
 constexpr double same = 1e-8;
 
 template <class AnyChain>
@@ -478,13 +479,13 @@ void reproduce(Report& report) {
 ## Differences and limits
 
 The article proves and does not compute, so every parameter here is ours. The frequency of the searches,
-$\omega_b = 1.2$, was chosen so that those in wells succeed. Some of these end in doubt, more of them at the
-longer step: the energy barrier between a site and a bond is so low at this frequency that the leapfrog
-chain has breathers centred in between, which the exact flow does not have. Between walls the search finds
-less the more beads there are; it is a weak instrument for motions of many beads, but a breather has few.
-Without wells contacts in the core still close now and then, ever more faintly, so we judge the fall of the
-mean and do not wait for silence. Where each contact has its own exponent both the search and the check use
-GSL's integrator, and only the identity is tested.
+$\omega_b = 1.2$, was chosen so that those in wells succeed. Some of these end in doubt, more of them at
+the longer step: the energy barrier between a site and a bond is so low at this frequency that the
+leapfrog chain has breathers centred in between, near which Newton's method finds none of the exact flow.
+Between walls it is tried with three beads only; it may be a weak instrument for motions of many, but a
+breather has few. Without wells contacts in the core still close now and then, ever more faintly, so we
+judge the fall of the mean and do not wait for silence. Where each contact has its own exponent both the
+search and the check use GSL's integrator, and only the identity is tested.
 
 ## Extensions
 

@@ -107,13 +107,12 @@ std::vector<Zero> find_zeros(const std::vector<BreatherPairs>& families) {
 /**
 ## The barrier against frequency (figure 07)
 
-The figure shows the energy of the bond-centred breather, the modulus of both barriers and the
-ratio of barrier to energy. Its logarithmic scale hides what matters most: both barriers change
-their signs, and each of the dips is a zero. The table therefore keeps the signs. At equal frequency the barrier
-vanishes [14](num:sec32_barrier.zeros_soft) times in the soft well, [7](num:sec32_barrier.zeros_linear) times in the
-linear one and once in the hard one, at [1.01448](num:sec32_barrier.zero_hard1). In the linear well the first zero is
-at [1.01462](num:sec32_barrier.zero_linear1) and the fifth at [1.29969](num:sec32_barrier.zero_linear5): the
-article's barrier at $1.3$ is small because of that zero. */
+The figure shows the energy of the bond-centred breather, the modulus of both barriers and the ratio of
+barrier to energy. Its logarithmic scale hides what matters most: both barriers change their signs, and
+each of the dips is a zero. The table therefore keeps the signs. [](finding:barrier.signs) In the linear
+well the first zero is at [1.01462](num:sec32_barrier.zero_linear1) and the fifth at
+[1.29969](num:sec32_barrier.zero_linear5): the article's barrier at $1.3$ is small because of that
+zero. */
 void report_barriers(Report& report, const std::vector<BreatherPairs>& families) {
   // Pair by pair
   Table& table = report.table(
@@ -409,11 +408,11 @@ void report_printed(Report& report, const Estimate& barrier) {
 ## What goes beyond the article
 
 `sec32_barrier barrier` prints both barriers with your own parameters (one_barrier.hpp). The barrier at equal
-frequency has no fixed sign, and neither has the one at equal area; their zeros differ. Away from the zeros of the
-former the latter is smaller still, at $\omega_b = 1.1$ in the linear well
-[-2.35229e-13](num:sec32_barrier.equal_area_linear_110); there the bond is the stable centre although its energy is
-the higher one (sec33_mobility.cpp explains how that can be). Next to a zero it need not be smaller: at $1.3$ the two
-are [-5.22284e-12](num:sec32_barrier.equal_area_linear_130) and
+frequency has no fixed sign, and neither has the one at equal area; their zeros differ. Those at equal area are where
+stability is exchanged: in the linear well each of the six lies between the exchanges of the two breathers, the first
+on both (`sec33_between`). [](finding:barrier.equal_area) There the bond is the stable centre although at equal area
+its energy is the higher one (sec33_mobility.cpp explains how that can be). Next to a zero of the one at equal
+frequency it need not be smaller: at $1.3$ the two are [-5.22284e-12](num:sec32_barrier.equal_area_linear_130) and
 [-4.89193e-12](num:sec32_barrier.equal_frequency_linear_130).
 
 ## Differences and limits

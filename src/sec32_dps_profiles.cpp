@@ -1,8 +1,8 @@
 /**
 # 3.2 Static breathers of the DpS equation
 
-In the limit of small amplitude a breather is a pattern that only turns, $v_n = u_n e^{i\mu t}$.
-There are two, both narrow, with neighbours on opposite sides:
+In the limit of small amplitude a breather is a pattern that only turns, $v_n = u_n e^{i\mu t}$. The
+article has two, both narrow, with neighbours on opposite sides:
 
         around a site              around a bond
               |                          |
@@ -140,9 +140,9 @@ void report_norms(Report& report) {
   }
 
   /**
-  How easily does a small breather move? On the way from site to site it has to cross the other centre. The
-  energy of the chain's breather is close to $2\epsilon^2 N$, so the difference of the two norms decides,
-  and it is very small. */
+  How easily does a small breather move? On the way from site to site it has to cross the other centre.
+  The energy of the chain's breather is close to $2\epsilon^2 N$, so at equal frequency the crossing costs
+  the difference of the two norms, and it is very small. */
   const auto gap = [](auto one) {
     using T = decltype(one);
     const T site = stationary<T>(Centre::site, one, 31).norm();
@@ -428,8 +428,8 @@ At the largest displacement the differences are
 
 The norms are [0.00536042](num:sec32_dps_profiles.norm_site) around a site and
 [0.00536041](num:sec32_dps_profiles.norm_bond) around a bond. The second minus the first, relative to the
-first, is [-1.33110e-6](num:sec32_dps_profiles.norm_gap_relative). It is so small that tiny breathers move
-at the slightest push. */
+first, is [-1.33110e-6](num:sec32_dps_profiles.norm_gap_relative). That tiny breathers move at a slight
+push (section 3.3) is no surprise then. */
 // What the profiles leave in the equation they solve
 /**
 ## Checks

@@ -515,14 +515,14 @@ void report_width(Report& report) {
 /**
 ## Other wells
 
-For $s \in [-1, 1]$ the article finds both families, without showing them. We follow them from rest in four
-wells beside those of the figures as far as they go: through $\omega_b = 2$, or to a fold. In all of them the
-amplitude begins like $(\omega_b-1)^2$. In soft wells the families end before $\omega_b = 2$: at $s = -1$ they
-fold at [1.61967](num:sec32_newton_breathers.end_s_minus_1_site) around a site and
+For $s \in [-1, 1]$ the article finds both families, without showing them. We follow them from rest in four wells
+beside those of the figures as far as they go: through $\omega_b = 2$, or to a fold. In all of them the amplitude
+begins like $(\omega_b-1)^2$. In the soft ones the families end before $\omega_b = 2$: at $s = -1$ they fold at
+[1.61967](num:sec32_newton_breathers.end_s_minus_1_site) around a site and
 [1.61972](num:sec32_newton_breathers.end_s_minus_1_bond) around a bond, at $s = -1/2$ at
 [1.72385](num:sec32_newton_breathers.end_s_minus_05_site) and
-[1.72391](num:sec32_newton_breathers.end_s_minus_05_bond). The claim asks that all eight families begin at
-rest and reach beyond $\omega_b = 1.01$. */
+[1.72391](num:sec32_newton_breathers.end_s_minus_05_bond). The claim asks that all eight families begin at rest and
+reach beyond $\omega_b = 1.01$. */
 void report_other_wells(Report& report) {
   std::vector<std::pair<double, std::string>> wells{{1, "1"}};
   if (!report.quick)

@@ -242,7 +242,7 @@ iteration and an accurate integration. */
 *The multipliers.* With none of these maps can $s_0$ be read off. The four multipliers next to $+1$ are at least
 [0.000410771](num:sec33_article_integrator.least_off) and at 120 steps of the classical method
 [0.005](num:sec33_article_integrator.off_runge-kutta-4_120) away from it in the linear well, and other wells change
-that by far less, because it is the phase pair that is not held; what decides the stability is
+that by far less: it is the phase pair that is not held; what decides the stability is
 [0.000214282](num:sec33_floquet.fourth_distance). Both centres show an exchange in $[-1, 1]$ in
 [0](num:sec33_article_integrator.settings_with_both_s0) of [55](num:sec33_article_integrator.settings) settings. The
 printed pair is compatible with variational equations at a tolerance of $10^{-9}$ instead
@@ -253,9 +253,9 @@ change this.
 [6.35779e-10](num:sec33_article_integrator.largest_barrier_120), many times the barrier itself. It comes within ten
 per cent of the printed value in [0](num:sec33_article_integrator.settings_near_barrier) settings.
 
-So no one setting explains the discrepancies of section 3.3. Some hundred and twenty locked steps per period can print a
-threshold of that size if one waits for 20000 periods, breathers and multipliers ask for a much more accurate
-computation, and the jump is explained by nothing that we tried. */
+So none of these settings explains the discrepancies of section 3.3. Some hundred and twenty locked steps per period
+can print a threshold of that size if one waits for 20000 periods, breathers and multipliers ask for a much more
+accurate computation, and the jump is explained by nothing that we tried. */
 std::vector<Setting> all_settings(bool quick) {
   const std::vector<std::size_t> steps =
       quick ? std::vector<std::size_t>{40, 100}
@@ -441,11 +441,12 @@ void reproduce(Report& report) {
 ## Limits
 
 The scan has steps that divide the period and breathers on short chains. Steps of a round length, such as 0.05, are
-not locked, and then a moving breather is hardly pinned (`sec33_mobility`). A kick that has not freed the breather
-within 20000 periods, or after which it has turned round before, counts as too weak; with 16000 some thresholds come
-out three per cent higher, and with 12000 one more setting seems to come near. A number of a map is what it is and has
-no error from a second resolution; as the error of a threshold we give the half of its bracket, as that of a time the
-64 periods between two looks, and that of a residual is its difference from the one with difference quotients. */
+not locked, and in the trials of `sec33_mobility` with such steps the breather moves. A kick that has not freed the
+breather within 20000 periods, or after which it has turned round before, counts as too weak; with 16000 some
+thresholds come out three per cent higher, and with 12000 one more setting seems to come near. A number of a map is
+what it is and has no error from a second resolution; as the error of a threshold we give the half of its bracket, as
+that of a time the 64 periods between two looks, and that of a residual is its difference from the one with
+difference quotients. */
 int main(int argc, char** argv) {
   return run({"sec33_article_integrator", "3.3", "Which integrator did the article use? (appendix)",
               reproduce},

@@ -60,10 +60,10 @@ strain than across it: a change $\xi+i\eta$ of $z$ changes it by $|d_n|^{1/2}(\f
 $\dot x = (\mu-M)y$ and $\dot y = -(\mu-\frac32M)x$, where the *same* symmetric matrix $M$, the Laplacian of
 the chain weighted by $|d_n|^{1/2}$, appears in both. So each of its eigenvectors moves alone, with
 $$\lambda^2 = -(\mu-m)(\mu-\tfrac32m).$$
-The breather itself belongs to the largest eigenvalue, $Mu = \mu u$. It gives $\lambda = 0$, a change
-of phase, and no perturbation grows unless some other $m$ lies in $(\frac23\mu,\mu)$. So with $m_2$ the
-second largest eigenvalue a breather is stable if and only if $m_2 \le \frac23\mu$. Eigenvalues of a
-tridiagonal symmetric matrix lose no digit, and we compute them in two precisions (spectrum.hpp). */
+The breather itself belongs to the largest eigenvalue, $Mu = \mu u$. It gives $\lambda = 0$, a change of
+phase, and no perturbation grows unless some other $m$ lies in $(\frac23\mu,\mu)$. So with $m_2$ the
+second largest eigenvalue a breather is spectrally stable if and only if $m_2 \le \frac23\mu$. Eigenvalues
+of a tridiagonal symmetric matrix lose no digit, and we compute them in two precisions (spectrum.hpp). */
 template <class T>
 ContactSpectrum<T> spectrum_of(Centre centre, const T& mu, std::size_t sites) {
   return contact_spectrum(stationary<T>(centre, mu, sites));
@@ -313,12 +313,11 @@ const std::vector<Trial>& trials_of(const std::vector<Group>& groups, Case which
 ### Verdicts
 
 What counts as motion? We require that the centre passes the neighbouring site within the 500 units of time,
-$|X| > 1$: a breather that only falls into the trough beside it swings back before. The claim is
-statistical. It holds if at least half of the sixteen seeds move, and if it is the instability that moves them.
-That no control moves in the same time would not show this, because the time is our choice: by second order the
-noise reaches the pinning pair of a control, too, and carries it away in the end. So we ask that the control of
-the same seed passes the site later, for at least three quarters of the seeds, and that the medians of the
-two times differ by a factor of two.
+$|X| > 1$: a breather that only falls into the trough beside it swings back before. The claim is statistical. It
+holds if at least half of the sixteen seeds move, and if it is the instability that moves them. That no control moves
+in the same time would not show this, because the time is our choice: by second order the noise reaches the pinning
+pair of a control, too, and may carry it away in the end. So we ask that the control of the same seed passes the site
+later, for at least three quarters of the seeds, and that the medians of the two times differ by a factor of two.
 
 Of the bond-centred breather the article says "structurally robust": it does not name the perturbation of its
 simulations, nor does it say that the breather stays in its place. So the structure must last in every reading: the
@@ -485,8 +484,8 @@ it. In units of $\mu$ the margins are [4.85298e-6](num:sec33_dps_stability.margi
 but a strain wrong by $10^{-4}$ reverses either verdict, as a test shows. Over six decades of $\mu$ the ratio
 $\lambda/\mu$ varies, error included, by a fraction of [2e-11](num:sec33_dps_stability.linearity).
 
-Why so close and so symmetric? Site and bond are top and bottom of one landscape for the centre, nearly a
-sine and very flat: the relative difference of their norms is
+Why so close and so symmetric? Both fit one landscape for the centre, nearly a sine and very flat, with
+the site at the top and the bond at the bottom: the relative difference of their norms is
 [-1.33110e-6](num:sec32_dps_profiles.norm_gap_relative). */
 // What noise does to both
 /**
@@ -506,8 +505,8 @@ breathers move as well. A push, the imaginary part of the noise, counts $(\mu-m_
 times, as much as a shift, its real part. The push that frees a bond-centred breather,
 [0.006542](num:sec33_dps_stability.freeing_push), is less than the amplitude of the noise. The noise exceeds it for
 [5](num:sec33_dps_stability.pushed_over) seeds, and the push alone predicts the fate of
-[16](num:sec33_dps_stability.told_by_push). None falls apart, in any reading: the number of its sites grows by no more
-than the factor [1.0112](num:sec33_dps_stability.bond_robust_spread). */
+[16](num:sec33_dps_stability.told_by_push). None of those that we followed falls apart, in any reading: the number of
+its sites grows by no more than the factor [1.0112](num:sec33_dps_stability.bond_robust_spread). */
 // A noise that tells the two apart
 /**
 Noise of half that size separates the two. In the narrow reading [16](num:sec33_dps_stability.left_narrow_site) of
@@ -579,14 +578,14 @@ struct OneSpectrum : ChosenBreather {
 
 The article calls the bond-centred breather structurally robust and mentions simulations that it does not show. This
 breather is stable, but in a landscape so flat that noise of the size of figure 10 may free it. The article does not
-specify that noise, and how many breathers leave depends on it. Real noise shifts a breather and hardly pushes it:
-no bond-centred one leaves its place then ([0](num:sec33_dps_stability.left_real_bond) of
+specify that noise, and how many breathers leave depends on it. Real noise shifts a breather and hardly pushes it: no
+bond-centred one leaves its place then ([0](num:sec33_dps_stability.left_real_bond) of
 [6](num:sec33_dps_stability.seeds_real_bond) in a run half as long again), but a site-centred one leaves at
 [516.19](num:sec33_dps_stability.departure_real_site) instead of
 [113.1](num:sec33_dps_stability.departure_complex_site) and often stays in the trough beside it:
-[3](num:sec33_dps_stability.moved_real_site) of [6](num:sec33_dps_stability.seeds_real_site) move.
-Noise that is proportional to $u_n$ pushes harder and frees nearly all. Speeds are those over the first site that is
-crossed.
+[3](num:sec33_dps_stability.moved_real_site) of [6](num:sec33_dps_stability.seeds_real_site) move. Noise that is
+proportional to $u_n$ pushes harder and frees [5](num:sec33_dps_stability.left_relative_bond) of
+[6](num:sec33_dps_stability.seeds_relative_bond). Speeds are those over the first site that is crossed.
 
 ## Extensions
 

@@ -221,10 +221,8 @@ void report_harmonic(Report& report) {
 }
 
 /**
-The claims ask for the two exchanges themselves. At $\omega_b = 1.1$ they are
-[0.152519](num:floquet.s0_site) around a site and [0.152520](num:floquet.s0_bond) around a bond. They differ
-by [3.22e-7](num:sec33_floquet.exchange_gap), and between them both breathers are stable. The slope of
-$\kappa$ there, a difference quotient with two widths, converts errors of $\kappa$ into errors of $s$. */
+The claims ask for the two exchanges themselves. [](finding:exchange.equal) The slope of $\kappa$ there, a
+difference quotient with two widths, converts errors of $\kappa$ into errors of $s$. */
 void report_exchange(Report& report) {
   // Both exchanges lie between 0.1 and 0.2
   std::array<Exchange, 2> found;
@@ -416,11 +414,11 @@ void reproduce(Report& report) {
 /**
 ## Differences and limits
 
-The printed exchanges, 0.26 and 0.05, are discrepant; the program `sec33_multiplier_errors` shows how
-common tolerances pull one number apart into such a pair. The verdict at $s = 0$ survives,
-because there $\kappa$ is far enough from zero. It is not a general rule: at $s = 0$ the two breathers change
-places six times between $\omega_b = 1$ and 2, and near an exchange a third breather lies between them. The
-program `sec33_between` finds the exchanges and follows two families of such breathers.
+The printed exchanges, 0.26 and 0.05, are discrepant; the program `sec33_multiplier_errors` shows how common
+tolerances pull one number apart into such a pair. The verdict at $s = 0$ survives, because there $\kappa$ is far
+enough from zero. It is not a general rule: at $s = 0$ the two breathers change places six times between
+$\omega_b = 1$ and 2, and near an exchange a third breather may lie between them. The program `sec33_between` finds
+the exchanges and follows two families of such breathers.
 
 ## Extensions
 

@@ -4,8 +4,8 @@
 Section 3.3 of James, Kevrekidis and Cuevas (Physica D 251, 2013) ends with a push. A breather of frequency 1.1
 receives a kick along its pinning mode, a hundredth of its velocity, and glides off at a constant speed; a kick
 nearly seventy times smaller does not free it. Between the two lies a threshold, from which the article reads the
-height of a barrier. This program repeats both experiments with the energy conserved so well that its error cannot
-matter, draws figures 14 and 15, and then derives the threshold:
+height of a barrier. This program repeats both experiments, conserves the energy to a hundredth of that of the kick
+or better, draws figures 14 and 15, and then derives the threshold:
 
         landscape of the centre X          c small: swings about the bond
           __        __        __           c > c_c: over the site, and on
@@ -651,15 +651,15 @@ struct Threshold : Kicked {
 | $c_c$ | $6.19\cdot10^{-6}$ | [4.45177e-6](num:moving.c_threshold) | perhaps locked steps, or a horizon |
 | $c_c^2/2$ | $1.92\cdot10^{-11}$ | [9.9091e-12](num:moving.pn_dynamic) | follows from $c_c$ |
 
-The prediction, [4.4516e-6](num:sec33_mobility.predicted_threshold_bond_stretched), agrees within its error; that of
-the pendulum is [4.45275e-6](num:sec33_mobility.threshold_of_pendulum_bond_stretched). With the central contact
-compressed the threshold is [4.31978e-6](num:sec33_mobility.threshold_bond_compressed). No trial here gives 6.19 in
-particular; within 20000 periods the classical Runge-Kutta method with 120 to 128 steps per period comes near
+[](finding:depinning.law) The pendulum predicts
+[4.45275e-6](num:sec33_mobility.threshold_of_pendulum_bond_stretched). With the central contact compressed the
+threshold is [4.31978e-6](num:sec33_mobility.threshold_bond_compressed). No trial here gives 6.19 in particular;
+within 20000 periods the classical Runge-Kutta method with 120 to 128 steps per period comes near
 (sec33_article_integrator.cpp). Such locked steps pin the bond-centred breather at $5.5\cdot10^{-6}$, but only where
-the energy drifts by far more than the kick gives: whether steps can pin a breather at a conserved energy is open. That
-locked steps explain the threshold is a conjecture, and none of the
-[6](num:sec33_article_integrator.thresholds_near) that come near it makes the site-centred breather jump two sites and
-stay.
+the energy drifts by far more than the kick gives: whether steps can pin a breather at a conserved energy is open.
+That locked steps explain the threshold is a conjecture, and none of the
+[6](num:sec33_article_integrator.thresholds_near) that come near it makes the site-centred breather jump two sites
+and stay.
 
 ## Extensions
 

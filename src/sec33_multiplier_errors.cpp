@@ -48,12 +48,8 @@ constexpr double omega_b = 1.1;
 ## What a defective $+1$ does to a verdict
 
 The double $+1$ is *defective*: it has only one eigenvector. Suppose that we had read the multipliers off the
-monodromy matrix $M$ of the bond-centred breather, which is stable. We add noise of size $\delta$ to an
-accurate $M$ and look at the four eigenvalues next to $+1$. They move by $\delta^{1/2}$: the fitted exponent
-is [0.510](num:sec33_multiplier_errors.defect_slope). With $\delta = 10^{-6}$ a modulus exceeds one by
-[0.000495877](num:sec33_multiplier_errors.excess_of_noise), more than that of the truly unstable site-centred
-breather. The symmetric function of all four moves with the exponent
-[0.9997](num:sec33_multiplier_errors.kappa_slope). */
+monodromy matrix $M$ of the bond-centred breather, which is stable. We add noise of size $\delta$ to an accurate $M$
+and look at the four eigenvalues next to $+1$. [](finding:multipliers.defect) */
 struct Damage {
   double displacement = 0;  ///< of the four from where they belong, the largest
   double excess = 0;        ///< largest | |lambda| - 1 | of the four
@@ -269,13 +265,13 @@ All fourteen settings, a tolerance or an increment, with a dash where no zero is
 | differences, $10^{-5}$ | [-0.82](num:sec33_multiplier_errors.site_differences_1e5) ± [0.07](num:sec33_multiplier_errors.site_differences_1e5_spread) | [-0.809](num:sec33_multiplier_errors.bond_differences_1e5) ± [0.009](num:sec33_multiplier_errors.bond_differences_1e5_spread) |
 | differences, $10^{-6}$ | [-0.88](num:sec33_multiplier_errors.site_differences_1e6) ± [0.08](num:sec33_multiplier_errors.site_differences_1e6_spread) | [-0.8](num:sec33_multiplier_errors.bond_differences_1e6) ± [0.2](num:sec33_multiplier_errors.bond_differences_1e6_spread) |
 
-With the variational equations the zero around a site is usually too low and that around a bond too high, as in
-the article, and both are one number. The printed pair is of the size of what order eight gives at tolerances
-between $10^{-8}$ and $10^{-9}$, and what order five gives at $10^{-10}$, but the zeros of one setting depend on
-the wells that are sampled, and no setting prints both 0.05 and 0.26. At $10^{-11}$ order eight has closed the gap
-to a thousandth. Difference quotients do not come near, with any increment, and some change the sign of $\kappa$
-ten times: the stiffness of a contact that is barely closed is like the square root of the overlap, so
-their error is like the square root of the increment. */
+With the variational equations the zero around a site is usually too low and that around a bond too high, as in the
+article, and both are one number. The printed pair is of the size of what order eight gives at tolerances between
+$10^{-8}$ and $10^{-9}$, and what order five gives at $10^{-10}$, but the zeros of one setting depend on the wells
+that are sampled, and no setting prints both 0.05 and 0.26. At $10^{-11}$ order eight has closed the gap to a
+thousandth. Difference quotients do not come near, with any of the four increments, and some change the sign of
+$\kappa$ ten times: the stiffness of a contact that is barely closed is like the square root of the overlap, so their
+error is like the square root of the increment. */
 void report_printed(Report& report) {
   // Accurate breathers in all wells, for every trial the same
   const int steps = report.quick ? 2 : 10;

@@ -89,13 +89,14 @@ std::vector<Experiment> experiments(bool quick) {
 /**
 With all its waves the packet returns, after its apex at site [20.0468](num:sec34_boomeron_why.furthest_waves). That
 the end hardly reflects any wave only moves the apex to site [33.26](num:sec34_boomeron_why.furthest_end). Absorbed
-more than six sites behind, the packet does not return at all. Put on a quiet chain at $t = 120$ it passes the old
-apex, creeps on, and returns long afterwards, from site [40.3411](num:sec34_boomeron_why.furthest_cut120) near $t =$
-[2002](num:sec34_boomeron_why.when_cut120). So neither the old waves nor the end are *necessary* for a return, but
-with both the packet turns much earlier.
+more than six sites behind, the packet does not return until $t = 10^4$ (nor until $10^5$, run once); of eighty
+neighbours within half a per cent of this impact four do by $10^4$ in another program, from beyond site 58. Put on a
+quiet chain at $t = 120$ it may still return, long afterwards (see *Results*), but with its waves it turns much
+earlier.
 
-After a creeping packet its fate is a matter of chance. `returned_cut60` counts over both steps, and
-an error of one there says that they disagree: the motion is chaotic by then, and we say no more about it. */
+What becomes of a packet that creeps seems a matter of chance. `returned_cut60` counts over both steps,
+and an error of one there says that they disagree: the motion is chaotic by then, and we say no more about
+it. */
 void report_experiments(Report& report) {
   std::vector<Experiment> list = experiments(report.quick);
   parallel_for("experiments", 2 * list.size(), [&](std::size_t i) {
@@ -132,10 +133,10 @@ void report_experiments(Report& report) {
 /**
 ## Which waves slow it down?
 
-The acceleration of the centre on the way out, between $t = 100$ and 220, is measured as in the chapter before,
-by a line through the velocities. If waves act from afar, the force should grow with the distance $d$ up to
-which they are left; if it is the packet's own fresh wake that acts, the same should be seen after a cut. The
-linear well, in which no packet turns, is the control. */
+The acceleration of the centre on the way out, between $t = 100$ and 220, is measured as in the chapter before, by a
+line through the velocities. If waves act from afar, the force should grow with the distance $d$ up to which they are
+left; if it is the packet's own fresh wake that acts, the same should be seen after a cut. The linear well, in which
+we saw no packet turn, is the control. */
 struct Pull {
   double s, cut;
   std::size_t behind;
@@ -207,9 +208,9 @@ sites behind them are left, [3](num:sec34_boomeron_why.of_five_return_waves_10) 
 [0](num:sec34_boomeron_why.of_five_return_waves_8) with eight and [1](num:sec34_boomeron_why.of_five_return_waves_6)
 with six; the others go on or are caught. Of five that are cut out at $t = 60$ it is
 [1](num:sec34_boomeron_why.of_five_return_cut_30) with thirty sites of their fresh wake, and
-[0](num:sec34_boomeron_why.of_five_return_cut_6) with six. An error of one says that the steps disagree. What the
-distance decides is not whether a packet of an impact returns at all but where it stops: with fifteen sites all five
-before site 40, with six all five beyond site 50. */
+[0](num:sec34_boomeron_why.of_five_return_cut_6) with six. An error of one says that the steps disagree. In these
+trials the distance decides above all where a packet of an impact stops: with fifteen sites all five before site 40,
+with six all five beyond site 50. */
 struct Packet {
   Bereft impact;
   std::array<LateFate, 2> fate{};
@@ -267,22 +268,24 @@ void report_late_fates(Report& report) {
 /**
 ## How far behind the waves may be
 
-So far there was one well. Do fifteen sites suffice in others, and at other velocities? Four packets that turn, between
-sites 20 and 80, are followed to $t = 4000$ with the waves left up to four distances, and with all of them. The farther
-out the apex, the more such a cut moves it. With all waves, twenty sites and fifteen sites of them the
-furthest site is [20.0468](num:sec34_boomeron_why.apex_10_19_all), [20.0468](num:sec34_boomeron_why.apex_10_19_20) and
-[20.12](num:sec34_boomeron_why.apex_10_19_15) at $s = 1$, $v_0 = 1.9$, where with fifteen the packet is caught there;
-[26.1075](num:sec34_boomeron_why.apex_08_22_all), [26.1258](num:sec34_boomeron_why.apex_08_22_20) and
-[27.1809](num:sec34_boomeron_why.apex_08_22_15) at $s = 0.8$, $v_0 = 2.2$; [54.2](num:sec34_boomeron_why.apex_10_17_all),
-[63.123](num:sec34_boomeron_why.apex_10_17_20) and [64.3195](num:sec34_boomeron_why.apex_10_17_15) at $s = 1$, $v_0 = 1.7$; and
+So far there was one well. Do fifteen sites suffice in others, and at other velocities? Four packets that turn,
+between sites 20 and 80, are followed to $t = 4000$ with the waves left up to four distances, and with all of them.
+Of these four, the farther out the apex, the more such a cut moves it. With all waves, twenty sites and fifteen sites
+of them the furthest site is [20.0468](num:sec34_boomeron_why.apex_10_19_all),
+[20.0468](num:sec34_boomeron_why.apex_10_19_20) and [20.12](num:sec34_boomeron_why.apex_10_19_15) at $s = 1$,
+$v_0 = 1.9$, where with fifteen the packet is caught there; [26.1075](num:sec34_boomeron_why.apex_08_22_all),
+[26.1258](num:sec34_boomeron_why.apex_08_22_20) and [27.1809](num:sec34_boomeron_why.apex_08_22_15) at $s = 0.8$,
+$v_0 = 2.2$; [54.2](num:sec34_boomeron_why.apex_10_17_all), [63.123](num:sec34_boomeron_why.apex_10_17_20) and
+[64.3195](num:sec34_boomeron_why.apex_10_17_15) at $s = 1$, $v_0 = 1.7$; and
 [77.3](num:sec34_boomeron_why.apex_06_25_all), [84.241](num:sec34_boomeron_why.apex_06_25_20) and
-[128.34](num:sec34_boomeron_why.apex_06_25_15) at $s = 0.6$, $v_0 = 2.5$, where with fifteen the packet is still on its way
-out. Thirty sites leave the last one at [75.10](num:sec34_boomeron_why.apex_06_25_30), and with six sites none of the four
-returns in that time.
+[128.34](num:sec34_boomeron_why.apex_06_25_15) at $s = 0.6$, $v_0 = 2.5$, where with fifteen the packet is still on
+its way out. Thirty sites leave the last one at [75.10](num:sec34_boomeron_why.apex_06_25_30), and with six sites
+none of the four returns in that time.
 
-At $s = 0.6$, $v_0 = 1.9$ the packet does not turn, and until then the waves make no difference: with all of them and
-with six sites of them it is at the same place, within [0.017](num:sec34_boomeron_why.apart_without_turn) sites. Later they
-do: followed once to $t = 20000$ it is beyond site 1100 with all waves, and beyond site 1400 with six sites. */
+At $s = 0.6$, $v_0 = 1.9$ the packet has not turned by $t = 4000$, and until then the waves make no difference: with
+all of them and with six sites of them it is at the same place, within
+[0.017](num:sec34_boomeron_why.apart_without_turn) sites. Later they do: followed once to $t = 20000$ it is beyond
+site 1100 with all waves, and beyond site 1400 with six sites. */
 void report_range(Report& report) {
   std::vector<Packet> list;
   for (const auto& [s, velocity] : {std::pair{1.0, 1.9}, {0.8, 2.2}, {1.0, 1.7}, {0.6, 2.5}})
@@ -316,8 +319,8 @@ void report_range(Report& report) {
 
 Where do energy and momentum go between $t=100$ and 220? With the waves left, the energy of the packet changes by
 [0.00821](num:sec34_boomeron_why.gain_waves); with those beyond six sites absorbed it changes by
-[-0.0556](num:sec34_boomeron_why.gain_behind). So the waves give back to the packet what it sheds. In the linear well
-it is [-0.06639](num:sec34_boomeron_why.gain_linear) with the waves and
+[-0.0556](num:sec34_boomeron_why.gain_behind). So with its waves the packet does not lose what it sheds without them.
+In the linear well it is [-0.06639](num:sec34_boomeron_why.gain_linear) with the waves and
 [-0.06624](num:sec34_boomeron_why.gain_linear_behind) without: there they make no difference. Since a contact only
 pushes, the waves push the packet forward, *away* from them, by [0.01131](num:sec34_boomeron_why.push_waves) on the
 mean, and by [0.00498](num:sec34_boomeron_why.push_behind) where they are absorbed; the wells take up the momentum.
@@ -438,7 +441,7 @@ void compare_inside(Quantities& facts, const std::string& name, const Family& f,
 }
 
 /**
-We compare two packets, the one that turns and the one that does not because what lies more than six sites
+We compare two packets, the one that turns and the one that does not when what lies more than six sites
 behind it is absorbed. If the waves feed the packet, the two should differ in energy.
 
 The packet is close to a breather that moves: at its frequency,
@@ -483,12 +486,11 @@ void report_inside(Report& report) {
 /**
 ## Waves beside a breather at rest
 
-The last experiment reverses the first: instead of taking the waves away from a packet that turns,
-we give waves to a breather at rest. On one side of a bond-centred breather, from its sixth
-neighbour on, we set fifteen sites oscillating, with phases drawn at random from a recorded seed. If
-waves pull, the breather moves towards them on whichever side they are; if they push, it moves away.
-The linear well, in which no packet turns, serves as the control, with a breather of the same energy
-and the same waves. */
+The last experiment reverses the first: instead of taking the waves away from a packet that turns, we give
+waves to a breather at rest. On one side of a bond-centred breather, from its sixth neighbour on, we set
+fifteen sites oscillating, with phases drawn at random from a recorded seed. If waves pull, the breather
+moves towards them on whichever side they are; if they push, it moves away. The linear well, in which we
+saw no packet turn, serves as the control, with a breather of the same energy and the same waves. */
 constexpr unsigned long seed = 20130502;
 constexpr double wave_amplitude = 0.15, wave_time = 300;
 
@@ -574,10 +576,7 @@ void add_pull(Quantities& facts, const std::vector<Trial>& list, double well) {
 The frequencies of the two breathers are chosen such that their energies agree; both energies are
 among the facts, so that this can be checked.
 
-In the hard well the waves draw the breather towards them, by
-[6.4](num:sec34_boomeron_why.pull_hard) sites on average, in a fraction
-[1](num:sec34_boomeron_why.pulled_hard) of the trials. In the linear well the same waves move a
-breather of the same energy by [0.20](num:sec34_boomeron_why.pull_linear) sites. */
+[](finding:turning.pull) */
 void report_waves(Report& report) {
   std::vector<Trial> list = trials(report.quick ? 3 : 12);
   const double step = report.quick ? 0.2 : 0.1;
@@ -611,23 +610,24 @@ void report_waves(Report& report) {
 /**
 ## Results
 
-**A packet is turned early by waves that travel behind it, and these come from the impact.** Take away what lies more
-than six sites behind it, and at $s = 1$, $v_0 = 1.9$ the force on the way out falls to less than a half; there, and at
-three other wells and velocities with an apex between sites 20 and 80, the packet goes far beyond its old apex. How
-far behind the waves may be depends on the packet: an apex near site 20 stays where it is with fifteen
-sites (though the packet is caught there), one near site 77 moves even with twenty. So the article's suspicion that other waves turn the packet is supported, but these waves
-need not be confined: at $s = 1$, $v_0 = 1.9$ an end that absorbs them only moves the apex. At $s = 0.6$, $v_0 = 1.9$
-no packet turns, and until $t = 4000$ waves make no difference.
+**A packet is turned early by waves that travel behind it.** [](finding:turning.waves) At $s = 1$, $v_0 = 1.9$ these
+waves come from the impact. How far behind the waves may be depends on the packet: an apex near site 20 stays where
+it is with fifteen sites (though the packet is caught there), one near site 77 moves even with twenty. So the
+article's suspicion that other waves turn the packet is supported, but these waves need not be confined: at $s = 1$,
+$v_0 = 1.9$ an end that absorbs them only moves the apex. At $s = 0.6$, $v_0 = 1.9$ the packet was not seen to turn,
+and until $t = 4000$ waves make no difference.
 
-**A part of the slowing down needs no waves beyond the fourth site.** It is the same for a packet that has been cut
-out and meets only its own fresh wake, however much of that is left. The slower the packet, the less it slows down.
+**A part of the slowing down needs no waves beyond the fourth site.** At $s = 1$, $v_0 = 1.9$ it is the
+same for a packet that has been cut out and meets only its own fresh wake, however much of that is left;
+and such a packet slows down less and less.
 
-**Neither is necessary in the end.** Cut out early, a packet passes the site where it would have
-turned, creeps on, and may go on, be caught, or come back after thousands of units of time, when it is so slow
-that the barrier and any wave matter. What brings it back can only be its own fresh wake; but how much of it that
-takes we do not know, and which packets come back is a matter of chance.
+**Neither is necessary in the end.** [](finding:turning.alone) Others that are cut out early go on or are caught.
+Besides the lattice only its own fresh wake is there to bring such a packet back; how much of it that takes we do not
+know, and which packets come back seems a matter of chance: of six within a millionth of this impact four do by
+$t = 4000$.
 
-At $s=0$ waves make no difference to the force, between $t = 100$ and 220, and no packet turns. */
+At $s=0$ waves make no difference to the force, between $t = 100$ and 220, and no packet was seen to
+turn. */
 void reproduce(Report& report) {
   report_experiments(report);
   report_distance(report);
@@ -648,8 +648,8 @@ it sheds energy is a likely cause, but in the linear well it sheds as much. Nor 
 linear well hardly responds to waves beside it. A damping so close to the packet may touch the packet itself.
 "Returns" and "goes on" are said of the times that we followed, and where the two steps disagree we know neither.
 
-Exact travelling breathers (section 5) do not explain the turning. At the packet's energy we know of
-none at $s = 1$: the fastest one found there has the speed
+Exact travelling breathers (section 5) do not help to explain the turning: at the packet's energy we know
+of none at $s = 1$; the fastest one found there has the speed
 [0.0539509](num:sec5_travelling_families.fastest_at_one) and the energy
 [0.00165802](num:sec5_travelling_families.fastest_energy_at_one).
 

@@ -447,10 +447,10 @@ void report_growth(Report& report) {
 /**
 ## Checks: the full order, and an independent route
 
-A contact that opens or closes limits every splitting to about order 2.5 (appendix). The modulated
-phonon keeps all contacts closed, so each method must show the order in its name; the struck chain,
-up to $t = 30$, opens contacts, and the methods must lose it. As an independent route GSL's method of
-order eight must arrive at the same states.
+A contact that opens or closes limits every splitting to about order 2.5 (appendix). The modulated phonon
+keeps all contacts closed until $t = 50$, so each method must show the order in its name; the struck
+chain, up to $t = 30$, opens contacts, and the methods must lose it. As an independent route GSL's method
+of order eight must arrive at the same states.
 
 ![Error against step with closed and with opening contacts.](fig:x08) */
 struct OrderCase {
@@ -566,11 +566,11 @@ packet is still forming; the best sech misses its envelope by [0.0632657](num:se
 of the height and has the width [6.06543](num:sec4_precompression_mi.breather_width_t_291). We used to fit it about the
 centre of energy, six sites behind the top, where a sech misses by more than the tenth that we allow. The article says
 *reminiscent of* a soliton, and that the breather *forms around* this time; about its top that is so. The breather
-loses energy to its tail all the time; at the end this has
+loses energy to its tail in the whole run; at the end this has
 [0.0927420](num:sec4_precompression_mi.tail_both_sides_behind) times the breather's amplitude behind it and
 [0.0663363](num:sec4_precompression_mi.tail_both_sides_ahead) times ahead. For the other wells we confirm what the
-article says, with its restriction: no breather on these time scales. A likely reason is that for small $|s|$ the
-soliton of the NLS equation is too wide to form so early.
+article says, with its restriction: no breather on these time scales. A possible reason, not tested, is that for small
+$|s|$ the soliton of the NLS equation is too wide to form so early.
 
 ## Extensions
 

@@ -1,18 +1,17 @@
 /**
 # 5 Breathers between bounds
 
-What section 3 computes with error bars can be proved. This chapter encloses breathers in intervals that no
-rounding can break:
+Some of what section 3 computes with error bars can be proved. This chapter encloses breathers in
+intervals that no rounding can break:
 
         guess  --->  ball that a map sends       --->  a solution is in it,
                      into itself and shrinks            and no other one
 
 ![Both DpS breathers, the search for others, and what the proofs need.](fig:x25)
 
-It begins with the static breathers of the DpS equation, on the infinite lattice: they exist, one is
-unstable and the other is stable, and the barrier between them has a certain sign. Their margin of
-instability, five millionths, is the closest decision of the whole article. Then it turns to the breathers
-of the chain itself. */
+It begins with the static breathers of the DpS equation. [](finding:dps.enclosed) The margin of
+instability, five millionths, is one of the closest decisions of the article. Then it turns to the
+breathers of the chain itself. */
 
 #include <algorithm>
 #include <cmath>
@@ -311,11 +310,8 @@ The waves of the kernel equation have the energies [0.180834](num:sec5_enclosure
 [0.180834](num:sec5_enclosures.wave_energy_minus) and the peaks [0.446249](num:sec5_enclosures.wave_peak_plus) and
 [0.457322](num:sec5_enclosures.wave_peak_minus). Each is known within
 [1.78063e-12](num:sec5_enclosures.wave_radius_plus) or [1.94232e-12](num:sec5_enclosures.wave_radius_minus) at all
-times and is alone within [1.52588e-5](num:sec5_enclosures.wave_unique_radius_plus). Plus minus minus, the energies
-differ by [-8e-11](num:sec5_enclosures.wave_energy_difference) and the actions by
-[-2.4e-11](num:sec5_enclosures.wave_action_difference): both signs are certain. So it is proved that there are two
-different waves, that the wave with the sign minus is *not* the maximum of the theorem, and that both have the same
-$T$ but not the same energy. Whether the sign plus is the maximum remains open. */
+times and is alone within [1.52588e-5](num:sec5_enclosures.wave_unique_radius_plus). [](finding:travelling.two_waves)
+Whether the sign plus is the maximum remains open. */
 void reproduce(Report& report) {
   const Both both;
   for (const auto& [centre, name] : centres) {
@@ -345,7 +341,7 @@ intervals of the Python package mpmath and eighty digits, repeats for the DpS eq
 largest displacement; the second eigenvalue, its exponent, and how many eigenvalues lie above $\frac23$; both
 barriers; and the radius of uniqueness. Its intervals lie in ours. Not repeated are the search for other profiles and
 all that concerns the chain and the kernel equation, whose waves and breathers are only compared with those that
-Newton's method finds. Errors put into the proof, one at a time, make it fail.
+Newton's method finds. The errors that the tests put into the proof, one at a time, make it fail.
 
 ## Enclosures to be printed
 

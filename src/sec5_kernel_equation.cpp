@@ -5,8 +5,8 @@ An exact travelling breather repeats itself one site further on after the shift 
 = 2\pi k$, the whole lattice can be replaced by one scalar equation for one function,
 $$d = K * d_+^{3/2},\qquad K(\sigma) = -\sin|\sigma| \ \text{ for } |\sigma| \le 2\pi k,\ \text{else } 0,$$
 where $d(t)$ is the compression that every contact sees in its own time. The chapters before compute such breathers
-as orbits of a lattice. From this equation it is proved that they exist, for every $k$ and for every contact law
-$r_+^\alpha$ with $\alpha > 1$, and it yields the same energies by a second route.
+as orbits of a lattice. The equation yields a proof that they exist, and the same energies by a second route.
+[](finding:travelling.existence)
 
 ![The kernel, two waves, the ascent of the quotient, and the quotients of both signs.](fig:x24) */
 
@@ -56,10 +56,11 @@ constexpr double two_pi = 2 * std::numbers::pi;
 For other $T$ no choice of the solution keeps $q$ localized, unless $f$ has no component at the frequency of the
 wells, $V = \int f\cos t\,dt = 0$ for even $d$. That is type II.
 
-We call a wave *localized* if $d$ is not zero and tends to zero in both directions. Multiplying Newton's law by $q$
-and integrating gives $\int(\dot q^2 - q^2)\,dt = \int f d\,dt = A$, the *action* $\int d_+^{\alpha+1}dt$; so
-Hamilton's action of one site over all times is $\frac A2 - \frac{A}{\alpha+1} = \frac{\alpha-1}{2(\alpha+1)}A$. The
-energy follows from $q$ and $\dot q$ at one instant, or as a mean over a shift,
+We call a wave *localized* if $d$ is not zero and tends to zero in both directions, and take the $q$ above for it,
+without $a\cos(t+\varphi)$. Multiplying Newton's law by $q$ and integrating gives $\int(\dot q^2 - q^2)\,dt = \int f
+d\,dt = A$, the *action* $\int d_+^{\alpha+1}dt$; so Hamilton's action of one site over all times is $\frac A2 -
+\frac{A}{\alpha+1} = \frac{\alpha-1}{2(\alpha+1)}A$. The energy follows from $q$ and $\dot q$ at one instant, or as
+a mean over a shift,
 $$TE = \tfrac12\int(q^2+\dot q^2)\,dt + \frac{A}{\alpha+1}.$$
 
 ## The theorem
@@ -291,13 +292,13 @@ Table profile_table(const std::vector<Wave>& all) {
 /**
 ## The ascent
 
-From random positive functions the quotient is driven upwards (quotient.hpp). If there is one maximum only, all
-starts come to the same value, that of the waves above, up to the error of the plain grid. They need not come to the
-same function: translations change nothing, and the internal phase changes the quotient only in the eleventh digit,
-far below what this grid resolves. Along these two directions the ascent creeps, so that a single small step says
-nothing: each start goes on until 25 steps together gain less than $10^{-10}$ a step. A limit of two thousand steps
-would cut off 13 of them, and the ends would lie $4.5\times10^{-5}$ apart; continued, once (`stop`, `most_tries`), until a step gains
-less than $10^{-15}$, they lie $1.5\times10^{-6}$ apart. */
+From random positive functions the quotient is driven upwards (quotient.hpp). If there is one maximum only, counting
+local ones, all starts come to the same value, that of the waves above, up to the error of the plain grid. They need
+not come to the same function: translations change nothing, and the internal phase changes the quotient only in the
+eleventh digit, far below what this grid resolves. Along these two directions the ascent creeps, so that a single
+small step says nothing: each start goes on until 25 steps together gain less than $10^{-10}$ a step. A limit of two
+thousand steps would cut off 13 of them, and the ends would lie $4.5\times10^{-5}$ apart; continued, once (`stop`,
+`most_tries`), until a step gains less than $10^{-15}$, they lie $1.5\times10^{-6}$ apart. */
 constexpr double stop = 1e-10;
 
 std::vector<Ascent> ascents(std::size_t count, std::size_t per_shift) {
@@ -325,7 +326,7 @@ Table ascent_table(const std::vector<Ascent>& all, std::size_t shown) {
 
 /**
 The grid with half the points gives the errors of the lowest and of the highest end and of their distance. A distance
-beyond its error would mean more than one maximum; two that are closer remain possible. */
+beyond its error would mean more than one place where an ascent rests; two that are closer remain possible. */
 void report_ascents(Report& report) {
   const std::size_t count = report.quick ? 4 : 30;
   const auto fine = ascents(count, 64), coarse = ascents(count, 32);
@@ -545,17 +546,17 @@ held, has the larger quotient. [30](num:sec5_kernel_equation.ascents_finished) o
 [30](num:sec5_kernel_equation.ascent_starts) random starts meet the stopping rule (some still creep) at quotients
 between [1.1552](num:sec5_kernel_equation.ascent_lowest) and [1.1552](num:sec5_kernel_equation.ascent_highest); the
 waves have [1.15521](num:sec5_kernel_equation.quotient_plus). Their ends differ by
-[3e-6](num:sec5_kernel_equation.ascent_spread), no more than this changes with the grid: a second maximum is not seen,
-nor excluded if it is closer. */
+[3e-6](num:sec5_kernel_equation.ascent_spread), no more than this changes with the grid: a second maximum is not seen
+in these starts, nor excluded. */
 // The exchanges
 /**
-From large $\alpha$ to small the signs exchange their order at $\alpha =$
+[](finding:travelling.exchanges) The quotients exchange their order at $\alpha =$
 [5.82355](num:sec5_kernel_equation.exchange_1), [3.10428](num:sec5_kernel_equation.exchange_2),
 [2.30736](num:sec5_kernel_equation.exchange_3), [1.94497](num:sec5_kernel_equation.exchange_4),
 [1.73825](num:sec5_kernel_equation.exchange_5), [1.60461](num:sec5_kernel_equation.exchange_6),
 [1.51174](num:sec5_kernel_equation.exchange_7), [1.44347](num:sec5_kernel_equation.exchange_8) and
-[1.39092](num:sec5_kernel_equation.exchange_9). From the first to $\alpha = 8$, where the table ends, the sign minus
-has the larger quotient. In $1/(\alpha-1)$ the exchanges lie
+[1.39092](num:sec5_kernel_equation.exchange_9). At all exponents of the table beyond the first, up to $\alpha = 8$,
+the sign minus has the larger quotient. In $1/(\alpha-1)$ the exchanges lie
 [0.267906](num:sec5_kernel_equation.exchange_spacing_first) to
 [0.3031](num:sec5_kernel_equation.exchange_spacing_last) apart; a tenth one is beyond double precision. At
 [35](num:sec5_kernel_equation.phases_agree) of the [35](num:sec5_kernel_equation.phases_compared) exponents of the
@@ -620,8 +621,8 @@ void reproduce(Report& report) {
 
 Proved are the theorem and what is listed under *What else follows*, and in the next chapter both waves of $k = 1$.
 Computed, with errors from two grids, are the waves, their quotients and the exchanges. That one of the two even
-waves is the maximum of the theorem at $\alpha = 3/2$ is a conjecture, with which the ascents agree; at the exchange near 5.82 it is
-neither, since a wave without symmetry has the larger quotient.
+waves is the maximum of the theorem at $\alpha = 3/2$ is a conjecture, with which the ascents agree; at the
+exchange near 5.82 it is neither, since the wave without symmetry that was computed there has a larger quotient.
 
 - `sec5_kernel_equation wave --alpha 3 --sign minus` has the larger quotient there. Follow both signs
   through the second exchange and look for the wave without symmetry between them.

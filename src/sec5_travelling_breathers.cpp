@@ -8,8 +8,8 @@ compute exact ones, which after a time $T$ are the same again, one site further:
       t = 0    .  .  o  O  o  .  .  .            y_n(t + T) = y_(n-1)(t)
       t = T    .  .  .  o  O  o  .  .            and nothing is left behind
 
-One can. In the linear well those that repeat themselves from site to site have, as far as we find them, isolated
-speeds, and one sum says which.
+One can in linear wells. Those that we find repeat themselves from site to site and have isolated speeds; one sum says
+which are possible.
 
 ![Exact travelling breathers, and a packet that sheds a tail.](fig:x18) */
 
@@ -50,9 +50,10 @@ constexpr double two_pi = 2 * std::numbers::pi;
 /**
 ## Why only certain speeds
 
-In linear wells the contact forces cancel in the sum $Z = \sum_n (y_n + i\dot y_n)$, which therefore
-only rotates, $Z(t) = e^{-it}Z(0)$. A shift does not change $Z$, so $(e^{-iT}-1)Z = 0$: either
-$T = 2\pi k$, one site during $k$ oscillations of a free bead (type I), or $Z = 0$ (type II).
+In linear wells the contact forces cancel in the sum $Z = \sum_n (y_n + i\dot y_n)$. If it converges
+absolutely, it only rotates, $Z(t) = e^{-it}Z(0)$, and a shift does not change it, so $(e^{-iT}-1)Z
+= 0$. [](finding:travelling.speeds) The first is type I, one site during $k$ oscillations of a free
+bead, the second type II.
 
 The same sum says what a packet leaves behind. A bead that has been passed keeps oscillating with the
 amplitude $|\int e^{it}(f_{n-1}-f_n)\,dt|$, where $f_n$ is the force in the contact on its right. If
@@ -93,7 +94,7 @@ where its compression is $-d_{n-1}(t)$, with $(-d_{n-1})_+^{3/2}$: it is closed 
 sum of Newton's law for the bead $n$ at $t+T$ and for the bead $n-1$ at $t$, whose left sides cancel, is
 $$0 = (-d_{n-2})_+^{3/2}-(-d_{n-1})_+^{3/2}+(d_{n-2})_+^{3/2}-(d_{n-1})_+^{3/2} = |d_{n-2}|^{3/2}-|d_{n-1}|^{3/2}$$
 at every $t$. At each instant all $|d_n|$ are equal; if the orbit is localized they vanish, and so does the orbit. In
-other wells $W'(y_{n-1})+W'(-y_{n-1})$ takes the place of zero, and nothing is excluded. */
+other wells $W'(y_{n-1})+W'(-y_{n-1})$ takes the place of zero, and the argument fails. */
 /// The orbits of type I with the given k, in ascending order, of one sign.
 std::vector<Exact> type_one_orbits(int sign, const std::vector<std::size_t>& ks) {
   std::vector<Exact> found;
@@ -124,7 +125,7 @@ double residual_in_wide(const Exact& e, const Vector<T>& x_given) {
 
 /**
 The energies deserve as much care as the residuals. The orbits of the two signs are the same packet
-with two internal phases, and the difference of their energies is all that could hold the phase. */
+with two internal phases, and the difference of their energies is what could hold the phase. */
 void report_exactness(Report& report, const std::vector<Exact>& plus,
                       const std::vector<Exact>& minus) {
   double narrow = 0, rounded = 0, wide = 0;
@@ -286,8 +287,8 @@ Flown by_gsl(const Exact& e, std::size_t shifts, double tolerance) {
 }
 
 /**
-We follow the fastest orbit, $k = 1$, with the sign for which the phase is held; with the other sign
-errors would grow. */
+We follow the fastest orbit of type I, $k = 1$, with the sign for which the phase is held; with the
+other sign errors would grow. */
 void report_flights(Report& report, const Exact& e) {
   const std::size_t many = report.quick ? 100 : 1000, few = report.quick ? 10 : 100;
   std::array<Flown, 4> f{};
@@ -304,9 +305,10 @@ void report_flights(Report& report, const Exact& e) {
 }
 
 /**
-Two numbers describe the stability of an orbit: $\kappa$ of the phase, and the largest modulus of the
-other multipliers. These lie inside the unit circle, which does not mean that anything is damped: the frame
-travels, a bead's free oscillation does not, and so what disturbs the orbit leaves the frame. */
+To first order a change of the speed stays as it is. Beside it two numbers describe the stability of an orbit:
+$\kappa$ of the phase, and the largest modulus of the other multipliers. These lie inside the unit circle, which does
+not mean that anything is damped: the frame travels, a bead's free oscillation does not, and so what disturbs the
+orbit leaves the frame. */
 void report_stability(Report& report, const Exact& e) {
   const auto narrow = phase_and_rest(type_one<double>(e.k), e.orbit, {});
   const auto wide = phase_and_rest(type_one<long double>(e.k), e.wide, {});
@@ -323,20 +325,19 @@ void report_stability(Report& report, const Exact& e) {
 /**
 ## Results
 
-There are two exact travelling breathers, one of each sign, for every $k$ that we tried. Newton's method
-finds the first in [6](num:sec5_travelling_breathers.newton_steps_from_cut) steps from the cut packet.
-The residuals are [7e-14](num:sec5_travelling_breathers.residual_double) in double precision,
+Newton's method finds two exact travelling breathers, one of each sign, for every $k$ from 1 to 5 (and for 6, 8, 10,
+15 and 20 in the next chapters). It finds the first in [6](num:sec5_travelling_breathers.newton_steps_from_cut) steps
+from the cut packet. The residuals are [7e-14](num:sec5_travelling_breathers.residual_double) in double precision,
 [3e-17](num:sec5_travelling_breathers.residual_wide) in the wider type and
 [8e-17](num:sec5_travelling_breathers.residual_rounded) after rounding. A thousand shifts leave
-[2e-14](num:sec5_travelling_breathers.left_by_thousand_shifts) of the amplitude behind, no more than the
-error of the steps. The fastest, $k = 1$, has the speed $1/(2\pi)$ and the energy
+[2e-14](num:sec5_travelling_breathers.left_by_thousand_shifts) of the amplitude behind, no more than the error of the
+steps. That of $k = 1$, the fastest of type I, has the speed $1/(2\pi)$ and the energy
 [0.180834](num:sec5_travelling_breathers.energy_plus); with the other sign it is higher by only
-[7.843e-11](num:sec5_travelling_breathers.energy_difference). So little holds the internal phase, and the
-multipliers agree: $\kappa =$ [-8.8883e-11](num:sec5_travelling_breathers.kappa_k1_plus) with the sign plus,
+[7.843e-11](num:sec5_travelling_breathers.energy_difference). So little holds the internal phase, and the multipliers
+agree: $\kappa =$ [-8.8883e-11](num:sec5_travelling_breathers.kappa_k1_plus) with the sign plus,
 [8.888e-11](num:sec5_travelling_breathers.kappa_k1_minus) with the sign minus, a growth of
-[1.8856e-5](num:sec5_travelling_breathers.growth_k1_minus) per shift. At $k = 2$ no $\kappa$ is left above
-the errors. All other disturbances are left behind by the travelling frame, in which per shift at most
-[0.870581](num:sec5_travelling_breathers.next_modulus_k1_plus) of them remain. */
+[1.8856e-5](num:sec5_travelling_breathers.growth_k1_minus) per shift. At $k = 2$ no $\kappa$ is left above the errors.
+[](finding:travelling.stability) */
 void reproduce(Report& report) {
   const std::vector<std::size_t> ks =
       report.quick ? std::vector<std::size_t>{1, 2, 3} : std::vector<std::size_t>{1, 2, 3, 4, 5};

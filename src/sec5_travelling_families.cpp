@@ -11,7 +11,8 @@ between, a breather sheds a tail. This chapter follows the families on which bot
           |    * . _ o____._o__
           +----------------------->  2 pi k - T
 
-and continues the exact ones into soft wells, and into hard wells, in which the two kinds meet and end.
+and continues the exact ones into soft wells, and into hard wells, in which those of $k = 1$, 2 and 3 turn back in
+folds.
 
 ![What travelling breathers leave behind, against their shift time.](fig:x19) */
 
@@ -72,11 +73,10 @@ void follow(Family& f, double step) {
 
 What does a member of a family do that is no exact orbit? We set it free in a resting chain, and behind it each
 bead keeps oscillating. By the chapter before, the amplitude is $|1-e^{-iT}|\,|g(1)|$ with
-$g(1) = \int e^{it}f\,dt$, if the pulses $f$ in the contacts repeat themselves after $T$. Those of a member that
-sheds do not: its core answers what it sheds at the order of the tail itself. So this gives the order of magnitude,
-and we measure how well. The integral needs no quadrature: only the pulse changes $e^{it}Z$ when the sum is taken
-over the beads on the right of its contact, so the integral is the difference of this quantity between the end and
-the beginning. */
+$g(1) = \int e^{it}f\,dt$, if the pulses $f$ in the contacts repeat themselves after $T$. Those of a member that sheds
+do not, so that this can only give the order of magnitude, and we measure how well it does. The integral needs no
+quadrature: only the pulse changes $e^{it}Z$ when the sum is taken over the beads on the right of its contact, so the
+integral is the difference of this quantity between the end and the beginning. */
 struct Left {
   double beads = 0, pulse = 0;  ///< both relative to the amplitude
 };
@@ -426,25 +426,24 @@ void report_boomeron(Report& report, const Table& exact_orbits, const Path& coar
 /**
 ## Results
 
-**Between two exact orbits a travelling breather leaves behind, in order of magnitude, what the sum $Z$ says**:
-from [0.40](num:sec5_travelling_families.left_over_sum_least) to [1.05406](num:sec5_travelling_families.left_over_sum_most) of
-it, and at [126](num:sec5_travelling_families.left_off_by_a_fifth) of the
-[141](num:sec5_travelling_families.left_compared) members compared it differs by more than a fifth. The ratio does not
-tend to one towards an orbit of type I either: with this measurement at $T/2\pi = k-10^{-4}$, made once by a program that is not part of this
-repository, it is 1.079, 0.961 and 0.889 for $k = 1$, $2$ and $4$. Where $V$ vanishes, nothing is left behind. On the
-family that begins at $T = 2\pi$ the first orbit of type II lies at $T/2\pi =$
-[0.897407](num:sec5_travelling_families.turns_type_two_1); in all we found
+Between the exact orbits, in five families with $T/2\pi$ from 0.7 to 1, 1.5 to 2, 2.6 to 3 and 3.7 to 4, what a
+breather leaves behind has the order of magnitude that the sum $Z$ says:
+[0.40](num:sec5_travelling_families.left_over_sum_least) to [1.05406](num:sec5_travelling_families.left_over_sum_most) of
+$\lvert1-e^{-iT}\rvert\,\lvert Z\rvert$, more than a fifth off at
+[126](num:sec5_travelling_families.left_off_by_a_fifth) of [141](num:sec5_travelling_families.left_compared) members. The
+ratio does not tend to one towards an orbit of type I either: with this measurement at $T/2\pi = k-10^{-4}$, made
+once by a program that is not part of this repository, it is 1.079, 0.961 and 0.889 for $k = 1$, $2$ and $4$. Where
+$V$ vanishes, nothing is left behind. On the family that begins at $T = 2\pi$ the first orbit of type II lies at
+$T/2\pi =$ [0.897407](num:sec5_travelling_families.turns_type_two_1); in all we found
 [12](num:sec5_travelling_families.found_type_one) orbits of type I and
 [18](num:sec5_travelling_families.found_type_two) of type II.
 
-**In hard wells the fast ones disappear.** In soft wells the orbits of type I continue as far as the table follows
-them, to $s =$ [-1.163](num:sec5_travelling_families.soft_k1) ($k = 1$), [-1.38](num:sec5_travelling_families.soft_k2) ($k = 2$),
-[-1.392](num:sec5_travelling_families.soft_k3) ($k = 3$) and [-0.049](num:sec5_travelling_families.soft_k4) ($k = 4$), but not for
-ever: that of $k = 1$ folds at $s =$ [-5.73337](num:sec5_travelling_families.soft_fold_k1), and followed further, once (not part of this program), that of $k = 2$ at $-54.4$, while those of $k = 3$ and $4$ reach $-13.9$. In hard ones their branch meets
-that of type II in a fold, at a smaller $s$ the faster the orbit is: for $k = 1$ at
-$s =$ [0.0103021](num:sec5_travelling_families.fold_k1), for $k = 2$ at
-[0.325575](num:sec5_travelling_families.fold_k2), for $k = 3$ at
-[1.90265](num:sec5_travelling_families.fold_k3). */
+[](finding:travelling.wells) In soft wells the orbits of type I continue as far as the table follows them, to $s =$
+[-1.163](num:sec5_travelling_families.soft_k1) ($k = 1$), [-1.38](num:sec5_travelling_families.soft_k2) ($k = 2$),
+[-1.392](num:sec5_travelling_families.soft_k3) ($k = 3$) and [-0.049](num:sec5_travelling_families.soft_k4) ($k = 4$),
+but not for ever: that of $k = 1$ folds at $s =$ [-5.73337](num:sec5_travelling_families.soft_fold_k1), and followed
+further, once (not part of this program), that of $k = 2$ at $-54.4$, while those of $k = 3$ and $4$ reach $-13.9$. In
+hard ones they come back from the fold to an orbit of type II at $s = 0$, for $k = 1$ after two folds more. */
 void report_wells(Report& report, const std::vector<Start>& starts) {
   const bool quick = report.quick;
   report_folds(report, {starts.begin(), starts.begin() + (quick ? 1 : 3)});
@@ -462,11 +461,9 @@ void report_wells(Report& report, const std::vector<Start>& starts) {
 }
 
 /**
-**The boomeron does not turn where exact orbits end.** The fastest exact orbit that we know at $s = 1$
-has the speed [0.0539509](num:sec5_travelling_families.fastest_at_one) and the energy
-[0.00165802](num:sec5_travelling_families.fastest_energy_at_one). When the packet is as slow as that, it
-has the energy [1.51933](num:sec5_travelling_families.packet_energy_then), hundreds of times as much. So
-it is not near any exact orbit that we know; sec34_boomeron_why.cpp looks for what turns it instead. */
+So the boomeron does not turn where the exact orbits that we know end. The fastest of them at $s = 1$ has the speed
+[0.0539509](num:sec5_travelling_families.fastest_at_one), and when the packet is as slow as that it has hundreds of
+times its energy; sec34_boomeron_why.cpp looks for what turns it instead. */
 void reproduce(Report& report) {
   const bool quick = report.quick;
   std::vector<Family> all = families(quick);
@@ -494,9 +491,9 @@ void reproduce(Report& report) {
 /**
 ## Limits
 
-Branches are followed within bounds. They stop where Newton's method fails, at orbits in which a bead of
-the tail only just touches its neighbour. We do not prove that nothing else exists at $s = 1$; we looked
-only for what is connected with $s = 0$.
+Branches are followed within bounds. They stop where Newton's method fails, it seems at orbits in which a bead of the
+tail only just touches its neighbour. We do not prove that nothing else exists at $s = 1$; we looked only for what is
+connected with $s = 0$.
 
 ## Extensions
 

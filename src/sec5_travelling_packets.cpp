@@ -1,9 +1,8 @@
 /**
 # 5 What becomes of a packet
 
-An impact on a chain with linear wells sends out a packet that sheds a tail. Exact travelling breathers shed none,
-but those that repeat themselves from site to site have isolated speeds, as far as we find them. Where does the
-packet go?
+An impact on a chain with linear wells sends out a packet that sheds a tail. Exact travelling breathers shed none, but
+those that we know have isolated speeds. Where does the packet go?
 
       |z_n|  left behind
         |**
@@ -13,8 +12,7 @@ packet go?
 
 ![The tail of an impact's packet falls, its speed does not lock.](fig:x22)
 
-Over sixteen thousand sites it does not lock to any of them. The phase of its internal oscillation turns by
-less and less from site to site, and with this angle the tail dies out. */
+[](finding:travelling.packets) */
 
 #include <algorithm>
 #include <array>
@@ -463,15 +461,13 @@ void report_dps(Report& report, const DpsMember& coarse, const DpsMember& fine) 
 /**
 ## Results
 
-After an impact with $v_0 = 0.66$ and sixteen thousand sites the tail falls with the exponent
-[-0.72067](num:sec5_travelling_packets.tail_exponent_v66), and not with $-1$. The growth of $1/\varphi$ is not
-constant either: it falls from [0.0094495](num:sec5_travelling_packets.angle_growth_early_v66) per site beyond site
-200 to [0.00208](num:sec5_travelling_packets.angle_growth_v66) at the end, because $|g|$ falls from
+After an impact with $v_0 = 0.66$ the tail does not fall with the exponent $-1$ within these sites, and the growth of
+$1/\varphi$ is not constant: it falls from [0.0094495](num:sec5_travelling_packets.angle_growth_early_v66) per site
+beyond site 200 to [0.00208](num:sec5_travelling_packets.angle_growth_v66) at the end, while $|g|$ falls from
 [0.0308411](num:sec5_travelling_packets.pulse_early_v66) to [0.01113](num:sec5_travelling_packets.pulse_v66). So the
 law $1/n$ is not confirmed: if it holds at all, it does so only beyond the sites computed here. If $g$ vanished with
-$\varphi$, as it does at an orbit of type II, the tail would fall otherwise. The packet tends to $T/2\pi =$
-[1.1566](num:sec5_travelling_packets.final_turns_v66), no time of an exact orbit that we know, and to the scaled
-speed [0.25467](num:sec5_travelling_packets.final_scaled_speed_v66), where the line has
+$\varphi$, as it does at an orbit of type II, the tail would fall otherwise. The packet tends to the scaled speed
+[0.25467](num:sec5_travelling_packets.final_scaled_speed_v66), where the line has
 [0.25466](num:sec5_travelling_packets.type_one_scaled_speed_v66). Its contact energy was
 [0.0135176](num:sec5_travelling_packets.contact_energy_early_v66) near site 100, is
 [0.013349](num:sec5_travelling_packets.contact_energy_late_v66) at the end, tends to
@@ -479,7 +475,8 @@ speed [0.25467](num:sec5_travelling_packets.final_scaled_speed_v66), where the l
 [0.01333](num:sec5_travelling_packets.contact_energy_of_type_one_v66) on the line. Scaled speed and final contact
 energy agree with the line within their errors, which come mainly from the choice of the stretch. So, from two
 impacts, a packet seems to become an orbit of type I whose internal phase is not locked to the shift, and its contact
-energy seems to select which one. */
+energy seems to select which one. Whether it locks later cannot be seen here: at the end $\varphi$ is still hundreds
+of times $2|\kappa|^{1/2}$, the angle per shift with which the orbit $k = 1$ holds its phase. */
 void report_packets(Report& report, std::size_t rows) {
   std::vector<TwoCourses> runs{{0.66}, {1.5}};
   if (report.quick) runs.resize(1);
@@ -501,7 +498,7 @@ void report_packets(Report& report, std::size_t rows) {
 }
 
 /**
-In the limit of small amplitude $E/c^4$ of the chain's orbits tends to
+Extrapolated from $k \le 20$ to small amplitude, $E/c^4$ of the chain's orbits tends to
 [65.56](num:sec5_travelling_packets.limit_of_type_one), and that of the DpS orbit is
 [65.5523](num:sec5_travelling_packets.dps_energy_over_c4), which means $cE^{-1/4} =$
 [0.351441](num:sec5_travelling_packets.dps_scaled_speed). */
@@ -520,11 +517,11 @@ void reproduce(Report& report) {
 /**
 ## What is proved, what is computed, what is conjectured
 
-*Proved*: in the linear well an exact travelling breather has $T = 2\pi k$ or $Z = 0$; pulses *that repeat
-themselves exactly* leave behind the amplitude $|1-e^{-iT}|\,|g(1)|$, which those of a packet only nearly do;
-the last equation of a family is $V\sin(T/2) = 0$; no localized orbit repeats itself with the opposite sign
-after one site. There is an orbit of type I for every $k$ (chapter on the kernel equation), and for $k = 1$ there
-are two (chapter on enclosures).
+*Proved*: in the linear well an exact travelling breather whose sum $Z$ converges absolutely has $T = 2\pi k$
+or $Z = 0$; pulses *that repeat themselves exactly* leave behind the amplitude $|1-e^{-iT}|\,|g(1)|$, which
+those of a packet only nearly do; the last equation of a family is $V\sin(T/2) = 0$; no localized orbit
+repeats itself with the opposite sign after one site (in symmetric wells). There is an orbit of type I for
+every $k$ (chapter on the kernel equation), and for $k = 1$ there are two (chapter on enclosures).
 
 *Computed*: the orbits of type I, two for each $k$ that was tried, and those of type II, to the residuals
 stated; their folds in $s$; the multipliers; the limit of small amplitude. A computation to seventeen
@@ -544,13 +541,14 @@ int main(int argc, char** argv) {
 ## For the article
 
 The article proposes to compute exact travelling breathers by Newton's method, and this works. In the chain with
-linear wells those that repeat themselves from site to site have, as far as we find them, isolated shift times, at
-which the rotation of $\sum(y_n+i\dot y_n)$ allows them: multiples of the bead's period, and times at which the sum
-vanishes. Newton's method reaches them from the packets that the article describes. At small amplitude they tend to
-a travelling breather of the DpS equation; in hard wells the fast ones disappear in folds, in soft wells they
-continue as far as we followed them, the fastest to a fold at $s =$ [-5.73337](num:sec5_travelling_families.soft_fold_k1). The article's packets approach the line that joins them without locking to
-any, and shed a tail that becomes weaker and weaker. The reversal of direction at $s > 0$ is not explained by exact
-orbits.
+linear wells those that we find repeat themselves from site to site and have isolated shift times, at which the
+rotation of $\sum(y_n+i\dot y_n)$ allows them: multiples of the bead's period, and times at which the sum vanishes.
+Newton's method reaches them from the packets that the article describes. At small amplitude they tend to a travelling
+breather of the DpS equation; in hard wells the fastest three turn back in folds, in soft wells they continue
+as far as we followed them, the fastest to a fold at $s =$
+[-5.73337](num:sec5_travelling_families.soft_fold_k1). Packets of two impacts approach the line that joins
+them, without locking to any within 16,000 sites, and shed a tail that becomes weaker and weaker. The reversal
+of direction at $s > 0$ is not explained by the exact orbits that we know.
 
 ## Extensions
 

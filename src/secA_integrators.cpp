@@ -33,9 +33,9 @@ using namespace lattice;
 
 When a contact closes at $t^*$ its force begins like $(t-t^*)^{3/2}$. An integrator that steps
 across $t^*$ with the step $h$ misses a fixed fraction of an impulse of size $h\cdot h^{3/2}$. So its
-error falls like $h^{5/2}$, however high its order is for smooth forces; only Verlet keeps its order,
-which is two. The contact-aware stepper (contact_rkn.hpp) replaces this impulse by the exact one, and
-what is left is smaller.
+error falls like $h^{5/2}$, however high its order is for smooth forces; a method of order two, such as
+Verlet's, keeps its order. The contact-aware stepper (contact_rkn.hpp) replaces this impulse by the
+exact one, and what is left is smaller.
 
 To see this we need a run with many *switchings*, openings and closings of contacts: a strong impact
 on a chain with hard wells, $s = 1$. The errors of single switchings have random signs, so we show
@@ -82,12 +82,9 @@ Estimate order(const std::vector<double>& step, const std::vector<double>& error
 
 /**
 All integrators run with the same steps, each smaller than the one before by $\sqrt2$ only, so that a jump
-between neighbours is not taken for a law. The orders are
-[2.63](num:secA_integrators.order_blanes_moan_4) and
-[2.59](num:secA_integrators.order_blanes_moan_6) for the splittings of order four and six, both near
-5/2, [2.003](num:secA_integrators.order_verlet) for Verlet, and
-[4.5](num:secA_integrators.order_contact_aware) for the contact-aware stepper. Two references with the same
-small step differ by [8e-14](num:secA_integrators.rounding). */
+between neighbours is not taken for a law. [](finding:integrators.order) Verlet's is
+[2.003](num:secA_integrators.order_verlet). Two references with the same small step differ by
+[8e-14](num:secA_integrators.rounding). */
 void compare_orbits(Report& report) {
   // References from another base scheme with a small step, and how far they can be trusted
   const double small = 1. / 1024;

@@ -1,11 +1,15 @@
-// Friction: the closed form of one bead, order two, the budget, absorbing ends, and no friction.
+// Friction: the closed form of one bead, order two, the budget, absorbing ends, and no friction; the slow
+// clock of the DpS field and of packets, and the shift of a breather that decays.
 
 #include "lattice/stepping/damped.hpp"
 
 #include "check.hpp"
+#include "lattice/dps/evolve.hpp"
 #include "lattice/landing/landing.hpp"
 #include "lattice/packets/impact.hpp"
 #include "lattice/stepping/contact_rkn.hpp"
+#include "sec5/decay.hpp"
+#include "sec5/journey.hpp"
 
 using namespace lattice;
 
@@ -122,4 +126,94 @@ TEST_CASE("impossible friction is refused", "[unit][damped]") {
   State<double> s = wave();
   const Damped wrong(stepper, std::vector<double>(7, 0.1));
   CHECK_THROWS_AS(evolve(wrong, ring, s, 1, 1, Unobserved{}), std::invalid_argument);
+}
+
+TEST_CASE("a DpS field with friction is one without at the slow clock", "[property][journey]") {
+  const double nu = 0.1, t = 40;
+  check_close(true_time(nu, slow_clock(nu, t)), t, 1e-9);
+  check_close(slow_clock(0, 5), 5, 0);
+  CHECK(std::isinf(true_time(0.1, 40.1)));
+  const Dps dps{16};
+  const auto after = [&](double rate, double time) {
+    Field field(16);
+    field[0] = 1;
+    const auto damped = [&](double tau, const double* a, double* da) {
+      dps(tau, a, da);
+      for (std::size_t k = 0; k < 32; ++k) da[k] -= rate / 2 * a[k];
+    };
+    evolve_dps(damped, field, time, 1, {1e-12}, [](double, const Field&) {});
+    return field;
+  };
+  const Field lossy = after(nu, t);
+  const auto apart = [&](double s) {
+    const Field free = after(0, s);
+    double most = 0;
+    for (std::size_t n = 0; n < 16; ++n)
+      most = std::max(most, std::abs(lossy[n] * std::exp(nu * t / 2) - free[n]));
+    return most;
+  };
+  CHECK(apart(slow_clock(nu, t)) < 1e-8);
+  CHECK(apart(1.001 * slow_clock(nu, t)) > 1e-4);
+}
+
+TEST_CASE("the slow clock of a weak packet needs the weight of a push", "[property][journey]") {
+  // Ten lifetimes; the undamped run goes on beyond four
+  const double velocity = 0.01, life = 80, nu = 1 / life, t = 10 * life;
+  const auto free = follow_packet({Chain{40}}, velocity, 5 * life, 38, 0.2);
+  const auto lossy = follow_packet({Chain{40}, {nu, 0}}, velocity, 13 * life, 38, 0.2);
+  const auto law = slowed(free, nu);
+  const double s = slow_clock(nu, t), way = way_after(lossy, t).sites;
+  CAPTURE(way, way_after(law, t).sites, way_after(free, s).sites, centre_after(lossy, t));
+  check_close(way_after(law, t).sites, way, 0, 0.02);
+  check_close(centre_after(law, t), centre_after(lossy, t), 0, 0.01);
+  check_close(centre_after(law, t), centre_after(free, s), 0, 2e-3);
+  CHECK(way_after(free, s).sites < 0.8 * way);         // the clock alone
+  CHECK(way_after(free, 4 * life).sites < 0.9 * way);  // is no bound of the way
+  // and another rate is not confirmed
+  CHECK(std::abs(centre_after(slowed(free, 1.1 * nu), t) / centre_after(lossy, t) - 1) > 0.03);
+  CHECK_THROWS_AS(centre_after(free, t), std::out_of_range);
+}
+
+TEST_CASE("a shift of a breather of the DpS limit has four lifetimes", "[unit][decay]") {
+  // growth = L (omega - 1), by way of kappa = sinh^2(growth T / 2), and area = (omega - 1)^4
+  std::vector<Member> members;
+  for (double mu : {0.01, 0.02, 0.04, 0.08, 0.16}) {
+    const double omega = 1 + mu, growth = 1e-3 * mu;
+    const double half = std::sinh(growth * std::numbers::pi / omega);
+    members.push_back({omega, 0, mu * mu * mu * mu, half * half, growth});
+  }
+  const double nu = 2e-4, shown = 4 / nu * (1 - std::pow(0.01, 0.25));
+  const double grown = largest_shift(members, 1e-3, nu);
+  check_close(grown, std::cosh(members.back().growth * shown), 0, 1e-4);
+  check_close(lifetime_of_growth(members, 1e-3, grown), 1 / nu, 0, 1e-6);
+  for (Member& m : members) m.kappa = -m.kappa, m.growth = 0;
+  CHECK(largest_shift(members, 0, nu) == 1);
+  CHECK_THROWS_AS(lifetime_of_growth(members, 0, 2), std::invalid_argument);
+  check_close(dps_growth(Centre::site), 1.55770760446738e-3, 0, 1e-9);
+  CHECK(dps_growth(Centre::bond) == 0);
+}
+
+TEST_CASE("the shift of a decaying breather grows and swings back", "[property][decay]") {
+  std::vector<Member> members;
+  for (int k = 22; k <= 32; ++k)
+    members.push_back(member_at(Centre::site, 1 + 0.01 * std::pow(10, k / 32.0), 0));
+  // The unstable stretches of the whole branch together have the factor e with this rate
+  const double nu = 9.7e-5;
+  const auto orbit = breather_at(Centre::site, members.back().omega);
+  const auto chain =
+      breather_problem<double>(Centre::site, orbit.omega, 0.0, orbit.start.y.size()).chain;
+  auto shifted = orbit;
+  for (std::size_t n = 1; n + 1 < chain.sites; ++n)
+    shifted.start.y[n] -= 0.005 * (orbit.start.y[n + 1] - orbit.start.y[n - 1]);
+  const auto base = let_decay(orbit, chain, nu, std::log(100) / nu, 0.2);
+  const auto moved = let_decay(shifted, chain, nu, std::log(100) / nu, 0.2);
+  double most = 0, last = 0;
+  for (std::size_t i = 0; i < std::min(base.moments.size(), moved.moments.size()); ++i) {
+    last = (moved.moments[i].centre - base.moments[i].centre) /
+           (moved.moments[0].centre - base.moments[0].centre);
+    most = std::max(most, last);
+  }
+  CAPTURE(most, last);
+  check_close(largest_shift(members, dps_growth(Centre::site), nu) - 1, most - 1, 0, 0.15);
+  CHECK(last < 0.97);
 }

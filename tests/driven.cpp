@@ -99,41 +99,12 @@ TEST_CASE("impossible losses are refused", "[unit][bench]") {
   CHECK_THROWS_AS(run_bench({Chain{3}, {0, -1}}, state, grid, unwatched), std::invalid_argument);
 }
 
-TEST_CASE("friction slows the clock of small packets", "[property][journey]") {
-  check_close(true_time(0.01, slow_clock(0.01, 123)), 123, 1e-9);
-  check_close(slow_clock(0, 5), 5, 0);
-  CHECK(std::isinf(true_time(0.1, 40.1)));
-  // A weak impact with and without friction; the runs go on until the last push is over
-  const double velocity = 0.01, duration = 600, nu = 1.0 / 300;
-  const auto free = follow_packet({Chain{40}}, velocity, 1.3 * duration, 38, 0.2);
-  const auto lossy = follow_packet({Chain{40}, {nu, 0}}, velocity, 1.3 * duration, 38, 0.2);
-  const auto law = predicted_way(free, nu, duration), found = way_after(lossy, duration);
-  CAPTURE(law.sites, found.sites, way_after(free, duration).sites);
-  check_close(law.sites, found.sites, 0, 0.05);
-  CHECK(way_after(free, duration).sites > 1.1 * found.sites);  // there is something to explain
-}
-
 TEST_CASE("a sensor sees as far as the beads are fast", "[unit][journey]") {
   Journey j;
   for (double v : {1.0, 0.1, 0.01}) j.contacts.push_back({1, 1, 1, v, true});
   check_close(seen_until(j, 0.05), 2 + std::log10(2), 1e-9);  // beyond the second bead
   check_close(seen_until(j, 1e-3), 3, 0);
   check_close(seen_until(j, 2), 0, 0);
-}
-
-TEST_CASE("an instability of the DpS limit has four lifetimes", "[unit][decay]") {
-  // growth = L (omega - 1), by way of kappa = sinh^2(growth T / 2), and area = (omega - 1)^4
-  std::vector<Member> members;
-  for (double mu : {0.01, 0.02, 0.04, 0.08, 0.16}) {
-    const double omega = 1 + mu, growth = 1e-3 * mu;
-    const double half = std::sinh(growth * std::numbers::pi / omega);
-    members.push_back({omega, 0, mu * mu * mu * mu, half * half, growth});
-  }
-  check_close(growth_times_rate(members, 1e-3), 4 * members.back().growth, 0, 1e-4);
-  for (Member& m : members) m.kappa = -m.kappa, m.growth = 0;
-  CHECK(growth_times_rate(members, 0) == 0);
-  check_close(dps_growth(Centre::site), 1.55770760446738e-3, 0, 1e-9);
-  CHECK(dps_growth(Centre::bond) == 0);
 }
 
 TEST_CASE("a damped breather follows its branch", "[property][decay]") {
@@ -152,11 +123,11 @@ TEST_CASE("a piston has to lift the breather of the DpS limit to its top", "[uni
   const auto site = stationary<double>(Centre::site, 1.0, 31);
   double top = 0;
   for (double u : site.u) top = std::max(top, std::abs(u));
-  check_close(dps_threshold(Drive::By::piston), top, 0, 1e-7);
+  check_close(dps_threshold(Drive::By::piston).value, top, 0, 1e-7);
   const auto bond = stationary<double>(Centre::bond, 1.0, 30);
   double strain = 0;
   for (double r : bond.strain) strain = std::max(strain, std::abs(r));
-  check_close(dps_threshold(Drive::By::base), strain * std::sqrt(strain), 0, 1e-7);
+  check_close(dps_threshold(Drive::By::base).value, strain * std::sqrt(strain), 0, 1e-7);
   check_close(threshold_law(Drive::By::piston, 1.02), 4 * threshold_law(Drive::By::piston, 1.01), 0,
               1e-9);
   check_close(threshold_law(Drive::By::base, 1.02), 8 * threshold_law(Drive::By::base, 1.01), 0,

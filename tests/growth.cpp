@@ -25,6 +25,29 @@ BreatherWatch watched(const Field& field, int shift, double least) {
   return watch;
 }
 
+/// What the DpS equation, linearised about the wave in its own frame, makes of the disturbance `z`.
+Field linearised(const ModulatedWave& at, const Field& z) {
+  const TurningDps flow{{at.sites, Ends::periodic}, -at.wave().frequency()};
+  const double change = 1e-5;
+  std::vector<double> slope[2];
+  for (int sign : {0, 1}) {
+    Field field(at.sites);
+    for (std::size_t n = 0; n < at.sites; ++n)
+      field[n] =
+          std::polar(1.0, at.wave().q * double(n)) * (1.0 + (sign ? change : -change) * z[n]);
+    slope[sign].resize(2 * at.sites);
+    flow(0, interleaved(field).data(), slope[sign].data());
+  }
+  Field out(at.sites);
+  for (std::size_t n = 0; n < at.sites; ++n) {
+    const auto entry = [&](int sign) {
+      return std::complex<double>(slope[sign][2 * n], slope[sign][2 * n + 1]);
+    };
+    out[n] = (entry(1) - entry(0)) / (2 * change) * std::polar(1.0, -at.wave().q * double(n));
+  }
+  return out;
+}
+
 /// A static breather of norm 20 on a ring, its peak at `peak`.
 Field with_breather(std::size_t sites, std::size_t peak) {
   const auto breather = stationary<double>(Centre::site, 1.0, 31);
@@ -75,7 +98,7 @@ TEST_CASE("growth of a modulated plane wave, by hand", "[unit][dps_waves]") {
   check_close(tenth.growth(pi), 2 * tenth.rate() * std::sqrt(0.05), 1e-14);
   CHECK(tenth.growth(pi / 2) == 0);
   CHECK(opposite.growth(pi / 2) == 0);
-  // Nothing grows for c >= 0, and hardly anything at c = -1/5
+  // Nothing grows exponentially for c >= 0, and hardly anything at c = -1/5
   for (double Q : {0.1, 1.0, 2.0, pi}) {
     CHECK(DpsWave<double>{1.5}.growth(Q) == 0);
     CHECK(DpsWave<double>{std::acos(-0.2)}.growth(Q) < 1e-7);
@@ -93,6 +116,40 @@ TEST_CASE("the closed form has the exponents of a ring", "[property][dps_waves]"
   for (int waves : {1, 2, 3, 4, 5, 6, 7, 9}) {
     CAPTURE(waves);
     CHECK(exponents_apart(18, waves) < 1e-8);
+  }
+}
+
+TEST_CASE("the matrix of a marginal wave is nilpotent and not zero", "[unit][dps_waves]") {
+  const ModulatedWave quarter{8, 2, 4}, below{32, 7, 16};
+  Field z(8), other(32);
+  for (std::size_t n = 0; n < 32; ++n) other[n] = {0, n % 2 ? -1.0 : 1.0};
+  for (std::size_t n = 0; n < 8; ++n) z[n] = other[n];
+  const Field once = linearised(quarter, z), twice = linearised(quarter, once);
+  check_close(std::sqrt(norm(once) / 8), quarter.wave().drift(pi), 1e-8);
+  check_close(std::sqrt(norm(twice)), 0, 1e-8);
+  CHECK(quarter.wave().drift(pi) > 0.3);
+  CHECK(quarter.growth() < 1e-7);
+  // Below pi/2 the same modulation turns
+  CHECK(norm(linearised(below, linearised(below, other))) > 0.1);
+  // At cos q = -1/5 every modulation but one drifts, and none grows
+  const DpsWave<double> fifth{std::acos(-0.2)};
+  for (double Q : {0.3, 1.0, 2.5, pi}) {
+    CHECK(fifth.drift(Q) > 0.05);
+    CHECK(fifth.growth(Q) < 1e-7);
+  }
+  check_close(fifth.drift(fifth.q), 0, 1e-14);
+}
+
+TEST_CASE("a marginal side band grows in proportion to time", "[property][dps_waves]") {
+  const ModulatedWave quarter{8, 2, 4};
+  for (double until : {100.0, 400.0}) {
+    Field field(8);
+    for (std::size_t n = 0; n < 8; ++n)
+      field[n] =
+          std::polar(1.0, pi / 2 * double(n)) * std::complex<double>(1, n % 2 ? -1e-7 : 1e-7);
+    evolve_dps(Dps{8, Ends::periodic}, field, until, 1, 1e-12, [](double, const Field&) {});
+    check_close(std::sqrt(wave_share(field, 3 * pi / 2)) / 1e-7,
+                std::hypot(1, quarter.wave().drift(pi) * until), 0, 1e-5);
   }
 }
 
@@ -133,7 +190,27 @@ TEST_CASE("growth in the chain approaches its limit like a root", "[convergence]
       0.03);
   // A run shows the same, where it starts close enough to a wave of the chain
   const ModulatedWave three{12, 4, 2};
-  check_close(run_in_chain(three, 1e-3, 0.2).growth, chain_rates(three, 1e-3, 16).growth, 0, 1e-3);
+  const WaveRates run = run_in_chain(three, 1e-3, 0.2), own = chain_rates(three, 1e-3, 16);
+  check_close(run.growth, own.growth, 0, 1e-3);
+  check_close(run.frequency, own.frequency, 0, 1e-2);
+}
+
+TEST_CASE("the chain makes marginal waves grow like a fourth root", "[convergence][dps_waves]") {
+  const ModulatedWave quarter{8, 2, 4};
+  const double small = chain_rates(quarter, 1e-6, 16).growth;
+  // From another program: splitting, variational equation, 400 steps, 0.0533(2) and 0.01796(15)
+  check_close(chain_rates(quarter, 1e-4, 16).growth, 0.0534, 2e-4);
+  check_close(small, 0.01796, 1.5e-4);
+  check_close(std::log10(small / chain_rates(quarter, 1e-8, 16).growth) / 2, 0.25, 3e-3);
+  CHECK(chain_rates({16, 3, 0}, 1e-3, 16).growth < 1e-3);
+  // Runs lose the one wave and keep the other
+  const auto left = [](int waves) {
+    Field field = noisy_wave(32, waves, 1e-4, 1);
+    evolve_in_chain(field, 1e-3, 80, 80, 0.2, [](double, const Field&) {});
+    return wave_share(field, 2 * pi * waves / 32);
+  };
+  check_close(left(8), 0.054, 2e-3);
+  check_close(left(7), 1, 1e-3);
 }
 
 TEST_CASE("breathers on a ring are counted with their energy and their way", "[unit][dps_tracks]") {
@@ -153,12 +230,27 @@ TEST_CASE("breathers on a ring are counted with their energy and their way", "[u
   CHECK(watched(noisy_wave(40, 20, 0.01, 1), 0, 25).breathers().empty());
 }
 
+TEST_CASE("none seen leaves an upper limit", "[unit][dps_tracks]") {
+  check_close(rate_below(0, 4000), 3.0 / 4000, 0, 2e-3);
+  // So many or fewer must have the probability of five per cent
+  for (int births : {0, 1, 5, 40}) {
+    const double mean = rate_below(std::size_t(births), 10) * 10;
+    double term = std::exp(-mean), below = term;
+    for (int k = 1; k <= births; ++k) below += term *= mean / k;
+    check_close(below, 0.05, 1e-10);
+  }
+  CHECK(rate_below(1, 100) > rate_below(0, 100));
+  check_close(rate_below(3, 200), rate_below(3, 100) / 2, 1e-15);
+}
+
 TEST_CASE("noise has a seed and a size", "[unit][dps_tracks]") {
   const Field wave = noisy_wave(24, 6, 0.01, 7), again = noisy_wave(24, 6, 0.01, 7);
   CHECK(wave == again);
   CHECK(wave != noisy_wave(24, 6, 0.01, 8));
   for (std::size_t n = 0; n < 24; ++n)
     check_close(std::abs(wave[n] - std::polar(1.0, pi / 2 * double(n))), 0, 0.0142);
+  check_close(wave_share(wave, pi / 2), 1, 2e-4);
+  CHECK(wave_share(wave, pi) < 1e-4);
   check_close(norm(random_field(24, 3)), 24, 1e-12);
   // The energy of infinite temperature, 2/5 * 2^{5/4} * Gamma(9/4)
   double mean = 0;

@@ -88,6 +88,10 @@ class Binder:
     def has_table(self, program, table):
         return self.record.table_path(program, table).exists()
 
+    def row_of(self, name):
+        """Where a list has this number."""
+        return f"{'published' if name in self.record.claims else 'numbers'}.html#{name}"
+
     def chapter(self, program):
         return self.by_path.get(f"src/{program}.cpp")
 
@@ -171,6 +175,13 @@ class PageBinding:
         key = self.need("figure", id, binder.parts.figure_record)
         return str(binder.parts.figure(id, Markup(caption), key, first))
 
+    def finding(self, id, kind):
+        """The kind of evidence behind the sentence of a finding, which leads to its row."""
+        quoted = self.binder.quoted.setdefault(id, [])
+        if (self.page, self.anchor) not in quoted:
+            quoted.append((self.page, self.anchor))
+        return f'<a class="evidence {kind}" href="findings.html#{id}">{kind}</a>'
+
     def heading(self, level, inner):
         title = prose.plain(inner)
         anchor = base = prose.slug(title)
@@ -237,7 +248,8 @@ class PageBinding:
                       lambda m: self.figure(m[1], m[2]), page, flags=re.S)
         page = re.sub(r"<h([1-6])>(.*?)</h\1>", lambda m: self.heading(int(m[1]), m[2]), page, flags=re.S)
         page = re.sub(r'<a href="num:([^"]*)">(.*?)</a>', lambda m: self.number(m[1], m[2]), page, flags=re.S)
-        for left in re.findall(r'"((?:num|fig):[^"]*)"', page):
+        page = re.sub(r'<a href="finding:([^"]*)">(.*?)</a>', lambda m: self.finding(m[1], m[2]), page, flags=re.S)
+        for left in re.findall(r'"((?:num|fig|finding):[^"]*)"', page):
             raise Fault(f"{self.page}: '{left}' stands where it cannot be bound")
         page = re.sub(r"<table>", '<div class="scroll" tabindex="0"><table>', page).replace("</table>", "</table></div>")
         page = re.sub(r"<pre>(<code>)?(.*?)</pre>", drawn, page, flags=re.S)

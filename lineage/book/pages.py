@@ -8,12 +8,14 @@ from markupsafe import Markup, escape
 
 from .. import ecsv
 from ..claims import SAID, VERDICTS
+from ..findings import KINDS, in_plain, margins
 from ..refresh import command_of
 from . import code, notebooks, prose, words
 from .bind import PageBinding
 from .source import rooms_of
 
-LISTS = [("published.html", "Published against reproduced"), ("numbers.html", "All other numbers"),
+LISTS = [("published.html", "Published against reproduced"), ("findings.html", "What we found"),
+         ("numbers.html", "All other numbers"),
          ("equations.html", "Equations of the article"), ("figures.html", "All figures"),
          ("tables.html", "All tables and columns"), ("commands.html", "All commands"), ("packages.html", "Packages used")]
 LIVE = [("strike", "Strike the chain"), ("breather", "Find a breather"), ("defect", "Put a defect in the way"),
@@ -138,12 +140,28 @@ class Book:
             self.note("published.html", id, LISTS[0][1], id,
                       escape(f'{c["quantity"]}; {c["printed"]}; {c["status"]} {c["reading"]} {c["reason"]}'))
         for number, e in self.binder.equations.items():
-            self.note("equations.html", f"eq-{number}", LISTS[2][1], f"Eq. ({number})", escape(e["name"]))
+            self.note("equations.html", f"eq-{number}", LISTS[3][1], f"Eq. ({number})", escape(e["name"]))
         for row in self.inventory["commands"]:
             if row["command"] and not row["option"]:
                 name = f'{row["program"]} {row["command"]}'
-                self.note("commands.html", name.replace(" ", "-"), LISTS[5][1], name, escape(row["description"]))
-        return {name: self.page(name, title, self.render(name.removesuffix(".html"))) for name, title in LISTS}
+                self.note("commands.html", name.replace(" ", "-"), LISTS[6][1], name, escape(row["description"]))
+        return {name: self.page(name, title, self.render(name.removesuffix(".html"))) for name, title in LISTS
+                if name != "findings.html"}
+
+    FOUND = ("sentence", "range", "tried", "second")
+
+    def findings_page(self, html):
+        """Every finding with its evidence; `html` has the texts of all rows in turn."""
+        binding, rows = PageBinding(self.binder, page="findings.html"), []
+        for i, (id, row) in enumerate(self.record.findings.items()):
+            binding.anchor = id
+            told = [Markup(binding.prose(re.sub(r"^<p>(.*)</p>$", r"\1", text, flags=re.S)))
+                    for text in html[len(self.FOUND) * i:len(self.FOUND) * (i + 1)]]
+            self.note("findings.html", id, "What we found", id, told[0])
+            rows.append((id, row["kind"], dict(zip(self.FOUND, told)), list(margins(row, self.record.quotable))))
+        body = self.render("findings", rows=rows, kinds=KINDS)
+        records = self.parts.records({key: Markup(body) for key, body in binding.records.items()})
+        return self.page("findings.html", "What we found", body + records)
 
     def captions(self):
         """Whole captions by figure: the first sentence, and what the report says after it."""
@@ -162,7 +180,7 @@ class Book:
         script = ecsv.text_of(self.record.root / "figures" / figure["script"]).rstrip("\n")
         tables = [(name, ecsv.read_written(self.record.table_path(figure["program"], name))) for name in figure["data"].split()
                   if self.binder.has_table(figure["program"], name)]
-        self.note(f"fig-{id}.html", "", LISTS[3][1], words.spoken(id),
+        self.note(f"fig-{id}.html", "", LISTS[4][1], words.spoken(id),
                   caption + escape(f' Drawn by figures/{figure["script"]} from {figure["program"]}: {figure["data"]}'))
         language = "python" if figure["script"].endswith(".py") else "gnuplot"
         return self.page(f"fig-{id}.html", words.spoken(id), self.render(
@@ -197,9 +215,10 @@ class Book:
         return self.page("index.html", "", body, after=self.chapters[0])
 
     def findings(self):
-        """Figures and sentences of book/findings.txt."""
-        rows = [line.split(" ", 1) for line in ecsv.text_of(prose.ASSETS / "findings.txt").splitlines() if line[:1] not in ("", "#")]
-        return [(id, said) for id, said in rows if id in self.record.figures]
+        """The findings that have a figure: its id, and the sentence in words and formulas."""
+        numbers = {id: f.shown for id, f in self.record.quotable.items()}
+        return [(row["figure"], formulas(in_plain(row["sentence"], numbers))) for row in self.record.findings.values()
+                if row["figure"] in self.record.figures]
 
     def summary(self, source):
         """The first sentences of a chapter."""
@@ -208,18 +227,17 @@ class Book:
                 for part in re.split(r"\n\s*\n", block.text):
                     said = part.strip()
                     if said and not said.startswith(("#", "!", "|", "-")) and not part.startswith("    "):
-                        pieces = beginning(said).split("$")
-                        pieces[::2] = [words.number(piece) for piece in pieces[::2]]
-                        pieces[1::2] = [Markup('<span class="math inline">\\({}\\)</span>').format(tex) for tex in pieces[1::2]]
-                        return Markup("").join(pieces)
+                        return formulas(beginning(said))
         return ""
 
     def assemble(self, bodies):
         """All files that are text, by name."""
-        start = prose.to_html([ecsv.text_of(self.record.root / "book/start.md")])[0]
+        told = [row[column] for row in self.record.findings.values() for column in self.FOUND]
+        start, *told = prose.to_html([ecsv.text_of(self.record.root / "book/start.md"), *told])
         out = {}
         pages = self.source_pages(bodies) | self.notebook_pages()
         out["index.html"] = self.start(start)
+        out["findings.html"] = self.findings_page(told)
         out.update(pages | self.lists())
         out.update({f"fig-{id}.html": self.figure_page(id, said) for id, said in self.captions().items()})
         out.update(self.live_pages())
@@ -227,6 +245,14 @@ class Book:
         rows = ",\n".join(json.dumps(entry, ensure_ascii=False) for entry in self.search)
         out["search-index.js"] = f"window.SEARCH = [\n{rows}\n];\n"
         return out
+
+
+def formulas(text):
+    """Words with numbers and TeX between dollars, as the page sets them."""
+    pieces = text.split("$")
+    pieces[::2] = [words.number(piece) for piece in pieces[::2]]
+    pieces[1::2] = [Markup('<span class="math inline">\\({}\\)</span>').format(tex) for tex in pieces[1::2]]
+    return Markup("").join(pieces)
 
 
 def beginning(paragraph):

@@ -8,6 +8,7 @@ from pathlib import Path
 from .. import ecsv
 from ..chapters import explained_by, read_commands, read_costs, run_of
 from ..claims import Judge, name_of, programs_of, read_claims
+from ..findings import agrees, read_findings, read_second
 from ..lock import read_fresh, read_lock
 from ..refresh import read_figures
 from ..tex import captions
@@ -52,6 +53,7 @@ class Record:
         self.explained_by = {id: explained_by(id, self.claims) for id in self.claims}
         for claim in self.claims.values():
             claim.update({key: judge.said(claim[key]) for key in ("reading", "reason")})
+        self.findings, self.second = read_findings(root), read_second(root)
         self.seconds = read_costs(root)
         self.alone = read_commands(root)
         self.captions = captions(root)  # figure -> what its caption says after the first sentence, in TeX
@@ -63,6 +65,10 @@ class Record:
         if math.isnan(seconds):
             return ""
         return "less than a second" if seconds < 1 else f"{seconds:.0f} s"
+
+    def second_route(self, id):
+        """The number that another program has found by another method, and the method, where it agrees with ours."""
+        return self.second[id] if id in self.quotable and agrees(id, self.quotable[id], self.second) else None
 
     def command(self, program):
         return run_of(program)

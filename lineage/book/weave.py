@@ -11,6 +11,7 @@ from pathlib import Path
 
 from .. import inventory
 from ..ecsv import Fault, check_written, text_of
+from ..findings import with_kind, with_sentences
 from . import check, pages, prose
 from .bind import Binder, PageBinding, read_live
 from .record import Record
@@ -59,6 +60,14 @@ def link_sources(record, chapters, library):
         needed = [i for s in own for i in s.includes if i in by_path]
         halves = [i[:-4] + ".cpp" for i in needed if i[:-4] + ".cpp" in by_path]
         record.sources[chapter.stem] = own + [by_path[i] for i in dict.fromkeys(needed + halves)]
+
+
+def tell_findings(sources, findings):
+    """Puts the sentences of findings where prose quotes them; a sentence is one line, so that lines keep their numbers."""
+    for source in sources:
+        for block in source.blocks:
+            if block.kind == "prose":
+                block.lines = with_sentences(block.text, findings, with_kind).split("\n")
 
 
 def bind_all(binder, sources):
@@ -124,6 +133,7 @@ def make(root, data, figures, out, live="", programs=""):
     chapters, library = find_sources(root, read_order(prose.ASSETS / "contents.txt"))
     link_sources(record, chapters, library)
     sources = chapters + [s for room in library.values() for s in room]
+    tell_findings(sources, record.findings)
     images = find_images(record, figures)
     has_live = all((live / f"{name}.wasm").exists() for name, _ in pages.LIVE)
     binder = Binder(record, sources, images, read_live(root / "book/live/figures.txt") if has_live else {})

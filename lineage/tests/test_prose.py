@@ -4,7 +4,7 @@ import shutil
 import subprocess
 import unittest
 
-from lineage import chapters, ecsv, lock, metadata, refresh, tex
+from lineage import chapters, ecsv, findings, lock, metadata, refresh, tex
 
 from . import ROOT, Scratch, table
 
@@ -201,12 +201,12 @@ class ThisRepository(unittest.TestCase):
 
     def test_every_table_has_a_place(self):
         claims, locked, figures = lock.read_claims(ROOT), lock.read_lock(ROOT), refresh.read_figures(ROOT)
-        for name in refresh.generated_tables(claims, locked, figures, refresh.read_ratios(ROOT), {}, {}):
+        for name in refresh.generated_tables(claims, locked, figures, refresh.read_ratios(ROOT), {}, {}, {}):
             self.assertIn(f"<!-- {name} -->", ecsv.text_of(ROOT / "README.md"))
 
     def test_the_paper_refers_to_what_is_there(self):
         claims, locked, figures = lock.read_claims(ROOT), lock.read_lock(ROOT), refresh.read_figures(ROOT)
-        texts = tex.paper_texts(claims, locked, figures, metadata.read(ROOT))
+        texts = tex.paper_texts(claims, locked, figures, metadata.read(ROOT), findings.read_findings(ROOT))
         papers = []
         for path in sorted((ROOT / "paper").glob("*.tex")):
             if tex.chapter_needed(paper := ecsv.text_of(path)) in ("", *lock.programs_of(ROOT)):

@@ -3,9 +3,9 @@
 # When a kick frees a breather
 
 A breather that creeps along the chain feels an energy landscape with the period of the chain: if it is
-stable around a bond, there are troughs at the bonds and hills at the sites, otherwise the reverse. A kick
-(kick.hpp) frees it from a trough if it carries it over the hill. This file tells a free breather from a
-pinned one, says what linear theory expects, and finds the least kick that frees. */
+stable around a bond only, there are troughs at the bonds and hills at the sites, if around a site, the
+reverse. A kick (kick.hpp) frees it from a trough if it carries it over the hill. This file tells a free
+breather from a pinned one, says what linear theory expects, and finds the least kick that frees. */
 
 #include <cmath>
 #include <cstddef>

@@ -55,8 +55,8 @@ RestingBreather resting_breather(Centre centre, Phase phase, double omega_b, std
 
 A pinned breather oscillates about its centre, with the frequency of its pinning mode, and the kick that
 carries it over the barrier follows from the two (depinning.hpp). The error comes from two tolerances of
-the tangent map and from the barrier. If the breather is unstable any kick moves it, and there is neither
-a frequency nor a threshold. */
+the tangent map and from the barrier. If the breather is unstable the slightest kick may move it, and
+there is neither a frequency nor a threshold. */
 struct Prediction {
   Estimate threshold{}, share{}, frequency{},
       barrier{};  ///< c_c, phi, Omega, and the barrier at equal area

@@ -107,8 +107,8 @@ double prominence(const std::vector<double>& v, std::size_t peak, std::size_t ne
 /**
 In pendulum wells a strong impact sends out not a breather but a kink, after which the beads rest in
 another well. A transition from one to the other has been found if there are impact velocities of both
-kinds, all breathers lie below all that is certain to be a kink, and so few velocities stay undecided
-that no third regime can hide among them: we allow a twentieth of the scan. */
+kinds, all breathers lie below all that is certain to be a kink, and so few velocities stay undecided that
+a third regime among them would be narrow: we allow a twentieth of the scan. */
 struct Transition {
   std::size_t breathers, kinks;  ///< velocities below the last breather and from the first kink on
   double last_breather, first_kink;  ///< impact velocities

@@ -32,7 +32,7 @@ Another question is whether a defect can hold energy firmly. For that we ask thr
 of scattering.hpp): 95 per cent of the energy around the defect remain from 75 to 100 ms; it exceeds the wake
 in the same place; and its density is largest at the defect or beside it. Beads of 0.925 and 0.8 radii show all
 three, those of 1.6 radii none. A light defect oscillates faster than its neighbours: a family of breathers begins at
-its linear frequency, and the packet leaves energy in one of them (defect_mode.hpp).
+its linear frequency, and at 0.925 radii what the packet leaves is close to one of them (defect_mode.hpp).
 
 ![Energy around the defect against time, and the mode in which it is trapped.](fig:x10)
 

@@ -106,7 +106,7 @@ inline constexpr double settling_time = 40;
 
 /**
 The impact takes place at $t = 0$. With compression we change methods at the settling time; without it
-contacts never cease to open, and the contact-aware method integrates all the time. */
+contacts go on opening, and the contact-aware method integrates all the time. */
 CompressedRun strike_compressed(const Impact& impact, const std::vector<double>& times,
                                 CompressedSteps steps);
 

@@ -2,8 +2,8 @@
 /**
 # A zero close to a guess
 
-All existence proofs of this section end in one lemma. Let $F$ be continuously differentiable on a Banach
-space, $c$ a guess, $A$ a linear map, and let the ball $|x-c| \le r$ be such that
+All enclosures of this section end in one lemma. Let $F$ be continuously differentiable on a Banach space,
+$c$ a guess, $A$ a linear map, and let the ball $|x-c| \le r$ be such that
 $$|AF(c)| \le \eta, \qquad \|1-A\,DF(x)\| \le q \text{ for all $x$ in the ball}, \qquad q < 1, \qquad
   \eta+qr \le r.$$
 Then $K(x) = x-AF(x)$ maps the ball into itself and contracts it, and there is exactly one $x$ in the ball

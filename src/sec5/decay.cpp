@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <stdexcept>
 
 #include "lattice/dps/spectrum.hpp"
 #include "lattice/packets/impact.hpp"
@@ -30,32 +32,78 @@ Member member_at(Centre centre, double omega, double s, bool fine) {
   return out;
 }
 
-// The square of the scaled growth rate is smooth, the rate itself begins like a root
-double growth_times_rate(const std::vector<Member>& members, double limit) {
-  const auto square = [](const Member& m) {
-    const double root = std::asinh(std::sqrt(std::abs(m.kappa))) * m.omega / std::numbers::pi;
-    return (m.kappa > 0 ? 1 : -1) * std::pow(root / (m.omega - 1), 2);
-  };
-  constexpr int parts = 256;
-  double sum = 0;
-  // From the limit to the first member the square is a straight line in omega - 1
-  const double first = square(members.front()), low = members.front().omega - 1;
-  for (int i = 0; i < parts; ++i) {
-    const double part = (i + 0.5) / parts, at = limit * limit + part * (first - limit * limit);
-    if (at > 0) sum += 4 * low * std::sqrt(at) / parts;
-  }
-  for (std::size_t k = 1; k < members.size(); ++k) {
-    const Member &a = members[k - 1], &b = members[k];
-    const double rise = std::log(b.area / a.area), wide = std::log((b.omega - 1) / (a.omega - 1));
-    for (int i = 0; i < parts; ++i) {
-      const double part = (i + 0.5) / parts, mu = (a.omega - 1) * std::exp(part * wide);
-      const double at = (1 - part) * square(a) + part * square(b);
-      if (at > 0) sum += mu * std::sqrt(at) * rise / parts;
+namespace {
+
+/// Where a branch is unstable, and how much, against the logarithm of the area.
+struct Stability {
+  std::vector<double> area, mu, square;  ///< ln A, ln(omega - 1), (sigma/(omega - 1))^2
+  double limit;
+
+  Stability(const std::vector<Member>& members, double lambda) : limit(lambda * lambda) {
+    for (const Member& m : members) {
+      const double root = std::asinh(std::sqrt(std::abs(m.kappa))) * m.omega / std::numbers::pi;
+      area.push_back(std::log(m.area)), mu.push_back(std::log(m.omega - 1));
+      square.push_back((m.kappa > 0 ? 1 : -1) * std::pow(root / (m.omega - 1), 2));
     }
   }
-  return sum;
+  /// The square of the growth rate at ln A = a.
+  double operator()(double a) const {
+    const std::size_t k = std::size_t(std::lower_bound(area.begin(), area.end(), a) - area.begin());
+    if (k == 0) {
+      const double part = std::exp((a - area[0]) / 4), low = std::exp(mu[0]) * part;
+      return (limit + part * (square[0] - limit)) * low * low;
+    }
+    const std::size_t i = std::min(k, area.size() - 1);
+    const double part = (a - area[i - 1]) / (area[i] - area[i - 1]);
+    return (square[i - 1] + part * (square[i] - square[i - 1])) *
+           std::exp(2 * (mu[i - 1] + part * (mu[i] - mu[i - 1])));
+  }
+};
+
+/// The largest |X|, by the classical Runge-Kutta method in nu t.
+double largest_shift(const Stability& stability, double nu) {
+  constexpr int steps = 1000;
+  const double h = std::log(100) / steps;
+  double x = 1, v = 0, most = 1;
+  for (int i = 0; i < steps; ++i) {
+    const auto pull = [&](double part) {
+      return stability(stability.area.back() - (i + part) * h) / (nu * nu);
+    };
+    const double left = pull(0), middle = pull(0.5), right = pull(1);
+    const double v2 = v + h / 2 * (left * x - v / 4), x2 = x + h / 2 * v;
+    const double v3 = v + h / 2 * (middle * x2 - v2 / 4), x3 = x + h / 2 * v2;
+    const double v4 = v + h * (middle * x3 - v3 / 4), x4 = x + h * v3;
+    const double a = left * x - v / 4, b = middle * x2 - v2 / 4, c = middle * x3 - v3 / 4;
+    x += h / 6 * (v + 2 * v2 + 2 * v3 + v4);
+    v += h / 6 * (a + 2 * b + 2 * c + right * x4 - v4 / 4);
+    most = std::max(most, std::abs(x));
+  }
+  return most;
 }
 
+}  // namespace
+
+double largest_shift(const std::vector<Member>& members, double limit, double nu) {
+  return largest_shift(Stability(members, limit), nu);
+}
+
+// By steps of a tenth from far below, as growth need not be monotonic in the lifetime, and then by bisection
+double lifetime_of_growth(const std::vector<Member>& members, double limit, double factor) {
+  const Stability stability(members, limit);
+  double most = 0;
+  for (const Member& m : members) most = std::max(most, m.growth);
+  double high = 0.1 / most;
+  while (largest_shift(stability, 1 / high) < factor)
+    if (high *= 1.1; !(high * most < 1e6)) throw std::invalid_argument("the branch is stable");
+  double low = high / 1.1;
+  for (int k = 0; k < 40; ++k) {
+    const double middle = (low + high) / 2;
+    (largest_shift(stability, 1 / middle) < factor ? low : high) = middle;
+  }
+  return high;
+}
+
+// The pair that becomes the pinning pair of the chain
 double dps_growth(Centre centre) {
   const auto spectrum =
       contact_spectrum(stationary<double>(centre, 1.0, centre == Centre::bond ? 30 : 31));
@@ -72,18 +120,21 @@ Decay let_decay(const Orbit<double>& orbit, const Chain& chain, double nu, doubl
                   state.y.begin());
   std::vector<double> t, y, e, centres;
   Decay out;
-  out.ledger = run_bench({chain, {nu, 0}}, state, time_grid(duration, step, step),
-                         [&](const State<double>& now, const Ledger&) {
-                           const auto density = energy_density(chain, now);
-                           t.push_back(now.t), y.push_back(now.y[most]);
-                           e.push_back(total(density));
-                           centres.push_back(energy_centre(density, most));
-                           return true;
-                         });
+  out.ledger = run_bench(
+      {chain, {nu, 0}}, state, time_grid(duration, step, step),
+      [&](const State<double>& now, const Ledger&) {
+        const auto density = energy_density(chain, now);
+        t.push_back(now.t), y.push_back(now.y[most]);
+        e.push_back(total(density));
+        double contacts = 0;
+        for (std::size_t n = 1; n < chain.sites; ++n)
+          contacts += contact_energy(chain, now.y.data(), n);
+        centres.push_back(energy_centre(density, most, chain.sites) + contacts / (2 * e.back()));
+        return true;
+      });
   // From one upward passage to that eight periods later
   constexpr std::size_t periods = 8;
   const auto up = upward_crossings(t, y);
-  std::vector<double> centre;
   for (std::size_t k = 0; k + periods < up.size(); ++k) {
     const auto at = [&](double when) {
       return std::size_t(std::lower_bound(t.begin(), t.end(), when) - t.begin());
@@ -92,10 +143,9 @@ Decay let_decay(const Orbit<double>& orbit, const Chain& chain, double nu, doubl
     const std::size_t from = at(up[k]), to = at(up[k + periods]);
     for (std::size_t i = from; i < to; ++i) sum += e[i], place += centres[i];
     const double end = up[k + periods], turns = 2 * std::numbers::pi * double(periods);
-    out.moments.push_back({(up[k] + end) / 2, turns / (end - up[k]), sum / double(to - from)});
-    centre.push_back(place / double(to - from));
+    const double count = double(to - from);
+    out.moments.push_back({(up[k] + end) / 2, turns / (end - up[k]), sum / count, place / count});
   }
-  if (!centre.empty()) out.drift = centre.back() - centre.front();
   return out;
 }
 

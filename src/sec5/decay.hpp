@@ -7,12 +7,13 @@ of its family, one after the other, its frequency following its amplitude. Linea
 in one respect: the area $\mathcal A = \oint\sum\mu_n\dot y_n^2\,dt$ of an orbit is an adiabatic invariant,
 and friction takes the share $\nu$ of it per unit of time, whatever the potentials,
 $$\mathcal A(t) = \mathcal A(0)\,e^{-\nu t}.$$
-A weak instability with the growth rate $\sigma(\mathcal A)$ has the time that the breather lives, and
-multiplies a small deviation by $e^G$ with
-$$G = \int_0^\infty\sigma\,dt = \frac1\nu\int_0^{\mathcal A(0)}\sigma\,\frac{d\mathcal A}{\mathcal A}.$$
-Friction of the deviation itself plays no part, since the breather shrinks as fast. In the DpS limit
-$\sigma = \Lambda(\omega_b-1)$ and $\mathcal A\propto(\omega_b-1)^4$, hence $G = 4\sigma/\nu$: four
-lifetimes, as the slow clock of journey.hpp says. */
+A weak instability has the time that the breather lives. In the DpS limit, where $\mathcal A\propto(\omega_b-1)^4$
+and the growth rate is $\sigma = \Lambda(\omega_b-1)$, a small shift $X$ along the chain grows by the slow clock of
+journey.hpp like $e^{\sigma(0)s}$, so that it has four lifetimes. At the time $t$ this is
+$$\ddot X + \frac\nu4\,\dot X = \sigma^2 X,\qquad \sigma = \sigma(\mathcal A(t)),$$
+which we take for the chain, too. There $\sigma^2$ changes its sign along the branch, and where it is negative the
+shift swings back. The friction $\nu/4$ is that of the limit; tests/damped.cpp finds the growth of a shift in a
+damped chain to a tenth. */
 
 #include <cstddef>
 #include <vector>
@@ -40,28 +41,30 @@ Orbit<double> breather_at(Centre centre, double omega, double s = 0);
 Member member_at(Centre centre, double omega, double s, bool fine = true);
 
 /**
-Breathers around sites and bonds exchange their stability again and again along the branch, so that only
-stretches of it count in $G$. What is smooth is $\pm\sigma^2/(\omega_b-1)^2$, positive where the breather is
-unstable; it is taken as a straight line between neighbouring members, and below the first one between that
-and its limit $\Lambda^2$ of the DpS equation (spectrum.hpp). */
+What is smooth along the branch is $\sigma^2/(\omega_b-1)^2$; it is taken as a straight line in $\ln\mathcal A$
+between neighbouring members, and in $\omega_b-1$ between the first one and the limit $\Lambda^2$ of the DpS
+equation (spectrum.hpp). */
 /// $\Lambda$ of the DpS breather, zero if it is stable.
 double dps_growth(Centre centre);
 
-/// $\nu G$ of a breather that starts at the last of `members`, in ascending order of their frequencies, with
-/// the `limit` $\Lambda$.
-double growth_times_rate(const std::vector<Member>& members, double limit);
+/// The largest |X| until a hundredth of the area is left, if X begins at one and at rest with the last of
+/// `members`, in ascending order of their frequencies; `limit` is $\Lambda$.
+double largest_shift(const std::vector<Member>& members, double limit, double nu);
+
+/// The shortest lifetime 1/nu for which that is `factor`.
+double lifetime_of_growth(const std::vector<Member>& members, double limit, double factor);
 
 /**
 What a decaying breather does is read from one bead: its upward passages through zero make periods; frequency
 and energy are means over eight of them. */
 struct DecayMoment {
   double t, omega, energy;  ///< t: middle of the eight periods
+  double centre;  ///< of the energy, in sites from one, with half of a contact on either side
 };
 
 /// The life of a breather with losses.
 struct Decay {
   std::vector<DecayMoment> moments{};  ///< one for each period, over the eight that follow
-  double drift = 0;                    ///< of the energy centre from start to end, in sites
   double ledger = 0;                   ///< see run_bench
 };
 

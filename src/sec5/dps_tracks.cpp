@@ -1,5 +1,7 @@
 #include "sec5/dps_tracks.hpp"
 
+#include <gsl/gsl_cdf.h>
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -77,6 +79,11 @@ std::vector<BreatherTrack> BreatherWatch::breathers() const {
   return out;
 }
 
+// The sum of the Poisson distribution is a tail of the chi-squared one
+double rate_below(std::size_t births, double watched) {
+  return gsl_cdf_chisq_Pinv(0.95, 2 * (double(births) + 1)) / 2 / watched;
+}
+
 // The energy goes with the power 5/4 of the norm
 double static_energy(double norm) {
   static const double unit = stationary<double>(Centre::site, 1.0, 31).norm();
@@ -92,6 +99,12 @@ Field noisy_wave(std::size_t sites, int waves, double share, unsigned long seed)
     field[n] = std::polar(1.0, phase) * std::complex<double>(1 + real, imaginary);
   }
   return field;
+}
+
+double wave_share(const Field& field, double q) {
+  std::complex<double> sum = 0;
+  for (std::size_t n = 0; n < field.size(); ++n) sum += field[n] * std::polar(1.0, -q * double(n));
+  return std::norm(sum) / (double(field.size()) * norm(field));
 }
 
 // Box and Muller's pairs of normal numbers

@@ -49,13 +49,24 @@ class BreatherWatch {
   std::vector<Path> paths_{};
 };
 
+/**
+A run without a breather does not show that none is ever born. Births that know nothing of each other, $r$ per unit of
+time, leave $n$ or fewer in the watched time $W$ with the probability $e^{-rW}\sum_{k\le n}(rW)^k/k!$. The rate at which
+this is five per cent is the upper limit at 95 per cent; for $n = 0$ it is $-\ln0.05/W$, the rule of three. */
+/// The upper limit at 95 per cent of a rate, from so many births in the time `watched`.
+double rate_below(std::size_t births, double watched);
+
 /// Energy of a static DpS breather of this norm.
 double static_energy(double norm);
 
 /// The wave with `waves` periods on a ring, A = 1, with each entry changed by random shares of at most `share`.
 Field noisy_wave(std::size_t sites, int waves, double share, unsigned long seed);
 
-/// A ring of the same mean norm and energy zero but for chance: independent normal amplitudes.
+/// The share of the norm of a ring that the plane wave of wavenumber q has: one for the wave by itself.
+double wave_share(const Field& field, double q);
+
+/// A ring of mean norm one with independent normal amplitudes: the energy per site is that of infinite temperature up
+/// to a scatter with the seed.
 Field random_field(std::size_t sites, unsigned long seed);
 
 }  // namespace lattice

@@ -117,19 +117,25 @@ WaveRates run_in_dps(const ModulatedWave& wave, double tolerance) {
 }
 
 // The fast oscillation is taken out of each sample
-WaveRates run_in_chain(const ModulatedWave& wave, double eps, double step) {
-  SideBand band(wave);
-  const Chain ring{wave.sites, Harmonic{}, Hertz{}, Ends::periodic};
+void evolve_in_chain(Field& field, double eps, double duration, double every, double step,
+                     const DpsObserver& observe) {
+  const Chain ring{field.size(), Harmonic{}, Hertz{}, Ends::periodic};
   const double slow = std::sqrt(eps);
-  State<double> state = dps_state(wave.start(1e-7), eps, 0);
-  Field field(wave.sites);
-  evolve(ContactAware{step}, ring, state, time_grid(band.until() / slow, 0.8, step),
+  State<double> state = dps_state(field, eps, 0);
+  evolve(ContactAware{step}, ring, state, time_grid(duration / slow, every / slow, step),
          [&](const State<double>& now) {
-           const auto back = std::polar(1.0, -now.t);
+           const auto back = std::polar(1 / (2 * eps), -now.t);
            for (std::size_t n = 0; n < field.size(); ++n)
              field[n] = std::complex<double>(now.y[n], -now.v[n]) * back;
-           band.look(slow * now.t, field);
+           observe(slow * now.t, field);
          });
+}
+
+WaveRates run_in_chain(const ModulatedWave& wave, double eps, double step) {
+  SideBand band(wave);
+  Field field = wave.start(1e-7);
+  evolve_in_chain(field, eps, band.until(), 0.8 * std::sqrt(eps), step,
+                  [&](double tau, const Field& now) { band.look(tau, now); });
   return band.result();
 }
 

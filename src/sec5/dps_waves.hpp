@@ -18,10 +18,12 @@ $$\frac{i\sigma}\rho\begin{pmatrix}x\\y\end{pmatrix} =
 So $\sigma = \rho\,(-ie\pm\sqrt{k^2-a^2})$, and the root factorises:
 $$\Bigl(\frac{\mathrm{Re}\,\sigma}\rho\Bigr)^2 = k^2-a^2 =
   \tfrac14(1+5c)(1-C)\bigl[(5c-1)C-(1+3c)\bigr].$$
-Nothing grows for $c\ge0$. For $c<0$ there is a band with the edge $\cos Q_* = (1+3c)/(5c-1)$. It holds the *short*
-modulations $Q_*<Q\le\pi$ if $-\frac15<c<0$, fastest at $Q = \pi$, and the *long* ones $0<Q<Q_*$ if $c<-\frac15$,
-fastest halfway between $1$ and $\cos Q_*$. At $c = -\frac15$ the growth vanishes for all $Q$. No amplitude enters
-but by $\rho$, and the growth of long modulations is proportional to $Q$. */
+For $c\ge0$ no modulation grows exponentially. For $c<0$ there is a band with the edge $\cos Q_* = (1+3c)/(5c-1)$. It
+holds the *short* modulations $Q_*<Q\le\pi$ if $-\frac15<c<0$, fastest at $Q = \pi$, and the *long* ones $0<Q<Q_*$ if
+$c<-\frac15$, fastest halfway between $1$ and $\cos Q_*$. The square of the largest growth is $-4\rho^2c(1+5c)$, at
+most $\rho^2/5$, in the first case and $-\frac{\rho^2}4(1+5c)(1-c)^2/(1-5c)$ in the second. This rises up to
+$\frac23\rho^2$ at $c = -1$, and $\rho$ rises with it: the wave $q = \pi$ is the fastest. No amplitude enters but by
+$\rho$, and the growth of long modulations is proportional to $Q$. */
 
 #include <algorithm>
 #include <cmath>
@@ -35,6 +37,15 @@ but by $\rho$, and the growth of long modulations is proportional to $Q$. */
 
 namespace lattice {
 
+/**
+## Marginal waves
+
+Where $k^2 = a^2\ne0$ the matrix without $e$ is nilpotent: it does not vanish and its square does, so that a
+modulation grows in proportion to time, by up to $2\rho\,|a|$ of itself per unit. At $Q = 0$ this is so for every
+wave and only says that the frequency depends on the amplitude. It is so at $Q = \pi$ if $q = \frac\pi2$, and where
+$c = -\frac15$ at every $Q$ but $\cos Q = -\frac15$, because there $a = k = -(\frac12C+\frac1{10})$. A small
+correction of such a matrix moves its double exponent by the *root* of its size, and the sign decides whether it
+grows: what the chain changes by $\epsilon^{1/2}$ can let these two waves grow like $\epsilon^{1/4}$. */
 /// The wave of wavenumber q and modulus `amplitude`; T is double or long double.
 template <class T>
 struct DpsWave {
@@ -56,14 +67,19 @@ struct DpsWave {
     using std::cos, std::sin;
     return T(-5) * rate() * sin(q / T(2)) * cos(q / T(2));
   }
-  /// The growth rate of a modulation of wavenumber Q, zero if it does not grow.
+  /// The growth rate of a modulation of wavenumber Q, zero if it does not grow exponentially.
   T growth(T Q) const {
     using std::cos, std::sqrt;
     const T c = cos(q), C = cos(Q);
     const T square = (T(1) + T(5) * c) * (T(1) - C) * ((T(5) * c - T(1)) * C - (T(1) + T(3) * c));
     return square > T(0) ? rate() * sqrt(square) / T(2) : T(0);
   }
-  /// Whether any modulation grows.
+  /// How much of itself a modulation Q with k^2 = a^2 gains per unit of time.
+  T drift(T Q) const {
+    using std::abs, std::cos;
+    return rate() * abs(T(5) * cos(q) * cos(Q) - T(1) - T(4) * cos(q));
+  }
+  /// Whether any modulation grows exponentially.
   bool unstable() const {
     using std::cos;
     return cos(q) < T(0) && cos(q) != T(-1) / T(5);
@@ -130,15 +146,21 @@ WaveRates run_in_dps(const ModulatedWave& wave, double tolerance);
 /**
 Newton's cradle with linear wells runs from the state that stands for the same field, Eq. (13), and there $y_n-i\dot
 y_n$ takes the place of $2\epsilon A_ne^{it}$. That state is not quite a wave of the chain: it holds harmonics $mq$
-of the relative size $\epsilon^{1/2}$, which are modulations $(m-1)q$ and grow where these are unstable. So only
-waves will do whose own harmonics are stable, $q = \pi$ and $q = \frac23\pi$. */
-/// The chain at the amplitude `eps`, with steps of at most `step`.
+of the relative size $\epsilon^{1/2}$, which are modulations $(m-1)q$ and grow where these are unstable. They do no
+harm for $q = \pi$ and $q = \frac23\pi$, whose harmonics are stable modulations; the third harmonic of $q =
+\frac\pi2$ is its marginal one. */
+/// Carries `field` over the slow time `duration` in the chain of the amplitude `eps`, with steps of at most `step`, and
+/// shows y - i y' without its fast oscillation, over 2 eps, about as often as `every`.
+void evolve_in_chain(Field& field, double eps, double duration, double every, double step,
+                     const DpsObserver& observe);
+
+/// Both rates fitted to a run of the chain.
 WaveRates run_in_chain(const ModulatedWave& wave, double eps, double step);
 
 /**
 ## The chain's own waves
 
-For all others we compute the wave first. A travelling wave of the chain, $y_n(t) = u(qn+\omega t)$, is in the state
+For others we compute the wave first. A travelling wave of the chain, $y_n(t) = u(qn+\omega t)$, is in the state
 of its neighbour after the time $q/\omega$ (James 2011 proves that such waves exist near those of the DpS equation).
 On a ring of one period this is a problem for Newton's method: the state and $\omega$ are unknown, the component
 $\frac1N\sum(y_n-i\dot y_n)e^{-iqn} = 2\epsilon$ is given, and least squares deal with the equation that the

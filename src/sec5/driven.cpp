@@ -22,6 +22,26 @@ double first_top(Drive::By by, double depth) {
   throw std::runtime_error("no maximum along the decaying solutions");
 }
 
+/// The highest of them among tails that begin at `depth` or deeper: the best of a grid, then by thirds. One step of the
+/// map inward is one period of the curve in ln(depth).
+double highest_top(Drive::By by, double depth) {
+  constexpr int points = 256;
+  const auto top = [&](double k) { return first_top(by, depth * std::pow(1.5, k / points)); };
+  int best = 0;
+  for (int k = 1; k < points; ++k)
+    if (top(k) > top(best)) best = k;
+  double low = best - 1, high = best + 1;
+  for (int i = 0; i < 80; ++i) {
+    const double a = low + (high - low) / 3, b = high - (high - low) / 3;
+    (top(a) < top(b) ? low : high) = top(a) < top(b) ? a : b;
+  }
+  return top(low);
+}
+
+Estimate highest_top(Drive::By by) {
+  return compare(highest_top(by, 90), highest_top(by, 60));
+}
+
 /// The amplitude is the last unknown.
 State<double> state_of(const Vector<double>& x) {
   const std::size_t n = std::size_t(x.size()) / 2;
@@ -60,19 +80,21 @@ class Turnstile {
 
 }  // namespace
 
-// One step of the map inward is one period of the curve in ln(depth)
-double dps_threshold(Drive::By by) {
-  constexpr int points = 4096;
-  double most = 0;
-  for (int k = 0; k < points; ++k)
-    most = std::max(most, first_top(by, 60 * std::pow(1.5, double(k) / points)));
-  return most;
+Estimate dps_threshold(Drive::By by) {
+  static const Estimate piston = highest_top(Drive::By::piston),
+                        base = highest_top(Drive::By::base);
+  return by == Drive::By::piston ? piston : base;
+}
+
+Estimate law_estimate(Drive::By by, double omega) {
+  const double delta = omega - 1, root = 2 * tau_0() * delta;
+  const double scale = (by == Drive::By::piston ? 2 : 4 * delta) * root * root;
+  const Estimate top = dps_threshold(by);
+  return {scale * top.value, scale * top.error};
 }
 
 double threshold_law(Drive::By by, double omega) {
-  const double delta = omega - 1, root = 2 * tau_0() * delta;
-  const double scale = by == Drive::By::piston ? 2 : 4 * delta;
-  return scale * root * root * dps_threshold(by);
+  return law_estimate(by, omega).value;
 }
 
 Sizes<double> DrivenOrbit::sizes(const Vector<double>& x, bool) const {
@@ -177,25 +199,33 @@ double Emission::spread(double duration) const {
   return std::sqrt(square) / mean;
 }
 
+bool Emission::lasts(double duration, double silence) const {
+  return !passages.empty() && passages.back() + silence > duration;
+}
+
 // What passes the gate, and what the drive gives
 Emission drive_chain(const Bench& bench, double duration, std::size_t gate, double step,
-                     std::size_t enough) {
+                     std::size_t enough, double silence) {
   const double a = std::max(bench.drive.amplitude, bench.drive.from);
   const double size = bench.drive.by == Drive::By::piston ? a : a / (bench.drive.omega - 1);
-  Turnstile turnstile(2 * std::numbers::pi / bench.drive.omega, 1e-2 * size * size);
+  Turnstile turnstile(2 * std::numbers::pi / bench.drive.omega, 0.03 * size * size);
   Emission out;
   State<double> state(bench.chain.sites);
   double half = 0;
   out.ledger = run_bench(bench, state, time_grid(duration, 0.4, step),
                          [&](const State<double>& now, const Ledger& l) {
                            const double y = now.y[gate - 1], v = now.v[gate - 1];
-                           turnstile.look(now.t, (y * y + v * v) / 2, out.passages);
+                           const double density = (y * y + v * v) / 2;
+                           turnstile.look(now.t, density, out.passages);
+                           out.loudest = std::max(out.loudest, density / (size * size));
                            if (now.t <= duration / 2)
                              half = l.work;
                            else
                              out.response = std::max(out.response, std::abs(now.y[0]));
                            out.power = (l.work - half) / (duration / 2);
-                           return out.passages.size() < enough;
+                           out.far = std::max(out.far, std::abs(now.y.back()));
+                           const double heard = out.passages.empty() ? 0 : out.passages.back();
+                           return out.passages.size() < enough && now.t < heard + silence;
                          });
   return out;
 }

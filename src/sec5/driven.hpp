@@ -8,17 +8,21 @@ $\Omega = 1+\delta$ can feed one. Geniet and Leon (Phys. Rev. Lett. 89, 134102, 
 band gaps that energy passes above a sharp amplitude, which they called nonlinear supratransmission; Leon
 (Phys. Lett. A 319, 130, 2003) explained the threshold by the largest amplitude at the end of a static
 solution that decays into the chain. At that amplitude two static solutions meet in a fold, as Susanto
-(arXiv:0809.3861, 2008) proves for a discrete Schrödinger equation. All of this can be had here too.
+(arXiv:0809.3861, 2008) proves for a discrete Schrödinger equation. Maniadis, Kopidakis and Aubry (Physica D
+216, 121, 2006) study such a threshold in systems with discrete breathers, Yousefzadeh and Phani
+(arXiv:1510.00058, 2015) in damped, finite and disordered structures. All of this can be had here too.
 
 ## The threshold of the DpS limit
 
 With $y_n = 2\epsilon u_n\cos\Omega t$ and $\epsilon = (2\tau_0\delta)^2$ a motion locked to the drive obeys
 Eq. (14) with $\mu = 1$, $-u_n = D_n - D_{n-1}$ for $n\ge1$. Read from right to left this is a map:
 $$D_{n-1} = D_n + u_n,\qquad u_{n-1} = u_n - D_{n-1}|D_{n-1}|^{-1/3}.$$
-It starts in the tail, where $u_{n-1} = -u_n|u_n|^{-1/3}$, so that the solutions that decay are a curve with
-one parameter. A piston stands in for bead 0, $a = 2\epsilon|u_0|$; a base pulls the first bead with
-$a = 4\delta\epsilon|D_0|$, because there is no contact 0. Nothing quiet exists above the first maximum of
-$|u_0|$ or $|D_0|$ along the curve. These two numbers are all, and
+With it James (Math. Models Methods Appl. Sci. 21, 2011, arXiv:1008.1153) found the static breathers, and James and
+Starosvetsky (Localized Excitations in Nonlinear Complex Systems, Springer 2014) proved that they exist. It starts
+in the tail, where $u_{n-1} = -u_n|u_n|^{-1/3}$, so that the solutions that decay are a curve with one parameter.
+A piston stands in for bead 0, $a = 2\epsilon|u_0|$; a base pulls the first bead with $a = 4\delta\epsilon|D_0|$,
+because there is no contact 0. Beyond the first maximum of $|u_0|$ or $|D_0|$ along the curve the solution that
+grows from rest with the drive has ended. These two numbers are all, and as $\delta\to0$
 $$a_{\rm piston} = 8\tau_0^2\,\delta^2\,\max|u_0|,\qquad a_{\rm base} = 16\tau_0^2\,\delta^3\,\max|D_0|.$$ */
 
 #include <cstddef>
@@ -34,10 +38,14 @@ $$a_{\rm piston} = 8\tau_0^2\,\delta^2\,\max|u_0|,\qquad a_{\rm base} = 16\tau_0
 
 namespace lattice {
 
-/// The first maximum of |u_0| for a piston, of |D_0| for a base, along the curve of decaying solutions.
-double dps_threshold(Drive::By by);
+/// The first maximum of |u_0| for a piston, of |D_0| for a base, along the curve of decaying solutions, from tails of two
+/// depths.
+Estimate dps_threshold(Drive::By by);
 
-/// The amplitude of the threshold at the frequency omega > 1, in the DpS limit.
+/// The amplitude of the threshold at the frequency omega > 1 by the law of small delta, with the error of its constant.
+Estimate law_estimate(Drive::By by, double omega);
+
+/// The same without its error.
 double threshold_law(Drive::By by, double omega);
 
 /**
@@ -81,23 +89,29 @@ QuietBranch quiet_branch(const Bench& bench, std::size_t steps, double apart = 0
 ## What comes out
 
 Behind a gate bead we count packets. The gate's energy density, as its maximum in each period of the drive,
-must rise fourfold from its last minimum and above a hundredth of $a^2$ to count, and fall to half before the
-next one can. Intervals between packets that differ by less than a tenth make a train. */
+must rise fourfold from its last minimum and above 0.03 $a^2$ to count, for a base 0.03 $(a/\delta)^2$, and fall to
+half before the next one can. Intervals between packets that differ by less than a tenth make a train. */
 struct Emission {
   std::vector<double> passages{};  ///< times at which packets are counted
   double power = 0;                ///< mean power of the drive in the second half of the run
   double response = 0;             ///< largest displacement of the first bead in the second half
-  double ledger = 0;               ///< see run_bench
+  double far = 0;                  ///< and of the last one in the whole run
+  double loudest = 0;  ///< largest energy density at the gate, in units of a^2 or (a / delta)^2
+  double ledger = 0;   ///< see run_bench
 
   /// Packets per unit of time in the second half of a run of this length.
   double rate(double duration) const;
   /// Relative standard deviation of the intervals in the second half; -1 if there are fewer than three.
   double spread(double duration) const;
+  /// Whether packets still pass at the end of a run of this length, being silent for less than `silence`.
+  bool lasts(double duration, double silence) const;
 };
 
-/// Runs the bench from rest for `duration`, or until as many packets have passed the gate as are `enough`.
+/// Runs the bench from rest for `duration`, or until as many packets have passed the gate as are `enough`, or none has
+/// for the time `silence`.
 Emission drive_chain(const Bench& bench, double duration, std::size_t gate, double step,
-                     std::size_t enough = std::numeric_limits<std::size_t>::max());
+                     std::size_t enough = std::numeric_limits<std::size_t>::max(),
+                     double silence = std::numeric_limits<double>::infinity());
 
 /// Density maps: energy of each bead, the maximum in each of `bins` equal times; entry bin * sites + n.
 std::vector<double> drive_map(const Bench& bench, double duration, std::size_t bins, double step);

@@ -2,44 +2,63 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
-#include <numeric>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
 
 #include "lattice/packets/impact.hpp"
+#include "lattice/packets/observe.hpp"
 
 namespace lattice {
 namespace {
 
-/// Finds the maxima of a signal while it is sampled, and keeps the highest with its neighbours.
-class HighestTop {
+/// Collects the maxima of a signal while it is sampled.
+class Peaks {
  public:
   void add(double t, double x, double step) {
     if (seen_ >= 2 && middle_ > left_ && middle_ >= x) {
       const double rise = (x - left_) / 2, bend = x - 2 * middle_ + left_;
-      keep(t - step - rise / bend * step, middle_ - rise * rise / (2 * bend));
+      all.push_back({t - step - rise / bend * step, middle_ - rise * rise / (2 * bend)});
+      if (all.back().height > all[highest].height) highest = all.size() - 1;
     }
     left_ = middle_, middle_ = x, ++seen_;
   }
-  double t() const { return t_; }
-  double height() const { return height_; }
-  /// Half the time between the maxima on either side; zero if one is missing.
-  double period() const { return before_ >= 0 && after_ >= 0 ? (after_ - before_) / 2 : 0; }
+  std::vector<Peak> all{};
+  std::size_t highest = 0;
 
  private:
-  void keep(double t, double height) {
-    if (height > height_)
-      before_ = last_, t_ = t, height_ = height, after_ = -1;
-    else if (after_ < 0)
-      after_ = t;
-    last_ = t;
-  }
-  double left_ = 0, middle_ = 0, t_ = 0, height_ = 0, before_ = -1, after_ = -1, last_ = -1;
+  double left_ = 0, middle_ = 0;
   std::size_t seen_ = 0;
 };
 
-/// The velocity at bead `n` (counted from zero) that the slow clock predicts.
-double slowed_velocity(const Passing& p, double nu) {
-  return p.velocity * std::exp(-nu / 2 * true_time(nu, p.t));
+/// Half the time between the maxima on either side; zero if one is missing.
+double period_at(const std::vector<Peak>& all, std::size_t i) {
+  return i > 0 && i + 1 < all.size() ? (all[i + 1].t - all[i - 1].t) / 2 : 0;
+}
+
+/// The maximum that is the strongest one with the weight (1 - nu s/4)^power.
+std::size_t strongest(const std::vector<Peak>& all, double nu, int power) {
+  double most = 0;
+  std::size_t out = 0;
+  for (std::size_t i = 0; i < all.size() && nu * all[i].t < 4; ++i) {
+    const double rate = 1 - nu * all[i].t / 4;
+    const double weighted = all[i].height * rate * rate * (power == 3 ? rate : 1);
+    if (weighted > most) most = weighted, out = i;
+  }
+  return out;
+}
+
+/// The top of a parabola through the weighted logarithms of a maximum and its neighbours.
+double top_between(const std::vector<Peak>& all, std::size_t i, double nu, int power) {
+  const auto log = [&](std::size_t k) {
+    return std::log(all[k].height) + power * std::log1p(-nu * all[k].t / 4);
+  };
+  if (!(nu * all[i + 1].t < 4 && all[i - 1].height > 0 && all[i + 1].height > 0)) return all[i].t;
+  const double a = all[i - 1].t - all[i].t, b = all[i + 1].t - all[i].t, middle = log(i);
+  const double u = (log(i - 1) - middle) / a, v = (log(i + 1) - middle) / b;
+  return all[i].t + std::clamp((u * b - v * a) / (2 * (u - v)), a, b);
 }
 
 /// Where a falling sequence of velocities passes `resolution`.
@@ -62,34 +81,44 @@ double true_time(double nu, double s) {
   return nu * s < 4 ? -4 / nu * std::log1p(-nu * s / 4) : std::numeric_limits<double>::infinity();
 }
 
-// Each contact and each bead keeps its own maxima
+// Each contact and each bead keeps its own maxima; the impact is the first of the first bead
 Journey follow_packet(const Bench& bench, double velocity, double duration, std::size_t last,
                       double step) {
   const Chain& chain = bench.chain;
   const std::size_t contacts = std::min(last, chain.sites - 1);
-  std::vector<HighestTop> push(contacts), speed(contacts);
+  std::vector<Peaks> push(contacts), speed(contacts);
   const TimeGrid steps = time_grid(duration, step, step);
   State<double> state = struck(chain.sites, velocity);
+  speed[0].all.push_back({0, velocity});
   Journey out;
   out.ledger = run_bench(bench, state, steps, [&](const State<double>& now, const Ledger&) {
-    for (std::size_t n = 0; n < contacts; ++n) {
+    // Beyond the first bead at rest nothing has moved yet
+    for (std::size_t n = 0; n < contacts && (now.y[n] != 0 || now.v[n] != 0); ++n) {
       const double overlap = now.y[n] - now.y[n + 1];
       push[n].add(now.t, overlap > 0 ? overlap * std::sqrt(overlap) : 0, steps.step());
       speed[n].add(now.t, std::abs(now.v[n]), steps.step());
     }
+    // The centre once per unit of time
+    if (out.centres.empty() || now.t > out.centres.back().t + 1)
+      out.centres.push_back({now.t, energy_centre(energy_density(chain, now), 0, chain.sites)});
     out.duration = now.t;
     // The packet has passed when the last push is well below its maximum
-    const double end = now.y[contacts - 1] - now.y[contacts];
-    return !(push.back().period() > 0 && push.back().height() > 1e-12 && end < 0 &&
-             now.t > push.back().t() + 60);
+    const Peaks& end = push.back();
+    if (period_at(end.all, end.highest) == 0 || now.y[contacts - 1] >= now.y[contacts]) return true;
+    const Peak& top = end.all[end.highest];
+    return !(top.height > 1e-12 && now.t > top.t + 60);
   });
   double latest = 0;
   for (std::size_t n = 0; n < contacts; ++n) {
-    Passing p{push[n].t(), push[n].height(), push[n].period(), speed[n].height()};
-    if (n == 0) p.velocity = std::max(p.velocity, velocity);
+    Passing p;
+    p.pushes = std::move(push[n].all), p.speeds = std::move(speed[n].all);
+    const std::size_t top = push[n].highest;
+    if (!p.pushes.empty()) p.t = p.pushes[top].t, p.force = p.pushes[top].height;
+    if (!p.speeds.empty()) p.velocity = p.speeds[speed[n].highest].height;
+    p.period = period_at(p.pushes, top);
     p.reached = p.period > 0 && p.t > latest;
     latest = std::max(latest, p.t);
-    out.contacts.push_back(p);
+    out.contacts.push_back(std::move(p));
   }
   return out;
 }
@@ -115,26 +144,43 @@ Progressed way_after(const Journey& journey, double t) {
   return out;
 }
 
+double centre_after(const Journey& journey, double t) {
+  const auto& all = journey.centres;
+  const auto next = std::find_if(all.begin(), all.end(), [&](const Peak& p) { return p.t >= t; });
+  if (next == all.begin() || next == all.end()) throw std::out_of_range("the run is too short");
+  const double part = (t - next[-1].t) / (next->t - next[-1].t);
+  return next[-1].height + part * (next->height - next[-1].height);
+}
+
 // The internal clock runs on: what slows down are the turns beyond those of a linear oscillation
-Progressed predicted_way(const Journey& undamped, double nu, double t) {
-  const double s = slow_clock(nu, t), turn = 2 * std::numbers::pi;
-  Progressed out = way_after(undamped, s);
-  const double rate = nu > 0 ? 1 - nu * s / 4 : 1;
-  out.oscillations += (t - s) / turn;
-  out.speed *= rate;
-  out.period = turn / (1 + (turn / out.period - 1) * rate);
+Journey slowed(const Journey& undamped, double nu) {
+  if (!(nu > 0)) return undamped;
+  const double turn = 2 * std::numbers::pi;
+  Journey out;
+  double latest = 0;
+  for (const Passing& from : undamped.contacts) {
+    const std::size_t i = strongest(from.pushes, nu, 3), k = strongest(from.speeds, nu, 2);
+    Passing p;
+    if (const double period = period_at(from.pushes, i); period > 0) {
+      const double s = top_between(from.pushes, i, nu, 3), rate = 1 - nu * s / 4;
+      p.t = true_time(nu, s);
+      p.force = from.pushes[i].height * rate * rate * rate;
+      p.period = turn / (1 + (turn / period - 1) * rate);
+    }
+    if (k < from.speeds.size())
+      p.velocity = from.speeds[k].height * std::pow(1 - nu * from.speeds[k].t / 4, 2);
+    p.reached = p.period > 0 && p.t > latest;
+    latest = std::max(latest, p.t);
+    out.contacts.push_back(std::move(p));
+  }
+  for (const Peak& c : undamped.centres)
+    if (nu * c.t < 4) out.centres.push_back({true_time(nu, c.t), c.height});
   return out;
 }
 
 double seen_until(const Journey& journey, double resolution) {
   std::vector<double> v;
   for (const Passing& p : journey.contacts) v.push_back(p.velocity);
-  return falls_below(v, resolution);
-}
-
-double predicted_sight(const Journey& undamped, double nu, double resolution) {
-  std::vector<double> v;
-  for (const Passing& p : undamped.contacts) v.push_back(slowed_velocity(p, nu));
   return falls_below(v, resolution);
 }
 

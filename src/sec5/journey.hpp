@@ -13,9 +13,9 @@ $A_n = e^{-\nu t/2}B_n$ leaves the equation without friction for $B_n$, with its
 $e^{-\nu t/4}$, because that is of degree $3/2$. Hence $B_n$ is a field without friction at the time of a
 slower clock,
 $$s(t) = \int_0^t e^{-\nu t'/4}\,dt' = \frac4\nu\bigl(1-e^{-\nu t/4}\bigr) < \frac4\nu.$$
-A packet comes as far as one without losses in the time $s$, so never farther than that one does in four
-lifetimes. The law has no free parameter, and holds for whatever else happens in the limit: instabilities,
-collisions and modulations, too, take place at the time of the slower clock. */
+So much is exact for the DpS field. What is the same for $A_n$ and $B_n$ follows the clock as it is, like the
+centre of the energy. What is read from a *maximum* in time does not: the strongest push is that of
+$e^{-\nu t/2} = (1-\nu s/4)^2$ times the undamped one, which comes earlier. */
 
 #include <cstddef>
 #include <vector>
@@ -30,17 +30,24 @@ double slow_clock(double nu, double t);
 /// The time t at which the slow clock shows s; infinity if it never does.
 double true_time(double nu, double s);
 
-/// The strongest push of one contact and the largest velocity of the bead before it.
+/// A maximum in time of a push or of a speed.
+struct Peak {
+  double t = 0, height = 0;
+};
+
+/// The strongest push of one contact and the largest velocity of the bead before it, and all maxima of both.
 struct Passing {
   double t = 0, force = 0, period = 0, velocity = 0;
   bool reached = false;  ///< there is a strongest push, later than that of the contact before
+  std::vector<Peak> pushes{}, speeds{};
 };
 
 /// What a run has seen: contact 1, that of the first two beads, has the index 0.
 struct Journey {
   std::vector<Passing> contacts{};
-  double ledger = 0;    ///< see run_bench
-  double duration = 0;  ///< of the run
+  std::vector<Peak> centres{};  ///< of the chain's energy, as `height`, in sites from one
+  double ledger = 0;            ///< see run_bench
+  double duration = 0;          ///< of the run
 };
 
 /// Strikes the first bead of a bench at rest with `velocity` and follows the packet for `duration`, or until
@@ -61,15 +68,24 @@ struct Progressed {
 /// How far the packet has come after the time `t`.
 Progressed way_after(const Journey& journey, double t);
 
-/// The same as the slow clock predicts it from a journey without losses.
-Progressed predicted_way(const Journey& undamped, double nu, double t);
+/// The centre of the energy at the time `t`.
+double centre_after(const Journey& journey, double t);
 
 /// How far a sensor of this resolution sees the packet: the place, between two beads, where the largest
 /// velocity falls below `resolution` for the first time, on a logarithmic scale; the last bead if it never
 /// does.
 double seen_until(const Journey& journey, double resolution);
 
-/// The same as the slow clock predicts it.
-double predicted_sight(const Journey& undamped, double nu, double resolution);
+/**
+The law takes every maximum of a journey without losses to the time at which the slow clock shows it, with
+the weight $(1-\nu s/4)^2$ for a speed and its power $\frac32$ for a force, and lets the strongest one win. It has
+no free parameter. As maxima are a period apart, the time of the strongest push is that of a parabola through
+the logarithms of three of them.
+
+In the limit a packet never stops by this measure. Far ahead of it $B_n\propto s^{p_n}$ with
+$p_n = \frac32p_{n-1}+1$; the product with the weight is largest at $1-\nu s/4 = 2/(p_n+2)$, and $p_n+2$ grows by
+$\frac32$ from site to site: what is left, ever weaker, needs $4\ln\frac32$ lifetimes for each. */
+/// The journey with the energy rate nu that the slow clock predicts from one without losses.
+Journey slowed(const Journey& undamped, double nu);
 
 }  // namespace lattice

@@ -79,8 +79,8 @@ struct KernelWave {
 /**
 Newton's method takes the derivative $I - K f'(d)$, whose second part is compact, so that few steps of
 the method of minimal residuals invert it. After each step the panels are cut anew where the contacts
-open. Even functions contain no shift of time and no change of the internal phase, so the derivative is
-regular. */
+open. Even functions contain neither a shift of time nor a change of the internal phase, with which the
+derivative would be singular or nearly so. */
 /// The x with x - K * (stiffness x) = right, up to `enough` of the norm of the right side. Throws
 /// std::runtime_error if too many steps are needed.
 Vector<double> solve_linearized(const HalfLine& line, const Vector<double>& stiffness,

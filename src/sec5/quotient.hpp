@@ -2,7 +2,7 @@
 /**
 # The quotient and its ascent
 
-The wave of the kernel equation (kernel_wave.hpp) is where
+A wave of the kernel equation (kernel_wave.hpp) is where
 $$Q(f) = \frac{\int f\,(K*f)\,dt}{\|f\|_p^2},\qquad f \ge 0,\qquad p = 1 + \frac1\alpha,$$
 is largest. There $K*f = S f^{1/\alpha}$ wherever $f > 0$. So we write $f = u^\alpha$ with $u \ge 0$ and
 repeat

@@ -5,10 +5,11 @@
 How does one recognize a travelling breather? In the frame that turns with a free bead,
 $z_n = e^{it}(y_n+i\dot y_n)$, it repeats itself one site further on after the shift time $T$ but for a phase,
 $$z_n(t+T) = e^{-i\varphi}z_{n-1}(t).$$
-In the DpS limit (dps_travelling.hpp) $T$ and $\varphi$ may be chosen freely, and everything else follows: the
-energy, the width. In the chain the breathers of the family that begins at $T = 2\pi k$ (travelling.hpp) have
-$\varphi = 2\pi k-T$. This file measures $T$, $\varphi$, energy and width of a packet, whoever has made it, and
-tells what energy and width a breather between these families has with the same $T$ and $\varphi$. */
+In the DpS limit (dps_travelling.hpp) $T$ and $\varphi$ may be chosen freely, and on the family that we know
+they fix energy and width. In the chain the breathers of the family that begins at $T = 2\pi k$
+(travelling.hpp) have $\varphi = 2\pi k-T$. This file measures $T$, $\varphi$, energy and width of a packet,
+whoever has made it, and tells what energy and width a breather between these families has with the same $T$
+and $\varphi$. */
 
 #include <complex>
 #include <cstddef>
@@ -25,11 +26,11 @@ struct Traveller {
 };
 
 /**
-Packets of a train follow each other at a distance of six sites or more, and losses let the later ones catch up. So
-a packet is what lies within three sites of its peak, and the peak is followed from sample to sample. A packet comes
-to a site when the largest energy density nearby moves up to that site from two sites before. Whenever the centre
-passes a bead we keep the time and the seven $z$ about it; interpolation between two samples is linear, because $z$
-changes slowly. */
+Packets of a train follow each other at a distance of six sites or more in our runs, and losses let the later ones
+catch up. So a packet is what lies within three sites of its peak, and the peak is followed from sample to sample.
+A packet comes to a site when the largest energy density nearby moves up to that site from two sites before.
+Whenever the centre passes a bead we keep the time and the seven $z$ about it; interpolation between two samples
+is linear, because $z$ changes slowly. */
 /// Follows the packet number `which` to come to bead `from` until it has passed bead `to`; beads count from 1.
 /// Throws std::invalid_argument if there is no room for it.
 class TravellerWatch {

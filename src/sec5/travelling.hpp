@@ -5,13 +5,13 @@
 The article sees localized waves that travel along the chain and calls their exact counterpart an open
 problem (section 5). An exact travelling breather repeats itself one site further on after the *shift time*
 $T$, $y_n(t+T) = y_{n-1}(t)$, and leaves nothing behind. In linear wells one sum decides what is possible.
-The forces between neighbours cancel in $Z = \sum_n(y_n+i\dot y_n)$, so that $Z(t) = e^{-it}Z(0)$; and a
-shift by one site does not change $Z$. Hence
+The forces between neighbours cancel in $Z = \sum_n(y_n+i\dot y_n)$, so that $Z(t) = e^{-it}Z(0)$ if it
+converges absolutely; and a shift by one site does not change $Z$. Hence
 $$(e^{-iT}-1)\,Z = 0:\qquad T = 2\pi k \text{ (type I)} \quad\text{or}\quad Z = 0 \text{ (type II)}.$$
-The equations of `travelling_reversible` (symmetry.hpp) without the first one have a solution for every
-$T$; these solutions form a *family*. With $Z(0) = iV$, $V = \sum\dot y_n$, the equation that was left
-out reads $V\sin(T/2) = 0$. So along a family a single number, $V$, shows where it passes through an
-exact orbit. */
+The equations of `travelling_reversible` (symmetry.hpp) without the first one had a solution for every $T$
+that we tried; these solutions form a *family*. With $Z(0) = iV$, $V = \sum\dot y_n$, the equation that
+was left out reads $V\sin(T/2) = 0$. So along a family a single number, $V$, shows where it passes through
+an exact orbit. */
 
 #include <algorithm>
 #include <cmath>
@@ -123,10 +123,10 @@ Vector<double> cut_packet(double velocity, double from, double to, int sign,
 /**
 ## From one orbit to the next
 
-From one orbit of type I we reach all others. Small orbits are those of the DpS equation
-(dps_travelling.hpp), $y \propto 1/T^2$. In units of $1/k^2$ the members of type I change little with
-$1/k$, and a straight line through the last two predicts the next one. The tail is only scaled: it falls
-by many orders of magnitude and does not follow a straight line. */
+From one orbit of type I we reach others. Small orbits are those of the DpS equation (dps_travelling.hpp),
+$y \propto 1/T^2$. In units of $1/k^2$ the members of type I change little with $1/k$, and a straight line
+through the last two predicts the next one. The tail is only scaled: it falls by many orders of magnitude
+and does not follow a straight line. */
 class Staircase {
  public:
   /// The orbits with this sign of the central velocity.

@@ -10,11 +10,12 @@ $$M = \nabla^T\,\mathrm{diag}\,|d_n|^{1/2}\,\nabla, \qquad
   \dot x = L_-y,\quad \dot y = -L_+x, \qquad L_- = \mu - M,\quad L_+ = \mu - \tfrac32M.$$
 Each eigenvector of $M$, with eigenvalue $m$, therefore moves independently, like $e^{\lambda t}$ with
 $$\lambda^2 = -(\mu-m)(\mu-\tfrac32m).$$
-Eq. (14) says $Mu = \mu u$. If the sign of every second entry is changed, $M$ has no negative entry and $u$
-is a positive vector, so that by the Perron–Frobenius theorem $m_1 = \mu$ is simple and the largest:
-$0 \le m < \mu$ for all others. Hence a state is unstable if and only if the second eigenvalue exceeds
-$2\mu/3$, and then with one real pair $\pm\lambda$ for each such $m$. Far out, where contacts are slack,
-$m = 0$ and $\lambda = \pm i\mu$: the essential spectrum. */
+Eq. (14) says $Mu = \mu u$. If the sign of every second entry is changed, $M$ has no negative entry, and
+where neighbours have opposite signs $u$ is a positive vector, so that by the Perron–Frobenius theorem
+$m_1 = \mu$ is simple and the largest: $0 \le m < \mu$ for all others. Hence such a state is spectrally
+unstable if and only if the second eigenvalue exceeds $2\mu/3$, and then with one real pair $\pm\lambda$
+for each such $m$. Far out, where contacts are slack, $m = 0$ and $\lambda = \pm i\mu$: the essential
+spectrum. */
 
 #include <cmath>
 #include <complex>

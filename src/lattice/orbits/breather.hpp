@@ -7,7 +7,7 @@ section 3.2 are periodic orbits of a chain with free ends. At small amplitude th
 approximately, in the quasi-continuum limit of the DpS equation (quasi_continuum.hpp), Eqs. (18) to (20):
 $$y_n(0) = 2\epsilon\,u_n,\qquad \epsilon = \bigl(2\tau_0(\omega_b-1)\bigr)^2.$$
 Close to $\omega_b = 1$ Newton's method converges from there. To reach higher frequencies we follow the
-branch (continuation.hpp), so that there is never a doubt to which family a breather belongs. */
+branch (continuation.hpp), so that we know to which family a breather belongs. */
 
 #include <cstddef>
 #include <stdexcept>

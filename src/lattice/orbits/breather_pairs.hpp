@@ -116,8 +116,8 @@ inline bool settled(const Estimate& e) {
 void measure(BreatherPair& pair);
 
 /**
-The pairs are found along the two branches (continuation.hpp), so that there is never a doubt to which
-family a breather belongs. Where a branch turns back in frequency the pairs end. */
+The pairs are found along the two branches (continuation.hpp), so that we know to which family a breather
+belongs. Where a branch turns back in frequency the pairs end. */
 /// One family at increasing frequencies, as far as it reaches.
 std::vector<Orbit<double>> climb(Centre centre, double s, const std::vector<double>& omegas);
 

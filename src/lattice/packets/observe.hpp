@@ -39,9 +39,9 @@ double energy_centre(const std::vector<double>& e, std::size_t peak,
 An impact may launch several packets and leave a vibration at the struck end, and any of these can carry
 more energy than the breather that travels ahead. The tracker therefore looks from the far end: the packet
 is at the first site, coming from there, that is the largest of its window and whose window holds at least
-`share` of the total energy. Without precompression nothing runs ahead of the packet but its own
-super-exponentially small tail, so the result does not depend on `share`. Returns the index of the site, or
-nothing if there is no such site. */
+`share` of the total energy. Without precompression nothing runs ahead of the first packet but its own
+super-exponentially small tail, so `share` matters only where a weak packet runs ahead of a strong one, as
+in hard wells. Returns the index of the site, or nothing if there is no such site. */
 std::optional<std::size_t> front_packet(const std::vector<double>& e, double share = 0.01,
                                         std::size_t m = packet_half_width);
 

@@ -4,9 +4,9 @@
 
 Nobody should have to guess a step. The functions of this file repeat a computation with half the step
 until two successive runs agree, and return both: the finer one is the result, and the error of whatever
-is derived from it is its difference from the coarser one. That difference overestimates the error of
-the finer run (by a factor $2^p - 1$ at order $p$, about twenty at the order 4.5 of contact_rkn.hpp), and
-it is what the tables quote.
+is derived from it is its difference from the coarser one. Where the runs converge that difference
+overestimates the error of the finer one (by a factor $2^p - 1$ at order $p$, about twenty at the order
+4.5 of contact_rkn.hpp), and it is what the tables quote.
 
 The caller says what must agree: by default the end states, otherwise the number that will be reported,
 such as a velocity, a threshold or a share. Two runs that turn out to be the same run prove nothing, and

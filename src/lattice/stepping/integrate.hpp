@@ -7,12 +7,12 @@ $\sum \dot y_n^2/2$ makes the beads drift at constant velocity, the potential en
 positions. Alternating exact kicks and drifts with suitable weights is symplectic, reversible and cheap;
 the weights are in schemes.hpp.
 
-All such methods are limited by the contacts. We say that a contact *switches* when it opens or closes.
-If this happens at $t^*$, its force behaves like $(t-t^*)_+^{3/2}$, which has one derivative and no more.
-A step of length $h$ across $t^*$ therefore makes an error $O(h^{5/2})$, however high the order of the
-scheme. In a chain the number of switchings per unit of time is fixed and their errors have random signs,
-so that the observed order is about 2.5. A precompressed chain whose contacts stay closed recovers the
-full order. The tests measure both. */
+All such methods are limited by the contacts. We say that a contact *switches* when it opens or closes. If
+this happens at $t^*$, its force behaves like $(t-t^*)_+^{3/2}$, which has one derivative and no more. A
+step of length $h$ across $t^*$ therefore makes an error $O(h^{5/2})$, however high the order of the
+scheme. In a chain the number of switchings per unit of time does not depend on $h$, so that the order is
+about 2.5. A precompressed chain whose contacts stay closed recovers the full order. The tests measure
+both. */
 
 #include <cmath>
 #include <cstddef>

@@ -2,12 +2,12 @@
 /**
 # The coefficients
 
-Two families of time steppers share this file. *Splittings* alternate kicks (a change of the velocities
-at fixed positions) and drifts (a change of the positions at fixed velocities); they are symplectic,
-which keeps the energy error of a long run bounded. *Runge-Kutta-Nystrom schemes* combine accelerations
+Two families of time steppers share this file. *Splittings* alternate kicks (a change of the velocities at
+fixed positions) and drifts (a change of the positions at fixed velocities); they are symplectic, which as
+a rule keeps the energy error of a long run bounded. *Runge-Kutta-Nystrom schemes* combine accelerations
 taken at several instants of a step of length $h$. Both are lists of numbers; integrate.hpp and
-contact_rkn.hpp say what is done with them. The tests measure every order claimed here: a scheme has
-order $p$ if the error of a run of fixed duration falls like $h^p$. */
+contact_rkn.hpp say what is done with them. The tests measure every order claimed here: a scheme has order
+$p$ if the error of a run of fixed duration falls like $h^p$. */
 
 #include <cstddef>
 #include <string>
