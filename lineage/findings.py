@@ -13,7 +13,7 @@ bars, and could fail. The kinds of evidence are
 `paper/second.ecsv` has what `make second` found by another way (tests/second); a number that agrees carries a mark."""
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from . import ecsv
@@ -124,7 +124,7 @@ def read_second(root):
 
 def agrees(name, finding, second):
     """Whether a second route has the same number within the sum of the errors."""
-    return name in second and distance(finding, second[name][0]) <= 1
+    return name in second and distance(finding, replace(second[name][0], unit=finding.unit)) <= 1
 
 
 # Sentences

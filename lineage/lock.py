@@ -14,7 +14,7 @@ from pathlib import Path
 
 from . import ecsv
 from .claims import name_of, programs_of, quoted_by, read_claims, read_facts, read_results
-from .findings import quoted_in, read_findings
+from .findings import quoted_in, read_findings, read_second
 from .values import Finding, distance
 
 KINDS = ("value", "residue", "headline")
@@ -77,8 +77,8 @@ def uncommented(tex):
 
 
 def quoted(root):
-    """Every name that prose, paper, book or the list of claims quotes."""
-    root, out = Path(root), quoted_by(read_claims(root))
+    """Every name that prose, paper, book, the lists of claims and findings or the second route quotes."""
+    root, out = Path(root), quoted_by(read_claims(root)) | set(read_second(root))
     for row in read_findings(root).values():
         out.update(quoted_in(row))
     for path in sources(root) + sorted((root / "book").glob("*.md")):

@@ -330,7 +330,8 @@ void report_phases(Report& report) {
   Table& table = report.table("phases", {number("strength", "amplitude of the piston over the law"),
                                          label("onset", "how the drive begins"),
                                          number("delta", "distance from the beams' frequency"),
-                                         estimate("phase", "from site to site")});
+                                         number("phase", "from site to site"),
+                                         number("phase_spread", "largest difference of looks")});
   // The farthest from the drive that begins at once, and the nearest two of the other frequencies
   Estimate by_onset{0, 0}, by_delta{std::numeric_limits<double>::infinity(), 0};
   for (std::size_t i = 0; i < phase.size(); ++i) {

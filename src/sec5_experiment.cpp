@@ -410,7 +410,7 @@ breather around a site is stable on a long stretch farther down, where a shift t
 
 The members of the branch are equidistant in $\ln(\omega_b-1)$, from 1.01 on, so that one of them is at 1.1; the
 coarse solution takes every second one and begins higher. */
-constexpr std::size_t per_decade = 32;
+constexpr std::size_t per_decade = 64;
 
 std::vector<Member> branch_members(std::size_t count, std::size_t each) {
   std::vector<Member> out(count);
@@ -423,9 +423,9 @@ std::vector<Member> branch_members(std::size_t count, std::size_t each) {
 
 void report_instability(Report& report) {
   const ArrayUnits array;
-  const std::size_t each = report.quick ? 4 : 1;
+  const std::size_t each = report.quick ? 8 : 1;
   const double limit = dps_growth(Centre::site);
-  const auto members = branch_members(40 / each + 1, each);
+  const auto members = branch_members(80 / each + 1, each);
   Table& table = report.table(
       "instability", {number("omega", "frequency at the start, over that of a beam"),
                       number("epsilon", "unstable Floquet multiplier minus one; 0: stable"),
@@ -434,7 +434,7 @@ void report_instability(Report& report) {
                                "quality factor with which a shift grows e-fold before a hundredth "
                                "of the energy is left"),
                       estimate("lifetime_e", "the lifetime that belongs to it", "ms")});
-  for (std::size_t k = report.quick ? 8 : 30; k < members.size(); k += 2) {
+  for (std::size_t k = report.quick ? 8 : 60; k < members.size(); k += report.quick ? 2 : 4) {
     // The fine integral, and one from every second member
     const std::vector<Member> fine(members.begin(), members.begin() + std::ptrdiff_t(k) + 1);
     std::vector<Member> coarse;

@@ -2,6 +2,7 @@
 
 #include "sec5/driven.hpp"
 
+#include <limits>
 #include <numbers>
 
 #include "check.hpp"
@@ -128,6 +129,9 @@ TEST_CASE("a piston has to lift the breather of the DpS limit to its top", "[uni
   double strain = 0;
   for (double r : bond.strain) strain = std::max(strain, std::abs(r));
   check_close(dps_threshold(Drive::By::base).value, strain * std::sqrt(strain), 0, 1e-7);
+  // The maxima themselves, to forty digits from the same map: a grid of 4096 tails has nine of them
+  check_close(dps_threshold(Drive::By::piston).value, 0.05041478528676755684, 0, 1e-14);
+  check_close(dps_threshold(Drive::By::base).value, 0.028116631620059160114, 0, 1e-14);
   check_close(threshold_law(Drive::By::piston, 1.02), 4 * threshold_law(Drive::By::piston, 1.01), 0,
               1e-9);
   check_close(threshold_law(Drive::By::base, 1.02), 8 * threshold_law(Drive::By::base, 1.01), 0,
@@ -146,6 +150,37 @@ TEST_CASE("the fold of the quiet orbit is where emission begins", "[property][dr
   };
   CHECK(count(0.96) == 0);
   CHECK(count(1.06) == 1);
+}
+
+TEST_CASE("one packet leaves below lasting emission, none before a slow rise",
+          "[property][driven]") {
+  // The fold lies at 1.1167 times the law, lasting emission begins at 1.066 and the first packet at 0.978
+  const double omega = 1.1, law = threshold_law(Drive::By::piston, omega), silence = 2000;
+  const auto sent = [&](double share, double ramp) {
+    const Bench run{Chain{60}, {2.5e-3, 0}, {Drive::By::piston, omega, share * law, 0, ramp}};
+    const std::size_t all = std::numeric_limits<std::size_t>::max();
+    return drive_chain(run, 5000, 20, 0.2, all, silence);
+  };
+  CHECK(sent(0.96, 0).passages.empty());
+  CHECK(sent(1.02, 0).passages.size() == 1);
+  CHECK(!sent(1.02, 0).lasts(5000, silence));
+  CHECK(sent(1.09, 0).lasts(5000, silence));
+  CHECK(sent(1.09, 3000).passages.empty());
+}
+
+TEST_CASE("a base that begins at once sends something weak first", "[property][driven]") {
+  const double omega = 1.2, law = threshold_law(Drive::By::base, omega);
+  const auto sent = [&](double share) {
+    const Bench run{Chain{40}, {2.5e-3, 0}, {Drive::By::base, omega, share * law}};
+    return drive_chain(run, 1500, 20, 0.2);
+  };
+  // It would count if the gate were ten times as sensitive
+  const Emission weak = sent(1.09), strong = sent(1.35);
+  CHECK(weak.passages.empty());
+  CHECK(weak.loudest > 0.003);
+  CHECK(weak.loudest < 0.015);
+  CHECK(!strong.passages.empty());
+  CHECK(strong.loudest > 0.3);
 }
 
 TEST_CASE("the orbit is that of a run", "[property][driven]") {
@@ -206,6 +241,9 @@ TEST_CASE("rates, spreads and bisections", "[unit][driven]") {
   check_close(e.spread(100), 0, 1e-15);
   e.passages = {60, 70, 90};
   CHECK(e.spread(100) == -1);
+  CHECK(e.lasts(100, 11));
+  CHECK(!e.lasts(100, 9));
+  CHECK(!Emission{}.lasts(100, 1000));
   const auto found = bisect_threshold(0, 1, 1e-3, [](double a) { return a > 0.3; });
   check_close(found.value, 0.3, found.error);
   CHECK(found.error < 1e-3);

@@ -87,11 +87,11 @@ TEST_CASE("findings", "[published]") {
 TEST_CASE("a second route agrees, and is as sharp as a headline needs", "[lineage]") {
   const Named locked(read_lock(root / "paper/converged.ecsv"));
   const Table rows = read(root / "paper/second.ecsv");
-  const auto name = rows.texts("quantity"), unit = rows.texts("unit");
+  const auto name = rows.texts("quantity");
   const auto value = rows.numbers("value"), error = rows.numbers("error");
   REQUIRE(name.size() >= 8);
   for (std::size_t i = 0; i < name.size(); ++i) DYNAMIC_SECTION(name[i]) {
-      const Finding &ours = locked[name[i]], theirs{value[i], error[i], unit[i]};
+      const Finding &ours = locked[name[i]], theirs{value[i], error[i], ours.unit, ours.kind};
       CAPTURE(ours.value, ours.error, theirs.value, theirs.error);
       REQUIRE(std::isfinite(theirs.value));
       CHECK(theirs.error > 0);

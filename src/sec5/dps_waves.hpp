@@ -22,8 +22,7 @@ For $c\ge0$ no modulation grows exponentially. For $c<0$ there is a band with th
 holds the *short* modulations $Q_*<Q\le\pi$ if $-\frac15<c<0$, fastest at $Q = \pi$, and the *long* ones $0<Q<Q_*$ if
 $c<-\frac15$, fastest halfway between $1$ and $\cos Q_*$. The square of the largest growth is $-4\rho^2c(1+5c)$, at
 most $\rho^2/5$, in the first case and $-\frac{\rho^2}4(1+5c)(1-c)^2/(1-5c)$ in the second. This rises up to
-$\frac23\rho^2$ at $c = -1$, and $\rho$ rises with it: the wave $q = \pi$ is the fastest. No amplitude enters but by
-$\rho$, and the growth of long modulations is proportional to $Q$. */
+$\frac23\rho^2$ at $c = -1$, and $\rho$ rises with it: the wave $q = \pi$ is the fastest. Long modulations grow like $Q$. */
 
 #include <algorithm>
 #include <cmath>

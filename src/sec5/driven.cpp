@@ -80,6 +80,7 @@ class Turnstile {
 
 }  // namespace
 
+// The two numbers of the limit, and what they say of the array
 Estimate dps_threshold(Drive::By by) {
   static const Estimate piston = highest_top(Drive::By::piston),
                         base = highest_top(Drive::By::base);
@@ -103,6 +104,7 @@ Sizes<double> DrivenOrbit::sizes(const Vector<double>& x, bool) const {
   return out;
 }
 
+// One period of the drive
 Vector<double> DrivenOrbit::miss(const Vector<double>& x) const {
   Bench driven = bench;
   driven.drive.amplitude = x[x.size() - 1];

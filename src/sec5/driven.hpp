@@ -5,12 +5,11 @@
 A chain of equal wells has a band of a single frequency, and a drive of another frequency should shake the
 first beads only. But contacts harden: breathers have frequencies above the band, and a drive of frequency
 $\Omega = 1+\delta$ can feed one. Geniet and Leon (Phys. Rev. Lett. 89, 134102, 2002) found in chains with
-band gaps that energy passes above a sharp amplitude, which they called nonlinear supratransmission; Leon
-(Phys. Lett. A 319, 130, 2003) explained the threshold by the largest amplitude at the end of a static
-solution that decays into the chain. At that amplitude two static solutions meet in a fold, as Susanto
-(arXiv:0809.3861, 2008) proves for a discrete Schrödinger equation. Maniadis, Kopidakis and Aubry (Physica D
-216, 121, 2006) study such a threshold in systems with discrete breathers, Yousefzadeh and Phani
-(arXiv:1510.00058, 2015) in damped, finite and disordered structures. All of this can be had here too.
+band gaps that energy passes above a sharp amplitude, which they called nonlinear supratransmission; Leon (Phys. Lett.
+A 319, 130, 2003) explained the threshold by the largest amplitude at the end of a static solution that decays into the
+chain. There two static solutions meet in a fold, as Susanto (arXiv:0809.3861, 2008) proves for a discrete Schrödinger
+equation. Maniadis, Kopidakis and Aubry (Physica D 216, 121, 2006) study such a threshold in systems with discrete
+breathers, Yousefzadeh and Phani (arXiv:1510.00058, 2015) in damped, finite and disordered structures.
 
 ## The threshold of the DpS limit
 

@@ -1,4 +1,4 @@
-"""A struck first bead: its packet at one instant, and one that turns; the array of decorated cantilevers, struck or driven."""
+"""A struck first bead: its packet at one instant, and one that turns; the array of cantilevers, struck or driven."""
 import numpy as np
 from .chain import Chain, LONG, newton, seed
 
@@ -73,7 +73,7 @@ def packet(level):
 
 
 def fold(level):
-    """Follow the quiet orbit x = (y, v, a) from rest by the place of bead 1; first maximum of the piston's amplitude a."""
+    """Follow the quiet orbit x = (y, v, a) from rest by the place of bead 1 to the first maximum of the amplitude a."""
     def orbit(x):  # periodic orbit with bead 1 at this place at t = 0, and dx/d(place)
         def rest(x):
             start, n = seed(x), len(x) // 2
