@@ -34,7 +34,7 @@ class Book:
                 self.included_by.setdefault(i, []).append(s)
         self.env = Environment(loader=FileSystemLoader(prose.ASSETS / "templates"), autoescape=True, trim_blocks=True,
                                undefined=StrictUndefined, keep_trailing_newline=False)
-        self.env.filters.update({f.__name__: f for f in (words.number, words.spelled, words.unit, words.broken, words.value,
+        self.env.filters.update({f.__name__: f for f in (words.number, words.short, words.spelled, words.unit, words.broken, words.value,
                                                          words.agreement, words.spoken, words.short_figure, command_of)})
         self.notebooks = notebooks.read(record.root)
         self.titles.update({page: title for page, title, *_ in self.notebooks})
@@ -155,8 +155,9 @@ class Book:
         binding, rows = PageBinding(self.binder, page="findings.html"), []
         for i, (id, row) in enumerate(self.record.findings.items()):
             binding.anchor = id
-            told = [Markup(binding.prose(re.sub(r"^<p>(.*)</p>$", r"\1", text, flags=re.S)))
-                    for text in html[len(self.FOUND) * i:len(self.FOUND) * (i + 1)]]
+            said, *further = [binding.prose(re.sub(r"^<p>(.*)</p>$", r"\1", text, flags=re.S))
+                              for text in html[len(self.FOUND) * i:len(self.FOUND) * (i + 1)]]
+            told = list(map(Markup, [said, *map(spelled_out, further)]))
             self.note("findings.html", id, "What we found", id, told[0])
             rows.append((id, row["kind"], dict(zip(self.FOUND, told)), list(margins(row, self.record.quotable))))
         body = self.render("findings", rows=rows, kinds=KINDS)
@@ -245,6 +246,12 @@ class Book:
         rows = ",\n".join(json.dumps(entry, ensure_ascii=False) for entry in self.search)
         out["search-index.js"] = f"window.SEARCH = [\n{rows}\n];\n"
         return out
+
+
+def spelled_out(page):
+    """HTML in which words such as `omega_b = 1.1` and 1e-9 are spelled as the lists spell them."""
+    return prose.on_text(page, lambda text, tags: text if {"code", "button"} & set(tags)
+                         else str(words.spelled(Markup(text).unescape())))
 
 
 def formulas(text):

@@ -4,6 +4,8 @@ import re
 
 from markupsafe import Markup, escape
 
+from ..values import with_digits, without_zeros
+
 GREEK = {"pi": "π", "eps": "ε", "omega": "ω", "tau": "τ", "mu": "μ", "lambda": "λ", "beta": "β", "gamma": "γ",
          "delta": "δ", "Phi": "Φ", "Gamma": "Γ"}
 SIGNS = {">=": "≥", "<=": "≤", "+-": "±", "->": "→", " - ": " − "}
@@ -19,6 +21,11 @@ def number(text):
     return Markup(re.sub(
         r"(?<![\w.])(\d[\d.]*)e(-?)(\d+)\b",
         lambda m: f"{'' if m[1] == '1' else m[1] + '·'}10<sup>{'−' if m[2] else ''}{m[3]}</sup>", text))
+
+
+def short(x, digits=2):
+    """A number of few digits."""
+    return number(without_zeros(with_digits(x, digits)))
 
 
 def spelled(text):
