@@ -300,18 +300,34 @@ std::vector<Place> follow_branch(const Orbit<double>& start, int direction, int 
 }
 
 /**
-Each fold is computed with two lengths of the steps, which gives its error. In soft wells the fastest orbit has one
-too. */
+The steps that suffice to follow a branch are long for a fold, which lies on a cubic between the last two points. So we
+go back to the point before these and come again with steps that are `finer` times shorter; two lengths of them give
+the error. In soft wells the fastest orbit has a fold, too. */
+double fold_of(const Orbit<double>& start, int direction, double finer) {
+  Branch<double> branch = branch_from(start, direction, in_s);
+  struct Point {
+    Shooting<double> problem;
+    Vector<double> x;
+  };
+  Point last{branch.problem(), branch.unknowns()}, before = last;
+  for (int k = 0; branch.slope() * direction > 0 && k < 400; ++k) {
+    before = last, last = {branch.problem(), branch.unknowns()};
+    branch.advance();
+  }
+  const Stride stride{in_s.first / finer, in_s.least, in_s.most / finer};
+  Branch<double> again{
+      before.problem, along_s<double>(), newton(before.problem, before.x), direction, {}, stride};
+  return again.fold();
+}
+
 void report_folds(Report& report, const std::vector<Start>& starts) {
   const std::size_t hard = starts.size();
   std::vector<Estimate> folds(hard + (report.quick ? 0 : 1));
   parallel_for(folds.size(), [&](std::size_t i) {
-    Stride finer = in_s;
-    finer.first /= 2, finer.most /= 2;
-    const auto fold = [&](const Stride& stride) {
-      return branch_from(starts[i % hard].second, i < hard ? 1 : -1, stride).fold();
+    const auto fold = [&](double finer) {
+      return fold_of(starts[i % hard].second, i < hard ? 1 : -1, finer);
     };
-    folds[i] = compare(fold(in_s), fold(finer));
+    folds[i] = compare(fold(16), fold(32));
   });
   for (std::size_t i = 0; i < hard; ++i)
     report.facts.add("fold_k" + std::to_string(starts[i].first), folds[i], "s");
