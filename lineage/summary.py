@@ -7,7 +7,7 @@ from pathlib import Path
 
 from . import ecsv
 from .chapters import explained_by, read_commands, read_costs, run_of, shown_cost
-from .claims import SAID, Judge, name_of, programs_of, read_claims
+from .claims import Judge, name_of, programs_of, read_claims
 from .findings import agrees, holds, in_plain, margins, read_findings, read_second, tally as kinds_of
 from .lock import read_fresh, read_lock
 from .refresh import command_of, read_figures, tally
