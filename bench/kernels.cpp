@@ -10,10 +10,10 @@ second. Try `build/bin/bench_kernels --benchmark_filter=verlet`. */
 #include <cstddef>
 #include <vector>
 
-#include "lattice/landing/columns.hpp"
-#include "lattice/stepping/compensated.hpp"
-#include "lattice/stepping/contact_rkn.hpp"
-#include "lattice/stepping/tiling.hpp"
+#include "lattice/events/columns.hpp"
+#include "lattice/integrators/compensated.hpp"
+#include "lattice/integrators/contact_rkn.hpp"
+#include "lattice/integrators/tiling.hpp"
 
 using namespace lattice;
 

@@ -15,10 +15,10 @@ memory, compiled for wide vectors. */
 #include <string>
 #include <vector>
 
-#include "lattice/landing/landing.hpp"
+#include "lattice/events/event_driven.hpp"
 #include "lattice/model/kernel.hpp"
-#include "lattice/numbers/extended.hpp"
-#include "lattice/stepping/reference.hpp"
+#include "lattice/quadruple/extended.hpp"
+#include "lattice/gsl/reference.hpp"
 #include "measure.hpp"
 
 namespace bench {

@@ -15,8 +15,8 @@ written. They know nothing of the chain and always move the whole of it. */
 #include <variant>
 #include <vector>
 
-#include "lattice/stepping/contact_rkn.hpp"
-#include "lattice/stepping/reference.hpp"
+#include "lattice/integrators/contact_rkn.hpp"
+#include "lattice/gsl/reference.hpp"
 #include "measure.hpp"
 
 namespace bench {

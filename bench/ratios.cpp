@@ -16,8 +16,8 @@ to run; the ratios, taken within one run, hardly do. */
 #include <thread>
 
 #include "lattice/packets/impact.hpp"
-#include "lattice/stepping/compensated.hpp"
-#include "lattice/stepping/tiling.hpp"
+#include "lattice/integrators/compensated.hpp"
+#include "lattice/integrators/tiling.hpp"
 #include "monodromy.hpp"
 #include "peers.hpp"
 #include "report/command_line.hpp"

@@ -1,7 +1,7 @@
 // A hundred impacts on all cores: how much of the energy stays at the end, against the velocity.
 #include <iostream>
 #include <vector>
-#include "lattice/numbers/parallel.hpp"
+#include "lattice/numerics/parallel.hpp"
 #include "lattice/packets/impact.hpp"
 
 using namespace lattice;

@@ -35,8 +35,8 @@ documentation. */
 #include "commands/one_breather.hpp"
 #include "commands/one_impact.hpp"
 #include "commands/one_orbit.hpp"
-#include "lattice/numbers/interrupt.hpp"
-#include "lattice/numbers/parallel.hpp"
+#include "lattice/numerics/interrupt.hpp"
+#include "lattice/numerics/parallel.hpp"
 #include "report/command_line.hpp"
 #include "report/model_options.hpp"
 

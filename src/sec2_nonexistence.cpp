@@ -24,12 +24,12 @@ small and large starts end (c); energy and mean force of a localized state (d, e
 #include <utility>
 #include <vector>
 
-#include "lattice/numbers/parallel.hpp"
-#include "lattice/numbers/random.hpp"
+#include "lattice/numerics/parallel.hpp"
+#include "lattice/gsl/random.hpp"
 #include "lattice/orbits/breather.hpp"
 #include "lattice/packets/observe.hpp"
-#include "lattice/stepping/contact_rkn.hpp"
-#include "lattice/stepping/integrate.hpp"
+#include "lattice/integrators/contact_rkn.hpp"
+#include "lattice/integrators/integrate.hpp"
 #include "report/program.hpp"
 #include "sec2/fixed_leapfrog.hpp"
 #include "sec2/mean_force.hpp"
@@ -261,7 +261,7 @@ bool confirmed(const Search& search, const Vector<double>& x, End end) try {
   const Nearby nearby{search, x};
   NewtonRule<double> rule;
   if (search.symmetry.parts == 1) rule.rank = 1e-9;  // such orbits may be shifted in time
-  return classify(search, nearby.unfold(solve(nearby, x, rule).x)) == end;
+  return classify(search, nearby.expand(solve(nearby, x, rule).x)) == end;
 } catch (const NewtonFailed&) {
   return false;
 }
@@ -273,8 +273,8 @@ End run_search(const Hunt& hunt, unsigned long seed, int steps) {
   NewtonRule<double> rule = motions::free_rule();
   rule.most = 200;
   try {
-    const Vector<double> x = solve(search, search.fold(start), rule).x;
-    const End end = classify(search, search.unfold(x));
+    const Vector<double> x = solve(search, search.reduce(start), rule).x;
+    const End end = classify(search, search.expand(x));
     const bool moves = end == End::localized || end == End::extended;
     return moves && !confirmed(search, x, end) ? End::doubtful : end;
   } catch (const NewtonFailed&) {

@@ -20,8 +20,8 @@ tends to the value that an equal-area rule demands.](fig:x17) */
 #include <utility>
 #include <vector>
 
-#include "lattice/numbers/gsl_ode.hpp"
-#include "lattice/numbers/parallel.hpp"
+#include "lattice/gsl/gsl_ode.hpp"
+#include "lattice/numerics/parallel.hpp"
 #include "lattice/orbits/breather.hpp"
 #include "lattice/packets/observe.hpp"
 #include "report/program.hpp"

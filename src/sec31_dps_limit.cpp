@@ -27,9 +27,9 @@ the error of the approximation over four decades of amplitude. */
 #include <vector>
 
 #include "commands/dps_strike.hpp"
-#include "lattice/dps/impact.hpp"
-#include "lattice/landing/landing.hpp"
-#include "lattice/numbers/parallel.hpp"
+#include "lattice/dps/dps_impact.hpp"
+#include "lattice/events/event_driven.hpp"
+#include "lattice/numerics/parallel.hpp"
 #include "report/program.hpp"
 #include "sec3/dps_error.hpp"
 #include "sec3/travelling_wave.hpp"

@@ -26,10 +26,10 @@ physics demands, it considers too difficult. This program does both, with signs,
 #include <vector>
 
 #include "commands/one_barrier.hpp"
-#include "lattice/numbers/parallel.hpp"
+#include "lattice/numerics/parallel.hpp"
 #include "lattice/orbits/breather.hpp"
 #include "lattice/orbits/breather_pairs.hpp"
-#include "lattice/stepping/reference.hpp"
+#include "lattice/gsl/reference.hpp"
 #include "report/program.hpp"
 #include "sec3/branches.hpp"
 
@@ -364,14 +364,14 @@ Plain plain_newton(const Shooting<double>& problem, Vector<double> x, double tol
   const Tolerance both(0.01 * tolerance, tolerance, gsl_odeiv2_step_rk8pd);
   double residual = 0;
   for (int k = 0; k < 6; ++k) {
-    const State<double> start = problem.unfold(x);
+    const State<double> start = problem.expand(x);
     State<double> end = start;
     evolve_reference(problem.chain, end, problem.period() / problem.symmetry.parts, both);
     const Vector<double> miss = problem.residuals(start, end);
     residual = sup(miss) / largest(start);
     x -= solve_scaled<double>(matrix, miss, size, 0);
   }
-  return {energy(problem.chain, problem.unfold(x)), residual};
+  return {energy(problem.chain, problem.expand(x)), residual};
 }
 
 /**
@@ -393,7 +393,7 @@ void report_printed(Report& report, const Estimate& barrier) {
       Shooting<double> problem = problem_of(both_centres[k], 1.1);
       const State<double> start = find_breather(problem).start;
       if (full) problem.symmetry = returning(problem.chain.sites);
-      ends[k] = plain_newton(problem, problem.fold(start), tolerance);
+      ends[k] = plain_newton(problem, problem.reduce(start), tolerance);
     }
     return Cells{tolerance, full ? "full" : "symmetric", ends[0].residual, ends[1].residual,
                  ends[0].energy - ends[1].energy};

@@ -28,9 +28,9 @@ and measure how good that approximation is. The breathers of the chain have a ch
 #include <utility>
 #include <vector>
 
-#include "lattice/dps/stationary.hpp"
+#include "lattice/standing/stationary.hpp"
 #include "lattice/model/contact.hpp"
-#include "lattice/numbers/extended.hpp"
+#include "lattice/quadruple/extended.hpp"
 #include "lattice/packets/observe.hpp"
 #include "report/program.hpp"
 #include "sec3/continuum.hpp"
@@ -62,7 +62,7 @@ constexpr std::pair<Centre, const char*> centres[] = {{Centre::site, "site"},
 ## Method
 
 We solve for the strains of one half of the chain by Newton's method, with relative corrections as
-unknowns (dps/stationary.hpp says why). The symmetry removes the only direction in which Newton's method
+unknowns (standing/stationary.hpp says why). The symmetry removes the only direction in which Newton's method
 could drift, so the linear systems are regular. Everything is computed in double and in
 quadruple precision; the difference is the error. Where the exact value is zero, a computed remainder
 is pure rounding and belongs to its precision. It is compared with the remainder at the next longer

@@ -22,10 +22,10 @@ How much energy separates them is the question of the next chapter. */
 #include <vector>
 
 #include "commands/one_breather.hpp"
-#include "lattice/dps/stationary.hpp"
-#include "lattice/numbers/extended.hpp"
-#include "lattice/numbers/parallel.hpp"
-#include "lattice/numbers/random.hpp"
+#include "lattice/standing/stationary.hpp"
+#include "lattice/quadruple/extended.hpp"
+#include "lattice/numerics/parallel.hpp"
+#include "lattice/gsl/random.hpp"
 #include "lattice/orbits/breather.hpp"
 #include "lattice/orbits/breather_pairs.hpp"
 #include "lattice/packets/observe.hpp"
@@ -60,11 +60,11 @@ the breather at $t = 0$, where it is at rest, and `Orbit::energy` its energy $\m
 We guess the positions from Eqs. (18) to (20) and integrate over a half or a quarter of a period. There the symmetry
 of the breather demands that certain combinations of positions and velocities vanish (symmetry.hpp), and Newton's
 method makes them vanish. The integrator lands on every *switching*, the opening or closing of a contact, because a
-step across it would spoil the orbit at $10^{-9}$ and its derivative much earlier (landing.hpp). Every number is
+step across it would spoil the orbit at $10^{-9}$ and its derivative much earlier (event_driven.hpp). Every number is
 computed at two tolerances or in two precisions, and the difference is its error. */
 Orbit<double> article_breather(const NewtonRule<double>& rule) {
   const Shooting<double> problem = problem_of(Centre::site, omega_b);
-  return newton(problem, problem.fold(ansatz(Centre::site, omega_b, problem.chain.sites)), rule);
+  return newton(problem, problem.reduce(ansatz(Centre::site, omega_b, problem.chain.sites)), rule);
 }
 
 std::string name_of(Centre centre) {
@@ -108,7 +108,7 @@ FullMap solve_full_map(int steps, const NewtonRule<double>& how = rule<double>(0
   Shooting<double> problem = problem_of(Centre::site, omega_b);
   problem.symmetry = returning(problem.chain.sites);
   FullMap out;
-  out.x = problem.fold(ansatz(Centre::site, omega_b, problem.chain.sites));
+  out.x = problem.reduce(ansatz(Centre::site, omega_b, problem.chain.sites));
   for (int k = 0; k <= steps; ++k) {
     const Shot<double> shot = problem.shoot(out.x, how.events);
     const Sizes<double> size = problem.sizes(out.x, false);
@@ -198,7 +198,7 @@ double broken_symmetry(Centre centre) {
   const auto y = shaken(find_breather(problem_of(centre, omega_b)).start.y, 1e-3, 7);
   std::copy(y.begin(), y.end(), start.y.begin());
   problem.symmetry = even_in_time(problem.chain.sites);
-  const Orbit<T> orbit = newton(problem, problem.fold(start));
+  const Orbit<T> orbit = newton(problem, problem.reduce(start));
   State<T> image = orbit.start;
   if (centre == Centre::site) flow(problem.chain, image, problem.period() / T(2));
   T most(0);

@@ -28,7 +28,7 @@ own measurements. */
 #include <utility>
 #include <vector>
 
-#include "lattice/numbers/parallel.hpp"
+#include "lattice/numerics/parallel.hpp"
 #include "report/program.hpp"
 #include "sec33/exchange.hpp"
 #include "sec33/held.hpp"
@@ -196,7 +196,7 @@ int added_at_edge(const Seen& at) {
   const auto longer = problem_at(centre, node->spot, 10);
   State<double> start(longer.chain.sites);
   std::copy(node->orbit.start.y.begin(), node->orbit.start.y.end(), start.y.begin() + 5);
-  const Orbit<double> orbit = newton(longer, longer.fold(start), chart_rule());
+  const Orbit<double> orbit = newton(longer, longer.reduce(start), chart_rule());
   const auto found = floquet_pairs(longer.chain, orbit.start, orbit.period(), chart_rule().events);
   std::vector<Pair> pairs;
   for (const auto& kappa : found.kappa) pairs.push_back({kappa, found.defect});

@@ -25,9 +25,9 @@ or better, draws figures 14 and 15, and then derives the threshold:
 #include <utility>
 #include <vector>
 
-#include "lattice/numbers/parallel.hpp"
+#include "lattice/numerics/parallel.hpp"
 #include "lattice/orbits/breather_pairs.hpp"
-#include "lattice/stepping/compensated.hpp"
+#include "lattice/integrators/compensated.hpp"
 #include "report/program.hpp"
 #include "sec3/breather_options.hpp"
 #include "sec33/kicked.hpp"
@@ -456,7 +456,7 @@ void report_integrators(Report& report, const RestingBreather& at) {
     add("contact_aware_6", ContactAware{h}, time);
     add("contact_aware_14", fourteen(h), time);
   }
-  add("landing", Landed{1}, time / 5);
+  add("landing", EventDriven{1}, time / 5);
 
   // Drift against work, a row for each integrator and step
   Table& table = report.table(

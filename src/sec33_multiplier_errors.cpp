@@ -23,11 +23,11 @@ The claims are answered in the previous chapter; the results here are our own me
 #include <utility>
 #include <vector>
 
-#include "lattice/numbers/eigenvalues.hpp"
-#include "lattice/numbers/line_fit.hpp"
-#include "lattice/numbers/parallel.hpp"
-#include "lattice/numbers/random.hpp"
-#include "lattice/stepping/reference.hpp"
+#include "lattice/algebra/eigenvalues.hpp"
+#include "lattice/numerics/line_fit.hpp"
+#include "lattice/numerics/parallel.hpp"
+#include "lattice/gsl/random.hpp"
+#include "lattice/gsl/reference.hpp"
 #include "report/program.hpp"
 #include "sec33/exchange.hpp"
 

@@ -22,10 +22,10 @@ their direction. How far does it get, and for how long can its motion be known?
 #include <utility>
 #include <vector>
 
-#include "lattice/numbers/parallel.hpp"
-#include "lattice/numbers/random.hpp"
+#include "lattice/numerics/parallel.hpp"
+#include "lattice/gsl/random.hpp"
 #include "lattice/packets/turning.hpp"
-#include "lattice/stepping/reference.hpp"
+#include "lattice/gsl/reference.hpp"
 #include "report/model_options.hpp"
 #include "report/program.hpp"
 #include "sec34/decorrelation.hpp"

@@ -24,10 +24,10 @@ extended wave train that the boundary goes on emitting. We compute both and comp
 #include <utility>
 #include <vector>
 
-#include "lattice/dps/impact.hpp"
-#include "lattice/numbers/parallel.hpp"
+#include "lattice/dps/dps_impact.hpp"
+#include "lattice/numerics/parallel.hpp"
 #include "lattice/packets/impact.hpp"
-#include "lattice/stepping/runge_kutta.hpp"
+#include "lattice/integrators/runge_kutta.hpp"
 #include "report/program.hpp"
 #include "sec34/criteria.hpp"
 

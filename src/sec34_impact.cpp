@@ -24,9 +24,9 @@ the first beads, the *surface mode*. */
 #include <vector>
 
 #include "commands/one_impact.hpp"
-#include "lattice/numbers/parallel.hpp"
+#include "lattice/numerics/parallel.hpp"
 #include "lattice/packets/impact.hpp"
-#include "lattice/stepping/reference.hpp"
+#include "lattice/gsl/reference.hpp"
 #include "report/program.hpp"
 #include "sec34/criteria.hpp"
 

@@ -21,7 +21,7 @@ figure, and leaves open how the transition happens; here we map it. */
 #include <string>
 #include <vector>
 
-#include "lattice/numbers/parallel.hpp"
+#include "lattice/numerics/parallel.hpp"
 #include "lattice/packets/impact.hpp"
 #include "report/program.hpp"
 #include "sec34/criteria.hpp"

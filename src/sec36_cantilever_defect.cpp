@@ -23,10 +23,10 @@ We derive every constant in SI units, strike the array and send the packet to th
 #include <utility>
 #include <vector>
 
-#include "lattice/dps/impact.hpp"
-#include "lattice/numbers/parallel.hpp"
+#include "lattice/dps/dps_impact.hpp"
+#include "lattice/numerics/parallel.hpp"
 #include "lattice/packets/array_impact.hpp"
-#include "lattice/stepping/reference.hpp"
+#include "lattice/gsl/reference.hpp"
 #include "report/program.hpp"
 #include "report/sweep.hpp"
 #include "sec36/scales.hpp"
@@ -300,7 +300,7 @@ The words "almost total" call for numbers. At 75 ms the packet has left the defe
 energy into what is on the sites up to 95 (reflected), from 96 to 104 (near the defect) and beyond
 (transmitted). Over half of it, [0.566749](num:sec36_cantilever_defect.left_behind), has not got so far by
 then: it is in the wave train of the boundary; the *net* shares count only what arrives
-(scattering.hpp). The sum of the three less one is the *ledger*. The radius of the defect's beads
+(scattering.hpp). The sum of the three less one is the *energy budget*. The radius of the defect's beads
 varies by a factor of four, their mass by one of 64. The points are independent: `map --part k/n`
 computes a part of them, an interrupted map goes on where it stopped, and the full run collects what
 the parts have left in the folder (sweep.hpp).
@@ -320,27 +320,27 @@ Sweep map_sweep(const std::filesystem::path& folder, bool quick) {
   for (const auto& share : Fractions{}.named())
     columns = {columns, estimate(share.name, std::string(share.unit) + ", see the chapter", "",
                                  std::string("difference of two resolutions") + share.judged)};
-  columns = {columns, number("ledger", "sum of the three shares less one")};
+  columns = {columns, number("budget", "sum of the three shares less one")};
   return {folder, "defect_map", columns.all, map_radii(quick).size(),
           std::string("defect map, velocity 1 m/s, ") + (quick ? "quick" : "full")};
 }
 
 /**
-Every point is computed with two steps, and the ledger shows whether the smaller one suffices. */
-Workshop workshop_for(const StruckArray& blow, bool quick) {
+Every point is computed with two steps, and the energy budget shows whether the smaller one suffices. */
+ScatteringSetup setup_for(const StruckArray& blow, bool quick) {
   if (quick) return {blow, {0.2, 0.1}, shown_until};
   return {blow, {0.1, 0.025}, shown_until};
 }
 
-void compute_map(Sweep& sweep, const Workshop& workshop, bool quick, Part part) {
-  const CantileverArray& array = workshop.blow.array;
+void compute_map(Sweep& sweep, const ScatteringSetup& setup, bool quick, Part part) {
+  const CantileverArray& array = setup.blow.array;
   const std::vector<double> radii = map_radii(quick);
   sweep.compute(part, [&](std::size_t i) {
-    const Fractions f = fractions(workshop, radii[i]);
+    const Fractions f = fractions(setup, radii[i]);
     Cells row{radii[i], array.mu(radii[i]), array.linear_frequency(radii[i])};
     for (const auto& named : f.named())
       row.insert(row.end(), {named.share.value, named.share.error});
-    row.push_back(f.ledger.value);
+    row.push_back(f.budget.value);
     return row;
   });
 }
@@ -356,30 +356,30 @@ What the packet leaves behind, the fairly extended wave train of `cantilever.wav
 Just before the packet meets the defect we take the sites up to ten behind its largest one, as in section 3.4. They
 hold a share of [0.562407](num:sec36_cantilever_defect.wavetrain_share) of the energy, and by their participation number
 [32.1373](num:cantilever.wavetrain) of them share it. */
-Estimate in_train(const Workshop& workshop, double (*of)(const std::vector<double>&)) {
+Estimate in_train(const ScatteringSetup& setup, double (*of)(const std::vector<double>&)) {
   const auto train = [&](const std::vector<double>& density) {
     return of({density.begin(), density.begin() + std::ptrdiff_t(*front_packet(density)) - 10});
   };
-  return compare(train(workshop.start[0].density), train(workshop.start[1].density));
+  return compare(train(setup.start[0].density), train(setup.start[1].density));
 }
 
-void report_shares(Report& report, const Workshop& workshop) {
-  const Fractions large = fractions(workshop, 1.6), slight = fractions(workshop, 1.1);
+void report_shares(Report& report, const ScatteringSetup& setup) {
+  const Fractions large = fractions(setup, 1.6), slight = fractions(setup, 1.1);
   judge(report, "cantilever.reflect16", almost_total(large.net_reflected));
   judge(report, "cantilever.partial11", partial(slight.net_transmitted));
   const std::pair<std::string, const Fractions&> rows[] = {{"_16", large}, {"_11", slight}};
   for (const auto& [name, f] : rows) {
     for (const auto& named : f.named())
       report.facts.add(named.name + name, named.share, named.unit);
-    report.facts.add("ledger" + name, f.ledger);
+    report.facts.add("budget" + name, f.budget);
   }
   report.facts.add("left_behind",
-                   compare(workshop.without[0].reflected, workshop.without[1].reflected),
+                   compare(setup.without[0].reflected, setup.without[1].reflected),
                    "share of the energy");
-  const double struck = workshop.blow.struck_velocity();
-  const Estimate train = in_train(workshop, total);
+  const double struck = setup.blow.struck_velocity();
+  const Estimate train = in_train(setup, total);
   report.results.add("cantilever.wavetrain",
-                     in_train(workshop, [](const auto& e) { return participation(e); }), "site");
+                     in_train(setup, [](const auto& e) { return participation(e); }), "site");
   report.facts.add("wavetrain_share", quotient(train, exact(struck * struck / 2)),
                    "share of the energy");
 }
@@ -389,7 +389,7 @@ void report_shares(Report& report, const Workshop& workshop) {
 shows it, to 2.5 every defect must reflect more than 95 per cent. The map has the radii up to two, the table
 `large_defects` those beyond, and three more that show where this leads: at five radii
 [2.99728e-9](num:sec36_cantilever_defect.net_transmitted_5) of what arrives is transmitted. */
-void report_large(Report& report, const Workshop& workshop, const Table& map) {
+void report_large(Report& report, const ScatteringSetup& setup, const Table& map) {
   std::vector<Estimate> reflected;
   const auto ratio = map.numbers("ratio"), share = map.numbers("net_reflected"),
              error = map.numbers("net_reflected_error");
@@ -398,7 +398,7 @@ void report_large(Report& report, const Workshop& workshop, const Table& map) {
   const std::vector<double> radii =
       report.quick ? std::vector{2.5, 5.0} : std::vector{2.1, 2.2, 2.3, 2.4, 2.5, 3.0, 4.0, 5.0};
   std::vector<Fractions> large(radii.size());
-  parallel_for(radii.size(), [&](std::size_t i) { large[i] = fractions(workshop, radii[i]); });
+  parallel_for(radii.size(), [&](std::size_t i) { large[i] = fractions(setup, radii[i]); });
   Table& table =
       report.table("large_defects",
                    {number("ratio", "radius of the defect's beads over the others'"),
@@ -416,20 +416,20 @@ void report_large(Report& report, const Workshop& workshop, const Table& map) {
 /**
 The map of all radii takes longest and comes last, because its rows are kept in the folder until all
 tables are written. */
-void report_map(Report& report, const Workshop& workshop, const std::filesystem::path& folder) {
+void report_map(Report& report, const ScatteringSetup& setup, const std::filesystem::path& folder) {
   Sweep sweep = map_sweep(folder, report.quick);
-  compute_map(sweep, workshop, report.quick, {});
+  compute_map(sweep, setup, report.quick, {});
   const Table table = sweep.table();
-  const auto near = table.numbers("near"), ledger = table.numbers("ledger");
+  const auto near = table.numbers("near"), budget = table.numbers("budget");
   const auto most = std::size_t(std::max_element(near.begin(), near.end()) - near.begin());
   double open = 0;
-  for (double x : ledger) open = std::max(open, std::abs(x));
-  report.facts.add("ledger_worst", {open, open});
+  for (double x : budget) open = std::max(open, std::abs(x));
+  report.facts.add("budget_worst", {open, open});
   report.facts.add("most_trapped", {near[most], table.numbers("near_error")[most]},
                    "share of the energy");
   report.facts.add("most_trapped_at",
                    {table.numbers("ratio")[most], report.quick ? 0.125 : 0.0125});
-  report_large(report, workshop, table);
+  report_large(report, setup, table);
   report.output.add("defect_map", table);
   sweep.forget();
 }
@@ -507,7 +507,7 @@ void report_outlook(Report& report, const StruckArray& blow, const WatchedRuns& 
 /**
 ## Checks
 
-Over the whole map the ledger is zero to within [4e-11](num:sec36_cantilever_defect.ledger_worst). A
+Over the whole map the energy budget is zero to within [4e-11](num:sec36_cantilever_defect.budget_worst). A
 conserved energy does not prove the forces right, so an array with a heavy defect, close enough to
 the impact to be hit hard, is also computed by an independent method, GSL's adaptive one of order
 eight, and must arrive at the same state. */
@@ -549,7 +549,7 @@ struct DefectMap : MapPart {
 
 /// The shares; throws Failure if the array is too short for them.
 static Fractions within_array(const StruckArray& blow, double ratio) try {
-  return fractions(workshop_for(blow, false), ratio);
+  return fractions(setup_for(blow, false), ratio);
 } catch (const FarEndReached&) {
   throw Failure("the packet that passes the defect comes to the end of the array within " +
                 short_text(shown_until) + " ms: --sites " + std::to_string(blow.array.sites) +
@@ -566,7 +566,7 @@ Table OneDefect::table() const {
   Answers q;
   for (const auto& named : f.named())
     q.add_small(named.name, named.share, named.unit, named.meaning);
-  q.add_small("ledger", f.ledger, "", "reflected + near + transmitted - 1: zero but for errors");
+  q.add_small("budget", f.budget, "", "reflected + near + transmitted - 1: zero but for errors");
   q.add("speed", speed_between(pass_twice(blow), blow, 20, 40), "sites/s",
         "speed of the packet between sites 20 and 40, before it meets the defect");
   q.add("mu", exact(blow.array.mu(ratio)), "",
@@ -581,7 +581,7 @@ Table OneDefect::table() const {
 Table DefectMap::table() const {
   Sweep sweep = map_sweep(folder, false);
   if (sweep.known(mine()) < sweep.size(mine()))
-    compute_map(sweep, workshop_for(StruckArray{}, false), false, mine());
+    compute_map(sweep, setup_for(StruckArray{}, false), false, mine());
   return sweep.table(mine());
 }
 
@@ -601,9 +601,9 @@ void reproduce(Report& report) {
   report_check(report, blow);
   report_forces(report, blow, report.quick ? 50 : 250);
   trapped::report_trapping(report, blow);
-  const Workshop workshop = workshop_for(blow, report.quick);
-  report_shares(report, workshop);
-  report_map(report, workshop, report.output.folder());
+  const ScatteringSetup setup = setup_for(blow, report.quick);
+  report_shares(report, setup);
+  report_map(report, setup, report.output.folder());
 }
 
 /**

@@ -22,9 +22,9 @@ impact in sec4/struck_compressed.hpp. */
 #include <utility>
 #include <vector>
 
-#include "lattice/numbers/line_fit.hpp"
-#include "lattice/numbers/parallel.hpp"
-#include "lattice/stepping/reference.hpp"
+#include "lattice/numerics/line_fit.hpp"
+#include "lattice/numerics/parallel.hpp"
+#include "lattice/gsl/reference.hpp"
 #include "report/program.hpp"
 #include "sec4/instability.hpp"
 #include "sec4/modulated_rings.hpp"

@@ -14,7 +14,7 @@ those of an impact, and are they exact?
 #include <string>
 #include <vector>
 
-#include "lattice/numbers/parallel.hpp"
+#include "lattice/numerics/parallel.hpp"
 #include "report/program.hpp"
 #include "sec5/driven_array.hpp"
 #include "sec5/traveller.hpp"
@@ -65,11 +65,11 @@ std::vector<Packet> packets(bool quick) {
 Traveller packet_seen(const Packet& p, double step, const Stretch& stretch) {
   const double omega = 1 + p.delta, period = 2 * std::numbers::pi / omega;
   const double long_enough = 300 / p.delta + p.ramp * period;
-  Rig rig;
+  ArraySetup rig;
   rig.lifetime = p.lifetime;
   const auto by = p.strength > 0 ? Drive::By::piston : Drive::By::nothing;
   const double a = p.strength * threshold_law(Drive::By::piston, omega);
-  State<double> start(Rig::sites);
+  State<double> start(ArraySetup::sites);
   start.t = p.start * period;
   if (p.strength == 0) start.v[0] = rig.velocity(1);
   return traveller_on(rig.bench(by, omega, a, 0, p.ramp * period), start, long_enough, step,

@@ -21,7 +21,7 @@ the first beads only. If it grows slowly it does so up to a sharp amplitude; bey
 #include <string>
 #include <vector>
 
-#include "lattice/numbers/parallel.hpp"
+#include "lattice/numerics/parallel.hpp"
 #include "report/program.hpp"
 #include "report/sweep.hpp"
 #include "sec5/driven_array.hpp"
@@ -35,7 +35,7 @@ the site-centred one (section 3.2).
 
 ## Model
 
-The chain is that of bench.hpp with beams of 10 ms lifetime; thresholds and folds are explained in driven.hpp. Below
+The chain is that of driven_chain.hpp with beams of 10 ms lifetime; thresholds and folds are explained in driven.hpp. Below
 *the law* is the fold's amplitude in the DpS limit.
 
 | symbol | program | meaning | unit |
@@ -60,7 +60,7 @@ struct Fold {
   Estimate amplitude{};
 };
 
-std::vector<Fold> fold_points(const Rig& rig, bool quick) {
+std::vector<Fold> fold_points(const ArraySetup& rig, bool quick) {
   const auto piston = Drive::By::piston, base = Drive::By::base;
   if (quick) return {{"threshold_first", piston, 1.1}, {"base_first", base, 1.1}};
   return {{"", piston, 1.025},
@@ -74,8 +74,8 @@ std::vector<Fold> fold_points(const Rig& rig, bool quick) {
           {"base_second", base, 1.2}};
 }
 
-Estimate fold_of(const Rig& rig, Drive::By by, double omega) {
-  const Bench bench = rig.bench(by, omega, 0, 0, 0, 10);
+Estimate fold_of(const ArraySetup& rig, Drive::By by, double omega) {
+  const DrivenChain bench = rig.bench(by, omega, 0, 0, 0, 10);
   return compare(quiet_branch(bench, 32, 0.1).fold, quiet_branch(bench, 64, 0.05).fold);
 }
 
@@ -87,11 +87,11 @@ Estimate local_exponent(const Fold& a, const Fold& b) {
   return {std::log(b.amplitude.value / a.amplitude.value) / apart, relative / apart};
 }
 
-Estimate in_micrometres(const Rig& rig, const Estimate& a) {
+Estimate in_micrometres(const ArraySetup& rig, const Estimate& a) {
   return {rig.micrometres(a.value), rig.micrometres(a.error)};
 }
 
-std::vector<Fold> report_folds(Report& report, const Rig& rig) {
+std::vector<Fold> report_folds(Report& report, const ArraySetup& rig) {
   report.facts.add("top", dps_threshold(Drive::By::piston));
   report.facts.add("top_strain", dps_threshold(Drive::By::base));
   std::vector<Fold> folds = fold_points(rig, report.quick);
@@ -114,7 +114,7 @@ std::vector<Fold> report_folds(Report& report, const Rig& rig) {
   if (report.quick) return folds;
 
   // Without losses, the exponents, and numbers for whoever builds the array
-  Rig free = rig;
+  ArraySetup free = rig;
   free.lifetime = 0;
   report.facts.add("fold_over_law_lossless", quotient(fold_of(free, Drive::By::piston, 1.025),
                                                       law_estimate(Drive::By::piston, 1.025)));
@@ -137,7 +137,7 @@ grows with the exponent [2.076](num:sec5_driving.exponent_piston_weak), between 
 [1.1167](num:sec5_driving.fold_over_law) times the law, at 0.025 [1.0376](num:sec5_driving.fold_over_law_small) times. The law leaves
 damping out; without losses the last number is [1.0280](num:sec5_driving.fold_over_law_lossless), and closer to the beams'
 frequency damping matters more. The orbits themselves, for the figure: */
-void report_orbits(Report& report, const Rig& rig) {
+void report_orbits(Report& report, const ArraySetup& rig) {
   const auto branch = quiet_branch(rig.bench(Drive::By::piston, 1.1, 0, 0, 0, 10), 64, 0.1);
   Table& orbits =
       report.table("quiet_orbits", {number("amplitude", "of the piston", "um"),
@@ -183,18 +183,18 @@ Patience patience_for(Way way, bool rough) {
 }
 
 /// Is something sent through the gate, or still sent at the end?
-bool emits(const Rig& rig, const Threshold& t, double a, const Patience& p) {
+bool emits(const ArraySetup& rig, const Threshold& t, double a, const Patience& p) {
   const double from = t.way == Way::down ? 1.2 * t.fold.amplitude.value : 0;
-  const Bench bench = rig.bench(t.fold.by, t.fold.omega, a, from, p.ramp);
+  const DrivenChain bench = rig.bench(t.fold.by, t.fold.omega, a, from, p.ramp);
   if (t.way == Way::up || t.way == Way::once)
-    return !drive_chain(bench, p.horizon, Rig::gate, p.step, 1).passages.empty();
+    return !drive_chain(bench, p.horizon, ArraySetup::gate, p.step, 1).passages.empty();
   const std::size_t all = std::numeric_limits<std::size_t>::max();
   const double silence = 5 / rig.rate(rig.lifetime);
-  return drive_chain(bench, p.horizon, Rig::gate, p.step, all, silence).lasts(p.horizon, silence);
+  return drive_chain(bench, p.horizon, ArraySetup::gate, p.step, all, silence).lasts(p.horizon, silence);
 }
 
 /// In units of the fold.
-Estimate threshold_at(const Rig& rig, const Threshold& t, const Patience& p) {
+Estimate threshold_at(const ArraySetup& rig, const Threshold& t, const Patience& p) {
   const auto sends = [&](double share) { return emits(rig, t, share * t.fold.amplitude.value, p); };
   if (t.way == Way::up) return bisect_threshold(0.98, 1.01, 0.001, sends);
   if (t.way != Way::once) return threshold_among(0.9475, 0.005, 6, sends);
@@ -216,7 +216,7 @@ std::vector<Threshold> threshold_points(const std::vector<Fold>& folds) {
   return points;
 }
 
-const Table& report_thresholds(Report& report, const Rig& rig, const std::vector<Fold>& folds) {
+const Table& report_thresholds(Report& report, const ArraySetup& rig, const std::vector<Fold>& folds) {
   const std::array<std::string, 4> ways{"up", "once", "lasting", "down"};
   Table& table = report.table(
       "thresholds",
@@ -279,7 +279,7 @@ once sends something at weaker amplitudes too: at $\delta = 0.2$ the largest ene
 [1.32](num:sec5_driving.base_second_strong) $(a/\delta)^2$ at 1.1 times the threshold and still
 [0.0088](num:sec5_driving.base_second_weak) $(a/\delta)^2$ at 0.9 times. We count from 0.03 on (driven.hpp); a lower bar
 would find weaker packets at weaker drives. */
-void report_onset(Report& report, const Rig& rig, const std::vector<Fold>& folds,
+void report_onset(Report& report, const ArraySetup& rig, const std::vector<Fold>& folds,
                   const Table& thresholds) {
   const auto name = thresholds.texts("name"), way = thresholds.texts("way");
   const auto over_fold = thresholds.numbers("over_fold");
@@ -289,8 +289,8 @@ void report_onset(Report& report, const Rig& rig, const std::vector<Fold>& folds
     return over_fold[k];
   };
   const auto at_gate = [&](const Fold& f, double of_fold, double step) {
-    const Bench bench = rig.bench(f.by, f.omega, of_fold * f.amplitude.value, 0, 0);
-    return drive_chain(bench, 4000, Rig::gate, step);
+    const DrivenChain bench = rig.bench(f.by, f.omega, of_fold * f.amplitude.value, 0, 0);
+    return drive_chain(bench, 4000, ArraySetup::gate, step);
   };
   for (const Fold& f : folds) {
     if (f.name.empty()) continue;
@@ -316,12 +316,12 @@ below the law, and at [5.61](num:sec5_driving.base_second_once) µm for 0.2, whi
 onset: a slow rise has none of them.
 
 The array must be long, or packets come back from the far end and pass the gate again. */
-void report_far_end(Report& report, const Rig& rig) {
+void report_far_end(Report& report, const ArraySetup& rig) {
   const double law = threshold_law(Drive::By::piston, 1.2);
   for (const std::size_t sites : {30, 120, 300}) {
     const auto late = [&](double step) {
-      const Bench falling = rig.bench(Drive::By::piston, 1.2, 1.04 * law, 2 * law, 1333, sites);
-      return std::lround(2000 * drive_chain(falling, 4000, Rig::gate, step).rate(4000));
+      const DrivenChain falling = rig.bench(Drive::By::piston, 1.2, 1.04 * law, 2 * law, 1333, sites);
+      return std::lround(2000 * drive_chain(falling, 4000, ArraySetup::gate, step).rate(4000));
     };
     report.facts.add("late_" + std::to_string(sites), compare(late(0.4), late(0.2)));
   }
@@ -379,15 +379,15 @@ int kind_of(const Emission& e, double horizon) {
 }
 
 // Each point twice: is it quiet, a train or irregular?
-void compute_chart(Sweep& sweep, const Rig& rig, bool quick, Part part) {
+void compute_chart(Sweep& sweep, const ArraySetup& rig, bool quick, Part part) {
   const auto points = chart_points(quick);
   const double horizon = quick ? 2400 : 4800;
   sweep.compute(part, [&](std::size_t i) {
     const ChartPoint& p = points[i];
     const double omega = 1 + p.delta, a = p.ratio * threshold_law(Drive::By::piston, omega);
-    const Bench bench = rig.bench(Drive::By::piston, omega, a, 0, horizon / 12, DrivenArray::sites);
-    const Emission coarse = drive_chain(bench, horizon / 2, Rig::gate, 0.4);
-    const Emission fine = drive_chain(bench, horizon, Rig::gate, 0.2);
+    const DrivenChain bench = rig.bench(Drive::By::piston, omega, a, 0, horizon / 12, DrivenArray::sites);
+    const Emission coarse = drive_chain(bench, horizon / 2, ArraySetup::gate, 0.4);
+    const Emission fine = drive_chain(bench, horizon, ArraySetup::gate, 0.2);
     const double per_second = rig.per_second(1);
     return Cells{p.delta,
                  rig.hertz(omega),
@@ -404,7 +404,7 @@ void compute_chart(Sweep& sweep, const Rig& rig, bool quick, Part part) {
   });
 }
 
-void report_chart(Report& report, const Rig& rig) {
+void report_chart(Report& report, const ArraySetup& rig) {
   Sweep sweep = chart_sweep(report.output.folder(), report.quick);
   compute_chart(sweep, rig, report.quick, {});
   const Table table = sweep.table();
@@ -429,9 +429,9 @@ void report_chart(Report& report, const Rig& rig) {
 
 /**
 The second figure shows the three kinds in space and time, for a piston at $\delta = 0.1$. */
-void report_maps(Report& report, const Rig& rig) {
+void report_maps(Report& report, const ArraySetup& rig) {
   const std::array<double, 3> ratios{0.95, 1.3, 3};
-  const std::size_t bins = report.quick ? 40 : 160, sites = Rig::sites;
+  const std::size_t bins = report.quick ? 40 : 160, sites = ArraySetup::sites;
   const double omega = 1.1, horizon = 2000;
   std::array<std::vector<double>, 3> maps;
   parallel_for(3, [&](std::size_t i) {
@@ -454,16 +454,16 @@ void report_maps(Report& report, const Rig& rig) {
 /**
 The books are kept whether anything is sent out or not. Three drives with the steps of the command show how well they
 close. */
-void report_ledger(Report& report) {
+void report_budget(Report& report) {
   std::vector<DrivenArray> cases(3);
   for (DrivenArray& drive : cases) drive.duration = 20;
   cases[1].amplitude = 20;
   cases[2].by = Drive::By::base;
   Estimate most{};
   for (const DrivenArray& drive : cases)
-    most = larger(most, compare(drive.run(2 * drive.step).ledger, drive.run(drive.step).ledger));
-  report.facts.add("ledger", most);
-  if (!(most.value < 1e-10)) throw Failure("the ledger is open by " + number_text(most.value));
+    most = larger(most, compare(drive.run(2 * drive.step).budget, drive.run(drive.step).budget));
+  report.facts.add("budget", most);
+  if (!(most.value < 1e-10)) throw Failure("the energy budget is open by " + number_text(most.value));
 }
 
 /**
@@ -497,7 +497,7 @@ struct Chart : MapPart {
 
   Table table() const {
     Sweep sweep = chart_sweep(folder, false);
-    compute_chart(sweep, Rig{}, false, mine());
+    compute_chart(sweep, ArraySetup{}, false, mine());
     return sweep.table(mine());
   }
 };
@@ -505,13 +505,13 @@ struct Chart : MapPart {
 /**
 A full run follows the chapter, with the chart at the end. */
 void reproduce(Report& report) {
-  const Rig rig;
+  const ArraySetup rig;
   const std::vector<Fold> folds = report_folds(report, rig);
   report_orbits(report, rig);
   report_onset(report, rig, folds, report_thresholds(report, rig, folds));
   report_far_end(report, rig);
   report_maps(report, rig);
-  report_ledger(report);
+  report_budget(report);
   report_chart(report, rig);
 }
 
@@ -520,7 +520,7 @@ void reproduce(Report& report) {
 
 The fold has three routes: slow runs, Newton's method on the driven orbit, and a map of two lines in the DpS limit,
 which shares no code with the others. The bookkeeping of `drive`, energy and losses less work over the most energy
-that was there or came in, closes to [1e-12](num:sec5_driving.ledger) at its steps in a quiet motion, a train and a
+that was there or came in, closes to [1e-12](num:sec5_driving.budget) at its steps in a quiet motion, a train and a
 driven base; the program stops if it does not close to 1e-10. The piston is a bead of the same size that cannot be
 pushed back; a real shaker can, and its force is what `power` tells. That a quiet motion vanishes in a fold does not
 tell what comes after it: trains and irregular emission are what runs show, with one lifetime.

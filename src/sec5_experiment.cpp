@@ -19,7 +19,7 @@ We damp the array of section 3.6 and measure both.
 #include <string>
 #include <vector>
 
-#include "lattice/numbers/parallel.hpp"
+#include "lattice/numerics/parallel.hpp"
 #include "report/program.hpp"
 #include "sec5/array_units.hpp"
 #include "sec5/decay.hpp"
@@ -32,7 +32,7 @@ In short: [](finding:experiment.clock)
 
 ## Model
 
-The array is that of Eq. (32) with equal beads, free ends and the losses of bench.hpp.
+The array is that of Eq. (32) with equal beads, free ends and the losses of driven_chain.hpp.
 
 | symbol | program | meaning | unit |
 |---|---|---|---|
@@ -56,7 +56,7 @@ One run follows the packet contact by contact. Sites, oscillations, speed and pe
 section 3.6, where the way without damping and that with a lifetime of 5 ms are found independently. */
 Journey journey(double velocity, double lifetime, double contact, double ms, double step) {
   const ArrayUnits array;
-  const Bench bench{Chain{beams}, {array.rate(lifetime), contact}};
+  const DrivenChain bench{Chain{beams}, {array.rate(lifetime), contact}};
   return follow_packet(bench, array.velocity(velocity), array.time(ms), beams - 1, step);
 }
 
@@ -108,7 +108,7 @@ Columns journey_columns() {
           number("speed_law", "the same from the slow clock", "site/s"),
           estimate("frequency", "at 10 ms", "Hz"),
           number("frequency_law", "the same from the slow clock", "Hz"),
-          number("ledger", "energy and losses against the energy at the start, relative")};
+          number("budget", "energy and losses against the energy at the start, relative")};
 }
 
 struct JourneyRow {
@@ -187,7 +187,7 @@ void report_journeys(Report& report) {
                found.of_way(t10, &Progressed::oscillations), law.oscillations, found.both(centre),
                centre(row.law.runs[1]), found.of_way(t10, &Progressed::speed, per_second),
                law.speed * per_second, found.both(hertz), per_second / law.period,
-               found.runs[1].ledger});
+               found.runs[1].budget});
   }
   report_deviations(report, rows);
 }
@@ -217,7 +217,7 @@ void report_ten(Report& report) {
   report.facts.add("frequency_change", {1 - slower.value, slower.error});
   const TwoJourneys law = slowed_both(free, array.rate(ten));
   report.facts.add("law_over_sites", quotient(law.of_way(t10, &Progressed::sites), sites));
-  report.facts.add("ledger_10ms", {found.runs[1].ledger, found.runs[0].ledger});
+  report.facts.add("budget_10ms", {found.runs[1].budget, found.runs[0].budget});
 }
 
 // The strongest push long after; the law's error at 5 ms, and that of an impact 64 times weaker, in which
@@ -309,7 +309,7 @@ void report_contacts(Report& report) {
        number("contact", "the time A of the contacts' law", "us"),
        estimate("sites", "travelled in 10 ms without damping of the beams", "site"),
        estimate("periods", "oscillations in 10 ms"), estimate("speed", "at 10 ms", "site/s"),
-       number("ledger", "energy and losses against the energy at the start, relative")});
+       number("budget", "energy and losses against the energy at the start, relative")});
   Estimate quoted{};
   table.fill(values, [&](double e) {
     const double contact = contact_loss(e, array.velocity(1));
@@ -320,7 +320,7 @@ void report_contacts(Report& report) {
                  found.of_way(t10, &Progressed::sites),
                  found.of_way(t10, &Progressed::oscillations),
                  found.of_way(t10, &Progressed::speed, array.per_second(1)),
-                 found.runs[1].ledger};
+                 found.runs[1].budget};
   });
   report.facts.add("sites_restitution_90", quoted, "sites");
 }
@@ -495,7 +495,7 @@ struct DampedArray {
     q.add("period", found.of_way(t10, &Progressed::period, array.milliseconds(1)), "ms",
           "period of the packet's oscillation after 10 ms");
     q.add_small(
-        "ledger", found.both([](const Journey& j) { return j.ledger; }), "",
+        "budget", found.both([](const Journey& j) { return j.budget; }), "",
         "energy and losses less the energy of the impact, relative to it: zero but for errors");
     q.add("centre_10ms", found.both([&](const Journey& j) { return centre_after(j, t10); }), "site",
           "centre of the energy of the whole array after 10 ms, from the first bead as one");
@@ -523,7 +523,7 @@ void reproduce(Report& report) {
 ## Checks, differences and limits
 
 Energy and losses are booked in every step and stay constant to within
-[5e-11](num:sec5_experiment.ledger_10ms) of the energy of the impact. The sites at a lifetime of 5 ms are those
+[5e-11](num:sec5_experiment.budget_10ms) of the energy of the impact. The sites at a lifetime of 5 ms are those
 of section 3.6, where another program with another stepper finds them.
 
 What the law leaves unexplained is the error of the DpS limit: at 1 m/s and 5 ms it is off by

@@ -20,9 +20,9 @@ Which modulations grow, and how fast, is said by two lines of algebra. */
 #include <string>
 #include <vector>
 
-#include "lattice/numbers/line_fit.hpp"
-#include "lattice/numbers/parallel.hpp"
-#include "lattice/stepping/contact_rkn.hpp"
+#include "lattice/numerics/line_fit.hpp"
+#include "lattice/numerics/parallel.hpp"
+#include "lattice/integrators/contact_rkn.hpp"
 #include "report/program.hpp"
 #include "sec5/array_units.hpp"
 #include "sec5/dps_tracks.hpp"

@@ -21,7 +21,7 @@ as orbits of a lattice. The equation yields a proof that they exist, and the sam
 #include <utility>
 #include <vector>
 
-#include "lattice/numbers/parallel.hpp"
+#include "lattice/numerics/parallel.hpp"
 #include "report/program.hpp"
 #include "sec5/exchange.hpp"
 #include "sec5/kernel_wave.hpp"

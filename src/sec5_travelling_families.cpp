@@ -25,7 +25,7 @@ folds.
 #include <utility>
 #include <vector>
 
-#include "lattice/numbers/parallel.hpp"
+#include "lattice/numerics/parallel.hpp"
 #include "lattice/packets/turning.hpp"
 #include "report/program.hpp"
 #include "sec5/travelling.hpp"
@@ -278,7 +278,7 @@ Place place(const Branch<double>& branch) {
   const Shooting<double> problem = branch.problem();
   const Vector<double> x = branch.unknowns();
   return {problem.chain.well.as<Quartic>().s, x[x.size() - 1] / two_pi,
-          energy(problem.chain, problem.unfold(x))};
+          energy(problem.chain, problem.expand(x))};
 }
 
 /**

@@ -23,7 +23,7 @@ those that we know have isolated speeds. Where does the packet go?
 #include <utility>
 #include <vector>
 
-#include "lattice/numbers/parallel.hpp"
+#include "lattice/numerics/parallel.hpp"
 #include "lattice/packets/impact.hpp"
 #include "report/program.hpp"
 #include "sec5/dps_travelling.hpp"
@@ -378,8 +378,8 @@ Table dps_profiles(const DpsMember& exact, std::size_t reach) {
                number("early", "modulus of the packet at site 20"),
                number("late", "modulus of the packet at site 100")}};
   const DpsTravelling problem;
-  const Field early = problem.unfold(cut_dps_packet(20, reach)),
-              late = problem.unfold(cut_dps_packet(100, reach));
+  const Field early = problem.expand(cut_dps_packet(20, reach)),
+              late = problem.expand(cut_dps_packet(100, reach));
   for (std::size_t j = 0; j <= 2 * reach; ++j) {
     const auto a = exact.field[j];
     table.add({long(j) - long(reach), a.real(), a.imag(), std::abs(a), std::abs(early[j]),

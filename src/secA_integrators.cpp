@@ -20,10 +20,10 @@ depend on the step, for ordinary integrators and for the two of ours that know a
 #include <utility>
 #include <vector>
 
-#include "lattice/landing/landing.hpp"
+#include "lattice/events/event_driven.hpp"
 #include "lattice/packets/impact.hpp"
 #include "lattice/packets/observe.hpp"
-#include "lattice/stepping/contact_rkn.hpp"
+#include "lattice/integrators/contact_rkn.hpp"
 #include "report/program.hpp"
 
 using namespace lattice;
@@ -122,7 +122,7 @@ Floquet multipliers and Newton's method need the derivative of the flow with res
 state, the *tangent map*. The stiffness of a contact begins like $(t-t^*)^{1/2}$, so its error falls
 more slowly by one power: like $h^{3/2}$. We follow one column of it, the change caused by displacing
 the central bead, over one period of a breather of frequency 1.1: with ordinary integrators and with
-the one that lands on every switching (landing.hpp). The breather's rounded positions are good
+the one that lands on every switching (event_driven.hpp). The breather's rounded positions are good
 enough for a comparison of integrators. */
 constexpr double period = 2 * std::numbers::pi / 1.1;
 

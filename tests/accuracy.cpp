@@ -1,6 +1,6 @@
 // Refinement: two resolutions are two runs, what must agree is named, and errors are not omitted.
 
-#include "lattice/stepping/accuracy.hpp"
+#include "lattice/integrators/accuracy.hpp"
 
 #include <chrono>
 #include <filesystem>
@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "check.hpp"
-#include "lattice/numbers/parallel.hpp"
+#include "lattice/numerics/parallel.hpp"
 #include "lattice/packets/impact.hpp"
 #include "report/table.hpp"
 #include "run.hpp"

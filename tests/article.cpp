@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "check.hpp"
-#include "lattice/dps/impact.hpp"
+#include "lattice/dps/dps_impact.hpp"
 #include "lattice/packets/array_impact.hpp"
 #include "lattice/packets/turning.hpp"
 #include "sec3/branches.hpp"
@@ -260,7 +260,7 @@ TEST_CASE(
     "[article]") {
   const Shooting<double> problem = problem_of(Centre::site, 1.1);
   const auto found = [&](int coarser) {
-    return newton(problem, problem.fold(ansatz(Centre::site, 1.1, 31)), rule<double>(coarser));
+    return newton(problem, problem.reduce(ansatz(Centre::site, 1.1, 31)), rule<double>(coarser));
   };
   const std::array<Orbit<double>, 2> orbits{found(1), found(0)};
   // By another algorithm: ours is made zero after a quarter of a period and judged, like the article's, after a whole
@@ -713,9 +713,9 @@ TEST_CASE(
 
 TEST_CASE("3.6: beads of 1.6 radii reflect the packet almost totally, beads of 1.1 radii in part",
           "[article]") {
-  const Workshop workshop{StruckArray{}, {0.2, 0.1}, 75};
-  CHECK(stands("almost totally", almost_total(fractions(workshop, 1.6).net_reflected)));
-  const Fractions partly = fractions(workshop, 1.1);
+  const ScatteringSetup setup{StruckArray{}, {0.2, 0.1}, 75};
+  CHECK(stands("almost totally", almost_total(fractions(setup, 1.6).net_reflected)));
+  const Fractions partly = fractions(setup, 1.1);
   CHECK(stands("in part", partial(partly.net_transmitted)));
   CHECK_FALSE(stands("almost totally", almost_total(partly.net_reflected)));
 }

@@ -1,4 +1,4 @@
-// Decorated cantilevers: beam, scales, defect, ledger, trapped mode, and maps computed in parts.
+// Decorated cantilevers: beam, scales, defect, budget, trapped mode, and maps computed in parts.
 
 #include <filesystem>
 #include <fstream>
@@ -115,8 +115,8 @@ StruckArray short_array() {
 
 }  // namespace
 
-TEST_CASE("the ledger closes and knows a defect from none", "[property][cantilever]") {
-  const Workshop at(short_array(), {0.1, 0.05}, 28);
+TEST_CASE("the energy budget closes and knows a defect from none", "[property][cantilever]") {
+  const ScatteringSetup at(short_array(), {0.1, 0.05}, 28);
   const Fractions none = fractions(at, 1), large = fractions(at, 1.6), slight = fractions(at, 1.1);
   for (const Fractions* f : {&none, &large, &slight}) {
     check_close(f->reflected.value + f->near.value + f->transmitted.value, 1, 2e-9);

@@ -6,8 +6,8 @@
 #include <random>
 
 #include "check.hpp"
-#include "lattice/numbers/extended.hpp"
-#include "lattice/stepping/integrate.hpp"
+#include "lattice/quadruple/extended.hpp"
+#include "lattice/integrators/integrate.hpp"
 
 using namespace lattice;
 

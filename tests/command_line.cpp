@@ -564,8 +564,8 @@ TEST_CASE("a modulated wave and a drive report the contract's quantities", "[cli
   const Result drive = call("sec5_driving drive --amplitude 20 --time 20");
   REQUIRE(drive.code == 0);
   CHECK(quantity(drive, "outcome") == 1);
-  CHECK(quantity(drive, "ledger") > 0);
-  CHECK(quantity(drive, "ledger") < 1e-10);
+  CHECK(quantity(drive, "budget") > 0);
+  CHECK(quantity(drive, "budget") < 1e-10);
   CHECK(quantity(drive, "power", "error") > 0);
 }
 

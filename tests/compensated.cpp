@@ -1,6 +1,6 @@
 // Compensated sums: less rounding than plain ones in a long run, by a clear factor.
 
-#include "lattice/stepping/compensated.hpp"
+#include "lattice/integrators/compensated.hpp"
 
 #include <cstring>
 

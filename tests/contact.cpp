@@ -4,10 +4,10 @@
 #include <random>
 
 #include "check.hpp"
-#include "lattice/landing/landing.hpp"
+#include "lattice/events/event_driven.hpp"
 #include "lattice/packets/impact.hpp"
-#include "lattice/stepping/accuracy.hpp"
-#include "lattice/stepping/reference.hpp"
+#include "lattice/integrators/accuracy.hpp"
+#include "lattice/gsl/reference.hpp"
 
 using namespace lattice;
 

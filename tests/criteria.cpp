@@ -6,7 +6,7 @@
 #include <complex>
 
 #include "check.hpp"
-#include "lattice/dps/impact.hpp"
+#include "lattice/dps/dps_impact.hpp"
 #include "lattice/packets/impact.hpp"
 #include "lattice/packets/turning.hpp"
 #include "sec3/branches.hpp"

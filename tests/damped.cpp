@@ -1,13 +1,13 @@
 // Friction: the closed form of one bead, order two, the budget, absorbing ends, and no friction; the slow
 // clock of the DpS field and of packets, and the shift of a breather that decays.
 
-#include "lattice/stepping/damped.hpp"
+#include "lattice/integrators/damped.hpp"
 
 #include "check.hpp"
 #include "lattice/dps/evolve.hpp"
-#include "lattice/landing/landing.hpp"
+#include "lattice/events/event_driven.hpp"
 #include "lattice/packets/impact.hpp"
-#include "lattice/stepping/contact_rkn.hpp"
+#include "lattice/integrators/contact_rkn.hpp"
 #include "sec5/decay.hpp"
 #include "sec5/journey.hpp"
 

@@ -1,14 +1,14 @@
 // The DpS equation: its time constant, its invariants, its symmetries and its relation to the chain.
 
-#include "lattice/dps/dps.hpp"
+#include "lattice/model/dps.hpp"
 
 #include <gsl/gsl_integration.h>
 
 #include <numbers>
 
 #include "check.hpp"
-#include "lattice/dps/impact.hpp"
-#include "lattice/landing/landing.hpp"
+#include "lattice/dps/dps_impact.hpp"
+#include "lattice/events/event_driven.hpp"
 #include "lattice/packets/impact.hpp"
 #include "sec3/dps_error.hpp"
 #include "sec3/travelling_wave.hpp"

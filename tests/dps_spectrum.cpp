@@ -1,7 +1,7 @@
 // Small motions about stationary DpS states: the contact matrix against the full linearisation, the
 // margin to instability, scaling, and what the pinning pair does in time.
 
-#include "lattice/dps/spectrum.hpp"
+#include "lattice/standing/spectrum.hpp"
 
 #include <algorithm>
 

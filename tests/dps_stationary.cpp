@@ -1,13 +1,13 @@
 // Stationary DpS states: equation, symmetry, scaling, tails, identity, and what is refused.
 
-#include "lattice/dps/stationary.hpp"
+#include "lattice/standing/stationary.hpp"
 
 #include <complex>
 
 #include "check.hpp"
-#include "lattice/dps/dps.hpp"
-#include "lattice/dps/impact.hpp"
-#include "lattice/numbers/extended.hpp"
+#include "lattice/model/dps.hpp"
+#include "lattice/dps/dps_impact.hpp"
+#include "lattice/quadruple/extended.hpp"
 #include "lattice/packets/impact.hpp"
 #include "sec3/continuum.hpp"
 

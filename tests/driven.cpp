@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "check.hpp"
-#include "lattice/dps/dps.hpp"
-#include "lattice/dps/stationary.hpp"
+#include "lattice/model/dps.hpp"
+#include "lattice/standing/stationary.hpp"
 #include "lattice/packets/impact.hpp"
 #include "sec5/array_units.hpp"
 #include "sec5/decay.hpp"
@@ -19,21 +19,21 @@ using namespace lattice;
 
 namespace {
 
-const BenchObserver unwatched = [](const State<double>&, const Ledger&) { return true; };
+const DrivenObserver unwatched = [](const State<double>&, const EnergyBudget&) { return true; };
 
 /// Unequal beads with both losses, driven by a piston.
-Bench busy() {
-  Bench bench{Chain{12}, {0.01, 0.05}, {Drive::By::piston, 1.3, 0.2, 0, 20}};
+DrivenChain busy() {
+  DrivenChain bench{Chain{12}, {0.01, 0.05}, {Drive::By::piston, 1.3, 0.2, 0, 20}};
   std::vector<double> mass(12);
   for (std::size_t n = 0; n < 12; ++n) mass[n] = 1 + 0.2 * double(n % 3);
   vary(bench.chain, mass, {});
   return bench;
 }
 
-State<double> after(const Bench& bench, double time, double step, double* ledger = nullptr) {
+State<double> after(const DrivenChain& bench, double time, double step, double* budget = nullptr) {
   State<double> state(bench.chain.sites);
-  const double open = run_bench(bench, state, time_grid(time, time, step), unwatched);
-  if (ledger) *ledger = open;
+  const double open = run_driven(bench, state, time_grid(time, time, step), unwatched);
+  if (budget) *budget = open;
   return state;
 }
 
@@ -47,10 +47,10 @@ double apart(const State<double>& a, const State<double>& b) {
 }  // namespace
 
 TEST_CASE("losses and work are booked to the last digits", "[property][bench]") {
-  const Bench bench = busy();
+  const DrivenChain bench = busy();
   State<double> state(12);
-  Ledger last;
-  run_bench(bench, state, time_grid(100, 1, 0.01), [&](const State<double>&, const Ledger& l) {
+  EnergyBudget last;
+  run_driven(bench, state, time_grid(100, 1, 0.01), [&](const State<double>&, const EnergyBudget& l) {
     CHECK(l.beams >= last.beams);
     CHECK(l.contacts >= last.contacts);
     last = l;
@@ -72,10 +72,10 @@ TEST_CASE("the alternation on a bench has order two", "[convergence][bench]") {
 TEST_CASE("one bead on a moving base follows the closed form", "[unit][bench]") {
   // y'' + nu y' + y = a sin(omega t): the amplitude far from the start
   const double omega = 1.3, nu = 0.2, a = 0.1;
-  const Bench bench{Chain{1}, {nu, 0}, {Drive::By::base, omega, a}};
+  const DrivenChain bench{Chain{1}, {nu, 0}, {Drive::By::base, omega, a}};
   State<double> state(1);
   double most = 0;
-  run_bench(bench, state, time_grid(300, 0.01, 0.01), [&](const State<double>& now, const Ledger&) {
+  run_driven(bench, state, time_grid(300, 0.01, 0.01), [&](const State<double>& now, const EnergyBudget&) {
     if (now.t > 200) most = std::max(most, std::abs(now.y[0]));
     return true;
   });
@@ -96,8 +96,8 @@ TEST_CASE("viscous contacts have the restitution of perturbation theory", "[unit
 TEST_CASE("impossible losses are refused", "[unit][bench]") {
   State<double> state(3);
   const TimeGrid grid = time_grid(1, 1, 0.1);
-  CHECK_THROWS_AS(run_bench({Chain{3}, {-1, 0}}, state, grid, unwatched), std::invalid_argument);
-  CHECK_THROWS_AS(run_bench({Chain{3}, {0, -1}}, state, grid, unwatched), std::invalid_argument);
+  CHECK_THROWS_AS(run_driven({Chain{3}, {-1, 0}}, state, grid, unwatched), std::invalid_argument);
+  CHECK_THROWS_AS(run_driven({Chain{3}, {0, -1}}, state, grid, unwatched), std::invalid_argument);
 }
 
 TEST_CASE("a sensor sees as far as the beads are fast", "[unit][journey]") {
@@ -140,12 +140,12 @@ TEST_CASE("a piston has to lift the breather of the DpS limit to its top", "[uni
 
 TEST_CASE("the fold of the quiet orbit is where emission begins", "[property][driven]") {
   const double omega = 1.1, law = threshold_law(Drive::By::piston, omega);
-  const Bench bench{Chain{10}, {2.5e-3, 0}, {Drive::By::piston, omega}};
+  const DrivenChain bench{Chain{10}, {2.5e-3, 0}, {Drive::By::piston, omega}};
   const QuietBranch branch = quiet_branch(bench, 48);
   check_close(branch.fold / law, 1.117, 2e-3);
   CHECK(branch.amplitude.back() < 0.9 * branch.fold);  // it has turned back
   const auto count = [&](double share) {
-    Bench run{Chain{40}, {2.5e-3, 0}, {Drive::By::piston, omega, share * branch.fold, 0, 1000}};
+    DrivenChain run{Chain{40}, {2.5e-3, 0}, {Drive::By::piston, omega, share * branch.fold, 0, 1000}};
     return drive_chain(run, 3000, 20, 0.2, 1).passages.size();
   };
   CHECK(count(0.96) == 0);
@@ -157,7 +157,7 @@ TEST_CASE("one packet leaves below lasting emission, none before a slow rise",
   // The fold lies at 1.1167 times the law, lasting emission begins at 1.066 and the first packet at 0.978
   const double omega = 1.1, law = threshold_law(Drive::By::piston, omega), silence = 2000;
   const auto sent = [&](double share, double ramp) {
-    const Bench run{Chain{60}, {2.5e-3, 0}, {Drive::By::piston, omega, share * law, 0, ramp}};
+    const DrivenChain run{Chain{60}, {2.5e-3, 0}, {Drive::By::piston, omega, share * law, 0, ramp}};
     const std::size_t all = std::numeric_limits<std::size_t>::max();
     return drive_chain(run, 5000, 20, 0.2, all, silence);
   };
@@ -171,7 +171,7 @@ TEST_CASE("one packet leaves below lasting emission, none before a slow rise",
 TEST_CASE("a base that begins at once sends something weak first", "[property][driven]") {
   const double omega = 1.2, law = threshold_law(Drive::By::base, omega);
   const auto sent = [&](double share) {
-    const Bench run{Chain{40}, {2.5e-3, 0}, {Drive::By::base, omega, share * law}};
+    const DrivenChain run{Chain{40}, {2.5e-3, 0}, {Drive::By::base, omega, share * law}};
     return drive_chain(run, 1500, 20, 0.2);
   };
   // It would count if the gate were ten times as sensitive
@@ -185,12 +185,12 @@ TEST_CASE("a base that begins at once sends something weak first", "[property][d
 
 TEST_CASE("the orbit is that of a run", "[property][driven]") {
   const double omega = 1.2, a = 0.5 * threshold_law(Drive::By::piston, omega);
-  const Bench bench{Chain{10}, {0.02, 0}, {Drive::By::piston, omega, a}};
+  const DrivenChain bench{Chain{10}, {0.02, 0}, {Drive::By::piston, omega, a}};
   DrivenOrbit orbit{bench, 48};
   // A run of many periods settles on it; then the state must return
   State<double> state(10);
   const double period = 2 * std::numbers::pi / omega;
-  run_bench(bench, state, TimeGrid{500 * period, 500, 48}, unwatched);
+  run_driven(bench, state, TimeGrid{500 * period, 500, 48}, unwatched);
   Vector<double> x(21);
   for (int n = 0; n < 10; ++n) x[n] = state.y[std::size_t(n)], x[10 + n] = state.v[std::size_t(n)];
   x[20] = a;
@@ -199,7 +199,7 @@ TEST_CASE("the orbit is that of a run", "[property][driven]") {
   CHECK(sup<double>(orbit.miss(x)) > 1e-4 * a);
 }
 
-TEST_CASE("the ledger of a driven chain closes at the steps of the command", "[property][driven]") {
+TEST_CASE("the energy budget of a driven chain closes at the steps of the command", "[property][driven]") {
   // A quiet piston, one that makes a train, and a base; a quarter of the step closes it by more than order two
   const ArrayUnits u;
   struct Case {
@@ -209,9 +209,9 @@ TEST_CASE("the ledger of a driven chain closes at the steps of the command", "[p
   for (const Case& c :
        {Case{Drive::By::piston, 5}, {Drive::By::piston, 20}, {Drive::By::base, 5}}) {
     const double horizon = u.time(10), a = c.micrometres / u.micrometres(1);
-    const Bench bench{Chain{50}, {u.rate(10), 0}, {c.by, u.omega(7000), a, 0, horizon / 6}};
-    const double coarse = drive_chain(bench, horizon, 20, 0.08).ledger;
-    const double fine = drive_chain(bench, horizon, 20, 0.02).ledger;
+    const DrivenChain bench{Chain{50}, {u.rate(10), 0}, {c.by, u.omega(7000), a, 0, horizon / 6}};
+    const double coarse = drive_chain(bench, horizon, 20, 0.08).budget;
+    const double fine = drive_chain(bench, horizon, 20, 0.02).budget;
     CAPTURE(c.micrometres, coarse, fine);
     CHECK(fine > 0);  // it was measured
     CHECK(fine < 1e-10);
@@ -256,7 +256,7 @@ TEST_CASE("a breather of a family is measured as what it is", "[property][travel
   const Orbit<double> start = Staircase(1).reach(3);
   const Orbit<double> member = follow_family(start, 3 * turn - phase, 0.2).back();
   const MemberGrid grid = member_grid(3, 3, {0, phase});
-  const Bench bench{Chain{32}};
+  const DrivenChain bench{Chain{32}};
   for (const bool of_type_one : {true, false}) {
     const Orbit<double>& orbit = of_type_one ? start : member;
     const State<double> state = embed(orbit.start, 32, 0);
@@ -277,7 +277,7 @@ TEST_CASE("a breather of a family is measured as what it is", "[property][travel
 TEST_CASE("packets of a train are told apart", "[unit][traveller]") {
   // Two packets of the shape of a breather, eleven sites apart
   const Orbit<double> start = Staircase(1).reach(3);
-  const Bench bench{Chain{60}};
+  const DrivenChain bench{Chain{60}};
   State<double> two = embed(start.start, 60, 11);
   const State<double> behind = embed(start.start, 60, 0);
   for (std::size_t n = 0; n < 60; ++n) two.y[n] += behind.y[n], two.v[n] += behind.v[n];
@@ -286,7 +286,7 @@ TEST_CASE("packets of a train are told apart", "[unit][traveller]") {
     TravellerWatch watch(bench.chain, 25, 29, which);
     State<double> state = two;
     double end = 0;
-    run_bench(bench, state, time_grid(40 * time, 0.4, 0.2),
+    run_driven(bench, state, time_grid(40 * time, 0.4, 0.2),
               [&](const State<double>& now, const auto&) {
                 end = now.t;
                 return watch.look(now);

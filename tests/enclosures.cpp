@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "check.hpp"
-#include "lattice/dps/spectrum.hpp"
+#include "lattice/standing/spectrum.hpp"
 #include "lattice/orbits/breather_pairs.hpp"
 #include "sec5/chain_enclosure.hpp"
 #include "sec5/dps_enclosure.hpp"

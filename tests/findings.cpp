@@ -7,7 +7,7 @@
 
 #include "answers.hpp"
 #include "check.hpp"
-#include "lattice/numbers/criterion.hpp"
+#include "lattice/numerics/criterion.hpp"
 
 using namespace lattice;
 namespace fs = std::filesystem;

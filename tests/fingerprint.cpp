@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "lattice/packets/impact.hpp"
-#include "lattice/stepping/tiling.hpp"
+#include "lattice/integrators/tiling.hpp"
 
 using namespace lattice;
 

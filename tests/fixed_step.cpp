@@ -6,11 +6,11 @@
 #include <numbers>
 
 #include "check.hpp"
-#include "lattice/dps/impact.hpp"
+#include "lattice/dps/dps_impact.hpp"
 #include "lattice/orbits/floquet.hpp"
-#include "lattice/stepping/contact_rkn.hpp"
-#include "lattice/stepping/integrate.hpp"
-#include "lattice/stepping/runge_kutta.hpp"
+#include "lattice/integrators/contact_rkn.hpp"
+#include "lattice/integrators/integrate.hpp"
+#include "lattice/integrators/runge_kutta.hpp"
 
 using namespace lattice;
 

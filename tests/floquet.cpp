@@ -4,8 +4,8 @@
 #include "lattice/orbits/floquet.hpp"
 
 #include "check.hpp"
-#include "lattice/numbers/eigenvalues.hpp"
-#include "lattice/numbers/random.hpp"
+#include "lattice/algebra/eigenvalues.hpp"
+#include "lattice/gsl/random.hpp"
 #include "lattice/orbits/breather.hpp"
 #include "sec33/exchange.hpp"
 #include "sec33/held.hpp"
@@ -140,14 +140,14 @@ TEST_CASE("masses enter the symplectic form and the force", "[property][floquet]
   mass[8] = 1.01;
   vary(problem.chain, mass, std::vector<double>(16, 1));
   problem.symmetry = even_in_time(15);
-  const Orbit<double> orbit = newton(problem, problem.fold(plain.start));
+  const Orbit<double> orbit = newton(problem, problem.reduce(plain.start));
   const Pairs<double> pairs = pairs_at(problem, orbit);
   CHECK(pairs.defect < 1e-12);
   CHECK(pairs.phase_error < 1e-12);
   // The heavy bead changes the pinning pair far beyond the error of its two computations.
   Problem uniform = small_problem(Centre::site, 1.1);
   uniform.symmetry = even_in_time(15);
-  const Orbit<double> same = newton(uniform, uniform.fold(plain.start));
+  const Orbit<double> same = newton(uniform, uniform.reduce(plain.start));
   CHECK(std::abs(pairs.pinning() - pairs_at(uniform, same).pinning()) > 1e-8);
   const Matrix<double> raw = monodromy(problem.chain, orbit.start, orbit.period() / 2);
   CHECK(symplectic_defect(raw) > 1e6 * pairs.defect);  // in the form that forgets the masses
@@ -198,7 +198,7 @@ TEST_CASE("a breather held at a site or bond stands at the exchange", "[property
   problem.symmetry = even_in_time(15);
   Held<double> held{problem, along_s<double>(), 0.2};
   Vector<double> x(16);
-  x << problem.fold(orbit.start), 0.15;
+  x << problem.reduce(orbit.start), 0.15;
   const Shot<double> shot = held.shoot(x, {});
   for (Eigen::Index k : {5, 7, 8, 15}) {
     const double h = k == 15 ? 1e-4 : 1e-7;

@@ -5,12 +5,12 @@
 #include <complex>
 
 #include "check.hpp"
-#include "lattice/dps/dps.hpp"
-#include "lattice/landing/landing.hpp"
-#include "lattice/numbers/dense.hpp"
-#include "lattice/numbers/parabola.hpp"
+#include "lattice/model/dps.hpp"
+#include "lattice/events/event_driven.hpp"
+#include "lattice/algebra/dense.hpp"
+#include "lattice/numerics/parabola.hpp"
 #include "lattice/packets/impact.hpp"
-#include "lattice/stepping/compensated.hpp"
+#include "lattice/integrators/compensated.hpp"
 
 using namespace lattice;
 

@@ -1,7 +1,7 @@
 // Orbits against what defines them, on short chains: the second half of formulas.cpp.
 
 #include "check.hpp"
-#include "lattice/dps/stationary.hpp"
+#include "lattice/standing/stationary.hpp"
 #include "lattice/orbits/breather.hpp"
 
 using namespace lattice;

@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "check.hpp"
-#include "lattice/numbers/gsl_ode.hpp"
+#include "lattice/gsl/gsl_ode.hpp"
 #include "report/command_line.hpp"
 
 using namespace lattice;

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "check.hpp"
-#include "lattice/dps/stationary.hpp"
+#include "lattice/standing/stationary.hpp"
 #include "sec5/dps_tracks.hpp"
 #include "sec5/dps_waves.hpp"
 

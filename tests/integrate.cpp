@@ -1,13 +1,13 @@
 // Steppers: order, reversibility, symplecticity, energy, the window, and an independent reference.
 
-#include "lattice/stepping/integrate.hpp"
+#include "lattice/integrators/integrate.hpp"
 
 #include <gsl/gsl_fit.h>
 
 #include "check.hpp"
-#include "lattice/landing/landing.hpp"
+#include "lattice/events/event_driven.hpp"
 #include "lattice/packets/impact.hpp"
-#include "lattice/stepping/reference.hpp"
+#include "lattice/gsl/reference.hpp"
 
 using namespace lattice;
 

@@ -8,7 +8,7 @@
 #include <boost/numeric/interval.hpp>
 
 #include "check.hpp"
-#include "lattice/numbers/extended.hpp"
+#include "lattice/quadruple/extended.hpp"
 #include "sec5/circle.hpp"
 #include "sec5/counted.hpp"
 

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "check.hpp"
-#include "lattice/stepping/accuracy.hpp"
+#include "lattice/integrators/accuracy.hpp"
 #include "sec33/kicked.hpp"
 
 using namespace lattice;

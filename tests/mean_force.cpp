@@ -2,7 +2,7 @@
 
 #include "sec2/mean_force.hpp"
 #include "check.hpp"
-#include "lattice/numbers/random.hpp"
+#include "lattice/gsl/random.hpp"
 #include "lattice/orbits/breather.hpp"
 #include "sec2/fixed_leapfrog.hpp"
 

@@ -9,7 +9,7 @@
 #include "check_potential.hpp"
 #include "lattice/orbits/breather.hpp"
 #include "lattice/packets/turning.hpp"
-#include "lattice/stepping/reference.hpp"
+#include "lattice/gsl/reference.hpp"
 #include "run.hpp"
 #include "sec4/compressed_impact.hpp"
 

@@ -2,7 +2,7 @@
 // what Newton's method refuses.
 
 #include "check.hpp"
-#include "lattice/numbers/random.hpp"
+#include "lattice/gsl/random.hpp"
 #include "lattice/orbits/breather.hpp"
 #include "sec3/branches.hpp"
 
@@ -42,7 +42,7 @@ TEST_CASE("a chain with a heavy bead has a breather without mirror symmetry",
                              vary(p.chain, masses, {});
                            },
                            1e-5};
-  Branch branch(problem, mass, newton(problem, problem.fold(plain.start)), 1, {},
+  Branch branch(problem, mass, newton(problem, problem.reduce(plain.start)), 1, {},
                 {.first = 1e-3, .least = 1e-7, .most = 0.05});
   for (int k = 0; k < 12; ++k) branch.advance();
   const Problem there = branch.problem();
@@ -69,7 +69,7 @@ TEST_CASE("a wave on a ring travels one site in the time it is asked to", "[prop
   problem.omega = 2 * pi<double>() / (q / 1.03);  // a period is the time of one shift
   NewtonRule<double> rule;
   rule.rank = 1e-9;
-  const Orbit<double> orbit = newton(problem, problem.fold(guess), rule);
+  const Orbit<double> orbit = newton(problem, problem.reduce(guess), rule);
   CHECK(return_error(problem, orbit, 1) < 1e-12);
   CHECK(orbit.amplitude > 1e-3);
   // After eight shifts everything is where it was.
@@ -98,13 +98,13 @@ TEST_CASE("unfolding undoes folding", "[unit][orbits]") {
   problem.symmetry = travelling_reversible(4, true);
   Vector<double> x(10);
   x << 1, 2, 3, 4, 5, 6, 7, 8, 9, 10;
-  State<double> state = problem.unfold(x);
+  State<double> state = problem.expand(x);
   CHECK(state.y[4] == 0);
   CHECK(state.y[3] == -state.y[5]);
   CHECK(state.v[3] == state.v[5]);
   CHECK(state.y[9] == 0);
   state.t = 10;
-  CHECK(problem.fold(state) == x);
+  CHECK(problem.reduce(state) == x);
 }
 
 TEST_CASE("the derivative with respect to a free period is exact", "[unit][orbits]") {
@@ -178,7 +178,7 @@ TEST_CASE("damped Newton converges from where the plain one runs away", "[proper
     State<double> start = orbit.start;
     start.y = shaken(start.y, 0.5, seed);
     try {
-      const Orbit<double> other = newton(problem, problem.fold(start), damped);
+      const Orbit<double> other = newton(problem, problem.reduce(start), damped);
       CHECK(return_error(problem, other, 0) < 1e-11);
       ++found;
     } catch (const NewtonFailed& error) {
@@ -224,7 +224,7 @@ TEST_CASE("a branch follows any parameter of its problem", "[property][orbits]")
     vary(p.chain, masses, {});
   };
   const Along<double> mass{"mass", [](const Problem& p) { return p.chain.mass[10]; }, set, 1e-3};
-  const Orbit<double> start = newton(even, even.fold(find_breather(problem).start));
+  const Orbit<double> start = newton(even, even.reduce(find_breather(problem).start));
   Branch branch(even, mass, start, 1);
   const Orbit<double> heavy = branch.reach(1.02);
   Problem there = even;
@@ -281,7 +281,7 @@ TEST_CASE("an orbit that shrinks to rest is none", "[unit][orbits]") {
   Problem problem = breather_problem(Centre::bond, 1.05, 0, 16);
   problem.chain.contact = PowerContact{1.75};
   const State<double> guess = ansatz(Centre::bond, 1.05, 16);
-  const auto far = [&] { newton(problem, problem.fold(guess)); };
+  const auto far = [&] { newton(problem, problem.reduce(guess)); };
   const std::string why = refusal<NewtonFailed>(far);
   CAPTURE(why);
   CHECK(why.find("bond-centred orbit at omega_b = 1.05: it shrinks to rest, from a guess of size "
@@ -289,14 +289,14 @@ TEST_CASE("an orbit that shrinks to rest is none", "[unit][orbits]") {
   CHECK(why.find("; relative residuals 1.1e-01, ") != std::string::npos);
   CHECK(why.find('\n') == std::string::npos);
   // Rest itself, also with a free period, and as the start of a polish
-  CHECK_THROWS_AS(newton(problem, problem.fold(State<double>(16))), NewtonFailed);
+  CHECK_THROWS_AS(newton(problem, problem.reduce(State<double>(16))), NewtonFailed);
   Orbit<double> resting = find_breather(problem);
   resting.x.setZero();
   CHECK_THROWS_AS(polish(in_precision<long double>(problem), resting), NewtonFailed);
   problem.symmetry.free_period = true;
   State<double> still(16);
   still.t = 6;
-  CHECK_THROWS_AS(newton(problem, problem.fold(still)), NewtonFailed);
+  CHECK_THROWS_AS(newton(problem, problem.reduce(still)), NewtonFailed);
   // Small breathers are breathers
   for (Centre centre : both_centres) {
     const auto small = find_breather(breather_problem(centre, 1.0001, 0, sites_of(centre)));

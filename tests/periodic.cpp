@@ -164,7 +164,7 @@ TEST_CASE("failure comes with its history", "[unit][periodic]") {
   NewtonRule<double> hasty;
   hasty.most = 2;
   try {
-    newton(p, p.fold(ansatz(Centre::site, 1.1, 31)), hasty);
+    newton(p, p.reduce(ansatz(Centre::site, 1.1, 31)), hasty);
     FAIL("two iterations are not enough");
   } catch (const NewtonFailed& error) {
     CHECK(error.history.size() == 3);

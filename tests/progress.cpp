@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "check.hpp"
-#include "lattice/numbers/parallel.hpp"
-#include "lattice/stepping/accuracy.hpp"
+#include "lattice/numerics/parallel.hpp"
+#include "lattice/integrators/accuracy.hpp"
 
 using namespace lattice;
 

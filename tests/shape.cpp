@@ -54,7 +54,7 @@ TEST_CASE("an equation without its number is seen", "[unit]") {
 TEST_CASE("an arrow up, sideways, out or round is seen", "[unit]") {
   const auto arrows = [](const std::string& from, const std::string& to) {
     Includes headers{{"lattice/numbers/a.hpp", {}},  {"lattice/model/a.hpp", {}},
-                     {"lattice/stepping/a.hpp", {}}, {"lattice/landing/a.hpp", {}},
+                     {"lattice/integrators/a.hpp", {}}, {"lattice/events/a.hpp", {}},
                      {"lattice/orbits/a.hpp", {}},   {"report/a.hpp", {}},
                      {"lattice/model/b.hpp", {}}};
     headers[from].push_back(to);
@@ -66,10 +66,10 @@ TEST_CASE("an arrow up, sideways, out or round is seen", "[unit]") {
   CHECK(arrows("report/a.hpp", "\"lattice/numbers/a.hpp\"") == 0);
   CHECK(arrows("report/a.hpp", "\"lattice/model/a.hpp\"") == 0);
   CHECK(arrows("report/a.hpp", "\"lattice/orbits/a.hpp\"") == 1);
-  CHECK(arrows("report/a.hpp", "\"lattice/stepping/a.hpp\"") == 1);
+  CHECK(arrows("report/a.hpp", "\"lattice/integrators/a.hpp\"") == 1);
   CHECK(arrows("report/a.hpp", "\"sec33/a.hpp\"") == 1);
   CHECK(arrows("lattice/numbers/a.hpp", "\"lattice/model/a.hpp\"") == 1);
-  CHECK(arrows("lattice/stepping/a.hpp", "\"lattice/landing/a.hpp\"") == 1);
+  CHECK(arrows("lattice/integrators/a.hpp", "\"lattice/events/a.hpp\"") == 1);
   CHECK(arrows("lattice/orbits/a.hpp", "\"report/a.hpp\"") == 1);
   CHECK(arrows("lattice/orbits/a.hpp", "\"sec34_impact.cpp\"") == 1);
   CHECK(arrows("lattice/cellar/a.hpp", "<vector>") == 1);

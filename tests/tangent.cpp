@@ -1,7 +1,7 @@
 // The tangent map where sites do not sit in a well of curvature one: no well, the top of a hill,
 // heavy and light beads, precompressed contacts.
 
-#include "lattice/landing/landing.hpp"
+#include "lattice/events/event_driven.hpp"
 
 #include "check.hpp"
 

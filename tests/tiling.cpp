@@ -1,6 +1,6 @@
 // Tiles in time and threads give the bits of the plain run; compensated sums lose fewer of them.
 
-#include "lattice/stepping/tiling.hpp"
+#include "lattice/integrators/tiling.hpp"
 
 #include "check.hpp"
 #include "lattice/packets/impact.hpp"

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "check.hpp"
-#include "lattice/stepping/reference.hpp"
+#include "lattice/gsl/reference.hpp"
 #include "sec34/wake.hpp"
 
 using namespace lattice;

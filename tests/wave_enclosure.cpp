@@ -9,7 +9,7 @@
 #include <Eigen/LU>
 
 #include "check.hpp"
-#include "lattice/numbers/dense.hpp"
+#include "lattice/algebra/dense.hpp"
 #include "lattice/orbits/shooting.hpp"
 #include "sec5/kernel_wave.hpp"
 

@@ -57,7 +57,7 @@ def read_table(selection):
 def quadruple():
     """The sources that are compiled once more in quadruple precision, and how: as CMakeLists.txt does it."""
     listed = re.search(r"set\(QUADRUPLE ([^)]*)\)", (ROOT / "CMakeLists.txt").read_text(encoding="utf8"))
-    return {f"lattice/{name}.cpp" for name in listed[1].split()}, ["-include", "lattice/numbers/extended.hpp", "-DLATTICE_QUADRUPLE"]
+    return {f"lattice/{name}.cpp" for name in listed[1].split()}, ["-include", "lattice/quadruple/extended.hpp", "-DLATTICE_QUADRUPLE"]
 
 
 def take_float128():

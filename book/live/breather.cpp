@@ -7,7 +7,7 @@ have, the page takes a second tolerance, sixteen times as large, for the error. 
 
 #include "lattice/orbits/breather.hpp"
 #include "lattice/orbits/floquet.hpp"
-#include "lattice/stepping/contact_rkn.hpp"
+#include "lattice/integrators/contact_rkn.hpp"
 #include "page.hpp"
 #include "sec33/depinning.hpp"
 

@@ -43,8 +43,8 @@ PAGE_REQUEST(Request)
 extern "C" __attribute__((export_name("run"))) void run() {
   const StruckArray blow{{}, asked.velocity};
   draw_map(blow, asked);
-  const Fractions found = fractions(Workshop(blow, {0.1, 0.05}, until), asked.radius);
+  const Fractions found = fractions(ScatteringSetup(blow, {0.1, 0.05}, until), asked.radius);
   for (const auto& named : found.named()) page::fact(named.name, named.share);
-  page::fact("ledger", found.ledger);
+  page::fact("budget", found.budget);
   page::fact("mu", exact(blow.array.mu(asked.radius)));
 }

@@ -35,7 +35,7 @@
       this.fact("reflected", "before the defect, of all energy");
       this.fact("near", "near the defect, of all energy");
       this.fact("transmitted", "behind the defect, of all energy");
-      this.fact("ledger", "sum of the shares less one");
+      this.fact("budget", "sum of the shares less one");
     }
 
     draw() {

@@ -36,7 +36,7 @@
       this.fact("emitted_per_second", "packets that pass bead 20", "1/s");
       this.fact("power", "mean power of the drive in the second half", "W");
       this.fact("response", "largest displacement of the first bead in the second half", "µm");
-      this.fact("ledger", "energy and losses less work, relative");
+      this.fact("budget", "energy and losses less work, relative");
       if (law) this.fact("threshold_law", "threshold by the law of the DpS limit", "µm");
     }
 

@@ -14,7 +14,7 @@ to go on another way must not be called. */
 #include <string_view>
 #include <vector>
 
-#include "lattice/numbers/estimate.hpp"
+#include "lattice/numerics/estimate.hpp"
 
 #define PAGE(name) __attribute__((import_module("page"), import_name(name)))
 extern "C" {

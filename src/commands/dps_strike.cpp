@@ -5,7 +5,7 @@
 #include <string>
 
 #include "commands/why_no_speed.hpp"
-#include "lattice/numbers/parallel.hpp"
+#include "lattice/numerics/parallel.hpp"
 
 namespace lattice {
 

@@ -14,7 +14,7 @@ and half the samples; the speed also carries the error of the fit. A quantity th
 #include <array>
 #include <cstddef>
 
-#include "lattice/dps/impact.hpp"
+#include "lattice/dps/dps_impact.hpp"
 #include "report/program.hpp"
 
 namespace lattice {

@@ -1,6 +1,6 @@
 #include "commands/one_breather.hpp"
 
-#include "lattice/numbers/extended.hpp"
+#include "lattice/quadruple/extended.hpp"
 
 namespace lattice {
 

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <vector>
 
-#include "lattice/numbers/progress.hpp"
+#include "lattice/numerics/progress.hpp"
 
 namespace lattice {
 
@@ -37,7 +37,7 @@ static Estimate largest_modulus(const Pair& phase, const Estimate& rest) {
 
 /**
 The equations cover one shift; here an orbit runs on. It is integrated over one shift at a time by the method
-that lands on every opening and closing of a contact (landing.hpp), and then the frame moves on by one site.
+that lands on every opening and closing of a contact (event_driven.hpp), and then the frame moves on by one site.
 What the last site of the frame holds is left behind. */
 static double left_behind(const Shooting<double>& problem, const Orbit<double>& orbit,
                           std::size_t shifts, const EventTolerance<double>& rule) {

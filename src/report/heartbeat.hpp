@@ -9,7 +9,7 @@ error shows one line that is overwritten once a second: who computes since when,
 #include <string>
 #include <vector>
 
-#include "lattice/numbers/progress.hpp"
+#include "lattice/numerics/progress.hpp"
 
 namespace lattice {
 

@@ -20,9 +20,9 @@ behind. */
 #include <utility>
 #include <vector>
 
-#include "lattice/numbers/criterion.hpp"
-#include "lattice/numbers/estimate.hpp"
-#include "lattice/numbers/parallel.hpp"
+#include "lattice/numerics/criterion.hpp"
+#include "lattice/numerics/estimate.hpp"
+#include "lattice/numerics/parallel.hpp"
 #include "report/parameters.hpp"
 #include "report/table.hpp"
 

@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "lattice/numbers/parallel.hpp"
+#include "lattice/numerics/parallel.hpp"
 
 namespace lattice {
 

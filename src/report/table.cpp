@@ -15,7 +15,7 @@ here; what a table promises is said in table.hpp. */
 #include <stdexcept>
 #include <system_error>
 
-#include "lattice/numbers/parallel.hpp"
+#include "lattice/numerics/parallel.hpp"
 
 namespace lattice {
 

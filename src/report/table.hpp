@@ -29,7 +29,7 @@ when it is read. */
 #include <variant>
 #include <vector>
 
-#include "lattice/numbers/estimate.hpp"
+#include "lattice/numerics/estimate.hpp"
 
 namespace lattice {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "lattice/landing/columns.hpp"
+#include "lattice/events/columns.hpp"
 
 namespace lattice {
 
@@ -47,7 +47,7 @@ lists of the symmetry as they do there. */
 Shot<double> LeapfrogShooting::shoot(const Vector<double>& x, const EventTolerance<double>&,
                                      bool with_jacobian) const {
   const Symmetry& symmetry = this->symmetry;
-  const State<double> start = this->unfold(x);
+  const State<double> start = this->expand(x);
   State<double> z = start;
   const Tangent<double> first = tangent_of<double>(symmetry.unknowns, this->chain.sites);
   Tangent<double> tangent = first;

@@ -3,7 +3,7 @@
 # Shooting by leapfrog
 
 Far from any orbit the flights that Newton's method asks for are wild, and to land on every contact that
-opens or closes (landing.hpp) costs much for nothing. A search is better served by leapfrog steps of fixed
+opens or closes (event_driven.hpp) costs much for nothing. A search is better served by leapfrog steps of fixed
 length $h$,
 $$y \leftarrow y + \tfrac h2 v,\qquad v \leftarrow v + h\,a(y),\qquad y \leftarrow y + \tfrac h2 v,$$
 with $a(y)$ the accelerations, and by the exact derivative of these steps. Orbits of this map at frequency

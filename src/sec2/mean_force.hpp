@@ -19,7 +19,7 @@ nothing with the one by which our orbits are found. */
 #include <vector>
 
 #include "lattice/model/chain.hpp"
-#include "lattice/numbers/gsl_ode.hpp"
+#include "lattice/gsl/gsl_ode.hpp"
 
 namespace lattice {
 

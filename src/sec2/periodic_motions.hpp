@@ -13,7 +13,7 @@ and exponents differ from place to place, where only the theorem does. */
 #include <string>
 #include <vector>
 
-#include "lattice/numbers/random.hpp"
+#include "lattice/gsl/random.hpp"
 #include "lattice/orbits/shooting.hpp"
 #include "sec2/mean_force.hpp"
 
@@ -59,7 +59,7 @@ inline Orbit<double> ring_wave(Shooting<double>& problem) {
     guess.y[n] = amplitude * std::cos(q * double(n));
     guess.v[n] = amplitude * std::sin(q * double(n));
   }
-  return newton(problem, problem.fold(guess), free_rule());
+  return newton(problem, problem.reduce(guess), free_rule());
 }
 
 /**
@@ -82,7 +82,7 @@ inline Orbit<double> standing_wave(Shooting<double>& problem, double alpha) {
   Chain& chain = problem.chain;
   problem.symmetry = even_in_time(chain.sites);
   Orbit<double> orbit;
-  orbit.x = problem.fold(zigzag(chain.sites));
+  orbit.x = problem.reduce(zigzag(chain.sites));
   for (int k = 0; k <= degrees; ++k) {
     const double part = double(k) / degrees;
     std::vector<double> eta = uneven(chain.sites + 1, 0.15 * part, 12);

@@ -11,8 +11,8 @@ at rest and that some quantities grow along it; in soft wells it turns back. */
 #include <string>
 #include <vector>
 
-#include "lattice/numbers/criterion.hpp"
-#include "lattice/numbers/parallel.hpp"
+#include "lattice/numerics/criterion.hpp"
+#include "lattice/numerics/parallel.hpp"
 #include "lattice/orbits/breather_pairs.hpp"
 #include "lattice/orbits/continuation.hpp"
 

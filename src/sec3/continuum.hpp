@@ -8,7 +8,7 @@ its quasi-continuum profile: by the largest difference over the sites, relative 
 #include <cmath>
 #include <cstddef>
 
-#include "lattice/dps/stationary.hpp"
+#include "lattice/standing/stationary.hpp"
 
 namespace lattice {
 

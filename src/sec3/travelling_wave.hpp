@@ -18,7 +18,7 @@ $G_1$ grows like $b_1^{3/2}$. */
 #include <stdexcept>
 #include <vector>
 
-#include "lattice/dps/dps.hpp"
+#include "lattice/model/dps.hpp"
 
 namespace lattice {
 

@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "lattice/model/sites.hpp"
-#include "lattice/numbers/line_fit.hpp"
-#include "lattice/numbers/random.hpp"
+#include "lattice/numerics/line_fit.hpp"
+#include "lattice/gsl/random.hpp"
 
 namespace lattice {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "lattice/numbers/progress.hpp"
+#include "lattice/numerics/progress.hpp"
 
 namespace lattice {
 

@@ -17,8 +17,8 @@ at a point. This file finds it: by regula falsi in double precision, and a last 
 #include <utility>
 #include <vector>
 
-#include "lattice/numbers/criterion.hpp"
-#include "lattice/numbers/estimate.hpp"
+#include "lattice/numerics/criterion.hpp"
+#include "lattice/numerics/estimate.hpp"
 #include "lattice/orbits/breather.hpp"
 #include "lattice/orbits/breather_pairs.hpp"
 #include "lattice/orbits/floquet.hpp"

@@ -13,9 +13,9 @@ Runge-Kutta-Nystrom scheme. */
 #include <vector>
 
 #include "lattice/model/chain.hpp"
-#include "lattice/numbers/dense.hpp"
+#include "lattice/algebra/dense.hpp"
 #include "lattice/orbits/breather.hpp"
-#include "lattice/stepping/schemes.hpp"
+#include "lattice/integrators/schemes.hpp"
 #include "sec33/kick.hpp"
 
 namespace lattice {

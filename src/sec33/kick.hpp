@@ -19,7 +19,7 @@ free. */
 #include <vector>
 
 #include "lattice/packets/observe.hpp"
-#include "lattice/stepping/integrate.hpp"
+#include "lattice/integrators/integrate.hpp"
 
 namespace lattice {
 

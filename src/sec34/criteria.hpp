@@ -14,7 +14,7 @@ functions without side effects, so that tests can feed them inputs for which the
 #include <utility>
 #include <vector>
 
-#include "lattice/numbers/criterion.hpp"
+#include "lattice/numerics/criterion.hpp"
 #include "lattice/packets/impact.hpp"
 #include "lattice/packets/observe.hpp"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lattice/numbers/line_fit.hpp"
+#include "lattice/numerics/line_fit.hpp"
 
 namespace lattice {
 

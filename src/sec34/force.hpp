@@ -8,8 +8,8 @@ the stretch relative to the whole slope, says how constant it is. */
 
 #include <vector>
 
-#include "lattice/numbers/criterion.hpp"
-#include "lattice/numbers/estimate.hpp"
+#include "lattice/numerics/criterion.hpp"
+#include "lattice/numerics/estimate.hpp"
 #include "lattice/packets/turning.hpp"
 
 namespace lattice {

@@ -19,7 +19,7 @@ Orbit<double> mode_of_energy(Shooting<double> problem, double energy) {
   const double root = (problem.omega * problem.omega * mu - 1) / (0.915 * eta);
   State<double> guess(mode_sites);
   guess.y[middle] = root * root;
-  Orbit<double> orbit = newton(problem, problem.fold(guess));
+  Orbit<double> orbit = newton(problem, problem.reduce(guess));
   // Then follow the family to the energy asked for, with small changes of the frequency
   const auto fourth_root = [](double x) { return std::sqrt(std::sqrt(x)); };
   for (int k = 0; k < 40; ++k) {

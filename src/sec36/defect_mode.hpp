@@ -20,7 +20,7 @@ symmetry of the defect is then a result. */
 #include <vector>
 
 #include "lattice/orbits/shooting.hpp"
-#include "lattice/stepping/contact_rkn.hpp"
+#include "lattice/integrators/contact_rkn.hpp"
 #include "sec36/scattering.hpp"
 
 namespace lattice {

@@ -34,7 +34,7 @@ Scattering scatter(const StruckArray& blow, double ratio, ImpactRun run, double 
   return {earlier, on(end)};
 }
 
-Fractions fractions(const Workshop& at, double ratio) {
+Fractions fractions(const ScatteringSetup& at, double ratio) {
   // Scatter with both steps: the finer gives the shares, its distance from the other the errors
   std::array<Scattering, 2> run;
   std::array<Division, 2> now, net;

@@ -22,8 +22,8 @@ energies. */
 #include <numeric>
 #include <vector>
 
-#include "lattice/numbers/criterion.hpp"
-#include "lattice/numbers/estimate.hpp"
+#include "lattice/numerics/criterion.hpp"
+#include "lattice/numerics/estimate.hpp"
 #include "lattice/packets/array_impact.hpp"
 
 namespace lattice {
@@ -62,14 +62,14 @@ Scattering scatter(const StruckArray& blow, double ratio, ImpactRun run, double 
 /**
 Every point of a map over the size of the defect is computed with two steps. The common way and the run
 without a defect are computed only once for each step. */
-struct Workshop {
+struct ScatteringSetup {
   StruckArray blow;
   std::array<double, 2> steps;  ///< in units of tau_c, the larger one first
   double end;                   ///< ms
   std::array<ImpactRun, 2> start{};
   std::array<Division, 2> without{};
 
-  Workshop(const StruckArray& how, const std::array<double, 2>& both_steps, double end_time)
+  ScatteringSetup(const StruckArray& how, const std::array<double, 2>& both_steps, double end_time)
       : blow(how), steps(both_steps), end(end_time) {
     for (std::size_t k : {0, 1}) {
       start[k] = approach(blow, steps[k]);
@@ -84,7 +84,7 @@ before the end. */
 struct Fractions {
   Estimate reflected, near, transmitted, near_earlier;
   Estimate net_reflected, net_near, net_transmitted;
-  Estimate ledger;  ///< sum of the shares less one, and the same at the larger step
+  Estimate budget;  ///< sum of the shares less one, and the same at the larger step
 
   struct Named {
     const char *name, *unit;
@@ -92,7 +92,7 @@ struct Fractions {
     const char* meaning;
     const char* judged = "";  ///< against what its error is to be judged, if not itself
   };
-  /// All but the ledger, as tables call them.
+  /// All but the energy budget, as tables call them.
   std::vector<Named> named() const {
     const char *all = "share of the energy", *arriving = "share of what arrives";
     return {{"reflected", all, reflected,
@@ -113,7 +113,7 @@ struct Fractions {
 
 /**
 The run with the smaller step gives the values, its difference from the other one the errors. */
-Fractions fractions(const Workshop& at, double ratio);
+Fractions fractions(const ScatteringSetup& at, double ratio);
 
 /**
 A reflection is almost total if more than 95 per cent of what arrives is reflected, and partial if between a

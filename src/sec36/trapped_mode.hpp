@@ -12,7 +12,7 @@ five radii, and finds the state in which a light defect keeps it. */
 #include <string>
 #include <vector>
 
-#include "lattice/numbers/parallel.hpp"
+#include "lattice/numerics/parallel.hpp"
 #include "lattice/orbits/breather_pairs.hpp"
 #include "report/program.hpp"
 #include "sec36/defect_mode.hpp"
@@ -61,7 +61,7 @@ std::array<double, 2> misses(const Shooting<double>& problem, const Orbit<double
   Shooting<T> in_t{problem.chain, problem.symmetry, T(problem.omega)};
   const Orbit<T> mode = polish(in_t, orbit);
   in_t.symmetry = site_centred(mode_sites);
-  const Shot<T> shot = in_t.shoot(in_t.fold(mode.start), {}, false);
+  const Shot<T> shot = in_t.shoot(in_t.reduce(mode.start), {}, false);
   return {mode.residual(), double(sup(shot.miss) / mode.amplitude)};
 }
 

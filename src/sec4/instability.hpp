@@ -11,8 +11,8 @@ amplitudes remove the first correction, and the next pair gives the error. */
 #include <array>
 #include <cstddef>
 
-#include "lattice/numbers/criterion.hpp"
-#include "lattice/numbers/estimate.hpp"
+#include "lattice/numerics/criterion.hpp"
+#include "lattice/numerics/estimate.hpp"
 #include "sec4/nls.hpp"
 #include "sec4/plane_wave.hpp"
 

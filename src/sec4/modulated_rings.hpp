@@ -23,7 +23,7 @@ the mean.
 #include <utility>
 #include <vector>
 
-#include "lattice/numbers/parallel.hpp"
+#include "lattice/numerics/parallel.hpp"
 #include "report/program.hpp"
 #include "sec4/modulation.hpp"
 

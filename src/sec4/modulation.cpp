@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "lattice/numbers/progress.hpp"
+#include "lattice/numerics/progress.hpp"
 #include "sec4/nls.hpp"
 
 namespace lattice {

@@ -20,8 +20,8 @@ of the appendix, and two steps tell the error. */
 #include <numbers>
 #include <vector>
 
-#include "lattice/numbers/criterion.hpp"
-#include "lattice/numbers/estimate.hpp"
+#include "lattice/numerics/criterion.hpp"
+#include "lattice/numerics/estimate.hpp"
 #include "sec4/compressed_impact.hpp"
 
 namespace lattice {

@@ -8,7 +8,7 @@
 
 #include "lattice/model/contact.hpp"
 #include "lattice/model/well.hpp"
-#include "lattice/numbers/eigenvalues.hpp"
+#include "lattice/algebra/eigenvalues.hpp"
 
 namespace lattice {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lattice/stepping/integrate.hpp"
+#include "lattice/integrators/integrate.hpp"
 
 namespace lattice {
 

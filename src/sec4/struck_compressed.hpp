@@ -14,7 +14,7 @@ Equations and symbols are those of sec4_precompression_mi.cpp, whose program run
 #include <string>
 #include <vector>
 
-#include "lattice/numbers/parallel.hpp"
+#include "lattice/numerics/parallel.hpp"
 #include "report/model_options.hpp"
 #include "report/program.hpp"
 #include "sec4/compressed_impact.hpp"

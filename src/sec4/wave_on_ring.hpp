@@ -13,8 +13,8 @@ $q + Q$. */
 #include <numbers>
 #include <vector>
 
-#include "lattice/numbers/line_fit.hpp"
-#include "lattice/stepping/integrate.hpp"
+#include "lattice/numerics/line_fit.hpp"
+#include "lattice/integrators/integrate.hpp"
 #include "sec4/instability.hpp"
 
 namespace lattice {

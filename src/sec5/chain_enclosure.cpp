@@ -2,7 +2,7 @@
 
 #include <Eigen/LU>
 
-#include "lattice/numbers/dense.hpp"
+#include "lattice/algebra/dense.hpp"
 #include "lattice/orbits/breather_pairs.hpp"
 #include "sec5/chain_bounds.hpp"
 #include "sec5/fineness.hpp"

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "lattice/dps/spectrum.hpp"
+#include "lattice/standing/spectrum.hpp"
 #include "lattice/packets/impact.hpp"
 #include "lattice/packets/pulse.hpp"
 
@@ -120,9 +120,9 @@ Decay let_decay(const Orbit<double>& orbit, const Chain& chain, double nu, doubl
                   state.y.begin());
   std::vector<double> t, y, e, centres;
   Decay out;
-  out.ledger = run_bench(
+  out.budget = run_driven(
       {chain, {nu, 0}}, state, time_grid(duration, step, step),
-      [&](const State<double>& now, const Ledger&) {
+      [&](const State<double>& now, const EnergyBudget&) {
         const auto density = energy_density(chain, now);
         t.push_back(now.t), y.push_back(now.y[most]);
         e.push_back(total(density));

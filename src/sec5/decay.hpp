@@ -20,7 +20,7 @@ damped chain to a tenth. */
 
 #include "lattice/orbits/breather.hpp"
 #include "lattice/orbits/floquet.hpp"
-#include "sec5/bench.hpp"
+#include "sec5/driven_chain.hpp"
 
 namespace lattice {
 
@@ -65,7 +65,7 @@ struct DecayMoment {
 /// The life of a breather with losses.
 struct Decay {
   std::vector<DecayMoment> moments{};  ///< one for each period, over the eight that follow
-  double ledger = 0;                   ///< see run_bench
+  double budget = 0;                   ///< see run_driven
 };
 
 /// Lets a breather of this orbit decay at the rate `nu` for the time `duration`.

@@ -7,9 +7,9 @@
 #include <complex>
 #include <numbers>
 
-#include "lattice/dps/stationary.hpp"
-#include "lattice/numbers/line_fit.hpp"
-#include "lattice/numbers/random.hpp"
+#include "lattice/standing/stationary.hpp"
+#include "lattice/numerics/line_fit.hpp"
+#include "lattice/gsl/random.hpp"
 
 namespace lattice {
 namespace {

@@ -4,7 +4,7 @@ namespace lattice {
 
 DpsMember dps_member(const DpsTravelling& problem, const Vector<double>& guess) {
   const Solution<double> found = solve<DpsTravelling, double>(problem, guess);
-  const Field field = problem.unfold(found.x);
+  const Field field = problem.expand(found.x);
   double sum = 0;
   for (const auto& a : field) sum += a.imag();
   return {problem.phase,

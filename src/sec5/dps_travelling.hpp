@@ -24,7 +24,7 @@ with $n = 1$ and obtain a family with a member for every $\varphi$ that we tried
 #include <string>
 #include <vector>
 
-#include "lattice/dps/impact.hpp"
+#include "lattice/dps/dps_impact.hpp"
 #include "lattice/orbits/newton.hpp"
 
 namespace lattice {
@@ -42,7 +42,7 @@ struct DpsTravelling {
 
   std::string name() const { return "travelling orbit of the DpS equation"; }
   /// The field at tau = 0, sites -L to L + 1.
-  Field unfold(const Vector<double>& x) const {
+  Field expand(const Vector<double>& x) const {
     Field a(2 * reach + 2);
     a[reach] = {0, x[0]};
     for (std::size_t n = 1; n <= reach; ++n) {
@@ -57,7 +57,7 @@ struct DpsTravelling {
   shows whether a member is exact. */
   /// All equations, that of n = 1 first.
   Vector<double> misses(const Vector<double>& x) const {
-    Field a = unfold(x);
+    Field a = expand(x);
     evolve_dps(Dps{a.size()}, a, shift_time / 2, 1,
                Tolerance(1e-4 * tolerance, tolerance, gsl_odeiv2_step_rk8pd),
                [](double, const Field&) {});

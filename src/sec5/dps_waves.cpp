@@ -3,9 +3,9 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "lattice/numbers/eigenvalues.hpp"
-#include "lattice/numbers/line_fit.hpp"
-#include "lattice/stepping/contact_rkn.hpp"
+#include "lattice/algebra/eigenvalues.hpp"
+#include "lattice/numerics/line_fit.hpp"
+#include "lattice/integrators/contact_rkn.hpp"
 
 namespace lattice {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "lattice/dps/dps.hpp"
+#include "lattice/model/dps.hpp"
 
 namespace lattice {
 namespace {
@@ -106,12 +106,12 @@ Sizes<double> DrivenOrbit::sizes(const Vector<double>& x, bool) const {
 
 // One period of the drive
 Vector<double> DrivenOrbit::miss(const Vector<double>& x) const {
-  Bench driven = bench;
+  DrivenChain driven = bench;
   driven.drive.amplitude = x[x.size() - 1];
   State<double> state = state_of(x);
   const double period = 2 * std::numbers::pi / bench.drive.omega;
   const TimeGrid one{period, 1, steps};
-  run_bench(driven, state, one, [](const State<double>&, const Ledger&) { return true; });
+  run_driven(driven, state, one, [](const State<double>&, const EnergyBudget&) { return true; });
   Vector<double> out(x.size() - 1);
   for (std::size_t i = 0; i < state.y.size(); ++i) {
     out[Eigen::Index(i)] = state.y[i] - x[Eigen::Index(i)];
@@ -141,7 +141,7 @@ Shot<double> DrivenOrbit::shoot(const Vector<double>& x, const EventTolerance<do
 }
 
 // Steps along the curve, and a parabola through the three points about the largest amplitude
-QuietBranch quiet_branch(const Bench& bench, std::size_t steps, double apart) {
+QuietBranch quiet_branch(const DrivenChain& bench, std::size_t steps, double apart) {
   const Eigen::Index n = Eigen::Index(2 * bench.chain.sites + 1);
   const double law = threshold_law(bench.drive.by, bench.drive.omega);
   const double size = threshold_law(Drive::By::piston, bench.drive.omega);
@@ -206,7 +206,7 @@ bool Emission::lasts(double duration, double silence) const {
 }
 
 // What passes the gate, and what the drive gives
-Emission drive_chain(const Bench& bench, double duration, std::size_t gate, double step,
+Emission drive_chain(const DrivenChain& bench, double duration, std::size_t gate, double step,
                      std::size_t enough, double silence) {
   const double a = std::max(bench.drive.amplitude, bench.drive.from);
   const double size = bench.drive.by == Drive::By::piston ? a : a / (bench.drive.omega - 1);
@@ -214,8 +214,8 @@ Emission drive_chain(const Bench& bench, double duration, std::size_t gate, doub
   Emission out;
   State<double> state(bench.chain.sites);
   double half = 0;
-  out.ledger = run_bench(bench, state, time_grid(duration, 0.4, step),
-                         [&](const State<double>& now, const Ledger& l) {
+  out.budget = run_driven(bench, state, time_grid(duration, 0.4, step),
+                         [&](const State<double>& now, const EnergyBudget& l) {
                            const double y = now.y[gate - 1], v = now.v[gate - 1];
                            const double density = (y * y + v * v) / 2;
                            turnstile.look(now.t, density, out.passages);
@@ -232,12 +232,12 @@ Emission drive_chain(const Bench& bench, double duration, std::size_t gate, doub
   return out;
 }
 
-std::vector<double> drive_map(const Bench& bench, double duration, std::size_t bins, double step) {
+std::vector<double> drive_map(const DrivenChain& bench, double duration, std::size_t bins, double step) {
   const std::size_t sites = bench.chain.sites;
   std::vector<double> map(bins * sites, 0.0);
   State<double> state(sites);
-  run_bench(
-      bench, state, time_grid(duration, 0.8, step), [&](const State<double>& now, const Ledger&) {
+  run_driven(
+      bench, state, time_grid(duration, 0.8, step), [&](const State<double>& now, const EnergyBudget&) {
         const std::size_t bin = std::min(bins - 1, std::size_t(now.t / duration * double(bins)));
         for (std::size_t n = 0; n < sites; ++n) {
           const double e = (now.y[n] * now.y[n] + now.v[n] * now.v[n]) / 2;

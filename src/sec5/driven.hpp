@@ -31,9 +31,9 @@ $$a_{\rm piston} = 8\tau_0^2\,\delta^2\,\max|u_0|,\qquad a_{\rm base} = 16\tau_0
 #include <utility>
 #include <vector>
 
-#include "lattice/numbers/estimate.hpp"
+#include "lattice/numerics/estimate.hpp"
 #include "lattice/orbits/newton.hpp"
-#include "sec5/bench.hpp"
+#include "sec5/driven_chain.hpp"
 
 namespace lattice {
 
@@ -53,11 +53,11 @@ double threshold_law(Drive::By by, double omega);
 With losses the motion below the threshold is a periodic orbit of the driven chain, whose period is that of the
 drive. It is a problem for Newton's method (newton.hpp): the unknowns are the state at the beginning of a
 period and the amplitude of the drive, the equations say that the state returns, and that the point lies on a
-plane across the curve of solutions. The flow is that of bench.hpp with a given number of steps; its derivative
+plane across the curve of solutions. The flow is that of driven_chain.hpp with a given number of steps; its derivative
 comes from differences, which cost little for a dozen beads. */
 struct DrivenOrbit {
   using Scalar = double;
-  Bench bench;
+  DrivenChain bench;
   std::size_t steps = 64;          ///< per period of the drive
   Vector<double> from{}, along{};  ///< a point of the curve and its direction, in units of `scale`
   double length = 0;               ///< how far along the direction the plane lies
@@ -82,7 +82,7 @@ struct QuietBranch {
 /// Follows the quiet orbit, with `steps` steps a period, from point to point at the distance `apart` in units of the
 /// law for a piston. The drive of `bench` says what is driven and how fast; its amplitude is not used. Throws
 /// NewtonFailed.
-QuietBranch quiet_branch(const Bench& bench, std::size_t steps, double apart = 0.1);
+QuietBranch quiet_branch(const DrivenChain& bench, std::size_t steps, double apart = 0.1);
 
 /**
 ## What comes out
@@ -96,7 +96,7 @@ struct Emission {
   double response = 0;             ///< largest displacement of the first bead in the second half
   double far = 0;                  ///< and of the last one in the whole run
   double loudest = 0;  ///< largest energy density at the gate, in units of a^2 or (a / delta)^2
-  double ledger = 0;   ///< see run_bench
+  double budget = 0;   ///< see run_driven
 
   /// Packets per unit of time in the second half of a run of this length.
   double rate(double duration) const;
@@ -108,12 +108,12 @@ struct Emission {
 
 /// Runs the bench from rest for `duration`, or until as many packets have passed the gate as are `enough`, or none has
 /// for the time `silence`.
-Emission drive_chain(const Bench& bench, double duration, std::size_t gate, double step,
+Emission drive_chain(const DrivenChain& bench, double duration, std::size_t gate, double step,
                      std::size_t enough = std::numeric_limits<std::size_t>::max(),
                      double silence = std::numeric_limits<double>::infinity());
 
 /// Density maps: energy of each bead, the maximum in each of `bins` equal times; entry bin * sites + n.
-std::vector<double> drive_map(const Bench& bench, double duration, std::size_t bins, double step);
+std::vector<double> drive_map(const DrivenChain& bench, double duration, std::size_t bins, double step);
 
 /**
 A threshold is found by halving an interval of amplitudes, of which the lower end is quiet and the upper one

@@ -9,7 +9,7 @@ same. */
 #include <string>
 #include <vector>
 
-#include "lattice/numbers/estimate.hpp"
+#include "lattice/numerics/estimate.hpp"
 #include "sec5/array_units.hpp"
 #include "sec5/driven.hpp"
 
@@ -23,21 +23,21 @@ struct DrivenQuantity {
 };
 
 /// The array of section 3.6 with losses.
-struct Rig : ArrayUnits {
+struct ArraySetup : ArrayUnits {
   /// Beads, and the one behind which a packet counts. The packets of strong drives reach the end of so short an array.
   static constexpr std::size_t sites = 120, gate = 20;
 
   double lifetime = 10;  ///< of the energy, in ms; 0 without losses
 
   /// The chain, with a drive that grows from `from` to `amplitude` within `ramp`, in units of the chain.
-  Bench bench(Drive::By by, double omega, double amplitude, double from, double ramp,
+  DrivenChain bench(Drive::By by, double omega, double amplitude, double from, double ramp,
               std::size_t beads = sites) const {
     return {Chain{beads}, {rate(lifetime), 0}, {by, omega, amplitude, from, ramp}};
   }
 };
 
 /// One drive, which grows during the first sixth of its `duration`.
-struct DrivenArray : Rig {
+struct DrivenArray : ArraySetup {
   /// Beads, and those that a map shows. Of the chart, the strongest drives above 7.8 kHz send packets to the end.
   static constexpr std::size_t sites = 300, drawn = 60;
   static constexpr double step = 0.02;  ///< of the finer run, in units of tau_c
@@ -48,8 +48,8 @@ struct DrivenArray : Rig {
   /// The duration in units of tau_c.
   double horizon() const { return time(duration); }
   /// The same array in units of the chain.
-  Bench bench() const {
-    return Rig::bench(by, omega(frequency), amplitude / micrometres(1), 0, horizon() / 6, sites);
+  DrivenChain bench() const {
+    return ArraySetup::bench(by, omega(frequency), amplitude / micrometres(1), 0, horizon() / 6, sites);
   }
   /// The law of the DpS limit at `omega`, in micrometres.
   Estimate law(double omega) const {
@@ -72,7 +72,7 @@ struct DrivenArray : Rig {
          "mean power of the drive in the second half of the run"},
         {"response", compare(micrometres(coarse.response), micrometres(fine.response)), "um",
          "largest displacement of the first bead in the second half of the run"},
-        {"ledger", compare(coarse.ledger, fine.ledger), "",
+        {"budget", compare(coarse.budget, fine.budget), "",
          "energy and losses less work, over the most energy that came in: zero but for errors"}};
     if (omega(frequency) > 1)
       out.push_back({"threshold_law", law(omega(frequency)), "um",

@@ -8,7 +8,7 @@ costs one or two waves a value, and they are found by false position. */
 
 #include <cmath>
 
-#include "lattice/numbers/estimate.hpp"
+#include "lattice/numerics/estimate.hpp"
 #include "sec5/kernel_wave.hpp"
 
 namespace lattice {

@@ -17,7 +17,7 @@ spectrally. */
 #include <cstddef>
 #include <vector>
 
-#include "lattice/numbers/dense.hpp"
+#include "lattice/algebra/dense.hpp"
 
 namespace lattice {
 

@@ -82,7 +82,7 @@ double true_time(double nu, double s) {
 }
 
 // Each contact and each bead keeps its own maxima; the impact is the first of the first bead
-Journey follow_packet(const Bench& bench, double velocity, double duration, std::size_t last,
+Journey follow_packet(const DrivenChain& bench, double velocity, double duration, std::size_t last,
                       double step) {
   const Chain& chain = bench.chain;
   const std::size_t contacts = std::min(last, chain.sites - 1);
@@ -91,7 +91,7 @@ Journey follow_packet(const Bench& bench, double velocity, double duration, std:
   State<double> state = struck(chain.sites, velocity);
   speed[0].all.push_back({0, velocity});
   Journey out;
-  out.ledger = run_bench(bench, state, steps, [&](const State<double>& now, const Ledger&) {
+  out.budget = run_driven(bench, state, steps, [&](const State<double>& now, const EnergyBudget&) {
     // Beyond the first bead at rest nothing has moved yet
     for (std::size_t n = 0; n < contacts && (now.y[n] != 0 || now.v[n] != 0); ++n) {
       const double overlap = now.y[n] - now.y[n + 1];

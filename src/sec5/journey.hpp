@@ -2,7 +2,7 @@
 /**
 # A packet on a lossy chain
 
-An impact sends a packet through a chain that loses energy (bench.hpp), and we follow it contact by contact.
+An impact sends a packet through a chain that loses energy (driven_chain.hpp), and we follow it contact by contact.
 Each contact has its strongest push, at a time that counts as the packet's arrival, and with a period, half
 of the time between the pushes before and after. A sensor on a bead sees its velocity, so we keep the largest
 one of every bead.
@@ -20,7 +20,7 @@ $e^{-\nu t/2} = (1-\nu s/4)^2$ times the undamped one, which comes earlier. */
 #include <cstddef>
 #include <vector>
 
-#include "sec5/bench.hpp"
+#include "sec5/driven_chain.hpp"
 
 namespace lattice {
 
@@ -46,13 +46,13 @@ struct Passing {
 struct Journey {
   std::vector<Passing> contacts{};
   std::vector<Peak> centres{};  ///< of the chain's energy, as `height`, in sites from one
-  double ledger = 0;            ///< see run_bench
+  double budget = 0;            ///< see run_driven
   double duration = 0;          ///< of the run
 };
 
 /// Strikes the first bead of a bench at rest with `velocity` and follows the packet for `duration`, or until
 /// it has passed the contact `last`. Maxima are those of parabolas through three neighbouring steps.
-Journey follow_packet(const Bench& bench, double velocity, double duration, std::size_t last,
+Journey follow_packet(const DrivenChain& bench, double velocity, double duration, std::size_t last,
                       double step);
 
 /**

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "lattice/numbers/random.hpp"
+#include "lattice/gsl/random.hpp"
 
 namespace lattice {
 

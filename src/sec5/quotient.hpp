@@ -17,7 +17,7 @@ grid. */
 #include <vector>
 
 #include "lattice/model/contact.hpp"
-#include "lattice/numbers/dense.hpp"
+#include "lattice/algebra/dense.hpp"
 
 namespace lattice {
 

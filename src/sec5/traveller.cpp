@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "lattice/numbers/parallel.hpp"
+#include "lattice/numerics/parallel.hpp"
 #include "lattice/packets/observe.hpp"
 #include "sec5/travelling.hpp"
 
@@ -35,7 +35,7 @@ double joined(double x, const std::vector<double>& xs, const std::vector<double>
 
 /// A member, set free in a resting chain and seen over two sites; its own T and phase are known.
 Traveller set_free(const Orbit<double>& member, double phase) {
-  const Bench bench{Chain{32}};
+  const DrivenChain bench{Chain{32}};
   const double T = shift_time(member);
   const Stretch two{usual_reach + 3, usual_reach + 5, 1};
   const Traveller seen =
@@ -121,11 +121,11 @@ Traveller TravellerWatch::traveller() const {
           std::exp(log_energy_ / samples_), width_ / samples_};
 }
 
-Traveller traveller_on(const Bench& bench, State<double> start, double duration, double step,
+Traveller traveller_on(const DrivenChain& bench, State<double> start, double duration, double step,
                        const Stretch& stretch) {
   TravellerWatch watch(bench.chain, stretch.from, stretch.to, stretch.which);
-  run_bench(bench, start, time_grid(duration, 2 * step, step),
-            [&](const State<double>& now, const Ledger&) { return watch.look(now); });
+  run_driven(bench, start, time_grid(duration, 2 * step, step),
+            [&](const State<double>& now, const EnergyBudget&) { return watch.look(now); });
   return watch.traveller();
 }
 

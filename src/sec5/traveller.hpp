@@ -15,7 +15,7 @@ and $\varphi$. */
 #include <cstddef>
 #include <vector>
 
-#include "sec5/bench.hpp"
+#include "sec5/driven_chain.hpp"
 
 namespace lattice {
 
@@ -64,7 +64,7 @@ struct Stretch {
 };
 
 /// Runs a bench from `start` until the packet has passed. Throws std::runtime_error if it has not within `duration`.
-Traveller traveller_on(const Bench& bench, State<double> start, double duration, double step,
+Traveller traveller_on(const DrivenChain& bench, State<double> start, double duration, double step,
                        const Stretch& stretch);
 
 /**

@@ -21,9 +21,9 @@ an exact orbit. */
 #include <utility>
 #include <vector>
 
-#include "lattice/numbers/eigenvalues.hpp"
-#include "lattice/numbers/estimate.hpp"
-#include "lattice/numbers/progress.hpp"
+#include "lattice/algebra/eigenvalues.hpp"
+#include "lattice/numerics/estimate.hpp"
+#include "lattice/numerics/progress.hpp"
 #include "lattice/orbits/breather.hpp"
 #include "lattice/orbits/floquet.hpp"
 #include "lattice/packets/impact.hpp"

@@ -2,7 +2,7 @@
 
 #include <Eigen/LU>
 
-#include "lattice/numbers/dense.hpp"
+#include "lattice/algebra/dense.hpp"
 #include "sec5/fineness.hpp"
 #include "sec5/kernel_wave.hpp"
 

@@ -28,7 +28,7 @@ def guess(sign, beads):
     return np.concatenate([force @ np.sin(t[:GRID + 1]), force @ np.cos(t[:GRID + 1])])
 
 
-def unfold(x):
+def expand(x):
     """Beads -m ... m - 1 at t = 0 of an even wave, y_n(t) = -y_{-1-n}(-t), from y and v of the beads 0 ... m - 1."""
     y, v = np.split(x, 2)
     return np.vstack([-y[::-1], y]), np.vstack([v[::-1], v])
@@ -37,11 +37,11 @@ def unfold(x):
 def breathers(level):
     """Energies of the two even waves."""
     def rest(x):  # evenness and shift: y_n = -y_{-n}, v_n = v_{-n} at T/2; the last bead is at rest
-        y, v = chain.run(*unfold(seed(x)), PERIOD / 2)
+        y, v = chain.run(*expand(seed(x)), PERIOD / 2)
         return np.vstack([y[1:] + y[:0:-1], v[1:] - v[:0:-1], y[:1], v[:1]])
     chain, rows = Chain(**PRECISE[level]), []
     for name, sign, kind in (("plus", -1, "lowest"), ("minus", 1, "highest")):
-        y, v = unfold(newton(rest, guess(sign, (7, 8)[level]), 1e-12)[0][:, None])
+        y, v = expand(newton(rest, guess(sign, (7, 8)[level]), 1e-12)[0][:, None])
         rows.append((f"sec5_kernel_equation.energy_{name}", chain.energies(y, v).sum(), 5e-15,
                      f"energy; d even about its {kind} point; T = 2 pi"))
     return rows

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lattice/numbers/interrupt.hpp"
-#include "lattice/numbers/progress.hpp"
+#include "lattice/numerics/interrupt.hpp"
+#include "lattice/numerics/progress.hpp"
 
 namespace lattice {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "lattice/dps/dps.hpp"
-#include "lattice/dps/quasi_continuum.hpp"
+#include "lattice/model/dps.hpp"
+#include "lattice/model/quasi_continuum.hpp"
 
 namespace lattice {
 
@@ -46,7 +46,7 @@ Orbit<double> find_breather(const Shooting<double>& problem, Phase phase,
   const Centre centre = problem.chain.sites % 2 == 0 ? Centre::bond : Centre::site;
   const State<double> guess =
       ansatz(centre, nearby.omega, problem.chain.sites, phase, problem.chain.contact);
-  const Orbit<double> start = newton(nearby, nearby.fold(guess), rule);
+  const Orbit<double> start = newton(nearby, nearby.reduce(guess), rule);
   if (nearby.omega == problem.omega) return start;
   Branch branch(nearby, along_omega<double>(), start, 1, rule);
   return branch.reach(problem.omega);
@@ -68,7 +68,7 @@ Fitted fit_chain(Centre centre, double omega, const Well& well, std::size_t site
   for (long i = 0; i < long(n); ++i)
     if (i - shift >= 0 && i - shift < long(ample))
       start.y[std::size_t(i)] = orbit.start.y[std::size_t(i - shift)];
-  return {problem, newton(problem, problem.fold(start))};
+  return {problem, newton(problem, problem.reduce(start))};
 }
 
 // The pinning mode against the discrete gradient of the profile

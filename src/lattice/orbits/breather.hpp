@@ -14,8 +14,8 @@ branch (continuation.hpp), so that we know to which family a breather belongs. *
 #include <string>
 #include <vector>
 
-#include "lattice/numbers/criterion.hpp"
-#include "lattice/numbers/estimate.hpp"
+#include "lattice/numerics/criterion.hpp"
+#include "lattice/numerics/estimate.hpp"
 #include "lattice/orbits/continuation.hpp"
 #include "lattice/orbits/shooting.hpp"
 

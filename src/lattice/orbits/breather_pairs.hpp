@@ -17,8 +17,8 @@ gives at two resolutions. */
 #include <utility>
 #include <vector>
 
-#include "lattice/numbers/estimate.hpp"
-#include "lattice/numbers/parallel.hpp"
+#include "lattice/numerics/estimate.hpp"
+#include "lattice/numerics/parallel.hpp"
 #include "lattice/orbits/breather.hpp"
 
 namespace lattice {

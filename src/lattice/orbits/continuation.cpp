@@ -4,8 +4,8 @@
 #include <limits>
 #include <utility>
 
-#include "lattice/landing/overlap.hpp"
-#include "lattice/numbers/progress.hpp"
+#include "lattice/events/overlap.hpp"
+#include "lattice/numerics/progress.hpp"
 
 namespace lattice {
 

@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "lattice/numbers/eigenvalues.hpp"
-#include "lattice/numbers/progress.hpp"
+#include "lattice/algebra/eigenvalues.hpp"
+#include "lattice/numerics/progress.hpp"
 
 namespace lattice {
 

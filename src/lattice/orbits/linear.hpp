@@ -4,7 +4,7 @@
 
 Newton's method (newton.hpp) needs the solution of a linear system even where a direction is left free. */
 
-#include "lattice/numbers/dense.hpp"
+#include "lattice/algebra/dense.hpp"
 
 namespace lattice {
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <type_traits>
 
-#include "lattice/numbers/progress.hpp"
+#include "lattice/numerics/progress.hpp"
 
 namespace lattice {
 

@@ -25,7 +25,7 @@ A problem `P` has
 #include <utility>
 #include <vector>
 
-#include "lattice/landing/landing.hpp"
+#include "lattice/events/event_driven.hpp"
 #include "lattice/orbits/linear.hpp"
 
 namespace lattice {
@@ -36,7 +36,7 @@ T sup(const Vector<T>& x);
 
 /**
 Newton's method learns about a problem from one integration at a time, a shot. It tells by how much the
-equations are missed, how that depends on the unknowns, and how accurate the flow was (landing.hpp). */
+equations are missed, how that depends on the unknowns, and how accurate the flow was (event_driven.hpp). */
 template <class T>
 struct Shot {
   Vector<T> miss, miss_period;  ///< residuals and their derivative with respect to the period

@@ -47,7 +47,7 @@ std::string Shooting<T>::name() const {
 The lists of the symmetry translate unknowns into a state and back. */
 /// The state at t = 0 that belongs to the unknowns.
 template <class T>
-State<T> Shooting<T>::unfold(const Vector<T>& x) const {
+State<T> Shooting<T>::expand(const Vector<T>& x) const {
   State<T> state(chain.sites);
   for (std::size_t k = 0; k < symmetry.unknowns.size(); ++k)
     for (const Term& term : symmetry.unknowns[k])
@@ -57,7 +57,7 @@ State<T> Shooting<T>::unfold(const Vector<T>& x) const {
 
 /// The unknowns of a state; its time is taken for the period if that is free.
 template <class T>
-Vector<T> Shooting<T>::fold(const State<T>& state) const {
+Vector<T> Shooting<T>::reduce(const State<T>& state) const {
   const std::size_t m = symmetry.unknowns.size();
   Vector<T> x(Eigen::Index(m + (symmetry.free_period ? 1 : 0)));
   for (std::size_t k = 0; k < m; ++k) {
@@ -100,7 +100,7 @@ Unknowns and equations have the size of the site that they name first; a free pe
 Unless `graded`, and for orbits that do not decay in space, the amplitude of the orbit serves for all. */
 template <class T>
 Sizes<T> Shooting<T>::sizes(const Vector<T>& x, bool graded) const {
-  const State<T> start = unfold(x);
+  const State<T> start = expand(x);
   const std::size_t n = chain.sites;
   const std::vector<T> local = graded && symmetry.decays
                                    ? local_sizes(start, chain.contact.exponent())
@@ -153,7 +153,7 @@ the number of parts. */
 template <class T>
 Shot<T> Shooting<T>::shoot(const Vector<T>& x, const EventTolerance<T>& rule,
                            bool with_jacobian) const {
-  const State<T> start = unfold(x);
+  const State<T> start = expand(x);
   State<T> z = start;
   const Tangent<T> first =
       with_jacobian ? tangent_of<T>(symmetry.unknowns, chain.sites) : Tangent<T>(0, 0);
@@ -180,7 +180,7 @@ template <class T>
 Orbit<T> describe(const Shooting<T>& problem, const Solution<T>& found) {
   Orbit<T> orbit;
   orbit.x = found.x;
-  orbit.start = problem.unfold(found.x);
+  orbit.start = problem.expand(found.x);
   orbit.omega = T(2) * pi<T>() / problem.period(found.x);
   if (!problem.symmetry.free_period) orbit.omega = problem.omega;
   orbit.energy = energy(problem.chain, orbit.start);
@@ -199,7 +199,7 @@ template <class T>
 void add_slopes(const Shooting<T>& problem, const Vector<T>& x_omega, Orbit<T>& orbit) {
   orbit.x_omega = x_omega;
   const std::vector<T> a = accelerations(problem.chain, orbit.start.y);
-  const State<T> rate = problem.unfold(x_omega);
+  const State<T> rate = problem.expand(x_omega);
   orbit.energy_omega = T(0);
   for (std::size_t n = 0; n < a.size(); ++n)
     orbit.energy_omega +=
@@ -211,7 +211,7 @@ template <class T>
 NewtonProblem<T> moving(const Shooting<T>& problem) {
   NewtonProblem<T> out = seen(problem);
   out.amplitude = [&](const Vector<T>& x) {
-    return largest_difference(problem.unfold(x), State<T>(problem.chain.sites));
+    return largest_difference(problem.expand(x), State<T>(problem.chain.sites));
   };
   return out;
 }

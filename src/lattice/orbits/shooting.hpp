@@ -9,14 +9,14 @@ orbit is shifted in time, and nearly true if it is shifted along the chain. The 
 (symmetry.hpp) remove both directions and leave less to compute.
 
 A chain, a symmetry and a frequency make a problem in the sense of newton.hpp. The flow is that of
-landing.hpp, with its exact derivative (tangent.hpp). */
+event_driven.hpp, with its exact derivative (tangent.hpp). */
 
 #include <cmath>
 #include <cstddef>
 #include <string>
 
-#include "lattice/landing/landing.hpp"
-#include "lattice/landing/tangent.hpp"
+#include "lattice/events/event_driven.hpp"
+#include "lattice/events/tangent.hpp"
 #include "lattice/model/chain.hpp"
 #include "lattice/orbits/newton.hpp"
 #include "lattice/orbits/symmetry.hpp"
@@ -72,9 +72,9 @@ struct Shooting {
   /// What messages call the orbit.
   std::string name() const;
   /// The state of the whole chain at t = 0 from the unknowns.
-  State<T> unfold(const Vector<T>& x) const;
+  State<T> expand(const Vector<T>& x) const;
   /// The unknowns of a state; a free period is taken from its time.
-  Vector<T> fold(const State<T>& state) const;
+  Vector<T> reduce(const State<T>& state) const;
   /// The sizes to which residuals and steps are relative (newton.hpp).
   Sizes<T> sizes(const Vector<T>& x, bool graded) const;
   /// Integrates over the part of a period that the symmetry leaves, and says by how much the equations
@@ -117,7 +117,7 @@ struct Orbit {
 /**
 Most programs call only what follows: a problem, a guess, and Newton's method does the rest. The change
 along the branch comes almost for free, from the same matrix. */
-/// The orbit near the guess `x`, which has as many entries as the problem has unknowns (`fold` makes them
+/// The orbit near the guess `x`, which has as many entries as the problem has unknowns (`reduce` makes them
 /// from a state). Throws NewtonFailed.
 template <class T>
 Orbit<T> newton(const Shooting<T>& problem, const Vector<T>& x, const NewtonRule<T>& rule = {});

@@ -18,7 +18,7 @@ cantilever, and, if the array is damped, follows it for ten milliseconds. */
 #include "lattice/model/cantilever.hpp"
 #include "lattice/packets/impact.hpp"
 #include "lattice/packets/pulse.hpp"
-#include "lattice/stepping/damped.hpp"
+#include "lattice/integrators/damped.hpp"
 
 namespace lattice {
 

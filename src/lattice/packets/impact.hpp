@@ -21,7 +21,7 @@ energy and the front-most packet, and it sees to it that nothing comes back from
 
 #include "lattice/model/chain.hpp"
 #include "lattice/packets/observe.hpp"
-#include "lattice/stepping/accuracy.hpp"
+#include "lattice/integrators/accuracy.hpp"
 
 namespace lattice {
 

@@ -17,8 +17,8 @@ with $c$ the site of its largest density and $m = 5$, how fast it moves, and how
 #include <utility>
 #include <vector>
 
-#include "lattice/numbers/estimate.hpp"
-#include "lattice/numbers/line_fit.hpp"
+#include "lattice/numerics/estimate.hpp"
+#include "lattice/numerics/line_fit.hpp"
 
 namespace lattice {
 

@@ -1,6 +1,6 @@
 #include "lattice/packets/pulse.hpp"
 
-#include "lattice/numbers/parabola.hpp"
+#include "lattice/numerics/parabola.hpp"
 
 namespace lattice {
 

@@ -1,6 +1,6 @@
 #include "lattice/packets/turning.hpp"
 
-#include "lattice/numbers/parabola.hpp"
+#include "lattice/numerics/parabola.hpp"
 
 namespace lattice {
 

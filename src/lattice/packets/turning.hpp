@@ -20,10 +20,10 @@ over a stated width with the weight $1+\cos(2\pi t/\text{width})$. */
 #include <utility>
 #include <vector>
 
-#include "lattice/numbers/criterion.hpp"
-#include "lattice/numbers/estimate.hpp"
+#include "lattice/numerics/criterion.hpp"
+#include "lattice/numerics/estimate.hpp"
 #include "lattice/packets/impact.hpp"
-#include "lattice/stepping/accuracy.hpp"
+#include "lattice/integrators/accuracy.hpp"
 
 namespace lattice {
 

@@ -1,0 +1,46 @@
+#include "lattice/dps/dps_impact.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lattice {
+
+DpsOutcome follow_dps(const Dps& dps, const Field& start, double duration, std::size_t samples,
+                      const Tolerance& tolerance, const DpsObserver& watch) {
+  DpsOutcome out{{}, start, 0};
+  out.norm_drift =
+      evolve_dps(dps, out.end, duration, samples, tolerance, [&](double tau, const Field& field) {
+        watch(tau, field);
+        const auto d = density(field);
+        const auto site = front_packet(d);
+        if (tau > 0 && site) out.track.add(tau, d, *site);
+      });
+  return out;
+}
+
+DpsOutcome follow_dps_by(const Dps& dps, const Field& start, const Integration& integrate) {
+  DpsOutcome out{{}, start, 0};
+  std::vector<double> x = interleaved(start);
+  const double at_start = norm(start);
+  integrate(dps, x, [&](double tau, const std::vector<double>& now) {
+    for (std::size_t n = 0; n < out.end.size(); ++n) out.end[n] = {now[2 * n], now[2 * n + 1]};
+    out.norm_drift = std::max(out.norm_drift, std::abs(norm(out.end) / at_start - 1));
+    const auto d = density(out.end);
+    const auto site = front_packet(d);
+    if (tau > 0 && site) out.track.add(tau, d, *site);
+  });
+  return out;
+}
+
+double packet_amplitude(const Track& track) {
+  const double end = track.centre.back();
+  return std::sqrt(track.largest_peak(end - 1, end));
+}
+
+DpsPair follow_dps_to(double tolerance, const Dps& dps, const Field& start, double duration,
+                      std::size_t samples, const DpsObserver& watch) {
+  return {follow_dps(dps, start, duration, samples, 100 * tolerance, Unwatched{}),
+          follow_dps(dps, start, duration, 2 * samples, tolerance, watch)};
+}
+
+}  // namespace lattice

@@ -1,0 +1,67 @@
+#pragma once
+/**
+# Landing on the switchings
+
+With location.hpp an interval without a switching (a contact that opens or closes) costs little and is
+exact to the last digits. What remains is to find out where the intervals end. We look ahead with a plain
+leapfrog and small steps, cross the interval up to the instant where it saw a switching, correct that
+instant with the overlap $x$ found there, and repeat. The second derivative of the overlap is known from
+the forces, and with the root of the parabola $x + \dot x\tau + \ddot x\tau^2/2$ (overlap.hpp) the
+correction converges with order three: two or three passages suffice. The columns of a tangent
+(tangent.hpp) follow only the last one.
+
+The result does not rest on the look-out being right. The forces are those of the true contact law
+everywhere, never those of a contact held open or closed. A switching that the look-out missed shows
+after the passage as an overlap with the wrong sign, and we then land on it. */
+
+#include <algorithm>
+#include <cstddef>
+#include <type_traits>
+#include <vector>
+
+#include "lattice/events/location.hpp"
+#include "lattice/events/overlap.hpp"
+#include "lattice/events/tangent.hpp"
+#include "lattice/model/chain.hpp"
+
+namespace lattice {
+
+/**
+Errors of the orbit are relative to its amplitude, for which we take the largest position or velocity at
+the start. */
+template <class T>
+T largest(const State<T>& state) {
+  T most(0);
+  for (std::size_t n = 0; n < state.y.size(); ++n)
+    most = std::max({most, magnitude(state.y[n]), magnitude(state.v[n])});
+  return most > T(0) ? most : T(1);
+}
+
+/// Largest difference of two states in any position or velocity.
+template <class T>
+T largest_difference(const State<T>& a, const State<T>& b) {
+  T most(0);
+  for (std::size_t n = 0; n < a.y.size(); ++n)
+    most = std::max({most, magnitude<T>(a.y[n] - b.y[n]), magnitude<T>(a.v[n] - b.v[n])});
+  return most;
+}
+
+/**
+`flow` advances `state` by `duration` and replaces `tangent`, if there is one, by its image under the
+derivative of the flow. A runaway raises no exception: it shows in the `error` of what is returned. */
+template <class T>
+FlowReport<T> flow(const Chain& chain, State<T>& state, std::type_identity_t<T> duration,
+                   const EventTolerance<T>& rule = {}, Tangent<T>* tangent = nullptr);
+
+/**
+To compare it with other methods, a flow can be used as a stepper of integrate.hpp. It needs no steps; they
+only say where it may be interrupted. `advance` returns the number of site-force evaluations. */
+struct EventDriven {
+  double step;  ///< between two interruptions
+  /// Advances `state` by `n` times `h`.
+  double advance(const Chain& chain, State<double>& state, Window&, double h, std::size_t n) const {
+    return double(flow(chain, state, h * double(n)).evaluations * chain.sites);
+  }
+};
+
+}  // namespace lattice

@@ -1,0 +1,154 @@
+#pragma once
+/**
+# Crossing an interval between switchings
+
+Periodic orbits and their Floquet multipliers are wanted to the last digits, and switchings stand in the
+way. A contact of overlap $x$ pushes with $x_+^{3/2}$. Where it opens or closes, at $t^*$, its overlap
+crosses zero at a finite speed, so along an orbit the force behaves like $(t-t^*)_+^{3/2}$ and the
+stiffness, its derivative, like $(t-t^*)_+^{1/2}$. A formula of any order that takes a step $h$ across
+$t^*$ integrates these as if they were polynomials, and errs by $h\cdot h^{3/2}$ in the state and by
+$h\cdot h^{1/2}$ in the tangent map (tangent.hpp). Ending a step at $t^*$ is not enough: the derivatives of
+the square root still blow up at the end of the step.
+
+A change of the independent variable repairs this. With $t = t^* + u^2$ the root $(t-t^*)^{1/2} = u$
+becomes a straight line, and the whole solution, which is a power series in $(t-t^*)^{1/2}$, becomes one
+in $u$. The formula then has its full accuracy again. This file crosses an interval whose ends are
+switchings; event_driven.hpp finds the ends. */
+
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "lattice/events/tangent.hpp"
+#include "lattice/model/chain.hpp"
+
+namespace lattice {
+
+/**
+An interval $[a, a+L]$ between two switchings needs the square at both ends, and the simplest map with
+that property is the cubic
+$$t = a + L\,\varphi(s), \qquad \varphi(s) = 3s^2 - 2s^3, \qquad 0 \le s \le 1,$$
+for which $t - a \simeq 3Ls^2$ and $a + L - t \simeq 3L(1-s)^2$. We use it on every interval; at an end
+without a switching it does no harm. Unlike a cosine it needs no library function, so that its bits are
+the same everywhere.
+
+The tangent map passes a switching without a jump. In general the derivative of a flow across a surface
+in phase space gains a term proportional to the jump of the vector field there. Here the contact force
+is continuous and the jump is zero; that the instant of switching depends on the initial state does not
+matter to first order.
+
+Only differences $\varphi(e)-\varphi(s)$ are needed, and they factorise, so that short ones lose no
+digits to cancellation. */
+template <class T>
+T span(T s, T e) {
+  return (e - s) * (T(3) * (s + e) - T(2) * (s * s + s * e + e * e));
+}
+
+/**
+A single number governs the accuracy: `tolerance` bounds the error of a step, relative to the amplitude
+for the orbit and absolute for a tangent of order one. By default it is 128 units in the last place. The
+other members rarely need to be set. `floor` is explained at `Care` in landing.cpp; `sight` is short
+against the period $2\pi$ of a well; and a number type with more digits needs more `levels` of the
+extrapolation below. */
+template <class T>
+struct EventTolerance {
+  T tolerance = T(128) * std::numeric_limits<T>::epsilon();  ///< sixteen units at least
+  T floor = T(-1);    ///< slower switchings are not landed on; < 0: from the tolerance
+  T sight = T(0.05);  ///< time step of the look-out for switchings
+  int levels = 2 + std::numeric_limits<T>::digits10 / 2;  ///< of the extrapolation, at most
+};
+
+/// What a flow did. `error` is the sum of the estimates of all steps, measured like the tolerance; if
+/// the solution runs away it exceeds one or is infinite, and the state is the last one computed.
+template <class T>
+struct FlowReport {
+  std::size_t switchings = 0;     ///< contacts that opened or closed at the end of an interval
+  std::size_t unlanded = 0;       ///< contacts that did so in the middle of a step all the same
+  std::size_t steps = 0;          ///< of the final passage; their column work is `column_sweeps`
+  std::size_t evaluations = 0;    ///< of the force on the whole chain
+  std::size_t column_sweeps = 0;  ///< kicks and drifts of all columns of the tangent
+  T error = T(0);
+  T energy_drift = T(0);  ///< relative
+  T area = T(0);          ///< time integral of sum mu_n v_n^2
+};
+
+/**
+The orbit travels with one column of the tangent, a *probe*. It shows how accurate the columns will be, and
+whether the step suits them, before we carry all of them: the orbit is smoother than its tangent by one
+derivative and would be content with too long a step. Positions `y`, velocities `v`, the area and, if
+there is a probe, its two halves lie in one array.
+
+The area $\mathcal A = \int\sum\mu_n\dot y_n^2\,dt$ over a period, the action by which section 3.2
+compares breathers, travels along as one more position: while the chain drifts its velocities are
+constant, and so is the rate of the area. Its extrapolation is then as accurate as that of the orbit.
+
+The leapfrog drifts, kicks and drifts, so that it never evaluates a contact at the very instant of a
+switching, where the square root would magnify rounding errors. */
+template <class T>
+class Leapfrog {
+ public:
+  /// `chain` must live as long; with a `probe` the array is twice as long.
+  Leapfrog(const Chain& chain, bool probe)
+      : chain_(chain), probe_(probe), push_(chain.sites + 1, T(0)), pull_(chain.sites, T(0)) {}
+
+  /// `kicks` kicks from `s` to `s + h` on an interval of the given length; adds to `record`.
+  void run(std::vector<T>& z, T length, T s, T h, std::size_t kicks, Record<T>& record);
+  /// One plain step of duration `dt`: drift for half of it, kick, drift for the other half.
+  void step(std::vector<T>& z, T dt);
+  std::size_t evaluations = 0;  ///< of the force on the whole chain
+
+ private:
+  void drift(std::vector<T>& z, T dt) const;
+  void kick(std::vector<T>& z, const Curvature<T>& node);
+  void kick_probe(const Curvature<T>& node, const T* y, T* v) const;
+  void evaluate(const T* y, T* well, T* link);
+
+  const Chain& chain_;
+  bool probe_;
+  std::vector<T> push_, pull_;
+  Curvatures<T> own_{};  ///< that of the latest kick, where no record is kept
+};
+
+/**
+A passage is the way across one interval: the state in which it ends, the sum of the errors of its steps,
+and the records that the columns will follow. */
+template <class T>
+struct Passage {
+  std::vector<T> z;  ///< positions, velocities and area, 2 * sites + 1 numbers
+  T error = T(0);
+  std::vector<Record<T>> records;  ///< one for each step; without nodes if there was no probe
+};
+
+/**
+A step adds one leapfrog level after another until the last two extrapolated values agree, so that a short
+interval costs two or three levels and a long one as many as the precision allows. If they do not suffice,
+the step is shortened. We compare the value of $j$ levels with that of $j-1$, which estimates the error
+of the latter. The usual comparison within level $j$ gives a number smaller by a factor $j^2$, and trusts
+the asymptotic series too early while a recent switching is still near.
+
+Agreement is measured on the orbit and on the probe. A runaway, a bead beyond the rim of a soft well,
+never agrees: a step of 1/16384 of the interval is accepted as it is, and if the error then exceeds one
+the crossing gives up. */
+template <class T>
+class Crossing {
+ public:
+  /// `chain` must live as long; errors of the orbit are relative to `amplitude`.
+  Crossing(const Chain& chain, const EventTolerance<T>& rule, T amplitude);
+  /// Crosses an interval of the given length (in time) from the positions, velocities and area in `z`,
+  /// 2 * sites + 1 numbers; with `probe` it leaves records for the columns.
+  Passage<T> cross(const std::vector<T>& z, T length, bool probe);
+  std::size_t evaluations = 0;  ///< of the force on the whole chain, in all crossings
+
+ private:
+  std::vector<T> with_probe(std::vector<T> z) const;
+  T step(Leapfrog<T>& leapfrog, std::vector<T>& z, T length, T s, T h, Record<T>& record);
+  T difference(const std::vector<T>& a, const std::vector<T>& b) const;
+
+  const Chain& chain_;
+  EventTolerance<T> rule_;
+  T amplitude_;
+  std::vector<std::vector<T>> table_;
+  std::vector<T> previous_;  ///< its first entry before the latest level
+};
+
+}  // namespace lattice

@@ -1,0 +1,131 @@
+#pragma once
+/**
+# The tangent map
+
+Newton's method and Floquet theory need the derivative of the flow, the *tangent map*: by how much does
+the state at the end of a run change if that at its start is changed a little? A small change
+$\delta y$ of an orbit $y$ of the chain (chain.hpp) obeys the variational equation
+$$\mu_n\,\delta\ddot y_n = -\bigl(W''(y_n)+k_{n-1}+k_n\bigr)\,\delta y_n
+  + k_{n-1}\,\delta y_{n-1} + k_n\,\delta y_{n+1},\qquad k_n = \eta_n V''(y_{n+1}-y_n),$$
+where $k_n$ is the stiffness of the contact between the beads $n$ and $n+1$. The system is linear and
+its matrix tridiagonal and the same for all changes. We carry many of them at once, each a column of a
+matrix, and keep the entries of a row next to each other in memory: the three coefficients of the row are
+then scalars, and the processor works on as many columns at a time as its vectors are wide. */
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "lattice/model/chain.hpp"
+
+namespace lattice {
+
+/**
+A tangent holds its columns as an array of `2 * sites` rows: first those of the positions, then those of
+the velocities. It begins as the identity, or as its first `columns` columns. Carried along a periodic
+orbit for one period, the identity becomes the monodromy matrix, whose eigenvalues are the Floquet
+multipliers (floquet.hpp). Its first `sites` columns belong to changes of the initial positions. */
+template <class T>
+struct Tangent {
+  std::size_t sites = 0, columns = 0;
+  std::vector<T> entries;  ///< row by row
+
+  /// The first columns of the identity.
+  Tangent(std::size_t site_count, std::size_t column_count)
+      : sites(site_count), columns(column_count), entries(2 * sites * columns, T(0)) {
+    for (std::size_t i = 0; i < std::min(2 * sites, columns); ++i) (*this)(i, i) = T(1);
+  }
+  /// Entry of row 0 <= row < 2 * sites.
+  T& operator()(std::size_t row, std::size_t column) { return entries[row * columns + column]; }
+  const T& operator()(std::size_t row, std::size_t column) const {
+    return entries[row * columns + column];
+  }
+  /// The entries of row `i`: displacements first, then velocities.
+  T* row(std::size_t i) { return entries.data() + i * columns; }
+};
+
+/**
+At one instant the matrix of the variational equation is known from the second derivatives of all wells and
+contacts, which we call curvatures. They are kept together with the duration of the kick and of the drift
+that they serve (schemes.hpp explains the two words). */
+template <class T>
+struct Curvature {
+  T kick, drift;         ///< durations
+  const T *well, *link;  ///< link[i] belongs to the contact of i - 1 with i
+};
+
+/**
+A step meets hundreds of them, one after the other, and allocating each would cost as much as a loop over the
+sites. So they share one block of memory. */
+template <class T>
+class Curvatures {
+ public:
+  /// One more along a chain of so many sites; returns where its wells are to be written, and then its links.
+  T* add(std::size_t sites, T kick, T drift) {
+    sites_ = sites;
+    durations_.push_back(kick), durations_.push_back(drift);
+    numbers_.resize(size() * (2 * sites + 1), T(0));
+    return numbers_.data() + (size() - 1) * (2 * sites + 1);
+  }
+  /// Number `k`, from zero; valid until the next one is added.
+  Curvature<T> operator[](std::size_t k) const {
+    const T* well = numbers_.data() + k * (2 * sites_ + 1);
+    return {durations_[2 * k], durations_[2 * k + 1], well, well + sites_};
+  }
+  std::size_t size() const { return durations_.size() / 2; }  ///< how many there are
+  void clear() { durations_.clear(), numbers_.clear(); }
+
+ private:
+  std::size_t sites_ = 0;
+  std::vector<T> durations_{}, numbers_{};
+};
+
+/**
+Orbit and columns need not be computed together. A step of the integrator of location.hpp combines several
+leapfrog runs over the same interval: that of level $j$ drifts by `lead[j - 1]` and then alternates $j$
+kicks and drifts. The orbit is computed first and leaves a record of the curvatures that it met; the
+columns follow it afterwards. */
+template <class T>
+struct Record {
+  T duration = 0;         ///< of the step
+  std::vector<T> lead{};  ///< first drift of each level
+  Curvatures<T> nodes{};  ///< one for level 1, two for level 2, and so on
+
+  /// How many leapfrog runs were combined.
+  std::size_t levels() const { return lead.size(); }
+};
+
+/// Coefficients of a row: of the own displacement, and of those of the left and right neighbour.
+template <class T>
+struct TangentRow {
+  T self, left, right;
+};
+
+/**
+How are the runs combined? Those of $1, 2, \dots, k$ kicks differ from the exact solution by a series in
+even powers of their step. The polynomial in $1/j^2$ through their results, taken at zero, is free of its
+first $k-1$ terms, and Lagrange's formula gives the weights (Richardson extrapolation):
+$$w_j = \prod_{i \ne j} \frac{j^2}{j^2 - i^2}, \qquad \sum_j w_j = 1.$$ */
+/// w_j for the levels 1 to `levels`.
+template <class T>
+T extrapolation_weight(std::size_t j, std::size_t levels);
+
+/**
+Far from the centre of a breather (a vibration that is localized at a few sites) the contacts hardly push,
+and a tangent does not notice accelerations far below the precision asked for. There a change oscillates
+by itself in the well as it is at rest, and we know this motion exactly. The sites in between are the
+core: from the first to the last one with a contact whose stiffness over the mass exceeds `negligible`, or
+a well whose curvature differs from its value at rest by more than that. With precompression the contacts
+are stiff at rest, and the core is the whole chain. */
+template <class T>
+Window core_of(const Chain& chain, const Record<T>& record, std::type_identity_t<T> negligible);
+
+/**
+All together: `carry` replaces the columns of `tangent` by their images after the step that `record` holds.
+Accelerations below `negligible` (per unit of displacement) count as none. The panel is padded to whole
+vectors of eight columns. */
+template <class T>
+void carry(const Chain& chain, const Record<T>& record, std::type_identity_t<T> negligible,
+           Tangent<T>& tangent);
+
+}  // namespace lattice

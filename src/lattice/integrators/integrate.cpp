@@ -1,0 +1,191 @@
+#include "lattice/integrators/integrate.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+#include "lattice/model/typed.hpp"
+#include "lattice/numerics/interrupt.hpp"
+#include "lattice/numerics/progress.hpp"
+
+namespace lattice {
+
+#ifndef LATTICE_QUADRUPLE
+// With the kicks between steps merged, only the very last kick of a run is a stage of its own
+std::size_t stage_count(const Scheme& scheme, std::size_t steps) {
+  return steps > 0 ? steps * (scheme.kick.size() - 1) + 1 : 0;
+}
+
+// The coarsest division into equal samples and steps, safe from rounding at whole numbers
+TimeGrid time_grid(double duration, double sample, double step) {
+  constexpr double most_steps = 1e12;
+  const auto positive = [](double x) { return x > 0 && std::isfinite(x); };
+  const bool good = duration >= 0 && positive(sample) && positive(step) &&
+                    duration / std::min(sample, step) <= most_steps;
+  if (!good) {
+    std::ostringstream text;
+    text << "a run of duration " << duration << " with samples " << sample << " apart and steps of "
+         << step << " (allowed: finite and positive, the duration may vanish, at most "
+         << most_steps << " steps)";
+    throw std::invalid_argument(text.str());
+  }
+  TimeGrid p{duration, std::size_t(std::ceil(duration / sample * (1 - 1e-12)))};
+  if (p.samples > 0) p.steps = std::size_t(std::ceil(p.interval() / step * (1 - 1e-12)));
+  p.steps = std::max<std::size_t>(p.steps, 1);
+  return p;
+}
+
+// Two refinements: of the steps alone, or of the samples together with the steps
+TimeGrid shorter_steps(TimeGrid p, int times) {
+  p.steps <<= times;
+  return p;
+}
+
+TimeGrid denser_samples(TimeGrid p, int times) {
+  p.samples <<= times;
+  return p;
+}
+
+Run joined(const Run& first, const Run& second) {
+  Run both = second;
+  both.energy_drift += first.energy_drift;
+  both.energy_defect += first.energy_defect;
+  both.work += first.work;
+  both.steps += first.steps;
+  return both;
+}
+
+// Has no bead gone too far?
+bool bounded(const State<double>& state) {
+  return std::all_of(state.y.begin(), state.y.end(),
+                     [](double y) { return std::abs(y) < escape_displacement; });
+}
+
+#ifndef __wasm__
+// What rounding may do to an energy, from its densities in a wider type: in a stiff contact under compression it is
+// the small difference of large terms
+static double rounding(const Chain& chain, const State<double>& state) {
+  State<long double> wide;
+  wide.y.assign(state.y.begin(), state.y.end());
+  wide.v.assign(state.v.begin(), state.v.end());
+  const auto exact = energy_density(chain, wide);
+  const auto rounded = energy_density(chain, state);
+  double sum = 0;
+  for (std::size_t n = 0; n < chain.sites; ++n) sum += double(std::abs(exact[n] - rounded[n]));
+  return sum;
+}
+#endif
+
+// Beyond the wells and beyond the flight of the lightest bead with all of the energy
+static double farthest(const Chain& chain, double energy, double duration) {
+  const double mass =
+      chain.mass.empty() ? 1 : *std::min_element(chain.mass.begin(), chain.mass.end());
+  const double flight = std::sqrt(2 * std::max(energy, 0.0) / mass) * duration;
+  return escape_displacement + (std::isfinite(flight) ? flight : 0);
+}
+
+namespace {
+
+/// What a run must keep: its energy, and its beads.
+class Audit {
+ public:
+  Audit(const Chain& chain, const State<double>& state, double duration)
+      : chain_(chain), start_(energy(chain, state)), far_(farthest(chain, start_, duration)) {}
+
+  /// Enters a sample into the run; false if the solution has run away.
+  bool holds(const State<double>& state, const Window& window, Run& run) {
+    const double now = energy(chain_, state), off = std::abs(now - start_);
+    double reach = 0, kinetic = 0;
+    for (std::size_t n = window.first; n < window.last; ++n) {
+      if (!(std::abs(state.y[n]) < far_)) return false;
+      reach = std::max(reach, std::abs(state.y[n]));
+      kinetic += chain_.mass_of(n) * state.v[n] * state.v[n] / 2;
+    }
+    if (!std::isfinite(now)) return false;
+    largest_ = std::max(largest_, kinetic);
+    run.energy_drift = std::max(run.energy_drift, off / scale_);
+    run.energy_defect = std::max(run.energy_defect, off / largest_);
+    if (reach < rim_)
+      run.leave_time = std::numeric_limits<double>::infinity();
+    else if (run.energy_defect <= largest_defect)
+      run.leave_time = std::min(run.leave_time, state.t);
+    run.t_end = state.t;
+    return true;
+  }
+
+  /// Takes what rounding explains from the defect. The browser has no wider type to tell.
+  void excuse_rounding([[maybe_unused]] const State<double>& state, [[maybe_unused]] Run& run) {
+#ifndef __wasm__
+    if (run.energy_defect > rounded_defect && !run.escaped())
+      run.energy_defect =
+          std::max(0.0, run.energy_defect - 10 * rounding(chain_, state) / largest_);
+#endif
+  }
+
+ private:
+  const Chain& chain_;
+  double start_, far_, scale_ = start_ != 0 ? std::abs(start_) : 1, largest_ = scale_;
+  double rim_ = chain_.well.rim();
+};
+
+}  // namespace
+
+// March from sample to sample, watch energy and rim, and stop where the solution runs away
+Run evolve(const Advance& advance, const Chain& chain, State<double>& state, const TimeGrid& grid,
+           const Look& look) {
+  const double t0 = state.t, interval = grid.interval();
+  Audit audit(chain, state, grid.duration);
+  Window window = waking(chain, state);
+  Run run{.t_end = t0};
+  audit.holds(state, window, run);
+  if (!look(state)) return run;
+  Progress progress(number_label("step", grid.step()), 1);
+  for (std::size_t k = 1; k <= grid.samples; ++k) {
+    heed_stop();
+    run.work += advance(state, window, grid.step(), grid.steps);
+    run.steps += grid.steps;
+    // Times are multiples of the interval and not sums of steps, so that rounding does not pile up
+    state.t = t0 + interval * double(k);
+    if (!audit.holds(state, window, run)) {
+      run.escape_time = state.t;
+      break;
+    }
+    if (!look(state)) break;
+    progress.reach(double(k) / double(grid.samples));
+  }
+  audit.excuse_rounding(state, run);
+  return run;
+}
+#endif
+
+// Where one step ends and the next begins, the last kick and the first become one
+template <class T>
+Stage<T> stage_at(const Scheme& scheme, double h, std::size_t steps, std::size_t k) {
+  const std::size_t last = scheme.kick.size() - 1, i = k == steps * last ? last : k % last;
+  const bool merged = i == 0 && k > 0;
+  const T kick = T(scheme.kick[i] * h), before = merged ? T(scheme.kick[last] * h) : T(0);
+  return {kick + before, T(scheme.drift[i] * h)};
+}
+
+// Kick and drift, stage after stage; the work counts the sites inside the moving window
+template <class T>
+double Splitting::advance(const Chain& chain, State<T>& state, Window& window, double h,
+                          std::size_t count) const {
+  const auto move = detail::plain_kick_drifter<T>(chain);
+  double work = 0;
+  for (std::size_t k = 0; k < stage_count(scheme, count); ++k) {
+    const Stage<T> stage = stage_at<T>(scheme, h, count, k);
+    move(chain, state, window, stage.kick, stage.drift, {});
+    work += double(window.last - window.first);
+  }
+  return work;
+}
+
+#define LATTICE_INSTANCES(T)                                                                   \
+  template Stage<T> stage_at<T>(const Scheme&, double, std::size_t, std::size_t);              \
+  template double Splitting::advance<T>(const Chain&, State<T>&, Window&, double, std::size_t) \
+      const;
+#include "lattice/model/instances.hpp"
+
+}  // namespace lattice

@@ -1,0 +1,98 @@
+#include "lattice/model/dps.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace lattice {
+
+// The two scales: of time, and of the amplitude at a given breather frequency
+double tau_0() {
+  return 5 * gamma_quarter * gamma_quarter / (24 * std::sqrt(std::numbers::pi));
+}
+
+double breather_eps(double omega_b) {
+  return std::pow(2 * tau_0() * (omega_b - 1), 2);
+}
+
+namespace {
+
+/// |x + i y|^{1/2}
+double root_modulus(double x, double y) {
+  const double square = x * x + y * y;
+  if (!(square > 1e-120)) return 0;
+  return std::sqrt(std::sqrt(square));
+}
+
+}  // namespace
+
+/**
+A contact acts on its two beads with opposite forces, so each is computed once: walking along the chain
+we keep that of the contact behind and find that of the contact in front. */
+void Dps::operator()(double, const double* a, double* da) const {
+  double re = 0, im = 0;
+  const bool ring = near_end == Ends::periodic;
+  if (near_end != Ends::free) {
+    const double* behind = a + 2 * (sites - 1);
+    const double x = ring ? a[0] - behind[0] : a[0], y = ring ? a[1] - behind[1] : a[1];
+    const double m = root_modulus(x, y);
+    re = m * x;
+    im = m * y;
+  }
+  for (std::size_t n = 0; n < sites; ++n) {
+    double re_next = 0, im_next = 0;
+    if (n + 1 < sites || ring) {
+      const double* ahead = n + 1 < sites ? a + 2 * n + 2 : a;
+      const double x = ahead[0] - a[2 * n], y = ahead[1] - a[2 * n + 1];
+      const double m = root_modulus(x, y);
+      re_next = m * x;
+      im_next = m * y;
+    }
+    da[2 * n] = rate * (im_next - im);
+    da[2 * n + 1] = -rate * (re_next - re);
+    re = re_next;
+    im = im_next;
+  }
+}
+
+// The two conserved quantities of the DpS equation, and the density whose sum is one of them
+double norm(const Field& field) {
+  double sum = 0;
+  for (const auto& a : field) sum += std::norm(a);
+  return sum;
+}
+
+double energy(const Field& field, bool ring) {
+  double sum = 0;
+  for (std::size_t n = 0; n + 1 < field.size() + std::size_t(ring); ++n) {
+    const double d = std::abs(field[n + 1 < field.size() ? n + 1 : 0] - field[n]);
+    sum += 0.4 * (d * d * std::sqrt(d));
+  }
+  return sum;
+}
+
+std::vector<double> density(const Field& field) {
+  std::vector<double> d;
+  for (const auto& a : field) d.push_back(std::norm(a));
+  return d;
+}
+
+// An impact on the first bead gives it a velocity and no displacement: A_1 is imaginary
+Field dps_impact(std::size_t sites) {
+  Field field(sites);
+  field[0] = {0, -1};
+  return field;
+}
+
+// Back to the chain: the slow amplitudes turn with the fast oscillation of the wells
+State<double> dps_state(const Field& field, double eps, double t) {
+  State<double> state(field.size());
+  const std::complex<double> phase(std::cos(t), std::sin(t));
+  for (std::size_t n = 0; n < field.size(); ++n) {
+    state.y[n] = 2 * eps * (field[n] * phase).real();
+    state.v[n] = -2 * eps * (field[n] * phase).imag();
+  }
+  state.t = t;
+  return state;
+}
+
+}  // namespace lattice

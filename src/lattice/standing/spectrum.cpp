@@ -1,0 +1,235 @@
+#include "lattice/standing/spectrum.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+
+#include "lattice/model/sites.hpp"
+#include "lattice/algebra/eigenvalues.hpp"
+#include "lattice/quadruple/extended.hpp"
+
+namespace lattice {
+
+// A state is symmetric, so the strains of its right half give all contacts
+template <class T>
+std::vector<T> contact_roots(const Stationary<T>& state) {
+  using std::abs;
+  using std::sqrt;
+  const std::size_t sites = state.u.size();
+  std::vector<T> roots(sites - 1, T(0));
+  for (std::size_t i = 0; i + 1 < sites; ++i) {
+    const long n = site_number(i, sites);  // the contact of n and n + 1, or its mirror image
+    const long mirror = state.centre == Centre::bond ? -n : -1 - n;
+    const auto k = std::size_t(n < 0 ? mirror : n);
+    if (k < state.strain.size()) roots[i] = sqrt(abs(state.strain[k]));
+  }
+  return roots;
+}
+
+namespace {
+
+/// Diagonal of M and the line beside it: each contact stiffens its two sites and couples them.
+template <class T>
+auto contact_matrix(const std::vector<T>& roots) {
+  const auto contacts = Eigen::Index(roots.size());
+  Vector<T> diagonal(contacts + 1), beside(contacts);
+  diagonal.setZero();
+  for (Eigen::Index i = 0; i < contacts; ++i) {
+    const T& root = roots[std::size_t(i)];
+    diagonal(i) += root;
+    diagonal(i + 1) += root;
+    beside(i) = -root;
+  }
+  return std::pair(diagonal, beside);
+}
+
+}  // namespace
+
+// All eigenvalues of the tridiagonal M, from the largest on
+template <class T>
+ContactSpectrum<T> contact_spectrum(const Stationary<T>& state, bool vector) {
+  const auto [diagonal, beside] = contact_matrix(contact_roots(state));
+  const auto sites = Eigen::Index(state.u.size());
+  Eigen::SelfAdjointEigenSolver<Matrix<T>> solver;
+  solver.computeFromTridiagonal(diagonal, beside,
+                                vector ? Eigen::ComputeEigenvectors : Eigen::EigenvaluesOnly);
+  if (solver.info() != Eigen::Success)
+    throw std::runtime_error("the eigenvalues of the contact matrix did not converge");
+  // The largest must be mu: keep by how much the solver misses it, and put mu itself in its place
+  ContactSpectrum<T> out{state.mu, {}};
+  for (Eigen::Index i = sites; i-- > 0;) out.m.push_back(solver.eigenvalues()(i));
+  out.phase_defect = out.m[0] - state.mu;
+  out.m[0] = state.mu;
+  if (vector) out.second = solver.eigenvectors().col(sites - 2);
+  return out;
+}
+
+// Eliminate M - x from site to site and count the positive pivots
+template <class T>
+std::size_t eigenvalues_above(const std::vector<T>& roots, const T& x) {
+  std::size_t count = 0;
+  T pivot(1), left(0);
+  for (std::size_t i = 0; i <= roots.size(); ++i) {
+    const T right = i < roots.size() ? roots[i] : T(0);
+    pivot = left + right - x - left * left / pivot;
+    // A pivot that vanishes counts as negative, by a rounding error of x
+    if (pivot == T(0)) pivot = std::numeric_limits<T>::epsilon() * (-x);
+    count += pivot > T(0);
+    left = right;
+  }
+  return count;
+}
+
+// Halve the interval until it holds no further number of the format
+template <class T>
+T counted_eigenvalue(const Stationary<T>& state, std::size_t k) {
+  const auto roots = contact_roots(state);
+  T low(0), high = T(2) * state.mu;
+  for (;;) {
+    const T middle = (low + high) / T(2);
+    if (!(low < middle) || !(middle < high)) return middle;
+    (eigenvalues_above(roots, middle) >= k ? low : high) = middle;
+  }
+}
+
+// lambda^2 is real: a real pair where it is positive, an imaginary one where it is negative
+template <class T>
+std::vector<std::pair<T, T>> exponents(const ContactSpectrum<T>& spectrum) {
+  std::vector<std::pair<T, T>> out;
+  for (const T& m : spectrum.m) {
+    const T size = lambda_modulus(spectrum.mu, m);
+    const bool real = lambda_squared(spectrum.mu, m) > T(0);
+    for (int sign : {1, -1})
+      out.emplace_back(real ? T(sign) * size : T(0), real ? T(0) : T(sign) * size + T(0));
+  }
+  return out;
+}
+
+namespace {
+
+/// (m_2 - 2 mu / 3) / mu and |lambda| / mu, computed with numbers of type T.
+template <class T>
+std::pair<double, double> margin_and_exponent(Centre centre, double mu, std::size_t sites) {
+  const auto state = stationary<T>(centre, T(mu), sites);
+  const T m = counted_eigenvalue(state, 2);
+  return {static_cast<double>(T(instability_margin(state.mu, m) / state.mu)),
+          static_cast<double>(T(lambda_modulus(state.mu, m) / state.mu))};
+}
+
+}  // namespace
+
+// The error of a margin: its change with the precision plus its change with ten more sites
+template <class Fine>
+Margin margin_of(Centre centre, double mu, std::size_t sites) {
+  const auto [margin, exponent] = margin_and_exponent<Fine>(centre, mu, sites);
+  const auto [short_margin, short_exponent] = margin_and_exponent<double>(centre, mu, sites);
+  const auto [long_margin, long_exponent] = margin_and_exponent<Fine>(centre, mu, sites + 10);
+  Margin out{compare(short_margin, margin), compare(short_exponent, exponent)};
+  out.margin.error += std::abs(margin - long_margin);
+  out.exponent.error += std::abs(exponent - long_exponent);
+  return out;
+}
+
+namespace {
+
+/// The matrix of (a, b).
+template <class T>
+Matrix<T> full_matrix(const Stationary<T>& state) {
+  using std::abs;
+  using std::sqrt;
+  const auto sites = Eigen::Index(state.u.size());
+  Matrix<T> full(2 * sites, 2 * sites);
+  full.setZero();
+  // What M takes from site k to site i enters with 5/4 within a or b and with 1/4 between them
+  const auto add = [&](Eigen::Index i, Eigen::Index k, const T& value) {
+    full(i, k) -= T(1.25) * value;
+    full(i, sites + k) -= T(0.25) * value;
+    full(sites + i, k) += T(0.25) * value;
+    full(sites + i, sites + k) += T(1.25) * value;
+  };
+  // Each site turns with mu, and each contact stiffens its two sites and couples them
+  for (Eigen::Index i = 0; i < sites; ++i) {
+    full(i, i) += state.mu;
+    full(sites + i, sites + i) -= state.mu;
+    if (i + 1 == sites) break;
+    const T slope = sqrt(abs(state.u[std::size_t(i) + 1] - state.u[std::size_t(i)]));
+    add(i, i, slope);
+    add(i + 1, i + 1, slope);
+    add(i, i + 1, -slope);
+    add(i + 1, i, -slope);
+  }
+  return full;
+}
+
+}  // namespace
+
+/**
+The eigenvalues $\kappa$ of this matrix are $i\lambda$. */
+template <class T>
+std::vector<std::complex<T>> full_exponents(const Stationary<T>& state) {
+  std::vector<std::complex<T>> out;
+  for (const std::complex<T>& kappa : eigenvalues_of(full_matrix(state)))
+    out.emplace_back(kappa.imag(), -kappa.real());
+  return out;
+}
+
+// How far the two routes to the pinning pair are apart, and how far the phase is from zero
+template <class T>
+Remainders remainders(const Stationary<T>& state) {
+  using std::abs;
+  auto full = full_exponents(state);
+  std::sort(full.begin(), full.end(),
+            [](const auto& a, const auto& b) { return std::norm(a) < std::norm(b); });
+  // First come the two zeros of the phase, then the pinning pair
+  const T m = contact_spectrum(state).m[1], pair = lambda_modulus(state.mu, m);
+  const bool real = lambda_squared(state.mu, m) > T(0);
+  const T found = abs(real ? full[2].real() : full[2].imag());
+  const T wrong = abs(real ? full[2].imag() : full[2].real());
+  return {double(abs(found - pair) + wrong), double(abs(full[1]))};
+}
+
+// The plane in which a breather is shifted and pushed along the chain
+PinningPair::PinningPair(const ContactSpectrum<double>& spectrum)
+    : V(spectrum.second),
+      mu(spectrum.mu),
+      m(spectrum.m[1]),
+      rate(lambda_modulus(mu, m)),
+      push((mu - m) / rate) {}
+
+std::complex<double> PinningPair::of(const Field& w) const {
+  std::complex<double> sum = 0;
+  for (std::size_t i = 0; i < w.size(); ++i) sum += V(Eigen::Index(i)) * w[i];
+  return sum;
+}
+
+double PinningPair::growing(const Field& w) const {
+  const auto xy = of(w);
+  return (xy.real() + push * xy.imag()) / 2;
+}
+
+void PinningPair::add(std::complex<double> z, Field& w) const {
+  for (std::size_t i = 0; i < w.size(); ++i) w[i] += z * V(Eigen::Index(i));
+}
+
+// The scalars that are used: all eigenvalues in two, a single one in three
+#define LATTICE_SPECTRUM(T)                                                   \
+  template ContactSpectrum<T> contact_spectrum(const Stationary<T>&, bool);   \
+  template std::vector<std::pair<T, T>> exponents(const ContactSpectrum<T>&); \
+  template std::vector<std::complex<T>> full_exponents(const Stationary<T>&); \
+  template Remainders remainders(const Stationary<T>&);
+
+#define LATTICE_COUNTED(T)                                                 \
+  template std::vector<T> contact_roots(const Stationary<T>&);             \
+  template std::size_t eigenvalues_above(const std::vector<T>&, const T&); \
+  template T counted_eigenvalue(const Stationary<T>&, std::size_t);
+
+LATTICE_SPECTRUM(double)
+LATTICE_SPECTRUM(long double)
+LATTICE_COUNTED(double)
+LATTICE_COUNTED(long double)
+LATTICE_COUNTED(Quadruple)
+template Margin margin_of<long double>(Centre, double, std::size_t);
+template Margin margin_of<Quadruple>(Centre, double, std::size_t);
+
+}  // namespace lattice

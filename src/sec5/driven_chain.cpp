@@ -1,0 +1,150 @@
+#include "sec5/driven_chain.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "lattice/numerics/progress.hpp"
+
+namespace lattice {
+namespace {
+
+/// One run: the steps, and what they book.
+class DrivenRun {
+ public:
+  DrivenRun(const DrivenChain& bench, double h)
+      : bench_(bench),
+        h_(h),
+        stepper_{h},
+        memory_(stepper_.memory<double>(bench.chain)),
+        factor_(std::exp(-bench.losses.rate * h / 2)),
+        loss_(-std::expm1(-bench.losses.rate * h) / 2) {}
+
+  void advance(State<double>& state, Window& window, std::size_t count) {
+    for (std::size_t k = 0; k < count; ++k) {
+      const double start = state.t;
+      push(state, window, start);
+      rub_beams(state, window);
+      rub_contacts(state, window, false);
+      stepper_.advance(bench_.chain, state, window, h_, 1, memory_);
+      rub_contacts(state, window, true);
+      rub_beams(state, window);
+      state.t = start + h_;
+      push(state, window, state.t);
+    }
+  }
+
+  EnergyBudget budget{};
+
+ private:
+  double mass(std::size_t n) const { return bench_.chain.mass_of(n); }
+
+  /// Half a step of the drive.
+  void push(State<double>& state, Window& window, double t) {
+    if (bench_.drive.by == Drive::By::nothing) return;
+    const double kick = bench_.drive.force(t, state.y[0]) * h_ / 2;
+    if (kick == 0) return;
+    const double before = state.v[0];
+    state.v[0] += kick / mass(0);
+    budget.work += mass(0) / 2 * (state.v[0] - before) * (state.v[0] + before);
+    window.first = 0, window.last = std::max<std::size_t>(window.last, 1);
+  }
+
+  /// Half a step of the beams' friction.
+  void rub_beams(State<double>& state, Window window) {
+    if (bench_.losses.rate == 0) return;
+    double sum = 0;
+    for (std::size_t n = window.first; n < window.last; ++n) {
+      sum += mass(n) * state.v[n] * state.v[n] * loss_;
+      state.v[n] *= factor_;
+    }
+    budget.beams += sum;
+  }
+
+  /// Half a step of the contacts' friction, pair by pair, in one order or in the other.
+  void rub_contacts(State<double>& state, Window window, bool backwards) {
+    if (bench_.losses.contact == 0 || window.last - window.first < 2) return;
+    const std::size_t first = window.first + 1, last = window.last;
+    for (std::size_t k = first; k < last; ++k)
+      rub_pair(state, backwards ? first + last - 1 - k : k);
+  }
+
+  /// The relative velocity of a pair decays at a rate that its overlap decides; the momentum stays.
+  void rub_pair(State<double>& state, std::size_t i) {
+    const double overlap = state.y[i - 1] - state.y[i];
+    if (!(overlap > 0)) return;
+    const double m = mass(i - 1), k = mass(i), reduced = m * k / (m + k);
+    const double rate =
+        1.5 * bench_.losses.contact * bench_.chain.eta_of(i) * std::sqrt(overlap) / reduced;
+    const double w = state.v[i] - state.v[i - 1], lost = -std::expm1(-rate * h_ / 2);
+    budget.contacts += reduced / 2 * w * w * lost * (2 - lost);
+    state.v[i - 1] += lost * w * reduced / m;
+    state.v[i] -= lost * w * reduced / k;
+  }
+
+  const DrivenChain& bench_;
+  double h_;
+  ContactAware stepper_;
+  NystromMemory<double> memory_;
+  double factor_, loss_;
+};
+
+}  // namespace
+
+double Drive::force(double t, double y) const {
+  if (by == By::base) return displacement(t);
+  const double overlap = displacement(t) - y;
+  return overlap > 0 ? overlap * std::sqrt(overlap) : 0;
+}
+
+// All energy is accounted for at every sample
+double run_driven(const DrivenChain& bench, State<double>& state, const TimeGrid& grid,
+                 const DrivenObserver& observe) {
+  const Losses& losses = bench.losses;
+  if (!(losses.rate >= 0 && losses.contact >= 0))
+    throw std::invalid_argument("losses must not be negative");
+  if (bench.chain.ends != Ends::free)
+    throw std::invalid_argument("the bench holds chains with free ends");
+  DrivenRun run(bench, grid.step());
+  Window window = waking(bench.chain, state);
+  const double start = energy(bench.chain, state), t0 = state.t;
+  double scale = start, open = 0;
+  if (!observe(state, run.budget)) return 0;
+  Progress progress(number_label("step", grid.step()), 1);
+  for (std::size_t k = 1; k <= grid.samples; ++k) {
+    run.advance(state, window, grid.steps);
+    state.t = t0 + double(k) * grid.interval();
+    const EnergyBudget& l = run.budget;
+    const double now = energy(bench.chain, state);
+    scale = std::max({scale, now, l.work});
+    open = std::max(open, std::abs(now + l.beams + l.contacts - l.work - start));
+    if (!observe(state, l)) break;
+    progress.reach(double(k) / double(grid.samples));
+  }
+  return scale > 0 ? open / scale : 0;
+}
+
+// Two beads on a bench without wells, until they have parted
+double restitution(double contact, double velocity) {
+  const DrivenChain bench{Chain{2, None{}}, {0, contact}};
+  State<double> state(2);
+  state.v[0] = velocity;
+  // The collision of equal beads lasts 2.43 / velocity^(1/5); afterwards they fly apart
+  const double unit = std::pow(velocity, -0.2);
+  run_driven(bench, state, time_grid(6 * unit, 6 * unit, unit / 512),
+            [](const State<double>&, const EnergyBudget&) { return true; });
+  return (state.v[1] - state.v[0]) / velocity;
+}
+
+double contact_loss(double e, double velocity) {
+  if (!(e > 0 && e <= 1)) throw std::invalid_argument("a restitution lies between 0 and 1");
+  if (e == 1) return 0;
+  double low = 0, high = 1;
+  while (restitution(high, velocity) > e) high *= 2;
+  for (int k = 0; k < 50; ++k) {
+    const double middle = (low + high) / 2;
+    (restitution(middle, velocity) > e ? low : high) = middle;
+  }
+  return (low + high) / 2;
+}
+
+}  // namespace lattice

@@ -1,0 +1,85 @@
+#pragma once
+/**
+# The chain on a bench
+
+A real array loses energy and is driven from outside. This file adds both to the chain of chain.hpp, in its
+units:
+$$\mu_n\ddot y_n = F_n - \nu\,\mu_n\dot y_n + \varphi_n - \varphi_{n+1} + \delta_{n1}\,G(y_1,t).$$
+The rate $\nu$ is that of the beams; free oscillations lose their energy like $e^{-\nu t}$. Contacts lose
+energy by the viscosity of their material: in the law of Kuwabara and Kono (Jpn. J. Appl. Phys. 26, 1230,
+1987) the push of a contact with the overlap $x$ is $\eta\,(x^{3/2}+\frac32A\sqrt x\,\dot x)$, so that
+$\varphi_n = \frac32A\,\eta_n\sqrt{x_n}\,\dot x_n$ acts on bead $n$, and its opposite on the bead before. The
+drive $G$ is the push of a *piston* that touches the first bead and moves as $a\sin\Omega t$,
+$G = (a\sin\Omega t-y_1)_+^{3/2}$, or the pull of the first beam, whose *base* moves in this way,
+$G = a\sin\Omega t$.
+
+One step alternates these forces with a conservative step of contact_rkn.hpp in the symmetric order of
+Strang, as in damped.hpp. Each force alone is solved exactly at fixed positions, and the energy that it
+gives or takes is then a difference of kinetic energies. So every joule is booked: energy plus losses minus
+work stays constant but for the drift of the conservative step. As the bookkeeping cannot see the error of
+the alternation, which is of order two, that error is found by halving the step. */
+
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <numbers>
+#include <vector>
+
+#include "lattice/integrators/contact_rkn.hpp"
+
+namespace lattice {
+
+/// What takes energy out of a chain: the rate nu of the beams, and the time A of the contacts.
+struct Losses {
+  double rate = 0, contact = 0;  ///< per unit of time, and in units of time
+};
+
+/**
+A drive may begin suddenly or slowly: its amplitude goes on a straight line from `from` to `amplitude` in
+the time `ramp`, up or down, and stays there. */
+struct Drive {
+  enum class By { nothing, piston, base } by = By::nothing;
+  double omega = 1, amplitude = 0, from = 0, ramp = 0;
+
+  /// a at the time `t`.
+  double amplitude_at(double t) const {
+    return t < ramp ? from + (amplitude - from) * (t / ramp) : amplitude;
+  }
+  /// a sin Omega t.
+  double displacement(double t) const { return amplitude_at(t) * std::sin(omega * t); }
+  /// Force on the first bead, at its position `y`.
+  double force(double t, double y) const;
+};
+
+/// Where the energy went since the start: into beams and contacts, and what the drive gave.
+struct EnergyBudget {
+  double beams = 0, contacts = 0, work = 0;
+};
+
+/// Chain, losses and drive.
+struct DrivenChain {
+  Chain chain;
+  Losses losses{};
+  Drive drive{};
+};
+
+/**
+`run_driven` carries a state forward and shows it with the energy budget at the start and after each sample, until
+the observer returns false. The result is the largest deviation of energy + losses - work from its value at
+the start, relative to the largest energy that was there or came in. */
+using DrivenObserver = std::function<bool(const State<double>&, const EnergyBudget&)>;
+
+/// Carries `state` over the grid; returns that deviation.
+double run_driven(const DrivenChain& bench, State<double>& state, const TimeGrid& grid,
+                 const DrivenObserver& observe);
+
+/**
+The constant $A$ of a material follows from a collision. Two equal beads that meet with the relative
+velocity $v$ separate with $ev$; the *coefficient of restitution* $e$ is what a drop test measures. */
+/// The restitution of two beads of mass one that meet with `velocity`, for the time `contact`.
+double restitution(double contact, double velocity);
+
+/// The time A for which two such beads have the restitution `e` at `velocity`, by bisection.
+double contact_loss(double e, double velocity);
+
+}  // namespace lattice
