@@ -10,10 +10,9 @@
 SHELL := /bin/sh
 .DELETE_ON_ERROR:
 .SUFFIXES:
-MAKEFLAGS += --no-builtin-rules --no-print-directory
+MAKEFLAGS += --no-builtin-rules --no-print-directory --silent
 
 B := build
-.PRECIOUS: $(B)/bin/%
 # QUICK=0 and QUICK=no mean what they say.
 quick := $(filter-out 0 no off false,$(QUICK))
 D := $(B)$(if $(quick),/quick)
@@ -25,14 +24,24 @@ pythons := $(PYTHON)
 PYTHON = $(eval PYTHON := $(shell for p in $(pythons) python3 /usr/bin/python3; do \
            $$p -c 'import matplotlib' 2>/dev/null && { echo $$p; break; }; done))$(PYTHON)
 endif
+# What reads the tables: a python with the standard library, for the book one with these modules too.
+lineage = "$(or $(PYTHON),python3)" -m lineage
+with = "$(or $(shell for p in "$(PYTHON)" python3 /usr/bin/python3; do \
+          "$$p" -c 'import $(1)' 2>/dev/null && { echo "$$p"; break; }; done),python3)"
+weaver = $(call with,jinja2; import pygments)
+
 # nproc counts the cores that this shell may use; Slurm may have granted the task fewer.
 CORES := $(shell n=$$(nproc 2>/dev/null || echo 2); s=$${SLURM_CPUS_PER_TASK:-$$n}; \
            [ "$$s" -lt "$$n" ] 2>/dev/null && echo "$$s" || echo "$$n")
 JOBS ?= $(CORES)
-# Simulations that run at the same time share the cores. Results do not depend on threads.
+# Simulations that run at the same time share the cores. Results do not depend on threads. Two side by side leave no
+# core without work where one of them waits for its slowest part; a scheduler that LAUNCH names places them itself.
+# A drawing uses one core.
 at_once = $(if $(filter -j%,$(MAKEFLAGS)),$(or $(patsubst -j%,%,$(filter -j%,$(MAKEFLAGS))),$(CORES)),1)
 share = $(shell n=$$(($(CORES) / $(at_once))); [ $$n -ge 1 ] && echo $$n || echo 1)
 threads = $(if $(THREADS),--threads $(THREADS),$(if $(findstring srun,$(LAUNCH)),,--threads $(share)))
+two_by_two = $(if $(filter -j%,$(MAKEFLAGS))$(LAUNCH)$(filter 1,$(CORES)),,-j2)
+side_by_side = $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS))
 
 # Equal inputs give equal bytes: no dates in figures, one locale everywhere.
 export SOURCE_DATE_EPOCH := 1370000000
@@ -42,70 +51,81 @@ export MPLBACKEND := Agg
 export PYTHONDONTWRITEBYTECODE := 1
 export LATTICE_REVISION := $(shell git describe --always --dirty --abbrev=12 2>/dev/null)
 
-# figures/figures.ecsv says which program and which script make each figure.
+# figures/figures.ecsv says which program and which script make each figure; ours have an x before their number. With
+# `only=article`, which is for calls from below, there are the article's figures and their programs and no others.
+only :=
 rows := $(shell awk -F, '!/^\#/ && $$1 != "id" { gsub(" ", ":", $$7); print $$1 "|" $$4 "|" $$5 "|" $$7 }' figures/figures.ecsv)
+rows := $(if $(only),$(filter-out x%,$(rows)),$(rows))
 field = $(word $(2),$(subst |, ,$(1)))
 tables = $(foreach t,$(subst :, ,$(2)),$(D)/data/$(1)/$(t).ecsv)
+command = $(if $(filter x%,$(1)),$(1),fig$(1))
 ids := $(foreach r,$(rows),$(call field,$(r),1))
-chapters := $(basename $(notdir $(wildcard src/sec*.cpp)))
-results := $(foreach p,$(chapters),$(D)/data/$(p)/results.ecsv)
 svgs := $(foreach r,$(rows),$(D)/figures/$(basename $(call field,$(r),3)).svg)
 images := $(svgs) $(svgs:.svg=.pdf) $(svgs:.svg=.png)
+# The dearest program begins first, and no core waits for it at the end. A new one, of unknown cost, is before them.
+by_cost := $(shell grep -v '^\#' bench/costs.ecsv | LC_ALL=C sort -t, -k2gr | cut -d, -f1)
+chapters := $(basename $(notdir $(wildcard src/sec*.cpp)))
+chapters := $(filter-out $(by_cost),$(chapters)) $(filter $(chapters),$(by_cost))
+chapters := $(filter $(if $(only),$(foreach r,$(rows),$(call field,$(r),2)),%),$(chapters))
+results := $(foreach p,$(chapters),$(D)/data/$(p)/results.ecsv)
 
-.PHONY: figures test all-figures all-data programs install-deps burn help readme refresh lock summary
-.PHONY: $(foreach i,$(ids),$(if $(filter x%,$(i)),$(i),fig$(i)))
+# Folders have the names of some of them.
+.PHONY: figures article test ready all-figures all-data programs configure summary book weave install-book \
+  test-book test-lineage tests examples python run-tests test-faults test-fuzz bench paper typeset install-paper \
+  lock hashes refresh show gallery second mutants test-platforms test-slurm fresh container dist style \
+  install-deps burn help
+took = . tools/shared.sh; echo "$$(now) $$(cat $(D)/report/start)" | awk '{ printf "$(1)", ($$1 > $$2 ? $$1 - $$2 : 0) }'
 
-# A drawing uses one core. Two programs side by side leave no core without work where one of them waits for its
-# slowest part; a scheduler that LAUNCH names places them itself.
-side_by_side = $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS))
-two_by_two = $(if $(filter -j%,$(MAKEFLAGS))$(LAUNCH)$(filter 1,$(CORES)),,-j2)
-
-## figures: compute and draw everything, then compare with the article
-figures: install-deps
-	@sh tools/need-tools.sh "$(PYTHON)"
-	@sh tools/configure.sh $(B)
-	@mkdir -p $(D)/report && (. tools/shared.sh; now) > $(D)/report/start
-	@sh tools/tables.sh $(D)/data
-	@$(MAKE) programs
-	@$(MAKE) $(two_by_two) all-data
-	@$(MAKE) $(side_by_side) all-figures
+## figures: compute and draw everything, the article's figures first, then compare with the article
+figures: ready
+	@$(MAKE) only=article all-figures
+	@$(call took,article    : its $(words $(filter-out x%,$(ids))) figures are drawn after %.0f s and ours follow\n)
+	@$(MAKE) all-figures
 	@$(MAKE) summary
-	@. tools/shared.sh; echo "$$(now) $$(cat $(D)/report/start)" | \
-	  awk '{ printf "together   : %.0f s, with compiling and drawing\n", ($$1 > $$2 ? $$1 - $$2 : 0) }'
+	@$(call took,together   : %.0f s with compiling and drawing\n)
+
+## article: the article's 28 figures and their claims only
+article: ready
+	@$(MAKE) only=article all-figures
+	@$(MAKE) only=article summary
+	@$(call took,together   : %.0f s with compiling and drawing\n)
 
 ## test: everything the tests need (data and figures), then the tests
-test: install-deps
-	@sh tools/need-tools.sh "$(PYTHON)"
-	@sh tools/tables.sh $(D)/data
+test: ready
 	@$(MAKE) all-figures
 	@$(MAKE) run-tests
 
-all-figures: $(images) all-data
+# What must be there, and be right, before hours are spent on computing.
+ready: install-deps
+	@sh tools/configure.sh $(B)
+	@PYTHON="$(PYTHON)" sh tools/draw.sh
+	@mkdir -p $(D)/report && (. tools/shared.sh; now) > $(D)/report/start
+	@$(lineage) tables --data $(D)/data
+
+all-figures: programs
+	@$(MAKE) built=yes $(two_by_two) all-data
+	@$(MAKE) built=yes $(side_by_side) $(images)
 all-data: $(results)
 
 ## programs: build build/bin/<program>
-# A single figure needs only its own program.
-TARGETS := programs
-programs: configure
-	@sh tools/build.sh $(B) $(JOBS) $(TARGETS)
+# A single figure needs only its own program. Who calls with `built=yes` has just built them.
+TARGETS := $(if $(only),$(chapters),programs)
+built :=
+programs: $(if $(built),,configure)
+	@$(if $(built),,sh tools/build.sh $(B) $(JOBS) $(TARGETS))
 
-.PHONY: configure
 configure:
 	@sh tools/configure.sh $(B)
 
-# The build decides whether a program is new; its date alone decides whether it runs again.
-$(B)/bin/%: programs
-	@test -x $@
+# compute.sh decides whether a program is another one than that which wrote the results.
+$(D)/data/%/results.ecsv: programs
+	@sh tools/compute.sh $(B)/bin/$* $@ $(D)/report/cost/$* $(at_once) \
+	  $(LAUNCH) $(B)/bin/$* --out $(@D) $(if $(quick),--quick) $(threads)
 
-$(D)/data/%/results.ecsv: $(B)/bin/%
-	@sh tools/compute.sh $< $@ $(D)/report/cost/$* $(at_once) \
-	  $(LAUNCH) $< --out $(@D) $(if $(quick),--quick) $(threads)
-
-# $(1) id, $(2) program, $(3) script, $(4) tables
+# $(1) id, $(2) program, $(3) script, $(4) tables. Tables come with the results, which are written last.
 define figure
-$(if $(filter x%,$(1)),$(1),fig$(1)): install-deps
-	@sh tools/need-tools.sh "$$(PYTHON)"
-	@sh tools/tables.sh $(D)/data
+.PHONY: $(call command,$(1))
+$(call command,$(1)): ready
 	@$$(MAKE) TARGETS=$(2) $(foreach e,svg pdf png,$(D)/figures/$(basename $(3)).$(e))
 	@echo "  figure   $(D)/figures/$(basename $(3)).png"
 $(D)/figures/$(basename $(3)).svg: figures/$(3) $(D)/data/$(2)/results.ecsv $(call tables,$(2),$(4)) tools/draw.sh \
@@ -115,10 +135,7 @@ $(D)/figures/$(basename $(3)).svg: figures/$(3) $(D)/data/$(2)/results.ecsv $(ca
 	@PYTHON="$$(PYTHON)" FROM="$$^" sh tools/draw.sh $$@ $(D)/data $$<
 $(call tables,$(2),$(4)): $(D)/data/$(2)/results.ecsv
 endef
-need_python = test -n "$(PYTHON)" || { echo "no python3 with matplotlib found (set PYTHON=...)"; exit 1; };
 $(foreach r,$(rows),$(eval $(call figure,$(call field,$(r),1),$(call field,$(r),2),$(call field,$(r),3),$(call field,$(r),4))))
-
-# A table comes with the results, which are written last and say that a run is complete.
 $(sort $(foreach r,$(rows),$(call tables,$(call field,$(r),2),$(call field,$(r),4)))): ;
 
 # fig7 is fig07, x1 is x01.
@@ -131,21 +148,14 @@ $(foreach i,$(patsubst x0%,%,$(filter x0%,$(ids))),$(eval x$(i): x0$(i)))
 %.png: %.svg
 	@FROM="$<" sh tools/draw.sh $@ $<
 
-# What reads the tables: a python with the standard library, for the book one with these modules too.
-lineage = "$(or $(PYTHON),python3)" -m lineage
-with = "$(or $(shell for p in "$(PYTHON)" python3 /usr/bin/python3; do \
-          "$$p" -c 'import $(1)' 2>/dev/null && { echo "$$p"; break; }; done),python3)"
-weaver = $(call with,jinja2; import pygments)
-
 summary:
 	@echo
-	@echo "figures    : $(words $(svgs)) in $(D)/figures (svg, pdf, png)"
+	@echo "figures    : $(words $(wildcard $(svgs))) in $(D)/figures (svg, pdf, png)"
 	@$(lineage) summary --data $(D)/data --out $(D)/report
-	@echo "computing  : $$(cat $(D)/report/cost/* | awk '{ s += $$1 } END { printf "%.0f", s }') s in $(words $(chapters)) programs"
+	@cat $(D)/report/cost/* | awk '{ s += $$1 } END { printf "computing  : %.0f s in %d programs\n", s, NR }'
 	@echo "report     : $(D)/report/published.ecsv"
 
 ## book: weave the book from sources, data and figures into build/book
-.PHONY: book weave install-book test-lineage test-book
 book: install-book
 	@$(MAKE) all-figures
 	@$(MAKE) weave
@@ -169,30 +179,25 @@ test-lineage:
 	@$(weaver) -m lineage.tests
 
 # Folders that have the name of something that can be made.
-.PHONY: tests examples src
 tests: test
-src: programs
 ## examples: build the programs of examples/ against the installed library and run them
 examples: programs
 	@cd $(B) && ctest -R '^install$$' $(CTEST_ARGS)
 
 ## python: build the Python module, build/python/lattice
-.PHONY: python
 python: configure
 	@sh tools/build.sh $(B) $(JOBS) python_module
 
-.PHONY: run-tests
-run-tests: programs
+run-tests: configure
 	@sh tools/build.sh $(B) $(JOBS) all
+	@$(MAKE) QUICK=1 built=yes $(two_by_two) all-data
 	@$(lineage) summary --data $(B)/data --out $(B)/report > /dev/null
 	@$(MAKE) test-lineage
 	@cd $(B) && ctest -j $(JOBS) $(CTEST_ARGS)
 
 ## test-faults: runs that are killed, out of time or disk, or that nobody reads (minutes)
-.PHONY: test-faults test-fuzz
 test-faults: programs
 	@$(or $(PYTHON),python3) tests/faults.py . $(B)/bin 60
-	@sh tests/make.sh . && sh tests/drawing.sh .
 
 ## test-fuzz: 5,000 random command lines for programs with sanitizers (SEED=..., COUNT=...; long)
 COUNT := 5000
@@ -202,25 +207,15 @@ test-fuzz: install-deps
 	@sh tools/build.sh $(B)/asan $(JOBS) programs
 	@LATTICE_SLACK=12 $(or $(PYTHON),python3) tests/fuzz.py $(B)/asan/bin $(COUNT) $(SEED)
 
-## bench: time our integrators against GSL and Boost.odeint (ten minutes, not part of the tests)
-.PHONY: bench
-bench: install-deps configure
+## bench: time our integrators against GSL and Boost.odeint (ten minutes), as in bench/ratios.ecsv
+bench: ready
+	@sh tools/build.sh $(B) $(JOBS) bench
 	@mkdir -p $(B)/bench
-	@cmake --build $(B) --parallel $(JOBS) --target bench > $(B)/bench/build.log 2>&1 || \
-	  { cat $(B)/bench/build.log; exit 1; }
-	@$(B)/bin/bench_kernels --benchmark_min_time=0.1
-	@$(B)/bin/bench_ratios --out $(B)/bench
-	@$(need_python) "$(PYTHON)" figures/x04_work_precision.py $(B)/bench $(B)/bench/work_precision.svg
+	@$(B)/bin/bench_ratios $(B)/bench
+	@"$(PYTHON)" figures/x04_work_precision.py $(B)/bench $(B)/bench/work_precision.svg
 	@$(MAKE) $(B)/bench/work_precision.pdf $(B)/bench/work_precision.png
 
-## ratios: put the ratios of the last `make bench` into bench/ratios.ecsv and README.md
-.PHONY: ratios
-ratios:
-	@cp $(B)/bench/ratios.ecsv bench/ratios.ecsv
-	@$(MAKE) refresh
-
 ## paper: typeset build/paper.pdf from the locked values and all figures
-.PHONY: paper typeset install-paper
 paper: install-paper
 	@$(MAKE) all-figures
 	@$(MAKE) typeset
@@ -243,38 +238,32 @@ lock: install-deps
 	@$(lineage) lock --data $(B)/data
 
 ## hashes: renew paper/hashes.ecsv, the bytes of all tables of the full and the quick run, and print what moved
-.PHONY: hashes
 hashes: install-deps
 	@$(MAKE) QUICK= all-data
 	@$(MAKE) QUICK=1 all-data
 	@$(lineage) hashes --data $(B)/data --quick $(B)/quick/data
 
 ## refresh: write the locked values into the prose of src/, and renew the tables of README.md
-refresh readme:
+refresh:
 	@$(lineage) refresh --costs $(B)/report/cost
 
 ## show: one number, as in  make show ID=pn.omega11
-.PHONY: show
 show:
 	@$(lineage) show "$(ID)" --data $(B)/data
 
-## gallery: renew the small pictures of the README
-.PHONY: gallery
-gallery: all-figures
-	@$(need_python) $(lineage) gallery --figures $(D)/figures
+## gallery: the small pictures of the README: those that are missing, and those of figures that were drawn since
+gallery: $(foreach r,$(rows),$(if $(wildcard figures/gallery/$(basename $(call field,$(r),3)).png),,$(call command,$(call field,$(r),1))))
+	@$(lineage) gallery --figures $(D)/figures
 
 ## second: headline numbers again by other methods in plain Python, into paper/second.ecsv (minutes)
-.PHONY: second
 second: install-deps
 	@PYTHONPATH=tests $(call with,numpy; import mpmath) -m second --out paper/second.ecsv
 
 ## mutants: errors of physics put into the library one at a time; the tests must notice (long)
-.PHONY: mutants
 mutants: install-deps
 	@$(or $(PYTHON),python3) tools/mutants.py $(MUTANTS)
 
 ## test-platforms: the same bytes from other compilers, Debian 13 and ARM64 (an hour; PLATFORMS='clang trixie')
-.PHONY: test-platforms test-slurm
 test-platforms: install-deps
 	@sh tools/platforms.sh $(PLATFORMS)
 
@@ -283,23 +272,19 @@ test-slurm: programs
 	@sh tests/slurm/run.sh
 
 ## fresh: the README's commands, make book and make paper in a bare Debian root (SUITE=trixie; takes root)
-.PHONY: fresh
 fresh:
 	@sh tools/fresh.sh $(SUITE)
 
 ## container: the steps of the Dockerfile in a bare root, where no container can run (SUITE=trixie; takes root)
-.PHONY: container
 container:
 	@sh tools/fresh.sh --container $(SUITE)
 
 ## dist: sources, tables, figures, and the book and the report that are there, in one archive, build/dist
-.PHONY: dist
 dist:
 	@$(lineage) inventory --data $(B)/data --programs $(B)/bin --out $(B)/report
 	@sh tools/dist.sh $(B)
 
 ## style: clang-format and shellcheck, where they are installed
-.PHONY: style
 style:
 	@! command -v clang-format >/dev/null 2>&1 || git ls-files '*.cpp' '*.hpp' | xargs clang-format --dry-run --Werror
 	@! command -v shellcheck >/dev/null 2>&1 || shellcheck .ci/run tools/*.sh tests/*.sh tests/slurm/*.sh examples/*.sbatch

@@ -9,7 +9,6 @@ are then timed in turns, so that a disturbance of the machine hits all alike, an
 median of the rounds counts. */
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <ctime>
@@ -30,11 +29,6 @@ inline double cpu_time() {
   return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
 }
 
-/// Time on the wall, for what runs on several threads.
-inline double wall_time() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
 inline double median(std::vector<double> x) {
   std::sort(x.begin(), x.end());
   return x.empty() ? std::numeric_limits<double>::quiet_NaN() : x[x.size() / 2];
@@ -42,14 +36,14 @@ inline double median(std::vector<double> x) {
 
 /// Median time of each of several tasks, done in turns. A short task is repeated for `least` seconds.
 inline std::vector<double> in_turns(const std::vector<std::function<void()>>& tasks, int rounds,
-                                    double (*clock)(), double least = 0) {
+                                    double least = 0) {
   std::vector<std::vector<double>> times(tasks.size());
   for (int round = 0; round < rounds; ++round)
     for (std::size_t i = 0; i < tasks.size(); ++i) {
-      const double start = clock();
+      const double start = cpu_time();
       double spent = 0;
       int runs = 0;
-      for (; runs == 0 || spent < least; spent = clock() - start, ++runs) tasks[i]();
+      for (; runs == 0 || spent < least; spent = cpu_time() - start, ++runs) tasks[i]();
       times[i].push_back(spent / runs);
     }
   std::vector<double> medians;
@@ -117,7 +111,7 @@ inline Scan scan(const Method& method, const Demand& demand, double patience, do
 }
 
 /**
-The three tables that the figure and the reader need. */
+The two tables that the figure and the reader need. */
 using lattice::Kind;
 
 struct Book {
@@ -138,12 +132,6 @@ struct Book {
        {"energy_error", "", "largest relative energy error at the samples", Kind::real},
        {"solution_error", "", "largest error of a displacement", Kind::real},
        {"tangent_error", "", "largest error of an entry of the monodromy matrix", Kind::real}}};
-  lattice::Table rates{
-      {{"kernel", "", "what runs", Kind::text},
-       {"sites", "site", "length of the chain", Kind::integer},
-       {"threads", "", "threads", Kind::integer},
-       {"rate", "1/s", "site-steps per second", Kind::real},
-       {"fraction", "", "rate over that of a vectorised loop of square roots", Kind::real}}};
 
   /// One comparison, in the table and on standard output.
   void ratio(const std::string& problem, const std::string& peer, const std::string& quantity,
@@ -189,7 +177,7 @@ inline void race(Book& book, const std::string& problem, const std::vector<Metho
     runner.push_back(i);
     tasks.push_back([&m = methods[i], s = scans[i].best->setting] { m.run(s); });
   }
-  const auto medians = in_turns(tasks, rounds, cpu_time, 0.1);
+  const auto medians = in_turns(tasks, rounds, 0.1);
   std::vector<double> time(methods.size(), std::numeric_limits<double>::quiet_NaN());
   for (std::size_t k = 0; k < runner.size(); ++k) time[runner[k]] = medians[k];
   std::size_t winner = methods.size();

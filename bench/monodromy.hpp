@@ -16,9 +16,9 @@ memory, compiled for wide vectors. */
 #include <vector>
 
 #include "lattice/events/event_driven.hpp"
-#include "lattice/model/kernel.hpp"
-#include "lattice/quadruple/extended.hpp"
 #include "lattice/gsl/reference.hpp"
+#include "lattice/model/kernel.hpp"
+#include "lattice/quadruple_orbits/orbits.hpp"
 #include "measure.hpp"
 
 namespace bench {

@@ -4,19 +4,17 @@
 
 What would one use instead? The integrators of the GNU Scientific Library and of
 Boost.odeint, through their ordinary interfaces. They are given our own vectorised force,
-so that the comparison is one of methods; one entry has the force as it is usually
-written. They know nothing of the chain and always move the whole of it. */
+so that the comparison is one of methods. They know nothing of the chain and always move the whole of it. */
 
 #include <boost/numeric/odeint.hpp>
 #include <cmath>
 #include <functional>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
-#include "lattice/integrators/contact_rkn.hpp"
 #include "lattice/gsl/reference.hpp"
+#include "lattice/integrators/contact_rkn.hpp"
 #include "measure.hpp"
 
 namespace bench {
@@ -54,28 +52,11 @@ class Judge {
   double energy_;
 };
 
-/// The two ways to evaluate the force.
-struct OurForce {
-  void operator()(const Chain& chain, const double* y, double* a) const {
-    Window all{0, chain.sites};
-    accelerate(chain, y, a, all);
-  }
-};
-
-/// The choice of the well is made once for a sweep, as in a program that knows its well.
-struct TypedForce {
-  void operator()(const Chain& chain, const double* y, double* a) const {
-    const std::size_t n = chain.sites;
-    const auto sweep = [&](const auto& well) {
-      for (std::size_t i = 0; i < n; ++i) {
-        a[i] = well.force(y[i]);
-        if (i > 0) a[i] += std::pow(std::max(y[i - 1] - y[i], 0.0), 1.5);
-        if (i + 1 < n) a[i] -= std::pow(std::max(y[i] - y[i + 1], 0.0), 1.5);
-      }
-    };
-    std::visit(sweep, static_cast<const lattice::Well::variant&>(chain.well));
-  }
-};
+/// The force on every site of the chain.
+inline void accelerate_all(const Chain& chain, const double* y, double* a) {
+  Window all{0, chain.sites};
+  accelerate(chain, y, a, all);
+}
 
 /// Carries `z`, positions and then velocities, from sample to sample with `advance(z, t0, t1)`.
 template <class Advance>
@@ -97,14 +78,13 @@ Score carry_samples(const Problem& p, Advance advance) {
 }
 
 /// The equations of motion as a first-order system; counts its evaluations.
-template <class Force>
 struct FirstOrder {
   const Chain& chain;
   double& count;
   void operator()(double, const double* z, double* dz) const {
     const std::size_t n = chain.sites;
     std::copy(z + n, z + 2 * n, dz);
-    Force()(chain, z, dz + n);
+    accelerate_all(chain, z, dz + n);
     count += 1;
   }
   void operator()(const Numbers& z, Numbers& dz, double t) const {
@@ -114,7 +94,7 @@ struct FirstOrder {
 
 Score gsl(const Problem& p, const gsl_odeiv2_step_type* type, double tolerance) {
   double count = 0;
-  lattice::Reference reference(FirstOrder<OurForce>{p.chain, count}, 2 * p.chain.sites,
+  lattice::Reference reference(FirstOrder{p.chain, count}, 2 * p.chain.sites,
                                lattice::Tolerance(tolerance, tolerance, type));
   Score score =
       carry_samples(p, [&](Numbers& z, double t, double next) { reference.advance(t, next, z); });
@@ -123,10 +103,10 @@ Score gsl(const Problem& p, const gsl_odeiv2_step_type* type, double tolerance) 
 }
 
 /// A controlled stepper of odeint that knows how to `try_step`.
-template <class Force, class Stepper>
+template <class Stepper>
 Score controlled(const Problem& p, Stepper stepper) {
   double count = 0;
-  const FirstOrder<Force> system{p.chain, count};
+  const FirstOrder system{p.chain, count};
   Score score = carry_samples(p, [&](Numbers& z, double t, double next) {
     odeint::integrate_adaptive(std::ref(stepper), system, z, t, next, 0.01);
   });
@@ -152,12 +132,11 @@ Score fixed(const Problem& p, double h, Step step) {
   return score;
 }
 
-template <class Force>
 Score velocity_verlet(const Problem& p, double h) {
   odeint::velocity_verlet<Numbers> stepper;
   double count = 0;
   const auto system = [&](const Numbers& y, const Numbers&, Numbers& a, double) {
-    Force()(p.chain, y.data(), a.data());
+    accelerate_all(p.chain, y.data(), a.data());
     count += 1;
   };
   Score score =
@@ -170,7 +149,7 @@ Score mclachlan(const Problem& p, double h) {
   odeint::symplectic_rkn_sb3a_mclachlan<Numbers> stepper;
   double count = 0;
   const auto kick = [&](const Numbers& y, Numbers& a) {
-    OurForce()(p.chain, y.data(), a.data());
+    accelerate_all(p.chain, y.data(), a.data());
     count += 1;
   };
   Score score = fixed(p, h, [&](auto& x, double t, double dt) { stepper.do_step(kick, x, t, dt); });

@@ -1,12 +1,9 @@
 /**
 # Our integrators and other people's
 
-`make bench` runs this program. It writes three tables, `ratios.ecsv` (theirs over ours, at equal
-accuracy), `work_precision.ecsv` (all that was tried on the way) and `rates.ecsv` (how fast the
-inner loop is, and how fast it could be), and prints the first one. Timings differ from run
-to run; the ratios, taken within one run, hardly do. */
-
-#include <sys/resource.h>
+`make bench` runs this program. It writes two tables, `ratios.ecsv` (theirs over ours, at equal
+accuracy) and `work_precision.ecsv` (all that was tried on the way), and prints the first one.
+Timings differ from run to run; the ratios, taken within one run, hardly do. */
 
 #include <ctime>
 #include <filesystem>
@@ -16,12 +13,9 @@ to run; the ratios, taken within one run, hardly do. */
 #include <thread>
 
 #include "lattice/packets/impact.hpp"
-#include "lattice/integrators/compensated.hpp"
-#include "lattice/integrators/tiling.hpp"
 #include "monodromy.hpp"
 #include "peers.hpp"
-#include "report/command_line.hpp"
-#include "report/program.hpp"
+#include "report/table.hpp"
 
 using namespace lattice;
 using namespace bench;
@@ -75,22 +69,19 @@ std::vector<Method> our_methods(const Problem& p, const Range& r) {
 std::vector<Method> peer_methods(const Problem& p, const Range& r) {
   using Dopri = odeint::runge_kutta_dopri5<Numbers>;
   using Stoer = odeint::bulirsch_stoer<Numbers>;
-  const auto dopri = [](double s) { return odeint::make_controlled(s, s, Dopri()); };
   const auto adaptive = [&](const char* name, std::function<Score(double)> run) {
     return Method{name, false, r.tolerance, r.by_tolerance(), run};
   };
   return {
       adaptive("GSL rk8pd", [&p](double s) { return gsl(p, gsl_odeiv2_step_rk8pd, s); }),
       adaptive("GSL rkf45", [&p](double s) { return gsl(p, gsl_odeiv2_step_rkf45, s); }),
-      adaptive("Boost dopri5", [&p, dopri](double s) { return controlled<OurForce>(p, dopri(s)); }),
-      adaptive("Boost bulirsch_stoer",
-               [&p](double s) { return controlled<OurForce>(p, Stoer(s, s)); }),
+      adaptive("Boost dopri5",
+               [&p](double s) { return controlled(p, odeint::make_controlled(s, s, Dopri())); }),
+      adaptive("Boost bulirsch_stoer", [&p](double s) { return controlled(p, Stoer(s, s)); }),
       {"Boost sb3a_mclachlan", false, r.coarse, r.by_step(),
        [&p](double h) { return mclachlan(p, h); }},
       {"Boost velocity_verlet", false, r.coarse * 0.1, r.by_step(),
-       [&p](double h) { return velocity_verlet<OurForce>(p, h); }},
-      adaptive("Boost dopri5, std::pow",
-               [&p, dopri](double s) { return controlled<TypedForce>(p, dopri(s)); })};
+       [&p](double h) { return velocity_verlet(p, h); }}};
 }
 
 void race_impacts(Book& book, Problem p, const Range& range, double patience, int rounds) {
@@ -104,9 +95,8 @@ void race_impacts(Book& book, Problem p, const Range& range, double patience, in
 /**
 ## Everything moves (B3)
 
-With all sites active there is no window to gain from, and both sides do the same
-arithmetic: velocity Verlet with the same step. Ours differs in its passes over the memory.
-Time is that on the wall, since ours may use several threads. */
+With all sites active there is no window to gain from, and both sides do the same arithmetic: velocity
+Verlet with the same step. Ours differs in its passes over the memory. */
 State<double> swell(std::size_t sites) {
   State<double> s(sites);
   for (std::size_t n = 0; n < sites; ++n)
@@ -119,54 +109,24 @@ void race_long_chains(Book& book, int rounds) {
     const Chain chain{sites, Quartic{1}};
     const std::size_t steps = std::max<std::size_t>(100, 20000000 / sites);
     const double h = 0.01;
-    State<double> shared = swell(sites), tiled = shared, plain = shared;
-    std::pair<Numbers, Numbers> theirs{plain.y, plain.v};
+    State<double> ours = swell(sites);
+    std::pair<Numbers, Numbers> theirs{ours.y, ours.v};
     odeint::velocity_verlet<Numbers> stepper;
     const auto system = [&](const Numbers& y, const Numbers&, Numbers& force, double) {
-      OurForce()(chain, y.data(), force.data());
+      accelerate_all(chain, y.data(), force.data());
     };
     Window all{0, sites};
     const auto times = in_turns({[&] {
-                                   Tiled{verlet(), h}.advance(chain, shared, all, h, steps);
-                                 },
-                                 [&] {
-                                   Tiled{verlet(), h, 1}.advance(chain, tiled, all, h, steps);
-                                 },
-                                 [&] {
-                                   Splitting{verlet(), h}.advance(chain, plain, all, h, steps);
+                                   Splitting{verlet(), h}.advance(chain, ours, all, h, steps);
                                  },
                                  [&] {
                                    for (std::size_t k = 0; k < steps; ++k)
                                      stepper.do_step(system, theirs, 0, h);
                                  }},
-                                rounds, wall_time);
-    if (shared.y != plain.y || tiled.y != plain.y)
-      throw Failure("a tiled run is not the plain one");
-    const char* notes[]{"ours tiled, all threads", "ours tiled, one thread",
-                        "ours plain, one thread"};
-    for (std::size_t i = 0; i < 3; ++i)
-      book.ratio("B3, N=" + std::to_string(sites), "Boost velocity_verlet", "wall time a step [us]",
-                 times[i] * 1e6 / double(steps), times[3] * 1e6 / double(steps), notes[i]);
+                                rounds);
+    book.ratio("B3, N=" + std::to_string(sites), "Boost velocity_verlet", "cpu time a step [us]",
+               times[0] * 1e6 / double(steps), times[1] * 1e6 / double(steps));
   }
-}
-
-/**
-## Memory
-
-The largest resident size only grows, so it is measured first. */
-double resident_megabytes() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return double(usage.ru_maxrss) / 1024;
-}
-
-void measure_memory(Book& book) {
-  const Chain chain{1000000, Quartic{1}};
-  State<double> s = swell(chain.sites);
-  const double before = resident_megabytes();
-  evolve(Tiled{verlet(), 0.01}, chain, s, 0.5, 0.25, Unobserved{});
-  book.ratio("B3, N=1e6", "demand: 50 MB", "memory beside the state [MB]",
-             resident_megabytes() - before, 50, "a tiled run with energies");
 }
 
 /**
@@ -181,64 +141,6 @@ void measure_order(Book& book) {
       own(p, ContactAware{0.05}, true).solution / own(p, ContactAware{0.0125}, true).solution;
   book.ratio("B1", "demand: 4.5", "order of the solution", std::log2(ratio) / 2, 4.5,
              "h = 0.05 and 0.0125; here less is worse");
-}
-
-/**
-## Rates
-
-A site-step needs one square root. A loop of nothing but square roots over an array in the
-first-level cache is the limit. */
-LATTICE_WIDE void roots(const double* __restrict__ x, double* __restrict__ out, std::size_t n) {
-  for (std::size_t i = 0; i < n; ++i) out[i] = std::sqrt(x[i]);
-}
-
-double root_rate(std::size_t sites, std::size_t repeats) {
-  std::vector<double> x(sites, 2), out(sites);
-  const double start = cpu_time();
-  for (std::size_t k = 0; k < repeats; ++k) {
-    roots(x.data(), out.data(), sites);
-    x[k % sites] = out[(k + 1) % sites] + 1;
-  }
-  return double(sites * repeats) / (cpu_time() - start);
-}
-
-template <class Onsite, class Stepper>
-double step_rate(const Onsite& onsite, const Stepper& stepper, std::size_t sites,
-                 double (*clock)() = cpu_time) {
-  const Chain chain{sites, onsite};
-  State<double> s = swell(sites);
-  Window all{0, sites};
-  const double start = clock();
-  const double work =
-      stepper.advance(chain, s, all, 0.01, std::max<std::size_t>(100, 20000000 / sites));
-  return work / (clock() - start);
-}
-
-/// Processor time for what runs on one thread, time on the wall for the last row.
-void measure_rates(Book& book, int rounds) {
-  for (std::size_t sites : {200, 1024, 10000, 100000, 1000000}) {
-    std::vector<double> limit, harmonic, quartic, summed, tiled, shared;
-    for (int k = 0; k < rounds; ++k) {
-      limit.push_back(root_rate(1024, 20000));
-      harmonic.push_back(step_rate(Harmonic{}, Splitting{verlet(), 0}, sites));
-      quartic.push_back(step_rate(Quartic{1}, Splitting{verlet(), 0}, sites));
-      summed.push_back(step_rate(Quartic{1}, Compensated{verlet(), 0}, sites));
-      tiled.push_back(step_rate(Quartic{1}, Tiled{verlet(), 0, 1}, sites));
-      shared.push_back(step_rate(Quartic{1}, Tiled{verlet(), 0}, sites, wall_time));
-    }
-    const auto add = [&](const char* kernel, std::size_t workers, const std::vector<double>& rate) {
-      book.rates.add({std::string(kernel), std::int64_t(sites), std::int64_t(workers), median(rate),
-                      median(rate) / median(limit)});
-      std::printf("%-26s %8zu sites %zu threads %9.3g /s  %.2f\n", kernel, sites, workers,
-                  median(rate), median(rate) / median(limit));
-    };
-    add("square roots", 1, limit);
-    add("Verlet, harmonic", 1, harmonic);
-    add("Verlet, quartic", 1, quartic);
-    add("Verlet, compensated", 1, summed);
-    add("Verlet, tiled", 1, tiled);
-    add("Verlet, tiled", Tiled{verlet(), 0}.threads, shared);
-  }
 }
 
 /**
@@ -264,39 +166,25 @@ std::string today() {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::string out = "build/bench", only = "all";
-  std::size_t rounds = 5;
-  std::deque<Offer> offers;
-  Offer& full = offers.emplace_back();
-  full.meaning = "Our integrators and other people's";
-  full.parameters.add("out", out, "folder for the tables", writable_folder());
-  full.parameters.add("rounds", rounds, "timings of which the median counts", {1, 1000});
-  full.parameters.add("only", only, "one part",
-                      {"all", "memory", "rates", "order", "B1", "B2", "B3", "M"});
-  const auto wanted = [&](const char* part) { return only == "all" || only == part; };
+  constexpr int rounds = 5;
+  const std::filesystem::path folder = argc > 1 ? argv[1] : "build/bench";
+  const std::string only = argc > 2 ? argv[2] : "";  // one problem
+  const auto wanted = [&](const char* part) { return only.empty() || only == part; };
   try {
-    if (read_line(offers, {argv + 1, argv + argc}).what != Asked::What::run) {
-      std::cout << help_text("ratios", offers, full, "");
-      return 0;
-    }
     Book book;
-    if (wanted("memory")) measure_memory(book);
-    if (wanted("rates")) measure_rates(book, rounds);
     if (wanted("order")) measure_order(book);
     if (wanted("B3")) race_long_chains(book, rounds);
     if (wanted("M")) race_monodromies(book, 31, rounds, true);
     if (wanted("M")) race_monodromies(book, 99, rounds, false);
     if (wanted("B1")) race_impacts(book, problem_b1(), {0.05, 1e-5, 4}, 3, rounds);
     if (wanted("B2")) race_impacts(book, problem_b2(), {0.1, 1e-9, 2}, 2, rounds);
-    const std::filesystem::path folder = out;
-    for (Table* t : {&book.ratios, &book.precision, &book.rates})
+    for (Table* t : {&book.ratios, &book.precision})
       t->meta = {{"program", "ratios"},
                  {"build", LATTICE_BUILD},
                  {"machine", machine()},
                  {"date", today()}};
     write(folder / "ratios.ecsv", book.ratios);
     write(folder / "work_precision.ecsv", book.precision);
-    write(folder / "rates.ecsv", book.rates);
   } catch (const std::exception& error) {
     std::cerr << "ratios: " << error.what() << '\n';
     return 1;

@@ -1,13 +1,21 @@
-// An array of cantilevers in SI units: what a blow of one metre per second does at cantilever 80.
+// An array of cantilevers in SI units: what an impact of one metre per second does at cantilever 80.
 #include <iostream>
-#include "lattice/packets/array_impact.hpp"
+#include "lattice/model/cantilever.hpp"
+#include "lattice/packets/impact.hpp"
+#include "lattice/packets/pulse.hpp"
 
 using namespace lattice;
 
 int main() {
-  const StruckArray blow;
-  const WatchedRun run = pass(blow, 80, 60, {0.1, 0.05});
-  const Pulse pulse = pulse_of(run.at, blow.scales);
-  std::cout << "force " << pulse.force << " N, velocity " << pulse.velocity << " m/s, arrival "
-            << 1e3 * pulse.arrival << " ms\n";
+  const Scales si = CantileverArray{}.scales();
+  const Impact impact{si.velocity(1), Chain{200}, si.time(60), far_away, 0.05};
+  std::vector<double> t, force, v;
+  strike(ContactAware{0.1}, impact, [&](const State<double>& now, const auto&) {
+    t.push_back(now.t), v.push_back(now.v[79]);
+    force.push_back(contact_push(impact.chain, now.y.data(), 80));
+  });
+  const Push push = strongest_push(t, force).value();
+  std::cout << "force " << push.force * si.unit_force() << " N, velocity "
+            << largest_modulus(t, v) * si.unit_velocity() << " m/s, arrival "
+            << si.milliseconds(push.t) << " ms\n";
 }

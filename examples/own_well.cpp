@@ -6,14 +6,14 @@
 using namespace lattice;
 
 /// W = cosh y - 1: stiffer and stiffer, like no polynomial.
-struct Cosh {
+struct Stiffer {
   double energy(double y) const { return 2 * std::pow(std::sinh(y / 2), 2); }
   double force(double y) const { return -std::sinh(y); }
   double stiffness(double y) const { return std::cosh(y); }
 };
 
 int main() {
-  const Chain chain{100, Cosh{}};
+  const Chain chain{100, Stiffer{}};
   auto state = struck(100, 1.5);
   const Run run = evolve(ContactAware{0.05}, chain, state, 200, 200, Unobserved{});
   std::cout << "energy drift " << run.energy_drift << '\n';

@@ -1,6 +1,6 @@
 // An orbit in quadruple precision: double finds it, and the wider type adds digits.
 #include <iostream>
-#include "lattice/quadruple/extended.hpp"
+#include "lattice/quadruple_orbits/orbits.hpp"
 #include "lattice/orbits/breather.hpp"
 
 using namespace lattice;

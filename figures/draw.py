@@ -4,7 +4,6 @@ A script is called with the folder of all tables and the SVG file to write; it c
 beyond scaling. It imports this file first, which says what is missing.
 """
 
-import csv
 import sys
 from pathlib import Path
 
@@ -27,38 +26,23 @@ def arguments():
     return data, out
 
 
-def rows_of(path):
-    """The lines of an ECSV table without its header; ends the script unless they are what its program wrote."""
+def table_of(path):
+    """The table in a file; ends the script unless it is what its program wrote."""
     try:
-        text = ecsv.text_of(path)
-        ecsv.check_written(Path(path), text)
+        return ecsv.read_written(path)
     except ecsv.Fault as fault:
         sys.exit(str(fault))
-    return [line for line in text.split("\n") if line and not line.startswith("#")]
 
 
 def read(path):
-    """The columns of an ECSV table, by name, as arrays of numbers."""
-    rows = list(csv.reader(rows_of(path)))
-    body = np.array(rows[1:], dtype=float)
-    return {name: body[:, i] for i, name in enumerate(rows[0])}
+    """Its columns of numbers, by name, as arrays."""
+    table = table_of(path)
+    return {c.name: np.array([row[c.name] for row in table.rows], dtype=float) for c in table.columns if c.kind != "string"}
 
 
 def records(path):
-    """The rows of an ECSV table as dictionaries of texts, for tables that hold names."""
-    return list(csv.DictReader(rows_of(path)))
-
-
-def read_numbers(path):
-    """As `read`, without the columns that hold text."""
-    rows = list(csv.reader(rows_of(path)))
-    kept = {}
-    for name, entries in zip(rows[0], zip(*rows[1:])):
-        try:
-            kept[name] = np.array(entries, dtype=float)
-        except ValueError:
-            continue
-    return kept
+    """Its rows, for tables that hold names."""
+    return table_of(path).rows
 
 
 def grid(table, x, y, value):

@@ -3,15 +3,12 @@
 Holds timings, so `make bench` draws it and figures.ecsv does not list it.
 """
 
-import csv
-
 import draw
 import matplotlib.pyplot as plt
 import numpy as np
 
 data, out = draw.arguments()
-with open(f"{data}/work_precision.ecsv", encoding="utf8") as file:
-    rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
+rows = draw.ecsv.read(f"{data}/work_precision.ecsv").rows
 
 impact = [("contact-aware", "#D55E00", "o-"), ("verlet, window", "#888888", "v-"),
           ("blanes-moan-4, window", "#56B4E9", "^-"), ("blanes-moan-6, window", "#0072B2", "s-"),

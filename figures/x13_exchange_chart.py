@@ -8,7 +8,7 @@ from matplotlib.patches import Patch, Rectangle
 data, out = draw.arguments()
 folder = f"{data}/sec33_between"
 chart, curves = draw.read(f"{folder}/chart.ecsv"), draw.read(f"{folder}/exchange_curves.ecsv")
-windows = draw.read_numbers(f"{folder}/windows.ecsv")
+windows = draw.read(f"{folder}/windows.ecsv")
 multipliers = draw.read(f"{folder}/multiplier_chart.ecsv")
 
 figure = plt.figure(figsize=(draw.TWO_COLUMNS, 150 * draw.MM))

@@ -36,7 +36,7 @@ table = rows("integrators")
 for name, label, color, style in [
         ("verlet", "velocity Verlet", "#888888", "v-"),
         ("blanes_moan_4", "splitting, order 4", "#56B4E9", "^-"),
-        ("blanes_moan_4_compensated", "the same, compensated sums", "#000000", "+:"),
+        ("blanes_moan_4_wide", "the same, 64-bit mantissa", "#000000", "+:"),
         ("contact_aware_6", "contact-aware, order 6", "#D55E00", "o-"),
         ("contact_aware_14", "contact-aware, 14 stages", "#0072B2", "s--"),
         ("landing", "landing on the switchings", "#009E73", "D")]:

@@ -4,15 +4,15 @@
     values    a value with its error, and the digits that people see of it
     claims    what the article states, what the programs answer, and the verdict
     chapters  which chapters answer and explain a claim, their commands and costs
+    modules   how the libraries stand on each other, as CMake links them
     lock      paper/converged.ecsv: which values are kept, and how far a fresh one may be
     hashes    paper/hashes.ecsv: the bytes of every table
-    refresh   values and tables in prose: src/, README.md, ARTIFACT.md, DATA.md, bench/costs.ecsv
+    refresh   values and tables in prose: src/, the pages, bench/costs.ecsv
     metadata  version, title, authors, licences: CITATION.cff, .zenodo.json, paper/metadata.yaml
     tex       the same values for the paper
     summary   the end of `make figures`, build/report/published.ecsv, one claim by its id
     inventory every table with its columns, every command, the packages used
     gallery   the small pictures of the README
-    share     how much of a chapter's code is physics, method or criteria
     book      the weaver, a package of its own
 
 `python3 -m lineage --help` lists the verbs. All but `gallery` and `weave` need the standard library only.

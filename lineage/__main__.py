@@ -26,8 +26,18 @@ def show(given):
 
 def lock(given):
     need(given.data)
-    from .lock import renew
-    renew(given.root, given.data)
+    from .lock import check, renew
+    return (check if given.check else renew)(given.root, given.data)
+
+
+def tables(given):
+    for path in () if given.files else ecsv.forget_incomplete(given.data):
+        print(f"  missing  {path}: its program runs again")
+    files = [name for name in given.files if name.endswith(".ecsv")]
+    faults = list(ecsv.faults_of(files) if given.files else ecsv.altered(given.data))
+    for fault in faults:
+        print(fault, file=sys.stderr)
+    return bool(faults)
 
 
 def hashes(given):
@@ -52,11 +62,6 @@ def macros(given):
 def gallery(given):
     from .gallery import renew
     renew(given.root, given.figures, given.check)
-
-
-def share(given):
-    from .share import show as show_shares
-    show_shares(given.root)
 
 
 def inventory(given):
@@ -97,7 +102,10 @@ def reader():
 
     verb(summary, "published against reproduced: the verdicts, and the table published.ecsv", "data", out="build/report")
     verb(show, "one number: printed, converged, error, verdict, figure, command", "data").add_argument("id")
-    verb(lock, "renew paper/converged.ecsv and say what moved", "data")
+    kept = verb(lock, "renew paper/converged.ecsv and say what moved", "data")
+    kept.add_argument("--check", action="store_true", help="only say what is gone or outside; exit code 1 if anything")
+    verb(tables, "whether tables are what their programs wrote; a run that has lost one is made to run again",
+         "data").add_argument("files", nargs="*", help="only the tables among these files")
     same = verb(hashes, "record the bytes of all tables in paper/hashes.ecsv", "data", "quick")
     same.add_argument("--check", action="store_true", help="only say what differs; exit code 1 if anything, 77 if the "
                                                            "processor is another than that of the record")
@@ -109,7 +117,6 @@ def reader():
     verb(macros, "write the locked values for the paper", out="build/paper")
     old = verb(gallery, "draw the small pictures of the README", "figures")
     old.add_argument("--check", action="store_true", help="only say which are not current")
-    verb(share, "how much of each chapter's code is physics, method or criteria")
     verb(inventory, "every table with its columns, every command, the packages used", "data", "programs", out="build/report")
     verb(weave, "weave the book", "data", "figures", "live", "programs", out="build/book")
     return parser

@@ -153,6 +153,8 @@ def read_claims(root):
                               "abs 1e-3, at most, exact, order of magnitude, or nothing)") from None
         if claim["status"] not in VERDICTS or claim["status"] == "unresolved":
             raise claim.fault(f"{claim['id']}: the status '{claim['status']}' is none")
+        if (claim["status"] == "open") == bool(claim["program"]):
+            raise claim.fault(f"{claim['id']}: a program answers what is not open, and nothing else")
         if claim["reason"] and claim["status"] not in ("within", "follows", "discrepant"):
             raise claim.fault(f"{claim['id']}: a reason, but nothing is missed")
     return claims

@@ -4,10 +4,10 @@ Of the header's YAML we read what is written: a column on a line of its own, the
 wrong with a file is said in one line that names the file and the row."""
 
 import csv
-import hashlib
 import math
 import os
 import re
+import zlib
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -141,19 +141,25 @@ def parse(text, path="<text>", needed=()):
     return table
 
 
-# A table that was changed or cut after its program had run answers for nothing.
+# A table that was changed or cut after its program had run answers for nothing. The header of results.ecsv, which is
+# written last, lists the tables of the run with their checksums; other headers may differ.
+
+
+def rows_of(text):
+    """The lines of a table that count: those without `#`."""
+    lines = text.split("\n")[:-1] if text.endswith("\n") else text.split("\n")
+    return [line for line in lines if not line.startswith("#")]
 
 
 def rows_sum(text):
-    """The checksum that stands in SHA256SUMS: of the lines without `#`."""
-    lines = text.split("\n")[:-1] if text.endswith("\n") else text.split("\n")
-    rows = "".join(line + "\n" for line in lines if not line.startswith("#"))
-    return hashlib.sha256(rows.encode("utf-8")).hexdigest()
+    """Their CRC-32, as src/report/table.cpp computes it."""
+    return f"{zlib.crc32(''.join(line + chr(10) for line in rows_of(text)).encode('utf-8')):08x}"
 
 
 def sums_in(folder):
-    """The checksums of a program's tables, by their names."""
-    return {line[66:]: line[:64] for line in text_of(folder / "SHA256SUMS").splitlines()}
+    """The checksums of a program's tables, by the names of their files."""
+    listed = header_of(text_of(folder / "results.ecsv"))[1].get("tables", "")
+    return {f"{name}.ecsv": known for name, known in re.findall(r"(\w+) ([0-9a-f]{8})", listed)}
 
 
 def check_run(path, text, quick):
@@ -163,19 +169,43 @@ def check_run(path, text, quick):
 
 
 def check_written(path, text):
-    """Fault if the text is not what the program wrote into the file, or if it is of a quick run in a folder of full
-    ones. Quick runs are in `quick/data`, where a full one does no harm."""
-    if sums_in(path.parent).get(path.name) != rows_sum(text):
-        raise Fault(f"{path}: not what {path.parent.name} wrote; remove it to have it computed again")
+    """Fault if the text is not what the program wrote into the file, or if it is of a quick run and not in `quick/data`,
+    where a full one does no harm."""
     if path.resolve().parents[2].name != "quick":
         check_run(path, text, quick=False)
+    if sums_in(path.parent).get(path.name) != rows_sum(text):
+        raise Fault(f"{path}: not what {path.parent.name} wrote; remove it to have it computed again")
+
+
+def faults_of(paths):
+    """A Fault for each table that is not what its program wrote, or is missing."""
+    for path in map(Path, paths):
+        try:
+            check_written(path, text_of(path))
+        except Fault as fault:
+            yield fault
+
+
+def altered(data):
+    """The same for all tables of the runs that are complete, and for those that are of no run."""
+    for folder in sorted(results.parent for results in Path(data).glob("*/results.ecsv")):
+        yield from faults_of(sorted({folder / name for name in sums_in(folder)} | set(folder.glob("[!.]*.ecsv"))))
 
 
 def check_all_written(data):
-    """Fault if a table of a complete run in the folder is not what its program wrote."""
+    """Fault for the first of these."""
+    for fault in altered(data):
+        raise fault
+
+
+def forget_incomplete(data):
+    """Removes the results of runs that have lost a table, or were made before there were checksums, so that their programs
+    run again, and tells what is lost."""
     for results in sorted(Path(data).glob("*/results.ecsv")):
-        for name in sums_in(results.parent):
-            check_written(results.parent / name, text_of(results.parent / name))
+        for name in sums_in(results.parent) or ["results.ecsv with checksums"]:
+            if not (results.parent / name).exists():
+                results.unlink(missing_ok=True)
+                yield results.parent / name
 
 
 def read_written(path, needed=()):

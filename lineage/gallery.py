@@ -37,14 +37,16 @@ def difference(a, b):
 
 
 def draw(names, source, gallery):
+    """Draws the pictures that are missing or older than their figure, and no other, and removes those of no figure."""
     from PIL import Image
     gallery.mkdir(parents=True, exist_ok=True)
     for old in gallery.glob("*.png"):
         if old.stem not in names:
             old.unlink()
     for name in names:
-        image = small(source / f"{name}.svg").quantize(COLOURS, Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE)
-        image.save(gallery / f"{name}.png", optimize=True)
+        svg, png = source / f"{name}.svg", gallery / f"{name}.png"
+        if not png.exists() or svg.exists() and svg.stat().st_mtime > png.stat().st_mtime:
+            small(svg).quantize(COLOURS, Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE).save(png, optimize=True)
 
 
 def faults(names, source, gallery):
@@ -59,9 +61,12 @@ def faults(names, source, gallery):
         change = difference(Image.open(path), small(source / f"{name}.svg"))
         if change > CHANGE:
             out.append(f"{name}: a patch differs by {change} of 255 (allowed {CHANGE})")
-    size = sum(path.stat().st_size for path in gallery.glob("*.png"))
-    allowed = BUDGET * len(names)
-    return out + ([f"{size} bytes together (allowed {allowed})"] if size > allowed else [])
+    return out + too_large(names, gallery)
+
+
+def too_large(names, gallery):
+    size, allowed = sum(path.stat().st_size for path in gallery.glob("*.png")), BUDGET * len(names)
+    return [f"{size} bytes together (allowed {allowed})"] if size > allowed else []
 
 
 def renew(root, figures, check=False):
@@ -70,6 +75,6 @@ def renew(root, figures, check=False):
     names = [Path(figure["script"]).stem for figure in read_figures(root).values()]
     if not check:
         draw(names, source, gallery)
-    wrong = faults(names, source, gallery)
+    wrong = faults(names, source, gallery) if check else too_large(names, gallery)
     if wrong:
         raise ecsv.Fault("the gallery is not current (make gallery): " + "; ".join(wrong))

@@ -54,7 +54,7 @@ def read_record(root):
 
 def rows_of(path, left_out=""):
     """The lines that count, without the rows and the cells that are left out."""
-    lines = [line for line in ecsv.text_of(path).splitlines() if line[:1] != "#"]
+    lines = ecsv.rows_of(ecsv.text_of(path))
     if not left_out or not lines:
         return lines
     names, (header, *rows) = left_out.split(), csv.reader(lines)

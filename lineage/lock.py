@@ -138,3 +138,13 @@ def renew(root, data):
     said = list(changes(locked, now, kept))
     ecsv.write_whole(lock_of(root), lock_text(now))
     print(*said, f"lock       : {len(now)} values ({len(fresh)} computed), {len(said)} changes, in {lock_of(root)}", sep="\n")
+
+
+def check(root, data):
+    """The verb with --check: says which locked values are gone, or farther than the sum of the errors."""
+    programs = programs_of(root)
+    locked, fresh = read_lock(root), read_fresh(data, programs, read_claims(root))
+    moved = [line for line in changes(locked, {key: f for key, f in fresh.items() if key in locked}, lambda f: True)
+             if "moved" not in line or "outside" in line]
+    print(*moved, f"lock       : {len(locked) - len(moved)} of {len(locked)} values within the sum of the errors", sep="\n")
+    return bool(moved)

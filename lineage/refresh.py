@@ -10,15 +10,16 @@ import math
 import re
 from pathlib import Path
 
-from . import ecsv, metadata
+from . import ecsv, metadata, modules
 from .chapters import costs_text, explained_by, read_commands, renewed_costs, run_of, shown_cost
-from .claims import SAID, VERDICTS, Judge, name_of, read_claims
+from .claims import SAID, VERDICTS, Judge, name_of, printed_range, read_claims
 from .findings import check_quotations, in_plain, read_findings, tally as kinds_of
 from .lock import read_lock, sources
 
 LINK = re.compile(r"(\[[^\]]*\])?\(num:([^)\n]*)(\)?)")
 MARK = re.compile(r"<!--num:([\w.]+)-->[^<\n]*<!--/-->")
-PAGES = ("README.md", "ARTIFACT.md", "DATA.md")
+GALLERY = 5  # pictures in a row
+PAGES = ("README.md", "ARTIFACT.md", "CONTRIBUTING.md", "DATA.md")
 
 
 def with_numbers(text, numbers):
@@ -53,12 +54,32 @@ def quotable(lock, claims):
     return {name_of(f, claims): f.shown for f in lock.values()}
 
 
-# The tables of the pages. Where the article and we differ, the list of claims says why.
+# The tables of the pages. What the book tells at length (readings, tolerances, errors) is left to it.
 
 
-def here(finding, said):
-    """What we found, where the verdict does not say it all: a statement that holds is said once."""
-    return "" if finding.shown == said else finding.shown + finding.shown_unit
+def printed(claim):
+    """What the article prints, with a unit where it is a number."""
+    text = claim["printed"]
+    return f"{text} {claim['unit']}" if claim["unit"] and re.fullmatch(r"[-+.\de]+", text) else text
+
+
+def published_rows(claims, lock):
+    """The claims in short, by section and verdict, each with ours in brackets, but for the discrepant ones, which have a
+    table of their own."""
+    yield "| section | verdict | what is claimed, what the article prints, and ours |"
+    yield "|---|---|---|"
+    told = {}
+    for id, c in claims.items():
+        f, said = lock.get((c["program"], id)), c["quantity"].replace("; ", ", ")
+        if not f or c["status"] == "discrepant":
+            continue
+        if c["printed"] not in said and (c["status"] != "holds" or printed_range(c["printed"])):
+            said += f": {printed(c)}"
+        if c["status"] != "holds":
+            said += f" ({f.shown}{f.shown_unit})"
+        told.setdefault((c["section"], c["status"]), []).append(said)
+    for (section, status), all in sorted(told.items(), key=lambda one: (one[0][0], VERDICTS.index(one[0][1]))):
+        yield f"| {section} | {SAID.get(status, status)} | " + "; ".join(all).replace("|", "\\|") + " |"
 
 
 def see(id, claims, costs, alone):
@@ -69,28 +90,8 @@ def see(id, claims, costs, alone):
     return chapters + (f"; alone: `{alone[id][0]}`" if id in alone else "")
 
 
-def published_rows(claims, lock, costs, alone):
-    judge = Judge(claims, lock.values())
-    yield "| claim | what is claimed | article | asked | here | error | verdict |"
-    yield "|---|---|---|---|---|---|---|"
-    for id, c in claims.items():
-        f = lock.get((c["program"], id))
-        if f:
-            said = judge.verdict(id)
-            read = "".join(f"<br>*{word}:* {judge.said(c[key])}" for word, key in (("Read", "reading"), ("Why", "reason"))
-                           if c[key] and not (key == "reason" and said == "discrepant"))
-            read += f"<br>*See:* {see(id, claims, costs, alone)}" if said in SAID else ""
-            cells = [f"`{id}`", c["quantity"] + read, printed(c), c["tolerance"], here(f, said), f.shown_error, SAID.get(said, said)]
-            yield "| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |"
-
-
-def printed(claim):
-    """What the article prints, with a unit where it is a number."""
-    text = claim["printed"]
-    return f"{text} {claim['unit']}" if claim["unit"] and re.fullmatch(r"[-+.\de]+", text) else text
-
-
 def discrepancy_rows(claims, lock, costs, alone):
+    """Where the article and we differ, the list of claims says why."""
     judge = Judge(claims, lock.values())
     yield "| claim | article | here | why | chapters |"
     yield "|---|---|---|---|---|"
@@ -111,13 +112,6 @@ def found_rows(findings, numbers):
     return [f"- {in_plain(row['sentence'], numbers)} ({command_of(row['figure'])})" for row in findings.values() if row["figure"]]
 
 
-def finding_rows(findings, numbers):
-    """Every finding with its kind and its range."""
-    return ["| finding | what we found | evidence | shown over |", "|---|---|---|---|"] + [
-        "| " + " | ".join(in_plain(cell, numbers).replace("|", "\\|") for cell in
-                          (f"`{id}`", row["sentence"], row["kind"], row["range"])) + " |" for id, row in findings.items()]
-
-
 def summary_rows(claims, figures, findings):
     """What `make figures` ends with, as whoever runs it wants to know beforehand."""
     return ["```", f"figures    : {len(figures)} in build/figures (svg, pdf, png)",
@@ -130,20 +124,12 @@ def command_of(figure):
     return "make " + (figure if figure.startswith("x") else "fig" + figure)
 
 
-def figure_rows(figures, costs):
-    yield "| figure | command | program | seconds | tables | shows |"
-    yield "|---|---|---|---|---|---|"
-    for id, f in figures.items():
-        tables = ", ".join(f"`{name}`" for name in f["data"].split())
-        yield (f"| {id} | `{command_of(id)}` | [`{f['program']}`](src/{f['program']}.cpp) | "
-               f"{shown_cost(costs.get(f['program'], math.nan))} | {tables} | {f['caption']} |")
-
-
 def gallery_rows(figures):
-    """Every figure small with its title, four in a row; a picture leads to the chapter that makes it."""
-    cells = [f' [<img src="figures/gallery/{Path(f["script"]).stem}.png" width="200" alt="{f["caption"]}">]'
-             f"(src/{f['program']}.cpp)<br>{f['caption']} ({id}) |" for id, f in figures.items()]
-    return ["| | | | |", "|---|---|---|---|"] + ["|" + "".join(cells[i:i + 4]) for i in range(0, len(cells), 4)]
+    """Every figure small with its number, GALLERY in a row; a picture leads to the chapter that makes it."""
+    cells = [f' [<img src="figures/gallery/{Path(f["script"]).stem}.png" width="140" alt="{f["caption"]}" title="{f["caption"]}">]'
+             f"(src/{f['program']}.cpp)<br>{id} |" for id, f in figures.items()]
+    return ["|" + " |" * GALLERY, "|" + "---|" * GALLERY] + ["|" + "".join(cells[i:i + GALLERY])
+                                                              for i in range(0, len(cells), GALLERY)]
 
 
 def cost_rows(costs):
@@ -154,32 +140,21 @@ def cost_rows(costs):
     yield f"| together | {shown_cost(sum(c for c in costs.values() if not math.isnan(c)))} |"
 
 
-def ratio_rows(bench):
-    """How our integrators compare with those of other libraries, as last measured and committed."""
-    yield f"| {bench.meta['machine']}, {bench.meta['date']} | compared with | theirs over ours | settings |"
-    yield "|---|---|---|---|"
-    for row in bench.rows:
-        if row["peer"].startswith(("GSL", "Boost")):
-            reached = math.isfinite(row["ratio"])
-            shown = f"{row['ratio']:.{0 if row['ratio'] >= 10 else 1}f}" if reached else "not reached"
-            yield f"| {row['problem']}, {row['quantity']} | {row['peer']} | {shown} | {row['note'] if reached else ''} |"
-
-
-def generated_tables(claims, lock, figures, bench, costs, alone, findings):
+def generated_tables(claims, lock, figures, costs, alone, findings):
     """Every table that a page may show, by the name in its marks."""
-    numbers = quotable(lock, claims)
     return {"gallery": gallery_rows(figures), "summary": summary_rows(claims, figures, findings),
-            "found": found_rows(findings, numbers), "findings": finding_rows(findings, numbers),
-            "discrepant": list(discrepancy_rows(claims, lock, costs, alone)),
-            "published": list(published_rows(claims, lock, costs, alone)),
-            "figures": list(figure_rows(figures, costs)), "costs": list(cost_rows(costs)), "ratios": list(ratio_rows(bench))}
+            "found": found_rows(findings, quotable(lock, claims)), "discrepant": list(discrepancy_rows(claims, lock, costs, alone)),
+            "published": list(published_rows(claims, lock)), "costs": list(cost_rows(costs))}
 
 
 def fresh_page(text, tables):
-    """A page as it has to look: what stands between `<!-- name -->` and `<!-- /name -->` is the table."""
+    """A page as it has to look: what stands between `<!-- name -->` and `<!-- /name -->` is the table, or stays if today
+    there is none."""
     def renewed(found):
         if found[1] not in tables:
             raise ecsv.Fault(f"there is no table '{found[1]}'")
+        if tables[found[1]] is None:
+            return found[0]
         return f"<!-- {found[1]} -->\n" + "".join(line + "\n" for line in tables[found[1]]) + f"<!-- /{found[1]} -->"
 
     for name in re.findall(r"<!-- (/?\w+) -->", text):
@@ -193,10 +168,6 @@ def fresh_page(text, tables):
 
 def read_figures(root):
     return ecsv.read(Path(root) / "figures/figures.ecsv", ("id", "program", "script", "data")).by("id", "figures")
-
-
-def read_ratios(root):
-    return ecsv.read(Path(root) / "bench/ratios.ecsv", ("problem", "peer", "quantity", "ratio", "note"))
 
 
 def fresh_texts(root, measured):
@@ -216,7 +187,8 @@ def fresh_texts(root, measured):
         yield fresh(path, lambda text: with_numbers(text, numbers))
     costs = renewed_costs(root, measured)
     yield root / "bench/costs.ecsv", costs_text(costs)
-    tables = generated_tables(claims, lock, read_figures(root), read_ratios(root), costs, read_commands(root), findings)
+    tables = generated_tables(claims, lock, read_figures(root), costs, read_commands(root), findings)
+    tables["modules"] = modules.drawing(root)
     for name in PAGES:
         yield fresh(root / name, lambda text: fresh_page(with_marked_numbers(text, numbers), tables))
     yield from metadata.generated(root)

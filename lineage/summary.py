@@ -8,7 +8,7 @@ from pathlib import Path
 from . import ecsv
 from .chapters import explained_by, read_commands, read_costs, run_of, shown_cost
 from .claims import Judge, name_of, programs_of, read_claims
-from .findings import agrees, holds, in_plain, margins, read_findings, read_second, tally as kinds_of
+from .findings import NAME, agrees, conditions, holds, in_plain, margins, read_findings, read_second, tally as kinds_of
 from .lock import read_fresh, read_lock
 from .refresh import command_of, read_figures, tally
 
@@ -53,21 +53,41 @@ def complaint(row):
     return f"  {row['verdict']:10} {row['id']:26} printed {row['published']}, {what.strip()}"
 
 
+def known_numbers(root, data, claims):
+    """All numbers by name: fresh where the program has run, locked elsewhere; and the programs that have run."""
+    programs = programs_of(root)
+    ran = {program for program in programs if (Path(data) / program / "results.ecsv").exists()}
+    locked = [f for f in read_lock(root).values() if f.program not in ran]
+    return {name_of(f, claims): f for f in [*locked, *read_fresh(data, programs, claims).values()]}, ran
+
+
 def summarize(root, data, out):
-    """The verb: writes published.ecsv, counts the verdicts and names what does not agree."""
-    claims = read_claims(root)
-    judge = Judge(claims, read_fresh(data, programs_of(root), claims).values())
-    rows = list(compared(claims, judge, read_costs(root), read_commands(root)))
+    """The verb: writes published.ecsv, counts the verdicts and names what does not agree. Judged is who has run."""
+    claims, findings = read_claims(root), read_findings(root)
+    known, ran = known_numbers(root, data, claims)
+    judge = Judge(claims, known.values())
+    judged = {id: c for id, c in claims.items() if c["program"] in ran or not c["program"]}
+    rows = list(compared(judged, judge, read_costs(root), read_commands(root)))
     ecsv.write_whole(Path(out) / "published.ecsv", ecsv.to_text(ecsv.Table(COLUMNS, rows, {"program": "lineage summary"})))
     print(f"claims     : {tally([row['verdict'] for row in rows])}")
     for row in rows:
         if row["verdict"] in ("within", "follows", "discrepant", "unresolved"):
             print(complaint(row))
-    if findings := read_findings(root):
-        print(f"findings   : {kinds_of(findings)}")
-        for id, row in findings.items():
-            if not holds(row, judge.found):
-                print(f"  fails      {id:26} {'; '.join(condition_texts(row, judge.found))}")
+    held = {id: row for id, row in findings.items() if asked_of(row, claims) <= ran}
+    if held:
+        print(f"findings   : {kinds_of(held)}")
+    for id, row in held.items():
+        if not holds(row, known):
+            print(f"  fails      {id:26} {'; '.join(condition_texts(row, known))}")
+    if len(judged) < len(claims) or len(held) < len(findings):
+        print(f"not judged : {len(claims) - len(judged)} claims and {len(findings) - len(held)} findings, whose programs "
+              "have not run (make figures)")
+
+
+def asked_of(row, claims):
+    """The programs whose numbers decide a finding."""
+    names = {name for fact, _, limit in conditions(row) for name in (fact, limit) if re.fullmatch(NAME, name)}
+    return {claims[name]["program"] if name in claims else name.partition(".")[0] for name in names}
 
 
 def condition_texts(row, found):
@@ -126,9 +146,8 @@ def facts_of_finding(row, found):
 
 def show(root, data, name):
     """The verb: a line for each; the fresh value where the program has run, the locked one elsewhere."""
-    claims, known = read_claims(root), {}
-    for findings in (read_lock(root), read_fresh(data, programs_of(root), claims)):
-        known.update({name_of(f, claims): f for f in findings.values()})
+    claims = read_claims(root)
+    known, _ = known_numbers(root, data, claims)
     judge, findings = Judge(claims, known.values()), read_findings(root)
     names = sorted(known.keys() | claims.keys() | findings.keys())
     if name not in names:

@@ -11,17 +11,20 @@ at the time that was asked for; what is returned is finite and knows its error, 
 taken, and no more than thirty seconds (times LATTICE_SLACK); and the interpreter lives. The calls are made in processes of
 their own, one for each core. Call number k of a seed is always the same."""
 
-import concurrent.futures
-import json
+import concurrent.futures.process
+import faulthandler
 import math
 import os
+import pickle
 import random
 import resource
-import subprocess
 import sys
-import time
 import warnings
 from fractions import Fraction
+
+sys.path.insert(0, os.path.abspath(sys.argv[1]))
+import lattice  # noqa: E402
+import numpy as np  # noqa: E402
 
 SECONDS = 30 * float(os.environ.get("LATTICE_SLACK", "1"))
 MOST = 2 << 30  # bytes
@@ -39,7 +42,6 @@ class Mine(Exception):
 
 def odd_value(chance):
     """What is no number that can be meant, or hardly."""
-    import numpy as np
     return chance.choice([
         lambda: None, lambda: True, lambda: False, lambda: np.True_, lambda: "", lambda: "x", lambda: "1/0", lambda: "nan",
         lambda: "1\n2", lambda: "\0", lambda: "\udcff", lambda: "é", lambda: "9" * 5000, lambda: b"1", lambda: 1j,
@@ -64,9 +66,6 @@ class Call:
     """One call: what is done, and what it is done with."""
 
     def __init__(self, number, seed):
-        import lattice
-        import numpy as np
-        self.np, self.lattice = np, lattice
         self.chance = random.Random(f"{seed} {number}")
         self.share = self.chance.choice([0, 0, 0, 0.1, 0.3, 1])  # of odd arguments
         self.said = []
@@ -77,7 +76,7 @@ class Call:
 
     def note(self, **arguments):
         for name, value in arguments.items():
-            self.said.append(f"{name}={self.lattice._short(value)}")
+            self.said.append(f"{name}={lattice._short(value)}")
         return arguments
 
     def option(self, name, allowed, standard):
@@ -95,11 +94,11 @@ class Call:
         x = chance.choice([least, most]) if chance.random() < 0.15 else \
             least * (most / least) ** chance.random() if least > 0 and most / least > 50 else chance.uniform(least, most)
         x = math.floor(x) if name in ("sites", "k", "reach") else min(max(x, least), most)
-        return chance.choice([x, x, repr(x), self.np.float64(x), Fraction(x)])
+        return chance.choice([x, x, repr(x), np.float64(x), Fraction(x)])
 
     def options(self, command, without=()):
         out = {}
-        for name, flag, allowed, _, standard in self.lattice._lattice.options[command]:
+        for name, flag, allowed, _, standard in lattice._lattice.options[command]:
             if not flag and name not in without and (self.chance.random() < 0.3 or name in SIZES):
                 out[name] = self.option(name, allowed, standard)
         if command == "travelling" and "near" in out:
@@ -112,7 +111,7 @@ class Call:
 
     def numbers(self, count, scale=1.0):
         """A row, as people write one."""
-        chance, np = self.chance, self.np
+        chance = self.chance
         x = np.zeros(count)
         x[:max(1, count // 3)] = [chance.gauss(0, scale) for _ in range(max(1, count // 3))]
         if self.odd():
@@ -129,7 +128,7 @@ class Call:
 
     def well(self):
         """A well of one's own, right in one case of two."""
-        np, chance = self.np, self.chance
+        chance = self.chance
         right = [lambda y: y * y / 2, lambda y: -y, np.ones_like]
         if chance.random() < 0.3:
             right = [lambda y: 2 * np.sinh(y / 2) ** 2, lambda y: -np.sinh(y), np.cosh]
@@ -145,35 +144,35 @@ class Call:
         if self.odd():
             right[chance.randrange(3)] = wrong
         self.said.append("a well of one's own")
-        return self.lattice.Well(*right, **({"rim": odd(chance)} if self.odd() else {}))
+        return lattice.Well(*right, **({"rim": odd(chance)} if self.odd() else {}))
 
     def contact(self):
-        np, chance = self.np, self.chance
+        chance = self.chance
         right = [lambda r: np.maximum(-r, 0) ** 3 / 3, lambda r: np.maximum(-r, 0) ** 2, lambda r: 2 * np.maximum(-r, 0)]
         if self.odd():
             wrong = [None, np.sin, lambda r: r[:-1], lambda r: -r, lambda r: r * math.nan]
             right[chance.randrange(3)] = chance.choice(wrong)
         self.said.append("a contact of one's own")
-        return self.lattice.Contact(*right, exponent=odd(chance) if self.odd() else 2,
+        return lattice.Contact(*right, exponent=odd(chance) if self.odd() else 2,
                                     **({"opening": odd(chance)} if self.odd() else {}))
 
     def chain(self, sites=True):
         chance = self.chance
         options = self.options("Chain", without=("sites",))
         if chance.random() < 0.2:
-            options |= {"onsite": self.well()}
+            options |= {"well": self.well()}
             options.pop("s", None)
         if chance.random() < 0.1:
             options |= {"contact": self.contact()}
         if sites or chance.random() < 0.8:
             options |= self.note(sites=odd(chance) if self.odd() else chance.choice([2, 3, 5, 8, 20]))
         # Light beads take very many steps, which is long where each of them calls Python
-        own = any(isinstance(value, (self.lattice.Well, self.lattice.Contact)) for value in options.values())
+        own = any(isinstance(value, (lattice.Well, lattice.Contact)) for value in options.values())
         for name in ("mass", "eta"):
             if chance.random() < 0.3:
                 rows = [1, 2.5, [1], [1, 0.5], (2, 1, 1), range(1, 4), [0.01] if own else [1e-5]]
                 options |= self.note(**{name: odd(chance) if self.odd() else chance.choice(rows)})
-        return self.lattice.Chain(**options)
+        return lattice.Chain(**options)
 
     def state(self, chain):
         n = chain.sites or 3
@@ -181,7 +180,7 @@ class Call:
 
     def run(self):
         """Makes the call; returns what came back, and the time that was asked for."""
-        lattice, chance, what = self.lattice, self.chance, self.what
+        chance, what = self.chance, self.what
         if what == "Chain":
             return self.chain()
         if what == "Well":
@@ -197,14 +196,13 @@ class Call:
             return self.moved(chain)
         options = self.options(what)
         if what in ("breather", "multipliers") and self.odd():
-            options |= {"onsite": self.well()}
+            options |= {"well": self.well()}
         if what == "strike" and self.odd():
             options["chain"] = odd_value(chance)
         return getattr(lattice, what)(**options)
 
     def moved(self, chain):
-        import pickle
-        lattice, chance, what, np = self.lattice, self.chance, self.what, self.np
+        chance, what = self.chance, self.what
         if what == "pickle":
             if chain._well or chain._contact:
                 return None
@@ -237,7 +235,6 @@ class Call:
 
 def complaints_of(call, found):
     """What is wrong with what came back."""
-    np = call.np
     if call.what == "evolve":
         time_, sites = call.asked
         if not math.isclose(found.t[-1], time_, rel_tol=1e-12):
@@ -289,95 +286,46 @@ def tried(number, seed):
     return kind, f"{call.what}({', '.join(call.said)})", wrong
 
 
-def work(folder):
-    """A process that makes the calls whose numbers it reads."""
-    sys.path.insert(0, folder)
-    import lattice  # noqa: F401
+def limited():
+    """A process that may take a little more than is allowed, so that it lives to say so."""
     used = int(open("/proc/self/statm").read().split()[0]) * resource.getpagesize()
     resource.setrlimit(resource.RLIMIT_AS, (used + MOST + (1 << 30), used + MOST + (1 << 30)))
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
-    for line in sys.stdin:
-        number, seed = json.loads(line)
-        answer = tried(number, seed)
-        answer[2].extend(["takes more than 2 GB"] * (resource.getrusage(resource.RUSAGE_SELF).ru_maxrss > MOST >> 10))
-        print("answer " + json.dumps(answer), flush=True)
 
 
-class Worker:
-    """Such a process, seen from outside."""
-
-    def __init__(self, folder):
-        self.folder, self.process = folder, None
-
-    def tried(self, number, seed):
-        if not self.process:
-            self.process = subprocess.Popen([sys.executable, __file__, "--work", self.folder], stdin=subprocess.PIPE,
-                                            stdout=subprocess.PIPE, text=True, start_new_session=True)
-        self.process.stdin.write(json.dumps([number, seed]) + "\n")
-        self.process.stdin.flush()
-        with concurrent.futures.ThreadPoolExecutor(1) as reader:
-            line = reader.submit(self.process.stdout.readline)
-            begin = time.monotonic()
-            # Processor time, so that a busy machine is no fault
-            while not concurrent.futures.wait([line], 0.5).done:
-                if self.seconds() > SECONDS and time.monotonic() - begin > SECONDS:
-                    self.process.kill()
-                    self.end()
-                    return "hangs", f"call {number}", ["is computing for too long"]
-            answer = line.result()
-        if answer.startswith("answer "):
-            self.before = self.seconds(0)
-            return json.loads(answer[7:])
-        code = self.process.wait()
-        self.end()
-        return "dies", f"call {number}", [f"the interpreter ends with {code} and says {answer!r}"]
-
-    before = 0.0
-
-    def seconds(self, since=None):
-        """Processor time of this call."""
-        try:
-            with open(f"/proc/{self.process.pid}/stat", encoding="utf8") as file:
-                fields = file.read().rpartition(")")[2].split()
-            used = (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
-        except OSError:
-            used = 0.0
-        return used - (self.before if since is None else since)
-
-    def end(self):
-        if self.process:
-            self.process.stdin.close()
-            self.process.stdout.close()
-            self.process.wait()
-            self.process, self.before = None, 0.0
+def one(number, seed):
+    """The answer to a call. One that hangs or dies ends its process, and the run."""
+    faulthandler.dump_traceback_later(2 * SECONDS, exit=True)
+    before = os.times().user
+    kind, call, wrong = tried(number, seed)
+    faulthandler.cancel_dump_traceback_later()
+    if os.times().user - before > SECONDS:
+        wrong.append("takes too long")
+    if resource.getrusage(resource.RUSAGE_SELF).ru_maxrss > MOST >> 10:
+        wrong.append("takes more than 2 GB")
+    return kind, call, wrong
 
 
 def main():
-    folder = os.path.abspath(sys.argv[1])
     count = int(sys.argv[2]) if len(sys.argv) > 2 else 150
     seed = int(sys.argv[3]) if len(sys.argv) > 3 else 1
     print(f"seed {seed}", flush=True)
     kinds, bad = {}, 0
-    free = [Worker(folder) for _ in os.sched_getaffinity(0)]
-
-    def one(number):
-        worker = free.pop()
-        try:
-            return worker.tried(number, seed)
-        finally:
-            free.append(worker)
-
-    with concurrent.futures.ThreadPoolExecutor(len(free)) as pool:
-        for number, (kind, call, wrong) in enumerate(pool.map(one, range(count))):
+    faulthandler.enable()
+    with concurrent.futures.ProcessPoolExecutor(len(os.sched_getaffinity(0)), initializer=limited) as pool:
+        answers = [pool.submit(one, number, seed) for number in range(count)]
+        for number, answer in enumerate(answers):
+            try:
+                kind, call, wrong = answer.result()
+            except concurrent.futures.process.BrokenProcessPool:
+                sys.exit(f"the interpreter ends or hangs in call {number} or one of the next")
             kinds[kind] = kinds.get(kind, 0) + 1
             bad += bool(wrong)
             for what in wrong:
                 print(f"{number}: {call}: {what}", flush=True)
-    for worker in free:
-        worker.end()
     print(f"{count} random calls, seed {seed}: {dict(sorted(kinds.items()))}, {bad} answers wrong")
     sys.exit(bad > 0 or kinds.get("answered", 0) < count / 8 or kinds.get("ValueError", 0) < count / 8)
 
 
 if __name__ == "__main__":
-    work(sys.argv[2]) if sys.argv[1] == "--work" else main()
+    main()

@@ -276,14 +276,14 @@ py::tuple strike_chain(const Words& words, const Chain* chain) {
 
 py::tuple one_breather(const Words& words, const OwnWell* well) {
   auto command = read<OneBreather>(words);
-  if (well) command.onsite = *well;
+  if (well) command.well = *well;
   const auto found = at_work([&] { return command.find(); });
   return answer(command, found) + py::make_tuple(found.problem.chain);
 }
 
 py::tuple all_multipliers(const Words& words, const OwnWell* well) {
   auto command = read<Multipliers>(words);
-  if (well) command.onsite = *well;
+  if (well) command.well = *well;
   return answer(command, at_work([&] { return command.find(); }));
 }
 
@@ -445,7 +445,7 @@ void add_model(py::module_& m) {
       .def(py::init(&make_chain))
       .def(py::init<const Chain&>())
       .def_readonly("sites", &Chain::sites)
-      .def_property_readonly("onsite", [](const Chain& c) { return describe<Well>(c.well); })
+      .def_property_readonly("well", [](const Chain& c) { return describe<Well>(c.well); })
       .def_property_readonly("contact", [](const Chain& c) { return describe<Contact>(c.contact); })
       .def_property_readonly("ends", [](const Chain& c) { return ends_names[int(c.ends)]; })
       .def_property_readonly("mass", [](const Chain& c) { return array_of(c.mass); })
@@ -472,7 +472,7 @@ PYBIND11_MODULE(_lattice, m) {
       py::arg("barrier") = options<OneBarrier>(), py::arg("travelling") = options<OneOrbit>(),
       py::arg("dps") = options<DpsStrike>());
   m.attr("digits_hint") = digits_hint;
-  m.attr("parameters") = py::dict(py::arg("onsite") = parameter_names<Well>(),
+  m.attr("parameters") = py::dict(py::arg("well") = parameter_names<Well>(),
                                   py::arg("contact") = parameter_names<Contact>());
   m.def("set_threads", &set_threads);
   m.def("strike", &strike_chain);

@@ -155,6 +155,7 @@ def _words(command, options):
     declared = {name: (flag, allowed) for name, flag, allowed, *_ in _lattice.options[command]}
     words = []
     for name, value in options.items():
+        name = _FORMERLY.get(name, name)
         if len(name) > 60 or not name.isidentifier():
             raise ValueError(f"{_short(name)}: there is no such option")
         flag, allowed = declared.get(name, (False, ""))
@@ -263,8 +264,12 @@ def _is_narrow(function):
         return True
 
 
+_FORMERLY = {"onsite": "well"}  # earlier names of options
+
+
 def _own(options, name, kind):
     """Takes a potential of one's own out of the options, which then have no parameters of the library's."""
+    options |= {new: options.pop(old) for old, new in _FORMERLY.items() if old in options}
     if not isinstance(options.get(name), kind):
         return None
     for parameter in _lattice.parameters[name]:
@@ -308,18 +313,18 @@ class Chain(_lattice.Chain):
     eta: stiffnesses of the contacts, `sites` + 1 numbers >= 0, or a pattern; eta[n] is that of the contact on the left of
         bead n, and the last one that of the right end (default: one)
 
-    `onsite` may be a `Well` and `contact` a `Contact` of your own. The attributes `sites`, `onsite`, `contact`, `ends`,
+    `well` may be a `Well` and `contact` a `Contact` of your own. The attributes `sites`, `well`, `contact`, `ends`,
     `mass` and `eta` tell what the chain is. Beads are counted from zero here, and from one in the article."""
 
     def __init__(self, sites=None, mass=None, eta=None, **options):
-        well, contact = _own(options, "onsite", Well), _own(options, "contact", Contact)
+        well, contact = _own(options, "well", Well), _own(options, "contact", Contact)
         super().__init__(_words("Chain", {"sites": sites, **options}), well, contact)
         self._vary(_repeated("mass", mass, self.sites, self.ends == "periodic"),
                    _repeated("eta", eta, self.sites and self.sites + 1, self.ends == "periodic"))
 
     def __reduce__(self):
         options = {"sites": self.sites or None, "ends": self.ends}
-        for name, own, kind in (("onsite", self._well, Well), ("contact", self._contact, Contact)):
+        for name, own, kind in (("well", self._well, Well), ("contact", self._contact, Contact)):
             word, *parameters = getattr(self, name).split(", ")
             options |= {name: _like(own, kind) if own else word} | dict(parameter.split(" = ") for parameter in parameters)
         for name in ("mass", "eta"):
@@ -327,8 +332,10 @@ class Chain(_lattice.Chain):
                 options[name] = getattr(self, name)
         return _made, (type(self), options), self.__dict__ or None
 
+    onsite = property(lambda self: self.well, doc="The well, by its earlier name.")
+
     def __repr__(self):
-        return f"Chain of {self.sites or 'as many'} beads{'' if self.sites else ' as needed'}: wells {self.onsite}; " \
+        return f"Chain of {self.sites or 'as many'} beads{'' if self.sites else ' as needed'}: wells {self.well}; " \
                f"contacts {self.contact}; ends {self.ends}{_pattern('mass', self.mass)}{_pattern('eta', self.eta)}"
 
     def _rows(self, **arrays):
@@ -431,7 +438,7 @@ def breather(**options):
 
     OPTIONS
 
-    `onsite` may be a `Well` of your own, and is then computed with calls into Python: seconds become minutes.
+    `well` may be a `Well` of your own, and is then computed with calls into Python: seconds become minutes.
 
     Returns a Result with the quantities of `sec32_newton_breathers breather`: amplitude, energy (Eq. (6)), area (the
     integral of the squared velocities over a period), residual (distance after a period, relative to the amplitude) and
@@ -439,7 +446,7 @@ def breather(**options):
     rest; and the `chain`. Errors are differences from a wider number type.
 
     RuntimeError: Newton's method fails, or the branch that begins at omega = 1 does not reach `omega`."""
-    well = _own(options, "onsite", Well)
+    well = _own(options, "well", Well)
     found, profile, chain = _lattice.breather(_words("breather", options), well)
     return Result(_estimates(found), **profile, chain=_chain(chain))
 
@@ -449,13 +456,13 @@ def multipliers(**options):
 
     OPTIONS
 
-    `onsite` may be a `Well` of your own, as in `breather`.
+    `well` may be a `Well` of your own, as in `breather`.
 
     Returns a Result with the quantity kappa = (lambda + 1/lambda - 2)/4 of the pinning pair, positive if the breather is
     unstable; and the arrays multiplier (complex) and multiplier_error, two entries per bead, the first two being the pair
     of the phase, which is exactly +1, as `sec33_floquet multipliers` prints them. Errors are differences of two
     tolerances."""
-    well = _own(options, "onsite", Well)
+    well = _own(options, "well", Well)
     found, all_of_them = _lattice.multipliers(_words("multipliers", options), well)
     return Result(_estimates(found), multiplier=all_of_them["real"] + 1j * all_of_them["imag"],
                   multiplier_error=all_of_them["error"])

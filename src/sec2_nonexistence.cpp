@@ -24,12 +24,12 @@ small and large starts end (c); energy and mean force of a localized state (d, e
 #include <utility>
 #include <vector>
 
-#include "lattice/numerics/parallel.hpp"
 #include "lattice/gsl/random.hpp"
-#include "lattice/orbits/breather.hpp"
-#include "lattice/packets/observe.hpp"
 #include "lattice/integrators/contact_rkn.hpp"
 #include "lattice/integrators/integrate.hpp"
+#include "lattice/numerics/parallel.hpp"
+#include "lattice/orbits/breather.hpp"
+#include "lattice/packets/observe.hpp"
 #include "report/program.hpp"
 #include "sec2/fixed_leapfrog.hpp"
 #include "sec2/mean_force.hpp"
@@ -71,13 +71,7 @@ struct Balance {
 };
 
 struct MeanTable {
-  Table table{label("motion", "which periodic motion"),
-              count("n", "contact, to the left of bead n; 1 is the first", "site"),
-              estimate("force", "mean force of the contact over a period", "",
-                       "difference of two tolerances, against the largest force"),
-              number("relative", "mean force over the largest one of the motion"),
-              number("step", "mean force of this contact minus that of the next"),
-              number("well", "mean force of the well on bead n, nan where there is no bead")};
+  Table table{};
 
   /// Both balances, and the rows of the table. Without walls or a ring the outermost contacts do not exist.
   template <class AnyChain>
@@ -96,9 +90,17 @@ std::array<Balance, 2> MeanTable::add(const std::string& motion, const AnyChain&
   const double top = *std::max_element(fine.contact.begin(), fine.contact.end());
   for (std::size_t i = first; i + first <= sites; ++i) {
     const bool bead = i < sites;
-    table.add({motion, i + 1, fine.contact[i], std::abs(fine.contact[i] - coarse.contact[i]),
-               fine.contact[i] / top, bead ? fine.contact[i] - fine.contact[i + 1] : std::nan(""),
-               bead ? fine.well[i] : std::nan("")});
+    const double here = fine.contact[i], none = std::nan("");
+    table.add({{"motion", "which periodic motion", motion},
+               {"n", "contact, to the left of bead n; 1 is the first", i + 1, "site"},
+               {"force", "mean force of the contact over a period",
+                Estimate{here, std::abs(here - coarse.contact[i])}, "",
+                "difference of two tolerances, against the largest force"},
+               {"relative", "mean force over the largest one of the motion", here / top},
+               {"step", "mean force of this contact minus that of the next",
+                bead ? here - fine.contact[i + 1] : none},
+               {"well", "mean force of the well on bead n, nan where there is no bead",
+                bead ? fine.well[i] : none}});
   }
   const auto of = [&](const MeanForces& m) {
     const double most = *std::max_element(m.contact.begin(), m.contact.end());
@@ -428,18 +430,19 @@ Criterion of_dispersal(Report& report) {
   });
 
   // What the figure shows, instant by instant
-  Table& table = report.table(
-      "dispersal", {label("chain", "free or wells"), number("t", "time"),
-                    estimate("core", "share of the energy on nine sites", "",
-                             "difference of two resolutions, against the largest share"),
-                    estimate("mean", "push of a central contact, averaged from 0 to t", "",
-                             "difference of two resolutions, against the largest mean")});
+  Table& table = report.table("dispersal");
   for (std::size_t c : {0, 1}) {
     const Course &coarse = runs[2 * c], &fine = runs[2 * c + 1];
     const std::string name = c == 0 ? "free" : "wells";
     for (std::size_t i = 0; i < fine.t.size(); ++i)
-      table.add({name, fine.t[i], fine.core[i], std::abs(fine.core[i] - coarse.core[i]),
-                 fine.mean[i], std::abs(fine.mean[i] - coarse.mean[i])});
+      table.add({{"chain", "free or wells", name},
+                 {"t", "time", fine.t[i]},
+                 {"core", "share of the energy on nine sites",
+                  Estimate{fine.core[i], std::abs(fine.core[i] - coarse.core[i])}, "",
+                  "difference of two resolutions, against the largest share"},
+                 {"mean", "push of a central contact, averaged from 0 to t",
+                  Estimate{fine.mean[i], std::abs(fine.mean[i] - coarse.mean[i])}, "",
+                  "difference of two resolutions, against the largest mean"}});
     report.facts.add("mean_" + name, compare(coarse.mean.back(), fine.mean.back()));
     report.facts.add("drift_" + name, compare(coarse.run.energy_drift, fine.run.energy_drift));
   }

@@ -241,31 +241,32 @@ void reproduce(Report& report) {
   const auto& [shorter, longer] = softer;
 
   // Breather by breather
-  const std::string from = "difference of two chain lengths";
-  Table& table = report.table(
-      "softer_wells", {number("kappa", "stiffness of the wells"),
-                       estimate("amplitude", "largest displacement at t = 0", "", from),
-                       estimate("energy", "energy of the breather", "", from),
-                       estimate("width", "contacts that share the mean force", "site", from),
-                       estimate("central", "mean force of the central contact", "", from)});
+  const char* const from = "difference of two chain lengths";
+  Table& table = report.table("softer_wells");
   for (std::size_t k = 0; k < longer.size(); ++k) {
     const Breather &a = shorter[k], &b = longer[k];
-    table.add({b.kappa, compare(a.amplitude, b.amplitude), compare(a.energy, b.energy),
-               compare(a.width, b.width), compare(a.central, b.central)});
+    table.add(
+        {{"kappa", "stiffness of the wells", b.kappa},
+         {"amplitude", "largest displacement at t = 0", compare(a.amplitude, b.amplitude), "",
+          from},
+         {"energy", "energy of the breather", compare(a.energy, b.energy), "", from},
+         {"width", "contacts that share the mean force", compare(a.width, b.width), "site", from},
+         {"central", "mean force of the central contact", compare(a.central, b.central), "",
+          from}});
   }
 
   // How the mean force spreads, at every fourth stiffness
-  Table& profiles = report.table(
-      "softer_profiles", {number("kappa", "stiffness of the wells"),
-                          count("n", "contact, from the centre of the breather", "site"),
-                          estimate("force", "mean force of the contact", "",
-                                   "difference of two chain lengths, against the largest")});
+  Table& profiles = report.table("softer_profiles");
   for (std::size_t k = 0; k < longer.size(); k += 4)
     for (int n = -40; n <= 40; ++n) {
       const auto force = [&](std::size_t j) {
         return softer[j][k].contact[std::size_t(int(lengths[j] / 2) + n)];
       };
-      profiles.add({longer[k].kappa, n, Estimate{force(1), std::abs(force(1) - force(0))}});
+      profiles.add(
+          {{"kappa", "stiffness of the wells", longer[k].kappa},
+           {"n", "contact, from the centre of the breather", n, "site"},
+           {"force", "mean force of the contact", Estimate{force(1), std::abs(force(1) - force(0))},
+            "", "difference of two chain lengths, against the largest"}});
     }
 
   // Where width and central force go, and where the free chain says that the force must go

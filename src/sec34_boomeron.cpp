@@ -16,18 +16,20 @@ their direction. How far does it get, and for how long can its motion be known?
 ![Energy density after impacts with 1.5 and 1.9, and a zoom.](fig:22) */
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "lattice/numerics/parallel.hpp"
 #include "lattice/gsl/random.hpp"
-#include "lattice/packets/turning.hpp"
 #include "lattice/gsl/reference.hpp"
+#include "lattice/numerics/parallel.hpp"
+#include "lattice/packets/turning.hpp"
 #include "report/model_options.hpp"
 #include "report/program.hpp"
+#include "sec34/criteria.hpp"
 #include "sec34/decorrelation.hpp"
 #include "sec34/force.hpp"
 
@@ -318,10 +320,15 @@ std::vector<Pull> report_pulls(Report& report, double step) {
   std::vector<Pull> list;
   for (double v : {1.1, 1.3, 1.5, 1.6, 1.7, 1.8, 1.9, 2.0}) list.push_back({{v, 1, 300}});
   for (double s : {0.0, 0.25, 0.5, 0.75}) list.push_back({{1.9, s, 300}});
-  list.push_back({{1.9, 1, 1000}, Stretch::back});
-  list.push_back({{1.9, 1, 1000}, Stretch::between});
+  for (Stretch stretch : {Stretch::back, Stretch::between})
+    list.push_back({{1.9, 1, 1000}, stretch});
+  std::array<Voyage, 2> returning;
+  parallel_for(
+      2, [&](std::size_t k) { returning[k] = voyage({k ? step : 2 * step}, list.back().strike); });
   const auto row = [&](Pull& p) {
-    p.seen = force_of(voyage({2 * step}, p.strike), voyage({step}, p.strike), p.stretch);
+    p.seen = p.stretch == Stretch::out
+                 ? force_of(voyage({2 * step}, p.strike), voyage({step}, p.strike), p.stretch)
+                 : force_of(returning[0], returning[1], p.stretch);
     return Cells{p.strike.s,         p.strike.velocity,  p.stretch,
                  p.seen.force.value, p.seen.force.error, p.seen.bend.value};
   };

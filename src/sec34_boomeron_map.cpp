@@ -57,7 +57,7 @@ where the second term is the first correction, in $\epsilon^{1/2}$, to that limi
 the site. The contour thus crosses many decades of $s$ while $\kappa$ changes little, and we place the points of each
 velocity at equal ratios of $\kappa$. */
 struct MapGrid {
-  std::size_t columns = 42, rows = 42;
+  std::size_t columns = 32, rows = 32;
   double slowest = 0.03, fastest = 200, least = 0.7, most = 20;  ///< of v0 and of kappa
   double velocity(std::size_t i) const { return spaced(slowest, fastest, i / rows, columns); }
   double kappa(std::size_t i) const { return spaced(least, most, i % rows, rows); }

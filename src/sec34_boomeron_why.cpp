@@ -24,8 +24,8 @@ The answer, with its evidence and its limits, is given under *Results*. */
 #include <utility>
 #include <vector>
 
-#include "lattice/numerics/parallel.hpp"
 #include "lattice/gsl/random.hpp"
+#include "lattice/numerics/parallel.hpp"
 #include "lattice/orbits/breather_pairs.hpp"
 #include "lattice/packets/turning.hpp"
 #include "report/program.hpp"

@@ -24,9 +24,9 @@ the first beads, the *surface mode*. */
 #include <vector>
 
 #include "commands/one_impact.hpp"
+#include "lattice/gsl/reference.hpp"
 #include "lattice/numerics/parallel.hpp"
 #include "lattice/packets/impact.hpp"
-#include "lattice/gsl/reference.hpp"
 #include "report/program.hpp"
 #include "sec34/criteria.hpp"
 
@@ -206,7 +206,7 @@ struct Trial {
   double escape[2] = {0, 0};  ///< time of the blow-up at two resolutions, infinite if there is none
 
   void measure(double s, double time) {
-    const Impact impact{velocity, {0, Quartic{s}}, time, far_away, 2, 1e-9, false};
+    const Impact impact = complete({velocity, {0, Quartic{s}}, time, far_away, 2, 1e-9, false});
     for (int k : {0, 1})
       escape[k] = strike(stepper_for(tolerance, largest_step, k), impact).run.escape_time;
   }

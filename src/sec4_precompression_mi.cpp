@@ -22,9 +22,9 @@ impact in sec4/struck_compressed.hpp. */
 #include <utility>
 #include <vector>
 
+#include "lattice/gsl/reference.hpp"
 #include "lattice/numerics/line_fit.hpp"
 #include "lattice/numerics/parallel.hpp"
-#include "lattice/gsl/reference.hpp"
 #include "report/program.hpp"
 #include "sec4/instability.hpp"
 #include "sec4/modulated_rings.hpp"
@@ -190,14 +190,16 @@ of the others'.
 
 ![The modulation coefficient of Eq. (37).](fig:25) */
 Table instability_table() {
-  Table table{{number("q", "wavenumber", "1/site"), number("s", "anharmonicity of the well"),
-               number("beta", "NLS coefficient"), number("omega_2", "reduced curvature"),
-               number("phi", "modulation coefficient, unstable where positive")}};
+  Table table;
   for (double s : wells)
     for (int k = 0; k <= 200; ++k) {
       const double q = pi * k / 200;
       const auto c = coefficients(q, compression, s);
-      table.add({q, s, c.beta, c.omega_2, c.phi});
+      table.add({{"q", "wavenumber", q, "1/site"},
+                 {"s", "anharmonicity of the well", s},
+                 {"beta", "NLS coefficient", c.beta},
+                 {"omega_2", "reduced curvature", c.omega_2},
+                 {"phi", "modulation coefficient, unstable where positive", c.phi}});
     }
   return table;
 }
@@ -312,19 +314,19 @@ bool growth_compared(const BetaPoint& p) {
 }
 
 Table beta_table(const std::vector<BetaPoint>& points) {
-  Table table{{number("q", "wavenumber", "1/site"), number("s", "anharmonicity of the well"),
-               number("beta", "NLS coefficient from its formula"),
-               number("measured_beta", "from the measured frequency shift"),
-               number("measured_beta_error", "two steps and two pairs of amplitudes"),
-               number("shift_phi", "modulation coefficient with the measured beta"),
-               number("growth_phi", "from the growth, nan where stable or out of reach"),
-               number("growth_phi_error", "two pairs of amplitudes, nan where growth_phi is")}};
-  const double none = std::nan("");
+  Table table;
+  const Estimate none{std::nan(""), std::nan("")};
   for (const BetaPoint& p : points) {
-    const bool compared = growth_compared(p);
-    table.add({p.phase.q, p.phase.s, p.nls.beta, p.beta.value, p.beta.error,
-               -p.beta.value * p.nls.omega_2, compared ? p.growth_phi.value : none,
-               compared ? p.growth_phi.error : none});
+    const Estimate growth = growth_compared(p) ? p.growth_phi : none;
+    table.add({{"q", "wavenumber", p.phase.q, "1/site"},
+               {"s", "anharmonicity of the well", p.phase.s},
+               {"beta", "NLS coefficient from its formula", p.nls.beta},
+               {"measured_beta", "from the measured frequency shift", p.beta, "",
+                "two steps and two pairs of amplitudes"},
+               {"shift_phi", "modulation coefficient with the measured beta",
+                -p.beta.value * p.nls.omega_2},
+               {"growth_phi", "from the growth, nan where stable or out of reach", growth, "",
+                "two pairs of amplitudes, nan where growth_phi is"}});
   }
   return table;
 }
@@ -350,9 +352,7 @@ The NLS equation holds in the limit of small amplitudes. How far are we from it 
 of figure 26? We tabulate the growth against the wavenumber of the modulation, for this amplitude and
 for a third of it. */
 Table growth_curves(double s, double q) {
-  Table curves{{number("modulation", "wavenumber Q of the modulation", "1/site"),
-                number("a", "amplitude of the wave"), number("growth", "eigenvalue over |A|^2"),
-                number("nls", "NLS growth over |A|^2")}};
+  Table curves;
   const Quartic well{s};
   const CompressedHertz contact{compression};
   const auto c = coefficients(q, compression, s);
@@ -360,8 +360,11 @@ Table growth_curves(double s, double q) {
     const PlaneWave wave = plane_wave(well, contact, q, a);
     for (int k = 1; k <= 60; ++k) {
       const double modulation = fastest_modulation(c, a) * 1.6 * k / 60, unit = a * a / 4;
-      curves.add({modulation, a, growth_rate(wave, well, contact, modulation) / unit,
-                  nls_growth(c, a, modulation) / unit});
+      curves.add(
+          {{"modulation", "wavenumber Q of the modulation", modulation, "1/site"},
+           {"a", "amplitude of the wave", a},
+           {"growth", "eigenvalue over |A|^2", growth_rate(wave, well, contact, modulation) / unit},
+           {"nls", "NLS growth over |A|^2", nls_growth(c, a, modulation) / unit}});
     }
   }
   return curves;
@@ -396,11 +399,11 @@ void report_ansatz(Report& report) {
   for (double eps = 0.2; eps > (report.quick ? 0.04 : 0.02); eps /= 2) sizes.push_back({eps});
   parallel_for("error of the ansatz", sizes.size(),
                [&](std::size_t i) { sizes[sizes.size() - 1 - i].measure(); });
-  Table& table =
-      report.table("ansatz_error", {number("eps", "size of the ansatz"),
-                                    estimate("l2", "of displacements and velocities together"),
-                                    estimate("largest", "of any displacement or velocity")});
-  for (const SizeOfError& size : sizes) table.add({size.eps, size.l2, size.largest});
+  Table& table = report.table("ansatz_error");
+  for (const SizeOfError& size : sizes)
+    table.add({{"eps", "size of the ansatz", size.eps},
+               {"l2", "of displacements and velocities together", size.l2},
+               {"largest", "of any displacement or velocity", size.largest}});
 
   // Local orders; the last is the answer, and its distance to the one before is its error
   const auto order = [&](std::size_t i, Estimate SizeOfError::*of) {
@@ -419,9 +422,7 @@ Eigenvalues should be visible in a run. On a ring of 200 beads we disturb the ex
 0.15 by a modulation of wavenumber $Q$ and relative size $10^{-6}$, and fit the growth of the side
 band $q + Q$. */
 void report_growth(Report& report) {
-  Table runs{{number("modulation", "wavenumber Q of the modulation", "1/site"),
-              number("growth", "growth in a run over |A|^2"),
-              number("growth_error", "difference of two steps")}};
+  Table runs;
   const ModulatedPhonon phonon;
   const Chain ring = phonon.ring();
   const PlaneWave wave = plane_wave(ring.well, ring.contact, phonon.q, phonon.a);
@@ -435,7 +436,9 @@ void report_growth(Report& report) {
     const Estimate seen = compare(run(0.4), run(0.2));
     apart.value = std::max(apart.value, std::abs(seen.value / rate - 1));
     apart.error = std::max(apart.error, seen.error / rate);
-    runs.add({modulation, seen.value / unit, seen.error / unit});
+    runs.add({{"modulation", "wavenumber Q of the modulation", modulation, "1/site"},
+              {"growth", "growth in a run over |A|^2",
+               Estimate{seen.value / unit, seen.error / unit}, "", "difference of two steps"}});
   }
   report.output.add("growth", growth_curves(phonon.s, phonon.q));
   report.output.add("growth_runs", std::move(runs));
@@ -473,7 +476,10 @@ Line order_of(const OrderCase& c, const Scheme& scheme, const State<double>& rig
   std::vector<double> x, y;
   for (double step = 0.5; step > 0.007; step /= 2) {
     const double error = distance(right, c.run(Splitting{scheme, step}));
-    table.add({c.name, scheme.name, step, error});
+    table.add({{"contacts", "closed all the time, or opening", c.name},
+               {"scheme", "splitting", scheme.name},
+               {"step", "time step", step},
+               {"error", "relative error of the end state", error}});
     if (error < 1e-2 && error > 3e-12) x.push_back(std::log(step)), y.push_back(std::log(error));
   }
   return fit_line(x, y);
@@ -497,8 +503,7 @@ void report_order(Report& report) {
   const OrderCase cases[] = {
       {"closed", phonon.ring(), phonon.start(), 50},
       {"opening", {60, Quartic{1}, CompressedHertz{compression}}, struck(60, 1.87), 30}};
-  Table table{{label("contacts", "closed all the time, or opening"), label("scheme", "splitting"),
-               number("step", "time step"), number("error", "relative error of the end state")}};
+  Table table;
   for (const OrderCase& c : cases) {
     const State<double> right = confirmed_end(c, report.facts);
     for (const Scheme& scheme : {verlet(), blanes_moan_4(), blanes_moan_6(), blanes_moan_6_14()}) {
@@ -578,7 +583,8 @@ $|s|$ the soliton of the NLS equation is too wide to form so early.
 - What becomes of the backscattered wave near $q = \pi/2$ when it has grown?
 - How do super-exponential tails become exponential ones as $d$ grows from zero? */
 int main(int argc, char** argv) {
-  return run({"sec4_precompression_mi", "4", "Precompression: modulation and impact (section 4)",
-              reproduce, commands<OneWavenumber, Band, compressed::OneImpact, rings::OneRing>()},
-             argc, argv);
+  return run(
+      {"sec4_precompression_mi", "4", "Precompression: modulation and impact (section 4)",
+       reproduce, commands<OneWavenumber, Band, compressed::CompressedImpact, rings::OneRing>()},
+      argc, argv);
 }

@@ -17,7 +17,7 @@ those of an impact, and are they exact?
 #include "lattice/numerics/parallel.hpp"
 #include "report/program.hpp"
 #include "sec5/driven_array.hpp"
-#include "sec5/traveller.hpp"
+#include "sec5/packet_members.hpp"
 #include "sec5/travelling.hpp"
 
 using namespace lattice;
@@ -30,7 +30,7 @@ seen to hold it there. Strength and frequency of the drive decide the phase more
 ## Two numbers
 
 In the DpS limit two numbers determine a travelling breather, its shift time $T$ and the phase $\varphi$ by which it
-turns from site to site, and so they nearly do in the chain (traveller.hpp). We measure both, at $\delta = 0.1$ for a
+turns from site to site, and so they nearly do in the chain (packet_members.hpp). We measure both, at $\delta = 0.1$ for a
 piston that begins at once with several multiples of the law (the fold of the quiet motion at small $\delta$,
 `sec5_driving`), and after an impact of 1 m/s. There the fold, with 10 ms, is [1.1167](num:sec5_driving.fold_over_law) times the law.
 
@@ -65,14 +65,14 @@ std::vector<Packet> packets(bool quick) {
 Traveller packet_seen(const Packet& p, double step, const Stretch& stretch) {
   const double omega = 1 + p.delta, period = 2 * std::numbers::pi / omega;
   const double long_enough = 300 / p.delta + p.ramp * period;
-  ArraySetup rig;
-  rig.lifetime = p.lifetime;
+  ArraySetup setup;
+  setup.lifetime = p.lifetime;
   const auto by = p.strength > 0 ? Drive::By::piston : Drive::By::nothing;
   const double a = p.strength * threshold_law(Drive::By::piston, omega);
   State<double> start(ArraySetup::sites);
   start.t = p.start * period;
-  if (p.strength == 0) start.v[0] = rig.velocity(1);
-  return traveller_on(rig.bench(by, omega, a, 0, p.ramp * period), start, long_enough, step,
+  if (p.strength == 0) start.v[0] = setup.velocity(1);
+  return traveller_on(setup.driven(by, omega, a, 0, p.ramp * period), start, long_enough, step,
                       stretch);
 }
 

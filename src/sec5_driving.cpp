@@ -35,7 +35,7 @@ the site-centred one (section 3.2).
 
 ## Model
 
-The chain is that of driven_chain.hpp with beams of 10 ms lifetime; thresholds and folds are explained in driven.hpp. Below
+The chain is that of driven_chain.hpp with beams of 10 ms lifetime; thresholds and folds are explained in driven_end.hpp. Below
 *the law* is the fold's amplitude in the DpS limit.
 
 | symbol | program | meaning | unit |
@@ -60,13 +60,13 @@ struct Fold {
   Estimate amplitude{};
 };
 
-std::vector<Fold> fold_points(const ArraySetup& rig, bool quick) {
+std::vector<Fold> fold_points(const ArraySetup& setup, bool quick) {
   const auto piston = Drive::By::piston, base = Drive::By::base;
   if (quick) return {{"threshold_first", piston, 1.1}, {"base_first", base, 1.1}};
   return {{"", piston, 1.025},
           {"", piston, 1.05},
           {"threshold_first", piston, 1.1},
-          {"recipe_7000", piston, rig.omega(7000)},
+          {"recipe_7000", piston, setup.omega(7000)},
           {"threshold_second", piston, 1.2},
           {"", piston, 1.35},
           {"", base, 1.05},
@@ -74,9 +74,9 @@ std::vector<Fold> fold_points(const ArraySetup& rig, bool quick) {
           {"base_second", base, 1.2}};
 }
 
-Estimate fold_of(const ArraySetup& rig, Drive::By by, double omega) {
-  const DrivenChain bench = rig.bench(by, omega, 0, 0, 0, 10);
-  return compare(quiet_branch(bench, 32, 0.1).fold, quiet_branch(bench, 64, 0.05).fold);
+Estimate fold_of(const ArraySetup& setup, Drive::By by, double omega) {
+  const DrivenChain driven = setup.driven(by, omega, 0, 0, 0, 10);
+  return compare(quiet_branch(driven, 32, 0.1, 1).fold, quiet_branch(driven, 64, 0.05, 1).fold);
 }
 
 /// The exponent of delta between two points of the curve of folds.
@@ -87,16 +87,16 @@ Estimate local_exponent(const Fold& a, const Fold& b) {
   return {std::log(b.amplitude.value / a.amplitude.value) / apart, relative / apart};
 }
 
-Estimate in_micrometres(const ArraySetup& rig, const Estimate& a) {
-  return {rig.micrometres(a.value), rig.micrometres(a.error)};
+Estimate in_micrometres(const ArraySetup& setup, const Estimate& a) {
+  return {setup.micrometres(a.value), setup.micrometres(a.error)};
 }
 
-std::vector<Fold> report_folds(Report& report, const ArraySetup& rig) {
+std::vector<Fold> report_folds(Report& report, const ArraySetup& setup) {
   report.facts.add("top", dps_threshold(Drive::By::piston));
   report.facts.add("top_strain", dps_threshold(Drive::By::base));
-  std::vector<Fold> folds = fold_points(rig, report.quick);
+  std::vector<Fold> folds = fold_points(setup, report.quick);
   parallel_for(folds.size(), [&](std::size_t i) {
-    folds[i].amplitude = fold_of(rig, folds[i].by, folds[i].omega);
+    folds[i].amplitude = fold_of(setup, folds[i].by, folds[i].omega);
   });
   Table& table = report.table(
       "folds",
@@ -106,22 +106,22 @@ std::vector<Fold> report_folds(Report& report, const ArraySetup& rig) {
   for (const Fold& f : folds) {
     const double law = threshold_law(f.by, f.omega);
     const Estimate ratio{f.amplitude.value / law, f.amplitude.error / law};
-    table.add({name_of(f.by), f.omega - 1, rig.hertz(f.omega), in_micrometres(rig, f.amplitude),
-               rig.micrometres(law), ratio});
+    table.add({name_of(f.by), f.omega - 1, setup.hertz(f.omega), in_micrometres(setup, f.amplitude),
+               setup.micrometres(law), ratio});
     if (f.omega == 1.025) report.facts.add("fold_over_law_small", ratio);
     if (f.name == "threshold_first") report.facts.add("fold_over_law", ratio);
   }
   if (report.quick) return folds;
 
   // Without losses, the exponents, and numbers for whoever builds the array
-  ArraySetup free = rig;
+  ArraySetup free = setup;
   free.lifetime = 0;
   report.facts.add("fold_over_law_lossless", quotient(fold_of(free, Drive::By::piston, 1.025),
                                                       law_estimate(Drive::By::piston, 1.025)));
-  report.facts.add("recipe_7000", in_micrometres(rig, folds[3].amplitude), "um");
+  report.facts.add("recipe_7000", in_micrometres(setup, folds[3].amplitude), "um");
   report.facts.add("recipe_7000_law",
-                   in_micrometres(rig, law_estimate(Drive::By::piston, folds[3].omega)), "um");
-  report.facts.add("beam_frequency", exact(rig.hertz(1)), "Hz");
+                   in_micrometres(setup, law_estimate(Drive::By::piston, folds[3].omega)), "um");
+  report.facts.add("beam_frequency", exact(setup.hertz(1)), "Hz");
   report.facts.add("exponent_piston_weak", local_exponent(folds[1], folds[2]));
   report.facts.add("exponent_piston_strong", local_exponent(folds[4], folds[5]));
   report.facts.add("exponent_base_weak", local_exponent(folds[6], folds[7]));
@@ -137,8 +137,8 @@ grows with the exponent [2.076](num:sec5_driving.exponent_piston_weak), between 
 [1.1167](num:sec5_driving.fold_over_law) times the law, at 0.025 [1.0376](num:sec5_driving.fold_over_law_small) times. The law leaves
 damping out; without losses the last number is [1.0280](num:sec5_driving.fold_over_law_lossless), and closer to the beams'
 frequency damping matters more. The orbits themselves, for the figure: */
-void report_orbits(Report& report, const ArraySetup& rig) {
-  const auto branch = quiet_branch(rig.bench(Drive::By::piston, 1.1, 0, 0, 0, 10), 64, 0.1);
+void report_orbits(Report& report, const ArraySetup& setup) {
+  const auto branch = quiet_branch(setup.driven(Drive::By::piston, 1.1, 0, 0, 0, 10), 64, 0.1);
   Table& orbits =
       report.table("quiet_orbits", {number("amplitude", "of the piston", "um"),
                                     number("response",
@@ -146,14 +146,14 @@ void report_orbits(Report& report, const ArraySetup& rig) {
                                            "beginning of a period",
                                            "um")});
   for (std::size_t k = 0; k < branch.amplitude.size(); ++k)
-    orbits.add({rig.micrometres(branch.amplitude[k]), rig.micrometres(branch.response[k])});
+    orbits.add({setup.micrometres(branch.amplitude[k]), setup.micrometres(branch.response[k])});
 }
 
 /**
 ## Thresholds: slowly up, at once, slowly down
 
 A threshold depends on how one comes to it, and on what one calls emission. *Up*: the amplitude rises slowly from
-zero, and the first packet at the gate (bead 20) decides. *Once*: the drive begins at once, and again the first packet
+zero, and the first packet at the detector (bead 20) decides. *Once*: the drive begins at once, and again the first packet
 decides. *Lasting*: it begins at once, and emission must go on to the end of the run. *Down*: the same for an amplitude
 that falls slowly from 1.2 times the fold. Emission that has been silent for five lifetimes is over.
 
@@ -170,11 +170,11 @@ struct Threshold {
 };
 
 /// How long a run is, for how long the amplitude changes, and the step.
-struct Patience {
+struct RunLength {
   double horizon, ramp, step;
 };
 
-Patience patience_for(Way way, bool rough) {
+RunLength run_length_for(Way way, bool rough) {
   const double step = rough ? 0.4 : 0.2, stays = rough ? 4000 : 8000;
   if (way == Way::up) return {rough ? 4000.0 : 8000, rough ? 3000.0 : 6000, step};
   if (way == Way::once) return {1500, 0, step};
@@ -182,20 +182,23 @@ Patience patience_for(Way way, bool rough) {
   return {ramp + stays, ramp, step};
 }
 
-/// Is something sent through the gate, or still sent at the end?
-bool emits(const ArraySetup& rig, const Threshold& t, double a, const Patience& p) {
+/// Is something sent past the detector, or still sent at the end?
+bool emits(const ArraySetup& setup, const Threshold& t, double a, const RunLength& p) {
   const double from = t.way == Way::down ? 1.2 * t.fold.amplitude.value : 0;
-  const DrivenChain bench = rig.bench(t.fold.by, t.fold.omega, a, from, p.ramp);
+  const DrivenChain driven = setup.driven(t.fold.by, t.fold.omega, a, from, p.ramp);
   if (t.way == Way::up || t.way == Way::once)
-    return !drive_chain(bench, p.horizon, ArraySetup::gate, p.step, 1).passages.empty();
+    return !drive_chain(driven, p.horizon, ArraySetup::detector, p.step, 1).passages.empty();
   const std::size_t all = std::numeric_limits<std::size_t>::max();
-  const double silence = 5 / rig.rate(rig.lifetime);
-  return drive_chain(bench, p.horizon, ArraySetup::gate, p.step, all, silence).lasts(p.horizon, silence);
+  const double silence = 5 / setup.rate(setup.lifetime);
+  return drive_chain(driven, p.horizon, ArraySetup::detector, p.step, all, silence)
+      .lasts(p.horizon, silence);
 }
 
 /// In units of the fold.
-Estimate threshold_at(const ArraySetup& rig, const Threshold& t, const Patience& p) {
-  const auto sends = [&](double share) { return emits(rig, t, share * t.fold.amplitude.value, p); };
+Estimate threshold_at(const ArraySetup& setup, const Threshold& t, const RunLength& p) {
+  const auto sends = [&](double share) {
+    return emits(setup, t, share * t.fold.amplitude.value, p);
+  };
   if (t.way == Way::up) return bisect_threshold(0.98, 1.01, 0.001, sends);
   if (t.way != Way::once) return threshold_among(0.9475, 0.005, 6, sends);
   // The lowest of a scan, where the answer need not be monotonic
@@ -208,15 +211,17 @@ std::vector<Threshold> threshold_points(const std::vector<Fold>& folds) {
   std::vector<Threshold> points;
   for (const Fold& fold : folds) {
     if (fold.name.empty()) continue;
-    if (fold.name != "recipe_7000") points.push_back({Way::up, fold});
+    const bool recipe = fold.name == "recipe_7000";
+    if (!recipe) points.push_back({Way::up, fold});
     points.push_back({Way::once, fold});
     points.push_back({Way::lasting, fold});
-    if (fold.by == Drive::By::piston) points.push_back({Way::down, fold});
+    if (!recipe && fold.by == Drive::By::piston) points.push_back({Way::down, fold});
   }
   return points;
 }
 
-const Table& report_thresholds(Report& report, const ArraySetup& rig, const std::vector<Fold>& folds) {
+const Table& report_thresholds(Report& report, const ArraySetup& setup,
+                               const std::vector<Fold>& folds) {
   const std::array<std::string, 4> ways{"up", "once", "lasting", "down"};
   Table& table = report.table(
       "thresholds",
@@ -232,14 +237,14 @@ const Table& report_thresholds(Report& report, const ArraySetup& rig, const std:
 
   // Each threshold from two runs
   table.fill(threshold_points(folds), [&](const Threshold& t) {
-    const Estimate rough = threshold_at(rig, t, patience_for(t.way, true));
-    const Estimate full = threshold_at(rig, t, patience_for(t.way, false));
-    const double fold = t.fold.amplitude.value, unit = rig.micrometres(fold);
+    const Estimate rough = threshold_at(setup, t, run_length_for(t.way, true));
+    const Estimate full = threshold_at(setup, t, run_length_for(t.way, false));
+    const double fold = t.fold.amplitude.value, unit = setup.micrometres(fold);
     return Cells{t.fold.name,
                  name_of(t.fold.by),
                  ways[std::size_t(t.way)],
                  t.fold.omega - 1,
-                 rig.hertz(t.fold.omega),
+                 setup.hertz(t.fold.omega),
                  full.value * unit,
                  rough.value * unit,
                  2 * full.error * unit,
@@ -275,11 +280,11 @@ between the array is quiet or emits, as it was before.
 
 A sudden drive shakes the first bead more than the quiet orbit does, and a packet may leave although emission does not
 last. How many do, half-way between the first packet and lasting emission? And what is a packet? A base that begins at
-once sends something at weaker amplitudes too: at $\delta = 0.2$ the largest energy density at the gate is
+once sends something at weaker amplitudes too: at $\delta = 0.2$ the largest energy density at the detector is
 [1.32](num:sec5_driving.base_second_strong) $(a/\delta)^2$ at 1.1 times the threshold and still
-[0.0088](num:sec5_driving.base_second_weak) $(a/\delta)^2$ at 0.9 times. We count from 0.03 on (driven.hpp); a lower bar
+[0.0088](num:sec5_driving.base_second_weak) $(a/\delta)^2$ at 0.9 times. We count from 0.03 on (driven_end.hpp); a lower bar
 would find weaker packets at weaker drives. */
-void report_onset(Report& report, const ArraySetup& rig, const std::vector<Fold>& folds,
+void report_onset(Report& report, const ArraySetup& setup, const std::vector<Fold>& folds,
                   const Table& thresholds) {
   const auto name = thresholds.texts("name"), way = thresholds.texts("way");
   const auto over_fold = thresholds.numbers("over_fold");
@@ -289,14 +294,16 @@ void report_onset(Report& report, const ArraySetup& rig, const std::vector<Fold>
     return over_fold[k];
   };
   const auto at_gate = [&](const Fold& f, double of_fold, double step) {
-    const DrivenChain bench = rig.bench(f.by, f.omega, of_fold * f.amplitude.value, 0, 0);
-    return drive_chain(bench, 4000, ArraySetup::gate, step);
+    const DrivenChain driven = setup.driven(f.by, f.omega, of_fold * f.amplitude.value, 0, 0);
+    return drive_chain(driven, 4000, ArraySetup::detector, step);
   };
   for (const Fold& f : folds) {
-    if (f.name.empty()) continue;
-    const double once = share(f, "once"), half_way = (once + share(f, "lasting")) / 2;
-    const auto sent = [&](double step) { return at_gate(f, half_way, step).passages.size(); };
-    report.facts.add(f.name + "_packets", compare(sent(0.4), sent(0.2)));
+    const double once = f.name.empty() ? 0 : share(f, "once");
+    if (f.name == "threshold_first" || f.name == "threshold_second") {
+      const double half_way = (once + share(f, "lasting")) / 2;
+      const auto sent = [&](double step) { return at_gate(f, half_way, step).passages.size(); };
+      report.facts.add(f.name + "_packets", compare(sent(0.4), sent(0.2)));
+    }
     if (f.name != "base_second") continue;
     const auto loudest = [&](double of_once) {
       return compare(at_gate(f, of_once * once, 0.4).loudest,
@@ -315,13 +322,14 @@ A piston sends the first packet at [5.07](num:sec5_driving.threshold_first_once)
 below the law, and at [5.61](num:sec5_driving.base_second_once) µm for 0.2, which is above it. These packets belong to the
 onset: a slow rise has none of them.
 
-The array must be long, or packets come back from the far end and pass the gate again. */
-void report_far_end(Report& report, const ArraySetup& rig) {
+The array must be long, or packets come back from the far end and pass the detector again. */
+void report_far_end(Report& report, const ArraySetup& setup) {
   const double law = threshold_law(Drive::By::piston, 1.2);
   for (const std::size_t sites : {30, 120, 300}) {
     const auto late = [&](double step) {
-      const DrivenChain falling = rig.bench(Drive::By::piston, 1.2, 1.04 * law, 2 * law, 1333, sites);
-      return std::lround(2000 * drive_chain(falling, 4000, ArraySetup::gate, step).rate(4000));
+      const DrivenChain falling =
+          setup.driven(Drive::By::piston, 1.2, 1.04 * law, 2 * law, 1333, sites);
+      return std::lround(2000 * drive_chain(falling, 4000, ArraySetup::detector, step).rate(4000));
     };
     report.facts.add("late_" + std::to_string(sites), compare(late(0.4), late(0.2)));
   }
@@ -329,15 +337,15 @@ void report_far_end(Report& report, const ArraySetup& rig) {
 
 /**
 At $\delta = 0.2$ and 1.04 times the law a drive that comes down from twice the law sends
-[17](num:sec5_driving.late_30) packets through the gate in the second half of 0.1 s in an array of 30 beads,
+[17](num:sec5_driving.late_30) packets past the detector in the second half of 0.1 s in an array of 30 beads,
 [0](num:sec5_driving.late_120) in one of 120 and [0](num:sec5_driving.late_300) in one of 300. We take 120 beads for
 thresholds and 300 for the chart, whose drives are stronger.
 
-## A chart for the bench
+## A chart over frequency and amplitude
 
 The chart goes over frequencies and amplitudes in units of the law; the amplitude rises during a twelfth of the run. It
 holds the rate of packets, how regular they are and what power the drive gives. A run is *quiet* if nothing passes the
-gate, a *train* if the intervals between packets differ by less than a tenth, and *irregular* otherwise. Each point
+detector, a *train* if the intervals between packets differ by less than a tenth, and *irregular* otherwise. Each point
 has a second run, half as long and with twice the step: where an irregular drive becomes a train after a while, or
 where a step decides, the two are of different kinds, at [9](num:sec5_driving.chart_undecided) of the 70 points. At
 [14](num:sec5_driving.chart_reached) of them the last bead moves, by more than a millionth of the amplitude, so that
@@ -379,34 +387,35 @@ int kind_of(const Emission& e, double horizon) {
 }
 
 // Each point twice: is it quiet, a train or irregular?
-void compute_chart(Sweep& sweep, const ArraySetup& rig, bool quick, Part part) {
+void compute_chart(Sweep& sweep, const ArraySetup& setup, bool quick, Part part) {
   const auto points = chart_points(quick);
   const double horizon = quick ? 2400 : 4800;
   sweep.compute(part, [&](std::size_t i) {
     const ChartPoint& p = points[i];
     const double omega = 1 + p.delta, a = p.ratio * threshold_law(Drive::By::piston, omega);
-    const DrivenChain bench = rig.bench(Drive::By::piston, omega, a, 0, horizon / 12, DrivenArray::sites);
-    const Emission coarse = drive_chain(bench, horizon / 2, ArraySetup::gate, 0.4);
-    const Emission fine = drive_chain(bench, horizon, ArraySetup::gate, 0.2);
-    const double per_second = rig.per_second(1);
+    const DrivenChain driven =
+        setup.driven(Drive::By::piston, omega, a, 0, horizon / 12, DrivenArray::sites);
+    const Emission coarse = drive_chain(driven, horizon / 2, ArraySetup::detector, 0.4);
+    const Emission fine = drive_chain(driven, horizon, ArraySetup::detector, 0.2);
+    const double per_second = setup.per_second(1);
     return Cells{p.delta,
-                 rig.hertz(omega),
+                 setup.hertz(omega),
                  p.ratio,
-                 rig.micrometres(a),
+                 setup.micrometres(a),
                  kind_of(fine, horizon),
                  kind_of(coarse, horizon / 2),
                  fine.rate(horizon) * per_second,
                  coarse.rate(horizon / 2) * per_second,
                  fine.spread(horizon),
-                 rig.watts(fine.power),
-                 rig.watts(coarse.power),
-                 rig.micrometres(fine.far)};
+                 setup.watts(fine.power),
+                 setup.watts(coarse.power),
+                 setup.micrometres(fine.far)};
   });
 }
 
-void report_chart(Report& report, const ArraySetup& rig) {
+void report_chart(Report& report, const ArraySetup& setup) {
   Sweep sweep = chart_sweep(report.output.folder(), report.quick);
-  compute_chart(sweep, rig, report.quick, {});
+  compute_chart(sweep, setup, report.quick, {});
   const Table table = sweep.table();
   const auto kind = table.numbers("kind"), rough = table.numbers("kind_rough");
   // How many points are of a kind, and how many more or fewer by the shorter runs
@@ -429,25 +438,25 @@ void report_chart(Report& report, const ArraySetup& rig) {
 
 /**
 The second figure shows the three kinds in space and time, for a piston at $\delta = 0.1$. */
-void report_maps(Report& report, const ArraySetup& rig) {
+void report_maps(Report& report, const ArraySetup& setup) {
   const std::array<double, 3> ratios{0.95, 1.3, 3};
   const std::size_t bins = report.quick ? 40 : 160, sites = ArraySetup::sites;
   const double omega = 1.1, horizon = 2000;
   std::array<std::vector<double>, 3> maps;
   parallel_for(3, [&](std::size_t i) {
     const double a = ratios[i] * threshold_law(Drive::By::piston, omega);
-    maps[i] = drive_map(rig.bench(Drive::By::piston, omega, a, 0, 300), horizon, bins, 0.2);
+    maps[i] = drive_map(setup.driven(Drive::By::piston, omega, a, 0, 300), horizon, bins, 0.2);
   });
   Table& table = report.table(
       "maps",
       {number("ratio", "amplitude over the law of the DpS limit"),
        number("t", "middle of the time interval", "ms"), count("n", "bead", "site"),
        number("energy", "largest energy of the bead in the interval, without contacts", "J")});
-  const double unit = rig.scales.unit_energy();
+  const double unit = setup.unit_energy();
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t bin = 0; bin < bins; ++bin)
       for (std::size_t n = 0; n < DrivenArray::drawn; ++n)
-        table.add({ratios[i], rig.milliseconds((double(bin) + 0.5) * horizon / double(bins)),
+        table.add({ratios[i], setup.milliseconds((double(bin) + 0.5) * horizon / double(bins)),
                    std::int64_t(n + 1), maps[i][bin * sites + n] * unit});
 }
 
@@ -463,7 +472,8 @@ void report_budget(Report& report) {
   for (const DrivenArray& drive : cases)
     most = larger(most, compare(drive.run(2 * drive.step).budget, drive.run(drive.step).budget));
   report.facts.add("budget", most);
-  if (!(most.value < 1e-10)) throw Failure("the energy budget is open by " + number_text(most.value));
+  if (!(most.value < 1e-10))
+    throw Failure("the energy budget is open by " + number_text(most.value));
 }
 
 /**
@@ -505,14 +515,14 @@ struct Chart : MapPart {
 /**
 A full run follows the chapter, with the chart at the end. */
 void reproduce(Report& report) {
-  const ArraySetup rig;
-  const std::vector<Fold> folds = report_folds(report, rig);
-  report_orbits(report, rig);
-  report_onset(report, rig, folds, report_thresholds(report, rig, folds));
-  report_far_end(report, rig);
-  report_maps(report, rig);
+  const ArraySetup setup;
+  const std::vector<Fold> folds = report_folds(report, setup);
+  report_orbits(report, setup);
+  report_onset(report, setup, folds, report_thresholds(report, setup, folds));
+  report_far_end(report, setup);
+  report_maps(report, setup);
   report_budget(report);
-  report_chart(report, rig);
+  report_chart(report, setup);
 }
 
 /**

@@ -20,11 +20,11 @@ Which modulations grow, and how fast, is said by two lines of algebra. */
 #include <string>
 #include <vector>
 
+#include "lattice/integrators/contact_rkn.hpp"
+#include "lattice/model/cantilever.hpp"
 #include "lattice/numerics/line_fit.hpp"
 #include "lattice/numerics/parallel.hpp"
-#include "lattice/integrators/contact_rkn.hpp"
 #include "report/program.hpp"
-#include "sec5/array_units.hpp"
 #include "sec5/dps_tracks.hpp"
 #include "sec5/dps_waves.hpp"
 
@@ -314,7 +314,7 @@ modulations of a ring of 62 sites, e-fold in [15.648](num:sec5_growth.periods_at
 of 54 is the error. The DpS equation promises [13.9759](num:sec5_growth.periods_at_1um_dps), an eighth too fast. A
 hundredfold takes less than five times as many, and with a smaller amplitude $a$ this goes like $a^{-1/2}$. */
 void report_array(Report& report) {
-  const double eps = 1 / ArrayUnits{}.micrometres(1) / 2;
+  const double eps = 1 / CantileverArray{}.scales().micrometres(1) / 2;
   const auto periods = [&](double growth) { return 1 / (growth * std::sqrt(eps) * 2 * pi); };
   const auto on_ring = [&](std::size_t sites) {
     const ModulatedWave wave{sites, int(sites) / 2, 0};
@@ -507,7 +507,7 @@ void report_maps(Report& report) {
 ## One wave with your own numbers
 
 `sec5_growth growth --q 2.5 --modulation 0.7` tells its frequency, the growth of the modulation, and the band. */
-struct OneWave {
+struct PlaneWave {
   static constexpr Title title{"growth", "frequency and growth of a modulated plane wave"};
   double q = pi, modulation = pi / 4, amplitude = 1;
 
@@ -574,6 +574,6 @@ full of waves without losses.
 - With the losses of an experiment (the chapter on damping), which breathers are left when the waves are gone? */
 int main(int argc, char** argv) {
   return run({"sec5_growth", "5", "Modulational instability without precompression (section 5)",
-              reproduce, commands<OneWave>()},
+              reproduce, commands<PlaneWave>()},
              argc, argv);
 }

@@ -23,9 +23,9 @@ as orbits of a lattice. The equation yields a proof that they exist, and the sam
 
 #include "lattice/numerics/parallel.hpp"
 #include "report/program.hpp"
-#include "sec5/exchange.hpp"
 #include "sec5/kernel_wave.hpp"
 #include "sec5/quotient.hpp"
+#include "sec5/wave_zeros.hpp"
 
 using namespace lattice;
 
@@ -415,7 +415,7 @@ Table quotient_table(const std::vector<Comparison>& all) {
 Where the quotients exchange their order, their difference passes through zero between two exponents of the table at
 which it is at least ten times its error. Does stability pass from one sign to the other at the same $\alpha$? A wave
 between the two, without symmetry, could carry it over an interval. So we look for the zeros of $\kappa$ of both
-signs too (exchange.hpp). */
+signs too (wave_zeros.hpp). */
 Estimate exchange_of_quotients(const Comparison& low, const Comparison& high) {
   const auto zero = [&](std::size_t grid) {
     Follow plus{low.plus.grids[grid], dense[grid]}, minus{low.minus.grids[grid], dense[grid]};
@@ -506,7 +506,7 @@ void report_type_two(Report& report) {
 The command `wave` solves the kernel equation for one $k$, one sign and one exponent. */
 enum class Sign { plus = 1, minus = -1 };
 
-struct OneWave {
+struct OneKernelWave {
   static constexpr Title title{"wave", "one wave of the kernel equation"};
   std::size_t k = 1;
   Sign sign = Sign::plus;
@@ -632,6 +632,6 @@ exchange near 5.82 it is neither, since the wave without symmetry that was compu
   double precision reaches? */
 int main(int argc, char** argv) {
   return run({"sec5_kernel_equation", "5", "The kernel equation and a theorem (section 5)",
-              reproduce, commands<OneWave>()},
+              reproduce, commands<OneKernelWave>()},
              argc, argv);
 }

@@ -23,8 +23,8 @@ which are possible.
 #include <vector>
 
 #include "commands/one_orbit.hpp"
-#include "lattice/numerics/parallel.hpp"
 #include "lattice/gsl/reference.hpp"
+#include "lattice/numerics/parallel.hpp"
 #include "report/program.hpp"
 #include "sec5/travelling.hpp"
 

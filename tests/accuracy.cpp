@@ -202,7 +202,7 @@ TEST_CASE("a run in which a bead runs away says when, whatever the samples are",
     }
   // A strong blow sends the bead away within the first steps
   check_line(evolved(soft, struck(60, 100), 100, 1), "a bead runs away at t = 0.351");
-  CHECK_THROWS_AS(strike_to(1e-4, {2.12, {0, Quartic{-1.0 / 6}}, 100}), RanAway);
+  CHECK_THROWS_AS(strike_to(1e-4, complete({2.12, {0, Quartic{-1.0 / 6}}, 100})), RanAway);
 }
 
 TEST_CASE("a start that is not finite, or absurd, is refused", "[unit][accuracy]") {

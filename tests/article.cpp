@@ -11,15 +11,15 @@
 
 #include "check.hpp"
 #include "lattice/dps/dps_impact.hpp"
-#include "lattice/packets/array_impact.hpp"
 #include "lattice/packets/turning.hpp"
 #include "sec3/branches.hpp"
 #include "sec3/continuum.hpp"
 #include "sec3/dps_error.hpp"
 #include "sec33/dps_motion.hpp"
 #include "sec33/exchange.hpp"
-#include "sec33/kicked.hpp"
+#include "sec33/kick_threshold.hpp"
 #include "sec34/criteria.hpp"
+#include "sec36/array_impact.hpp"
 #include "sec36/scales.hpp"
 #include "sec36/scattering.hpp"
 #include "sec4/instability.hpp"
@@ -575,7 +575,7 @@ TEST_CASE("3.4: soft wells let a bead go above a threshold, which must pay for t
     for (int k : {0, 1})
       gone[std::size_t(k)] =
           strike(stepper_for(1e-6, largest_step, k),
-                 {velocity, {0, Quartic{-1.0 / 6}}, 300, far_away, 2, 1e-9, false})
+                 complete({velocity, {0, Quartic{-1.0 / 6}}, 300, far_away, 2, 1e-9, false}))
               .run.escaped();
     REQUIRE(gone[0] == gone[1]);
     return gone[1];
@@ -705,7 +705,9 @@ TEST_CASE(
   };
   CHECK(agrees(duration(1e-3), 3.8, Abs{0.1}));
   CHECK(stands("shorter above half", {below("duration", duration(0.5), 1.3)}));
-  const auto on = [&](const WatchedRun& run) { return run.track.travelled(80, blow.time(10)); };
+  const auto on = [&](const WatchedRun& run) {
+    return run.track.travelled(80, blow.scales.time(10));
+  };
   CHECK(agrees(both(runs, on), 20, Rel{0.15}));
   const Estimate turns = quotient(exact(10), pulse(&Pulse::period, 1e3));
   CHECK(agrees({turns.value, turns.error}, 70, Rel{0.05}));

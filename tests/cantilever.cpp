@@ -88,21 +88,6 @@ TEST_CASE("pushes of a passing packet", "[unit][cantilever]") {
   check_close(up[1], 2.5, 1e-15);
 }
 
-TEST_CASE("a journey ends with the ten milliseconds", "[unit][cantilever]") {
-  // A packet that takes a quarter of them for a site, beginning with the first contact at a tenth.
-  const StruckArray blow;
-  const double end = blow.time(10), period = end / 40;
-  Pushes pushes(8);
-  for (std::size_t n = 1; n < pushes.size(); ++n)
-    pushes[n] = Push{end * (double(n) / 4 - 0.15), 1, period};
-  const Transit seen = journey_of(blow, pushes);
-  check_close(seen.oscillations, 40, 1e-10);
-  check_close(seen.sites, 1 + 0.9 * 4, 1e-10);
-  check_close(seen.period, period * blow.scales.tau_c(), 0, 1e-12);
-  pushes.resize(5);
-  CHECK_THROWS_AS(journey_of(blow, pushes), NoPacket);
-}
-
 namespace {
 
 /// A short array whose packet meets the defect early.
@@ -135,22 +120,10 @@ TEST_CASE("the energy budget closes and knows a defect from none", "[property][c
 TEST_CASE("the shared way to the defect changes nothing", "[property][cantilever]") {
   const StruckArray blow = short_array();
   const Scattering there = scatter(blow, 1.6, approach(blow, 0.05), 0.05, 28);
-  const ImpactRun run = strike(ContactAware{0.05}, blow.impact(1.6, 28, blow.time(28)));
+  const ImpactRun run = strike(ContactAware{0.05}, blow.impact(1.6, 28, blow.scales.time(28)));
   const Division straight = division_of(blow, run.density);
   check_close(there.later.reflected, straight.reflected, 1e-8);
   check_close(there.later.transmitted, straight.transmitted, 1e-8);
-}
-
-TEST_CASE("damping shortens the journey and takes its energy", "[property][cantilever]") {
-  StruckArray blow;
-  blow.array.sites = 60, blow.array.defect = 50;
-  const Transit free = travel(blow, 0, {0.1, 0.1}), damped = travel(blow, 200, {0.1, 0.1});
-  const Transit finer = travel(blow, 200, {0.05, 0.05});
-  CHECK(damped.sites < free.sites);
-  CHECK(damped.speed < free.speed);
-  CHECK(damped.period > free.period);
-  check_close(damped.energy / free.energy, std::exp(-2.0), 0, 0.02);
-  check_close(damped.sites, finer.sites, 1e-4);
 }
 
 TEST_CASE("each mark of a trapped mode can fail", "[unit][cantilever]") {

@@ -6,8 +6,8 @@
 #include <random>
 
 #include "check.hpp"
-#include "lattice/quadruple/extended.hpp"
 #include "lattice/integrators/integrate.hpp"
+#include "lattice/quadruple_orbits/orbits.hpp"
 
 using namespace lattice;
 

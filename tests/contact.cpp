@@ -5,9 +5,9 @@
 
 #include "check.hpp"
 #include "lattice/events/event_driven.hpp"
-#include "lattice/packets/impact.hpp"
-#include "lattice/integrators/accuracy.hpp"
 #include "lattice/gsl/reference.hpp"
+#include "lattice/integrators/accuracy.hpp"
+#include "lattice/packets/impact.hpp"
 
 using namespace lattice;
 

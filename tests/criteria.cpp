@@ -188,7 +188,8 @@ TEST_CASE("only what rises above the waves between is visible", "[property][crit
   CHECK(prominence(v, 80) < 1);
   // The same impact on linear wells leaves no surface mode, on soft ones it does.
   const auto shot = [](double s) {
-    const ImpactRun out = strike(ContactAware{0.1}, {1.87, {0, Quartic{s}}, 400, far_away, 400});
+    const ImpactRun out =
+        strike(ContactAware{0.1}, complete({1.87, {0, Quartic{s}}, 400, far_away, 400}));
     return prominence(out.end.v, *front_packet(out.density));
   };
   CHECK(shot(-1.0 / 6) > 1);

@@ -1,18 +1,18 @@
-// The chain on a bench: losses, drives, what they book; journeys, decays, thresholds.
+// Driven and damped chains: losses, drives, what they book; journeys, decays, thresholds.
 
-#include "sec5/driven.hpp"
+#include "sec5/driven_end.hpp"
 
 #include <limits>
 #include <numbers>
 
 #include "check.hpp"
+#include "lattice/model/cantilever.hpp"
 #include "lattice/model/dps.hpp"
-#include "lattice/standing/stationary.hpp"
 #include "lattice/packets/impact.hpp"
-#include "sec5/array_units.hpp"
+#include "lattice/standing/stationary.hpp"
 #include "sec5/decay.hpp"
 #include "sec5/journey.hpp"
-#include "sec5/traveller.hpp"
+#include "sec5/packet_members.hpp"
 #include "sec5/travelling.hpp"
 
 using namespace lattice;
@@ -23,16 +23,16 @@ const DrivenObserver unwatched = [](const State<double>&, const EnergyBudget&) {
 
 /// Unequal beads with both losses, driven by a piston.
 DrivenChain busy() {
-  DrivenChain bench{Chain{12}, {0.01, 0.05}, {Drive::By::piston, 1.3, 0.2, 0, 20}};
+  DrivenChain driven{Chain{12}, {0.01, 0.05}, {Drive::By::piston, 1.3, 0.2, 0, 20}};
   std::vector<double> mass(12);
   for (std::size_t n = 0; n < 12; ++n) mass[n] = 1 + 0.2 * double(n % 3);
-  vary(bench.chain, mass, {});
-  return bench;
+  vary(driven.chain, mass, {});
+  return driven;
 }
 
-State<double> after(const DrivenChain& bench, double time, double step, double* budget = nullptr) {
-  State<double> state(bench.chain.sites);
-  const double open = run_driven(bench, state, time_grid(time, time, step), unwatched);
+State<double> after(const DrivenChain& driven, double time, double step, double* budget = nullptr) {
+  State<double> state(driven.chain.sites);
+  const double open = run_driven(driven, state, time_grid(time, time, step), unwatched);
   if (budget) *budget = open;
   return state;
 }
@@ -46,22 +46,23 @@ double apart(const State<double>& a, const State<double>& b) {
 
 }  // namespace
 
-TEST_CASE("losses and work are booked to the last digits", "[property][bench]") {
-  const DrivenChain bench = busy();
+TEST_CASE("losses and work are booked to the last digits", "[property][driven]") {
+  const DrivenChain driven = busy();
   State<double> state(12);
   EnergyBudget last;
-  run_driven(bench, state, time_grid(100, 1, 0.01), [&](const State<double>&, const EnergyBudget& l) {
-    CHECK(l.beams >= last.beams);
-    CHECK(l.contacts >= last.contacts);
-    last = l;
-    return true;
-  });
+  run_driven(driven, state, time_grid(100, 1, 0.01),
+             [&](const State<double>&, const EnergyBudget& l) {
+               CHECK(l.beams >= last.beams);
+               CHECK(l.contacts >= last.contacts);
+               last = l;
+               return true;
+             });
   CHECK(last.beams > 0.01 * last.work);
   CHECK(last.contacts > 0.01 * last.work);
-  check_close(energy(bench.chain, state) + last.beams + last.contacts, last.work, 0, 1e-9);
+  check_close(energy(driven.chain, state) + last.beams + last.contacts, last.work, 0, 1e-9);
 }
 
-TEST_CASE("the alternation on a bench has order two", "[convergence][bench]") {
+TEST_CASE("the alternation of losses, drive and motion has order two", "[convergence][driven]") {
   const State<double> exact = after(busy(), 20, 0.00125);
   const double coarse = apart(after(busy(), 20, 0.04), exact);
   const double fine = apart(after(busy(), 20, 0.02), exact);
@@ -69,20 +70,21 @@ TEST_CASE("the alternation on a bench has order two", "[convergence][bench]") {
   check_close(std::log2(coarse / fine), 2, 0.2);
 }
 
-TEST_CASE("one bead on a moving base follows the closed form", "[unit][bench]") {
+TEST_CASE("one bead on a moving base follows the closed form", "[unit][driven]") {
   // y'' + nu y' + y = a sin(omega t): the amplitude far from the start
   const double omega = 1.3, nu = 0.2, a = 0.1;
-  const DrivenChain bench{Chain{1}, {nu, 0}, {Drive::By::base, omega, a}};
+  const DrivenChain driven{Chain{1}, {nu, 0}, {Drive::By::base, omega, a}};
   State<double> state(1);
   double most = 0;
-  run_driven(bench, state, time_grid(300, 0.01, 0.01), [&](const State<double>& now, const EnergyBudget&) {
-    if (now.t > 200) most = std::max(most, std::abs(now.y[0]));
-    return true;
-  });
+  run_driven(driven, state, time_grid(300, 0.01, 0.01),
+             [&](const State<double>& now, const EnergyBudget&) {
+               if (now.t > 200) most = std::max(most, std::abs(now.y[0]));
+               return true;
+             });
   check_close(most, a / std::hypot(1 - omega * omega, nu * omega), 0, 1e-4);
 }
 
-TEST_CASE("viscous contacts have the restitution of perturbation theory", "[unit][bench]") {
+TEST_CASE("viscous contacts have the restitution of perturbation theory", "[unit][driven]") {
   // The loss of an elastic collision to first order in A, with a beta function
   const double v = 0.7, contact = 1e-3, x = std::pow(5.0 / 8 * v * v, 0.4);
   const double beta = std::tgamma(0.6) * std::tgamma(1.5) / std::tgamma(2.1);
@@ -93,11 +95,13 @@ TEST_CASE("viscous contacts have the restitution of perturbation theory", "[unit
   CHECK_THROWS_AS(contact_loss(1.1, v), std::invalid_argument);
 }
 
-TEST_CASE("impossible losses are refused", "[unit][bench]") {
+TEST_CASE("impossible losses are refused", "[unit][driven]") {
   State<double> state(3);
   const TimeGrid grid = time_grid(1, 1, 0.1);
   CHECK_THROWS_AS(run_driven({Chain{3}, {-1, 0}}, state, grid, unwatched), std::invalid_argument);
   CHECK_THROWS_AS(run_driven({Chain{3}, {0, -1}}, state, grid, unwatched), std::invalid_argument);
+  CHECK_THROWS_AS(run_driven({Chain{3}, {std::nan(""), 0}}, state, grid, unwatched),
+                  std::invalid_argument);
 }
 
 TEST_CASE("a sensor sees as far as the beads are fast", "[unit][journey]") {
@@ -140,12 +144,13 @@ TEST_CASE("a piston has to lift the breather of the DpS limit to its top", "[uni
 
 TEST_CASE("the fold of the quiet orbit is where emission begins", "[property][driven]") {
   const double omega = 1.1, law = threshold_law(Drive::By::piston, omega);
-  const DrivenChain bench{Chain{10}, {2.5e-3, 0}, {Drive::By::piston, omega}};
-  const QuietBranch branch = quiet_branch(bench, 48);
+  const DrivenChain driven{Chain{10}, {2.5e-3, 0}, {Drive::By::piston, omega}};
+  const QuietBranch branch = quiet_branch(driven, 48);
   check_close(branch.fold / law, 1.117, 2e-3);
   CHECK(branch.amplitude.back() < 0.9 * branch.fold);  // it has turned back
   const auto count = [&](double share) {
-    DrivenChain run{Chain{40}, {2.5e-3, 0}, {Drive::By::piston, omega, share * branch.fold, 0, 1000}};
+    DrivenChain run{
+        Chain{40}, {2.5e-3, 0}, {Drive::By::piston, omega, share * branch.fold, 0, 1000}};
     return drive_chain(run, 3000, 20, 0.2, 1).passages.size();
   };
   CHECK(count(0.96) == 0);
@@ -174,7 +179,7 @@ TEST_CASE("a base that begins at once sends something weak first", "[property][d
     const DrivenChain run{Chain{40}, {2.5e-3, 0}, {Drive::By::base, omega, share * law}};
     return drive_chain(run, 1500, 20, 0.2);
   };
-  // It would count if the gate were ten times as sensitive
+  // It would count if the detector were ten times as sensitive
   const Emission weak = sent(1.09), strong = sent(1.35);
   CHECK(weak.passages.empty());
   CHECK(weak.loudest > 0.003);
@@ -185,12 +190,12 @@ TEST_CASE("a base that begins at once sends something weak first", "[property][d
 
 TEST_CASE("the orbit is that of a run", "[property][driven]") {
   const double omega = 1.2, a = 0.5 * threshold_law(Drive::By::piston, omega);
-  const DrivenChain bench{Chain{10}, {0.02, 0}, {Drive::By::piston, omega, a}};
-  DrivenOrbit orbit{bench, 48};
+  const DrivenChain driven{Chain{10}, {0.02, 0}, {Drive::By::piston, omega, a}};
+  DrivenOrbit orbit{driven, 48};
   // A run of many periods settles on it; then the state must return
   State<double> state(10);
   const double period = 2 * std::numbers::pi / omega;
-  run_driven(bench, state, TimeGrid{500 * period, 500, 48}, unwatched);
+  run_driven(driven, state, TimeGrid{500 * period, 500, 48}, unwatched);
   Vector<double> x(21);
   for (int n = 0; n < 10; ++n) x[n] = state.y[std::size_t(n)], x[10 + n] = state.v[std::size_t(n)];
   x[20] = a;
@@ -199,9 +204,10 @@ TEST_CASE("the orbit is that of a run", "[property][driven]") {
   CHECK(sup<double>(orbit.miss(x)) > 1e-4 * a);
 }
 
-TEST_CASE("the energy budget of a driven chain closes at the steps of the command", "[property][driven]") {
+TEST_CASE("the energy budget of a driven chain closes at the steps of the command",
+          "[property][driven]") {
   // A quiet piston, one that makes a train, and a base; a quarter of the step closes it by more than order two
-  const ArrayUnits u;
+  const Scales u = CantileverArray{}.scales();
   struct Case {
     Drive::By by;
     double micrometres;
@@ -209,9 +215,9 @@ TEST_CASE("the energy budget of a driven chain closes at the steps of the comman
   for (const Case& c :
        {Case{Drive::By::piston, 5}, {Drive::By::piston, 20}, {Drive::By::base, 5}}) {
     const double horizon = u.time(10), a = c.micrometres / u.micrometres(1);
-    const DrivenChain bench{Chain{50}, {u.rate(10), 0}, {c.by, u.omega(7000), a, 0, horizon / 6}};
-    const double coarse = drive_chain(bench, horizon, 20, 0.08).budget;
-    const double fine = drive_chain(bench, horizon, 20, 0.02).budget;
+    const DrivenChain driven{Chain{50}, {u.rate(10), 0}, {c.by, u.omega(7000), a, 0, horizon / 6}};
+    const double coarse = drive_chain(driven, horizon, 20, 0.08).budget;
+    const double fine = drive_chain(driven, horizon, 20, 0.02).budget;
     CAPTURE(c.micrometres, coarse, fine);
     CHECK(fine > 0);  // it was measured
     CHECK(fine < 1e-10);
@@ -256,11 +262,11 @@ TEST_CASE("a breather of a family is measured as what it is", "[property][travel
   const Orbit<double> start = Staircase(1).reach(3);
   const Orbit<double> member = follow_family(start, 3 * turn - phase, 0.2).back();
   const MemberGrid grid = member_grid(3, 3, {0, phase});
-  const DrivenChain bench{Chain{32}};
+  const DrivenChain driven{Chain{32}};
   for (const bool of_type_one : {true, false}) {
     const Orbit<double>& orbit = of_type_one ? start : member;
     const State<double> state = embed(orbit.start, 32, 0);
-    const Traveller seen = traveller_on(bench, state, 400, 0.1, {11, 13});
+    const Traveller seen = traveller_on(driven, state, 400, 0.1, {11, 13});
     CAPTURE(shift_time(orbit));
     check_close(seen.shift_time, shift_time(orbit), 0, 1e-3);
     check_close(seen.phase, 3 * turn - shift_time(orbit), 5e-3);
@@ -277,29 +283,29 @@ TEST_CASE("a breather of a family is measured as what it is", "[property][travel
 TEST_CASE("packets of a train are told apart", "[unit][traveller]") {
   // Two packets of the shape of a breather, eleven sites apart
   const Orbit<double> start = Staircase(1).reach(3);
-  const DrivenChain bench{Chain{60}};
+  const DrivenChain driven{Chain{60}};
   State<double> two = embed(start.start, 60, 11);
   const State<double> behind = embed(start.start, 60, 0);
   for (std::size_t n = 0; n < 60; ++n) two.y[n] += behind.y[n], two.v[n] += behind.v[n];
   const double time = shift_time(start);
   for (std::size_t which : {1, 2}) {
-    TravellerWatch watch(bench.chain, 25, 29, which);
+    TravellerWatch watch(driven.chain, 25, 29, which);
     State<double> state = two;
     double end = 0;
-    run_driven(bench, state, time_grid(40 * time, 0.4, 0.2),
-              [&](const State<double>& now, const auto&) {
-                end = now.t;
-                return watch.look(now);
-              });
+    run_driven(driven, state, time_grid(40 * time, 0.4, 0.2),
+               [&](const State<double>& now, const auto&) {
+                 end = now.t;
+                 return watch.look(now);
+               });
     // The first one has its centre at index 19, the second one at index 8
     check_close(end / time, which == 1 ? 9 : 20, 0.6);
     check_close(watch.traveller().shift_time, time, 0, 2e-2);
   }
-  CHECK_THROWS_AS(traveller_on(bench, two, 40 * time, 0.2, {25, 29, 3}), std::runtime_error);
-  CHECK_THROWS_AS(TravellerWatch(bench.chain, 3, 9), std::invalid_argument);
-  CHECK_THROWS_AS(TravellerWatch(bench.chain, 9, 9), std::invalid_argument);
-  CHECK_THROWS_AS(TravellerWatch(bench.chain, 9, 55), std::invalid_argument);
-  CHECK_THROWS_AS(TravellerWatch(bench.chain, 9, 20, 0), std::invalid_argument);
+  CHECK_THROWS_AS(traveller_on(driven, two, 40 * time, 0.2, {25, 29, 3}), std::runtime_error);
+  CHECK_THROWS_AS(TravellerWatch(driven.chain, 3, 9), std::invalid_argument);
+  CHECK_THROWS_AS(TravellerWatch(driven.chain, 9, 9), std::invalid_argument);
+  CHECK_THROWS_AS(TravellerWatch(driven.chain, 9, 55), std::invalid_argument);
+  CHECK_THROWS_AS(TravellerWatch(driven.chain, 9, 20, 0), std::invalid_argument);
 }
 
 TEST_CASE("a packet that has passed does not come again", "[unit][traveller]") {
@@ -343,12 +349,11 @@ TEST_CASE("members are joined by polynomials in speed and phase", "[unit][travel
   CHECK(std::abs(rough.energy / energy(0.06, 0.2) - 1) > 1e-3);  // two points make a straight line
 }
 
-TEST_CASE("units of the array", "[unit][bench]") {
-  const ArrayUnits u;
+TEST_CASE("units of the array", "[unit][driven]") {
+  const Scales u = CantileverArray{}.scales();
   check_close(u.hertz(u.omega(7000)), 7000, 1e-9);
   check_close(u.milliseconds(u.time(3)), 3, 1e-12);
-  check_close(u.omega(7000), 2 * std::numbers::pi * 7000 * std::sqrt(u.scales.m / u.scales.k),
-              1e-12);
+  check_close(u.omega(7000), 2 * std::numbers::pi * 7000 * std::sqrt(u.m / u.k), 1e-12);
   check_close(u.rate(10) * u.time(10), 1, 1e-12);
   CHECK(u.rate(0) == 0);
 }

@@ -5,12 +5,13 @@
 
 COUNT is how often runs are killed, at random moments. Every fault is a function; what is asked of it stands in the
 table of CONTRIBUTING.md. A line is printed for each, and one that starts with `skipped` where a machine cannot
-show it. What needs no program of ours is in tests/make.sh, tests/drawing.sh and lineage/tests."""
+show it. What needs no program of ours is in tests/make.sh and lineage/tests."""
 
 import contextlib
-import hashlib
 import os
+import pty
 import random
+import re
 import resource
 import shutil
 import signal
@@ -18,6 +19,7 @@ import subprocess
 import sys
 import tempfile
 import time
+import zlib
 from pathlib import Path
 
 ROOT, BIN = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve()
@@ -56,15 +58,15 @@ def tables(folder):
     if not (folder / "results.ecsv").exists():
         return None
     out = {path.name: rows(path) for path in folder.glob("*.ecsv")}
-    sums = dict(reversed(line.split("  ")) for line in (folder / "SHA256SUMS").read_text().splitlines())
-    check(sums == {name: hashlib.sha256(text.encode()).hexdigest() for name, text in out.items()},
-          f"{folder}: complete, and not what SHA256SUMS says")
+    listed = re.search("# - {tables: '(.*)'}", (folder / "results.ecsv").read_text())[1]
+    check(set(listed.split(", ")) == {f"{name.removesuffix('.ecsv')} {zlib.crc32(text.encode()):08x}" for name, text in out.items()},
+          f"{folder}: complete, and not what the header of results.ecsv says")
     return out
 
 
 def debris(folder, *allowed):
     return [path.name for path in folder.rglob("*") if path.is_file() and not path.match("*.ecsv")
-            and path.name != "SHA256SUMS" and not any(path.match(a) for a in allowed)]
+            and not any(path.match(a) for a in allowed)]
 
 
 def disturbed(command, seconds, number, **more):
@@ -128,6 +130,7 @@ def out_of_time(scratch):
 def interrupted_map(scratch):
     """A map that is ended again and again keeps its rows; in the end it has the bytes of one that was not."""
     duration(MAP, cwd=scratch)
+    check([path.name for path in scratch.iterdir()] == ["map.ecsv"], "a map leaves more than its table")
     whole = rows(scratch / "map.ecsv")
     (scratch / "map.ecsv").unlink()
     (scratch / "kept").mkdir()
@@ -216,42 +219,43 @@ def closed_channels(scratch):
 
 def unread_report(scratch):
     """What Python prints: a full device is one line, a closed pipe none."""
-    line = 'cd "$1" && PYTHONDONTWRITEBYTECODE=1 "$2" -m lineage share'
+    line = 'cd "$1" && PYTHONDONTWRITEBYTECODE=1 "$2" -m lineage show pn.omega11'
     words = ["sh", str(ROOT), sys.executable]
     full = subprocess.run(["sh", "-c", line + " > /dev/full", *words], capture_output=True, text=True, timeout=60, check=False)
-    one_line((full.returncode, full.stdout, full.stderr), 1, "lineage share: cannot write to standard output")
+    one_line((full.returncode, full.stdout, full.stderr), 1, "lineage show: cannot write to standard output")
     pipe = subprocess.run(["sh", "-c", line + " | head -n 1", *words], capture_output=True, text=True, timeout=60, check=False)
     check(pipe.stderr == "" and pipe.stdout.count("\n") == 1, pipe)
     check(not list(scratch.iterdir()), "something was written")
 
 
-def clock_set_back(scratch):
-    """Program and script are from tomorrow: nothing is made for ever, and no cost is negative."""
-    program, results, cost = scratch / "bin/demo", scratch / "data/demo/results.ecsv", scratch / "cost/demo"
-    program.parent.mkdir()
-    program.write_text("#!/bin/sh\necho ran >> log\nmkdir -p data/demo\necho done > data/demo/results.ecsv\n")
-    program.chmod(0o755)
-    (scratch / "stubs").mkdir()
-    (scratch / "stubs/date").write_text(f"#!/bin/sh\ncat '{scratch}/clock'\necho 5 > '{scratch}/clock'\n")
-    (scratch / "stubs/date").chmod(0o755)
-    (scratch / "clock").write_text("9\n")
-    tomorrow = time.time() + 86400
-    os.utime(program, (tomorrow, tomorrow))
-    places = {"cwd": scratch, "env": {**os.environ, "PATH": f"{scratch}/stubs:{os.environ['PATH']}"}}
-    for _ in range(2):
-        check(run(["sh", ROOT / "tools/compute.sh", program, results, cost, 2, program], **places)[0] == 0, "compute.sh")
-    check((scratch / "log").read_text() == "ran\n", "a program from tomorrow runs again and again")
-    check(results.stat().st_mtime >= program.stat().st_mtime, "its results are older than the program")
-    check(float(cost.read_text()) >= 0, f"a run took {cost.read_text()} s")
-    (scratch / "draw.py").write_text("import sys\nopen(sys.argv[2], 'w').write('<svg></svg>')\n")
-    os.utime(scratch / "draw.py", (tomorrow, tomorrow))
-    places["env"].update({"PYTHON": sys.executable, "FROM": "draw.py"})
-    check(run(["sh", ROOT / "tools/draw.sh", "x.svg", "data", "draw.py"], **places)[0] == 0, "draw.sh")
-    check((scratch / "x.svg").stat().st_mtime >= tomorrow - 1, "a drawing is older than its script")
+def seen_on_a_terminal(scratch):
+    """Who waits sees how far a run, a search and a sweep are; where nobody looks nothing is said."""
+    for words, shown in ((["sec34_impact", "run", "--time", "2500"], r"sec34_impact run \d+ s, step 0\.\d+: \d+ %"),
+                         (["sec33_floquet", "exchange", "--omega", "1.5"], r"exchange \d+ s, s (up to 1|down to -1) \d+/20"),
+                         (["sec33_mobility", "threshold"], r"threshold \d+ s, thresholds \d+/2")):
+        ours, its = pty.openpty()
+        started = subprocess.Popen([BIN / words[0], *words[1:]], cwd=scratch, stdin=its, stdout=its, stderr=its)
+        os.close(its)
+        said = ""
+        with contextlib.suppress(OSError):  # the end of the program, on Linux
+            while not re.search(shown, said) and (more := os.read(ours, 1000)):
+                said += more.decode()
+        started.kill()
+        started.wait()
+        os.close(ours)
+        check(re.search(shown, said), f"{words} does not show how far it is: {said[-300:]}")
+
+
+def little_memory(scratch):
+    """A long run keeps two states and not its history."""
+    def limited():
+        resource.setrlimit(resource.RLIMIT_AS, (150_000_000, 150_000_000))
+    code, said, errors = run([BIN / "sec34_boomeron", "run", "--time", "3000"], cwd=scratch, preexec_fn=limited)
+    check(code == 0 and said and not errors, f"a long run takes more than 150 MB, or talks: {errors}")
 
 
 FAULTS = [killed_at_random, out_of_time, interrupted_map, full_disk, read_only, closed_channels, unread_report,
-          clock_set_back]
+          seen_on_a_terminal, little_memory]
 
 
 def main():

@@ -1,6 +1,5 @@
 // What we found beyond the article: each row of paper/findings.ecsv is judged on the files from which the figures are
-// drawn, and the second route (paper/second.ecsv, `make second`) against the locked values. lineage/findings.py judges
-// for the pages; the two share no line.
+// drawn. lineage/findings.py judges for the pages; the two share no line.
 
 #include <regex>
 #include <sstream>
@@ -81,21 +80,5 @@ TEST_CASE("findings", "[published]") {
       // What was observed names its range in the sentence itself
       if (kind[i] == "observed")
         CHECK(sentence[i].find(range[i].substr(0, range[i].find(';'))) != std::string::npos);
-    }
-}
-
-TEST_CASE("a second route agrees, and is as sharp as a headline needs", "[lineage]") {
-  const Named locked(read_lock(root / "paper/converged.ecsv"));
-  const Table rows = read(root / "paper/second.ecsv");
-  const auto name = rows.texts("quantity");
-  const auto value = rows.numbers("value"), error = rows.numbers("error");
-  REQUIRE(name.size() >= 8);
-  for (std::size_t i = 0; i < name.size(); ++i) DYNAMIC_SECTION(name[i]) {
-      const Finding &ours = locked[name[i]], theirs{value[i], error[i], ours.unit, ours.kind};
-      CAPTURE(ours.value, ours.error, theirs.value, theirs.error);
-      REQUIRE(std::isfinite(theirs.value));
-      CHECK(theirs.error > 0);
-      CHECK(theirs.error < 0.05 * std::abs(theirs.value));
-      CHECK(distance(ours, theirs) <= 1);
     }
 }

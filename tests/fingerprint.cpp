@@ -5,7 +5,6 @@
 #include <cstring>
 
 #include "lattice/packets/impact.hpp"
-#include "lattice/integrators/tiling.hpp"
 
 using namespace lattice;
 
@@ -24,7 +23,7 @@ void show(const Stepper& stepper, const Chain& chain, State<double> state) {
 void show(const Chain& chain, const State<double>& state) {
   show(Splitting{blanes_moan_6(), 0.05}, chain, state);
   show(ContactAware{0.05}, chain, state);
-  show(Tiled{.scheme = verlet(), .step = 0.05, .least = 64}, chain, state);
+  show(Splitting{verlet(), 0.05}, chain, state);
 }
 
 }  // namespace

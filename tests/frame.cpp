@@ -89,11 +89,27 @@ TEST_CASE("the function that recorded a number is known by its bare name", "[uni
   Report report{output, false};
   const auto judged = [&] { judge(report, "a.word", {above("size", {2, 0.1}, 1)}); };
   judged();
-  REQUIRE(report.facts.makers.size() == 2);
-  CHECK(report.facts.makers[0] == report.results.makers[0]);
-  CHECK(report.facts.makers[0] != "judge");
-  const Table table = with_makers(report.facts.table, {"one", "two"});
-  CHECK(table.texts("made_by") == std::vector<std::string>{"one", "two"});
+  const auto makers = report.facts.table.texts("made_by");
+  REQUIRE(makers.size() == 2);
+  CHECK(makers[0] == report.results.table.texts("made_by")[0]);
+  CHECK(makers[0] != "judge");
+}
+
+TEST_CASE("a row that has headings makes the columns, and no other row comes among them",
+          "[unit][frame]") {
+  Table said{number("x", "a place", "m"), count("n", "how many"), label("name", "in words"),
+             estimate("y", "a number", "s", "two steps")};
+  said.add({0.5, 3, "a", Estimate{1, 0.1}});
+  Table made;
+  made.add({{"x", "a place", 0.5, "m"},
+            {"n", "how many", 3},
+            {"name", "in words", "a"},
+            {"y", "a number", Estimate{1, 0.1}, "s", "two steps"}});
+  CHECK(to_text(made) == to_text(said));
+  CHECK_THROWS_AS(made.add(Row{{"x", "a place", 0.5, "m"}}), std::invalid_argument);
+  CHECK_THROWS_AS(
+      said.add({{"x", "", 0.5}, {"m", "", 3}, {"name", "", "a"}, {"y", "", Estimate{}}}),
+      std::invalid_argument);
 }
 
 TEST_CASE("an answer says what it means", "[unit][frame]") {
@@ -146,13 +162,13 @@ TEST_CASE("help may be asked for in a word", "[unit][frame]") {
 }
 
 TEST_CASE("a word is answered with the nearest one", "[unit][frame]") {
-  const std::vector<std::string> names{"velocity", "time", "sites", "onsite", "s"};
+  const std::vector<std::string> names{"velocity", "time", "sites", "well", "s"};
   CHECK(nearest("velocty", names) == "velocity");
   CHECK(nearest("vel", names) == "velocity");
   CHECK(nearest("tmie", names) == "time");  // letters that have changed places count once
   CHECK(nearest("teim", names) == std::nullopt);
   CHECK(nearest("site", names) == "sites");
-  CHECK(nearest("onsite", names) == "onsite");
+  CHECK(nearest("well", names) == "well");
   CHECK(nearest("x", names) == std::nullopt);
   CHECK(nearest("bogus", names) == std::nullopt);
 }

@@ -30,7 +30,7 @@ BAD = ["0", "-1", "1", "2", "1.1", "1e-3", "nan", "inf", "-inf", "1e400", "1e-40
        "/", "'", '"', "$(ls)", "*", "0.5", "11", "-1/6", "a\nb", "1" * 400, "0." + "0" * 400 + "1", "\udcff", "+-1", "1_0"]
 SECONDS = 30 * float(os.environ.get("LATTICE_SLACK", "1"))
 # What decides how long a run takes, and how many times its least value is still short; tolerances at their large end.
-SIZES = {"sites": 4, "columns": 1.5, "rows": 1.5, "time": 3, "tau": 5, "patience": 2, "k": 4, "near": 3, "reach": 2}
+SIZES = {"sites": 2, "columns": 1.5, "rows": 1.5, "time": 1.5, "tau": 5, "patience": 2, "k": 4, "near": 3, "reach": 2}
 LOOSE = {"tolerance": 1e-2}
 LONG = {"sec34_boomeron_map map", "sec36_cantilever_defect map", "sec5_driving chart",  # a point of a map is a run
         "sec33_floquet exchange", "sec33_mobility threshold",     # Newton and multipliers, or a run, many times
@@ -212,7 +212,7 @@ def tried(line, folder):
 
 def main():
     folder = os.path.abspath(sys.argv[1])
-    count = int(sys.argv[2]) if len(sys.argv) > 2 else 150
+    count = int(sys.argv[2]) if len(sys.argv) > 2 else 100
     seed = int(sys.argv[3]) if len(sys.argv) > 3 else 1
     programs = sorted(name for name in os.listdir(folder) if name.startswith("sec"))
     known = {name: declared(os.path.join(folder, name)) for name in programs}

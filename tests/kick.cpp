@@ -8,7 +8,7 @@
 
 #include "check.hpp"
 #include "lattice/integrators/accuracy.hpp"
-#include "sec33/kicked.hpp"
+#include "sec33/kick_threshold.hpp"
 
 using namespace lattice;
 

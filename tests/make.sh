@@ -1,19 +1,31 @@
 #!/bin/sh
-# The Makefile with its tools replaced by stubs: paths with spaces, copied checkouts, runs that are
-# killed, LAUNCH, THREADS, QUICK, DEPS and PYTHON. Takes seconds because nothing is compiled.
+# The Makefile and tools/ in a small checkout with stubs for what compiles and computes: paths with spaces, two makes at
+# once, copied checkouts, runs that are killed, programs that were built again, LAUNCH, THREADS, QUICK, DEPS and PYTHON;
+# then drawings that are cut, and tables that are not what their program wrote. Argument: the repository.
 set -eu
 root=$(cd "$1" && pwd -P)
 scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
+mounted=
+trap '[ -z "$mounted" ] || umount "$scratch/small"; rm -rf "$scratch"' EXIT
 here="$scratch/a b/it's here"
-mkdir -p "$here/src" "$scratch/bin"
-cp -r "$root/Makefile" "$root/tools" "$root/figures" "$root/apt-packages.txt" "$here"
-for chapter in "$root"/src/sec*.cpp; do : > "$here/src/${chapter##*/}"; done
-export STUB_LOG="$scratch/log"
+mkdir -p "$here/src" "$here/bench" "$here/figures" "$scratch/bin"
+cd "$here"
+cp -r "$root/Makefile" "$root/tools" "$root/lineage" "$root/apt-packages.txt" .
+cp "$root"/figures/draw.py "$root"/figures/matplotlibrc "$root"/figures/style.gp figures
+cat > figures/figures.ecsv <<'ROWS'
+id,label,section,program,script,class,data,caption
+01,one,1,sec1_short,fig01_short.gp,ER,short,"One."
+02,two,1,sec2_long,fig02_long.gp,ER,long,"Two."
+x01,"",3,sec3_own,x01_own.py,ER,own,"Three."
+ROWS
+printf 'program,seconds\nsec1_short,1\nsec2_long,9.5\nsec3_own,12\n' > bench/costs.ecsv
+touch src/sec1_short.cpp src/sec2_long.cpp src/sec3_own.cpp
+for script in fig01_short fig02_long; do printf 'print "<svg></svg>"\n' > figures/$script.gp; done
+echo 'import sys; open(sys.argv[2], "w").write("drawn</svg>")' > figures/x01_own.py
+export STUB_LOG="$scratch/log" STUB_PROGRAM="$scratch/bin/program"
 
 stub() { cat > "$scratch/bin/$1"; chmod +x "$scratch/bin/$1"; }
-# `cmake -S . -B build` leaves a cache, `cmake --build build` makes programs that note how they were
-# called, of the folder for which the cache was made.
+# `cmake -S . -B build` leaves a cache, `cmake --build build` copies programs that note how they were called.
 stub cmake <<'STUB'
 #!/bin/sh
 set -eu
@@ -24,32 +36,26 @@ case $1 in
   rmdir "$4/configuring"
   echo "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" > "$4/CMakeCache.txt" ;;
 --build)
-  home=$(sed -n 's/^CMAKE_HOME_DIRECTORY:INTERNAL=//p' "$2/CMakeCache.txt")
   mkdir -p "$2/bin"
+  cp "$2/CMakeCache.txt" "$2/bin/.home"
   for name in $(cd src && ls | sed -n 's/\.cpp$//p'); do
-    [ -x "$2/bin/$name" ] || cp "$STUB_PROGRAM" "$2/bin/$name"
-    echo "$home" > "$2/bin/.home"
+    case " $* " in *" $name "* | *" programs "* | *" all "*) ;; *) continue ;; esac
+    [ "$2/bin/$name" -nt "src/$name.cpp" ] || { cat "$STUB_PROGRAM" "src/$name.cpp" > "$2/bin/$name"; chmod +x "$2/bin/$name"; }
   done ;;
 esac
 STUB
 stub program <<'STUB'
 #!/bin/sh
-out=
-[ "$1" = --out ] && out=$2
 echo "${0##*/} $*" >> "$STUB_LOG"
-[ -z "$out" ] && exit 0
-rm -f "$out/results.ecsv"
+cd "$2"
+rm -f results.ecsv
 sleep "${STUB_SLEEP:-0}"
-# The tables of its figures, their checksums, and last the results.
-cd "$out"
-for table in $(awk -F, -v me="${0##*/}" '$4 == me { print $7 }' "$STUB_FIGURES"); do
-  printf '# header\nx\n1\n' > "$table.ecsv"
-done
-echo done > results.ecsv.new
-for table in *.ecsv results.ecsv.new; do
-  [ ! -f "$table" ] || printf '%s  %s\n' "$(grep -v '^#' "$table" | sha256sum | cut -c -64)" "${table%.new}"
-done > SHA256SUMS
+name=${0##*_}
+printf '# header\nx\n1\n' > "$name.ecsv"
+sum() { gzip -c | tail -c 8 | od -An -N4 -tx4 | tr -d ' '; }
+printf "# - {tables: '%s %s, results %s'}\ndone\n" "$name" "$(printf 'x\n1\n' | sum)" "$(echo done | sum)" > results.ecsv.new
 mv results.ecsv.new results.ecsv
+exit 0
 STUB
 stub srun <<'STUB'
 #!/bin/sh
@@ -57,183 +63,216 @@ echo "launched" >> "$STUB_LOG"
 shift
 exec "$@"
 STUB
-export STUB_PROGRAM="$scratch/bin/program" STUB_FIGURES="$here/figures/figures.ecsv"
+stub gnuplot <<'STUB'
+#!/bin/sh
+echo "${STUB_IMAGE-<svg></svg>}"
+STUB
+stub rsvg-convert <<'STUB'
+#!/bin/sh
+while [ $# -gt 1 ]; do shift; done
+echo "${STUB_IMAGE-image %%EOF IEND}" > "$1"
+STUB
+# The first python3 cannot draw: another one has to be found.
+for python in /usr/bin/python3 python3 none; do "$python" -c 'import matplotlib' 2>/dev/null && break; done
+printf '#!/bin/sh\nexit 1\n' | stub python3
+plain=$PATH with=
 PATH="$scratch/bin:$PATH"
-unset PYTHON MAKEFLAGS MAKELEVEL MFLAGS SLURM_CPUS_PER_TASK QUICK LAUNCH THREADS DEPS CXXFLAGS
-fail() { echo "$1"; cat "$STUB_LOG"; [ ! -f "$scratch/out" ] || cat "$scratch/out"; exit 1; }
-run() { : > "$STUB_LOG"; make DEPS=skip "$@" > "$scratch/out" 2>&1 || { cat "$scratch/out"; fail "make $*"; }; }
-cd "$here"
-chapters=$(find src -name 'sec*.cpp' | wc -l)
+fail() { echo "$1"; cat "$STUB_LOG" "$scratch/out" 2>/dev/null; exit 1; }
+run() { : > "$STUB_LOG"; make DEPS=skip "${with:-B=build}" "$@" > "$scratch/out" 2>&1 || fail "make $*"; }
+refused() { : > "$STUB_LOG"; ! make DEPS=skip "${with:-B=build}" "$@" > "$scratch/out" 2>&1 || fail "make $* is not refused"; }
+said() { grep -q -- "$1" "$scratch/out" || fail "$2"; }
+ran() { [ "$(cut -d' ' -f1 "$STUB_LOG" | tr '\n' ' ')" = "$1" ] || fail "$2"; }
+called() { grep -q -- "$1" "$STUB_LOG" || fail "$2"; }
 
+# What a caller happens to export decides about no test (tests/alone.sh).
+env MAKEFLAGS=k CXX=/none CXXFLAGS=-ffast-math LC_ALL=de_DE.UTF-8 TMPDIR=/none SLURM_JOB_ID=7 CTEST_ARGS=-N QUICK=1 \
+  sh "$root/tests/alone.sh" env | grep -vE '^(PATH|HOME|TMPDIR|LC_ALL|LATTICE_SLACK)=|^PWD=' > "$scratch/out" &&
+  fail "tests/alone.sh lets something through"
+
+# Every program runs once, the dearest first, and again only if its bytes are others.
 run all-data
-[ "$(grep -c -- '--out build/data/' "$STUB_LOG")" = "$chapters" ] || fail "not every program ran"
+ran "sec3_own sec2_long sec1_short " "not every program ran, or not in the order of their costs"
 run all-data
-[ -s "$STUB_LOG" ] && fail "a second make ran something again"
+ran "" "a second make ran something again"
+touch src/sec1_short.cpp
+run all-data
+ran "" "a program that was built again to the same bytes runs again"
+echo '# changed' >> src/sec1_short.cpp
+run all-data
+ran "sec1_short " "a changed program does not run"
+touch -d tomorrow src/*.cpp figures/*.gp build/bin/sec*
+run all-data
+ran "" "a program from tomorrow runs again"
 
 # Threads: all granted cores, a share with -j, what is asked for, and none where srun decides.
-run all-data B=one CORES=6
-grep -q -- '--threads 6' "$STUB_LOG" || fail "a single run does not get all cores"
-run all-data B=two CORES=6 -j3
-grep -q -- '--threads 2' "$STUB_LOG" || fail "three at a time do not share the cores"
-run all-data B=three CORES=6 -j
-grep -q -- '--threads 1' "$STUB_LOG" || fail "make -j oversubscribes"
-run all-data B=four THREADS=5 -j2
-grep -q -- '--threads 5' "$STUB_LOG" || fail "THREADS= is ignored"
-run all-data B=five LAUNCH='srun -n1'
-grep -q launched "$STUB_LOG" || fail "LAUNCH= is ignored"
+threads() { rm -rf build/data; want=$1; shift; run all-data "$@"; called "--threads $want" "threads: $* do not give $want"; }
+threads 6 CORES=6
+threads 2 CORES=6 -j3
+threads 1 CORES=6 -j
+threads 5 THREADS=5 -j2
+SLURM_CPUS_PER_TASK=1 threads 1
+rm -rf build/data
+run all-data LAUNCH='srun -n1'
+called launched "LAUNCH= is ignored"
 grep -q -- '--threads' "$STUB_LOG" && fail "srun is told how many threads to use"
-SLURM_CPUS_PER_TASK=1 run all-data B=six
-grep -q -- '--threads 1' "$STUB_LOG" || fail "the grant of Slurm is ignored"
 run all-data QUICK=1
-[ "$(grep -c -- '--out build/quick/data/.* --quick' "$STUB_LOG")" = "$chapters" ] || fail "QUICK=1"
-rm -r build/quick
-run all-data QUICK=0 B=seven
-[ -d seven/data ] || fail "QUICK=0 is quick"
+called '--out build/quick/data/.* --quick' "QUICK=1"
+run all-data QUICK=0
+ran "" "QUICK=0 is quick"
 
-# Two makes at once, from nothing, and one whose files are from tomorrow.
-STUB_SLEEP=0.1 make DEPS=skip all-data B=eight > "$scratch/other" 2>&1 &
-STUB_SLEEP=0.1 run all-data B=eight
+# Two makes at once, from nothing.
+STUB_SLEEP=0.2 make DEPS=skip all-data B=eight > "$scratch/other" 2>&1 &
+STUB_SLEEP=0.2 run all-data B=eight
 wait $! || { cat "$scratch/other"; fail "one of two makes at once"; }
-[ "$(grep -c -- --out "$STUB_LOG")" = "$chapters" ] || fail "two makes at once compute twice"
-cat "$scratch/out" "$scratch/other" | grep -q 'wait  ' || fail "a make that waits does not say so"
-touch -d tomorrow src/*.cpp figures/*.gp
-run all-data
+[ "$(wc -l < "$STUB_LOG")" = 3 ] || fail "two makes at once compute twice"
+cat "$scratch/other" >> "$scratch/out"
+said 'wait  ' "a make that waits does not say so"
 
 # Who cannot write is told so, and not what went wrong yesterday.
 mkdir closed
 echo "error of yesterday" > closed/build.log
-if [ "$(id -u)" = 0 ]; then
-  chown -R 65534 closed && chmod 555 closed && chmod -R a+rX "$scratch"
-  as_other="setpriv --reuid=65534 --regid=65534 --clear-groups"
-else
-  chmod 555 closed && as_other=
-fi
+as_other=
+[ "$(id -u)" != 0 ] || { chown -R 65534 closed && chmod -R a+rX "$scratch" && as_other="setpriv --reuid=65534 --regid=65534 --clear-groups"; }
+chmod 555 closed
 $as_other make DEPS=skip all-data B=closed > "$scratch/out" 2>&1 && fail "a closed folder is built in"
-grep -q 'cannot write to' "$scratch/out" || { cat "$scratch/out"; fail "a closed folder is not named"; }
+said 'cannot write to' "a closed folder is not named"
 grep -q yesterday "$scratch/out" && fail "an old log is shown as the cause"
 chmod 755 closed
 
-# A path that CMake or make cannot use is refused in one line.
-mkdir "$scratch/a;b"
-cp -r Makefile tools figures src apt-packages.txt "$scratch/a;b"
-(cd "$scratch/a;b" && make DEPS=skip all-data > "$scratch/out" 2>&1) && fail "a path with a semicolon is taken"
-grep -q "has a character in its name" "$scratch/out" || { cat "$scratch/out"; fail "the path is not named"; }
+# A path that CMake or make cannot use is refused in one line, as is a name that is mistyped.
+cp -r . "$scratch/a;b"
+(cd "$scratch/a;b" && refused all-data && said "has a character in its name" "the path is not named")
+for wrong in fgi04 build/data/sec99/facts.ecsv; do
+  refused $wrong
+  said "'$wrong'.*make help" "make $wrong is not answered"
+  [ "$(wc -l < "$scratch/out")" = 1 ] || fail "make $wrong is answered in several lines"
+done
+make -n tests DEPS=skip 2>&1 | grep -q ctest || fail "make tests tests nothing: there is a folder of that name"
+
+# On a terminal one sees what is compiled, elsewhere one line says that something is, and none if nothing is.
+mkdir "$scratch/slow"
+cat > "$scratch/slow/cmake" <<'STUB'
+#!/bin/sh
+for k in 1 2; do echo "[ ${k}0%] Building CXX object CMakeFiles/x.dir/src/sec1_short.cpp.o"; done
+STUB
+chmod +x "$scratch/slow/cmake"
+if script -qec true /dev/null < /dev/null > /dev/null 2>&1; then
+  PATH="$scratch/slow:$PATH" script -qec "sh tools/build.sh build 1 programs" /dev/null < /dev/null > "$scratch/out" 2>&1
+  said '20%.*sec1_short' "compiling shows nothing on a terminal"
+fi
+for known in ', about [0-9]* min' ''; do
+  PATH="$scratch/slow:$PATH" sh tools/build.sh build 1 programs > "$scratch/out" 2>&1
+  said "^  build    programs on 1 core$known (build/build.log)$" "compiling does not say what it does"
+  [ "$(wc -l < "$scratch/out") $(wc -l < build/build.log)" = "1 2" ] || fail "compiling talks, or leaves no log"
+  touch build/some.o
+done
+sh tools/build.sh build 1 programs > "$scratch/out" 2>&1
+[ ! -s "$scratch/out" ] || fail "what is not compiled is announced"
+
+# A run that is killed leaves no answer, and the next make goes on where it was.
+rm -r build/data
+STUB_SLEEP=1 timeout -s INT 1.7 make DEPS=skip all-data > "$scratch/out" 2>&1 && fail "not killed"
+run all-data
+ran "sec2_long sec1_short " "the next make did not go on"
+
+# A copy is built for itself, and so is a checkout that was moved.
+for place in copy moved; do
+  if [ $place = copy ]; then cp -r "$here" "$scratch/copy"; else mv "$scratch/copy" "$scratch/moved"; fi
+  cd "$scratch/$place"
+  run all-data
+  said 'everything is built again' "the $place does not say what it does"
+  grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" build/bin/.home || fail "the $place builds the original"
+done
+cd "$here"
 
 # Without the tools that draw nothing is computed in vain.
 mkdir "$scratch/few"
-for tool in sh awk sed grep nproc date mkdir git id dirname cat rm touch make; do
-  ln -s "$(command -v $tool)" "$scratch/few/$tool"
+ln -sf /usr/bin/* "$(command -v make)" "$scratch/bin/cmake" "$scratch/few"
+rm -f "$scratch/few/gnuplot" "$scratch/few/rsvg-convert"
+PATH="$scratch/few" refused article B=nine
+said 'missing: gnuplot' "gnuplot is not missed"
+ran "" "computed before gnuplot is missed"
+
+# The rest draws. The python that can is found, and PYTHON= is taken as one word.
+"$python" -c 'import matplotlib' 2>/dev/null || { echo "no matplotlib here: drawing is not tested"; exit 0; }
+rm -rf build
+with="PYTHON=$python"
+mv lineage/__main__.py "$scratch/kept.py"
+: > lineage/__main__.py
+together() { [ "$(head -n 2 "$STUB_LOG" | cut -d' ' -f1 | sort | tr '\n' ' ')" = "sec1_short sec2_long " ] || fail "$1"; }
+run article -j2
+together "make article does not run the article's programs only"
+[ "$(find build/figures -name '*.pdf' | wc -l) $(wc -l < "$STUB_LOG")" = "2 2" ] || fail "make article draws or runs something else"
+said '^together   : [0-9]* s' "a run does not say how long it took"
+rm -r build/data build/figures
+run figures
+together "the article's programs are not first"
+said '^article    : its 2 figures are drawn after [0-9]* s' "the article's figures are not announced"
+said '^computing  : [0-9]* s in 3 programs' "the summary does not say what the programs took"
+mv "$scratch/kept.py" lineage/__main__.py
+rm build/figures/x01*
+with=
+PYTHON=python3 run x01
+[ "$(cat build/figures/x01_own.svg)" = "drawn</svg>" ] || fail "no figure"
+[ "$(tail -n 1 "$scratch/out")" = "  figure   build/figures/x01_own.png" ] || fail "the figure's place is not said"
+printf '#!/bin/sh\nexec "%s" "$@"\n' "$python" > "$scratch/a b/python3" && chmod +x "$scratch/a b/python3"
+rm build/figures/x01*
+with="PYTHON=$scratch/a b/python3"
+run x1
+[ -f build/figures/x01_own.pdf ] || fail "PYTHON= with a space"
+run x01
+grep -q draw "$scratch/out" && fail "a figure is drawn again without a reason"
+
+# A table that is not what its program wrote is drawn by nobody; one that is gone is computed again.
+not_drawn() {
+  for target in x01 build/figures/x01_own.svg; do
+    refused "$target"
+    said "$1" "$1: not said"
+  done
+}
+sed -i "1i # - {parameters: 'quick = yes'}" build/data/sec3_own/*.ecsv
+not_drawn "build/data/sec3_own/results.ecsv: of a quick run; remove build/data/sec3_own to"
+sed -i 1d build/data/sec3_own/*.ecsv
+sed -i s/1/2/ build/data/sec3_own/own.ecsv
+not_drawn "build/data/sec3_own/own.ecsv: not what sec3_own wrote"
+rm build/data/sec3_own/own.ecsv
+run x01
+ran "sec3_own " "a missing table is not computed again"
+said 'draw *x01' "a new table is not drawn"
+
+# A script that fails and a picture that was cut have no name, even if the tool is content.
+export PYTHON="$python"
+draw() { : > "$scratch/out"; sh tools/draw.sh "$@" > "$scratch/out" 2>&1; }
+echo 'raise SystemExit(1)' > broken.py
+draw cut.svg data broken.py && fail "a script that fails is not noticed"
+for out in "cut.svg data" cut.pdf cut.png; do
+  # shellcheck disable=SC2086
+  STUB_IMAGE="cut" draw $out figures/fig01_short.gp && fail "$out is cut and not noticed"
+  said 'cut short' "$out: the reason is not said"
+  ! ls cut.[sp]* >/dev/null 2>&1 || fail "$out stays"
 done
-: > "$STUB_LOG"
-PATH="$scratch/few" make DEPS=skip figures B=nine > "$scratch/out" 2>&1 && fail "figures without gnuplot"
-grep -q 'missing: gnuplot' "$scratch/out" || { cat "$scratch/out"; fail "gnuplot is not missed"; }
-grep -q -- --out "$STUB_LOG" && fail "computed before gnuplot is missed"
 
-# Names of folders are names of targets too.
-make -n tests DEPS=skip 2>&1 | grep -q ctest || fail "make tests tests nothing"
-make -n examples DEPS=skip 2>&1 | grep -q ctest || fail "make examples does nothing"
-
-# A name that is mistyped is answered in one line.
-for wrong in fgi04 figure7 build/data/sec99/facts.ecsv; do
-  code=0
-  make DEPS=skip $wrong > "$scratch/out" 2>&1 || code=$?
-  [ "$code" = 2 ] || { cat "$scratch/out"; fail "make $wrong ends with $code"; }
-  [ "$(wc -l < "$scratch/out")" = 1 ] || { cat "$scratch/out"; fail "make $wrong is answered in several lines"; }
-  grep -q "'$wrong'.*make help" "$scratch/out" || { cat "$scratch/out"; fail "make $wrong is not answered"; }
+# The tools themselves, and a disk that is really full, where we may mount one.
+PATH=$plain
+printf 'set terminal svg\nset output out\nplot for [k=1:20] sin(k*x)\n' > curve.gp
+printf 'import sys\nopen(sys.argv[2], "w").write("x" * 99999 + "</svg>")\n' > curve.py
+mkdir "$scratch/small"
+! mount -t tmpfs -o size=20k tmpfs "$scratch/small" 2>/dev/null || mounted=yes
+for script in curve.py curve.gp; do
+  draw good.svg data $script || fail "$script is not drawn"
+  [ -z "$mounted" ] || ! draw "$scratch/small/full.svg" data $script || fail "$script: a full disk is not noticed"
+  [ -z "$(ls "$scratch/small")" ] || fail "$script: a cut drawing stays"
 done
+{ draw good.pdf good.svg && draw good.png good.svg; } || fail "no PDF or PNG"
 
-# On a terminal one sees what is compiled, elsewhere one line says that something is, and none if nothing is.
-stub slow <<'STUB'
-#!/bin/sh
-for k in 1 2; do echo "[ ${k}0%] Building CXX object CMakeFiles/x.dir/src/sec2_nonexistence.cpp.o"; done
-STUB
-mkdir "$scratch/terminal"
-cp "$scratch/bin/slow" "$scratch/terminal/cmake"
-if script -qec true /dev/null < /dev/null > /dev/null 2>&1; then
-  PATH="$scratch/terminal:$PATH" script -qec "sh tools/build.sh build 1 programs" /dev/null < /dev/null > "$scratch/out" 2>&1
-  grep -q '20%.*sec2_nonexistence' "$scratch/out" || fail "compiling shows nothing on a terminal"
-else
-  echo "no terminal can be made here: what it shows while compiling is not tested"
-fi
-PATH="$scratch/terminal:$PATH" sh tools/build.sh build 1 programs > "$scratch/out" 2>&1
-grep -q 'build    programs on 1 core: about .* minutes .*build/build.log' "$scratch/out" ||
-  fail "compiling does not say what it does"
-[ "$(wc -l < "$scratch/out")" = 1 ] || fail "compiling talks into a log"
-[ "$(wc -l < build/build.log)" = 2 ] || fail "compiling leaves no log"
-sh tools/build.sh build 1 programs > "$scratch/out" 2>&1
-[ -s "$scratch/out" ] && fail "what is not compiled is announced"
-
-# A run that is killed leaves no answer, and the next make goes on where it was.
-rm build/data/*/results.ecsv
-STUB_SLEEP=1 timeout -s INT 2.5 make DEPS=skip all-data > "$scratch/out" 2>&1 && fail "not killed"
-before=$(find build/data -name results.ecsv | wc -l)
-[ "$before" -lt "$chapters" ] || fail "killed too late"
-run all-data
-[ "$(grep -c -- --out "$STUB_LOG")" = $((chapters - before)) ] || fail "the next make did not go on"
-
-# A copy is built for itself, and so is a checkout that was moved.
-cp -r "$here" "$scratch/copy"
-cd "$scratch/copy"
-run all-data
-grep -q 'everything is built again' "$scratch/out" || fail "the copy does not say what it does"
-[ "$(cat build/bin/.home)" = "$PWD" ] || fail "the copy builds the original"
-[ "$(grep -c -- --out "$STUB_LOG")" = "$chapters" ] || fail "the copy keeps the original's tables"
-mv "$scratch/copy" "$scratch/moved"
-cd "$scratch/moved"
-run all-data
-[ "$(cat build/bin/.home)" = "$PWD" ] || fail "the moved checkout builds the original"
-
-# The python that can draw is found, and PYTHON= is taken as one word.
-cd "$here"
-script=$(cd figures && ls x01_*.py)
-printf '#!/bin/sh\nexit 1\n' | stub python3
-stub rsvg-convert <<'STUB'
-#!/bin/sh
-while [ $# -gt 1 ]; do shift; done
-printf 'image\n%%%%EOF IEND\n' > "$1"
-STUB
-echo 'import sys; open(sys.argv[2], "w").write("drawn</svg>")' > "figures/$script"
-stub gnuplot <<'STUB'
-#!/bin/sh
-echo "<svg></svg>"
-STUB
-if /usr/bin/python3 -c 'import matplotlib' 2>/dev/null; then
-  run x01
-  [ "$(cat build/figures/"${script%.py}".svg)" = "drawn</svg>" ] || fail "no figure"
-  tail -n 1 "$scratch/out" | grep -q "build/figures/${script%.py}.png" || fail "the figure's place is not said"
-  # One that the shell exports is only tried: it need not be able to draw.
-  rm -f build/figures/x01*
-  PYTHON=python3 run x01
-  # A table that is not what its program wrote is drawn by nobody; one that is gone is computed again.
-  table=build/data/sec34_kink/kink_transition.ecsv
-  run x01
-  grep -q draw "$scratch/out" && fail "a figure is drawn again without a reason"
-  refused() {
-    for target in x01 build/figures/"${script%.py}".svg; do
-      make DEPS=skip "$target" > "$scratch/out" 2>&1 && fail "$1 is drawn"
-      grep -q "$2" "$scratch/out" || { cat "$scratch/out"; fail "$1 is not named"; }
-    done
-  }
-  sed -i "1i # - {parameters: 'quick = yes'}" build/data/sec34_kink/*.ecsv
-  refused "a quick run" "build/data/sec34_kink/results.ecsv: of a quick run; remove build/data/sec34_kink to"
-  sed -i 1d build/data/sec34_kink/*.ecsv
-  sed -i s/1/2/ $table
-  refused "a changed table" "$table: not what sec34_kink wrote"
-  rm $table
-  run x01
-  [ "$(grep -c 'sec34_kink --out' "$STUB_LOG")" = 1 ] || fail "a missing table is not computed again"
-  grep -q 'draw *x01' "$scratch/out" || fail "a new table is not drawn"
-  # What a run took altogether is said by the run, and not by who looks at it hours later.
-  mkdir lineage
-  : > lineage/__main__.py
-  run figures images=
-  grep -q '^together   : [0-9]* s' "$scratch/out" || fail "a run does not say how long it took"
-  echo 0 > build/report/start
-  run summary
-  grep -q '^computing  : [0-9]* s in' "$scratch/out" || fail "the summary does not say what the programs took"
-  grep -Eq 'together|[0-9]{3} s' "$scratch/out" && fail "the summary counts the hours since the run"
-fi
-rm -f build/figures/x01*
-cp /usr/bin/python3 "$scratch/a b/python3" 2>/dev/null || exit 0
-run x01 PYTHON="$scratch/a b/python3"
-[ -f "build/figures/${script%.py}.pdf" ] || fail "PYTHON= with a space"
+# A python without numpy and matplotlib: a script says which module it lacks, and how to get it.
+echo 'import sys; sys.modules.update(numpy=None, matplotlib=None)' > sitecustomize.py
+for script in "$root"/figures/fig08*.py "$root/python/notebooks.py"; do
+  PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=. "$PYTHON" "$script" > "$scratch/out" 2>&1 && fail "$script draws without matplotlib"
+  [ "$(grep -cx '[a-z]*: .* has no module matplotlib (Debian: python3-matplotlib; PYTHON=.*)' "$scratch/out") $(wc -l < "$scratch/out")" = "1 1" ] ||
+    fail "$script does not say in one line what is missing"
+done
+for script in "$root"/figures/[!d]*.py; do
+  awk '/^import (draw|spectra)$/ { first = 1 } /^(import|from) (matplotlib|numpy)/ && !first { exit 1 }' "$script" ||
+    fail "$script does not import draw first"
+done

@@ -1,5 +1,5 @@
-// Wells and contacts by name in the programs beside sec34_impact: which are offered, what is refused, and
-// that a well chosen when the program runs is the well itself.
+// Wells and contacts as values and by name in the programs: which are offered, what is refused, and that a well
+// chosen when the program runs is the well itself.
 
 #include <map>
 #include <sstream>
@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "check_potential.hpp"
+#include "lattice/gsl/reference.hpp"
 #include "lattice/orbits/breather.hpp"
 #include "lattice/packets/turning.hpp"
-#include "lattice/gsl/reference.hpp"
 #include "run.hpp"
 #include "sec4/compressed_impact.hpp"
 
@@ -17,11 +17,15 @@ using namespace lattice;
 
 namespace {
 
+/// The command of a short impact.
+std::string impact(const std::string& options) {
+  return "sec34_impact run --time 20 " + options;
+}
+
 const std::string breather = "sec32_newton_breathers breather ";
 const std::string multipliers = "sec33_floquet multipliers ";
 const std::string squeezed = "sec4_precompression_mi impact --time 100 ";
 const std::string boomeron = "sec34_boomeron run --time 100 ";
-const std::vector<std::string> with_wells{breather, multipliers, squeezed};
 
 Table table_of(const std::string& command) {
   const Result answer = call(command);
@@ -45,6 +49,18 @@ double missed(const std::vector<double>& y, double omega) {
 }
 
 }  // namespace
+
+TEST_CASE("a well and a contact are what they were made from", "[unit][model]") {
+  const Chain chain{7, Quartic{-0.5}, CompressedHertz{0.5}, Ends::periodic};
+  CHECK(chain.well.as<Quartic>().s == -0.5);
+  CHECK(chain.contact.as<CompressedHertz>().d == 0.5);
+  CHECK(std::holds_alternative<Harmonic>(Chain{}.well));
+  CHECK(std::holds_alternative<Hertz>(Chain{}.contact));
+  CHECK_THROWS_AS(chain.well.as<Pendulum>(), std::bad_variant_access);
+  check_close(chain.well.rim(), std::sqrt(2.0), 1e-15);
+  CHECK(chain.contact.opening() == 0.5);
+  CHECK(chain.contact.exponent() == 1.5);
+}
 
 TEST_CASE("a well chosen at run time has the bits of the well itself", "[unit][potential][model]") {
   const auto same = [](auto well) {
@@ -112,44 +128,59 @@ TEST_CASE("what rests has no energy, whatever the sum is over", "[unit][model]")
   }
 }
 
+TEST_CASE("options choose well and contact by name", "[cli][model]") {
+  const std::string plain = rows(impact(""));
+  CHECK(rows(impact("--well quartic --s 0")) == plain);
+  CHECK(rows(impact("--well harmonic")) == plain);  // the same well by another type
+  CHECK(rows(impact("--contact hertz --precompression 0")) == plain);
+  CHECK(rows(impact("--contact power --alpha 1.5")) == plain);
+  CHECK(rows(impact("--well pendulum")) != plain);
+  CHECK(rows(impact("--well none")) != plain);
+  CHECK(rows(impact("--contact power --alpha 2")) != plain);
+  CHECK(rows(impact("--precompression 0.5")) ==
+        rows(impact("--contact power --precompression 0.5")));
+  CHECK(rows(impact("--precompression 0.5")) != plain);
+}
+
 TEST_CASE("every command answers a wrong well in one line", "[cli][model]") {
-  for (const std::string& command : {breather, multipliers, squeezed, boomeron}) {
-    check_refused(command + "--onsite cubic", "none, harmonic, quartic, pendulum");
-    check_refused(command + "--onsite pendulum --s 0.1", "--s: 'pendulum' has no parameter s");
-    check_refused(command + "--onsite harmonic --s 0", "--s: 'harmonic' has no parameter s");
-    check_refused(command + "--onsite quartic --s nan", "--s");
+  for (const std::string& command : {breather, multipliers, squeezed, boomeron, impact("")}) {
+    check_refused(command + "--well cubic", "none, harmonic, quartic, pendulum");
+    check_refused(command + "--well pendulum --s 0.1", "--s: 'pendulum' has no parameter s");
+    check_refused(command + "--well harmonic --s 0", "--s: 'harmonic' has no parameter s");
+    check_refused(command + "--well quartic --s nan", "--s");
   }
   const std::string why = "'none' holds no bead, and without a well ";
   const std::string others = " (allowed: harmonic, quartic, pendulum)";
-  check_refused(breather + "--onsite none", why + "there is no breather" + others);
-  check_refused(multipliers + "--onsite none", why + "there is no breather" + others);
-  check_refused(squeezed + "--onsite none", why + "the phonons are others" + others);
+  check_refused(breather + "--well none", why + "there is no breather" + others);
+  check_refused(multipliers + "--well none", why + "there is no breather" + others);
+  check_refused(squeezed + "--well none", why + "the phonons are others" + others);
   check_refused(squeezed + "--contact power", "--contact");
   check_refused(boomeron + "--contact glue", "hertz, power");
+  check_refused(impact("--contact power --alpha 0.5"), "[1, 10]");
   check_refused(boomeron + "--alpha 2", "--alpha: 'hertz' has no parameter alpha");
-  check_refused(boomeron + "--onsite quartic --s -0.1", "[0, 1000]");
+  check_refused(boomeron + "--well quartic --s -0.1", "[0, 1000]");
 }
 
 TEST_CASE("the name of a program's own well changes nothing", "[cli][model]") {
-  for (const std::string& command : with_wells) {
+  for (const std::string& command : {breather, squeezed}) {
     CAPTURE(command);
     const std::string plain = rows(command), other = rows(command + "--s 0.3");
-    CHECK(rows(command + "--onsite quartic") == plain);
-    CHECK(rows(command + "--onsite quartic --s 0.3") == other);
+    CHECK(rows(command + "--well quartic") == plain);
+    CHECK(rows(command + "--well quartic --s 0.3") == other);
     CHECK(other != plain);
-    const std::string harmonic = rows(command + "--onsite harmonic");
+    const std::string harmonic = rows(command + "--well harmonic");
     CHECK(harmonic == rows(command + "--s 0"));  // the same well by another type
     CHECK(harmonic != other);
-    CHECK(rows(command + "--onsite pendulum") != harmonic);
+    CHECK(rows(command + "--well pendulum") != harmonic);
   }
 }
 
 TEST_CASE("a packet turns round in the well and with the contact that were named", "[cli][model]") {
   const std::string turns = "sec34_boomeron run --time 800 ";  // it has turned by then
-  const Result plain = call(turns), harder = call(turns + "--onsite quartic --s 1.2");
+  const Result plain = call(turns), harder = call(turns + "--well quartic --s 1.2");
   REQUIRE(plain.code == 0);
   CHECK(quantity(plain, "apex_site") > quantity(harder, "apex_site") + 1);
-  CHECK(rows(turns + "--onsite quartic --contact power --alpha 1.5") == body(plain.output));
+  CHECK(rows(turns + "--well quartic --contact power --alpha 1.5") == body(plain.output));
   CHECK(call(boomeron + "--s 300").code == 0);
 }
 
@@ -159,9 +190,9 @@ TEST_CASE("the header does not record a parameter that the well lacks", "[cli][m
       if (name == "parameters") return value;
     return std::string();
   };
-  CHECK(parameters(boomeron).find("onsite = quartic, s = 1,") != std::string::npos);
-  CHECK(parameters(boomeron + "--onsite pendulum").find("s = none") != std::string::npos);
-  CHECK(parameters(breather + "--onsite quartic").find("s = 0,") != std::string::npos);
+  CHECK(parameters(boomeron).find("well = quartic, s = 1,") != std::string::npos);
+  CHECK(parameters(boomeron + "--well pendulum").find("s = none") != std::string::npos);
+  CHECK(parameters(breather + "--well quartic").find("s = 0,") != std::string::npos);
 }
 
 TEST_CASE("breathers of pendulums are periodic orbits by an independent route", "[cli][model]") {
@@ -171,7 +202,7 @@ TEST_CASE("breathers of pendulums are periodic orbits by an independent route", 
   };
   for (const auto& [centre, omega] : {Wanted{"site", 1.1}, {"bond", 1.5}}) {
     CAPTURE(centre, omega);
-    const std::vector<double> y = table_of(breather + "--onsite pendulum --profile --centre " +
+    const std::vector<double> y = table_of(breather + "--well pendulum --profile --centre " +
                                            centre + " --omega " + std::to_string(omega))
                                       .numbers("y");
     REQUIRE(y.size() >= 31);
@@ -183,22 +214,23 @@ TEST_CASE("breathers of pendulums are periodic orbits by an independent route", 
 TEST_CASE("small breathers of pendulums are those of the quartic well with s = -1/6",
           "[cli][model]") {
   const std::string near = " --s -0.16666666666666666";
+  const Result pendulum = call(breather + "--well pendulum"), soft = call(breather + near),
+               harmonic = call(breather);
   for (const char* name : {"amplitude", "energy", "area"}) {
     CAPTURE(name);
-    const double pendulum = quantity(call(breather + "--onsite pendulum"), name);
-    check_close(pendulum, quantity(call(breather + near), name), 0, 1e-7);
-    CHECK(std::abs(pendulum / quantity(call(breather), name) - 1) > 1e-5);
+    check_close(quantity(pendulum, name), quantity(soft, name), 0, 1e-7);
+    CHECK(std::abs(quantity(pendulum, name) / quantity(harmonic, name) - 1) > 1e-5);
   }
   const auto pinning = [](const std::string& options) {
     return table_of(multipliers + options).numbers("modulus")[2] - 1;
   };
-  check_close(pinning("--onsite pendulum"), pinning(near), 0, 1e-3);
-  CHECK(pinning("--onsite pendulum") > 1.2 * pinning(""));
+  check_close(pinning("--well pendulum"), pinning(near), 0, 1e-3);
+  CHECK(pinning("--well pendulum") > 1.2 * pinning(""));
 }
 
 TEST_CASE("an orbit in a named well is confirmed by wider types", "[cli][model]") {
-  const Result narrow = call(breather + "--onsite pendulum"),
-               wide = call(breather + "--onsite pendulum --precision extended");
+  const Result narrow = call(breather + "--well pendulum"),
+               wide = call(breather + "--well pendulum --precision extended");
   REQUIRE(wide.code == 0);
   for (const char* name : {"amplitude", "energy", "area"}) {
     CAPTURE(name);
@@ -216,7 +248,7 @@ TEST_CASE("breathers begin only in wells of frequency one", "[unit][model]") {
 TEST_CASE("the compressed impact strikes the well that was named", "[cli][model]") {
   const Impact impact = complete({1.87, {0, Pendulum{}, CompressedHertz{0.5}}, 100, far_away, 1});
   const CompressedRun own = strike_compressed(impact, {100}, CompressedSteps{}.halved());
-  const Result r = call(squeezed + "--onsite pendulum");
+  const Result r = call(squeezed + "--well pendulum");
   REQUIRE(r.code == 0);
   CHECK(quantity(r, "centre") == own.samples.back().centre);
   CHECK(quantity(r, "energy_fraction") == own.samples.back().share);

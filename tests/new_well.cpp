@@ -1,5 +1,4 @@
-// The worked example of CONTRIBUTING.md: a well that the library does not know, added here in
-// fifteen lines, checked, put in a list, struck and refined, without touching anything else.
+// A well that the library does not know, as in CONTRIBUTING.md: named in a list, struck and refined.
 
 #include "check_potential.hpp"
 #include "lattice/packets/impact.hpp"
@@ -9,24 +8,11 @@ using namespace lattice;
 namespace {
 
 /// W = cosh y - 1: stiffer and stiffer, like no polynomial.
-struct Cosh {
-  static constexpr const char* name = "cosh";
-  template <class T>
-  T energy(T y) const {
-    using std::sinh;
-    const T half = sinh(y / T(2));
-    return T(2) * half * half;
-  }
-  template <class T>
-  T force(T y) const {
-    using std::sinh;
-    return -sinh(y);
-  }
-  template <class T>
-  T stiffness(T y) const {
-    using std::cosh;
-    return cosh(y);
-  }
+struct Stiffer {
+  static constexpr const char* name = "stiffer";
+  double energy(double y) const { return 2 * std::pow(std::sinh(y / 2), 2); }
+  double force(double y) const { return -std::sinh(y); }
+  double stiffness(double y) const { return std::cosh(y); }
 };
 
 /// Where the packet is at the end, and what the run says about itself.
@@ -36,7 +22,7 @@ struct Struck {
 };
 
 Struck strike(double step) {
-  const Chain chain{60, Cosh{}};
+  const Chain chain{60, Stiffer{}};
   Struck out{struck(60, 1.5), {}};
   out.run = evolve(ContactAware{step}, chain, out.end, 60, 60, Unobserved{});
   return out;
@@ -44,14 +30,10 @@ Struck strike(double step) {
 
 }  // namespace
 
-TEST_CASE("a new well passes the checks of all wells", "[unit][potential]") {
-  check_well(Cosh{});
-}
-
-TEST_CASE("its name and its chain need a place in a list, no more", "[unit][potential]") {
-  using Wells = std::variant<None, Harmonic, Quartic, Pendulum, Cosh>;
-  CHECK(std::holds_alternative<Cosh>(named<Wells>("cosh")));
-  CHECK(comma_list(names_of<Wells>()) == "none, harmonic, quartic, pendulum, cosh");
+TEST_CASE("the name of a new well needs a place in a list, no more", "[unit][potential]") {
+  using Wells = std::variant<None, Harmonic, Quartic, Pendulum, Stiffer>;
+  CHECK(std::holds_alternative<Stiffer>(named<Wells>("stiffer")));
+  CHECK(comma_list(names_of<Wells>()) == "none, harmonic, quartic, pendulum, stiffer");
 }
 
 TEST_CASE("a chain of new wells is struck, and the run converges", "[convergence]") {
@@ -62,5 +44,5 @@ TEST_CASE("a chain of new wells is struck, and the run converges", "[convergence
   CHECK(second < first / 8);  // at least order three where contacts switch
   CHECK(second < 1e-5);
   CHECK(fine.run.energy_drift < 1e-6);
-  CHECK(front_packet(energy_density(Chain{60, Cosh{}}, fine.end)).value_or(0) > 5);
+  CHECK(front_packet(energy_density(Chain{60, Stiffer{}}, fine.end)).value_or(0) > 5);
 }

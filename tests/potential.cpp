@@ -81,10 +81,10 @@ TEST_CASE("potentials are found by name and parameters", "[unit][potential]") {
 }
 
 TEST_CASE("a law that is Hertz's becomes Hertz", "[unit][potential]") {
-  CHECK(std::holds_alternative<Hertz>(simplest(CompressedHertz{0})));
-  CHECK(std::holds_alternative<Hertz>(simplest(PowerContact{1.5, 0})));
-  CHECK(std::get<CompressedHertz>(simplest(PowerContact{1.5, 0.3})).d == 0.3);
-  CHECK(std::holds_alternative<PowerContact>(simplest(PowerContact{2, 0})));
+  CHECK(std::holds_alternative<Hertz>(simplest(Contact{CompressedHertz{0}})));
+  CHECK(std::holds_alternative<Hertz>(simplest(Contact{PowerContact{1.5, 0}})));
+  CHECK(std::get<CompressedHertz>(simplest(Contact{PowerContact{1.5, 0.3}})).d == 0.3);
+  CHECK(std::holds_alternative<PowerContact>(simplest(Contact{PowerContact{2, 0}})));
 }
 
 TEST_CASE("what is not known is refused in one line that says what is", "[unit][potential]") {

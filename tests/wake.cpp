@@ -32,7 +32,7 @@ TEST_CASE("with nothing taken away the packet is that of the impact", "[unit][wa
 
 TEST_CASE("what friction takes is missing, and a cut takes nothing of the packet", "[unit][wake]") {
   double last = 0, gone = 0;
-  follow_bereft({.behind = 6}, 0.05, 150, 60, [&](const Sight& now) {
+  follow_bereft({.behind = 6, .counted = true}, 0.05, 150, 60, [&](const Sight& now) {
     last = energy(now.chain, now.state), gone = now.dissipated;
     return true;
   });

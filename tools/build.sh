@@ -1,5 +1,5 @@
 #!/bin/sh
-# Builds targets, says once that it compiles, how long that takes and where the log is, and on a terminal how far it is:
+# Builds targets, says once that it compiles and where the log is, and on a terminal how far it is:
 #   build.sh BUILD JOBS TARGET...
 set -eu
 build=$1 jobs=$2
@@ -8,17 +8,13 @@ log=$build/build.log
 # shellcheck source=tools/shared.sh
 . "${0%/*}/shared.sh"
 hold "$build/.lock"
-# Minutes of processor time if nothing is there yet: for everything, or for the library and one program.
-case $* in
-all) what=tests work=12 ;;
-programs) what=programs work=12 ;;
-*) what=$* work=4 ;;
-esac
-announce() {
-  minutes=$(((work + jobs - 1) / jobs))
-  printf '  build    %s on %s core%s: about %s minute%s the first time (%s)\n' "$what" \
-    "$jobs" "$([ "$jobs" = 1 ] || echo s)" "$minutes" "$([ "$minutes" = 1 ] || echo s)" "$log"
-}
+# How long it takes can be said where nothing is compiled yet: minutes of processor time, for all, some or one program.
+minutes=
+if [ -z "$(find "$build" -name '*.o' 2>/dev/null | head -n 1)" ]; then
+  case $* in programs | all) work=10 ;; *' '*) work=7 ;; *) work=2 ;; esac
+  minutes=", about $(((work + jobs - 1) / jobs)) min"
+fi
+case $# in 1) what=$1 ;; *) what="$# programs" ;; esac
 : > "$log"
 exec 4>&1
 status=$({ { cmake --build "$build" --parallel "$jobs" --target "$@" 2>&1 || echo failed >&3; } |
@@ -26,7 +22,7 @@ status=$({ { cmake --build "$build" --parallel "$jobs" --target "$@" 2>&1 || ech
     printf '%s\n' "$line" >> "$log"
     case $line in
     '['*' Building '*)
-      [ -n "${said-}" ] || announce >&4
+      [ -n "${said-}" ] || echo "  build    $what on $jobs core$([ "$jobs" = 1 ] || echo s)$minutes ($log)" >&4
       said=yes
       [ ! -t 2 ] || printf '\r\033[K  build    %s %s' "${line%%]*}]" "${line##*/}" >&2
       ;;

@@ -1,18 +1,21 @@
 #!/bin/sh
-# Runs a program for its results, notes what it cost, and makes a second make in the same checkout wait:
+# Runs a program for its results and notes what it cost, unless they are its own already:
 #   compute.sh PROGRAM RESULTS COST AT-ONCE COMMAND...
-# One of several programs that run AT-ONCE costs its share of the time.
+# Whose they are is told by the checksum of the program in .made_by beside them: one that was built again to the same
+# bytes computes nothing. One of several programs that run AT-ONCE costs its share of the time.
 set -eu
-program=$1 results=$2 cost=$3 at_once=$4
+program=$1 results=$2 cost=$3 at_once=$4 maker=${2%/*}/.made_by
 shift 4
 mkdir -p "${results%/*}" "${cost%/*}"
 # shellcheck source=tools/shared.sh
 . "${0%/*}/shared.sh"
+# A second make in the same checkout waits, and finds them made.
 hold "${cost%/*}/.${cost##*/}.lock"
-# Another make was here first.
-if [ -f "$results" ] && ! newer "$program" "$results"; then exit 0; fi
+sum=$(sha256sum < "$program")
+if [ -f "$results" ] && [ "$sum" = "$(cat "$maker" 2>/dev/null)" ]; then exit 0; fi
 echo "  compute  ${program##*/}"
+rm -f "$maker"
 start=$(now)
 "$@"
 echo "$start $(now) $at_once" | awk '{ printf "%.1f\n", ($2 > $1 ? ($2 - $1) / $3 : 0) }' > "$cost"
-catch_up "$results" "$program"
+echo "$sum" > "$maker"

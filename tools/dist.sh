@@ -10,7 +10,6 @@ git rev-parse HEAD >/dev/null 2>&1 || refuse "this is no checkout of the reposit
 version=$(sed -n 's/^ *"version": *"\([0-9.]*\)".*/\1/p' codemeta.json)
 [ -n "$version" ] || refuse "codemeta.json names no version"
 { [ -d "$build/data" ] && [ -d "$build/figures" ]; } || refuse "$build/data and $build/figures are missing: compute them first (make figures)"
-sh "$(dirname "$0")/tables.sh" "$build/data"
 [ -z "$(git status --porcelain --untracked-files=no)" ] || echo "dist       : what is not committed is not in it"
 
 name=breathers-$version out=$build/dist

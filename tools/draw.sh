@@ -2,10 +2,19 @@
 # Makes one drawing, $1, under a temporary name of its own, and gives it its own name only if it is whole:
 #   draw.sh OUT.svg DATA SCRIPT      a script of figures/ draws from the tables below DATA
 #   draw.sh OUT.pdf|OUT.png IN.svg   the same picture in another form
+#   draw.sh                          only asks whether there is what draws, before hours are spent on computing
 # FROM lists the files from which make wants it made; tables among them must be what their programs wrote.
 # gnuplot ends with success also where it could not write, so its picture comes through a pipe, whose
 # end notices, and every form has an end that a cut file lacks.
 set -eu
+if [ $# = 0 ]; then
+  missing=
+  for tool in gnuplot rsvg-convert; do command -v "$tool" >/dev/null 2>&1 || missing="$missing $tool"; done
+  "${PYTHON:-python3}" -c 'import importlib.util as u; u.find_spec("matplotlib").name' 2>/dev/null || missing="$missing python3-with-matplotlib"
+  [ -n "$missing" ] || exit 0
+  echo "missing:$missing (make install-deps installs them; PYTHON=... names another python3)" >&2
+  exit 1
+fi
 out=$1 part=$1.$$.part
 refuse() {
   rm -f "$part"
@@ -17,9 +26,8 @@ refuse() {
 . "${0%/*}/shared.sh"
 
 if [ $# = 3 ]; then
-  for table in ${FROM:-}; do
-    case $table in *.ecsv) { of_full_run "$table" && as_written "$table"; } || exit 1 ;; esac
-  done
+  # shellcheck disable=SC2086
+  [ -z "${FROM:-}" ] || PYTHONPATH="${0%/*}/.." "${PYTHON:-python3}" -m lineage tables $FROM || exit 1
   case $3 in
   *.gp)
     # The status of gnuplot goes past the pipe, that of the pipe is the last command's.

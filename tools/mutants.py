@@ -23,7 +23,7 @@ COMPILE = [os.environ.get("CXX", "g++"), "-std=c++20", "-O1", "-w", "-ffp-contra
                "SOURCE_DIR": ROOT, "DATA_DIR": ROOT / "build/data", "BIN_DIR": ROOT / "build/bin", "LATTICE_VERSION": "0",
                "LATTICE_BUILD": "mutants -O1", "LATTICE_LIBRARIES": "those of the machine"}.items())]
 LINK = ["-lgsl", "-lgslcblas", "-lpthread"]
-ALONE = "~[published]~[cli]~[quick]~[lineage]"  # what needs no program and no table
+ALONE = "~[published]~[cli]"  # what needs no program and no table
 LIMIT = 120  # seconds for one test
 
 

@@ -12,24 +12,6 @@ hold() {
 # The seconds since the machine started run forwards, also where somebody sets its clock.
 now() { cut -d' ' -f1 /proc/uptime 2>/dev/null || date +%s.%N; }
 
-# `as_written FILE`: is the table still what its program wrote? The SHA256SUMS beside it knows of its rows without `#`.
-as_written() {
-  sum=$(grep -v '^#' "$1" | sha256sum) from=${1%/*}
-  grep -qxF "${sum%-}${1##*/}" "$from/SHA256SUMS" 2>/dev/null || {
-    echo "$1: not what ${from##*/} wrote; remove it to have it computed again" >&2
-    return 1
-  }
-}
-
-# `of_full_run FILE`: does the header of a table say so? In `quick/data` it may be of a quick one.
-of_full_run() {
-  case /$1 in */quick/data/*/*) return 0 ;; esac
-  ! grep -qE "^# - \{parameters: '([^']*, )?quick = yes[,']" "$1" || {
-    echo "$1: of a quick run; remove ${1%/*} to have it computed again" >&2
-    return 1
-  }
-}
-
 # `catch_up FILE WITH...`: FILE is as new as what it was made from, also after a clock was set back: or it would be
 # made again for ever.
 newer() { [ -n "$(find "$1" -newer "$2" 2>/dev/null)" ]; }

@@ -6,8 +6,8 @@ and 3.3 are compiled from. Where those confirm a breather in a wider type, which
 have, the page takes a second tolerance, sixteen times as large, for the error. */
 
 #include "lattice/orbits/breather.hpp"
-#include "lattice/orbits/floquet.hpp"
 #include "lattice/integrators/contact_rkn.hpp"
+#include "lattice/orbits/floquet.hpp"
 #include "page.hpp"
 #include "sec33/depinning.hpp"
 

@@ -31,7 +31,7 @@ void draw_map(const StruckArray& blow, const Request& r) {
     }
     if (now.t < impact.time * double(shown + 1) / r.rows) return;
     ++shown;
-    page_row(0, blow.milliseconds(now.t), most.data(), contacts);
+    page_row(0, blow.scales.milliseconds(now.t), most.data(), contacts);
     std::fill(most.begin(), most.end(), 0.0);
   });
 }

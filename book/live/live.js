@@ -75,12 +75,13 @@ window.Live = (() => {
     return `${rounded(value, digits)} ± ${rounded(error, 1)}`;
   };
 
-  // Parameters are given as [name, words, value, least, most, symbol], choices as [name, words, options].
+  // Parameters are given as [name, words, value, least, most, symbol], choices as [name, words, options, chosen], where
+  // the first is chosen if none is.
   class Panel {
     constructor(place, given) {
       this.place = place;
       this.ask = Object.fromEntries([...this.fields().map(([name, , value]) => [name, value]),
-        ...this.choices().map(([name, , options]) => [name, options[0][0]])]);
+        ...this.choices().map(([name, , options, chosen]) => [name, chosen ?? options[0][0]])]);
       for (const [name, value] of new URLSearchParams(given)) this.take(name, value);
       this.build();
       this.start();

@@ -15,17 +15,19 @@ using namespace lattice;
 ## The run
 
 A request says what is struck and what is shown: energy densities or contact forces, in `rows`
-rows. */
+rows. The well is a place in the library's list, and `s` is taken where that well has it. */
 struct Request {
-  double velocity, pendulum, s, precompression, time, sites, tolerance, forces, rows;
+  double velocity, well, s, precompression, time, sites, tolerance, forces, rows;
 };
 
 Impact impact_of(const Request& r) {
-  const Well well =
-      r.pendulum != 0 ? named<Well>("pendulum", {}) : named<Well>("quartic", {{"s", r.s}});
-  const Contact contact = simplest(CompressedHertz{r.precompression});
+  const std::string name = names_of<Well>().at(std::size_t(r.well));
+  Settings given;
+  for (const ParameterInfo& p : parameters_of<Well>(name))
+    if (p.name == "s") given["s"] = r.s;
+  const Contact contact = simplest(Contact{CompressedHertz{r.precompression}});
   return {.velocity = r.velocity,
-          .chain = {std::size_t(r.sites), well, contact},
+          .chain = {std::size_t(r.sites), named<Well>(name, given), contact},
           .time = r.time,
           .far_end = reached};
 }

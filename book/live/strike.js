@@ -11,19 +11,21 @@
         ["precompression", "precompression", 0, 0, 100, "d"], ["time", "time", 587, 1, 5000, "t"], ["sites", "number of beads", 160, 2, 1500, "N"]];
     }
     choices() {
-      return [["onsite", "well", [["quartic", "quartic, Eq. (10)"], ["pendulum", "pendulum"]]],
+      return [["well", "well", Object.keys(Live.wells).map((name) => [name, name]), "quartic"],
         ["show", "the map shows", [["density", "energy density"], ["force", "contact force"]]]];
     }
 
+    hasS() { return Live.wells[this.ask.well].includes("s"); }
+
     request() {
       const a = this.ask;
-      return [a.velocity, a.onsite === "pendulum" ? 1 : 0, a.s, a.precompression, a.time, a.sites, 1e-4, a.show === "force" ? 1 : 0, 420];
+      return [a.velocity, Object.keys(Live.wells).indexOf(a.well), a.s, a.precompression, a.time, a.sites, 1e-4, a.show === "force" ? 1 : 0, 420];
     }
 
     commands() {
       const a = this.ask;
       return `build/bin/sec34_impact run --velocity ${a.velocity} --time ${a.time} --sites ${a.sites}`
-        + (a.onsite === "pendulum" ? " --onsite pendulum" : ` --s ${a.s}`) + (a.precompression ? ` --precompression ${a.precompression}` : "");
+        + ` --well ${a.well}` + (this.hasS() ? ` --s ${a.s}` : "") + (a.precompression ? ` --precompression ${a.precompression}` : "");
     }
 
     furnish() {
@@ -34,7 +36,7 @@
     }
 
     begin() {
-      this.inputs.s.disabled = this.ask.onsite === "pendulum";
+      this.inputs.s.disabled = !this.hasS();
       this.budget.replaceChildren();
     }
 

@@ -33,7 +33,7 @@ class Binder:
         self.by_name, self.definitions, twice = {}, {}, set()
         for s in sources:
             self.by_name.setdefault(s.name, []).append(s)
-            for name, line in definitions(s.blocks).items() if s.room and s.is_header else ():
+            for name, line in definitions(s.blocks).items() if s.is_header else ():
                 if name in self.definitions:
                     twice.add(name)
                 self.definitions[name] = (s, line)
@@ -58,7 +58,7 @@ class Binder:
         if path:
             candidates = [self.by_path[path]] if path in self.by_path else []
         if len(candidates) > 1 and source:
-            near = [s for s in candidates if s.room == source.room
+            near = [s for s in candidates if s.module == source.module
                     or s.path[len("src/"):] in source.includes]
             candidates = near if len(near) == 1 else []
         return candidates[0] if len(candidates) == 1 else None
@@ -135,7 +135,7 @@ class PageBinding:
         self.anchor, self.named = "", set()
         text = source.text if source else ""
         self.local = set(re.findall(r"\b(?:auto|double|int|bool|size_t|string)&? (\w+)\b", text))
-        if source and not (source.room and source.is_header):
+        if source and not source.is_header:
             self.local |= set(definitions(source.blocks))
 
     def need(self, kind, id, make):

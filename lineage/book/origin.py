@@ -1,7 +1,7 @@
 """The lines of a program that recorded a number.
 
 The column `made_by` of a table names the function that recorded a row: the place is the statement in it that says
-most of the number's name, or its first line. Where a table does not say, `guessed` looks through the sources."""
+most of the number's name, or its first line."""
 
 import re
 from dataclasses import dataclass
@@ -48,7 +48,7 @@ def functions(source, name):
     """The definitions of a function: from the line with its name to the brace that closes it."""
     lines = source.text.split("\n")
     for i, line in enumerate(lines):
-        if not re.match(rf"\s*(?!return\b|else\b|//)[\w:<>,&*\[\]\s]*?[\s&*]{re.escape(name)}\(", line):
+        if f"{name}(" not in line or not re.match(rf"\s*(?!return\b|else\b|//)[\w:<>,&*\[\]\s]*?[\s&*]{re.escape(name)}\(", line):
             continue
         indent = len(line) - len(line.lstrip())
         for end in range(i, len(lines)):
@@ -61,7 +61,7 @@ def functions(source, name):
 
 def recorded(finding, sources):
     """The places by `made_by`; empty where the function is not in the sources."""
-    for source in sources if finding.made_by else ():
+    for source in sources:
         for function in functions(source, finding.made_by):
             inside = [(999 if finding.id in literals else covered(finding.id, literals), place)
                       for place, literals in statements(source)
@@ -86,34 +86,20 @@ def covered(name, literals):
     return total
 
 
-def guessed(finding, claims, sources):
-    """The statement with the whole name, or that says most of it, and where a criterion is judged that one too."""
-    known = [(bool(s.room), *x) for s in sources for x in statements(s)]
-    name, judged, is_claim = finding.id.split(".")[-1], None, finding.id in claims
-    for _, place, literals in known:
-        for subject in literals if "judge(" in place.text and not is_claim else ():
-            prefix = subject.split(".")[-1] + "_"
-            if subject in claims and finding.id.startswith(prefix):
-                judged = place
-                name = finding.id[len(prefix):].removesuffix("_margin")
-    scored = []
-    for library, place, literals in known:
-        adds = "add(" in place.text
-        if finding.id in literals and not library:
-            scored.append((1000 + (adds or "claim(" in place.text or "judge(" in place.text), place))
-            continue
-        score = covered(name, literals)
-        if is_claim:
-            score = max([len(x) for x in literals if "." in x and finding.id.startswith(x)] + [0])
-        if score >= 3:
-            scored.append((score + 6 * adds + (place == judged) - 4 * library, place))
-    best = max(scored, key=lambda s: s[0])[1] if scored else None
-    return [p for p in (best, judged if judged != best else None) if p]
+def condition(finding, judged, claims, sources):
+    """The statement that says most of the name of a condition, where its criterion is made."""
+    name = finding.id
+    for subject in STRING.findall(judged.text):
+        if subject in claims:
+            name = name.removeprefix(subject.split(".")[-1] + "_").removesuffix("_margin")
+    scored = [(covered(name, literals) + 6 * ("add(" in place.text) + (place == judged) - 4 * bool(source.module), place)
+              for source in sources for place, literals in statements(source) if covered(name, literals) >= 3]
+    return [max(scored, key=lambda s: s[0])[1]] if scored else []
 
 
 def places(finding, claims, sources):
     """A condition is recorded where its criterion is judged, and made elsewhere: there both are shown."""
-    found = recorded(finding, sources)
-    if found and (finding.id in claims or "judge(" not in found[0].text):
-        return found
-    return guessed(finding, claims, sources) or found
+    found = recorded(finding, sources) if finding.made_by else []
+    if found and finding.id not in claims and "judge(" in found[0].text:
+        return list(dict.fromkeys(condition(finding, found[0], claims, sources) + found))
+    return found

@@ -12,20 +12,19 @@ from ..findings import KINDS, in_plain, margins
 from ..refresh import command_of
 from . import code, notebooks, prose, words
 from .bind import PageBinding
-from .source import rooms_of
+from .source import modules_of
 
-LISTS = [("published.html", "Published against reproduced"), ("findings.html", "What we found"),
-         ("numbers.html", "All other numbers"),
-         ("equations.html", "Equations of the article"), ("figures.html", "All figures"),
-         ("tables.html", "All tables and columns"), ("commands.html", "All commands"), ("packages.html", "Packages used")]
+LISTS = {"published.html": "Published against reproduced", "findings.html": "What we found", "numbers.html": "All other numbers",
+         "equations.html": "Equations of the article", "figures.html": "All figures", "tables.html": "All tables and columns",
+         "commands.html": "All commands", "packages.html": "Packages used"}
 LIVE = [("strike", "Strike the chain"), ("breather", "Find a breather"), ("defect", "Put a defect in the way"),
         ("drive", "Drive the array")]
 
 
 class Book:
-    def __init__(self, record, binder, chapters, rooms, inventory):
-        self.record, self.inventory, self.binder, self.chapters, self.rooms = record, inventory, binder, chapters, rooms
-        self.order = chapters + [s for room in rooms.values() for s in room]
+    def __init__(self, record, binder, chapters, modules, inventory):
+        self.record, self.inventory, self.binder, self.chapters, self.modules = record, inventory, binder, chapters, modules
+        self.order = chapters + [s for module in modules.values() for s in module]
         self.titles = {s.page: s.title for s in self.order}
         self.statuses = [c["status"] for c in record.claims.values()]
         self.included_by, self.search = {}, []
@@ -38,9 +37,9 @@ class Book:
                                                          words.agreement, words.spoken, words.short_figure, command_of)})
         self.notebooks = notebooks.read(record.root)
         self.titles.update({page: title for page, title, *_ in self.notebooks})
-        lists = LISTS + [(f"{page}.html", f"{title} (live)") for page, title in LIVE if binder.live]
+        lists = [*LISTS.items()] + [(f"{page}.html", f"{title} (live)") for page, title in LIVE if binder.live]
         lists += [(page, f"{title} (Python)") for page, title, *_ in self.notebooks]
-        self.env.globals.update(record=record, inventory=inventory, book=binder, chapters=chapters, rooms=rooms, titles=self.titles, lists=lists,
+        self.env.globals.update(record=record, inventory=inventory, book=binder, chapters=chapters, modules=modules, titles=self.titles, lists=lists,
                                 verdicts=VERDICTS, said=SAID, statuses=self.statuses)
         binder.parts = self.parts = self.env.get_template("parts.html").module
 
@@ -72,7 +71,7 @@ class Book:
 
     def card(self, source, program):
         """What stands below the title."""
-        halves = [s for s in self.order if s.room and s.room == source.room and s.stem == source.stem and s is not source]
+        halves = [s for s in self.order if s.module and s.module == source.module and s.stem == source.stem and s is not source]
         return self.render("card", source=source, program=program, halves=halves,
                            needs=[s for s in map(self.binder.by_path.get, ("src/" + i for i in source.includes))
                                   if s and s not in halves],
@@ -84,11 +83,8 @@ class Book:
         return [c for c in self.record.claims.values() if program and c["program"] == program]
 
     def program_of(self, source):
-        """The chapter's own program, or that of the chapter that includes this part."""
-        if source.room:
-            return ""
-        return source.stem if not source.is_header else next(
-            s.stem for s in self.included_by.get(source.name, []) if not s.is_header)
+        """A chapter's program."""
+        return "" if source.module else source.stem
 
     def end_of(self, source, binding):
         """Figures that the prose of a chapter does not show, and its answers."""
@@ -106,7 +102,7 @@ class Book:
             self.note_definitions(source)
             self.note_file(source)
             headings, end = list(binding.headings), ""
-            if not source.room and not source.is_header:
+            if not source.module:
                 end = self.end_of(source, binding)
                 headings += [(2, "Statements answered here", "answers")] if 'id="answers"' in end else []
             records = self.parts.records({key: Markup(body) for key, body in binding.records.items()})
@@ -137,15 +133,15 @@ class Book:
 
     def lists(self):
         for id, c in self.record.claims.items():
-            self.note("published.html", id, LISTS[0][1], id,
+            self.note("published.html", id, LISTS["published.html"], id,
                       escape(f'{c["quantity"]}; {c["printed"]}; {c["status"]} {c["reading"]} {c["reason"]}'))
         for number, e in self.binder.equations.items():
-            self.note("equations.html", f"eq-{number}", LISTS[3][1], f"Eq. ({number})", escape(e["name"]))
+            self.note("equations.html", f"eq-{number}", LISTS["equations.html"], f"Eq. ({number})", escape(e["name"]))
         for row in self.inventory["commands"]:
             if row["command"] and not row["option"]:
                 name = f'{row["program"]} {row["command"]}'
-                self.note("commands.html", name.replace(" ", "-"), LISTS[6][1], name, escape(row["description"]))
-        return {name: self.page(name, title, self.render(name.removesuffix(".html"))) for name, title in LISTS
+                self.note("commands.html", name.replace(" ", "-"), LISTS["commands.html"], name, escape(row["description"]))
+        return {name: self.page(name, title, self.render(name.removesuffix(".html"))) for name, title in LISTS.items()
                 if name != "findings.html"}
 
     FOUND = ("sentence", "range", "tried", "second")
@@ -158,11 +154,11 @@ class Book:
             said, *further = [binding.prose(re.sub(r"^<p>(.*)</p>$", r"\1", text, flags=re.S))
                               for text in html[len(self.FOUND) * i:len(self.FOUND) * (i + 1)]]
             told = list(map(Markup, [said, *map(spelled_out, further)]))
-            self.note("findings.html", id, "What we found", id, told[0])
+            self.note("findings.html", id, LISTS["findings.html"], id, told[0])
             rows.append((id, row["kind"], dict(zip(self.FOUND, told)), list(margins(row, self.record.quotable))))
         body = self.render("findings", rows=rows, kinds=KINDS)
         records = self.parts.records({key: Markup(body) for key, body in binding.records.items()})
-        return self.page("findings.html", "What we found", body + records)
+        return self.page("findings.html", LISTS["findings.html"], body + records)
 
     def captions(self):
         """Whole captions by figure: the first sentence, and what the report says after it."""
@@ -181,7 +177,7 @@ class Book:
         script = ecsv.text_of(self.record.root / "figures" / figure["script"]).rstrip("\n")
         tables = [(name, ecsv.read_written(self.record.table_path(figure["program"], name))) for name in figure["data"].split()
                   if self.binder.has_table(figure["program"], name)]
-        self.note(f"fig-{id}.html", "", LISTS[4][1], words.spoken(id),
+        self.note(f"fig-{id}.html", "", LISTS["figures.html"], words.spoken(id),
                   caption + escape(f' Drawn by figures/{figure["script"]} from {figure["program"]}: {figure["data"]}'))
         language = "python" if figure["script"].endswith(".py") else "gnuplot"
         return self.page(f"fig-{id}.html", words.spoken(id), self.render(
@@ -210,7 +206,7 @@ class Book:
         binding.anchor = "main"
         said = Markup(binding.prose(text))
         live = self.binder.live and Markup(binding.figure("21", str(escape(self.record.figures["21"]["caption"]))))
-        body = self.render("index", words=said, invitation=live, findings=self.findings(), ideas=rooms_of(self.record.root),
+        body = self.render("index", words=said, invitation=live, findings=self.findings(), ideas=modules_of(self.record.root),
                            summaries={s.path: self.summary(s) for s in self.chapters},
                            records={key: Markup(body) for key, body in binding.records.items()})
         return self.page("index.html", "", body, after=self.chapters[0])

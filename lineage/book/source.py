@@ -80,7 +80,6 @@ def includes_of(text):
     return re.findall(r'^\s*#include "([^"]+)"', text, re.M)
 
 
-TEMPLATE = re.compile(r"^template\s*<.*>\s*$")
 TYPE = re.compile(r"^(?:struct|class|enum class|enum|concept)\s+(\w+)\s*(?:final\s*)?(?::[^:]|\{|;|=|$)")
 ALIAS = re.compile(r"^(?:using|concept)\s+(\w+)\s*=")
 CONSTANT = re.compile(r"^(?:inline\s+)?(?:static\s+)?const(?:expr|init)?\s+[\w:<>, ]+?\s\*?(\w+)(?:\[\w*\])?\s*(?:=|\{)")
@@ -127,14 +126,14 @@ class Source:
         return self.path.endswith(".hpp")
 
     @property
-    def room(self):
-        """The room of the library or the shelf of a section, empty for chapters and their parts."""
+    def module(self):
+        """The module of the library or the section of its code, empty for chapters."""
         return Path(self.path).parent.name if self.path.count("/") > 1 else ""
 
     @property
     def page(self):
-        stem = self.stem if self.is_header or not self.room else self.name.replace(".", "-")
-        return (f"{self.room}-{stem}" if self.room else stem) + ".html"
+        stem = self.stem if self.is_header or not self.module else self.name.replace(".", "-")
+        return (f"{self.module}-{stem}" if self.module else stem) + ".html"
 
 
 def read_source(root, path, name=""):
@@ -146,7 +145,7 @@ def read_source(root, path, name=""):
 
 
 def in_order_of_need(sources):
-    """Headers of one room such that each comes after those that it includes; ties by name."""
+    """Headers of one module such that each comes after those that it includes; ties by name."""
     by_path = {s.path[len("src/"):]: s for s in sorted(sources, key=lambda s: s.path)}
     done, order = set(), []
 
@@ -164,13 +163,13 @@ def in_order_of_need(sources):
     return order
 
 
-def rooms_of(root):
-    """The rooms of the library in their order, and what each is about: the table of the README."""
+def modules_of(root):
+    """The modules of the library in their order, and what each is about: the table of the README."""
     readme = Path(root) / "README.md"
     return dict(re.findall(r"^\| \[`(\w+)`\]\(src/[^)]*\) \| (.*) \|$", text_of(readme) if readme.exists() else "", re.M))
 
 
-def read_room(root, folder):
+def read_module(root, folder):
     """The headers of a folder, each before the source that is compiled for it."""
     path = folder.relative_to(root)
     headers = in_order_of_need([read_source(root, f"{path}/{h.name}", h.name) for h in sorted(folder.glob("*.hpp"))])
@@ -184,27 +183,19 @@ def read_room(root, folder):
 
 
 def find_sources(root, order=()):
-    """Chapters with their parts, in the order of the book, and the sources of the library by room.
+    """Chapters in the order of the book, and the sources of the library and of section code by folder.
 
     `order` lists the chapters by name; a chapter that it does not know follows the last known one
     of its section, so that a new chapter has a page at once."""
     src = Path(root) / "src"
-    names = sorted(p.name for p in src.glob("sec*.[ch]pp"))
-    chapters = {n[:-4]: read_source(root, "src/" + n) for n in names if n.endswith(".cpp")}
-    parts = {n: read_source(root, "src/" + n) for n in names if n.endswith(".hpp")}
+    chapters = {path.stem: read_source(root, f"src/{path.name}") for path in src.glob("sec*.cpp")}
     known = [n for n in order if n in chapters]
     for name in sorted(set(chapters) - set(known)):
         section = name.split("_")[0]
         same = [i for i, n in enumerate(known) if n.split("_")[0] == section]
         before = [i for i, n in enumerate(known) if n.split("_")[0] < section]
         known.insert((same or before or [-1])[-1] + 1, name)
-    book = []
-    for name in known:
-        book.append(chapters[name])
-        book += [parts.pop(i) for i in chapters[name].includes if i in parts]
-    if parts:
-        raise Fault("no chapter includes " + ", ".join(sorted(parts)))
     folders = {p.parent.name: p.parent for p in sorted(src.rglob("*.[ch]pp")) if p.parent != src}
-    rooms = list(rooms_of(root))
-    return book, {room: read_room(Path(root), folders[room])
-                  for room in [r for r in rooms if r in folders] + [r for r in folders if r not in rooms]}
+    modules = [m for m in modules_of(root) if m in folders]
+    modules += [m for m in folders if m not in modules]
+    return [chapters[name] for name in known], {m: read_module(Path(root), folders[m]) for m in modules}

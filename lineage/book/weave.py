@@ -4,6 +4,7 @@ the build, and the old book stays as it was."""
 
 import base64
 import gzip
+import json
 import os
 import re
 import shutil
@@ -50,16 +51,12 @@ def read_order(path):
 
 
 def link_sources(record, chapters, library):
-    """Which sources may write a number of a program: its own, its parts, and what they need of the library."""
-    by_path = {s.path[len("src/"):]: s for room in library.values() for s in room}
-    parts = {s.name: s for s in chapters if s.is_header}
+    """Which sources may write a number of a program: its own, and what it needs of the library and of section code."""
+    by_path = {s.path[len("src/"):]: s for module in library.values() for s in module}
     for chapter in chapters:
-        if chapter.is_header:
-            continue
-        own = [chapter] + [parts[i] for i in chapter.includes if i in parts]
-        needed = [i for s in own for i in s.includes if i in by_path]
+        needed = [i for i in chapter.includes if i in by_path]
         halves = [i[:-4] + ".cpp" for i in needed if i[:-4] + ".cpp" in by_path]
-        record.sources[chapter.stem] = own + [by_path[i] for i in dict.fromkeys(needed + halves)]
+        record.sources[chapter.stem] = [chapter] + [by_path[i] for i in dict.fromkeys(needed + halves)]
 
 
 def tell_findings(sources, findings):
@@ -116,14 +113,25 @@ def copy_assets(out, record, figures, images):
     copy_katex(out)
 
 
-def copy_live(out, folder):
+def wells_of(root):
+    """The wells that the library knows by name, in the order of its list, each with the names of its parameters."""
+    path = root / "src/lattice/model/well.hpp"
+    structs = dict(re.findall(r"^struct (\w+).*?\{\n(.*?)^\};", text_of(path), re.M | re.S))
+    listed = re.search(r"^struct Well : OneOf<OwnWell, ([\w,\s]+)>", text_of(path), re.M)
+    if not listed:
+        raise Fault(f"{path}: no list of wells")
+    bodies = [structs[name] for name in re.split(r",\s*", listed[1])]
+    return {re.search(r'name = "(\w+)"', body)[1]: re.findall(r'Parameter<\w+>\{"(\w+)"', body) for body in bodies}
+
+
+def copy_live(out, root, folder):
     """The compiled library as scripts, because a page from a folder may not fetch a file."""
     names = [name for name, _ in pages.LIVE]
     for page in names:
         packed = base64.b64encode(gzip.compress((folder / f"{page}.wasm").read_bytes(), mtime=0)).decode()
         (out / f"{page}.module.js").write_text(f'(window.LIVE_MODULES ??= {{}}).{page} = "{packed}";\n', encoding="utf-8")
-    (out / "live.js").write_text("".join(text_of(prose.ASSETS / "live" / f"{name}.js") for name in ["live"] + names),
-                                 encoding="utf-8")
+    shared, *kinds = (text_of(prose.ASSETS / "live" / f"{name}.js") for name in ["live"] + names)
+    (out / "live.js").write_text(f"{shared}Live.wells = {json.dumps(wells_of(root))};\n{''.join(kinds)}", encoding="utf-8")
 
 
 def make(root, data, figures, out, live="", programs=""):
@@ -132,7 +140,7 @@ def make(root, data, figures, out, live="", programs=""):
     record = Record(root, data)
     chapters, library = find_sources(root, read_order(prose.ASSETS / "contents.txt"))
     link_sources(record, chapters, library)
-    sources = chapters + [s for room in library.values() for s in room]
+    sources = chapters + [s for module in library.values() for s in module]
     tell_findings(sources, record.findings)
     images = find_images(record, figures)
     has_live = all((live / f"{name}.wasm").exists() for name, _ in pages.LIVE)
@@ -150,7 +158,7 @@ def make(root, data, figures, out, live="", programs=""):
         (part / name).write_text(prose.with_formulas(page, done) if name.endswith(".html") else page, encoding="utf-8")
     copy_assets(part, record, figures, images)
     if has_live:
-        copy_live(part, live)
+        copy_live(part, root, live)
     if complaints := check.complaints(part):
         raise Fault("\n  ".join([f"the book is not whole (left in {part}):"] + complaints[:40]))
     shutil.rmtree(out, ignore_errors=True)

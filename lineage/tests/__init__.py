@@ -4,6 +4,7 @@
 
 import contextlib
 import io
+import re
 import shutil
 import tempfile
 import unittest
@@ -16,8 +17,8 @@ ROOT = Path(__file__).resolve().parents[2]
 CLAIMS = ["id", "section", "where", "quantity", "printed", "unit", "class", "tolerance", "note", "program", "status",
           "reading", "covered_by", "reason"]
 LOCK = ["program", "id", "value", "error", "unit", "kind"]
-RESULTS = ["id", "value", "error", "unit"]
-FACTS = ["quantity", "value", "error", "unit"]
+RESULTS = ["id", "value", "error", "unit", "made_by"]
+FACTS = ["quantity", "value", "error", "unit", "made_by"]
 FIGURES = ["id", "label", "section", "program", "script", "class", "data", "caption"]
 HELP = """#!/bin/sh
 if [ "$1" = one ]; then cat <<'END'
@@ -77,10 +78,10 @@ class Scratch(unittest.TestCase):
         self.write("figures/figures.ecsv", table(FIGURES, [
             ["01", "demo", "1", "sec1_demo", "fig01.gp", "ER", "facts", "A line."]]))
         self.write("bench/costs.ecsv", table(["program", "seconds"], [["sec1_demo", 3.0]]))
-        for name in ("codemeta.json", "bench/ratios.ecsv"):
-            self.write(name, ecsv.text_of(ROOT / name))
-        self.write("README.md", "<!-- published -->\n<!-- /published -->\n")
+        self.write("codemeta.json", ecsv.text_of(ROOT / "codemeta.json"))
+        self.write("README.md", "<!-- discrepant -->\n<!-- /discrepant -->\n")
         self.write("ARTIFACT.md", "<!-- costs -->\n<!-- /costs -->\n")
+        self.write("CONTRIBUTING.md", "")
         self.write("DATA.md", "It is <!--num:a.one--><!--/-->.\n")
         self.results(["a.one", 1.0, 1e-3, "m"])
         self.facts(["other", 1.0, 0.0, ""], ["fact", 2.0, 0.1, ""])
@@ -92,17 +93,19 @@ class Scratch(unittest.TestCase):
         return ecsv.text_of(self.root / name)
 
     def results(self, *rows):
-        self.computed("sec1_demo/results.ecsv", table(RESULTS, rows))
+        self.computed("sec1_demo/results.ecsv", table(RESULTS, [[*row, "main"] for row in rows]))
 
     def facts(self, *rows):
-        self.computed("sec1_demo/facts.ecsv", table(FACTS, rows))
+        self.computed("sec1_demo/facts.ecsv", table(FACTS, [[*row, "main"] for row in rows]))
 
     def computed(self, name, text, data="build/data"):
-        """Writes a table as a program does, with the checksums of its folder."""
+        """Writes a table as a program does, with the checksums of its run in the header of the results."""
         path = self.root / data / name
         ecsv.write_whole(path, text)
-        ecsv.write_whole(path.parent / "SHA256SUMS", "".join(
-            f"{ecsv.rows_sum(ecsv.text_of(one))}  {one.name}\n" for one in sorted(path.parent.glob("*.ecsv"))))
+        results = path.with_name("results.ecsv")
+        sums = ", ".join(f"{one.stem} {ecsv.rows_sum(ecsv.text_of(one))}" for one in sorted(path.parent.glob("*.ecsv")))
+        header = re.sub(r"# - \{tables: .*\n", "", ecsv.text_of(results))
+        ecsv.write_whole(results, header.replace("# schema", f"# - {{tables: '{sums}'}}\n# schema", 1))
 
     def program(self):
         """A program with a command, that says so in the form of ours."""
@@ -114,7 +117,7 @@ class Scratch(unittest.TestCase):
     def lineage(self, verb, *more):
         """Exit code, standard output and error of a verb."""
         places = {"summary": ["--data", "build/data", "--out", "build/report"], "lock": ["--data", "build/data"],
-                  "show": ["--data", "build/data"], "refresh": ["--costs", "build/report/cost"],
+                  "show": ["--data", "build/data"], "tables": ["--data", "build/data"], "refresh": ["--costs", "build/report/cost"],
                   "macros": ["--out", "build/paper"], "weave": [], "gallery": ["--figures", "build/figures"],
                   "inventory": ["--data", "build/data", "--programs", "build/bin", "--out", "build/report"]}[verb]
         places = [p if p.startswith("-") else str(self.root / p) for p in places]
@@ -126,10 +129,10 @@ class Scratch(unittest.TestCase):
                 code = left.code
         return code, out.getvalue(), err.getvalue()
 
-    def refuses(self, verb, *words, code=1):
+    def refuses(self, verb, *words, code=1, lines=1):
         """The verb, with its words, answers in one line that has these words."""
         got, out, err = self.lineage(*verb.split())
         self.assertEqual((got, out), (code, ""), err)
-        self.assertEqual(err.count("\n"), 1, err)
+        self.assertEqual(err.count("\n"), lines, err)
         for word in words:
             self.assertIn(word, err)

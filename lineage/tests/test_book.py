@@ -89,10 +89,11 @@ class Blocks(unittest.TestCase):
 
     def test_every_source_is_in_the_book(self):
         chapters, library = source.find_sources(ROOT, weave.read_order(BOOK / "contents.txt"))
-        there = chapters + [s for room in library.values() for s in room]
+        there = chapters + [s for module in library.values() for s in module]
         self.assertEqual({s.path for s in there},
                          {str(p.relative_to(ROOT)) for p in (ROOT / "src").rglob("*.[ch]pp")})
         self.assertEqual(len(there), len({s.page for s in there}))
+        self.assertEqual({p.name for p in (ROOT / "src/lattice").iterdir()} - set(source.modules_of(ROOT)), set(), "README.md")
 
     def test_the_compiled_half_follows_its_header(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -101,11 +102,22 @@ class Blocks(unittest.TestCase):
                                ("README.md", "| [`sec33`](src/sec33) | of 3.3 |\n")]:
                 ecsv.write_whole(Path(folder) / name, text)
             chapters, library = source.find_sources(folder)
-            self.assertEqual((list(library), source.rooms_of(folder)), (["sec33", "numbers"], {"sec33": "of 3.3"}))
+            self.assertEqual((list(library), source.modules_of(folder)), (["sec33", "numbers"], {"sec33": "of 3.3"}))
         self.assertEqual([s.page for s in chapters], ["sec33_x.html"])
-        self.assertEqual({room: [(s.page, s.title) for s in found] for room, found in library.items()},
+        self.assertEqual({module: [(s.page, s.title) for s in found] for module, found in library.items()},
                          {"numbers": [("numbers-a.html", "A"), ("numbers-a-cpp.html", "A: how")],
                           "sec33": [("sec33-b.html", "b.hpp")]})
+
+    def test_the_live_page_offers_the_wells_of_the_list(self):
+        self.assertEqual(weave.wells_of(ROOT)["quartic"], ["s"])
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "src/lattice/model/well.hpp"
+            ecsv.write_whole(path, 'struct A {\n  auto* name = "a";\n};\nstruct B {\n  auto* name = "b";\n  '
+                                   'Parameter<B>{"s", ""};\n};\nstruct Well : OneOf<OwnWell, B,\n                    A> {};\n')
+            self.assertEqual(weave.wells_of(Path(folder)), {"b": ["s"], "a": []})
+            ecsv.write_whole(path, "")
+            with self.assertRaisesRegex(ecsv.Fault, "no list of wells"):
+                weave.wells_of(Path(folder))
 
 
 class Numbers(unittest.TestCase):
@@ -126,23 +138,19 @@ class Numbers(unittest.TestCase):
             '            s.packet);\n  results.add("a.b", {1, 2});\n  judge(report, "a.slower", c);\n}\n'
             'Criterion c() {\n  return {above("speed_" + well, x, 0)};\n}\n')
 
-    def lines(self, id, made_by=""):
+    def lines(self, id, made_by):
         sources = [source.Source("src/p.cpp", self.TEXT, source.split_blocks(self.TEXT))]
         finding = Finding("p", id, 1, made_by=made_by)
         return [(p.first, p.last) for p in origin.places(finding, {"a.b": {}, "a.slower": {}}, sources)]
 
-    def test_the_statement_that_writes_a_number_is_guessed(self):
-        for id, lines in [("trapped_soft", [(2, 2)]), ("packet_soft", [(3, 4)]), ("a.b", [(5, 5)]),
-                          ("slower_speed_s_1_6", [(9, 9), (6, 6)]), ("nothing_like_it", [])]:
-            self.assertEqual(self.lines(id), lines, id)
-
-    def test_a_table_that_says_who_made_a_number_is_believed(self):
+    def test_a_number_has_the_statement_of_the_function_that_made_it(self):
         self.assertEqual(self.lines("a.b", "f"), [(5, 5)])
         self.assertEqual(self.lines("packet_soft", "f"), [(3, 4)])
         self.assertEqual(self.lines("unlike", "f"), [(1, 7)])
         self.assertEqual(self.lines("slower_speed_s_1_6", "f"), [(9, 9), (6, 6)])
         self.assertEqual(self.lines("packet_soft", "c"), [(8, 10)])
-        self.assertEqual(self.lines("a.b", "none_such"), [(5, 5)])
+        self.assertEqual(self.lines("trapped_soft", "f"), [(2, 2)])
+        self.assertEqual(self.lines("a.b", "none_such"), [])
 
     def test_every_locked_number_has_its_lines(self):
         known = Record(ROOT, ROOT / "build/data")
@@ -389,7 +397,7 @@ class Repository(Scratch):
         self.refuses("$x^2$", r"$\nonsense{x}$", "KaTeX.*nonsense")
         self.refuses("$x^2$", "[there](nowhere.html)", "leads nowhere")
         self.refuses("$x^2$", r"it costs \$5 or", "left as text")
-        self.refuses('"a.one"', '"b.two"', "no line writes 'a.one'")
+        self.refuses("main()", "other()", "no line writes 'a.one'")
         self.write("src/sec1_demo.cpp", CHAPTER)
         (self.root / "build/figures/fig01.svg").unlink()
         with self.assertRaisesRegex(ecsv.Fault, "make figures"):

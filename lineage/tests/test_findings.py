@@ -1,6 +1,8 @@
 """What we found: rows that can be judged, sentences that stand in one place."""
 
 from lineage import findings
+from lineage.claims import name_of, read_claims
+from lineage.lock import read_lock
 
 from . import ROOT, Scratch, table
 
@@ -54,10 +56,9 @@ class Findings(Scratch):
         self.refuses("refresh", "this is no [](finding:id)")
 
     def test_the_pages_tell_it(self):
-        self.write("README.md", "<!-- found -->\n<!-- /found -->\n<!-- findings -->\n<!-- /findings -->\n")
+        self.write("README.md", "<!-- found -->\n<!-- /found -->\n")
         self.assertEqual(self.lineage("refresh")[0], 0)
         self.assertIn("- Up to t = 10 it is 1.000 and $x_1 > 0$. (make fig01)", self.read("README.md"))
-        self.assertIn("| `pull` | Up to t = 10 it is 1.000 and $x_1 > 0$. | observed | Up to t = 10; one well |", self.read("README.md"))
 
     def test_a_second_route_is_named_where_it_agrees(self):
         names = ["quantity", "value", "error", "unit", "method"]
@@ -73,3 +74,11 @@ class Here(Scratch):
         for id, one in rows.items():
             self.assertNotIn("|", one["sentence"], id)
             self.assertEqual(one["sentence"].count("$") % 2, 0, id)
+
+    def test_a_second_route_agrees_and_is_as_sharp_as_a_headline_needs(self):
+        claims, second = read_claims(ROOT), findings.read_second(ROOT)
+        locked = {name_of(f, claims): f for f in read_lock(ROOT).values()}
+        self.assertGreaterEqual(len(second), 8)
+        for name, (theirs, _) in second.items():
+            self.assertTrue(findings.agrees(name, locked[name], second), name)
+            self.assertTrue(0 < theirs.error < 0.05 * abs(theirs.value), name)

@@ -1,6 +1,7 @@
 """The gallery of the README is current, and one that is not is noticed."""
 
 import importlib.util
+import os
 import shutil
 import tempfile
 import unittest
@@ -21,15 +22,21 @@ class Gallery(unittest.TestCase):
     def test_it_is_current(self):
         self.assertEqual(gallery.faults(NAMES, FIGURES, ROOT / "figures/gallery"), [], "make gallery")
 
-    def test_what_is_not_current_is_named(self):
+    def test_what_is_not_current_is_named_and_drawn_alone(self):
+        names = NAMES[9:12]
         with tempfile.TemporaryDirectory() as folder:
-            scratch = Path(folder)
-            for path in (ROOT / "figures/gallery").glob("*.png"):
-                shutil.copy(path, scratch)
-            shutil.copy(scratch / f"{NAMES[11]}.png", scratch / f"{NAMES[10]}.png")
-            (scratch / f"{NAMES[0]}.png").unlink()
+            scratch, pictures = Path(folder), [Path(folder) / f"{name}.png" for name in names]
+            for picture in pictures:
+                shutil.copy(ROOT / "figures/gallery" / picture.name, scratch)
+                os.utime(picture, (2e9, 2e9))
+            shutil.copy(pictures[2], pictures[1])  # old enough, and another picture
+            os.utime(pictures[1], (0, 0))
+            pictures[0].unlink()
             (scratch / "old.png").write_bytes(b"")
-            said = "\n".join(gallery.faults(NAMES, FIGURES, scratch))
-            for words in ("old.png: no such figure", f"{NAMES[0]}: missing", f"{NAMES[10]}: a patch differs by"):
+            said = "\n".join(gallery.faults(names, FIGURES, scratch))
+            for words in ("old.png: no such figure", f"{names[0]}: missing", f"{names[1]}: a patch differs by"):
                 self.assertIn(words, said)
             self.assertEqual(said.count("\n"), 2, said)
+            gallery.draw(names, FIGURES, scratch)
+            self.assertEqual(gallery.faults(names, FIGURES, scratch), [])
+            self.assertEqual(pictures[2].stat().st_mtime, 2e9)

@@ -28,7 +28,7 @@ class Inventory(Scratch):
     def test_a_table_describes_its_columns(self):
         rows = list(inventory.tables(self.root, self.root / "build/data"))
         self.assertEqual([(r["table"], r["column"]) for r in rows],
-                         [(t, c) for t in ("facts", "results") for c in ("quantity" if t == "facts" else "id", "value", "error", "unit")])
+                         [(t, c) for t in ("facts", "results") for c in ("quantity" if t == "facts" else "id", "value", "error", "unit", "made_by")])
         self.assertEqual(rows[1]["kind"] + ", " + rows[1]["description"], "float64, what value is")
 
     @unittest.skipUnless(shutil.which("dpkg-query"), "dpkg-query is not installed")
@@ -53,8 +53,7 @@ class Archive(Scratch):
 
     def setUp(self):
         super().setUp()
-        for tool in ("dist.sh", "shared.sh", "tables.sh"):
-            self.write(f"tools/{tool}", ecsv.text_of(ROOT / "tools" / tool))
+        self.write("tools/dist.sh", ecsv.text_of(ROOT / "tools/dist.sh"))
         self.write(".gitignore", "/build/\n")
         self.write("build/figures/fig01.svg", "<svg/>\n")
         self.run_in("git", "init", "-q")

@@ -64,6 +64,16 @@ class Locking(Scratch):
         self.results()
         self.assertIn("gone     sec1_demo a.one: was 2.000", self.lineage("lock")[1])
 
+    def test_what_is_farther_than_the_errors_fails(self):
+        self.facts(["fact", 2.15, 0.1, ""])
+        self.assertEqual(self.lineage("lock", "--check"), (0, "lock       : 2 of 2 values within the sum of the errors\n", ""))
+        self.results(["a.one", 2.0, 1e-3, "m"])
+        self.facts()
+        code, said, _ = self.lineage("lock", "--check")
+        self.assertEqual((code, said.count("\n")), (1, 3), said)
+        for words in ("a.one: 1.0000000000000002 -> 2, 500 of the sum of the errors  <- outside\n", "gone     sec1_demo fact", ": 0 of 2"):
+            self.assertIn(words, said)
+
     def test_the_lock_is_written_as_it_was(self):
         self.lineage("lock")
         before = self.read("paper/converged.ecsv")
@@ -83,6 +93,13 @@ class Summary(Scratch):
                                           "  discrepant a.one                      printed 1.02, converged 1 +- 0.001 m\n"))
         self.assertIn("a.one,Fig. demo,one,1.02,1,0.001", self.read("build/report/published.ecsv"))
         self.assertIn('a.two,text,two,yes,nan,nan,"",open', self.read("build/report/published.ecsv"))
+
+    def test_who_has_not_run_is_not_judged(self):
+        (self.root / "build/data/sec1_demo/results.ecsv").unlink()
+        code, out, _ = self.lineage("summary")
+        self.assertEqual((code, out.splitlines()[1:]), (0, [
+            "not judged : 1 claims and 0 findings, whose programs have not run (make figures)"]))
+        self.assertNotIn("a.one", self.read("build/report/published.ecsv"))
 
     def test_the_table_says_what_computes_a_number_again(self):
         self.write("book/commands.txt", "a.one build/bin/sec1_demo one --exactly # exact\n")

@@ -35,23 +35,29 @@ class Links(unittest.TestCase):
         for bad in (page.replace("t -->", "u -->"), page.replace("/t", "/s"), page + "<!-- /t -->", page * 2):
             with self.assertRaises(ecsv.Fault):
                 refresh.fresh_page(bad, {"t": []})
-
-    def test_a_comparison_without_a_value_says_so(self):
-        rows = [{"problem": "B1", "peer": peer, "quantity": "s", "ratio": ratio, "note": "h"}
-                for peer, ratio in (("GSL", 2.345), ("Boost", float("nan")), ("demand", 1.0))]
-        bench = ecsv.Table([], rows, {"machine": "a machine", "date": "today"})
-        self.assertEqual(list(refresh.ratio_rows(bench))[2:], ["| B1, s | GSL | 2.3 | h |", "| B1, s | Boost | not reached |  |"])
+        self.assertEqual(refresh.fresh_page(page, {"t": None}), page)
 
     def test_costs(self):
         self.assertEqual([chapters.shown_cost(s) for s in (float("nan"), 0.6, 2.5, 3.4)], ["?", "< 1", "3", "3"])
 
 
 class Refreshing(Scratch):
+    def test_modules_are_drawn_as_cmake_links_them(self):
+        self.write("CONTRIBUTING.md", "<!-- modules -->\n<!-- /modules -->\n")
+        self.lineage("refresh")
+        self.assertEqual(self.read("CONTRIBUTING.md").count("\n"), 2)  # nothing is configured
+        self.write("build/CMakeFiles/Export/1f/lattice-targets.cmake", "".join(
+            f"add_library(lattice::{name} STATIC IMPORTED)\n\n  INTERFACE_LINK_LIBRARIES \"lattice::flags;{links}\"\n"
+            for name, links in [("low", "m"), ("orbit", "lattice::low;lattice::mid;lattice::mid"), ("mid", "lattice::low")]))
+        self.lineage("refresh")
+        self.assertIn("```\norbit  mid\n\nmid    low\n\nlow\n```", self.read("CONTRIBUTING.md"))
+
     def test_only_what_is_stale_is_written(self):
         self.assertEqual(self.lineage("refresh", "--check")[0], 1)
         self.assertEqual(self.lineage("refresh")[0], 0)
         self.assertIn("It is [1.000](num:a.one).", self.read("src/sec1_demo.cpp"))
-        self.assertIn("| `a.one` | one | 1.02 | rel 1e-2 | 1.000 m | 0.001 | discrepant |", self.read("README.md"))
+        self.assertIn("| `a.one` | 1.02 | 1.000 | they erred | [`build/bin/sec1_demo`](src/sec1_demo.cpp) (3 s) |",
+                      self.read("README.md"))
         self.assertIn("| together | 3 |", self.read("ARTIFACT.md"))
         self.assertEqual(self.lineage("refresh", "--check"), (0, "", ""))
         self.write("build/report/cost/sec1_demo", "9.1\n")
@@ -184,14 +190,13 @@ class ThisRepository(unittest.TestCase):
         self.assertEqual(stale, [], "make refresh")
 
     def test_every_discrepancy_names_its_chapters(self):
-        """In README's list, with command and cost; sec33_multiplier_errors draws no figure, and shows why s_0 is wrong."""
+        """With command and cost; sec33_multiplier_errors draws no figure, and shows why s_0 is wrong."""
         claims, costs = lock.read_claims(ROOT), chapters.read_costs(ROOT)
         readme, known = ecsv.text_of(ROOT / "README.md"), lock.programs_of(ROOT)
-        for id, claim in claims.items():
-            if not claim["reason"]:
-                continue
+        for id in (id for id, claim in claims.items() if claim["reason"]):
             see = refresh.see(id, claims, costs, chapters.read_commands(ROOT))
-            self.assertIn(f"{see} |" if claim["status"] == "discrepant" else f"*See:* {see} |", readme)
+            if claims[id]["status"] == "discrepant":
+                self.assertIn(f"{see} |", readme)
             for program in chapters.explained_by(id, claims):
                 self.assertIn(program, known)
                 self.assertIn(f"[`build/bin/{program}`](src/{program}.cpp) ({chapters.shown_cost(costs[program])} s)", see)
@@ -201,8 +206,9 @@ class ThisRepository(unittest.TestCase):
 
     def test_every_table_has_a_place(self):
         claims, locked, figures = lock.read_claims(ROOT), lock.read_lock(ROOT), refresh.read_figures(ROOT)
-        for name in refresh.generated_tables(claims, locked, figures, refresh.read_ratios(ROOT), {}, {}, {}):
-            self.assertIn(f"<!-- {name} -->", ecsv.text_of(ROOT / "README.md"))
+        pages = "".join(ecsv.text_of(ROOT / name) for name in refresh.PAGES)
+        for name in refresh.generated_tables(claims, locked, figures, {}, {}, {}):
+            self.assertIn(f"<!-- {name} -->", pages)
 
     def test_the_paper_refers_to_what_is_there(self):
         claims, locked, figures = lock.read_claims(ROOT), lock.read_lock(ROOT), refresh.read_figures(ROOT)

@@ -2,6 +2,7 @@
 
 import math
 import random
+import re
 import sys
 import unittest
 from unittest import mock
@@ -195,10 +196,9 @@ class Faults(Scratch):
             self.refuses(verb, "sec1_demo/results.ecsv: not what sec1_demo wrote")
         self.write(path, "".join(good.splitlines(True)[:-1]))
         self.refuses("summary", "sec1_demo/results.ecsv: not what sec1_demo wrote")
+        self.write(path, re.sub("# - {tables: .*\n", "", good))
+        self.refuses("summary", "results.ecsv: not what sec1_demo wrote")
         self.write(path, good)
-        (self.root / "build/data/sec1_demo/SHA256SUMS").unlink()
-        self.refuses("summary", "SHA256SUMS is missing")
-        self.computed("sec1_demo/results.ecsv", good)
         self.write("paper/converged.ecsv", self.read("paper/converged.ecsv").replace("m,value", "m,vaule"))
         self.refuses("refresh", "converged.ecsv: row 1: a.one: the kind 'vaule' is none")
         (self.root / "build/data").rename(self.root / "build/gone")
@@ -209,15 +209,24 @@ class Faults(Scratch):
 
     def test_tables_that_no_number_is_read_from(self):
         """Who changes one, or takes one away, stops everything that reads the run."""
-        path, verbs = "build/data/sec1_demo/speeds.ecsv", ("summary", "lock", "show a.one", "inventory")
+        path, verbs = "build/data/sec1_demo/speeds.ecsv", ("tables", "summary", "lock", "show a.one", "inventory")
         self.computed("sec1_demo/speeds.ecsv", table(["value"], [[1.0], [2.0]]))
         good = self.read(path)
         self.write(path, good.replace("\n2\n", "\n3\n"))
         for verb in verbs:
             self.refuses(verb, "build/data/sec1_demo/speeds.ecsv: not what sec1_demo wrote; remove it to have it computed again")
+        self.write("build/data/sec1_demo/older.ecsv", good)
+        self.refuses("tables", "older.ecsv: not what sec1_demo wrote", "speeds.ecsv: not", lines=2)
+        (self.root / "build/data/sec1_demo/older.ecsv").unlink()
         (self.root / path).unlink()
-        for verb in verbs:
+        for verb in verbs[1:]:
             self.refuses(verb, "build/data/sec1_demo/speeds.ecsv is missing")
+        results = self.read("build/data/sec1_demo/results.ecsv")
+        self.assertEqual(self.lineage("tables"), (0, f"  missing  {self.root / path}: its program runs again\n", ""))
+        self.assertFalse((self.root / "build/data/sec1_demo/results.ecsv").exists())
+        self.write("build/data/sec1_demo/results.ecsv", re.sub("# - {tables: .*\n", "", results))
+        self.assertIn("results.ecsv with checksums: its program runs again", self.lineage("tables")[1])
+        self.write("build/data/sec1_demo/results.ecsv", results)
         self.write(path, "# a header does not count\n" + good)
         self.write("apt-packages.txt", "")
         for verb in verbs:

@@ -16,8 +16,7 @@ void DpsStrike::parameters(Parameters& p) {
 }
 
 DpsOutcome DpsStrike::run(double tolerance, double samples_per_tau) const {
-  std::size_t n = sites;
-  if (n == 0) n = 20 + std::size_t(std::ceil(0.4 * tau));
+  const std::size_t n = sites.value_or(20 + std::size_t(std::ceil(0.4 * tau)));
   const Dps dps{n, end};
   const auto samples = std::size_t(std::ceil(samples_per_tau * std::max(tau, 25.0)));
   return follow_dps(dps, dps_impact(n), tau, samples, tolerance, Unwatched{});

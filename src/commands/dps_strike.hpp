@@ -13,6 +13,7 @@ and half the samples; the speed also carries the error of the fit. A quantity th
 
 #include <array>
 #include <cstddef>
+#include <optional>
 
 #include "lattice/dps/dps_impact.hpp"
 #include "report/program.hpp"
@@ -22,9 +23,9 @@ namespace lattice {
 /// The command: its parameters (dimensionless), its two runs, its tables.
 struct DpsStrike {
   static constexpr Title title{"impact", "the DpS impact: its packet and its residue"};
-  double tau = 250;       ///< length of the run in slow time
-  std::size_t sites = 0;  ///< 0: long enough for the packet
-  Ends end = Ends::free;  ///< where the impact is: free or fixed
+  double tau = 250;                    ///< length of the run in slow time
+  std::optional<std::size_t> sites{};  ///< otherwise long enough for the packet
+  Ends end = Ends::free;               ///< where the impact is: free or fixed
 
   /// Declares them, as every command does (program.hpp).
   void parameters(Parameters& p);

@@ -3,7 +3,7 @@
 # All multipliers of one breather
 
 `sec33_floquet multipliers --centre site --omega 1.1` prints all Floquet multipliers (floquet.hpp) with their
-errors, those next to $+1$ first, for wells of any name (`--onsite pendulum`). In Python this is
+errors, those next to $+1$ first, for wells of any name (`--well pendulum`). In Python this is
 `lattice.multipliers`. */
 
 #include <complex>

@@ -5,13 +5,13 @@
 namespace lattice {
 
 void OneBarrier::parameters(Parameters& p) {
-  p.add("omega", omega, "frequency omega_b > 1", breather_range(1.0001, 3));
+  p.add("omega", omega_b, "frequency omega_b > 1", breather_range(1.0001, 3));
   p.add("s", s, "anharmonicity of the well", {-10, 10});
 }
 
 OneBarrier::Found OneBarrier::find() const {
-  BreatherPair pair{s, omega};
-  for (int k : {0, 1}) pair.orbit[k] = find_breather(problem_of(both_centres[k], omega, s));
+  BreatherPair pair{s, omega_b};
+  for (int k : {0, 1}) pair.orbit[k] = find_breather(problem_of(both_centres[k], omega_b, s));
   measure_in<Wide>(pair);
   return pair;
 }

@@ -13,7 +13,7 @@ namespace lattice {
 /// The command: omega_b and s (dimensionless), the pair of breathers, the table.
 struct OneBarrier {
   static constexpr Title title{"barrier", "energy between the two breathers, with its sign"};
-  double omega = 1.1, s = 0;
+  double omega_b = 1.1, s = 0;
 
   /// Declares both.
   void parameters(Parameters& p);

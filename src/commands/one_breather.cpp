@@ -1,6 +1,6 @@
 #include "commands/one_breather.hpp"
 
-#include "lattice/quadruple/extended.hpp"
+#include "lattice/quadruple_orbits/orbits.hpp"
 
 namespace lattice {
 

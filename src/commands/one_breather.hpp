@@ -5,7 +5,7 @@
 `sec32_newton_breathers breather --centre site --omega 1.1` computes one breather of section 3.2. The chain
 must be long enough for it: a bead at the end must not feel that its outer neighbour is missing, and a longer
 chain tells how much it would. `--precision extended` repeats Newton's method in quadruple precision; the error
-is then the difference from a 64-bit mantissa. `--onsite pendulum` takes another well. All have the same
+is then the difference from a 64-bit mantissa. `--well pendulum` takes another well. All have the same
 frequency at rest, so that their families begin alike, and each is followed from there. In Python this is
 `lattice.breather`. */
 

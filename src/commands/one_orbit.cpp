@@ -62,8 +62,7 @@ void OneOrbit::parameters(Parameters& p) {
   const Option& well = p.add("s", s, "anharmonicity of the well", {-10, 10});
   p.add("near", near, "the orbit without a tail nearest to this shift time", {4, 100})
       .excludes(type_one)
-      .excludes(well)
-      .shows("none");
+      .excludes(well);
   p.add("reach", reach, "sites on either side of the centre", {2, 10});
   p.add("profile", as_profile, "the orbit at t = 0 instead of its quantities");
 }
@@ -129,11 +128,11 @@ static OneOrbit::Found chosen_type_one(const OneOrbit& choice) {
 One can also ask for the orbit without a tail nearest to a shift time. It may be of type I, or of type II: those lie
 at somewhat shorter shift times, on families that begin at the orbits of type I (sec5_travelling_families.cpp). We
 follow the family that begins at the next multiple of $2\pi$ above the time asked for. */
-static OneOrbit::Found chosen_near(const OneOrbit& choice) {
-  const auto above = std::size_t(std::max(1.0, std::ceil(choice.near / two_pi)));
+static OneOrbit::Found chosen_near(const OneOrbit& choice, double near) {
+  const auto above = std::size_t(std::max(1.0, std::ceil(near / two_pi)));
   Staircase stairs(choice.sign == "plus" ? 1 : -1, choice.reach);
   const Orbit<double> start = stairs.reach(above);
-  const double end = std::max(choice.near - 0.6, 3.0);
+  const double end = std::max(near - 0.6, 3.0);
   const auto members = follow_family(start, std::min(end, shift_time(start)), 0.1);
   std::vector<OneOrbit::Found> candidates{{type_one<double>(above, choice.reach),
                                            start,
@@ -147,13 +146,13 @@ static OneOrbit::Found chosen_near(const OneOrbit& choice) {
     }
   // If none of them is near, the command fails and names the nearest one
   const auto distance = [&](const OneOrbit::Found& f) {
-    return std::abs(shift_time(f.orbit) - choice.near);
+    return std::abs(shift_time(f.orbit) - near);
   };
   OneOrbit::Found best =
       *std::min_element(candidates.begin(), candidates.end(),
                         [&](auto& a, auto& b) { return distance(a) < distance(b); });
   if (distance(best) > 0.25)
-    throw UsageError("--near: no orbit without a tail within 0.25 of " + short_text(choice.near) +
+    throw UsageError("--near: no orbit without a tail within 0.25 of " + short_text(near) +
                      " (allowed: a time near one; the nearest is " +
                      number_text(shift_time(best.orbit)) + ")");
   best.wide = polish(best.wide_problem, best.orbit);
@@ -219,7 +218,7 @@ Table OneOrbit::profile(const Found& f) const {
 }
 
 OneOrbit::Found OneOrbit::find() const {
-  const Found f = near > 0 ? chosen_near(*this) : chosen_type_one(*this);
+  const Found f = near ? chosen_near(*this, *near) : chosen_type_one(*this);
   need_reach(*this, f.orbit);
   return f;
 }

@@ -8,6 +8,7 @@ branch of orbits that begins at $s = 0$. If it folds before the $s$ that was ask
 In Python this is `lattice.travelling`. */
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -35,7 +36,7 @@ struct OneOrbit {
   std::size_t reach = usual_reach;  ///< sites on either side of the centre
   std::string sign = "plus";        ///< or minus, of the central velocity at t = 0
   double s = 0;                     ///< anharmonicity of the wells
-  double near = 0;                  ///< a shift time instead of k and s; 0: not given
+  std::optional<double> near{};     ///< a shift time instead of k and s
   bool as_profile = false;          ///< whether `table` is the profile
 
   /// Declares them.

@@ -5,12 +5,11 @@ A line is read in two passes: first every word finds its place, then the values 
 
 #include "report/command_line.hpp"
 
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <cctype>
 #include <cstdio>
 #include <numeric>
+#include <sstream>
 #include <utility>
 
 #include "lattice/model/potential.hpp"
@@ -48,166 +47,115 @@ std::optional<std::string> nearest(const std::string& word, const std::vector<st
 
 /**
 Every complaint ends with what is allowed. */
-static std::string allowed(const std::string& what) {
-  return " (allowed: " + what + ")";
+[[noreturn]] static void refuse(const std::string& what, const std::string& why,
+                                const std::string& allowed) {
+  throw UsageError(what + ": " + why + " (allowed: " + allowed + ")");
 }
 
-static std::string perhaps(const std::optional<std::string>& name, const std::string& before = "",
-                           const std::string& behind = "") {
-  return name ? "; did you mean " + before + *name + behind + "?" : "";
+static std::string perhaps(const std::optional<std::string>& name, const std::string& mark) {
+  return name ? "; did you mean " + mark + *name + (mark == "'" ? mark : "") + "?" : "";
 }
 
 /**
 ## Every word in its place
 
-CLI11 finds the places. It is told of no type and no range: an option has any number of values, none included,
-and what belongs nowhere is handed back. So nothing is refused in words that are not ours, and no option takes
-the next one for its value. */
+A word with two dashes is an option, and the next word its value unless that is an option itself: a negative number
+is none. Any other word is the command, or one too many. A line is read from the left to the right, so that a
+complaint is about the first word that is wrong. */
 namespace {
-
-/// An option under one of its names: it may have an earlier one.
-struct Name {
-  Option* option;
-  std::string text;
-  CLI::Option* place;
-};
-
-/// What a line says to one offer: the full run, or a command.
-struct Place {
-  Offer* offer;
-  CLI::App* app;
-  CLI::Option* help;
-  std::vector<Name> names{};
-
-  Place(Offer& to, CLI::App& root)
-      : offer(&to), app(to.name.empty() ? &root : root.add_subcommand(to.name)) {
-    app->set_help_flag();
-    help = app->add_flag("-h,--help");
-    app->allow_extras();
-    for (const Option& option : to.parameters.all()) {
-      introduce(option.name);
-      for (const std::string& old : option.old_names) introduce(old);
-    }
-  }
-  void introduce(const std::string& name) {
-    Option& option = *offer->parameters.find(name);
-    CLI::Option* const place = option.takes == Option::Takes::flag
-                                   ? app->add_flag("--" + name)
-                                   : app->add_option("--" + name)->expected(0, 1);
-    place->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    names.push_back({&option, name, place});
-  }
-};
 
 struct Reader {
   std::deque<Offer>& offers;
   const std::vector<std::string>& words;
-  CLI::App root{};
-  CLI::Option* version = root.add_flag("--version");
-  std::deque<Place> places{};
-  Place* at = nullptr;
+  Offer* at = &offers.front();
+  std::vector<std::pair<std::string, Option*>> given{};  ///< under the names that were typed
 
   Asked run();
-  void refuse_stranger(const std::string& word) const;
-  [[noreturn]] void unknown(const std::string& name) const;
-  std::vector<const Name*> given() const;
-  void complete(const Name& name) const;
+  Offer* command(const std::string& word) const;
+  bool asks_for_help() const;
+  Option& option(const std::string& name) const;
+  void place_option(std::size_t& k);
+  void place_command(const std::string& word);
   void take() const;
 };
 
-/// A negative number belongs to the option before it, as `--s=-1/6` would say.
-std::vector<std::string> joined(const std::vector<std::string>& words) {
-  std::vector<std::string> out;
-  for (const std::string& word : words) {
-    const bool follows =
-        !out.empty() && out.back().rfind("--", 0) == 0 && out.back().find('=') == std::string::npos;
-    if (follows && word.size() > 1 && word[0] == '-' && typed_number(word))
-      out.back() += "=" + word;
-    else
-      out.push_back(word);
-  }
-  return out;
+/// The command of this name; null if there is none.
+Offer* Reader::command(const std::string& word) const {
+  const auto found = std::find_if(offers.begin() + 1, offers.end(),
+                                  [&](const Offer& offer) { return offer.name == word; });
+  return found == offers.end() ? nullptr : &*found;
 }
 
-/// An option that is unknown here may belong elsewhere.
-void Reader::unknown(const std::string& name) const {
-  std::vector<std::string> names{"help"}, homes;
-  for (const Option& p : at->offer->parameters.all()) names.push_back(p.name);
+/// `help` and `help COMMAND` are other words for `--help` and `COMMAND --help`.
+bool Reader::asks_for_help() const {
+  return (!words.empty() && words.front() == "help") ||
+         std::any_of(words.begin(), words.end(),
+                     [](const auto& word) { return word == "--help" || word == "-h"; });
+}
+
+/// Whether a word is an option, or was meant to be one.
+bool like_option(const std::string& word) {
+  return word.size() > 1 && word[0] == '-' && !typed_number(word);
+}
+
+/// The option of this name. One that is unknown here may belong elsewhere.
+Option& Reader::option(const std::string& name) const {
+  if (Option* const found = at->parameters.find(name)) return *found;
+  const std::string known = at->parameters.names();
   for (Offer& offer : offers)
-    if (&offer != at->offer && offer.parameters.find(name))
-      homes.push_back(offer.name.empty() ? "a full run, without a command"
-                                         : "'" + offer.name + "'");
-  const std::string known = allowed(at->offer->parameters.names());
-  if (!homes.empty()) throw UsageError("--" + name + ": belongs to " + homes.front() + known);
-  throw UsageError("--" + name + ": there is no such option" + perhaps(nearest(name, names), "--") +
-                   known);
+    if (offer.parameters.find(name))
+      refuse("--" + name,
+             offer.name.empty() ? "belongs to a full run, without a command"
+                                : "belongs to '" + offer.name + "'",
+             known);
+  std::vector<std::string> names{"help"};
+  for (const Option& p : at->parameters.all()) names.push_back(p.name);
+  refuse("--" + name, "there is no such option" + perhaps(nearest(name, names), "--"), known);
 }
 
-/// A word that has no place is a misspelt option or command, or one too many.
-void Reader::refuse_stranger(const std::string& word) const {
-  const bool number = typed_number(word).has_value(), inside = !at->offer->name.empty();
-  if (word.size() > 2 && word.rfind("--", 0) == 0) unknown(word.substr(2, word.find('=') - 2));
-  const std::string options = allowed(at->offer->parameters.names());
-  if (word.size() > 1 && word[0] == '-' && !number)
-    throw UsageError("'" + word + "': an option has two dashes and a name" + options);
+/// Takes the option at word `k`, and goes on to its value.
+void Reader::place_option(std::size_t& k) {
+  const auto equals = words[k].find('=');
+  const bool joined = equals != std::string::npos;
+  const std::string typed = words[k].substr(0, equals), name = typed.substr(2);
+  Option& found = option(name);
+  std::string value = joined ? words[k].substr(equals + 1) : "";
+  if (found.takes == Option::Takes::flag) {
+    if (joined) refuse(typed, "takes no value, but got '" + value + "'", typed + " alone");
+  } else {
+    const bool next = !joined && k + 1 < words.size();
+    if (next && like_option(words[k + 1]))
+      refuse(typed, "needs a value, and '" + words[k + 1] + "' is an option", found.check.allowed);
+    if (!next && value.empty()) refuse(typed, "needs a value", found.check.allowed);
+    if (next) value = words[++k];
+    if (found.given())
+      refuse(typed, "given twice, '" + *found.typed + "' and '" + value + "'", "once");
+  }
+  found.typed = value;
+  given.emplace_back(name, &found);
+}
+
+/// A word that is no option is the command, or one too many.
+void Reader::place_command(const std::string& word) {
+  const std::string quoted = "'" + word + "'", inside = at->name;
+  Offer* const found = command(word);
+  if (found && inside.empty()) {
+    at = found;
+    if (!given.empty())
+      refuse("--" + given.front().first, "belongs to a full run, without " + quoted,
+             at->parameters.names());
+    return;
+  }
+  if (found) refuse(quoted, "there is a command already, '" + inside + "'", "one command");
   std::vector<std::string> names;
   for (const Offer& offer : offers)
     if (!offer.name.empty()) names.push_back(offer.name);
-  if (inside && std::find(names.begin(), names.end(), word) != names.end())
-    throw UsageError("'" + word + "': there is a command already, '" + at->offer->name + "'" +
-                     allowed("one command"));
-  if (inside || names.empty())
-    throw UsageError("'" + word + "': belongs to no option" +
-                     (inside ? "" : ", and there are no commands") + options);
-  throw UsageError("'" + word + "': there is no such command" +
-                   perhaps(nearest(word, names), "'", "'") + allowed(comma_list(names)));
-}
-
-/// Where the option `--name` is in the words, with or without a value.
-static bool says(const std::string& word, const std::string& name) {
-  return word == "--" + name || word.rfind("--" + name + "=", 0) == 0;
-}
-
-[[noreturn]] static void twice(const Name& name, const std::string& first,
-                               const std::string& second) {
-  throw UsageError("--" + name.text + ": given twice, '" + first + "' and '" + second + "'" +
-                   allowed("once"));
-}
-
-/// The options that are given, in the order of the line.
-std::vector<const Name*> Reader::given() const {
-  std::vector<const Name*> out;
-  for (const std::string& word : words)
-    for (const Name& name : at->names)
-      if (name.place->count() > 0 && says(word, name.text) &&
-          std::find(out.begin(), out.end(), &name) == out.end())
-        out.push_back(&name);
-  return out;
-}
-
-/// An option that is given has one value, and a flag none.
-void Reader::complete(const Name& name) const {
-  const std::string typed = "--" + name.text;
-  const std::vector<std::string> values = name.place->results();
-  const auto word = std::find_if(words.begin(), words.end(),
-                                 [&](const std::string& w) { return says(w, name.text); });
-  if (name.option->takes == Option::Takes::flag) {
-    const auto equals = std::find_if(words.begin(), words.end(), [&](const std::string& w) {
-      return w.rfind(typed + "=", 0) == 0;
-    });
-    if (equals != words.end())
-      throw UsageError(typed + ": takes no value, but got '" + equals->substr(typed.size() + 1) +
-                       "'" + allowed(typed + " alone"));
-    return;
-  }
-  const auto next = word == words.end() ? word : word + 1;
-  if (word != words.end() && *word == typed + "=")
-    throw UsageError(typed + ": needs a value" + allowed(name.option->check.allowed));
-  if (values.front().empty() && (next == words.end() || !next->empty()))
-    throw UsageError(typed + ": needs a value" +
-                     (next != words.end() ? ", and '" + *next + "' is an option" : "") +
-                     allowed(name.option->check.allowed));
-  if (values.size() > 1) twice(name, values[0], values[1]);
+  if (inside.empty() && !names.empty())
+    refuse(quoted, "there is no such command" + perhaps(nearest(word, names), "'"),
+           comma_list(names));
+  refuse(quoted,
+         names.empty() ? "belongs to no option, and there are no commands" : "belongs to no option",
+         at->parameters.names());
 }
 
 /**
@@ -216,59 +164,36 @@ void Reader::complete(const Name& name) const {
 Nothing has happened when a line is refused. A complaint names the option as it was typed, also where it has
 another name today. */
 void Reader::take() const {
-  const std::vector<const Name*> named = given();
-  for (const Name* name : named) {
-    const bool flag = name->option->takes == Option::Takes::flag;
-    const std::string value = flag ? "" : name->place->results().front();
-    if (!flag && name->option->given()) twice(*name, *name->option->typed, value);
-    name->option->typed = value;
+  for (const auto& [name, option] : given) {
+    const std::string &value = *option->typed, typed = "--" + name;
+    const std::string wrong = option->check.complaint ? option->check.complaint(value) : "";
+    if (!wrong.empty()) throw UsageError(typed + ": " + wrong);
+    for (const std::string& rival : option->rivals)
+      if (at->parameters.find(rival)->given())
+        refuse(typed, "'" + value + "' cannot be together with --" + rival, "one of the two");
   }
-  for (const Name* name : named) {
-    const Option& p = *name->option;
-    const std::string wrong = p.check.complaint ? p.check.complaint(*p.typed) : "";
-    if (!wrong.empty()) throw UsageError("--" + name->text + ": " + wrong);
-    for (const std::string& rival : p.rivals)
-      if (at->offer->parameters.find(rival)->given())
-        throw UsageError("--" + name->text + ": '" + *p.typed + "' cannot be together with --" +
-                         rival + allowed("one of the two"));
-  }
-  for (const Name* name : named) name->option->take(*name->option->typed);
-  at->offer->parameters.finish();
-}
-
-/// `help` and `help COMMAND` are other words for `--help` and `COMMAND --help`.
-std::vector<std::string> help_as_option(std::vector<std::string> words) {
-  if (!words.empty() && words.front() == "help") {
-    words.erase(words.begin());
-    words.emplace_back("--help");
-  }
-  return words;
+  for (const auto& [name, option] : given) option->take(*option->typed);
+  at->parameters.finish();
 }
 
 Asked Reader::run() {
-  for (Offer& offer : offers) places.emplace_back(offer, root);
-  root.require_subcommand(0, 1);
-  std::vector<std::string> line = help_as_option(joined(words));
-  std::reverse(line.begin(), line.end());  // as CLI11 wants them
-  root.parse(std::move(line));
-
-  // Who is spoken to, and are there strangers?
-  at = &places.front();
-  const Place& full = places.front();
-  for (Place& place : places)
-    if (&place != &full && place.app->parsed()) at = &place;
-  if (at->help->count() > 0 || full.help->count() > 0) return {Asked::What::help, at->offer};
-  if (version->count() > 0) return {Asked::What::version, at->offer};
-  if (std::find(words.begin(), words.end(), "--") != words.end()) refuse_stranger("--");
-  for (const Name* name : given()) complete(*name);
-  for (const Place* place : {&full, static_cast<const Place*>(at)})
-    for (const std::string& word : place->app->remaining()) refuse_stranger(word);
-  for (const Name& name : full.names)
-    if (at != &full && name.place->count() > 0)
-      throw UsageError("--" + name.text + ": belongs to a full run, without '" + at->offer->name +
-                       "'" + allowed(at->offer->parameters.names()));
+  if (asks_for_help()) {
+    for (const std::string& word : words)
+      if (Offer* const named = command(word)) return {Asked::What::help, named};
+    return {Asked::What::help, at};
+  }
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    const std::string& word = words[k];
+    if (word == "--version" && at == &offers.front()) return {Asked::What::version, at};
+    if (word.size() > 2 && word.rfind("--", 0) == 0)
+      place_option(k);
+    else if (like_option(word))
+      refuse("'" + word + "'", "an option has two dashes and a name", at->parameters.names());
+    else
+      place_command(word);
+  }
   take();
-  return {Asked::What::run, at->offer};
+  return {Asked::What::run, at};
 }
 
 }  // namespace
@@ -283,23 +208,14 @@ Asked read_line(std::deque<Offer>& offers, const std::vector<std::string>& words
 Each name has a line, with what is allowed, the meaning and the default; long lines are broken. */
 static std::string entry(const std::string& name, const std::string& meaning) {
   constexpr std::size_t indent = 30, width = 100;
-  std::string out = "  " + name + " ", line;
-  out.resize(std::max(out.size() + 1, indent), ' ');
-  std::size_t column = out.size();
-  std::size_t from = 0;
-  while (from < meaning.size()) {
-    const auto to = std::min(meaning.find(' ', from), meaning.size());
-    if (column + to - from > width && column > indent) {
-      out.pop_back();  // the blank before the word
-      out += "\n" + std::string(indent, ' ');
-      column = indent;
-    }
-    out += meaning.substr(from, to - from) + (to < meaning.size() ? " " : "");
-    column += to - from + 1;
-    from = to + 1;
-  }
-  while (out.back() == ' ') out.pop_back();
-  return out + "\n";
+  std::string out, line = "  " + name + " ";
+  line.resize(std::max(line.size() + 1, indent), ' ');
+  const auto end_line = [&] { out += line.substr(0, line.find_last_not_of(' ') + 1) + "\n"; };
+  std::istringstream words(meaning);
+  for (std::string word; words >> word; line += word + " ")
+    if (line.size() + word.size() > width) end_line(), line.assign(indent, ' ');
+  end_line();
+  return out;
 }
 
 std::string help_text(const std::string& program, const std::deque<Offer>& offers, const Offer& of,

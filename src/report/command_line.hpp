@@ -3,8 +3,8 @@
 # How the command line is read
 
 A line is the program's name, perhaps a command, and options, each a name with two dashes that is followed by
-its value after a blank or `=`. CLI11 finds each word's place; what can be wrong is answered in our words, in
-one line that names the option, the value and what is allowed, and the nearest name where one was misspelt. */
+its value after a blank or `=`. What can be wrong is answered in one line that names the option, the value and
+what is allowed, and the nearest name where one was misspelt. */
 
 #include <deque>
 #include <optional>

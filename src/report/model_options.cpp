@@ -124,8 +124,9 @@ The options must live as long as the parameters, since the values are written in
 themselves keep them, in the call that they make when the line is complete. */
 void add_well(Parameters& p, Well& well, const Ranges& own) {
   const auto options =
-      std::make_shared<PotentialOptions<Well>>(p, "onsite", "well of every bead", well, own);
-  p.when_read([options, &well] { well = options->chosen(); });
+      std::make_shared<PotentialOptions<Well>>(p, "well", "well of every bead", well, own);
+  p.find("well")->formerly("onsite");
+  p.when_read([options, &well] { well = simplest(options->chosen()); });
 }
 
 void add_contact(Parameters& p, Contact& contact) {
@@ -146,7 +147,7 @@ void add_holding_well(Parameters& p, Well& well, const std::string& without) {
     });
     const auto name = [](const auto& w) { return std::string(w.name); };
     if (!std::visit(holds, well))
-      throw UsageError("--onsite: '" + std::visit(name, well) +
+      throw UsageError("--well: '" + std::visit(name, well) +
                        "' holds no bead, and without a well " + without +
                        " (allowed: " + comma_list(allowed) + ")");
   });

@@ -3,7 +3,7 @@
 # Choosing a model on the command line
 
 Every program that computes with wells and contacts of the reader's choice offers the same
-options: `--onsite` and `--contact` with the names that the potentials give themselves, and
+options: `--well` and `--contact` with the names that the potentials give themselves, and
 one option for every parameter that any of them has. Nothing is listed here. A parameter that
 the chosen potential does not have is refused rather than ignored. Where the contact is not the
 reader's choice, only the well is offered. */
@@ -21,7 +21,7 @@ namespace lattice {
 A program has wells and contacts of its own before the line is read, and the reader's after it. A
 parameter may have another range in a program than elsewhere. */
 
-/// Adds `--onsite` and its parameters; `well` holds the default and, once the line is read, the choice. It
+/// Adds `--well` and its parameters; `well` holds the default and, once the line is read, the choice. It
 /// must live as long as `p`. Parameters may have ranges of the program's `own`.
 void add_well(Parameters& p, Well& well, const Ranges& own = {});
 

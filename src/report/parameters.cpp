@@ -125,6 +125,18 @@ Option& Parameters::add(const std::string& name, std::size_t& value, const std::
                [&value](const std::string& typed) { value = std::size_t(*typed_number(typed)); }});
 }
 
+Option& Parameters::add(const std::string& name, std::optional<double>& value,
+                        const std::string& meaning, const Allowed& range) {
+  return keep({name, meaning, "none", Option::Takes::number, in_range(range),
+               [&value](const std::string& typed) { value = *typed_number(typed); }});
+}
+
+Option& Parameters::add(const std::string& name, std::optional<std::size_t>& value,
+                        const std::string& meaning, const Allowed& range) {
+  return keep({name, meaning, "none", Option::Takes::number, whole_in_range(range),
+               [&value](const std::string& typed) { value = std::size_t(*typed_number(typed)); }});
+}
+
 Option& Parameters::add(const std::string& name, std::string& value, const std::string& meaning,
                         const std::vector<std::string>& names) {
   return add(name, value, meaning, one_of(names));

@@ -107,6 +107,11 @@ class Parameters {
               const Allowed& range);
   Option& add(const std::string& name, std::size_t& value, const std::string& meaning,
               const Allowed& range);
+  /// The same where no number is an answer too: that is the default.
+  Option& add(const std::string& name, std::optional<double>& value, const std::string& meaning,
+              const Allowed& range);
+  Option& add(const std::string& name, std::optional<std::size_t>& value,
+              const std::string& meaning, const Allowed& range);
   /// One of some names, or a text that passes a check.
   Option& add(const std::string& name, std::string& value, const std::string& meaning,
               const std::vector<std::string>& names);

@@ -14,7 +14,6 @@
 #include <optional>
 #include <sstream>
 
-#include "report/checksum.hpp"
 #include "report/command_line.hpp"
 #include "report/files.hpp"
 #include "report/heartbeat.hpp"
@@ -54,6 +53,10 @@ Columns quantity_columns() {
           label("kind", "estimate, or exact where nothing could be different (error 0)")};
 }
 
+Columns maker_column() {
+  return label("made_by", "function of the program's source that recorded it");
+}
+
 /**
 Where only one of two runs has a quantity its error is not known, and it is not printed either. Numbers that agree
 to the last bit have the error of a rounding, which at zero is the least number of the type. */
@@ -85,8 +88,7 @@ void Answers::add_small(const std::string& quantity, const Estimate& e, const st
 // Quantities and results keep for each row the function that recorded it
 void Quantities::add(const std::string& quantity, const Estimate& e, const std::string& unit,
                      const Origin& origin) {
-  table.add({quantity, e, unit, kind_of(e)});
-  makers.push_back(function_of(origin));
+  table.add({quantity, e, unit, kind_of(e), function_of(origin)});
 }
 
 void Results::add(const std::string& id, const Estimate& e, const std::string& unit,
@@ -95,18 +97,11 @@ void Results::add(const std::string& id, const Estimate& e, const std::string& u
     throw Failure(id + ": the computed value or its error is not finite");
   for (const auto& row : table.rows)
     if (std::get<std::string>(row[0]) == id) throw Failure(id + ": answered twice");
-  table.add({id, e, unit, kind_of(e)});
-  makers.push_back(function_of(origin));
+  table.add({id, e, unit, kind_of(e), function_of(origin)});
 }
 
 void Results::claim(const std::string& id, bool holds, const Origin& origin) {
   add(id, exact(holds ? 1 : 0), "claim", origin);
-}
-
-Table with_makers(Table table, const std::vector<std::string>& makers) {
-  table.columns.push_back(label("made_by", "function of the program's source that recorded it"));
-  for (std::size_t i = 0; i < table.rows.size(); ++i) table.rows[i].emplace_back(makers.at(i));
-  return table;
 }
 
 void judge(Report& report, const std::string& id, const Criterion& criterion,
@@ -148,14 +143,13 @@ Table Provenance::sign(Table table) const {
 }
 
 void Output::finish(const Results& results) {
-  add("results", with_makers(results.table, results.makers));
+  add("results", results.table);
   std::string sums;
-  for (const auto& [name, table] : tables_) {
-    const std::string file = name + ".ecsv", text = to_text(provenance_.sign(table));
-    std::istringstream lines(text);
-    sums += table_checksum(lines) + "  " + file + '\n';
-    if (&table == &tables_.back().second) write_whole(folder_ / checksums_name, sums);
-    write_whole(folder_ / file, text);
+  for (auto& [name, table] : tables_) {
+    if (table.columns.empty()) throw std::logic_error(name + ": a table without a row");
+    sums += (sums.empty() ? "" : ", ") + name + " " + rows_sum(to_text(table));
+    if (&table == &tables_.back().second) table.meta.emplace_back("tables", sums);
+    write(folder_ / (name + ".ecsv"), provenance_.sign(table));
   }
 }
 
@@ -302,13 +296,8 @@ void need_writable(const std::filesystem::path& folder, const std::string& file,
 }
 
 /**
-A command prints its table or writes it to `--output`; options of a full run mean nothing to it,
-and rather than ignore them we say so. */
+A command prints its table or writes it to `--output`. */
 int Frame::print(const Offer& of, const std::function<Table()>& compute) {
-  for (const Option& p : offers.front().parameters.all())
-    if (p.given() && p.name != "threads")
-      throw UsageError("--" + p.name + ": has no meaning before '" + of.name +
-                       "' (allowed: in a full run, without a command)");
   if (!output.empty()) {
     const std::filesystem::path path(output), parent = path.parent_path();
     std::error_code ignored;
@@ -358,7 +347,7 @@ int Frame::reproduce(const Offer& full) {
     const Heartbeat alive(program.name);
     program.reproduce(report);
   }
-  tables.add("facts", with_makers(report.facts.table, report.facts.makers));
+  tables.add("facts", report.facts.table);
   tables.finish(report.results);
   return 0;
 }

@@ -55,11 +55,12 @@ Not every number answers a claim. Commands and the facts of a chapter report row
 is `nan` here, where a claim would refuse it. */
 /// These columns.
 Columns quantity_columns();
+/// The column `made_by`: the function that recorded a row.
+Columns maker_column();
 
 /// The facts of a chapter, which its prose explains.
 struct Quantities {
-  Table table{quantity_columns()};
-  std::vector<std::string> makers{};  ///< a function for every row
+  Table table{quantity_columns(), maker_column()};
 
   /// One row; the name of the function that adds it is noted.
   void add(const std::string& quantity, const Estimate& e, const std::string& unit = "",
@@ -97,8 +98,8 @@ struct Results {
                number("value", "converged value; 1 or 0 where the unit is claim"),
                number("error", "absolute error estimated from two resolutions"),
                label("unit", "unit of value and error; claim for yes or no"),
-               label("kind", "estimate, or exact where nothing could be different (error 0)")}};
-  std::vector<std::string> makers{};  ///< a function for every row
+               label("kind", "estimate, or exact where nothing could be different (error 0)"),
+               maker_column()}};
 
   /// A number with its error; throws Failure unless both are finite, the error is no less than
   /// zero and the claim has no answer yet.
@@ -107,9 +108,6 @@ struct Results {
   /// Yes or no; throws Failure if the claim has an answer already.
   void claim(const std::string& id, bool holds, const Origin& origin = Origin::current());
 };
-
-/// The table with a last column `made_by` that names these functions, one for every row.
-Table with_makers(Table table, const std::vector<std::string>& makers);
 
 /**
 The header of a table says who made it and from what. `parameters` are the options with the values
@@ -143,8 +141,9 @@ class Output {
   const std::filesystem::path& folder() const { return folder_; }
 
   /**
-  A run is complete when its results are there, so they are written last. */
-  /// Writes all tables, then their checksums, and `results`.
+  A run is complete when its results are there, so they are written last. Their header lists all tables of the run
+  with the checksums of their rows. */
+  /// Writes all tables, and then `results`.
   void finish(const Results& results);
 
  private:
@@ -162,8 +161,8 @@ struct Report {
   Results results{};   ///< answers to claims
   Quantities facts{};  ///< everything else that may be quoted
 
-  /// A new table of the output, to be filled.
-  Table& table(const std::string& name, const Columns& columns) {
+  /// A new table of the output, to be filled; without columns its first row has them.
+  Table& table(const std::string& name, const Columns& columns = {}) {
     return output.add(name, {columns});
   }
 };

@@ -4,7 +4,6 @@
 #include "report/sweep.hpp"
 
 #include <algorithm>
-#include <cstdint>
 #include <cstdio>
 #include <mutex>
 #include <sstream>
@@ -44,17 +43,11 @@ void MapPart::parameters(Parameters& p) {
         writable_folder());
 }
 
-/**
-Rows and programs are told apart by a short hash of their bytes (FNV-1a). */
-static std::string fingerprint(std::istream&& bytes) {
-  std::uint64_t hash = 14695981039346656037ULL;
-  for (char c; bytes.get(c);) hash = (hash ^ std::uint8_t(c)) * 1099511628211ULL;
-  return std::to_string(hash);
-}
-
 /// A number that changes with the program that runs: of its executable where the system shows it.
 static std::string executable_fingerprint() {
-  return fingerprint(std::ifstream("/proc/self/exe", std::ios::binary));
+  std::ostringstream bytes;
+  bytes << std::ifstream("/proc/self/exe", std::ios::binary).rdbuf();
+  return rows_sum(bytes.str());
 }
 
 Sweep::Sweep(std::filesystem::path folder, std::string name, const Columns& columns,
@@ -71,7 +64,7 @@ Sweep::Sweep(std::filesystem::path folder, std::string name, const Columns& colu
 static std::string line(std::size_t i, const Cells& cells) {
   std::string text = std::to_string(i);
   for (const Cell& cell : cells) text.append(1, ',').append(ecsv::cell_text(cell));
-  return text + "," + fingerprint(std::istringstream(text)) + "\n";
+  return text + "," + rows_sum(text) + "\n";
 }
 
 void Sweep::compute(Part part, const std::function<Cells(std::size_t)>& row) {
@@ -141,7 +134,7 @@ void Sweep::collect() {
       const auto end = text.rfind(',');
       if (end == std::string::npos) continue;
       const std::string row = text.substr(0, end);
-      if (text.substr(end + 1) != fingerprint(std::istringstream(row))) continue;
+      if (text.substr(end + 1) != rows_sum(row)) continue;
       const auto fields = ecsv::fields(row);
       if (fields.size() != columns_.size() + 1) continue;
       const std::size_t i = std::stoul(fields[0]);

@@ -9,13 +9,13 @@ here; what a table promises is said in table.hpp. */
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
+#include <cstdio>
 #include <fstream>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
 #include <system_error>
-
-#include "lattice/numerics/parallel.hpp"
 
 namespace lattice {
 
@@ -57,11 +57,21 @@ void Table::add(Cells row) {
   rows.push_back(std::move(row));
 }
 
-void Table::fill_rows(std::size_t count, const std::function<Cells(std::size_t)>& of,
-                      const std::string& done) {
-  std::vector<Cells> fresh(count);
-  parallel_for(done, count, [&](std::size_t i) { fresh[i] = of(i); });
-  for (Cells& row : fresh) add(std::move(row));
+void Table::add(const Row& row) {
+  std::vector<Column> headings;
+  Cells cells;
+  for (const auto& [name, description, cell, unit, from] : row.cells) {
+    headings.push_back({name, unit, description, Kind(cell.first.index())});
+    cells.push_back(cell.first);
+    if (!cell.second) continue;
+    headings.push_back(number(std::string(name) + "_error", from, unit));
+    cells.push_back(*cell.second);
+  }
+  if (columns.empty()) columns = headings;
+  const auto same = [](const Column& a, const Column& b) { return a.name == b.name; };
+  if (!std::equal(headings.begin(), headings.end(), columns.begin(), columns.end(), same))
+    throw std::invalid_argument("a row does not have the columns of its table");
+  add(std::move(cells));
 }
 
 std::size_t Table::find(const std::string& name) const {
@@ -232,6 +242,25 @@ std::string to_text(const Table& table) {
   return out.str();
 }
 
+/**
+The checksum takes the text byte by byte, as zlib does, without a table of remainders: the rows are few. */
+std::string rows_sum(const std::string& text) {
+  std::uint32_t sum = ~0U;
+  char before = '\n';
+  bool header = false;
+  for (const char c : text) {
+    if (before == '\n') header = c == '#';
+    before = c;
+    if (header) continue;
+    sum ^= std::uint8_t(c);
+    for (int k = 0; k < 8; ++k) sum = sum >> 1 ^ (sum & 1U ? 0xedb88320U : 0U);
+  }
+  char digits[9];
+  std::snprintf(digits, sizeof digits, "%08x", unsigned(~sum));
+  return digits;
+}
+
+// A file has its name when it is whole
 void write_whole(const std::filesystem::path& path, const std::string& text) {
   std::error_code ignored, failed;
   const bool special =

@@ -30,6 +30,7 @@ when it is read. */
 #include <vector>
 
 #include "lattice/numerics/estimate.hpp"
+#include "lattice/numerics/parallel.hpp"
 
 namespace lattice {
 
@@ -99,6 +100,22 @@ class Cells : public std::vector<Cell> {
   Cells(std::initializer_list<Entry> entries);
 };
 
+/**
+Heading and cell are best said together, `{{"s", "anharmonicity of the well", s}, {"n", "site", n, "site"}}`: the
+first row of a table that has no columns yet makes them, of the kind that its cells have, and all others must be
+alike. */
+struct Headed {
+  const char *name, *description;  ///< literals
+  Cells::Entry cell;
+  const char* unit = "";
+  const char* from = "difference of two resolutions";  ///< what an error was obtained from
+};
+struct Row {
+  std::vector<Headed> cells{};
+  Row() = default;
+  Row(std::initializer_list<Headed> headed) : cells(headed) {}
+};
+
 /// Ordered `key: value` pairs of the header's `meta` block.
 using Meta = std::vector<std::pair<std::string, std::string>>;
 
@@ -115,18 +132,19 @@ struct Table {
 
   /// Appends a row; throws std::invalid_argument unless it has one cell of the right kind per column.
   void add(Cells row);
+  /// The same with headings; throws too where they are not those of the table.
+  void add(const Row& row);
 
   /**
   Rows that know nothing of each other are computed on all cores, and come in the order of `items`. */
   /// Appends the row `of(item)` for every item, and shows on a terminal how many are `done`.
   template <class Items, class Of>
   void fill(Items&& items, Of of, const std::string& done = "rows") {
-    const auto row = [&](std::size_t i) { return Cells(of(*std::next(std::begin(items), i))); };
-    fill_rows(std::size(items), row, done);
+    std::vector<decltype(of(*std::begin(items)))> fresh(std::size(items));
+    parallel_for(done, fresh.size(),
+                 [&](std::size_t i) { fresh[i] = of(*std::next(std::begin(items), i)); });
+    for (auto& row : fresh) add(std::move(row));
   }
-  /// The same for the rows `of(i)`, i < count.
-  void fill_rows(std::size_t count, const std::function<Cells(std::size_t)>& of,
-                 const std::string& done);
 
   /// Position of the column `name`; throws std::out_of_range if there is none.
   std::size_t find(const std::string& name) const;
@@ -158,6 +176,13 @@ described on one line each. */
 
 /// The text of a table. Throws std::invalid_argument if a text in it has a line break.
 std::string to_text(const Table& table);
+
+/**
+A table that was edited by hand, cut short or mixed with another run looks like any other, and a figure drawn
+from it is wrong without a sign. So whoever reads a run compares checksums (`python3 -m lineage tables`). They leave
+out headers, which tell the command and the build, and so does SHA-256 in paper/hashes.ecsv. */
+/// CRC-32 of the lines of a table's text that do not begin with `#`, as eight hexadecimal digits.
+std::string rows_sum(const std::string& text);
 
 /// The table of a text. Throws std::runtime_error for a row or cell that does not fit.
 Table from_text(std::istream& in);

@@ -18,8 +18,8 @@ nothing with the one by which our orbits are found. */
 #include <cstddef>
 #include <vector>
 
-#include "lattice/model/chain.hpp"
 #include "lattice/gsl/gsl_ode.hpp"
+#include "lattice/model/chain.hpp"
 
 namespace lattice {
 

@@ -5,29 +5,22 @@
 A family of breathers is a branch of periodic orbits. Section 3.2 says of it that it bifurcates from the chain
 at rest and that some quantities grow along it; in soft wells it turns back. */
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <string>
 #include <vector>
 
 #include "lattice/numerics/criterion.hpp"
-#include "lattice/numerics/parallel.hpp"
 #include "lattice/orbits/breather_pairs.hpp"
 #include "lattice/orbits/continuation.hpp"
 
 namespace lattice {
 
-/// Where the branch through `start` turns back in frequency, from two runs of different step lengths.
-/// Throws NoBranch if it does not.
+/// Where the branch through `start` turns back in frequency, from steps of two lengths. Throws NoBranch if it does not.
 inline Estimate fold_of(const Shooting<double>& problem, const Orbit<double>& start) {
-  std::array<double, 2> fold{};
-  parallel_for(2, [&](std::size_t k) {
-    Branch branch(problem, along_omega<double>(), start, 1, {},
-                  {.first = 0.05, .most = k ? 0.1 : 0.2});
-    fold[k] = branch.fold();
-  });
-  return compare(fold[0], fold[1]);
+  const Branch branch(problem, along_omega<double>(), start, 1, {}, {.first = 0.05, .most = 0.2});
+  const auto fold = [&](double finer) { return Branch(branch).fold(finer); };
+  return compare(fold(8), fold(16));
 }
 
 /**

@@ -21,13 +21,13 @@ inline Allowed breather_range(double least, double most) {
           "precompression raise; higher ones are untested"};
 }
 
-/// The breather that a command is asked for, of `omega_b` in wells `onsite`.
+/// The breather that a command is asked for, of `omega_b` in these wells.
 struct ChosenBreather {
   Centre centre = Centre::site;
   Phase phase = Phase::compressed;
   double omega_b = 1.1;
   std::size_t sites = 0;  ///< 0: as many as needed
-  Well onsite = Quartic{};
+  Well well = Quartic{};
 
   /// The options that ask for a breather, one function each, since not every command has them all: `--centre`,
   void add_centre(Parameters& p) {
@@ -50,8 +50,8 @@ struct ChosenBreather {
           "images",
           {{"compressed", Phase::compressed}, {"stretched", Phase::stretched}});
   }
-  /// and `--onsite` with the parameters of the wells.
-  void add_well(Parameters& p) { add_holding_well(p, onsite, "there is no breather"); }
+  /// and `--well` with the parameters of the wells.
+  void add_well(Parameters& p) { add_holding_well(p, well, "there is no breather"); }
 };
 
 /**
@@ -76,7 +76,7 @@ auto on_chosen_chain(const ChosenBreather& chosen, Make make) {
 /// `precision`. Throws UsageError, NewtonFailed.
 inline Fitted find_chosen(const ChosenBreather& chosen, double precision) {
   return on_chosen_chain(chosen, [&] {
-    return fit_chain(chosen.centre, chosen.omega_b, chosen.onsite, chosen.sites,
+    return fit_chain(chosen.centre, chosen.omega_b, chosen.well, chosen.sites,
                      sites_of(chosen.centre), precision, chosen.phase);
   });
 }

@@ -95,4 +95,23 @@ Criterion no_blowup(const Confinement& c) {
           below("drift", c.drift, 1e-3), above("lasted", exact(c.lasted), 0.999)};
 }
 
+// The forces point backward on both ways, and the time of the return is known
+Criterion reversed_packet(const Estimate& apex_time, const Estimate& out, const Estimate& back,
+                          const Estimate& return_time) {
+  return {above("apex_time", apex_time, 0), below("force_out", out, 0),
+          below("force_back", back, 0), below("return_time_error", exact(return_time.error), 10)};
+}
+
+// A packet that is held back, but by less than half of what turns another one round
+Criterion slowed_packet(bool slows, const Estimate& force, const Estimate& turning_force) {
+  const Estimate share = quotient(force, turning_force);
+  return {above("slows", exact(slows), 0.5),
+          below("force_over_190", {std::abs(share.value), share.error}, 0.5)};
+}
+
+// Ensembles that stay together until the return and scatter later
+Criterion erratic_packets(const Estimate& early, const Estimate& late) {
+  return {below("spread_until_return", early, 0.25), above("spread_late", late, 3)};
+}
+
 }  // namespace lattice

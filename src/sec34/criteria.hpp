@@ -136,4 +136,21 @@ Confinement confinement(const Impact& impact, const ContactAware& rough, const C
 /// Whether the run came to its end, keeps its energy, and no bead is faster or farther than that allows.
 Criterion no_blowup(const Confinement& c);
 
+/**
+Three more speak of packets in hard wells (turning.hpp). A packet is reversed if it has an apex, if the force
+on it points backward on the way out and on the way back, and if the time of its rebound is known within ten
+units. Another is only slowed down, moderately, if it does not turn and is pulled less than half as much. */
+/// From the time of the apex, the forces on both ways and the time of the rebound.
+Criterion reversed_packet(const Estimate& apex_time, const Estimate& out, const Estimate& back,
+                          const Estimate& return_time);
+
+/// From whether it `slows` down without turning, and the forces on it and on one that turns.
+Criterion slowed_packet(bool slows, const Estimate& force, const Estimate& turning_force);
+
+/**
+An ensemble becomes erratic if its centres stay together within a quarter of a site on the way out and back,
+and spread over more than three long after. */
+/// From the spread of an ensemble until the return and late.
+Criterion erratic_packets(const Estimate& early, const Estimate& late);
+
 }  // namespace lattice

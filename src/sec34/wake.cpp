@@ -31,10 +31,10 @@ Absorber absorber(const Bereft& impact, std::size_t peak, double t) {
 }
 
 // Friction for a time is exact: velocities shrink by a factor, and the energy that is lost is known
-double rub(const Absorber& absorber, double time, State<double>& state) {
+double rub(const Absorber& absorber, double time, State<double>& state, bool counted) {
   const double factor = std::exp(-absorber.nu * time);
   double energy = 0;
-  for (std::size_t n = 0; n < absorber.beads; ++n) energy += state.v[n] * state.v[n] / 2;
+  for (std::size_t n = 0; counted && n < absorber.beads; ++n) energy += state.v[n] * state.v[n] / 2;
   for (std::size_t n = 0; n < absorber.beads; ++n) state.v[n] *= factor;
   return energy * (1 - factor * factor);
 }
@@ -67,9 +67,9 @@ bool Voyager::go(const Chain& chain, State<double>& state, double until, Path& p
     if (!observe({chain, state, density, peak, shift, dissipated})) return false;
     const Absorber now = absorber(impact, peak, state.t);
     for (std::size_t i = 0; i < grid.steps; ++i) {
-      dissipated += rub(now, grid.step() / 2, state);
+      dissipated += rub(now, grid.step() / 2, state, impact.counted);
       advance(state, moving, grid.step(), 1);
-      dissipated += rub(now, grid.step() / 2, state);
+      dissipated += rub(now, grid.step() / 2, state, impact.counted);
     }
     state.t = from + look * double(k + 1);
   }
@@ -141,7 +141,8 @@ LateFate late_fate(const Bereft& impact, double step, double until, std::size_t 
 }
 
 // Energies at the end minus those at the beginning, and the mean forces in between
-Budget budget(const Bereft& impact, double step, double from, double to) {
+Budget budget(Bereft impact, double step, double from, double to) {
+  impact.counted = true;
   constexpr double ends = 16;  // energies are means over four internal periods
   constexpr std::size_t m = packet_half_width;
   Budget out;

@@ -27,6 +27,7 @@ struct Bereft {
   double cut = 0;           ///< time at which the packet is cut out, 0: never
   std::size_t behind = 0;   ///< damps what lies more than so many sites behind it, 0: nothing
   bool first_bead = false;  ///< damps the first bead, once the packet has left
+  bool counted = false;     ///< counts the energy that friction takes, which costs some time
 };
 
 /// The site of the largest density, which is where the packet is.
@@ -47,7 +48,7 @@ struct Sight {
   const std::vector<double>& density;
   std::size_t peak;  ///< where the density is largest
   std::size_t shift;
-  double dissipated;
+  double dissipated;  ///< zero unless it is counted
 };
 /// Sees the chain; false ends the run.
 using Observer = std::function<bool(const Sight&)>;
@@ -55,7 +56,7 @@ using Observer = std::function<bool(const Sight&)>;
 /**
 An absorber that follows the packet is placed anew whenever the observer looks, which is every 0.2 units of time,
 or every two steps if these are shorter: so two steps also show the error of the moving absorber and of the
-looks. In between, half of its friction acts before each step and half after it, as in damped.hpp.
+looks. In between, half of its friction acts before each step and half after it, as in driven_chain.hpp.
 
 `sites` is the length of the struck chain and of what a cut puts behind the packet. It has to be so long that
 nothing comes back from its ends. Throws std::runtime_error when a wave has reached one. */
@@ -92,7 +93,7 @@ struct Budget {
 };
 
 /// The budgets of a packet between two times.
-Budget budget(const Bereft& impact, double step, double from, double to);
+Budget budget(Bereft impact, double step, double from, double to);
 
 /**
 Is the packet a breather that moves? Its energy centre and energy are means over stretches of twenty units of

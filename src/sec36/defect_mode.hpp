@@ -19,8 +19,8 @@ symmetry of the defect is then a result. */
 #include <stdexcept>
 #include <vector>
 
-#include "lattice/orbits/shooting.hpp"
 #include "lattice/integrators/contact_rkn.hpp"
+#include "lattice/orbits/shooting.hpp"
 #include "sec36/scattering.hpp"
 
 namespace lattice {

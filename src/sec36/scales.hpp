@@ -8,8 +8,8 @@ $\lambda^{5/2}$, Eq. (29), rests on a length of half a metre and on a collision 
 
 #include <string>
 
-#include "lattice/packets/array_impact.hpp"
 #include "report/program.hpp"
+#include "sec36/array_impact.hpp"
 #include "sec36/collision.hpp"
 
 namespace lattice {
@@ -28,16 +28,19 @@ inline Table scales_table(const StruckArray& blow) {
   const Scales &s = blow.scales, steel{s.m, s.k, a.gamma(a.beam_modulus)};
   const double v = blow.velocity;
   const Collision known = collision_by_energy();
-  Quantities q;
-  for (const auto& [name, unit, value] : given_scales(a)) q.add(name, exact(value), unit);
-  q.add("impact_velocity", exact(v), "m/s");
-  for (const auto& [name, unit, value] : derived_scales(a, v)) q.add(name, exact(value), unit);
-  q.add("contact_time", exact(known.contact_time * s.tau_h(v)), "s");
-  q.add("max_compression", exact(known.compression * s.delta(v)), "m");
-  q.add("cradle_lambda_5_2", exact(cradle(9.81, known.contact_time)));
-  q.add("gamma_with_beam_modulus", exact(steel.gamma), "N/m^(3/2)");
-  q.add("lambda_with_beam_modulus", exact(steel.lambda(v)));
-  return q.table;
+  Table table{quantity_columns()};
+  const auto add = [&](const std::string& name, double value, const std::string& unit = "") {
+    table.add({name, exact(value), unit, "exact"});
+  };
+  for (const auto& [name, unit, value] : given_scales(a)) add(name, value, unit);
+  add("impact_velocity", v, "m/s");
+  for (const auto& [name, unit, value] : derived_scales(a, v)) add(name, value, unit);
+  add("contact_time", known.contact_time * s.tau_h(v), "s");
+  add("max_compression", known.compression * s.delta(v), "m");
+  add("cradle_lambda_5_2", cradle(9.81, known.contact_time));
+  add("gamma_with_beam_modulus", steel.gamma, "N/m^(3/2)");
+  add("lambda_with_beam_modulus", steel.lambda(v));
+  return table;
 }
 
 /**

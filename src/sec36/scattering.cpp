@@ -14,10 +14,10 @@ Division division_of(const StruckArray& blow, const std::vector<double>& density
 }
 
 // Stop when the front is five sites before the defect, whose neighbour must still be at rest
-ImpactRun approach(const StruckArray& blow, double step, double patience) {
+ImpactRun approach(const StruckArray& blow, double step, double longest) {
   const std::size_t d = blow.array.defect - 1;
   const auto there = [&](const State<double>& now, const auto&) { return now.y[d - 5] == 0; };
-  ImpactRun run = strike(ContactAware{step}, blow.impact(1, patience, 1), there);
+  ImpactRun run = strike(ContactAware{step}, blow.impact(1, longest, 1), there);
   if (run.end.y[d - 1] != 0 || run.end.y[d - 5] == 0)
     throw NoPacket("the packet does not come to the defect as expected");
   return run;
@@ -25,9 +25,9 @@ ImpactRun approach(const StruckArray& blow, double step, double patience) {
 
 // Go on with the defect in place; a second look, ten milliseconds earlier, tells what still changes
 Scattering scatter(const StruckArray& blow, double ratio, ImpactRun run, double step, double end) {
-  const Impact impact = blow.impact(ratio, end, blow.time(end));
+  const Impact impact = blow.impact(ratio, end, blow.scales.time(end));
   const auto on = [&](double until) {
-    go_on(ContactAware{step}, impact, run, blow.time(until));
+    go_on(ContactAware{step}, impact, run, blow.scales.time(until));
     return division_of(blow, run.density);
   };
   const Division earlier = on(end - 10);
@@ -87,7 +87,7 @@ Stay stay(const StruckArray& blow, double ratio, ImpactRun run, const Resolution
   const auto every = std::size_t(std::lround(2 * r.step / r.sample));
   std::size_t k = 0;
   const auto watch = [&](const State<double>& now, const std::vector<double>& density) {
-    const double time = blow.milliseconds(now.t);
+    const double time = blow.scales.milliseconds(now.t);
     // The energy near the defect every half millisecond, at the same instants for both steps
     if (time >= 50 + 0.5 * double(out.t.size()) - 1e-6) {
       out.t.push_back(50 + 0.5 * double(out.t.size()));

@@ -24,7 +24,7 @@ energies. */
 
 #include "lattice/numerics/criterion.hpp"
 #include "lattice/numerics/estimate.hpp"
-#include "lattice/packets/array_impact.hpp"
+#include "sec36/array_impact.hpp"
 
 namespace lattice {
 
@@ -48,8 +48,8 @@ Division division_of(const StruckArray& blow, const std::vector<double>& density
 Until the front of the packet arrives the defect is exactly at rest, so all runs that differ in the defect
 alone share the way there. `approach` makes it: it ends when the fifth site before the defect has begun to
 move, and checks that the one next to the defect has not. Throws NoPacket if this is not so within
-`patience`, in ms. */
-ImpactRun approach(const StruckArray& blow, double step, double patience = 200);
+`longest`, in ms. */
+ImpactRun approach(const StruckArray& blow, double step, double longest = 200);
 
 /// The division 10 ms before the end and at the end. `scatter` goes on from `approach` to `end` (ms).
 struct Scattering {

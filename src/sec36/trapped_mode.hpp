@@ -99,9 +99,10 @@ inline void report_trapping(Report& report, StruckArray blow) {
   const char* names[] = {"_16", "_11", "_without", "_0925", "_08"};
   std::vector<std::array<Stay, 2>> stays(ratios.size());
   const std::array<double, 2> steps{report.quick ? 0.2 : 0.1, report.quick ? 0.1 : 0.05};
+  std::array<ImpactRun, 2> start;
+  parallel_for(2, [&](std::size_t k) { start[k] = approach(blow, steps[k]); });
   parallel_for(2 * ratios.size(), [&](std::size_t i) {
-    const double step = steps[i % 2];
-    stays[i / 2][i % 2] = stay(blow, ratios[i / 2], approach(blow, step), {step, steps[0]});
+    stays[i / 2][i % 2] = stay(blow, ratios[i / 2], start[i % 2], {steps[i % 2], steps[0]});
   });
 
   // The energy around the defect against time

@@ -108,22 +108,21 @@ inline void report_courses(Report& report, const RingCourse& soft) {
   const std::string names[] = {"_s_minus_1_6", "_s_1", "_s_0"};
 
   // The wave from then on, well by well
-  Table& table = report.table(
-      "ring_courses", {number("s", "anharmonicity of the well"), number("t", "time"),
-                       estimate("peak_over_mean", "largest energy density over the mean"),
-                       estimate("participation", "sites that share the energy", "site"),
-                       estimate("second", "energy of the second packet over that of the first")});
+  Table& table = report.table("ring_courses");
   for (const RingOfWell& ring : all)
     for (std::size_t k = 3; k < ring.course.samples.size(); k += 4) {
       const auto& [a, b] = ring.course.samples[k];
-      const Estimate numbers[] = {compare(a.peak_over_mean, b.peak_over_mean),
-                                  compare(a.participation, b.participation),
-                                  compare(a.second, b.second)};
+      const Estimate peak = compare(a.peak_over_mean, b.peak_over_mean),
+                     sites = compare(a.participation, b.participation),
+                     second = compare(a.second, b.second);
       // A row that is not known to one per cent is the end of what is known
-      if (std::any_of(std::begin(numbers), std::end(numbers),
-                      [](const Estimate& e) { return e.error > 0.01 * e.value; }))
-        break;
-      table.add({ring.s, b.t, numbers[0], numbers[1], numbers[2]});
+      const auto unknown = [](const Estimate& e) { return e.error > 0.01 * e.value; };
+      if (unknown(peak) || unknown(sites) || unknown(second)) break;
+      table.add({{"s", "anharmonicity of the well", ring.s},
+                 {"t", "time", b.t},
+                 {"peak_over_mean", "largest energy density over the mean", peak},
+                 {"participation", "sites that share the energy", sites, "site"},
+                 {"second", "energy of the second packet over that of the first", second}});
     }
 
   // Does each become a breather, and how do they differ?
@@ -172,14 +171,16 @@ inline void report_modulated(Report& report) {
   append(made, named("control", uniform_still(formed(runs[2]), formed(runs[3]))));
   made.push_back(below("state_error", apart, 1e-3));
   judge(report, "pre.mi_run", made);
-  Table& table = report.table(
-      "modulated_ring", {count("n", "site", "site"), number("y_start", "displacement at t = 0"),
-                         estimate("y", "displacement at t = 6619"),
-                         number("amplitude", "envelope of the displacements at t = 6619")});
+  Table& table = report.table("modulated_ring");
   const State<double> start = soft.start();
-  for (std::size_t n = 0; n < start.y.size(); ++n)
-    table.add({n + 1, start.y[n], fine.end.y[n], std::abs(fine.end.y[n] - coarse.end.y[n]),
-               fine.shown.envelope.amplitude[n] / fine.shown.envelope.omega});
+  for (std::size_t n = 0; n < start.y.size(); ++n) {
+    const double y = fine.end.y[n];
+    table.add({{"n", "site", n + 1, "site"},
+               {"y_start", "displacement at t = 0", start.y[n]},
+               {"y", "displacement at t = 6619", Estimate{y, std::abs(y - coarse.end.y[n])}},
+               {"amplitude", "envelope of the displacements at t = 6619",
+                fine.shown.envelope.amplitude[n] / fine.shown.envelope.omega}});
+  }
 
   // What kind of packet it is
   auto& facts = report.facts;

@@ -6,9 +6,9 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "lattice/algebra/eigenvalues.hpp"
 #include "lattice/model/contact.hpp"
 #include "lattice/model/well.hpp"
-#include "lattice/algebra/eigenvalues.hpp"
 
 namespace lattice {
 
@@ -37,7 +37,7 @@ struct WaveEquation {
 };
 
 /// Residual and derivatives of the equation of `wave` at `theta`.
-WaveEquation equation_at(const PlaneWave& wave, const Well& onsite, const Contact& contact,
+WaveEquation equation_at(const PlaneWave& wave, const Well& well, const Contact& contact,
                          double theta) {
   const double y = wave.profile(theta), right = wave.relative(theta),
                left = wave.relative(theta - wave.q);
@@ -47,26 +47,26 @@ WaveEquation equation_at(const PlaneWave& wave, const Well& onsite, const Contac
     const double k = double(i + 1), here = std::sin(k * theta);
     const double ahead = std::sin(k * (theta + wave.q)), behind = std::sin(k * (theta - wave.q));
     second -= k * k * wave.b[std::size_t(i)] * here;
-    at.slopes[i] = -wave.omega * wave.omega * k * k * here + onsite.stiffness(y) * here -
+    at.slopes[i] = -wave.omega * wave.omega * k * k * here + well.stiffness(y) * here -
                    contact.stiffness(right) * (ahead - here) +
                    contact.stiffness(left) * (here - behind);
   }
   at.slopes[0] = 2 * wave.omega * second;
-  at.residual = wave.omega * wave.omega * second - onsite.force(y) + contact.force(right) -
-                contact.force(left);
+  at.residual =
+      wave.omega * wave.omega * second - well.force(y) + contact.force(right) - contact.force(left);
   return at;
 }
 
 /**
 The equation is imposed at as many points as there are harmonics. `improve` takes one step of Newton's
 method and returns its size, relative to the amplitude, which tells when to stop. */
-double improve(PlaneWave& wave, const Well& onsite, const Contact& contact) {
+double improve(PlaneWave& wave, const Well& well, const Contact& contact) {
   const Eigen::Index count = Eigen::Index(wave.b.size());
   Eigen::MatrixXd jacobian(count, count);
   Eigen::VectorXd residual(count);
   for (Eigen::Index j = 0; j < count; ++j) {
     const double theta = std::numbers::pi * double(j + 1) / double(count + 1);
-    const WaveEquation at = equation_at(wave, onsite, contact, theta);
+    const WaveEquation at = equation_at(wave, well, contact, theta);
     jacobian.row(j) = at.slopes;
     residual[j] = at.residual;
   }
@@ -78,13 +78,13 @@ double improve(PlaneWave& wave, const Well& onsite, const Contact& contact) {
 
 }  // namespace
 
-PlaneWave plane_wave(const Well& onsite, const Contact& contact, double q, double a,
+PlaneWave plane_wave(const Well& well, const Contact& contact, double q, double a,
                      std::size_t harmonics) {
   PlaneWave wave{q, 0, std::vector<double>(harmonics, 0.0)};
   wave.b[0] = a;
-  wave.omega = std::sqrt(onsite.stiffness(0.0) + 2 * contact.stiffness(0.0) * (1 - std::cos(q)));
+  wave.omega = std::sqrt(well.stiffness(0.0) + 2 * contact.stiffness(0.0) * (1 - std::cos(q)));
   double step = 1;
-  for (int i = 0; i < 20 && step > 1e-13; ++i) step = improve(wave, onsite, contact);
+  for (int i = 0; i < 20 && step > 1e-13; ++i) step = improve(wave, well, contact);
   double widest = 0;
   for (int j = 0; j < 64; ++j) widest = std::max(widest, wave.relative(std::numbers::pi * j / 32));
   if (!(step < 1e-10) || !(widest < contact.opening()))
@@ -132,35 +132,42 @@ PeriodicGrid periodic_grid(Eigen::Index points, double q) {
 With $w = (\lambda - \omega\partial_\theta)p$ as a second unknown the problem becomes linear in
 $\lambda$: the matrix of $(p, w)$ has the transport term $\omega\partial_\theta$ on its diagonal, and the
 stiffnesses of well and contacts couple the two. */
-Eigen::MatrixXcd linearisation(const PlaneWave& wave, const Well& onsite, const Contact& contact,
+Eigen::MatrixXcd linearisation(const PlaneWave& wave, const Well& well, const Contact& contact,
                                double modulation) {
   using Matrix = Eigen::MatrixXcd;
   const Eigen::Index points = 2 * Eigen::Index(wave.b.size()) + 1;
   const PeriodicGrid grid = periodic_grid(points, wave.q);
   const Matrix one = Matrix::Identity(points, points);
   const Matrix difference = std::polar(1.0, modulation) * grid.shift - one;
-  Eigen::VectorXcd well(points), bond(points);
+  Eigen::VectorXcd held(points), bond(points);
   for (Eigen::Index j = 0; j < points; ++j) {
     const double theta = 2 * std::numbers::pi * double(j) / double(points);
-    well[j] = onsite.stiffness(wave.profile(theta));
+    held[j] = well.stiffness(wave.profile(theta));
     bond[j] = contact.stiffness(wave.relative(theta));
   }
   Matrix system = Matrix::Zero(2 * points, 2 * points);
   system.topLeftCorner(points, points) = wave.omega * grid.derivative;
   system.topRightCorner(points, points) = one;
   system.bottomLeftCorner(points, points) =
-      -Matrix(well.asDiagonal()) - difference.adjoint() * bond.asDiagonal() * difference;
+      -Matrix(held.asDiagonal()) - difference.adjoint() * bond.asDiagonal() * difference;
   system.bottomRightCorner(points, points) = wave.omega * grid.derivative;
   return system;
 }
 
+// A complex matrix as a real one of twice the size, which has its eigenvalues and their conjugates
+Eigen::MatrixXd in_real_numbers(const Eigen::MatrixXcd& z) {
+  Eigen::MatrixXd all(2 * z.rows(), 2 * z.cols());
+  all << z.real(), -z.imag(), z.imag(), z.real();
+  return all;
+}
+
 }  // namespace
 
-double growth_rate(const PlaneWave& wave, const Well& onsite, const Contact& contact,
+double growth_rate(const PlaneWave& wave, const Well& well, const Contact& contact,
                    double modulation) {
   double rate = 0;
   for (const std::complex<double>& e :
-       eigenvalues_of(linearisation(wave, onsite, contact, modulation)))
+       eigenvalues_of(in_real_numbers(linearisation(wave, well, contact, modulation))))
     rate = std::max(rate, e.real());
   return rate;
 }

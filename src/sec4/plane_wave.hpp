@@ -39,7 +39,7 @@ struct PlaneWave {
 /// The exact wave of wavenumber `q` and amplitude `a` with this many `harmonics`, by Newton's method from
 /// the phonon. Throws std::runtime_error if the method does not converge or if the wave opens a contact,
 /// since the series would then no longer converge geometrically.
-PlaneWave plane_wave(const Well& onsite, const Contact& contact, double q, double a,
+PlaneWave plane_wave(const Well& well, const Contact& contact, double q, double a,
                      std::size_t harmonics = 12);
 
 /**
@@ -50,7 +50,7 @@ State<double> on_ring(const PlaneWave& wave, std::size_t sites);
 
 /// The growth rate, 1 per unit of time, of the fastest disturbance of wavenumber Q, `modulation`. Throws
 /// std::runtime_error if the eigenvalues do not converge.
-double growth_rate(const PlaneWave& wave, const Well& onsite, const Contact& contact,
+double growth_rate(const PlaneWave& wave, const Well& well, const Contact& contact,
                    double modulation);
 
 }  // namespace lattice

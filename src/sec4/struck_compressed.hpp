@@ -83,34 +83,34 @@ boundary.
 ![Velocities at three times after an impact, s = 1.](fig:27)
 ![Wave trains for s = 0 and s = -1/6, and the packet's share of the energy.](fig:28) */
 inline void add_tables(Report& report, const std::vector<Experiment>& all) {
-  Table& profiles = report.table(
-      "impact_profiles",
-      {number("s", "anharmonicity of the well"), number("t", "time"), count("n", "site", "site"),
-       estimate("v", "velocity", "",
-                "difference of two resolutions, against the largest of the "
-                "column: ahead of the front there is only rounding"),
-       number("amplitude", "envelope of the velocities"),
-       number("sech", "fitted envelope, nan beyond 20 sites from its top")});
-  Table& history = report.table(
-      "packet_history", {number("s", "anharmonicity of the well"), number("t", "time"),
-                         number("centre", "centre of the packet", "site"),
-                         number("share", "share of the energy within 20 sites of the packet"),
-                         number("boundary", "share of the energy on the first five sites"),
-                         number("participation", "number of sites that share the energy", "site")});
+  Table &profiles = report.table("impact_profiles"), &history = report.table("packet_history");
   for (const Experiment& e : all) {
     for (std::size_t k = 0; k < e.fine.shown.size(); ++k) {
       const Snapshot &shown = e.fine.shown[k], &coarse = e.coarse.shown[k];
       for (std::size_t n = 0; n < shown.state.v.size(); ++n) {
         const double v = shown.state.v[n], off = double(n + 1) - shown.sech.centre;
-        profiles.add({e.s, shown.state.t, n + 1, v, std::abs(v - coarse.state.v[n]),
-                      shown.envelope.amplitude[n],
-                      std::abs(off) < 20 ? shown.sech.at(double(n + 1)) : std::nan("")});
+        profiles.add(
+            {{"s", "anharmonicity of the well", e.s},
+             {"t", "time", shown.state.t},
+             {"n", "site", n + 1, "site"},
+             {"v", "velocity", Estimate{v, std::abs(v - coarse.state.v[n])}, "",
+              "difference of two resolutions, against the largest of the column: ahead of the "
+              "front there is only rounding"},
+             {"amplitude", "envelope of the velocities", shown.envelope.amplitude[n]},
+             {"sech", "fitted envelope, nan beyond 20 sites from its top",
+              std::abs(off) < 20 ? shown.sech.at(double(n + 1)) : std::nan("")}});
       }
     }
     // One sample in five is enough
     for (const PacketSample& p : e.fine.samples)
       if (!e.times.empty() && p.t >= 10 && std::fmod(p.t + 1e-6, 5) < 1e-3)
-        history.add({e.s, p.t, p.centre, p.share, p.boundary, p.participation});
+        history.add(
+            {{"s", "anharmonicity of the well", e.s},
+             {"t", "time", p.t},
+             {"centre", "centre of the packet", p.centre, "site"},
+             {"share", "share of the energy within 20 sites of the packet", p.share},
+             {"boundary", "share of the energy on the first five sites", p.boundary},
+             {"participation", "number of sites that share the energy", p.participation, "site"}});
   }
 }
 
@@ -193,7 +193,7 @@ The subcommand `impact` does the same for one blow of your choice, in wells of a
 compression is the subject, stays. The named wells all have the phonons of the harmonic one, on which the
 length of the chain rests. It fails if a bead runs away before the end, because then there is no packet to
 report. */
-struct OneImpact {
+struct CompressedImpact {
   static constexpr Title title{"impact", "one impact: centre, width and energy of the packet"};
   double time = 724, velocity = 1.87, d = 0.5;
   Well well = Quartic{1};

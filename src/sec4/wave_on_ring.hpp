@@ -13,8 +13,8 @@ $q + Q$. */
 #include <numbers>
 #include <vector>
 
-#include "lattice/numerics/line_fit.hpp"
 #include "lattice/integrators/integrate.hpp"
+#include "lattice/numerics/line_fit.hpp"
 #include "sec4/instability.hpp"
 
 namespace lattice {

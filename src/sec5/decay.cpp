@@ -5,9 +5,9 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "lattice/standing/spectrum.hpp"
 #include "lattice/packets/impact.hpp"
 #include "lattice/packets/pulse.hpp"
+#include "lattice/standing/spectrum.hpp"
 
 namespace lattice {
 

@@ -18,9 +18,9 @@ damped chain to a tenth. */
 #include <cstddef>
 #include <vector>
 
+#include "lattice/integrators/driven_chain.hpp"
 #include "lattice/orbits/breather.hpp"
 #include "lattice/orbits/floquet.hpp"
-#include "sec5/driven_chain.hpp"
 
 namespace lattice {
 

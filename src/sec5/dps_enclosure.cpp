@@ -1,7 +1,7 @@
 #include "sec5/dps_enclosure.hpp"
 
-#include "lattice/standing/stationary.hpp"
 #include "lattice/algebra/dense.hpp"
+#include "lattice/standing/stationary.hpp"
 #include "sec5/counted.hpp"
 
 namespace lattice {

@@ -7,9 +7,9 @@
 #include <complex>
 #include <numbers>
 
-#include "lattice/standing/stationary.hpp"
-#include "lattice/numerics/line_fit.hpp"
 #include "lattice/gsl/random.hpp"
+#include "lattice/numerics/line_fit.hpp"
+#include "lattice/standing/stationary.hpp"
 
 namespace lattice {
 namespace {

@@ -4,8 +4,8 @@
 #include <stdexcept>
 
 #include "lattice/algebra/eigenvalues.hpp"
-#include "lattice/numerics/line_fit.hpp"
 #include "lattice/integrators/contact_rkn.hpp"
+#include "lattice/numerics/line_fit.hpp"
 
 namespace lattice {
 namespace {

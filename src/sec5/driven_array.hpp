@@ -2,16 +2,16 @@
 /**
 # One drive of the array
 
-What is driven, how fast and how far, in the units of a bench. A run tells what passes a gate bead; two runs, the
+What is driven, how fast and how far, in the units of the array. A run tells what passes a detector bead; two runs, the
 finer with half the step, give each quantity with its error. The command `drive` and the live page ask for the
 same. */
 
 #include <string>
 #include <vector>
 
+#include "lattice/model/cantilever.hpp"
 #include "lattice/numerics/estimate.hpp"
-#include "sec5/array_units.hpp"
-#include "sec5/driven.hpp"
+#include "sec5/driven_end.hpp"
 
 namespace lattice {
 
@@ -23,15 +23,17 @@ struct DrivenQuantity {
 };
 
 /// The array of section 3.6 with losses.
-struct ArraySetup : ArrayUnits {
+struct ArraySetup : Scales {
+  ArraySetup() : Scales(CantileverArray{}.scales()) {}
+
   /// Beads, and the one behind which a packet counts. The packets of strong drives reach the end of so short an array.
-  static constexpr std::size_t sites = 120, gate = 20;
+  static constexpr std::size_t sites = 120, detector = 20;
 
   double lifetime = 10;  ///< of the energy, in ms; 0 without losses
 
   /// The chain, with a drive that grows from `from` to `amplitude` within `ramp`, in units of the chain.
-  DrivenChain bench(Drive::By by, double omega, double amplitude, double from, double ramp,
-              std::size_t beads = sites) const {
+  DrivenChain driven(Drive::By by, double omega, double amplitude, double from, double ramp,
+                     std::size_t beads = sites) const {
     return {Chain{beads}, {rate(lifetime), 0}, {by, omega, amplitude, from, ramp}};
   }
 };
@@ -48,8 +50,9 @@ struct DrivenArray : ArraySetup {
   /// The duration in units of tau_c.
   double horizon() const { return time(duration); }
   /// The same array in units of the chain.
-  DrivenChain bench() const {
-    return ArraySetup::bench(by, omega(frequency), amplitude / micrometres(1), 0, horizon() / 6, sites);
+  DrivenChain driven() const {
+    return ArraySetup::driven(by, omega(frequency), amplitude / micrometres(1), 0, horizon() / 6,
+                              sites);
   }
   /// The law of the DpS limit at `omega`, in micrometres.
   Estimate law(double omega) const {
@@ -57,7 +60,7 @@ struct DrivenArray : ArraySetup {
     return {micrometres(a.value), micrometres(a.error)};
   }
   /// One run with steps of length `h`.
-  Emission run(double h) const { return drive_chain(bench(), horizon(), gate, h); }
+  Emission run(double h) const { return drive_chain(driven(), horizon(), detector, h); }
 
   /// Two runs and what they say; the law of the DpS limit holds above the frequency of a beam.
   std::vector<DrivenQuantity> quantities() const {

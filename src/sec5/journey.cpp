@@ -82,16 +82,16 @@ double true_time(double nu, double s) {
 }
 
 // Each contact and each bead keeps its own maxima; the impact is the first of the first bead
-Journey follow_packet(const DrivenChain& bench, double velocity, double duration, std::size_t last,
+Journey follow_packet(const DrivenChain& driven, double velocity, double duration, std::size_t last,
                       double step) {
-  const Chain& chain = bench.chain;
+  const Chain& chain = driven.chain;
   const std::size_t contacts = std::min(last, chain.sites - 1);
   std::vector<Peaks> push(contacts), speed(contacts);
   const TimeGrid steps = time_grid(duration, step, step);
   State<double> state = struck(chain.sites, velocity);
   speed[0].all.push_back({0, velocity});
   Journey out;
-  out.budget = run_driven(bench, state, steps, [&](const State<double>& now, const EnergyBudget&) {
+  out.budget = run_driven(driven, state, steps, [&](const State<double>& now, const EnergyBudget&) {
     // Beyond the first bead at rest nothing has moved yet
     for (std::size_t n = 0; n < contacts && (now.y[n] != 0 || now.v[n] != 0); ++n) {
       const double overlap = now.y[n] - now.y[n + 1];
@@ -101,7 +101,6 @@ Journey follow_packet(const DrivenChain& bench, double velocity, double duration
     // The centre once per unit of time
     if (out.centres.empty() || now.t > out.centres.back().t + 1)
       out.centres.push_back({now.t, energy_centre(energy_density(chain, now), 0, chain.sites)});
-    out.duration = now.t;
     // The packet has passed when the last push is well below its maximum
     const Peaks& end = push.back();
     if (period_at(end.all, end.highest) == 0 || now.y[contacts - 1] >= now.y[contacts]) return true;

@@ -20,7 +20,7 @@ $e^{-\nu t/2} = (1-\nu s/4)^2$ times the undamped one, which comes earlier. */
 #include <cstddef>
 #include <vector>
 
-#include "sec5/driven_chain.hpp"
+#include "lattice/integrators/driven_chain.hpp"
 
 namespace lattice {
 
@@ -47,19 +47,18 @@ struct Journey {
   std::vector<Passing> contacts{};
   std::vector<Peak> centres{};  ///< of the chain's energy, as `height`, in sites from one
   double budget = 0;            ///< see run_driven
-  double duration = 0;          ///< of the run
 };
 
-/// Strikes the first bead of a bench at rest with `velocity` and follows the packet for `duration`, or until
+/// Strikes the first bead of a driven or damped chain at rest with `velocity` and follows the packet for `duration`, or until
 /// it has passed the contact `last`. Maxima are those of parabolas through three neighbouring steps.
-Journey follow_packet(const DrivenChain& bench, double velocity, double duration, std::size_t last,
+Journey follow_packet(const DrivenChain& driven, double velocity, double duration, std::size_t last,
                       double step);
 
 /**
-As in section 3.6 (array_impact.hpp) the way begins at the first contact at the time of the impact, and
-between two contacts the packet moves evenly and oscillates with the period that it has at the later one. How
-long it takes from one contact to the next depends on the phase in which it meets them; its speed is therefore
-a mean over the last five stretches. A packet that reaches no further contact stops at the last one. */
+The way begins at the first contact at the time of the impact, and between two contacts the packet moves evenly
+and oscillates with the period that it has at the later one. How long it takes from one contact to the next
+depends on the phase in which it meets them; its speed is therefore a mean over the last five stretches. A packet
+that reaches no further contact stops at the last one. */
 struct Progressed {
   double sites = 0, oscillations = 0;  ///< from the first contact on
   double speed = 0, period = 0;        ///< at the end; the speed is zero if the packet has stopped

@@ -16,8 +16,8 @@ grid. */
 #include <functional>
 #include <vector>
 
-#include "lattice/model/contact.hpp"
 #include "lattice/algebra/dense.hpp"
+#include "lattice/model/contact.hpp"
 
 namespace lattice {
 

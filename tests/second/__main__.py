@@ -13,7 +13,7 @@ COLUMNS = {"quantity": "string, description: 'name of the number'",
            "unit": "string, description: 'empty in the scaled units of the article'",
            "method": "string, description: 'definition'"}
 UNITS = {"sec5_driving.recipe_7000": "um", "sec34_boomeron.apex_site_190": "site",
-         "sec36_cantilever_defect.sites_undamped": "sites", "sec5_experiment.sites_10ms": "sites"}
+         "sec5_experiment.sites_undamped": "sites", "sec5_experiment.sites_10ms": "sites"}
 
 parser = argparse.ArgumentParser(prog="second", description=__doc__)
 parser.add_argument("groups", nargs="*", metavar="GROUP", help="of " + ", ".join(GROUPS))

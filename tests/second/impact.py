@@ -64,7 +64,7 @@ def turning(level):
 def packet(level):
     """Impact of 1 m/s on the array of cantilevers: contacts reached after 10 ms, without and with losses."""
     rows, target = [], 10e-3 / TIME
-    for nu, name in ((0.0, "sec36_cantilever_defect.sites_undamped"), (DAMPING, "sec5_experiment.sites_10ms")):
+    for nu, name in ((0.0, "sec5_experiment.sites_undamped"), (DAMPING, "sec5_experiment.sites_10ms")):
         when = contacts(Chain(nu=nu, **LONG[level]), (50, 60)[level], TIME / LENGTH, 1.3 * target)
         reached = np.flatnonzero(when > target)[0] + 1
         rows.append((name, np.interp(target, when[:reached], np.arange(reached)), 1e-13,

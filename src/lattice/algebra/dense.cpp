@@ -11,10 +11,6 @@ Vector<T> solve_square(const Matrix<T>& matrix, const Vector<T>& right) {
   return matrix.partialPivLu().solve(right);
 }
 
-Vector<double> least_squares(const Matrix<double>& matrix, const Vector<double>& right) {
-  return matrix.colPivHouseholderQr().solve(right);
-}
-
 template <class T>
 Vector<T> shortest_solution(const Matrix<T>& matrix, const Vector<T>& right, double rank) {
   Eigen::CompleteOrthogonalDecomposition<Matrix<T>> shortest;
@@ -22,18 +18,30 @@ Vector<T> shortest_solution(const Matrix<T>& matrix, const Vector<T>& right, dou
   return shortest.compute(matrix).solve(right);
 }
 
-Softness condition_of(const Matrix<double>& matrix) {
-  const Eigen::JacobiSVD<Matrix<double>> svd(matrix, Eigen::ComputeFullV);
-  const auto& sizes = svd.singularValues();
-  const Eigen::Index last = matrix.cols() - 1;
-  return {sizes[0] / sizes[last], svd.matrixV().col(last)};
-}
-
-// The scalars that are used
-template Vector<double> solve_square(const Matrix<double>&, const Vector<double>&);
+// One number type at a time (dense_long.cpp is the other): two at once take the compiler a gigabyte
+#ifdef LATTICE_LONG
 template Vector<long double> solve_square(const Matrix<long double>&, const Vector<long double>&);
-template Vector<double> shortest_solution(const Matrix<double>&, const Vector<double>&, double);
 template Vector<long double> shortest_solution(const Matrix<long double>&,
                                                const Vector<long double>&, double);
+#else
+template Vector<double> solve_square(const Matrix<double>&, const Vector<double>&);
+template Vector<double> shortest_solution(const Matrix<double>&, const Vector<double>&, double);
+
+Vector<double> least_squares(const Matrix<double>& matrix, const Vector<double>& right) {
+  return matrix.colPivHouseholderQr().solve(right);
+}
+
+// The triangle of the elimination by reflections has the same singular values, and is square
+Softness condition_of(const Matrix<double>& matrix) {
+  const Eigen::Index n = matrix.cols();
+  const auto reflections = matrix.colPivHouseholderQr();
+  const Matrix<double> triangle =
+      reflections.matrixR().topRows(n).template triangularView<Eigen::Upper>();
+  const Eigen::JacobiSVD<Matrix<double>, Eigen::NoQRPreconditioner> svd(triangle,
+                                                                        Eigen::ComputeFullV);
+  const auto& sizes = svd.singularValues();
+  return {sizes[0] / sizes[n - 1], reflections.colsPermutation() * svd.matrixV().col(n - 1)};
+}
+#endif
 
 }  // namespace lattice

@@ -1,6 +1,9 @@
 #include "lattice/algebra/eigenvalues.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "lattice/numerics/progress.hpp"
@@ -20,33 +23,59 @@ const Solver& converged(const Solver& solver) {
     throw std::runtime_error("the eigenvalues of a matrix did not converge");
   return solver;
 }
+
+// The two eigenvalues of a block that the real Schur form leaves where they are complex: p + q +- iz
+template <class T>
+std::complex<T> upper_of(const Eigen::Ref<const Matrix<T>>& block) {
+  const T q = block(1, 1), p = T(0.5) * (block(0, 0) - q);
+  // Divided by the largest of the three, so that no square overflows
+  const T size = std::max(std::abs(p), std::max(std::abs(block(1, 0)), std::abs(block(0, 1))));
+  const T low = block(1, 0) / size, high = block(0, 1) / size, middle = p / size;
+  return {q + p, size * std::sqrt(std::abs(middle * middle + low * high))};
+}
 }  // namespace
 
+// Eigen's solver would also prepare vectors, which takes the compiler as long again
 template <class T>
 std::vector<std::complex<T>> eigenvalues_of(const Matrix<T>& matrix) {
   const Progress stage = stage_of(matrix);
-  const Eigen::EigenSolver<Matrix<T>> solver(matrix, false);
-  return {converged(solver).eigenvalues().begin(), solver.eigenvalues().end()};
+  const Eigen::Index n = matrix.rows();
+  const T size = n ? matrix.cwiseAbs().maxCoeff() : T(0);
+  if (size < std::numeric_limits<T>::min()) return std::vector<std::complex<T>>(std::size_t(n));
+  const Eigen::HessenbergDecomposition<Matrix<T>> hessenberg(matrix / size);
+  const Matrix<T> reduced = hessenberg.matrixH();
+  Eigen::RealSchur<Matrix<T>> schur(n);
+  schur.computeFromHessenberg(reduced, reduced, false);
+  const Matrix<T> form = size * converged(schur).matrixT();
+  std::vector<std::complex<T>> values;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    if (i == n - 1 || form(i + 1, i) == T(0)) {
+      values.push_back(form(i, i));
+    } else {
+      values.push_back(upper_of<T>(form.block(i, i, 2, 2)));
+      values.push_back(std::conj(values.back()));
+      ++i;
+    }
+  }
+  return values;
 }
 
-std::vector<std::complex<double>> eigenvalues_of(const Matrix<std::complex<double>>& matrix) {
-  const Progress stage = stage_of(matrix);
-  const Eigen::ComplexEigenSolver<Matrix<std::complex<double>>> solver(matrix, false);
-  return {converged(solver).eigenvalues().begin(), solver.eigenvalues().end()};
-}
-
+// Inverse iteration. The shift misses the value by a little, or there would be nothing to solve; the vector that we
+// begin with has no symmetry.
 template <class T>
-Eigenpairs<T> eigenpairs_of(const Matrix<T>& matrix) {
-  const Progress stage = stage_of(matrix);
-  const Eigen::EigenSolver<Matrix<T>> solver(matrix);
-  return {{converged(solver).eigenvalues().begin(), solver.eigenvalues().end()},
-          solver.eigenvectors().real()};
+Vector<T> eigenvector_of(const Matrix<T>& matrix, const T& value) {
+  const Eigen::Index n = matrix.rows();
+  const T shift = value + 8 * std::numeric_limits<T>::epsilon() * matrix.cwiseAbs().maxCoeff();
+  const Matrix<T> shifted = matrix - shift * Matrix<T>::Identity(n, n);
+  Vector<T> x = Vector<T>::LinSpaced(n, T(1), T(2));
+  for (int pass = 0; pass < 3; ++pass) x = solve_square<T>(shifted, x).normalized();
+  return x;
 }
 
 // The scalars that are used
 template std::vector<std::complex<double>> eigenvalues_of(const Matrix<double>&);
 template std::vector<std::complex<long double>> eigenvalues_of(const Matrix<long double>&);
-template Eigenpairs<double> eigenpairs_of(const Matrix<double>&);
-template Eigenpairs<long double> eigenpairs_of(const Matrix<long double>&);
+template Vector<double> eigenvector_of(const Matrix<double>&, const double&);
+template Vector<long double> eigenvector_of(const Matrix<long double>&, const long double&);
 
 }  // namespace lattice

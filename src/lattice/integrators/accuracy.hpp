@@ -19,6 +19,7 @@ because its steps are too long is no run, and the step is halved until one holds
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -168,45 +169,82 @@ struct Attempts {
 };
 
 /**
-Now the refinement itself: `compute(stepper)` is repeated until two successive results agree to
-`tolerance` in the sense of `differ(coarse, fine)`, the smallest step is reached, or `give_up(error, tolerance,
-halvings)` says so. Of runs that end early the times must agree. Throws std::logic_error if `compute` ignores the
-halvings of its stepper, so that both runs are the same. */
+Now the refinement itself. It says with which stepper the next run is to be made and is given the run, until two
+successive ones agree to `tolerance` in the sense of `differ(coarse, fine)`, the smallest step is reached, or
+`give_up(error, tolerance, halvings)` says so. Of runs that end early the times must agree. */
+template <class Result, class Differ = EndState, class GiveUp = decltype(to_the_end)>
+class Refinement {
+ public:
+  explicit Refinement(double tolerance, Differ differ = {}, GiveUp give_up = {})
+      : tolerance_(tolerance), differ_(std::move(differ)), give_up_(give_up) {}
+
+  /// Whether another run is wanted, and its stepper.
+  bool wants_more() const { return !done_; }
+  ContactAware stepper() const { return stepper_for(tolerance_, largest_step, runs_); }
+  /// Takes the run that was made with it. Throws std::logic_error if it ignores the halvings of its stepper, so that
+  /// it is the one before.
+  void add(Result run);
+  /// The last two.
+  Refined<Result> last_two() && { return std::move(*pair_); }
+
+ private:
+  double tolerance_;
+  Differ differ_;
+  GiveUp give_up_;
+  Attempts attempts_{};
+  std::optional<Result> last_{};
+  std::optional<Refined<Result>> pair_{};
+  int runs_ = 0;
+  bool done_ = false;
+};
+
+template <class Result, class Differ, class GiveUp>
+void Refinement<Result, Differ, GiveUp>::add(Result fine) {
+  const int k = runs_++;
+  const Run b = run_of(fine);
+  if (k == 0) {
+    attempts_.add(0, b, 0);
+    last_ = std::move(fine);
+    return;
+  }
+  Result& coarse = *last_;
+  if (same_run(coarse, fine))
+    throw std::logic_error("two resolutions are the same run of " + std::to_string(b.steps) +
+                           " steps, which proves nothing");
+  const Run a = run_of(coarse);
+  const bool early = a.escaped() || b.escaped();
+  const double error = early ? escape_difference(a, b)
+                             : std::max(differ_(coarse, fine), defect_difference(a, b, tolerance_));
+  const bool good = error <= (early ? std::max(tolerance_, escape_tolerance) : tolerance_);
+  attempts_.add(k, b, error);
+  const bool vain =
+      !good && !attempts_.spent && !early && give_up_(error, tolerance_, attempts_.held);
+  done_ = good || attempts_.spent || vain;
+  if (done_)
+    pair_ = Refined<Result>{std::move(coarse),
+                            std::move(fine),
+                            error,
+                            std::ldexp(largest_step, -k),
+                            good,
+                            attempts_.history,
+                            k,
+                            vain};
+  else
+    last_ = std::move(fine);
+}
+
+/// The last two of the results of `compute(stepper)`.
 template <class Compute, class Differ = EndState, class GiveUp = decltype(to_the_end)>
 auto refine(double tolerance, Compute compute, Differ differ = {}, GiveUp give_up = {}) {
   using Result = decltype(compute(stepper_for(tolerance, largest_step)));
-  Attempts attempts;
-  Result coarse = compute(stepper_for(tolerance, largest_step));
-  attempts.add(0, run_of(coarse), 0);
-  for (int k = 1;; ++k) {
-    Result fine = compute(stepper_for(tolerance, largest_step, k));
-    if (same_run(coarse, fine))
-      throw std::logic_error("two resolutions are the same run of " +
-                             std::to_string(fine.run.steps) + " steps, which proves nothing");
-    const Run a = run_of(coarse), b = run_of(fine);
-    const bool early = a.escaped() || b.escaped();
-    const double error = early ? escape_difference(a, b)
-                               : std::max(differ(coarse, fine), defect_difference(a, b, tolerance));
-    const bool good = error <= (early ? std::max(tolerance, escape_tolerance) : tolerance);
-    attempts.add(k, b, error);
-    const bool vain =
-        !good && !attempts.spent && !early && give_up(error, tolerance, attempts.held);
-    if (good || attempts.spent || vain)
-      return Refined<Result>{std::move(coarse),
-                             std::move(fine),
-                             error,
-                             std::ldexp(largest_step, -k),
-                             good,
-                             attempts.history,
-                             k,
-                             vain};
-    coarse = std::move(fine);
-  }
+  Refinement<Result, Differ, GiveUp> runs(tolerance, std::move(differ), give_up);
+  while (runs.wants_more()) runs.add(compute(runs.stepper()));
+  return std::move(runs).last_two();
 }
 
 /**
-Most callers have no use for a result that has not converged, and none for a run that ended early. `converge`
-does the same as `refine` and throws in both cases, and also if the energy drifts by more than the tolerance, with each
+Most callers have no use for a result that has not converged, and none for a run that ended early. `converged`
+throws in both cases, and also if the energy drifts by more than the tolerance, with each
 step alike. */
 /// Throws RefinementFailed if the energy drifts by more than `tolerance` allows.
 void assert_conserved(const Run& run, double tolerance);
@@ -215,20 +253,25 @@ void assert_conserved(const Run& run, double tolerance);
 std::string escape_message(const Run& run);
 std::string broken_message(const std::string& history);
 
-/// The last two results, which agree. Throws RefinementFailed if the tolerance is not reached or can no more be reached,
-/// if no step is short enough, or if the energy drifts; RanAway if a bead does.
-template <class Compute, class Differ = EndState>
-auto converge(double tolerance, Compute compute, Differ differ = {}) {
-  auto pair = refine(tolerance, compute, differ, hopeless);
+/// `pair`, which must agree in what is `named`. Throws RefinementFailed if the tolerance is not reached or can no more
+/// be reached, if no step is short enough, or if the energy drifts; RanAway if a bead does.
+template <class Result>
+Refined<Result> converged(Refined<Result> pair, double tolerance, const std::string& named) {
   const Run fine = run_of(pair.fine);
   if (fine.broken()) throw RefinementFailed(broken_message(pair.history));
   if (!pair.converged)
-    throw RefinementFailed("the " + (fine.escaped() ? "times of escape" : differ.name) +
+    throw RefinementFailed("the " + (fine.escaped() ? "times of escape" : named) +
                            " of two resolutions differ by more than the tolerance (" +
                            pair.history + ")" + (pair.gave_up ? hopeless_advice : ""));
   if (fine.escaped()) throw RanAway(escape_message(fine));
   assert_conserved(fine, tolerance);
   return pair;
+}
+
+/// The last two results of `compute(stepper)`, which agree. Throws like `converged`.
+template <class Compute, class Differ = EndState>
+auto converge(double tolerance, Compute compute, Differ differ = {}) {
+  return converged(refine(tolerance, compute, differ, hopeless), tolerance, differ.name);
 }
 
 /**

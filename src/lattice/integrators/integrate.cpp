@@ -172,11 +172,11 @@ Stage<T> stage_at(const Scheme& scheme, double h, std::size_t steps, std::size_t
 template <class T>
 double Splitting::advance(const Chain& chain, State<T>& state, Window& window, double h,
                           std::size_t count) const {
-  const auto move = detail::plain_kick_drifter<T>(chain);
+  const auto move = detail::kick_drifter<T>(chain);
   double work = 0;
   for (std::size_t k = 0; k < stage_count(scheme, count); ++k) {
     const Stage<T> stage = stage_at<T>(scheme, h, count, k);
-    move(chain, state, window, stage.kick, stage.drift, {});
+    move(chain, state, window, stage.kick, stage.drift);
     work += double(window.last - window.first);
   }
   return work;

@@ -21,8 +21,8 @@ both. */
 #include <type_traits>
 #include <utility>
 
-#include "lattice/model/chain.hpp"
 #include "lattice/integrators/schemes.hpp"
+#include "lattice/model/chain.hpp"
 
 namespace lattice {
 
@@ -137,7 +137,7 @@ bool goes_on(Observer& observe, const State<double>& state) {
 }
 
 /**
-Some steppers keep work space between two calls of `advance` (contact_rkn.hpp, damped.hpp), others need
+Some steppers keep work space between two calls of `advance` (contact_rkn.hpp), others need
 none. To a run both look alike. */
 using Advance = std::function<double(State<double>&, Window&, double h, std::size_t count)>;
 using Look = std::function<bool(const State<double>&)>;

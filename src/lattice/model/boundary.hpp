@@ -11,9 +11,9 @@ is the only file that decides it:
         fixed      |---o---o---o---|        0 and N lead to a wall, a bead that never moves
         periodic   (---o---o---o---)        0 and N are one contact, between last and first bead
 
-Forces, energies, second derivatives, the search for contacts that open or close, and the tiles
-of a long run (tiling.hpp) all ask the same three questions: is there a contact, how far is it
-stretched, and which stiffness belongs to it? */
+Forces, energies, second derivatives and the search for contacts that open or close all ask the
+same three questions: is there a contact, how far is it stretched, and which stiffness belongs to
+it? */
 
 #include <cstddef>
 

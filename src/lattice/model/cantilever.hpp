@@ -114,6 +114,27 @@ struct Scales {
   double unit_force() const { return k * xi(); }
   /// The energy that is one, J.
   double unit_energy() const { return k * xi() * xi(); }
+
+  /**
+  Experiments count in milliseconds, hertz and micrometres. */
+  /// Milliseconds to units of tau_c.
+  double time(double ms) const { return ms * 1e-3 / tau_c(); }
+  /// Units of tau_c to milliseconds.
+  double milliseconds(double t) const { return t * tau_c() * 1e3; }
+  /// Metres per second to units of the chain.
+  double velocity(double si) const { return si / unit_velocity(); }
+  /// A displacement of the chain in micrometres.
+  double micrometres(double y) const { return y * xi() * 1e6; }
+  /// A rate of the chain in 1/s.
+  double per_second(double rate) const { return rate / tau_c(); }
+  /// A power of the chain in watts.
+  double watts(double power) const { return unit_energy() * per_second(power); }
+  /// A frequency in hertz as an angular one of the chain.
+  double omega(double hertz) const { return 2 * std::numbers::pi * hertz * tau_c(); }
+  /// An angular frequency of the chain in hertz.
+  double hertz(double omega) const { return omega / (2 * std::numbers::pi * tau_c()); }
+  /// The damping rate nu for a lifetime of the energy in ms; zero means no damping.
+  double rate(double lifetime) const { return lifetime > 0 ? 1 / time(lifetime) : 0; }
 };
 
 /**

@@ -79,18 +79,6 @@ struct Homogeneous {
 };
 
 /**
-What varies is known only when a program runs, but the loops want to know it when they are compiled. So
-the choice is made once per sweep, outside the loops: `sweep(variation)` is called with the type that
-fits. Null pointers stand for a homogeneous chain. */
-template <class Sweep>
-void with_variation(const Varied& varied, Sweep sweep) {
-  if (varied.mass)
-    sweep(varied);
-  else
-    sweep(Homogeneous{});
-}
-
-/**
 Both loops below need the contact forces of one block of sites, `lo` to `hi - 1`. `push[k]` receives
 that of contact `lo + k`, between sites `lo + k - 1` and `lo + k` (boundary.hpp). The first entry is
 known from the previous block, and at the end of the range the last one comes from the boundary
@@ -107,29 +95,14 @@ inline __attribute__((always_inline)) void block_contacts(const Contact& contact
   if (hi == n) push[hi - lo] = right;
 }
 
-/// How a sweep adds a kick to velocity `i` and a drift to position `i`: here by a plain rounded sum, in
-/// compensated.hpp together with what the rounding of earlier sums has lost.
-struct PlainSum {
-  template <class T>
-  __attribute__((always_inline)) void kick(T& v, std::size_t, T term) const {
-    v += term;
-  }
-  template <class T>
-  __attribute__((always_inline)) void drift(T& y, std::size_t, T term) const {
-    y += term;
-  }
-  /// The same for a range that begins at this site.
-  PlainSum from(std::size_t) const { return {}; }
-};
-
 /**
 A splitting method alternates kicks of the velocities and drifts of the positions (schemes.hpp). A site
 may be drifted as soon as its neighbours have read its old position, so a single sweep does both:
 $v \leftarrow v + k\,\ddot y(y)$ and then $y \leftarrow y + d\,v$, with `kick` $k$ and `drift` $d$. */
-template <class Sum, class Along, class T, class Onsite, class Contact>
+template <class Along, class T, class Onsite, class Contact>
 LATTICE_WIDE void sweep_kick_drift(const Onsite onsite, const Contact contact, T* __restrict__ y,
-                                   T* __restrict__ v, const Sum sum, const Along along,
-                                   std::size_t n, T left, T right, T kick, T drift) {
+                                   T* __restrict__ v, const Along along, std::size_t n, T left,
+                                   T right, T kick, T drift) {
   T push[kernel_block + 1];
   for (std::size_t lo = 0; lo < n; lo += kernel_block) {
     const std::size_t hi = lo + kernel_block < n ? lo + kernel_block : n;
@@ -137,8 +110,8 @@ LATTICE_WIDE void sweep_kick_drift(const Onsite onsite, const Contact contact, T
     left = push[hi - lo];
     for (std::size_t i = lo; i < hi; ++i) {
       const T a = along.bead(i, onsite.force(y[i]) + (push[i - lo] - push[i - lo + 1]));
-      sum.kick(v[i], i, kick * a);
-      sum.drift(y[i], i, drift * v[i]);
+      v[i] += kick * a;
+      y[i] += drift * v[i];
     }
   }
 }

@@ -5,19 +5,10 @@
 namespace lattice {
 
 template <class T>
-detail::KickDrift<T, PlainSum> detail::plain_kick_drifter(const Chain& chain) {
-  return kick_drifter<T, PlainSum>(chain);
-}
-
-template <class T>
-detail::BareKickDrift<T> detail::bare_kick_drifter(const Chain& chain) {
-  return with_pair<T>(chain, []<class W, class C>(const W&, const C&) -> BareKickDrift<T> {
-    return [](const Chain& c, T* y, T* v, const Varied& varied, std::size_t n, T left, T right,
-              const T& kick, const T& drift) {
-      with_variation(varied, [&](const auto& along) {
-        kick_drift_sites(known<W>(c.well), known<C>(c.contact), y, v, PlainSum{}, along, n, left,
-                         right, kick, drift);
-      });
+detail::KickDrift<T> detail::kick_drifter(const Chain& chain) {
+  return with_pair<T>(chain, []<class W, class C>(const W&, const C&) -> KickDrift<T> {
+    return [](const Chain& c, State<T>& state, Window& window, const T& kick, const T& drift) {
+      kick_drift(c, known<W>(c.well), known<C>(c.contact), state, window, kick, drift);
     };
   });
 }
@@ -25,12 +16,11 @@ detail::BareKickDrift<T> detail::bare_kick_drifter(const Chain& chain) {
 template <class T>
 void kick_drift(const Chain& chain, State<T>& state, Window& window, std::type_identity_t<T> kick,
                 std::type_identity_t<T> drift) {
-  detail::plain_kick_drifter<T>(chain)(chain, state, window, kick, drift, {});
+  detail::kick_drifter<T>(chain)(chain, state, window, kick, drift);
 }
 
-#define LATTICE_INSTANCES(T)                                                           \
-  template detail::KickDrift<T, PlainSum> detail::plain_kick_drifter<T>(const Chain&); \
-  template detail::BareKickDrift<T> detail::bare_kick_drifter<T>(const Chain&);        \
+#define LATTICE_INSTANCES(T)                                           \
+  template detail::KickDrift<T> detail::kick_drifter<T>(const Chain&); \
   template void kick_drift<T>(const Chain&, State<T>&, Window&, T, T);
 #include "lattice/model/instances.hpp"
 

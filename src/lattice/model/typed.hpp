@@ -107,28 +107,21 @@ void accelerate(const Chain& chain, const W& well, const C& contact, const T* y,
                });
 }
 
-/// `sum` says how a small number is added to a large one (kernel.hpp).
-template <class T, class W, class C, class Sum, class Along>
-void kick_drift_sites(const W& well, const C& contact, T* y, T* v, const Sum& sum,
-                      const Along& along, std::size_t count, T left, T right, const T& kick,
-                      const T& drift) {
-  if constexpr (has_loop<T, W, C>)
-    sweep_kick_drift(well, contact, y, v, sum, along, count, left, right, kick, drift);
-  else
-    sweep_blocks(well, contact, y, along, count, left, right, [&](std::size_t i, const T& a) {
-      sum.kick(v[i], i, kick * a);
-      sum.drift(y[i], i, drift * v[i]);
-    });
-}
-
-/// The call of chain.hpp for one well and one contact; `sum` says how a small number is added to a large one.
-template <class T, class W, class C, class Sum>
+/// The call of chain.hpp for one well and one contact.
+template <class T, class W, class C>
 void kick_drift(const Chain& chain, const W& well, const C& contact, State<T>& state,
-                Window& window, const T& kick, const T& drift, const Sum& sum) {
+                Window& window, const T& kick, const T& drift) {
   sweep_window(chain, contact, state.y.data(), window,
                [&](const auto& along, std::size_t at, std::size_t count, T left, T right) {
-                 kick_drift_sites(well, contact, state.y.data() + at, state.v.data() + at,
-                                  sum.from(at), along, count, left, right, kick, drift);
+                 T *y = state.y.data() + at, *v = state.v.data() + at;
+                 if constexpr (has_loop<T, W, C>)
+                   sweep_kick_drift(well, contact, y, v, along, count, left, right, kick, drift);
+                 else
+                   sweep_blocks(well, contact, y, along, count, left, right,
+                                [&](std::size_t i, const T& a) {
+                                  v[i] += kick * a;
+                                  y[i] += drift * v[i];
+                                });
                });
 }
 
@@ -137,9 +130,8 @@ Here the choice is made. A run of many short sweeps makes it once: `accelerator`
 function that fits the chain. */
 template <class T>
 using Accelerate = void (*)(const Chain&, const T* y, T* a, Window&);
-template <class T, class Sum>
-using KickDrift = void (*)(const Chain&, State<T>&, Window&, const T& kick, const T& drift,
-                           const Sum&);
+template <class T>
+using KickDrift = void (*)(const Chain&, State<T>&, Window&, const T& kick, const T& drift);
 
 /// Calls `use(well, contact)` with the two potentials of the chain by their own types if there is a loop for
 /// the pair, and otherwise by those of the chain.
@@ -172,27 +164,8 @@ const P& known(const Any& any) {
 template <class T>
 Accelerate<T> accelerator(const Chain& chain);
 
-/// `kick_drift` for this chain, to be instantiated where a way of adding is defined.
-template <class T, class Sum>
-KickDrift<T, Sum> kick_drifter(const Chain& chain) {
-  return with_pair<T>(chain, []<class W, class C>(const W&, const C&) -> KickDrift<T, Sum> {
-    return [](const Chain& c, State<T>& state, Window& window, const T& kick, const T& drift,
-              const Sum& sum) {
-      kick_drift(c, known<W>(c.well), known<C>(c.contact), state, window, kick, drift, sum);
-    };
-  });
-}
-
-/// The same with plain sums (kick_drift.cpp).
+/// `kick_drift` for this chain (kick_drift.cpp).
 template <class T>
-KickDrift<T, PlainSum> plain_kick_drifter(const Chain& chain);
-
-/// A kick and a drift of `n` sites by themselves, with the pushes at both edges (kick_drift.cpp).
-template <class T>
-using BareKickDrift = void (*)(const Chain&, T* y, T* v, const Varied&, std::size_t n, T left,
-                               T right, const T& kick, const T& drift);
-/// The function of this kind that fits the chain.
-template <class T>
-BareKickDrift<T> bare_kick_drifter(const Chain& chain);
+KickDrift<T> kick_drifter(const Chain& chain);
 
 }  // namespace lattice::detail

@@ -146,6 +146,12 @@ struct Well : OneOf<OwnWell, None, Harmonic, Quartic, Pendulum> {
   }
 };
 
+/// The same well by its simplest type: without anharmonicity the quartic one is `Harmonic`, with the same bits.
+inline Well simplest(const Well& well) {
+  const auto* quartic = std::get_if<Quartic>(&well);
+  return quartic && quartic->s == 0 ? Well{} : well;
+}
+
 /**
 The tail of a breather falls to $10^{-100}$ and below, and its positions are wanted with relative accuracy. A
 well may be right and yet lose all digits there: $1 - e^{-y}$ is zero for $y < 10^{-16}$. The wells above do not,

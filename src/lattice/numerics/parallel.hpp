@@ -17,7 +17,7 @@ namespace lattice {
 /// Cores that this process may use.
 std::size_t granted_cores();
 
-/// Sets the number of workers of `parallel_for` and of tiled runs from now on; zero stands for all
+/// Sets the number of workers of `parallel_for` from now on; zero stands for all
 /// granted cores. No result depends on it.
 void set_threads(std::size_t count);
 

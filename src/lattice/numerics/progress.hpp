@@ -10,28 +10,9 @@ clock; without one a `Progress` does nothing. No result depends on it. */
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace lattice {
-
-/**
-## When will it be done?
-
-The steps of a run become slower while its wave sets more and more beads in motion. So we let the share that is
-done grow like a power of the time, with the exponent from now and the last look before half of the time. It is one at
-a constant pace and one half for a wave of constant speed; beyond one half and two we trust it no longer. */
-/// Sees a stage now and then and tells when it will be done.
-class Forecast {
- public:
-  /// After `seconds` the share is done.
-  void see(double seconds, double share);
-  /// Seconds that are left; nothing while nothing is done, and where the stage is later than was foreseen.
-  std::optional<double> left(double seconds) const;
-
- private:
-  std::vector<std::pair<double, double>> seen_{};  ///< whenever the share had grown
-};
 
 /// A stage as it is shown.
 struct ShownStage {
@@ -47,8 +28,6 @@ std::string number_label(const std::string& what, double value);
 using Clock = double (*)();
 
 /**
-## Stages
-
 A stage begins inside of the one in which its thread is. It counts its parts with `tick` from any thread, or a single
 thread says by `reach` how much is done. */
 class Progress {
@@ -73,7 +52,7 @@ class Progress {
   friend class Watch;
   explicit Progress(Clock clock) : clock_(clock) {}
   double share() const;
-  Progress* slowest() const;
+  Progress* inner() const;
 
   std::string label_{};
   std::size_t total_ = 0;
@@ -83,12 +62,11 @@ class Progress {
   std::vector<Progress*> inside_{};
   Clock clock_ = nullptr;
   double since_ = 0;
-  Forecast forecast_{};
 };
 
 /**
 A `Watch` is the root of the tree. Where several workers are busy inside of a stage that counts, that stage is the
-last one to be told; if it does not count, the slowest of them goes on. */
+last one to be told; if it does not count, the oldest of them goes on. */
 /// As long as it lives the stages of this thread and its workers can be seen.
 class Watch {
  public:

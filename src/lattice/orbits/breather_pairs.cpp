@@ -57,11 +57,18 @@ void measure(BreatherPair& pair) {
   if (!settled(pair.equal_frequency) || !settled(pair.equal_area)) measure_in<Wide>(pair);
 }
 
+/// Double precision on the way to a pair, whose digits `measure` confirms: the last look needs no derivative of its own.
+static NewtonRule<double> on_the_way() {
+  NewtonRule<double> how;
+  how.keep = 1e-9;
+  return how;
+}
+
 // Climb one branch until it folds back in frequency
 std::vector<Orbit<double>> climb(Centre centre, double s, const std::vector<double>& omegas) {
   const auto problem = problem_of(centre, omegas.front(), s);
   std::vector<Orbit<double>> orbits{find_breather(problem)};
-  Branch branch(problem, along_omega<double>(), orbits.front(), 1);
+  Branch branch(problem, along_omega<double>(), orbits.front(), 1, on_the_way());
   try {
     for (std::size_t k = 1; k < omegas.size(); ++k) orbits.push_back(branch.reach(omegas[k]));
   } catch (const NoBranch&) {
@@ -101,8 +108,25 @@ BreatherPair pair_between(const BreatherPair& left, const BreatherPair& right, d
   for (int k : {0, 1})
     pair.orbit[k] = newton(problem_of(both_centres[k], omega, left.s),
                            Vector<double>((1 - part) * scaled(left.omega) * left.orbit[k].x +
-                                          part * scaled(right.omega) * right.orbit[k].x));
+                                          part * scaled(right.omega) * right.orbit[k].x),
+                           on_the_way());
   return pair;
+}
+
+/// The last two steps to a zero near `omega`: one at each tolerance. The second, which is what the two tolerances and
+/// the curvature make of the zero, is its error, with that of the barrier there over its slope.
+template <class T>
+Estimate last_steps(const BreatherPair& low, const BreatherPair& high, double omega,
+                    Estimate BreatherPair::*gap, Estimate BreatherPair::*slope) {
+  BreatherPair at;
+  double step = 0;
+  for (int coarser : {1, 0}) {
+    at = pair_between(low, high, omega);
+    measure_once<T>(at, coarser);
+    step = (at.*gap).value / (at.*slope).value;
+    omega -= step;
+  }
+  return {omega, std::abs((at.*gap).error / (at.*slope).value) + std::abs(step) + 1e-15};
 }
 
 // Newton's method for a vanishing barrier, with bisection if it would leave the bracket
@@ -110,34 +134,26 @@ Estimate zero_between(const BreatherPair& left, const BreatherPair& right,
                       Estimate BreatherPair::*gap) {
   const auto slope =
       gap == &BreatherPair::equal_area ? &BreatherPair::slope_area : &BreatherPair::slope;
-  const double below = (left.*gap).value, above = (right.*gap).value;
-  const double width = right.omega - left.omega;
-  double low = left.omega, high = right.omega, omega = low - below * width / (above - below);
-  BreatherPair at;
-  const auto newton_step = [&] { return (at.*gap).value / (at.*slope).value; };
+  const double above = (right.*gap).value, width = right.omega - left.omega;
+  BreatherPair low = left, high = right;
+  double omega = left.omega - (left.*gap).value * width / (above - (left.*gap).value);
   // Double precision goes as far as the barrier stands out from its error
   for (int k = 0; k < 40; ++k) {
-    at = pair_between(left, right, omega);
+    BreatherPair at = pair_between(low, high, omega);
     measure_once<double>(at);
-    (((at.*gap).value > 0) == (above > 0) ? high : low) = omega;
-    const double step = newton_step(), next = omega - step;
-    omega = low < next && next < high ? next : (low + high) / 2;
-    if (std::abs(step) < 1e-4 * width || std::abs((at.*gap).value) < 4 * (at.*gap).error) break;
+    const Estimate now = at.*gap;
+    const double step = now.value / (at.*slope).value, next = omega - step;
+    ((now.value > 0) == (above > 0) ? high : low) = std::move(at);
+    omega = low.omega < next && next < high.omega ? next : (low.omega + high.omega) / 2;
+    if (std::abs(step) < 1e-4 * width || std::abs(now.value) < 4 * now.error) break;
   }
 
-  /**
-  Two more steps are made with the wider type, one at each tolerance. The last of them, which is what the two
-  tolerances and the curvature make of the zero, is its error, with that of the barrier there over its slope. */
-  double step = 0;
-  for (int coarser : {1, 0}) {
-    at = pair_between(left, right, omega);
-    measure_once<Wide>(at, coarser);
-    step = newton_step();
-    omega -= step;
-  }
-  if (!(std::abs(step) < 1e-3 * width))
-    throw std::runtime_error("no zero of the barrier found near " + std::to_string(at.omega));
-  return {omega, std::abs((at.*gap).error / (at.*slope).value) + std::abs(step) + 1e-15};
+  // If that does not give eight digits, the wider type does
+  Estimate zero = last_steps<double>(low, high, omega, gap, slope);
+  if (!(zero.error < 1e-8)) zero = last_steps<Wide>(low, high, omega, gap, slope);
+  if (!(zero.error < 1e-3 * width))
+    throw std::runtime_error("no zero of the barrier found near " + std::to_string(omega));
+  return zero;
 }
 
 #define LATTICE_INSTANCES(T)                                                      \

@@ -144,8 +144,9 @@ BreatherPair pair_between(const BreatherPair& left, const BreatherPair& right, d
 
 /**
 Between two pairs of opposite sign a barrier vanishes. Its derivative is known with it, so that Newton's
-method, kept between the pairs, finds the frequency in double precision in a few steps. */
-/// The frequency at which `gap` vanishes. Throws std::runtime_error if the wider type does not confirm it.
+method, kept between the pairs, finds the frequency in double precision in a few steps. Two more steps, one at each
+tolerance, give its error; if that is above $10^{-8}$, they are made with the wider type. */
+/// The frequency at which `gap` vanishes. Throws std::runtime_error if it is not known to a thousandth of the bracket.
 Estimate zero_between(const BreatherPair& left, const BreatherPair& right,
                       Estimate BreatherPair::*gap);
 

@@ -122,14 +122,23 @@ void Branch<T>::advance() {
 
 /**
 At a fold $\ell$ has an extremum as a function of the arclength. We find it on the cubic that has the
-values and slopes of $\ell$ at both ends of the step across the fold (`Arc` of overlap.hpp). */
+values and slopes of $\ell$ at both ends of the step across the fold (`Arc` of overlap.hpp). A step that suffices to
+follow the branch is long for a cubic, so a copy of the branch makes it once more, with steps `finer` times shorter. */
 template <class T>
-T Branch<T>::fold(int most_steps) {
+T Branch<T>::fold(double finer, int most_steps) {
   T slope_before = slope();
+  Vector<T> tangent_before = tangent_;
   for (int k = 0; slope() * slope_before > T(0); ++k) {
     if (k == most_steps) throw NoBranch("no fold within the steps allowed");
     slope_before = slope();
+    tangent_before = tangent_;
     advance();
+  }
+  if (finer > 1) {
+    Branch again = *this;
+    again.z_ = before_, again.tangent_ = tangent_before;
+    again.stride_.most /= finer, again.length_ /= finer;
+    return again.fold(1, most_steps);
   }
   const Arc<T> arc{ell(before_), slope_before, ell(z_), slope(), (z_ - before_).norm()};
   const T place = Arc<T>::last(T(1), [&](T s) { return arc.slope(s) * slope_before > T(0); });

@@ -105,9 +105,9 @@ class Branch {
   T slope() const { return tangent_[tangent_.size() - 1]; }
   /// Takes one step; throws NewtonFailed if even the shortest one fails.
   void advance();
-  /// Follows the branch through its next fold and returns the extreme parameter; throws NoBranch if
-  /// there is none within `most_steps`.
-  T fold(int most_steps = 400);
+  /// Follows the branch through its next fold and returns the extreme parameter, from steps that are `finer` times
+  /// shorter than those of the branch; throws NoBranch if there is none within `most_steps`.
+  T fold(double finer = 16, int most_steps = 400);
   /// Follows the branch up to `target` and converges there to the accuracy of `rule`; throws NoBranch
   /// if the branch turns back before.
   Orbit<T> reach(T target, int most_steps = 400);

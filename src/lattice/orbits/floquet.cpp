@@ -108,16 +108,13 @@ Matrix<T> perpendicular_to(const Vector<T>& f) {
 template <class T>
 Pairs<T> pairs_of(const Matrix<T>& k, const Vector<T>& f) {
   const Matrix<T> basis = perpendicular_to(f);
-  const Eigenpairs<T> found = eigenpairs_of(Matrix<T>(basis.transpose() * k * basis));
-  std::vector<std::pair<std::complex<T>, Eigen::Index>> all;
-  for (Eigen::Index i = 0; i < k.rows() - 1; ++i) all.emplace_back(found.values[std::size_t(i)], i);
-  std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
-    return std::norm(a.first) < std::norm(b.first);
-  });
-  // It is the pair nearest to +1, with the smallest kappa; its mode is what shifts the breather
+  const Matrix<T> restricted = basis.transpose() * k * basis;
   Pairs<T> pairs;
-  for (const auto& one : all) pairs.kappa.push_back(one.first);
-  pairs.mode = basis * found.vectors.col(all.front().second);
+  pairs.kappa = eigenvalues_of(restricted);
+  // The pinning pair is the one nearest to +1, with the smallest kappa; its mode is what shifts the breather
+  std::stable_sort(pairs.kappa.begin(), pairs.kappa.end(),
+                   [](const auto& a, const auto& b) { return std::norm(a) < std::norm(b); });
+  pairs.mode = basis * eigenvector_of<T>(restricted, pairs.pinning());
   pairs.mode /= pairs.mode.norm();
   pairs.phase_error = sup<T>(k.transpose() * f / f.norm());
   return pairs;

@@ -124,7 +124,9 @@ Solution<T> iterate(const NewtonProblem<T>& problem, Vector<T> x, const NewtonRu
     const Progress progress(iteration_label(i, double(last)));
     refuse_rest(problem, guess, x, best);
     // By how much does the orbit from here fail to close?
-    Shot<T> shot = problem.shoot(x, rule.events, jacobian);
+    const bool fresh = jacobian && !(last < T(rule.keep));
+    Shot<T> shot = problem.shoot(x, rule.events, fresh);
+    if (jacobian && !fresh) shot.jacobian = best.shot.jacobian;
     const T residual = residual_of(problem, shot, x, rule);
     best.history.push_back({double(residual), 0});
     if (!(residual < T(rule.graded ? 1e300 : 1e3)))

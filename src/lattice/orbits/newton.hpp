@@ -95,6 +95,7 @@ struct NewtonRule {
   bool graded = false;         ///< demand relative accuracy of every site
   bool damped = false;         ///< halve a step until it lowers the residual
   double rank = 0;             ///< see solve_system
+  double keep = 0;             ///< where the residual falls below it the last derivative serves on
   /// A residual below which the method may stop, as soon as the residual no longer falls. A shot of many
   /// steps misses by some multiple of the tolerance of one; relative to the local size, in the tail, by
   /// a thousand times more.
@@ -157,7 +158,8 @@ Solution<T> iterate(const NewtonProblem<T>& problem, Vector<T> x, const NewtonRu
                     bool jacobian, const Direction<T>& direction);
 
 /**
-The plain method uses the derivative at each point. `solve` returns the solution near the guess `x`, or
+The plain method uses the derivative at each point, of which the columns of the tangent take most of the time; once the
+residual has fallen below `keep`, the derivative of that point is good enough for all digits. `solve` returns the solution near the guess `x`, or
 throws NewtonFailed, with the history. */
 template <class T>
 Solution<T> solve(const NewtonProblem<T>& problem, const Vector<T>& x,

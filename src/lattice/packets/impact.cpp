@@ -19,6 +19,7 @@ Impact complete(Impact impact) {
 }
 
 State<double> struck(std::size_t sites, double velocity) {
+  if (sites == 0) throw std::invalid_argument("a chain of no sites cannot be struck");
   State<double> state(sites);
   state.v[0] = velocity;
   return state;

@@ -19,9 +19,9 @@ energy and the front-most packet, and it sees to it that nothing comes back from
 #include <utility>
 #include <vector>
 
+#include "lattice/integrators/accuracy.hpp"
 #include "lattice/model/chain.hpp"
 #include "lattice/packets/observe.hpp"
-#include "lattice/integrators/accuracy.hpp"
 
 namespace lattice {
 
@@ -53,7 +53,7 @@ struct FarEndReached : std::runtime_error {
 };
 
 /// What is struck, and how it is watched; dimensionless, as in Eqs. (9), (10) and (26). By default the
-/// impact of the article's section 3.4. A chain of no sites is made `endless`.
+/// impact of the article's section 3.4. A chain of no sites has its length from `complete`.
 struct Impact {
   double velocity = 1.87;
   Chain chain{100};
@@ -64,10 +64,10 @@ struct Impact {
   bool denser = true;       ///< a refinement (accuracy.hpp) also takes more samples
 };
 
-/// The same impact on a chain that has a length.
+/// The same impact, on an `endless` chain if it has no sites.
 Impact complete(Impact impact);
 
-/// The chain at rest but for its first bead, Eq. (26).
+/// The chain at rest but for its first bead, Eq. (26). Throws std::invalid_argument without sites.
 State<double> struck(std::size_t sites, double velocity);
 
 /**
@@ -128,23 +128,23 @@ void go_on(const Stepper& stepper, const Impact& impact, ImpactRun& run, double 
   assert_quiet(impact, run);
 }
 
-/// The whole run from the impact on.
+/// The whole run from the impact on, of a chain that has a length.
 template <class Stepper, class Watch = Unwatched>
 ImpactRun strike(const Stepper& stepper, const Impact& impact, Watch watch = {}) {
-  const Impact whole = complete(impact);
-  ImpactRun run{struck(whole.chain.sites, whole.velocity)};
-  go_on(stepper, whole, run, whole.time, std::move(watch));
+  ImpactRun run{struck(impact.chain.sites, impact.velocity)};
+  go_on(stepper, impact, run, impact.time, std::move(watch));
   return run;
 }
 
 /**
 For errors the chain is struck twice, with resolutions that agree to `tolerance` (accuracy.hpp), by default
 in their end states. */
-/// Throws like `converge`, and FarEndReached.
+/// Throws like `converged`, and FarEndReached.
 template <class Differ = EndState>
 Refined<ImpactRun> strike_to(double tolerance, const Impact& impact, Differ differ = {}) {
-  return converge(
-      tolerance, [&](const ContactAware& stepper) { return strike(stepper, impact); }, differ);
+  Refinement<ImpactRun, Differ, decltype(&hopeless)> runs(tolerance, differ, hopeless);
+  while (runs.wants_more()) runs.add(strike(runs.stepper(), impact));
+  return converged(std::move(runs).last_two(), tolerance, differ.name);
 }
 
 /**

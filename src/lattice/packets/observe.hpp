@@ -11,6 +11,7 @@ with $c$ the site of its largest density and $m = 5$, how fast it moves, and how
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <stdexcept>
@@ -109,7 +110,9 @@ struct Unwatched {
 Where does the stretch begin? Our choice is site 20, twice the packet's window away from the struck end.
 The front-most packet is followed, because a second and slower one can carry as much energy (as it does
 at $s = -1/6$). */
-inline constexpr double fit_from = 20, far_away = 1e9;
+inline constexpr double fit_from = 20;
+/// Where no packet ever is: the end of a stretch that has none.
+inline constexpr double far_away = std::numeric_limits<double>::infinity();
 
 /**
 `packet_speed` is the speed of a packet between `fit_from` and `to`, in sites per unit of time, with the

@@ -20,10 +20,9 @@ over a stated width with the weight $1+\cos(2\pi t/\text{width})$. */
 #include <utility>
 #include <vector>
 
-#include "lattice/numerics/criterion.hpp"
+#include "lattice/integrators/accuracy.hpp"
 #include "lattice/numerics/estimate.hpp"
 #include "lattice/packets/impact.hpp"
-#include "lattice/integrators/accuracy.hpp"
 
 namespace lattice {
 
@@ -197,23 +196,5 @@ internal period, and only their mean counts. */
 
 /// The fate of a struck packet before site `horizon`, with steps halved `halvings` times.
 Outlook probe(double velocity, double s, double horizon, int halvings);
-
-/**
-What the article says of such packets in words becomes conditions (criterion.hpp); the bounds are ours, and
-the chapters give the reasons. A packet is reversed if it has an apex, if the force on it points backward on
-the way out and on the way back, and if the time of its rebound is known within ten units. Another is only
-slowed down, moderately, if it does not turn and is pulled less than half as much. */
-/// From the time of the apex, the forces on both ways and the time of the rebound.
-Criterion reversed_packet(const Estimate& apex_time, const Estimate& out, const Estimate& back,
-                          const Estimate& return_time);
-
-/// From whether it `slows` down without turning, and the forces on it and on one that turns.
-Criterion slowed_packet(bool slows, const Estimate& force, const Estimate& turning_force);
-
-/**
-An ensemble of such packets becomes erratic if its centres stay together within a quarter of a site on the
-way out and back, and spread over more than three long after. */
-/// From the spread of an ensemble until the return and late.
-Criterion erratic_packets(const Estimate& early, const Estimate& late);
 
 }  // namespace lattice

@@ -15,7 +15,7 @@ and $\varphi$. */
 #include <cstddef>
 #include <vector>
 
-#include "sec5/driven_chain.hpp"
+#include "lattice/integrators/driven_chain.hpp"
 
 namespace lattice {
 
@@ -63,8 +63,8 @@ struct Stretch {
   std::size_t from = 12, to = 28, which = 1;
 };
 
-/// Runs a bench from `start` until the packet has passed. Throws std::runtime_error if it has not within `duration`.
-Traveller traveller_on(const DrivenChain& bench, State<double> start, double duration, double step,
+/// Runs a chain from `start` until the packet has passed. Throws std::runtime_error if it has not within `duration`.
+Traveller traveller_on(const DrivenChain& driven, State<double> start, double duration, double step,
                        const Stretch& stretch);
 
 /**

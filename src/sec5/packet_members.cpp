@@ -1,4 +1,4 @@
-#include "sec5/traveller.hpp"
+#include "sec5/packet_members.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -35,11 +35,11 @@ double joined(double x, const std::vector<double>& xs, const std::vector<double>
 
 /// A member, set free in a resting chain and seen over two sites; its own T and phase are known.
 Traveller set_free(const Orbit<double>& member, double phase) {
-  const DrivenChain bench{Chain{32}};
+  const DrivenChain driven{Chain{32}};
   const double T = shift_time(member);
   const Stretch two{usual_reach + 3, usual_reach + 5, 1};
   const Traveller seen =
-      traveller_on(bench, embed(member.start, bench.chain.sites, 0), 8 * T, 0.1, two);
+      traveller_on(driven, embed(member.start, driven.chain.sites, 0), 8 * T, 0.1, two);
   return {T, phase, seen.energy, seen.width};
 }
 
@@ -121,11 +121,11 @@ Traveller TravellerWatch::traveller() const {
           std::exp(log_energy_ / samples_), width_ / samples_};
 }
 
-Traveller traveller_on(const DrivenChain& bench, State<double> start, double duration, double step,
+Traveller traveller_on(const DrivenChain& driven, State<double> start, double duration, double step,
                        const Stretch& stretch) {
-  TravellerWatch watch(bench.chain, stretch.from, stretch.to, stretch.which);
-  run_driven(bench, start, time_grid(duration, 2 * step, step),
-            [&](const State<double>& now, const EnergyBudget&) { return watch.look(now); });
+  TravellerWatch watch(driven.chain, stretch.from, stretch.to, stretch.which);
+  run_driven(driven, start, time_grid(duration, 2 * step, step),
+             [&](const State<double>& now, const EnergyBudget&) { return watch.look(now); });
   return watch.traveller();
 }
 

@@ -1,4 +1,4 @@
-#include "sec5/exchange.hpp"
+#include "sec5/wave_zeros.hpp"
 
 #include "sec5/travelling.hpp"
 

@@ -1,4 +1,4 @@
-#include "sec33/kicked.hpp"
+#include "sec33/kick_threshold.hpp"
 
 namespace lattice {
 

@@ -4,21 +4,19 @@
 
 In section 3.6 the first cantilever of a resting array is struck, Eq. (28): it gets the velocity $V$ in
 metres per second, and a packet runs away from it. The run is that of the dimensionless chain
-(cantilever.hpp, impact.hpp); this file translates to and from SI units, watches the packet pass a given
-cantilever, and, if the array is damped, follows it for ten milliseconds. */
+(cantilever.hpp, impact.hpp); this file translates to and from SI units and watches the packet pass a given
+cantilever. */
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <optional>
 #include <stdexcept>
 #include <vector>
 
 #include "lattice/model/cantilever.hpp"
 #include "lattice/packets/impact.hpp"
 #include "lattice/packets/pulse.hpp"
-#include "lattice/integrators/damped.hpp"
 
 namespace lattice {
 
@@ -27,23 +25,19 @@ struct NoPacket : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// An array and the blow on its first cantilever, Eq. (28).
+/// An array and the impact on its first cantilever, Eq. (28).
 struct StruckArray {
   CantileverArray array{};
   double velocity = 1;  ///< m/s
   Scales scales = array.scales();
 
-  /// The velocity of the blow in units of the chain.
-  double struck_velocity() const { return velocity / scales.unit_velocity(); }
-  /// A time in milliseconds in units of tau_c.
-  double time(double milliseconds) const { return milliseconds * 1e-3 / scales.tau_c(); }
-  /// A time in units of tau_c in milliseconds.
-  double milliseconds(double t) const { return t * scales.tau_c() * 1e3; }
+  /// The velocity of the impact in units of the chain.
+  double struck_velocity() const { return scales.velocity(velocity); }
 
   /// The impact on the dimensionless chain in which the defect's radius is `ratio` times the usual one,
   /// followed until `end` (ms), with looks at most `sample` apart (units of tau_c).
   Impact impact(double ratio, double end, double sample) const {
-    return {struck_velocity(), cantilever_chain(array, ratio), time(end), far_away, sample};
+    return {struck_velocity(), cantilever_chain(array, ratio), scales.time(end), far_away, sample};
   }
 };
 
@@ -93,29 +87,5 @@ pushes. So `strongest_forces` gives the strongest push, in newtons, of each cont
 equal times until `end` (in ms): entry `bin * contacts + n`. */
 std::vector<double> strongest_forces(const StruckArray& blow, double ratio, double end,
                                      std::size_t bins);
-
-/**
-## With damping
-
-How far does a packet come in a real array, which is damped (damped.hpp)? It reaches one contact after the
-other, each at the time of its strongest push, and between two of them it oscillates with the period of the
-later one. */
-struct Transit {
-  double sites = 0, oscillations = 0;  ///< after 10 ms, from the first contact on
-  double speed = 0, period = 0;        ///< sites/s and s, at the end
-  double energy = 0;                   ///< of the packet, over that of the impact
-};
-
-/// The strongest push of each contact, in the order of the contacts, or nothing where it is missing.
-using Pushes = std::vector<std::optional<Push>>;
-
-/// Sites and oscillations in the first 10 ms; throws NoPacket if the pushes do not reach so far.
-Transit journey_of(const StruckArray& blow, const Pushes& pushes);
-
-/**
-`travel` makes the run with the damping rate `rate` of the velocities, in 1/s. It looks at the first 40
-contacts, more than the packet passes in 10 ms, and goes on for 13 ms, so that the contact reached last has
-its strongest push within the run. */
-Transit travel(const StruckArray& blow, double rate, const Resolution& r);
 
 }  // namespace lattice

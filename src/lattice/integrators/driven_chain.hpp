@@ -1,11 +1,12 @@
 #pragma once
 /**
-# The chain on a bench
+# Damping and driving
 
 A real array loses energy and is driven from outside. This file adds both to the chain of chain.hpp, in its
 units:
-$$\mu_n\ddot y_n = F_n - \nu\,\mu_n\dot y_n + \varphi_n - \varphi_{n+1} + \delta_{n1}\,G(y_1,t).$$
-The rate $\nu$ is that of the beams; free oscillations lose their energy like $e^{-\nu t}$. Contacts lose
+$$\mu_n\ddot y_n = F_n - \nu_n\,\mu_n\dot y_n + \varphi_n - \varphi_{n+1} + \delta_{n1}\,G(y_1,t).$$
+The rate $\nu_n$ is that of a beam; free oscillations lose their energy like $e^{-\nu_n t}$. One rate for all sites
+makes a damped chain, rates that grow towards an end make an end that absorbs waves. Contacts lose
 energy by the viscosity of their material: in the law of Kuwabara and Kono (Jpn. J. Appl. Phys. 26, 1230,
 1987) the push of a contact with the overlap $x$ is $\eta\,(x^{3/2}+\frac32A\sqrt x\,\dot x)$, so that
 $\varphi_n = \frac32A\,\eta_n\sqrt{x_n}\,\dot x_n$ acts on bead $n$, and its opposite on the bead before. The
@@ -14,10 +15,10 @@ $G = (a\sin\Omega t-y_1)_+^{3/2}$, or the pull of the first beam, whose *base* m
 $G = a\sin\Omega t$.
 
 One step alternates these forces with a conservative step of contact_rkn.hpp in the symmetric order of
-Strang, as in damped.hpp. Each force alone is solved exactly at fixed positions, and the energy that it
-gives or takes is then a difference of kinetic energies. So every joule is booked: energy plus losses minus
-work stays constant but for the drift of the conservative step. As the bookkeeping cannot see the error of
-the alternation, which is of order two, that error is found by halving the step. */
+Strang. Each force alone is solved exactly at fixed positions, and the energy that it gives or takes is then
+a difference of kinetic energies. So every joule is in the energy budget: energy plus losses minus work stays
+constant but for the drift of the conservative step. As the budget cannot see the error of the alternation,
+which is of order two, that error is found by halving the step. */
 
 #include <cmath>
 #include <cstddef>
@@ -32,6 +33,8 @@ namespace lattice {
 /// What takes energy out of a chain: the rate nu of the beams, and the time A of the contacts.
 struct Losses {
   double rate = 0, contact = 0;  ///< per unit of time, and in units of time
+  /// Rates of the single beams, where they differ, instead of `rate`.
+  std::vector<double> of_site{};
 };
 
 /**
@@ -69,9 +72,11 @@ the observer returns false. The result is the largest deviation of energy + loss
 the start, relative to the largest energy that was there or came in. */
 using DrivenObserver = std::function<bool(const State<double>&, const EnergyBudget&)>;
 
-/// Carries `state` over the grid; returns that deviation.
-double run_driven(const DrivenChain& bench, State<double>& state, const TimeGrid& grid,
-                 const DrivenObserver& observe);
+/// Carries `state` over the grid; returns that deviation. Throws std::invalid_argument for losses that are negative or
+/// not finite, for rates that do not fit the chain's length, and if a chain whose ends are not free has losses in its
+/// contacts or is driven.
+double run_driven(const DrivenChain& driven, State<double>& state, const TimeGrid& grid,
+                  const DrivenObserver& observe);
 
 /**
 The constant $A$ of a material follows from a collision. Two equal beads that meet with the relative

@@ -1,4 +1,4 @@
-#include "sec5/driven_chain.hpp"
+#include "lattice/integrators/driven_chain.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -8,16 +8,22 @@
 namespace lattice {
 namespace {
 
+/// Half a step of friction: the factor of a velocity, and the part of mv^2 that it takes. `expm1` knows a small loss
+/// without cancellation, so that the budget balances over millions of steps.
+struct Friction {
+  double factor, loss;
+  Friction(double rate, double h)
+      : factor(std::exp(-rate * h / 2)), loss(-std::expm1(-rate * h) / 2) {}
+};
+
 /// One run: the steps, and what they book.
 class DrivenRun {
  public:
-  DrivenRun(const DrivenChain& bench, double h)
-      : bench_(bench),
-        h_(h),
-        stepper_{h},
-        memory_(stepper_.memory<double>(bench.chain)),
-        factor_(std::exp(-bench.losses.rate * h / 2)),
-        loss_(-std::expm1(-bench.losses.rate * h) / 2) {}
+  DrivenRun(const DrivenChain& driven, double h)
+      : driven_(driven), h_(h), stepper_{h}, memory_(stepper_.memory<double>(driven.chain)) {
+    for (double rate : driven.losses.of_site) friction_.emplace_back(rate, h);
+    if (friction_.empty()) friction_.assign(driven.chain.sites, {driven.losses.rate, h});
+  }
 
   void advance(State<double>& state, Window& window, std::size_t count) {
     for (std::size_t k = 0; k < count; ++k) {
@@ -25,7 +31,7 @@ class DrivenRun {
       push(state, window, start);
       rub_beams(state, window);
       rub_contacts(state, window, false);
-      stepper_.advance(bench_.chain, state, window, h_, 1, memory_);
+      stepper_.advance(driven_.chain, state, window, h_, 1, memory_);
       rub_contacts(state, window, true);
       rub_beams(state, window);
       state.t = start + h_;
@@ -36,12 +42,12 @@ class DrivenRun {
   EnergyBudget budget{};
 
  private:
-  double mass(std::size_t n) const { return bench_.chain.mass_of(n); }
+  double mass(std::size_t n) const { return driven_.chain.mass_of(n); }
 
   /// Half a step of the drive.
   void push(State<double>& state, Window& window, double t) {
-    if (bench_.drive.by == Drive::By::nothing) return;
-    const double kick = bench_.drive.force(t, state.y[0]) * h_ / 2;
+    if (driven_.drive.by == Drive::By::nothing) return;
+    const double kick = driven_.drive.force(t, state.y[0]) * h_ / 2;
     if (kick == 0) return;
     const double before = state.v[0];
     state.v[0] += kick / mass(0);
@@ -51,18 +57,18 @@ class DrivenRun {
 
   /// Half a step of the beams' friction.
   void rub_beams(State<double>& state, Window window) {
-    if (bench_.losses.rate == 0) return;
+    if (driven_.losses.rate == 0 && driven_.losses.of_site.empty()) return;
     double sum = 0;
     for (std::size_t n = window.first; n < window.last; ++n) {
-      sum += mass(n) * state.v[n] * state.v[n] * loss_;
-      state.v[n] *= factor_;
+      sum += mass(n) * state.v[n] * state.v[n] * friction_[n].loss;
+      state.v[n] *= friction_[n].factor;
     }
     budget.beams += sum;
   }
 
   /// Half a step of the contacts' friction, pair by pair, in one order or in the other.
   void rub_contacts(State<double>& state, Window window, bool backwards) {
-    if (bench_.losses.contact == 0 || window.last - window.first < 2) return;
+    if (driven_.losses.contact == 0 || window.last - window.first < 2) return;
     const std::size_t first = window.first + 1, last = window.last;
     for (std::size_t k = first; k < last; ++k)
       rub_pair(state, backwards ? first + last - 1 - k : k);
@@ -74,18 +80,18 @@ class DrivenRun {
     if (!(overlap > 0)) return;
     const double m = mass(i - 1), k = mass(i), reduced = m * k / (m + k);
     const double rate =
-        1.5 * bench_.losses.contact * bench_.chain.eta_of(i) * std::sqrt(overlap) / reduced;
+        1.5 * driven_.losses.contact * driven_.chain.eta_of(i) * std::sqrt(overlap) / reduced;
     const double w = state.v[i] - state.v[i - 1], lost = -std::expm1(-rate * h_ / 2);
     budget.contacts += reduced / 2 * w * w * lost * (2 - lost);
     state.v[i - 1] += lost * w * reduced / m;
     state.v[i] -= lost * w * reduced / k;
   }
 
-  const DrivenChain& bench_;
+  const DrivenChain& driven_;
   double h_;
   ContactAware stepper_;
   NystromMemory<double> memory_;
-  double factor_, loss_;
+  std::vector<Friction> friction_{};
 };
 
 }  // namespace
@@ -97,16 +103,20 @@ double Drive::force(double t, double y) const {
 }
 
 // All energy is accounted for at every sample
-double run_driven(const DrivenChain& bench, State<double>& state, const TimeGrid& grid,
-                 const DrivenObserver& observe) {
-  const Losses& losses = bench.losses;
-  if (!(losses.rate >= 0 && losses.contact >= 0))
-    throw std::invalid_argument("losses must not be negative");
-  if (bench.chain.ends != Ends::free)
-    throw std::invalid_argument("the bench holds chains with free ends");
-  DrivenRun run(bench, grid.step());
-  Window window = waking(bench.chain, state);
-  const double start = energy(bench.chain, state), t0 = state.t;
+double run_driven(const DrivenChain& driven, State<double>& state, const TimeGrid& grid,
+                  const DrivenObserver& observe) {
+  const Losses& losses = driven.losses;
+  const auto good = [](double rate) { return rate >= 0 && std::isfinite(rate); };
+  if (!(good(losses.rate) && good(losses.contact) && std::ranges::all_of(losses.of_site, good)))
+    throw std::invalid_argument("losses must be finite and not negative");
+  if (!losses.of_site.empty() && losses.of_site.size() != driven.chain.sites)
+    throw std::invalid_argument("losses of single sites need one rate a site");
+  if (driven.chain.ends != Ends::free &&
+      (losses.contact > 0 || driven.drive.by != Drive::By::nothing))
+    throw std::invalid_argument("a drive and losses in contacts need a chain with free ends");
+  DrivenRun run(driven, grid.step());
+  Window window = waking(driven.chain, state);
+  const double start = energy(driven.chain, state), t0 = state.t;
   double scale = start, open = 0;
   if (!observe(state, run.budget)) return 0;
   Progress progress(number_label("step", grid.step()), 1);
@@ -114,7 +124,7 @@ double run_driven(const DrivenChain& bench, State<double>& state, const TimeGrid
     run.advance(state, window, grid.steps);
     state.t = t0 + double(k) * grid.interval();
     const EnergyBudget& l = run.budget;
-    const double now = energy(bench.chain, state);
+    const double now = energy(driven.chain, state);
     scale = std::max({scale, now, l.work});
     open = std::max(open, std::abs(now + l.beams + l.contacts - l.work - start));
     if (!observe(state, l)) break;
@@ -123,15 +133,15 @@ double run_driven(const DrivenChain& bench, State<double>& state, const TimeGrid
   return scale > 0 ? open / scale : 0;
 }
 
-// Two beads on a bench without wells, until they have parted
+// Two beads without wells, until they have parted
 double restitution(double contact, double velocity) {
-  const DrivenChain bench{Chain{2, None{}}, {0, contact}};
+  const DrivenChain driven{Chain{2, None{}}, {0, contact}};
   State<double> state(2);
   state.v[0] = velocity;
   // The collision of equal beads lasts 2.43 / velocity^(1/5); afterwards they fly apart
   const double unit = std::pow(velocity, -0.2);
-  run_driven(bench, state, time_grid(6 * unit, 6 * unit, unit / 512),
-            [](const State<double>&, const EnergyBudget&) { return true; });
+  run_driven(driven, state, time_grid(6 * unit, 6 * unit, unit / 512),
+             [](const State<double>&, const EnergyBudget&) { return true; });
   return (state.v[1] - state.v[0]) / velocity;
 }
 

@@ -1,4 +1,4 @@
-#include "sec5/driven.hpp"
+#include "sec5/driven_end.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -53,10 +53,10 @@ State<double> state_of(const Vector<double>& x) {
   return out;
 }
 
-/// Counts the packets that pass a gate, from the highest energy in each period.
-class Turnstile {
+/// Counts the packets that pass a detector, from the highest energy in each period.
+class PacketCounter {
  public:
-  Turnstile(double period, double floor) : period_(period), floor_(floor) {}
+  PacketCounter(double period, double floor) : period_(period), floor_(floor) {}
 
   void look(double t, double energy, std::vector<double>& passages) {
     highest_ = std::max(highest_, energy);
@@ -106,12 +106,12 @@ Sizes<double> DrivenOrbit::sizes(const Vector<double>& x, bool) const {
 
 // One period of the drive
 Vector<double> DrivenOrbit::miss(const Vector<double>& x) const {
-  DrivenChain driven = bench;
-  driven.drive.amplitude = x[x.size() - 1];
+  DrivenChain other = driven;
+  other.drive.amplitude = x[x.size() - 1];
   State<double> state = state_of(x);
-  const double period = 2 * std::numbers::pi / bench.drive.omega;
+  const double period = 2 * std::numbers::pi / driven.drive.omega;
   const TimeGrid one{period, 1, steps};
-  run_driven(driven, state, one, [](const State<double>&, const EnergyBudget&) { return true; });
+  run_driven(other, state, one, [](const State<double>&, const EnergyBudget&) { return true; });
   Vector<double> out(x.size() - 1);
   for (std::size_t i = 0; i < state.y.size(); ++i) {
     out[Eigen::Index(i)] = state.y[i] - x[Eigen::Index(i)];
@@ -141,11 +141,12 @@ Shot<double> DrivenOrbit::shoot(const Vector<double>& x, const EventTolerance<do
 }
 
 // Steps along the curve, and a parabola through the three points about the largest amplitude
-QuietBranch quiet_branch(const DrivenChain& bench, std::size_t steps, double apart) {
-  const Eigen::Index n = Eigen::Index(2 * bench.chain.sites + 1);
-  const double law = threshold_law(bench.drive.by, bench.drive.omega);
-  const double size = threshold_law(Drive::By::piston, bench.drive.omega);
-  DrivenOrbit problem{bench, steps};
+QuietBranch quiet_branch(const DrivenChain& driven, std::size_t steps, double apart,
+                         double beyond) {
+  const Eigen::Index n = Eigen::Index(2 * driven.chain.sites + 1);
+  const double law = threshold_law(driven.drive.by, driven.drive.omega);
+  const double size = threshold_law(Drive::By::piston, driven.drive.omega);
+  DrivenOrbit problem{driven, steps};
   problem.scale = size;
   NewtonRule<double> rule;
   rule.events.tolerance = 1e-11;
@@ -178,7 +179,7 @@ QuietBranch quiet_branch(const DrivenChain& bench, std::size_t steps, double apa
       const double top = (s0 + s1) / 2 - first / (2 * bend);
       out.fold = a0 + (top - s0) * (first + bend * (top - s1));
     }
-    if (out.amplitude[m - 1] < 0.8 * out.fold) return out;
+    if (out.amplitude[m - 1] < beyond * out.fold) return out;
   }
   return out;
 }
@@ -205,46 +206,50 @@ bool Emission::lasts(double duration, double silence) const {
   return !passages.empty() && passages.back() + silence > duration;
 }
 
-// What passes the gate, and what the drive gives
-Emission drive_chain(const DrivenChain& bench, double duration, std::size_t gate, double step,
+// What passes the detector, and what the drive gives
+Emission drive_chain(const DrivenChain& driven, double duration, std::size_t detector, double step,
                      std::size_t enough, double silence) {
-  const double a = std::max(bench.drive.amplitude, bench.drive.from);
-  const double size = bench.drive.by == Drive::By::piston ? a : a / (bench.drive.omega - 1);
-  Turnstile turnstile(2 * std::numbers::pi / bench.drive.omega, 0.03 * size * size);
+  const double a = std::max(driven.drive.amplitude, driven.drive.from);
+  const double size = driven.drive.by == Drive::By::piston ? a : a / (driven.drive.omega - 1);
+  PacketCounter counter(2 * std::numbers::pi / driven.drive.omega, 0.03 * size * size);
   Emission out;
-  State<double> state(bench.chain.sites);
+  State<double> state(driven.chain.sites);
   double half = 0;
-  out.budget = run_driven(bench, state, time_grid(duration, 0.4, step),
-                         [&](const State<double>& now, const EnergyBudget& l) {
-                           const double y = now.y[gate - 1], v = now.v[gate - 1];
-                           const double density = (y * y + v * v) / 2;
-                           turnstile.look(now.t, density, out.passages);
-                           out.loudest = std::max(out.loudest, density / (size * size));
-                           if (now.t <= duration / 2)
-                             half = l.work;
-                           else
-                             out.response = std::max(out.response, std::abs(now.y[0]));
-                           out.power = (l.work - half) / (duration / 2);
-                           out.far = std::max(out.far, std::abs(now.y.back()));
-                           const double heard = out.passages.empty() ? 0 : out.passages.back();
-                           return out.passages.size() < enough && now.t < heard + silence;
-                         });
+  out.budget =
+      run_driven(driven, state, time_grid(duration, 0.4, step),
+                 [&](const State<double>& now, const EnergyBudget& l) {
+                   const double y = now.y[detector - 1], v = now.v[detector - 1];
+                   const double density = (y * y + v * v) / 2;
+                   counter.look(now.t, density, out.passages);
+                   out.loudest = std::max(out.loudest, density / (size * size));
+                   if (now.t <= duration / 2)
+                     half = l.work;
+                   else
+                     out.response = std::max(out.response, std::abs(now.y[0]));
+                   out.power = (l.work - half) / (duration / 2);
+                   out.far = std::max(out.far, std::abs(now.y.back()));
+                   const double heard = out.passages.empty() ? 0 : out.passages.back();
+                   const bool lasting = std::isfinite(silence) && out.lasts(duration, silence);
+                   return out.passages.size() < enough && now.t < heard + silence && !lasting;
+                 });
   return out;
 }
 
-std::vector<double> drive_map(const DrivenChain& bench, double duration, std::size_t bins, double step) {
-  const std::size_t sites = bench.chain.sites;
+std::vector<double> drive_map(const DrivenChain& driven, double duration, std::size_t bins,
+                              double step) {
+  const std::size_t sites = driven.chain.sites;
   std::vector<double> map(bins * sites, 0.0);
   State<double> state(sites);
-  run_driven(
-      bench, state, time_grid(duration, 0.8, step), [&](const State<double>& now, const EnergyBudget&) {
-        const std::size_t bin = std::min(bins - 1, std::size_t(now.t / duration * double(bins)));
-        for (std::size_t n = 0; n < sites; ++n) {
-          const double e = (now.y[n] * now.y[n] + now.v[n] * now.v[n]) / 2;
-          map[bin * sites + n] = std::max(map[bin * sites + n], e);
-        }
-        return true;
-      });
+  run_driven(driven, state, time_grid(duration, 0.8, step),
+             [&](const State<double>& now, const EnergyBudget&) {
+               const std::size_t bin =
+                   std::min(bins - 1, std::size_t(now.t / duration * double(bins)));
+               for (std::size_t n = 0; n < sites; ++n) {
+                 const double e = (now.y[n] * now.y[n] + now.v[n] * now.v[n]) / 2;
+                 map[bin * sites + n] = std::max(map[bin * sites + n], e);
+               }
+               return true;
+             });
   return map;
 }
 

@@ -31,9 +31,9 @@ $$a_{\rm piston} = 8\tau_0^2\,\delta^2\,\max|u_0|,\qquad a_{\rm base} = 16\tau_0
 #include <utility>
 #include <vector>
 
+#include "lattice/integrators/driven_chain.hpp"
 #include "lattice/numerics/estimate.hpp"
 #include "lattice/orbits/newton.hpp"
-#include "sec5/driven_chain.hpp"
 
 namespace lattice {
 
@@ -57,7 +57,7 @@ plane across the curve of solutions. The flow is that of driven_chain.hpp with a
 comes from differences, which cost little for a dozen beads. */
 struct DrivenOrbit {
   using Scalar = double;
-  DrivenChain bench;
+  DrivenChain driven;
   std::size_t steps = 64;          ///< per period of the drive
   Vector<double> from{}, along{};  ///< a point of the curve and its direction, in units of `scale`
   double length = 0;               ///< how far along the direction the plane lies
@@ -80,14 +80,15 @@ struct QuietBranch {
 };
 
 /// Follows the quiet orbit, with `steps` steps a period, from point to point at the distance `apart` in units of the
-/// law for a piston. The drive of `bench` says what is driven and how fast; its amplitude is not used. Throws
-/// NewtonFailed.
-QuietBranch quiet_branch(const DrivenChain& bench, std::size_t steps, double apart = 0.1);
+/// law for a piston, until its amplitude has fallen to the share `beyond` of the fold. The drive of `driven` says what is
+/// driven and how fast; its amplitude is not used. Throws NewtonFailed.
+QuietBranch quiet_branch(const DrivenChain& driven, std::size_t steps, double apart = 0.1,
+                         double beyond = 0.8);
 
 /**
 ## What comes out
 
-Behind a gate bead we count packets. The gate's energy density, as its maximum in each period of the drive,
+Behind a detector bead we count packets. Its energy density, as its maximum in each period of the drive,
 must rise fourfold from its last minimum and above 0.03 $a^2$ to count, for a base 0.03 $(a/\delta)^2$, and fall to
 half before the next one can. Intervals between packets that differ by less than a tenth make a train. */
 struct Emission {
@@ -95,7 +96,7 @@ struct Emission {
   double power = 0;                ///< mean power of the drive in the second half of the run
   double response = 0;             ///< largest displacement of the first bead in the second half
   double far = 0;                  ///< and of the last one in the whole run
-  double loudest = 0;  ///< largest energy density at the gate, in units of a^2 or (a / delta)^2
+  double loudest = 0;  ///< largest energy density at the detector, in units of a^2 or (a / delta)^2
   double budget = 0;   ///< see run_driven
 
   /// Packets per unit of time in the second half of a run of this length.
@@ -106,14 +107,15 @@ struct Emission {
   bool lasts(double duration, double silence) const;
 };
 
-/// Runs the bench from rest for `duration`, or until as many packets have passed the gate as are `enough`, or none has
-/// for the time `silence`.
-Emission drive_chain(const DrivenChain& bench, double duration, std::size_t gate, double step,
+/// Runs the chain from rest for `duration`, or until as many packets have passed the detector as are `enough`. With a
+/// `silence` the run ends once it is known whether emission lasts: none has passed for that time, or one in the last.
+Emission drive_chain(const DrivenChain& driven, double duration, std::size_t detector, double step,
                      std::size_t enough = std::numeric_limits<std::size_t>::max(),
                      double silence = std::numeric_limits<double>::infinity());
 
 /// Density maps: energy of each bead, the maximum in each of `bins` equal times; entry bin * sites + n.
-std::vector<double> drive_map(const DrivenChain& bench, double duration, std::size_t bins, double step);
+std::vector<double> drive_map(const DrivenChain& driven, double duration, std::size_t bins,
+                              double step);
 
 /**
 A threshold is found by halving an interval of amplitudes, of which the lower end is quiet and the upper one

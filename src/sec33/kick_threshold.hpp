@@ -16,10 +16,10 @@ $c_c$. This file predicts $c_c$ from one period of the tangent map and the barri
 #include <string>
 #include <vector>
 
+#include "lattice/integrators/contact_rkn.hpp"
 #include "lattice/numerics/estimate.hpp"
 #include "lattice/numerics/parallel.hpp"
 #include "lattice/orbits/breather.hpp"
-#include "lattice/integrators/contact_rkn.hpp"
 #include "sec33/depinning.hpp"
 
 namespace lattice {

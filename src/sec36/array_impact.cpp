@@ -1,4 +1,4 @@
-#include "lattice/packets/array_impact.hpp"
+#include "sec36/array_impact.hpp"
 
 namespace lattice {
 
@@ -31,7 +31,7 @@ double mean_speed(const WatchedRun& run, const StruckArray& blow, std::size_t n)
 
 double duration_above(const WatchedRun& run, const StruckArray& blow, double threshold) {
   const double most = *std::max_element(run.at.force.begin(), run.at.force.end());
-  return blow.milliseconds(time_above(run.at.t, run.at.force, threshold * most));
+  return blow.scales.milliseconds(time_above(run.at.t, run.at.force, threshold * most));
 }
 
 // Of each contact keep the strongest push in each interval, so that no short push is missed
@@ -49,48 +49,6 @@ std::vector<double> strongest_forces(const StruckArray& blow, double ratio, doub
     }
   });
   return map;
-}
-
-// From one contact to the next the packet oscillates with the period that it has at the later one
-Transit journey_of(const StruckArray& blow, const Pushes& pushes) {
-  const double end = blow.time(10);
-  Transit out;
-  double last = 0, site = 0;
-  for (std::size_t n = 1; n < pushes.size() && last < end; ++n) {
-    if (!pushes[n]) continue;
-    const Push& push = *pushes[n];
-    // Of the last stretch only what lies before the end counts
-    const double until = std::min(push.t, end), dwell = (push.t - last) / (double(n) - site);
-    out.oscillations += (until - last) / push.period;
-    out.sites += (until - last) / dwell;
-    out.speed = 1 / (dwell * blow.scales.tau_c());
-    out.period = push.period * blow.scales.tau_c();
-    last = until, site = double(n);
-  }
-  if (last < end) throw NoPacket("the packet cannot be followed for 10 ms");
-  return out;
-}
-
-// Follow a packet through a damped array
-Transit travel(const StruckArray& blow, double rate, const Resolution& r) {
-  const Impact impact = blow.impact(1, 13, r.sample);
-  const double end = blow.time(10);
-  std::vector<double> t, density;
-  std::vector<std::vector<double>> force(40);
-  const Damped damped(ContactAware{r.step}, rate * blow.scales.tau_c());
-  strike(damped, impact, [&](const State<double>& now, const std::vector<double>& e) {
-    t.push_back(now.t);
-    for (std::size_t n = 0; n < force.size(); ++n)
-      force[n].push_back(contact_push(impact.chain, now.y.data(), n + 1));
-    if (now.t <= end) density = e;
-  });
-  // The pushes tell how far it comes, the energy at 10 ms what it has kept on the way
-  Pushes pushes;
-  for (const auto& f : force) pushes.push_back(strongest_push(t, f));
-  Transit out = journey_of(blow, pushes);
-  if (const auto peak = front_packet(density))
-    out.energy = window_sum(density, *peak) / (impact.velocity * impact.velocity / 2);
-  return out;
 }
 
 }  // namespace lattice

@@ -1,0 +1,2 @@
+#define LATTICE_LONG
+#include "dense.cpp"
