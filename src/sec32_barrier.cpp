@@ -194,7 +194,7 @@ that all three wells share are [5e-8](num:sec32_barrier.relative_mean_linear) in
 one, and the criterion compares them; at $1.3$ and at the upper ends of the curves it is the smallest, too. An earlier
 criterion compared frequency by frequency, more than the sentence says. There the linear well has the smallest ratio
 at [50](num:sec32_barrier.linear_smallest_at) of these frequencies, and at most
-[1.33056](num:sec32_barrier.linear_over_soft_most) times that of the soft well at the others. But towards $\omega_b=1$ the
+[1.33055](num:sec32_barrier.linear_over_soft_most) times that of the soft well at the others. But towards $\omega_b=1$ the
 three agree, and near each zero of the soft well the soft well has the smaller one, up to the last zero at
 [1.89803](num:sec32_barrier.zero_soft14). */
 /// Barriers in units of the energy, at the frequencies that all wells have in common.
@@ -273,12 +273,12 @@ linear well, and we find [1.62422e-11](num:pn.omega11). At $1.5$ in the soft wel
 [7.43890e-10](num:sec32_barrier.equal_area_soft_150), nor the unit of the energy brings it nearer. The hard well has
 [-8.64349e-5](num:sec32_barrier.equal_frequency_hard_150) there, and the printed value probably belongs to it.
 
-At $1.3$ the soft barrier is [857.527](num:pn.harmonic_ratio) times the linear one, and the hard barrier is
+At $1.3$ the soft barrier is [857.526](num:pn.harmonic_ratio) times the linear one, and the hard barrier is
 [24934.6](num:sec32_barrier.harmonic_ratio_hard) times the linear one: three to four orders, as printed. But this test
 is a weak one. Its tolerance, an order of magnitude on either side, passes whatever lies between $10^2$ and $10^5$,
 and $1.3$ is only [0.000307365](num:sec32_barrier.zero_distance_130) away from a zero of the linear barrier, at which the ratio
 is infinite. At the neighbouring pairs of the table, a sixtieth below and above, the soft barrier is
-[10.6841](num:sec32_barrier.harmonic_ratio_below) and [21.270](num:sec32_barrier.harmonic_ratio_above) times the linear one. */
+[10.684](num:sec32_barrier.harmonic_ratio_below) and [21.270](num:sec32_barrier.harmonic_ratio_above) times the linear one. */
 void report_key(Report& report, const BreatherPairs& pairs) {
   // Both barriers, well by well
   const std::size_t count = std::size(key_frequencies);
@@ -413,7 +413,7 @@ stability is exchanged: in the linear well each of the six lies between the exch
 on both (`sec33_between`). [](finding:barrier.equal_area) There the bond is the stable centre although at equal area
 its energy is the higher one (sec33_mobility.cpp explains how that can be). Next to a zero of the one at equal
 frequency it need not be smaller: at $1.3$ the two are [-5.22284e-12](num:sec32_barrier.equal_area_linear_130) and
-[-4.89193e-12](num:sec32_barrier.equal_frequency_linear_130).
+[-4.89194e-12](num:sec32_barrier.equal_frequency_linear_130).
 
 ## Differences and limits
 

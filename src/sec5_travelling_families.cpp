@@ -300,33 +300,13 @@ std::vector<Place> follow_branch(const Orbit<double>& start, int direction, int 
 }
 
 /**
-The steps that suffice to follow a branch are long for a fold, which lies on a cubic between the last two points. So we
-go back to the point before these and come again with steps that are `finer` times shorter; two lengths of them give
-the error. In soft wells the fastest orbit has a fold, too. */
-Estimate fold_of(const Orbit<double>& start, int direction) {
-  Branch<double> branch = branch_from(start, direction, in_s);
-  struct Point {
-    Shooting<double> problem;
-    Vector<double> x;
-  };
-  Point last{branch.problem(), branch.unknowns()}, before = last;
-  for (int k = 0; branch.slope() * direction > 0 && k < 400; ++k) {
-    before = last, last = {branch.problem(), branch.unknowns()};
-    branch.advance();
-  }
-  const Orbit<double> orbit = newton(before.problem, before.x);
-  const auto fold = [&](double finer) {
-    const Stride stride{in_s.first / finer, in_s.least, in_s.most / finer};
-    return Branch<double>{before.problem, along_s<double>(), orbit, direction, {}, stride}.fold();
-  };
-  return compare(fold(16), fold(32));
-}
-
+The folds come from shorter steps than the branches (continuation.hpp). In soft wells the fastest orbit has one,
+too. */
 void report_folds(Report& report, const std::vector<Start>& starts) {
   const std::size_t hard = starts.size();
   std::vector<Estimate> folds(hard + (report.quick ? 0 : 1));
   parallel_for(folds.size(), [&](std::size_t i) {
-    folds[i] = fold_of(starts[i % hard].second, i < hard ? 1 : -1);
+    folds[i] = fold_of(branch_from(starts[i % hard].second, i < hard ? 1 : -1, in_s));
   });
   for (std::size_t i = 0; i < hard; ++i)
     report.facts.add("fold_k" + std::to_string(starts[i].first), folds[i], "s");

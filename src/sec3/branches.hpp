@@ -16,11 +16,9 @@ at rest and that some quantities grow along it; in soft wells it turns back. */
 
 namespace lattice {
 
-/// Where the branch through `start` turns back in frequency, from steps of two lengths. Throws NoBranch if it does not.
+/// Where the branch through `start` turns back in frequency. Throws NoBranch if it does not.
 inline Estimate fold_of(const Shooting<double>& problem, const Orbit<double>& start) {
-  const Branch branch(problem, along_omega<double>(), start, 1, {}, {.first = 0.05, .most = 0.2});
-  const auto fold = [&](double finer) { return Branch(branch).fold(finer); };
-  return compare(fold(8), fold(16));
+  return fold_of({problem, along_omega<double>(), start, 1, {}, {.first = 0.05, .most = 0.2}});
 }
 
 /**

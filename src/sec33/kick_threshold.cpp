@@ -45,9 +45,13 @@ FreeingKick freeing_kick_of(const RestingBreather& at, const Prediction& guess,
     v[i] = hill_speed(path);
     out.margin = std::min(out.margin, path.drift_margin(c[i], at.energy));
   }
-  // The speed at the top vanishes at the threshold: extrapolate to it from far and from near
-  out.value =
-      compare(threshold_from(c[0], v[0], c[2], v[2]), threshold_from(c[0], v[0], c[1], v[1]));
+  // The speed at the top vanishes at the threshold: three pairs of kicks extrapolate to it, and the error is by how
+  // much they disagree
+  const auto from = [&](std::size_t i, std::size_t k) {
+    return threshold_from(c[i], v[i], c[k], v[k]);
+  };
+  out.value = compare(from(0, 2), from(0, 1));
+  out.value.error = std::max(out.value.error, compare(from(1, 2), from(0, 1)).error);
   return out;
 }
 

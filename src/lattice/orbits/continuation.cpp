@@ -168,6 +168,10 @@ Orbit<T> Branch<T>::reach(T target, int most_steps) {
   return newton(along_.at(problem_, target), unknowns(z), rule_);
 }
 
+Estimate fold_of(const Branch<double>& branch) {
+  return compare(Branch(branch).fold(16), Branch(branch).fold(32));
+}
+
 template class Branch<double>;
 template class Branch<long double>;
 

@@ -14,6 +14,7 @@ unknown like the others, and a fold is nothing special. */
 #include <stdexcept>
 #include <string>
 
+#include "lattice/numerics/estimate.hpp"
 #include "lattice/orbits/shooting.hpp"
 
 namespace lattice {
@@ -151,5 +152,8 @@ class Branch {
   History history_;
   int used_ = 0;
 };
+
+/// The parameter at the next fold, with the error that steps of two lengths tell. Throws NoBranch.
+Estimate fold_of(const Branch<double>& branch);
 
 }  // namespace lattice
