@@ -484,17 +484,17 @@ Held<T> held_problem(const Cut& cut, const Exchange& from, double centre) {
 /**
 Only the tiny energy barrier between site and bond fixes the parameter, and in double precision the error of
 the parameter exceeds the whole interval on which the family exists. So double precision only moves the
-breather to its centre. From there the wider type solves for it, and from the solution once more at a tolerance
-that is finer by a factor of sixteen. The error is their difference plus what the violation of symplecticity
+breather to its centre. From there the wider type solves for it twice and independently, with tolerances
+that differ by a factor of sixteen. The error is their difference plus what the violation of symplecticity
 of the linearised flow (`defect`) makes of the parameter. */
 Between describe_between(const Cut& cut, const Exchange& from, double centre,
                          const Vector<double>& near) {
   const auto held = held_problem<Wide>(cut, from, centre);
   std::array<Vector<Wide>, 2> x;
   std::array<Pairs<Wide>, 2> pairs;
-  for (std::size_t coarser : {1U, 0U}) {
+  for (std::size_t coarser : {0U, 1U}) {
     const NewtonRule<Wide> how = rule<Wide>(int(coarser));
-    x[coarser] = solve(held, coarser ? Vector<Wide>(near.cast<Wide>()) : x[1], how).x;
+    x[coarser] = solve(held, Vector<Wide>(near.cast<Wide>()), how).x;
     const auto there = held.at(x[coarser]);
     pairs[coarser] = floquet_pairs(there.chain, held.start(x[coarser]), there.period(), how.events);
   }

@@ -82,7 +82,7 @@ trixie() {
   [ "$(id -u)" = 0 ] && command -v debootstrap > /dev/null || { lacks "that takes root and debootstrap"; return 0; }
   there="$place/trixie"
   [ -f "$there/made" ] || { rm -rf "$there"; debootstrap --variant=minbase \
-    --include=g++,cmake,make,libgsl-dev,libeigen3-dev,libboost-dev,libcli11-dev,catch2 trixie "$there" \
+    --include=g++,cmake,make,libgsl-dev,libeigen3-dev,libboost-dev,catch2 trixie "$there" \
     > "$place/debootstrap.log" 2>&1 && touch "$there/made"; } || { lacks "debootstrap fails"; return 0; }
   mkdir -p "$there/tree"
   git ls-files -z | tar --null -T - -c | tar -x -C "$there/tree"

@@ -25,7 +25,7 @@ def slowness():
 @unittest.skipUnless(all((QUICK / program / "results.ecsv").exists() for program in PROGRAMS), "no quick run (make test makes it)")
 class Quick(unittest.TestCase):
     def test_it_answers_everything_and_soon(self):
-        budget, costs = 5 * slowness(), cost_of(QUICK)
+        budget, costs = 10 * slowness(), cost_of(QUICK)
         for program in PROGRAMS:
             with self.subTest(program):
                 quick, full = (findings_in(run / program / "results.ecsv", program, "id") for run in (QUICK, FULL))

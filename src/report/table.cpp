@@ -74,6 +74,7 @@ void Table::add(const Row& row) {
   add(std::move(cells));
 }
 
+// What is read back
 std::size_t Table::find(const std::string& name) const {
   for (std::size_t i = 0; i < columns.size(); ++i)
     if (columns[i].name == name) return i;

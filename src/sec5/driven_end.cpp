@@ -235,6 +235,7 @@ Emission drive_chain(const DrivenChain& driven, double duration, std::size_t det
   return out;
 }
 
+// The largest energy of every site in each of `bins` spans of time
 std::vector<double> drive_map(const DrivenChain& driven, double duration, std::size_t bins,
                               double step) {
   const std::size_t sites = driven.chain.sites;

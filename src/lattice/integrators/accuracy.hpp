@@ -211,6 +211,7 @@ void Refinement<Result, Differ, GiveUp>::add(Result fine) {
   if (same_run(coarse, fine))
     throw std::logic_error("two resolutions are the same run of " + std::to_string(b.steps) +
                            " steps, which proves nothing");
+  // Runs that end early are compared by when they do
   const Run a = run_of(coarse);
   const bool early = a.escaped() || b.escaped();
   const double error = early ? escape_difference(a, b)

@@ -36,6 +36,7 @@ void Progress::join(Progress* stage) {
   innermost = stage;
 }
 
+// A stage begins inside of the innermost one of its thread, if somebody watches
 Progress::Progress(std::string label, std::size_t total) : around_(innermost) {
   if (!around_) return;
   label_ = std::move(label);
