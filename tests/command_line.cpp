@@ -75,7 +75,7 @@ TEST_CASE("help and version", "[cli]") {
   CHECK(run.find("--contact {hertz|power} ") != std::string::npos);
   CHECK(matches(run, "such as -1/6").size() == 1);
   CHECK(matches(offers().at("sec5_enclosures dps"), "such as -1/6").empty());
-  CHECK(help.find("(default: build/data/sec34_impact, with") != std::string::npos);
+  CHECK(help.find("(default: build/data/sec34_impact,") != std::string::npos);
   for (const char* shown : {"(default: 1.87)", "(default: quartic)", "(default: as long as needed)",
                             "(default: standard output)", "is nan, and its reason says why"})
     CHECK(run.find(shown) != std::string::npos);
