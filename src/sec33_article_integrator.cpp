@@ -23,10 +23,10 @@ This is forensics: what we find is compatible with a setting or not, and says no
 #include <vector>
 
 #include "lattice/dps/dps_impact.hpp"
+#include "lattice/integrators/runge_kutta.hpp"
 #include "lattice/numerics/parallel.hpp"
 #include "lattice/orbits/breather.hpp"
 #include "lattice/orbits/floquet.hpp"
-#include "lattice/integrators/runge_kutta.hpp"
 #include "report/program.hpp"
 #include "sec33/fixed_step.hpp"
 

@@ -25,8 +25,8 @@ and lets the unstable one go. Both verdicts depend on the sixth digit of one num
 #include <utility>
 #include <vector>
 
-#include "lattice/quadruple/extended.hpp"
 #include "lattice/numerics/parallel.hpp"
+#include "lattice/quadruple/extended.hpp"
 #include "report/program.hpp"
 #include "sec3/breather_options.hpp"
 #include "sec33/dps_motion.hpp"

@@ -24,9 +24,9 @@ the seventh digit, and between them a breather that is centred neither on a site
 #include <vector>
 
 #include "commands/multipliers.hpp"
-#include "lattice/standing/spectrum.hpp"
 #include "lattice/numerics/parallel.hpp"
 #include "lattice/numerics/progress.hpp"
+#include "lattice/standing/spectrum.hpp"
 #include "report/program.hpp"
 #include "sec33/exchange.hpp"
 

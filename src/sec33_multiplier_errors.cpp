@@ -24,10 +24,10 @@ The claims are answered in the previous chapter; the results here are our own me
 #include <vector>
 
 #include "lattice/algebra/eigenvalues.hpp"
-#include "lattice/numerics/line_fit.hpp"
-#include "lattice/numerics/parallel.hpp"
 #include "lattice/gsl/random.hpp"
 #include "lattice/gsl/reference.hpp"
+#include "lattice/numerics/line_fit.hpp"
+#include "lattice/numerics/parallel.hpp"
 #include "report/program.hpp"
 #include "sec33/exchange.hpp"
 

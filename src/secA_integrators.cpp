@@ -21,9 +21,9 @@ depend on the step, for ordinary integrators and for the two of ours that know a
 #include <vector>
 
 #include "lattice/events/event_driven.hpp"
+#include "lattice/integrators/contact_rkn.hpp"
 #include "lattice/packets/impact.hpp"
 #include "lattice/packets/observe.hpp"
-#include "lattice/integrators/contact_rkn.hpp"
 #include "report/program.hpp"
 
 using namespace lattice;

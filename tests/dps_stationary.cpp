@@ -5,10 +5,10 @@
 #include <complex>
 
 #include "check.hpp"
-#include "lattice/model/dps.hpp"
 #include "lattice/dps/dps_impact.hpp"
-#include "lattice/quadruple/extended.hpp"
+#include "lattice/model/dps.hpp"
 #include "lattice/packets/impact.hpp"
+#include "lattice/quadruple/extended.hpp"
 #include "sec3/continuum.hpp"
 
 using namespace lattice;

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "check.hpp"
-#include "lattice/standing/spectrum.hpp"
 #include "lattice/orbits/breather_pairs.hpp"
+#include "lattice/standing/spectrum.hpp"
 #include "sec5/chain_enclosure.hpp"
 #include "sec5/dps_enclosure.hpp"
 

@@ -7,10 +7,10 @@
 
 #include "check.hpp"
 #include "lattice/dps/dps_impact.hpp"
-#include "lattice/orbits/floquet.hpp"
 #include "lattice/integrators/contact_rkn.hpp"
 #include "lattice/integrators/integrate.hpp"
 #include "lattice/integrators/runge_kutta.hpp"
+#include "lattice/orbits/floquet.hpp"
 
 using namespace lattice;
 

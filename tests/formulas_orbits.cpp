@@ -1,8 +1,8 @@
 // Orbits against what defines them, on short chains: the second half of formulas.cpp.
 
 #include "check.hpp"
-#include "lattice/standing/stationary.hpp"
 #include "lattice/orbits/breather.hpp"
+#include "lattice/standing/stationary.hpp"
 
 using namespace lattice;
 

@@ -6,8 +6,8 @@
 
 #include "check.hpp"
 #include "lattice/events/event_driven.hpp"
-#include "lattice/packets/impact.hpp"
 #include "lattice/gsl/reference.hpp"
+#include "lattice/packets/impact.hpp"
 
 using namespace lattice;
 

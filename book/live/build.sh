@@ -18,7 +18,7 @@ pages="breather strike defect drive"
 is_new() {
   [ -e "$1.o" ] && [ -e "$1.d" ] || return 1
   # shellcheck disable=SC2046
-  changed=$(find "$0" $(sed 's/^[^:]*://; s/\\$//' "$1.d") -newer "$1.o") || return 1
+  changed=$(find "$0" $(sed 's/^[^:]*://; s/\\$//' "$1.d") -newer "$1.o" 2>/dev/null) || return 1
   [ -z "$changed" ]
 }
 

@@ -13,9 +13,9 @@ followed here from the same start, and what counts is the largest deviation of a
 #include <vector>
 
 #include "lattice/dps/evolve.hpp"
+#include "lattice/integrators/accuracy.hpp"
 #include "lattice/numerics/criterion.hpp"
 #include "lattice/numerics/line_fit.hpp"
-#include "lattice/integrators/accuracy.hpp"
 
 namespace lattice {
 

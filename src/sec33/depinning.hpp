@@ -13,9 +13,9 @@ breather from a pinned one, says what linear theory expects, and finds the least
 #include <stdexcept>
 #include <vector>
 
+#include "lattice/algebra/dense.hpp"
 #include "lattice/events/event_driven.hpp"
 #include "lattice/model/sites.hpp"
-#include "lattice/algebra/dense.hpp"
 #include "sec33/kick.hpp"
 
 namespace lattice {

@@ -9,9 +9,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "lattice/gsl/random.hpp"
 #include "lattice/model/sites.hpp"
 #include "lattice/numerics/line_fit.hpp"
-#include "lattice/gsl/random.hpp"
 
 namespace lattice {
 

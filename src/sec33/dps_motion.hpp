@@ -22,8 +22,8 @@ a complete elliptic integral, for which the arithmetic-geometric mean suffices. 
 #include <vector>
 
 #include "lattice/dps/evolve.hpp"
-#include "lattice/standing/spectrum.hpp"
 #include "lattice/numerics/criterion.hpp"
+#include "lattice/standing/spectrum.hpp"
 
 namespace lattice {
 

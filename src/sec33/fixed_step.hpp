@@ -12,10 +12,10 @@ Runge-Kutta-Nystrom scheme. */
 #include <functional>
 #include <vector>
 
-#include "lattice/model/chain.hpp"
 #include "lattice/algebra/dense.hpp"
-#include "lattice/orbits/breather.hpp"
 #include "lattice/integrators/schemes.hpp"
+#include "lattice/model/chain.hpp"
+#include "lattice/orbits/breather.hpp"
 #include "sec33/kick.hpp"
 
 namespace lattice {

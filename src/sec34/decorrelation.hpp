@@ -13,9 +13,9 @@ displacement or velocity. */
 #include <limits>
 #include <vector>
 
+#include "lattice/integrators/accuracy.hpp"
 #include "lattice/numerics/estimate.hpp"
 #include "lattice/numerics/progress.hpp"
-#include "lattice/integrators/accuracy.hpp"
 
 namespace lattice {
 

@@ -15,8 +15,8 @@ times better. Moduli are those of $v_n$. */
 #include <functional>
 #include <vector>
 
-#include "lattice/model/dps.hpp"
 #include "lattice/gsl/gsl_ode.hpp"
+#include "lattice/model/dps.hpp"
 
 namespace lattice {
 

@@ -39,8 +39,9 @@ LATTICE_WIDE void sweep_kick(T* __restrict__ v, T kick, const T* __restrict__ pu
 /**
 Numbers without a sign are ordered as their bits are, infinity above all of them and what is not a number above
 that, so that a comparison of integers finds the largest and misses no runaway. */
-[[maybe_unused]] LATTICE_WIDE std::int64_t largest_bits(const double* __restrict__ a, const double* __restrict__ b,
-                                       std::size_t count) {
+[[maybe_unused]] LATTICE_WIDE std::int64_t largest_bits(const double* __restrict__ a,
+                                                        const double* __restrict__ b,
+                                                        std::size_t count) {
   constexpr std::int64_t no_sign = std::numeric_limits<std::int64_t>::max();
   std::int64_t most = 0;
   for (std::size_t k = 0; k < count; ++k)

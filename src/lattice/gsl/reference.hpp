@@ -7,9 +7,9 @@ beads integrated by the GNU Scientific Library (gsl_ode.hpp). */
 
 #include <cstddef>
 
-#include "lattice/model/chain.hpp"
 #include "lattice/gsl/gsl_ode.hpp"
 #include "lattice/integrators/accuracy.hpp"
+#include "lattice/model/chain.hpp"
 
 namespace lattice {
 

@@ -107,7 +107,8 @@ double run_driven(const DrivenChain& driven, State<double>& state, const TimeGri
                   const DrivenObserver& observe) {
   const Losses& losses = driven.losses;
   const auto good = [](double rate) { return rate >= 0 && std::isfinite(rate); };
-  if (!(good(losses.rate) && good(losses.contact) && std::ranges::all_of(losses.of_site, good)))
+  if (!(good(losses.rate) && good(losses.contact) &&
+        std::all_of(losses.of_site.begin(), losses.of_site.end(), good)))
     throw std::invalid_argument("losses must be finite and not negative");
   if (!losses.of_site.empty() && losses.of_site.size() != driven.chain.sites)
     throw std::invalid_argument("losses of single sites need one rate a site");

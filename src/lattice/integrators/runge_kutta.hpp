@@ -13,8 +13,8 @@ $$X_i = x + h\sum_{j<i}\alpha_{ij}f(X_j), \qquad x' = x + h\sum_j\beta_jf(X_j).$
 #include <string>
 #include <vector>
 
-#include "lattice/numerics/rhs.hpp"
 #include "lattice/integrators/schemes.hpp"
+#include "lattice/numerics/rhs.hpp"
 
 namespace lattice {
 

@@ -5,8 +5,8 @@
 #include <limits>
 #include <stdexcept>
 
-#include "lattice/model/sites.hpp"
 #include "lattice/algebra/eigenvalues.hpp"
+#include "lattice/model/sites.hpp"
 #include "lattice/quadruple/extended.hpp"
 
 namespace lattice {

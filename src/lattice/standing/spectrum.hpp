@@ -23,10 +23,10 @@ spectrum. */
 #include <utility>
 #include <vector>
 
-#include "lattice/model/dps.hpp"
-#include "lattice/standing/stationary.hpp"
 #include "lattice/algebra/dense.hpp"
+#include "lattice/model/dps.hpp"
 #include "lattice/numerics/estimate.hpp"
+#include "lattice/standing/stationary.hpp"
 
 namespace lattice {
 
