@@ -112,31 +112,19 @@ inline Scan scan(const Method& method, const Demand& demand, double patience, do
 
 /**
 The two tables that the figure and the reader need. */
-using lattice::Kind;
-
 struct Book {
-  lattice::Table ratios{
-      {{"problem", "", "what is computed", Kind::text},
-       {"peer", "", "whom we compare with", Kind::text},
-       {"quantity", "", "what is compared, with its unit", Kind::text},
-       {"ratio", "", "theirs over ours: how many times better we are", Kind::real},
-       {"ours", "", "our value, in the unit of the quantity", Kind::real},
-       {"theirs", "", "their value, in the unit of the quantity", Kind::real},
-       {"note", "", "settings, or why there is no value", Kind::text}}};
-  lattice::Table precision{
-      {{"problem", "", "what is computed", Kind::text},
-       {"method", "", "integrator", Kind::text},
-       {"step_or_tolerance", "", "setting of the method", Kind::real},
-       {"cpu_seconds", "s", "processor time of the run", Kind::real},
-       {"evaluations", "", "force evaluations on the whole chain", Kind::real},
-       {"energy_error", "", "largest relative energy error at the samples", Kind::real},
-       {"solution_error", "", "largest error of a displacement", Kind::real},
-       {"tangent_error", "", "largest error of an entry of the monodromy matrix", Kind::real}}};
+  lattice::Table ratios{}, precision{};
 
   /// One comparison, in the table and on standard output.
   void ratio(const std::string& problem, const std::string& peer, const std::string& quantity,
              double ours, double theirs, const std::string& note = "") {
-    ratios.add({problem, peer, quantity, theirs / ours, ours, theirs, note});
+    ratios.add({{"problem", "what is computed", problem},
+                {"peer", "whom we compare with", peer},
+                {"quantity", "what is compared, with its unit", quantity},
+                {"ratio", "theirs over ours: how many times better we are", theirs / ours},
+                {"ours", "our value, in the unit of the quantity", ours},
+                {"theirs", "their value, in the unit of the quantity", theirs},
+                {"note", "settings, or why there is no value", note}});
     std::printf("%-10s %-30s %-26s %9.3g %11.4g %11.4g  %s\n", problem.c_str(), peer.c_str(),
                 quantity.c_str(), theirs / ours, ours, theirs, note.c_str());
     std::fflush(stdout);
@@ -146,9 +134,16 @@ struct Book {
               bool tangent) {
     const double none = std::numeric_limits<double>::quiet_NaN();
     for (const Point& p : scan.points)
-      precision.add({problem, method, p.setting, p.seconds, p.score.evaluations,
-                     tangent ? none : p.score.energy, p.score.solution,
-                     tangent ? p.score.tangent : none});
+      precision.add({{"problem", "what is computed", problem},
+                     {"method", "integrator", method},
+                     {"step_or_tolerance", "setting of the method", p.setting},
+                     {"cpu_seconds", "processor time of the run", p.seconds, "s"},
+                     {"evaluations", "force evaluations on the whole chain", p.score.evaluations},
+                     {"energy_error", "largest relative energy error at the samples",
+                      tangent ? none : p.score.energy},
+                     {"solution_error", "largest error of a displacement", p.score.solution},
+                     {"tangent_error", "largest error of an entry of the monodromy matrix",
+                      tangent ? p.score.tangent : none}});
   }
 };
 

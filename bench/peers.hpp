@@ -9,6 +9,7 @@ so that the comparison is one of methods. They know nothing of the chain and alw
 #include <boost/numeric/odeint.hpp>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -52,13 +53,28 @@ class Judge {
   double energy_;
 };
 
-/// The force on every site of the chain.
-inline void accelerate_all(const Chain& chain, const double* y, double* a) {
-  Window all{0, chain.sites};
-  accelerate(chain, y, a, all);
-}
+/// The force on the whole chain, as our peers ask for it; counts its evaluations.
+struct Force {
+  const Chain& chain;
+  double& count;
+  void operator()(const Numbers& y, Numbers& a) const { accelerate_all(y.data(), a.data()); }
+  void operator()(const Numbers& y, const Numbers&, Numbers& a, double) const { (*this)(y, a); }
+  /// Positions and then velocities, as a first-order system.
+  void operator()(double, const double* z, double* dz) const {
+    std::copy(z + chain.sites, z + 2 * chain.sites, dz);
+    accelerate_all(z, dz + chain.sites);
+  }
+  void operator()(const Numbers& z, Numbers& dz, double t) const {
+    (*this)(t, z.data(), dz.data());
+  }
+  void accelerate_all(const double* y, double* a) const {
+    Window all{0, chain.sites};
+    accelerate(chain, y, a, all);
+    count += 1;
+  }
+};
 
-/// Carries `z`, positions and then velocities, from sample to sample with `advance(z, t0, t1)`.
+/// Carries `z`, positions and then velocities, from sample to sample with `advance(force, z, t0, t1)`.
 template <class Advance>
 Score carry_samples(const Problem& p, Advance advance) {
   const std::size_t n = p.chain.sites;
@@ -66,9 +82,10 @@ Score carry_samples(const Problem& p, Advance advance) {
   Numbers z(s.y);
   z.insert(z.end(), s.v.begin(), s.v.end());
   Judge judge(p);
+  const Force force{p.chain, judge.score.evaluations};
   for (double t = 0; t < p.time - 1e-9;) {
     const double next = std::min(t + p.sample, p.time);
-    advance(z, t, next);
+    advance(force, z, t, next);
     s.y.assign(z.begin(), z.begin() + long(n));
     s.v.assign(z.begin() + long(n), z.end());
     s.t = t = next;
@@ -77,84 +94,37 @@ Score carry_samples(const Problem& p, Advance advance) {
   return judge.score;
 }
 
-/// The equations of motion as a first-order system; counts its evaluations.
-struct FirstOrder {
-  const Chain& chain;
-  double& count;
-  void operator()(double, const double* z, double* dz) const {
-    const std::size_t n = chain.sites;
-    std::copy(z + n, z + 2 * n, dz);
-    accelerate_all(chain, z, dz + n);
-    count += 1;
-  }
-  void operator()(const Numbers& z, Numbers& dz, double t) const {
-    (*this)(t, z.data(), dz.data());
-  }
-};
-
 Score gsl(const Problem& p, const gsl_odeiv2_step_type* type, double tolerance) {
-  double count = 0;
-  lattice::Reference reference(FirstOrder{p.chain, count}, 2 * p.chain.sites,
-                               lattice::Tolerance(tolerance, tolerance, type));
-  Score score =
-      carry_samples(p, [&](Numbers& z, double t, double next) { reference.advance(t, next, z); });
-  score.evaluations = count;
-  return score;
+  std::optional<lattice::Reference> reference;
+  return carry_samples(p, [&](const Force& force, Numbers& z, double t, double next) {
+    if (!reference)
+      reference.emplace(force, z.size(), lattice::Tolerance(tolerance, tolerance, type));
+    reference->advance(t, next, z);
+  });
 }
 
 /// A controlled stepper of odeint that knows how to `try_step`.
 template <class Stepper>
 Score controlled(const Problem& p, Stepper stepper) {
-  double count = 0;
-  const FirstOrder system{p.chain, count};
-  Score score = carry_samples(p, [&](Numbers& z, double t, double next) {
-    odeint::integrate_adaptive(std::ref(stepper), system, z, t, next, 0.01);
+  return carry_samples(p, [&](const Force& force, Numbers& z, double t, double next) {
+    odeint::integrate_adaptive(std::ref(stepper), force, z, t, next, 0.01);
   });
-  score.evaluations = count;
-  return score;
 }
 
 /**
 The two steppers with a fixed step keep positions and velocities apart, and the step is
 shortened to divide the sampling interval, as ours is. */
-template <class Step>
-Score fixed(const Problem& p, double h, Step step) {
-  const std::size_t n = p.chain.sites;
-  std::pair<Numbers, Numbers> x{Numbers(n), Numbers(n)};
-  Score score = carry_samples(p, [&](Numbers& z, double t, double next) {
-    std::copy_n(z.begin(), n, x.first.begin());
-    std::copy_n(z.begin() + long(n), n, x.second.begin());
+template <class Stepper>
+Score fixed(const Problem& p, double h, Stepper stepper) {
+  const auto n = long(p.chain.sites);
+  return carry_samples(p, [&](const Force& force, Numbers& z, double t, double next) {
+    std::pair<Numbers, Numbers> x{{z.begin(), z.begin() + n}, {z.begin() + n, z.end()}};
     const auto steps = std::size_t(std::ceil((next - t) / h));
-    for (std::size_t k = 0; k < steps; ++k) step(x, t, (next - t) / double(steps));
-    std::copy_n(x.first.begin(), n, z.begin());
-    std::copy_n(x.second.begin(), n, z.begin() + long(n));
+    for (std::size_t k = 0; k < steps; ++k)
+      stepper.do_step(force, x, t, (next - t) / double(steps));
+    std::copy(x.first.begin(), x.first.end(), z.begin());
+    std::copy(x.second.begin(), x.second.end(), z.begin() + n);
   });
-  return score;
-}
-
-Score velocity_verlet(const Problem& p, double h) {
-  odeint::velocity_verlet<Numbers> stepper;
-  double count = 0;
-  const auto system = [&](const Numbers& y, const Numbers&, Numbers& a, double) {
-    accelerate_all(p.chain, y.data(), a.data());
-    count += 1;
-  };
-  Score score =
-      fixed(p, h, [&](auto& x, double t, double dt) { stepper.do_step(system, x, t, dt); });
-  score.evaluations = count;
-  return score;
-}
-
-Score mclachlan(const Problem& p, double h) {
-  odeint::symplectic_rkn_sb3a_mclachlan<Numbers> stepper;
-  double count = 0;
-  const auto kick = [&](const Numbers& y, Numbers& a) {
-    accelerate_all(p.chain, y.data(), a.data());
-    count += 1;
-  };
-  Score score = fixed(p, h, [&](auto& x, double t, double dt) { stepper.do_step(kick, x, t, dt); });
-  score.evaluations = count;
-  return score;
 }
 
 /// Our own steppers, with the window or, for comparison, on the whole chain.

@@ -12,7 +12,7 @@ Timings differ from run to run; the ratios, taken within one run, hardly do. */
 #include <string>
 #include <thread>
 
-#include "lattice/packets/impact.hpp"
+#include "lattice/impact/impact.hpp"
 #include "monodromy.hpp"
 #include "peers.hpp"
 #include "report/table.hpp"
@@ -69,6 +69,8 @@ std::vector<Method> our_methods(const Problem& p, const Range& r) {
 std::vector<Method> peer_methods(const Problem& p, const Range& r) {
   using Dopri = odeint::runge_kutta_dopri5<Numbers>;
   using Stoer = odeint::bulirsch_stoer<Numbers>;
+  using McLachlan = odeint::symplectic_rkn_sb3a_mclachlan<Numbers>;
+  using Verlet = odeint::velocity_verlet<Numbers>;
   const auto adaptive = [&](const char* name, std::function<Score(double)> run) {
     return Method{name, false, r.tolerance, r.by_tolerance(), run};
   };
@@ -79,9 +81,9 @@ std::vector<Method> peer_methods(const Problem& p, const Range& r) {
                [&p](double s) { return controlled(p, odeint::make_controlled(s, s, Dopri())); }),
       adaptive("Boost bulirsch_stoer", [&p](double s) { return controlled(p, Stoer(s, s)); }),
       {"Boost sb3a_mclachlan", false, r.coarse, r.by_step(),
-       [&p](double h) { return mclachlan(p, h); }},
+       [&p](double h) { return fixed(p, h, McLachlan()); }},
       {"Boost velocity_verlet", false, r.coarse * 0.1, r.by_step(),
-       [&p](double h) { return velocity_verlet(p, h); }}};
+       [&p](double h) { return fixed(p, h, Verlet()); }}};
 }
 
 void race_impacts(Book& book, Problem p, const Range& range, double patience, int rounds) {
@@ -112,9 +114,8 @@ void race_long_chains(Book& book, int rounds) {
     State<double> ours = swell(sites);
     std::pair<Numbers, Numbers> theirs{ours.y, ours.v};
     odeint::velocity_verlet<Numbers> stepper;
-    const auto system = [&](const Numbers& y, const Numbers&, Numbers& force, double) {
-      accelerate_all(chain, y.data(), force.data());
-    };
+    double count = 0;
+    const Force system{chain, count};
     Window all{0, sites};
     const auto times = in_turns({[&] {
                                    Splitting{verlet(), h}.advance(chain, ours, all, h, steps);
@@ -127,20 +128,6 @@ void race_long_chains(Book& book, int rounds) {
     book.ratio("B3, N=" + std::to_string(sites), "Boost velocity_verlet", "cpu time a step [us]",
                times[0] * 1e6 / double(steps), times[1] * 1e6 / double(steps));
   }
-}
-
-/**
-## Order
-
-The errors of single steps have random signs; two octaves of the step average a little. */
-void measure_order(Book& book) {
-  Problem p = problem_b1();
-  find_reference(p);
-  p.time = 100;
-  const double ratio =
-      own(p, ContactAware{0.05}, true).solution / own(p, ContactAware{0.0125}, true).solution;
-  book.ratio("B1", "demand: 4.5", "order of the solution", std::log2(ratio) / 2, 4.5,
-             "h = 0.05 and 0.0125; here less is worse");
 }
 
 /**
@@ -172,7 +159,6 @@ int main(int argc, char** argv) {
   const auto wanted = [&](const char* part) { return only.empty() || only == part; };
   try {
     Book book;
-    if (wanted("order")) measure_order(book);
     if (wanted("B3")) race_long_chains(book, rounds);
     if (wanted("M")) race_monodromies(book, 31, rounds, true);
     if (wanted("M")) race_monodromies(book, 99, rounds, false);

@@ -1,14 +1,14 @@
 // An array of cantilevers in SI units: what an impact of one metre per second does at cantilever 80.
 #include <iostream>
+#include "lattice/diagnostics/pulse.hpp"
+#include "lattice/impact/impact.hpp"
 #include "lattice/model/cantilever.hpp"
-#include "lattice/packets/impact.hpp"
-#include "lattice/packets/pulse.hpp"
 
 using namespace lattice;
 
 int main() {
   const Scales si = CantileverArray{}.scales();
-  const Impact impact{si.velocity(1), Chain{200}, si.time(60), far_away, 0.05};
+  const Impact impact{si.velocity(1), Chain{200}, si.time(60), 0.05};
   std::vector<double> t, force, v;
   strike(ContactAware{0.1}, impact, [&](const State<double>& now, const auto&) {
     t.push_back(now.t), v.push_back(now.v[79]);

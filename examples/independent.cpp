@@ -1,7 +1,7 @@
 // The same impact twice, by our stepper and by GSL, and how far the two differ.
 #include <iostream>
 #include "lattice/gsl/reference.hpp"
-#include "lattice/packets/impact.hpp"
+#include "lattice/impact/impact.hpp"
 
 using namespace lattice;
 

@@ -1,7 +1,7 @@
 // A contact law of one's own: a layer that pushes like a Hertzian contact and stiffens when squeezed.
 #include <cmath>
 #include <iostream>
-#include "lattice/packets/impact.hpp"
+#include "lattice/impact/impact.hpp"
 
 using namespace lattice;
 

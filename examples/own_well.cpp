@@ -1,7 +1,7 @@
 // A well that the library does not know: three functions, and the chain of such wells is struck.
 #include <cmath>
 #include <iostream>
-#include "lattice/packets/impact.hpp"
+#include "lattice/impact/impact.hpp"
 
 using namespace lattice;
 

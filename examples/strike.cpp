@@ -1,6 +1,6 @@
 // Strikes a chain of 100 beads in soft wells and prints how much of the energy stays at its end.
 #include <iostream>
-#include "lattice/packets/impact.hpp"
+#include "lattice/impact/impact.hpp"
 
 using namespace lattice;
 

@@ -1,8 +1,8 @@
 // A hundred impacts on all cores: how much of the energy stays at the end, against the velocity.
 #include <iostream>
 #include <vector>
+#include "lattice/impact/impact.hpp"
 #include "lattice/numerics/parallel.hpp"
-#include "lattice/packets/impact.hpp"
 
 using namespace lattice;
 

@@ -16,8 +16,7 @@ impact = [("contact-aware", "#D55E00", "o-"), ("verlet, window", "#888888", "v-"
           ("Boost dopri5", "#CC79A7", "+--"), ("Boost bulirsch_stoer", "#000000", "*--"),
           ("Boost sb3a_mclachlan", "#000000", "1:"), ("Boost velocity_verlet", "#888888", "2:")]
 monodromy = [("switch-landing", "#D55E00", "o-"), ("GSL rk8pd, tridiagonal", "#009E73", "D--"),
-             ("GSL rkf45, tridiagonal", "#E69F00", "x--"),
-             ("GSL rk8pd, fixed step", "#0072B2", "s:")]
+             ("GSL rkf45, tridiagonal", "#E69F00", "x--")]
 panels = [("B1", "energy_error", "relative energy error", impact),
           ("B1", "solution_error", "displacement error at $t=100$", impact),
           ("M, N=31", "tangent_error", "error of the monodromy matrix", monodromy)]

@@ -61,7 +61,7 @@ def macros(given):
 
 def gallery(given):
     from .gallery import renew
-    renew(given.root, given.figures, given.check)
+    renew(given.root, given.figures)
 
 
 def inventory(given):
@@ -115,8 +115,7 @@ def reader():
     stale = verb(refresh, "write the locked values into the prose, and the tables of the pages", "costs")
     stale.add_argument("--check", action="store_true", help="only say what is stale; exit code 1 if anything")
     verb(macros, "write the locked values for the paper", out="build/paper")
-    old = verb(gallery, "draw the small pictures of the README", "figures")
-    old.add_argument("--check", action="store_true", help="only say which are not current")
+    verb(gallery, "draw the small pictures of the README", "figures")
     verb(inventory, "every table with its columns, every command, the packages used", "data", "programs", out="build/report")
     verb(weave, "weave the book", "data", "figures", "live", "programs", out="build/book")
     return parser

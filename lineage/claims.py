@@ -165,6 +165,12 @@ def programs_of(root):
     return sorted(path.stem for path in (Path(root) / "src").glob("sec*.cpp"))
 
 
+def runs_of(data, programs):
+    """The programs that have run to their end, each with its table of results."""
+    paths = ((program, Path(data) / program / "results.ecsv") for program in programs)
+    return [(program, path) for program, path in paths if path.exists()]
+
+
 def findings_in(path, program, name):
     """The values of one table of results or facts, by id."""
     out = {}
@@ -178,11 +184,10 @@ def findings_in(path, program, name):
 
 
 def read_results(data, programs, claims):
-    """The answers by claim. A claim is answered once, by the program that its row names."""
+    """The answers of the programs that have run, by claim. A claim is answered once, by the program that its row names."""
     out = {}
-    for program in programs:
-        path = Path(data) / program / "results.ecsv"
-        for id, answer in (findings_in(path, program, "id") if path.exists() else {}).items():
+    for program, path in runs_of(data, programs):
+        for id, answer in findings_in(path, program, "id").items():
             place = ecsv.Row({}, path, answer.row)
             if id not in claims:
                 raise place.fault(f"'{id}' is no claim of paper/published.ecsv")
@@ -194,10 +199,6 @@ def read_results(data, programs, claims):
 
 
 def read_facts(data, programs):
-    """The facts of the programs that have run, by (program, id)."""
-    out = {}
-    for program in programs:
-        path = Path(data) / program / "facts.ecsv"
-        if path.exists() and (path.parent / "results.ecsv").exists():
-            out.update({(program, id): fact for id, fact in findings_in(path, program, "quantity").items()})
-    return out
+    """Their facts, by (program, id)."""
+    return {(program, id): fact for program, results in runs_of(data, programs) if (path := results.with_name("facts.ecsv")).exists()
+            for id, fact in findings_in(path, program, "quantity").items()}

@@ -55,12 +55,13 @@ class Table:
     meta: dict = field(default_factory=dict)
 
     def by(self, name, what="rows"):
-        """The rows by their cell in column `name`, which no two may share."""
+        """The rows by their cell in column `name`, or by their cells in several, which no two may share."""
         out = {}
         for row in self.rows:
-            if row[name] in out:
-                raise row.fault(f"two {what} for '{row[name]}' (the first: row {out[row[name]].number})")
-            out[row[name]] = row
+            key = row[name] if isinstance(name, str) else tuple(row[one] for one in name)
+            if key in out:
+                raise row.fault(f"two {what} for '{key if isinstance(name, str) else ' '.join(key)}' (the first: row {out[key].number})")
+            out[key] = row
         return out
 
 

@@ -62,10 +62,14 @@ def conditions(row):
     return [CONDITION.fullmatch(one).groups() for one in row["criterion"].split("; ")]
 
 
+def names_in(row):
+    """The numbers of ours of which its conditions speak."""
+    return {name for fact, _, limit in conditions(row) for name in (fact, limit) if re.fullmatch(NAME, name)}
+
+
 def quoted_in(row):
     """The names of all numbers of ours that a row mentions."""
-    names = {name for fact, _, limit in conditions(row) for name in (fact, limit) if re.fullmatch(NAME, name)}
-    return names | {name for column in ("sentence", "range", "tried", "second") for name in NUMBERS.findall(row[column])}
+    return names_in(row) | {name for column in ("sentence", "range", "tried", "second") for name in NUMBERS.findall(row[column])}
 
 
 def named(name, row, found):

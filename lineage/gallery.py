@@ -69,12 +69,9 @@ def too_large(names, gallery):
     return [f"{size} bytes together (allowed {allowed})"] if size > allowed else []
 
 
-def renew(root, figures, check=False):
+def renew(root, figures):
     """The verb."""
-    gallery, source = Path(root) / "figures/gallery", Path(figures)
-    names = [Path(figure["script"]).stem for figure in read_figures(root).values()]
-    if not check:
-        draw(names, source, gallery)
-    wrong = faults(names, source, gallery) if check else too_large(names, gallery)
-    if wrong:
-        raise ecsv.Fault("the gallery is not current (make gallery): " + "; ".join(wrong))
+    gallery, names = Path(root) / "figures/gallery", [Path(figure["script"]).stem for figure in read_figures(root).values()]
+    draw(names, Path(figures), gallery)
+    if wrong := too_large(names, gallery):
+        raise ecsv.Fault(f"{gallery}: {wrong[0]}")

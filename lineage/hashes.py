@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from . import ecsv
-from .claims import programs_of
+from .claims import programs_of, runs_of
 
 RUNS = ("full", "quick")
 OTHER_PROCESSOR = 77  # what ctest calls skipped
@@ -42,10 +42,7 @@ def record_of(root):
 def read_record(root):
     """The entries by (program, table), and with what they were computed."""
     table, out = ecsv.read(record_of(root), [c.name for c in COLUMNS]), {}
-    for row in table.rows:
-        key = row["program"], row["table"]
-        if key in out:
-            raise row.fault(f"two rows for {' '.join(key)}")
+    for key, row in table.by(("program", "table")).items():
         if bool(row["left_out"]) != bool(row["reason"]):
             raise row.fault("rows are left out with a reason, and a reason is for rows that are left out")
         out[key] = Entry(*(row[c.name] for c in COLUMNS[2:]))
@@ -75,8 +72,7 @@ def maker_of(path):
 
 def tables_in(data, programs):
     """The files of the runs that are complete, by (program, table)."""
-    return {(p, path.stem): path for p in programs if (Path(data) / p / "results.ecsv").exists()
-            for path in sorted((Path(data) / p).glob("*.ecsv"))}
+    return {(p, path.stem): path for p, results in runs_of(data, programs) for path in sorted(results.parent.glob("*.ecsv"))}
 
 
 def first_difference(path, other, left_out=""):
@@ -87,12 +83,10 @@ def first_difference(path, other, left_out=""):
     if len(one) != len(two):
         return f"{len(one) - 1} rows instead of {len(two) - 1}"
     apart = [i for i in range(len(one)) if one[i] != two[i]]
-    tables = [ecsv.parse(ecsv.text_of(p), p) for p in (path, other)]
-    names, out = [c.name for c in tables[0].columns], left_out.split()
-    for row, twin in zip(tables[0].rows, tables[1].rows):
-        for name in names:
-            a, b = row[name], twin[name]
-            if str(a) != str(b) and name not in out and str(row[names[0]]) not in out:
+    tables, out = [ecsv.read(p) for p in (path, other)], left_out.split()
+    for row, twin in zip(*(table.rows for table in tables)):
+        for name, a in row.items():
+            if str(a) != str(b := twin[name]) and name not in out and str(next(iter(row.values()))) not in out:
                 return f"row {row.number}, {name}: {a!r} instead of {b!r} ({len(apart)} of {len(one) - 1} rows differ)"
     return "other spelling"
 
@@ -150,8 +144,7 @@ def renew(root, folders):
     maker, counts = None, []
     for run, data in zip(RUNS, folders):
         found = tables_in(data, programs)
-        missing = [p for p in programs if (p, "results") not in found]
-        if missing:
+        if missing := [p for p in programs if (p, "results") not in found]:
             raise ecsv.Fault(f"{data}: {', '.join(missing)} did not finish (make hashes runs everything)")
         ecsv.check_all_written(data)
         for key, path in found.items():

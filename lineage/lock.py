@@ -13,6 +13,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from . import ecsv
+from .chapters import read_commands
 from .claims import name_of, programs_of, quoted_by, read_claims, read_facts, read_results
 from .findings import quoted_in, read_findings, read_second
 from .values import Finding, distance
@@ -36,15 +37,13 @@ def lock_of(root):
 def read_lock(root):
     """The locked findings by (program, id)."""
     out = {}
-    for row in ecsv.read(lock_of(root), [c.name for c in COLUMNS]).rows:
+    for key, row in ecsv.read(lock_of(root), [c.name for c in COLUMNS]).by(("program", "id")).items():
         found = Finding(*(row[c.name] for c in COLUMNS))
         if found.kind not in KINDS:
             raise row.fault(f"{found.id}: the kind '{found.kind}' is none of {', '.join(KINDS)}")
         if found.error < 0:
             raise row.fault(f"{found.id}: the error {found.error:g} is negative")
-        if found.key in out:
-            raise row.fault(f"two rows for {found.program} {found.id}")
-        out[found.key] = found
+        out[key] = found
     return out
 
 
@@ -72,7 +71,7 @@ def sources(root):
 
 
 def uncommented(tex):
-    """A line of TeX without its comment."""
+    """TeX without its comments."""
     return re.sub(r"(?<!\\)%.*", "", tex)
 
 
@@ -84,12 +83,8 @@ def quoted(root):
     for path in sources(root) + sorted((root / "book").glob("*.md")):
         out.update(re.findall(r"\]\(num:([^)]+)\)", ecsv.text_of(path)))
     for path in sorted((root / "paper").glob("*.tex")):
-        for line in ecsv.text_of(path).splitlines():
-            out.update(re.findall(r"\\(?:num|err)\{([^}#]+)\}", uncommented(line)))
-    commands = root / "book/commands.txt"
-    if commands.exists():
-        out.update(line.split()[0] for line in ecsv.text_of(commands).splitlines() if line and line[0] != "#")
-    return out - {"..."}
+        out.update(re.findall(r"\\(?:num|err)\{([^}#]+)\}", uncommented(ecsv.text_of(path))))
+    return out.union(read_commands(root)) - {"..."}
 
 
 def is_kept(finding, claims, names):

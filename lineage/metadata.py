@@ -44,19 +44,14 @@ def article(meta):
 
 
 def yaml(value, indent=0):
-    """A value in YAML: texts are quoted as in JSON, which YAML reads."""
+    """A value in YAML, whose texts are quoted as in JSON, which YAML reads; an empty one stays empty."""
     lead = "  " * indent
     if isinstance(value, dict):
-        return "".join(f"{lead}{key}:{nested(item, indent)}" for key, item in value.items())
-    return "".join(f"{lead}- {yaml(item, indent + 1).lstrip() if isinstance(item, dict) else scalar(item)}" for item in value)
-
-
-def nested(item, indent):
-    return "\n" + yaml(item, indent + 1) if isinstance(item, (dict, list)) else " " + scalar(item) if item != "" else "\n"
-
-
-def scalar(item):
-    return json.dumps(item, ensure_ascii=False) + "\n"
+        return "".join(f"{lead}{key}:{' ' if isinstance(item, (str, int)) and item != '' else chr(10)}{yaml(item, indent + 1)}"
+                       for key, item in value.items())
+    if isinstance(value, list):
+        return "".join(f"{lead}- {yaml(item, indent + 1).lstrip()}" for item in value)
+    return json.dumps(value, ensure_ascii=False) + "\n" if value != "" else ""
 
 
 def citation(meta):

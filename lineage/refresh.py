@@ -133,18 +133,16 @@ def gallery_rows(figures):
 
 
 def cost_rows(costs):
-    yield "| program | seconds |"
-    yield "|---|---|"
-    for program, seconds in costs.items():
-        yield f"| `{program}` | {shown_cost(seconds)} |"
-    yield f"| together | {shown_cost(sum(c for c in costs.values() if not math.isnan(c)))} |"
+    together = shown_cost(sum(c for c in costs.values() if not math.isnan(c)))
+    return ["| program | seconds |", "|---|---|", *(f"| `{program}` | {shown_cost(seconds)} |" for program, seconds in costs.items()),
+            f"| together | {together} |"]
 
 
 def generated_tables(claims, lock, figures, costs, alone, findings):
     """Every table that a page may show, by the name in its marks."""
     return {"gallery": gallery_rows(figures), "summary": summary_rows(claims, figures, findings),
             "found": found_rows(findings, quotable(lock, claims)), "discrepant": list(discrepancy_rows(claims, lock, costs, alone)),
-            "published": list(published_rows(claims, lock)), "costs": list(cost_rows(costs))}
+            "published": list(published_rows(claims, lock)), "costs": cost_rows(costs)}
 
 
 def fresh_page(text, tables):

@@ -7,8 +7,8 @@ from pathlib import Path
 
 from . import ecsv
 from .chapters import explained_by, read_commands, read_costs, run_of, shown_cost
-from .claims import Judge, name_of, programs_of, read_claims
-from .findings import NAME, agrees, conditions, holds, in_plain, margins, read_findings, read_second, tally as kinds_of
+from .claims import Judge, name_of, programs_of, read_claims, runs_of
+from .findings import agrees, holds, in_plain, margins, names_in, read_findings, read_second, tally as kinds_of
 from .lock import read_fresh, read_lock
 from .refresh import command_of, read_figures, tally
 
@@ -56,7 +56,7 @@ def complaint(row):
 def known_numbers(root, data, claims):
     """All numbers by name: fresh where the program has run, locked elsewhere; and the programs that have run."""
     programs = programs_of(root)
-    ran = {program for program in programs if (Path(data) / program / "results.ecsv").exists()}
+    ran = {program for program, _ in runs_of(data, programs)}
     locked = [f for f in read_lock(root).values() if f.program not in ran]
     return {name_of(f, claims): f for f in [*locked, *read_fresh(data, programs, claims).values()]}, ran
 
@@ -86,8 +86,7 @@ def summarize(root, data, out):
 
 def asked_of(row, claims):
     """The programs whose numbers decide a finding."""
-    names = {name for fact, _, limit in conditions(row) for name in (fact, limit) if re.fullmatch(NAME, name)}
-    return {claims[name]["program"] if name in claims else name.partition(".")[0] for name in names}
+    return {claims[name]["program"] if name in claims else name.partition(".")[0] for name in names_in(row)}
 
 
 def condition_texts(row, found):

@@ -117,8 +117,7 @@ def paper_texts(claims, lock, figures, meta, findings):
 
 def dangling(paper, texts):
     """References that would stay empty, each once. A comment refers to nothing, and `#1` is a parameter."""
-    found = [m for line in paper.splitlines()
-             for m in re.finditer(r"\\(num|err|pub|claimed|fig|tally|meta|finding)\{([^}#]*)\}", uncommented(line))]
+    found = re.finditer(r"\\(num|err|pub|claimed|fig|tally|meta|finding)\{([^}#]*)\}", uncommented(paper))
     return sorted({m[0] for m in found if (m[1], m[2]) not in texts})
 
 
@@ -127,15 +126,11 @@ CITED = re.compile(r"\bFigs?\.[~\s](x?\d\d(?:(?:--|,\s|\sand\s|,\sand\s)x?\d\d)*
 CAUSED = re.compile(r"\\gone\{([^}#]*)\}")
 
 
-def without_comments(paper):
-    return "\n".join(uncommented(line) for line in paper.splitlines())
-
-
 def omissions(paper, claims, figures):
     """What the paper, all its files together, leaves out: figures that it does not show or that it shows twice,
     figures that it cites without having them, discrepant claims without a cause, and causes of what is not
     discrepant."""
-    paper = without_comments(paper)
+    paper = uncommented(paper)
     shown = [id for found in PLACED.findall(paper) for id in re.findall(r"x?\d\d", found)]
     cited = {id for found in CITED.findall(paper) for id in re.findall(r"x?\d\d", found)}
     caused, lost = CAUSED.findall(paper), [id for id, c in claims.items() if c["status"] == "discrepant"]
@@ -154,7 +149,7 @@ def captions(root):
     path = Path(root) / "paper/captions.tex"
     if not path.exists():
         return {}
-    text, out = without_comments(ecsv.text_of(path)), {}
+    text, out = uncommented(ecsv.text_of(path)), {}
     for id, said in SEE.findall(text):
         if id in out:
             raise ecsv.Fault(f"{path}: figure {id} has two captions")

@@ -3,7 +3,7 @@
 
     fuzz.py PYTHON_FOLDER [COUNT [SEED]]
 
-PYTHON_FOLDER holds the package, as build/python does. The calls are of all functions and methods, with options that are
+PYTHON_FOLDER holds the package, as build/python does. The calls are of all that computes, with options that are
 declared, and small enough for a short run; a share of the arguments is what people get wrong, and what nobody does: other
 types and lengths, nan, inf, huge and tiny numbers. Asked is of every call: it returns, or raises ValueError, TypeError or
 RuntimeError with one line of at most 400 characters; nothing else is said, but the warnings that are documented; a run ends
@@ -22,44 +22,33 @@ import sys
 import warnings
 from fractions import Fraction
 
-sys.path.insert(0, os.path.abspath(sys.argv[1]))
+sys.path[:0] = [os.path.abspath(sys.argv[1]), os.path.join(os.path.dirname(os.path.abspath(__file__)), "../tests")]
 import lattice  # noqa: E402
 import numpy as np  # noqa: E402
+from fuzz import SIZES, good_value  # noqa: E402
 
 SECONDS = 30 * float(os.environ.get("LATTICE_SLACK", "1"))
 MOST = 2 << 30  # bytes
-# What decides how long a call takes, and how many times its least value is still short.
-SIZES = {"sites": 4, "time": 3, "tau": 5, "k": 2, "near": 3, "reach": 2}
-STIFF = {"alpha": 3, "precompression": 2}  # contacts that are stiffer take very many steps
-FUNCTIONS = ["strike", "strike", "breather", "multipliers", "barrier", "travelling", "dps", "set_threads", "Estimate"]
+MOST_STIFF = {"alpha": 3, "precompression": 2}  # contacts that are stiffer take very many steps
+FUNCTIONS = ["strike", "strike", "breather", "multipliers", "barrier", "travelling", "dps"]
 METHODS = ["Chain", "Chain", "evolve", "evolve", "evolve", "energy_density", "accelerations", "strike a chain", "Well",
            "Contact", "pickle"]
+ODD_NUMBERS = [math.nan, math.inf, -math.inf, 0, -0.0, -1, 1, 1e-3, 5e-324, 1e-310, 1e-100, -1e-9, 1e5, 1e20, 1e100, 1e308,
+               -1e308, 0.5, 2**31, 2**63, 2**64, -(2**63), 10**18]
+# What is no number that can be meant, or hardly
+ODD_VALUES = [None, True, False, np.True_, "", "x", "1/0", "nan", "1\n2", "\0", "\udcff", "é", "9" * 5000, b"1", 1j,
+              np.complex128(2), [1], [[1, 2], [3]], [], {}, {1: 2}, print, object(), np.ones(3), np.ones(100000),
+              list(range(100000)), np.array(None), np.array([None, 1], object), np.array(["a"]), ..., Fraction(1, 3),
+              np.datetime64("2020-01-01"), Fraction(10**400), 10**400, -(10**5000), np.float64(0.5), np.int8(3), type,
+              np.longdouble("1e4000"), np.array(2.0), (n for n in range(3)), np.ma.masked, range(5), set(), memoryview(b"1")]
 
 
 class Mine(Exception):
     """What an own potential raises."""
 
 
-def odd_value(chance):
-    """What is no number that can be meant, or hardly."""
-    return chance.choice([
-        lambda: None, lambda: True, lambda: False, lambda: np.True_, lambda: "", lambda: "x", lambda: "1/0", lambda: "nan",
-        lambda: "1\n2", lambda: "\0", lambda: "\udcff", lambda: "é", lambda: "9" * 5000, lambda: b"1", lambda: 1j,
-        lambda: np.complex128(2), lambda: [1], lambda: [[1, 2], [3]], lambda: [], lambda: {}, lambda: {1: 2}, lambda: print,
-        lambda: object(), lambda: np.ones(3), lambda: np.ones(100000), lambda: list(range(100000)), lambda: np.array(None),
-        lambda: np.array([None, 1], object), lambda: np.array(["a"]), lambda: np.datetime64("2020-01-01"), lambda: ...,
-        lambda: Fraction(1, 3), lambda: Fraction(10**400), lambda: 10**400, lambda: -(10**5000), lambda: np.float64(0.5),
-        lambda: np.int8(3), lambda: np.longdouble("1e4000"), lambda: np.array(2.0), lambda: (n for n in range(3)),
-        lambda: np.ma.masked, lambda: range(5), lambda: set(), lambda: type, lambda: memoryview(b"12345678")])()
-
-
-def odd_number(chance):
-    return chance.choice([math.nan, math.inf, -math.inf, 0, -0.0, -1, 1, 1e-3, 5e-324, 1e-310, 1e-100, -1e-9, 1e5, 1e20,
-                          1e100, 1e308, -1e308, 0.5, 2**31, 2**63, 2**64, -(2**63), 10**18])
-
-
 def odd(chance):
-    return odd_number(chance) if chance.random() < 0.5 else odd_value(chance)
+    return chance.choice(ODD_NUMBERS if chance.random() < 0.5 else ODD_VALUES)
 
 
 class Call:
@@ -79,34 +68,29 @@ class Call:
             self.said.append(f"{name}={lattice._short(value)}")
         return arguments
 
-    def option(self, name, allowed, standard):
+    def either(self, *right):
+        """One of the right values, or an odd one."""
+        return odd(self.chance) if self.odd() else self.chance.choice(right)
+
+    def option(self, name, allowed):
         """A value that is declared as allowed, and cheap."""
-        chance = self.chance
         if self.odd():
-            return odd(chance)
+            return odd(self.chance)
         if not allowed.startswith("["):
-            return chance.choice(allowed.split(", "))
+            return self.chance.choice(allowed.split(", "))
         least, most = (float(x) for x in allowed[1:].split("]")[0].split(", "))
-        if name in SIZES:
-            most = min(most, max(least, 1) * SIZES[name])
-        most = min(most, STIFF.get(name, most))
-        least = max(least, 1e-3) if name == "tolerance" else least
-        x = chance.choice([least, most]) if chance.random() < 0.15 else \
-            least * (most / least) ** chance.random() if least > 0 and most / least > 50 else chance.uniform(least, most)
-        x = math.floor(x) if name in ("sites", "k", "reach") else min(max(x, least), most)
-        return chance.choice([x, x, repr(x), np.float64(x), Fraction(x)])
+        x = good_value(self.chance, name, [least, min(most, MOST_STIFF.get(name, most))])
+        return self.chance.choice([x, float(x), np.float64(x), Fraction(x)])
 
     def options(self, command, without=()):
         out = {}
-        for name, flag, allowed, _, standard in lattice._lattice.options[command]:
+        for name, flag, allowed, *_ in lattice._lattice.options[command]:
             if not flag and name not in without and (self.chance.random() < 0.3 or name in SIZES):
-                out[name] = self.option(name, allowed, standard)
+                out[name] = self.option(name, allowed)
         if command == "travelling" and "near" in out:
             out.pop(self.chance.choice(["near", "k"]), None)
         if self.odd() and self.chance.random() < 0.3:
-            name = self.chance.choice(["bogus", "", "x" * 1000, "a b", "velocity=1 --s", "help", "version", "mass", "\udcff",
-                                       "é"])
-            out[name] = odd(self.chance)
+            out[self.chance.choice(["bogus", "", "x" * 1000, "a b", "s=1 --s", "help", "mass", "\udcff"])] = odd(self.chance)
         return self.note(**out)
 
     def numbers(self, count, scale=1.0):
@@ -115,14 +99,9 @@ class Call:
         x = np.zeros(count)
         x[:max(1, count // 3)] = [chance.gauss(0, scale) for _ in range(max(1, count // 3))]
         if self.odd():
-            kind = chance.randrange(4)
-            if kind == 0:
-                return odd(chance)
-            if kind == 1:
-                return x[:chance.randrange(count)]
-            if kind == 2:
-                return [x] * chance.choice([0, 1, 3])
-            x[chance.randrange(count)] = chance.choice([math.nan, math.inf, 1e20, 1e300, 1e-310, 1e5])
+            hole = x.copy()
+            hole[chance.randrange(count)] = chance.choice([math.nan, math.inf, 1e20, 1e300, 1e-310, 1e5])
+            return chance.choice([odd(chance), x[:chance.randrange(count)], [x] * chance.choice([0, 1, 3]), hole])
         return chance.choice([np.asarray, list, tuple, lambda a: a.astype(np.float32), lambda a: a.astype(np.longdouble),
                               lambda a: np.array(list(a), object), lambda a: np.repeat(a, 2)[::2]])(x)
 
@@ -143,8 +122,7 @@ class Call:
                                lambda y: np.where(abs(y) < 1.01, force(y), math.nan)])
         if self.odd():
             right[chance.randrange(3)] = wrong
-        self.said.append("a well of one's own")
-        return lattice.Well(*right, **({"rim": odd(chance)} if self.odd() else {}))
+        return self.own(lattice.Well, right, rim=odd(chance) if self.odd() else math.inf)
 
     def contact(self):
         chance = self.chance
@@ -152,9 +130,12 @@ class Call:
         if self.odd():
             wrong = [None, np.sin, lambda r: r[:-1], lambda r: -r, lambda r: r * math.nan]
             right[chance.randrange(3)] = chance.choice(wrong)
-        self.said.append("a contact of one's own")
-        return lattice.Contact(*right, exponent=odd(chance) if self.odd() else 2,
-                                    **({"opening": odd(chance)} if self.odd() else {}))
+        return self.own(lattice.Contact, right, exponent=odd(chance) if self.odd() else 2,
+                        opening=odd(chance) if self.odd() else 0)
+
+    def own(self, kind, functions, **numbers):
+        self.note(**{kind.__name__: "one's own"})
+        return kind(*functions, **numbers)
 
     def chain(self, sites=True):
         chance = self.chance
@@ -165,40 +146,27 @@ class Call:
         if chance.random() < 0.1:
             options |= {"contact": self.contact()}
         if sites or chance.random() < 0.8:
-            options |= self.note(sites=odd(chance) if self.odd() else chance.choice([2, 3, 5, 8, 20]))
+            options |= self.note(sites=self.either(2, 3, 5, 8, 20))
         # Light beads take very many steps, which is long where each of them calls Python
         own = any(isinstance(value, (lattice.Well, lattice.Contact)) for value in options.values())
         for name in ("mass", "eta"):
             if chance.random() < 0.3:
                 rows = [1, 2.5, [1], [1, 0.5], (2, 1, 1), range(1, 4), [0.01] if own else [1e-5]]
-                options |= self.note(**{name: odd(chance) if self.odd() else chance.choice(rows)})
+                options |= self.note(**{name: self.either(*rows)})
         return lattice.Chain(**options)
-
-    def state(self, chain):
-        n = chain.sites or 3
-        return self.note(y=self.numbers(n, 0.3), v=self.numbers(n))
 
     def run(self):
         """Makes the call; returns what came back, and the time that was asked for."""
         chance, what = self.chance, self.what
-        if what == "Chain":
-            return self.chain()
-        if what == "Well":
-            return self.well()
-        if what == "Contact":
-            return self.contact()
-        if what == "set_threads":
-            return lattice.set_threads(**self.note(count=odd(chance) if self.odd() else chance.choice([0, 1, 2, 7])))
-        if what == "Estimate":
-            return repr(lattice.Estimate(chance.gauss(0, 1), abs(chance.gauss(0, 1)) ** 5))
-        if what in ("evolve", "energy_density", "accelerations", "pickle", "strike a chain"):
-            chain = self.chain(what != "strike a chain")
-            return self.moved(chain)
+        if what in ("Chain", "Well", "Contact"):
+            return getattr(self, what.lower())()
+        if what in METHODS:
+            return self.moved(self.chain(what != "strike a chain"))
         options = self.options(what)
         if what in ("breather", "multipliers") and self.odd():
             options |= {"well": self.well()}
         if what == "strike" and self.odd():
-            options["chain"] = odd_value(chance)
+            options["chain"] = chance.choice(ODD_VALUES)
         return getattr(lattice, what)(**options)
 
     def moved(self, chain):
@@ -212,13 +180,14 @@ class Call:
         if what == "strike a chain":
             options = self.options("strike", without=[o[0] for o in lattice._lattice.options["Chain"]])
             return lattice.strike(chain, **options)
-        state = self.state(chain)
+        sites = chain.sites or 3
+        state = self.note(y=self.numbers(sites, 0.3), v=self.numbers(sites))
         if what == "evolve":
-            rest = {"time": odd(chance) if self.odd() else chance.choice([0.1, 3, 20, 20.5, 7])}
+            rest = {"time": self.either(0.1, 3, 20, 20.5, 7)}
             if chance.random() < 0.5:
-                rest["sample"] = odd(chance) if self.odd() else chance.choice([0.01, 0.2, 1, 100])
+                rest["sample"] = self.either(0.01, 0.2, 1, 100)
             if chance.random() < 0.5:
-                rest["tolerance"] = odd(chance) if self.odd() else chance.choice([1e-2, 1e-6, 1e-9])
+                rest["tolerance"] = self.either(1e-2, 1e-6, 1e-9)
             self.note(**rest)
             most = 1e3 if chain.sites < 100 else 1
             if isinstance(rest["time"], (int, float)) and most < rest["time"] <= 1e9:

@@ -326,7 +326,9 @@ class Chain(_lattice.Chain):
         options = {"sites": self.sites or None, "ends": self.ends}
         for name, own, kind in (("well", self._well, Well), ("contact", self._contact, Contact)):
             word, *parameters = getattr(self, name).split(", ")
-            options |= {name: _like(own, kind) if own else word} | dict(parameter.split(" = ") for parameter in parameters)
+            if own:
+                word = kind(*own.functions, *([own.rim] if kind is Well else [own.opening, own.exponent]))
+            options |= {name: word} | dict(parameter.split(" = ") for parameter in parameters)
         for name in ("mass", "eta"):
             if len(getattr(self, name)):
                 options[name] = getattr(self, name)
@@ -383,11 +385,6 @@ def _finite(what, array):
     return array
 
 
-def _like(own, kind):
-    """A potential that comes from the compiled half, as it was made."""
-    return kind(*own.functions, *([own.rim] if kind is Well else [own.opening, own.exponent]))
-
-
 def _made(kind, options):
     """A chain made again, as it was before it was pickled."""
     chain = kind.__new__(kind)
@@ -400,12 +397,6 @@ def _chain(found):
     chain = Chain.__new__(Chain)
     _lattice.Chain.__init__(chain, found)
     return chain
-
-
-def _refuse_both(options):
-    for name in options:
-        if name in {option[0] for option in _lattice.options["Chain"]}:
-            raise ValueError(f"--{name}: belongs to the chain that is given (allowed: in Chain)")
 
 
 def strike(chain=None, **options):
@@ -427,7 +418,9 @@ def strike(chain=None, **options):
     if chain is not None:
         if not isinstance(chain, Chain):
             raise TypeError(f"chain: {_short(chain)} is not a lattice.Chain")
-        _refuse_both(options)
+        for name in options:
+            if name in {option[0] for option in _lattice.options["Chain"]}:
+                raise ValueError(f"--{name}: belongs to the chain that is given (allowed: in Chain)")
     found, end, track, chain = _lattice.strike(_words("strike", options), chain)
     path = {"t": track["t"]} | {f"track_{name}": track[name] for name in ("centre", "energy", "peak")}
     return Result(_estimates(found), **end, **path, chain=_chain(chain))

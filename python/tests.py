@@ -123,8 +123,8 @@ class Refusals(unittest.TestCase):
         run = "sec34_impact run"
         self.check(ValueError, lattice.strike, run, velocity=-1.0)
         self.check(ValueError, lattice.strike, run, velocity="fast")
-        with self.assertRaisesRegex(ValueError, "velocty.*--velocity"):
-            lattice.strike(velocty=1.0)
+        with self.assertRaisesRegex(ValueError, "there is no such option; did you mean --velocity"):
+            lattice.strike(velocty=None)
         self.check(ValueError, lattice.strike, run, well="pendulum", s=1.0)
         self.check(ValueError, lattice.breather, "sec32_newton_breathers breather", centre="bond", sites=31)
         self.check(ValueError, lattice.breather, "sec32_newton_breathers breather", well="none")
@@ -181,8 +181,6 @@ class Refusals(unittest.TestCase):
         for value in (True, False, np.True_, 1j, np.complex128(1), b"1", [1], np.ones(1)):
             with self.assertRaisesRegex(ValueError, "--velocity: .* is not a number"):
                 lattice.strike(velocity=value)
-        with self.assertRaisesRegex(ValueError, "there is no such option; did you mean --velocity"):
-            lattice.strike(velocty=None)
 
 
 class OwnChains(unittest.TestCase):
@@ -253,9 +251,9 @@ class OwnChains(unittest.TestCase):
         def broken_later(y):
             return np.where(abs(y) < 1.2, -y, math.nan)
 
-        for well in (lattice.Well(lambda y: y * y / 2, broken_later, np.ones_like),):
-            with self.assertRaisesRegex(RuntimeError, "no step is short enough"):
-                lattice.Chain(4, well=well).evolve(np.zeros(4), 3 * np.eye(4)[0], 10)
+        well = lattice.Well(lambda y: y * y / 2, broken_later, np.ones_like)
+        with self.assertRaisesRegex(RuntimeError, "no step is short enough"):
+            lattice.Chain(4, well=well).evolve(np.zeros(4), 3 * np.eye(4)[0], 10)
 
     def test_what_is_taken_along(self):
         """A chain, and a result with its chain, goes to another process and moves there to the same bits."""
@@ -308,9 +306,6 @@ class OwnChains(unittest.TestCase):
         """They used to give wrong multipliers, or a drift, without a word."""
         energy, force = lambda y: y * y / 2, lambda y: -y
         for message, functions in [("force", (energy, lambda y: -1.01 * y, np.ones_like)),
-                                   ("force", (energy, energy, np.ones_like)),
-                                   ("stiffness", (energy, force, lambda y: 2 + 0 * y)),
-                                   ("nan", (lambda y: y * math.nan, force, force)),
                                    (r"force returns (\d+) numbers for \d+ .allowed: as many, or one", (energy, lambda y: -y[1:], np.ones_like)),
                                    ("energy returns something else", (lambda y: y * y / 2 + 0j, force, np.ones_like)),
                                    ("force returns something else", (energy, lambda y: None, np.ones_like)),
@@ -413,8 +408,6 @@ class Documentation(unittest.TestCase):
         self.assertEqual(str(lattice.Estimate(math.nan, math.nan, "site", reason="no packet left")), "nan (no packet left)")
         copy = pickle.loads(pickle.dumps(lattice.Estimate(1.5, 0.1, "site", reason="none")))
         self.assertEqual((copy, copy.error, copy.unit, copy.reason), (1.5, 0.1, "site", "none"))
-        self.assertIn("speed", repr(lattice.strike(velocity=1, time=10)))
-
 
     def test_a_strict_terminal_can_show_everything(self):
         code = "import lattice; print(lattice.strike(velocity=1, time=10)); help(lattice)"

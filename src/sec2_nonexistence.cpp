@@ -24,12 +24,12 @@ small and large starts end (c); energy and mean force of a localized state (d, e
 #include <utility>
 #include <vector>
 
+#include "lattice/diagnostics/observe.hpp"
 #include "lattice/gsl/random.hpp"
 #include "lattice/integrators/contact_rkn.hpp"
 #include "lattice/integrators/integrate.hpp"
 #include "lattice/numerics/parallel.hpp"
 #include "lattice/orbits/breather.hpp"
-#include "lattice/packets/observe.hpp"
 #include "report/program.hpp"
 #include "sec2/fixed_leapfrog.hpp"
 #include "sec2/mean_force.hpp"

@@ -20,10 +20,10 @@ tends to the value that an equal-area rule demands.](fig:x17) */
 #include <utility>
 #include <vector>
 
+#include "lattice/diagnostics/observe.hpp"
 #include "lattice/gsl/gsl_ode.hpp"
 #include "lattice/numerics/parallel.hpp"
 #include "lattice/orbits/breather.hpp"
-#include "lattice/packets/observe.hpp"
 #include "report/program.hpp"
 #include "sec2/mean_force.hpp"
 

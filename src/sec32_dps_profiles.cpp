@@ -28,8 +28,8 @@ and measure how good that approximation is. The breathers of the chain have a ch
 #include <utility>
 #include <vector>
 
+#include "lattice/diagnostics/observe.hpp"
 #include "lattice/model/contact.hpp"
-#include "lattice/packets/observe.hpp"
 #include "lattice/quadruple/extended.hpp"
 #include "lattice/standing/stationary.hpp"
 #include "report/program.hpp"

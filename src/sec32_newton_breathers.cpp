@@ -22,11 +22,11 @@ How much energy separates them is the question of the next chapter. */
 #include <vector>
 
 #include "commands/one_breather.hpp"
+#include "lattice/diagnostics/observe.hpp"
 #include "lattice/gsl/random.hpp"
 #include "lattice/numerics/parallel.hpp"
 #include "lattice/orbits/breather.hpp"
 #include "lattice/orbits/breather_pairs.hpp"
-#include "lattice/packets/observe.hpp"
 #include "lattice/quadruple/extended.hpp"
 #include "lattice/standing/stationary.hpp"
 #include "report/program.hpp"

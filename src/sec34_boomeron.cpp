@@ -25,8 +25,8 @@ their direction. How far does it get, and for how long can its motion be known?
 
 #include "lattice/gsl/random.hpp"
 #include "lattice/gsl/reference.hpp"
+#include "lattice/impact/turning.hpp"
 #include "lattice/numerics/parallel.hpp"
-#include "lattice/packets/turning.hpp"
 #include "report/model_options.hpp"
 #include "report/program.hpp"
 #include "sec34/criteria.hpp"
@@ -492,13 +492,14 @@ well. */
 struct OneTurn {
   static constexpr Title title{"run", "one impact: apex, rebound, decorrelation"};
   double velocity = 1.9, time = 1000, tolerance = 1e-3;
-  Chain like{0, Quartic{1}};  // without sites: as long as needed
+  std::optional<std::size_t> sites{};  // otherwise as many as needed
+  Chain like{.well = Quartic{1}};
 
   void parameters(Parameters& p) {
     p.add("velocity", velocity, "impact velocity", {1e-3, 100});
     add_well(p, like.well, {{"s", {0, 1000}}});
     add_contact(p, like.contact);
-    p.add("sites", like.sites, "chain length (default: as long as needed)", {12, 1e5});
+    p.add("sites", sites, "chain length (default: as long as needed)", {12, 1e5});
     p.add("time", time, "length of the run", {50, 1e5});
     p.add("tolerance", tolerance,
           "relative difference of apex and rebound allowed between two steps", {1e-8, 0.1});
@@ -510,7 +511,8 @@ struct OneTurn {
 The two impacts that part are run with half the step once more, for the error of that time. */
 Table OneTurn::table() const {
   const double v = velocity;
-  const Chain chain = like.sites == 0 ? endless(like, v, time) : like;
+  Chain chain = endless({v, like, time}).chain;
+  if (sites) chain.sites = *sites;
   const auto runs = converge(
       tolerance, [&](const ContactAware& at) { return voyage(at, chain, v, time); }, SameTurn{});
   // The neighbours start from the steps that have proved to be short enough

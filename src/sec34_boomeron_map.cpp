@@ -24,8 +24,8 @@ that of an apex at site 40. The model is that of the chapter before.
 #include <utility>
 #include <vector>
 
+#include "lattice/impact/turning.hpp"
 #include "lattice/numerics/parallel.hpp"
-#include "lattice/packets/turning.hpp"
 #include "report/program.hpp"
 #include "report/sweep.hpp"
 

@@ -25,9 +25,9 @@ The answer, with its evidence and its limits, is given under *Results*. */
 #include <vector>
 
 #include "lattice/gsl/random.hpp"
+#include "lattice/impact/turning.hpp"
 #include "lattice/numerics/parallel.hpp"
 #include "lattice/orbits/breather_pairs.hpp"
-#include "lattice/packets/turning.hpp"
 #include "report/program.hpp"
 #include "sec34/wake.hpp"
 

@@ -25,9 +25,9 @@ extended wave train that the boundary goes on emitting. We compute both and comp
 #include <vector>
 
 #include "lattice/dps/dps_impact.hpp"
+#include "lattice/impact/impact.hpp"
 #include "lattice/integrators/runge_kutta.hpp"
 #include "lattice/numerics/parallel.hpp"
-#include "lattice/packets/impact.hpp"
 #include "report/program.hpp"
 #include "sec34/criteria.hpp"
 

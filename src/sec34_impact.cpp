@@ -25,8 +25,8 @@ the first beads, the *surface mode*. */
 
 #include "commands/one_impact.hpp"
 #include "lattice/gsl/reference.hpp"
+#include "lattice/impact/impact.hpp"
 #include "lattice/numerics/parallel.hpp"
-#include "lattice/packets/impact.hpp"
 #include "report/program.hpp"
 #include "sec34/criteria.hpp"
 
@@ -79,7 +79,9 @@ step is halved, and the samples with it, until the *end states* of two successiv
 between these two runs, for a speed with the error of its fit added. Beads ahead of the front are
 exactly at rest and cost nothing. */
 Refined<ImpactRun> strike_twice(double s, double velocity, double time) {
-  return strike_to(tolerance, {velocity, {90, Quartic{s}}, time, fit_to + 2});
+  return strike_to(
+      tolerance,
+      {.velocity = velocity, .chain = {90, Quartic{s}}, .time = time, .until = fit_to + 2});
 }
 
 /**
@@ -206,7 +208,7 @@ struct Trial {
   double escape[2] = {0, 0};  ///< time of the blow-up at two resolutions, infinite if there is none
 
   void measure(double s, double time) {
-    const Impact impact = complete({velocity, {0, Quartic{s}}, time, far_away, 2, 1e-9, false});
+    const Impact impact = endless({velocity, {.well = Quartic{s}}, time, 2, 1e-9, false});
     for (int k : {0, 1})
       escape[k] = strike(stepper_for(tolerance, largest_step, k), impact).run.escape_time;
   }
@@ -325,7 +327,10 @@ void report_tail(Report& report) {
       const auto peak = front_packet(density);
       if (peak && energy_centre(density, *peak) > 40) front.add(density, *peak);
     };
-    return Followed{strike(stepper, {velocity, {90}, time, fit_to}, watch), front};
+    return Followed{
+        strike(stepper, {.velocity = velocity, .chain = {90}, .time = time, .until = fit_to},
+               watch),
+        front};
   };
   Table& shape = report.table(
       "packet_shape", {number("velocity", "impact velocity"),
@@ -359,7 +364,7 @@ impact.
 ![Contact forces for a linear and a very soft well.](fig:20) */
 void add_forces(Table& table, double s, double velocity) {
   const std::size_t shown = 60;
-  const Impact impact{velocity, {80, Quartic{s}}, 300, far_away, 0.5, 1e-9, false};
+  const Impact impact{velocity, {80, Quartic{s}}, 300, 0.5, 1e-9, false};
   const auto watch = [&](const State<double>& now, const auto&) {
     const auto force = contact_forces(impact.chain, now.y);
     for (std::size_t n = 0; n < shown; ++n) table.add({s, now.t, n + 1, 0.0 - force[n]});
@@ -420,7 +425,7 @@ void report_surface(Report& report) {
   judge(report, "impact.surface_mode", surface_mode(linear, soft));
 
   // One instant at which both excitations are seen
-  const auto runs = strike_to(tolerance, {1.87, {160, Quartic{-1.0 / 6}}, 587, far_away, 1});
+  const auto runs = strike_to(tolerance, {1.87, {160, Quartic{-1.0 / 6}}, 587, 1});
   const auto &coarse = runs.coarse.end.v, &fine = runs.fine.end.v;
   Table& profile = report.table("surface_mode_snapshot",
                                 {count("n", "site", "site"), estimate("v", "velocity")});
@@ -468,7 +473,7 @@ A state on which our runs agree could still be wrong. So the struck chain of fig
 once more by an independent method, GSL's of order eight, and must arrive at the same state. */
 void report_check(Report& report) {
   const double time = 60;
-  const Impact impact{0.94, {40, Quartic{-0.7}}, time, far_away, 1};
+  const Impact impact{0.94, {40, Quartic{-0.7}}, time, 1};
   const auto runs = strike_to(1e-9, impact);
   const double apart =
       distance_from_reference(impact.chain, struck(40, 0.94), time, runs.fine.end, 1e-8);

@@ -21,8 +21,8 @@ figure, and leaves open how the transition happens; here we map it. */
 #include <string>
 #include <vector>
 
+#include "lattice/impact/impact.hpp"
 #include "lattice/numerics/parallel.hpp"
-#include "lattice/packets/impact.hpp"
 #include "report/program.hpp"
 #include "sec34/criteria.hpp"
 
@@ -101,13 +101,8 @@ struct Verdict {
 };
 
 Verdict follow(const Strike& impact, const ContactAware& stepper) {
-  const Impact whole{impact.velocity,
-                     {impact.sites, Pendulum{}},
-                     impact.patience,
-                     far_away,
-                     first_look,
-                     reached,
-                     false};
+  const Impact whole{
+      impact.velocity, {impact.sites, Pendulum{}}, impact.patience, first_look, reached, false};
   Verdict verdict;
   double next = first_look;
   const auto look = [&](const State<double>& now, const auto&) {
@@ -177,13 +172,9 @@ void report_confinement(Report& report) {
       report.quick ? std::vector{2.0, 6.0} : std::vector{2.0, 3.0, 4.0, 5.0, 6.0};
   std::vector<Confinement> all(velocities.size());
   parallel_for(all.size(), [&](std::size_t i) {
-    const Impact impact{velocities[i],
-                        {Strike{}.sites, Pendulum{}},
-                        report.quick ? 200.0 : 2000.0,
-                        far_away,
-                        0.2,
-                        reached,
-                        false};
+    const Impact impact{
+        velocities[i], {Strike{}.sites, Pendulum{}}, report.quick ? 200.0 : 2000.0, 0.2, reached,
+        false};
     all[i] = confinement(impact, stepper(velocities[i], 0), stepper(velocities[i], 1));
   });
 
@@ -219,7 +210,7 @@ void reproduce(Report& report) {
                    {number("velocity", "impact velocity"), number("t", "time"),
                     count("n", "site", "site"), number("wells", "displacement in units of 2 pi")});
   for (double velocity : {2.0, 5.0}) {
-    const Impact impact{velocity, {sites, Pendulum{}}, 100, far_away, 0.5, reached, false};
+    const Impact impact{velocity, {sites, Pendulum{}}, 100, 0.5, reached, false};
     strike(stepper(velocity, 1), impact, [&](const State<double>& now, const auto&) {
       for (std::size_t n = 0; n < now.y.size(); ++n)
         examples.add({velocity, now.t, n + 1, now.y[n] / (2 * std::numbers::pi)});

@@ -25,8 +25,8 @@ folds.
 #include <utility>
 #include <vector>
 
+#include "lattice/impact/turning.hpp"
 #include "lattice/numerics/parallel.hpp"
-#include "lattice/packets/turning.hpp"
 #include "report/program.hpp"
 #include "sec5/travelling.hpp"
 
@@ -343,7 +343,7 @@ and turn where they end? To see this we draw its speed against its energy, toget
 we find at $s = 1$. */
 Path packet_at_one(double step) {
   Path path;
-  strike(ContactAware{step}, {1.9, {160, Quartic{1}}, 400, far_away, 0.5},
+  strike(ContactAware{step}, {1.9, {160, Quartic{1}}, 400, 0.5},
          [&](const State<double>& now, const std::vector<double>& e) { path.add(now.t, e); });
   return smooth(path, 40);
 }

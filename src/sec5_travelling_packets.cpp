@@ -23,8 +23,8 @@ those that we know have isolated speeds. Where does the packet go?
 #include <utility>
 #include <vector>
 
+#include "lattice/impact/impact.hpp"
 #include "lattice/numerics/parallel.hpp"
-#include "lattice/packets/impact.hpp"
 #include "report/program.hpp"
 #include "sec5/dps_travelling.hpp"
 #include "sec5/travelling.hpp"

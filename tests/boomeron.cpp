@@ -1,18 +1,15 @@
-// Packets that turn round: what counts as turning, what the chain does, maps in parts, the programs.
+// Packets that turn round: what counts as turning, what the chain does, the program.
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <string>
 
 #include "check.hpp"
-#include "lattice/packets/impact.hpp"
-#include "lattice/packets/turning.hpp"
+#include "lattice/impact/impact.hpp"
+#include "lattice/impact/turning.hpp"
 #include "run.hpp"
 #include "sec34/decorrelation.hpp"
 
 using namespace lattice;
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -126,28 +123,6 @@ TEST_CASE("the boomeron run keeps its contract", "[cli][boomeron]") {
   const Result never = call("sec34_boomeron run --velocity 1 --s 0 --time 200");
   REQUIRE(never.code == 0);
   CHECK(std::isnan(quantity(never, "apex_site")));
-  for (const char* bad :
-       {"run --velocity nan", "run --s -1", "run --time 0", "run --tolerance 2", "run --sites 5"})
-    CHECK(call(std::string("sec34_boomeron ") + bad).code == 2);
-  for (const char* bad : {"map --part 3/2", "map --part 0/1", "map --part x", "map --rows 1"})
-    CHECK(call(std::string("sec34_boomeron_map ") + bad + " --folder /tmp").code == 2);
-}
-
-TEST_CASE("parts of the map merge to the same bytes, also after an interruption",
-          "[cli][boomeron]") {
-  const fs::path scratch = fs::temp_directory_path() / ("boomeron_" + std::to_string(::getpid()));
-  const std::string map = "sec34_boomeron_map map --columns 4 --rows 4 --folder ";
-  const std::string one = (scratch / "one").string(), two = (scratch / "two").string();
-  const std::string whole = body(call(map + one).output);
-  CHECK(std::count(whole.begin(), whole.end(), '\n') == 17);
-  const std::string half = body(call(map + two + " --part 2/2").output);
-  CHECK(std::count(half.begin(), half.end(), '\n') == 9);
-  for (const auto& entry : fs::directory_iterator(two)) {  // the last line was cut short
-    const auto size = fs::file_size(entry.path());
-    fs::resize_file(entry.path(), size - 5);
-  }
-  CHECK(body(call(map + two).output) == whole);
-  fs::remove_all(scratch);
 }
 
 TEST_CASE("no phonon reaches the end of an endless chain", "[unit][boomeron]") {
@@ -158,7 +133,7 @@ TEST_CASE("no phonon reaches the end of an endless chain", "[unit][boomeron]") {
   for (double q = 0.001; q < 3.14; q += 0.001)
     fastest =
         std::max(fastest, k * std::sin(q) / std::sqrt(1 + 4 * k * std::pow(std::sin(q / 2), 2)));
-  const double sites = double(endless(chain, 0.1, time).sites);
+  const double sites = double(endless({0.1, chain, time}).chain.sites);
   CHECK(sites > fastest * time);
   CHECK(sites < 2 * fastest * time);
 }

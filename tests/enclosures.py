@@ -85,10 +85,11 @@ def newton(centre, strains):
     return x
 
 
-def equations(centre, r, context, tail=0):
-    """F and its derivative on the window, for numbers or for intervals."""
+def equations(centre, r, context, tail=0, slope=None):
+    """F and its derivative on the window, for numbers or for intervals; with slopes of the forces that are given, or those
+    at r."""
     force = [x * context.sqrt(x) for x in r]
-    slope = [3 * context.sqrt(x) / 2 for x in r]
+    slope = slope or [3 * context.sqrt(x) / 2 for x in r]
     f = []
     derivative = context.matrix(N, N)
     for n in range(N):
@@ -99,6 +100,12 @@ def equations(centre, r, context, tail=0):
         if n + 1 < N:
             derivative[n, n + 1] -= slope[n + 1]
     return f, derivative
+
+
+def remainder(inverse, derivative):
+    """1 - A F', rows of intervals."""
+    return [[iv.mpf(1 if i == j else 0) - sum(iv.mpf(inverse[i, k]) * derivative[k, j] for k in range(N)) for j in range(N)]
+            for i in range(N)]
 
 
 def enclose(centre):
@@ -115,16 +122,8 @@ def enclose(centre):
     for attempt in range(4):
         f, _ = equations(centre, [iv.mpf(x) for x in c], iv, tail_force)
         _, derivative = equations(centre, box, iv)
-        image = []
-        for i in range(N):
-            y = iv.mpf(c[i])
-            for j in range(N):
-                y -= iv.mpf(inverse[i, j]) * f[j]
-                rest = iv.mpf(1 if i == j else 0)
-                for k in range(N):
-                    rest -= iv.mpf(inverse[i, k]) * derivative[k, j]
-                y += rest * (box[j] - c[j])
-            image.append(y)
+        image = [iv.mpf(c[i]) + sum(rest[j] * (box[j] - c[j]) - iv.mpf(inverse[i, j]) * f[j] for j in range(N))
+                 for i, rest in enumerate(remainder(inverse, derivative))]
         if attempt == 0:
             for small, large in zip(image, box):
                 assert low(large) < low(small) and high(small) < high(large), "the image does not lie inside the box"
@@ -194,24 +193,12 @@ def alone_within(centre, r, radius):
         return 3 * iv.sqrt(iv.mpf([max(x - radius, 0), x + radius])) / 2
 
     steep, behind = [slope(x) for x in c], high(slope(mpf(0)))
-    derivative = iv.matrix(N, N)
-    for n in range(N):
-        derivative[n, n] += 1 - 2 * steep[n]
-        derivative[n, left(centre, n)] -= steep[left(centre, n)]
-        if n + 1 < N:
-            derivative[n, n + 1] -= steep[n + 1]
-    f, _ = equations(centre, [iv.mpf(x) for x in c], iv)
+    f, derivative = equations(centre, [iv.mpf(x) for x in c], iv, slope=steep)
     eta = max(high(sum(abs(iv.mpf(inverse[i, k])) * abs(f[k]) for k in range(N))) for i in range(N))
     eta = max(eta, high(iv.mpf(c[N - 1]) * iv.sqrt(iv.mpf(c[N - 1]))))
     q = max(4 * behind, high(steep[N - 1]) + 3 * behind)
-    for i in range(N):
-        row = abs(iv.mpf(inverse[i, N - 1])) * behind
-        for j in range(N):
-            entry = iv.mpf(1 if i == j else 0)
-            for k in range(N):
-                entry -= iv.mpf(inverse[i, k]) * derivative[k, j]
-            row += abs(entry)
-        q = max(q, high(row))
+    for i, rest in enumerate(remainder(inverse, derivative)):
+        q = max(q, high(abs(iv.mpf(inverse[i, N - 1])) * behind + sum(map(abs, rest))))
     return q < 1 and eta + q * radius <= radius
 
 
@@ -236,17 +223,15 @@ def main():
     site, bond = found["site"]["norm"], found["bond"]["norm"]
     barriers = {"barrier_equal_mu": 2 * (site - bond) / 5,
                 "barrier_equal_norm": 2 * bond * (iv.sqrt(iv.sqrt(bond / site)) - 1) / 5}
-    faults = 0
+    faults = []
     for centre in found:
         theirs = printed(sys.argv[1], centre)
         for name, x in (found[centre] | barriers).items():
             lower, upper = theirs[name]
             if not lower <= low(x) <= high(x) <= upper:
-                faults += 1
-                print(f"{centre} {name}: {x} is not in [{lower}, {upper}]")
-    if faults == 0:
-        print("all bounds hold the intervals of mpmath")
-    sys.exit(faults > 0)
+                faults.append(f"{centre} {name}: {x} is not in [{lower}, {upper}]")
+    print("\n".join(faults or ["all bounds hold the intervals of mpmath"]))
+    sys.exit(bool(faults))
 
 
 if __name__ == "__main__":

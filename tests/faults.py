@@ -23,7 +23,7 @@ import zlib
 from pathlib import Path
 
 ROOT, BIN = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve()
-COUNT = int((sys.argv + ["", "", "6"])[3] if len(sys.argv) > 3 else 6)
+COUNT = int(sys.argv[3]) if len(sys.argv) > 3 else 6
 SEED = int(sys.argv[4]) if len(sys.argv) > 4 else 1
 QUICK = [BIN / "sec32_dps_profiles", "--quick", "--threads", "1", "--out"]  # a full run that takes a moment
 MAP = [BIN / "sec34_boomeron_map", "map", "--columns", "3", "--rows", "3", "--threads", "1", "--output", "map.ecsv"]
@@ -69,28 +69,14 @@ def debris(folder, *allowed):
             and not any(path.match(a) for a in allowed)]
 
 
-def disturbed(command, seconds, number, **more):
-    """Starts a program and sends it a signal some time later."""
+def disturbed(command, soon, number, **more):
+    """Starts a program and sends it a signal when `soon()` says so; how it ends."""
     started = subprocess.Popen([str(word) for word in command], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
                                stdin=subprocess.DEVNULL, **more)
-    with contextlib.suppress(subprocess.TimeoutExpired):
-        return started.wait(seconds)
-    started.send_signal(number)
+    while started.poll() is None and not soon():
+        time.sleep(0.002)
+    started.send_signal(number)  # which Popen does not send to a program that has ended
     return started.wait(60)
-
-
-def interrupted(command, kept, number, **more):
-    """Starts a map and ends it when it has kept a row more; how many rows there are then."""
-    def rows_kept():
-        return sum(len(path.read_text().splitlines()) - 1 for path in kept.iterdir())
-    before = rows_kept()
-    started = subprocess.Popen([str(word) for word in command], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-                               stdin=subprocess.DEVNULL, **more)
-    while started.poll() is None and rows_kept() <= before:
-        time.sleep(0.005)
-    started.send_signal(number)
-    started.wait(60)
-    return rows_kept()
 
 
 def duration(command, **more):
@@ -107,7 +93,8 @@ def killed_at_random(scratch):
     whole, ended = tables(scratch / "whole"), 0
     for k in range(COUNT):
         number = chance.choice([signal.SIGKILL, signal.SIGTERM, signal.SIGINT, signal.SIGHUP, signal.SIGXCPU])
-        ended += disturbed(QUICK + [scratch / "hurt"], takes * chance.uniform(0, 1.1) if k else 0, number) != 0
+        end = time.monotonic() + (takes * chance.uniform(0, 1.1) if k else 0)
+        ended += disturbed(QUICK + [scratch / "hurt"], lambda: time.monotonic() > end, number) != 0
         if (scratch / "hurt").exists():
             check(tables(scratch / "hurt") in (None, whole), "a killed run leaves tables that are not whole")
             check(not debris(scratch / "hurt", "*.part"), f"a killed run leaves {debris(scratch / 'hurt')}")
@@ -134,10 +121,14 @@ def interrupted_map(scratch):
     whole = rows(scratch / "map.ecsv")
     (scratch / "map.ecsv").unlink()
     (scratch / "kept").mkdir()
-    kept = MAP + ["--folder", "kept"]
-    found = 0
+    kept, found = MAP + ["--folder", "kept"], 0
+
+    def rows_kept():
+        return sum(len(path.read_text().splitlines()) - 1 for path in (scratch / "kept").iterdir())
+
     for number in (signal.SIGTERM, signal.SIGXCPU, signal.SIGKILL):
-        now = interrupted(kept, scratch / "kept", number, cwd=scratch)
+        disturbed(kept, lambda: rows_kept() > found, number, cwd=scratch)
+        now = rows_kept()
         check(now >= found, f"{found} rows were kept, and then {now}")
         found = now
     check(found > 0, "no row was kept")
@@ -201,9 +192,7 @@ def read_only(scratch):
 def closed_channels(scratch):
     """Nobody reads, or not to the end, or there is no place for what is said."""
     def through(line):
-        done = subprocess.run(["sh", "-c", line, "sh", *map(str, BAND)], cwd=scratch, capture_output=True, text=True,
-                              timeout=60, check=False)
-        return done.returncode, done.stdout, done.stderr
+        return run(["sh", "-c", line, "sh", *BAND], cwd=scratch)
 
     whole = through('"$@"')[1]
     one_line(through('"$@" > /dev/full'), 1, "cannot write to standard output")
@@ -220,11 +209,10 @@ def closed_channels(scratch):
 def unread_report(scratch):
     """What Python prints: a full device is one line, a closed pipe none."""
     line = 'cd "$1" && PYTHONDONTWRITEBYTECODE=1 "$2" -m lineage show pn.omega11'
-    words = ["sh", str(ROOT), sys.executable]
-    full = subprocess.run(["sh", "-c", line + " > /dev/full", *words], capture_output=True, text=True, timeout=60, check=False)
-    one_line((full.returncode, full.stdout, full.stderr), 1, "lineage show: cannot write to standard output")
-    pipe = subprocess.run(["sh", "-c", line + " | head -n 1", *words], capture_output=True, text=True, timeout=60, check=False)
-    check(pipe.stderr == "" and pipe.stdout.count("\n") == 1, pipe)
+    words = ["sh", ROOT, sys.executable]
+    one_line(run(["sh", "-c", line + " > /dev/full", *words]), 1, "lineage show: cannot write to standard output")
+    pipe = run(["sh", "-c", line + " | head -n 1", *words])
+    check(pipe[2] == "" and pipe[1].count("\n") == 1, pipe)
     check(not list(scratch.iterdir()), "something was written")
 
 

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <cstring>
 
-#include "lattice/packets/impact.hpp"
+#include "lattice/impact/impact.hpp"
 
 using namespace lattice;
 

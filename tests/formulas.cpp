@@ -7,10 +7,10 @@
 #include "check.hpp"
 #include "lattice/algebra/dense.hpp"
 #include "lattice/events/event_driven.hpp"
+#include "lattice/impact/impact.hpp"
 #include "lattice/integrators/schemes.hpp"
 #include "lattice/model/dps.hpp"
 #include "lattice/numerics/parabola.hpp"
-#include "lattice/packets/impact.hpp"
 
 using namespace lattice;
 

@@ -36,6 +36,23 @@ bool holds(const Interval<T>& x, const Quadruple& y) {
   return Quadruple(x.lower) <= y && y <= Quadruple(x.upper);
 }
 
+/// Whether operation `k` on two intervals holds what it gives for a number of each.
+template <class T>
+bool sound(int k, const Interval<T>& a, const Interval<T>& b, const Quadruple& x,
+           const Quadruple& y) {
+  const Quadruple zero(0), most = x > 0 ? x : zero;
+  if (k == 0) return holds(a + b, x + y);
+  if (k == 1) return holds(a - b, x - y);
+  if (k == 2) return holds(a * b, x * y);
+  if (k == 3) return holds(a / b, x / y);
+  if (k == 4) return holds(root(a), sqrt(most));
+  if (k == 5) return holds(hertz(a), most * sqrt(most));
+  // The cube of the bounds tells without a cube root in four-fold precision
+  const Interval<T> c = cube_root(a);
+  const Quadruple low = c.lower, high = c.upper;
+  return low * low * low <= most && most <= high * high * high;
+}
+
 /// Number of results that an interval should hold and does not, among `count` operations.
 template <class T>
 int unsound(int count) {
@@ -43,33 +60,7 @@ int unsound(int count) {
   int wrong = 0;
   for (int i = 0; i < count; ++i) {
     const Interval<T> a = random.template interval<T>(), b = random.template interval<T>();
-    const Quadruple x = i % 2 ? a.lower : a.upper, y = i % 4 < 2 ? b.lower : b.upper;
-    switch (i % 7) {
-      case 0:
-        wrong += !holds(a + b, x + y);
-        break;
-      case 1:
-        wrong += !holds(a - b, x - y);
-        break;
-      case 2:
-        wrong += !holds(a * b, x * y);
-        break;
-      case 3:
-        wrong += !holds(a / b, x / y);
-        break;
-      case 4:
-        wrong += !holds(root(a), sqrt(x > 0 ? x : Quadruple(0)));
-        break;
-      case 5:
-        wrong += !holds(hertz(a), x > 0 ? Quadruple(x * sqrt(x)) : Quadruple(0));
-        break;
-      case 6: {
-        // The cube of the bounds tells without a cube root in four-fold precision
-        const Interval<T> c = cube_root(a);
-        const Quadruple low = c.lower, high = c.upper, most = x > 0 ? x : Quadruple(0);
-        wrong += !(low * low * low <= most && most <= high * high * high);
-      }
-    }
+    wrong += !sound(i % 7, a, b, i % 2 ? a.lower : a.upper, i % 4 < 2 ? b.lower : b.upper);
   }
   return wrong;
 }

@@ -1,15 +1,13 @@
 // Wells and contacts as values and by name in the programs: which are offered, what is refused, and that a well
 // chosen when the program runs is the well itself.
 
-#include <map>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "check_potential.hpp"
 #include "lattice/gsl/reference.hpp"
+#include "lattice/impact/turning.hpp"
 #include "lattice/orbits/breather.hpp"
-#include "lattice/packets/turning.hpp"
 #include "run.hpp"
 #include "sec4/compressed_impact.hpp"
 
@@ -26,14 +24,6 @@ const std::string breather = "sec32_newton_breathers breather ";
 const std::string multipliers = "sec33_floquet multipliers ";
 const std::string squeezed = "sec4_precompression_mi impact --time 100 ";
 const std::string boomeron = "sec34_boomeron run --time 100 ";
-
-Table table_of(const std::string& command) {
-  const Result answer = call(command);
-  CAPTURE(command, answer.errors);
-  REQUIRE(answer.code == 0);
-  std::istringstream in(answer.output);
-  return from_text(in);
-}
 
 /// By how much a chain with these wells misses its start after one period, relative to the amplitude.
 template <class Onsite>
@@ -88,7 +78,7 @@ TEST_CASE("a chain is long enough for what travels in it", "[unit][model]") {
                                              {{0, None{}}, 1.9, 200},
                                              {{0, None{}}, 100, 60},
                                              {{0, None{}, CompressedHertz{4}}, 1, 60}}) {
-    const Impact impact = complete({velocity, like, time});
+    const Impact impact = endless({velocity, like, time});
     CAPTURE(velocity, impact.chain.sites);
     CHECK(impact.chain.sites < 4 * std::size_t(time) + 100);
     CHECK(strike(ContactAware{0.05}, impact).far_end <= 1e-12 * velocity);
@@ -246,7 +236,8 @@ TEST_CASE("breathers begin only in wells of frequency one", "[unit][model]") {
 }
 
 TEST_CASE("the compressed impact strikes the well that was named", "[cli][model]") {
-  const Impact impact = complete({1.87, {0, Pendulum{}, CompressedHertz{0.5}}, 100, far_away, 1});
+  const Impact impact =
+      endless({1.87, {.well = Pendulum{}, .contact = CompressedHertz{0.5}}, 100, 1});
   const CompressedRun own = strike_compressed(impact, {100}, CompressedSteps{}.halved());
   const Result r = call(squeezed + "--well pendulum");
   REQUIRE(r.code == 0);

@@ -1,7 +1,7 @@
 // A well that the library does not know, as in CONTRIBUTING.md: named in a list, struck and refined.
 
 #include "check_potential.hpp"
-#include "lattice/packets/impact.hpp"
+#include "lattice/impact/impact.hpp"
 
 using namespace lattice;
 

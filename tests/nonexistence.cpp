@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "check.hpp"
-#include "report/table.hpp"
+#include "run.hpp"
 
 using namespace lattice;
 
@@ -11,18 +11,14 @@ namespace {
 
 const std::filesystem::path data = DATA_DIR, tables = data / "sec2_nonexistence";
 
-double number_of(const std::filesystem::path& tables, const std::string& table,
-                 const std::string& key, const std::string& name, const std::string& column) {
-  const Table t = read(tables / (table + ".ecsv"));
-  const auto names = t.texts(key);
-  for (std::size_t i = 0; i < names.size(); ++i)
-    if (names[i] == name) return t.numbers(column)[i];
-  FAIL("no row " << name);
-  return 0;
+double number_of(const std::filesystem::path& table, const std::string& name,
+                 const std::string& column) {
+  const Table t = read(table);
+  return t.numbers(column)[row_of(t, name)];
 }
 
 double fact(const std::string& name) {
-  return number_of(tables, "facts", "quantity", name, "value");
+  return number_of(tables / "facts.ecsv", name, "value");
 }
 
 }  // namespace
@@ -41,9 +37,9 @@ TEST_CASE("searches are counted completely, and the free chain has no end but tw
   }
   for (const char* end : {"localized", "extended", "doubtful"})
     for (const char* column : {"free", "free_fine", "free_large", "free_large_fine"})
-      CHECK(number_of(tables, "searches", "ends_in", end, column) == 0);
-  CHECK(number_of(tables, "searches", "ends_in", "localized", "wells") > all / 20);
-  CHECK(number_of(tables, "searches", "ends_in", "extended", "walls") > all / 20);
+      CHECK(number_of(tables / "searches.ecsv", end, column) == 0);
+  CHECK(number_of(tables / "searches.ecsv", "localized", "wells") > all / 20);
+  CHECK(number_of(tables / "searches.ecsv", "extended", "walls") > all / 20);
 }
 
 TEST_CASE("every condition of the theorem's claim has its margin", "[published][mean_force]") {
@@ -65,7 +61,7 @@ TEST_CASE("every condition of the theorem's claim has its margin", "[published][
 TEST_CASE("in ever softer wells width and mean force of a breather follow from equal areas",
           "[published][mean_force]") {
   const auto soft = [](const char* name, const char* column) {
-    return number_of(data / "sec2_soft_wells", "facts", "quantity", name, column);
+    return number_of(data / "sec2_soft_wells/facts.ecsv", name, column);
   };
   check_close(soft("width_exponent", "value"), -0.5, 0.005);
   const double off = soft("central_limit", "value") - soft("central_theory", "value");

@@ -1,9 +1,9 @@
 // Packet tracking, centres and fits on densities made by hand.
 
-#include "lattice/packets/observe.hpp"
+#include "lattice/diagnostics/observe.hpp"
 
 #include "check.hpp"
-#include "lattice/packets/impact.hpp"
+#include "lattice/impact/impact.hpp"
 
 using namespace lattice;
 

@@ -235,17 +235,6 @@ TEST_CASE("a branch follows any parameter of its problem", "[property][orbits]")
 
 namespace {
 
-/// What is said when `make` is refused.
-template <class Error, class Make>
-std::string refusal(Make make) {
-  try {
-    make();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
-}
-
 /// A contact that pushes like `k` times a sphere and stiffens when it is squeezed.
 struct Layer {
   double k = 1, exponent = 1.5;

@@ -21,6 +21,17 @@ inline std::string word(const std::filesystem::path& path) {
   return out + "'";
 }
 
+/// A fresh folder that goes away again.
+struct Scratch {
+  inline static int count = 0;
+  std::filesystem::path path =
+      std::filesystem::temp_directory_path() /
+      ("lattice cli " + std::to_string(::getpid()) + " " + std::to_string(++count));
+  Scratch() { std::filesystem::create_directories(path); }
+  ~Scratch() { std::filesystem::remove_all(path); }
+  bool empty() const { return std::filesystem::is_empty(path); }
+};
+
 struct Result {
   int code;
   std::string output;  ///< standard output
@@ -54,25 +65,38 @@ inline Result call(const std::string& command) {
   return call_in(".", command);
 }
 
+/// What a command answered; it must have succeeded.
+inline lattice::Table table_of(const Result& answer) {
+  CAPTURE(answer.errors);
+  REQUIRE(answer.code == 0);
+  std::istringstream in(answer.output);
+  return lattice::from_text(in);
+}
+inline lattice::Table table_of(const std::string& command) {
+  CAPTURE(command);
+  return table_of(call(command));
+}
+
+/// The row of a quantity or of another word in the first column.
+inline std::size_t row_of(const lattice::Table& t, const std::string& name) {
+  const auto names = t.texts(t.columns.front().name);
+  const auto found = std::find(names.begin(), names.end(), name);
+  CAPTURE(name);
+  REQUIRE(found != names.end());
+  return std::size_t(found - names.begin());
+}
+
 /// What the table says in the row of a quantity.
 inline double quantity(const Result& r, const std::string& name,
                        const std::string& column = "value") {
-  std::istringstream in(r.output);
-  const lattice::Table t = lattice::from_text(in);
-  const auto names = t.texts("quantity");
-  for (std::size_t i = 0; i < names.size(); ++i)
-    if (names[i] == name) return t.numbers(column)[i];
-  FAIL("no quantity " << name);
-  return 0;
+  const lattice::Table t = table_of(r);
+  return t.numbers(column)[row_of(t, name)];
 }
 
 /// The same of a column of words.
 inline std::string text_of(const Result& r, const std::string& name, const std::string& column) {
-  std::istringstream in(r.output);
-  const lattice::Table t = lattice::from_text(in);
-  const auto names = t.texts("quantity");
-  const auto at = std::find(names.begin(), names.end(), name) - names.begin();
-  return t.texts(column).at(std::size_t(at));
+  const lattice::Table t = table_of(r);
+  return t.texts(column)[row_of(t, name)];
 }
 
 /// The rows of a table without its header, which tells the command.

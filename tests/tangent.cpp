@@ -111,6 +111,9 @@ TEST_CASE("at rest the tangent is drift, rotation or growth, exactly", "[unit][t
   };
   check(Chain{4, None{}}, 1, time, 0);
   check(Chain{4}, std::cos(time), std::sin(time), -std::sin(time));
+  Chain heavy{4};  // beads of mass 4 turn with the frequency 1/2
+  vary(heavy, {4, 4, 4, 4}, {});
+  check(heavy, std::cos(time / 2), 2 * std::sin(time / 2), -std::sin(time / 2) / 2);
   check(Chain{4, Hill{}}, std::cosh(time), std::sinh(time), std::sinh(time));
 }
 

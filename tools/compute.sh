@@ -2,7 +2,8 @@
 # Runs a program for its results and notes what it cost, unless they are its own already:
 #   compute.sh PROGRAM RESULTS COST AT-ONCE COMMAND...
 # Whose they are is told by the checksum of the program in .made_by beside them: one that was built again to the same
-# bytes computes nothing. One of several programs that run AT-ONCE costs its share of the time.
+# bytes computes nothing. One of several programs that run AT-ONCE costs its share of the time; the processor time,
+# which no neighbour shortens, stands beside it.
 set -eu
 program=$1 results=$2 cost=$3 at_once=$4 maker=${2%/*}/.made_by
 shift 4
@@ -17,5 +18,8 @@ echo "  compute  ${program##*/}"
 rm -f "$maker"
 start=$(now)
 "$@"
-echo "$start $(now) $at_once" | awk '{ printf "%.1f\n", ($2 > $1 ? ($2 - $1) / $3 : 0) }' > "$cost"
+times > "$maker.times"
+echo "$start $(now) $at_once $(tail -n 1 "$maker.times" | tr 'ms' '  ')" |
+  awk '{ printf "%.1f %.1f\n", ($2 > $1 ? ($2 - $1) / $3 : 0), 60 * ($4 + $6) + $5 + $7 }' > "$cost"
+rm "$maker.times"
 echo "$sum" > "$maker"

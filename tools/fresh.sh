@@ -47,7 +47,6 @@ cp /etc/resolv.conf /etc/hosts "$root/etc/" 2>/dev/null || true
 apt-config dump 2>/dev/null | grep '^Acquire::.*Proxy ' > "$root/etc/apt/apt.conf.d/proxy" || true
 [ -z "$(git status --porcelain --untracked-files=no)" ] || echo "  fresh    what is not committed is not in it"
 
-
 # A step in the root: step FOLDER USER COMMAND. Nothing is in the environment but what FRESH_ENV adds.
 home='' bad=0
 inside() {

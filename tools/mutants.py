@@ -27,11 +27,10 @@ ALONE = "~[published]~[cli]"  # what needs no program and no table
 LIMIT = 120  # seconds for one test
 
 
-def files(source, room):
-    """The sources of a room of the library, of a section's shelf, or what tests share."""
-    folder = ROOT / "tests" if room == "tests" else source / room if room == "report" or room.startswith("sec") else \
-        source / "lattice" / room
-    return sorted(path for path in folder.iterdir() if path.suffix == ".hpp" or (path.suffix == ".cpp" and room != "tests"))
+def files(room):
+    """The sources of a room of the library, of `report`, or of a section's shelf."""
+    folder = ROOT / "src" / room if room == "report" or room.startswith("sec") else ROOT / "src/lattice" / room
+    return sorted(path for path in folder.iterdir() if path.suffix in (".hpp", ".cpp"))
 
 
 def read_table(selection):
@@ -40,15 +39,14 @@ def read_table(selection):
         if not line or line.startswith("#"):
             continue
         room, right, wrong, tests, what = line.split("\t")
-        counts = {path: path.read_text(encoding="utf8").count(right) for path in files(ROOT / "src", room)}
+        counts = {path: path.read_text(encoding="utf8").count(right) for path in files(room)}
         if sum(counts.values()) != 1:
             mistakes.append(f"mutants.tsv:{number}: '{right}' occurs {sum(counts.values())} times in {room}")
         elif missing := [test for test in tests.split() if not (ROOT / f"tests/{test}.cpp").exists()]:
             mistakes.append(f"mutants.tsv:{number}: there is no tests/{missing[0]}.cpp")
         elif not selection or any(word in room or word in what for word in selection):
             file = next(path for path, count in counts.items() if count)
-            file = file.relative_to(ROOT / ("tests" if room == "tests" else "src"))
-            table.append((file, right, wrong, tests.split(), what))
+            table.append((file.relative_to(ROOT / "src"), right, wrong, tests.split(), what))
     if mistakes:
         raise SystemExit("\n".join(mistakes))
     return table

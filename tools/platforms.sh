@@ -105,7 +105,7 @@ arm64_libraries() {
     apt-get -qq -o APT::Architecture=arm64 -o APT::Architectures::=arm64 -o Dir::State::Lists="$lists/lists" \
       -o Dir::Cache="$lists/cache" -o Dir::State::status="$lists/status" -o APT::Sandbox::User= $verb || exit 1
   done && dpkg -x libgsl-dev_*.deb root) > "$place/arm64-libraries.log" 2>&1 || return 1
-  for there in boost CLI catch2; do ln -sfn "/usr/include/$there" "$place/arm64/include/$there"; done
+  for there in boost catch2; do ln -sfn "/usr/include/$there" "$place/arm64/include/$there"; done
   ln -sfn ../apt/root/usr/include/gsl "$place/arm64/include/gsl"
   cp "$lists"/root/usr/lib/aarch64-linux-gnu/libgsl*.a "$place/arm64/"
 }

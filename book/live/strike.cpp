@@ -6,7 +6,7 @@ the same two resolutions, the same bits. The page hands over numbers, sees every
 it is computed, and gets each quantity with its error; what goes wrong is told in the words in
 which the programs tell it. */
 
-#include "lattice/packets/impact.hpp"
+#include "lattice/impact/impact.hpp"
 #include "page.hpp"
 
 using namespace lattice;

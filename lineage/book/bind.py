@@ -46,21 +46,17 @@ class Binder:
         self.equations = {int(r["number"]): r for r in table.rows}
         self.labels = {r["label"]: f"Eq. ({r['number']})" for r in table.rows}
         self.figure_labels = {f["label"]: i for i, f in record.figures.items() if f["label"]}
-        self.quoted = {}  # id -> pages that quote it
+        self.quoted = {}  # id -> places that quote it
         self.shown = {}  # figure -> pages that show it
-        self.cited = {}  # equation -> [(page, anchor)]
+        self.cited = {}  # equation -> page -> first anchor
 
     def header(self, text, source=None):
         """The page of a header or chapter that is named in text; None where the name is not unique."""
-        path = text if text.startswith("src/") else None
-        candidates = [s for s in self.by_name.get(Path(text).name, [])
-                      if "/" not in text or s.path.endswith("/" + text)]
-        if path:
-            candidates = [self.by_path[path]] if path in self.by_path else []
+        if text.startswith("src/"):
+            return self.by_path.get(text)
+        candidates = [s for s in self.by_name.get(Path(text).name, []) if "/" not in text or s.path.endswith("/" + text)]
         if len(candidates) > 1 and source:
-            near = [s for s in candidates if s.module == source.module
-                    or s.path[len("src/"):] in source.includes]
-            candidates = near if len(near) == 1 else []
+            candidates = [s for s in candidates if s.module == source.module or s.path[len("src/"):] in source.includes]
         return candidates[0] if len(candidates) == 1 else None
 
     def where(self, text):
@@ -145,12 +141,13 @@ class PageBinding:
             self.records[key] = make(id)
         return key
 
+    def note(self, where, id):
+        """Remembers that this place speaks of it."""
+        where.setdefault(id, {})[self.page, self.anchor] = True
+
     def number(self, id, text):
-        record = self.binder.record
-        quote = record.quote(id)
-        self.binder.quoted.setdefault(id, [])
-        if (self.page, self.anchor) not in self.binder.quoted[id]:
-            self.binder.quoted[id].append((self.page, self.anchor))
+        quote = self.binder.record.quote(id)
+        self.note(self.binder.quoted, id)
         if not quote.places:
             raise Fault(f"{self.page}: no line writes '{id}'")
         key = self.need("number", id, lambda _: self.binder.parts.number_record(quote))
@@ -159,9 +156,7 @@ class PageBinding:
     def equation(self, number):
         if number not in self.binder.equations:
             raise Fault(f"{self.page}: the article has no Eq. ({number})")
-        cited = self.binder.cited.setdefault(number, [])
-        if not any(page == self.page for page, _ in cited):
-            cited.append((self.page, self.anchor))
+        self.binder.cited.setdefault(number, {}).setdefault(self.page, self.anchor)
         key = self.need("equation", number, self.binder.parts.equation_record)
         return str(self.binder.parts.equation(key, number))
 
@@ -169,22 +164,22 @@ class PageBinding:
         binder = self.binder
         if id not in binder.record.figures:
             raise Fault(f"{self.page}: there is no figure '{id}'")
-        if self.page not in binder.shown.setdefault(id, []):
-            binder.shown[id].append(self.page)
+        binder.shown.setdefault(id, {})[self.page] = True
         first, self.figures = id not in self.figures, self.figures + [id]
         key = self.need("figure", id, binder.parts.figure_record)
         return str(binder.parts.figure(id, Markup(caption), key, first))
 
     def finding(self, id, kind):
         """The kind of evidence behind the sentence of a finding, which leads to its row."""
-        quoted = self.binder.quoted.setdefault(id, [])
-        if (self.page, self.anchor) not in quoted:
-            quoted.append((self.page, self.anchor))
+        self.note(self.binder.quoted, id)
         return f'<a class="evidence {kind}" href="findings.html#{id}">{kind}</a>'
 
+    def carried(self):
+        """The records that open on the page."""
+        return self.binder.parts.records({key: Markup(body) for key, body in self.records.items()})
+
     def heading(self, level, inner):
-        title = prose.plain(inner)
-        anchor = base = prose.slug(title)
+        anchor = base = prose.slug(prose.plain(inner))
         n = 2
         while anchor in self.ids:
             anchor, n = f"{base}-{n}", n + 1
@@ -202,8 +197,8 @@ class PageBinding:
         word, binder = html.unescape(text), self.binder
         if word in binder.record.claims:
             return f"published.html#{word}"
-        if f"src/{word}.cpp" in binder.by_path:
-            return binder.by_path[f"src/{word}.cpp"].page
+        if chapter := binder.chapter(word):
+            return chapter.page
         if HEADER.fullmatch(word):
             found = binder.header(word, self.source)
             return found.page if found and found is not self.source else None
@@ -226,10 +221,8 @@ class PageBinding:
 
         def figures(match):
             word, first, joint, second = match.groups()
-            known = [n for n in (first, second) if n and figure_id(n) in self.binder.record.figures]
-            if not known or word.startswith("f") and len(first.lstrip("x")) > 2:
-                return match[0]
-            links = {n: f'<a href="fig-{figure_id(n)}.html">{n}</a>' for n in known}
+            links = {n: f'<a href="fig-{figure_id(n)}.html">{n}</a>' for n in (first, second)
+                     if n and figure_id(n) in self.binder.record.figures}
             return f"{word} {links.get(first, first)}" + (f"{joint} {links.get(second, second)}" if second else "")
 
         def headers(match):
@@ -249,8 +242,8 @@ class PageBinding:
         page = re.sub(r"<h([1-6])>(.*?)</h\1>", lambda m: self.heading(int(m[1]), m[2]), page, flags=re.S)
         page = re.sub(r'<a href="num:([^"]*)">(.*?)</a>', lambda m: self.number(m[1], m[2]), page, flags=re.S)
         page = re.sub(r'<a href="finding:([^"]*)">(.*?)</a>', lambda m: self.finding(m[1], m[2]), page, flags=re.S)
-        for left in re.findall(r'"((?:num|fig|finding):[^"]*)"', page):
-            raise Fault(f"{self.page}: '{left}' stands where it cannot be bound")
+        if left := re.search(r'"((?:num|fig|finding):[^"]*)"', page):
+            raise Fault(f"{self.page}: '{left[1]}' stands where it cannot be bound")
         page = re.sub(r"<table>", '<div class="scroll" tabindex="0"><table>', page).replace("</table>", "</table></div>")
         page = re.sub(r"<pre>(<code>)?(.*?)</pre>", drawn, page, flags=re.S)
         return prose.on_text(page, self.text)
@@ -283,8 +276,7 @@ class PageBinding:
                 return match[0] if first else match[0][:-1] + ' tabindex="-1">'
             return re.sub(r'<a class="id" href="([^"]+)">', once, page)
 
-        count = preamble(block.lines)
-        parts = []
+        count, parts = preamble(block.lines), []
         if count:
             head = "\n".join(block.lines[:count]).rstrip()
             parts.append(folded(code.numbered(head, block.first, "cpp", link, include)))

@@ -1,13 +1,10 @@
 """Opens every page of the book in a headless Chromium, by Selenium and Debian's chromium-driver.
 
-    python3 -m lineage.book.browse build/book                checks all pages at the width of a phone
-    python3 -m lineage.book.browse build/book --shot index.html --width 1280 --dark --out shot.png
+    python3 -m lineage.book.browse build/book
 
-A page fails if it logs an error, asks for something that is not there or not in the folder, leaves a formula
+All pages are seen at the width of a phone. A page fails if it logs an error, asks for something that is not there or not in the folder, leaves a formula
 unrendered, or must be scrolled sideways. Before it looks at the book, the browser is shown pages that are wrong."""
 
-import argparse
-import base64
 import json
 import os
 import re
@@ -43,6 +40,8 @@ class Browser:
         options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
         self.driver = webdriver.Chrome(options=options, service=Service(shutil.which("chromedriver")))
         self.driver.set_script_timeout(180)
+        self.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride",
+                                    {"width": 380, "height": 800, "deviceScaleFactor": 1, "mobile": False})
 
     def open(self, url):
         self.complaints()  # those of the page before
@@ -55,18 +54,6 @@ class Browser:
     def press(self, key):
         """A key as a reader presses it."""
         ActionChains(self.driver).send_keys(KEYS.get(key, key)).perform()
-
-    def size(self, width, height):
-        self.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride",
-                                    {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": False})
-
-    def dark(self, on):
-        self.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {
-            "features": [{"name": "prefers-color-scheme", "value": "dark" if on else "light"}]})
-
-    def shot(self, path):
-        data = self.driver.execute_cdp_cmd("Page.captureScreenshot", {"format": "png"})["data"]
-        Path(path).write_bytes(base64.b64decode(data))
 
     def complaints(self):
         """What the browser has to say of the page, and what the page asks for beyond its folder."""
@@ -281,70 +268,42 @@ def check_keys(browser, folder):
     return out
 
 
-def check_all(folder):
-    browser, failed = Browser(), 0
-    try:
-        browser.size(380, 800)
-        for complaint in check_itself(browser):
-            print(f"  {complaint}")
-            failed += 1
-        if os.path.exists(os.path.join(folder, "strike.html")):
-            found, compared = check_live(browser, folder)
-            for complaint in found:
-                print(f"  {complaint}")
-            failed += bool(found)
-            print("live pages : " + ("the bits of the native program" if compared and not found else
-                                     "not compared with the native program, which is not built" if not compared else "not in order"))
-        for complaint in check_keys(browser, folder):
-            print(f"  index.html: {complaint}")
-            failed += 1
-        names = sorted(n for n in os.listdir(folder) if n.endswith(".html"))
-        for name in names:
-            browser.open("file://" + os.path.join(folder, name))
-            found = browser.evaluate(LOOK)
-            if name in USE and (word := browser.evaluate(USE[name])):
-                found.append(word)
-            found += browser.complaints()
-            failed += bool(found)
-            for complaint in dict.fromkeys(found):
-                print(f"  {name}: {complaint}")
-    finally:
-        browser.close()
-    return len(names), failed
+def check_page(browser, folder, name):
+    """What is wrong with a page, as one looks at it and uses it."""
+    browser.open("file://" + os.path.join(folder, name))
+    used = browser.evaluate(LOOK) + [browser.evaluate(USE[name]) if name in USE else ""]
+    return [f"{name}: {complaint}" for complaint in dict.fromkeys(used + browser.complaints()) if complaint]
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("folder")
-    parser.add_argument("--shot", help="page to draw, with #anchor")
-    parser.add_argument("--width", type=int, default=1280)
-    parser.add_argument("--height", type=int, default=900)
-    parser.add_argument("--dark", action="store_true")
-    parser.add_argument("--run", help="JavaScript to run before the drawing")
-    parser.add_argument("--out", default="shot.png")
-    given = parser.parse_args()
+def check_all(browser, folder):
+    """How many pages there are, and all that is wrong with each, the browser, its live pages and its keys."""
+    names = sorted(n for n in os.listdir(folder) if n.endswith(".html"))
+    found = [check_itself(browser), check_keys(browser, folder)]
+    if "strike.html" in names:
+        live, compared = check_live(browser, folder)
+        found.append(live)
+        print("live pages : " + ("not compared with the native program, which is not built" if not compared else
+                                 "not in order" if live else "the bits of the native program"))
+    return len(names), found + [check_page(browser, folder, name) for name in names]
+
+
+def main(folder):
     if not shutil.which("chromedriver"):
         sys.exit("browser    : chromium-driver is not installed (apt-packages.txt, [browse])")
-    folder = os.path.abspath(given.folder)
-    if given.shot:
-        browser = Browser()
-        try:
-            browser.size(given.width, given.height)
-            browser.dark(given.dark)
-            browser.open("file://" + os.path.join(folder, given.shot))
-            if given.run:
-                print(browser.evaluate(given.run))
-            browser.shot(given.out)
-        finally:
-            browser.close()
-        return 0
-    count, failed = check_all(folder)
+    browser = Browser()
+    try:
+        count, found = check_all(browser, os.path.abspath(folder))
+    finally:
+        browser.close()
+    for complaint in sum(found, []):
+        print(f"  {complaint}")
+    failed = sum(map(bool, found))
     print(f"browser    : {count - failed} of {count} pages in order")
-    return 1 if failed else 0
+    return failed > 0
 
 
 if __name__ == "__main__":
     try:
-        sys.exit(main())
+        sys.exit(main(sys.argv[1]))
     except WebDriverException as error:
         sys.exit(f"browser    : {error.msg or error}")

@@ -1,10 +1,12 @@
 """Looks through a finished book: links that lead nowhere, ids used twice, formulas left in TeX, and
 anything that would be fetched from a network."""
 
-import os
 import re
 from html.parser import HTMLParser
+from pathlib import Path
 from urllib.parse import unquote, urlsplit
+
+from ..ecsv import text_of
 
 
 class Reader(HTMLParser):
@@ -42,23 +44,17 @@ class Reader(HTMLParser):
 
 def complaints(folder):
     pages, out = {}, []
-    for name in sorted(os.listdir(folder)):
-        if name.endswith(".html"):
-            reader = Reader()
-            with open(os.path.join(folder, name), encoding="utf-8") as file:
-                reader.feed(file.read())
-            pages[name] = reader
+    for path in sorted(Path(folder).glob("*.html")):
+        pages[path.name] = Reader()
+        pages[path.name].feed(text_of(path))
     for name, page in pages.items():
         out += [f"{name}: two elements have the id '{i}'" for i in sorted(set(page.twice))]
         out += [f"{name}: a formula was left as text: {t.strip()}" for t in page.dollars]
         for link in page.links + page.loads:
             out += complaint(folder, name, pages, link, link in page.loads)
-    for name in sorted(os.listdir(folder)):
-        if name.endswith((".css", ".js")):
-            with open(os.path.join(folder, name), encoding="utf-8") as file:
-                for found in re.findall(r"url\((?!data:)([^)]+)\)", file.read()) if name.endswith(".css") else []:
-                    if not os.path.exists(os.path.join(folder, found.strip("'\""))):
-                        out.append(f"{name}: {found} is missing")
+    for path in sorted(Path(folder).glob("*.css")):
+        out += [f"{path.name}: {found} is missing" for found in re.findall(r"url\((?!data:)([^)]+)\)", text_of(path))
+                if not (path.parent / found.strip("'\"")).exists()]
     return out
 
 
@@ -66,15 +62,9 @@ def complaint(folder, name, pages, link, loaded):
     parts = urlsplit(link)
     if parts.scheme in ("http", "https", "mailto"):
         return [f"{name}: loads {link} from a network"] if loaded else []
-    if parts.scheme == "data":
-        return []
     if parts.scheme:
-        return [f"{name}: cannot follow {link}"]
+        return [] if parts.scheme == "data" else [f"{name}: cannot follow {link}"]
     target = unquote(parts.path) or name
     if target in pages:
-        if parts.fragment and unquote(parts.fragment) not in pages[target].ids:
-            return [f"{name}: {link} leads to no place"]
-        return []
-    if not os.path.exists(os.path.join(folder, target)):
-        return [f"{name}: {link} leads nowhere"]
-    return []
+        return [f"{name}: {link} leads to no place"] if unquote(parts.fragment) not in {"", *pages[target].ids} else []
+    return [] if (Path(folder) / target).exists() else [f"{name}: {link} leads nowhere"]

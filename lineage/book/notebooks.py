@@ -32,8 +32,8 @@ def shown(output):
     return f'<pre class="said">{escape("".join(output.get("text") or data["text/plain"]).rstrip())}</pre>'
 
 
-def page(book, name, title, cells, file):
-    """The body of a page, the records that it opens, and its headings."""
+def page(book, name, cells, file):
+    """The body of a page, and what was bound in it."""
     binding = PageBinding(book.binder, page=name)
     binding.anchor = "main"
     texts = iter(prose.to_html(["".join(c["source"]) for c in cells if c["cell_type"] == "markdown"]))
@@ -47,5 +47,4 @@ def page(book, name, title, cells, file):
             parts += map(shown, cell["outputs"])
     card = Markup('<p class="card">A notebook for Python: <code>python/{}</code></p>').format(file)
     parts[0] = re.sub(r"(</h1>)", lambda m: m[0] + str(card), parts[0], count=1)
-    records = book.parts.records({key: Markup(body) for key, body in binding.records.items()})
-    return Markup("\n".join(parts)), records, binding.headings
+    return Markup("\n".join(parts)), binding

@@ -105,8 +105,7 @@ class Book:
             if not source.module:
                 end = self.end_of(source, binding)
                 headings += [(2, "Statements answered here", "answers")] if 'id="answers"' in end else []
-            records = self.parts.records({key: Markup(body) for key, body in binding.records.items()})
-            out[source.page] = self.page(source.page, source.title, Markup("\n".join(parts)) + end + records, headings,
+            out[source.page] = self.page(source.page, source.title, Markup("\n".join(parts)) + end + binding.carried(), headings,
                                          self.order[i - 1] if i else None, self.order[i + 1] if i + 1 < len(self.order) else None)
         return out
 
@@ -157,8 +156,7 @@ class Book:
             self.note("findings.html", id, LISTS["findings.html"], id, told[0])
             rows.append((id, row["kind"], dict(zip(self.FOUND, told)), list(margins(row, self.record.quotable))))
         body = self.render("findings", rows=rows, kinds=KINDS)
-        records = self.parts.records({key: Markup(body) for key, body in binding.records.items()})
-        return self.page("findings.html", LISTS["findings.html"], body + records)
+        return self.page("findings.html", LISTS["findings.html"], body + binding.carried())
 
     def captions(self):
         """Whole captions by figure: the first sentence, and what the report says after it."""
@@ -194,9 +192,9 @@ class Book:
     def notebook_pages(self):
         out = {}
         for name, title, *rest in self.notebooks:
-            body, records, headings = notebooks.page(self, name, title, *rest)
+            body, binding = notebooks.page(self, name, *rest)
             self.note_sections(name, title, str(body))
-            out[name] = self.page(name, title, body + records, headings)
+            out[name] = self.page(name, title, body + binding.carried(), binding.headings)
         return out
 
     # Start and search
@@ -207,9 +205,8 @@ class Book:
         said = Markup(binding.prose(text))
         live = self.binder.live and Markup(binding.figure("21", str(escape(self.record.figures["21"]["caption"]))))
         body = self.render("index", words=said, invitation=live, findings=self.findings(), ideas=modules_of(self.record.root),
-                           summaries={s.path: self.summary(s) for s in self.chapters},
-                           records={key: Markup(body) for key, body in binding.records.items()})
-        return self.page("index.html", "", body, after=self.chapters[0])
+                           summaries={s.path: self.summary(s) for s in self.chapters})
+        return self.page("index.html", "", body + binding.carried(), after=self.chapters[0])
 
     def findings(self):
         """The findings that have a figure: its id, and the sentence in words and formulas."""

@@ -65,19 +65,10 @@ def split_blocks(text, path="<text>"):
     return blocks
 
 
-def title_of(text, path="<text>"):
-    """The first heading of the first block of prose."""
-    for block in split_blocks(text, path):
-        if block.kind == "prose":
-            found = re.search(r"^# (.+)$", block.text, re.M)
-            if found:
-                return found.group(1).strip().replace("'", "’")
-    raise Fault(f"{path}: no title (a line '# ...' in its first block of prose)")
-
-
-def includes_of(text):
-    """What a source includes in quotes."""
-    return re.findall(r'^\s*#include "([^"]+)"', text, re.M)
+def title_of(blocks):
+    """The first heading in prose; empty where there is none."""
+    found = (re.search(r"^# (.+)$", block.text, re.M) for block in blocks if block.kind == "prose")
+    return next((one[1].strip().replace("'", "’") for one in found if one), "")
 
 
 TYPE = re.compile(r"^(?:struct|class|enum class|enum|concept)\s+(\w+)\s*(?:final\s*)?(?::[^:]|\{|;|=|$)")
@@ -97,11 +88,8 @@ def definitions(blocks):
                 continue
             if line.startswith("template"):
                 line = re.sub(r"^template\s*<[^<>]*(?:<[^<>]*>[^<>]*)*>\s*", "", line)
-            for pattern in (TYPE, ALIAS, CONSTANT, FUNCTION):
-                match = pattern.match(line)
-                if match:
-                    found.setdefault(match.group(1), block.first + offset)
-                    break
+            if match := next(filter(None, (pattern.match(line) for pattern in (TYPE, ALIAS, CONSTANT, FUNCTION))), None):
+                found.setdefault(match[1], block.first + offset)
     return found
 
 
@@ -140,8 +128,10 @@ def read_source(root, path, name=""):
     """A source; where it has no title, such as the compiled half of a header, it takes the name that is given."""
     text = text_of(Path(root) / path)
     blocks = split_blocks(text, path)
-    titled = not name or any(b.kind == "prose" and re.search(r"^# ", b.text, re.M) for b in blocks)
-    return Source(path, text, blocks, title_of(text, path) if titled else name, includes_of(text))
+    title = title_of(blocks) or name
+    if not title:
+        raise Fault(f"{path}: no title (a line '# ...' in its first block of prose)")
+    return Source(path, text, blocks, title, re.findall(r'^\s*#include "([^"]+)"', text, re.M))
 
 
 def in_order_of_need(sources):
@@ -173,13 +163,10 @@ def read_module(root, folder):
     """The headers of a folder, each before the source that is compiled for it."""
     path = folder.relative_to(root)
     headers = in_order_of_need([read_source(root, f"{path}/{h.name}", h.name) for h in sorted(folder.glob("*.hpp"))])
-    out = []
-    for header in headers:
-        out.append(header)
-        if (folder / f"{header.stem}.cpp").exists():
-            out.append(read_source(root, f"{path}/{header.stem}.cpp", f"{header.title}: how"))
-    known = {s.name for s in out}
-    return out + [read_source(root, f"{path}/{p.name}", p.name) for p in sorted(folder.glob("*.cpp")) if p.name not in known]
+    how = {f"{header.stem}.cpp": f"{header.title}: how" for header in headers}
+    halves = {p.name: read_source(root, f"{path}/{p.name}", how.get(p.name, p.name)) for p in sorted(folder.glob("*.cpp"))}
+    out = [s for header in headers for s in (header, halves.pop(f"{header.stem}.cpp", None)) if s]
+    return out + list(halves.values())
 
 
 def find_sources(root, order=()):

@@ -16,7 +16,7 @@ from ..findings import with_kind, with_sentences
 from . import check, pages, prose
 from .bind import Binder, PageBinding, read_live
 from .record import Record
-from .source import find_sources
+from .source import find_sources, title_of
 
 KATEX = [Path("/usr/share/javascript/katex"), Path("/usr/share/nodejs/katex/dist")]
 
@@ -73,7 +73,7 @@ def bind_all(binder, sources):
     bodies = {}
     for source in sources:
         binding, parts = PageBinding(binder, source), []
-        if not any(b.kind == "prose" and re.search(r"^# ", b.text, re.M) for b in source.blocks):
+        if not title_of(source.blocks):
             parts.append(binding.heading(1, source.title))
         for block in source.blocks:
             if block.kind == "prose":

@@ -4,6 +4,7 @@
 
 import contextlib
 import io
+import os
 import re
 import shutil
 import tempfile
@@ -12,6 +13,7 @@ from pathlib import Path
 
 from lineage import ecsv
 from lineage.__main__ import main
+from lineage.values import Finding
 
 ROOT = Path(__file__).resolve().parents[2]
 CLAIMS = ["id", "section", "where", "quantity", "printed", "unit", "class", "tolerance", "note", "program", "status",
@@ -62,12 +64,18 @@ def of_run(quick, text):
     return text.replace("# schema", f"# - {{parameters: 'quick = {quick}'}}\n# schema", 1)
 
 
+def finding(value, error=0.0, unit="", kind="value", id="x"):
+    return Finding("p", id, value, error, unit, kind)
+
+
 class Scratch(unittest.TestCase):
-    """A small repository: one chapter, two claims, two facts, one figure."""
+    """A small repository, in which the test stands: one chapter, two claims, two facts, one figure."""
 
     def setUp(self):
         self.root = Path(tempfile.mkdtemp())
         self.addCleanup(shutil.rmtree, self.root)
+        self.addCleanup(os.chdir, os.getcwd())
+        os.chdir(self.root)
         self.write("src/sec1_demo.cpp", "/**\n# 1 A demonstration\n\nIt is [](num:a.one). */\n")
         self.write("paper/published.ecsv", table(CLAIMS, [
             ["a.one", "1", "Fig. demo", "one", "1.02", "", "converged", "rel 1e-2", "", "sec1_demo", "discrepant",
@@ -116,15 +124,10 @@ class Scratch(unittest.TestCase):
 
     def lineage(self, verb, *more):
         """Exit code, standard output and error of a verb."""
-        places = {"summary": ["--data", "build/data", "--out", "build/report"], "lock": ["--data", "build/data"],
-                  "show": ["--data", "build/data"], "tables": ["--data", "build/data"], "refresh": ["--costs", "build/report/cost"],
-                  "macros": ["--out", "build/paper"], "weave": [], "gallery": ["--figures", "build/figures"],
-                  "inventory": ["--data", "build/data", "--programs", "build/bin", "--out", "build/report"]}[verb]
-        places = [p if p.startswith("-") else str(self.root / p) for p in places]
         out, err = io.StringIO(), io.StringIO()
         with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
             try:
-                code = main(["--root", str(self.root), verb, *places, *more])
+                code = main([verb, *more])
             except SystemExit as left:
                 code = left.code
         return code, out.getvalue(), err.getvalue()

@@ -1,11 +1,8 @@
 """The record of the bytes: what counts, what is said, what is kept by hand."""
 
-import contextlib
-import io
 from unittest import mock
 
 from lineage import ecsv, hashes
-from lineage.__main__ import main
 
 from . import ROOT, Scratch, of_run, table
 
@@ -20,11 +17,8 @@ class Hashes(Scratch):
         self.computed("sec1_demo/results.ecsv", of_run(quick, table(["id", "value"], [["a.one", float(value)]])), "build/quick/data")
 
     def call(self, *more):
-        folders = "--data", str(self.root / "build/data"), "--quick", str(self.root / "build/quick/data")
-        out, err = io.StringIO(), io.StringIO()
-        with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
-            code = main(["--root", str(self.root), "hashes", *folders, *more])
-        return code, out.getvalue() + err.getvalue()
+        code, out, err = self.lineage("hashes", *more)
+        return code, out + err
 
     def renew(self):
         code, said = self.call()
@@ -46,18 +40,15 @@ class Hashes(Scratch):
         self.assertEqual(self.call("--check")[0], 0)
         self.write(name, text.replace("fact,2,", "fact,2.0000000000000004,"))
         code, said = self.call("--check")
-        self.assertEqual(code, 1)
-        self.assertIn(f"differs  {self.root}/{name}: not the bytes that are recorded\n", said)
+        self.assertEqual(code, 1, said)
+        self.assertIn(f"differs  {name}: not the bytes that are recorded\n", said)
         self.assertIn("1 of 2 tables", said)
 
     def test_another_platform_tells_the_row(self):
-        twin = self.root / "twin/sec1_demo"
-        twin.mkdir(parents=True)
-        text = self.read("build/data/sec1_demo/facts.ecsv")
-        (twin / "facts.ecsv").write_text(text, encoding="utf-8")
+        self.write("twin/sec1_demo/facts.ecsv", self.read("build/data/sec1_demo/facts.ecsv"))
         self.facts(["other", 1.0, 0.0, ""], ["fact", 2.5, 0.1, ""])
         self.assertIn("row 2, value: 2.5 instead of 2.0 (1 of 2 rows differ)",
-                      self.call("--check", "--against", str(self.root / "twin"))[1])
+                      self.call("--check", "--against", "twin")[1])
 
     def test_another_processor_is_no_failure(self):
         self.facts(["fact", 2.5, 0.1, ""])
@@ -75,7 +66,7 @@ class Hashes(Scratch):
     def test_the_quick_run_has_its_own_bytes(self):
         self.quick("2")
         self.assertEqual(self.call("--check")[0], 0)
-        self.assertEqual(self.call("--check", "--run", "quick", "--data", str(self.root / "build/quick/data"))[0], 1)
+        self.assertEqual(self.call("--check", "--run", "quick", "--data", "build/quick/data")[0], 1)
         self.assertIn("moved    sec1_demo results: quick\n", self.renew())
 
     def test_each_folder_has_runs_of_its_kind(self):
@@ -100,20 +91,15 @@ class Hashes(Scratch):
         refused("sec1_demo/facts.ecsv: not what sec1_demo wrote; remove it to have it computed again")
 
     def test_a_row_or_a_column_is_left_out_by_hand_and_with_a_reason(self):
-        self.leave_out("fact", "rounding")
-        self.renew()
-        self.facts(["other", 1.0, 0.0, ""], ["fact", 2.5, 0.1, ""])
-        self.assertEqual(self.call("--check")[0], 0)
-        self.facts(["other", 1.5, 0.0, ""], ["fact", 2.5, 0.1, ""])
-        self.assertEqual(self.call("--check")[0], 1)
-        self.renew()
-        self.assertEqual(hashes.read_record(self.root)[0]["sec1_demo", "facts"].reason, "rounding")
-        self.leave_out("error", "rounding of it")
-        self.renew()
-        self.facts(["other", 1.5, 7.0, ""], ["fact", 2.5, 0.2, ""])
-        self.assertEqual(self.call("--check")[0], 0)
-        self.facts(["other", 1.25, 7.0, ""], ["fact", 2.5, 0.2, ""])
-        self.assertEqual(self.call("--check")[0], 1)
+        for names, same, other in [("fact", ["other", 1.0, 0.0, ""], ["other", 1.5, 0.0, ""]),
+                                   ("error", ["other", 1.5, 7.0, ""], ["other", 1.25, 7.0, ""])]:
+            self.leave_out(names, "rounding")
+            self.renew()
+            for row, code in ((same, 0), (other, 1)):
+                self.facts(row, ["fact", 2.5, 0.2, ""])
+                self.assertEqual(self.call("--check")[0], code)
+            self.renew()
+            self.assertEqual(hashes.read_record(self.root)[0]["sec1_demo", "facts"].reason, "rounding")
         self.leave_out("fact", "")
         self.assertIn("with a reason", self.call("--check")[1])
 

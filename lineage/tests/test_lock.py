@@ -4,14 +4,8 @@ import math
 import unittest
 
 from lineage import lock
-from lineage.claims import read_claims
-from lineage.values import Finding
 
-from . import Scratch
-
-
-def finding(value, error=0.0, unit="", kind="value", id="x"):
-    return Finding("p", id, value, error, unit, kind)
+from . import Scratch, finding
 
 
 class Distance(unittest.TestCase):
@@ -79,10 +73,6 @@ class Locking(Scratch):
         before = self.read("paper/converged.ecsv")
         self.assertIn("lock       : 1 values (3 computed), 0 changes", self.lineage("lock")[1])
         self.assertEqual(self.read("paper/converged.ecsv"), before)
-
-    def test_names(self):
-        claims = read_claims(self.root)
-        self.assertEqual([lock.name_of(f, claims) for f in lock.read_lock(self.root).values()], ["a.one", "sec1_demo.fact"])
 
 
 class Summary(Scratch):

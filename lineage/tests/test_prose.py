@@ -2,9 +2,10 @@
 
 import shutil
 import subprocess
+import tempfile
 import unittest
 
-from lineage import chapters, ecsv, findings, lock, metadata, refresh, tex
+from lineage import chapters, ecsv, lock, refresh, tex
 
 from . import ROOT, Scratch, table
 
@@ -211,15 +212,9 @@ class ThisRepository(unittest.TestCase):
             self.assertIn(f"<!-- {name} -->", pages)
 
     def test_the_paper_refers_to_what_is_there(self):
-        claims, locked, figures = lock.read_claims(ROOT), lock.read_lock(ROOT), refresh.read_figures(ROOT)
-        texts = tex.paper_texts(claims, locked, figures, metadata.read(ROOT), findings.read_findings(ROOT))
-        papers = []
-        for path in sorted((ROOT / "paper").glob("*.tex")):
-            if tex.chapter_needed(paper := ecsv.text_of(path)) in ("", *lock.programs_of(ROOT)):
-                self.assertEqual(tex.dangling(paper, texts), [], path)
-                papers.append(paper)
-        self.assertEqual(tex.omissions("\n".join(papers), claims, figures), [])
-        self.assertEqual(set(tex.captions(ROOT)) - set(figures), set())
+        with tempfile.TemporaryDirectory() as folder:
+            tex.write(ROOT, folder)  # a Fault else
+        self.assertEqual(set(tex.captions(ROOT)) - set(refresh.read_figures(ROOT)), set())
 
     def test_the_lock_holds_what_is_claimed_quoted_or_a_headline(self):
         claims, locked, names = lock.read_claims(ROOT), lock.read_lock(ROOT), lock.quoted(ROOT)

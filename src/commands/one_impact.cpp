@@ -11,7 +11,7 @@ namespace lattice {
 void OneImpact::parameters(Parameters& p) {
   p.add("velocity", impact.velocity, "impact velocity", {1e-6, 100});
   p.add("time", impact.time, "length of the run", {1, 1e5});
-  p.add("sites", impact.chain.sites, "chain length (default: as long as needed)", {2, 1e6});
+  p.add("sites", sites, "chain length (default: as long as needed)", {2, 1e6});
   add_well(p, impact.chain.well);
   add_contact(p, impact.chain.contact);
   p.add("tolerance", tolerance, "relative error allowed in the end state", {1e-11, 0.1});
@@ -19,8 +19,8 @@ void OneImpact::parameters(Parameters& p) {
 }
 
 OneImpact::Found OneImpact::find() const {
-  Impact whole = complete(impact);
-  if (impact.chain.sites > 0) whole.far_end = reached;
+  Impact whole = endless(impact);
+  if (sites) whole.chain.sites = *sites, whole.far_end = reached;
   return {whole, strike_to(tolerance, whole)};
 }
 

@@ -16,7 +16,7 @@ turns round is measured by `sec34_boomeron run`.
 
 In Python this is `lattice.strike`, which also takes chains that no option can describe. */
 
-#include "lattice/packets/impact.hpp"
+#include "lattice/impact/impact.hpp"
 #include "report/program.hpp"
 
 namespace lattice {
@@ -33,7 +33,8 @@ struct OneImpact {
       "A quantity that does not exist is nan, and its reason says why.\n"
       "For s > 0 most of the energy may lag behind the foremost packet, at strongest_site;\n"
       "sec34_boomeron run follows this packet, which turns."};
-  Impact impact{1.87, {0, Quartic{}}, 600};
+  Impact impact{1.87, {.well = Quartic{}}, 600};
+  std::optional<std::size_t> sites{};  ///< otherwise as many as needed
   bool as_profile = false;             ///< whether `table` is the profile
   double tolerance = usual_tolerance;  ///< of the end states, relative
 

@@ -10,7 +10,7 @@ The foremost packet of an impact is measured on its way from site 20 to twenty s
 #include <string>
 #include <vector>
 
-#include "lattice/packets/impact.hpp"
+#include "lattice/impact/impact.hpp"
 #include "report/table.hpp"
 
 namespace lattice {

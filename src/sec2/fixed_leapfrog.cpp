@@ -6,8 +6,11 @@
 
 namespace lattice {
 
-void kick_tangent(const Chain& chain, const std::vector<double>& y, double h,
-                  Tangent<double>& tangent) {
+/**
+The derivative of a drift is the drift itself; that of a kick is the linearisation (chain.hpp) about the
+positions at which the kick is given. */
+static void kick_tangent(const Chain& chain, const std::vector<double>& y, double h,
+                         Tangent<double>& tangent) {
   const Hessian<double> bend = linearise(chain, y);
   const std::size_t sites = chain.sites, columns = tangent.columns;
   const bool ring = chain.ends == Ends::periodic;

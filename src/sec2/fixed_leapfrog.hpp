@@ -36,10 +36,4 @@ struct LeapfrogShooting : Shooting<double> {
            const std::function<void(const State<double>&)>& watch) const;
 };
 
-/**
-The derivative of a drift is the drift itself; that of a kick is the linearisation (chain.hpp) about the
-positions at which the kick is given. */
-void kick_tangent(const Chain& chain, const std::vector<double>& y, double h,
-                  Tangent<double>& tangent);
-
 }  // namespace lattice

@@ -45,14 +45,8 @@ struct MeanForces {
 };
 
 /**
-The integrator returns one long vector: positions, velocities, integrals of the pushes and of the forces of
-the wells. Here it is taken apart again. */
-/// The means over `duration` from such a vector for `n` sites.
-MeanForces averages(const std::vector<double>& x, std::size_t n, double duration);
-
-/**
-The integrals are further unknowns of the same system of equations, $4N+1$ in all. Throws
-std::runtime_error if GSL cannot go on. */
+The integrals are further unknowns of the same system of equations, $4N+1$ in all: positions, velocities, integrals
+of the pushes and of the forces of the wells. Throws std::runtime_error if GSL cannot go on. */
 /// Averages over `duration`; `chain` has `sites`, `well`, `mass_of(n)`, `contact_push(chain, y, i)`.
 template <class AnyChain>
 MeanForces mean_forces(const AnyChain& chain, const State<double>& start, double duration,
@@ -73,7 +67,15 @@ MeanForces mean_forces(const AnyChain& chain, const State<double>& start, double
   Reference reference(rhs, x.size(), tolerance);
   double t = 0;
   reference.advance(t, duration, x);
-  MeanForces means = averages(x, n, duration);
+  const auto part = [&](std::size_t first, std::size_t count, double over) {
+    std::vector<double> out(x.begin() + std::ptrdiff_t(first),
+                            x.begin() + std::ptrdiff_t(first + count));
+    for (double& value : out) value /= over;
+    return out;
+  };
+  MeanForces means{part(2 * n, n + 1, duration), part(3 * n + 1, n, duration), State<double>(n)};
+  means.end.y = part(0, n, 1);
+  means.end.v = part(n, n, 1);
   means.end.t = start.t + duration;
   return means;
 }

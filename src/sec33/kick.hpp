@@ -18,8 +18,8 @@ free. */
 #include <utility>
 #include <vector>
 
+#include "lattice/diagnostics/observe.hpp"
 #include "lattice/integrators/integrate.hpp"
-#include "lattice/packets/observe.hpp"
 
 namespace lattice {
 

@@ -14,9 +14,9 @@ functions without side effects, so that tests can feed them inputs for which the
 #include <utility>
 #include <vector>
 
+#include "lattice/diagnostics/observe.hpp"
+#include "lattice/impact/impact.hpp"
 #include "lattice/numerics/criterion.hpp"
-#include "lattice/packets/impact.hpp"
-#include "lattice/packets/observe.hpp"
 
 namespace lattice {
 

@@ -8,9 +8,9 @@ the stretch relative to the whole slope, says how constant it is. */
 
 #include <vector>
 
+#include "lattice/impact/turning.hpp"
 #include "lattice/numerics/criterion.hpp"
 #include "lattice/numerics/estimate.hpp"
-#include "lattice/packets/turning.hpp"
 
 namespace lattice {
 

@@ -17,7 +17,7 @@ older waves and no end nearby, and what the packet meets from then on is its own
 #include <functional>
 #include <vector>
 
-#include "lattice/packets/turning.hpp"
+#include "lattice/impact/turning.hpp"
 
 namespace lattice {
 

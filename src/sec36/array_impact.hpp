@@ -14,9 +14,9 @@ cantilever. */
 #include <stdexcept>
 #include <vector>
 
+#include "lattice/diagnostics/pulse.hpp"
+#include "lattice/impact/impact.hpp"
 #include "lattice/model/cantilever.hpp"
-#include "lattice/packets/impact.hpp"
-#include "lattice/packets/pulse.hpp"
 
 namespace lattice {
 
@@ -37,7 +37,7 @@ struct StruckArray {
   /// The impact on the dimensionless chain in which the defect's radius is `ratio` times the usual one,
   /// followed until `end` (ms), with looks at most `sample` apart (units of tau_c).
   Impact impact(double ratio, double end, double sample) const {
-    return {struck_velocity(), cantilever_chain(array, ratio), scales.time(end), far_away, sample};
+    return {struck_velocity(), cantilever_chain(array, ratio), scales.time(end), sample};
   }
 };
 

@@ -13,7 +13,7 @@ $t_c/2$. */
 #include <cmath>
 #include <numbers>
 
-#include "lattice/packets/impact.hpp"
+#include "lattice/impact/impact.hpp"
 
 namespace lattice {
 

@@ -66,7 +66,7 @@ Snapshot snapshot(const Chain& chain, const State<double>& state) {
 }
 
 Impact compressed_impact(double s, double time, double velocity, double d) {
-  return complete({velocity, {0, Quartic{s}, CompressedHertz{d}}, time, far_away, 1});
+  return endless({velocity, {.well = Quartic{s}, .contact = CompressedHertz{d}}, time, 1});
 }
 
 // Under precompression the contacts settle, and from then on the splitting takes over

@@ -18,10 +18,10 @@ which the motion falls off super-exponentially. */
 #include <string>
 #include <vector>
 
+#include "lattice/impact/impact.hpp"
 #include "lattice/integrators/contact_rkn.hpp"
 #include "lattice/numerics/criterion.hpp"
 #include "lattice/numerics/estimate.hpp"
-#include "lattice/packets/impact.hpp"
 #include "sec4/dispersion.hpp"
 #include "sec4/envelope.hpp"
 

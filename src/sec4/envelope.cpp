@@ -1,5 +1,7 @@
 #include "sec4/envelope.hpp"
 
+#include <array>
+
 namespace lattice {
 
 Window around(std::size_t peak, std::size_t reach, std::size_t sites) {
@@ -33,21 +35,21 @@ Envelope envelope(const Chain& chain, const State<double>& state, Window range) 
 }
 
 // How far the sech is from the envelope
-double misfit(const Sech& f, const std::vector<double>& a, Window range) {
+static double misfit(const Sech& f, const std::vector<double>& a, Window range) {
   double sum = 0;
   for (std::size_t n = range.first; n < range.last; ++n)
     sum += std::pow(a[n] - f.at(double(n + 1)), 2);
   return sum / double(range.last - range.first);
 }
 
-double determinant(const double (&t)[3][3]) {
+static double determinant(const double (&t)[3][3]) {
   return t[0][0] * (t[1][1] * t[2][2] - t[1][2] * t[2][1]) -
          t[0][1] * (t[1][0] * t[2][2] - t[1][2] * t[2][0]) +
          t[0][2] * (t[1][0] * t[2][1] - t[1][1] * t[2][0]);
 }
 
 // One Gauss-Newton step: gather matrix and right-hand side from the derivatives at every site
-std::array<double, 3> sech_step(const Sech& f, const std::vector<double>& a, Window range) {
+static std::array<double, 3> sech_step(const Sech& f, const std::vector<double>& a, Window range) {
   double m[3][3] = {}, g[3] = {};
   for (std::size_t n = range.first; n < range.last; ++n) {
     const double x = (double(n + 1) - f.centre) / f.width, y = f.at(double(n + 1));

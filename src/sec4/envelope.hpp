@@ -12,13 +12,12 @@ has the envelope $a\,\mathrm{sech}((n-n_0)/w)$, Eq. (38). How far a packet is fr
 the residual of a least-squares fit. */
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
 
+#include "lattice/diagnostics/observe.hpp"
 #include "lattice/model/chain.hpp"
-#include "lattice/packets/observe.hpp"
 
 namespace lattice {
 
@@ -50,21 +49,12 @@ struct Sech {
   double at(double n) const { return height / std::cosh((n - centre) / width); }
 };
 
-/// Mean square deviation of `f` from the values in `range`.
-double misfit(const Sech& f, const std::vector<double>& a, Window range);
-
 /**
 The three parameters follow by the Gauss–Newton method. With $\nabla f$ the derivatives of the sech $f$
 with respect to height, centre and width, its matrix $m$ is the sum of $\nabla f\,\nabla f^T$ over the
 sites, its right-hand side $g$ that of $\nabla f\,(a_n - f)$. The matrix has three rows, so Cramer's rule
-will do. */
-/// Of a matrix of three rows.
-double determinant(const double (&t)[3][3]);
+will do.
 
-/// The step in height, centre and width from `f` on the values in `range`.
-std::array<double, 3> sech_step(const Sech& f, const std::vector<double>& a, Window range);
-
-/**
 `fit_sech` returns the sech that fits the values `a` in `range` best. The iteration starts at their maximum
 with the given `width`. A step that does not lessen the misfit is halved; if no part of it does, we have
 arrived. */

@@ -205,7 +205,8 @@ struct CompressedImpact {
     p.add("d", d, "compression of the contacts", {1e-3, 10});
   }
   Table table() const {
-    const Impact impact = complete({velocity, {0, well, CompressedHertz{d}}, time, far_away, 1});
+    const Impact impact =
+        endless({velocity, {.well = well, .contact = CompressedHertz{d}}, time, 1});
     const auto runs = strike_compressed_twice(impact, {time});
     const CompressedRun &coarse = runs.coarse, &fine = runs.fine;
     const PacketSample &a = coarse.samples.back(), &b = fine.samples.back();
@@ -214,6 +215,7 @@ struct CompressedImpact {
       const double off = std::abs(shot.sech.centre - shot.centre), reach = envelope_reach;
       return std::max(off, shot.sech.width) < reach ? shot.sech.width : std::nan("");
     };
+    // The packet with the most energy, and how far the run can be trusted
     Answers q{"a --time at which one packet stands out"};
     q.add("centre", compare(a.centre, b.centre), "site",
           "energy centre of the packet that holds the most energy, at the end of the run");

@@ -17,6 +17,8 @@ using Rows = std::vector<Numbers>;
 
 const Number one(1), two(2);
 
+constexpr std::size_t guess_samples = 1024;  ///< of the guess, on the half circle
+
 /// 1 / (1 - omega^2 k^2).
 Number transfer(const Number& omega, std::size_t k) {
   return one / (one - omega * omega * double(k) * double(k));
@@ -39,12 +41,6 @@ std::vector<Link> links(Centre centre, std::size_t n) {
     out.push_back({0, 1, true});
   return out;
 }
-
-}  // namespace
-
-namespace {
-
-constexpr std::size_t guess_samples = 1024;  ///< of the guess, on the half circle
 
 }  // namespace
 
@@ -131,10 +127,6 @@ namespace {
 Number stiffness(const Number& x) {
   return Number(3) / two * root(x);
 }
-
-}  // namespace
-
-namespace {
 
 /// 1 / (1 - matrix), approximately.
 std::vector<std::vector<double>> resolvent(const Rows& matrix) {

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "lattice/packets/impact.hpp"
-#include "lattice/packets/pulse.hpp"
+#include "lattice/diagnostics/pulse.hpp"
+#include "lattice/impact/impact.hpp"
 #include "lattice/standing/spectrum.hpp"
 
 namespace lattice {

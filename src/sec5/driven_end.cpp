@@ -99,9 +99,7 @@ double threshold_law(Drive::By by, double omega) {
 }
 
 Sizes<double> DrivenOrbit::sizes(const Vector<double>& x, bool) const {
-  Sizes<double> out{Vector<double>::Constant(x.size(), scale),
-                    Vector<double>::Constant(x.size(), scale)};
-  return out;
+  return {Vector<double>::Constant(x.size(), scale), Vector<double>::Constant(x.size(), scale)};
 }
 
 // One period of the drive

@@ -37,7 +37,13 @@ T above(T x) {
 
 /**
 An interval is made of a number that is meant exactly. A fraction such as 1/10 is not a number of the format:
-it is written as a quotient of two intervals, never as `0.1`. */
+it is written as a quotient of two intervals, never as `0.1`. Exact numbers may stand among intervals in an
+expression, unless they are of a wider format.
+
+Overflow is answered by all numbers, so that no inequality is ever concluded from it. The extremes of a product or
+quotient lie at the corners; one that is no number (zero times infinity) makes it all numbers, and so does a divisor
+that may be zero. Statements are made only of what is certain: `a < b` holds if every number of `a` is less than every
+number of `b`. Hence `a < b` and `a >= b` may both be false, and a proof that needs either then fails. */
 template <std::floating_point T>
 struct Interval {
   T lower = 0, upper = 0;
@@ -45,6 +51,9 @@ struct Interval {
   constexpr Interval() = default;
   constexpr Interval(T exact) : lower(exact), upper(exact) {}
   constexpr Interval(T from, T to) : lower(from), upper(to) {}
+  template <std::floating_point U>
+  requires(sizeof(U) > sizeof(T)) Interval(U)
+  = delete;
 
   /// All numbers: the answer where there is no other.
   static constexpr Interval all() {
@@ -61,115 +70,45 @@ struct Interval {
   constexpr T middle() const { return lower + (upper - lower) / 2; }
   /// At least as large as the distance of the middle from both ends.
   T radius() const { return above(std::max(above(upper - middle()), above(middle() - lower))); }
+
+  friend constexpr Interval operator-(const Interval& a) { return {-a.upper, -a.lower}; }
+  friend Interval operator+(const Interval& a, const Interval& b) {
+    return outwards(a.lower + b.lower, a.upper + b.upper);
+  }
+  friend Interval operator-(const Interval& a, const Interval& b) {
+    return outwards(a.lower - b.upper, a.upper - b.lower);
+  }
+  friend Interval operator*(const Interval& a, const Interval& b) {
+    return hull_of(a.lower * b.lower, a.lower * b.upper, a.upper * b.lower, a.upper * b.upper);
+  }
+  friend Interval operator/(const Interval& a, const Interval& b) {
+    if (!(b.lower > 0 || b.upper < 0)) return all();
+    return hull_of(a.lower / b.lower, a.lower / b.upper, a.upper / b.lower, a.upper / b.upper);
+  }
+  Interval& operator+=(const Interval& b) { return *this = *this + b; }
+  Interval& operator-=(const Interval& b) { return *this = *this - b; }
+
+  friend constexpr bool operator<(const Interval& a, const Interval& b) {
+    return a.upper < b.lower;
+  }
+  friend constexpr bool operator<=(const Interval& a, const Interval& b) {
+    return a.upper <= b.lower;
+  }
+  friend constexpr bool operator>(const Interval& a, const Interval& b) { return b < a; }
+  friend constexpr bool operator>=(const Interval& a, const Interval& b) { return b <= a; }
+
+ private:
+  /// Both ends moved outwards by one number of the format.
+  static Interval outwards(T lower, T upper) {
+    const Interval wider{below(lower), above(upper)};
+    return wider.finite() ? wider : all();
+  }
+  static Interval hull_of(T p, T q, T r, T s) {
+    if (!(p - p == 0 && q - q == 0 && r - r == 0 && s - s == 0)) return all();
+    return outwards(std::min(std::min(p, q), std::min(r, s)),
+                    std::max(std::max(p, q), std::max(r, s)));
+  }
 };
-
-/**
-Overflow is answered by all numbers, so that no inequality is ever concluded from it. */
-/// The interval with both ends moved outwards by one number of the format.
-template <class T>
-Interval<T> outwards(T lower, T upper) {
-  const Interval<T> wider{below(lower), above(upper)};
-  return wider.finite() ? wider : Interval<T>::all();
-}
-
-template <class T>
-constexpr Interval<T> operator-(const Interval<T>& a) {
-  return {-a.upper, -a.lower};
-}
-template <class T>
-Interval<T> operator+(const Interval<T>& a, const Interval<T>& b) {
-  return outwards(a.lower + b.lower, a.upper + b.upper);
-}
-template <class T>
-Interval<T> operator-(const Interval<T>& a, const Interval<T>& b) {
-  return outwards(a.lower - b.upper, a.upper - b.lower);
-}
-
-/**
-The extremes of a product lie at the corners. A corner that is no number (zero times infinity) makes the
-comparisons false and the product all numbers. */
-template <class T>
-Interval<T> operator*(const Interval<T>& a, const Interval<T>& b) {
-  const T p = a.lower * b.lower, q = a.lower * b.upper, r = a.upper * b.lower,
-          s = a.upper * b.upper;
-  if (!(p - p == 0 && q - q == 0 && r - r == 0 && s - s == 0)) return Interval<T>::all();
-  return outwards(std::min(std::min(p, q), std::min(r, s)),
-                  std::max(std::max(p, q), std::max(r, s)));
-}
-
-/// All numbers if the divisor may be zero.
-template <class T>
-Interval<T> operator/(const Interval<T>& a, const Interval<T>& b) {
-  if (!(b.lower > 0 || b.upper < 0)) return Interval<T>::all();
-  const T p = a.lower / b.lower, q = a.lower / b.upper, r = a.upper / b.lower,
-          s = a.upper / b.upper;
-  if (!(p - p == 0 && q - q == 0 && r - r == 0 && s - s == 0)) return Interval<T>::all();
-  return outwards(std::min(std::min(p, q), std::min(r, s)),
-                  std::max(std::max(p, q), std::max(r, s)));
-}
-
-/**
-Mixed expressions with exact numbers. */
-template <class T>
-Interval<T> operator+(const Interval<T>& a, T b) {
-  return a + Interval<T>(b);
-}
-template <class T>
-Interval<T> operator+(T a, const Interval<T>& b) {
-  return Interval<T>(a) + b;
-}
-template <class T>
-Interval<T> operator-(const Interval<T>& a, T b) {
-  return a - Interval<T>(b);
-}
-template <class T>
-Interval<T> operator-(T a, const Interval<T>& b) {
-  return Interval<T>(a) - b;
-}
-template <class T>
-Interval<T> operator*(const Interval<T>& a, T b) {
-  return a * Interval<T>(b);
-}
-template <class T>
-Interval<T> operator*(T a, const Interval<T>& b) {
-  return Interval<T>(a) * b;
-}
-template <class T>
-Interval<T> operator/(const Interval<T>& a, T b) {
-  return a / Interval<T>(b);
-}
-template <class T>
-Interval<T> operator/(T a, const Interval<T>& b) {
-  return Interval<T>(a) / b;
-}
-template <class T>
-Interval<T>& operator+=(Interval<T>& a, const Interval<T>& b) {
-  return a = a + b;
-}
-template <class T>
-Interval<T>& operator-=(Interval<T>& a, const Interval<T>& b) {
-  return a = a - b;
-}
-
-/**
-Statements are made only of what is certain: `a < b` holds if every number of `a` is less than every number of
-`b`. Hence `a < b` and `a >= b` may both be false, and a proof that needs either then fails. */
-template <class T>
-constexpr bool operator<(const Interval<T>& a, const Interval<T>& b) {
-  return a.upper < b.lower;
-}
-template <class T>
-constexpr bool operator>(const Interval<T>& a, const Interval<T>& b) {
-  return b < a;
-}
-template <class T>
-constexpr bool operator<=(const Interval<T>& a, const Interval<T>& b) {
-  return a.upper <= b.lower;
-}
-template <class T>
-constexpr bool operator>=(const Interval<T>& a, const Interval<T>& b) {
-  return b <= a;
-}
 
 /// The largest modulus, a number of the format.
 template <class T>

@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "lattice/packets/impact.hpp"
-#include "lattice/packets/observe.hpp"
+#include "lattice/diagnostics/observe.hpp"
+#include "lattice/impact/impact.hpp"
 
 namespace lattice {
 namespace {

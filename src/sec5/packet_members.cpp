@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "lattice/diagnostics/observe.hpp"
 #include "lattice/numerics/parallel.hpp"
-#include "lattice/packets/observe.hpp"
 #include "sec5/travelling.hpp"
 
 namespace lattice {

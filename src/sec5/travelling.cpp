@@ -35,7 +35,11 @@ State<double> between(const State<double>& a, const State<double>& b, double w) 
 
 // Follow a packet and cut it out when it is most like a travelling breather
 Vector<double> cut_packet(double velocity, double from, double to, int sign, std::size_t reach) {
-  const Impact impact{velocity, {std::size_t(to) + 2 * reach}, 1e6, to, 0.1};
+  const Impact impact{.velocity = velocity,
+                      .chain = {std::size_t(to) + 2 * reach},
+                      .time = 1e6,
+                      .sample = 0.1,
+                      .until = to};
   State<double> before = struck(impact.chain.sites, velocity);
   Vector<double> best;
   double least = 1e300;

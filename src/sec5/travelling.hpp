@@ -22,11 +22,11 @@ an exact orbit. */
 #include <vector>
 
 #include "lattice/algebra/eigenvalues.hpp"
+#include "lattice/impact/impact.hpp"
 #include "lattice/numerics/estimate.hpp"
 #include "lattice/numerics/progress.hpp"
 #include "lattice/orbits/breather.hpp"
 #include "lattice/orbits/floquet.hpp"
-#include "lattice/packets/impact.hpp"
 
 namespace lattice {
 

@@ -2,15 +2,15 @@
 /**
 # Striking a DpS chain
 
-This is the impact of section 3.4 (packets/impact.hpp) in the limit of small amplitude, Eq. (25):
+This is the impact of section 3.4 (impact/impact.hpp) in the limit of small amplitude, Eq. (25):
 $A_1(0) = -i$ and all others zero. The packet is followed in the density $|A_n|^2$ and the slow time. */
 
 #include <cstddef>
 #include <functional>
 #include <vector>
 
+#include "lattice/diagnostics/observe.hpp"
 #include "lattice/dps/evolve.hpp"
-#include "lattice/packets/observe.hpp"
 
 namespace lattice {
 

@@ -20,9 +20,9 @@ over a stated width with the weight $1+\cos(2\pi t/\text{width})$. */
 #include <utility>
 #include <vector>
 
+#include "lattice/impact/impact.hpp"
 #include "lattice/integrators/accuracy.hpp"
 #include "lattice/numerics/estimate.hpp"
-#include "lattice/packets/impact.hpp"
 
 namespace lattice {
 
@@ -116,7 +116,7 @@ template <class Watch = Unwatched>
 Voyage voyage(const ContactAware& stepper, const Chain& chain, double velocity, double time,
               Watch watch = {}) {
   Path path;
-  const Impact impact{velocity, chain, time, far_away, sampling, 1e-9, false};
+  const Impact impact{velocity, chain, time, sampling, 1e-9, false};
   ImpactRun run = strike(stepper, impact, [&](const State<double>& now, const auto& density) {
     path.add(now.t, density);
     watch(now, density);

@@ -19,9 +19,9 @@ energy and the front-most packet, and it sees to it that nothing comes back from
 #include <utility>
 #include <vector>
 
+#include "lattice/diagnostics/observe.hpp"
 #include "lattice/integrators/accuracy.hpp"
 #include "lattice/model/chain.hpp"
-#include "lattice/packets/observe.hpp"
 
 namespace lattice {
 
@@ -41,9 +41,6 @@ This is an estimate and not a bound, and other contacts may have other pulses. W
 far end has remained at rest. A run therefore records the largest velocity of its last bead, and refuses to
 give a result if that exceeds `far_end` times the impact's. Where the far end is part of the experiment
 `far_end` is `reached`. */
-/// `chain` at a length that an impact of `velocity` does not cross within `time`.
-Chain endless(Chain chain, double velocity, double time);
-
 /// For `far_end`: the far end may move.
 inline constexpr double reached = std::numeric_limits<double>::infinity();
 
@@ -53,19 +50,20 @@ struct FarEndReached : std::runtime_error {
 };
 
 /// What is struck, and how it is watched; dimensionless, as in Eqs. (9), (10) and (26). By default the
-/// impact of the article's section 3.4. A chain of no sites has its length from `complete`.
+/// impact of the article's section 3.4.
 struct Impact {
   double velocity = 1.87;
   Chain chain{100};
   double time = 600;
-  double until = far_away;  ///< the run ends when the centre of the packet passes this site
-  double sample = 0.2;      ///< time between two looks, at most
-  double far_end = 1e-9;    ///< the last bead's largest velocity allowed, over `velocity`
-  bool denser = true;       ///< a refinement (accuracy.hpp) also takes more samples
+  double sample = 0.2;    ///< time between two looks, at most
+  double far_end = 1e-9;  ///< the last bead's largest velocity allowed, over `velocity`
+  bool denser = true;     ///< a refinement (accuracy.hpp) also takes more samples
+  std::optional<double>
+      until{};  ///< the site at which the run ends when the packet's centre passes it
 };
 
-/// The same impact, on an `endless` chain if it has no sites.
-Impact complete(Impact impact);
+/// The same impact on a chain of whatever length it does not cross within its time.
+Impact endless(Impact impact);
 
 /// The chain at rest but for its first bead, Eq. (26). Throws std::invalid_argument without sites.
 State<double> struck(std::size_t sites, double velocity);
@@ -120,7 +118,7 @@ void go_on(const Stepper& stepper, const Impact& impact, ImpactRun& run, double 
     run.far_end = std::max(run.far_end, std::abs(now.v.back()));
     const auto site = front_packet(run.density);
     if (site) run.track.add(now.t, run.density, *site);
-    const bool passed = site && run.track.centre.back() >= impact.until;
+    const bool passed = site && impact.until && run.track.centre.back() >= *impact.until;
     return on && is_quiet(impact, run) && ((k - 1) % each != 0 || !passed);
   };
   const Run part = evolve(stepper, chain, run.end, grid, look);

@@ -1,4 +1,4 @@
-#include "lattice/packets/observe.hpp"
+#include "lattice/diagnostics/observe.hpp"
 
 #include "lattice/numerics/parabola.hpp"
 

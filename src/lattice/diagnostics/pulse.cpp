@@ -1,4 +1,4 @@
-#include "lattice/packets/pulse.hpp"
+#include "lattice/diagnostics/pulse.hpp"
 
 #include "lattice/numerics/parabola.hpp"
 

@@ -1,20 +1,16 @@
-#include "lattice/packets/impact.hpp"
+#include "lattice/impact/impact.hpp"
 
 #include <sstream>
 
 namespace lattice {
 
 // The fastest phonon of a chain whose contacts are as stiff as those of the strongest pulse
-Chain endless(Chain chain, double velocity, double time) {
-  const double well = chain.well.stiffness(0.0);
-  const double contact = std::max(chain.contact.stiffness(0.0), 0.8 * std::pow(velocity, 0.4));
+Impact endless(Impact impact) {
+  const double well = impact.chain.well.stiffness(0.0);
+  const double contact =
+      std::max(impact.chain.contact.stiffness(0.0), 0.8 * std::pow(impact.velocity, 0.4));
   const double fastest = (std::sqrt(well + 4 * contact) - std::sqrt(well)) / 2;
-  chain.sites = 100 + std::size_t(1.15 * fastest * time);
-  return chain;
-}
-
-Impact complete(Impact impact) {
-  if (impact.chain.sites == 0) impact.chain = endless(impact.chain, impact.velocity, impact.time);
+  impact.chain.sites = 100 + std::size_t(1.15 * fastest * impact.time);
   return impact;
 }
 
