@@ -19,7 +19,7 @@ import threading
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 COMPILE = [os.environ.get("CXX", "g++"), "-std=c++20", "-O1", "-w", "-ffp-contract=off", "-fno-math-errno",
-           "-DLATTICE_WIDE=", "-I/usr/include/eigen3", *(f'-D{name}="{value}"' for name, value in {
+           "-DLATTICE_WIDE=", "-DEIGEN_NO_CPUID", "-I/usr/include/eigen3", *(f'-D{name}="{value}"' for name, value in {
                "SOURCE_DIR": ROOT, "DATA_DIR": ROOT / "build/data", "BIN_DIR": ROOT / "build/bin", "LATTICE_VERSION": "0",
                "LATTICE_BUILD": "mutants -O1", "LATTICE_LIBRARIES": "those of the machine"}.items())]
 LINK = ["-lgsl", "-lgslcblas", "-lpthread"]
