@@ -58,11 +58,11 @@ struct Impact {
   double sample = 0.2;    ///< time between two looks, at most
   double far_end = 1e-9;  ///< the last bead's largest velocity allowed, over `velocity`
   bool denser = true;     ///< a refinement (accuracy.hpp) also takes more samples
-  std::optional<double>
-      until{};  ///< the site at which the run ends when the packet's centre passes it
+  /// The site at which the run ends, once the packet's centre has passed it.
+  std::optional<double> until{};
 };
 
-/// The same impact on a chain of whatever length it does not cross within its time.
+/// The same impact on a chain so long that nothing crosses it within the time of the run; its own length is ignored.
 Impact endless(Impact impact);
 
 /// The chain at rest but for its first bead, Eq. (26). Throws std::invalid_argument without sites.
