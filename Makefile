@@ -259,9 +259,10 @@ gallery: $(foreach r,$(rows),$(if $(wildcard figures/gallery/$(basename $(call f
 second: install-deps
 	@PYTHONPATH=tests $(call with,numpy; import mpmath) -m second --out paper/second.ecsv
 
-## mutants: errors of physics put into the library one at a time; the tests must notice (long)
-mutants: install-deps
-	@$(or $(PYTHON),python3) tools/mutants.py $(MUTANTS)
+## mutants: errors put into the sources one at a time; the tests must notice (long; random ones: RANDOM=200 SEED=1)
+mutants: configure
+	@sh tools/build.sh $(B) $(JOBS) all
+	@$(or $(PYTHON),python3) tools/mutants.py $(if $(RANDOM),random=$(RANDOM) seed=$(or $(SEED),1),$(MUTANTS))
 
 ## test-platforms: the same bytes from other compilers, Debian 13 and ARM64 (an hour; PLATFORMS='clang trixie')
 test-platforms: install-deps

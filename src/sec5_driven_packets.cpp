@@ -46,7 +46,7 @@ struct Packet {
   std::string name;
   double strength;  ///< amplitude of the piston over the law; 0 for an impact
   double lifetime;  ///< ms; 0 without losses
-  Stretch stretch{};
+  WatchedBeads stretch{};
   double delta = 0.1, ramp = 0, start = 0;  ///< of the drive, the last two in its periods
 };
 
@@ -62,7 +62,7 @@ std::vector<Packet> packets(bool quick) {
           {"impact_lossy", 0, 10, {9, 17}}};
 }
 
-Traveller packet_seen(const Packet& p, double step, const Stretch& stretch) {
+Traveller packet_seen(const Packet& p, double step, const WatchedBeads& stretch) {
   const double omega = 1 + p.delta, period = 2 * std::numbers::pi / omega;
   const double long_enough = 300 / p.delta + p.ramp * period;
   ArraySetup setup;

@@ -156,20 +156,6 @@ TEST_CASE("no profile is left, and a smaller ball would leave some", "[unit][dps
   }
 }
 
-TEST_CASE("the breathers of the chain lie where Newton's method finds them", "[unit]") {
-  Fineness fine;
-  fine.samples = 16384, fine.harmonics = 96;
-  for (Centre centre : both_centres) {
-    const auto b = enclose_chain(centre, 11, 10, fine);
-    REQUIRE(b.exists.holds());
-    REQUIRE(b.unique.holds());
-    const Orbit<double> orbit = find_breather(problem_of(centre, 1.1));
-    CHECK(b.amplitude.contains(double(orbit.amplitude)));
-    CHECK(b.energy.contains(double(orbit.energy)));
-    CHECK(b.amplitude.radius() < 1e-3 * b.amplitude.lower);
-  }
-}
-
 TEST_CASE("a wrong compression or frequency has a residual that proves nothing", "[unit]") {
   Fineness fine;
   fine.samples = 4096, fine.harmonics = 64;
@@ -221,6 +207,22 @@ TEST_CASE("a fineness whose spacings do not agree is refused in one line", "[uni
   for (const auto& [p, q] : {std::pair{1, 1}, {2, 1}, {9, 10}, {21, 10}, {11, 0}, {-11, -10}})
     CHECK(
         complaint({}, p, q).starts_with("omega = " + std::to_string(p) + "/" + std::to_string(q)));
+  // What is allowed, at its ends
+  const Fineness usual;
+  CHECK((usual.contacts == 7 && usual.harmonics == 320 && usual.samples == 65536 &&
+         usual.nodes == 32 && usual.cells == 2048));
+  for (const Fineness& good :
+       {usual, Fineness{2, 2, 4, 2, 2}, {15, 1024, 1 << 24, 1 << 20, 1 << 20}})
+    CHECK_NOTHROW(good.check());
+  for (const Fineness& bad : {Fineness{16, 2, 4, 2, 2},
+                              {1, 2, 4, 2, 2},
+                              {2, 1, 4, 2, 2},
+                              {2, 2, 2, 2, 2},
+                              {2, 2, 1 << 25, 2, 2},
+                              {2, 2, 4, 1, 2},
+                              {2, 2, 4, 2, 1},
+                              {2, 2, 4, 2, 1 << 21}})
+    CHECK_THROWS_AS(bad.check(), std::invalid_argument);
   Fineness few;
   few.samples = 4096, few.harmonics = 64;
   ChainGuess guess{Centre::bond, Interval<double>(2.5), {{0.01, 0}}};

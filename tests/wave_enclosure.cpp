@@ -68,38 +68,17 @@ double convolved(double t, Of of, int points = 400000) {
   return sum * 2 * two_pi / points;
 }
 
-bool proved(const CubicLine& guess, const WaveFineness& fine) {
-  const Angles angles(fine.per_turn);
-  const WaveProof proof(guess, fine);
-  const auto residuals = wave_residuals(guess, ForceIntegrals(guess, angles));
-  try {
-    two_balls(proof.eta(residuals), 0x1p-14, [&](double radius) { return proof.q(radius); });
-  } catch (const NotProved&) {
-    return false;
-  }
-  return true;
+/// Whether the lemma proves something with the residual of this guess, in some ball.
+bool proved(const CubicLine& guess, const WaveProof& proof) {
+  const auto residuals = wave_residuals(guess, ForceIntegrals(guess, Angles(guess.per_turn)));
+  const double eta = proof.eta(residuals);
+  bool any = false;
+  for (double radius = 0x1p-14; radius > 1e-9; radius /= 8)
+    any = any || Contraction<double>{eta, proof.q(radius), radius}.holds();
+  return any;
 }
 
 }  // namespace
-
-TEST_CASE("both waves lie where Newton's method finds them, and apart", "[unit][kernel]") {
-  WaveFineness fine;
-  fine.per_turn = 8192;
-  const EnclosedWave plus = enclose_wave(1, fine), minus = enclose_wave(-1, fine);
-  for (int sign : {1, -1}) {
-    const EnclosedWave& w = sign > 0 ? plus : minus;
-    REQUIRE(w.exists.holds());
-    REQUIRE(w.unique.holds());
-    const KernelWave there = wave_of_type_one(1, sign, {1.5, 0});
-    CHECK(w.energy.contains(there.energy()));
-    CHECK(w.peak.contains(there.peak()));
-    CHECK(w.action.contains(there.action()));
-    CHECK(w.energy.radius() < 1e-9);
-    CHECK(w.action.radius() < 1e-9);
-    CHECK(w.peak.radius() < 1e-10);
-  }
-  CHECK(plus.peak < minus.peak);
-}
 
 TEST_CASE("integrals of cells against Simpson's rule", "[unit][kernel]") {
   const Sample& s = shared();
@@ -176,21 +155,20 @@ TEST_CASE("the residual between two nodes is bounded", "[property][kernel]") {
   // A guess from another exponent or too short has a large one
   WaveFineness few = coarse();
   few.turns = 6, few.window = 4;
-  CHECK_FALSE(proved(wave_guess(-1, few), few));
+  const CubicLine cut = wave_guess(-1, few);
+  CHECK_FALSE(proved(cut, WaveProof(cut, few)));
 }
 
 TEST_CASE("wrong guesses prove nothing", "[unit][kernel]") {
   const Sample& s = shared();
-  CHECK(proved(s.guess, s.fine));
+  CHECK(proved(s.guess, s.proof));
   CubicLine wrong = s.guess;
   for (Cubic& c : wrong.cell)
     for (double& x : c) x *= 1.001;
-  CHECK_FALSE(proved(wrong, s.fine));
+  CHECK_FALSE(proved(wrong, s.proof));
   wrong = s.guess;
   for (double& x : wrong.cell[300]) x = 0;
-  CHECK_FALSE(proved(wrong, s.fine));
-  // The sign is asked for, not assumed
-  CHECK(enclose_wave(-1, s.fine).exists.holds());
+  CHECK_FALSE(proved(wrong, s.proof));
 }
 
 TEST_CASE("a fineness of the wave whose spacings do not agree is refused", "[unit][kernel]") {
@@ -215,6 +193,13 @@ TEST_CASE("a fineness of the wave whose spacings do not agree is refused", "[uni
     fine.*of = value;
     CHECK(complaint().starts_with(said));
   }
+  const WaveFineness usual;
+  CHECK((usual.per_turn == 16384 && usual.turns == 9 && usual.nodes == 64 && usual.window == 6));
+  for (const WaveFineness& good : {usual, WaveFineness{4, 1, 4, 1}, {1 << 24, 64, 1 << 24, 64}})
+    CHECK_NOTHROW(good.check());
+  for (const WaveFineness& bad :
+       {WaveFineness{2, 1, 2, 1}, {1 << 25, 1, 4, 1}, {4, 0, 4, 0}, {4, 65, 4, 1}, {4, 2, 4, 3}})
+    CHECK_THROWS_AS(bad.check(), std::invalid_argument);
   fine = coarse();
   fine.turns = fine.window = 10;
   CHECK(complaint().starts_with("window = 10: "));

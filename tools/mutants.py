@@ -1,31 +1,194 @@
-"""Would the tests notice? Puts the errors of mutants.tsv into a copy of the library, one at a time.
+"""Would the tests notice? Puts errors into a copy of the sources, one at a time: those of mutants.tsv, or random ones.
 
-For each error only the tests that its row names are compiled and run; of those that call programs or read their
-tables, the cases that do neither. An error is killed if one of them fails (or no longer compiles, or takes more than
-two minutes) and survives otherwise; the unchanged library must pass first. What an error does not touch is compiled
-once. A row whose right text is not in its room exactly once is a mistake in the table and ends the run before anything
-is built. Words given as arguments select rows by their room or by their description.
+`make mutants` takes the errors that were chosen by hand. A row names the tests that should notice; an error is killed if
+one of them fails (or no longer compiles, or does not end) and survives otherwise. A row whose right text is not in its
+room exactly once is a mistake in the table and ends the run. Arguments select rows by their room or their description.
+
+`make mutants RANDOM=200 SEED=1` draws errors from the code of src/lattice and of the sections: an operator, a comparison, a
+sign, an index, a constant, min for max, sin for cos, and for or; not from prose, texts and messages. A tolerance, which is
+written with an exponent, is not drawn: ten times more of it is no error. Each error meets the tests that read the file, the
+cheapest first, until all have passed or forty objects were compiled for it, and then the quick runs of the four cheapest
+programs that read it, whose tables are compared byte by byte. It is *killed* by a test, *seen by bytes only*, or *alive*; what
+equivalent.tsv lists with a reason changes nothing that anybody could see. What does not compile is no error, and another one
+is drawn.
+
+Both work on what `make` has built: of a binary only the objects that read the changed file are compiled again, as they
+were. Of tests that call programs or read tables, the cases that do neither are run.
 """
 
+import collections
 import concurrent.futures
+import functools
+import json
 import os
 import pathlib
+import random
 import re
+import resource
 import shutil
 import subprocess
 import sys
 import tempfile
 import threading
+import time
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-COMPILE = [os.environ.get("CXX", "g++"), "-std=c++20", "-O1", "-w", "-ffp-contract=off", "-fno-math-errno",
-           "-DLATTICE_WIDE=", "-DEIGEN_NO_CPUID", "-I/usr/include/eigen3", *(f'-D{name}="{value}"' for name, value in {
-               "SOURCE_DIR": ROOT, "DATA_DIR": ROOT / "build/data", "BIN_DIR": ROOT / "build/bin", "LATTICE_VERSION": "0",
-               "LATTICE_BUILD": "mutants -O1", "LATTICE_LIBRARIES": "those of the machine"}.items())]
-LINK = ["-lgsl", "-lgslcblas", "-lpthread"]
+BUILD = ROOT / "build"
 ALONE = "~[published]~[cli]"  # what needs no program and no table
-LIMIT = 120  # seconds for one test
+PROGRAMS_ONLY = {"command_line", "models_by_name", "nonexistence", "fingerprint", "published", "findings", "main"}
+MEMORY = 6 << 30  # bytes that one process may take
+OBJECTS, PROGRAMS = 40, 4  # compiled for the tests of a random error; programs that it meets if it passes them
 
+
+# What is built
+
+class Unit:
+    """An object file: how it was compiled, and what it reads."""
+
+    def __init__(self, entry):
+        self.command, self.folder = entry["command"], pathlib.Path(entry["directory"])
+        self.path = self.folder / re.search(r" -o (\S+)", self.command)[1]
+        self.common = re.search(r"-include (\S+/cmake_pch\.hxx)", self.command)  # headers that are read once
+        self.seconds = 20 if "/Unity/" in str(self.path) else 2  # about what it takes to compile
+
+    @functools.cached_property
+    def files(self):
+        lists = [self.path.with_name(self.path.name + ".d")] + ([pathlib.Path(self.common[1] + ".gch.d")] if self.common else [])
+        return {word for one in lists for word in one.read_text(encoding="utf8").split() if word.startswith(str(ROOT / "src"))}
+
+    def reads(self, file):
+        return str(ROOT / "src" / file) in self.files
+
+    def compile(self, place, file, target):
+        """Compiles the copy below `place` as the original was; whether that works."""
+        command = self.command.replace(f" -o {re.search(' -o ([^ ]+)', self.command)[1]}", f" -o {target}")
+        command = command.replace(f"{ROOT}/src", f"{place}/src")
+        if self.common and str(ROOT / "src" / file) in pathlib.Path(self.common[1] + ".gch.d").read_text(encoding="utf8"):
+            text = pathlib.Path(self.common[1]).read_text(encoding="utf8").replace(f"{ROOT}/src", f"{place}/src")
+            (place / "common.hpp").write_text(text, encoding="utf8")
+            command = command.replace(self.common[1], str(place / "common.hpp"))
+        return subprocess.run(command, shell=True, cwd=self.folder, capture_output=True).returncode == 0
+
+
+@functools.cache
+def all_units():
+    entries = json.loads((BUILD / "compile_commands.json").read_text(encoding="utf8"))
+    return {unit.path: unit for unit in map(Unit, entries) if unit.path.exists()}
+
+
+class Binary:
+    """A test, one source with main, or a program: what it consists of, and how it behaves unchanged."""
+
+    def __init__(self, name, link_file, own, arguments):
+        self.name, self.arguments, self.folder = name, arguments, link_file.parents[2]
+        compiler, self.libraries = re.match(r"(\S+).*? -o \S+(.*)", link_file.read_text(encoding="utf8").strip()).groups()
+        self.compiler, self.units = compiler, [all_units()[path] for path in own]
+        self.seconds, self.output, self.lock = 0.0, None, threading.Lock()
+
+    @functools.cached_property
+    def parts(self):
+        """Its own objects, and the members of libraries that the linker takes."""
+        with tempfile.TemporaryDirectory() as scratch:
+            trace = subprocess.run(f"{self.link({})} -Wl,--trace,--trace -o {scratch}/linked", shell=True, cwd=self.folder,
+                                   capture_output=True, text=True).stdout
+        taken = {(library, member) for library, member in re.findall(r"lib(\w+)\.a\)?\(?([\w.-]+\.o)", trace)}
+        members = [unit for path, unit in all_units().items()
+                   if any(part.endswith(".dir") and (part[:-4], path.name) in taken for part in path.parts)]
+        return self.units + members
+
+    def link(self, renewed):
+        """The command; archives have what the objects named lack."""
+        others = [target for unit, target in renewed.items() if unit not in self.units and unit in self.parts]
+        return " ".join(map(str, [self.compiler, *(renewed.get(unit, unit.path) for unit in self.units), *others, self.libraries]))
+
+    def changed(self, file):
+        return [unit for unit in self.parts if unit.reads(file)]
+
+    def run(self, binary, scratch, limit):
+        """Whether it succeeds, and the lines of its tables."""
+        out = scratch / "out"
+        shutil.rmtree(out, ignore_errors=True)
+        try:
+            done = subprocess.run([str(binary), *(str(out) if word == "OUT" else word for word in self.arguments)],
+                                  stdin=subprocess.DEVNULL, capture_output=True, timeout=limit)
+        except subprocess.TimeoutExpired:
+            return False, "does not end"
+        tables = {path.name: [line for line in path.read_text(encoding="utf8").splitlines() if line[:1] != "#"]
+                  for path in sorted(out.glob("*.ecsv"))} if out.exists() else {}
+        return done.returncode == 0, tables
+
+    def unchanged(self, scratch):
+        """Runs it as it is, once: it must succeed."""
+        with self.lock:
+            if self.output is None:
+                self.run_unchanged(scratch)
+
+    def run_unchanged(self, scratch):
+        begin = time.monotonic()
+        subprocess.run(f"{self.link({})} -o {scratch}/unchanged", shell=True, cwd=self.folder, check=True, capture_output=True)
+        good, self.output = self.run(scratch / "unchanged", scratch, 600)
+        self.seconds = time.monotonic() - begin
+        if not good:
+            raise SystemExit(f"{self.name} fails without any error: nothing can be said")
+
+    def verdict(self, file, place, renewed):
+        """How it behaves with the changed copy below `place`: nothing if as before. `renewed` holds what was compiled."""
+        self.unchanged(place)
+        for unit in self.changed(file):
+            if unit not in renewed:
+                renewed[unit] = place / f"{len(renewed)}.o"
+                if not unit.compile(place, file, renewed[unit]):
+                    return "no longer compiles"
+        link = subprocess.run(f"{self.link(renewed)} -o {place}/changed", shell=True, cwd=self.folder, capture_output=True)
+        if link.returncode:
+            return "no longer links"
+        good, output = self.run(place / "changed", place, 10 + 5 * self.seconds)
+        return ("does not end" if output == "does not end" else "fails") if not good else "differs" if output != self.output else None
+
+
+@functools.cache
+def test_of(name):
+    folder = BUILD / "tests/CMakeFiles/tests.dir"
+    text = (ROOT / f"tests/{name}.cpp").read_text(encoding="utf8")
+    with_data = re.search('DATA_DIR|BIN_DIR|"run.hpp"', text)
+    return Binary(name, folder / "link.txt", [folder / "main.cpp.o", folder / f"{name}.cpp.o"], [ALONE] if with_data else [])
+
+
+def tests_again():
+    """Those that are compiled several at once (tests/CMakeLists.txt)."""
+    folder = BUILD / "tests/CMakeFiles"
+    return [Binary(f"{unit.name[:7]}", folder / "tests.dir/link.txt", [folder / "tests.dir/main.cpp.o", unit], [])
+            for unit in sorted(all_units()) if "Unity" in unit.parts]
+
+
+@functools.cache
+def program_of(name):
+    folder = BUILD / f"CMakeFiles/{name}.dir"
+    return Binary(name, folder / "link.txt", [folder / f"src/{name}.cpp.o"], ["--quick", "--out", "OUT"])
+
+
+class Places:
+    """A copy of the sources for each worker."""
+
+    def __init__(self, scratch):
+        self.scratch, self.of = scratch, {}
+
+    def with_error(self, error, judge):
+        """What `judge` says of the place while the error is in it."""
+        file, begin, right, wrong = error
+        place = self.of.setdefault(threading.get_ident(), pathlib.Path(tempfile.mkdtemp(dir=self.scratch)))
+        if not (place / "src").exists():
+            shutil.copytree(ROOT / "src", place / "src")
+        path = place / "src" / file
+        text = path.read_text(encoding="utf8")
+        path.write_text(text[:begin] + wrong + text[begin + len(right):], encoding="utf8")
+        try:
+            return judge(place)
+        finally:
+            path.write_text(text, encoding="utf8")
+
+
+# Errors chosen by hand
 
 def files(room):
     """The sources of a room of the library, of `report`, or of a section's shelf."""
@@ -39,154 +202,144 @@ def read_table(selection):
         if not line or line.startswith("#"):
             continue
         room, right, wrong, tests, what = line.split("\t")
-        counts = {path: path.read_text(encoding="utf8").count(right) for path in files(room)}
-        if sum(counts.values()) != 1:
-            mistakes.append(f"mutants.tsv:{number}: '{right}' occurs {sum(counts.values())} times in {room}")
+        texts = {path: path.read_text(encoding="utf8") for path in files(room)}
+        count = sum(text.count(right) for text in texts.values())
+        if count != 1:
+            mistakes.append(f"mutants.tsv:{number}: '{right}' occurs {count} times in {room}")
         elif missing := [test for test in tests.split() if not (ROOT / f"tests/{test}.cpp").exists()]:
             mistakes.append(f"mutants.tsv:{number}: there is no tests/{missing[0]}.cpp")
         elif not selection or any(word in room or word in what for word in selection):
-            file = next(path for path, count in counts.items() if count)
-            table.append((file.relative_to(ROOT / "src"), right, wrong, tests.split(), what))
+            path, text = next((path, text) for path, text in texts.items() if right in text)
+            table.append(((path.relative_to(ROOT / "src"), text.index(right), right, wrong), tests.split(), what))
     if mistakes:
         raise SystemExit("\n".join(mistakes))
     return table
 
 
-def quadruple():
-    """The sources that are compiled once more in quadruple precision, and how: as CMakeLists.txt does it."""
-    listed = re.search(r"set\(QUADRUPLE ([^)]*)\)", (ROOT / "CMakeLists.txt").read_text(encoding="utf8"))
-    return {f"lattice/{name}.cpp" for name in listed[1].split()}, ["-include", "lattice/quadruple/extended.hpp", "-DLATTICE_QUADRUPLE"]
+def judge_table(pool, places, table):
+    def judge(row):
+        error, tests, _ = row
+
+        def with_tests(place):
+            renewed = {}
+            return next((f"{test} {how}" for test in tests if (how := test_of(test).verdict(error[0], place, renewed))), None)
+        return places.with_error(error, with_tests)
+
+    survivors = 0
+    for ((file, _, _, wrong), tests, what), how in zip(table, pool.map(judge, table)):
+        survivors += how is None
+        print(f"killed    {what} ({how})" if how else f"SURVIVES  {what}: {file} with '{wrong}' passes {' and '.join(tests)}; "
+              "write the test that it asks for", flush=True)
+    print(f"{len(table) - survivors} of {len(table)} errors killed")
+    return survivors > 0
 
 
-def take_float128():
-    """Quadruple precision is faster where the compiler brings it along."""
-    probe = '#include <boost/multiprecision/float128.hpp>\nint main() { return sqrt(boost::multiprecision::float128(2)) > 2; }'
-    if subprocess.run([*COMPILE, "-x", "c++", "-", "-o", os.devnull, "-lquadmath"], input=probe, text=True,
-                      capture_output=True).returncode == 0:
-        COMPILE.append("-DLATTICE_FLOAT128")
-        LINK.append("-lquadmath")
+# Errors drawn at random
+
+SKIPPED = re.compile(r"^\s*(#|template|using |static_assert|throw |requires )|Failure|operator|[Pp]rogress|invalid_argument")
+SWAPS = {" + ": " - ", " - ": " + ", " * ": " / ", " / ": " * ", " < ": " <= ", " <= ": " < ", " > ": " >= ", " >= ": " > ",
+         " == ": " != ", " != ": " == ", " && ": " || ", " || ": " && ", " += ": " -= ", " -= ": " += ", " *= ": " /= ",
+         " /= ": " *= ", "min(": "max(", "max(": "min(", "sin(": "cos(", "cos(": "sin("}
+PATTERNS = [(re.compile("|".join(r"(?<!\w)" + re.escape(key) if key[0] != " " else re.escape(key) for key in SWAPS)),
+             lambda found: SWAPS[found[0]]),
+            (re.compile(r"(?:(?<=[(\[{])|(?<=[,=?:] )|(?<=return ))-(?=[A-Za-z(\d])"), lambda found: ""),  # a sign
+            (re.compile(r"(?<=[( ])!(?=[\w(])"), lambda found: ""),
+            (re.compile(r"\[(?!this)[a-z_]\w*\](?!\()"), lambda found: found[0][:-1] + " + 1]"),  # an index
+            (re.compile(r"(?<![\w.])(?<!e-)\d+(?![\w.'>])"), lambda found: str(int(found[0]) + 1)),
+            (re.compile(r"(?<![\w.])\d*\.\d+(?![\w.'])"), lambda found: repr(2 * float(found[0]) or 1.0))]
 
 
-def build(code, target, flags=()):
-    """Compiles `code` below the folder of the library's copy that it reads; whether that works."""
-    source = next(parent for parent in code.parents if (parent / "lattice").is_dir())
-    return subprocess.run([*COMPILE, *flags, f"-I{source}", "-MMD", "-c", str(code), "-o", str(target)],
-                          capture_output=True).returncode == 0
+def code_of(text):
+    """The text with comments and strings blanked."""
+    blank = lambda found: re.sub(r"[^\n]", " ", found[0])  # noqa: E731
+    return re.sub(r'/\*.*?\*/|//[^\n]*|"(?:\\.|[^"\\\n])*"', blank, text, flags=re.S)
 
 
-def reads(listing, file):
-    """Whether an object's list of dependencies names the file."""
-    return any(word.endswith("/src/" + str(file)) for word in listing.read_text(encoding="utf8").split())
+def candidates():
+    out = []
+    for path in sorted([*ROOT.glob("src/lattice/*/*.?pp"), *ROOT.glob("src/sec*/*.?pp")]):
+        at = 0
+        for line in code_of(path.read_text(encoding="utf8")).splitlines(keepends=True):
+            if not SKIPPED.search(line):
+                out += [(path.relative_to(ROOT / "src"), at + found.start(), found[0], change(found))
+                        for pattern, change in PATTERNS for found in pattern.finditer(line)]
+            at += len(line)
+    return out
 
 
-class Library:
-    """The unchanged library and tests, in a copy of their own, compiled."""
-
-    def __init__(self, scratch, tests, pool):
-        self.source, self.objects = scratch / "src", scratch / "objects"
-        for folder in [ROOT / "src/lattice", ROOT / "src/report", ROOT / "src/commands", *(ROOT / "src").glob("sec*/")]:
-            shutil.copytree(folder, self.source / folder.name)
-        self.objects.mkdir()
-        for path in (ROOT / "tests").glob("*.?pp"):
-            shutil.copy(path, self.source)
-        sources = [path for where in ("lattice/*", "report", "commands", "sec*") for path in self.source.glob(where + "/*.cpp")]
-        # Every object with its source and its flags
-        self.of = {self.objects / f"{path.parent.name}-{path.stem}.o": (path.relative_to(self.source), ()) for path in sources}
-        twice, flags = quadruple()
-        self.of.update({unit.with_name("quadruple-" + unit.name): (code, flags)
-                        for unit, (code, _) in list(self.of.items()) if str(code) in twice})
-        self.tests = {test: self.objects / f"test-{test}.o" for test in ["main", *tests]}
-        self.of.update({unit: (pathlib.Path(test + ".cpp"), ()) for test, unit in self.tests.items()})
-        built = pool.map(lambda unit: build(self.source / self.of[unit][0], unit, self.of[unit][1]), self.of)
-        for (code, _), good in zip(self.of.values(), built):
-            if not good:
-                raise SystemExit(f"{code} does not compile without any error: nothing can be said")
-        self.archive = scratch / "library.a"
-        members = [str(unit) for unit in self.of if unit not in self.tests.values()]
-        subprocess.run(["ar", "rcs", str(self.archive), *members], check=True)
-        self.used = dict(zip(tests, pool.map(lambda test: self.linked(test, scratch), tests)))
-        if not any(len(units) > 2 for units in self.used.values()):
-            raise SystemExit("the linker does not say what it takes from an archive: nothing can be said")
-
-    def linked(self, test, scratch):
-        """The objects that a test consists of."""
-        own = [self.tests["main"], self.tests[test]]
-        trace = [*self.link(own, scratch / ("linked-" + test)), "-Wl,--trace,--trace"]
-        out = subprocess.run(trace, capture_output=True, text=True)
-        taken = set(re.findall(r"library\.a\)?\(?([\w-]+\.o)", out.stdout))
-        if out.returncode:
-            raise SystemExit(f"{test} does not link without any error: nothing can be said")
-        return [unit for unit in self.of if unit.name in taken or unit in own]
-
-    def link(self, units, binary):
-        """How a test is linked; the archive has what the units lack."""
-        return [COMPILE[0], *map(str, units), str(self.archive), *LINK, "-o", str(binary)]
-
-    def passes(self, test, work, renewed, changed=None):
-        """Whether `test` succeeds with the file `changed` in the copy below `work`; otherwise how not. What earlier
-        tests of the same error have compiled is in `renewed`."""
-        for unit in self.used[test]:
-            code, flags = self.of[unit]
-            if changed and unit not in renewed and reads(unit.with_suffix(".d"), changed):
-                renewed[unit] = work / unit.name
-                if not build(work / "src" / code, renewed[unit], flags):
-                    return "no longer compiles"
-        binary = work / test
-        units = [renewed.get(unit, unit) for unit in self.used[test]]
-        if subprocess.run(self.link(units, binary), capture_output=True).returncode:
-            return "no longer links"
-        try:
-            text = (self.source / f"{test}.cpp").read_text(encoding="utf8")
-            with_data = re.search('DATA_DIR|BIN_DIR|"run.hpp"', text)
-            run = subprocess.run([str(binary), *([ALONE] if with_data else [])], capture_output=True, timeout=LIMIT)
-        except subprocess.TimeoutExpired:
-            return "does not end"
-        return None if run.returncode == 0 else "fails"
+def lines_of(error):
+    """The number of the line, and the line with and without the error."""
+    file, begin, right, wrong = error
+    text = (ROOT / "src" / file).read_text(encoding="utf8")
+    head, tail = text.rfind("\n", 0, begin) + 1, text.find("\n", begin)
+    return text.count("\n", 0, begin) + 1, text[head:tail].strip(), (text[head:begin] + wrong + text[begin + len(right):tail]).strip()
 
 
-def judge(mutant, scratch, library, places):
-    file, right, wrong, tests, _ = mutant
-    place = places.setdefault(threading.get_ident(), pathlib.Path(tempfile.mkdtemp(dir=scratch)))
-    if not (place / "src").exists():
-        shutil.copytree(library.source, place / "src")
-    path = place / "src" / file
-    original = path.read_text(encoding="utf8")
-    path.write_text(original.replace(right, wrong), encoding="utf8")
-    renewed = {}
-    try:
-        for test in tests:
-            how = library.passes(test, place, renewed, file)
-            if how:
-                return f"{test} {how}"
-    finally:
-        path.write_text(original, encoding="utf8")
-    return None
+def judge_drawn(error, places, tests, programs):
+    """`killed`, `bytes`, `alive` or `none` (does not compile), and by what."""
+    def judge(place):
+        renewed = {}
+        for kind, binaries in (("killed", tests), ("bytes", programs)):
+            concerned = [(sum(unit.seconds for unit in changed) + one.seconds, one.name, one) for one in binaries
+                         if (changed := one.changed(error[0]))]
+            for _, _, one in sorted(concerned)[:None if kind == "killed" else PROGRAMS]:
+                if kind == "killed" and len(renewed) > OBJECTS:
+                    break
+                how = one.verdict(error[0], place, renewed)
+                if how and how.startswith("no longer"):
+                    return "none", how
+                if how:
+                    return kind, f"{one.name} {how}"
+        return "alive", ""
+    return places.with_error(error, judge)
+
+
+def judge_random(pool, places, count, seed):
+    drawn = candidates()
+    random.Random(seed).shuffle(drawn)
+    print(f"{count} of {len(drawn)} possible errors, seed {seed}", flush=True)
+    listed = {tuple(line.split("\t")[:3]) for line in (ROOT / "tools/equivalent.tsv").read_text(encoding="utf8").splitlines()}
+    tests = [test_of(path.stem) for path in sorted(ROOT.glob("tests/*.cpp"))
+             if path.stem not in PROGRAMS_ONLY and not path.stem.endswith("_again")] + tests_again()
+    programs = [program_of(path.stem) for path in sorted(ROOT.glob("src/sec*.cpp"))]
+    list(pool.map(lambda one: one.unchanged(pathlib.Path(tempfile.mkdtemp(dir=places.scratch))), tests))
+
+    def judge(error):
+        number, right, wrong = lines_of(error)
+        kind, how = ("equivalent", "") if (str(error[0]), right, wrong) in listed else judge_drawn(error, places, tests, programs)
+        if kind != "none":
+            print(f"{kind:10} src/{error[0]}:{number}  {how}" + (f"\n    {right}\n    {wrong}" if kind in ("bytes", "alive") else ""),
+                  flush=True)
+        return error[0].parent.name, kind
+
+    counts = collections.defaultdict(collections.Counter)
+    while (missing := count - sum(sum(of.values()) for of in counts.values())) and drawn:
+        batch, drawn = drawn[:missing], drawn[missing:]
+        for room, kind in pool.map(judge, batch):
+            if kind != "none":
+                counts[room][kind] += 1
+    kinds = ["killed", "bytes", "alive", "equivalent"]
+    total = collections.Counter()
+    print(f"{'module':18}" + "".join(f"{kind:>12}" for kind in kinds))
+    for room, of in sorted(counts.items()):
+        total += of
+        print(f"{room:18}" + "".join(f"{of[kind]:12}" for kind in kinds))
+    print(f"{'all':18}" + "".join(f"{total[kind]:12}" for kind in kinds))
+    return total["alive"] > 0 or total["bytes"] > 0.1 * count
 
 
 def main():
-    table = read_table(sys.argv[1:])
-    take_float128()
+    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
     workers = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count()
-    survivors = 0
-    with tempfile.TemporaryDirectory() as folder:
-        scratch = pathlib.Path(folder)
-        with concurrent.futures.ThreadPoolExecutor(workers) as pool:
-            tests = sorted({test for mutant in table for test in mutant[3]})
-            library = Library(scratch, tests, pool)
-            unchanged = pool.map(lambda test: library.passes(test, scratch, {}), tests)
-            for test, how in zip(tests, unchanged):
-                if how:
-                    raise SystemExit(f"{test} {how} without any error: nothing can be said")
-            places = {}
-            verdicts = pool.map(lambda mutant: judge(mutant, scratch, library, places), table)
-            for (file, _, wrong, tests, what), how in zip(table, verdicts):
-                survivors += how is None
-                verdict = f"killed    {what} ({how})" if how else (
-                    f"SURVIVES  {what}: {file} with '{wrong}' passes {' and '.join(tests)}; "
-                    "write the test that it asks for")
-                print(verdict, flush=True)
-    print(f"{len(table) - survivors} of {len(table)} errors killed")
-    return 1 if survivors else 0
+    given = re.fullmatch(r"random=(\d+) seed=(\d+)", " ".join(sys.argv[1:]))
+    with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor(workers) as pool:
+        places = Places(pathlib.Path(folder))
+        if given:
+            return judge_random(pool, places, int(given[1]), int(given[2]))
+        table = read_table(sys.argv[1:])
+        tests = sorted({test for _, names, _ in table for test in names})
+        list(pool.map(lambda test: test_of(test).unchanged(pathlib.Path(tempfile.mkdtemp(dir=places.scratch))), tests))
+        return judge_table(pool, places, table)
 
 
 if __name__ == "__main__":

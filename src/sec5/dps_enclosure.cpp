@@ -153,8 +153,8 @@ void tighten(const DpsGuess<T>& guess, DpsBreather<T>& b) {
   }
 }
 
-/// Clips all strains at zero where the equation allows it: behind a contact that is certainly positive,
-/// where strains are less than 1/16.
+}  // namespace
+
 template <class T>
 void demand_no_negative(DpsBreather<T>& b) {
   T largest = magnitude(b.tail);
@@ -168,7 +168,6 @@ void demand_no_negative(DpsBreather<T>& b) {
   b.tail = positive_part(b.tail);
 }
 
-/// The bounds of the strains in words: positive and decreasing.
 template <class T>
 void demand_decrease(const DpsBreather<T>& b) {
   for (std::size_t i = 0; i < b.r.size(); ++i) {
@@ -178,8 +177,6 @@ void demand_decrease(const DpsBreather<T>& b) {
   }
   if (!(b.tail.upper < T(0.01))) throw NotProved("the tail is not certainly small");
 }
-
-}  // namespace
 
 template <class T>
 DpsBreather<T> enclose_dps(Centre centre) {
@@ -235,10 +232,7 @@ DpsBarrier<T> dps_barrier(const DpsBreather<T>& site, const DpsBreather<T>& bond
   return {two_fifths * (s - b), two_fifths * b * rise};
 }
 
-namespace {
-
-/// Whether a profile with this r_0 > 1/16 certainly increases somewhere before it has left the constant one.
-/// From y_n = phi(r_n) - 1/64 follows y_(n+1) = (g - 2) y_n - y_(n-1), g being a slope of P^(2/3).
+// Follow the deviations from the constant profile until they certainly rise, or may have left it
 template <class T>
 bool turns_back(Centre centre, const Interval<T>& r_0) {
   const Interval<T> constant = Interval<T>(1) / Interval<T>(64),
@@ -258,6 +252,8 @@ bool turns_back(Centre centre, const Interval<T>& r_0) {
   }
   return false;
 }
+
+namespace {
 
 /// The profiles of this r_0, outwards.
 template <class T>
@@ -309,6 +305,8 @@ std::vector<Piece<T>> search_profiles(const DpsBreather<T>& breather, int depth)
 }
 
 #define LATTICE_ENCLOSURE(T)                                                        \
+  template void demand_no_negative(DpsBreather<T>&);                                \
+  template void demand_decrease(const DpsBreather<T>&);                             \
   template DpsGuess<T> dps_guess(Centre);                                           \
   template T dps_eta(const DpsGuess<T>&);                                           \
   template T dps_q(const DpsGuess<T>&, T);                                          \
@@ -317,6 +315,7 @@ std::vector<Piece<T>> search_profiles(const DpsBreather<T>& breather, int depth)
   template Interval<T> contact_eigenvalue(const DpsBreather<T>&, std::size_t);      \
   template Interval<T> square_of_exponent(const Interval<T>&);                      \
   template DpsBarrier<T> dps_barrier(const DpsBreather<T>&, const DpsBreather<T>&); \
+  template bool turns_back(Centre, const Interval<T>&);                             \
   template std::vector<Piece<T>> search_profiles(const DpsBreather<T>&, int);
 LATTICE_ENCLOSURE(double)
 LATTICE_ENCLOSURE(long double)

@@ -75,6 +75,15 @@ struct DpsBreather {
   Interval<T> norm() const;
 };
 
+/// Clips all strains at zero where the equation allows it: behind a contact that is certainly positive, where strains
+/// are less than 1/16. Throws NotProved where they are not.
+template <class T>
+void demand_no_negative(DpsBreather<T>& b);
+
+/// The bounds of the strains in words: positive and decreasing, and the tail below 1/100. Throws NotProved otherwise.
+template <class T>
+void demand_decrease(const DpsBreather<T>& b);
+
 /// The breather with this centre. Throws NotProved if the hypotheses of the lemma cannot be verified.
 template <class T>
 DpsBreather<T> enclose_dps(Centre centre);
@@ -125,6 +134,11 @@ not tend to zero. Close to it the forces $P_n = \varphi(r_n)$ differ from $\frac
 $y_{n+1} = (g-2)y_n-y_{n-1}$, where $g$ is a slope of $P^{2/3}$, about $\frac83$. These deviations rotate by
 some seventy degrees from contact to contact, so the profile increases again before it has left, or is
 constant. */
+/// Whether a profile with this r_0 > 1/16 certainly increases somewhere before it has left the constant one.
+/// From y_n = phi(r_n) - 1/64 follows y_(n+1) = (g - 2) y_n - y_(n-1), g being a slope of P^(2/3).
+template <class T>
+bool turns_back(Centre centre, const Interval<T>& r_0);
+
 /// What became of an interval of r_0: discarded or decided at a contact, or open.
 enum class Decision { discarded, inside, open };
 

@@ -166,7 +166,7 @@ Journey slowed(const Journey& undamped, double nu) {
       p.force = from.pushes[i].height * rate * rate * rate;
       p.period = turn / (1 + (turn / period - 1) * rate);
     }
-    if (k < from.speeds.size())
+    if (k < from.speeds.size() && nu * from.speeds[k].t < 4)
       p.velocity = from.speeds[k].height * std::pow(1 - nu * from.speeds[k].t / 4, 2);
     p.reached = p.period > 0 && p.t > latest;
     latest = std::max(latest, p.t);

@@ -37,7 +37,7 @@ double joined(double x, const std::vector<double>& xs, const std::vector<double>
 Traveller set_free(const Orbit<double>& member, double phase) {
   const DrivenChain driven{Chain{32}};
   const double T = shift_time(member);
-  const Stretch two{usual_reach + 3, usual_reach + 5, 1};
+  const WatchedBeads two{usual_reach + 3, usual_reach + 5, 1};
   const Traveller seen =
       traveller_on(driven, embed(member.start, driven.chain.sites, 0), 8 * T, 0.1, two);
   return {T, phase, seen.energy, seen.width};
@@ -122,7 +122,7 @@ Traveller TravellerWatch::traveller() const {
 }
 
 Traveller traveller_on(const DrivenChain& driven, State<double> start, double duration, double step,
-                       const Stretch& stretch) {
+                       const WatchedBeads& stretch) {
   TravellerWatch watch(driven.chain, stretch.from, stretch.to, stretch.which);
   run_driven(driven, start, time_grid(duration, 2 * step, step),
              [&](const State<double>& now, const EnergyBudget&) { return watch.look(now); });

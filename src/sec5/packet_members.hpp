@@ -59,13 +59,13 @@ class TravellerWatch {
 };
 
 /// The beads between which a packet is watched, and which packet it is.
-struct Stretch {
+struct WatchedBeads {
   std::size_t from = 12, to = 28, which = 1;
 };
 
 /// Runs a chain from `start` until the packet has passed. Throws std::runtime_error if it has not within `duration`.
 Traveller traveller_on(const DrivenChain& driven, State<double> start, double duration, double step,
-                       const Stretch& stretch);
+                       const WatchedBeads& stretch);
 
 /**
 ## Breathers of the same shift time and phase

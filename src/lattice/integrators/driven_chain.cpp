@@ -68,7 +68,7 @@ class DrivenRun {
 
   /// Half a step of the contacts' friction, pair by pair, in one order or in the other.
   void rub_contacts(State<double>& state, Window window, bool backwards) {
-    if (driven_.losses.contact == 0 || window.last - window.first < 2) return;
+    if (driven_.losses.contact == 0) return;
     const std::size_t first = window.first + 1, last = window.last;
     for (std::size_t k = first; k < last; ++k)
       rub_pair(state, backwards ? first + last - 1 - k : k);
