@@ -155,6 +155,7 @@ void tighten(const DpsGuess<T>& guess, DpsBreather<T>& b) {
 
 }  // namespace
 
+// Find the last strain that may exceed 1/16: all up to it must be positive, and what lies behind is clipped
 template <class T>
 void demand_no_negative(DpsBreather<T>& b) {
   T largest = magnitude(b.tail);
@@ -178,6 +179,7 @@ void demand_decrease(const DpsBreather<T>& b) {
   if (!(b.tail.upper < T(0.01))) throw NotProved("the tail is not certainly small");
 }
 
+// The lemma first, then the signs, the digits, and that strains decrease
 template <class T>
 DpsBreather<T> enclose_dps(Centre centre) {
   const DpsGuess<T> guess = dps_guess<T>(centre);
