@@ -56,7 +56,7 @@ const std::vector<double> horizons{1, 4, 10};
 
 The chain is that of Eq. (9) with linear wells, dimensionless as everywhere,
 $$\ddot y_n + y_n = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2}.$$
-At amplitude $\epsilon$ the right-hand side is smaller than the left by a factor $\epsilon^{1/2}$. So a
+At amplitude $\epsilon$ each term on the left is $O(\epsilon)$, and the contact forces are $O(\epsilon^{3/2})$. So a
 bead oscillates at the frequency of its well while its complex amplitude $A_n$ drifts in the slow
 time $\tau = \epsilon^{1/2}t$, Eq. (13), as the DpS equation (12) says:
 $$y_n^{app}(t) = 2\epsilon\,\mathrm{Re}\,[A_n(\epsilon^{1/2}t)\,e^{it}], \qquad

@@ -1,15 +1,19 @@
 /**
 # 3.2 The energy between two breathers
 
-A breather that sits on a site can move to the next one only by way of a bond. If the breather
-around the bond has the higher energy, the difference is a hill to be climbed, the
-*Peierls-Nabarro barrier*; if it has the lower energy, it is the site that lies on the hill:
+A breather that sits on a site can move to the next one only by way of a bond. The energies of the breathers
+around both, as heights and valleys of a landscape in which its centre moves, are the *Peierls-Nabarro potential*, and
+their difference is the *barrier*:
 
-       energy     site      bond      site
-                   __        __        __
-         E_site   /  \      /  \      /  \     E_PN = E_site - E_bond
-                 /    \    /    \    /    \
-         E_bond       \__/      \__/
+      energy
+      E_site            __               __
+                       /  \             /  \         E_PN = E_site - E_bond,
+                      /    \           /    \        here positive
+      E_bond      ___/      \___   ___/      \___
+                 bond   site   bond   site   bond
+
+A particle of positive mass would rest in the valleys. Breathers may have a negative mass, as those of section 3.3
+(`sec33_mobility`): then they rest on the hills, and the valleys are what they have to cross.
 
 Section 3.2 of James, Kevrekidis and Cuevas (Physica D 251, 2013) finds that this hill is
 astonishingly flat. It compares the two breathers at equal frequency; the comparison at equal *area*, which
@@ -237,9 +241,12 @@ void report_ratios(Report& report, const std::vector<BreatherPairs>& families) {
 ## Five frequencies to all digits
 
 The claims speak of single frequencies, so these pairs are computed in the wider type throughout. Close to
-$\omega_b = 1$ all energies follow the DpS scaling $E \propto (\omega_b-1)^4$. With
-$d\mathcal H = \omega_b\,d\mathcal A/2\pi$ the barrier at equal area is then $-(\omega_b-1)/5$ times the one
-at equal frequency: smaller by orders of magnitude, and of the opposite sign. At $\omega_b = 1.001$ the
+$\omega_b = 1$, with $\delta = \omega_b-1$, all energies follow the DpS scaling $\mathcal H = e\,\delta^4$. Then
+$d\mathcal H = \omega_b\,d\mathcal A/2\pi$ gives $\mathcal A/2\pi = e\,\delta^4-\frac45e\,\delta^5$, hence
+$\mathcal H = \mathcal A/2\pi+\frac45e\,\delta^5$. At equal area $e\,\delta^4$ is the same for both breathers, and the
+one with the larger $e$ has a $\delta$ that is smaller by a quarter of the relative difference: the barrier at equal
+area is $-\delta/5$ times the one at equal frequency, smaller by orders of magnitude, and of the opposite sign. At
+$\omega_b = 1.001$ the
 computed ratio divided by this prediction is [1.01843](num:sec32_barrier.equal_area_law). */
 const std::pair<double, const char*> key_frequencies[] = {
     {1.001, "1001"}, {1.01, "101"}, {1.1, "110"}, {1.3, "130"}, {1.5, "150"}};

@@ -57,11 +57,17 @@ $$\ddot y_n + y_n + s\,y_n^3 = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2},
 with free ends (Eqs. (6) and (9)), dimensionless. In the program `omega_b` is $\omega_b$, `Orbit::start`
 the breather at $t = 0$, where it is at rest, and `Orbit::energy` its energy $\mathcal H$, Eq. (6).
 
-We guess the positions from Eqs. (18) to (20) and integrate over a half or a quarter of a period. There the symmetry
-of the breather demands that certain combinations of positions and velocities vanish (symmetry.hpp), and Newton's
-method makes them vanish. The integrator lands on every *switching*, the opening or closing of a contact, because a
-step across it would spoil the orbit at $10^{-9}$ and its derivative much earlier (event_driven.hpp). Every number is
-computed at two tolerances or in two precisions, and the difference is its error. */
+We guess the positions from Eqs. (18) to (20) and integrate over a part of a period, after which the symmetry of the
+breather makes as many demands as there are unknowns. A mirror image of the chain must also change the sign of all
+positions, $y_n \to -y_{-n}$, because contacts push and never pull. What starts at rest is at rest again after half a
+period. Around a bond the right half of the chain tells all, and its velocities must vanish then; around a site the
+mirror image is the breather half a period later, so that a quarter of a period is enough:
+$$\dot y_n(T_b/2) = 0 \quad\text{(bond)},\qquad
+  y_n+y_{-n} = 0,\quad \dot y_n-\dot y_{-n} = 0 \quad\text{at } t = T_b/4 \quad\text{(site)}.$$
+Newton's method solves these equations (symmetry.hpp, newton.hpp). The integrator ends a step at every *contact event*,
+the opening or closing of a contact, because a step across it would spoil the orbit at $10^{-9}$ and its derivative
+much earlier (event_driven.hpp). Every number is computed at two tolerances or in two precisions, and the difference is
+its error. */
 Orbit<double> article_breather(const NewtonRule<double>& rule) {
   const Shooting<double> problem = problem_of(Centre::site, omega_b);
   return newton(problem, problem.reduce(ansatz(Centre::site, omega_b, problem.chain.sites)), rule);
@@ -93,8 +99,8 @@ For comparison we also solve the equations of the article, $Y(T_b) = Y(0)$, twic
 the sense of least squares. A shift along the chain hardly violates them: the smallest singular
 value of their matrix belongs to a change of the positions that moves the breather sideways, the
 *pinning mode* of section 3.3. It is nearly the discrete gradient $y_{n+1}-y_{n-1}$: the cosine of the angle
-between them is [0.987389](num:sec32_newton_breathers.softest_along_gradient). Newton's method wanders
-along this mode, and a small residual is followed by a large step. */
+between them is [0.987389](num:sec32_newton_breathers.softest_along_gradient). The problem is
+ill-conditioned along this mode: after a tiny residual the next step of Newton's method is still large. */
 struct FullMap {
   History history{};
   Vector<double> x{};
@@ -185,8 +191,8 @@ void report_convergence(Report& report) {
 /**
 ## Symmetry
 
-Both symmetries are built into our equations, so they prove nothing about the breathers. We therefore look for the
-breathers without them: all positions are unknown, the start is shaken at random by a thousandth (a recorded seed),
+We impose both symmetries, so finding them in the result proves nothing. We therefore look for the breathers without
+them: all positions are unknown, the start is shaken at random by a thousandth (a recorded seed),
 and we demand only that the chain comes to rest at $T_b/2$. If the breathers have their symmetries by nature, the
 symmetries come back: the images under $y_{1-n} = -y_n$ and $y_n(t) = -y_{-n}(t+T_b/2)$ then agree with the orbit far
 better than the guess did. What is left is rounding times the condition number of these equations, and shrinks with

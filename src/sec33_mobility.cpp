@@ -2,7 +2,7 @@
 # 3.3 How little it takes to move a breather
 
 Section 3.3 of James, Kevrekidis and Cuevas (Physica D 251, 2013) ends with a push. A breather of frequency 1.1
-receives a kick along its pinning mode, a hundredth of its velocity, and glides off at a constant speed; a kick
+receives a kick along its pinning mode, about a hundredth of its largest bead velocity, and moves off at a constant speed; a kick
 nearly seventy times smaller does not free it. Between the two lies a threshold, from which the article reads the
 height of a barrier. This program repeats both experiments, conserves the energy to a hundredth of that of the kick
 or better, draws figures 14 and 15, and then derives the threshold:
@@ -132,8 +132,8 @@ Glide glide(const RestingBreather& at, const ContactAware& stepper, double time)
 }
 
 /**
-Which phase did the article kick? A stretched central contact gives its speed of the bond-centred breather, a
-compressed one [0.000552678](num:sec33_mobility.speed_bond_compressed). The kick points to the right and the breather
+Which phase did the article kick? Its speed of the bond-centred breather results when the central contact is stretched;
+a compressed one gives [0.000552678](num:sec33_mobility.speed_bond_compressed). The kick points to the right and the breather
 goes to the left: its mass is negative (see the threshold). The article prints speeds without a direction, so we drop
 the sign. What we return is the speed per kick. */
 std::array<double, 3> report_glides(Report& report) {
@@ -320,14 +320,22 @@ void report_weak(Report& report, const Breathers& at) {
 /**
 ## The threshold, and why most of a kick is wasted
 
-How large must a kick be? A breather that creeps keeps its action, so the landscape of its centre is the energy at
-*equal area*. The kick does not keep the action: an oscillator of frequency one has an action as large as its energy,
-and nearly all of $c^2/2$ goes into a larger oscillation. Linear theory (depinning.hpp) gives the share $\varphi$
-that remains as kinetic energy of the *centre*, from one period of the tangent map:
-[-0.0237402](num:sec33_mobility.kinetic_share_bond_stretched). In the DpS equation $|\varphi| = (\omega_b-1)/3$ for
-$\omega_b \to 1$. The share is negative: the moving breather has *less* energy than the resting one of the same
-action. Its effective mass is negative, and the stable centre is the one of *higher* energy. So
-$$|\varphi|\,\frac{c_c^2}2 = |\tilde E_{PN}|,\qquad\text{not}\qquad \frac{c_c^2}2 = E_{PN}.$$ */
+How large must a kick be? A breather that moves slowly keeps its action, so the potential of its centre is the energy
+at *equal area*, with the barrier $\tilde E_{PN} = E_{\rm site}-E_{\rm bond}$ between breathers of one area. The kick
+does not keep the action: an oscillator of frequency one has an action as large as its energy, and nearly all of
+$c^2/2$ goes into a larger oscillation. Linear theory (depinning.hpp) gives the fraction $\varphi$ that becomes kinetic
+energy of the *centre*, from one period of the tangent map:
+[-0.0237402](num:sec33_mobility.kinetic_share_bond_stretched). It is negative: the moving breather has *less* energy
+than the resting one of the same action. Its effective mass is negative, and the stable centre is the one of *higher*
+energy. So
+$$|\varphi|\,\frac{c_c^2}2 = |\tilde E_{PN}|,\qquad\text{not}\qquad \frac{c_c^2}2 = E_{PN}.$$
+
+Sign and size of $\varphi$ follow in the DpS limit, with $\mu = \omega_b-1$. What a kick changes at equal action is
+$\varphi\,c^2/2 = dE-\omega_b\,dI$, and for a breather $u$ of the DpS equation that is the quadratic form
+$\frac{c^2}2\,g\cdot(M-\mu)\,g$ of the unit vector $g$ along the translation, with the contact matrix $M$ of $u$
+(spectrum.hpp), $Mu = \mu u$. A shift of $u$ nearly solves the linearised equation, $(\mu-\frac32M)\,g\approx0$, so that
+$Mg\approx\frac23\mu\,g$ and
+$$\varphi \approx \tfrac23\mu-\mu = -\frac{\omega_b-1}3.$$ */
 BreatherPair barriers_at(double frequency) {
   BreatherPair pair{0, frequency};
   for (int k : {0, 1}) pair.orbit[k] = find_breather(problem_of(both_centres[k], frequency));
@@ -337,7 +345,7 @@ BreatherPair barriers_at(double frequency) {
 
 /**
 Why did the article find its barriers to agree? In the limit $\omega_b \to 1$ the barrier at equal area is
-$(\omega_b-1)/5$ times the one at equal frequency, up to the sign, and $|\varphi|$ is $(\omega_b-1)/3$: two small
+$-(\omega_b-1)/5$ times the one at equal frequency (`sec32_barrier`), and $\varphi$ is $-(\omega_b-1)/3$: two small
 factors of the same kind, which leave $c_c^2/2 = \frac35E_{PN}$. At $\omega_b = 1.1$ the factor is
 [0.6101](num:moving.barrier_close). So the two numbers have the same order of magnitude for a reason, but they are
 not the same number.
@@ -489,19 +497,19 @@ void report_integrators(Report& report, const RestingBreather& at) {
 }
 
 /**
-## Where the printed numbers may come from
+## Can errors of time steps explain the printed threshold?
 
 An integrator that steps across the opening and closing of contacts errs at each of them, and the error depends on
-where in its step the event falls. If the steps are *locked*, a whole number of them to a period, this is the same
+where in its step the event falls. If the steps are *commensurate with the period*, a whole number of them to it, this is the same
 place in every period: errors that would cancel add up, as long as the breather stays where it is. The integrator
 then has a landscape of its own. We take the classical Runge-Kutta method with $T_b/k$ as its step, for several $k$,
-locked and not, and repeat two of the article's experiments: the site-centred breather after the weak kick, and the
+commensurate and not, and repeat two of the article's experiments: the site-centred breather after the weak kick, and the
 bond-centred one after a kick of $5.5\cdot10^{-6}$, which lies between our threshold and the printed one.
 
-With 80 locked steps a period the bond-centred breather stays where it is, with 80 steps that are not locked it
-moves. But none of these runs conserves the energy: it drifts by [6e2](num:sec33_mobility.least_drift_of_trials) to
-[1e5](num:sec33_mobility.largest_drift_of_trials) times the energy $c^2/2$ of the kick. They show that locked steps
-can pin a breather, not that they do so at a conserved energy. In a control, 120 locked steps of our own method,
+With 80 commensurate steps a period the bond-centred breather stays where it is, with 80 steps that are not
+commensurate it moves. But none of these runs conserves the energy: it drifts by [6e2](num:sec33_mobility.least_drift_of_trials) to
+[1e5](num:sec33_mobility.largest_drift_of_trials) times the energy $c^2/2$ of the kick. They show that commensurate
+steps can pin a breather, not that they do so at a conserved energy. In a control, 120 commensurate steps of our own method,
 corrected for the contacts, let the energy drift by [0.1](num:sec33_mobility.drift_of_control) times that of the
 kick, and the breather moves. */
 struct Trial {

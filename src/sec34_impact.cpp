@@ -311,11 +311,12 @@ void report_sweep(Report& report) {
 ## How narrow, and with what tail (`impact.tail`)
 
 Up to moderate velocities, the article says, the packet is supported by seven sites and followed by a
-small tail. A packet is as wide as its undisturbed side shows (`Front` in sec34/criteria.hpp): twice the
-number of sites ahead of the peak that ever exceed one per cent of its amplitude, and one. The tail is
+small tail. The width of a packet is read off its undisturbed side (`Front` in sec34/criteria.hpp):
+if $m$ sites ahead of the peak ever exceed one per cent of its amplitude, the width is $2m+1$. The tail is
 the largest amplitude, relative to the peak's, on the ten sites that follow the window of Eq. (24). Both
-are taken in linear wells while the centre moves from site 40 to 60. The unit of velocity is the one at
-which contact and well pull alike; for us it is a moderate one, and the tail after $v_0 = 1$ answers. */
+are taken in linear wells while the centre moves from site 40 to 60. At an overlap and
+a displacement of one the forces of contact and well are equal; so $v_0 = 1$ counts as moderate, and the tail after it
+answers. */
 void report_tail(Report& report) {
   struct Followed : ImpactRun {
     Front front{};

@@ -35,8 +35,15 @@ the site-centred one (section 3.2).
 
 ## Model
 
-The chain is that of driven_chain.hpp with beams of 10 ms lifetime; thresholds and folds are explained in driven_end.hpp. Below
-*the law* is the fold's amplitude in the DpS limit.
+The chain has beams of 10 ms lifetime, all with the rate $\nu$ of losses, and a drive $G$ at its first bead,
+$$\ddot y_n+y_n+\nu\dot y_n = (y_{n-1}-y_n)_+^{3/2}-(y_n-y_{n+1})_+^{3/2}+\delta_{n1}\,G(y_1,t),$$
+where the first bead has no left neighbour, and $G = (a\sin\Omega t-y_1)_+^{3/2}$ for a piston, $G = a\sin\Omega t$ for
+the base of the first beam (driven_chain.hpp). A motion of the period of the drive that decays along the chain is
+*quiet*. As $a$ grows two such motions meet in a fold (driven_end.hpp), where this branch ends. In the DpS limit
+the fold is at
+$$a_{\rm piston} = 8\tau_0^2\,\delta^2\,\max|u_0|,\qquad a_{\rm base} = 16\tau_0^2\,\delta^3\,\max|D_0|,$$
+with the largest displacement and the largest contact force at the end of a static solution that decays; below, this
+asymptotic threshold is called *the law*. The bead at which packets are counted, bead 20, is the *detector*.
 
 | symbol | program | meaning | unit |
 |---|---|---|---|

@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "check.hpp"
+#include "estimates.hpp"
 #include "lattice/orbits/breather_pairs.hpp"
 #include "sec36/defect_mode.hpp"
 #include "sec36/scales.hpp"
@@ -17,23 +18,6 @@ namespace {
 
 using Numbers = std::vector<double>;
 const double half_turn = std::acos(-1.0);
-
-void check_estimate(const Estimate& e, double value, double error, double relative = 1e-9) {
-  check_close(e.value, value, 1e-13, relative);
-  check_close(e.error, error, 1e-13, relative);
-}
-std::string failing(const Criterion& criterion) {
-  std::string names;
-  for (const Condition& c : criterion)
-    if (!c.holds()) names += (names.empty() ? "" : " ") + c.name;
-  return names;
-}
-void bounded_by(double bound, bool below, const std::string& name,
-                const std::function<Criterion(double)>& make) {
-  CAPTURE(bound, name);
-  CHECK(failing(make(bound * (below ? 0.99 : 1.01))).empty());
-  CHECK(failing(make(bound * (below ? 1.01 : 0.99))) == name);
-}
 
 /// A short array whose packet meets the defect early.
 StruckArray short_array(std::size_t sites = 40, std::size_t defect = 14) {

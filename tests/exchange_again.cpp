@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "check.hpp"
+#include "estimates.hpp"
 #include "lattice/gsl/random.hpp"
 #include "lattice/numerics/line_fit.hpp"
 #include "sec33/dps_motion.hpp"
@@ -18,25 +19,6 @@ namespace {
 
 using Numbers = std::vector<double>;
 const double half_turn = std::acos(-1.0), never = std::numeric_limits<double>::infinity();
-
-void check_estimate(const Estimate& e, double value, double error, double relative = 1e-9) {
-  check_close(e.value, value, 1e-13, relative);
-  check_close(e.error, error, 1e-13, relative);
-}
-std::string failing(const Criterion& criterion) {
-  std::string names;
-  for (const Condition& c : criterion)
-    if (!c.holds()) names += (names.empty() ? "" : " ") + c.name;
-  return names;
-}
-
-/// `make(x)` holds a little on this side of `bound` and fails, by this name, on the other.
-void bounded_by(double bound, bool below, const std::string& name,
-                const std::function<Criterion(double)>& make) {
-  CAPTURE(bound, name);
-  CHECK(failing(make(bound * (below ? 0.99 : 1.01))).empty());
-  CHECK(failing(make(bound * (below ? 1.01 : 0.99))) == name);
-}
 
 Course course(const Numbers& t, const Numbers& X) {
   Course out;

@@ -114,6 +114,31 @@ TEST_CASE("a controlled run obeys its tolerance, and its samples lie on the orbi
   CHECK(tight < 1e-2 * loose);
 }
 
+TEST_CASE("a step is lengthened ten times and shortened five times at most",
+          "[unit][runge-kutta]") {
+  // Without a force every step is accepted: 1, 10, 100, and the rest of a duration of 1000
+  std::vector<double> x{1};
+  const Rhs rest = [](double, const double*, double* dz) { dz[0] = 0; };
+  const ControlledRun run = integrate_controlled(dormand_prince_5(), rest, x, 1000, 1,
+                                                 {1e-3, 1e-3, ErrorNorm::two, 1}, Unwatched{});
+  CHECK(run.accepted == 4);
+  CHECK(run.rejected == 0);
+  // And shortened to a fifth at most: the second stage is at 1 - 1000 h / 5, first for h = 1, then for h = 1/5
+  std::vector<double> stages;
+  x = {1};
+  const Rhs steep = [&](double, const double* z, double* dz) {
+    stages.push_back(z[0]), dz[0] = -1000 * z[0];
+  };
+  integrate_controlled(dormand_prince_5(), steep, x, 1, 1, {1e-3, 1e-3, ErrorNorm::two, 1},
+                       Unwatched{});
+  check_close(stages.at(1), -199, 1e-9);
+  const auto next = [&](double value) {
+    return std::any_of(stages.begin() + 2, stages.begin() + 9,
+                       [&](double z) { return std::abs(z - value) < 1e-9; });
+  };
+  CHECK(next(-39));
+}
+
 TEST_CASE("the mean over idle components loosens a tolerance, the other norms do not",
           "[property][runge-kutta]") {
   CHECK(steps_of(ErrorNorm::two, 0) == steps_of(ErrorNorm::two, 500));

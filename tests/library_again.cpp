@@ -59,6 +59,13 @@ TEST_CASE("a flow that has not begun has done nothing", "[unit][tangent]") {
   CHECK((none.switchings == 0 && none.unlanded == 0 && none.steps == 0 && none.evaluations == 0 &&
          none.column_sweeps == 0));
   CHECK((none.error == 0 && none.energy_drift == 0 && none.area == 0));
+  const Chain chain{3};
+  Leapfrog<double> leapfrog(chain, false);
+  CHECK(leapfrog.evaluations == 0);
+  std::vector<double> z(7);
+  leapfrog.step(z, 0.1);
+  CHECK(leapfrog.evaluations == 1);
+  CHECK(Crossing<double>(chain, {}, 1).evaluations == 0);
   const EventTolerance<double> usual;
   check_close(usual.tolerance, 128 * std::numeric_limits<double>::epsilon(), 0);
   CHECK((usual.floor == -1 && usual.sight == 0.05 && usual.levels == 9));

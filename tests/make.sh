@@ -40,7 +40,7 @@ case $1 in
   cp "$2/CMakeCache.txt" "$2/bin/.home"
   for name in $(cd src && ls | sed -n 's/\.cpp$//p'); do
     case " $* " in *" $name "* | *" programs "* | *" all "*) ;; *) continue ;; esac
-    [ "$2/bin/$name" -nt "src/$name.cpp" ] || { cat "$STUB_PROGRAM" "src/$name.cpp" > "$2/bin/$name"; chmod +x "$2/bin/$name"; }
+    [ "$2/bin/$name" -nt "src/$name.cpp" ] || { cat "$STUB_PROGRAM" "src/$name.cpp" > "$2/bin/.$name"; chmod +x "$2/bin/.$name"; mv "$2/bin/.$name" "$2/bin/$name"; }
   done ;;
 esac
 STUB

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "check.hpp"
+#include "estimates.hpp"
 #include "lattice/diagnostics/pulse.hpp"
 #include "lattice/impact/turning.hpp"
 #include "sec34/criteria.hpp"
@@ -60,10 +61,6 @@ void check_all(const Numbers& value, const Numbers& expected, double absolute = 
   CAPTURE(worst);
   check_close(value[worst], expected[worst], absolute);
 }
-void check_estimate(const Estimate& e, double value, double error) {
-  check_close(e.value, value, 1e-12, 1e-10);
-  check_close(e.error, error, 1e-12, 1e-10);
-}
 
 /// Slope of the line through points and its standard error.
 Estimate slope_again(const Numbers& t, const Numbers& x) {
@@ -74,14 +71,6 @@ Estimate slope_again(const Numbers& t, const Numbers& x) {
   for (std::size_t i = 0; i < t.size(); ++i)
     rest += std::pow(x[i] - sx / n - slope * (t[i] - st / n), 2);
   return {slope, std::sqrt(rest / (n - 2) / (stt - st * st / n))};
-}
-
-/// Which conditions fail.
-std::string failing(const Criterion& criterion) {
-  std::string names;
-  for (const Condition& c : criterion)
-    if (!c.holds()) names += (names.empty() ? "" : " ") + c.name;
-  return names;
 }
 
 }  // namespace
