@@ -9,7 +9,7 @@ their difference is the *barrier*:
       E_site            __               __
                        /  \             /  \         E_PN = E_site - E_bond,
                       /    \           /    \        here positive
-      E_bond      ___/      \___   ___/      \___
+      E_bond      ___/      \_________/      \___
                  bond   site   bond   site   bond
 
 A particle of positive mass would rest in the valleys. Breathers may have a negative mass, as those of section 3.3

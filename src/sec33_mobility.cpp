@@ -330,12 +330,12 @@ than the resting one of the same action. Its effective mass is negative, and the
 energy. So
 $$|\varphi|\,\frac{c_c^2}2 = |\tilde E_{PN}|,\qquad\text{not}\qquad \frac{c_c^2}2 = E_{PN}.$$
 
-Sign and size of $\varphi$ follow in the DpS limit, with $\mu = \omega_b-1$. What a kick changes at equal action is
-$\varphi\,c^2/2 = dE-\omega_b\,dI$, and for a breather $u$ of the DpS equation that is the quadratic form
-$\frac{c^2}2\,g\cdot(M-\mu)\,g$ of the unit vector $g$ along the translation, with the contact matrix $M$ of $u$
-(spectrum.hpp), $Mu = \mu u$. A shift of $u$ nearly solves the linearised equation, $(\mu-\frac32M)\,g\approx0$, so that
-$Mg\approx\frac23\mu\,g$ and
-$$\varphi \approx \tfrac23\mu-\mu = -\frac{\omega_b-1}3.$$ */
+Sign and size of $\varphi$ follow in the DpS limit, with $\mu = \omega_b-1$. A kick along a mode $v$ of length one
+changes, at equal action, $\varphi\,c^2/2 = dE-\omega_b\,dI$, which for a breather $u$ of the DpS equation is the quadratic
+form $\frac{c^2}2\,v\cdot(M-\mu)\,v$ with the contact matrix $M$ of $u$ (spectrum.hpp), $Mu = \mu u$. The mode that
+shifts $u$ nearly solves the linearised equation, $(\mu-\frac32M)\,v\approx0$, so that $Mv\approx\frac23\mu\,v$. Of a
+kick along the discrete gradient $g$ the part $g\cdot v$, a little less than one, is along this mode, and
+$$\varphi \approx (g\cdot v)^2\bigl(\tfrac23\mu-\mu\bigr) = -(g\cdot v)^2\,\frac{\omega_b-1}3.$$ */
 BreatherPair barriers_at(double frequency) {
   BreatherPair pair{0, frequency};
   for (int k : {0, 1}) pair.orbit[k] = find_breather(problem_of(both_centres[k], frequency));
@@ -345,8 +345,8 @@ BreatherPair barriers_at(double frequency) {
 
 /**
 Why did the article find its barriers to agree? In the limit $\omega_b \to 1$ the barrier at equal area is
-$-(\omega_b-1)/5$ times the one at equal frequency (`sec32_barrier`), and $\varphi$ is $-(\omega_b-1)/3$: two small
-factors of the same kind, which leave $c_c^2/2 = \frac35E_{PN}$. At $\omega_b = 1.1$ the factor is
+$-(\omega_b-1)/5$ times the one at equal frequency (`sec32_barrier`), and $\varphi$ nearly $-(\omega_b-1)/3$: two small
+factors of the same kind, which leave $c_c^2/2 \approx \frac35E_{PN}$. At $\omega_b = 1.1$ the factor is
 [0.6101](num:moving.barrier_close). So the two numbers have the same order of magnitude for a reason, but they are
 not the same number.
 

@@ -300,8 +300,8 @@ The words "almost total" call for numbers. At 75 ms the packet has left the defe
 energy into what is on the sites up to 95 (reflected), from 96 to 104 (near the defect) and beyond
 (transmitted). Over half of it, [0.566749](num:sec36_cantilever_defect.left_behind), has not got so far by
 then: it is in the wave train of the boundary; the *net* shares count only what arrives
-(scattering.hpp). The three must add up to one; the excess is the error of the *energy budget*. The radius of the defect's beads
-varies by a factor of four, their mass by one of 64. The points are independent: `map --part k/n`
+(scattering.hpp). The three must add up to one; the excess is the error of the *energy budget*. The radius of
+the defect's beads varies by a factor of four, their mass by one of 64. The points are independent: `map --part k/n`
 computes a part of them, an interrupted map goes on where it stopped, and the full run collects what
 the parts have left in the folder (sweep.hpp).
 

@@ -6,6 +6,7 @@
 #include <complex>
 
 #include "check.hpp"
+#include "estimates.hpp"
 #include "lattice/dps/dps_impact.hpp"
 #include "lattice/impact/impact.hpp"
 #include "lattice/impact/turning.hpp"
@@ -77,14 +78,6 @@ Front compact(double width) {
   Front front;
   front.add(e, 20);
   return front;
-}
-
-/// Which conditions fail, one name after the other.
-std::string failing(const Criterion& criterion) {
-  std::string names;
-  for (const Condition& c : criterion)
-    if (!c.holds()) names += (names.empty() ? "" : " ") + c.name;
-  return names;
 }
 
 /// Breathers of three sites, of which the first `moving` pass a site, as both tolerances say.

@@ -38,10 +38,10 @@ double period_at(const std::vector<Peak>& all, std::size_t i) {
   return i > 0 && i + 1 < all.size() ? (all[i + 1].t - all[i - 1].t) / 2 : 0;
 }
 
-/// The maximum that is the strongest one with the weight (1 - nu s/4)^power.
+/// The maximum that is the strongest one with the weight (1 - nu s/4)^power; none, `all.size()`, where all come too late.
 std::size_t strongest(const std::vector<Peak>& all, double nu, int power) {
   double most = 0;
-  std::size_t out = 0;
+  std::size_t out = all.size();
   for (std::size_t i = 0; i < all.size() && nu * all[i].t < 4; ++i) {
     const double rate = 1 - nu * all[i].t / 4;
     const double weighted = all[i].height * rate * rate * (power == 3 ? rate : 1);
@@ -166,7 +166,7 @@ Journey slowed(const Journey& undamped, double nu) {
       p.force = from.pushes[i].height * rate * rate * rate;
       p.period = turn / (1 + (turn / period - 1) * rate);
     }
-    if (k < from.speeds.size() && nu * from.speeds[k].t < 4)
+    if (k < from.speeds.size())
       p.velocity = from.speeds[k].height * std::pow(1 - nu * from.speeds[k].t / 4, 2);
     p.reached = p.period > 0 && p.t > latest;
     latest = std::max(latest, p.t);
