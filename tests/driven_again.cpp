@@ -175,6 +175,7 @@ TEST_CASE("drive, friction and motion alternate and book what they take", "[unit
     same_run({uneven(6), {0.05, 0.2}, base}, start, 0.9, 4, 3);
     same_run({Chain{6}, {0, 0.3}, piston}, start, 0.9, 4, 3);
     same_run({Chain{6}, {0.2, 0}}, start, 0.9, 4, 3);
+    same_run({Chain{6}, {1, 0}}, start, 0.9, 4, 3);
     same_run({uneven(6)}, start, 0.9, 4, 3);
   }
   // More work than there ever is energy; one bead, and two

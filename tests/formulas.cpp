@@ -200,6 +200,20 @@ TEST_CASE("the exact impulse by hand", "[unit][formulas]") {
   }
 }
 
+TEST_CASE("a contact that closes and opens within a step", "[unit][formulas]") {
+  // F = (0.01 - (s - c)^2)^(3/2), about c between two points at which the overlap is looked at
+  for (double c : {0.25, 0.5, 0.75}) {
+    CAPTURE(c);
+    const auto overlap = [c](double s) { return 0.01 - (s - c) * (s - c); };
+    const Quintic<double> x{overlap(0), 2 * c, -1, overlap(1), 2 * c - 2, -1};
+    const auto push = [&](double s) { return three_halves(std::max(x(s), 0.0)); };
+    const auto impulse = exact_impulse(x, push, false);
+    const double all = 3 * std::acos(-1.0) / 8 * 1e-4;
+    check_close(impulse.velocity, all, 1e-12);
+    check_close(impulse.position, (1 - c) * all, 1e-12);
+  }
+}
+
 TEST_CASE("the look-out's parabola and cubic by hand", "[unit][formulas]") {
   // 3 - 4 t + t^2 leaves the positive side at t = 1, its mirror image the negative one.
   check_close(Overlap<double>{3, -4, 2}.leaves(1), 1, 1e-14);

@@ -137,6 +137,7 @@ TEST_CASE("a track is read between its samples", "[unit][observe]") {
   const double first = 5 + 1 / 8.0, second = 7 + 1 / 72.0;
   check_close(track.largest_peak(0, 99), second, 1e-13);
   check_close(track.largest_peak(0, 20), first, 1e-13);
+  check_close(track.largest_peak(14, 20), first, 1e-13);
   check_close(track.largest_peak(14.2, 20), 5, 1e-13);  // lies at 14.125: the sample at 15
   check_close(track.largest_peak(12, 13), 4, 1e-14);    // only a flank
   CHECK(track.largest_peak(30, 40) == 0);
