@@ -23,6 +23,7 @@ those that we know have isolated speeds. Where does the packet go?
 #include <utility>
 #include <vector>
 
+#include "commands/dps_travelling.hpp"
 #include "lattice/impact/impact.hpp"
 #include "lattice/numerics/parallel.hpp"
 #include "report/program.hpp"
@@ -355,6 +356,9 @@ std::vector<DpsMember> dps_family(double tolerance, double to, double step) {
   return all;
 }
 
+/**
+`sec5_travelling_packets orbit` computes one member, also for contacts whose force has another exponent than that of
+spheres (dps_travelling.hpp in the commands). */
 Table dps_table(const std::vector<DpsMember>& coarse, const std::vector<DpsMember>& fine) {
   Table table{{number("phase", "angle from site to site"),
                estimate("V", "sum of the amplitudes over i", "",
@@ -533,7 +537,8 @@ any power of $1/k$.
 *Open*: how the tail of a packet falls in the end; whether there are orbits that repeat themselves only after several
 sites; a proof for type II. */
 int main(int argc, char** argv) {
-  return run({"sec5_travelling_packets", "5", "What becomes of a packet (section 5)", reproduce},
+  return run({"sec5_travelling_packets", "5", "What becomes of a packet (section 5)", reproduce,
+              commands<DpsOrbit>()},
              argc, argv);
 }
 

@@ -141,7 +141,8 @@ TEST_CASE("stationary states that cannot be are refused", "[unit][dps]") {
   CHECK_THROWS_AS(stationary<double>(Centre::site, 0, 21), std::invalid_argument);
   CHECK_THROWS_AS(stationary<double>(Centre::site, -1, 21), std::invalid_argument);
   CHECK_THROWS_AS(stationary<double>(Centre::site, std::nan(""), 21), std::invalid_argument);
-  const auto text = refusal<std::runtime_error>([] { stationary<double>(Centre::site, 1, 21, 2); });
+  const auto text =
+      refusal<std::runtime_error>([] { stationary<double>(Centre::site, 1, 21, 1.5, 2); });
   check_line(text, "did not converge");
   CHECK(std::count(text.begin(), text.end(), ',') >= 2);
 }

@@ -13,12 +13,17 @@ void DpsStrike::parameters(Parameters& p) {
   p.add("tau", tau, "slow time of the run", {1, 1e4});
   p.add("sites", sites, "chain length (default: as long as needed)", {2, 1e5});
   p.add("end", end, "end where the impact is", {{"free", Ends::free}, {"fixed", Ends::fixed}});
+  p.add("alpha", alpha, "exponent of the contact force, 3/2 for spheres",
+        {1.05, 4, "", "at 1 the equation is linear and packets disperse; more than 4 is untested"});
 }
 
 DpsOutcome DpsStrike::run(double tolerance, double samples_per_tau) const {
-  const std::size_t n = sites.value_or(20 + std::size_t(std::ceil(0.4 * tau)));
-  const Dps dps{n, end};
-  const auto samples = std::size_t(std::ceil(samples_per_tau * std::max(tau, 25.0)));
+  // Packets of spheres move by less than 0.4 sites per unit of tau, others by less than this
+  const double fastest = alpha == 1.5 ? 0.4 : std::max(0.5, 1 / (2 * tau_0(alpha)));
+  const std::size_t n = sites.value_or(20 + std::size_t(std::ceil(fastest * tau)));
+  const Dps dps{n, end, alpha};
+  const auto samples =
+      std::size_t(std::ceil(fastest / 0.4 * samples_per_tau * std::max(tau, 25.0)));
   return follow_dps(dps, dps_impact(n), tau, samples, tolerance, Unwatched{});
 }
 

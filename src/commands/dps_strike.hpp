@@ -7,7 +7,8 @@ the packet that runs away, in the way of the impact chapter (sec34_dps_impact.cp
 packet's centre (site), its speed (sites per unit of $\tau$, fitted from site 20 to twenty sites before
 the far end), its amplitude (the largest $|A_n|$ while the centre moves over the last site), its share of
 the norm within five sites of its peak, and the share left on the first ten sites. All are dimensionless
-and hold for every $\epsilon$. The error is the difference from a run with a thousand times the tolerance
+and hold for every $\epsilon$. With `--alpha` the force of the contacts has another exponent than the article's $3/2$.
+The error is the difference from a run with a thousand times the tolerance
 and half the samples; the speed also carries the error of the fit. A quantity that does not exist is
 `nan`. In Python this is `lattice.dps`. */
 
@@ -26,6 +27,7 @@ struct DpsStrike {
   double tau = 250;                    ///< length of the run in slow time
   std::optional<std::size_t> sites{};  ///< otherwise long enough for the packet
   Ends end = Ends::free;               ///< where the impact is: free or fixed
+  double alpha = 1.5;                  ///< exponent of the contact force
 
   /// Declares them, as every command does (program.hpp).
   void parameters(Parameters& p);

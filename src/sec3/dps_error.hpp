@@ -50,7 +50,7 @@ inline std::vector<double> deviations(const Compared& both, double eps,
   Chain chain{both.start.size()};
   chain.well = both.well;
   State<double> state = dps_state(both.start, eps, 0);
-  Reference slow(Dps{both.start.size(), Ends::free, both.rate}, 2 * both.start.size(),
+  Reference slow(Dps{.sites = both.start.size(), .rate = both.rate}, 2 * both.start.size(),
                  resolution.tolerance);
   std::vector<double> x = interleaved(both.start);
   Field field = both.start;

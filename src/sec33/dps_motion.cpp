@@ -40,6 +40,7 @@ PinnedBreather::PinnedBreather(Centre c, double frequency, std::size_t sites)
 PinnedBreather::PinnedBreather(const Stationary<double>& state)
     : centre(state.centre),
       mu(state.mu),
+      exponent(state.exponent),
       u(state.u.begin(), state.u.end()),
       pair(contact_spectrum(state, true)),
       shift(0) {
@@ -99,8 +100,9 @@ Course Course::until(double time) const {
 Course follow_breather(const PinnedBreather& breather, Field v, double time,
                        const Accuracy& accuracy, const DpsObserver& watch) {
   Course out;
-  const double start = energy(v);
-  const TurningDps equation{{v.size(), Ends::free, 1}, breather.mu};
+  const auto energy_of = [&](const Field& w) { return energy(w, false, breather.exponent); };
+  const double start = energy_of(v);
+  const TurningDps equation{{v.size(), Ends::free, breather.exponent, 1}, breather.mu};
   out.norm_drift = evolve_dps(equation, v, time, std::size_t(std::ceil(accuracy.samples * time)),
                               accuracy.tolerance, [&](double t, const Field& now) {
                                 out.t.push_back(t);
@@ -108,8 +110,8 @@ Course follow_breather(const PinnedBreather& breather, Field v, double time,
                                 const double sites = sites_filled(now);
                                 if (out.t.size() == 1) out.sites = sites;
                                 out.most_sites = std::max(out.most_sites, sites);
-                                out.energy_drift =
-                                    std::max(out.energy_drift, std::abs(energy(now) / start - 1));
+                                out.energy_drift = std::max(out.energy_drift,
+                                                            std::abs(energy_of(now) / start - 1));
                                 watch(t, now);
                               });
   return out;

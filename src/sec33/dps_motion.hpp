@@ -39,6 +39,7 @@ be compared with runs of the whole equation. */
 struct PinnedBreather {
   Centre centre;
   double mu;         ///< its frequency
+  double exponent;   ///< alpha, of the contact force
   Field u;           ///< its profile, real
   PinningPair pair;  ///< with that sign
   double shift;      ///< g: how far the centre moves, in sites, for a unit of x

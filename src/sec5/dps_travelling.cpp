@@ -12,7 +12,7 @@ DpsMember dps_member(const DpsTravelling& problem, const Vector<double>& guess) 
           field,
           sum,
           norm(field),
-          energy(field),
+          energy(field, false, problem.alpha),
           found.history.back().residual};
 }
 
@@ -44,6 +44,81 @@ Vector<double> cut_dps_packet(double from, std::size_t reach) {
     x[2 * Eigen::Index(n)] = a.imag();
   }
   return x;
+}
+
+namespace {
+
+/// With `more` sites on either side, at which nothing moves.
+Vector<double> widened(const Vector<double>& x, std::size_t more) {
+  Vector<double> out = Vector<double>::Zero(x.size() + 2 * Eigen::Index(more));
+  out.head(x.size()) = x;
+  return out;
+}
+
+/// A branch of members, as far as it has been followed.
+struct DpsBranch {
+  DpsTravelling problem;
+  Vector<double> x, before{};  ///< the last two members
+  double stride = 0;           ///< between them
+
+  /// Follows it while the parameter, which `set` hands to the problem, goes from `at` to `to`.
+  template <class Set>
+  void follow(double at, double to, double step, Set set) {
+    before.resize(0);
+    for (double h = to < at ? -step : step; at != to;) {
+      const double next = std::abs(to - at) <= std::abs(h) ? to : at + h;
+      try {
+        set(problem, next);
+        correct(next - at);
+        at = next;
+        h *= std::abs(h) < step ? 2 : 1;
+      } catch (const NewtonFailed&) {
+        h /= 2;
+        if (std::abs(h) < step / 100) throw;
+      }
+    }
+  }
+
+  /// One member further on.
+  void correct(double h) {
+    Vector<double> guess = x;
+    if (before.size() > 0) {
+      const double w = h / stride, ratio = sup(x) / sup(before);
+      guess = std::pow(ratio, w) * ((1 + w) * x - w * ratio * before);
+    }
+    problem.size = sup(guess);
+    NewtonRule<double> rule;
+    rule.events.tolerance = 1e-10;
+    rule.keep = 1e-3;
+    before = std::exchange(x, solve<DpsTravelling, double>(problem, guess, rule).x);
+    stride = h;
+    while (std::hypot(x[x.size() - 2], x[x.size() - 1]) > 1e-14 * sup(x)) {
+      x = widened(x, 1), before = widened(before, 1);
+      ++problem.reach;
+    }
+  }
+};
+
+}  // namespace
+
+std::pair<DpsTravelling, DpsMember> follow_dps_member(double alpha, double phase,
+                                                      double tolerance) {
+  DpsBranch branch;
+  branch.x = cut_dps_packet(40, branch.problem.reach);
+  branch.problem.tolerance = 1e-11;
+  branch.correct(0);
+  branch.follow(0, phase, 0.2, [](DpsTravelling& p, double at) { p.phase = at; });
+  branch.follow(2, 1 / (alpha - 1), 0.25, [](DpsTravelling& p, double b) { p.alpha = 1 + 1 / b; });
+  DpsTravelling problem = branch.problem;
+  problem.alpha = alpha, problem.tolerance = tolerance;
+  return {problem, dps_member(problem, branch.x)};
+}
+
+std::pair<DpsTravelling, DpsMember> in_wider_window(const DpsTravelling& problem,
+                                                    const DpsMember& member, double tolerance) {
+  DpsTravelling wide = problem;
+  wide.reach += 2, wide.tolerance = tolerance;
+  return {wide, dps_member(wide, widened(member.x, 2))};
 }
 
 }  // namespace lattice

@@ -6,10 +6,11 @@ A travelling breather of the chain repeats itself one site further on after the 
 (travelling.hpp). At small amplitude it becomes one of the DpS equation, Eq. (12):
 $A_n(\tau+\tau_T) = e^{i\varphi}A_{n-1}(\tau)$, in which the phase turns by $\varphi$ from site to site
 ($\varphi = -T$ modulo $2\pi$). The equation has no scale of its own, so we may choose $\tau_T = 2\pi$; all
-other travelling breathers follow by $A \to aA$, $\tau \to a^{-1/2}\tau$.
+other travelling breathers follow by $A \to aA$, $\tau \to a^{-1/2}\tau$ for spheres.
 
 The sum $\sum_n A_n$ is conserved, hence $(e^{i\varphi}-1)\sum_nA_n = 0$: type I has $\varphi = 0$, type II
-a vanishing sum, as in the chain. With the symmetry $A_n(\tau) = -\bar A_{-n}(-\tau)$ and
+a vanishing sum, as in the chain. All this holds for contacts of any exponent $\alpha$, with the scaling law
+$\tau \to a^{1-\alpha}\tau$; the article's is $3/2$. With the symmetry $A_n(\tau) = -\bar A_{-n}(-\tau)$ and
 $w_n = e^{-i\varphi/2}A_n(\tau_T/2)$ the equations are
 $$\mathrm{Re}\,(w_n + w_{1-n}) = 0,\qquad \mathrm{Im}\,(w_n - w_{1-n}) = 0,\qquad n = 1,\dots,L+1.$$
 Those of the first kind add up to $V\sin(\varphi/2) = 0$, where $\sum_nA_n(0) = iV$. We leave out the one
@@ -22,6 +23,7 @@ with $n = 1$ and obtain a family with a member for every $\varphi$ that we tried
 #include <numbers>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "lattice/dps/dps_impact.hpp"
@@ -38,6 +40,8 @@ struct DpsTravelling {
   std::size_t reach = 8;
   double phase = 0;          ///< varphi
   double tolerance = 1e-13;  ///< of the integrator
+  double alpha = 1.5;        ///< exponent of the contact force
+  double size = 1;           ///< a field is known to the tolerance times 1e-4 of this
   static constexpr double shift_time = 2 * std::numbers::pi;
 
   std::string name() const { return "travelling orbit of the DpS equation"; }
@@ -52,15 +56,19 @@ struct DpsTravelling {
     }
     return a;
   }
+  /// Carries a field over some slow time.
+  void flow(Field& a, double time) const {
+    evolve_dps(Dps{.sites = a.size(), .exponent = alpha}, a, time, 1,
+               Tolerance(1e-4 * tolerance * size, tolerance, gsl_odeiv2_step_rk8pd),
+               [](double, const Field&) {});
+  }
   /**
   The equations hold at half the shift time. All of them are computed, because the one that is left out
   shows whether a member is exact. */
   /// All equations, that of n = 1 first.
   Vector<double> misses(const Vector<double>& x) const {
     Field a = expand(x);
-    evolve_dps(Dps{a.size()}, a, shift_time / 2, 1,
-               Tolerance(1e-4 * tolerance, tolerance, gsl_odeiv2_step_rk8pd),
-               [](double, const Field&) {});
+    flow(a, shift_time / 2);
     Vector<double> miss(2 * Eigen::Index(reach) + 2);
     for (std::size_t n = 1; n <= reach + 1; ++n) {
       const auto w = std::polar(1.0, -phase / 2) * a[reach + n],
@@ -112,8 +120,23 @@ For the first member we need a guess, and an impact provides it: it sends out a 
 phase soon hardly turns from site to site. We cut the packet out at the instant when its front and its back
 have the same moduli. A common phase makes the centre imaginary, and a factor gives the packet our shift
 time. The packet moves at about 0.36 sites per unit of $\tau$; the run lasts as if it were 0.34. */
-/// Unknowns cut from the packet of a struck chain once it has passed site `from`. Throws
+/// Unknowns cut from the packet of a struck chain of spheres once it has passed site `from`. Throws
 /// std::runtime_error if no packet passes.
 Vector<double> cut_dps_packet(double from, std::size_t reach);
+
+/**
+## Other exponents
+
+For other exponents we follow the member in small steps, first of the angle and then of the exponent. With the
+shift time fixed its amplitude is about the power $b = 1/(\alpha-1)$ of a number, so $b$ is the parameter, and shape
+and logarithm of the amplitude are extrapolated from the last two members. Towards $\alpha = 1$ breathers become
+wide, and sites are added where the outermost ones move by more than a rounding error. */
+/// The member of exponent `alpha` and angle `phase`, with its problem, in which the flow has the given tolerance.
+/// Throws NewtonFailed where the branch cannot be followed.
+std::pair<DpsTravelling, DpsMember> follow_dps_member(double alpha, double phase, double tolerance);
+
+/// The same member again with two more sites on either side, at another tolerance.
+std::pair<DpsTravelling, DpsMember> in_wider_window(const DpsTravelling& problem,
+                                                    const DpsMember& member, double tolerance);
 
 }  // namespace lattice

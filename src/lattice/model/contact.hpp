@@ -23,6 +23,13 @@ T three_halves(T x) {
   return x * sqrt(abs(x));
 }
 
+/// $|x|^{\alpha-1}$, the force $x|x|^{\alpha-1}$ of a contact over its strain `x`; for spheres by a square root.
+template <class T>
+T secant_stiffness(T x, double alpha) {
+  using std::abs, std::pow, std::sqrt;
+  return alpha == 1.5 ? T(sqrt(abs(x))) : T(pow(abs(x), T(alpha) - T(1)));
+}
+
 /**
 Two elastic spheres repel with the 3/2 power of their overlap $-r$ and do not attract, Eq. (7):
 $V(r) = \frac25 (-r)_+^{5/2}$, where $(x)_+$ is $x$ if positive and zero otherwise. The power is

@@ -6,35 +6,36 @@
 namespace lattice {
 
 // The two scales: of time, and of the amplitude at a given breather frequency
-double tau_0() {
-  return 5 * gamma_quarter * gamma_quarter / (24 * std::sqrt(std::numbers::pi));
+double tau_0(double alpha) {
+  const double root = std::sqrt(std::numbers::pi);
+  if (alpha == 1.5) return 5 * gamma_quarter * gamma_quarter / (24 * root);
+  return root * std::tgamma((alpha + 3) / 2) /
+         (std::pow(2, alpha - 1) * std::tgamma(alpha / 2 + 1));
 }
 
-double breather_eps(double omega_b) {
-  return std::pow(2 * tau_0() * (omega_b - 1), 2);
+double breather_eps(double omega_b, double alpha) {
+  return std::pow(2 * tau_0(alpha) * (omega_b - 1), 1 / (alpha - 1));
 }
 
 namespace {
 
-/// |x + i y|^{1/2}
-double root_modulus(double x, double y) {
-  const double square = x * x + y * y;
-  if (!(square > 1e-120)) return 0;
-  return std::sqrt(std::sqrt(square));
-}
-
-}  // namespace
-
 /**
 A contact acts on its two beads with opposite forces, so each is computed once: walking along the chain
-we keep that of the contact behind and find that of the contact in front. */
-void Dps::operator()(double, const double* a, double* da) const {
+we keep that of the contact behind and find that of the contact in front. `power` makes $|d|^{\alpha-1}$ of
+$|d|^2$. */
+template <class Power>
+void walk_along(const Dps& dps, const double* a, double* da, Power power) {
+  const auto stiffness = [&](double x, double y) {
+    const double square = x * x + y * y;
+    return square > 1e-120 ? power(square) : 0;
+  };
+  const auto [sites, near_end, exponent, rate] = dps;
   double re = 0, im = 0;
   const bool ring = near_end == Ends::periodic;
   if (near_end != Ends::free) {
     const double* behind = a + 2 * (sites - 1);
     const double x = ring ? a[0] - behind[0] : a[0], y = ring ? a[1] - behind[1] : a[1];
-    const double m = root_modulus(x, y);
+    const double m = stiffness(x, y);
     re = m * x;
     im = m * y;
   }
@@ -43,7 +44,7 @@ void Dps::operator()(double, const double* a, double* da) const {
     if (n + 1 < sites || ring) {
       const double* ahead = n + 1 < sites ? a + 2 * n + 2 : a;
       const double x = ahead[0] - a[2 * n], y = ahead[1] - a[2 * n + 1];
-      const double m = root_modulus(x, y);
+      const double m = stiffness(x, y);
       re_next = m * x;
       im_next = m * y;
     }
@@ -54,6 +55,17 @@ void Dps::operator()(double, const double* a, double* da) const {
   }
 }
 
+}  // namespace
+
+// The power is chosen once for the chain: spheres have the fourth root of the square
+void Dps::operator()(double, const double* a, double* da) const {
+  if (exponent == 1.5)
+    walk_along(*this, a, da, [](double square) { return std::sqrt(std::sqrt(square)); });
+  else
+    walk_along(*this, a, da,
+               [half = (exponent - 1) / 2](double square) { return std::pow(square, half); });
+}
+
 // The two conserved quantities of the DpS equation, and the density whose sum is one of them
 double norm(const Field& field) {
   double sum = 0;
@@ -61,11 +73,11 @@ double norm(const Field& field) {
   return sum;
 }
 
-double energy(const Field& field, bool ring) {
+double energy(const Field& field, bool ring, double alpha) {
   double sum = 0;
   for (std::size_t n = 0; n + 1 < field.size() + std::size_t(ring); ++n) {
     const double d = std::abs(field[n + 1 < field.size() ? n + 1 : 0] - field[n]);
-    sum += 0.4 * (d * d * std::sqrt(d));
+    sum += alpha == 1.5 ? 0.4 * (d * d * std::sqrt(d)) : std::pow(d, alpha + 1) / (alpha + 1);
   }
   return sum;
 }

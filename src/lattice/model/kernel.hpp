@@ -43,7 +43,7 @@ inline constexpr std::size_t kernel_block = 64;
 /**
 Beads may differ in mass and contacts in stiffness, and what does not vary should cost nothing: so the
 choice is part of the type. The numbers are kept as they were given, in `double`. A run in double
-multiplies by the inverse mass; one in a wider type divides by the mass itself, so that it solves the
+multiplies by the inverse mass; one in extended precision divides by the mass itself, so that it solves the
 same chain to all of its digits. */
 struct Varied {
   const double* eta = nullptr;           ///< eta[i]: stiffness of the contact between i - 1 and i

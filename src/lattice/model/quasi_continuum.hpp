@@ -43,7 +43,8 @@ T quasi_continuum(Centre centre, long n) {
 The article speaks of spheres. With another exponent $\alpha > 1$ of the contact force the same equation
 $4g + g'' = g^{1/\alpha}$ has the solution $g(x) = \bigl(\frac{m}{4(m-1)}\bigr)^{m/2}\cos^m(2x/m)$ for
 $|x| \le \pi m/4$ with $m = 2\alpha/(\alpha-1)$, which is six for spheres. */
-/// The profile at mu = 1 for contacts of exponent `alpha` > 1.
+/// The profile at mu = 1 for contacts of exponent `alpha` > 1; for other mu it is mu^{1/(alpha-1)} times as
+/// large.
 inline double quasi_continuum(Centre centre, long n, double alpha) {
   const double m = 2 * alpha / (alpha - 1), size = std::pow(m / (4 * (m - 1)), m / 2);
   return staggered<double>(centre, n, [&](double x) {

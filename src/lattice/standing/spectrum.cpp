@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "lattice/algebra/eigenvalues.hpp"
+#include "lattice/model/contact.hpp"
 #include "lattice/model/sites.hpp"
 #include "lattice/quadruple/extended.hpp"
 
@@ -14,15 +15,13 @@ namespace lattice {
 // A state is symmetric, so the strains of its right half give all contacts
 template <class T>
 std::vector<T> contact_roots(const Stationary<T>& state) {
-  using std::abs;
-  using std::sqrt;
   const std::size_t sites = state.u.size();
   std::vector<T> roots(sites - 1, T(0));
   for (std::size_t i = 0; i + 1 < sites; ++i) {
     const long n = site_number(i, sites);  // the contact of n and n + 1, or its mirror image
     const long mirror = state.centre == Centre::bond ? -n : -1 - n;
     const auto k = std::size_t(n < 0 ? mirror : n);
-    if (k < state.strain.size()) roots[i] = sqrt(abs(state.strain[k]));
+    if (k < state.strain.size()) roots[i] = secant_stiffness(state.strain[k], state.exponent);
   }
   return roots;
 }
@@ -57,7 +56,7 @@ ContactSpectrum<T> contact_spectrum(const Stationary<T>& state, bool vector) {
   if (solver.info() != Eigen::Success)
     throw std::runtime_error("the eigenvalues of the contact matrix did not converge");
   // The largest must be mu: keep by how much the solver misses it, and put mu itself in its place
-  ContactSpectrum<T> out{state.mu, {}};
+  ContactSpectrum<T> out{state.mu, {}, state.exponent};
   for (Eigen::Index i = sites; i-- > 0;) out.m.push_back(solver.eigenvalues()(i));
   out.phase_defect = out.m[0] - state.mu;
   out.m[0] = state.mu;
@@ -98,8 +97,8 @@ template <class T>
 std::vector<std::pair<T, T>> exponents(const ContactSpectrum<T>& spectrum) {
   std::vector<std::pair<T, T>> out;
   for (const T& m : spectrum.m) {
-    const T size = lambda_modulus(spectrum.mu, m);
-    const bool real = lambda_squared(spectrum.mu, m) > T(0);
+    const T size = lambda_modulus(spectrum.mu, m, spectrum.exponent);
+    const bool real = lambda_squared(spectrum.mu, m, spectrum.exponent) > T(0);
     for (int sign : {1, -1})
       out.emplace_back(real ? T(sign) * size : T(0), real ? T(0) : T(sign) * size + T(0));
   }
@@ -108,23 +107,25 @@ std::vector<std::pair<T, T>> exponents(const ContactSpectrum<T>& spectrum) {
 
 namespace {
 
-/// (m_2 - 2 mu / 3) / mu and |lambda| / mu, computed with numbers of type T.
+/// (m_2 - mu / alpha) / mu and |lambda| / mu, computed with numbers of type T.
 template <class T>
-std::pair<double, double> margin_and_exponent(Centre centre, double mu, std::size_t sites) {
-  const auto state = stationary<T>(centre, T(mu), sites);
+std::pair<double, double> margin_and_exponent(Centre centre, double mu, std::size_t sites,
+                                              double alpha) {
+  const auto state = stationary<T>(centre, T(mu), sites, alpha);
   const T m = counted_eigenvalue(state, 2);
-  return {static_cast<double>(T(instability_margin(state.mu, m) / state.mu)),
-          static_cast<double>(T(lambda_modulus(state.mu, m) / state.mu))};
+  return {static_cast<double>(T(instability_margin(state.mu, m, alpha) / state.mu)),
+          static_cast<double>(T(lambda_modulus(state.mu, m, alpha) / state.mu))};
 }
 
 }  // namespace
 
 // The error of a margin: its change with the precision plus its change with ten more sites
 template <class Fine>
-Margin margin_of(Centre centre, double mu, std::size_t sites) {
-  const auto [margin, exponent] = margin_and_exponent<Fine>(centre, mu, sites);
-  const auto [short_margin, short_exponent] = margin_and_exponent<double>(centre, mu, sites);
-  const auto [long_margin, long_exponent] = margin_and_exponent<Fine>(centre, mu, sites + 10);
+Margin margin_of(Centre centre, double mu, std::size_t sites, double alpha) {
+  const auto [margin, exponent] = margin_and_exponent<Fine>(centre, mu, sites, alpha);
+  const auto [short_margin, short_exponent] = margin_and_exponent<double>(centre, mu, sites, alpha);
+  const auto [long_margin, long_exponent] =
+      margin_and_exponent<Fine>(centre, mu, sites + 10, alpha);
   Margin out{compare(short_margin, margin), compare(short_exponent, exponent)};
   out.margin.error += std::abs(margin - long_margin);
   out.exponent.error += std::abs(exponent - long_exponent);
@@ -136,24 +137,24 @@ namespace {
 /// The matrix of (a, b).
 template <class T>
 Matrix<T> full_matrix(const Stationary<T>& state) {
-  using std::abs;
-  using std::sqrt;
   const auto sites = Eigen::Index(state.u.size());
+  const T p = (T(state.exponent) + T(1)) / T(2), q = (T(state.exponent) - T(1)) / T(2);
   Matrix<T> full(2 * sites, 2 * sites);
   full.setZero();
-  // What M takes from site k to site i enters with 5/4 within a or b and with 1/4 between them
+  // What M takes from site k to site i enters with p within a or b and with q between them
   const auto add = [&](Eigen::Index i, Eigen::Index k, const T& value) {
-    full(i, k) -= T(1.25) * value;
-    full(i, sites + k) -= T(0.25) * value;
-    full(sites + i, k) += T(0.25) * value;
-    full(sites + i, sites + k) += T(1.25) * value;
+    full(i, k) -= p * value;
+    full(i, sites + k) -= q * value;
+    full(sites + i, k) += q * value;
+    full(sites + i, sites + k) += p * value;
   };
   // Each site turns with mu, and each contact stiffens its two sites and couples them
   for (Eigen::Index i = 0; i < sites; ++i) {
     full(i, i) += state.mu;
     full(sites + i, sites + i) -= state.mu;
     if (i + 1 == sites) break;
-    const T slope = sqrt(abs(state.u[std::size_t(i) + 1] - state.u[std::size_t(i)]));
+    const T slope =
+        secant_stiffness(T(state.u[std::size_t(i) + 1] - state.u[std::size_t(i)]), state.exponent);
     add(i, i, slope);
     add(i + 1, i + 1, slope);
     add(i, i + 1, -slope);
@@ -182,8 +183,8 @@ Remainders remainders(const Stationary<T>& state) {
   std::sort(full.begin(), full.end(),
             [](const auto& a, const auto& b) { return std::norm(a) < std::norm(b); });
   // First come the two zeros of the phase, then the pinning pair
-  const T m = contact_spectrum(state).m[1], pair = lambda_modulus(state.mu, m);
-  const bool real = lambda_squared(state.mu, m) > T(0);
+  const T m = contact_spectrum(state).m[1], pair = lambda_modulus(state.mu, m, state.exponent);
+  const bool real = lambda_squared(state.mu, m, state.exponent) > T(0);
   const T found = abs(real ? full[2].real() : full[2].imag());
   const T wrong = abs(real ? full[2].imag() : full[2].real());
   return {double(abs(found - pair) + wrong), double(abs(full[1]))};
@@ -194,7 +195,7 @@ PinningPair::PinningPair(const ContactSpectrum<double>& spectrum)
     : V(spectrum.second),
       mu(spectrum.mu),
       m(spectrum.m[1]),
-      rate(lambda_modulus(mu, m)),
+      rate(lambda_modulus(mu, m, spectrum.exponent)),
       push((mu - m) / rate) {}
 
 std::complex<double> PinningPair::of(const Field& w) const {
@@ -229,7 +230,8 @@ LATTICE_SPECTRUM(long double)
 LATTICE_COUNTED(double)
 LATTICE_COUNTED(long double)
 LATTICE_COUNTED(Quadruple)
-template Margin margin_of<long double>(Centre, double, std::size_t);
-template Margin margin_of<Quadruple>(Centre, double, std::size_t);
+LATTICE_COUNTED(FiftyDigits)
+template Margin margin_of<long double>(Centre, double, std::size_t, double);
+template Margin margin_of<Quadruple>(Centre, double, std::size_t, double);
 
 }  // namespace lattice

@@ -3,17 +3,17 @@
 # Small motions about a stationary DpS state
 
 Is a stationary state $v_n = u_n e^{i\mu t}$ (stationary.hpp) stable? We write a perturbation of it as
-$v_n = e^{i\mu t}(u_n + x_n + iy_n)$. The force of a contact, $z|z|^{1/2}$, changes with
-$z = d_n = u_{n+1}-u_n$ at the rate $\frac32|d_n|^{1/2}$ along $d_n$, which is real, and at the rate
-$|d_n|^{1/2}$ across it. With the gradient $(\nabla x)_n = x_{n+1}-x_n$ both follow from one matrix,
-$$M = \nabla^T\,\mathrm{diag}\,|d_n|^{1/2}\,\nabla, \qquad
-  \dot x = L_-y,\quad \dot y = -L_+x, \qquad L_- = \mu - M,\quad L_+ = \mu - \tfrac32M.$$
+$v_n = e^{i\mu t}(u_n + x_n + iy_n)$. The force of a contact, $z|z|^{\alpha-1}$, changes with
+$z = d_n = u_{n+1}-u_n$ at the rate $\alpha|d_n|^{\alpha-1}$ along $d_n$, which is real, and at the rate
+$|d_n|^{\alpha-1}$ across it. With the gradient $(\nabla x)_n = x_{n+1}-x_n$ both follow from one matrix,
+$$M = \nabla^T\,\mathrm{diag}\,|d_n|^{\alpha-1}\,\nabla, \qquad
+  \dot x = L_-y,\quad \dot y = -L_+x, \qquad L_- = \mu - M,\quad L_+ = \mu - \alpha M.$$
 Each eigenvector of $M$, with eigenvalue $m$, therefore moves independently, like $e^{\lambda t}$ with
-$$\lambda^2 = -(\mu-m)(\mu-\tfrac32m).$$
+$$\lambda^2 = -(\mu-m)(\mu-\alpha m).$$
 Eq. (14) says $Mu = \mu u$. If the sign of every second entry is changed, $M$ has no negative entry, and
 where neighbours have opposite signs $u$ is a positive vector, so that by the Perron–Frobenius theorem
 $m_1 = \mu$ is simple and the largest: $0 \le m < \mu$ for all others. Hence such a state is spectrally
-unstable if and only if the second eigenvalue exceeds $2\mu/3$, and then with one real pair $\pm\lambda$
+unstable if and only if the second eigenvalue exceeds $\mu/\alpha$, for spheres $2\mu/3$, and then with one real pair $\pm\lambda$
 for each such $m$. Far out, where contacts are slack, $m = 0$ and $\lambda = \pm i\mu$: the essential
 spectrum. */
 
@@ -30,7 +30,7 @@ spectrum. */
 
 namespace lattice {
 
-/// |d_n|^{1/2} of every contact, `sites - 1` of them, from the strains of the right half.
+/// |d_n|^{alpha-1} of every contact, for spheres the roots of the strains, `sites - 1` of them, from the strains of the right half.
 template <class T>
 std::vector<T> contact_roots(const Stationary<T>& state);
 
@@ -44,10 +44,11 @@ is known beforehand, the computed value checks state and solver at once. We keep
 itself in its place, so that the exponent of the phase is exactly zero. */
 template <class T>
 struct ContactSpectrum {
-  T mu;                ///< frequency of the state
-  std::vector<T> m;    ///< from the largest on; m[0] is known to be mu and set to it
-  T phase_defect{0};   ///< computed m[0] minus mu
-  Vector<T> second{};  ///< unit eigenvector of m[1], if asked for
+  T mu;                   ///< frequency of the state
+  std::vector<T> m;       ///< from the largest on; m[0] is known to be mu and set to it
+  double exponent = 1.5;  ///< alpha of the state
+  T phase_defect{0};      ///< computed m[0] minus mu
+  Vector<T> second{};     ///< unit eigenvector of m[1], if asked for
 };
 
 /// The spectrum of M, and the second eigenvector if `vector` is set. Throws std::runtime_error if Eigen's
@@ -58,7 +59,7 @@ ContactSpectrum<T> contact_spectrum(const Stationary<T>& state, bool vector = fa
 /**
 Eigenvalues can also be counted. By Sylvester's law of inertia as many are larger than $x$ as there are
 positive pivots in the elimination of $M-x$, one per site, which works in any number type; halving an
-interval then finds a single eigenvalue to the last digit. The count at $x = \frac23\mu$ is the verdict
+interval then finds a single eigenvalue to the last digit. The count at $x = \mu/\alpha$ is the verdict
 itself: one for a stable state, $1+k$ for one with $k$ real pairs. */
 /// How many eigenvalues of the M with these `roots` are larger than `x`.
 template <class T>
@@ -70,25 +71,25 @@ template <class T>
 T counted_eigenvalue(const Stationary<T>& state, std::size_t k);
 
 /**
-Near $m = 2\mu/3$ the square $\lambda^2$ is small, and its factor $m-2\mu/3$ is the one quantity
-that loses digits: an error $\delta$ of $m$ changes $\lambda^2$ by about $\mu\delta/2$. */
+Near $m = \mu/\alpha$ the square $\lambda^2$ is small, and its factor $m-\mu/\alpha$ is the one quantity
+that loses digits: an error $\delta$ of $m$ changes $\lambda^2$ by about $(\alpha-1)\mu\delta$. */
 template <class T>
-T lambda_squared(const T& mu, const T& m) {
-  return (mu - m) * (T(3) * m - T(2) * mu) / T(2);
+T lambda_squared(const T& mu, const T& m, double alpha = 1.5) {
+  return (mu - m) * (T(alpha) * m - mu);
 }
 
 /// |lambda|, a rate where lambda^2 > 0 and a frequency where it is < 0.
 template <class T>
-T lambda_modulus(const T& mu, const T& m) {
+T lambda_modulus(const T& mu, const T& m, double alpha = 1.5) {
   using std::abs;
   using std::sqrt;
-  return sqrt(abs(lambda_squared(mu, m)));
+  return sqrt(abs(lambda_squared(mu, m, alpha)));
 }
 
-/// m - 2 mu / 3: for the second eigenvalue, unstable if and only if positive.
+/// m - mu / alpha: for the second eigenvalue, unstable if and only if positive.
 template <class T>
-T instability_margin(const T& mu, const T& m) {
-  return (T(3) * m - T(2) * mu) / T(3);
+T instability_margin(const T& mu, const T& m, double alpha = 1.5) {
+  return (T(alpha) * m - mu) / T(alpha);
 }
 
 /**
@@ -107,14 +108,14 @@ the two changes. Divided by $\mu$ both numbers are free of its scale, so margins
 may be compared digit by digit. */
 /// How far a state is from the edge of stability.
 struct Margin {
-  Estimate margin, exponent;  ///< (m_2 - 2 mu / 3) / mu, positive if unstable, and |lambda| / mu
+  Estimate margin, exponent;  ///< (m_2 - mu / alpha) / mu, positive if unstable, and |lambda| / mu
   /// The margin with its error a hundredfold, by which a verdict must stay clear of the edge.
   Estimate safe() const { return {margin.value, 100 * margin.error}; }
 };
 
 /// The margin of the breather of frequency `mu` on `sites` sites.
 template <class Fine>
-Margin margin_of(Centre centre, double mu, std::size_t sites);
+Margin margin_of(Centre centre, double mu, std::size_t sites, double alpha = 1.5);
 
 /**
 ## The full matrix
@@ -122,9 +123,9 @@ Margin margin_of(Centre centre, double mu, std::size_t sites);
 The article writes the perturbation as $a_ne^{\lambda t}+b_n^*e^{\lambda^*t}$, Eq. (22), and finds the
 exponents from a full matrix of $2N$ rows; with our $x+iy = a+b^*$ at $t = 0$ this is
 $$i\lambda\begin{pmatrix}a\\b\end{pmatrix} =
-  \begin{pmatrix}\mu-\frac54M & -\frac14M\\ \frac14M & -\mu+\frac54M\end{pmatrix}
-  \begin{pmatrix}a\\b\end{pmatrix},$$
-because $\delta(z|z|^{1/2}) = |z|^{1/2}(\frac54\delta z+\frac14\delta z^*)$ for real $z$. We keep it as a
+  \begin{pmatrix}\mu-pM & -qM\\ qM & -\mu+pM\end{pmatrix}
+  \begin{pmatrix}a\\b\end{pmatrix},\qquad p = \frac{\alpha+1}2,\quad q = \frac{\alpha-1}2,$$
+because $\delta(z|z|^{\alpha-1}) = |z|^{\alpha-1}(p\,\delta z+q\,\delta z^*)$ for real $z$. We keep it as a
 check: its entries come from the displacements, and nothing of its structure is used. A solver for matrices
 without symmetry returns the eigenvalues in no particular order and with both parts rounded, which is why
 it serves as a check and not as the method. */
@@ -150,7 +151,7 @@ Remainders remainders(const Stationary<T>& state);
 The second eigenvector $V$ of $M$ looks like the derivative of the breather along the chain, around a bond
 as around a site: added to the field it shifts the breather, and $iV$ pushes it. In the coordinates
 $x = V\cdot\mathrm{Re}\,w$ and $y = V\cdot\mathrm{Im}\,w$ a perturbation $w$ moves like a pendulum near one
-of its rest positions, $\dot x = (\mu-m)y$, $\dot y = \frac32(m-\frac23\mu)x$. If the rest position is
+of its rest positions, $\dot x = (\mu-m)y$, $\dot y = (\alpha m-\mu)x$. If the rest position is
 unstable, the growing direction is $y = \lambda x/(\mu-m)$ and the decaying one has the other sign. The
 growing share of a perturbation is then $\frac12(x + (\mu-m)y/\lambda)$: a push counts $(\mu-m)/\lambda$
 times as much as a shift of the same size. */

@@ -11,6 +11,16 @@
 
 namespace lattice {
 
+namespace {
+
+/// D of the strain r.
+template <class T>
+T force_of(const T& r, double alpha) {
+  return r * secant_stiffness(r, alpha);
+}
+
+}  // namespace
+
 template <class T>
 T Stationary<T>::norm() const {
   T sum(0);
@@ -22,8 +32,10 @@ template <class T>
 T Stationary<T>::contact_sum() const {
   using std::abs;
   T sum(0);
-  for (std::size_t i = 0; i + 1 < u.size(); ++i)
-    sum += abs((u[i + 1] - u[i]) * three_halves(u[i + 1] - u[i]));
+  for (std::size_t i = 0; i + 1 < u.size(); ++i) {
+    const T r = u[i + 1] - u[i];
+    sum += abs(r * force_of(r, exponent));
+  }
   return sum;
 }
 
@@ -32,22 +44,22 @@ namespace {
 /**
 The strains span hundreds of decades, so the unknowns of the linear system are the relative
 corrections $\eta_n = \delta r_n/r_n$, and row $n$ is divided by $\mu r_n$. In the tail the scaled
-matrix has ones on its diagonal and $3/2$ beside it: it is well conditioned however small the
+matrix has ones on its diagonal and $\alpha$ beside it: it is well conditioned however small the
 strains are. */
 template <class T>
-Vector<T> newton_step(Centre centre, const T& mu, const std::vector<T>& r) {
+Vector<T> newton_step(Centre centre, const T& mu, const std::vector<T>& r, double alpha) {
   const auto count = Eigen::Index(r.size());
   Matrix<T> jacobian(count, count);
   Vector<T> residual(count);
   jacobian.setZero();
   for (Eigen::Index n = 0; n < count; ++n) {
     const auto force = [&](Eigen::Index k) {
-      return k < count ? three_halves(r[std::size_t(k)]) / (mu * r[std::size_t(n)]) : T(0);
+      return k < count ? force_of(r[std::size_t(k)], alpha) / (mu * r[std::size_t(n)]) : T(0);
     };
     const auto couple = [&](Eigen::Index k, int weight) {
       if (k >= count) return;
       residual(n) += T(weight) * force(k);
-      jacobian(n, k) += T(1.5 * weight) * force(k);
+      jacobian(n, k) += T(alpha) * T(weight) * force(k);
     };
     residual(n) = jacobian(n, n) = T(1);
     couple(n, -2);
@@ -63,9 +75,9 @@ Vector<T> newton_step(Centre centre, const T& mu, const std::vector<T>& r) {
 When the strains are known, the displacements follow from Eq. (14), $u_n = (D_{n-1}-D_n)/\mu$, on the right
 half; the other half is its mirror image. */
 template <class T>
-std::vector<T> displacements(Centre centre, const T& mu, const std::vector<T>& r,
-                             std::size_t sites) {
-  const auto pull = [&](std::size_t n) { return n < r.size() ? three_halves(r[n]) : T(0); };
+std::vector<T> displacements(Centre centre, const T& mu, const std::vector<T>& r, std::size_t sites,
+                             double alpha) {
+  const auto pull = [&](std::size_t n) { return n < r.size() ? force_of(r[n], alpha) : T(0); };
   std::vector<T> u(sites, T(0));
   for (long n = centre == Centre::bond ? 1 : 0; n < long(sites) - long(sites - 1) / 2; ++n) {
     const T before = n > 0 ? pull(std::size_t(n - 1)) : -pull(0);
@@ -80,18 +92,18 @@ std::vector<T> displacements(Centre centre, const T& mu, const std::vector<T>& r
 }
 
 /**
-The iteration stops when no strain is corrected by more than a hundred roundings, times $3/2$ for each
-site, because $r_n \sim |r_{n-1}|^{3/2}$ makes a relative error that much larger from site to site.
+The iteration stops when no strain is corrected by more than a hundred roundings, times $\alpha$ for each
+site, because $r_n \sim |r_{n-1}|^\alpha$ makes a relative error that much larger from site to site.
 Convergence is quadratic, so what the last correction leaves is far smaller than what it removed. */
 template <class T>
-void converge_strains(Centre centre, const T& mu, std::vector<T>& r, int most,
+void converge_strains(Centre centre, const T& mu, std::vector<T>& r, double alpha, int most,
                       std::vector<double>& history) {
   const double bound =
-      100 * double(std::numeric_limits<T>::epsilon()) * std::pow(1.5, double(r.size()));
+      100 * double(std::numeric_limits<T>::epsilon()) * std::pow(alpha, double(r.size()));
   std::ostringstream text;
   // Each round multiplies every strain by one plus its relative correction
   for (int k = 0; k < most; ++k) {
-    const Vector<T> eta = newton_step(centre, mu, r);
+    const Vector<T> eta = newton_step(centre, mu, r, alpha);
     double largest = 0;
     for (std::size_t n = 0; n < r.size(); ++n) {
       const auto correction = std::abs(double(eta(Eigen::Index(n))));
@@ -116,41 +128,50 @@ void converge_strains(Centre centre, const T& mu, std::vector<T>& r, int most,
 // last, until the chain is full or the strain too small for the arithmetic
 template <class T>
 Stationary<T> stationary_from(Centre centre, const T& mu, std::vector<T> start, std::size_t sites,
-                              int most) {
+                              double alpha, int most) {
   using std::abs;
   const T least = least_exact<T>();
-  Stationary<T> out{centre, mu, {}, std::move(start), {}};
+  Stationary<T> out{centre, mu, {}, std::move(start), {}, alpha};
   for (;;) {
-    converge_strains(centre, mu, out.strain, most, out.history);
-    const T next = -three_halves(out.strain.back()) / mu;
+    converge_strains(centre, mu, out.strain, alpha, most, out.history);
+    const T next = -force_of(out.strain.back(), alpha) / mu;
     if (out.strain.size() == sites / 2 || abs(next) < least) break;
     out.strain.push_back(next);
   }
-  out.u = displacements(centre, mu, out.strain, sites);
+  out.u = displacements(centre, mu, out.strain, sites, alpha);
   return out;
 }
 
-// The start is the compact profile of the quasi-continuum limit, scaled with the square of mu
+// The start is the compact profile of the quasi-continuum limit, scaled with a power of mu
 template <class T>
-Stationary<T> stationary(Centre centre, const T& mu, std::size_t sites, int most) {
+Stationary<T> stationary(Centre centre, const T& mu, std::size_t sites, double alpha, int most) {
+  using std::pow;
   if (!fits(centre, sites))
     throw std::invalid_argument(
         "a bond-centred state needs an even number of sites and a site-centred one an odd number, "
         "at least 2 (got " +
         std::to_string(sites) + ")");
   if (!(mu > T(0))) throw std::invalid_argument("mu must be > 0");
-  std::vector<T> start(std::min(short_chain, sites / 2));
-  for (std::size_t n = 0; n < start.size(); ++n)
-    start[n] =
-        mu * mu * (quasi_continuum<T>(centre, long(n) + 1) - quasi_continuum<T>(centre, long(n)));
-  return stationary_from(centre, mu, std::move(start), sites, most);
+  if (!(alpha > 1)) throw std::invalid_argument("alpha must be > 1");
+  std::vector<T> start(std::min(short_chain(alpha), sites / 2));
+  const bool spheres = alpha == 1.5;
+  const auto near = [&](std::size_t n) {
+    return spheres ? quasi_continuum<T>(centre, long(n))
+                   : T(quasi_continuum(centre, long(n), alpha));
+  };
+  const T size = spheres ? T(mu * mu) : T(pow(mu, T(1) / (T(alpha) - T(1))));
+  for (std::size_t n = 0; n < start.size(); ++n) start[n] = size * (near(n + 1) - near(n));
+  // Towards alpha = 1 the edge of the profile is too small for its number
+  while (start.size() > 1 && !(start.back() != T(0))) start.pop_back();
+  return stationary_from(centre, mu, std::move(start), sites, alpha, most);
 }
 
 // The scalars that are used
-#define LATTICE_STATIONARY(T)                                                                 \
-  template struct Stationary<T>;                                                              \
-  template Stationary<T> stationary_from(Centre, const T&, std::vector<T>, std::size_t, int); \
-  template Stationary<T> stationary(Centre, const T&, std::size_t, int);
+#define LATTICE_STATIONARY(T)                                                                   \
+  template struct Stationary<T>;                                                                \
+  template Stationary<T> stationary_from(Centre, const T&, std::vector<T>, std::size_t, double, \
+                                         int);                                                  \
+  template Stationary<T> stationary(Centre, const T&, std::size_t, double, int);
 
 LATTICE_STATIONARY(double)
 LATTICE_STATIONARY(long double)

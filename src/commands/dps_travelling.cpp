@@ -1,0 +1,102 @@
+#include "commands/dps_travelling.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+namespace lattice {
+
+void DpsOrbit::parameters(Parameters& p) {
+  p.add("alpha", alpha, "exponent of the contact force, 3/2 for spheres",
+        {1.05, 4, "", "towards 1 breathers become wide; more than 4 is untested"});
+  p.add("phase", phase, "angle by which the phase turns from site to site", {0, 3});
+  p.add("time", time, "slow time from site to site (default: 2 pi)", {1e-3, 1e3});
+  p.add("profile", as_profile, "the field at tau = 0 instead of its quantities");
+}
+
+// The scaling law: at the shift time T the field is (2 pi / T)^{1/(alpha-1)} times as large
+double DpsOrbit::scale() const {
+  return std::pow(DpsTravelling::shift_time / time, 1 / (alpha - 1));
+}
+
+DpsOrbit::Found DpsOrbit::find() const {
+  const Member coarse = follow_dps_member(alpha, phase, 1e-12);
+  return {coarse, in_wider_window(coarse.first, coarse.second, 1e-13)};
+}
+
+namespace {
+
+double amplitude(const Field& field) {
+  double top = 0;
+  for (const auto& a : field) top = std::max(top, std::abs(a));
+  return top;
+}
+
+/// By how much a member misses itself after a whole shift, of which Newton's method saw one half.
+double missed(const DpsOrbit::Member& member) {
+  const auto& [problem, found] = member;
+  Field end = found.field;
+  problem.flow(end, DpsTravelling::shift_time);
+  double worst = 0;
+  for (std::size_t n = 1; n < end.size(); ++n)
+    worst = std::max(worst, std::abs(end[n] - std::polar(1.0, problem.phase) * found.field[n - 1]));
+  return worst / amplitude(found.field);
+}
+
+/**
+As in the chain (one_orbit.cpp) the frame goes along by a site after each shift, and what its last site holds is left
+behind. */
+double left_behind(const DpsOrbit::Member& member) {
+  const auto& [problem, found] = member;
+  Field a = found.field;
+  double left = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    problem.flow(a, DpsTravelling::shift_time);
+    left = std::max(left, std::abs(a.front()));
+    std::rotate(a.begin(), a.begin() + 1, a.end());
+    a.back() = 0;
+  }
+  return left / amplitude(found.field);
+}
+
+}  // namespace
+
+Table DpsOrbit::quantities(const Found& f) const {
+  const auto both = [&](double power, auto of) {
+    const double factor = std::pow(scale(), power);
+    return compare(factor * of(f.coarse), factor * of(f.fine));
+  };
+  Answers q;
+  q.add("amplitude", both(1, [](const Member& m) { return amplitude(m.second.field); }), "",
+        "largest |A_n| at tau = 0");
+  q.add("norm", both(2, [](const Member& m) { return m.second.norm; }), "",
+        "sum of |A_n|^2, conserved");
+  q.add("energy", both(alpha + 1, [](const Member& m) { return m.second.energy; }), "",
+        "sum of |A_{n+1} - A_n|^(alpha+1) over alpha + 1, conserved");
+  q.add_small("sum",
+              both(0, [](const Member& m) { return m.second.V / amplitude(m.second.field); }),
+              "relative to amplitude", "V: the sum of all A_n over i, conserved");
+  q.add_small("tail", both(0, left_behind), "relative to amplitude",
+              "largest |A_n| that is left behind on the way through the window");
+  q.add_small("residual", both(0, missed), "relative to amplitude",
+              "by how much the field misses itself after a shift time, one site further");
+  return q.table;
+}
+
+// The field of the finer member
+Table DpsOrbit::profile(const Found& f) const {
+  Table table{{count("n", "site", "site"), number("real", "real part of A_n at tau = 0"),
+               number("imag", "imaginary part of A_n at tau = 0")}};
+  const Field& field = f.fine.second.field;
+  for (std::size_t i = 0; i < field.size(); ++i)
+    table.add(
+        {long(i) - long(f.fine.first.reach), scale() * field[i].real(), scale() * field[i].imag()});
+  return table;
+}
+
+Table DpsOrbit::table() const {
+  const Found f = find();
+  return as_profile ? profile(f) : quantities(f);
+}
+
+}  // namespace lattice
