@@ -165,7 +165,7 @@ class Call:
         options = self.options(what)
         if what in ("breather", "multipliers") and self.odd():
             options |= {"well": self.well()}
-        if what == "strike" and self.odd():
+        if what in ("strike", "breather", "multipliers", "barrier") and self.odd():
             options["chain"] = chance.choice(ODD_VALUES)
         return getattr(lattice, what)(**options)
 
@@ -188,6 +188,8 @@ class Call:
                 rest["sample"] = self.either(0.01, 0.2, 1, 100)
             if chance.random() < 0.5:
                 rest["tolerance"] = self.either(1e-2, 1e-6, 1e-9)
+            if chance.random() < 0.3:
+                rest |= {"damping": self.either(0, 0.1, 2), "force": self.either(0, 0.3), "frequency": self.either(0, 1.1)}
             self.note(**rest)
             most = 1e3 if chain.sites < 100 else 1
             if isinstance(rest["time"], (int, float)) and most < rest["time"] <= 1e9:

@@ -35,6 +35,7 @@ documentation. */
 #include "commands/one_breather.hpp"
 #include "commands/one_impact.hpp"
 #include "commands/one_orbit.hpp"
+#include "lattice/integrators/driven_chain.hpp"
 #include "lattice/numerics/interrupt.hpp"
 #include "lattice/numerics/parallel.hpp"
 #include "report/command_line.hpp"
@@ -274,16 +275,26 @@ py::tuple strike_chain(const Words& words, const Chain* chain) {
          py::make_tuple(to_python(found.runs.fine.track), found.impact.chain);
 }
 
-py::tuple one_breather(const Words& words, const OwnWell* well) {
-  auto command = read<OneBreather>(words);
+/// The breather of a command on the reader's chain or in the reader's well.
+template <class Command>
+Command chosen(const Words& words, const OwnWell* well, const Chain* chain) {
+  auto command = read<Command>(words);
   if (well) command.well = *well;
+  if (!chain) return command;
+  command.like = *chain;
+  command.well = chain->well;
+  if (chain->sites) command.sites = chain->sites;
+  return command;
+}
+
+py::tuple one_breather(const Words& words, const OwnWell* well, const Chain* chain) {
+  const auto command = chosen<OneBreather>(words, well, chain);
   const auto found = at_work([&] { return command.find(); });
   return answer(command, found) + py::make_tuple(found.problem.chain);
 }
 
-py::tuple all_multipliers(const Words& words, const OwnWell* well) {
-  auto command = read<Multipliers>(words);
-  if (well) command.well = *well;
+py::tuple all_multipliers(const Words& words, const OwnWell* well, const Chain* chain) {
+  const auto command = chosen<Multipliers>(words, well, chain);
   return answer(command, at_work([&] { return command.find(); }));
 }
 
@@ -293,8 +304,8 @@ py::tuple one_orbit(const Words& words) {
   return answer(command, found) + py::make_tuple(found.problem.chain);
 }
 
-py::tuple one_barrier(const Words& words) {
-  const auto command = read<OneBarrier>(words);
+py::tuple one_barrier(const Words& words, const OwnWell* well, const Chain* chain) {
+  const auto command = chosen<OneBarrier>(words, well, chain);
   return py::make_tuple(to_python(at_work([&] { return command.table(); })));
 }
 
@@ -330,25 +341,77 @@ void refuse_too_many(const Chain& chain, double time, double sample) {
   throw UsageError(text.str());
 }
 
+/// Room for the samples of a run.
+struct Samples {
+  Numbers t, y, v;
+  double *t_to, *y_to, *v_to;
+  const double* end;
+
+  Samples(const Chain& chain, double time, double sample) {
+    refuse_too_many(chain, time, sample);
+    const std::size_t rows = time_grid(time, sample, largest_step).samples + 1;
+    const std::vector<std::size_t> shape{rows, chain.sites};
+    t = Numbers(std::vector{rows}), y = Numbers(shape), v = Numbers(shape);
+    t_to = t.mutable_data(), y_to = y.mutable_data(), v_to = v.mutable_data();
+    end = t_to + rows;
+  }
+  Samples(const Samples&) = delete;
+  Samples& operator=(const Samples&) = delete;
+
+  void take(const State<double>& now) {
+    if (t_to == end) throw std::logic_error("more samples than the run has room for");
+    *t_to++ = now.t;
+    y_to = std::copy(now.y.begin(), now.y.end(), y_to);
+    v_to = std::copy(now.v.begin(), now.v.end(), v_to);
+  }
+  void demand_all() const {
+    if (t_to != end) throw std::logic_error("a run ends before its time and does not say so");
+  }
+};
+
 py::tuple evolve_chain(const Chain& chain, const Numbers& y, const Numbers& v, double time,
                        double sample, double tolerance) {
-  refuse_too_many(chain, time, sample);
-  const std::size_t rows = time_grid(time, sample, largest_step).samples + 1;
-  const std::vector<std::size_t> shape{rows, chain.sites};
-  Numbers t(std::vector{rows}), all_y(shape), all_v(shape);
-  double *t_to = t.mutable_data(), *y_to = all_y.mutable_data(), *v_to = all_v.mutable_data();
-  const double* const end = t_to + rows;
+  Samples samples(chain, time, sample);
   State<double> state = state_of(chain, y.data(), v.data());
   const Run run = at_work([&] {
-    return evolve_to(tolerance, chain, state, time, sample, [&](const State<double>& now) {
-      if (t_to == end) throw std::logic_error("more samples than the run has room for");
-      *t_to++ = now.t;
-      y_to = std::copy(now.y.begin(), now.y.end(), y_to);
-      v_to = std::copy(now.v.begin(), now.v.end(), v_to);
-    });
+    return evolve_to(tolerance, chain, state, time, sample,
+                     [&](const State<double>& now) { samples.take(now); });
   });
-  if (t_to != end) throw std::logic_error("a run ends before its time and does not say so");
-  return py::make_tuple(t, all_y, all_v, run.error, run.energy_drift);
+  samples.demand_all();
+  return py::make_tuple(samples.t, samples.y, samples.v, run.error, run.energy_drift);
+}
+
+/**
+With damping or a force the energy is not conserved but accounted for, and the budget takes the place of the drift. */
+py::tuple drive_chain(const Chain& chain, const Numbers& y, const Numbers& v, double time,
+                      double sample, double tolerance, const std::vector<double>& damping,
+                      double force, double frequency) {
+  DrivenChain driven{chain, {}, {}};
+  driven.losses.of_site = damping;
+  if (force != 0) driven.drive = {Drive::By::base, frequency, force};
+  Samples samples(chain, time, sample);
+  std::vector<double> injected, dissipated, energies;
+  State<double> state = state_of(chain, y.data(), v.data());
+  const auto pair = at_work([&] {
+    return run_driven_to(tolerance, driven, state, time, sample,
+                         [&](const State<double>& now, const EnergyBudget& budget) {
+                           samples.take(now);
+                           injected.push_back(budget.work);
+                           dissipated.push_back(budget.beams);
+                           energies.push_back(energy(chain, now));
+                           return true;
+                         });
+  });
+  samples.demand_all();
+  const auto known = [&](auto of) {
+    const Estimate e = compare(of(pair.coarse), of(pair.fine));
+    return py::make_tuple(e.value, e.error);
+  };
+  return py::make_tuple(samples.t, samples.y, samples.v, pair.error, pair.fine.imbalance,
+                        known([](const DrivenEnd& run) { return run.budget.work; }),
+                        known([](const DrivenEnd& run) { return run.budget.beams; }),
+                        known([](const DrivenEnd& run) { return run.energy; }), array_of(injected),
+                        array_of(dissipated), array_of(energies));
 }
 
 /// What `compute(state)` says, one number a site, of every row of `y` and `v`.
@@ -455,6 +518,7 @@ void add_model(py::module_& m) {
                              [](const Chain& c) { return own_in<OwnContact>(c.contact); })
       .def("_vary", &vary)
       .def("evolve", &evolve_chain)
+      .def("_drive", &drive_chain)
       .def("energy_density", &density_of)
       .def("accelerations", &accelerations_of);
 }

@@ -7,6 +7,7 @@ that does not deliver what it promises is a RuntimeError). A `Chain` may have ma
     >>> import lattice
     >>> lattice.strike(velocity=1.5, time=200, s="-1/6").speed
     >>> lattice.strike(lattice.Chain(100, mass=[1, 1.1]), velocity=1, time=150).centre
+    >>> lattice.breather(contact="power", alpha=1.8).amplitude
 
 All quantities are dimensionless, as in Eqs. (9) and (10): the unit of time makes the frequency of small oscillations in
 a well one, the unit of length does the same for the coefficient of the contact force. Equation numbers are those of
@@ -156,7 +157,8 @@ def _words(command, options):
     words = []
     for name, value in options.items():
         name = _FORMERLY.get(name, name)
-        if len(name) > 60 or not name.isidentifier():
+        name = _DASHED.get(name, name)
+        if len(name) > 60 or not name.replace("-", "_").isidentifier():
             raise ValueError(f"{_short(name)}: there is no such option")
         flag, allowed = declared.get(name, (False, ""))
         if name not in declared or flag and value is True:
@@ -191,6 +193,7 @@ def _described(target, command, extra=()):
             default = int(standard) if standard.lstrip("-").isdigit() else float(standard)
         except ValueError:
             default = standard if standard in allowed.split(", ") else None
+        name = name.replace("-", "_")
         if name not in extra:
             parameters.append(inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=default))
         lines.append(f"{name}: {meaning}; {allowed}" + (f" (default: {standard})" if standard else ""))
@@ -265,6 +268,19 @@ def _is_narrow(function):
 
 
 _FORMERLY = {"onsite": "well"}  # earlier names of options
+_DASHED = {"mass_ratio": "mass-ratio", "defect_mass": "defect-mass"}  # names that Python would take for a difference
+
+
+def _given(chain, options, named=()):
+    """A chain that a function takes, beside which the options of chains have no place, nor have those that are `named`."""
+    if chain is None:
+        return None
+    if not isinstance(chain, Chain):
+        raise TypeError(f"chain: {_short(chain)} is not a lattice.Chain")
+    for name in options:
+        if name in named or name in {option[0] for option in _lattice.options["Chain"]}:
+            raise ValueError(f"--{name}: belongs to the chain that is given (allowed: in Chain)")
+    return chain
 
 
 def _own(options, name, kind):
@@ -350,22 +366,47 @@ class Chain(_lattice.Chain):
             raise ValueError(f"y and v: shapes {out[0].shape} and {out[-1].shape} (allowed: equal ones)")
         return out
 
-    def evolve(self, y, v, time, sample=0.2, tolerance=1e-4):
+    def evolve(self, y, v, time, sample=0.2, tolerance=1e-4, damping=0, force=0, frequency=1):
         """The motion from positions `y` and velocities `v` (arrays of `sites` numbers) over `time`.
+
+        damping: rate nu >= 0 at which free oscillations lose energy, mass_n (y_n'' + nu y_n') = ..., or one rate a site,
+            such as rates that grow towards an end that absorbs
+        force, frequency: F and Omega of a force F sin(Omega t) on the first bead, from the start on; free ends only
 
         The steps are halved until the end states of two runs agree to `tolerance`, relative to their largest entry;
         otherwise RuntimeError with the history, and when a bead runs away. Returns a Result with the arrays t (samples), y
         and v (samples x sites; 2 GB at most), samples being at most `sample` apart, and the quantities error, of the end
         state, and energy_drift, the largest relative deviation of the energy, Eq. (6). The error is zero only where rounding
-        leaves no difference, as in a chain at rest."""
+        leaves no difference, as in a chain at rest.
+
+        With damping or a force the quantities are error, injected, dissipated and energy (what the force gave, what the
+        damping took, what is there at the end; their errors are differences of two runs) and imbalance (largest deviation of
+        energy + dissipated - injected from its value at the start, relative to the most energy that was there or came in);
+        the arrays injected_t, dissipated_t and energy_t say the same of every sample. Damping and force are of order two in the
+        step, so that a tolerance below 1e-6 is seldom reached."""
         y, v = self._rows(y=y, v=v)
         if y.ndim != 1:
             raise ValueError(f"y and v: shape {y.shape} (allowed: ({self.sites},), one number a site)")
-        t, y, v, error, drift = super().evolve(y, v, _within("time", time, 0, 1e9), _within("sample", sample, 1e-9, 1e9),
-                                               _within("tolerance", tolerance, 1e-14, 0.1))
-        known = {"error": Estimate(error, 0, "relative", meaning="difference of the end states of the last two runs"),
-                 "energy_drift": Estimate(drift, 0, "relative", meaning="largest deviation of the energy, Eq. (6)")}
-        return Result(known, t=t, y=y, v=v)
+        run = y, v, _within("time", time, 0, 1e9), _within("sample", sample, 1e-9, 1e9), _within("tolerance", tolerance, 1e-14, 0.1)
+        rates = _array("damping", damping, f"a rate, or {self.sites}, one a site",
+                       lambda shape: shape in ((), (self.sites,)))
+        if np.any(rates < 0):
+            raise ValueError(f"damping: {rates.min():g} (allowed: rates >= 0)")
+        force, frequency = _within("force", force, -1e6, 1e6), _within("frequency", frequency, 0, 1e3)
+        meaning = "difference of the end states of the last two runs"
+        if not (force or np.any(rates)):
+            t, y, v, error, drift = super().evolve(*run)
+            known = {"error": Estimate(error, 0, "relative", meaning=meaning),
+                     "energy_drift": Estimate(drift, 0, "relative", meaning="largest deviation of the energy, Eq. (6)")}
+            return Result(known, t=t, y=y, v=v)
+        t, y, v, error, open_, injected, dissipated, energy, *courses = self._drive(
+            *run, np.broadcast_to(rates, self.sites).tolist(), force, frequency)
+        known = {"error": Estimate(error, 0, "relative", meaning=meaning),
+                 "injected": Estimate(*injected, meaning="work of the force on the first bead"),
+                 "dissipated": Estimate(*dissipated, meaning="energy that the damping took"),
+                 "energy": Estimate(*energy, meaning="energy at the end, Eq. (6)"),
+                 "imbalance": Estimate(open_, 0, "relative", meaning="largest deviation of energy + dissipated - injected")}
+        return Result(known, t=t, y=y, v=v, **dict(zip(("injected_t", "dissipated_t", "energy_t"), courses)))
 
     def energy_density(self, y, v):
         """e_n of Eq. (23), an array of `sites` numbers that adds up to the energy of Eq. (6); `y` and `v` may be those of a
@@ -415,38 +456,38 @@ def strike(chain=None, **options):
     largest density; and the `chain`. Errors are differences of the last two of a series of runs with halved steps.
 
     RuntimeError: a bead runs away, the motion reaches the far end, or no step reaches the tolerance."""
-    if chain is not None:
-        if not isinstance(chain, Chain):
-            raise TypeError(f"chain: {_short(chain)} is not a lattice.Chain")
-        for name in options:
-            if name in {option[0] for option in _lattice.options["Chain"]}:
-                raise ValueError(f"--{name}: belongs to the chain that is given (allowed: in Chain)")
-    found, end, track, chain = _lattice.strike(_words("strike", options), chain)
+    found, end, track, chain = _lattice.strike(_words("strike", options), _given(chain, options))
     path = {"t": track["t"]} | {f"track_{name}": track[name] for name in ("centre", "energy", "peak")}
     return Result(_estimates(found), **end, **path, chain=_chain(chain))
 
 
-def breather(**options):
+def breather(chain=None, **options):
     """A static breather, a periodic motion at rest in space (section 3.2), by Newton's method.
 
+    chain: a `Chain`; without one wells, contacts and masses are options. Its masses and stiffnesses must be symmetric about
+        its middle, its ends free. If it has no number of sites it is made as long as the tail needs.
     OPTIONS
 
-    `well` may be a `Well` of your own, and is then computed with calls into Python: seconds become minutes.
+    `well` may be a `Well` of your own, and is then computed with calls into Python: seconds become minutes. Other exponents
+    are found like that of spheres; compression and masses are reached on a path from equal, uncompressed beads at the same
+    frequency, which must be above the linear waves of the chain.
 
     Returns a Result with the quantities of `sec32_newton_breathers breather`: amplitude, energy (Eq. (6)), area (the
     integral of the squared velocities over a period), residual (distance after a period, relative to the amplitude) and
     iterations; the arrays n and y, one entry per bead: site (around the centre) and position at t = 0, where all are at
     rest; and the `chain`. Errors are differences from a wider number type.
 
-    RuntimeError: Newton's method fails, or the branch that begins at omega = 1 does not reach `omega`."""
+    RuntimeError: Newton's method fails, the branch that begins at omega = 1 does not reach `omega`, or the path ends."""
+    _given(chain, options, _DASHED)
     well = _own(options, "well", Well)
-    found, profile, chain = _lattice.breather(_words("breather", options), well)
+    found, profile, chain = _lattice.breather(_words("breather", options), well, chain)
     return Result(_estimates(found), **profile, chain=_chain(chain))
 
 
-def multipliers(**options):
+def multipliers(chain=None, **options):
     """The Floquet multipliers of a static breather (section 3.3), those next to +1 first.
 
+    chain: a `Chain`, as in `breather`
     OPTIONS
 
     `well` may be a `Well` of your own, as in `breather`.
@@ -455,21 +496,27 @@ def multipliers(**options):
     unstable; and the arrays multiplier (complex) and multiplier_error, two entries per bead, the first two being the pair
     of the phase, which is exactly +1, as `sec33_floquet multipliers` prints them. Errors are differences of two
     tolerances."""
+    _given(chain, options, _DASHED)
     well = _own(options, "well", Well)
-    found, all_of_them = _lattice.multipliers(_words("multipliers", options), well)
+    found, all_of_them = _lattice.multipliers(_words("multipliers", options), well, chain)
     return Result(_estimates(found), multiplier=all_of_them["real"] + 1j * all_of_them["imag"],
                   multiplier_error=all_of_them["error"])
 
 
-def barrier(**options):
+def barrier(chain=None, **options):
     """The Peierls-Nabarro barrier, the energy between the site-centred and the bond-centred breather (section 3.2).
 
+    chain: a `Chain` without a number of sites, since the two breathers have chains of their own; without one wells and
+        contacts are options, and `well` may be a `Well` of your own
     OPTIONS
 
     Returns a Result with the quantities of `sec32_barrier barrier`: equal_frequency, E_site - E_bond at one frequency, as
     in the article but with its sign, and equal_area, the same at equal area, which is what a moving breather keeps.
     Errors are differences of two tolerances in a wider number type."""
-    return Result(_estimates(_lattice.barrier(_words("barrier", options))[0]))
+    if _given(chain, options) and (chain.sites or chain.ends != "free"):
+        raise ValueError(f"chain: {chain.sites or 'no'} beads, ends {chain.ends} (allowed: no number of sites, free ends)")
+    well = _own(options, "well", Well)
+    return Result(_estimates(_lattice.barrier(_words("barrier", options), well, chain)[0]))
 
 
 def travelling(**options):
@@ -509,6 +556,7 @@ def set_threads(count=0):
 
 
 _described(Chain, "Chain", extra=["sites", "mass", "eta"])
-_described(strike, "strike", extra=["chain"])
-for _function in (breather, multipliers, barrier, travelling, dps):
+for _function in (strike, breather, multipliers, barrier):
+    _described(_function, _function.__name__, extra=["chain"])
+for _function in (travelling, dps):
     _described(_function, _function.__name__)

@@ -103,6 +103,24 @@ class SameBits(unittest.TestCase):
     def test_barrier(self):
         self.check(lattice.barrier, "sec32_barrier barrier", omega=1.1, s=0)
 
+    def test_other_chains(self):
+        breather = "sec32_newton_breathers breather"
+        self.check(lattice.breather, breather, "ny", omega=1.2, contact="power", alpha=1.8)
+        self.check(lattice.breather, breather, "y", omega=1.3, precompression=1e-3, centre="bond")
+        self.check(lattice.barrier, "sec32_barrier barrier", omega=1.2, contact="power", alpha=1.75)
+        found = lattice.breather(omega=1.3, mass_ratio=0.8)
+        self.assertEqual(bits(found.y), bits(program(breather, "--omega=1.3", "--mass-ratio=0.8", "--profile")["y"]))
+        # A chain says the same, in numbers that are not rounded alike
+        chain = lattice.Chain(31, mass=np.resize([0.8, 1], 31))
+        given = lattice.breather(chain, omega=1.3)
+        self.assertEqual(given.chain.mass.tolist(), chain.mass.tolist())
+        self.assertAlmostEqual(given.energy, found.energy, delta=1e-14)
+        self.assertAlmostEqual(lattice.multipliers(chain, omega=1.3).kappa, lattice.multipliers(omega=1.3, mass_ratio=0.8).kappa,
+                               delta=1e-14)
+        chain = lattice.Chain(contact="power", alpha=1.75, well="pendulum")
+        self.assertEqual(bits(lattice.barrier(chain, omega=1.2).equal_area),
+                         bits(lattice.barrier(omega=1.2, contact="power", alpha=1.75, well="pendulum").equal_area))
+
     def test_travelling(self):
         self.check(lattice.travelling, "sec5_travelling_breathers orbit", "nyv", k=1, sign="minus")
 
@@ -130,6 +148,23 @@ class Refusals(unittest.TestCase):
         self.check(ValueError, lattice.breather, "sec32_newton_breathers breather", well="none")
         self.check(ValueError, lattice.travelling, "sec5_travelling_breathers orbit", k=1, near=5.5)
         self.check(ValueError, lattice.dps, "sec31_dps_limit impact", end="loose")
+        self.check(ValueError, lattice.breather, "sec32_newton_breathers breather", precompression=0.01, omega=1.2)
+
+    def test_breathers_of_chains(self):
+        for message, call in [
+                ("symmetric about the centre", lambda: lattice.breather(lattice.Chain(31, mass=range(1, 32)), omega=1.2)),
+                ("--mass-ratio: such beads", lambda: lattice.breather(mass_ratio=2, centre="bond")),
+                ("--sites: 31 does not fit --centre bond", lambda: lattice.breather(lattice.Chain(31), centre="bond")),
+                ("free ends", lambda: lattice.breather(lattice.Chain(31, ends="fixed"))),
+                ("--s: belongs to the chain", lambda: lattice.breather(lattice.Chain(31), s=1)),
+                ("--mass_ratio: belongs to the chain", lambda: lattice.multipliers(lattice.Chain(31), mass_ratio=2)),
+                ("linear waves of the chain, .1, 1.26491.", lambda: lattice.multipliers(lattice.Chain(precompression=0.01))),
+                ("chain: 31 beads", lambda: lattice.barrier(lattice.Chain(31)))]:
+            with self.assertRaisesRegex(ValueError, message) as caught:
+                call()
+            self.assertNotIn("\n", str(caught.exception))
+        with self.assertRaisesRegex(TypeError, "chain: 5 is not a lattice.Chain"):
+            lattice.breather(5)
 
     def test_failures(self):
         self.check(RuntimeError, lattice.strike, "sec34_impact run", velocity=1.3, s=-0.7, time=100)
@@ -176,6 +211,12 @@ class Refusals(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "sample: y and v would take 160 GB .allowed: 2;"):
             lattice.Chain(1000).evolve(np.zeros(1000), np.eye(1000)[0], time=1e6, sample=0.1)
         self.assertEqual(chain.evolve(0 * v, v, 0).t.tolist(), [0])
+        for message, options in [("damping: -1", {"damping": -1}), ("damping: 3 entries", {"damping": [1, 1, 1]}),
+                                 ("force: nan", {"force": math.nan}), ("frequency: -1", {"frequency": -1, "force": 1})]:
+            with self.assertRaisesRegex(ValueError, f"^{message}"):
+                chain.evolve(0 * v, v, 1, **options)
+        with self.assertRaisesRegex(ValueError, "free ends"):
+            lattice.Chain(4, ends="fixed").evolve(0 * v, v, 1, force=1)
 
     def test_a_value_that_is_none(self):
         for value in (True, False, np.True_, 1j, np.complex128(1), b"1", [1], np.ones(1)):
@@ -213,6 +254,30 @@ class OwnChains(unittest.TestCase):
         light = lattice.strike(lattice.Chain(sites=40, mass=np.ones(40)), velocity=1, time=20)
         heavy = lattice.strike(chain, velocity=1, time=20)
         self.assertLess(heavy.centre, light.centre)
+
+    def test_damping_and_a_force(self):
+        """A bead alone, which every textbook has, and the budget of a chain."""
+        two = lattice.Chain(2, mass=[1, 1], eta=0)
+        run = two.evolve([0.3, 0], [0, 0], 50, tolerance=1e-6, damping=0.1)
+        w = math.sqrt(1 - 0.05**2)
+        want = 0.3 * np.exp(-0.05 * run.t) * (np.cos(w * run.t) + 0.05 / w * np.sin(w * run.t))
+        np.testing.assert_allclose(run.y[:, 0], want, rtol=0, atol=1e-6)
+        self.assertEqual(run.injected, 0)
+        shaken = two.evolve([0, 0], [0, 0], 400, tolerance=1e-6, damping=0.1, force=0.05, frequency=1.2)
+        far = 0.05 / (1 - 1.2**2 + 0.12j) * np.exp(1.2j * shaken.t)
+        np.testing.assert_allclose(shaken.y[-99:, 0], far.imag[-99:], rtol=0, atol=1e-6)
+        chain, rest = lattice.Chain(20), np.zeros(20)
+        run = chain.evolve(rest, rest, 60, damping=np.linspace(0, 0.3, 20), force=0.2, frequency=1.1)
+        self.assertEqual(run.energy_t.shape, run.t.shape)
+        self.assertEqual((run.injected_t[-1], run.dissipated_t[-1], run.energy_t[-1]), (run.injected, run.dissipated, run.energy))
+        self.assertGreater(run.dissipated, 0)
+        self.assertLess(run.imbalance, 1e-6)
+        np.testing.assert_allclose(run.energy_t + run.dissipated_t, run.injected_t, rtol=0, atol=1e-6 * run.injected)
+        self.assertLess(abs(run.energy - chain.energy_density(run.y[-1], run.v[-1]).sum()), 1e-12)
+        # Without both nothing has changed
+        plain = chain.evolve(rest, np.eye(20)[0], 30)
+        self.assertEqual(bits(chain.evolve(rest, np.eye(20)[0], 30, damping=0, force=0, frequency=7).y), bits(plain.y))
+        self.assertEqual(list(plain.quantities), ["error", "energy_drift"])
 
     def test_a_pattern_is_repeated(self):
         self.assertEqual(bits(lattice.Chain(20, mass=[1, 0.5]).mass), bits([1, 0.5] * 10))
@@ -395,6 +460,7 @@ class Documentation(unittest.TestCase):
         for name, options in lattice._lattice.options.items():
             target = getattr(lattice, name)
             for option, *_ in options:
+                option = option.replace("-", "_")
                 if option != "profile":
                     self.assertIn(f"{option}:", target.__doc__, name)
                     self.assertIn(option, inspect.signature(target).parameters)
@@ -429,7 +495,7 @@ class Documentation(unittest.TestCase):
 class Notebooks(unittest.TestCase):
     def test_they_say_what_they_hold(self):
         paths = sorted(HERE.glob("*.ipynb"))
-        self.assertGreaterEqual(len(paths), 2)
+        self.assertGreaterEqual(len(paths), 3)
         for path in paths:
             self.assertEqual(notebooks.run(path), [])
 

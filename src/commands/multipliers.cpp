@@ -19,6 +19,8 @@ std::vector<std::pair<std::complex<double>, double>> multipliers_of(const Spectr
 void Multipliers::parameters(Parameters& p) {
   ChosenBreather::parameters(p);
   add_well(p);
+  add_contacts(p);
+  add_masses(p);
   p.add("sites", sites, "sites (default: as many as needed)", {3, 1000});
 }
 

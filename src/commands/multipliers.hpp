@@ -3,8 +3,9 @@
 # All multipliers of one breather
 
 `sec33_floquet multipliers --centre site --omega 1.1` prints all Floquet multipliers (floquet.hpp) with their
-errors, those next to $+1$ first, for wells of any name (`--well pendulum`). In Python this is
-`lattice.multipliers`. */
+errors, those next to $+1$ first, for wells of any name (`--well pendulum`) and the contacts and masses of
+`breather` (`--contact power --alpha 1.8`, `--precompression 1e-3 --omega 1.3`, `--mass-ratio 0.8 --omega 1.3`).
+In Python this is `lattice.multipliers`. */
 
 #include <complex>
 #include <utility>
@@ -20,7 +21,7 @@ The chapter tabulates multipliers under the same headings. */
 /// Real and imaginary part, modulus, argument (rad), error.
 Columns multiplier_columns();
 
-/// Every multiplier with its error, the two of the phase pair first.
+/// Every multiplier with its error, the two of the time-translation pair first.
 std::vector<std::pair<std::complex<double>, double>> multipliers_of(const Spectrum& all);
 
 /// The command: which breather, its spectrum, its tables.

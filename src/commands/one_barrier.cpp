@@ -1,17 +1,27 @@
 #include "commands/one_barrier.hpp"
 
-#include "sec3/breather_options.hpp"
-
 namespace lattice {
 
 void OneBarrier::parameters(Parameters& p) {
-  p.add("omega", omega_b, "frequency omega_b > 1", breather_range(1.0001, 3));
-  p.add("s", s, "anharmonicity of the well", {-10, 10});
+  add_omega(p);
+  add_well(p);
+  add_contacts(p);
 }
 
+/**
+Between spheres that are not compressed the chains are those of the chapter; other breathers decide themselves how long
+theirs is. */
 OneBarrier::Found OneBarrier::find() const {
-  BreatherPair pair{s, omega_b};
-  for (int k : {0, 1}) pair.orbit[k] = find_breather(problem_of(both_centres[k], omega_b, s));
+  BreatherPair pair{0, omega_b};
+  const bool plain = std::holds_alternative<Hertz>(like.contact);
+  for (int k : {0, 1}) {
+    ChosenBreather one = *this;
+    one.centre = both_centres[k];
+    auto problem = breather_problem(one.centre, omega_b, well, sites_of(one.centre));
+    const Fitted found = plain ? Fitted{problem, find_breather(problem)} : find_chosen(one, 1e-20);
+    pair.others.push_back(found.problem);
+    pair.orbit[k] = found.orbit;
+  }
   measure_in<Wide>(pair);
   return pair;
 }

@@ -7,6 +7,8 @@ namespace lattice {
 void OneBreather::parameters(Parameters& p) {
   add_omega(p);
   add_well(p);
+  add_contacts(p);
+  add_masses(p);
   add_centre(p);
   p.add("sites", sites, "chain length (default: 31 or 32)", {3, 1001});
   p.add("precision", precision, "of the orbit; extended takes some seventy times as long",
@@ -50,7 +52,7 @@ static Table breather_profile(const Orbit<T>& orbit) {
 }
 
 /**
-Higher precision is expensive and needs a good start: double precision finds the orbit, and each wider type
+Higher precision is expensive and needs a good start: double precision finds the orbit, and each higher precision
 confirms the one before. */
 OneBreather::Found OneBreather::find() const {
   return find_chosen(*this, extended() ? 1e-34 : 1e-17);
@@ -71,7 +73,7 @@ static Orbit<Quadruple> deepened(const Fitted& found, const Orbit<Wide>& wide) {
 }
 
 /**
-The profile in double precision asks for the tail itself; the wider types reach it without being asked. */
+The profile in double precision asks for the tail itself; higher precision reaches it without being asked. */
 Table OneBreather::quantities(const Found& found) const {
   const Orbit<Wide> wide = widened(found);
   if (!extended()) return breather_table(found.problem, found.orbit, wide, {});

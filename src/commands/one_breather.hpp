@@ -6,7 +6,11 @@
 must be long enough for it: a bead at the end must not feel that its outer neighbour is missing, and a longer
 chain tells how much it would. `--precision extended` repeats Newton's method in quadruple precision; the error
 is then the difference from a 64-bit mantissa. `--well pendulum` takes another well. All have the same
-frequency at rest, so that their families begin alike, and each is followed from there. In Python this is
+frequency at rest, so that their families begin alike, and each is followed from there.
+
+Contacts may have another exponent (`--contact power --alpha 1.8`) or be compressed (`--precompression 1e-3
+--omega 1.3`), and beads may have two masses in turn (`--mass-ratio 0.8 --omega 1.3`) or one other in the middle
+(`--defect-mass 1.5`); the frequency must then be above the linear waves of the chain. In Python this is
 `lattice.breather`. */
 
 #include <string>

@@ -78,7 +78,7 @@ static Branch<double> branch_in_s(const Orbit<double>& start, int direction) {
 }
 
 /**
-The branch is followed in double precision, and its end is confirmed in the wider type. */
+The branch is followed in double precision, and its end is confirmed in extended precision. */
 static OneOrbit::Found found_with_free_time(const Shooting<double>& problem,
                                             const Orbit<double>& orbit) {
   const auto wide = in_precision<long double>(problem);
@@ -168,8 +168,8 @@ static double residual_of(const OneOrbit::Found& f) {
 }
 
 /**
-Every quantity needs an error. Times, speeds and energies are compared between double precision and
-the wider type; what is left behind, and the multipliers of slow orbits, for which the wider type would
+Every quantity needs an error. Times, speeds and energies are compared between double and
+extended precision; what is left behind, and the multipliers of slow orbits, for which extended precision would
 take long, between two tolerances of the landing. */
 Table OneOrbit::quantities(const Found& f) const {
   const auto peak = [](const auto& problem, const auto& orbit) {
@@ -207,7 +207,7 @@ Table OneOrbit::quantities(const Found& f) const {
 }
 
 /**
-The profile is that of the wider type, rounded to double. */
+The profile is that of extended precision, rounded to double. */
 Table OneOrbit::profile(const Found& f) const {
   Table table{{count("n", "site", "site"), number("y", "position at t = 0"),
                number("v", "velocity at t = 0")}};

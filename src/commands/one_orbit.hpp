@@ -54,7 +54,7 @@ struct OneOrbit {
   Found find() const;
   /// Rows `quantity,value,error,unit,kind,meaning,reason`.
   Table quantities(const Found& found) const;
-  /// The orbit at t = 0, in the wider type and rounded to double.
+  /// The orbit at t = 0, in extended precision and rounded to double.
   Table profile(const Found& found) const;
   /// What the program prints.
   Table table() const;

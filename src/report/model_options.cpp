@@ -129,9 +129,9 @@ void add_well(Parameters& p, Well& well, const Ranges& own) {
   p.when_read([options, &well] { well = simplest(options->chosen()); });
 }
 
-void add_contact(Parameters& p, Contact& contact) {
+void add_contact(Parameters& p, Contact& contact, const Ranges& own) {
   const auto options = std::make_shared<PotentialOptions<Contact>>(
-      p, "contact", "contact of two beads", contact, Ranges{});
+      p, "contact", "contact of two beads", contact, own);
   p.when_read([options, &contact] { contact = simplest(options->chosen()); });
 }
 

@@ -26,7 +26,7 @@ parameter may have another range in a program than elsewhere. */
 void add_well(Parameters& p, Well& well, const Ranges& own = {});
 
 /// Adds `--contact` and its parameters in the same way.
-void add_contact(Parameters& p, Contact& contact);
+void add_contact(Parameters& p, Contact& contact, const Ranges& own = {});
 
 /**
 A breather begins as the vibration of a bead in its well, and phonons are vibrations of a chain of such

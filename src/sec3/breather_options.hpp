@@ -4,13 +4,14 @@
 
 A breather is named by its centre, its frequency, the well of the beads and, around a bond, the phase at
 $t = 0$; how many sites it needs follows from that. If the reader names a chain length as well, it is taken or
-refused with the reason. */
+refused with the reason. Contacts may be others than those of the article, and beads of different masses. */
 
 #include <string>
 
 #include "lattice/orbits/breather.hpp"
 #include "report/model_options.hpp"
 #include "report/program.hpp"
+#include "sec3/breather_like.hpp"
 
 namespace lattice {
 
@@ -21,6 +22,13 @@ inline Allowed breather_range(double least, double most) {
           "precompression raise; higher ones are untested"};
 }
 
+/// Exponents of the contact force for which a command computes a static DpS breather.
+inline Allowed static_exponents() {
+  return {1.05, 4, "",
+          "a breather needs an exponent above 1, towards which it becomes wide and its amplitude "
+          "leaves the range of numbers; more than 4 is untested"};
+}
+
 /// The breather that a command is asked for, of `omega_b` in these wells.
 struct ChosenBreather {
   Centre centre = Centre::site;
@@ -28,6 +36,8 @@ struct ChosenBreather {
   double omega_b = 1.1;
   std::size_t sites = 0;  ///< 0: as many as needed
   Well well = Quartic{};
+  Chain like{};  ///< its contacts and, if the beads differ, its masses and stiffnesses
+  double mass_ratio = 1, defect_mass = 1;
 
   /// The options that ask for a breather, one function each, since not every command has them all: `--centre`,
   void add_centre(Parameters& p) {
@@ -50,13 +60,18 @@ struct ChosenBreather {
           "images",
           {{"compressed", Phase::compressed}, {"stretched", Phase::stretched}});
   }
-  /// and `--well` with the parameters of the wells.
+  /// `--well` with the parameters of the wells,
   void add_well(Parameters& p) { add_holding_well(p, well, "there is no breather"); }
+  /// `--contact` with those of the contacts,
+  void add_contacts(Parameters& p) { add_contact(p, like.contact, {{"alpha", {1.2, 3}}}); }
+  /// and `--mass-ratio` and `--defect-mass`, for chains of two masses and with a defect at the centre.
+  void add_masses(Parameters& p);
 };
 
 /**
 What comes from a chain that does not fit is a complaint about `--sites`. */
-/// `make()`; throws UsageError for a length of the wrong parity or too short for the tail.
+/// `make()`; throws UsageError for a length of the wrong parity or too short for the tail, and for a frequency in the
+/// band of the chain.
 template <class Make>
 auto on_chosen_chain(const ChosenBreather& chosen, Make make) {
   const std::string sites = "--sites: " + std::to_string(chosen.sites);
@@ -69,15 +84,36 @@ auto on_chosen_chain(const ChosenBreather& chosen, Make make) {
   } catch (const ShortChain& error) {
     throw UsageError(sites + " cannot hold this breather's tail (allowed: " +
                      std::to_string(error.needed) + " or more)");
+  } catch (const InBand& error) {
+    throw UsageError("--omega: " + std::string(error.what()));
   }
 }
 
 /// The breather that was chosen, on a chain of about the article's length that holds its tail down to
 /// `precision`. Throws UsageError, NewtonFailed.
 inline Fitted find_chosen(const ChosenBreather& chosen, double precision) {
+  Chain like = chosen.like;
+  like.well = chosen.well;
   return on_chosen_chain(chosen, [&] {
-    return fit_chain(chosen.centre, chosen.omega_b, chosen.well, chosen.sites,
-                     sites_of(chosen.centre), precision, chosen.phase);
+    return fit_chain(chosen.centre, chosen.omega_b, like, chosen.sites, sites_of(chosen.centre),
+                     precision, chosen.phase);
+  });
+}
+
+/**
+A chain of two masses has its centre in a bead of mass one. Around a bond it has no centre, nor has one with a single
+other bead. */
+inline void ChosenBreather::add_masses(Parameters& p) {
+  const Allowed range{0.1, 10};
+  p.add("mass-ratio", mass_ratio, "mass of every second bead, those next to the centre", range);
+  p.add("defect-mass", defect_mass, "mass of the bead at the centre", range);
+  p.when_read([this] {
+    if (mass_ratio == 1 && defect_mass == 1) return;
+    if (centre == Centre::bond)
+      throw UsageError(std::string(mass_ratio != 1 ? "--mass-ratio" : "--defect-mass") +
+                       ": such beads are not symmetric about a bond (allowed: with --centre site)");
+    like.sites = 5;
+    vary(like, {1, mass_ratio, defect_mass, mass_ratio, 1}, {});
   });
 }
 

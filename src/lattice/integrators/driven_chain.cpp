@@ -134,6 +134,28 @@ double run_driven(const DrivenChain& driven, State<double>& state, const TimeGri
   return scale > 0 ? open / scale : 0;
 }
 
+// The step is found in runs that nobody observes
+Refined<DrivenEnd> run_driven_to(double tolerance, const DrivenChain& driven, State<double>& state,
+                                 double duration, double sample, const DrivenObserver& observe) {
+  assert_usable(state, tolerance);
+  const State<double> start = state;
+  const auto run = [&](const ContactAware& stepper, const DrivenObserver& look) {
+    DrivenEnd out{start, {}, 0, 0};
+    out.imbalance = run_driven(driven, out.end, time_grid_for(stepper, duration, sample),
+                               [&](const State<double>& now, const EnergyBudget& so_far) {
+                                 out.budget = so_far;
+                                 return look(now, so_far);
+                               });
+    out.energy = energy(driven.chain, out.end);
+    return out;
+  };
+  const auto unseen = [](const State<double>&, const EnergyBudget&) { return true; };
+  const auto pair =
+      converge(tolerance, [&](const ContactAware& stepper) { return run(stepper, unseen); });
+  state = run(stepper_for(tolerance, largest_step, pair.halvings), observe).end;
+  return pair;
+}
+
 // Two beads without wells, until they have parted
 double restitution(double contact, double velocity) {
   const DrivenChain driven{Chain{2, None{}}, {0, contact}};

@@ -26,6 +26,7 @@ which is of order two, that error is found by halving the step. */
 #include <numbers>
 #include <vector>
 
+#include "lattice/integrators/accuracy.hpp"
 #include "lattice/integrators/contact_rkn.hpp"
 
 namespace lattice {
@@ -77,6 +78,20 @@ using DrivenObserver = std::function<bool(const State<double>&, const EnergyBudg
 /// contacts or is driven.
 double run_driven(const DrivenChain& driven, State<double>& state, const TimeGrid& grid,
                   const DrivenObserver& observe);
+
+/**
+The same for a stated tolerance (accuracy.hpp): the step is halved until the end states of two runs agree, and
+the budgets of both tell how well it is known. */
+/// Where a driven run ends, what was booked on the way, and the energy and deviation there.
+struct DrivenEnd {
+  State<double> end;
+  EnergyBudget budget;
+  double energy, imbalance;
+};
+
+/// Both runs; `observe` sees the finer one, and `state` becomes its end. Throws like `converge` and `run_driven`.
+Refined<DrivenEnd> run_driven_to(double tolerance, const DrivenChain& driven, State<double>& state,
+                                 double duration, double sample, const DrivenObserver& observe);
 
 /**
 The constant $A$ of a material follows from a collision. Two equal beads that meet with the relative

@@ -63,7 +63,7 @@ bool bounded(const State<double>& state) {
 }
 
 #ifndef __wasm__
-// What rounding may do to an energy, from its densities in a wider type: in a stiff contact under compression it is
+// What rounding may do to an energy, from its densities in extended precision: in a stiff contact under compression it is
 // the small difference of large terms
 static double rounding(const Chain& chain, const State<double>& state) {
   State<long double> wide;
@@ -114,7 +114,7 @@ class Audit {
     return true;
   }
 
-  /// Takes what rounding explains from the defect. The browser has no wider type to tell.
+  /// Takes what rounding explains from the defect. The browser has no extended precision to tell.
   void excuse_rounding([[maybe_unused]] const State<double>& state, [[maybe_unused]] Run& run) {
 #ifndef __wasm__
     if (run.energy_defect > rounded_defect && !run.escaped())

@@ -48,8 +48,16 @@ Orbit<double> find_breather(const Shooting<double>& problem, Phase phase,
       ansatz(centre, nearby.omega, problem.chain.sites, phase, problem.chain.contact);
   const Orbit<double> start = newton(nearby, nearby.reduce(guess), rule);
   if (nearby.omega == problem.omega) return start;
-  Branch branch(nearby, along_omega<double>(), start, 1, rule);
+  Branch branch(nearby, along_omega<double>(problem.chain.contact.exponent()), start, 1, rule);
   return branch.reach(problem.omega);
+}
+
+State<double> resized(const State<double>& state, std::size_t sites) {
+  State<double> out(sites);
+  const long old = long(state.y.size()), shift = (long(sites) - old) / 2;
+  for (long i = 0; i < long(sites); ++i)
+    if (i - shift >= 0 && i - shift < old) out.y[std::size_t(i)] = state.y[std::size_t(i - shift)];
+  return out;
 }
 
 // A long chain tells how many sites the breather's tail needs
@@ -63,12 +71,7 @@ Fitted fit_chain(Centre centre, double omega, const Well& well, std::size_t site
   const auto problem = breather_problem(centre, omega, well, n);
   if (omega <= direct_up_to) return {problem, find_breather(problem, phase)};
   // Far up the branch the orbit just found, cut or padded with beads at rest, is the best guess
-  State<double> start(n);
-  const long shift = (long(n) - long(ample)) / 2;
-  for (long i = 0; i < long(n); ++i)
-    if (i - shift >= 0 && i - shift < long(ample))
-      start.y[std::size_t(i)] = orbit.start.y[std::size_t(i - shift)];
-  return {problem, newton(problem, problem.reduce(start))};
+  return {problem, newton(problem, problem.reduce(resized(orbit.start, n)))};
 }
 
 // The pinning mode against the discrete gradient of the profile
@@ -130,13 +133,13 @@ Shooting<T> breather_problem(Centre centre, const T& omega, const Well& well, st
 
 // Shorten the chain while the push of its last bead on the missing one would not be felt
 template <class T>
-std::size_t sites_needed(const Orbit<T>& orbit, double precision) {
+std::size_t sites_needed(const Orbit<T>& orbit, double precision, const Contact& contact) {
   const auto& y = orbit.start.y;
-  const double omega = double(orbit.omega);
-  const double bound = precision * (omega * omega - 1) * double(orbit.amplitude);
+  const double omega = double(orbit.omega), amplitude = double(orbit.amplitude);
+  const double bound = precision * (omega * omega - 1) * amplitude, k = contact.stiffness(0.0);
   const auto weak = [&](std::size_t i) {
     const double edge = std::abs(double(y[i]));
-    return edge * std::sqrt(edge) < bound;
+    return (k > 0 ? k * edge * (edge / amplitude) : contact.force(-edge)) < bound;
   };
   std::size_t cut = 0;
   while (2 * cut + 4 < y.size() && weak(cut + 1) && weak(y.size() - 2 - cut)) ++cut;
@@ -165,7 +168,7 @@ Barrier<T> barrier(const Shooting<T>& site_problem, const Orbit<T>& site, const 
 
 #define LATTICE_INSTANCES(T)                                                            \
   template Shooting<T> breather_problem<T>(Centre, const T&, const Well&, std::size_t); \
-  template std::size_t sites_needed<T>(const Orbit<T>&, double);                        \
+  template std::size_t sites_needed<T>(const Orbit<T>&, double, const Contact&);        \
   template Barrier<T> barrier<T>(const Shooting<T>&, const Orbit<T>&, const Orbit<T>&,  \
                                  const NewtonRule<T>&);
 #include "lattice/model/instances.hpp"

@@ -57,7 +57,7 @@ Orbit<double> find_breather(const Shooting<double>& problem, Phase phase = Phase
                             const NewtonRule<double>& rule = {});
 
 /**
-Double precision finds an orbit, and a wider type confirms its digits (`polish`). */
+Double precision finds an orbit, and extended precision confirms its digits (`polish`). */
 /// The same problem in another precision.
 template <class T>
 Shooting<T> in_precision(const Shooting<double>& problem) {
@@ -68,9 +68,17 @@ Shooting<T> in_precision(const Shooting<double>& problem) {
 How long must a chain be? The last bead would push on the next one, which is missing, with the force
 $|y|^{3/2}$. We compare this with the force $(\omega_b^2-1)|y|$ at the centre, which distinguishes the
 breather from a free oscillation. If the ratio is below the precision, longer chains give the same
-breather. The shortest such chain is read off a long one. */
+breather. The shortest such chain is read off a long one.
+
+Between compressed beads of stiffness $k$ the push is linear, $k\,|y|$, and the tail falls no faster than an
+exponential. What the missing push changes decays on its way back to the centre as the tail did on its way out, so that
+there we compare $k\,y^2/\max|y|$. The last few positions are then those of the finite chain. */
+/// The shortest chain with this `contact` that has the breather to a relative `precision`.
 template <class T>
-std::size_t sites_needed(const Orbit<T>& orbit, double precision);
+std::size_t sites_needed(const Orbit<T>& orbit, double precision, const Contact& contact = {});
+
+/// The positions of the middle `sites` beads, and rest where there are none. The parity stays.
+State<double> resized(const State<double>& state, std::size_t sites);
 
 /**
 A reader who asks for a chain of some length gets that chain, or is told why it will not do. */
@@ -138,7 +146,7 @@ Barrier<T> barrier(const Shooting<T>& site_problem, const Orbit<T>& site, const 
 
 Three statements of section 3.2 are decided by conditions (criterion.hpp), with bounds of our choice. A
 breather has a symmetry by nature if it returns after a perturbation of $10^{-3}$ that breaks it: down to a
-millionth of that in the wider type, and to at most a tenth of what double precision leaves, since rounding
+millionth of that in extended precision, and to at most a tenth of what double precision leaves, since rounding
 shrinks with the precision and a missing symmetry does not. */
 /// What is `left` of the asymmetry in double precision and in a `wide` type, relative to the amplitude.
 Criterion symmetric_by_nature(double left, double wide);

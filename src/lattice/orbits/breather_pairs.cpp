@@ -6,13 +6,12 @@ namespace lattice {
 template <class T>
 Measured<T>::Measured(const BreatherPair& pair, int coarser) {
   const NewtonRule<T> how = rule<T>(coarser);
-  const auto problem = [&](Centre c) { return in_precision<T>(problem_of(c, pair.omega, pair.s)); };
   for (int k : {0, 1}) {
     Orbit<double> guess = pair.orbit[k];
     if (coarser) guess.x *= 1.000001;
-    orbit[k] = polish(problem(both_centres[k]), guess, how);
+    orbit[k] = polish(in_precision<T>(pair.problem(k)), guess, how);
   }
-  gap = barrier(problem(Centre::site), orbit[0], orbit[1], how);
+  gap = barrier(in_precision<T>(pair.problem(0)), orbit[0], orbit[1], how);
 }
 
 // Two resolutions side by side: the finer one gives the value, their difference the error
@@ -51,7 +50,7 @@ void measure_once(BreatherPair& pair, int coarser) {
   assess<T>(pair, only, only);
 }
 
-// Only where the barrier drowns in rounding do we pay for the wider type
+// Only where the barrier drowns in rounding do we pay for extended precision
 void measure(BreatherPair& pair) {
   measure_in<double>(pair);
   if (!settled(pair.equal_frequency) || !settled(pair.equal_area)) measure_in<Wide>(pair);
@@ -148,7 +147,7 @@ Estimate zero_between(const BreatherPair& left, const BreatherPair& right,
     if (std::abs(step) < 1e-4 * width || std::abs(now.value) < 4 * now.error) break;
   }
 
-  // If that does not give eight digits, the wider type does
+  // If that does not give eight digits, extended precision does
   Estimate zero = last_steps<double>(low, high, omega, gap, slope);
   if (!(zero.error < 1e-8)) zero = last_steps<Wide>(low, high, omega, gap, slope);
   if (!(zero.error < 1e-3 * width))

@@ -24,8 +24,8 @@ gives at two resolutions. */
 namespace lattice {
 
 /**
-All pairs use chains of the same length and two tolerances, and double precision is checked against a
-wider type. */
+All pairs use chains of the same length and two tolerances, and double precision is checked against extended
+precision. */
 /// What double precision is checked against: a 64-bit mantissa where the processor has one.
 using Wide = long double;
 
@@ -60,7 +60,13 @@ struct BreatherPair {
   std::array<Estimate, 2> energy{}, amplitude{};
   Estimate equal_frequency{}, equal_area{};  ///< the two barriers, E_site - E_bond
   Estimate slope{}, slope_area{};            ///< their derivatives with respect to omega
-  bool wide = false;                         ///< whether the wider type was needed
+  bool wide = false;                         ///< whether extended precision was needed
+  std::vector<Shooting<double>> others{};    ///< both problems, if not those of `problem_of`
+
+  /// The problem of one of the two.
+  Shooting<double> problem(int k) const {
+    return others.empty() ? problem_of(both_centres[k], omega, s) : others[std::size_t(k)];
+  }
 };
 
 /**
@@ -107,12 +113,12 @@ void measure_once(BreatherPair& pair, int coarser = 0);
 
 /**
 A barrier is a small difference of two large numbers. We want it to three parts in a thousand, and if
-double precision does not give that, the wider type measures again. */
+double precision does not give that, extended precision measures again. */
 /// Whether a value is known to three parts in a thousand.
 inline bool settled(const Estimate& e) {
   return e.error <= 3e-3 * std::abs(e.value);
 }
-/// Measures in double precision and, if that does not settle both barriers, in the wider type.
+/// Measures in double precision and, if that does not settle both barriers, in extended precision.
 void measure(BreatherPair& pair);
 
 /**
@@ -145,7 +151,7 @@ BreatherPair pair_between(const BreatherPair& left, const BreatherPair& right, d
 /**
 Between two pairs of opposite sign a barrier vanishes. Its derivative is known with it, so that Newton's
 method, kept between the pairs, finds the frequency in double precision in a few steps. Two more steps, one at each
-tolerance, give its error; if that is above $10^{-8}$, they are made with the wider type. */
+tolerance, give its error; if that is above $10^{-8}$, they are made with extended precision. */
 /// The frequency at which `gap` vanishes. Throws std::runtime_error if it is not known to a thousandth of the bracket.
 Estimate zero_between(const BreatherPair& left, const BreatherPair& right,
                       Estimate BreatherPair::*gap);

@@ -40,13 +40,14 @@ Shot<T> Branch<T>::shot_at(const Vector<T>& z) const {
 
 /**
 The last coordinate enters the equations through the problem and, along the frequency, also through the
-scale $(\omega_b-1)^2 = e^{2\ell}$ of the unknowns. */
+scale of the unknowns, $(\omega_b-1)^2 = e^{2\ell}$ between spheres. */
 template <class T>
 Vector<T> Branch<T>::parameter_derivative(const Vector<T>& z, const Shot<T>& shot) const {
   const T value = along_.parameter(ell(z));
   if (along_.is_frequency()) {
     const T longer = -along_.at(problem_, value).period() / value;
-    return (value - T(1)) * longer * shot.miss_period + shot.jacobian * (T(2) * unknowns(z));
+    return (value - T(1)) * longer * shot.miss_period +
+           shot.jacobian * (T(along_.power) * unknowns(z));
   }
   const T change(along_.change);
   const auto at = [&](const T& s) {

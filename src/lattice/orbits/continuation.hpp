@@ -24,23 +24,25 @@ The families of the article begin at $\omega_b = 1$ with breathers of vanishing 
 are proportional to $\epsilon = (2\tau_0(\omega_b-1))^2$, Eq. (20), and nearly constant in units of it.
 Along the frequency we therefore follow $\xi$ and $\ell$, with
 $$y = (\omega_b-1)^2\,\xi,\qquad \omega_b = 1 + e^{\ell};$$
-in these coordinates the small-amplitude limit (the DpS equation, dps.hpp) is a straight line. Any other
-parameter is itself the coordinate $\ell$. The derivative with respect to the frequency is exact; with
-respect to another parameter it is a central difference, whose error affects only how fast the corrector
-converges and how long the steps are. */
+in these coordinates the small-amplitude limit (the DpS equation, dps.hpp) is a straight line. With another
+exponent $\alpha$ of the contact force the power is $1/(\alpha-1)$ in place of 2. Any other parameter is itself
+the coordinate $\ell$. The derivative with respect to the frequency is exact; with respect to another parameter
+it is a central difference, whose error affects only how fast the corrector converges and how long the steps
+are. */
 template <class T>
 struct Along {
   std::string name;                                 ///< for messages
   std::function<T(const Shooting<T>&)> get;         ///< reads it from a problem,
   std::function<void(Shooting<T>&, const T&)> set;  ///< and writes it there
   double change = 0;  ///< of the central difference; 0 for the frequency
+  double power = 2;   ///< of omega_b - 1 in the unit of the unknowns
 
   /// Whether the parameter is the frequency, for which the coordinates are those of the limit.
   bool is_frequency() const { return change == 0; }
-  /// By what the unknowns are multiplied at `ell`: (omega_b - 1)^2, else one.
+  /// By what the unknowns are multiplied at `ell`: this power of omega_b - 1, else one.
   T scale(T ell) const {
     using std::exp;
-    return is_frequency() ? exp(T(2) * ell) : T(1);
+    return is_frequency() ? exp(T(power) * ell) : T(1);
   }
   /// The parameter at `ell`.
   T parameter(T ell) const {
@@ -61,11 +63,11 @@ struct Along {
 
 /**
 Two parameters serve most programs; any other can be written in the same way. */
-/// Along the frequency omega_b.
+/// Along the frequency omega_b, for contacts of exponent `alpha`.
 template <class T>
-Along<T> along_omega() {
+Along<T> along_omega(double alpha = 1.5) {
   return {"omega_b", [](const Shooting<T>& p) { return p.omega; },
-          [](Shooting<T>& p, const T& omega) { p.omega = omega; }, 0};
+          [](Shooting<T>& p, const T& omega) { p.omega = omega; }, 0, 1 / (alpha - 1)};
 }
 
 /// Along the anharmonicity s of a quartic well.

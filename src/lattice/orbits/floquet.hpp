@@ -65,7 +65,7 @@ Matrix<T> pair_matrix(const Matrix<T>& half);
 std::complex<double> multiplier(std::complex<double> kappa, int sign);
 
 /**
-The pair of the phase can be removed exactly. A shift in time changes the momenta at $t=0$ in proportion to
+The time-translation pair can be removed exactly. A shift in time changes the momenta at $t=0$ in proportion to
 the force $f$, and at $T_b/2$, where the chain is at rest again, it does not change the positions:
 $Bf = 0$, hence $f^TK = 0$. The image of $K$ is perpendicular to $f$, and $K$ restricted to such vectors
 has all eigenvalues but the zero of the phase. In the restricted matrix the eigenvalue of the pinning
@@ -138,7 +138,7 @@ A stability verdict deserves a second route, and the symmetries of symmetry.hpp 
 bond-centred breather the reflection of the chain splits all changes into odd ones, to which the shift in
 time belongs, and even ones, to which the pinning mode belongs: the block of $K$ on even vectors needs no
 restriction. For a site-centred one $-PF$, half a period followed by the sign change and reflection of
-$S'$, is a map whose square is $M$; its phase pair is at $+1$ and its pinning pair near $-1$. By the
+$S'$, is a map whose square is $M$; its time-translation pair is at $+1$ and its pinning pair near $-1$. By the
 same argument, applied to this map, its first block $-PA$ has the mean $\alpha$ of the two
 multipliers of each pair as its eigenvalue, and $\kappa = \alpha^2 - 1$. */
 /// kappa of the pinning pair, from the half-period map in momenta.
@@ -148,7 +148,7 @@ T pinning_by_symmetry(const Matrix<T>& half, Centre centre);
 /**
 The same can be had from the monodromy matrix of any integrator. Each of the four eigenvalues nearest to
 $+1$ may be wrong by the square root of the matrix's error, but not the sum of their
-$(\lambda-1)^2/\lambda$. It is $8\kappa$ of the pinning pair, because the phase pair adds nothing. */
+$(\lambda-1)^2/\lambda$. It is $8\kappa$ of the pinning pair, because the time-translation pair adds nothing. */
 /// kappa of the pinning pair, from a monodromy matrix of two rows per site.
 double quadruplet_kappa(const Matrix<double>& map);
 

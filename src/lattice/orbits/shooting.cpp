@@ -97,14 +97,15 @@ std::vector<T> local_sizes(const State<T>& state, double alpha) {
 
 /**
 Unknowns and equations have the size of the site that they name first; a free period has the size one.
-Unless `graded`, and for orbits that do not decay in space, the amplitude of the orbit serves for all. */
+Unless `graded`, and for orbits that do not decay in space, the amplitude of the orbit serves for all; so it does
+between compressed beads, whose linear tail no law tells beforehand. */
 template <class T>
 Sizes<T> Shooting<T>::sizes(const Vector<T>& x, bool graded) const {
   const State<T> start = expand(x);
   const std::size_t n = chain.sites;
-  const std::vector<T> local = graded && symmetry.decays
-                                   ? local_sizes(start, chain.contact.exponent())
-                                   : std::vector<T>(n, largest(start));
+  const bool falls = symmetry.decays && !(chain.contact.stiffness(0.0) > 0);
+  const std::vector<T> local = graded && falls ? local_sizes(start, chain.contact.exponent())
+                                               : std::vector<T>(n, largest(start));
   Sizes<T> out;
   out.unknown = Vector<T>::Ones(x.size());
   out.equation.resize(Eigen::Index(symmetry.equations.size()));

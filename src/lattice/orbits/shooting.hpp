@@ -125,8 +125,8 @@ Orbit<T> newton(const Shooting<T>& problem, const Vector<T>& x, const NewtonRule
 /**
 ## The same orbit in another precision
 
-Digits are confirmed by computing an orbit again in a wider type. If double precision has found it, the
-wider type needs no derivative of its own: with the old one each step gains as many digits as the
+Digits are confirmed by computing an orbit again in extended precision. If double precision has found it,
+extended precision needs no derivative of its own: with the old one each step gains as many digits as the
 derivative has, about twelve, and the columns of the tangent, which take most of the time, are not
 computed. If this does not converge, Newton's method takes over. Throws NewtonFailed if that fails. */
 template <class T, class From>

@@ -1,0 +1,68 @@
+#include "lattice/orbits/other_chains.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace lattice {
+
+Contact bare(const Contact& contact) {
+  const Contact simple = simplest(contact);
+  return std::holds_alternative<Hertz>(simple) ? Contact{Hertz{.floor = 0}} : simple;
+}
+
+Chain between(const Chain& a, const Chain& b, double part) {
+  const auto mixed = [&](double from, double to) { return (1 - part) * from + part * to; };
+  Chain out = b;
+  if (part == 1) return out;
+  // What differs from bead to bead
+  std::vector<double> mass(b.sites), eta(b.sites + 1);
+  for (std::size_t i = 0; i < b.sites; ++i) mass[i] = mixed(a.mass_of(i), b.mass_of(i));
+  for (std::size_t i = 0; i <= b.sites; ++i) eta[i] = mixed(a.eta_of(i), b.eta_of(i));
+  if (!(a.mass.empty() && b.mass.empty())) vary(out, mass, eta);
+  // What all contacts have
+  if (std::holds_alternative<OwnContact>(b.contact)) return out;
+  const double root = mixed(std::sqrt(a.contact.opening()), std::sqrt(b.contact.opening()));
+  out.contact = bare(PowerContact{mixed(a.contact.exponent(), b.contact.exponent()), root * root});
+  return out;
+}
+
+// Along the path the guess lies on the line through the last two orbits
+Orbit<double> continue_to(Shooting<double> problem, const Orbit<double>& from,
+                          const Chain& target) {
+  if (target.sites != problem.chain.sites)
+    throw std::invalid_argument("a path leads between two chains of one length");
+  NewtonRule<double> rule;
+  rule.damped = true, rule.most = 12, rule.keep = 1e-9;
+  const Chain start = problem.chain;
+  Orbit<double> here = from;
+  Vector<double> slope = Vector<double>::Zero(from.x.size());
+  for (double part = 0, step = 1.0 / 8; part < 1;) {
+    const double next = std::min(1.0, part + step);
+    problem.chain = between(start, target, next);
+    const Vector<double> guess = here.x + (next - part) * slope;
+    History history;
+    try {
+      const Orbit<double> there = newton(problem, guess, rule);
+      history = there.history;
+      if (sup<double>(there.x - guess) < 0.1 * here.amplitude) {
+        slope = (there.x - here.x) / (next - part);
+        here = there, part = next, step *= 2;
+        continue;
+      }
+    } catch (const NewtonFailed& error) {
+      history = error.history;
+    }
+    step /= 2;
+    if (step > 1.0 / 4096) continue;
+    char text[160];
+    std::snprintf(text, sizeof text,
+                  ": the path to this chain ends after %.3g of it, with contacts of exponent %.4g "
+                  "compressed by %.4g",
+                  part, problem.chain.contact.exponent(), problem.chain.contact.opening());
+    throw NewtonFailed(problem.name() + text, history);
+  }
+  return here;
+}
+
+}  // namespace lattice
