@@ -16,6 +16,7 @@ from . import ecsv
 from .chapters import read_commands
 from .claims import name_of, programs_of, quoted_by, read_claims, read_facts, read_results
 from .findings import quoted_in, read_findings, read_second
+from .literature import name_of as literature_name, read_literature
 from .values import Finding, distance
 
 KINDS = ("value", "residue", "headline")
@@ -78,6 +79,7 @@ def uncommented(tex):
 def quoted(root):
     """Every name that prose, paper, book, the lists of claims and findings or the second route quotes."""
     root, out = Path(root), quoted_by(read_claims(root)) | set(read_second(root))
+    out.update(map(literature_name, read_literature(root).values()))
     for row in read_findings(root).values():
         out.update(quoted_in(row))
     for path in sources(root) + sorted((root / "book").glob("*.md")):

@@ -9,6 +9,7 @@ from . import ecsv
 from .chapters import explained_by, read_commands, read_costs, run_of, shown_cost
 from .claims import Judge, name_of, programs_of, read_claims, runs_of
 from .findings import agrees, holds, in_plain, margins, names_in, read_findings, read_second, tally as kinds_of
+from .literature import read_literature, tally as literature_tally, verdicts
 from .lock import read_fresh, read_lock
 from .refresh import command_of, read_figures, tally
 
@@ -73,6 +74,12 @@ def summarize(root, data, out):
     for row in rows:
         if row["verdict"] in ("within", "follows", "discrepant", "unresolved"):
             print(complaint(row))
+    beside = list(verdicts(read_literature(root), known))
+    if beside:
+        print(f"literature : {literature_tally(said for _, _, said in beside)}")
+    for row, f, said in beside:
+        if said not in ("", "reproduced", "holds"):
+            print(f"  {said:10} {row['id']:26} printed {row['printed']}, converged {f.value:.6g} +- {f.error:.1g} {f.unit}")
     held = {id: row for id, row in findings.items() if asked_of(row, claims) <= ran}
     if held:
         print(f"findings   : {kinds_of(held)}")

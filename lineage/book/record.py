@@ -9,6 +9,7 @@ from .. import ecsv
 from ..chapters import explained_by, read_commands, read_costs, run_of
 from ..claims import Judge, name_of, programs_of, read_claims
 from ..findings import agrees, read_findings, read_second
+from ..literature import read_literature, verdicts
 from ..lock import read_fresh, read_lock
 from ..refresh import read_figures
 from ..tex import captions
@@ -54,6 +55,7 @@ class Record:
         for claim in self.claims.values():
             claim.update({key: judge.said(claim[key]) for key in ("reading", "reason")})
         self.findings, self.second = read_findings(root), read_second(root)
+        self.literature = list(verdicts(read_literature(root), self.quotable))
         self.seconds = read_costs(root)
         self.alone = read_commands(root)
         self.captions = captions(root)  # figure -> what its caption says after the first sentence, in TeX

@@ -1,0 +1,32 @@
+"""Figure x34: numbers of other authors against ours, as ratios, with what their digits leave open."""
+
+from pathlib import Path
+
+import draw
+import matplotlib.pyplot as plt
+from lineage.claims import agreement, printed_range
+from lineage.literature import read_literature
+
+data, out = draw.arguments()
+facts = draw.table_of(f"{data}/secB_other_numbers/facts.ecsv").by("quantity", "facts")
+rows = [row for row in read_literature(Path(__file__).resolve().parents[1]).values() if printed_range(row["printed"])]
+
+figure, axes = plt.subplots(figsize=(draw.TWO_COLUMNS, 4.6 * draw.MM * len(rows) + 16 * draw.MM), layout="constrained")
+for k, row in enumerate(rows):
+    theirs, _, half = printed_range(row["printed"])
+    low, high = agreement((theirs, theirs, half), row["tolerance"]) if row["tolerance"] != "at most" else (theirs - half, theirs + half)
+    ours, error = float(facts[row["id"]]["value"]), float(facts[row["id"]]["error"])
+    ends = sorted((low / theirs - 1, high / theirs - 1))
+    axes.plot(ends, [k, k], "-", color="0.75", lw=6, solid_capstyle="butt", label="open by the printed digits" if k == 0 else None)
+    memory = row["obtained"] == "memory"
+    axes.errorbar(ours / theirs - 1, k, xerr=abs(error / theirs), fmt="s" if memory else "o", ms=4.5, color="#D55E00" if memory else "#0072B2",
+                  mfc="none" if memory else None, capsize=2,
+                  label={0: "ours, source read", len(rows) - 1: "ours, source not read: no verdict"}.get(k))
+axes.axvline(0, color="black", lw=0.6, zorder=0)
+axes.set_xscale("symlog", linthresh=1e-7, linscale=0.6)
+axes.set(yticks=range(len(rows)), yticklabels=[f"{row['id'].replace('_', ' ')}  {row['printed']}" for row in rows], xlim=(-0.1, 0.1),
+         xticks=[-1e-2, -1e-4, -1e-6, 0, 1e-6, 1e-4, 1e-2], xlabel="ours over the printed value, minus one")
+axes.tick_params(axis="y", labelsize=7)
+axes.invert_yaxis()
+axes.legend(loc="lower center", bbox_to_anchor=(0.4, 1.0), ncols=3, fontsize=7, frameon=False)
+draw.save(figure, out)
