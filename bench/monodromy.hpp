@@ -133,7 +133,7 @@ inline void race_monodromies(Book& book, std::size_t sites, int rounds, bool dig
     return Method{label, false, 1e-6, std::pow(10, -0.25),
                   [=, &exact](double s) { return adaptive_peer(sites, type, s, exact); }};
   };
-  const Method ours{"switch-landing", true, 1e-6, std::pow(10, -0.25), [=, &exact](double s) {
+  const Method ours{"event location", true, 1e-6, std::pow(10, -0.25), [=, &exact](double s) {
                       Score score;
                       const auto m = landed<double>(sites, s, &score.evaluations);
                       score.tangent = largest_difference(m.entries, exact);

@@ -7,7 +7,7 @@ from matplotlib.patches import Circle, Polygon, Rectangle
 
 data, out = draw.arguments()
 size = {(row["id"], row["parameter"]): float(row["value"])
-        for row in draw.records(f"{data}/sec36_cantilever_defect/schematic.ecsv")}
+        for row in draw.records(f"{data}/sec35_scales/schematic.ecsv")}
 BEAD, BEAM, WALL, LINE = "#56B4E9", "#E69F00", "#BBBBBB", "black"
 LIFT = 0.5  # angle at which the first bead of the cradle is drawn
 

@@ -15,7 +15,7 @@ impact = [("contact-aware", "#D55E00", "o-"), ("verlet, window", "#888888", "v-"
           ("GSL rk8pd", "#009E73", "D--"), ("GSL rkf45", "#E69F00", "x--"),
           ("Boost dopri5", "#CC79A7", "+--"), ("Boost bulirsch_stoer", "#000000", "*--"),
           ("Boost sb3a_mclachlan", "#000000", "1:"), ("Boost velocity_verlet", "#888888", "2:")]
-monodromy = [("switch-landing", "#D55E00", "o-"), ("GSL rk8pd, tridiagonal", "#009E73", "D--"),
+monodromy = [("event location", "#D55E00", "o-"), ("GSL rk8pd, tridiagonal", "#009E73", "D--"),
              ("GSL rkf45, tridiagonal", "#E69F00", "x--")]
 panels = [("B1", "energy_error", "relative energy error", impact),
           ("B1", "solution_error", "displacement error at $t=100$", impact),

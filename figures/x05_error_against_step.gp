@@ -31,7 +31,7 @@ plot tangent using (strcol('method') eq 'verlet' ? column('evaluations') : NaN):
        with linespoints ls 4 title 'velocity Verlet', \
      '' using (strcol('method') eq 'blanes-moan-6' ? column('evaluations') : NaN):'tangent' \
        with linespoints ls 1 title 'splitting, order 6', \
-     '' using (strcol('method') eq 'switch-landing' ? column('evaluations') : NaN):'tangent' \
-       with linespoints ls 2 title 'switch-landing', \
+     '' using (strcol('method') eq 'event location' ? column('evaluations') : NaN):'tangent' \
+       with linespoints ls 2 title 'event location', \
      [100:1e5] x**-1.5 lc rgb grey dt (1,2) title '{/:Italic N}^{ −3/2}'
 unset multiplot

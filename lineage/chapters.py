@@ -67,12 +67,13 @@ def measured_costs(folder, which=0):
 
 def renewed_costs(root, measured):
     """The costs of all programs that exist, nan where nobody has measured one. A time is renewed when it has moved by
-    more than a fifth and by more than half a second, since a refreshed page should not show noise."""
+    more than a fifth and by more than half a second, since a refreshed page should not show noise. None is less than the
+    tenth of a second that is the least to be measured."""
     known, out = read_costs(root), {}
     for program in programs_of(root):
         was, now = known.get(program, math.nan), measured.get(program, math.nan)
         moved = not math.isnan(now) and not abs(now - was) < max(0.5, 0.2 * now)
-        out[program] = float(with_digits(now, 2)) if moved else was
+        out[program] = max(0.1, float(with_digits(now, 2))) if moved else was
     return out
 
 

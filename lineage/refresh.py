@@ -14,6 +14,7 @@ from . import ecsv, metadata, modules
 from .chapters import costs_text, explained_by, read_commands, renewed_costs, run_of, shown_cost
 from .claims import SAID, VERDICTS, Judge, name_of, printed_range, read_claims
 from .findings import check_quotations, in_plain, read_findings, tally as kinds_of
+from .literature import read_literature, tally as literature_tally
 from .lock import read_lock, sources
 
 LINK = re.compile(r"(\[[^\]]*\])?\(num:([^)\n]*)(\)?)")
@@ -112,10 +113,11 @@ def found_rows(findings, numbers):
     return [f"- {in_plain(row['sentence'], numbers)} ({command_of(row['figure'])})" for row in findings.values() if row["figure"]]
 
 
-def summary_rows(claims, figures, findings):
+def summary_rows(claims, figures, findings, literature):
     """What `make figures` ends with, as whoever runs it wants to know beforehand."""
     return ["```", f"figures    : {len(figures)} in build/figures (svg, pdf, png)",
             f"claims     : {tally([c['status'] for c in claims.values()])}",
+            f"literature : {literature_tally(row['status'] for row in literature.values())}",
             f"findings   : {kinds_of(findings)}", "```"]
 
 
@@ -138,9 +140,9 @@ def cost_rows(costs):
             f"| together | {together} |"]
 
 
-def generated_tables(claims, lock, figures, costs, alone, findings):
+def generated_tables(claims, lock, figures, costs, alone, findings, literature):
     """Every table that a page may show, by the name in its marks."""
-    return {"gallery": gallery_rows(figures), "summary": summary_rows(claims, figures, findings),
+    return {"gallery": gallery_rows(figures), "summary": summary_rows(claims, figures, findings, literature),
             "found": found_rows(findings, quotable(lock, claims)), "discrepant": list(discrepancy_rows(claims, lock, costs, alone)),
             "published": list(published_rows(claims, lock)), "costs": cost_rows(costs)}
 
@@ -185,7 +187,7 @@ def fresh_texts(root, measured):
         yield fresh(path, lambda text: with_numbers(text, numbers))
     costs = renewed_costs(root, measured)
     yield root / "bench/costs.ecsv", costs_text(costs)
-    tables = generated_tables(claims, lock, read_figures(root), costs, read_commands(root), findings)
+    tables = generated_tables(claims, lock, read_figures(root), costs, read_commands(root), findings, read_literature(root))
     tables["modules"] = modules.drawing(root)
     for name in PAGES:
         yield fresh(root / name, lambda text: fresh_page(with_marked_numbers(text, numbers), tables))

@@ -2,9 +2,10 @@
 # 2 No breathers without wells
 
 Section 2 of James, Kevrekidis and Cuevas (Physica D 251, 2013) proves that beads which only repel each
-other have no breathers: no motion of theirs is both periodic in time and localized in space. A bead that
-returns after a period has received no net momentum, so the mean push from its left equals that from its
-right (`thm.mean_force`):
+other have no breathers: no motion of theirs is both periodic in time and localized in space. The proof is one integral. Bead $n$
+obeys $m_n\ddot x_n = F_{n-1} - F_n$ with the pushes $F_n \ge 0$ of contact $n$ on the bead to its right, and over a period
+$$0 = m_n\bigl[\dot x_n(T)-\dot x_n(0)\bigr] = \int_0^T F_{n-1}\,dt - \int_0^T F_n\,dt :$$
+the mean push from its left equals that from its right (`thm.mean_force`):
 
         . o --> o --> o --> o --> o .      mean force: the same at every contact,
               F     F     F     F          zero far away, hence zero everywhere
@@ -62,7 +63,9 @@ constexpr std::array tolerances{1e-11, 1e-13};
 ## The identity (figure x16)
 
 On a localized motion of the free chain all means would be zero, but no such motion exists. So we check
-the identity on motions that fill a ring or a box (sec2/periodic_motions.hpp). We follow each once more over
+the identity on motions that fill a ring or a box (sec2/periodic_motions.hpp). They are found by *shooting*: the chain is run from a
+guess, and Newton's method corrects the guess until the run comes back to where it began; shooting.hpp has the
+equations, and section 3.2 (`sec32_newton_breathers`) explains the method where it is needed most. We follow each once more over
 a whole period, and integrate the means along with it at two tolerances, whose difference is the error. We
 judge by two numbers: the spread of the mean force over the contacts, relative to the largest, and the
 amount by which the balance of a bead, with the force of its well, is missed. */
@@ -157,7 +160,8 @@ Criterion of_free_chains(MeanTable& means) {
 }
 
 /**
-The contrast comes from the breathers of section 3 at $\omega_b = 1.5$, on chains long enough for their
+The contrast comes from breathers: periodic motions of a few beads in wells of unit stiffness, which section 3.2
+computes. We take both kinds, around a site and around a bond, at $\omega_b = 1.5$, on chains long enough for their
 tails. There the spread must be of order one, and each bead must be balanced by its well. */
 Criterion of_wells(MeanTable& means) {
   Criterion all;

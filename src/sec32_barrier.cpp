@@ -240,7 +240,7 @@ void report_ratios(Report& report, const std::vector<BreatherPairs>& families) {
 /**
 ## Five frequencies to all digits
 
-The claims speak of single frequencies, so these pairs are computed in the wider type throughout. Close to
+The claims speak of single frequencies, so these pairs are computed in extended precision throughout. Close to
 $\omega_b = 1$, with $\delta = \omega_b-1$, all energies follow the DpS scaling $\mathcal H = e\,\delta^4$. Then
 $d\mathcal H = \omega_b\,d\mathcal A/2\pi$ gives $\mathcal A/2\pi = e\,\delta^4-\frac45e\,\delta^5$, hence
 $\mathcal H = \mathcal A/2\pi+\frac45e\,\delta^5$. At equal area $e\,\delta^4$ is the same for both breathers, and the

@@ -82,7 +82,7 @@ std::string name_of(Centre centre) {
 
 The article's residual is the distance from $Y(0)$ to $Y(T_b)$, relative to $Y(0)$, where $Y$ holds all
 positions and velocities: a whole period without any symmetry. We evaluate it for our breather, which was
-found on a quarter of one. Its error is the difference from the same integration in a wider type, which has a
+found on a quarter of one. Its error is the difference from the same integration in extended precision, which has a
 64-bit mantissa. */
 template <class T>
 T distance_after_period(const Shooting<double>& problem, const State<double>& start) {
@@ -214,7 +214,7 @@ double broken_symmetry(Centre centre) {
 }
 
 /**
-We ask that the asymmetry falls to a millionth of what was put in with the wider type, and that it falls
+We ask that the asymmetry falls to a millionth of what was put in with extended precision, and that it falls
 at least tenfold from double precision to that type, as rounding does. */
 void report_symmetry(Report& report) {
   Criterion symmetric;
@@ -331,7 +331,7 @@ How fast do the breathers decay? A bead far out is pushed by its inner neighbour
 of the neighbour's displacement, so that $\ln|y_{n+1}|/\ln|y_n| \to 3/2$: the decay is double-exponential.
 Newton's method must reach the same relative accuracy at every site, and every contact, however faint, is
 landed on. Double precision ends at $10^{-308}$, beyond site
-[14](num:sec32_newton_breathers.tail_last_double). A wider type follows the tail to site
+[14](num:sec32_newton_breathers.tail_last_double). Extended precision follows the tail to site
 [21](num:sec32_newton_breathers.tail_last_wide), and where both exist their difference is the error.
 
 ![The tail of the site-centred breather.](fig:05) */
@@ -341,7 +341,7 @@ Orbit<T> with_tail(std::size_t sites) {
   return polish(in_precision<T>(problem), find_breather(problem), graded<T>());
 }
 
-/// The tail in both precisions; sites beyond the shorter chain of the wider type count as zero.
+/// The tail in both precisions; sites beyond the shorter chain of extended precision count as zero.
 struct Tail {
   Orbit<double> orbit = with_tail<double>(99);
   Orbit<Wide> wide = with_tail<Wide>(63);
@@ -379,9 +379,9 @@ void report_tail(Report& report) {
   Table& table = report.table(
       "tail", {count("n", "site", "site"),
                estimate("size", "|y_n(0)| in double precision; nan where it has underflown", "",
-                        "difference from the wider type; nan where size is"),
+                        "difference from extended precision; nan where size is"),
                number("exponent", "ln |y_(n+1)| / ln |y_n| away from the centre"),
-               number("double_log", "ln(-ln |y_n(0)|) in the wider type"),
+               number("double_log", "ln(-ln |y_n(0)|) in extended precision"),
                number("law", "the same by the law 3/2 from the outermost site inwards")});
   for (long n = -49; n <= 49; ++n) {
     const double here = tail.size(n);

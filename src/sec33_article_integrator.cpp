@@ -116,7 +116,7 @@ void measure_residual(Setting& at) {
 
 /**
 The barrier needs the energies of both breathers of the map, and $s_0$ its multipliers in three wells. A map has no
-symmetry against shifts in time shorter than a step, so its phase pair does not stay at $+1$, and the four
+symmetry against shifts in time shorter than a step, so its time-translation pair does not stay at $+1$, and the four
 multipliers next to $+1$ are off by $2\sqrt{|\kappa|}$. How far, we record for the linear well. */
 void measure_breathers(Setting& at) {
   std::array<double, 2> energies{};
@@ -242,7 +242,7 @@ iteration and an accurate integration. */
 *The multipliers.* With none of these maps can $s_0$ be read off. The four multipliers next to $+1$ are at least
 [0.000410771](num:sec33_article_integrator.least_off) and at 120 steps of the classical method
 [0.005](num:sec33_article_integrator.off_runge-kutta-4_120) away from it in the linear well, and other wells change
-that by far less: it is the phase pair that is not held; what decides the stability is
+that by far less: it is the time-translation pair that is not held; what decides the stability is
 [0.000214282](num:sec33_floquet.fourth_distance). Both centres show an exchange in $[-1, 1]$ in
 [0](num:sec33_article_integrator.settings_with_both_s0) of [55](num:sec33_article_integrator.settings) settings. The
 printed pair is compatible with variational equations at a tolerance of $10^{-9}$ instead
@@ -253,7 +253,7 @@ change this.
 [6.35779e-10](num:sec33_article_integrator.largest_barrier_120), many times the barrier itself. It comes within ten
 per cent of the printed value in [0](num:sec33_article_integrator.settings_near_barrier) settings.
 
-So none of these settings explains the discrepancies of section 3.3. Some hundred and twenty locked steps per period
+So none of these settings explains the discrepancies of section 3.3. Some hundred and twenty commensurate steps per period
 can print a threshold of that size if one waits for 20000 periods, breathers and multipliers ask for a much more
 accurate computation, and the jump is explained by nothing that we tried. */
 std::vector<Setting> all_settings(bool quick) {

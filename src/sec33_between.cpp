@@ -63,7 +63,7 @@ struct Node {
 
 /**
 A node is computed from the orbit of its neighbour, and left empty where the family ends. Beyond the end
-Newton's method wanders off to large and costly motions, so it gets only eight iterations. An amplitude
+Newton's method goes off to large and costly motions, so it gets only eight iterations. An amplitude
 that changes by more than 15 per cent from one well to the next betrays another family. In hard wells up
 to $s = 1$ no family ends, but a large breather changes quickly; there a step that is too long is
 halved. */
@@ -392,7 +392,7 @@ void report_exchanges(Report& report, const Chart& grid) {
 /**
 ## The linear well: six exchanges
 
-At $s = 0$ we locate for both breathers, in a wider type (a 64-bit mantissa), the exchanges that the grid shows; on
+At $s = 0$ we locate for both breathers, in extended precision (a 64-bit mantissa), the exchanges that the grid shows; on
 one that is twenty-five times as dense, run once from $\omega_b = 1.003$, there are no others up to 2.
 [](finding:exchange.six) Between two exchanges lies a *window* in which one of the two is stable. From $\omega_b = 1$
 on it is the bond, as in the DpS equation, but only up to the first; between the last two,
@@ -484,7 +484,7 @@ Held<T> held_problem(const Cut& cut, const Exchange& from, double centre) {
 /**
 Only the tiny energy barrier between site and bond fixes the parameter, and in double precision the error of
 the parameter exceeds the whole interval on which the family exists. So double precision only moves the
-breather to its centre. From there the wider type solves for it twice and independently, with tolerances
+breather to its centre. From there extended precision solves for it twice and independently, with tolerances
 that differ by a factor of sixteen. The error is their difference plus what the violation of symplecticity
 of the linearised flow (`defect`) makes of the parameter. */
 Between describe_between(const Cut& cut, const Exchange& from, double centre,

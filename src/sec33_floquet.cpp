@@ -58,7 +58,7 @@ The chain is that of Eqs. (6) and (10), the breathers those of section 3.2. Mult
 $\lambda, 1/\lambda$. One pair is exactly $+1$ for every breather, that of a shift in time; it is called the *phase
 pair*. The *pinning pair* belongs to a shift along the chain. Each pair is one number
 $$\kappa = \tfrac14\Bigl(\lambda+\frac1\lambda-2\Bigr),$$
-an eigenvalue of an $N\times N$ matrix made of half a period of the linearised flow, from which the phase pair is
+an eigenvalue of an $N\times N$ matrix made of half a period of the linearised flow, from which the time-translation pair is
 removed (floquet.hpp). Why not $\lambda$ itself? At $+1$ the monodromy matrix has a double eigenvalue with one
 eigenvector, and an error $\eta$ of the matrix splits it by $\sqrt\eta$: $10^{-8}$ in the flow would cost $10^{-4}$ in
 $\lambda$. The $\kappa$ of the pinning pair is a simple eigenvalue and suffers by $\eta$ only. A pair on the unit circle
@@ -85,7 +85,7 @@ is at a distance of [0.000214282](num:sec33_floquet.fourth_distance), the fifth 
 [0.229543](num:sec33_floquet.fifth_distance). No other pair leaves the unit circle by more than its error. And
 the others accumulate at $e^{\pm2\pi i/\omega_b}$: ten more sites add twenty multipliers there, within
 $10^{-9}$, and nowhere else (`four_near_one` of exchange.hpp). The table holds the multipliers of both
-breathers on the article's chains, with the two of the phase pair, which are exact.
+breathers on the article's chains, with the two of the time-translation pair, which are exact.
 
 The criterion is put to both breathers, each on two chains, of which one is ten sites longer. It can fail in
 three ways: by a fifth multiplier near one, by a pair off the circle, or by an accumulation elsewhere. Near
@@ -200,7 +200,7 @@ void report_wells(Report& report) {
 }
 
 /**
-A verdict must not lie within its error. At $s = 0$ it is therefore taken in a wider type (a 64-bit mantissa),
+A verdict must not lie within its error. At $s = 0$ it is therefore taken in extended precision (a 64-bit mantissa),
 where the error of $\kappa$ is eight orders of magnitude below $\kappa$. As an independent check the pinning
 pair is also computed from a matrix that the breather's symmetry has reduced. */
 void report_harmonic(Report& report) {
@@ -209,7 +209,7 @@ void report_harmonic(Report& report) {
     const auto problem = problem_at(both_centres[k], {});
     const Orbit<double> orbit = find_breather(problem);
 
-    // Two roads to one number: the pairs in a wider type, and the matrix that symmetry has reduced
+    // Two roads to one number: the pairs in extended precision, and the matrix that symmetry has reduced
     kappa[k] = spectrum<Wide>(problem, orbit).kappa();
     const Matrix<double> half = monodromy(problem.chain, orbit.start, orbit.period() / 2);
     const double again = pinning_by_symmetry(half, both_centres[k]);
@@ -284,7 +284,7 @@ $\ln\lambda/T_b =$ [0.00155771](num:sec33_floquet.dps_rate) $(\omega_b-1)$, weak
 between two sizes, $\omega_b-1 = 2\cdot10^{-4}$ and $10^{-4}$, is [0.497](num:floquet.weaker); its error is the change from
 the sizes before. The rate over $\omega_b-1$ tends to [0.00155770](num:sec33_floquet.slow_rate_limit), but slowly: at
 $\omega_b-1 = 10^{-4}$ it is [0.0015503](num:sec33_floquet.slow_rate), and at $\omega_b = 1.1$ a quarter of the limit. There
-$\kappa$ is so small that a wider type is needed. */
+$\kappa$ is so small that extended precision is needed. */
 void report_slow(Report& report) {
   const double beyond[] = {4e-4, 2e-4, 1e-4};
   std::array<Estimate, 3> rate;

@@ -442,7 +442,7 @@ void report_speeds(Report& report, const Breathers& at, const std::array<double,
 
 We compare every integrator that we have on the weakly kicked bond-centred breather, over 5000 units of time. Work is
 counted in forces on one site for one unit of time, which does not depend on the machine. Splittings lose accuracy
-wherever a contact opens or closes, and a wider type does not help, because rounding is not the cause; landing on
+wherever a contact opens or closes, and extended precision does not help, because rounding is not the cause; landing on
 every such event is exact to the last digits and too expensive for $10^5$ periods. */
 /// A splitting whose sums have a 64-bit mantissa; it rounds once per sample.
 struct WideSplitting {
@@ -672,16 +672,16 @@ struct Threshold : Kicked {
 | speed, site | $5.446\cdot10^{-4}$ | [0.000544490](num:moving.v_site) | nothing to explain |
 | speed, bond | $5.364\cdot10^{-4}$ | [0.000536296](num:moving.v_bond) | central contact stretched at $t = 0$ |
 | distance after the weak kick | 2, and pinned | [2.81675](num:moving.site_below), and on | not known |
-| $c_c$ | $6.19\cdot10^{-6}$ | [4.4518e-6](num:moving.c_threshold) | perhaps locked steps, or a horizon |
+| $c_c$ | $6.19\cdot10^{-6}$ | [4.4518e-6](num:moving.c_threshold) | perhaps commensurate steps, or a horizon |
 | $c_c^2/2$ | $1.92\cdot10^{-11}$ | [9.909e-12](num:moving.pn_dynamic) | follows from $c_c$ |
 
 [](finding:depinning.law) The pendulum predicts
 [4.45275e-6](num:sec33_mobility.threshold_of_pendulum_bond_stretched). With the central contact compressed the
 threshold is [4.3198e-6](num:sec33_mobility.threshold_bond_compressed). No trial here gives 6.19 in particular;
 within 20000 periods the classical Runge-Kutta method with 120 to 128 steps per period comes near
-(sec33_article_integrator.cpp). Such locked steps pin the bond-centred breather at $5.5\cdot10^{-6}$, but only where
+(sec33_article_integrator.cpp). Such commensurate steps pin the bond-centred breather at $5.5\cdot10^{-6}$, but only where
 the energy drifts by far more than the kick gives: whether steps can pin a breather at a conserved energy is open.
-That locked steps explain the threshold is a conjecture, and none of the
+That commensurate steps explain the threshold is a conjecture, and none of the
 [6](num:sec33_article_integrator.thresholds_near) that come near it makes the site-centred breather jump two sites
 and stay.
 

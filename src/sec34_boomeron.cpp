@@ -300,9 +300,11 @@ void report_ensemble(Report& report) {
 /**
 ## The force
 
-The article likens the packet to a particle in an almost constant force, so we measure its acceleration: on the
-way out, between times that are the same for all impacts, on the way back, between two sites, and between the
-two, around the turning (sec34/force.hpp).
+The article likens the packet to a particle in an almost constant force. What can be seen of a force is the acceleration
+of the packet's centre, $\ddot X$, and that is what this chapter and the next call the force, in sites per squared unit of
+time: on the way out, between times that are the same for all impacts, on the way back, between two sites, and between
+the two, around the turning (sec34/force.hpp). Nothing is said about a mass; waves
+that only push from behind even draw a packet back (`sec34_boomeron_why`).
 
 According to the article the force grows with $s$ and with $v_0$. So the list varies $v_0$ at $s=1$,
 then $s$ at $v_0=1.9$, with $s = 0$ for comparison; its last rows are the way back and the turning. The article

@@ -58,7 +58,7 @@ constexpr std::size_t room = 800;
 /// Two steps of one experiment, and what became of the packet.
 struct Experiment {
   std::string name;
-  Bereft impact;
+  WavesRemoved impact;
   double until;
   std::array<LateFate, 2> fate{};
   Path path{};
@@ -134,7 +134,7 @@ void report_experiments(Report& report) {
 ## Which waves slow it down?
 
 The acceleration of the centre on the way out, between $t = 100$ and 220, is measured as in the chapter before, by a
-line through the velocities. If waves act from afar, the force should grow with the distance $d$ up to which they are
+line through the velocities; it is called the force here too, and is negative where the packet slows down. If waves act from afar, the force should grow with the distance $d$ up to which they are
 left; if it is the packet's own fresh wake that acts, the same should be seen after a cut. The linear well, in which
 we saw no packet turn, is the control. */
 struct Pull {
@@ -175,8 +175,8 @@ void report_distance(Report& report) {
   // The error is that of the fit and of the step
   const auto row = [&](Pull& p) {
     const auto force = [&](double h) {
-      const Bereft impact{p.s, velocity, p.cut, p.behind};
-      return slope_of_velocity(follow_bereft(impact, h, 240, 150), from, to).estimate();
+      const WavesRemoved impact{p.s, velocity, p.cut, p.behind};
+      return slope_of_velocity(follow_without(impact, h, 240, 150), from, to).estimate();
     };
     p.force = compare(force(step), force(step / 2));
     return Cells{p.s, p.cut, p.behind, p.force.value, p.force.error};
@@ -212,7 +212,7 @@ with six; the others go on or are caught. Of five that are cut out at $t = 60$ i
 trials the distance decides above all where a packet of an impact stops: with fifteen sites all five before site 40,
 with six all five beyond site 50. */
 struct Packet {
-  Bereft impact;
+  WavesRemoved impact;
   std::array<LateFate, 2> fate{};
 
   void follow(double until, double step) {
@@ -259,7 +259,7 @@ void report_late_fates(Report& report) {
     double back[2] = {};
     for (std::size_t k = i; k < i + 5; ++k)
       for (int f : {0, 1}) back[f] += list[k].fate[f].late == Late::returns;
-    const Bereft& impact = list[i].impact;
+    const WavesRemoved& impact = list[i].impact;
     const std::string name = (impact.cut > 0 ? "cut_" : "waves_") + std::to_string(impact.behind);
     report.facts.add("of_five_return_" + name, counted(back[0], back[1]), "packets");
   }
@@ -328,7 +328,7 @@ So the packet that is pushed forward more is the one that is slowed down more. *
 void report_budgets(Report& report) {
   struct Case {
     std::string name;
-    Bereft impact;
+    WavesRemoved impact;
   };
   const std::vector<Case> cases{{"waves", {hard, velocity}},
                                 {"behind", {hard, velocity, 0, 6}},
@@ -456,7 +456,7 @@ site can neither slow a packet over many sites nor accelerate it on its way back
 void report_inside(Report& report) {
   // The packet with all its waves and with those behind it absorbed, at two steps each
   const double step = report.quick ? 0.1 : 0.05;
-  const Bereft impacts[] = {{hard, velocity}, {hard, velocity, 0, 6}};
+  const WavesRemoved impacts[] = {{hard, velocity}, {hard, velocity, 0, 6}};
   std::vector<Inside> rows[4];
   parallel_for(
       4, [&](std::size_t i) { rows[i] = gauge(impacts[i / 2], i % 2 ? step / 2 : step, 420); });

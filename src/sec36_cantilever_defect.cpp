@@ -1,8 +1,8 @@
 /**
-# 3.5 and 3.6 Scales, decorated cantilevers, and a defect that reflects
+# 3.6 Decorated cantilevers, and a defect that reflects
 
 In a cradle a collision is over long before a pendulum has moved, so no travelling breather can be
-seen. Sections 3.5 and 3.6 of James, Kevrekidis and Cuevas (Physica D 251, 2013) propose stiff
+seen (`sec35_scales`). Section 3.6 of James, Kevrekidis and Cuevas (Physica D 251, 2013) proposes stiff
 cantilevers with beads instead, one of them with larger beads:
 
        V      n = 1   2   3          99   100  101
@@ -12,7 +12,7 @@ cantilevers with beads instead, one of them with larger beads:
 
 ![Contact forces after an impact, with larger beads at n = 100.](fig:24)
 
-We derive every constant in SI units, strike the array and send the packet to the defect. */
+We strike the array and send the packet to the defect. */
 
 #include <algorithm>
 #include <array>
@@ -28,23 +28,19 @@ We derive every constant in SI units, strike the array and send the packet to th
 #include "lattice/numerics/parallel.hpp"
 #include "report/program.hpp"
 #include "report/sweep.hpp"
-#include "sec36/array_impact.hpp"
-#include "sec36/scales.hpp"
+#include "sec3/array_impact.hpp"
 #include "sec36/scattering.hpp"
 #include "sec36/trapped_mode.hpp"
 
 using namespace lattice;
 
 /**
-Claims: two colliding beads and the cradle (`scale.contact_time`, `scale.max_compression`, `scale.cradle`); a clamped
-beam (`beam.stiffness`, `beam.frequency`, `beam.mass`); the times of the array (`cantilever.tau_h`,
-`cantilever.tau_c`, `cantilever.lambda`); the packet at $n = 80$ (`cantilever.speed`, `cantilever.bead_velocity`,
-`cantilever.deflection`, `cantilever.force`, `cantilever.duration`, `cantilever.period`, and `cantilever.frequency`
-in units of the linear one), which the DpS equation describes (`cantilever.dps_valid`), and the wave train behind it
-(`cantilever.wavetrain`); a defect with large beads reflects the packet, with slightly larger ones in part, and keeps a
-little energy (`cantilever.reflect16`, `cantilever.total_reflection`, `cantilever.partial11`, and `cantilever.trapped`
-in sec36/trapped_mode.hpp); in 10 ms it travels far enough to be seen (`outlook.travel_10ms`, `outlook.periods_10ms`),
-at sizes and periods that an experiment can have (`outlook.ranges`, `outlook.small_period`). */
+## Plan
+
+The array is struck at its first cantilever. We watch the packet pass the eightieth, in metres, newtons and milliseconds,
+and compare it with what the DpS equation predicts. Then it meets the hundredth, whose beads are larger: how much of its
+energy comes back, how much passes, and how much stays, for beads of any size? Some of what stays is caught in a
+vibration of the defect (sec36/trapped_mode.hpp). The last sections ask what an experiment would see. */
 constexpr std::size_t watched_site = 80;
 
 /**
@@ -67,68 +63,6 @@ which is $\lambda^{5/2}$ in these units, Eq. (29). All radii but that at $n = 10
 The constants are derived in cantilever.hpp. Hertz's coefficient needs the Young modulus of the
 beads, $\gamma = \mathcal E\sqrt{2R}/(3(1-\nu^2))$; the article prints the symbol of the beam's. */
 constexpr double shown_until = 75;  // ms
-
-/**
-## Two beads
-
-All scales rest on the collision of two beads, so we begin with one (collision.hpp); its units are
-$\tau_h$ and $\delta = (mV^2/\gamma)^{2/5}$. The integrated contact time and compression agree with the
-conservation of energy, which gives the largest compression $(5/8)^{2/5}\,\delta$. The printed 0.76 is
-not this value but $2^{-2/5}$. There is more than one way to it: $\frac12 mV^2 = \gamma\,x^{5/2}$ forgets
-both the reduced mass and the factor 2/5 of Hertz's energy, and $\frac14 mV^2 = \frac12\gamma\,x^{5/2}$
-keeps the mass but takes the factor of a linear spring. What decides is the other printed number: at given
-$V$ the contact time is proportional to the compression, $t = 2.943\,x/V$, and a compression of 0.76 would
-last for [2.23689](num:sec36_cantilever_defect.contact_time_of_printed_compression) $\tau_h$ and not for 2.43.
-
-The fifth power of the contact time enters the cradle's $\lambda^{5/2}$, and rounding matters. With the
-rounded contact time 2.43 and $g = 10$ m/s² we obtain the printed value; with $g = 9.81$ m/s² and all
-digits it is [1.86945e19](num:sec36_cantilever_defect.cradle_converged). Either way a cradle is
-extremely far from small $\lambda$, where breathers travel. */
-void report_collision(Report& report) {
-  const Collision coarse = collide(0.1), fine = collide(0.05), known = collision_by_energy();
-  const Estimate time = compare(coarse.contact_time, fine.contact_time);
-  const Estimate compression = compare(coarse.compression, fine.compression);
-  if (std::abs(time.value - known.contact_time) > 1e-7 ||
-      std::abs(compression.value - known.compression) > 1e-7)
-    throw Failure("the integrated collision disagrees with the conservation of energy");
-  report.results.add("scale.contact_time", time);
-  report.results.add("scale.max_compression", compression);
-  report.results.add("scale.cradle", exact(cradle(10, 2.43)));
-  report.facts.add("contact_time_by_gamma", exact(known.contact_time), "tau_h");
-  report.facts.add("compression_by_energy", exact(known.compression), "delta");
-  report.facts.add("compression_printed", exact(std::pow(0.5, 0.4)), "delta");
-  report.facts.add("contact_time_of_printed_compression",
-                   exact(0.76 * known.contact_time / known.compression), "tau_h");
-  const double ratio = cradle(9.81, time.value);
-  report.facts.add("cradle_converged", {ratio, 5 * ratio * time.error / time.value});
-  report.facts.add("cradle_printed_rounding", exact(cradle(9.81, 2.43)));
-}
-
-/**
-## The beam and the scales
-
-Stiffness and frequency of the beam are printed with two or three digits, so we compute them. We
-integrate $u'''' = x^4u$, with $x$ the wavenumber times the length, along half of the beam
-(cantilever.hpp). For the stiffness, $x = 0$, the solution is a cubic, which the Runge–Kutta method
-reproduces exactly, so that only rounding is left; for the frequency an independent route is
-$\cos x\cosh x = 1$. Two beads at the middle change the shape of the vibration, and replacing beam
-and beads by a point mass is then an approximation: the frequency of the model is
-[0.998945](num:sec36_cantilever_defect.point_mass_frequency_ratio) times that of the decorated beam. */
-void report_beam(Report& report, const CantileverArray& array) {
-  const auto both = [](auto of) { return compare(of(200), of(400)); };
-  const double x = clamped_root(), by_shooting = ClampedBeam{}.wavenumber();
-  const auto mass = [](double root) { return 192 / (root * root * root * root); };
-  const double load = 2 * array.bead_mass() / array.beam_mass();
-  const double model = std::sqrt(192 * array.beam_mass() / array.mass());
-  report.results.add("beam.stiffness",
-                     both([](std::size_t n) { return ClampedBeam{n}.stiffness(0); }));
-  report.results.add("beam.frequency", compare(by_shooting * by_shooting, x * x));
-  report.results.add("beam.mass", compare(mass(by_shooting), mass(x)));
-  report.facts.add("point_mass_frequency_ratio", both([&](std::size_t n) {
-                     const double exact_root = ClampedBeam{n, load}.wavenumber();
-                     return model / (exact_root * exact_root);
-                   }));
-}
 
 /**
 ## The packet at $n = 80$
@@ -505,9 +439,8 @@ void report_check(Report& report, const StruckArray& blow) {
 ## One defect with your own radius
 
 `sec36_cantilever_defect run --ratio 1.6` measures one defect in the same way. It fails if the
-transmitted packet reaches the far end in 75 ms; `--sites` then makes the array longer. `scales` prints all
-constants for an impact velocity of your choice, and `map --part 2/8` one part of the map of figure
-x09, whose rows it leaves in `--folder` for the full run. */
+transmitted packet reaches the far end in 75 ms; `--sites` then makes the array longer. `map --part 2/8` computes one part
+of the map of figure x09, whose rows it leaves in `--folder` for the full run. */
 struct OneDefect {
   static constexpr Title title{"run", "one defect: reflected, remaining, transmitted energy"};
   double ratio = 1.6, velocity = 1;
@@ -570,9 +503,6 @@ A full run follows the chapter, with the maps at the end; `--quick` takes coarse
 radii. */
 void reproduce(Report& report) {
   const StruckArray blow;
-  report_collision(report);
-  report_beam(report, blow.array);
-  report_scales(report, blow);
   const WatchedRuns runs = pass_twice(blow);
   report_packet(report, blow, runs);
   report_dps(report, blow, runs);
@@ -607,8 +537,8 @@ watch only 0.925 and 0.8 keep the energy around them during these 25 ms, and the
   with $\lambda$ should matter.
 - Compute the Floquet multipliers of the trapped mode: is its swing from side to side one of them? */
 int main(int argc, char** argv) {
-  return run({"sec36_cantilever_defect", "3.5, 3.6",
-              "Decorated cantilevers and a defect that reflects (sections 3.5 and 3.6)", reproduce,
-              commands<OneDefect, AllScales, DefectMap>()},
+  return run({"sec36_cantilever_defect", "3.6",
+              "Decorated cantilevers and a defect that reflects (section 3.6)", reproduce,
+              commands<OneDefect, DefectMap>()},
              argc, argv);
 }

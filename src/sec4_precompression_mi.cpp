@@ -36,146 +36,56 @@ using namespace lattice;
 using std::numbers::pi;
 
 /**
-What is claimed, with identifiers:
-
-- the contact has the expansion coefficients `pre.v1`, `pre.v2` and `pre.v3`, and the envelope of
-  a phonon obeys an NLS equation with the coefficient $\beta$ (`pre.beta`);
-- the NLS equation describes waves of size $\epsilon$ up to an error $O(\epsilon^{3/2})$ on times of length
-  $O(\epsilon^{-2})$ (`pre.nls_order`);
-- phonons are unstable where $\Phi > 0$: conditions at the edges of the band (`pre.edges`), a change
-  of sign at an inflection (`pre.inflection`), bands for three wells (`pre.phi`);
-- a slightly modulated phonon becomes a travelling breather (`pre.mi_run`), in the end its pulse splits
-  (`pre.splitting`), and the same happens in the other wells, more slowly and less localized for $s = 0$
-  (`pre.same_s1_s0`);
-- an impact makes a travelling breather that does not turn round if $s = 1$ (`pre.impact_s1`,
-  `pre.tail_both_sides`), and only a dispersive wave train if $s = 0$ or $s = -1/6$
-  (`pre.impact_other`). */
-constexpr double compression = 0.5;
-
-/**
-## Model
+## The chain, its phonons, and the equation of their envelope
 
 The chain is that of Eq. (6) with the wells of Eq. (10) and the compressed contact of Eq. (33),
 $$\ddot y_n + y_n + s\,y_n^3 = V'(y_{n+1}-y_n) - V'(y_n-y_{n-1}), \qquad
-  V'(r) = d^{3/2} - (d-r)_+^{3/2}.$$
-All is dimensionless as in section 3. A contact opens at $r = d$; for smaller $r$ the force is
-smooth, and its linear part gives phonons the frequency $\omega(q)$, Eq. (34).
+  V'(r) = d^{3/2} - (d-r)_+^{3/2} = v_1r + v_2r^2 + v_3r^3 + \dots$$
+All is dimensionless as in section 3, and $d = \frac12$ throughout. A contact opens at $r = d$; for smaller $r$ the force
+is smooth. Its linear part makes the chain one of beads and springs. Waves $e^{i(qn-\omega t)}$ of small amplitude, the
+phonons, have the frequency of Eq. (34),
+$$\omega^2(q) = 1 + 2v_1(1-\cos q),\qquad v_1 = \tfrac32d^{1/2}.$$ */
+constexpr double compression = 0.5;
 
-| article | program | meaning |
-|---|---|---|
-| $d$ | `d` | compression of every contact at rest, 1/2 throughout |
-| $s$ | `s` | anharmonicity of the well |
-| $q$, $\omega$, $c$ | `q`, `omega`, `group_velocity` | wavenumber, frequency, group velocity |
-| $\beta = \omega h$, $\omega_2$, $\Phi$ | `beta`, `omega_2`, `phi` | NLS coefficients, Eqs. (36) and (37) |
-| $a$, $b$, $N$ | `a`, `b`, `sites` | amplitude, modulation and ring of Eq. (39) |
+/**
+A packet of them travels with the group velocity $c = \omega'(q)$, and it spreads as fast as $\omega''(q)$ differs from
+zero: phonons disperse. The nonlinear terms shift the frequency of a wave of amplitude $|A|$ by $h|A|^2$. Together these
+two effects make the envelope of $y_n = \epsilon A(\tau,\xi)\,e^{i(qn-\omega t)} + c.c.$, with $\tau = \epsilon^2t$ and
+$\xi = \epsilon(n-ct)$, obey the nonlinear Schrödinger (NLS) equation, Eq. (36),
+$$i\,\partial_\tau A = -\tfrac12\omega''\,\partial_\xi^2A + h\,|A|^2A,\qquad h = \beta/\omega .$$
+Where the wave is higher its phase runs faster or slower by $h|A|^2$; this bends the phase, and the bend drives energy
+along, by $\omega''$. If both have opposite signs it flows to where there already is more: a uniform wave is unstable
+to slow modulations, and a localized envelope, a sech, can travel without spreading. The article writes this condition as
+$\Phi = -\beta\,\omega_2 > 0$, Eq. (37), with the scaled dispersion $\omega_2 = \omega\,\omega''/v_1$. So the whole
+question is one of two signs,
 
-The library derives the band in `sec4/dispersion.hpp`, $\beta$ in `sec4/nls.hpp`, growth in
-`sec4/instability.hpp`, the soliton in `sec4/soliton.hpp`, the ring in `sec4/modulation.hpp`, the impact in
-`sec4/compressed_impact.hpp`. */
+              q:  0 ........ q_c ........ pi        q_c: inflection of omega(q), where phonons are fastest
+       omega'':     +  +  +   0   -  -  -
+       s <= 0:      h < 0 everywhere: unstable for q < q_c
+       s = 1:       h > 0 up to some q beyond q_c: unstable between the two
+
+Formulas are derived in sec4/dispersion.hpp (band) and sec4/nls.hpp ($\beta$); sec4/soliton.hpp has the sech. */
 constexpr std::array<double, 3> wells = {-1.0 / 6, 0, 1};
 const std::array<std::string, 3> well_names = {"_s_minus_1_6", "_s_0", "_s_1"};
+
+/**
+## What happens in the chain
+
+Three runs show what the signs mean (figures 26 to 28). A phonon of $s = -1/6$ and $q = \pi/4$, slightly
+modulated on a ring of beads, gathers its energy in one place and becomes a travelling breather, whose pulse splits
+in the end; it does so in the other wells too, more slowly and less localized for $s = 0$
+(sec4/modulated_rings.hpp has the figures and numbers). An impact on the compressed chain with $s = 1$ forms a travelling
+breather that does not turn round, but radiates a tail on both sides, and with $s = 0$ or $s = -1/6$ a train of dispersing
+waves and nothing else (sec4/struck_compressed.hpp). The rest of this chapter asks how far the NLS equation can be
+trusted: its coefficients, its verdict at the edges of the band, its growth rates, and the error of its ansatz. */
 constexpr char speed_unit[] = "site per unit of time";
 
 /**
-## The band and its inflection
-
-The first numbers are values of formulas. A formula has no step to halve, but it has rounding errors:
+Many numbers of this chapter are values of formulas. A formula has no step to halve, but it has rounding errors:
 we evaluate it in `double` and in `long double`, and take the difference as its error. */
 template <class Formula>
 Estimate in_two_precisions(Formula formula) {
   return compare(double(formula(double(0))), double(formula(static_cast<long double>(0))));
-}
-
-/**
-The edges of the instability come in pairs, `unstable_from` and `unstable_to`, and those of a second interval
-with its number. Where every phonon is stable there are none. */
-void add_edges_of_instability(Answers& q, double d, double s) {
-  const auto narrow = unstable_wavenumbers(d, s);
-  const auto wide = unstable_wavenumbers<long double>(d, s);
-  if (narrow.size() != wide.size())
-    throw Failure("the unstable wavenumbers are too close to one another to be told apart");
-  const Estimate none{std::nan(""), std::nan("")};
-  if (narrow.empty())
-    for (const char* name : {"unstable_from", "unstable_to"})
-      q.add(name, none, "1/site", "edge of the unstable wavenumbers; there are none",
-            "all phonons are stable: Phi is positive nowhere");
-  for (std::size_t i = 0; i < narrow.size(); ++i) {
-    const std::string number = i == 0 ? "" : "_" + std::to_string(i + 1);
-    q.add_small("unstable_from" + number, compare(narrow[i].from, double(wide[i].from)), "1/site",
-                "least wavenumber of an interval in which phonons are modulationally unstable");
-    q.add("unstable_to" + number, compare(narrow[i].to, double(wide[i].to)), "1/site",
-          "largest wavenumber of this interval, which begins at unstable_from" + number);
-  }
-}
-
-Table band_quantities(double d, double s) {
-  const auto v1 = [d](auto zero) { return contact_series(zero + d).v1; };
-  const auto fastest = [v1](auto zero) {
-    return phonon(inflection(v1(zero)), v1(zero)).group_velocity;
-  };
-  const auto last = [](auto zero) { return zero + std::numbers::pi_v<decltype(zero)>; };
-
-  // The band, its inflection, and where modulations grow
-  Answers q;
-  q.add("lower_edge", in_two_precisions([](auto zero) { return 1 + zero; }), "",
-        "frequency of the phonons of q = 0, that of a bead in its well");
-  q.add("upper_edge", in_two_precisions([=](auto zero) { return upper_edge(v1(zero)); }), "",
-        "frequency of the phonons of q = pi, the highest of the band");
-  q.add("inflection", in_two_precisions([=](auto zero) { return inflection(v1(zero)); }), "1/site",
-        "wavenumber q_c at which phonons are fastest: the inflection of omega(q)");
-  q.add("largest_group_velocity", in_two_precisions(fastest), speed_unit,
-        "group velocity of the phonons of q_c");
-  const auto phi = [=](auto at) {
-    return in_two_precisions(
-        [=](auto zero) { return coefficients(at(zero), zero + d, zero + s).phi; });
-  };
-  q.add_small("phi_at_0", phi([](auto zero) { return zero; }), "",
-              "Phi = -beta omega_2 of Eq. (37) at q = 0; modulations grow where it is positive");
-  q.add_small("phi_at_pi", phi(last), "",
-              "Phi of Eq. (37) at q = pi; modulations grow where it is positive");
-  add_edges_of_instability(q, d, s);
-  return q.table;
-}
-
-/**
-At one wavenumber all coefficients come from one evaluation, so here we evaluate once in each
-precision and compare the coefficients one by one. */
-Table coefficient_quantities(double at, double d, double s) {
-  const auto narrow = coefficients(at, d, s);
-  const auto wide = coefficients<long double>(at, d, s);
-  const auto both = [&](auto of) { return compare(double(of(narrow)), double(of(wide))); };
-  Answers q;
-  q.add("omega", both([](const auto& c) { return c.omega; }), "",
-        "frequency of the phonon of wavenumber q");
-  q.add_small("group_velocity", both([](const auto& c) { return c.group_velocity; }), speed_unit,
-              "group velocity of this phonon, d omega / d q");
-  q.add_small("beta", both([](const auto& c) { return c.beta; }), "",
-              "coefficient of the cubic term of the NLS equation, after Eq. (36)");
-  q.add_small("omega_2", both([](const auto& c) { return c.omega_2; }), "",
-              "reduced curvature of the band, omega omega''/v_1");
-  q.add_small(
-      "phi", both([](const auto& c) { return c.phi; }), "",
-      "-beta omega_2 of Eq. (37); the phonon is modulationally unstable where it is positive");
-  return q.table;
-}
-
-/**
-The expansion coefficients of the contact answer claims. The edges of the band and its inflection are
-recorded as facts; $\Phi$ at the edges has a section of its own. */
-void report_band(Report& report) {
-  const auto v = [](auto of) {
-    return in_two_precisions([&](auto zero) { return of(contact_series(zero + compression)); });
-  };
-  report.results.add("pre.v1", v([](const auto& c) { return c.v1; }));
-  report.results.add("pre.v2", v([](const auto& c) { return c.v2; }));
-  report.results.add("pre.v3", v([](const auto& c) { return c.v3; }));
-  const Table band = band_quantities(compression, 0);
-  for (const auto& row : band.rows)
-    if (const auto& name = std::get<std::string>(row[0]);
-        name.rfind("phi", 0) != 0 && name.rfind("unstable", 0) != 0)
-      report.facts.add(std::get<std::string>(row[0]),
-                       {std::get<double>(row[1]), std::get<double>(row[2])},
-                       std::get<std::string>(row[3]));
 }
 
 /**
@@ -198,7 +108,7 @@ Table instability_table() {
       table.add({{"q", "wavenumber", q, "1/site"},
                  {"s", "anharmonicity of the well", s},
                  {"beta", "NLS coefficient", c.beta},
-                 {"omega_2", "reduced curvature", c.omega_2},
+                 {"omega_2", "scaled dispersion omega omega''/v_1", c.omega_2},
                  {"phi", "modulation coefficient, unstable where positive", c.phi}});
     }
   return table;
@@ -514,6 +424,100 @@ void report_order(Report& report) {
     }
   }
   report.output.add("order", std::move(table));
+}
+
+/**
+## The band in numbers
+
+The edges of the instability come in pairs, `unstable_from` and `unstable_to`, and those of a second interval
+with its number. Where every phonon is stable there are none. */
+void add_edges_of_instability(Answers& q, double d, double s) {
+  const auto narrow = unstable_wavenumbers(d, s);
+  const auto wide = unstable_wavenumbers<long double>(d, s);
+  if (narrow.size() != wide.size())
+    throw Failure("the unstable wavenumbers are too close to one another to be told apart");
+  const Estimate none{std::nan(""), std::nan("")};
+  if (narrow.empty())
+    for (const char* name : {"unstable_from", "unstable_to"})
+      q.add(name, none, "1/site", "edge of the unstable wavenumbers; there are none",
+            "all phonons are stable: Phi is positive nowhere");
+  for (std::size_t i = 0; i < narrow.size(); ++i) {
+    const std::string number = i == 0 ? "" : "_" + std::to_string(i + 1);
+    q.add_small("unstable_from" + number, compare(narrow[i].from, double(wide[i].from)), "1/site",
+                "least wavenumber of an interval in which phonons are modulationally unstable");
+    q.add("unstable_to" + number, compare(narrow[i].to, double(wide[i].to)), "1/site",
+          "largest wavenumber of this interval, which begins at unstable_from" + number);
+  }
+}
+
+Table band_quantities(double d, double s) {
+  const auto v1 = [d](auto zero) { return contact_series(zero + d).v1; };
+  const auto fastest = [v1](auto zero) {
+    return phonon(inflection(v1(zero)), v1(zero)).group_velocity;
+  };
+  const auto last = [](auto zero) { return zero + std::numbers::pi_v<decltype(zero)>; };
+
+  // The band, its inflection, and where modulations grow
+  Answers q;
+  q.add("lower_edge", in_two_precisions([](auto zero) { return 1 + zero; }), "",
+        "frequency of the phonons of q = 0, that of a bead in its well");
+  q.add("upper_edge", in_two_precisions([=](auto zero) { return upper_edge(v1(zero)); }), "",
+        "frequency of the phonons of q = pi, the highest of the band");
+  q.add("inflection", in_two_precisions([=](auto zero) { return inflection(v1(zero)); }), "1/site",
+        "wavenumber q_c at which phonons are fastest: the inflection of omega(q)");
+  q.add("largest_group_velocity", in_two_precisions(fastest), speed_unit,
+        "group velocity of the phonons of q_c");
+  const auto phi = [=](auto at) {
+    return in_two_precisions(
+        [=](auto zero) { return coefficients(at(zero), zero + d, zero + s).phi; });
+  };
+  q.add_small("phi_at_0", phi([](auto zero) { return zero; }), "",
+              "Phi = -beta omega_2 of Eq. (37) at q = 0; modulations grow where it is positive");
+  q.add_small("phi_at_pi", phi(last), "",
+              "Phi of Eq. (37) at q = pi; modulations grow where it is positive");
+  add_edges_of_instability(q, d, s);
+  return q.table;
+}
+
+/**
+At one wavenumber all coefficients come from one evaluation, so here we evaluate once in each
+precision and compare the coefficients one by one. */
+Table coefficient_quantities(double at, double d, double s) {
+  const auto narrow = coefficients(at, d, s);
+  const auto wide = coefficients<long double>(at, d, s);
+  const auto both = [&](auto of) { return compare(double(of(narrow)), double(of(wide))); };
+  Answers q;
+  q.add("omega", both([](const auto& c) { return c.omega; }), "",
+        "frequency of the phonon of wavenumber q");
+  q.add_small("group_velocity", both([](const auto& c) { return c.group_velocity; }), speed_unit,
+              "group velocity of this phonon, d omega / d q");
+  q.add_small("beta", both([](const auto& c) { return c.beta; }), "",
+              "coefficient of the cubic term of the NLS equation, after Eq. (36)");
+  q.add_small("omega_2", both([](const auto& c) { return c.omega_2; }), "",
+              "scaled dispersion omega omega''/v_1, negative beyond the inflection");
+  q.add_small(
+      "phi", both([](const auto& c) { return c.phi; }), "",
+      "-beta omega_2 of Eq. (37); the phonon is modulationally unstable where it is positive");
+  return q.table;
+}
+
+/**
+The expansion coefficients of the contact answer claims. The edges of the band and its inflection are
+recorded as facts; $\Phi$ at the edges has a section of its own. */
+void report_band(Report& report) {
+  const auto v = [](auto of) {
+    return in_two_precisions([&](auto zero) { return of(contact_series(zero + compression)); });
+  };
+  report.results.add("pre.v1", v([](const auto& c) { return c.v1; }));
+  report.results.add("pre.v2", v([](const auto& c) { return c.v2; }));
+  report.results.add("pre.v3", v([](const auto& c) { return c.v3; }));
+  const Table band = band_quantities(compression, 0);
+  for (const auto& row : band.rows)
+    if (const auto& name = std::get<std::string>(row[0]);
+        name.rfind("phi", 0) != 0 && name.rfind("unstable", 0) != 0)
+      report.facts.add(std::get<std::string>(row[0]),
+                       {std::get<double>(row[1]), std::get<double>(row[2])},
+                       std::get<std::string>(row[3]));
 }
 
 /**

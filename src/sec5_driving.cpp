@@ -378,7 +378,7 @@ Sweep chart_sweep(const std::filesystem::path& folder, bool quick) {
       number("amplitude", "of the piston", "um"),
       count("kind", "0 quiet, 1 train, 2 irregular or fewer than four packets"),
       count("kind_rough", "the same for half the time and steps twice as long"),
-      number("rate", "packets that pass the gate", "1/s"),
+      number("rate", "packets that pass the detector site", "1/s"),
       number("rate_rough", "the same for half the time and steps twice as long", "1/s"),
       number("spread", "relative standard deviation of their intervals; -1: too few"),
       number("power", "mean power of the drive", "W"),

@@ -39,9 +39,10 @@ $$\ddot q + q = f(t+T) - f(t).$$
 For $T = 2\pi k$ the function
 $$q(t) = \int_t^{t+T}\sin(t-s)\,f(s)\,ds = -\int_0^T\sin\sigma\,f(t+\sigma)\,d\sigma$$
 solves it: by differentiating, $\dot q = \int_t^{t+T}\cos(t-s)f(s)\,ds$, because $\sin 0 = \sin T = 0$, and $\ddot q
-= -q + f(t+T) - f(t)$, because $\cos T = 1$. Hence $d = q(t) - q(t-T) = K*f$ with the kernel of the title. Any other
-solution differs from $q$ by $a\cos(t+\varphi)$, which has the period $T$ and cancels in $d$. So *for every solution
-$d = K*d_+^\alpha$, and every $d$ that satisfies this equation gives a solution* $q$.
+= -q + f(t+T) - f(t)$, because $\cos T = 1$. As the sine has the period $T$, $q(t-T) = \int_{t-T}^t\sin(t-s)\,f(s)\,ds$: it
+takes the forces before $t$ as $q(t)$ takes those after it. Their difference is $d = q(t) - q(t-T) = K*f$ with the kernel
+of the title. Any other solution differs from $q$ by $a\cos(t+\varphi)$, which has the period $T$ and cancels in $d$. So
+*for every solution $d = K*d_+^\alpha$, and every $d$ that satisfies this equation gives a solution* $q$.
 
 The kernel is compactly supported, as that of solitary waves without wells, which is a tent; but it changes its sign.
 Its transform is $2(1-\cos\omega T)/(\omega^2-1)$. The zero of the numerator at $\omega = 1$, which $T = 2\pi k$
@@ -58,8 +59,8 @@ wells, $V = \int f\cos t\,dt = 0$ for even $d$. That is type II.
 
 We call a wave *localized* if $d$ is not zero and tends to zero in both directions, and take the $q$ above for it,
 without $a\cos(t+\varphi)$. Multiplying Newton's law by $q$ and integrating gives $\int(\dot q^2 - q^2)\,dt = \int f
-d\,dt = A$, the *action* $\int d_+^{\alpha+1}dt$; so Hamilton's action of one site over all times is $\frac A2 -
-\frac{A}{\alpha+1} = \frac{\alpha-1}{2(\alpha+1)}A$. The energy follows from $q$ and $\dot q$ at one instant, or as
+d\,dt = A$ with $A = \int d_+^{\alpha+1}dt$. Hamilton's action of one site over all times is a multiple of it, $\frac A2 -
+\frac{A}{\alpha+1} = \frac{\alpha-1}{2(\alpha+1)}A$, so we call $A$ itself the *action* of a wave. The energy follows from $q$ and $\dot q$ at one instant, or as
 a mean over a shift,
 $$TE = \tfrac12\int(q^2+\dot q^2)\,dt + \frac{A}{\alpha+1}.$$
 
@@ -68,23 +69,24 @@ $$TE = \tfrac12\int(q^2+\dot q^2)\,dt + \frac{A}{\alpha+1}.$$
 **Theorem.** *For every integer $k \ge 1$ and every $\alpha > 1$ there is a function $q \ne 0$, three
 times continuously differentiable, such that $y_n(t) = q(t-2\pi kn)$ solves $\ddot y_n + y_n = (y_{n-1}-y_n)_+^\alpha
 - (y_n-y_{n+1})_+^\alpha$ on the infinite chain. $|q|$ falls double-exponentially in both directions, and the energy
-is finite.*
-
-We look for the maximum $S$ of $Q(f) = \int f\,(K*f)\,dt$ among all $f \ge 0$ with $\int f^p dt = 1$, $p = 1 +
-1/\alpha$. The dual exponent is $p' = \alpha + 1$. */
+is finite.* */
 const PowerContact hertz{1.5, 0};
 
-/// The bound of the next block: the norm of the positive part of K in L^((alpha+1)/2), by the trapezoidal sum.
-double young_bound(std::size_t k, double alpha) {
-  constexpr int points = 4096;
-  const double r = (alpha + 1) / 2;
-  double sum = 0;
-  for (int i = 0; i < points; ++i)
-    sum += std::pow(std::sin(std::numbers::pi * i / points), r) * std::numbers::pi / points;
-  return std::pow(2 * double(k) * sum, 1 / r);
-}
-
 /**
+## The proof
+
+We look for the maximum $S$ of $Q(f) = \int f\,(K*f)\,dt$ among all $f \ge 0$ with $\int f^p dt = 1$, $p = 1 +
+1/\alpha$. The dual exponent is $p' = \alpha + 1$. A maximum on the whole line may be missed in two ways, which Lions's
+*concentration-compactness* keeps apart: a maximizing sequence may become ever thinner, or fall into pieces that move away
+from each other. The plan:
+
+1. *Bounds*: $S$ is finite and positive.
+2. *No vanishing*: $K$ is bounded and of bounded support, so a thin $f$ has a small $Q$.
+3. *No splitting*: pieces far apart do not interact, and one piece with all of the mass has more than several.
+4. *A maximum*: what is left converges, and the limit has $Q = S$.
+5. *Its equation*: because $f \ge 0$ was asked for, the positive part appears by itself.
+6. *Smoothness and decay* follow from the equation.
+
 *Bounds.* Young's inequality gives $Q(f) \le \|K_+\|_r\|f\|_p^2$ with $2/p + 1/r = 2$, that is $r = (\alpha+1)/2$, so
 $S$ is finite. Two narrow pulses of equal height and width $w$ at the distance $3\pi/2$, at which $K = 1$, while
 $K(0) = 0$, have $Q > 0$ for small $w$, so $S > 0$. By scaling, $Q(f) \le S\|f\|_p^2$.
@@ -101,22 +103,8 @@ and $R + T$ at most $2\delta$. Cut $f_j$ with the indicator functions of the thr
 negative. The inner and the outer one do not interact, because $K$ vanishes beyond $T$, and what contains the middle
 one is at most $C'\delta^{1/p}$. So $S \le S[\lambda^{2/p} + (1-\lambda)^{2/p}]$ in the limit $\delta \to 0$, and
 since $2/p > 1$ the bracket is less than one unless $\lambda = 1$. The sequence is *tight*: outside a large interval
-there is little, for all $j$. */
-struct Start {
-  std::size_t per_shift;
-  unsigned long seed;
-};
-constexpr std::size_t most_tries = 60000, few = 25;
+there is little, for all $j$.
 
-/// The ascent of the quotient at k = 1 from a positive random start on twelve shift times.
-Ascent from_random(const Start& start, double gain) {
-  const PlainLine line(two_pi, 12, start.per_shift);
-  const auto convolve = [&](const Vector<double>& f) { return line.convolve(f); };
-  return ascend(convolve, line.weight(), hertz, random_start(line, 96, start.seed), gain,
-                most_tries, few);
-}
-
-/**
 *A maximum.* A subsequence converges weakly in $L^p$ to some $f \ge 0$ with $\|f\|_p \le 1$. $K$ is Lipschitz
 continuous, so on a bounded interval $f \to K*f$ maps bounded sets of $L^p$ into equicontinuous sets and is compact
 from $L^p$ to $L^{p'}$. There $Q(f_j) \to Q(f)$, and by tightness what is outside changes nothing: $Q(f) = S$. As
@@ -135,8 +123,34 @@ $$M(t+T) \le 4k\,M(t)^\alpha,$$
 that is $m(t+T) \le m(t)^\alpha$ for $m = (4k)^{1/(\alpha-1)}M$, and once $m < 1$, $-\log m$ grows at least by the
 factor $\alpha$ with every shift; the same holds for $t \to -\infty$. And $|q(t)|$ and $|\dot q(t)|$ are at most $4k
 \max f$ over $[t, t+T]$, so that they fall alike and the sums over the sites converge. $\square$ */
+/// The bound of the first step: the norm of the positive part of K in L^((alpha+1)/2), by the trapezoidal sum.
+double young_bound(std::size_t k, double alpha) {
+  constexpr int points = 4096;
+  const double r = (alpha + 1) / 2;
+  double sum = 0;
+  for (int i = 0; i < points; ++i)
+    sum += std::pow(std::sin(std::numbers::pi * i / points), r) * std::numbers::pi / points;
+  return std::pow(2 * double(k) * sum, 1 / r);
+}
+
+// The bound of the last step: no wave is lower, as the next section says
 double least_peak(std::size_t k, double alpha) {
   return std::pow(4 * double(k), -1 / (alpha - 1));
+}
+
+// How a maximizing sequence is found in practice: the ascent of the quotient
+struct Start {
+  std::size_t per_shift;
+  unsigned long seed;
+};
+constexpr std::size_t most_tries = 60000, few = 25;
+
+/// The ascent of the quotient at k = 1 from a positive random start on twelve shift times.
+Ascent from_random(const Start& start, double gain) {
+  const PlainLine line(two_pi, 12, start.per_shift);
+  const auto convolve = [&](const Vector<double>& f) { return line.convolve(f); };
+  return ascend(convolve, line.weight(), hertz, random_start(line, 96, start.seed), gain,
+                most_tries, few);
 }
 
 /**
@@ -179,7 +193,7 @@ it has, nor whether it is stable; nothing about other speeds, and nothing about 
 repeat themselves only after $m$ sites, or for masses of period $m$ in wells of one frequency, the resonance leaves
 $m-1$ complex conditions. All this has to be computed, or is open.
 
-## Nearly free
+## Generalizations
 
 Only some properties of $K$ have been used: it is even, Lipschitz continuous, of compact support, not negative at
 zero and positive somewhere. So the proof holds with no other change for

@@ -64,7 +64,7 @@ changed the sum over the beads beyond it, and so $|g(1)| = |Z|$. Pulses of a pac
 nearly, so that for it this is an order of magnitude (chapter on families).
 
 This chapter finds orbits of type I, starting from a packet cut out of an impact (travelling.hpp).
-Each is computed in double precision and again in a wider type, which gives its errors. */
+Each is computed in double precision and again in extended precision, which gives its errors. */
 constexpr std::array signs{1, -1};
 
 struct Exact {
@@ -78,7 +78,7 @@ struct Exact {
 };
 
 /**
-In the wider type the shift time must be $2\pi k$ with all its digits. The derivative for Newton's
+In extended precision the shift time must be $2\pi k$ with all its digits. The derivative for Newton's
 method may come from the orbit in double precision. */
 Exact confirmed(std::size_t k, int sign, const Orbit<double>& orbit) {
   NewtonRule<long double> rule;
@@ -112,8 +112,8 @@ std::vector<Exact> type_one_orbits(int sign, const std::vector<std::size_t>& ks)
 
 How well do these orbits satisfy the equations? Newton's method solves all but one of them; that one
 follows from the sum $Z$ and serves as a check. We distinguish three residuals: that of the orbit in
-double precision, that of the wider type's orbit rounded to double, as it can be printed, and that of
-the latter before rounding. The first two are evaluated in the wider type and for all equations. A
+double precision, that of the extended orbit rounded to double, as it can be printed, and that of
+the latter before rounding. The first two are evaluated in extended precision and for all equations. A
 residual is rounding only, so its error is as large as itself. */
 template <class T>
 double residual_in_wide(const Exact& e, const Vector<T>& x_given) {
@@ -138,7 +138,7 @@ void report_exactness(Report& report, const std::vector<Exact>& plus,
     }
   Quantities& facts = report.facts;
   facts.add("residual_double", {narrow, narrow}, "largest of k = 1, 2, 3, relative to amplitude");
-  facts.add("residual_rounded", {rounded, rounded}, "of the wider type's orbit rounded to double");
+  facts.add("residual_rounded", {rounded, rounded}, "of the extended orbit rounded to double");
   facts.add("residual_wide", {wide, wide}, "largest of k = 1, 2, 3, relative to amplitude");
   facts.add("newton_steps_from_cut", exact(double(Staircase(1).orbit().iterations())));
   const Exact &p = plus.front(), &m = minus.front();
@@ -328,7 +328,7 @@ void report_stability(Report& report, const Exact& e) {
 Newton's method finds two exact travelling breathers, one of each sign, for every $k$ from 1 to 5 (and for 6, 8, 10,
 15 and 20 in the next chapters). It finds the first in [6](num:sec5_travelling_breathers.newton_steps_from_cut) steps
 from the cut packet. The residuals are [7e-14](num:sec5_travelling_breathers.residual_double) in double precision,
-[3e-17](num:sec5_travelling_breathers.residual_wide) in the wider type and
+[3e-17](num:sec5_travelling_breathers.residual_wide) in extended precision and
 [8e-17](num:sec5_travelling_breathers.residual_rounded) after rounding. A thousand shifts leave
 [2e-14](num:sec5_travelling_breathers.left_by_thousand_shifts) of the amplitude behind, no more than the error of the
 steps. That of $k = 1$, the fastest of type I, has the speed $1/(2\pi)$ and the energy

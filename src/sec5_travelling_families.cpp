@@ -176,7 +176,7 @@ void report_left(Report& report, const Table& table) {
 
 The chart shows the orbits of type I and those of type II on the families. An orbit found once has no
 error, so each is found twice: those of type I again from a disturbed guess and with a coarser landing,
-those of type II in a wider type. */
+those of type II in extended precision. */
 struct Twice {
   int type;
   std::size_t k;

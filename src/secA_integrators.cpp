@@ -199,14 +199,14 @@ void compare_tangents(Report& report) {
   // Landing on switchings, with a tenth of the tolerance each time
   for (double tolerance = 1e-3; tolerance > 5e-15; tolerance /= report.quick ? 1e4 : 10) {
     const double error = largest_difference(landed_column(tolerance, evaluations), exact);
-    table.add({"switch-landing", evaluations, error});
+    table.add({"event location", evaluations, error});
   }
 }
 
 /**
 Figure x05 shows both tables. */
 void reproduce(Report& report) {
-  report.output.note("tolerance", "references at step 1/1024 and in the wider type");
+  report.output.note("tolerance", "references at step 1/1024 and in extended precision");
   compare_orbits(report);
   compare_tangents(report);
 }

@@ -6,7 +6,7 @@
 #include "check.hpp"
 #include "report/sweep.hpp"
 #include "run.hpp"
-#include "sec36/collision.hpp"
+#include "sec35/collision.hpp"
 #include "sec36/defect_mode.hpp"
 
 using namespace lattice;

@@ -18,7 +18,7 @@ double derivative(F f, double x) {
 }
 
 /// Force and stiffness are the derivatives that they claim to be, a bead at rest feels exactly
-/// nothing, and wider types give the same function with more digits.
+/// nothing, and higher precision gives the same function with more digits.
 template <class Potential>
 void check_potential(const Potential& p, const std::vector<double>& at) {
   for (double x : at) {

@@ -1,4 +1,4 @@
-// Splittings, integrators that know the contact, and the switch-landing flow with its tangent map: orders, agreement,
+// Splittings, integrators that know the contact, and the event location flow with its tangent map: orders, agreement,
 // exactness of the window, symmetry, reversal, energy.
 
 #include <random>

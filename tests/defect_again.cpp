@@ -6,8 +6,8 @@
 #include "check.hpp"
 #include "estimates.hpp"
 #include "lattice/orbits/breather_pairs.hpp"
+#include "sec35/all_scales.hpp"
 #include "sec36/defect_mode.hpp"
-#include "sec36/scales.hpp"
 #include "sec36/trapped_mode.hpp"
 
 namespace defect_again {

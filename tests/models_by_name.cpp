@@ -218,7 +218,7 @@ TEST_CASE("small breathers of pendulums are those of the quartic well with s = -
   CHECK(pinning("--well pendulum") > 1.2 * pinning(""));
 }
 
-TEST_CASE("an orbit in a named well is confirmed by wider types", "[cli][model]") {
+TEST_CASE("an orbit in a named well is confirmed in extended precision", "[cli][model]") {
   const Result narrow = call(breather + "--well pendulum"),
                wide = call(breather + "--well pendulum --precision extended");
   REQUIRE(wide.code == 0);

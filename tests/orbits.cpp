@@ -188,7 +188,7 @@ TEST_CASE("damped Newton converges from where the plain one runs away", "[proper
   CHECK(found >= 2);
 }
 
-TEST_CASE("a wider type polishes with the derivative of double precision",
+TEST_CASE("extended precision refines with the derivative of double precision",
           "[convergence][orbits]") {
   for (Centre centre : {Centre::site, Centre::bond}) {
     const Problem problem = breather_problem(centre, 1.1, 0, centre == Centre::site ? 31 : 32);

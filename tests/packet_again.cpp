@@ -532,10 +532,10 @@ struct Seen {
   double gone;
 };
 
-std::vector<Seen> kept(const Bereft& impact, double step, double until, std::size_t sites,
+std::vector<Seen> kept(const WavesRemoved& impact, double step, double until, std::size_t sites,
                        Path* path = nullptr) {
   std::vector<Seen> all;
-  Path way = follow_bereft(impact, step, until, sites, [&](const Sight& s) {
+  Path way = follow_without(impact, step, until, sites, [&](const Sight& s) {
     all.push_back({s.state, s.density, s.peak, s.shift, s.dissipated});
     return true;
   });
@@ -544,7 +544,7 @@ std::vector<Seen> kept(const Bereft& impact, double step, double until, std::siz
 }
 
 /// The same from a loop of one's own: half of the friction before each step and half after it.
-std::vector<Seen> kept_again(const Bereft& b, double step, double until, std::size_t sites) {
+std::vector<Seen> kept_again(const WavesRemoved& b, double step, double until, std::size_t sites) {
   const double look = std::min(0.2, 2 * step);
   const int steps = int(std::ceil(look / step - 1e-9));
   Chain chain{sites, Quartic{b.s}};
@@ -584,11 +584,11 @@ std::vector<Seen> kept_again(const Bereft& b, double step, double until, std::si
 }  // namespace
 
 TEST_CASE("what is taken away from a packet, by a loop of one's own", "[unit][wake]") {
-  const Bereft plain;
+  const WavesRemoved plain;
   CHECK(std::array{plain.s, plain.velocity, plain.cut, double(plain.behind)} ==
         std::array{1.0, 1.9, 0.0, 0.0});
   CHECK_FALSE((plain.first_bead || plain.counted));
-  const std::vector<std::tuple<Bereft, double, double>> runs{
+  const std::vector<std::tuple<WavesRemoved, double, double>> runs{
       {{}, 0.2, 5},
       {{}, 0.15, 4.1},
       {{.s = 0.5, .behind = 1, .counted = true}, 0.05, 12.15},
@@ -618,14 +618,15 @@ TEST_CASE("what is taken away from a packet, by a loop of one's own", "[unit][wa
   }
   // Nobody wants more; and a wave comes to the left end, which counts after a cut only
   int looks = 0;
-  follow_bereft({}, 0.2, 9, 60, [&](const Sight&) { return ++looks < 4; });
+  follow_without({}, 0.2, 9, 60, [&](const Sight&) { return ++looks < 4; });
   CHECK(looks == 4);
   looks = 0;
-  CHECK(follow_bereft({.cut = 1}, 0.2, 9, 60, [&](const Sight&) { return ++looks < 3; }).t.size() ==
-        3);
-  CHECK_NOTHROW(follow_bereft({.cut = 3}, 0.2, 2, 6));
-  CHECK_THROWS_AS(follow_bereft({.s = 0, .cut = 3}, 0.2, 20, 6), std::runtime_error);
-  CHECK_THROWS_AS(follow_bereft({.cut = 0.6}, 0.2, 55, 16),
+  CHECK(follow_without({.cut = 1}, 0.2, 9, 60, [&](const Sight&) {
+          return ++looks < 3;
+        }).t.size() == 3);
+  CHECK_NOTHROW(follow_without({.cut = 3}, 0.2, 2, 6));
+  CHECK_THROWS_AS(follow_without({.s = 0, .cut = 3}, 0.2, 20, 6), std::runtime_error);
+  CHECK_THROWS_AS(follow_without({.cut = 0.6}, 0.2, 55, 16),
                   std::runtime_error);  // the left one only
 }
 
@@ -633,7 +634,7 @@ TEST_CASE("late fates, budgets and gauges are read off what is seen", "[unit][wa
   const LateFate none;
   CHECK((none.late == Late::goes_on && none.furthest == 0 && none.when == 0));
   for (const auto& [impact, step, until, fate] :
-       std::vector<std::tuple<Bereft, double, double, Late>>{
+       std::vector<std::tuple<WavesRemoved, double, double, Late>>{
            {{.s = 1, .velocity = 2.2}, 0.2, 320, Late::returns},
            {{.s = 2, .velocity = 1}, 0.2, 320, Late::caught},
            {{.s = 0, .velocity = 0.1}, 0.2, 320, Late::goes_on},
@@ -671,7 +672,7 @@ TEST_CASE("late fates, budgets and gauges are read off what is seen", "[unit][wa
 
   for (const auto& [s, from, to] :
        std::vector<std::array<double, 3>>{{0.7, 60, 96}, {0.7, 74, 111.2}}) {
-    const Bereft impact{.s = s, .behind = 6, .counted = true};
+    const WavesRemoved impact{.s = s, .behind = 6, .counted = true};
     std::array<double, 4> begin{}, end{}, change{};
     std::array<double, 3> force{};
     double begins = 0, ends = 0, looks = 0;

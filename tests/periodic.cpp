@@ -174,7 +174,7 @@ TEST_CASE("failure comes with its history", "[unit][periodic]") {
   CHECK_THROWS_AS(breather_problem(Centre::bond, 1.1, 0, 31), std::invalid_argument);
 }
 
-TEST_CASE("double and wider types agree", "[convergence][periodic]") {
+TEST_CASE("double and extended precision agree", "[convergence][periodic]") {
   for (Centre centre : {Centre::site, Centre::bond}) {
     const auto p = problem_of(centre, 1.1);
     const Orbit<double> o = find_breather(p);

@@ -23,7 +23,7 @@ TEST_CASE("a cut keeps the packet and nothing else", "[unit][wake]") {
 }
 
 TEST_CASE("with nothing taken away the packet is that of the impact", "[unit][wake]") {
-  const Path path = follow_bereft({}, 0.1, 120, 60),  // with this step both look every 0.2
+  const Path path = follow_without({}, 0.1, 120, 60),  // with this step both look every 0.2
       whole = voyage({0.1}, {1.9, 1, 120, 60}).path;
   REQUIRE(path.t.size() + 1 == whole.t.size());
   for (std::size_t i = 0; i < path.t.size(); i += 50)
@@ -32,20 +32,20 @@ TEST_CASE("with nothing taken away the packet is that of the impact", "[unit][wa
 
 TEST_CASE("what friction takes is missing, and a cut takes nothing of the packet", "[unit][wake]") {
   double last = 0, gone = 0;
-  follow_bereft({.behind = 6, .counted = true}, 0.05, 150, 60, [&](const Sight& now) {
+  follow_without({.behind = 6, .counted = true}, 0.05, 150, 60, [&](const Sight& now) {
     last = energy(now.chain, now.state), gone = now.dissipated;
     return true;
   });
   check_close(last + gone, 1.9 * 1.9 / 2, 1e-6);
   CHECK(gone > 0.1);
-  const Path cut = follow_bereft({.cut = 60}, 0.05, 61, 60),
-             whole = follow_bereft({}, 0.05, 61, 60);
+  const Path cut = follow_without({.cut = 60}, 0.05, 61, 60),
+             whole = follow_without({}, 0.05, 61, 60);
   check_close(cut.centre.back(), whole.centre.back(), 0.05);
   check_close(cut.energy.back(), whole.energy.back(), 0.01);
 }
 
 TEST_CASE("the changes of a budget cancel", "[unit][wake]") {
-  for (const Bereft& impact : {Bereft{}, Bereft{.behind = 6}}) {
+  for (const WavesRemoved& impact : {WavesRemoved{}, WavesRemoved{.behind = 6}}) {
     const Budget b = budget(impact, 0.1, 100, 150);
     CHECK(std::abs(b.packet + b.near + b.far + b.friction) < 1e-3);
     CHECK(b.push_behind > 0);
@@ -64,7 +64,7 @@ TEST_CASE("waves close behind a packet bring it back early", "[property][wake]")
 }
 
 TEST_CASE("a wave that reaches an end is no result", "[unit][wake]") {
-  CHECK_THROWS_AS(follow_bereft({.s = 0}, 0.1, 120, 20), std::runtime_error);
+  CHECK_THROWS_AS(follow_without({.s = 0}, 0.1, 120, 20), std::runtime_error);
 }
 
 TEST_CASE("a cut packet goes on as GSL says", "[unit][wake]") {
@@ -76,7 +76,7 @@ TEST_CASE("a cut packet goes on as GSL says", "[unit][wake]") {
   evolve(ContactAware{0.0125}, chain, end, until - cut, sampling, Unobserved{});
   CHECK(distance_from_reference(chain, start, until - cut, end, 1e-6) < 1e-6);
   const Path path =
-      follow_bereft({.cut = cut}, 0.0125, until + 0.025, 80);  // its last look is at `until`
+      follow_without({.cut = cut}, 0.0125, until + 0.025, 80);  // its last look is at `until`
   Path last;
   last.add(end.t, energy_density(chain, end));
   check_close(path.centre.back() + 80, last.centre.back(), 1e-4);

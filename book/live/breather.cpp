@@ -2,7 +2,7 @@
 # A breather in the browser
 
 Newton's method, the multipliers and a kick, from the library that the programs of sections 3.2
-and 3.3 are compiled from. Where those confirm a breather in a wider type, which a browser does not
+and 3.3 are compiled from. Where those confirm a breather in extended precision, which a browser does not
 have, the page takes a second tolerance, sixteen times as large, for the error. */
 
 #include "lattice/orbits/breather.hpp"

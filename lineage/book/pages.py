@@ -9,6 +9,7 @@ from markupsafe import Markup, escape
 from .. import ecsv
 from ..claims import SAID, VERDICTS
 from ..findings import KINDS, in_plain, margins
+from ..literature import OBTAINED
 from ..refresh import command_of
 from . import code, notebooks, prose, words
 from .bind import PageBinding
@@ -17,12 +18,14 @@ from .source import modules_of
 LISTS = {"published.html": "Published against reproduced", "findings.html": "What we found", "numbers.html": "All other numbers",
          "equations.html": "Equations of the article", "figures.html": "All figures", "tables.html": "All tables and columns",
          "commands.html": "All commands", "packages.html": "Packages used"}
+ENDS = {"answers": "Statements answered here", "literature": "Numbers of other authors"}
 LIVE = [("strike", "Strike the chain"), ("breather", "Find a breather"), ("defect", "Put a defect in the way"),
         ("drive", "Drive the array")]
 
 
 class Book:
-    def __init__(self, record, binder, chapters, modules, inventory):
+    def __init__(self, record, binder, parts, modules, inventory):
+        chapters = [s for _, sources in parts for s in sources]
         self.record, self.inventory, self.binder, self.chapters, self.modules = record, inventory, binder, chapters, modules
         self.order = chapters + [s for module in modules.values() for s in module]
         self.titles = {s.page: s.title for s in self.order}
@@ -39,7 +42,7 @@ class Book:
         self.titles.update({page: title for page, title, *_ in self.notebooks})
         lists = [*LISTS.items()] + [(f"{page}.html", f"{title} (live)") for page, title in LIVE if binder.live]
         lists += [(page, f"{title} (Python)") for page, title, *_ in self.notebooks]
-        self.env.globals.update(record=record, inventory=inventory, book=binder, chapters=chapters, modules=modules, titles=self.titles, lists=lists,
+        self.env.globals.update(record=record, inventory=inventory, book=binder, parts_of_book=parts, modules=modules, titles=self.titles, lists=lists,
                                 verdicts=VERDICTS, said=SAID, statuses=self.statuses)
         binder.parts = self.parts = self.env.get_template("parts.html").module
 
@@ -90,7 +93,8 @@ class Book:
         """Figures that the prose of a chapter does not show, and its answers."""
         left = [i for i, f in self.record.figures.items() if f["program"] == source.stem and i not in self.binder.shown]
         further = [Markup(binding.figure(i, str(escape(self.record.figures[i]["caption"])))) for i in left]
-        return self.render("chapter", further=further, claims=self.claims_of(source.stem))
+        return self.render("chapter", further=further, claims=self.claims_of(source.stem), obtained=OBTAINED,
+                           literature=[one for one in self.record.literature if one[0]["program"] == source.stem])
 
     def source_pages(self, bodies):
         out = {}
@@ -104,7 +108,7 @@ class Book:
             headings, end = list(binding.headings), ""
             if not source.module:
                 end = self.end_of(source, binding)
-                headings += [(2, "Statements answered here", "answers")] if 'id="answers"' in end else []
+                headings += [(2, name, anchor) for anchor, name in ENDS.items() if f'id="{anchor}"' in end]
             out[source.page] = self.page(source.page, source.title, Markup("\n".join(parts)) + end + binding.carried(), headings,
                                          self.order[i - 1] if i else None, self.order[i + 1] if i + 1 < len(self.order) else None)
         return out

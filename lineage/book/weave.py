@@ -47,7 +47,22 @@ def find_images(record, folder):
 
 
 def read_order(path):
-    return [line.strip() for line in text_of(path).splitlines() if line.strip() and not line.startswith("#")]
+    return [line.strip() for line in text_of(path).splitlines() if line.strip() and line[0] not in "#="]
+
+
+def read_parts(path, chapters):
+    """The parts of the book, each a title with its chapters; one that is not named stands where those before it do."""
+    part, part_of = "", {}
+    for line in text_of(path).splitlines():
+        part = line[1:].strip() if line.startswith("=") else part
+        part_of[line.strip()] = part
+    parts = []
+    for chapter in chapters:
+        title = part_of.get(chapter.stem, parts[-1][0] if parts else "")
+        if not parts or parts[-1][0] != title:
+            parts.append((title, []))
+        parts[-1][1].append(chapter)
+    return parts
 
 
 def link_sources(record, chapters, library):
@@ -147,7 +162,7 @@ def make(root, data, figures, out, live="", programs=""):
     binder = Binder(record, sources, images, read_live(root / "book/live/figures.txt") if has_live else {})
     there = {"tables": list(inventory.tables(root, data)), "commands": list(inventory.commands(root, programs)),
              "packages": inventory.packages(root)}
-    book = pages.Book(record, binder, chapters, library, there)
+    book = pages.Book(record, binder, read_parts(prose.ASSETS / "contents.txt", chapters), library, there)
 
     found = book.assemble(bind_all(binder, sources))  # page name -> HTML with formulas still in TeX
     done = prose.typeset([f for page in found.values() for f in prose.formulas(page)])

@@ -95,6 +95,15 @@ class Blocks(unittest.TestCase):
         self.assertEqual(len(there), len({s.page for s in there}))
         self.assertEqual({p.name for p in (ROOT / "src/lattice").iterdir()} - set(source.modules_of(ROOT)), set(), "README.md")
 
+    def test_chapters_stand_under_their_parts(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "contents.txt"
+            path.write_text("# a remark\n= One\nsec1_a\n= Two\nsec2_b\n", encoding="utf-8")
+            chapters = [source.Source(f"src/{name}.cpp", "") for name in ("sec1_a", "sec1_new", "sec2_b")]
+            self.assertEqual(weave.read_order(path), ["sec1_a", "sec2_b"])
+            self.assertEqual([(title, [s.stem for s in of]) for title, of in weave.read_parts(path, chapters)],
+                             [("One", ["sec1_a", "sec1_new"]), ("Two", ["sec2_b"])])
+
     def test_the_compiled_half_follows_its_header(self):
         with tempfile.TemporaryDirectory() as folder:
             for name, text in [("src/lattice/numbers/a.hpp", "/** # A */"), ("src/lattice/numbers/a.cpp", "int x;"),

@@ -208,7 +208,7 @@ class ThisRepository(unittest.TestCase):
     def test_every_table_has_a_place(self):
         claims, locked, figures = lock.read_claims(ROOT), lock.read_lock(ROOT), refresh.read_figures(ROOT)
         pages = "".join(ecsv.text_of(ROOT / name) for name in refresh.PAGES)
-        for name in refresh.generated_tables(claims, locked, figures, {}, {}, {}):
+        for name in refresh.generated_tables(claims, locked, figures, {}, {}, {}, {}):
             self.assertIn(f"<!-- {name} -->", pages)
 
     def test_the_paper_refers_to_what_is_there(self):

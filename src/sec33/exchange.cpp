@@ -123,7 +123,7 @@ Exchange exchange_between(Centre centre, const Cut& cut, TrialKappa low, TrialKa
   return {{last.p - last.kappa / slope, step}, slope, orbit};
 }
 
-// A step in double precision, then one in the wider type, where rounding no longer matters
+// A step in double precision, then one in extended precision, where rounding no longer matters
 template <class T>
 Exchange polish_zero(Centre centre, const Cut& cut, Exchange found) {
   found.place.value -= quick_kappa(centre, cut.at(found.place.value), found.orbit) / found.slope;

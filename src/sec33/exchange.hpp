@@ -6,7 +6,7 @@ Section 3.3 of the article reports that a breather changes its stability at cert
 anharmonicity $s$. The pair of Floquet multipliers $\lambda$, $1/\lambda$ that decides this, the pinning
 pair, is described by $\kappa = (\lambda+1/\lambda-2)/4$ (floquet.hpp), which is positive if the breather
 is unstable and negative if it is stable. On a cut through the plane of $\omega_b$ and $s$ the sign changes
-at a point. This file finds it: by regula falsi in double precision, and a last step in a wider type. */
+at a point. This file finds it: by regula falsi in double precision, and a last step in extended precision. */
 
 #include <array>
 #include <cmath>
@@ -58,7 +58,7 @@ Spectrum spectrum(const Shooting<double>& problem, const Orbit<double>& orbit);
 
 /**
 The article says that four multipliers lie near $+1$, the others on the unit circle, and that these
-accumulate at $e^{\pm2\pi i/\omega_b}$. The phase pair makes two of the four; a `Quadruplet` records how far
+accumulate at $e^{\pm2\pi i/\omega_b}$. The time-translation pair makes two of the four; a `Quadruplet` records how far
 from $+1$ the others come and how many multipliers sit at the point of accumulation. */
 struct Quadruplet {
   double fourth = 0, fifth = 0;  ///< distance from +1 of the fourth and the fifth multiplier
@@ -145,7 +145,7 @@ Exchange exchange_between(Centre centre, const Cut& cut, TrialKappa low, TrialKa
                           Orbit<double> orbit, double close, const NewtonRule<double>& how = {});
 
 /**
-The last step is made with the wider type, from a point that double precision has brought as close as its
+The last step is made with extended precision, from a point that double precision has brought as close as its
 rounding allows. The error of the zero is that of $\kappa$ over the slope, plus a hundredth of the step,
 because the slope is known no better than that. */
 /// The zero after that step, with its error. Throws NewtonFailed.

@@ -21,7 +21,7 @@ Runge-Kutta-Nystrom scheme. */
 namespace lattice {
 
 /**
-`steps` steps make one period of the breather, so that they are *locked* to it: every contact opens and closes at
+`steps` steps make one period of the breather, so that they are *commensurate* with it: every contact opens and closes at
 the same place within a step, in every period. */
 struct FixedStep {
   Chain chain;

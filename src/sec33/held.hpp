@@ -73,7 +73,7 @@ parameter does not act along the pinning direction at all, and the matrix is eve
 move the breather at a fixed parameter, and allow the equations to fail along the gradient
 $y_{n+1}-y_{n-1}$, which is almost the pinning direction. This failure is as small as the barrier, and
 Newton's method on all equations can take over. In double precision it would find the parameter only as
-well as rounding compares with the barrier, so callers continue in a wider type. */
+well as rounding compares with the barrier, so callers continue in extended precision. */
 /// The unknowns with the centre of `held` and the same parameter, from those near that centre.
 template <class T>
 Vector<T> moved_to_centre(const Held<T>& held, Vector<T> x, const EventTolerance<T>& landing = {});

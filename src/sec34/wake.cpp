@@ -24,7 +24,7 @@ struct Absorber {
   double nu = 0;
 };
 
-Absorber absorber(const Bereft& impact, std::size_t peak, double t) {
+Absorber absorber(const WavesRemoved& impact, std::size_t peak, double t) {
   if (impact.first_bead && t >= packet_has_left) return {1, rate_at_end};
   if (impact.behind == 0 || t < impact.cut) return {};
   return {peak > impact.behind ? peak - impact.behind : 0, rate};
@@ -41,7 +41,7 @@ double rub(const Absorber& absorber, double time, State<double>& state, bool cou
 
 /// One chain on its way, up to the cut or after it.
 struct Voyager {
-  Bereft impact;
+  WavesRemoved impact;
   double step;
   std::size_t shift;
   double dissipated;
@@ -95,8 +95,8 @@ State<double> cut_out(const Chain& chain, const State<double>& state, std::size_
 }
 
 // Up to the cut on the struck chain, then on one that reaches as far behind the packet
-Path follow_bereft(const Bereft& impact, double step, double until, std::size_t sites,
-                   const Observer& observe) {
+Path follow_without(const WavesRemoved& impact, double step, double until, std::size_t sites,
+                    const Observer& observe) {
   Chain chain{sites, Quartic{impact.s}};
   State<double> state = struck(sites, impact.velocity);
   Path path;
@@ -117,7 +117,8 @@ Path follow_bereft(const Bereft& impact, double step, double until, std::size_t 
 }
 
 // Watch plain means over the width of the smoothing: they tell whether the packet comes back
-LateFate late_fate(const Bereft& impact, double step, double until, std::size_t sites, Path* way) {
+LateFate late_fate(const WavesRemoved& impact, double step, double until, std::size_t sites,
+                   Path* way) {
   LateFate out;
   const auto width = std::size_t(std::lround(smoothing / look_every(step)));
   Path recent;
@@ -134,20 +135,20 @@ LateFate late_fate(const Bereft& impact, double step, double until, std::size_t 
     if (mean < out.furthest - 5) out.late = Late::returns;
     return out.late != Late::returns;
   };
-  Path path = follow_bereft(impact, step, until, sites, watch);
+  Path path = follow_without(impact, step, until, sites, watch);
   if (out.late != Late::returns && std::abs(mean - late) < 1) out.late = Late::caught;
   if (way) *way = std::move(path);
   return out;
 }
 
 // Energies at the end minus those at the beginning, and the mean forces in between
-Budget budget(Bereft impact, double step, double from, double to) {
+Budget budget(WavesRemoved impact, double step, double from, double to) {
   impact.counted = true;
   constexpr double ends = 16;  // energies are means over four internal periods
   constexpr std::size_t m = packet_half_width;
   Budget out;
   double all = 0, at_ends = 0;
-  follow_bereft(impact, step, to, 150, [&](const Sight& now) {
+  follow_without(impact, step, to, 150, [&](const Sight& now) {
     const double t = now.state.t + 1e-9;
     if (t < from) return true;
     const std::vector<double>&e = now.density, &y = now.state.y;
@@ -229,9 +230,9 @@ void Gauge::finish(double t) {
 }  // namespace
 
 // Look at every sample of the run
-std::vector<Inside> gauge(const Bereft& impact, double step, double until) {
+std::vector<Inside> gauge(const WavesRemoved& impact, double step, double until) {
   Gauge gauge;
-  follow_bereft(impact, step, until, 150, [&](const Sight& now) { return gauge(now), true; });
+  follow_without(impact, step, until, 150, [&](const Sight& now) { return gauge(now), true; });
   return gauge.rows;
 }
 

@@ -22,7 +22,7 @@ older waves and no end nearby, and what the packet meets from then on is its own
 namespace lattice {
 
 /// An impact in quartic wells, Eqs. (9), (10) and (26), and what is taken away from it.
-struct Bereft {
+struct WavesRemoved {
   double s = 1, velocity = 1.9;
   double cut = 0;           ///< time at which the packet is cut out, 0: never
   std::size_t behind = 0;   ///< damps what lies more than so many sites behind it, 0: nothing
@@ -61,8 +61,8 @@ looks. In between, half of its friction acts before each step and half after it,
 `sites` is the length of the struck chain and of what a cut puts behind the packet. It has to be so long that
 nothing comes back from its ends. Throws std::runtime_error when a wave has reached one. */
 /// The packet of an impact from which something is taken away; its centre in sites of the struck chain.
-Path follow_bereft(
-    const Bereft& impact, double step, double until, std::size_t sites,
+Path follow_without(
+    const WavesRemoved& impact, double step, double until, std::size_t sites,
     const Observer& observe = [](const Sight&) { return true; });
 
 /**
@@ -79,7 +79,7 @@ struct LateFate {
 };
 
 /// Follows a packet until it has returned or the time is over, and appends its way to `path` if there is one.
-LateFate late_fate(const Bereft& impact, double step, double until, std::size_t sites,
+LateFate late_fate(const WavesRemoved& impact, double step, double until, std::size_t sites,
                    Path* way = nullptr);
 
 /**
@@ -93,7 +93,7 @@ struct Budget {
 };
 
 /// The budgets of a packet between two times.
-Budget budget(Bereft impact, double step, double from, double to);
+Budget budget(WavesRemoved impact, double step, double from, double to);
 
 /**
 Is the packet a breather that moves? Its energy centre and energy are means over stretches of twenty units of
@@ -105,6 +105,6 @@ struct Inside {
 };
 
 /// The inside of a packet, stretch by stretch.
-std::vector<Inside> gauge(const Bereft& impact, double step, double until);
+std::vector<Inside> gauge(const WavesRemoved& impact, double step, double until);
 
 }  // namespace lattice

@@ -24,7 +24,7 @@ energies. */
 
 #include "lattice/numerics/criterion.hpp"
 #include "lattice/numerics/estimate.hpp"
-#include "sec36/array_impact.hpp"
+#include "sec3/array_impact.hpp"
 
 namespace lattice {
 

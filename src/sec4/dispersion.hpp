@@ -30,7 +30,7 @@ ContactSeries<T> contact_series(T d);
 
 /**
 A packet of wavenumber $q$ takes three numbers from the band: its frequency, the group velocity
-$c = \omega'$ in sites per unit of time, and the reduced curvature $\omega_2$, which together with a
+$c = \omega'$ in sites per unit of time, and the scaled dispersion $\omega_2$, which together with a
 nonlinear coefficient decides whether it is stable (nls.hpp). They are computed together. */
 template <class T>
 struct Phonon {

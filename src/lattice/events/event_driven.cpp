@@ -9,7 +9,7 @@ namespace lattice {
 namespace {
 
 /**
-The look-out reports an instant, `ahead` of now, at which the contact `bond` switches (`crosses`) or comes
+The detection reports an instant, `ahead` of now, at which the contact `bond` switches (`crosses`) or comes
 so close to it that we want to look there. */
 template <class T>
 struct Sight {
@@ -143,7 +143,7 @@ FlowReport<T> EventIntegrator<T>::fly() {
 }
 
 /**
-The look-out stops at the first step in which a contact switches. If several do so in the same step the
+The detection stops at the first step in which a contact switches. If several do so in the same step the
 earliest counts; the next look finds the others. */
 template <class T>
 Sight<T> EventIntegrator<T>::look() {

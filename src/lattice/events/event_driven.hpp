@@ -10,8 +10,8 @@ the forces, and with the root of the parabola $x + \dot x\tau + \ddot x\tau^2/2$
 correction converges with order three: two or three passages suffice. The columns of a tangent
 (tangent.hpp) follow only the last one.
 
-The result does not rest on the look-out being right. The forces are those of the true contact law
-everywhere, never those of a contact held open or closed. A switching that the look-out missed shows
+The result does not rest on the detection being right. The forces are those of the true contact law
+everywhere, never those of a contact held open or closed. An event that the detection missed shows
 after the passage as an overlap with the wrong sign, and we then land on it. */
 
 #include <algorithm>

@@ -54,7 +54,7 @@ template <class T>
 struct EventTolerance {
   T tolerance = T(128) * std::numeric_limits<T>::epsilon();  ///< sixteen units at least
   T floor = T(-1);    ///< slower switchings are not landed on; < 0: from the tolerance
-  T sight = T(0.05);  ///< time step of the look-out for switchings
+  T sight = T(0.05);  ///< time step in the search for contact events
   int levels = 2 + std::numeric_limits<T>::digits10 / 2;  ///< of the extrapolation, at most
 };
 

@@ -51,7 +51,7 @@ struct Overlap {
 };
 
 /**
-The second question arises between two steps `dt` of a look-out, short enough for the cubic to represent
+The second question arises between two steps `dt` of the detection, short enough for the cubic to represent
 the overlap well. A contact may close and open again within one step; both ends then have the same sign,
 and the cubic has an extremum of the opposite sign in between. */
 template <class T>

@@ -1,4 +1,4 @@
-#include "sec36/array_impact.hpp"
+#include "sec3/array_impact.hpp"
 
 namespace lattice {
 

@@ -1,4 +1,4 @@
-#include "sec36/collision.hpp"
+#include "sec35/collision.hpp"
 
 namespace lattice {
 

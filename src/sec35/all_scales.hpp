@@ -1,16 +1,15 @@
 #pragma once
 /**
-# 3.5 Scales of a cradle and of an array
+# All constants of a cradle and of an array
 
-This part of the chapter of section 3.6 belongs to the program sec36_cantilever_defect.cpp. A cradle's
-$\lambda^{5/2}$, Eq. (29), rests on a length of half a metre and on a collision that was measured to take
+A cradle's $\lambda^{5/2}$, Eq. (29), rests on a length of half a metre and on a collision that was measured to take
 0.077 ms. */
 
 #include <string>
 
 #include "report/program.hpp"
-#include "sec36/array_impact.hpp"
-#include "sec36/collision.hpp"
+#include "sec3/array_impact.hpp"
+#include "sec35/collision.hpp"
 
 namespace lattice {
 

@@ -1,0 +1,201 @@
+/**
+# 1 The chain, and what this book asks of it
+
+A Newton's cradle is a row of balls that touch. Lift the first one, let it fall, and a pulse runs through the row. Now
+hold every ball in a well of its own, stiff enough to oscillate while the pulse is there: short strings, or elastic
+beams in the place of strings. What travels then is not a pulse but a packet of oscillations, and what stands still may
+be one, too: a *breather*.
+
+![Energy of the beads after an impact without and with wells, and of a breather that stays where it is.](fig:x36)
+
+This chapter introduces the chain, shows the three motions of the figure, and says what every other chapter is for. It
+needs nothing but mechanics. */
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "lattice/impact/impact.hpp"
+#include "lattice/integrators/contact_rkn.hpp"
+#include "lattice/orbits/breather.hpp"
+#include "report/program.hpp"
+
+using namespace lattice;
+
+/**
+## Contact, wells, units
+
+Two elastic spheres that overlap by $\delta$ repel with the force $\gamma\,\delta^{3/2}$, which is Hertz's law; spheres
+that do not overlap do not act on each other, and none ever pulls. So a contact has no linear part: the gentler the
+motion, the softer it is. The chain of James, Kevrekidis and Cuevas (Physica D 251, 2013) has such contacts between
+neighbours and a well $W$ for every bead, Eq. (9):
+$$\ddot y_n = -W'(y_n) + (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2},\qquad
+  W(y) = \tfrac12y^2 + \tfrac s4\,y^4,\qquad (x)_+ = \max(x,0).$$
+Lengths and times are measured such that the mass of a bead, the stiffness of its well and that of a contact are one; a
+bead alone oscillates with the frequency one. The number $s$ makes the well harmonic ($s = 0$), hard ($s > 0$) or soft
+($s < 0$). Everything in this book is said in these units, except where an experiment is meant
+(cantilever.hpp converts). */
+constexpr double velocity = 1.87, duration = 160;  // of the impacts; of all runs
+
+/**
+## What a breather is
+
+A breather is a motion that repeats itself, with a frequency $\omega_b$, and is confined to a few beads. Contacts add a
+repulsive force to the wells, so $\omega_b > 1$. Nothing radiates it away: far from the breather the beads overlap by
+less and less, contacts become ever softer there, and the amplitude falls faster than any exponential, by the power
+$3/2$ from one bead to the next. There are two kinds of them, symmetric about a bead (*site-centred*) or about a contact
+(*bond-centred*).
+
+**Letters**, one meaning each where no chapter says otherwise:
+
+| letter | meaning |
+|---|---|
+| $y_n$, $\dot y_n$, $n$ | displacement and velocity of bead $n$, counted from one |
+| $s$; $\alpha$ | anharmonicity of the wells; exponent of the contact force, $3/2$ for spheres |
+| $\omega_b$, $T_b = 2\pi/\omega_b$ | frequency and period of a breather |
+| $e_n$, $\mathcal H$ | energy density, Eq. (23), and energy, Eq. (6) |
+| $v_0$ | velocity of the struck bead |
+| $\epsilon$, $\tau$, $A_n$, $\tau_0$ | small amplitude, slow time, complex amplitudes and time constant of the DpS equation |
+| $\mu$, $\delta$ | frequency of a stationary state of that equation; distance $\omega_b-1$ |
+| $\lambda$, $\kappa$ | Floquet multiplier, and $(\lambda+\lambda^{-1}-2)/4$ of a pair of them |
+| $E_{PN}$ | Peierls–Nabarro barrier: energy of the site-centred breather minus that of the bond-centred one |
+| $T$ | inverse speed of a travelling breather: the time after which the next site does the same | */
+constexpr double omega_b = 1.1;
+
+/**
+## Three motions
+
+The figure shows the energy density, Eq. (23). Without wells the impact turns into the solitary wave of Nesterenko, five
+beads wide, which is gone after a moment. With harmonic wells half of the energy goes into a packet that oscillates while
+it travels, four times more slowly; the rest stays near the struck end, and whether the packet ever settles is a question
+of section 5. The third motion is an exact periodic orbit, found by Newton's method. */
+constexpr std::size_t shown = 60;  // sites of the figure
+
+/**
+Both impacts are followed twice, with steps that agree in the end state to a millionth (accuracy.hpp). A packet is the
+foremost eleven sites that hold at least a hundredth of the energy (observe.hpp); it is measured from site 20 on. The
+pulse moves by [0.952600](num:sec1_the_chain.pulse_speed) sites in the unit of time and the packet by
+[0.2445](num:sec1_the_chain.packet_speed), and of the impact's energy they carry
+[0.993661](num:sec1_the_chain.pulse_share) and [0.462769](num:sec1_the_chain.packet_share). */
+double every(const Report& report) {
+  return report.quick ? 4 : 1;  // time between two rows of the map
+}
+
+struct Struck {
+  const char* name;
+  Well well;
+};
+
+void strike_both(Report& report, Table& map) {
+  for (const Struck& one : {Struck{"pulse", None{}}, Struck{"packet", Harmonic{}}}) {
+    const Impact impact = endless({velocity, {.well = one.well}, duration, 0.5});
+    const auto runs = strike_to(1e-6, impact);
+
+    // How fast the foremost packet is, and what it carries when it passes site 40
+    const Track &coarse = runs.coarse.track, &fine = runs.fine.track;
+    const auto share = [](const Track& track) {
+      return track.energy_at(40) / (velocity * velocity / 2);
+    };
+    report.facts.add(std::string(one.name) + "_speed",
+                     compare(packet_speed(coarse), packet_speed(fine)), "sites per time");
+    report.facts.add(std::string(one.name) + "_share", compare(share(coarse), share(fine)),
+                     "energy of the impact");
+
+    // The map of figure x36
+    strike(ContactAware{0.05}, impact, [&](const State<double>& now, const std::vector<double>& e) {
+      if (std::fmod(now.t, every(report)) == 0)
+        for (std::size_t n = 0; n < shown; ++n) map.add({one.name, now.t, n + 1, e[n]});
+    });
+  }
+}
+
+/**
+The breather of $\omega_b = 1.1$ around a site fits into some ten beads; the others, up to the end of the chain, are
+practically at rest. After [28](num:sec1_the_chain.periods) periods the beads have the energies that they had at the
+start, up to [9e-12](num:sec1_the_chain.change) of the largest. */
+void keep_one(Report& report, Table& map) {
+  const auto problem = breather_problem(Centre::site, omega_b, 0, 31);
+  const Orbit<double> orbit = find_breather(problem);
+  const double periods = std::floor(duration / orbit.period());
+  const auto change = [&](double step) {
+    State<double> state = orbit.start;
+    const auto before = energy_density(problem.chain, state);
+    evolve(ContactAware{step}, problem.chain, state, periods * orbit.period(), duration,
+           Unobserved{});
+    const auto after = energy_density(problem.chain, state);
+    double most = 0;
+    for (std::size_t n = 0; n < before.size(); ++n)
+      most = std::max(most, std::abs(after[n] - before[n]));
+    return most / *std::max_element(before.begin(), before.end());
+  };
+  report.facts.add("periods", exact(periods));
+  report.facts.add("change", compare(change(0.05), change(0.025)), "largest energy density");
+
+  // The map again, with the centre where the figure has room for it
+  State<double> state = orbit.start;
+  evolve(ContactAware{0.05}, problem.chain, state, duration, every(report),
+         [&](const State<double>& now) {
+           const auto e = energy_density(problem.chain, now);
+           for (std::size_t n = 0; n < e.size(); ++n) map.add({"breather", now.t, n + 1, e[n]});
+         });
+}
+
+/**
+## What is hard about it
+
+Four things make these motions hard to compute, and most of this book's methods are answers to one of them.
+
+| difficulty | what goes wrong | what we do | where |
+|---|---|---|---|
+| contact events | the force has no second derivative where a contact opens or closes: integrators of any order lose it, their tangent maps even more | event location for orbits, exact impulses for long runs | `secA_integrators`, event_driven.hpp, contact_rkn.hpp |
+| near-degeneracy | a breather can be shifted in time for nothing and along the chain for almost nothing: Newton's matrix is nearly singular, and four multipliers lie next to $+1$, where an error $\delta$ moves them by $\sqrt\delta$ | symmetries remove both directions; $\kappa$ in the place of $\lambda$ | `sec32_newton_breathers`, floquet.hpp, `sec33_multiplier_errors` |
+| cancellation | two energies agree to seven digits or more, and their difference is the barrier | orbits in extended precision, both breathers on chains of one length | `sec32_barrier` |
+| chaos | packets of strong impacts depend on everything | two runs that agree, or a statement about many runs; never a single one | `sec34_boomeron`, `sec34_boomeron_why` |
+
+## How the chapters depend on each other
+
+A chapter needs those to the left of it, and the headers that it names. `[5]` is beyond the article.
+
+    sec1 -- sec31 DpS limit -- sec32 static breathers -- sec32 barrier -- sec33 stability -- sec33 mobility
+       |         |                   (chain and DpS)                        |
+       |         |                                                      sec33 between
+       |         +-- sec34 impact, gentle -- sec34 impact, strong -- sec34 turning -- sec34 kink
+       |         |            |                    |
+       |         |            +-- sec36 array -- [5] experiment, driving
+       |         +-- sec4 precompression -- [5] growth
+       |         +-- [5] travelling breathers -- [5] kernel equation -- [5] enclosures
+       +-- sec2 no breathers without wells
+       +-- secA integrators -- secA which one did the article use */
+void reproduce(Report& report) {
+  Table& map =
+      report.table("motions", {label("motion", "pulse, packet or breather"), number("t", "time"),
+                               count("n", "site", "site"), number("e", "energy density")});
+  strike_both(report, map);
+  keep_one(report, map);
+}
+
+/**
+## What is found
+
+One sentence from each part; the page *What we found* has all of them, with what was tried to refute them.
+
+- **Static breathers.** [](finding:barrier.signs)
+- **Stability.** [](finding:exchange.six)
+- **Mobility.** [](finding:depinning.law)
+- **Packets that turn round.** [](finding:turning.alone)
+- **Travelling breathers.** [](finding:travelling.speeds)
+- **An array that is driven.** [](finding:driving.law)
+- **Integrators.** [](finding:integrators.order)
+
+## Try it
+
+1. Strike the chain harder, `build/bin/sec34_impact run --velocity 4`: the packet is faster. By how much does the speed
+   grow if the impact is doubled? (Gently struck, like its square root: sec34_dps_impact.)
+2. Let the wells go: `build/bin/sec34_impact run --well none` gives the speed of the pulse above.
+3. Find the breather of another frequency, `build/bin/sec32_newton_breathers breather --omega 1.5`, and look at its tail
+   with `--profile`. */
+int main(int argc, char** argv) {
+  return run({"sec1_the_chain", "1", "The chain, and what this book asks of it", reproduce}, argc,
+             argv);
+}

@@ -1,0 +1,108 @@
+/**
+# 3.5 Scales: a cradle is not an array
+
+When is the chain of this book a good picture of real beads? Every motion in it lives between two times: the time
+$\tau_h$ that two beads need to collide, and the time $\tau_c$ that one of them takes to swing in its well. Their ratio
+is the only parameter that an impact leaves, Eqs. (29) and (30),
+$$\lambda = (\tau_c/\tau_h)^2,\qquad \dot y_1(0) = \lambda^{5/2}.$$
+A travelling breather needs a small $\lambda$: contacts must last for a good part of an oscillation.
+
+![Newton's cradle and an array of clamped cantilevers decorated by beads.](fig:01)
+
+Section 3.5 of James, Kevrekidis and Cuevas (Physica D 251, 2013) puts numbers in: for a cradle $\lambda^{5/2}$ is
+astronomical, for stiff cantilevers it is less than one. Here every constant is derived in SI units. */
+
+#include <cmath>
+#include <utility>
+
+#include "lattice/model/cantilever.hpp"
+#include "report/program.hpp"
+#include "sec35/all_scales.hpp"
+#include "sec35/collision.hpp"
+
+using namespace lattice;
+
+/**
+## Two beads
+
+All scales rest on the collision of two beads, so we begin with one (collision.hpp); its units are
+$\tau_h$ and $\delta = (mV^2/\gamma)^{2/5}$. The integrated contact time and compression agree with the
+conservation of energy, which gives the largest compression $(5/8)^{2/5}\,\delta$. The printed 0.76 is
+not this value but $2^{-2/5}$. There is more than one way to it: $\frac12 mV^2 = \gamma\,x^{5/2}$ forgets
+both the reduced mass and the factor 2/5 of Hertz's energy, and $\frac14 mV^2 = \frac12\gamma\,x^{5/2}$
+keeps the mass but takes the factor of a linear spring. What decides is the other printed number: at given
+$V$ the contact time is proportional to the compression, $t = 2.943\,x/V$, and a compression of 0.76 would
+last for [2.23689](num:sec35_scales.contact_time_of_printed_compression) $\tau_h$ and not for 2.43.
+
+A cradle whose strings have the length $L$ has $\tau_c^2 = L/g$. A collision of steel balls was measured to take 0.077 ms,
+which is 2.43 $\tau_h$, so $\lambda^{5/2} = (L/g\tau_h^2)^{5/2}$ contains the fifth power of the contact time, and rounding
+matters. With $L = 0.5$ m, the rounded 2.43 and $g = 10$ m/s² it is [1.74986e19](num:scale.cradle), the printed
+value; with $g = 9.81$ m/s² and all digits it is [1.86945e19](num:sec35_scales.cradle_converged). Either way a cradle is
+extremely far from small $\lambda$, where breathers travel. */
+void report_collision(Report& report) {
+  const double step = report.quick ? 0.2 : 0.1;
+  const Collision coarse = collide(step), fine = collide(step / 2), known = collision_by_energy();
+  const Estimate time = compare(coarse.contact_time, fine.contact_time);
+  const Estimate compression = compare(coarse.compression, fine.compression);
+  if (std::abs(time.value - known.contact_time) > 1e-7 ||
+      std::abs(compression.value - known.compression) > 1e-7)
+    throw Failure("the integrated collision disagrees with the conservation of energy");
+  report.results.add("scale.contact_time", time);
+  report.results.add("scale.max_compression", compression);
+  report.results.add("scale.cradle", exact(cradle(10, 2.43)));
+  report.facts.add("contact_time_by_gamma", exact(known.contact_time), "tau_h");
+  report.facts.add("compression_by_energy", exact(known.compression), "delta");
+  report.facts.add("compression_printed", exact(std::pow(0.5, 0.4)), "delta");
+  report.facts.add("contact_time_of_printed_compression",
+                   exact(0.76 * known.contact_time / known.compression), "tau_h");
+  const double ratio = cradle(9.81, time.value);
+  report.facts.add("cradle_converged", {ratio, 5 * ratio * time.error / time.value});
+  report.facts.add("cradle_printed_rounding", exact(cradle(9.81, 2.43)));
+}
+
+/**
+## The beam and the scales
+
+Stiffness and frequency of the beam are printed with two or three digits, so we compute them. We
+integrate $u'''' = x^4u$, with $x$ the wavenumber times the length, along half of the beam
+(cantilever.hpp). For the stiffness, $x = 0$, the solution is a cubic, which the Runge–Kutta method
+reproduces exactly, so that only rounding is left; for the frequency an independent route is
+$\cos x\cosh x = 1$. Two beads at the middle change the shape of the vibration, and replacing beam
+and beads by a point mass is then an approximation: the frequency of the model is
+[0.998945](num:sec35_scales.point_mass_frequency_ratio) times that of the decorated beam. */
+void report_beam(Report& report, const CantileverArray& array) {
+  const auto both = [](auto of) { return compare(of(200), of(400)); };
+  const double x = clamped_root(), by_shooting = ClampedBeam{}.wavenumber();
+  const auto mass = [](double root) { return 192 / (root * root * root * root); };
+  const double load = 2 * array.bead_mass() / array.beam_mass();
+  const double model = std::sqrt(192 * array.beam_mass() / array.mass());
+  report.results.add("beam.stiffness",
+                     both([](std::size_t n) { return ClampedBeam{n}.stiffness(0); }));
+  report.results.add("beam.frequency", compare(by_shooting * by_shooting, x * x));
+  report.results.add("beam.mass", compare(mass(by_shooting), mass(x)));
+  report.facts.add("point_mass_frequency_ratio", both([&](std::size_t n) {
+                     const double exact_root = ClampedBeam{n, load}.wavenumber();
+                     return model / (exact_root * exact_root);
+                   }));
+}
+
+/**
+## Cradle and array
+
+With these two parts the article's array has $\tau_h =$ [0.0465155](num:cantilever.tau_h) ms for an impact of 1 m/s,
+$\tau_c =$ [0.025219](num:cantilever.tau_c) ms and $\lambda =$ [0.293941](num:cantilever.lambda). `scales` prints all
+constants for an impact velocity of your choice (sec35/all_scales.hpp); cantilever.hpp has the formulas. Hertz's coefficient
+needs the Young modulus of the beads, $\gamma = \mathcal E\sqrt{2R}/(3(1-\nu^2))$; the article prints the symbol of the
+beam's, which would give a $\lambda$ that is not small. */
+void reproduce(Report& report) {
+  const StruckArray array;
+  report_collision(report);
+  report_beam(report, array.array);
+  report_scales(report, array);
+}
+
+int main(int argc, char** argv) {
+  return run({"sec35_scales", "3.5", "Scales of a cradle and of an array (section 3.5)", reproduce,
+              commands<AllScales>()},
+             argc, argv);
+}
