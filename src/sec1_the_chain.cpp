@@ -26,12 +26,13 @@ using namespace lattice;
 /**
 ## Contact, wells, units
 
-Two elastic spheres that overlap by $\delta$ repel with the force $\gamma\,\delta^{3/2}$, which is Hertz's law; spheres
+Two elastic spheres that overlap by $x$ repel with the force $\gamma\,x^{3/2}$, which is Hertz's law; spheres
 that do not overlap do not act on each other, and none ever pulls. So a contact has no linear part: the gentler the
 motion, the softer it is. The chain of James, Kevrekidis and Cuevas (Physica D 251, 2013) has such contacts between
 neighbours and a well $W$ for every bead, Eq. (9):
 $$\ddot y_n = -W'(y_n) + (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2},\qquad
-  W(y) = \tfrac12y^2 + \tfrac s4\,y^4,\qquad (x)_+ = \max(x,0).$$
+  W(y) = \tfrac12y^2 + \tfrac s4\,y^4,$$
+where $(x)_+$ is $x$ if positive and zero otherwise.
 Lengths and times are measured such that the mass of a bead, the stiffness of its well and that of a contact are one; a
 bead alone oscillates with the frequency one. The number $s$ makes the well harmonic ($s = 0$), hard ($s > 0$) or soft
 ($s < 0$). Everything in this book is said in these units, except where an experiment is meant
@@ -150,7 +151,7 @@ Four things make these motions hard to compute, and most of this book's methods 
 |---|---|---|---|
 | contact events | the force has no second derivative where a contact opens or closes: integrators of any order lose it, their tangent maps even more | event location for orbits, exact impulses for long runs | `secA_integrators`, event_driven.hpp, contact_rkn.hpp |
 | near-degeneracy | a breather can be shifted in time for nothing and along the chain for almost nothing: Newton's matrix is nearly singular, and four multipliers lie next to $+1$, where an error $\delta$ moves them by $\sqrt\delta$ | symmetries remove both directions; $\kappa$ in the place of $\lambda$ | `sec32_newton_breathers`, floquet.hpp, `sec33_multiplier_errors` |
-| cancellation | two energies agree to seven digits or more, and their difference is the barrier | orbits in extended precision, both breathers on chains of one length | `sec32_barrier` |
+| cancellation | two energies agree to seven digits or more, and their difference is the barrier | both orbits in extended precision, their energies from two tolerances | `sec32_barrier` |
 | chaos | packets of strong impacts depend on everything | two runs that agree, or a statement about many runs; never a single one | `sec34_boomeron`, `sec34_boomeron_why` |
 
 ## How the chapters depend on each other

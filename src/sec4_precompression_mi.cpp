@@ -39,8 +39,8 @@ using std::numbers::pi;
 ## The chain, its phonons, and the equation of their envelope
 
 The chain is that of Eq. (6) with the wells of Eq. (10) and the compressed contact of Eq. (33),
-$$\ddot y_n + y_n + s\,y_n^3 = V'(y_{n+1}-y_n) - V'(y_n-y_{n-1}), \qquad
-  V'(r) = d^{3/2} - (d-r)_+^{3/2} = v_1r + v_2r^2 + v_3r^3 + \dots$$
+$$\ddot y_n + y_n + s\,y_n^3 = V'(y_{n+1}-y_n) - V'(y_n-y_{n-1}),$$
+$$V'(r) = d^{3/2} - (d-r)_+^{3/2} = v_1r + v_2r^2 + v_3r^3 + \dots$$
 All is dimensionless as in section 3, and $d = \frac12$ throughout. A contact opens at $r = d$; for smaller $r$ the force
 is smooth. Its linear part makes the chain one of beads and springs. Waves $e^{i(qn-\omega t)}$ of small amplitude, the
 phonons, have the frequency of Eq. (34),
@@ -59,10 +59,10 @@ to slow modulations, and a localized envelope, a sech, can travel without spread
 $\Phi = -\beta\,\omega_2 > 0$, Eq. (37), with the scaled dispersion $\omega_2 = \omega\,\omega''/v_1$. So the whole
 question is one of two signs,
 
-              q:  0 ........ q_c ........ pi        q_c: inflection of omega(q), where phonons are fastest
-       omega'':     +  +  +   0   -  -  -
-       s <= 0:      h < 0 everywhere: unstable for q < q_c
-       s = 1:       h > 0 up to some q beyond q_c: unstable between the two
+        q        0 ........ q_c ........ pi    q_c: inflection of omega(q)
+        omega''    +  +  +   0   -  -  -
+        s <= 0   h < 0 everywhere: unstable for q < q_c
+        s = 1    h > 0 up to a q beyond q_c: unstable between the two
 
 Formulas are derived in sec4/dispersion.hpp (band) and sec4/nls.hpp ($\beta$); sec4/soliton.hpp has the sech. */
 constexpr std::array<double, 3> wells = {-1.0 / 6, 0, 1};

@@ -2,7 +2,7 @@
 # Appendix: other people's numbers
 
 This book compares its numbers with those of one article and with each other. A library for chains of beads should also
-reproduce what others have printed, and so we compute here a dozen numbers from the classical subject of this field, the
+reproduce what others have printed, and so we compute here some twenty numbers from the classical subject of this field, the
 chain *without* wells, and from the neighbours of the article's own equations. The list
 `paper/literature.ecsv` holds what is printed, with its source and the way in which we know it: only a number that we
 have read at its source, in its text or its data, or in its abstract, is judged. Numbers that everybody quotes, and

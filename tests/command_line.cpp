@@ -68,6 +68,26 @@ TEST_CASE("help and version", "[cli]") {
   CHECK(run.find("A full run takes") == std::string::npos);
 }
 
+TEST_CASE("what the prose tells a reader to type is there", "[cli]") {
+  // `sec34_impact run --velocity 4`, with or without its folder, over the end of a line too
+  const std::regex typed("`(?:build/bin/)?(sec[0-9A-Z]+_\\w+) ([a-z]+)(\\s[^`]*)?`"),
+      option("--([a-z][a-z-]*)");
+  std::size_t found = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(fs::path(SOURCE_DIR) / "src")) {
+    if (!entry.is_regular_file()) continue;
+    std::ifstream in(entry.path());
+    const std::string text(std::istreambuf_iterator<char>(in), {});
+    for (std::sregex_iterator at(text.begin(), text.end(), typed), end; at != end; ++at, ++found) {
+      const std::string command = (*at)[1].str() + " " + (*at)[2].str(), rest = (*at)[3];
+      INFO(entry.path().string() + ": " + at->str());
+      REQUIRE(offers().count(command));
+      for (std::sregex_iterator word(rest.begin(), rest.end(), option); word != end; ++word)
+        CHECK(offers().at(command).find("--" + (*word)[1].str() + " ") != std::string::npos);
+    }
+  }
+  CHECK(found > 20);
+}
+
 TEST_CASE("every option of every command refuses what its help does not allow", "[cli]") {
   Scratch scratch;
   std::size_t seen = 0;
