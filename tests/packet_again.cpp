@@ -7,6 +7,7 @@
 #include "check.hpp"
 #include "estimates.hpp"
 #include "lattice/diagnostics/pulse.hpp"
+#include "lattice/dps/dps_impact.hpp"
 #include "lattice/impact/turning.hpp"
 #include "sec34/criteria.hpp"
 #include "sec34/decorrelation.hpp"
@@ -141,6 +142,9 @@ TEST_CASE("a track is read between its samples", "[unit][observe]") {
   check_close(track.largest_peak(14.2, 20), 5, 1e-13);  // lies at 14.125: the sample at 15
   check_close(track.largest_peak(12, 13), 4, 1e-14);    // only a flank
   CHECK(track.largest_peak(30, 40) == 0);
+  // Over the last site only, from 9 to 10
+  check_close(packet_amplitude({{0, 1, 2, 3, 4}, {8, 8.5, 9, 9.5, 10}, {}, {1, 9, 1, 4, 1}}), 2,
+              1e-14);
   Track flat{{0, 1, 2, 3}, {1, 2, 3, 4}, {1, 1, 1, 1}, {2, 2, 2, 2}};
   CHECK(flat.largest_peak(0, 9) == 2);
 }
