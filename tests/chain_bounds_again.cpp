@@ -12,6 +12,7 @@
 #include "lattice/orbits/shooting.hpp"
 #include "sec5/chain_bounds.hpp"
 #include "sec5/chain_enclosure.hpp"
+#include "sec5/circle.hpp"
 
 namespace chain_bounds_again {
 
@@ -264,6 +265,16 @@ TEST_CASE("the constants of the chain's kernel follow from their formulas", "[un
     check_close(cells[p].lower, std::min(a, b) - bend, 1e-12);
     check_close(cells[p].upper, std::max(a, b) + bend, 1e-12);
   }
+  // Where a cosine is small its rounding counts, and widens the range by as much on either side
+  const std::size_t many = std::size_t(1) << 17;
+  const Sampled values = sample({0, 1}, CosineTable(2 * many));
+  const double h = turn / double(many), wide = h * h / 8 + values.error;
+  const Interval<double> middle = ranges({0, 1}, many)[many / 2];
+  CHECK(values.error > 1e-6 * h * h / 8);
+  check_close(middle.upper - std::max(values.value[many / 2], values.value[many / 2 + 1]), wide, 0,
+              1e-7);
+  check_close(std::min(values.value[many / 2], values.value[many / 2 + 1]) - middle.lower, wide, 0,
+              1e-7);
 }
 
 TEST_CASE(

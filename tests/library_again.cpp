@@ -10,6 +10,7 @@
 #include "lattice/model/cantilever.hpp"
 #include "lattice/model/dps.hpp"
 #include "lattice/model/quasi_continuum.hpp"
+#include "lattice/model/typed.hpp"
 #include "lattice/orbits/breather.hpp"
 #include "lattice/orbits/breather_pairs.hpp"
 
@@ -266,6 +267,24 @@ TEST_CASE("chains longer than a block of the loops, whatever they are made of", 
         check_close(double(b[i]), expected, 1e-13);
       }
     }
+}
+
+TEST_CASE("a sweep asks for contacts inside the chain and for no others", "[unit][chain]") {
+  struct Along {
+    std::size_t sites;
+    double contact(std::size_t i, double push) const {
+      CHECK((i >= 1 && i < sites));
+      return push;
+    }
+    double bead(std::size_t, double force) const { return force; }
+  };
+  for (std::size_t n : {3U, 64U, 65U, 150U}) {
+    const std::vector<double> y(n + 2, 0.1);  // longer than what is swept
+    std::size_t beads = 0;
+    detail::sweep_blocks<double>(Quartic{0.3}, Hertz{}, y.data(), Along{n}, n, 0.0, 0.0,
+                                 [&](std::size_t, double) { ++beads; });
+    CHECK(beads == n);
+  }
 }
 
 TEST_CASE("units of an array, there and back", "[unit][cantilever]") {
