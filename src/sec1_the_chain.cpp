@@ -43,7 +43,8 @@ constexpr double velocity = 1.87, duration = 160;  // of the impacts; of all run
 ## What a breather is
 
 A breather is a motion that repeats itself, with a frequency $\omega_b$, and is confined to a few beads. Contacts add a
-repulsive force to the wells, so $\omega_b > 1$. Nothing radiates it away: far from the breather the beads overlap by
+repulsive force to the wells, so the breathers begin at $\omega_b = 1$, as small as one likes, and are found above it.
+Nothing radiates them away: far from the breather the beads overlap by
 less and less, contacts become ever softer there, and the amplitude falls faster than any exponential, by the power
 $3/2$ from one bead to the next. There are two kinds of them, symmetric about a bead (*site-centred*) or about a contact
 (*bond-centred*).
@@ -152,7 +153,7 @@ Four things make these motions hard to compute, and most of this book's methods 
 | contact events | the force has no second derivative where a contact opens or closes: integrators of any order lose it, their tangent maps even more | event location for orbits, exact impulses for long runs | `secA_integrators`, event_driven.hpp, contact_rkn.hpp |
 | near-degeneracy | a breather can be shifted in time for nothing and along the chain for almost nothing: Newton's matrix is nearly singular, and four multipliers lie next to $+1$, where an error $\delta$ moves them by $\sqrt\delta$ | symmetries remove both directions; $\kappa$ in the place of $\lambda$ | `sec32_newton_breathers`, floquet.hpp, `sec33_multiplier_errors` |
 | cancellation | two energies agree to seven digits or more, and their difference is the barrier | both orbits in extended precision, their energies from two tolerances | `sec32_barrier` |
-| chaos | packets of strong impacts depend on everything | two runs that agree, or a statement about many runs; never a single one | `sec34_boomeron`, `sec34_boomeron_why` |
+| chaos | late fates of packets in hard wells depend on the last digit of the start | two runs that agree, or a count over many runs | `sec34_boomeron`, `sec34_boomeron_why` |
 
 ## How the chapters depend on each other
 

@@ -75,8 +75,8 @@ Three runs show what the signs mean (figures 26 to 28). A phonon of $s = -1/6$ a
 modulated on a ring of beads, gathers its energy in one place and becomes a travelling breather, whose pulse splits
 in the end; it does so in the other wells too, more slowly and less localized for $s = 0$
 (sec4/modulated_rings.hpp has the figures and numbers). An impact on the compressed chain with $s = 1$ forms a travelling
-breather that does not turn round, but radiates a tail on both sides, and with $s = 0$ or $s = -1/6$ a train of dispersing
-waves and nothing else (sec4/struck_compressed.hpp). The rest of this chapter asks how far the NLS equation can be
+breather that does not turn round in the time of the run, but radiates a tail on both sides, and with $s = 0$ or
+$s = -1/6$ we see a train of dispersing waves and no breather (sec4/struck_compressed.hpp). The rest of this chapter asks how far the NLS equation can be
 trusted: its coefficients, its verdict at the edges of the band, its growth rates, and the error of its ansatz. */
 constexpr char speed_unit[] = "site per unit of time";
 

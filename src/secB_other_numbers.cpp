@@ -141,8 +141,8 @@ void compute_pulse(Report& report) {
 /**
 ## What flies back
 
-The pulse leaves nothing in contact behind: one bead after the other has lost its contacts and flies back, each with
-about 0.56 times the velocity of the one before ([0.562601](num:secB_other_numbers.fragment_ratio) at the sixteenth). Hinch and Saint-Jean described this fragmentation of a line of balls in
+Behind the pulse one bead after the other loses its contacts and flies back, each more slowly than the one before, the
+sixteenth by the factor [0.562601](num:secB_other_numbers.fragment_ratio). Hinch and Saint-Jean described this fragmentation of a line of balls in
 1999; the six digits that we compare with are those of a run that was put online with a program of Sokolow's, with 100
 steel balls and a leapfrog of ten picoseconds. Its first ball later meets a wall, and until then the chain is ours. */
 constexpr std::size_t fragments[]{1, 2, 4, 8, 16};
@@ -203,7 +203,7 @@ void compute_alternating(Report& report) {
 
 James and Starosvetsky (2013) proved that the DpS equation has breathers around a site and around a bond for every
 exponent $\alpha > 1$ of the contact force, and that they become Gaussian as $\alpha \to 1$. Which one is stable? We compute
-both from $\alpha = 1.1$ to 4 (secB/exponents.hpp). Everywhere in this range the one around a bond is spectrally stable
+both from $\alpha = 1.1$ to 4 (secB/exponents.hpp). At every exponent that we computed the one around a bond is spectrally stable
 and the one around a site is not, with a margin $m_2/\mu-1/\alpha$ that grows from
 [2.62509e-28](num:secB_other_numbers.margin_site_110) over [4.85298e-6](num:secB_other_numbers.margin_site_150) for spheres to
 [0.0954946](num:secB_other_numbers.margin_site_400). No margin changes its sign between the exponents computed, and neither

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "lattice/algebra/dense.hpp"
+#include "lattice/diagnostics/pulse.hpp"
 #include "lattice/impact/impact.hpp"
 #include "lattice/integrators/contact_rkn.hpp"
 #include "lattice/model/contact.hpp"
@@ -19,18 +20,8 @@ struct Passage {
   std::vector<double> t, here, next, force;
 };
 
-/// Between two samples, where `v` passes half of its maximum upwards, or downwards after it.
-double half_height(const std::vector<double>& t, const std::vector<double>& v, bool upwards) {
-  const std::size_t crest = std::size_t(std::max_element(v.begin(), v.end()) - v.begin());
-  const double level = v[crest] / 2;
-  std::size_t j = crest;
-  while (v[j] > level) upwards ? --j : ++j;
-  const std::size_t k = upwards ? j + 1 : j - 1;
-  return t[j] + (t[k] - t[j]) * (level - v[j]) / (v[k] - v[j]);
-}
-
 /**
-Thirty pairs of beads separate the pulse from what it leaves behind. */
+Nearly thirty pairs of beads separate the pulse from what it leaves behind. */
 Passage watch_pulse(double mass_ratio) {
   constexpr std::size_t pairs = 40, bead = 56;
   Chain chain{2 * pairs, None{}};
@@ -79,9 +70,10 @@ Equations equations(std::size_t points, std::size_t steps, double h) {
 The centre of symmetry is not seen in a run as well as the centroid of the force, from which it has a known distance. */
 DimerWave passing_pulse(double mass_ratio, std::size_t steps) {
   const Passage pulse = watch_pulse(mass_ratio);
-  const double rise = half_height(pulse.t, pulse.here, true);
-  const double middle = (rise + half_height(pulse.t, pulse.here, false)) / 2;
-  DimerWave out{mass_ratio, half_height(pulse.t, pulse.next, true) - rise, steps};
+  const double half = *std::max_element(pulse.here.begin(), pulse.here.end()) / 2;
+  const double rise = upward_crossings(pulse.t, pulse.here, half).front();
+  const double middle = rise + time_above(pulse.t, pulse.here, half) / 2;
+  DimerWave out{mass_ratio, upward_crossings(pulse.t, pulse.next, half).front() - rise, steps};
   // What comes more than two steps of the wave later belongs to the wake
   double sum = 0, moment = 0;
   const auto near = [&](double t) { return std::abs(t - middle) < 2 * out.period; };
