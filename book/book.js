@@ -51,6 +51,15 @@
   for (const panel of document.querySelectorAll("[popover]"))
     panel.addEventListener("toggle", (event) => { if (event.newState === "open") place(panel); });
 
+  // A link to a line of folded code opens it, and paper has all.
+  const unfold = () => {
+    const at = location.hash && $(decodeURIComponent(location.hash.slice(1))), around = at?.closest("details");
+    if (around && !around.open) { around.open = true; at.scrollIntoView(); }
+  };
+  addEventListener("hashchange", unfold);
+  addEventListener("load", unfold);
+  addEventListener("beforeprint", () => { for (const one of document.querySelectorAll("details.block")) one.open = true; });
+
   // Tables: a button in each heading sorts; numbers by size, the rest by text.
   const key = (cell) => {
     const text = cell.dataset.key ?? cell.textContent.trim();

@@ -192,11 +192,16 @@ One sentence from each part; the page *What we found* has all of them, with what
 
 ## Try it
 
-1. Strike the chain harder, `build/bin/sec34_impact run --velocity 4`: the packet is faster. By how much does the speed
-   grow if the impact is doubled? (Gently struck, like its square root: sec34_dps_impact.)
-2. Let the wells go: `build/bin/sec34_impact run --well none` gives the speed of the pulse above.
-3. Find the breather of another frequency, `build/bin/sec32_newton_breathers breather --omega 1.5`, and look at its tail
-   with `--profile`. */
+1. *Easy.* The packet of a harder impact is faster: `build/bin/sec34_impact run --velocity 2` gives `speed` = 0.23844,
+   `build/bin/sec34_impact run --velocity 4` gives `speed` = 0.30715. By which power of the impact does it grow? Hint:
+   for gentle impacts the power is one half (sec34_dps_impact), without wells a fifth.
+2. *Easy.* Take the wells away: `build/bin/sec34_impact run --well none` gives `speed` = 0.952600 and
+   `packet_energy_fraction` = 0.993661. Hint: nothing holds a bead back any more, and what is pushed pushes on.
+3. *Harder.* A breather of frequency 1.5: `build/bin/sec32_newton_breathers breather --omega 1.5` gives `amplitude` =
+   0.394328. How does the amplitude grow with the frequency? Hint: in the limit of small amplitudes like
+   $(\omega_b-1)^2$; compare with $\omega_b = 1.1$, and with 1.05.
+4. *Open.* What do several beads send out that are struck at the same time: one packet, or several? Nobody here has
+   looked. */
 int main(int argc, char** argv) {
   return run({"sec1_the_chain", "1", "The chain, and what this book asks of it", reproduce}, argc,
              argv);

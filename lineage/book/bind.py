@@ -117,8 +117,32 @@ def drawn(found):
     return f'<pre tabindex="0" style="--columns: {max(columns, 1)}">{found[1] or ""}{found[2]}</pre>'
 
 
-def folded(page):
-    return f'<details class="block"><summary>What this file includes</summary>{page}</details>'
+def folded(page, summary="What this file includes"):
+    return f'<details class="block"><summary>{summary}</summary>{page}</details>'
+
+
+FILLS = re.compile(r"\w[\w:<>,&* ]*[ &*](report_\w+)\(")
+
+
+def pieces(lines):
+    """The pieces of a listing, [from, until, names]: `names` are functions that only fill tables, `report_...`, which are
+    folded with the remarks above them, and is empty where the code is shown; neighbours are one piece."""
+    out, at = [], 0
+    while at < len(lines):
+        end, names = at, []
+        while end < len(lines) and (not lines[end].strip() or lines[end].startswith("//")):
+            end += 1
+        if end < len(lines) and (found := FILLS.match(lines[end])):
+            names = [found[1]]
+            while end < len(lines) and not lines[end].startswith("}"):
+                end += 1
+        end = min(end + 1, len(lines))
+        if out and bool(out[-1][2]) == bool(names):
+            out[-1][1:] = [end, out[-1][2] + names]
+        else:
+            out.append([at, end, names])
+        at = end
+    return out
 
 
 class PageBinding:
@@ -282,7 +306,10 @@ class PageBinding:
             parts.append(folded(code.numbered(head, block.first, "cpp", link, include)))
         while count < len(block.lines) and not block.lines[count].strip():
             count += 1
-        if count < len(block.lines):
-            rest = "\n".join(block.lines[count:])
-            parts.append(quiet(code.numbered(rest, block.first + count, "cpp", link, include)))
+        for start, end, names in pieces(block.lines[count:]):
+            lines, first = block.lines[count + start:count + end], block.first + count + start
+            while not lines[0].strip():
+                lines, first = lines[1:], first + 1
+            page = quiet(code.numbered("\n".join(lines).rstrip(), first, "cpp", link, include))
+            parts.append(folded(page, f"How the tables are filled: {', '.join(names)}") if names else page)
         return "".join(parts)

@@ -22,7 +22,7 @@ TOOLS = shutil.which("pandoc") and shutil.which("katex") and (shutil.which("node
 if missing := [name for name in ("jinja2", "pygments") if not importlib.util.find_spec(name)]:
     raise unittest.SkipTest(f"python3-{missing[0]} is not installed (make install-book)")
 
-from lineage.book import check, code, origin, pages, prose, source, weave, words  # noqa: E402
+from lineage.book import bind, check, code, origin, pages, prose, source, weave, words  # noqa: E402
 from lineage.book.record import Record  # noqa: E402
 
 needs_tools = unittest.skipUnless(TOOLS, "pandoc, katex or node is not installed (make install-book)")
@@ -48,6 +48,13 @@ class Blocks(unittest.TestCase):
 
     def test_other_comments_are_code(self):
         self.assertEqual([b.kind for b in source.split_blocks("/* a */ int x; /// b\n/**/ int y;")], ["code"])
+
+    def test_functions_that_only_fill_tables_are_folded(self):
+        fill = "/// Two.\nstd::array<double, 3> report_two(Report& report) {\n  x();\n}"
+        lines = f"int x;\n\n{fill}\n\nvoid report_more(\n    Report& report) {{\n}}\n\nint shown() {{\n  report_two(r);\n}}".split("\n")
+        self.assertEqual([("\n".join(lines[a:b]).strip(), names) for a, b, names in bind.pieces(lines)], [
+            ("int x;", []), (f"{fill}\n\nvoid report_more(\n    Report& report) {{\n}}", ["report_two", "report_more"]),
+            ("int shown() {\n  report_two(r);\n}", [])])
 
     def test_a_block_without_end_is_an_error(self):
         with self.assertRaisesRegex(ecsv.Fault, "no end"):
@@ -190,6 +197,28 @@ class Colours(unittest.TestCase):
         page = code.coloured('return 1.5e3; // "no"', "cpp")
         self.assertEqual(page, '<span class="k">return</span> <span class="n">1.5e3</span>; <span class="c">// &#34;no&#34;</span>')
         self.assertIn('<a class="s" href="T">&#34;a.hpp&#34;</a>', code.coloured('#include "a.hpp"', include=lambda path: "T"))
+
+    def test_text_stands_out_from_what_is_behind_it(self):
+        """By 4.5 to 1, as WCAG asks, in the light and in the dark theme."""
+        css = ecsv.text_of(ROOT / "book/book.css")
+        themes = [dict(pair) for pair in zip(*[[(name, colour) for colour in two] for name, *two in
+                                               re.findall(r"--(\w+): light-dark\((#\w{6}), (#\w{6})\)", css)])]
+
+        def luminance(colour):
+            parts = [int(colour[i:i + 2], 16) / 255 for i in (1, 3, 5)]
+            return sum(w * (x / 12.92 if x <= 0.03928 else ((x + 0.055) / 1.055) ** 2.4) for w, x in zip((0.2126, 0.7152, 0.0722), parts))
+
+        def contrast(one, other):
+            low, high = sorted(map(luminance, (one, other)))
+            return (high + 0.05) / (low + 0.05)
+
+        self.assertAlmostEqual(contrast("#000000", "#ffffff"), 21)
+        for colours in themes:
+            for name in set(colours) - {"paper", "panel", "line", "mark"}:
+                for behind in ("paper", "panel"):
+                    self.assertGreater(contrast(colours[name], colours[behind]), 4.5, (name, behind))
+            self.assertGreater(contrast(colours["ink"], colours["mark"]), 4.5)
+        self.assertNotIn("opacity", css)
 
     def test_links_only_for_free_names(self):
         page = code.coloured("a.sup(x); sup(x); lattice::sup(x); other::sup(x);", "cpp", lambda n: "T" if n == "sup" else None)
