@@ -48,15 +48,15 @@ push with $y^{3/2}$, and the hardness adds $s\,y^3$. Relative to the first, the 
 is $s\,y^2$. If both are small, the beads oscillate almost freely and their amplitudes change slowly, as in the DpS
 equation; $y^{1/2}$ only sets how slowly. What happens at which site can then depend on nothing but the ratio of the two,
 $s\,y^{3/2}$, and as $y$ is proportional to $v_0$, on the *scaled hardness*
-$$S = s\,v_0^{3/2}.$$
+$$\chi = s\,v_0^{3/2}.$$
 So we expect packets to turn before a given site for $s$ above
-$$s_c(v_0) = v_0^{-3/2}\,(S_0 + S_1 v_0^{1/2} + \dots),$$
+$$s_c(v_0) = v_0^{-3/2}\,(\chi_0 + \chi_1 v_0^{1/2} + \dots),$$
 where the second term is the first correction, in $y^{1/2}$, to that limit, and both coefficients belong to
-the site. The contour thus crosses many decades of $s$ while $S$ changes little, and we place the points of each
-velocity at equal ratios of $S$, from 0.7 to 20. */
+the site. The contour thus crosses many decades of $s$ while $\chi$ changes little, and we place the points of each
+velocity at equal ratios of $\chi$, from 0.7 to 20. */
 struct MapGrid {
   std::size_t columns = 32, rows = 32;
-  double slowest = 0.03, fastest = 200, least = 0.7, most = 20;  ///< of v0 and of S
+  double slowest = 0.03, fastest = 200, least = 0.7, most = 20;  ///< of v0 and of chi
   double velocity(std::size_t i) const { return spaced(slowest, fastest, i / rows, columns); }
   double scaled(std::size_t i) const { return spaced(least, most, i % rows, rows); }
   static double spaced(double from, double to, std::size_t k, std::size_t count) {
@@ -70,7 +70,7 @@ Sweep map_sweep(const std::filesystem::path& folder, const MapGrid& grid) {
   const std::vector<Column> columns{
       number("velocity", "impact velocity"),
       number("s", "anharmonicity of the well"),
-      number("kappa", "the scaled hardness S = s v0^(3/2)"),
+      number("kappa", "the scaled hardness chi = s v0^(3/2)"),
       count("fate", "0 escapes, 1 turns, 2 stays, 3 undecided or not the same at two steps"),
       number("apex", "turning point, nan for other fates", "site"),
       number("apex_difference", "of two steps", "site")};
@@ -85,11 +85,11 @@ Each point is computed with two steps. Where they disagree on the fate, the moti
 either answer would be an accident: such a point is marked as undecided. */
 void compute_map(Sweep& sweep, const MapGrid& grid, Part part) {
   sweep.compute(part, [&](std::size_t i) {
-    const double v = grid.velocity(i), S = grid.scaled(i), s = S / (v * std::sqrt(v));
+    const double v = grid.velocity(i), chi = grid.scaled(i), s = chi / (v * std::sqrt(v));
     const double none = std::nan("");
     const Outlook coarse = probe(v, s, horizon, 0), fine = probe(v, s, horizon, 1);
     const Fate fate = coarse.fate == fine.fate ? fine.fate : Fate::undecided;
-    Cells row{v, s, S};
+    Cells row{v, s, chi};
     row.emplace_back(std::int64_t(fate));
     for (double x : {fine.apex, std::abs(fine.apex - coarse.apex)})
       row.emplace_back(fate == Fate::turns ? x : none);
@@ -130,11 +130,11 @@ The contour on which the turning point is at a given site needs more precision t
 with two steps. The error is their difference plus the last interval. A packet that has neither turned
 nor escaped by the end of a run is counted with those that turn. */
 Estimate critical_s(double velocity, int bisections, double site = horizon) {
-  const auto s_of = [&](double log_S) {
-    return std::exp(log_S) / (velocity * std::sqrt(velocity));
+  const auto s_of = [&](double log_chi) {
+    return std::exp(log_chi) / (velocity * std::sqrt(velocity));
   };
-  const auto escapes = [&](double log_S, int halvings) {
-    return probe(velocity, s_of(log_S), site, halvings).fate == Fate::escapes;
+  const auto escapes = [&](double log_chi, int halvings) {
+    return probe(velocity, s_of(log_chi), site, halvings).fate == Fate::escapes;
   };
   const auto middle = [&](double low, double high) { return (low + high) / 2; };
   const auto [coarse, fine] =
@@ -145,7 +145,7 @@ Estimate critical_s(double velocity, int bisections, double site = horizon) {
 }
 
 /**
-The expected law is a line when $S_c = s_c v_0^{3/2}$ is plotted against $v_0^{1/2}$. We fit it
+The expected law is a line when $\chi_c = s_c v_0^{3/2}$ is plotted against $v_0^{1/2}$. We fit it
 for $v_0 < 3$, a bound that is our choice, and judge it by its largest relative deviation, because a
 curved contour would show at the ends of the line and not in the mean. */
 struct Contour {
@@ -155,12 +155,12 @@ struct Contour {
 };
 
 struct Law {
-  std::vector<double> root{}, S{};  ///< v0^(1/2) and S_c for v0 < 3
-  std::vector<double> error{};      ///< of S_c, relative
+  std::vector<double> root{}, chi{};  ///< v0^(1/2) and chi_c for v0 < 3
+  std::vector<double> error{};        ///< of chi_c, relative
   Line line{};
 
   double at(double x) const { return line.intercept + line.slope * x; }
-  Estimate S_0() const;
+  Estimate chi_0() const;
 };
 
 Law fit_law(const Contour& c) {
@@ -168,18 +168,18 @@ Law fit_law(const Contour& c) {
   for (std::size_t i = 0; i < c.velocity.size(); ++i) {
     if (c.velocity[i] >= 3) continue;
     law.root.push_back(std::sqrt(c.velocity[i]));
-    law.S.push_back(c.scaled(i));
+    law.chi.push_back(c.scaled(i));
     law.error.push_back(c.s[i].error / c.s[i].value);
   }
-  law.line = fit_line(law.root, law.S);
+  law.line = fit_line(law.root, law.chi);
   return law;
 }
 
 /**
-The limit $v_0=0$ lies outside the range of the points, and the error of the slope enters $S_0$. So
+The limit $v_0=0$ lies outside the range of the points, and the error of the slope enters $\chi_0$. So
 we take as its error that of the slope times the root mean square of $v_0^{1/2}$. It is the error of a fit
 at *one* horizon and says nothing about another one, nor about weaker impacts. */
-Estimate Law::S_0() const {
+Estimate Law::chi_0() const {
   double square = 0;
   for (double x : root) square += x * x / double(root.size());
   return {line.intercept, line.slope_error * std::sqrt(square)};
@@ -203,7 +203,7 @@ void report_law(Report& report) {
       {number("velocity", "impact velocity"), number("root_velocity", "its square root"),
        estimate("s", "anharmonicity from which on the packet turns before site 40", "",
                 "two steps and the last interval"),
-       number("kappa", "S = s v0^(3/2)"), number("law", "S_0 + S_1 v0^(1/2)")});
+       number("kappa", "chi = s v0^(3/2)"), number("law", "chi_0 + chi_1 v0^(1/2)")});
   std::vector<double> log_v, log_s;
   for (std::size_t i = 0; i < count; ++i) {
     const double v = c.velocity[i], root = std::sqrt(v);
@@ -214,11 +214,11 @@ void report_law(Report& report) {
   // The largest deviation from the line, with the error of that point
   Estimate scatter{};
   for (std::size_t i = 0; i < law.root.size(); ++i)
-    if (const double off = std::abs(law.S[i] / law.at(law.root[i]) - 1); off > scatter.value)
+    if (const double off = std::abs(law.chi[i] / law.at(law.root[i]) - 1); off > scatter.value)
       scatter = {off, law.error[i]};
   const double sum = std::accumulate(law.root.begin(), law.root.end(), 0.0);
   report.facts.add("law_kappa_1", law.line.estimate());
-  report.facts.add("law_kappa_0", law.S_0());
+  report.facts.add("law_kappa_0", law.chi_0());
   report.facts.add("law_largest_deviation", scatter, "relative");
   report.facts.add("law_mean_root", exact(sum / double(law.root.size())));
   report.facts.add("power_large_impacts", fit_line(log_v, log_s).estimate());
@@ -228,13 +228,13 @@ void report_law(Report& report) {
 ## Another horizon
 
 Site 40 is our choice. If the contour were the boundary between packets that turn and packets that do not turn at all, it
-would not depend on it. So we bisect again for a turning point at half and at twice that distance. At $v_0=0.1$ $S_c$ falls
+would not depend on it. So we bisect again for a turning point at half and at twice that distance. At $v_0=0.1$ $\chi_c$ falls
 from [1.554](num:sec34_boomeron_map.kappa_010_site_20) at site 20 to
 [1.338](num:sec34_boomeron_map.kappa_010_site_40) at 40 and [1.179](num:sec34_boomeron_map.kappa_010_site_80) at 80,
-and with it the $S_0$ of a line through six impacts from $0.1$ to $2.5$, from
+and with it the $\chi_0$ of a line through six impacts from $0.1$ to $2.5$, from
 [1.26](num:sec34_boomeron_map.kappa_0_site_20) over [1.06](num:sec34_boomeron_map.kappa_0_site_40) to
 [0.887](num:sec34_boomeron_map.kappa_0_site_80). These are not the limits at $v_0 \to 0$, which lie lower: at
-$v_0 = 2.5\cdot10^{-5}$ another program, not part of this repository, finds $S_c = 1.16$, $1.00$ and $0.87$. */
+$v_0 = 2.5\cdot10^{-5}$ another program, not part of this repository, finds $\chi_c = 1.16$, $1.00$ and $0.87$. */
 void report_horizons(Report& report) {
   struct Point {
     double site, velocity;
@@ -255,7 +255,7 @@ void report_horizons(Report& report) {
   report
       .table("contours",
              {number("site", "of the turning point", "site"), number("velocity", "impact velocity"),
-              estimate("kappa", "S = s v0^(3/2)", "",
+              estimate("kappa", "chi = s v0^(3/2)", "",
                        "two steps and the last interval, against the largest")})
       .fill(points, row, "horizons");
 
@@ -266,7 +266,7 @@ void report_horizons(Report& report) {
       c.velocity.push_back(points[k].velocity), c.s.push_back(points[k].s);
     const std::string at = "_site_" + short_text(points[i].site);
     report.facts.add("kappa_010" + at, {c.scaled(0), c.s[0].error / c.s[0].value * c.scaled(0)});
-    report.facts.add("kappa_0" + at, fit_law(c).S_0());
+    report.facts.add("kappa_0" + at, fit_law(c).chi_0());
   }
 }
 
@@ -307,7 +307,7 @@ void report_any_s(Report& report) {
 /**
 ## Results
 
-[](finding:turning.contour) The exponent $-3/2$ is a property of the chain; $S_0$ is one of the
+[](finding:turning.contour) The exponent $-3/2$ is a property of the chain; $\chi_0$ is one of the
 horizon and of the impacts that are fitted. Above $v_0=1$ the contour
 follows a power law with the exponent [-1.236](num:sec34_boomeron_map.power_large_impacts) on average, but
 its slope changes.
@@ -333,20 +333,20 @@ void reproduce(Report& report) {
 ## Differences and limits
 
 We cannot show that a packet never turns, only that it does not turn before a given site. So there is no
-boundary here, only contours. They move to smaller $S$ as the site moves out, and from the three that we
-have we cannot say whether they approach a limit. For $S$ far above the contour the motion near the struck
+boundary here, only contours. They move to smaller $\chi$ as the site moves out, and from the three that we
+have we cannot say whether they approach a limit. For $\chi$ far above the contour the motion near the struck
 end is erratic and the fate of single points depends on the last digit; where two steps disagree, they
 are marked as undecided.
 
 ## Try it
 
-1. *Easy.* Halve the impact $v_0 = 1.9$ at $s = 1$ and keep $S$:
+1. *Easy.* Halve the impact $v_0 = 1.9$ at $s = 1$ and keep $\chi$:
    `build/bin/sec34_boomeron run --velocity 0.95 --s 2.828427 --time 1500` gives `apex_site` = 10.00 and `return_time` = 331,
-   instead of 20.07 and 898. Hint: $S = 2.6$ is above the contour of site 40 for both, but these impacts are not weak.
+   instead of 20.07 and 898. Hint: $\chi = 2.6$ is above the contour of site 40 for both, but these impacts are not weak.
 2. *Harder.* Halve it once more: `build/bin/sec34_boomeron run --velocity 0.475 --s 8 --time 2000` gives `apex_site` = 9.51.
    Hint: the law holds for weak impacts; the first correction is proportional to $v_0^{1/2}$.
-3. *Open.* Is there an $S$ below which a packet does not turn at all, or does the turning point recede without limit? Can
-   $S_0$ at a given site be derived from the DpS equation with a cubic term added, where it is a pure number?
+3. *Open.* Is there a $\chi$ below which a packet does not turn at all, or does the turning point recede without limit? Can
+   $\chi_0$ at a given site be derived from the DpS equation with a cubic term added, where it is a pure number?
 4. *Open.* Does the law hold for a struck chain with a fixed end?
 
 ## With your own parameters
