@@ -17,7 +17,6 @@ with $s$ and with $v_0$. For which impacts and wells packets turn, and why, is t
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -40,7 +39,8 @@ using namespace lattice;
 The chain is that of the chapter before, Eqs. (9), (10) and (26),
 $$\ddot y_n + y_n + s\,y_n^3 = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2},
   \qquad y_n(0) = 0,\quad \dot y_n(0) = v_0\,\delta_{n,1},$$
-now with $s \ge 0$, a free end at $n=1$, and so long that the packet does not see the other end. Energy density and
+now with $s \ge 0$, a free end at $n=1$, and so long that the packet does not see the other end. It is integrated with
+event-corrected Runge–Kutta–Nyström steps (contact_rkn.hpp), with several step lengths each time. Energy density and
 centre of the packet are those of Eqs. (23) and (24) with $m=5$ and the Hertz energy $V$ of a contact; $n'$ is the site
 with the largest $e_n$ of all, because a packet on its way back need not be the front-most one:
 $$e_n = \tfrac12\dot y_n^2 + W(y_n) + V(y_{n+1}-y_n),\qquad
@@ -399,9 +399,8 @@ Spread spread_at(const std::vector<Path>& paths, std::size_t k) {
   return {paths[0].t[k], mean, std::sqrt(square), x[members / 10], x[members - 1 - members / 10]};
 }
 
-/**
-We compare the smoothed centres, every ten units of time: without smoothing, packets that differ
-only in the phase of their pulsation would seem to have spread. */
+// The smoothed centres, every ten units of time: without smoothing, packets that differ only in the phase of their pulsation
+// would seem to have spread
 std::vector<Spread> ensemble(std::size_t members, double step, double time) {
   const std::vector<double> velocity = random_impacts(members);
   std::vector<Path> paths(members);
@@ -463,7 +462,7 @@ void report_check(Report& report) {
 ## Differences and limits
 
 The article does not say how it integrates, how long its chain is, or how it averages. We do not find its turning at
-$v_0\approx1.87$ near $t=240$, as told above. */
+$v_0\approx1.87$ near $t=240$ (*Profiles close to the turning*). */
 void reproduce(Report& report) {
   const std::vector<TurnEstimate> reads = report_turns(report);
   const double marked = report_decorrelation(report);

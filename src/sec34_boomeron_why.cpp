@@ -12,8 +12,8 @@ outcome could contradict it.
      beside              (breather) ~~~~~~            at rest, waves beside it: does it move?
 
 One thing is puzzling from the start. Beads only push, so whatever comes from behind pushes the packet forward. If it
-nevertheless turns the packet back, the packet has a negative effective mass: what is pushed forward slows down. A slow
-breather of section 3.3 is such a body (`sec33_mobility`). We find that this packet behaves as one.
+nevertheless turns the packet back, then the packet has a negative effective mass: what is pushed forward slows down. A
+slow breather of section 3.3 is such a body (`sec33_mobility`), and we find that this packet behaves as one.
 
 ![Experiments on the packet that turns.](fig:x12) */
 
@@ -54,7 +54,7 @@ packet has *returned* when $X$ has come back by five sites; one that is trapped 
 | $X$ | `Path::centre` | energy centre |
 | – | `behind` | the distance $d$, 0: nothing is absorbed | */
 constexpr double hard = 1, velocity = 1.9, long_time = 1e4;
-constexpr std::size_t length = 800;
+constexpr std::size_t length = 800;  // of the chain
 
 /// Two steps of one experiment, and what became of the packet.
 struct Experiment {
@@ -94,9 +94,8 @@ waves absorbed more than six sites behind it, the packet has not returned by $t 
 neighbours within half a per cent of this impact four do by $10^4$ in another program, from beyond site 58. Put on a
 quiet chain at $t = 120$ it may still return, long afterwards, but with its waves it turns much earlier.
 
-What becomes of a packet that drifts slowly seems a matter of chance. `returned_cut60` counts over both steps,
-and an error of one there says that they disagree: the motion is chaotic by then, and we say no more about
-it. */
+What becomes of a packet that drifts slowly seems a matter of chance. Where the outcomes of the two steps differ, as after
+the cut at $t = 60$ they may, the motion is chaotic by then, and we say no more about it. */
 void report_experiments(Report& report) {
   std::vector<Experiment> list = experiments(report.quick);
   parallel_for("experiments", 2 * list.size(), [&](std::size_t i) {
@@ -263,8 +262,6 @@ struct Packet {
   void follow(double until, double step) {
     for (int k : {0, 1}) fate[k] = late_fate(impact, k ? step : 2 * step, until, length);
   }
-  Estimate furthest() const { return compare(fate[0].furthest, fate[1].furthest); }
-
   /// A row: which packet it is, and what becomes of it.
   Cells row(Cells which) const {
     const Cells what{impact.behind, fate[1].late, fate[0].late, fate[1].furthest, fate[1].when};
@@ -276,7 +273,7 @@ struct Packet {
 Columns with_fates(const Columns& which) {
   return {which,
           count("behind", "waves are left up to so many sites behind, 0: all", "site"),
-          count("fate", "0 goes on, 1 returns, 2 caught"),
+          count("fate", "0 goes on, 1 returns, 2 trapped"),
           count("fate_coarse", "the same with twice the step"),
           number("furthest", "furthest mean centre by the end of the run", "site"),
           number("when", "time of it")};
@@ -315,8 +312,8 @@ void report_late_fates(Report& report) {
 
 So far there was one well. Do fifteen sites suffice in others, and at other velocities? Four packets that turn,
 between sites 20 and 80, are followed to $t = 4000$ with the waves left up to four distances, and with all of them.
-Of these four, the farther out the turning point, the more such an absorber moves it. With all waves, twenty sites and fifteen sites
-of them the furthest site is [20.0468](num:sec34_boomeron_why.apex_10_19_all),
+Of these four, the farther out the turning point, the more such an absorber moves it. With all waves, twenty sites and
+fifteen sites of them the furthest site is [20.0468](num:sec34_boomeron_why.apex_10_19_all),
 [20.0468](num:sec34_boomeron_why.apex_10_19_20) and [20.12](num:sec34_boomeron_why.apex_10_19_15) at $s = 1$,
 $v_0 = 1.9$, where with fifteen the packet is trapped there; [26.1075](num:sec34_boomeron_why.apex_08_22_all),
 [26.1258](num:sec34_boomeron_why.apex_08_22_20) and [27.1809](num:sec34_boomeron_why.apex_08_22_15) at $s = 0.8$,
@@ -351,7 +348,7 @@ void report_range(Report& report) {
   for (const Packet& p : list)
     report.facts.add("apex" + tenths(p.impact.s) + tenths(p.impact.velocity) + "_" +
                          (p.impact.behind ? std::to_string(p.impact.behind) : "all"),
-                     p.furthest(), "site");
+                     compare(p.fate[0].furthest, p.fate[1].furthest), "site");
   const auto &all = list[list.size() - 2].fate, &six = list.back().fate;
   report.facts.add("apart_without_turn",
                    compare(std::abs(all[0].furthest - six[0].furthest),
@@ -433,7 +430,7 @@ void report_waves(Report& report) {
     (i % 2 ? t.path : t.coarse) = expose(t, t.well > 0 ? hard : linear, i % 2 ? step / 2 : step);
   });
 
-  // Every trial is drawn and not only their mean, so that one sees how much they scatter
+  // Every trial, so that one sees how much they scatter
   Table& table =
       report.table("waves_beside", {number("s", "anharmonicity of the well"),
                                     count("side", "-1 waves on the left, 1 on the right"),
@@ -483,13 +480,13 @@ void reproduce(Report& report) {
 ## Try it
 
 1. *Easy.* Is the packet a breather that moves? One at rest with its frequency:
-   `build/bin/sec32_newton_breathers breather --omega 1.68362 --s 1` gives `energy` = 1.44065 and `area` = 5.8312. Hint: the
-   packet has 1.487 and 5.99, a few per cent more.
+   `build/bin/sec32_newton_breathers breather --omega 1.68362 --s 1 --centre bond` gives `energy` = 1.44065 and
+   `area` = 5.8312. Hint: the packet has 1.487 and 5.99, a few per cent more.
 2. *Easy.* Could the lattice hold it? `build/bin/sec32_barrier barrier --omega 1.68 --s 1` gives `equal_area` = 3.5641e-4.
    Hint: on its way from $t = 100$ to 220 the packet gains twenty times as much from its waves.
 3. *Harder.* And in the linear well? `build/bin/sec32_barrier barrier --omega 1.68 --s 0` gives `equal_area` = -2.2978e-9,
-   a hundred thousand times less. Hint: there packets were not seen to turn, and waves hardly move a breather; a barrier
-   that is so low says how little such a breather feels of sites and bonds, and nothing of its mass.
+   a hundred thousand times less and of the other sign. Hint: it tells which of the two breathers has more energy, and at
+   a negative mass the stable one is that of *higher* energy (`sec33_mobility`).
 4. *Open.* How does the pull depend on amplitude and frequency of the waves? Is there a frequency that pushes?
 5. *Open.* Measure the mass of both breathers by kicking them, and compare the ratio with that of the pulls. Does a packet
    also turn when waves come towards it? Exact travelling breathers (section 5) do not help to explain the turning: the

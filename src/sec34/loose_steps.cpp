@@ -9,6 +9,7 @@ namespace lattice {
 const std::pair<ErrorNorm, const char*> norms[] = {
     {ErrorNorm::rms, "rms"}, {ErrorNorm::two, "two"}, {ErrorNorm::largest, "largest"}};
 
+// Two methods, three norms, eight tolerances; then longer chains
 std::vector<LooseSteps> loose_settings(std::size_t sites) {
   std::vector<LooseSteps> all;
   for (const RungeKutta& method : {dormand_prince_5(), fehlberg_5()})
@@ -25,6 +26,7 @@ std::string name_of(ErrorNorm norm) {
   return std::find_if(std::begin(norms), std::end(norms), same)->second;
 }
 
+// The first step is a tenth of the interval between two samples
 DpsPair loose_runs(const LooseSteps& how, double tau_end, std::size_t samples) {
   const auto run = [&](std::size_t count) {
     return follow_dps_by(Dps{how.sites}, dps_impact(how.sites),
@@ -38,6 +40,7 @@ DpsPair loose_runs(const LooseSteps& how, double tau_end, std::size_t samples) {
   return {run(samples), run(2 * samples)};
 }
 
+// The norm of the start is one
 double growth(const DpsOutcome& out) {
   return norm(out.end) - 1;
 }
