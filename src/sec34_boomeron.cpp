@@ -399,8 +399,7 @@ Spread spread_at(const std::vector<Path>& paths, std::size_t k) {
   return {paths[0].t[k], mean, std::sqrt(square), x[members / 10], x[members - 1 - members / 10]};
 }
 
-// The smoothed centres, every ten units of time: without smoothing, packets that differ only in the phase of their pulsation
-// would seem to have spread
+// The smoothed centres: otherwise packets that differ only in the phase of their pulsation would seem to have spread
 std::vector<Spread> ensemble(std::size_t members, double step, double time) {
   const std::vector<double> velocity = random_impacts(members);
   std::vector<Path> paths(members);

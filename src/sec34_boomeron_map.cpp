@@ -227,11 +227,11 @@ void report_law(Report& report) {
 /**
 ## Another horizon
 
-Site 40 is our choice. If the contour were the boundary between packets that turn and packets that do not turn at all, it
-would not depend on it. So we bisect again for a turning point at half and at twice that distance. At $v_0=0.1$ $\chi_c$ falls
-from [1.554](num:sec34_boomeron_map.kappa_010_site_20) at site 20 to
-[1.338](num:sec34_boomeron_map.kappa_010_site_40) at 40 and [1.179](num:sec34_boomeron_map.kappa_010_site_80) at 80,
-and with it the $\chi_0$ of a line through six impacts from $0.1$ to $2.5$, from
+Site 40 is our choice. If the contour were the boundary between packets that turn and packets that do not turn at all,
+it would not depend on it. So we bisect again for a turning point at half and at twice that distance. At $v_0=0.1$
+$\chi_c$ falls from [1.554](num:sec34_boomeron_map.kappa_010_site_20) at site 20 to
+[1.338](num:sec34_boomeron_map.kappa_010_site_40) at 40 and [1.179](num:sec34_boomeron_map.kappa_010_site_80) at 80, and
+with it the $\chi_0$ of a line through six impacts from $0.1$ to $2.5$, from
 [1.26](num:sec34_boomeron_map.kappa_0_site_20) over [1.06](num:sec34_boomeron_map.kappa_0_site_40) to
 [0.887](num:sec34_boomeron_map.kappa_0_site_80). These are not the limits at $v_0 \to 0$, which lie lower: at
 $v_0 = 2.5\cdot10^{-5}$ another program, not part of this repository, finds $\chi_c = 1.16$, $1.00$ and $0.87$. */
@@ -341,8 +341,9 @@ are marked as undecided.
 ## Try it
 
 1. *Easy.* Halve the impact $v_0 = 1.9$ at $s = 1$ and keep $\chi$:
-   `build/bin/sec34_boomeron run --velocity 0.95 --s 2.828427 --time 1500` gives `apex_site` = 10.00 and `return_time` = 331,
-   instead of 20.07 and 898. Hint: $\chi = 2.6$ is above the contour of site 40 for both, but these impacts are not weak.
+   `build/bin/sec34_boomeron run --velocity 0.95 --s 2.828427 --time 1500` gives `apex_site` = 10.00 and `return_time` =
+   331, instead of 20.07 and 898. Hint: $\chi = 2.6$ is above the contour of site 40 for both, but these impacts are not
+   weak.
 2. *Harder.* Halve it once more: `build/bin/sec34_boomeron run --velocity 0.475 --s 8 --time 2000` gives `apex_site` = 9.51.
    Hint: the law holds for weak impacts; the first correction is proportional to $v_0^{1/2}$.
 3. *Open.* Is there a $\chi$ below which a packet does not turn at all, or does the turning point recede without limit? Can

@@ -94,8 +94,8 @@ waves absorbed more than six sites behind it, the packet has not returned by $t 
 neighbours within half a per cent of this impact four do by $10^4$ in another program, from beyond site 58. Put on a
 quiet chain at $t = 120$ it may still return, long afterwards, but with its waves it turns much earlier.
 
-What becomes of a packet that drifts slowly seems a matter of chance. Where the outcomes of the two steps differ, as after
-the cut at $t = 60$ they may, the motion is chaotic by then, and we say no more about it. */
+What becomes of a packet that drifts slowly seems a matter of chance. On which of the seven return both steps agree;
+where they did not, the motion would be chaotic by then, and we could say no more about it. */
 void report_experiments(Report& report) {
   std::vector<Experiment> list = experiments(report.quick);
   parallel_for("experiments", 2 * list.size(), [&](std::size_t i) {

@@ -41,7 +41,7 @@ approximation replaces the chain by slow complex amplitudes, Eq. (13), that obey
 equation (12),
 $$y_n \approx 2\epsilon\,\mathrm{Re}\,[A_n(\tau)\,e^{it}], \quad \tau = \epsilon^{1/2}t, \qquad
   2i\tau_0\dot A_n = (A_{n+1}-A_n)|A_{n+1}-A_n|^{1/2} - (A_n-A_{n-1})|A_n-A_{n-1}|^{1/2},$$
-with $A_1(0) = -i$ and all others zero, Eq. (25), and $\tau_0$ from chapter 3.1. All ends are free and all quantities
+with $A_1(0) = -i$ and all others zero, Eq. (25), and $\tau_0 = 5\,\Gamma(\frac14)^2/(24\sqrt\pi)$ (chapter 3.1). All ends are free and all quantities
 dimensionless. By Eq. (20) the frequency 1.01 needs $\epsilon =$ [0.000954887](num:sec34_dps_impact.eps_of_1_01), printed as
 $0.9548\cdot10^{-3}$, and then the slow time $\tau = 250$ of the article's figures is
 $t =$ [8090.29](num:impact.scales_fig17), printed as 8090. */
@@ -59,7 +59,7 @@ $e_n$; its sum, the *norm*, is conserved. The speed is the slope of $X(t)$ fitte
 
 Every number comes from two computations. The DpS equation is solved at two tolerances by the
 adaptive method of order eight of the GNU Scientific Library (GSL). The chain is solved by a
-Runge–Kutta–Nyström method that knows about contacts (contact_rkn.hpp); its step is halved until
+Runge–Kutta–Nyström method that corrects its steps at contact events (contact_rkn.hpp); its step is halved until
 the *end states* of two runs agree to `tolerance`, relative to their largest entry. The finer
 computation is also sampled twice as often, since amplitudes are maxima over samples. */
 struct Resolution {
@@ -237,9 +237,10 @@ double map_error(const ChainImpact& coarse, const ChainImpact& fine) {
 
 /**
 The DpS packet is faster than that of the chain if the excess of its speed is positive by more than the errors of both.
-The article's "slightly" is a word without a number; we give the excess, [0.0252](num:sec34_dps_impact.speed_order_excess),
-and do not judge it. The chain's packet moves at [0.0108897](num:sec34_dps_impact.lattice_speed) sites per unit of $t$ and has
-the amplitude [0.0009180](num:impact.amp_full), the DpS approximation [0.000949922](num:impact.amp_dps).
+The article's "slightly" is a word without a number; we give the excess,
+[0.0252](num:sec34_dps_impact.speed_order_excess), and do not judge it. The chain's packet moves at
+[0.0108897](num:sec34_dps_impact.lattice_speed) sites per unit of $t$ and has the amplitude
+[0.0009180](num:impact.amp_full), the DpS approximation [0.000949922](num:impact.amp_dps).
 
 How many sites carry the packet? Behind it it is arbitrary where to stop counting, since its trailing edge merges into the
 wave train. Ahead of it nothing has moved yet, and the amplitude falls super-exponentially. On that side the third site
@@ -462,8 +463,8 @@ void reproduce(Report& report) {
    at $\tau = 250$ it is 0.449; what it sheds, and how its speed changes, tells that it is not exact.
 3. *Harder.* By which power of the impact does the speed in the chain grow?
    `build/bin/sec34_impact run --s 0 --velocity 0.02 --time 2500` gives `speed` = 0.033591 and
-   `build/bin/sec34_impact run --s 0 --velocity 0.2 --time 800` gives `speed` = 0.09512. Hint: $\tau = \epsilon^{1/2}t$ makes
-   it one half in the limit; $0.36129\,(v_0/2)^{1/2}$ is 0.0361 and 0.114.
+   `build/bin/sec34_impact run --s 0 --velocity 0.2 --time 800` gives `speed` = 0.09512. Hint: $\tau = \epsilon^{1/2}t$
+   makes it one half in the limit; $0.36129\,(v_0/2)^{1/2}$ is 0.0361 and 0.114.
 4. *Harder.* Let the beads push with $d_+^2$: `build/bin/sec31_dps_limit impact --alpha 2` gives `speed` = 0.3986 and
    `residual_boundary` = 0.31916. Hint: packet and boundary both keep more than
    at $3/2$; what loses is the wave train between them.

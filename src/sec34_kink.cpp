@@ -218,9 +218,9 @@ void report_transition(Report& report) {
 ## No blow-up
 
 In soft quartic wells a strong impact ends in a blow-up; with $W = 1-\cos y$ that cannot be. No term of the energy is
-negative, so that no bead is ever faster than $v_0$ or farther away than $v_0t$, at every impact velocity and for
-ever. We follow impacts of up to $v_0 = 6$ until $t = 2000$ and ask whether the beads keep to that. The largest displacement, [10424.1](num:sec34_kink.furthest), is that of a bead which has been thrown
-off and goes on over well after well. */
+negative, so that no bead is ever faster than $v_0$ or farther away than $v_0t$, at every impact velocity and for ever.
+We follow impacts of up to $v_0 = 6$ until $t = 2000$ and ask whether the beads keep to that. The largest displacement,
+[10424.1](num:sec34_kink.furthest), is that of a bead which has been thrown off and goes on over well after well. */
 void report_confinement(Report& report) {
   const std::vector<double> velocities =
       report.quick ? std::vector{2.0, 6.0} : std::vector{2.0, 3.0, 4.0, 5.0, 6.0};
