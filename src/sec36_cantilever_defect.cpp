@@ -10,7 +10,7 @@ clamped at both ends, with a bead on either side of each:
                   |   |   |           |    |    |
                ===+===+===+===========+====+====+===         clamped at both ends
 
-A blow on the first beam launches a travelling breather. What would be seen of it in metres, newtons and
+An impact on the first beam launches a travelling breather. What would be seen of it in metres, newtons and
 milliseconds? And what becomes of it when it meets a beam with larger beads: how much of its energy comes back, how
 much passes, how much stays?
 
