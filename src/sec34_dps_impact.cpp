@@ -41,10 +41,10 @@ approximation replaces the chain by slow complex amplitudes, Eq. (13), that obey
 equation (12),
 $$y_n \approx 2\epsilon\,\mathrm{Re}\,[A_n(\tau)\,e^{it}], \quad \tau = \epsilon^{1/2}t, \qquad
   2i\tau_0\dot A_n = (A_{n+1}-A_n)|A_{n+1}-A_n|^{1/2} - (A_n-A_{n-1})|A_n-A_{n-1}|^{1/2},$$
-with $A_1(0) = -i$ and all others zero, Eq. (25), and $\tau_0 = 5\,\Gamma(\frac14)^2/(24\sqrt\pi)$ (chapter 3.1). All ends are free and all quantities
-dimensionless. By Eq. (20) the frequency 1.01 needs $\epsilon =$ [0.000954887](num:sec34_dps_impact.eps_of_1_01), printed as
-$0.9548\cdot10^{-3}$, and then the slow time $\tau = 250$ of the article's figures is
-$t =$ [8090.29](num:impact.scales_fig17), printed as 8090. */
+with $A_1(0) = -i$ and all others zero, Eq. (25), and $\tau_0 = 5\,\Gamma(\frac14)^2/(24\sqrt\pi)$ (chapter 3.1). All ends
+are free and all quantities dimensionless. By Eq. (20) the frequency 1.01 needs $\epsilon =$
+[0.000954887](num:sec34_dps_impact.eps_of_1_01), printed as $0.9548\cdot10^{-3}$, and then the slow
+time $\tau = 250$ of the article's figures is $t =$ [8090.29](num:impact.scales_fig17), printed as 8090. */
 constexpr double eps = 0.9548e-3, tau_end = 250;
 constexpr std::size_t sites = 120;  // so many that the packet does not reach the last one by then
 
