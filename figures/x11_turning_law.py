@@ -1,4 +1,4 @@
-"""Figure x11: which packets turn, against impact and well, and the law of the boundary."""
+"""Figure x11: which packets turn, against impact and well, and the law of a contour."""
 
 import draw
 import matplotlib.pyplot as plt
@@ -40,7 +40,7 @@ axes.contour(vs, kappas, np.log10(image("s")), levels=np.log10(levels), colors="
 for s, v in zip(levels, [33, 7.1, 1.53, 0.33]):
     axes.text(v, 0.78, f"$s={s:g}$", fontsize=6.5, rotation=72, ha="left", va="bottom")
 axes.plot(law["velocity"], law["kappa"], "o", ms=3, mfc="white", mec="black", mew=0.7)
-axes.set(xscale="log", yscale="log", xlabel="impact velocity $v_0$", ylabel=r"$s\,v_0^{3/2}$",
+axes.set(xscale="log", yscale="log", xlabel="impact velocity $v_0$", ylabel=r"$\chi = s\,v_0^{3/2}$",
          xlim=(edges(vs)[0], edges(vs)[-1]), ylim=(edges(kappas)[0], edges(kappas)[-1]))
 axes.set_yticks([1, 2, 5, 10, 20], ["1", "2", "5", "10", "20"])
 axes.minorticks_off()
@@ -51,7 +51,7 @@ axes.text(0.02, 0.03, "(a)", transform=axes.transAxes)
 bar = figure.colorbar(picture, ax=axes, ticks=[5, 10, 20, 40], pad=0.01)
 bar.ax.set_yticklabels(["5", "10", "20", "40"])
 bar.ax.minorticks_off()
-bar.set_label("apex (site)")
+bar.set_label("turning point (site)")
 
 line.plot(law["root_velocity"], law["kappa"], "o", ms=3, mfc="white", mec="#0072B2", mew=0.8,
           label="apex at site 40")
@@ -62,10 +62,10 @@ for site, mark, colour in [(20, "^", "#009E73"), (80, "v", "#D55E00")]:
                   mew=0.8, label=f"apex at site {site}")
 fitted = law["velocity"] < 3
 line.plot(law["root_velocity"][fitted], law["law"][fitted], color="black", lw=1,
-          label=r"$\kappa_0 + \kappa_1 v_0^{1/2}$")
+          label=r"$\chi_0 + \chi_1 v_0^{1/2}$")
 line.plot(law["root_velocity"], law["law"], color="black", lw=0.8, ls=(0, (2, 2)),
           label="beyond the fit")
-line.set(xlabel=r"$v_0^{1/2}$", ylabel=r"$\kappa_c = s_c v_0^{3/2}$", xlim=(0, 10.2), ylim=(0, 11))
+line.set(xlabel=r"$v_0^{1/2}$", ylabel=r"$\chi_c = s_c v_0^{3/2}$", xlim=(0, 10.2), ylim=(0, 11))
 line.legend(loc="lower right")
 draw.letter(line, "b")
 draw.save(figure, out)

@@ -1,4 +1,4 @@
-"""Figure x12: why packets turn: what is left of the waves, forces, late fates, and waves beside a breather."""
+"""Figure x12: why packets turn: what is left of the waves, accelerations, late fates, and waves beside a breather."""
 
 import draw
 import matplotlib.pyplot as plt
@@ -36,7 +36,7 @@ for s, cut, mark, colour, name in [(1, 0, "o-", "#000000", "$s = 1$"),
     some = part["behind"] > 0
     b.plot(part["behind"][some], 1e4 * part["force"][some], mark, color=colour, lw=1, ms=3,
            label=name)
-b.set(xlabel="waves left behind the packet (sites)", ylabel=r"force ($10^{-4}$ site / time$^2$)",
+b.set(xlabel="waves left behind the packet (sites)", ylabel=r"acceleration ($10^{-4}$ site / time$^2$)",
       xlim=(3, 21), ylim=(-5, 0))
 b.legend(loc="center right", bbox_to_anchor=(1, 0.42))
 

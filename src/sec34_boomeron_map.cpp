@@ -3,15 +3,12 @@
 
 According to section 3.4 of James, Kevrekidis and Cuevas (Physica D 251, 2013) the packet launched by
 an impact seems to turn round as soon as the wells are hard: they checked $s\ge0.005$, and at $s=0$
-it does not turn (`boomeron.any_s`). They do not say for which impacts, nor how far out. We map where
+it does not turn. They do not say for which impacts, nor how far out. We map where
 packets turn against impact velocity $v_0$ and hardness $s$, and find the law of a contour of this map,
-that of an apex at site 40. The model is that of the chapter before.
-
-     log s |  .        turns, or never leaves the end
-           |    ' .
-           |        ' .          s_c(v_0)
-           |  escapes       ' .
-           +-----------------------------> log v_0
+that of a turning point at site 40. The chain is that of `sec34_boomeron`, Eqs. (9), (10) and (26),
+$$\ddot y_n + y_n + s\,y_n^3 = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2},
+  \qquad \dot y_n(0) = v_0\,\delta_{n,1},$$
+at rest before the impact, with free ends and so long that nothing returns from the far one.
 
 ![Fate of the packet against impact and well, and the law of a contour.](fig:x11) */
 
@@ -35,8 +32,8 @@ using namespace lattice;
 ## What counts as turning
 
 A map needs one criterion for all its points, although the impacts differ by orders of magnitude. A
-packet has *turned* when its centre, averaged over about one internal period, has come back by five
-sites; a packet that is caught between two sites swings by less. It has *escaped* when it passes
+packet has *turned* when its energy centre, averaged over about one internal period, has come back by five
+sites; a packet that is trapped between two sites swings by less. It has *escaped* when it passes
 site 40, and it *stays* if it never gets beyond site 8 (turning.hpp says how long we wait). A packet
 that turns further out than site 40 counts as escaped here; that is a limit of the map and no
 statement about the chain: with $s=1$ and $v_0=1.5$ the map says that it escapes, and it does turn, at site
@@ -46,37 +43,36 @@ constexpr double horizon = 40;
 /**
 ## The scaling that decides
 
-Where should the points of the map lie? Relative to the linear force of the well, a packet of
-amplitude $\epsilon$ feels the contacts with the strength $\epsilon^{1/2}$ and the hardness with
-$s\epsilon^2$. At small amplitude both are small, and the first only sets the time scale, as in the
-DpS equation. What happens at which site can then depend on nothing but their ratio, in which
-$\epsilon$ is $v_0$ up to a factor: $\kappa = s\,v_0^{3/2}$. So we expect packets to turn before a given site
-for $s$ above
-$$s_c(v_0) = v_0^{-3/2}\,(\kappa_0 + \kappa_1 v_0^{1/2} + \dots),$$
-where the second term is the first correction, in $\epsilon^{1/2}$, to that limit, and both coefficients belong to
-the site. The contour thus crosses many decades of $s$ while $\kappa$ changes little, and we place the points of each
-velocity at equal ratios of $\kappa$. */
+Where should the points of the map lie? In a packet of displacements of the size $y$ the well pulls with $y$, the contacts
+push with $y^{3/2}$, and the hardness adds $s\,y^3$. Relative to the first, the contacts are $y^{1/2}$ and the hardness
+is $s\,y^2$. If both are small, the beads oscillate almost freely and their amplitudes change slowly, as in the DpS
+equation; $y^{1/2}$ only sets how slowly. What happens at which site can then depend on nothing but the ratio of the two,
+$s\,y^{3/2}$, and as $y$ is proportional to $v_0$, on the *scaled hardness*
+$$\chi = s\,v_0^{3/2}.$$
+So we expect packets to turn before a given site for $s$ above
+$$s_c(v_0) = v_0^{-3/2}\,(\chi_0 + \chi_1 v_0^{1/2} + \dots),$$
+where the second term is the first correction, in $y^{1/2}$, to that limit, and both coefficients belong to
+the site. The contour thus crosses many decades of $s$ while $\chi$ changes little, and we place the points of each
+velocity at equal ratios of $\chi$, from 0.7 to 20. */
 struct MapGrid {
   std::size_t columns = 32, rows = 32;
-  double slowest = 0.03, fastest = 200, least = 0.7, most = 20;  ///< of v0 and of kappa
+  double slowest = 0.03, fastest = 200, least = 0.7, most = 20;  ///< of v0 and of chi
   double velocity(std::size_t i) const { return spaced(slowest, fastest, i / rows, columns); }
-  double kappa(std::size_t i) const { return spaced(least, most, i % rows, rows); }
+  double scaled(std::size_t i) const { return spaced(least, most, i % rows, rows); }
   static double spaced(double from, double to, std::size_t k, std::size_t count) {
     return from * std::pow(to / from, double(k) / double(std::max<std::size_t>(count, 2) - 1));
   }
 };
 constexpr double softest = 0.005;  // the smallest s of the article
 
-/**
-A map of this size takes a while, and an interrupted one should go on where it stopped. So each row
-is stored as soon as it is known (sweep.hpp), together with all parameters that determine it. */
+// Each row is stored as soon as it is known, together with all parameters that determine it (sweep.hpp)
 Sweep map_sweep(const std::filesystem::path& folder, const MapGrid& grid) {
   const std::vector<Column> columns{
       number("velocity", "impact velocity"),
       number("s", "anharmonicity of the well"),
-      number("kappa", "s v0^(3/2)"),
+      number("kappa", "the scaled hardness chi = s v0^(3/2)"),
       count("fate", "0 escapes, 1 turns, 2 stays, 3 undecided or not the same at two steps"),
-      number("apex", "furthest point before it turned, nan for other fates", "site"),
+      number("apex", "turning point, nan for other fates", "site"),
       number("apex_difference", "of two steps", "site")};
   std::ostringstream key;
   key << grid.columns << " x " << grid.rows << " points, kappa from " << grid.least << " to "
@@ -89,11 +85,11 @@ Each point is computed with two steps. Where they disagree on the fate, the moti
 either answer would be an accident: such a point is marked as undecided. */
 void compute_map(Sweep& sweep, const MapGrid& grid, Part part) {
   sweep.compute(part, [&](std::size_t i) {
-    const double v = grid.velocity(i), kappa = grid.kappa(i), s = kappa / (v * std::sqrt(v));
+    const double v = grid.velocity(i), chi = grid.scaled(i), s = chi / (v * std::sqrt(v));
     const double none = std::nan("");
     const Outlook coarse = probe(v, s, horizon, 0), fine = probe(v, s, horizon, 1);
     const Fate fate = coarse.fate == fine.fate ? fine.fate : Fate::undecided;
-    Cells row{v, s, kappa};
+    Cells row{v, s, chi};
     row.emplace_back(std::int64_t(fate));
     for (double x : {fine.apex, std::abs(fine.apex - coarse.apex)})
       row.emplace_back(fate == Fate::turns ? x : none);
@@ -130,15 +126,15 @@ std::pair<double, double> bisect_twice(Interval all, int bisections, Middle midd
 /**
 ## The law of a contour
 
-The contour on which the apex is at a given site needs more precision than the map has, so we bisect in $s$,
+The contour on which the turning point is at a given site needs more precision than the map has, so we bisect in $s$,
 with two steps. The error is their difference plus the last interval. A packet that has neither turned
 nor escaped by the end of a run is counted with those that turn. */
 Estimate critical_s(double velocity, int bisections, double site = horizon) {
-  const auto s_of = [&](double log_kappa) {
-    return std::exp(log_kappa) / (velocity * std::sqrt(velocity));
+  const auto s_of = [&](double log_chi) {
+    return std::exp(log_chi) / (velocity * std::sqrt(velocity));
   };
-  const auto escapes = [&](double log_kappa, int halvings) {
-    return probe(velocity, s_of(log_kappa), site, halvings).fate == Fate::escapes;
+  const auto escapes = [&](double log_chi, int halvings) {
+    return probe(velocity, s_of(log_chi), site, halvings).fate == Fate::escapes;
   };
   const auto middle = [&](double low, double high) { return (low + high) / 2; };
   const auto [coarse, fine] =
@@ -149,22 +145,22 @@ Estimate critical_s(double velocity, int bisections, double site = horizon) {
 }
 
 /**
-The expected law is a line when $\kappa_c = s_c v_0^{3/2}$ is plotted against $v_0^{1/2}$. We fit it
+The expected law is a line when $\chi_c = s_c v_0^{3/2}$ is plotted against $v_0^{1/2}$. We fit it
 for $v_0 < 3$, a bound that is our choice, and judge it by its largest relative deviation, because a
 curved contour would show at the ends of the line and not in the mean. */
 struct Contour {
   std::vector<double> velocity;
   std::vector<Estimate> s;
-  double kappa(std::size_t i) const { return s[i].value * velocity[i] * std::sqrt(velocity[i]); }
+  double scaled(std::size_t i) const { return s[i].value * velocity[i] * std::sqrt(velocity[i]); }
 };
 
 struct Law {
-  std::vector<double> root{}, kappa{};  ///< v0^(1/2) and kappa_c for v0 < 3
-  std::vector<double> error{};          ///< of kappa_c, relative
+  std::vector<double> root{}, chi{};  ///< v0^(1/2) and chi_c for v0 < 3
+  std::vector<double> error{};        ///< of chi_c, relative
   Line line{};
 
   double at(double x) const { return line.intercept + line.slope * x; }
-  Estimate kappa_0() const;
+  Estimate chi_0() const;
 };
 
 Law fit_law(const Contour& c) {
@@ -172,18 +168,18 @@ Law fit_law(const Contour& c) {
   for (std::size_t i = 0; i < c.velocity.size(); ++i) {
     if (c.velocity[i] >= 3) continue;
     law.root.push_back(std::sqrt(c.velocity[i]));
-    law.kappa.push_back(c.kappa(i));
+    law.chi.push_back(c.scaled(i));
     law.error.push_back(c.s[i].error / c.s[i].value);
   }
-  law.line = fit_line(law.root, law.kappa);
+  law.line = fit_line(law.root, law.chi);
   return law;
 }
 
 /**
-The limit $v_0=0$ lies outside the range of the points, and the error of the slope enters $\kappa_0$. So
+The limit $v_0=0$ lies outside the range of the points, and the error of the slope enters $\chi_0$. So
 we take as its error that of the slope times the root mean square of $v_0^{1/2}$. It is the error of a fit
 at *one* horizon and says nothing about another one, nor about weaker impacts. */
-Estimate Law::kappa_0() const {
+Estimate Law::chi_0() const {
   double square = 0;
   for (double x : root) square += x * x / double(root.size());
   return {line.intercept, line.slope_error * std::sqrt(square)};
@@ -207,22 +203,22 @@ void report_law(Report& report) {
       {number("velocity", "impact velocity"), number("root_velocity", "its square root"),
        estimate("s", "anharmonicity from which on the packet turns before site 40", "",
                 "two steps and the last interval"),
-       number("kappa", "s v0^(3/2)"), number("law", "kappa_0 + kappa_1 v0^(1/2)")});
+       number("kappa", "chi = s v0^(3/2)"), number("law", "chi_0 + chi_1 v0^(1/2)")});
   std::vector<double> log_v, log_s;
   for (std::size_t i = 0; i < count; ++i) {
     const double v = c.velocity[i], root = std::sqrt(v);
-    table.add({v, root, c.s[i], c.kappa(i), law.at(root)});
+    table.add({v, root, c.s[i], c.scaled(i), law.at(root)});
     if (v > 1) log_v.push_back(std::log(v)), log_s.push_back(std::log(c.s[i].value));
   }
 
   // The largest deviation from the line, with the error of that point
   Estimate scatter{};
   for (std::size_t i = 0; i < law.root.size(); ++i)
-    if (const double off = std::abs(law.kappa[i] / law.at(law.root[i]) - 1); off > scatter.value)
+    if (const double off = std::abs(law.chi[i] / law.at(law.root[i]) - 1); off > scatter.value)
       scatter = {off, law.error[i]};
   const double sum = std::accumulate(law.root.begin(), law.root.end(), 0.0);
   report.facts.add("law_kappa_1", law.line.estimate());
-  report.facts.add("law_kappa_0", law.kappa_0());
+  report.facts.add("law_kappa_0", law.chi_0());
   report.facts.add("law_largest_deviation", scatter, "relative");
   report.facts.add("law_mean_root", exact(sum / double(law.root.size())));
   report.facts.add("power_large_impacts", fit_line(log_v, log_s).estimate());
@@ -231,14 +227,14 @@ void report_law(Report& report) {
 /**
 ## Another horizon
 
-Site 40 is our choice. If the contour were the boundary between packets that turn and packets that never do, it would
-not depend on it. So we bisect again for an apex at half and at twice that distance. At $v_0=0.1$ $\kappa_c$ falls
-from [1.554](num:sec34_boomeron_map.kappa_010_site_20) at site 20 to
-[1.338](num:sec34_boomeron_map.kappa_010_site_40) at 40 and [1.179](num:sec34_boomeron_map.kappa_010_site_80) at 80,
-and with it the $\kappa_0$ of a line through six impacts from $0.1$ to $2.5$, from
+Site 40 is our choice. If the contour were the boundary between packets that turn and packets that do not turn at all,
+it would not depend on it. So we bisect again for a turning point at half and at twice that distance. At $v_0=0.1$
+$\chi_c$ falls from [1.554](num:sec34_boomeron_map.kappa_010_site_20) at site 20 to
+[1.338](num:sec34_boomeron_map.kappa_010_site_40) at 40 and [1.179](num:sec34_boomeron_map.kappa_010_site_80) at 80, and
+with it the $\chi_0$ of a line through six impacts from $0.1$ to $2.5$, from
 [1.26](num:sec34_boomeron_map.kappa_0_site_20) over [1.06](num:sec34_boomeron_map.kappa_0_site_40) to
 [0.887](num:sec34_boomeron_map.kappa_0_site_80). These are not the limits at $v_0 \to 0$, which lie lower: at
-$v_0 = 2.5\cdot10^{-5}$ another program, not part of this repository, finds $\kappa_c = 1.16$, $1.00$ and $0.87$. */
+$v_0 = 2.5\cdot10^{-5}$ another program, not part of this repository, finds $\chi_c = 1.16$, $1.00$ and $0.87$. */
 void report_horizons(Report& report) {
   struct Point {
     double site, velocity;
@@ -258,8 +254,8 @@ void report_horizons(Report& report) {
   };
   report
       .table("contours",
-             {number("site", "of the apex", "site"), number("velocity", "impact velocity"),
-              estimate("kappa", "s v0^(3/2)", "",
+             {number("site", "of the turning point", "site"), number("velocity", "impact velocity"),
+              estimate("kappa", "chi = s v0^(3/2)", "",
                        "two steps and the last interval, against the largest")})
       .fill(points, row, "horizons");
 
@@ -269,8 +265,8 @@ void report_horizons(Report& report) {
     for (std::size_t k = i; k < i + count; ++k)
       c.velocity.push_back(points[k].velocity), c.s.push_back(points[k].s);
     const std::string at = "_site_" + short_text(points[i].site);
-    report.facts.add("kappa_010" + at, {c.kappa(0), c.s[0].error / c.s[0].value * c.kappa(0)});
-    report.facts.add("kappa_0" + at, fit_law(c).kappa_0());
+    report.facts.add("kappa_010" + at, {c.scaled(0), c.s[0].error / c.s[0].value * c.scaled(0)});
+    report.facts.add("kappa_0" + at, fit_law(c).chi_0());
   }
 }
 
@@ -309,33 +305,10 @@ void report_any_s(Report& report) {
 }
 
 /**
-## One part of the map
-
-The points of the map are independent, so several machines can share them.
-`sec34_boomeron_map map --part 2/8 --folder rows` computes every eighth point from the second on and
-keeps it in the folder; without `--part` the command collects what all parts have left there,
-computes what is missing and prints the whole map. */
-struct TurningMap : MapPart {
-  static constexpr Title title{"map", "the map of turning, or a part of it"};
-  MapGrid grid{};
-
-  void parameters(Parameters& p) {
-    MapPart::parameters(p);
-    p.add("columns", grid.columns, "impact velocities", {2, 1000});
-    p.add("rows", grid.rows, "anharmonicities", {2, 1000});
-  }
-  Table table() const {
-    Sweep sweep = map_sweep(folder, grid);
-    compute_map(sweep, grid, mine());
-    return sweep.table(mine());
-  }
-};
-
-/**
 ## Results
 
-[](finding:turning.contour) The exponent $-3/2$ is a property of the chain; $\kappa_0$ is one of the
-horizon and of the impacts that are fitted, as the last section but one shows. Above $v_0=1$ the contour
+[](finding:turning.contour) The exponent $-3/2$ is a property of the chain; $\chi_0$ is one of the
+horizon and of the impacts that are fitted. Above $v_0=1$ the contour
 follows a power law with the exponent [-1.236](num:sec34_boomeron_map.power_large_impacts) on average, but
 its slope changes.
 
@@ -360,16 +333,44 @@ void reproduce(Report& report) {
 ## Differences and limits
 
 We cannot show that a packet never turns, only that it does not turn before a given site. So there is no
-boundary here, only contours. They move to smaller $\kappa$ as the site moves out, and from the three that we
-have we cannot say whether they approach a limit. For $\kappa$ far above the contour the motion near the struck
+boundary here, only contours. They move to smaller $\chi$ as the site moves out, and from the three that we
+have we cannot say whether they approach a limit. For $\chi$ far above the contour the motion near the struck
 end is erratic and the fate of single points depends on the last digit; where two steps disagree, they
 are marked as undecided.
 
-## Extensions
+## Try it
 
-- Is there a $\kappa$ below which a packet never turns, or does the apex grow without limit?
-- Derive $\kappa_0$ at a given site from the DpS equation with a cubic term added, where it is a pure number.
-- Does the law hold for a struck chain with a fixed end? */
+1. *Easy.* Halve the impact $v_0 = 1.9$ at $s = 1$ and keep $\chi$:
+   `build/bin/sec34_boomeron run --velocity 0.95 --s 2.828427 --time 1500` gives `apex_site` = 10.00 and `return_time` =
+   331, instead of 20.07 and 898. Hint: $\chi = 2.6$ is above the contour of site 40 for both, but these impacts are not
+   weak.
+2. *Harder.* Halve it once more: `build/bin/sec34_boomeron run --velocity 0.475 --s 8 --time 2000` gives `apex_site` = 9.51.
+   Hint: the law holds for weak impacts; the first correction is proportional to $v_0^{1/2}$.
+3. *Open.* Is there a $\chi$ below which a packet does not turn at all, or does the turning point recede without limit? Can
+   $\chi_0$ at a given site be derived from the DpS equation with a cubic term added, where it is a pure number?
+4. *Open.* Does the law hold for a struck chain with a fixed end?
+
+## With your own parameters
+
+The points of the map are independent, so several machines can share them. `sec34_boomeron_map map --part 2/8 --folder
+rows` computes every eighth point from the second on and keeps it in the folder; without `--part` the command collects
+what is there, computes what is missing and prints the whole map. */
+struct TurningMap : MapPart {
+  static constexpr Title title{"map", "the map of turning, or a part of it"};
+  MapGrid grid{};
+
+  void parameters(Parameters& p) {
+    MapPart::parameters(p);
+    p.add("columns", grid.columns, "impact velocities", {2, 1000});
+    p.add("rows", grid.rows, "anharmonicities", {2, 1000});
+  }
+  Table table() const {
+    Sweep sweep = map_sweep(folder, grid);
+    compute_map(sweep, grid, mine());
+    return sweep.table(mine());
+  }
+};
+
 int main(int argc, char** argv) {
   return run({"sec34_boomeron_map", "3.4", "Which packets turn round (section 3.4, s > 0)",
               reproduce, commands<TurningMap>()},

@@ -1,9 +1,9 @@
 /**
 # 3.4 Why packets turn round
 
-James, Kevrekidis and Cuevas (Physica D 251, 2013) leave open why packets turn round in the hard
-wells of section 3.4. They suspect the waves that are confined between the packet and the struck
-end. We test this with experiments whose outcome could contradict it.
+James, Kevrekidis and Cuevas (Physica D 251, 2013) leave open why packets turn round in the hard wells of section 3.4.
+They suspect the waves that are confined between the packet and the struck end. We test this with experiments whose
+outcome could contradict it.
 
      waves     |~~~~~~~~~~~~~~~ (packet)              does it turn?
      behind    |xxxxxxxx<- d -> (packet)              with waves up to d sites behind it only?
@@ -11,24 +11,25 @@ end. We test this with experiments whose outcome could contradict it.
      cut                        (packet)              alone on a quiet chain?
      beside              (breather) ~~~~~~            at rest, waves beside it: does it move?
 
-![Experiments on the packet that turns.](fig:x12)
+One thing is puzzling from the start. Beads only push, so whatever comes from behind pushes the packet forward. If it
+nevertheless turns the packet back, then the packet has a negative effective mass: what is pushed forward slows down. A
+slow breather of section 3.3 is such a body (`sec33_mobility`), and we find that this packet behaves as one.
 
-The answer, with its evidence and its limits, is given under *Results*. */
+![Experiments on the packet that turns.](fig:x12) */
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
-#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "lattice/gsl/random.hpp"
 #include "lattice/impact/turning.hpp"
 #include "lattice/numerics/parallel.hpp"
-#include "lattice/orbits/breather_pairs.hpp"
 #include "report/program.hpp"
+#include "sec34/acceleration.hpp"
+#include "sec34/at_rest.hpp"
+#include "sec34/beside.hpp"
 #include "sec34/wake.hpp"
 
 using namespace lattice;
@@ -36,24 +37,24 @@ using namespace lattice;
 /**
 ## Model and method
 
-The chain is that of the other boomeron chapters, Eqs. (9), (10) and (26),
+The chain is that of the chapter `sec34_boomeron`, Eqs. (9), (10) and (26),
 $$\ddot y_n + y_n + s\,y_n^3 = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2} - \nu_n\dot y_n,
   \qquad \dot y_n(0) = v_0\,\delta_{n,1},$$
 with a damping $\nu_n$ that is zero except where we absorb waves: it is 0.1 on all sites more than $d$ behind
 the packet, or 0.2 on the first site alone. A cut takes the packet's own thirteen sites at a given time,
 displacements and velocities untouched, and puts them on a long chain that is otherwise at rest (wake.hpp).
 Every run is made with two steps, on a chain so long that no wave comes back from its ends, which is checked.
-A packet has returned when its centre, averaged over four internal periods, has come back by five sites;
-one that is only caught between two sites swings by less than one.
+
+As in that chapter $X$ is the energy centre of the strongest packet, Eq. (24), averaged over four internal periods. The
+packet has *returned* when $X$ has come back by five sites; one that is trapped between two sites swings by less than one.
 
 | article | program | meaning |
 |---|---|---|
 | $s$, $v_0$ | `s`, `velocity` | the well and the impact, 1 and 1.9 if nothing else is said |
-| $X$ | `Path::centre` | energy centre of the strongest packet, Eq. (24) |
-| – | `behind` | the distance $d$, 0: nothing is absorbed |
-| – | `area` | area in phase space, $\int \sum \dot y_n^2\,dt$ over one internal period | */
+| $X$ | `Path::centre` | energy centre |
+| – | `behind` | the distance $d$, 0: nothing is absorbed | */
 constexpr double hard = 1, velocity = 1.9, long_time = 1e4;
-constexpr std::size_t room = 800;
+constexpr std::size_t length = 800;  // of the chain
 
 /// Two steps of one experiment, and what became of the packet.
 struct Experiment {
@@ -87,22 +88,20 @@ std::vector<Experiment> experiments(bool quick) {
 }
 
 /**
-With all its waves the packet returns, after its apex at site [20.0468](num:sec34_boomeron_why.furthest_waves). That
-the end hardly reflects any wave only moves the apex to site [33.26](num:sec34_boomeron_why.furthest_end). Absorbed
-more than six sites behind, the packet does not return until $t = 10^4$ (nor until $10^5$, run once); of eighty
+With all its waves the packet returns, after its turning point at site [20.0468](num:sec34_boomeron_why.furthest_waves).
+That the end hardly reflects any wave only moves this point to site [33.26](num:sec34_boomeron_why.furthest_end). With the
+waves absorbed more than six sites behind it, the packet has not returned by $t = 10^4$ (nor by $10^5$, run once); of eighty
 neighbours within half a per cent of this impact four do by $10^4$ in another program, from beyond site 58. Put on a
-quiet chain at $t = 120$ it may still return, long afterwards (see *Results*), but with its waves it turns much
-earlier.
+quiet chain at $t = 120$ it may still return, long afterwards, but with its waves it turns much earlier.
 
-What becomes of a packet that creeps seems a matter of chance. `returned_cut60` counts over both steps,
-and an error of one there says that they disagree: the motion is chaotic by then, and we say no more about
-it. */
+What becomes of a packet that drifts slowly seems a matter of chance. On which of the seven return both steps agree;
+where they did not, the motion would be chaotic by then, and we could say no more about it. */
 void report_experiments(Report& report) {
   std::vector<Experiment> list = experiments(report.quick);
   parallel_for("experiments", 2 * list.size(), [&](std::size_t i) {
     Experiment& e = list[i / 2];
     e.fate[i % 2] =
-        late_fate(e.impact, i % 2 ? 0.05 : 0.1, e.until, room, i % 2 ? &e.path : nullptr);
+        late_fate(e.impact, i % 2 ? 0.05 : 0.1, e.until, length, i % 2 ? &e.path : nullptr);
   });
 
   // What became of each packet, from both steps
@@ -133,53 +132,48 @@ void report_experiments(Report& report) {
 /**
 ## Which waves slow it down?
 
-The acceleration of the centre on the way out, between $t = 100$ and 220, is measured as in the chapter before, by a
-line through the velocities; it is called the force here too, and is negative where the packet slows down. If waves act from afar, the force should grow with the distance $d$ up to which they are
-left; if it is the packet's own fresh wake that acts, the same should be seen after a cut. The linear well, in which
-we saw no packet turn, is the control. */
-struct Pull {
+The acceleration $\ddot X$ on the way out, between $t = 100$ and 220, is the slope of a line through the velocities
+(sec34/acceleration.hpp); it is negative where the packet slows down. If waves act from afar, its modulus should grow with
+the distance $d$ up to which they are left; if it is the packet's own fresh wake that acts, the same should be seen after
+a cut. The linear well, in which we saw no packet turn, is the control. */
+struct Deceleration {
   double s, cut;
   std::size_t behind;
-  Estimate force{};
+  Estimate mean{};
 };
 
-Line slope_of_velocity(const Path& path, double from, double to) {
-  const Path p = smooth(path, smoothing);
+Estimate acceleration(const WavesRemoved& impact, double step, double from, double to) {
+  const Path p = smooth(follow_without(impact, step, 240, 150), smoothing);
   const double look = p.t[1] - p.t[0];
-  const std::size_t half = std::size_t(std::lround(5 / look));
-  std::vector<double> ts, vs;
-  for (std::size_t i = half; i + half < p.t.size(); i += half)
-    if (p.t[i] > from && p.t[i] < to) {
-      ts.push_back(p.t[i]);
-      vs.push_back((p.centre[i + half] - p.centre[i - half]) / (2 * half * look));
-    }
-  return fit_line(ts, vs);
+  const auto half = std::size_t(std::lround(5 / look));
+  const auto at = [&](double t) {
+    return std::size_t(std::upper_bound(p.t.begin(), p.t.end(), t) - p.t.begin());
+  };
+  const auto [t, v] = velocities(p, (at(from) + half - 1) / half * half, at(to) + half, look);
+  return fit_line(t, v).estimate();
 }
 
 /**
-After the impact the force is [-0.000186](num:sec34_boomeron_why.force_waves_5) if only waves up to five sites
+After the impact the acceleration is [-0.000186](num:sec34_boomeron_why.force_waves_5) if only waves up to five sites
 behind the packet are left, and [-0.00044](num:sec34_boomeron_why.force_waves_15) with fifteen; what lies further
 behind adds nothing in this well, at this velocity and in these times. The waves between the fifth and the fifteenth
-site thus more than double the force. They are those that the impact has launched along with the packet: after a cut
-at $t = 60$ the force is
-[-0.000192](num:sec34_boomeron_why.force_cut_15) with all of the fresh wake and
+site thus more than double it. They are those that the impact has launched along with the packet: after a cut
+at $t = 60$ it is [-0.000192](num:sec34_boomeron_why.force_cut_15) with all of the fresh wake and
 [-0.000191](num:sec34_boomeron_why.force_cut_5) with five sites of it. In the linear well it does not matter what
 is left: [-9.0e-5](num:sec34_boomeron_why.force_linear_15) and [-8.9e-5](num:sec34_boomeron_why.force_linear_5). */
 void report_distance(Report& report) {
-  std::vector<Pull> list;
+  std::vector<Deceleration> list;
   for (double s : {hard, 0.0})
     for (double cut : {0.0, 60.0})
       for (std::size_t d : {4, 5, 6, 7, 8, 10, 12, 15, 20, 0}) list.push_back({s, cut, d});
   const double step = report.quick ? 0.2 : 0.1, from = 100, to = 220;
 
   // The error is that of the fit and of the step
-  const auto row = [&](Pull& p) {
-    const auto force = [&](double h) {
-      const WavesRemoved impact{p.s, velocity, p.cut, p.behind};
-      return slope_of_velocity(follow_without(impact, h, 240, 150), from, to).estimate();
-    };
-    p.force = compare(force(step), force(step / 2));
-    return Cells{p.s, p.cut, p.behind, p.force.value, p.force.error};
+  const auto row = [&](Deceleration& p) {
+    const WavesRemoved impact{p.s, velocity, p.cut, p.behind};
+    p.mean =
+        compare(acceleration(impact, step, from, to), acceleration(impact, step / 2, from, to));
+    return Cells{p.s, p.cut, p.behind, p.mean.value, p.mean.error};
   };
   report
       .table("force_against_distance",
@@ -188,25 +182,75 @@ void report_distance(Report& report) {
               number("force", "acceleration of the centre", "site per squared unit of time"),
               number("force_uncertainty", "fit and step", "site per squared unit of time")})
       .fill(list, row, "distances");
-  for (const Pull& p : list) {
+  for (const Deceleration& p : list) {
     const std::string name = p.s == 0 ? "linear" : p.cut > 0 ? "cut" : "waves";
     if ((p.behind == 5 || p.behind == 15) && (p.s > 0 || p.cut == 0))
-      report.facts.add("force_" + name + "_" + std::to_string(p.behind), p.force,
+      report.facts.add("force_" + name + "_" + std::to_string(p.behind), p.mean,
                        "site per squared unit of time");
+  }
+}
+
+/**
+## What is pushed forward slows down
+
+Where do energy and momentum go between $t=100$ and 220? The momentum of the packet's eleven sites is changed by the push
+$F$ of the contact behind them, by that of the contact ahead, and by the wells. These are true forces. With its waves the
+packet is pushed forward, *away* from them, by $F =$ [0.01131](num:sec34_boomeron_why.push_waves) on the mean, and by
+[0.00498](num:sec34_boomeron_why.push_behind) where those beyond six sites are absorbed; the wells take up the momentum. So
+the packet that is pushed forward more is the one that slows down more, as a body of negative effective mass does.
+
+Nor does it lose the energy that it sheds without its waves: with them its energy changes by
+[0.00821](num:sec34_boomeron_why.gain_waves), and with those beyond six sites absorbed by
+[-0.0556](num:sec34_boomeron_why.gain_behind). In the linear well it is
+[-0.06639](num:sec34_boomeron_why.gain_linear) with the waves and [-0.06624](num:sec34_boomeron_why.gain_linear_behind)
+without: there they make no difference. */
+void report_budgets(Report& report) {
+  struct Case {
+    std::string name;
+    WavesRemoved impact;
+  };
+  const std::vector<Case> cases{{"waves", {hard, velocity}},
+                                {"behind", {hard, velocity, 0, 6}},
+                                {"linear", {0, velocity}},
+                                {"linear_behind", {0, velocity, 0, 6}}};
+  const double step = report.quick ? 0.1 : 0.05;
+  std::vector<Budget> coarse(cases.size()), fine(cases.size());
+  parallel_for(cases.size(), [&](std::size_t k) {
+    coarse[k] = budget(cases[k].impact, step, 100, 220);
+    fine[k] = budget(cases[k].impact, step / 2, 100, 220);
+  });
+  Table& table = report.table(
+      "budgets", {number("s", "anharmonicity"),
+                  count("behind", "waves are left up to so many sites behind, 0: all", "site"),
+                  number("packet", "change of the packet's energy"),
+                  number("near", "of the energy up to 15 sites behind its centre"),
+                  number("far", "of the energy further behind"),
+                  number("friction", "energy that friction took"),
+                  number("push_behind", "mean force of the contact behind the packet"),
+                  number("push_ahead", "mean force of the contact ahead of it"),
+                  number("wells", "mean force of its wells, backward")});
+  for (std::size_t k = 0; k < cases.size(); ++k) {
+    const Budget& b = fine[k];
+    table.add({cases[k].impact.s, cases[k].impact.behind, b.packet, b.near, b.far, b.friction,
+               b.push_behind, b.push_ahead, b.wells});
+    const auto both = [&](double Budget::*of) { return compare(coarse[k].*of, fine[k].*of); };
+    report.facts.add("gain_" + cases[k].name, both(&Budget::packet),
+                     "change of the packet's energy");
+    report.facts.add("push_" + cases[k].name, both(&Budget::push_behind), "mean force");
   }
 }
 
 /**
 ## What becomes of it in the end
 
-A smaller force may still turn a packet, only later. So packets of five impacts around $v_0 = 1.9$ are
+A smaller deceleration may still turn a packet, only later. So packets of five impacts around $v_0 = 1.9$ are
 followed until they have returned, or to $t = 10^4$, with waves left up to different distances, with and without
 a cut. Long runs are chaotic and no single one of them proves anything; so both steps are shown, and we count.
 
 Of five packets of an impact [4](num:sec34_boomeron_why.of_five_return_waves_15) return if the waves up to fifteen
 sites behind them are left, [3](num:sec34_boomeron_why.of_five_return_waves_10) with ten sites,
 [0](num:sec34_boomeron_why.of_five_return_waves_8) with eight and [1](num:sec34_boomeron_why.of_five_return_waves_6)
-with six; the others go on or are caught. Of five that are cut out at $t = 60$ it is
+with six; the others go on or are trapped. Of five that are cut out at $t = 60$ it is
 [1](num:sec34_boomeron_why.of_five_return_cut_30) with thirty sites of their fresh wake, and
 [0](num:sec34_boomeron_why.of_five_return_cut_6) with six. An error of one says that the steps disagree. In these
 trials the distance decides above all where a packet of an impact stops: with fifteen sites all five before site 40,
@@ -216,10 +260,8 @@ struct Packet {
   std::array<LateFate, 2> fate{};
 
   void follow(double until, double step) {
-    for (int k : {0, 1}) fate[k] = late_fate(impact, k ? step : 2 * step, until, room);
+    for (int k : {0, 1}) fate[k] = late_fate(impact, k ? step : 2 * step, until, length);
   }
-  Estimate furthest() const { return compare(fate[0].furthest, fate[1].furthest); }
-
   /// A row: which packet it is, and what becomes of it.
   Cells row(Cells which) const {
     const Cells what{impact.behind, fate[1].late, fate[0].late, fate[1].furthest, fate[1].when};
@@ -231,7 +273,7 @@ struct Packet {
 Columns with_fates(const Columns& which) {
   return {which,
           count("behind", "waves are left up to so many sites behind, 0: all", "site"),
-          count("fate", "0 goes on, 1 returns, 2 caught"),
+          count("fate", "0 goes on, 1 returns, 2 trapped"),
           count("fate_coarse", "the same with twice the step"),
           number("furthest", "furthest mean centre by the end of the run", "site"),
           number("when", "time of it")};
@@ -270,10 +312,10 @@ void report_late_fates(Report& report) {
 
 So far there was one well. Do fifteen sites suffice in others, and at other velocities? Four packets that turn,
 between sites 20 and 80, are followed to $t = 4000$ with the waves left up to four distances, and with all of them.
-Of these four, the farther out the apex, the more such a cut moves it. With all waves, twenty sites and fifteen sites
-of them the furthest site is [20.0468](num:sec34_boomeron_why.apex_10_19_all),
+Of these four, the farther out the turning point, the more such an absorber moves it. With all waves, twenty sites and
+fifteen sites of them the furthest site is [20.0468](num:sec34_boomeron_why.apex_10_19_all),
 [20.0468](num:sec34_boomeron_why.apex_10_19_20) and [20.12](num:sec34_boomeron_why.apex_10_19_15) at $s = 1$,
-$v_0 = 1.9$, where with fifteen the packet is caught there; [26.1075](num:sec34_boomeron_why.apex_08_22_all),
+$v_0 = 1.9$, where with fifteen the packet is trapped there; [26.1075](num:sec34_boomeron_why.apex_08_22_all),
 [26.1258](num:sec34_boomeron_why.apex_08_22_20) and [27.1809](num:sec34_boomeron_why.apex_08_22_15) at $s = 0.8$,
 $v_0 = 2.2$; [54.2](num:sec34_boomeron_why.apex_10_17_all), [63.123](num:sec34_boomeron_why.apex_10_17_20) and
 [64.3195](num:sec34_boomeron_why.apex_10_17_15) at $s = 1$, $v_0 = 1.7$; and
@@ -306,7 +348,7 @@ void report_range(Report& report) {
   for (const Packet& p : list)
     report.facts.add("apex" + tenths(p.impact.s) + tenths(p.impact.velocity) + "_" +
                          (p.impact.behind ? std::to_string(p.impact.behind) : "all"),
-                     p.furthest(), "site");
+                     compare(p.fate[0].furthest, p.fate[1].furthest), "site");
   const auto &all = list[list.size() - 2].fate, &six = list.back().fate;
   report.facts.add("apart_without_turn",
                    compare(std::abs(all[0].furthest - six[0].furthest),
@@ -315,144 +357,22 @@ void report_range(Report& report) {
 }
 
 /**
-## Budgets
-
-Where do energy and momentum go between $t=100$ and 220? With the waves left, the energy of the packet changes by
-[0.00821](num:sec34_boomeron_why.gain_waves); with those beyond six sites absorbed it changes by
-[-0.0556](num:sec34_boomeron_why.gain_behind). So with its waves the packet does not lose what it sheds without them.
-In the linear well it is [-0.06639](num:sec34_boomeron_why.gain_linear) with the waves and
-[-0.06624](num:sec34_boomeron_why.gain_linear_behind) without: there they make no difference. Since a contact only
-pushes, the waves push the packet forward, *away* from them, by [0.01131](num:sec34_boomeron_why.push_waves) on the
-mean, and by [0.00498](num:sec34_boomeron_why.push_behind) where they are absorbed; the wells take up the momentum.
-So the packet that is pushed forward more is the one that is slowed down more. */
-void report_budgets(Report& report) {
-  struct Case {
-    std::string name;
-    WavesRemoved impact;
-  };
-  const std::vector<Case> cases{{"waves", {hard, velocity}},
-                                {"behind", {hard, velocity, 0, 6}},
-                                {"linear", {0, velocity}},
-                                {"linear_behind", {0, velocity, 0, 6}}};
-  const double step = report.quick ? 0.1 : 0.05;
-  std::vector<Budget> coarse(cases.size()), fine(cases.size());
-  parallel_for(cases.size(), [&](std::size_t k) {
-    coarse[k] = budget(cases[k].impact, step, 100, 220);
-    fine[k] = budget(cases[k].impact, step / 2, 100, 220);
-  });
-  Table& table = report.table(
-      "budgets", {number("s", "anharmonicity"),
-                  count("behind", "waves are left up to so many sites behind, 0: all", "site"),
-                  number("packet", "change of the packet's energy"),
-                  number("near", "of the energy up to 15 sites behind its centre"),
-                  number("far", "of the energy further behind"),
-                  number("friction", "energy that friction took"),
-                  number("push_behind", "mean force of the contact behind the packet"),
-                  number("push_ahead", "mean force of the contact ahead of it"),
-                  number("wells", "mean force of its wells, backward")});
-  for (std::size_t k = 0; k < cases.size(); ++k) {
-    const Budget& b = fine[k];
-    table.add({cases[k].impact.s, cases[k].impact.behind, b.packet, b.near, b.far, b.friction,
-               b.push_behind, b.push_ahead, b.wells});
-    const auto both = [&](double Budget::*of) { return compare(coarse[k].*of, fine[k].*of); };
-    report.facts.add("gain_" + cases[k].name, both(&Budget::packet),
-                     "change of the packet's energy");
-    report.facts.add("push_" + cases[k].name, both(&Budget::push_behind), "mean force");
-  }
-}
-
-/**
 ## Inside the packet
 
-What is it that the waves turn? If the packet is a breather that moves, its frequency, energy and
-area should be related as in the breathers at rest of the same $s$, which we compute by Newton's
-method. wake.hpp says how they are read from the packet.
+What is it that the waves turn? If the packet is a breather that moves, its frequency $\omega$, energy and area in phase
+space, $\int \sum \dot y_n^2\,dt$ over one internal period ($2\pi$ times its action), should be related as in the breathers
+at rest of the same $s$. We average them over the way from $t = 100$, when the packet has left the end, to 300, before it
+turns (wake.hpp), and compare with the breather of the same mean frequency, which Newton's method finds
+(sec34/at_rest.hpp).
 
-The lattice itself could stop a packet. Its barrier is the energy difference of site-centred and
-bond-centred breathers, $E_{\rm site}-E_{\rm bond}$, at equal area (chapter 3.2). It repeats itself
-from site to site, so the force that belongs to it has both signs within one site.
-
-For the comparison we need both families of breathers at rest over the packet's range of
-frequencies. We follow them in small steps of the frequency, each starting Newton's method from the
-breather before, and take the barrier on the way. */
-struct Family {
-  std::vector<Orbit<double>> bond, site;
-  std::vector<double> gap;  ///< E_site - E_bond at equal area
-};
-
-Family family() {
-  std::vector<double> omegas;
-  for (int k = 0; k <= 14; ++k) omegas.push_back(1.58 + 0.02 * k);
-  Family f{climb(Centre::bond, hard, omegas), climb(Centre::site, hard, omegas), {}};
-  for (std::size_t k = 0; k < std::min(f.bond.size(), f.site.size()); ++k)
-    f.gap.push_back(
-        barrier(problem_of(Centre::site, omegas[k], hard), f.site[k], f.bond[k]).equal_area);
-  return f;
-}
-
-/// A quantity of the bond-centred family at the frequency `omega`, interpolated linearly between two of
-/// every `each` members.
-template <class Of>
-double at_frequency(const Family& f, double omega, Of of, std::size_t each = 1) {
-  std::size_t k = each;
-  while (k + each < f.gap.size() && f.bond[k].omega < omega) k += each;
-  const double a = f.bond[k - each].omega, b = f.bond[k].omega;
-  return of(k - each) + (of(k) - of(k - each)) * (omega - a) / (b - a);
-}
-
-/**
-Its error has two sources: the spacing of the members, which shows when only every second one is taken, and the
-error of the frequency. */
-template <class Of>
-Estimate at_rest(const Family& f, const Estimate& omega, Of of) {
-  const double here = at_frequency(f, omega.value, of);
-  Estimate out = compare(at_frequency(f, omega.value, of, 2), here);
-  out.error += std::abs(at_frequency(f, omega.value + omega.error, of) - here);
-  return out;
-}
-
-/**
-For the facts we average from $t = 100$, when the packet has left the end, to $t = 300$, before it
-turns, and compare with the breather of the same mean frequency. */
-Estimate mean_inside(const std::vector<Inside>& coarse, const std::vector<Inside>& fine,
-                     double Inside::*of) {
-  const auto over = [&](const std::vector<Inside>& list) {
-    double sum = 0, n = 0;
-    for (const Inside& r : list)
-      if (r.t > 100 && r.t < 300) sum += r.*of, ++n;
-    return sum / n;
-  };
-  return compare(over(coarse), over(fine));
-}
-
-void compare_inside(Quantities& facts, const std::string& name, const Family& f,
-                    const std::vector<Inside>& coarse, const std::vector<Inside>& fine) {
-  const auto mean = [&](double Inside::*of) { return mean_inside(coarse, fine, of); };
-  const Estimate omega = mean(&Inside::omega);
-  const std::string same = "bond-centred breather of the packet's frequency";
-  facts.add("omega" + name, omega);
-  facts.add("energy" + name, mean(&Inside::energy));
-  facts.add("area" + name, mean(&Inside::area));
-  facts.add("energy_at_rest" + name, at_rest(f, omega, [&](auto i) { return f.bond[i].energy; }),
-            same);
-  facts.add("area_at_rest" + name, at_rest(f, omega, [&](auto i) { return f.bond[i].area; }), same);
-  facts.add("barrier" + name, at_rest(f, omega, [&](auto i) { return f.gap[i]; }),
-            "E_site - E_bond at equal area");
-}
-
-/**
-We compare two packets, the one that turns and the one that does not when what lies more than six sites
-behind it is absorbed. If the waves feed the packet, the two should differ in energy.
-
-The packet is close to a breather that moves: at its frequency,
-[1.68362](num:sec34_boomeron_why.omega_waves), its area is
+The packet is close to a breather that moves: at its frequency, [1.68362](num:sec34_boomeron_why.omega_waves), its area is
 [5.9885](num:sec34_boomeron_why.area_waves) and that of a breather at rest
 [5.83](num:sec34_boomeron_why.area_at_rest_waves). With the waves its energy is
-[1.48728](num:sec34_boomeron_why.energy_waves), without them
-[1.3694](num:sec34_boomeron_why.energy_behind), so they do feed it. The barrier,
-[0.00040](num:sec34_boomeron_why.barrier_waves), can hold a slow packet, as we see after late
-cuts, and near it chance decides which way a creeping packet goes. But a force of both signs within one
-site can neither slow a packet over many sites nor accelerate it on its way back. */
+[1.48728](num:sec34_boomeron_why.energy_waves), without them [1.3694](num:sec34_boomeron_why.energy_behind), so they do feed
+it. The lattice itself could stop a packet: its barrier is $E_{\rm site}-E_{\rm bond}$ at equal area (chapter 3.2),
+[0.00040](num:sec34_boomeron_why.barrier_waves), which can hold a slow packet, as we see after late cuts, and near it
+chance decides which way a slow packet goes. But the force that belongs to it has both signs within one site, and can
+neither slow a packet over many sites nor accelerate it on its way back. */
 void report_inside(Report& report) {
   // The packet with all its waves and with those behind it absorbed, at two steps each
   const double step = report.quick ? 0.1 : 0.05;
@@ -469,7 +389,7 @@ void report_inside(Report& report) {
     for (const Inside& r : rows[2 * k + 1]) along.add({k, r.t, r.site, r.energy, r.area, r.omega});
 
   // The breathers at rest
-  const Family f = family();
+  const BreathersAtRest f = breathers_at_rest(hard);
   Table& rest = report.table(
       "breathers_at_rest",
       {number("omega", "frequency"), number("energy_bond", "energy, bond-centred"),
@@ -486,95 +406,15 @@ void report_inside(Report& report) {
 /**
 ## Waves beside a breather at rest
 
-The last experiment reverses the first: instead of taking the waves away from a packet that turns, we give
-waves to a breather at rest. On one side of a bond-centred breather, from its sixth neighbour on, we set
-fifteen sites oscillating, with phases drawn at random from a recorded seed. If waves pull, the breather
-moves towards them on whichever side they are; if they push, it moves away. The linear well, in which we
-saw no packet turn, serves as the control, with a breather of the same energy and the same waves. */
-constexpr unsigned long seed = 20130502;
-constexpr double wave_amplitude = 0.15, wave_time = 300;
+The last experiment reverses the first: instead of taking the waves away from a packet that turns, we give waves to a
+breather at rest. On one side of a bond-centred breather, from its sixth neighbour on, we set fifteen sites oscillating
+with the amplitude 0.15 and phases drawn at random from a recorded seed (sec34/beside.hpp). If waves pull, the breather
+moves towards them on whichever side they are; if they push, it moves away. The linear well serves as the control, with
+the same waves and a breather of the same energy.
 
-struct Trial {
-  double well, omega;
-  int side;  ///< -1: waves on the left
-  std::vector<double> phase;
-  Path path{}, coarse{};
-
-  double moved(const Path& p) const {
-    const Path q = smooth(p, smoothing);
-    return q.centre.back() - q.centre.front();
-  }
-};
-
-/**
-We put the breather into the middle of a quiet chain and the waves beside it. Its displacement is
-measured from the bond at which it rested. */
-Path expose(const Trial& trial, const Orbit<double>& orbit, double step) {
-  const std::size_t length = 160, first = 64, centre = first + orbit.start.y.size() / 2;
-  const Chain chain{length, Quartic{trial.well}};
-  State<double> state(length);
-  for (std::size_t i = 0; i < orbit.start.y.size(); ++i)
-    if (std::abs(orbit.start.y[i]) > 1e-30) state.y[first + i] = orbit.start.y[i];
-  for (std::size_t k = 0; k < trial.phase.size(); ++k) {
-    const std::size_t n = trial.side < 0 ? centre - 6 - k : centre + 5 + k;
-    state.y[n] += wave_amplitude * std::cos(trial.phase[k]);
-    state.v[n] += wave_amplitude * std::sin(trial.phase[k]);
-  }
-  Path path;
-  evolve(ContactAware{step}, chain, state, wave_time, sampling, [&](const State<double>& now) {
-    path.add(now.t, energy_density(chain, now));
-    path.centre.back() -= double(centre) + 0.5;
-  });
-  return path;
-}
-
-/**
-The outcome of a single draw depends much on chance, so there are many draws, and each is used four
-times: in both wells and, mirrored, on both sides. */
-std::vector<Trial> trials(std::size_t count) {
-  Random random(seed);
-  std::vector<Trial> list;
-  for (std::size_t k = 0; k < count; ++k) {
-    std::vector<double> phase(15);
-    for (double& x : phase) x = random.uniform(0, 2 * std::numbers::pi);
-    for (const auto& [well, omega] : {std::pair{1.0, 1.68}, {0.0, 1.6045}})
-      for (int side : {-1, 1}) list.push_back({well, omega, side, phase});
-  }
-  return list;
-}
-
-/**
-The result for a well is the mean displacement towards the waves. The two sides of one draw share their
-phases and are not independent, so the standard error is that of the draws, each the mean of its two sides.
-We also count, at both steps, the breathers that moved towards the waves by more than a tenth of a site, and
-note the largest difference between two steps in any trial, which must be far below the mean. */
-void add_pull(Quantities& facts, const std::vector<Trial>& list, double well) {
-  std::vector<double> draws(list.size() / 4, 0.0);
-  std::array<std::int64_t, 2> towards{};
-  double steps = 0;
-  for (std::size_t k = 0; k < list.size(); ++k) {
-    const Trial& t = list[k];
-    if (t.well != well) continue;
-    const double x = t.side * t.moved(t.path), rough = t.side * t.moved(t.coarse);
-    draws[k / 4] += x / 2;
-    towards[0] += rough > 0.1, towards[1] += x > 0.1;
-    steps = std::max(steps, std::abs(x - rough));
-  }
-  const double n = double(draws.size()),
-               mean = std::accumulate(draws.begin(), draws.end(), 0.0) / n;
-  double square = 0;
-  for (double x : draws) square += (x - mean) * (x - mean);
-  const double error = std::sqrt(square / (n - 1) / n);
-  const std::string name = well > 0 ? "_hard" : "_linear";
-  facts.add("pull" + name, {mean, error}, "site towards the waves");
-  facts.add("pull_steps" + name, compare(0.0, steps), "largest difference of two steps");
-  const Estimate pulled = compare(towards[0], towards[1]);
-  facts.add("pulled" + name, quotient(pulled, exact(2 * n)), "share of the trials");
-}
-
-/**
-The frequencies of the two breathers are chosen such that their energies agree; both energies are
-among the facts, so that this can be checked.
+The outcome of a single draw depends much on chance, so there are many draws, and each is used four times: in both wells
+and, mirrored, on both sides. The result for a well is the mean displacement towards the waves. The two sides of one draw
+share their phases and are not independent, so the standard error is that of the draws, each the mean of its two sides.
 
 [](finding:turning.pull) */
 void report_waves(Report& report) {
@@ -590,7 +430,7 @@ void report_waves(Report& report) {
     (i % 2 ? t.path : t.coarse) = expose(t, t.well > 0 ? hard : linear, i % 2 ? step / 2 : step);
   });
 
-  // Every trial is drawn and not only their mean, so that one sees how much they scatter
+  // Every trial, so that one sees how much they scatter
   Table& table =
       report.table("waves_beside", {number("s", "anharmonicity of the well"),
                                     count("side", "-1 waves on the left, 1 on the right"),
@@ -608,26 +448,24 @@ void report_waves(Report& report) {
 }
 
 /**
-## Results
+## The answer, and its limits
 
-**A packet is turned early by waves that travel behind it.** [](finding:turning.waves) At $s = 1$, $v_0 = 1.9$ these
-waves come from the impact. How far behind the waves may be depends on the packet: an apex near site 20 stays where
-it is with fifteen sites (though the packet is caught there), one near site 77 moves even with twenty. So the
-article's suspicion that other waves turn the packet is supported, but these waves need not be confined: at $s = 1$,
-$v_0 = 1.9$ an end that absorbs them only moves the apex. At $s = 0.6$, $v_0 = 1.9$ the packet was not seen to turn,
-and until $t = 4000$ waves make no difference.
+**Waves that travel behind a packet turn it early.** [](finding:turning.waves) At $s = 1$, $v_0 = 1.9$ these waves come
+from the impact. So the article's suspicion that other waves turn the packet is supported, but they need not be confined:
+an end that absorbs them only moves the turning point.
 
-**A part of the slowing down needs no waves beyond the fourth site.** At $s = 1$, $v_0 = 1.9$ it is the
-same for a packet that has been cut out and meets only its own fresh wake, however much of that is left;
-and such a packet slows down less and less.
+**A part of the slowing down needs no waves beyond the fourth site.** At $s = 1$, $v_0 = 1.9$ it is the same for a packet
+that has been cut out and meets only its own fresh wake, however much of that is left; and such a packet slows down less
+and less.
 
-**Neither is necessary in the end.** [](finding:turning.alone) Others that are cut out early go on or are caught.
-Besides the lattice only its own fresh wake is there to bring such a packet back; how much of it that takes we do not
-know, and which packets come back seems a matter of chance: of six within a millionth of this impact four do by
-$t = 4000$.
+**Neither waves nor the end are necessary for an eventual return.** [](finding:turning.alone) Others that are cut out early
+go on or are trapped; of six within a millionth of this impact four return by $t = 4000$, which seems a matter of chance.
 
-At $s=0$ waves make no difference to the force, between $t = 100$ and 220, and no packet was seen to
-turn. */
+*Not shown* is why waves pull. The packet is pushed forward and slows down; that neighbours in it oscillate in opposite
+phase (figure 23), as at the upper edge of a band, while the waves behind are long and in phase, fits a negative mass but
+does not prove it. Nor do we know why the breather of the linear well hardly responds to waves beside it, nor what slows
+the packet down without waves: it sheds energy, but in the linear well it sheds as much. A damping so close to the packet
+may touch the packet itself. "Returns" and "goes on" are said of the times that we followed. */
 void reproduce(Report& report) {
   report_experiments(report);
   report_distance(report);
@@ -639,25 +477,20 @@ void reproduce(Report& report) {
 }
 
 /**
-## Differences and limits
+## Try it
 
-*Not shown* is why waves pull. A contact only pushes, and that a push from behind draws a packet back suggests a
-negative effective mass: in figure 23 neighbours in the packet oscillate in opposite phase, as at the upper edge of a
-band, while the waves behind it are long and in phase. Nor is it shown what slows the packet down without waves; that
-it sheds energy is a likely cause, but in the linear well it sheds as much. Nor do we know why the breather of the
-linear well hardly responds to waves beside it. A damping so close to the packet may touch the packet itself.
-"Returns" and "goes on" are said of the times that we followed, and where the two steps disagree we know neither.
-
-Exact travelling breathers (section 5) do not help to explain the turning: at the packet's energy we know
-of none at $s = 1$; the fastest one found there has the speed
-[0.0539509](num:sec5_travelling_families.fastest_at_one) and the energy
-[0.00165802](num:sec5_travelling_families.fastest_energy_at_one).
-
-## Extensions
-
-- How does the pull depend on amplitude and frequency of the waves? Is there a frequency that pushes?
-- Measure the mass of both breathers by kicking them, and compare the ratio with that of the pulls.
-- Does a packet also turn when waves come towards it? */
+1. *Easy.* Is the packet a breather that moves? One at rest with its frequency:
+   `build/bin/sec32_newton_breathers breather --omega 1.68362 --s 1 --centre bond` gives `energy` = 1.44065 and
+   `area` = 5.8312. Hint: the packet has 1.487 and 5.99, a few per cent more.
+2. *Easy.* Could the lattice hold it? `build/bin/sec32_barrier barrier --omega 1.68 --s 1` gives `equal_area` = 3.5641e-4.
+   Hint: on its way from $t = 100$ to 220 the packet gains twenty times as much from its waves.
+3. *Harder.* And in the linear well? `build/bin/sec32_barrier barrier --omega 1.68 --s 0` gives `equal_area` = -2.2978e-9,
+   a hundred thousand times less and of the other sign. Hint: it tells which of the two breathers has more energy, and at
+   a negative mass the stable one is that of *higher* energy (`sec33_mobility`).
+4. *Open.* How does the pull depend on amplitude and frequency of the waves? Is there a frequency that pushes?
+5. *Open.* Measure the mass of both breathers by kicking them, and compare the ratio with that of the pulls. Does a packet
+   also turn when waves come towards it? Exact travelling breathers (section 5) do not help to explain the turning: the
+   fastest one found at $s = 1$ has the energy [0.00165802](num:sec5_travelling_families.fastest_energy_at_one). */
 int main(int argc, char** argv) {
   return run(
       {"sec34_boomeron_why", "3.4", "Why packets turn round (section 3.4, s > 0)", reproduce}, argc,

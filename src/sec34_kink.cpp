@@ -12,8 +12,9 @@ swings over the top and comes down in the next well. What becomes of the travell
 
 ![What a struck chain of pendulums does, and two examples.](fig:x01)
 
-Section 3.4 of James, Kevrekidis and Cuevas (Physica D 251, 2013) answers in one sentence, without a
-figure, and leaves open how the transition happens; here we map it. */
+Section 3.4 of James, Kevrekidis and Cuevas (Physica D 251, 2013) answers in one sentence, without a figure: at large impact
+velocity a *kink*, a step of one well that travels along the chain, replaces the breather, and beads are ejected at the far
+end; nothing blows up. How the transition happens is left open; here we map it. */
 
 #include <algorithm>
 #include <cmath>
@@ -29,20 +30,18 @@ figure, and leaves open how the transition happens; here we map it. */
 using namespace lattice;
 
 /**
-## Claim and model
+## Model and method
 
-At large impact velocity a *kink*, a step of one well that travels along the chain, replaces the
-breather, and beads are ejected at the far end (`impact.kink`); nothing blows up
-(`impact.no_blowup_pendulum`). The chain is that of Eq. (9) with another well,
+The chain is that of Eq. (9) with another well,
 $$\ddot y_n + \sin y_n = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2}, \qquad
-  \dot y_1(0) = v_0,$$
-dimensionless, with free ends. A bead that passes the rim at $y = \pi$ falls into the next well
-instead of running away. Beads do not attract each other, so the first bead can also be thrown back
-over $y = -\pi$ and leave the chain.
+  y_n(0) = 0,\quad \dot y_n(0) = v_0\,\delta_{n,1},$$
+dimensionless, with free ends and, unless something else is said, fifty beads. A bead that passes the maximum of the
+potential at $y = \pi$ falls into the next well instead of running away. Beads do not attract each other, so the first bead
+can also be thrown back over $y = -\pi$ and leave the chain.
 
-Every run is made with two steps. What must agree are the numbers of beads counted below; where they
-do not, the velocity is marked and supports no statement. Close to the transition the outcome
-depends on details of many collisions, and there both steps are halved. */
+Every run is made with two steps of an integrator that corrects them at contact events (contact_rkn.hpp). What must agree
+are the numbers of beads counted below; where they do not, the velocity is marked and supports no statement. Close to the
+transition the outcome depends on details of many collisions, and there both steps are halved. */
 ContactAware stepper(double velocity, int halvings) {
   const bool close = velocity > 4.4 && velocity < 5;
   return stepper_for(1e-4, 0.1, halvings + (close ? 1 : 0));
@@ -54,7 +53,7 @@ ContactAware stepper(double velocity, int halvings) {
 To tell breathers from kinks we count beads by the wells in which they are. `moved` have advanced by
 at least one well; a kink that crosses the whole chain moves all beads. `ejected_far` are the beads
 of the far half that have advanced by more wells than the bead in the middle of the chain: they have
-separated from it and leave at the far end. `ejected_near` have gone backwards over a rim and leave
+separated from it and leave at the far end. `ejected_near` have gone backwards over a maximum and leave
 at the near end. */
 struct Counts {
   std::int64_t moved = 0, ejected_far = 0, ejected_near = 0;
@@ -76,7 +75,7 @@ Counts count_wells(const State<double>& state) {
 /**
 ## One impact
 
-Just above the transition a kink creeps, may stop, and may come back, so a count can be taken too
+Just above the transition a kink is slow, may stop, and may come back, so a count can be taken too
 early. The loop in time therefore goes on until the counts have stayed the same while the time
 doubled, and gives up at the time `patience`: such a velocity is undecided. */
 struct Strike {
@@ -117,8 +116,7 @@ Verdict follow(const Strike& impact, const ContactAware& stepper) {
   return verdict;
 }
 
-/**
-Among the velocities of a scan some stay undecided: their counts have not settled, or differ at two steps. */
+// Among the velocities of a scan some stay undecided: their counts have not settled, or differ at two steps
 struct Point {
   double velocity = 0;
   Counts counts{};
@@ -134,7 +132,7 @@ struct Point {
 };
 
 /**
-## Where the kink takes over (`impact.kink`)
+## Where the kink takes over
 
 The claim needs a criterion. Among the decided velocities we look for the last breather, up to which no
 bead has moved on when the counts have settled, and for the first certain kink, from which on *every*
@@ -160,37 +158,6 @@ Transition find_transition(std::vector<Point> points) {
 }
 
 /**
-## No blow-up (`impact.no_blowup_pendulum`)
-
-In soft quartic wells a strong impact ends in a blow-up; with $W = 1-\cos y$ that cannot be. No term of the energy is
-negative, so that no bead is ever faster than $v_0$ or farther away than $v_0t$, at every impact velocity and for
-ever. We follow impacts of up to $v_0 = 6$ until $t = 2000$ and ask whether the beads keep to that (`no_blowup` of
-sec34/criteria.hpp). The largest displacement, [10424.1](num:sec34_kink.furthest), is that of a bead which has been thrown
-off and goes on over well after well. */
-void report_confinement(Report& report) {
-  const std::vector<double> velocities =
-      report.quick ? std::vector{2.0, 6.0} : std::vector{2.0, 3.0, 4.0, 5.0, 6.0};
-  std::vector<Confinement> all(velocities.size());
-  parallel_for(all.size(), [&](std::size_t i) {
-    const Impact impact{
-        velocities[i], {Strike{}.sites, Pendulum{}}, report.quick ? 200.0 : 2000.0, 0.2, reached,
-        false};
-    all[i] = confinement(impact, stepper(velocities[i], 0), stepper(velocities[i], 1));
-  });
-
-  // The largest of each decides
-  const auto larger = [](const Estimate& a, const Estimate& b) {
-    return a.value > b.value ? a : b;
-  };
-  Confinement worst = all.front();
-  for (const Confinement& c : all)
-    worst = {larger(worst.speed, c.speed), larger(worst.way, c.way), larger(worst.drift, c.drift),
-             std::min(worst.lasted, c.lasted), larger(worst.furthest, c.furthest)};
-  judge(report, "impact.no_blowup_pendulum", no_blowup(worst));
-  report.facts.add("furthest", worst.furthest);
-}
-
-/**
 ## The transition (figure x01)
 
 Now we scan the impact velocity. The runs are independent and share the cores. There are three regimes. A weak impact
@@ -200,8 +167,7 @@ $v_0$ from 1 to 8 in steps of 0.02, the breather gives way to a kink between [4.
 [4.72](num:sec34_kink.first_certain_kink): below no kink crosses the chain, and above every impact sends one through all
 of it. The error of these velocities is the spacing of the scan; a share of
 [0.00569801](num:sec34_kink.kink_undecided) of them stays undecided and supports no statement. */
-void reproduce(Report& report) {
-  report.output.note("tolerance", "steps 0.1 and 0.05, half of that near the transition");
+void report_transition(Report& report) {
   const std::size_t sites = Strike{}.sites;
 
   // Two impacts, one below the transition and one above, show what the counts mean
@@ -246,14 +212,71 @@ void reproduce(Report& report) {
     return p.decided && p.counts.ejected_near > 0;
   });
   if (back != points.end()) report.facts.add("first_thrown_back", {back->velocity, spacing});
+}
+
+/**
+## No blow-up
+
+In soft quartic wells a strong impact ends in a blow-up; with $W = 1-\cos y$ that cannot be. No term of the energy is
+negative, so that no bead is ever faster than $v_0$ or farther away than $v_0t$, at every impact velocity and for ever.
+We follow impacts of up to $v_0 = 6$ until $t = 2000$ and ask whether the beads keep to that. The largest displacement,
+[10424.1](num:sec34_kink.furthest), is that of a bead which has been thrown off and goes on over well after well. */
+void report_confinement(Report& report) {
+  const std::vector<double> velocities =
+      report.quick ? std::vector{2.0, 6.0} : std::vector{2.0, 3.0, 4.0, 5.0, 6.0};
+  std::vector<Confinement> all(velocities.size());
+  parallel_for(all.size(), [&](std::size_t i) {
+    const Impact impact{
+        velocities[i], {Strike{}.sites, Pendulum{}}, report.quick ? 200.0 : 2000.0, 0.2, reached,
+        false};
+    all[i] = confinement(impact, stepper(velocities[i], 0), stepper(velocities[i], 1));
+  });
+
+  // The largest of each decides
+  const auto larger = [](const Estimate& a, const Estimate& b) {
+    return a.value > b.value ? a : b;
+  };
+  Confinement worst = all.front();
+  for (const Confinement& c : all)
+    worst = {larger(worst.speed, c.speed), larger(worst.way, c.way), larger(worst.drift, c.drift),
+             std::min(worst.lasted, c.lasted), larger(worst.furthest, c.furthest)};
+  judge(report, "impact.no_blowup_pendulum", no_blowup(worst));
+  report.facts.add("furthest", worst.furthest);
+}
+
+/**
+## Differences and limits
+
+The article gives no parameters, so chain length, run length and scan are our choice. A count that has
+settled may still change: at $v_0 = 4.28$ it has by $t = 200$, but when the breather arrives at the far
+end, before $t = 400$, it throws the last bead off (`sec34_impact run` with these parameters). In a longer
+chain a slow kink may stop before the end: in another program, with $v_0 = 4.70$, after 244 of 1000 beads.
+At high velocity several kinks follow each other, and which beads leave the far end then depends on all of
+them. */
+void reproduce(Report& report) {
+  report.output.note("tolerance", "steps 0.1 and 0.05, half of that near the transition");
+  report_transition(report);
   report_confinement(report);
 }
 
 /**
-## One impact with your own parameters
+## Try it
 
-`sec34_kink run --velocity 5` prints the counts for one velocity, with the difference of two
-resolutions as their error. It fails where they have not settled within `--patience`. */
+1. *Easy.* Does the kink need the whole chain? `build/bin/sec34_kink run --velocity 5 --sites 30` gives `moved` = 30. Hint:
+   it is there after a few beads; at 4.5 it is not.
+2. *Easy.* Which quartic well is most like a pendulum? `build/bin/sec34_impact run --well pendulum --velocity 1 --time 400`
+   gives `speed` = 0.1817, and `build/bin/sec34_impact run --s -1/6 --velocity 1 --time 400` gives `speed` = 0.1814.
+   Hint: expand $\sin y$ to the third order.
+3. *Harder.* A kink is much faster than a breather: `build/bin/sec34_impact run --well pendulum --velocity 5 --time 60`
+   gives `speed` = 0.7697, and `build/bin/sec34_impact run --well pendulum --velocity 3 --time 200` gives `speed` = 0.2471.
+   Hint: a bead that falls into the next well gets back the energy that the maximum has cost, and can hand it on.
+4. *Open.* Does the kink slow down and stop in a longer chain, and where does its energy go? How does the number of ejected
+   beads grow with the velocity? What remains of the transition with precompression?
+
+## With your own parameters
+
+`build/bin/sec34_kink run` prints the counts for one velocity, with the difference of two resolutions as their error. It
+fails where they have not settled within `--patience`. */
 Table Strike::table() const {
   const Verdict coarse = follow(*this, stepper(velocity, 0)),
                 fine = follow(*this, stepper(velocity, 1));
@@ -268,25 +291,10 @@ Table Strike::table() const {
   q.add_small("ejected_far", both(&Counts::ejected_far), "beads",
               "beads of the far half that have advanced by more wells than the middle bead");
   q.add_small("ejected_near", both(&Counts::ejected_near), "beads",
-              "beads of the near half that have gone backwards over a rim");
+              "beads of the near half that have gone backwards over a maximum of the potential");
   return q.table;
 }
 
-/**
-## Differences and limits
-
-The article gives no parameters, so chain length, patience and scan are our choice. A count that has
-settled may still change: at $v_0 = 4.28$ it has by $t = 200$, but when the breather arrives at the far
-end, before $t = 400$, it throws the last bead off (`sec34_impact run` with these parameters). In a longer
-chain a slow kink may stop before the end: in another program, with $v_0 = 4.70$, after 244 of 1000 beads.
-At high velocity several kinks follow each other, and which beads leave the far end then depends on all of
-them.
-
-## Extensions
-
-- Does the kink slow down and stop in a longer chain, and where does its energy go?
-- How does the number of ejected beads grow with the velocity?
-- What is left of the transition with precompression? */
 int main(int argc, char** argv) {
   return run({"sec34_kink", "3.4", "Breather and kink in pendulum wells (section 3.4)", reproduce,
               commands<Strike>()},

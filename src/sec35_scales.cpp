@@ -101,6 +101,18 @@ void reproduce(Report& report) {
   report_scales(report, array);
 }
 
+/**
+## Try it
+
+1. *Easy.* Strike the array ten times less: `build/bin/sec35_scales scales --velocity 0.1` gives `lambda` = 0.11702 and
+   `contact_time` = 1.79796e-4. Hint: $\tau_h$ grows like $V^{-1/5}$, so that $\lambda$ falls like $V^{2/5}$ only, while the
+   impact of the dimensionless chain, $\lambda^{5/2}$, is proportional to $V$.
+2. *Harder.* How hard must one strike for $\lambda = 1$? `build/bin/sec35_scales scales --velocity 21.35` gives
+   `lambda` = 1.0000 and `lambda_5_2` = 1.0001. Hint: this is $\xi/\tau_c$, the unit of velocity of the chain; its
+   unit of force, in the same table, is 532 N.
+3. *Harder.* Give the beads the Young modulus of the beams' steel: `build/bin/sec35_scales scales` gives
+   `lambda_with_beam_modulus` = 14.63. Hint: harder contacts are shorter, and breathers need long ones.
+4. *Open.* What cradle would show a travelling breather: which string, and which beads, how soft? */
 int main(int argc, char** argv) {
   return run({"sec35_scales", "3.5", "Scales of a cradle and of an array (section 3.5)", reproduce,
               commands<AllScales>()},

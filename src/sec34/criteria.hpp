@@ -137,14 +137,14 @@ Confinement confinement(const Impact& impact, const ContactAware& rough, const C
 Criterion no_blowup(const Confinement& c);
 
 /**
-Three more speak of packets in hard wells (turning.hpp). A packet is reversed if it has an apex, if the force
-on it points backward on the way out and on the way back, and if the time of its rebound is known within ten
-units. Another is only slowed down, moderately, if it does not turn and is pulled less than half as much. */
-/// From the time of the apex, the forces on both ways and the time of the rebound.
+Three more speak of packets in hard wells (turning.hpp). A packet is reversed if it has a turning point, if the
+acceleration of its centre points backward on the way out and on the way back, and if the time of its rebound is known
+within ten units. Another is only slowed down, moderately, if it does not turn and is decelerated less than half as much. */
+/// From the time of the turning point, the accelerations on both ways and the time of the rebound.
 Criterion reversed_packet(const Estimate& apex_time, const Estimate& out, const Estimate& back,
                           const Estimate& return_time);
 
-/// From whether it `slows` down without turning, and the forces on it and on one that turns.
+/// From whether it `slows` down without turning, and the accelerations of it and of one that turns.
 Criterion slowed_packet(bool slows, const Estimate& force, const Estimate& turning_force);
 
 /**

@@ -13,6 +13,7 @@ displacement or velocity. */
 #include <limits>
 #include <vector>
 
+#include "lattice/impact/impact.hpp"
 #include "lattice/integrators/accuracy.hpp"
 #include "lattice/numerics/estimate.hpp"
 #include "lattice/numerics/progress.hpp"
@@ -44,6 +45,14 @@ double decorrelation_time(const First& first, State<double> a, const Second& sec
     advance_a(a, of_a, one.step(), one.steps);
     advance_b(b, of_b, other.step(), other.steps);
   }
+}
+
+/// The same for two chains that are struck with the velocities `one` and `other`.
+inline double decorrelation_of_impacts(const ContactAware& first, double one,
+                                       const ContactAware& second, double other, const Chain& chain,
+                                       double time) {
+  return decorrelation_time(first, struck(chain.sites, one), second, struck(chain.sites, other),
+                            chain, time);
 }
 
 /**

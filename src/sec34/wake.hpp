@@ -67,7 +67,7 @@ Path follow_without(
 
 /**
 What becomes of such a packet in a long time? It *returns* if its mean over the width of the smoothing comes
-back by five sites, the criterion of turning.hpp. Of the others one is *caught* if it moves by less than a site
+back by five sites, the criterion of turning.hpp. Of the others one is *trapped* if it moves by less than a site
 in the last tenth of the time, and the rest *go on*. */
 enum class Late : std::int64_t { goes_on, returns, caught };
 

@@ -1,4 +1,4 @@
-#include "sec34/force.hpp"
+#include "sec34/acceleration.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,22 +7,22 @@
 
 namespace lattice {
 
-namespace {
-
-// A line through the velocities between two samples of the smoothed path
-Force force_on(const Path& smoothed, std::size_t first, std::size_t last) {
-  std::vector<double> ts, vs;
-  const std::size_t half = std::size_t(std::lround(5 / sampling));
+// Slopes over five units of time on either side
+Velocities velocities(const Path& smoothed, std::size_t first, std::size_t last, double look) {
+  Velocities out;
+  const std::size_t half = std::size_t(std::lround(5 / look));
   for (std::size_t i = std::max(first, half); i < std::min(last, smoothed.t.size()) - half;
        i += half) {
-    ts.push_back(smoothed.t[i]);
-    vs.push_back((smoothed.centre[i + half] - smoothed.centre[i - half]) / (2 * half * sampling));
+    out.t.push_back(smoothed.t[i]);
+    out.v.push_back((smoothed.centre[i + half] - smoothed.centre[i - half]) / (2 * half * look));
   }
-  return {fit_line(ts, vs).estimate(), bend(ts, vs)};
+  return out;
 }
 
+namespace {
+
 // Times bound the way out, sites the way back, which begins at another time for each impact
-Force force_of(const Voyage& seen, double width, Stretch stretch) {
+Acceleration acceleration_of(const Voyage& seen, double width, Stretch stretch) {
   const Path p = smooth(seen.path, width);
   std::size_t first = 0, last = 0;
   if (stretch != Stretch::out) {
@@ -34,17 +34,19 @@ Force force_of(const Voyage& seen, double width, Stretch stretch) {
   if (stretch != Stretch::back)
     for (first = 0; p.t[first] < (stretch == Stretch::out ? 100 : 220);) ++first;
   if (stretch == Stretch::out) last = first + std::size_t(120 / sampling);
-  return force_on(p, first, last);
+  const auto [t, v] = velocities(p, first, last, sampling);
+  return {fit_line(t, v).estimate(), bend(t, v)};
 }
 
 }  // namespace
 
 // Two steps and half the smoothing
-Force force_of(const Voyage& coarse, const Voyage& fine, Stretch stretch) {
-  const Force a = force_of(coarse, smoothing, stretch), b = force_of(fine, smoothing, stretch),
-              c = force_of(fine, smoothing / 2, stretch);
-  Force out{compare(a.force, b.force), b.bend};
-  out.force.error += std::abs(c.force.value - b.force.value);
+Acceleration acceleration_of(const Voyage& coarse, const Voyage& fine, Stretch stretch) {
+  const Acceleration a = acceleration_of(coarse, smoothing, stretch),
+                     b = acceleration_of(fine, smoothing, stretch),
+                     c = acceleration_of(fine, smoothing / 2, stretch);
+  Acceleration out{compare(a.mean, b.mean), b.bend};
+  out.mean.error += std::abs(c.mean.value - b.mean.value);
   return out;
 }
 

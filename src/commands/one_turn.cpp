@@ -1,0 +1,57 @@
+#include "commands/one_turn.hpp"
+
+#include <array>
+#include <cmath>
+
+#include "lattice/impact/turning.hpp"
+#include "report/model_options.hpp"
+#include "sec34/decorrelation.hpp"
+
+namespace lattice {
+
+void OneTurn::parameters(Parameters& p) {
+  p.add("velocity", velocity, "impact velocity", {1e-3, 100});
+  add_well(p, like.well, {{"s", {0, 1000}}});
+  add_contact(p, like.contact);
+  p.add("sites", sites, "chain length (default: as long as needed)", {12, 1e5});
+  p.add("time", time, "length of the run", {50, 1e5});
+  p.add("tolerance", tolerance, "relative difference of apex and rebound allowed between two steps",
+        {1e-8, 0.1});
+}
+
+// The two impacts that part are run with half the step once more, for the error of that time
+Table OneTurn::table() const {
+  const double v = velocity;
+  Chain chain = endless({v, like, time}).chain;
+  if (sites) chain.sites = *sites;
+  const auto runs = converge(
+      tolerance, [&](const ContactAware& at) { return voyage(at, chain, v, time); }, SameTurn{});
+  // The neighbours start from the steps that have proved to be short enough
+  const TurnEstimate read = estimate_turn(runs.coarse, runs.fine);
+  const auto neighbours = [&](int more) {
+    const ContactAware at = stepper_for(tolerance, largest_step, runs.halvings + more);
+    return decorrelation_of_impacts(at, v, at, v * (1 + 1e-8), chain, 4 * time);
+  };
+  const std::array<double, 2> parted{neighbours(0), neighbours(1)};
+  const Turn turn = runs.fine.turn();
+  const std::string by = " by t = " + short_text(time),
+                    on = "the packet has not come back by five sites" + by;
+  Answers q{"a smaller --tolerance or a shorter --time"};
+  q.add("apex_site", read.apex_site, "site",
+        "farthest site of the energy centre, smoothed over time, of the strongest packet", on);
+  q.add("apex_time", read.apex_time, "",
+        "time at which this packet turns round, at its farthest site", on);
+  q.add(
+      "return_time", read.return_time, "",
+      "time at which this packet, on its way back, is nearest to the struck end",
+      turn.apex.found() ? "the packet has turned and not moved out again by three sites" + by : on);
+  q.add("decorrelation_time", decorrelation_of(parted[0], parted[1]), "",
+        "time after which two impacts whose velocities differ by a fraction 1e-8 have parted",
+        "the two impacts have not parted by t = " + short_text(4 * time) +
+            (std::isfinite(parted[1]) ? " in the coarser runs" : ""));
+  q.add("step_difference", exact(runs.error), "relative",
+        "difference of apex and rebound in the last two runs, with a step and with half of it");
+  return q.table;
+}
+
+}  // namespace lattice
