@@ -1,7 +1,7 @@
 // Statements in words: each criterion holds for what the words describe and fails for what they do not.
 
 #include "sec34/criteria.hpp"
-#include "sec34/force.hpp"
+#include "sec34/acceleration.hpp"
 
 #include <complex>
 

@@ -11,7 +11,7 @@
 #include "lattice/impact/turning.hpp"
 #include "sec34/criteria.hpp"
 #include "sec34/decorrelation.hpp"
-#include "sec34/force.hpp"
+#include "sec34/acceleration.hpp"
 #include "sec34/wake.hpp"
 
 namespace packet_again {
@@ -513,8 +513,8 @@ TEST_CASE("the force on a packet is the slope of its velocities every five units
   };
   const auto test = [&](const Voyage& a, const Voyage& b, Stretch stretch) {
     const Line x = read(a, 15, stretch), y = read(b, 15, stretch), z = read(b, 7.5, stretch);
-    const Force f = force_of(a, b, stretch);
-    check_estimate(f.force, y.force.value,
+    const Acceleration f = acceleration_of(a, b, stretch);
+    check_estimate(f.mean, y.force.value,
                    std::abs(x.force.value - y.force.value) + y.force.error +
                        std::abs(z.force.value - y.force.value));
     check_estimate(f.bend, y.bend.value, y.bend.error);
