@@ -1,13 +1,13 @@
 /**
 # 2 No breathers without wells
 
-Section 2 of James, Kevrekidis and Cuevas (Physica D 251, 2013) proves that beads which only repel each
-other have no breathers: no motion of theirs is both periodic in time and localized in space. The proof is one integral.
-Bead $n$ obeys $m_n\ddot x_n = F_{n-1} - F_n$ with the push $F_n \ge 0$ of contact $n$, and over a period $T$
+Section 2 of James, Kevrekidis and Cuevas (Physica D 251, 2013) proves that beads which only repel each other have no
+breathers: no motion of theirs is both periodic in time and localized in space. The proof is one integral. Bead $n$
+obeys $m_n\ddot x_n = F_{n-1} - F_n$ with the push $F_n \ge 0$ of contact $n$, and over a period $T$
 $$0 = m_n\bigl[\dot x_n(T)-\dot x_n(0)\bigr] = \int_0^T F_{n-1}\,dt - \int_0^T F_n\,dt :$$
-the mean push $\bar F_n$ is the same at every contact (`thm.mean_force`). Far away from a localized motion the pushes tend to
-zero, so this mean is zero. A push that is never negative and zero in the mean is zero always: the beads are free, and a
-periodic motion of free beads is rest.
+the mean push $\bar F_n$ is the same at every contact (`thm.mean_force`). Far away from a localized motion the pushes
+tend to zero, so this mean is zero. A push that is never negative and zero in the mean is zero always: the beads are
+free, and a periodic motion of free beads is rest.
 
 No computation proves a theorem, but ours could have refuted it: by a periodic motion with unequal means, by a search
 that ends in a breather, or by a localized state that stays together. Each instrument is also tried where it must find
@@ -43,27 +43,27 @@ The chain is that of Eqs. (1) and (3). Each bead has its own mass, each contact 
 $$m_n\ddot x_n = V_n'(x_{n+1}-x_n) - V_{n-1}'(x_n-x_{n-1}),\qquad
   V_n(x) = \frac{\gamma_n}{\alpha_n+1}\,(-x)_+^{\alpha_n+1},$$
 so that contact $n$ pushes with $F_n = \gamma_n\,(x_n-x_{n+1})_+^{\alpha_n}$ (`mass`, `eta` and `exponent` in the
-program). In wells $W$ the balance of a bead over a period reads $\bar F_{n-1}-\bar F_n = \overline{W'(y_n)}$, and the means
-may fall off along the chain. All quantities are dimensionless.
+program). In wells $W$ the balance of a bead over a period reads $\bar F_{n-1}-\bar F_n = \overline{W'(y_n)}$, and the
+means may fall off along the chain. All quantities are dimensionless.
 
 ## Method: periodic motions by shooting
 
 Let $z$ be the positions and velocities at $t = 0$ and $\Phi_T(z)$ those after a period. A periodic motion is a zero of
 $R(z) = \Phi_T(z) - z$. *Shooting* starts from a guess, runs the chain, and corrects the guess by Newton's method,
 $$z \leftarrow z - \delta,\qquad \bigl(D\Phi_T(z) - 1\bigr)\,\delta = R(z),$$
-where the derivative $D\Phi_T$ comes from the linearised equations of motion, integrated along. Far from a solution a step
-is halved until it lowers $|R|$ (damping). Where a motion may be shifted in time or along the chain the matrix is
-singular, and of all solutions $\delta$ we take the shortest. A motion that begins at rest is at rest again
-after $T/2$, which halves the number of equations (lattice/orbits/shooting.hpp). */
+where the derivative $D\Phi_T$ comes from the linearised equations of motion, integrated along. Far from a solution a
+step is halved until it lowers $|R|$ (damping). Where a motion may be shifted in time or along the chain the matrix is
+singular, and of all solutions $\delta$ we take the shortest. A motion that begins at rest is at rest again after $T/2$,
+which halves the number of equations (lattice/orbits/shooting.hpp). */
 constexpr std::array tolerances{1e-11, 1e-13};
 
 /**
 ## Equal means in free chains (figure x16)
 
-On a localized motion of the free chain all means would be zero, but no such motion exists. So we check
-the identity on motions that fill a ring or a box. We follow each over a whole period and integrate the pushes along with
-it by an integrator that shares nothing with the one that found it (sec2/mean_force.hpp), at two tolerances, whose
-difference is the error. */
+On a localized motion of the free chain all means would be zero, but no such motion exists. So we check the identity on
+motions that fill a ring or a box. We follow each over a whole period and integrate the pushes along with it by an
+integrator that shares nothing with the one that found it (sec2/mean_force.hpp), at two tolerances, whose difference is
+the error. */
 struct MotionMeans {
   std::string motion;
   MeanForces coarse, fine;
@@ -78,8 +78,8 @@ MotionMeans means_of(const std::string& motion, const AnyChain& chain, const Sta
 }
 
 /**
-We judge by two numbers: the spread of the mean force over the contacts, relative to the largest, and the
-amount by which the balance of a bead, with the force of its well, is missed. */
+We judge by two numbers: the spread of the mean force over the contacts, relative to the largest, and the amount by
+which the balance of a bead, with the force of its well, is missed. */
 struct Balance {
   double largest, spread, imbalance;
 
@@ -96,10 +96,9 @@ std::array<Balance, 2> balances(const MotionMeans& m) {
 }
 
 /**
-A constant mean force would mean nothing if it were zero, so that of a free chain must exceed a thousandth
-of the amplitude. Its spread must stay below a hundred-millionth, errors included: orbits in double
-precision, followed at a tolerance of a hundred-billionth, leave less, and a start that is wrong by a
-thousandth leaves far more. */
+A constant mean force would mean nothing if it were zero, so that of a free chain must exceed a thousandth of the
+amplitude. Its spread must stay below a hundred-millionth, errors included: orbits in double precision, followed at a
+tolerance of a hundred-billionth, leave less, and a start that is wrong by a thousandth leaves far more. */
 constexpr double same = 1e-8;
 
 Criterion equal_means(const MotionMeans& means, const State<double>& start) {
@@ -111,13 +110,13 @@ Criterion equal_means(const MotionMeans& means, const State<double>& start) {
 }
 
 /**
-We need chains on which only the theorem makes the means equal. On a ring of equal beads symmetry alone
-does, so this case only checks the instrument. Masses and stiffnesses then differ from bead to bead, with
-$\alpha = 3/2$ on a ring and $\alpha = 2$ between walls, and in the last chain every contact has an exponent
-of its own (sec2/periodic_motions.hpp finds all four). The mean forces of the uneven ring agree to
-[4e-12](num:sec2_nonexistence.mean_force_spread_uneven_ring) of the largest. The last condition is for a motion that must
-fail: the uneven ring from a start that is wrong by a thousandth at one bead does not return, and its means agree only to
-[0.000756758](num:sec2_nonexistence.mean_force_spread_not_periodic). */
+We need chains on which only the theorem makes the means equal. On a ring of equal beads symmetry alone does, so this
+case only checks the instrument. Masses and stiffnesses then differ from bead to bead, with $\alpha = 3/2$ on a ring and
+$\alpha = 2$ between walls, and in the last chain every contact has an exponent of its own (sec2/periodic_motions.hpp
+finds all four). The mean forces of the uneven ring agree to
+[4e-12](num:sec2_nonexistence.mean_force_spread_uneven_ring) of the largest. The last condition is for a motion that
+must fail: the uneven ring from a start that is wrong by a thousandth at one bead does not return, and its means agree
+only to [0.000756758](num:sec2_nonexistence.mean_force_spread_not_periodic). */
 Criterion of_free_chains(std::vector<MotionMeans>& all) {
   Criterion out;
   const auto add = [&](const std::string& name, const auto& chain, const State<double>& start,
@@ -196,13 +195,13 @@ void report_means(Report& report, const std::vector<MotionMeans>& all) {
 /**
 ## Random searches find nothing (figure x16)
 
-Next we look for breathers of the free open chain by brute force. Three beads in the middle get random
-positions, and in half of the searches random velocities too; damped Newton's method then looks for a motion
-with the period of a breather, $\omega_b = 1.2$ (sec2/searches.hpp). Finding nothing means something only if the same search
-finds what does exist, so each series of searches has its control. Small starts, of the size of a
-breather, are also tried in wells of unit stiffness. Large starts have the size of motions of this frequency
-without wells: about $0.3$ when neighbours swing against each other. Such motions of a few beads exist
-between walls, and there the same search looks for them with three beads. */
+Next we look for breathers of the free open chain by brute force. Three beads in the middle get random positions, and in
+half of the searches random velocities too; damped Newton's method then looks for a motion with the period of a
+breather, $\omega_b = 1.2$ (sec2/searches.hpp). Finding nothing means something only if the same search finds what does
+exist, so each series of searches has its control. Small starts, of the size of a breather, are also tried in wells of
+unit stiffness. Large starts have the size of motions of this frequency without wells: about $0.3$ when neighbours swing
+against each other. Such motions of a few beads exist between walls, and there the same search looks for them with three
+beads. */
 const std::array<searches::Series, 4> series{{{"free", 15, Ends::free, false, 0.02, 0.08},
                                               {"wells", 15, Ends::free, true, 0.02, 0.08},
                                               {"free_large", 15, Ends::free, false, 0.3, 2},
@@ -211,13 +210,12 @@ const std::array<searches::Series, 4> series{{{"free", 15, Ends::free, false, 0.
 /**
 A search ends at rest, in a localized motion, in an extended one, in doubt, or fails to converge. On the free chain the
 theorem allows only the first and the last of these; one count in any of the others would refute it. More than half of
-the searches must come to rest, or they would prove too little. Of the controls more than one in twenty must
-find a confirmed breather in wells, or a motion between walls, or the search is blind.
+the searches must come to rest, or they would prove too little. Of the controls more than one in twenty must find a
+confirmed breather in wells, or a motion between walls, or the search is blind.
 
 Of [100](num:sec2_nonexistence.searches) small starts in the free chain
-[100](num:sec2_nonexistence.mean_force_rest_free) end at rest and
-[0](num:sec2_nonexistence.mean_force_moving_free) in a motion; in wells
-[2e1](num:sec2_nonexistence.mean_force_localized_wells) end in a breather. Of as many large ones
+[100](num:sec2_nonexistence.mean_force_rest_free) end at rest and [0](num:sec2_nonexistence.mean_force_moving_free) in a
+motion; in wells [2e1](num:sec2_nonexistence.mean_force_localized_wells) end in a breather. Of as many large ones
 [99](num:sec2_nonexistence.mean_force_rest_free_large) end at rest and
 [0](num:sec2_nonexistence.mean_force_moving_free_large) in a motion, while between walls
 [29](num:sec2_nonexistence.mean_force_moving_walls) find one. */
@@ -255,12 +253,11 @@ Criterion report_searches(Report& report) {
 /**
 ## A localized state disperses (figure x16)
 
-A third way to find a breather is to start from one. We put the breather at $\omega_b = 1.5$ into a long
-chain, once with its wells and once without, and watch two quantities: the energy on the nine sites around
-its centre, and the push of the contact beside its central bead, averaged from the start up to $t$. Two
-runs with different steps and samples agree to the errors in the table. Without wells
-[0.00162601](num:sec2_nonexistence.mean_force_core_free) of the energy stays in the core up to $t = 200$, with them
-[0.999982](num:sec2_nonexistence.mean_force_core_wells). */
+A third way to find a breather is to start from one. We put the breather at $\omega_b = 1.5$ into a long chain, once
+with its wells and once without, and watch two quantities: the energy on the nine sites around its centre, and the push
+of the contact beside its central bead, averaged from the start up to $t$. Two runs with different steps and samples
+agree to the errors in the table. Without wells [0.00162601](num:sec2_nonexistence.mean_force_core_free) of the energy
+stays in the core up to $t = 200$, with them [0.999982](num:sec2_nonexistence.mean_force_core_wells). */
 struct Course {
   std::vector<double> t, core, mean;
   std::int64_t woken = 0;  ///< sites that are not exactly at rest when the run ends
@@ -299,10 +296,10 @@ Course course(const Well& well, double time, int halvings) {
 }
 
 /**
-We call a free state dispersed if its core keeps less than a tenth of the energy and its mean force goes
-to zero like $1/t$, as it does when the contact transmits a finite impulse in all: over the second half of
-the time the mean must fall to one half, within a tenth. In wells the core must keep more than 99 per cent
-and the mean force its value. Some beads must still be at rest, or the ends of the chain would matter. */
+We call a free state dispersed if its core keeps less than a tenth of the energy and its mean force goes to zero like
+$1/t$, as it does when the contact transmits a finite impulse in all: over the second half of the time the mean must
+fall to one half, within a tenth. In wells the core must keep more than 99 per cent and the mean force its value. Some
+beads must still be at rest, or the ends of the chain would matter. */
 Estimate deviation(const Course& coarse, const Course& fine, double expected) {
   const auto late = [&](const Course& course) {
     return course.mean.back() / course.mean[course.mean.size() / 2] - expected;
@@ -359,13 +356,12 @@ Criterion report_dispersal(Report& report) {
 ## Differences and limits
 
 The article proves and does not compute, so every parameter here is ours. The frequency of the searches,
-$\omega_b = 1.2$, was chosen so that those in wells succeed. Some of these end in doubt, more of them at
-the longer step: the energy barrier between a site and a bond is so low at this frequency that the
-leapfrog chain has breathers centred in between, near which Newton's method finds none of the exact flow.
-Between walls it is tried with three beads only; it may be a weak instrument for motions of many, but a
-breather has few. Without wells contacts in the core still close now and then, ever more faintly, so we
-judge the fall of the mean and do not wait for silence. Where each contact has its own exponent both the
-search and the check use GSL's integrator, and only the identity is tested. */
+$\omega_b = 1.2$, was chosen so that those in wells succeed. Some of these end in doubt, more of them at the longer
+step: the energy barrier between a site and a bond is so low at this frequency that the leapfrog chain has breathers
+centred in between, near which Newton's method finds none of the exact flow. Between walls it is tried with three beads
+only; it may be a weak instrument for motions of many, but a breather has few. Without wells contacts in the core still
+close now and then, ever more faintly, so we judge the fall of the mean and do not wait for silence. Where each contact
+has its own exponent both the search and the check use GSL's integrator, and only the identity is tested. */
 void reproduce(Report& report) {
   std::vector<MotionMeans> means;
   Criterion all = of_free_chains(means);
@@ -379,11 +375,11 @@ void reproduce(Report& report) {
 /**
 ## Try it
 
-1. *Easy.* What becomes of an impact when there are no wells? `build/bin/sec34_impact run --well none --velocity 1 --time 200`
-   gives `packet_energy_fraction` = 0.99366. Hint: nearly all energy leaves in one solitary wave, whose contacts push
-   once each; it is localized but not periodic.
-2. *Easy.* The same in weak motion: `build/bin/sec34_impact run --well none --velocity 0.01 --time 200` gives `speed` = 0.33461.
-   Hint: without wells the equations have no scale; the speed goes like the power $1/5$ of the impact velocity.
+1. *Easy.* What becomes of an impact when there are no wells?
+   `build/bin/sec34_impact run --well none --velocity 1 --time 200` gives `packet_energy_fraction` = 0.99366. Hint:
+   nearly all energy leaves in one solitary wave, whose contacts push once each; it is localized but not periodic.
+2. *Easy.* The same in weak motion: `build/bin/sec34_impact run --well none --velocity 0.01 --time 200` gives `speed` =
+   0.33461. Hint: without wells the equations have no scale; the speed goes like the power $1/5$ of the impact velocity.
 3. *Harder.* Shallow wells at a fixed period are unit wells at a high frequency. How large is a breather then?
    `build/bin/sec32_newton_breathers breather --omega 2` gives `amplitude` = 2.45676. Hint: substitute
    $y(t) = k^2\,Y(k^{1/2}t)$ in the equation with wells of stiffness $k$; sec2_soft_wells.cpp goes on from there.

@@ -1,14 +1,14 @@
 /**
 # 4 Precompression: phonons, modulational instability and impacts
 
-Squeeze the chain before it is struck. Closed contacts act like springs, and the chain has linear waves, phonons.
-What travelled almost without loss in section 3 now disperses, unless nonlinearity holds it together. Which waves are
-held together?
+Squeeze the chain before it is struck. Closed contacts act like springs, and the chain has linear waves, phonons. What
+travelled almost without loss in section 3 now disperses, unless nonlinearity holds it together. Which waves are held
+together?
 
 Section 4 of James, Kevrekidis and Cuevas (Physica D 251, 2013) answers with the nonlinear Schrödinger (NLS) equation
 for the envelope of a phonon. Its coefficients tell at which wavenumbers phonons are unstable to slow modulations
-(figure 25). A slightly modulated phonon then gathers in a travelling breather, which later splits (figure 26). An impact
-makes a travelling breather in hard wells, which does not turn round as it did without compression, and only
+(figure 25). A slightly modulated phonon then gathers in a travelling breather, which later splits (figure 26). An
+impact makes a travelling breather in hard wells, which does not turn round as it did without compression, and only
 dispersive wave trains in linear and soft ones (figures 27 and 28). We compute all of this, and ask besides how far the
 NLS equation can be trusted in the chain.
 
@@ -41,12 +41,13 @@ The chain is that of Eq. (6) with the wells of Eq. (10) and the compressed conta
 $$\ddot y_n + y_n + s\,y_n^3 = V'(y_{n+1}-y_n) - V'(y_n-y_{n-1}),$$
 $$V'(r) = d^{3/2} - (d-r)_+^{3/2} = v_1r + v_2r^2 + v_3r^3 + \dots,\qquad
 v_1 = \tfrac32d^{1/2},\quad v_2 = -\tfrac38d^{-1/2},\quad v_3 = -\tfrac1{16}d^{-3/2}.$$
-All is dimensionless as in section 3, and $d = \frac12$ throughout. A contact opens at $r = d$; for smaller $r$ the force
-is smooth. Its linear part makes the chain one of beads and springs. Waves $e^{i(qn-\omega t)}$ of small amplitude, the
-phonons, have the frequency of Eq. (34),
+All is dimensionless as in section 3, and $d = \frac12$ throughout. A contact opens at $r = d$; for smaller $r$ the
+force is smooth. Its linear part makes the chain one of beads and springs. Waves $e^{i(qn-\omega t)}$ of small
+amplitude, the phonons, have the frequency of Eq. (34),
 $$\omega^2(q) = 1 + 2v_1(1-\cos q).$$
 A packet of them travels with the group velocity $c = \omega'(q)$, and it spreads as fast as $\omega''(q)$ differs from
-zero. The curvature $\omega''$ is positive up to an inflection $q_c$ and negative beyond; at $q_c$ phonons are fastest. */
+zero. The curvature $\omega''$ is positive up to an inflection $q_c$ and negative beyond; at $q_c$ phonons are fastest.
+*/
 constexpr double compression = 0.5;
 
 /**
@@ -58,11 +59,11 @@ and $\xi = \epsilon(n-ct)$, obey the NLS equation, Eq. (36),
 $$i\,\partial_\tau A = -\tfrac12\omega''\,\partial_\xi^2A + h\,|A|^2A,\qquad h = \frac\beta\omega,$$
 $$\beta = \frac{16v_2^2\sin^2q\,(1-\cos q)^2}{4v_1(1-\cos q)^2+3} + \tfrac32\left[4v_3(1-\cos q)^2 + s\right].$$
 The first term of $\beta$ comes from the second harmonic, which the quadratic force drives and which mixes with the wave
-back to its own frequency; the second is the cubic force of contact and well (derived in sec4/nls.hpp). A uniform wave has
-the frequency $\omega + h|A|^2$. Where it is higher its phase runs faster or slower by $h|A|^2$; this bends the phase, and
-the bend drives energy along, by $\omega''$. If both have opposite signs, energy flows to where there already is more: a
-uniform wave is unstable to slow modulations, and a localized envelope, a sech, can travel without spreading. The article
-writes this condition as
+back to its own frequency; the second is the cubic force of contact and well (derived in sec4/nls.hpp). A uniform wave
+has the frequency $\omega + h|A|^2$. Where it is higher its phase runs faster or slower by $h|A|^2$; this bends the
+phase, and the bend drives energy along, by $\omega''$. If both have opposite signs, energy flows to where there already
+is more: a uniform wave is unstable to slow modulations, and a localized envelope, a sech, can travel without spreading.
+The article writes this condition as
 $$\Phi = -\beta\,\omega_2 > 0,\qquad \omega_2 = \omega\,\omega''/v_1,$$
 Eq. (37). So the whole question is one of two signs, for three wells. */
 constexpr std::array<double, 3> wells = {-1.0 / 6, 0, 1};
@@ -74,8 +75,8 @@ const std::array<std::string, 3> well_names = {"_s_minus_1_6", "_s_0", "_s_1"};
 We tabulate $\Phi$. For $s \le 0$ we find $\beta < 0$, and the band of instability lies to the left of the inflection
 $q_c$ of $\omega(q)$. For $s = 1$ it lies to the right of $q_c$ and ends at
 [2.00682](num:sec4_precompression_mi.unstable_to_s_1), before $\pi$, because there $\beta$ changes sign as well. That
-$\Phi$ is much smaller for $s = 0$, as the article says, we take to mean that its largest value is less than a tenth
-of the others'.
+$\Phi$ is much smaller for $s = 0$, as the article says, we take to mean that its largest value is less than a tenth of
+the others'.
 
 ![The modulation coefficient of Eq. (37).](fig:25) */
 void report_instability(Report& report) {
@@ -93,8 +94,8 @@ void report_instability(Report& report) {
 }
 
 /**
-The largest values have an error, so they are read from two grids of wavenumbers, one with twice the
-points of the other. */
+The largest values have an error, so they are read from two grids of wavenumbers, one with twice the points of the
+other. */
 void report_phi(Report& report) {
   report_instability(report);
   std::array<double, 3> largest, coarse;
@@ -111,9 +112,9 @@ void report_phi(Report& report) {
 }
 
 /**
-Does $\Phi$ really change sign at the inflection, for which there is a closed form? Bisection between
-two wavenumbers at which $\Phi$ has opposite signs does not know that form. It must find the same
-place in each well, and the equation $\cos q_c = v_1(1-\cos q_c)^2$ of the article must hold there. */
+Does $\Phi$ really change sign at the inflection, for which there is a closed form? Bisection between two wavenumbers at
+which $\Phi$ has opposite signs does not know that form. It must find the same place in each well, and the equation
+$\cos q_c = v_1(1-\cos q_c)^2$ of the article must hold there. */
 void report_inflection(Report& report) {
   const double q = inflection(contact_series(compression).v1);
   judge(report, "pre.inflection", sign_changes_at(q, compression, wells));
@@ -121,11 +122,11 @@ void report_inflection(Report& report) {
 
 /**
 The article's conditions for instability at the edges of the band are $s < 0$ at $q = 0$ and $16v_3 + s > 0$ at
-$q = \pi$. They follow from the formula, $\Phi(0) = -\frac32 s$ and $\Phi(\pi) = \frac32(16v_3+s)$. To test them in
-the chain itself we take exact nonlinear waves of amplitude 0.005, for $s$ 0.05 away from each threshold on both sides.
-Such a wave keeps its form $\varphi(qn-\omega t)$ and has a few harmonics (sec4/plane_wave.hpp); how its disturbances
-grow is an eigenvalue problem that knows nothing of $\beta$. Modulations must grow on the unstable side, at
-the rate of the NLS equation within two per cent, and not at all on the other, but for rounding. */
+$q = \pi$. They follow from the formula, $\Phi(0) = -\frac32 s$ and $\Phi(\pi) = \frac32(16v_3+s)$. To test them in the
+chain itself we take exact nonlinear waves of amplitude 0.005, for $s$ 0.05 away from each threshold on both sides. Such
+a wave keeps its form $\varphi(qn-\omega t)$ and has a few harmonics (sec4/plane_wave.hpp); how its disturbances grow is
+an eigenvalue problem that knows nothing of $\beta$. Modulations must grow on the unstable side, at the rate of the NLS
+equation within two per cent, and not at all on the other, but for rounding. */
 void report_edges(Report& report) {
   const double threshold = -16 * contact_series(compression).v3;
   judge(report, "pre.edges", opens_at_edges(compression, threshold));
@@ -134,19 +135,19 @@ void report_edges(Report& report) {
 /**
 ## A modulated phonon becomes a travelling breather (figure 26)
 
-What does the instability lead to? A ring of 200 beads starts from a phonon that is modulated by one per cent,
-Eq. (39), in soft wells, $s = -\frac16$. At $t = 6619$ the energy has gathered in one place,
-which travels with the speed [0.583](num:sec4_precompression_mi.mi_speed), and a sech of the width
-[5.19378](num:sec4_precompression_mi.mi_width) sites fits its envelope. Two runs whose steps differ by a factor of two
-agree to [3e-6](num:sec4_precompression_mi.mi_state_error) there, and do not part up to $t =$
+What does the instability lead to? A ring of 200 beads starts from a phonon that is modulated by one per cent, Eq. (39),
+in soft wells, $s = -\frac16$. At $t = 6619$ the energy has gathered in one place, which travels with the speed
+[0.583](num:sec4_precompression_mi.mi_speed), and a sech of the width [5.19378](num:sec4_precompression_mi.mi_width)
+sites fits its envelope. Two runs whose steps differ by a factor of two agree to
+[3e-6](num:sec4_precompression_mi.mi_state_error) there, and do not part up to $t =$
 [30000](num:sec4_precompression_mi.mi_agreement_time), where we stop. With $s = 1$ the same phonon has $\Phi < 0$; this
 control stays uniform.
 
 So we can also say what becomes of the breather. It passes round the ring as one pulse, spreads, and at $t =$
-[7.35e3](num:sec4_precompression_mi.splitting_splits_at) a second window of 21 sites holds half as much energy as the first.
-The spread pulse breaks up, and at [8.70e3](num:sec4_precompression_mi.splitting_apart_at) the energy has gathered again, in
-two pulses of which the second has at least half of the energy of the first (`pre.splitting`). What we
-call gathered, one pulse and split is in sec4/modulation.hpp.
+[7.35e3](num:sec4_precompression_mi.splitting_splits_at) a second window of 21 sites holds half as much energy as the
+first. The spread pulse breaks up, and at [8.70e3](num:sec4_precompression_mi.splitting_apart_at) the energy has
+gathered again, in two pulses of which the second has at least half of the energy of the first (`pre.splitting`). What
+we call gathered, one pulse and split is in sec4/modulation.hpp.
 
 ![The initial phonon and the breather that it has become.](fig:26) */
 const ModulatedPhonon article_ring;  // s = -1/6, q = pi/4, a = 0.15, b = 0.01
@@ -154,17 +155,17 @@ const ModulatedPhonon article_ring;  // s = -1/6, q = pi/4, a = 0.15, b = 0.01
 /**
 In the other wells the article saw the same and names no wavenumber (`pre.same_s1_s0`). We take the most unstable one
 that fits on the ring, and for $s = 1$ all others of the unstable band besides. For $s = 0$ the energy has gathered at
-$t =$ [3.635e4](num:sec4_precompression_mi.gathered_s_0), for $s = 1$ at [4.70e3](num:sec4_precompression_mi.gathered_s_1),
-and for $s = -1/6$ at [6.50e3](num:sec4_precompression_mi.gathered_s_minus_1_6). At half height the packets are at their
-narrowest [31.1791](num:sec4_precompression_mi.packet_width_s_0), [7.12680](num:sec4_precompression_mi.packet_width_s_1) and
+$t =$ [3.635e4](num:sec4_precompression_mi.gathered_s_0), for $s = 1$ at
+[4.70e3](num:sec4_precompression_mi.gathered_s_1), and for $s = -1/6$ at
+[6.50e3](num:sec4_precompression_mi.gathered_s_minus_1_6). At half height the packets are at their narrowest
+[31.1791](num:sec4_precompression_mi.packet_width_s_0), [7.12680](num:sec4_precompression_mi.packet_width_s_1) and
 [7.07776](num:sec4_precompression_mi.packet_width_s_minus_1_6) sites wide: in linear wells the breather is later and
-less localized, as the article says. For $s = 1$ no wavenumber that makes a breather
-changes this order: of [26](num:sec4_precompression_mi.rings_tried_s_1) in the unstable band
-[19](num:sec4_precompression_mi.rings_formed_s_1) make one; the widest is
-[29.4516](num:sec4_precompression_mi.widest_packet_s_1) sites wide, and the last has gathered at $t =$
-[1.325e4](num:sec4_precompression_mi.last_gathered_s_1). Of the others three do not gather in the time of
-the runs, two of them at the edge of the band; in four the energy gathers, but the richest window jumps between
-packets, and its speed means nothing. */
+less localized, as the article says. For $s = 1$ no wavenumber that makes a breather changes this order: of
+[26](num:sec4_precompression_mi.rings_tried_s_1) in the unstable band [19](num:sec4_precompression_mi.rings_formed_s_1)
+make one; the widest is [29.4516](num:sec4_precompression_mi.widest_packet_s_1) sites wide, and the last has gathered at
+$t =$ [1.325e4](num:sec4_precompression_mi.last_gathered_s_1). Of the others three do not gather in the time of the
+runs, two of them at the edge of the band; in four the energy gathers, but the richest window jumps between packets, and
+its speed means nothing. */
 void report_rings(Report& report) {
   rings::report_modulated(report, article_ring);
 }
@@ -174,18 +175,19 @@ void report_rings(Report& report) {
 
 In section 3.4 an impact on an uncompressed chain made a packet that travelled away or turned round, and in soft wells a
 surface mode. With compression and $s = 1$ a travelling breather forms, with a sech-like envelope, and does not turn
-round in the time of the run (`pre.impact_s1`). At the first time of figure 27, $t = 291$, the packet is still forming; the
-best sech has the width [6.06543](num:sec4_precompression_mi.breather_width_t_291) and misses the envelope by
-[0.0632657](num:sec4_precompression_mi.breather_residual_t_291) of its height. The breather loses energy to its tail in the
-whole run; at the end this has [0.0927420](num:sec4_precompression_mi.tail_both_sides_behind) times the breather's
-amplitude behind it and [0.0663363](num:sec4_precompression_mi.tail_both_sides_ahead) times ahead (`pre.tail_both_sides`).
-With $s = 0$ or $s = -1/6$ we see a train of dispersing waves and no breather (`pre.impact_other`).
+round in the time of the run (`pre.impact_s1`). At the first time of figure 27, $t = 291$, the packet is still forming;
+the best sech has the width [6.06543](num:sec4_precompression_mi.breather_width_t_291) and misses the envelope by
+[0.0632657](num:sec4_precompression_mi.breather_residual_t_291) of its height. The breather loses energy to its tail in
+the whole run; at the end this has [0.0927420](num:sec4_precompression_mi.tail_both_sides_behind) times the breather's
+amplitude behind it and [0.0663363](num:sec4_precompression_mi.tail_both_sides_ahead) times ahead
+(`pre.tail_both_sides`). With $s = 0$ or $s = -1/6$ we see a train of dispersing waves and no breather
+(`pre.impact_other`).
 
 ![Velocities at three times after an impact, s = 1.](fig:27)
 ![Wave trains for s = 0 and s = -1/6, and the packet's share of the energy.](fig:28)
 
-Two controls without compression, the packet that returns and the surface mode, go through the same criteria, and
-must come out as in section 3.4 (sec4/struck_compressed.hpp). */
+Two controls without compression, the packet that returns and the surface mode, go through the same criteria, and must
+come out as in section 3.4 (sec4/struck_compressed.hpp). */
 void report_impacts(Report& report) {
   compressed::report_impacts(report);
 }
@@ -194,16 +196,16 @@ void report_impacts(Report& report) {
 ## Is the coefficient right?
 
 The rest of this chapter asks how far the NLS equation can be trusted. The printed formula for $\beta$ could contain a
-slip, so we measure $\beta$ in two ways that do not use it. First, a uniform wave has the frequency
-$\omega + h|A|^2$. We put the exact wave of amplitude $a = 2|A|$ on a ring of beads, integrate it for 60 periods, and
-read its mean frequency from its phase (sec4/wave_on_ring.hpp).
+slip, so we measure $\beta$ in two ways that do not use it. First, a uniform wave has the frequency $\omega + h|A|^2$.
+We put the exact wave of amplitude $a = 2|A|$ on a ring of beads, integrate it for 60 periods, and read its mean
+frequency from its phase (sec4/wave_on_ring.hpp).
 
-The second measurement is the instability itself. By the NLS equation the fastest modulation grows at
-$|h||A|^2$, so the eigenvalues of the linearisation about the exact wave give $\Phi$, and both measurements are points
-on the curves of figure 25. Where $\Phi < 0$ the eigenvalues are imaginary and there is nothing to plot. Every point of
-both, its error included, must lie within a thousandth of the formula, which is the tolerance of the claim; the frequency
-confirms $\beta$ to a fraction of [0.0003](num:sec4_precompression_mi.beta_apart_by_shift), and the growth
-to [0.0006](num:sec4_precompression_mi.beta_apart_by_growth).
+The second measurement is the instability itself. By the NLS equation the fastest modulation grows at $|h||A|^2$, so the
+eigenvalues of the linearisation about the exact wave give $\Phi$, and both measurements are points on the curves of
+figure 25. Where $\Phi < 0$ the eigenvalues are imaginary and there is nothing to plot. Every point of both, its error
+included, must lie within a thousandth of the formula, which is the tolerance of the claim; the frequency confirms
+$\beta$ to a fraction of [0.0003](num:sec4_precompression_mi.beta_apart_by_shift), and the growth to
+[0.0006](num:sec4_precompression_mi.beta_apart_by_growth).
 
 ![Measured points on the curves of the NLS coefficient, and growth over the modulation's
 wavenumber.](fig:x07) */
@@ -232,15 +234,13 @@ std::vector<BetaPoint> beta_points(bool quick) {
 /**
 ## What the NLS equation does not see
 
-Slow modulations are not all that can grow, so we must know where Eq. (36) misses something. Two
-waves $q$ may scatter into two waves near $q - \pi$, because $2q$ and $2(q-\pi)$ differ by a whole
-turn. The frequencies match for $q - \pi$ itself at $q = \pi/2$, and for a pair of waves on either
-side of it at smaller $q$. For $s = 1$ and $q = \pi/2$ the backscattered wave grows at
-[2.94567](num:sec4_precompression_mi.backscattering) times $|h||A|^2$, faster than any modulation.
-For $s = 0$ and $q = 11\pi/24$ it does so at
-[3.19518](num:sec4_precompression_mi.backscattering_where_stable) times, although $\Phi < 0$: Eq. (37)
-decides about slow modulations only. In that case the pair lies 11 steps of $2\pi/384$ to either
-side, and the amplitude is 0.1. */
+Slow modulations are not all that can grow, so we must know where Eq. (36) misses something. Two waves $q$ may scatter
+into two waves near $q - \pi$, because $2q$ and $2(q-\pi)$ differ by a whole turn. The frequencies match for $q - \pi$
+itself at $q = \pi/2$, and for a pair of waves on either side of it at smaller $q$. For $s = 1$ and $q = \pi/2$ the
+backscattered wave grows at [2.94567](num:sec4_precompression_mi.backscattering) times $|h||A|^2$, faster than any
+modulation. For $s = 0$ and $q = 11\pi/24$ it does so at
+[3.19518](num:sec4_precompression_mi.backscattering_where_stable) times, although $\Phi < 0$: Eq. (37) decides about
+slow modulations only. In that case the pair lies 11 steps of $2\pi/384$ to either side, and the amplitude is 0.1. */
 void report_backscattering(Report& report) {
   const PhaseOfWave resonant{pi / 2, compression, 1}, stable{11 * pi / 24, compression, 0};
   const double modulation = pi - 11 * 2 * pi / 384;
@@ -253,8 +253,8 @@ void report_backscattering(Report& report) {
 }
 
 /**
-So we compare the growth only where Eq. (36) can hold: not at $q = \pi/2$, and not within 0.05 of
-$q_c$, where the curvature of $\omega(q)$ vanishes and the fastest modulation is no longer slow. */
+So we compare the growth only where Eq. (36) can hold: not at $q = \pi/2$, and not within 0.05 of $q_c$, where the
+curvature of $\omega(q)$ vanishes and the fastest modulation is no longer slow. */
 bool growth_compared(const BetaPoint& p) {
   const double q_c = inflection(contact_series(compression).v1);
   const bool resonant = std::abs(p.phase.q - pi / 2) < 1e-9;
@@ -294,9 +294,8 @@ void report_beta(Report& report) {
 /**
 ## Growth at a finite amplitude
 
-The NLS equation holds in the limit of small amplitudes. How far are we from it at the amplitude 0.15
-of figure 26? We tabulate the growth against the wavenumber of the modulation, for this amplitude and
-for a third of it. */
+The NLS equation holds in the limit of small amplitudes. How far are we from it at the amplitude 0.15 of figure 26? We
+tabulate the growth against the wavenumber of the modulation, for this amplitude and for a third of it. */
 void report_growth_curves(Report& report, double s, double q) {
   Table& curves = report.table("growth");
   const Quartic well{s};
@@ -316,9 +315,9 @@ void report_growth_curves(Report& report, double s, double q) {
 }
 
 /**
-Eigenvalues should be visible in a run. On the ring of figure 26 we disturb the exact wave of amplitude
-0.15 by a modulation of wavenumber $Q$ and relative size $10^{-6}$, and fit the growth of the side
-band $q + Q$. Runs and eigenvalues agree to [0.0000412](num:sec4_precompression_mi.simulated_growth_apart). */
+Eigenvalues should be visible in a run. On the ring of figure 26 we disturb the exact wave of amplitude 0.15 by a
+modulation of wavenumber $Q$ and relative size $10^{-6}$, and fit the growth of the side band $q + Q$. Runs and
+eigenvalues agree to [0.0000412](num:sec4_precompression_mi.simulated_growth_apart). */
 void report_growth(Report& report) {
   Table runs;
   const ModulatedPhonon& phonon = article_ring;
@@ -352,10 +351,10 @@ Up to here modulations were small. What does the NLS equation say about a wave t
 claims an error $O(\epsilon^{3/2})$ on times of length $O(\epsilon^{-2})$, Eq. (35). We start the chain of figure 26,
 $s = -1/6$ and $q = \pi/4$, from the soliton of Eq. (38), let it run up to $t = \epsilon^{-2}$, and take the largest
 distance from the ansatz on the way, for four $\epsilon$ and a look at least every fifth of a unit of time, which the
-beating of chain and ansatz needs (sec4/soliton.hpp). In $\ell^2$, with displacements and
-velocities together, the local order comes down from [1.69357](num:sec4_precompression_mi.nls_order_first) to
-[1.49](num:pre.nls_order); its error is the distance to the order before. No bead is off by more than $O(\epsilon^2)$:
-the largest error has the order [1.98](num:sec4_precompression_mi.nls_order_largest). */
+beating of chain and ansatz needs (sec4/soliton.hpp). In $\ell^2$, with displacements and velocities together, the local
+order comes down from [1.69357](num:sec4_precompression_mi.nls_order_first) to [1.49](num:pre.nls_order); its error is
+the distance to the order before. No bead is off by more than $O(\epsilon^2)$: the largest error has the order
+[1.98](num:sec4_precompression_mi.nls_order_largest). */
 struct SizeOfError {
   double eps;
   Estimate l2{}, largest{};
@@ -430,13 +429,14 @@ void report_band(Report& report) {
    `build/bin/sec4_precompression_mi band --s 3` gives `phi_at_pi` = 0.257359. Hint: $\Phi(\pi) = \frac32(16v_3+s)$ with
    $16v_3 = -d^{-3/2}$.
 3. *Harder.* Does a longer carrier gather in a wider packet? `build/bin/sec4_precompression_mi ring --s -1/6 --waves 12`
-   gives `width` = 13.6445, nearly twice that of `--waves 25`, the phonon of figure 26. Hint: in the NLS equation the width of an envelope of given
-   height goes like $(\omega''/|h|)^{1/2}$; ask `coefficients` for both carriers.
-4. *Harder.* When does an impact not feel the compression?
-   `build/bin/sec4_precompression_mi impact --d 0.1 --time 1000` gives `energy_fraction` = 0.788, far more than with
-   $d = \frac12$. Hint: contacts open where beads move apart by more than $d$.
-5. *Open.* For which $s$ between 0 and 1 does the impact begin to make a breather, what becomes of the backscattered wave
-   near $q = \pi/2$ when it has grown, and how do super-exponential tails become exponential ones as $d$ grows from zero? */
+   gives `width` = 13.6445, nearly twice that of `--waves 25`, the phonon of figure 26. Hint: in the NLS equation the
+   width of an envelope of given height goes like $(\omega''/|h|)^{1/2}$; ask `coefficients` for both carriers.
+4. *Harder.* When does an impact not feel the compression? `build/bin/sec4_precompression_mi impact --d 0.1 --time 1000`
+   gives `energy_fraction` = 0.788, far more than with $d = \frac12$. Hint: contacts open where beads move apart by more
+   than $d$.
+5. *Open.* For which $s$ between 0 and 1 does the impact begin to make a breather, what becomes of the backscattered
+   wave near $q = \pi/2$ when it has grown, and how do super-exponential tails become exponential ones as $d$ grows from
+   zero? */
 void reproduce(Report& report) {
   report_band(report);
   report_inflection(report);
@@ -455,9 +455,9 @@ void reproduce(Report& report) {
 ## With your own parameters
 
 `coefficients` and `band` evaluate formulas, the latter also bisects for the wavenumbers between which phonons are
-unstable. `ring` lets one modulated phonon grow. `impact` strikes a chain and reports the packet: its energy centre,
-the width of the sech that fits its envelope, and the share of the energy within 20 sites. It fails if a bead escapes
-from a soft well. */
+unstable. `ring` lets one modulated phonon grow. `impact` strikes a chain and reports the packet: its energy centre, the
+width of the sech that fits its envelope, and the share of the energy within 20 sites. It fails if a bead escapes from a
+soft well. */
 int main(int argc, char** argv) {
   return run(
       {"sec4_precompression_mi", "4", "Precompression: modulation and impact (section 4)",

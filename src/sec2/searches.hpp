@@ -2,8 +2,8 @@
 /**
 # Random searches for periodic motions
 
-A breather of the free chain would be a periodic motion of a few beads. To look for one without prejudice we draw
-starts at random and let Newton's method turn each into a periodic motion, or fail. Three beads in the middle get random
+A breather of the free chain would be a periodic motion of a few beads. To look for one without prejudice we draw starts
+at random and let Newton's method turn each into a periodic motion, or fail. Three beads in the middle get random
 positions, and for even seeds random velocities too; odd seeds begin at rest.
 
 A search should be cheap, so it moves the chain by leapfrog steps (fixed_leapfrog.hpp), for which the theorem holds as
@@ -33,10 +33,9 @@ struct Series {
 };
 
 /**
-To count the outcomes we need a complete list of them. A search can converge to a state of rest, with
-displacements that increase with $n$ up to rounding; to a localized motion, whose end beads carry less than
-a millionth of the energy; to a motion that is not localized; or to a doubtful case, which somebody would
-have to look at. Or it does not converge. */
+To count the outcomes we need a complete list of them. A search can converge to a state of rest, with displacements that
+increase with $n$ up to rounding; to a localized motion, whose end beads carry less than a millionth of the energy; to a
+motion that is not localized; or to a doubtful case, which somebody would have to look at. Or it does not converge. */
 enum class End { rest, localized, extended, doubtful, failed };
 /// Their names, in the order of the table.
 inline constexpr std::array end_names{"rest", "localized", "extended", "doubtful", "failed"};
@@ -45,8 +44,8 @@ inline constexpr std::array end_names{"rest", "localized", "extended", "doubtful
 End run_search(const Series& series, unsigned long seed, int steps);
 
 /**
-The counts depend on the length of the step and on the sample. Their error is the difference
-between two steps plus the statistical error: other seeds would give other counts. */
+The counts depend on the length of the step and on the sample. Their error is the difference between two steps plus the
+statistical error: other seeds would give other counts. */
 struct Counts {
   std::array<std::array<double, end_names.size()>, 2> of{};
   double all = 0;

@@ -3,10 +3,9 @@
 # 4 Checks: the full order, and an independent route (figure x08)
 
 A contact that opens or closes limits every splitting to about order 2.5 (secA_integrators.cpp). The modulated phonon of
-figure 26 keeps all contacts closed until $t = 50$, so each method must show the order in its name; the struck
-chain, up to $t = 30$, opens contacts, and the methods must lose it. As an independent route GSL's method
-of order eight must arrive at the same states. This part of the chapter of section 4 belongs to the program
-sec4_precompression_mi.cpp.
+figure 26 keeps all contacts closed until $t = 50$, so each method must show the order in its name; the struck chain, up
+to $t = 30$, opens contacts, and the methods must lose it. As an independent route GSL's method of order eight must
+arrive at the same states. This part of the chapter of section 4 belongs to the program sec4_precompression_mi.cpp.
 
 ![Error against step with closed and with opening contacts.](fig:x08) */
 
@@ -60,8 +59,8 @@ inline Line order_of(const OrderCase& c, const Scheme& scheme, const State<doubl
 }
 
 /**
-To measure errors we need the right end state. It is that of a contact-aware run with a very short
-step, once an adaptive integrator that shares nothing with it has confirmed it. */
+To measure errors we need the right end state. It is that of a contact-aware run with a very short step, once an
+adaptive integrator that shares nothing with it has confirmed it. */
 /// That state; the facts have its distance from the independent one.
 inline State<double> confirmed_end(const OrderCase& c, Quantities& facts) {
   const State<double> right = c.run(ContactAware{1.0 / 256, nystrom(blanes_moan_6_14())});
@@ -71,8 +70,8 @@ inline State<double> confirmed_end(const OrderCase& c, Quantities& facts) {
 }
 
 /**
-If opening contacts are to blame, the methods lose their order in the one case and not in the other.
-Only Verlet's order of two lies below the limit and is kept in both. */
+If opening contacts are to blame, the methods lose their order in the one case and not in the other. Only Verlet's order
+of two lies below the limit and is kept in both. */
 /// The orders of four splittings in both cases.
 inline void report_order(Report& report) {
   const ModulatedPhonon phonon;
