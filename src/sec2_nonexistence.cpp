@@ -378,8 +378,9 @@ void reproduce(Report& report) {
 1. *Easy.* What becomes of an impact when there are no wells?
    `build/bin/sec34_impact run --well none --velocity 1 --time 200` gives `packet_energy_fraction` = 0.99366. Hint:
    nearly all energy leaves in one solitary wave, whose contacts push once each; it is localized but not periodic.
-2. *Easy.* The same in weak motion: `build/bin/sec34_impact run --well none --velocity 0.01 --time 200` gives `speed` =
-   0.33461. Hint: without wells the equations have no scale; the speed goes like the power $1/5$ of the impact velocity.
+2. *Easy.* The same in weak motion: `build/bin/sec34_impact run --well none --velocity 0.01 --time 200`
+   gives `speed` = 0.33461. Hint: without wells the equations have no scale; the speed goes like the power $1/5$ of the
+   impact velocity.
 3. *Harder.* Shallow wells at a fixed period are unit wells at a high frequency. How large is a breather then?
    `build/bin/sec32_newton_breathers breather --omega 2` gives `amplitude` = 2.45676. Hint: substitute
    $y(t) = k^2\,Y(k^{1/2}t)$ in the equation with wells of stiffness $k$; sec2_soft_wells.cpp goes on from there.
