@@ -28,8 +28,8 @@ using namespace lattice;
 
 An integrator that steps across $t^*$ with the step $h$ misses a fixed fraction of an impulse of size $h\cdot h^{3/2}$.
 So its error falls like $h^{5/2}$, however high its order is for smooth forces; a method of order two, such as Verlet's,
-keeps its order. Our event-corrected integrator (contact_rkn.hpp) replaces this impulse by the exact one, and what is
-left is smaller.
+keeps its order. Our event-corrected integrator (contact_rkn.hpp) replaces this impulse by the exact one, and what an
+event leaves should be of the size $h^5$.
 
 To see this we need a run with many *contact events*, openings and closings of contacts: a strong impact on a chain with
 hard wells, $s = 1$. The errors of single events have random signs, so we show the root mean square over four impact
