@@ -485,7 +485,7 @@ void reproduce(Report& report) {
    `build/bin/sec32_newton_breathers breather --centre bond --omega 1.5` gives `energy` = 0.461486. Hint: ask for
    `--centre site` too, and look at the digits that are the same; the next chapter is about the others.
 3. *Harder.* What does a lighter bead at the centre change?
-   `build/bin/sec32_newton_breathers breather --omega 1.3 --defect-mass 0.8` gives `energy` = 0.00545726. Hint: with
+   `build/bin/sec32_newton_breathers breather --omega 1.3 --defect-mass 0.8` gives `energy` = 0.00545725. Hint: with
    equal beads it is five times as large; a lighter bead swings faster by itself, so that less of the frequency has to
    come from the contacts.
 4. *Harder.* What is the law of exercise 1 for contacts of another exponent?
