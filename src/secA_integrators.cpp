@@ -94,7 +94,7 @@ void report_orbits(Report& report) {
       "error_orbit", {number("step", "time step"), number("verlet", "error of velocity Verlet"),
                       number("blanes_moan_4", "error of the splitting of order 4"),
                       number("blanes_moan_6", "error of the splitting of order 6"),
-                      number("contact_aware", "error of the contact-aware stepper")});
+                      number("contact_aware", "error of the event-corrected integrator")});
   const auto errors = [&](double h) {
     return Cells{h, orbit_error(Splitting{verlet(), h}, exact),
                  orbit_error(Splitting{blanes_moan_4(), h}, exact),
