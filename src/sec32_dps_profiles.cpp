@@ -1,108 +1,64 @@
 /**
 # 3.2 Static breathers of the DpS equation
 
-In the limit of small amplitude a breather is a pattern that only turns, $v_n = u_n e^{i\mu t}$. The
-article has two, both narrow, with neighbours on opposite sides:
-
-        around a site              around a bond
-              |                          |
-              |                          |     |
-        ---|--+--|---              ---|--+--|--+---
-           |     |                    |     |
-          -1  0  1                          |
-                                     -1  0  1  2
+In the limit of small amplitude a breather is a pattern that only turns, $v_n = u_n e^{i\mu t}$. Section 3.2 of James,
+Kevrekidis and Cuevas (Physica D 251, 2013) has two, both narrow, with neighbours on opposite sides: one around a site,
+$u_{-n} = u_n$, and one around a bond, $u_{1-n} = -u_n$.
 
 ![Both breathers, their approximation and their tails.](fig:x03)
 
-Section 3.2 of James, Kevrekidis and Cuevas (Physica D 251, 2013) computes them and compares them with
-an approximation that vanishes outside a few sites. We compute both to the last digit, with their tails,
-and measure how good that approximation is. The breathers of the chain have a chapter of their own. */
+The article states that their amplitude is proportional to $\mu^2$ at unchanged width, and that an approximation which
+vanishes outside of $|x| \le 3\pi/2$ is in excellent agreement with them. We compute both to the last digit, with their
+tails, measure how good that approximation is, and find that the two have almost the same norm: this is why small
+breathers move so easily (section 3.3). The breathers of the chain have a chapter of their own. */
 
 #include <gsl/gsl_integration.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "commands/one_profile.hpp"
 #include "lattice/diagnostics/observe.hpp"
 #include "lattice/model/contact.hpp"
 #include "lattice/quadruple/extended.hpp"
 #include "lattice/standing/stationary.hpp"
 #include "report/program.hpp"
-#include "sec3/breather_options.hpp"
 #include "sec3/continuum.hpp"
+#include "sec32/two_precisions.hpp"
 
 using namespace lattice;
 
 /**
-What is claimed, with the identifiers under which the answers are recorded:
-
-- amplitudes are proportional to $\mu^2$ at unchanged width (`dps.scaling`);
-- the approximate profile is supported on $|x| \le 3\pi/2$ (`dps.qc_support`) and in
-  excellent agreement with the breathers (`dps.qc_site`, `dps.qc_bond`).
-
 ## Model
 
 In the rescaled time of Eq. (11) the DpS equation reads
 $$i\dot v_n = (v_{n+1}-v_n)|v_{n+1}-v_n|^{1/2} - (v_n-v_{n-1})|v_n-v_{n-1}|^{1/2}.$$
-With $v_n = u_n e^{i\mu t}$ and real $u_n$ it becomes Eq. (14), $-\mu u_n = w_n - w_{n-1}$, where
-$w_n = d_n|d_n|^{1/2}$ is the force of the strain $d_n = u_{n+1}-u_n$. The ends are free: there the outer
-contact is missing. Symmetric solutions $u_{-n} = u_n$ are site-centred, antisymmetric ones
-$u_{1-n} = -u_n$ bond-centred. A breather of the chain with frequency $\omega_b$ is then nearly
-$y_n = 2\epsilon\,u_n\cos\omega_b t$, where $\mu = 1$ and $\omega_b = 1 + \epsilon^{1/2}/(2\tau_0)$
-(Eq. (20)). In the program $\mu$ is `mu`, $u_n$ is `Stationary::u`, $w_n$ is `three_halves(strain[n])`
-and the approximate envelope $g$ is `quasi_continuum_envelope`. */
+With $v_n = u_n e^{i\mu t}$ and real $u_n$ it becomes Eq. (14), $-\mu u_n = w_n - w_{n-1}$, where $w_n = d_n|d_n|^{1/2}$
+is the force of the strain $d_n = u_{n+1}-u_n$. The ends are free: there the outer contact is missing. A breather of the
+chain with frequency $\omega_b$ is then nearly $y_n = 2\epsilon\,u_n\cos\omega_b t$, where $\mu = 1$ and
+$\omega_b = 1 + \epsilon^{1/2}/(2\tau_0)$ (Eq. (20)). In the program $\mu$ is `mu`, $u_n$ is `Stationary::u`, $w_n$ is
+`three_halves(strain[n])` and the approximate envelope $g$ is `quasi_continuum_envelope`. */
 constexpr std::pair<Centre, const char*> centres[] = {{Centre::site, "site"},
                                                       {Centre::bond, "bond"}};
 
 /**
 ## Method
 
-We solve for the strains of one half of the chain by Newton's method, with relative corrections as
-unknowns (standing/stationary.hpp says why). The symmetry removes the only direction in which Newton's method
-could drift, so the linear systems are regular. Everything is computed in double and in
-quadruple precision; the difference is the error. Where the exact value is zero, a computed remainder
-is pure rounding and belongs to its precision. It is compared with the remainder at the next longer
-mantissa, extended for double and 50 digits for quadruple, so its error is about as large as itself. */
+The unknowns are the strains of one half of the chain; the symmetry gives the other half and removes the only direction
+in which Newton's method could drift, a shift along the chain. The equations of Eq. (14) at neighbouring sites,
+subtracted, contain strains alone, $w_{n+1} - 2w_n + w_{n-1} + \mu d_n = 0$. In the tail each strain follows from the
+one before, $d_n \approx -w_{n-1}/\mu$, without cancellation, so every site is found with the same relative accuracy
+(standing/stationary.hpp). Everything is computed in double and in quadruple precision, and the difference is the error
+(sec32/two_precisions.hpp).
 
-/// A number of any precision rounded to double.
-template <class T>
-double rounded(const T& x) {
-  return static_cast<double>(x);
-}
-
-/// `of` applied to the state in both precisions.
-template <class Of>
-Estimate in_two_precisions(Centre centre, Of of) {
-  return compare(rounded(of(stationary<double>(centre, 1, sites_of(centre)))),
-                 rounded(of(stationary<Quadruple>(centre, 1, sites_of(centre)))));
-}
-
-/**
-Two such remainders may agree by chance, above all where both are zero, and that is no convergence. Those
-of numbers of size one are therefore never known better than to one rounding. */
-template <class T>
-Estimate rounding_at_least(Estimate e) {
-  e.error = std::max(e.error, rounded(std::numeric_limits<T>::epsilon()));
-  return e;
-}
-
-/// The remainder `of` the state in precision T, compared with the one in the longer precision.
-template <class T, class Longer, class Of>
-Estimate remainder(Centre centre, Of of) {
-  const std::size_t sites = sites_of(centre);
-  return rounding_at_least<T>(compare(rounded(of(stationary<Longer>(centre, Longer(1), sites))),
-                                      rounded(of(stationary<T>(centre, T(1), sites)))));
-}
-
-/**
-Does the computed profile solve the equation? We insert it and divide by $\mu u_n$ at each site,
-so that the tail is tested as sharply as the centre. Sites whose values are too small for the full
-mantissa are left out. */
+Does the computed profile solve the equation? We insert it and divide by $\mu u_n$ at each site, so that the tail is
+tested as sharply as the centre; sites whose values are too small for the full mantissa are left out. The
+double-precision profiles leave at most [4e-16](num:sec32_dps_profiles.residual_site) (site) and
+[4e-16](num:sec32_dps_profiles.residual_bond) (bond). */
 template <class T>
 double relative_residual(const Stationary<T>& state) {
   using std::abs;
@@ -121,8 +77,22 @@ double relative_residual(const Stationary<T>& state) {
 /**
 ## Norm and contact sum
 
-Newton's method does not use every consequence of the equation, and one of them is a check. Multiplying by
-$u_n$ and summing by parts gives $\sum|u_{n+1}-u_n|^{5/2} = \mu N$ with the norm $N = \sum u_n^2$. */
+Newton's method does not use every consequence of the equation, and one of them is a check. Multiplying by $u_n$ and
+summing by parts gives $\sum|u_{n+1}-u_n|^{5/2} = \mu N$ with the norm $N = \sum u_n^2$. In quadruple precision this
+holds to [2e-34](num:sec32_dps_profiles.identity_quad_site) and [2e-34](num:sec32_dps_profiles.identity_quad_bond).
+
+How easily does a small breather move? On the way from site to site it has to cross the other centre. The energy of the
+chain's breather is close to $2\epsilon^2 N$, so at equal frequency the crossing costs the difference of the two norms.
+These are [0.00536042](num:sec32_dps_profiles.norm_site) around a site and
+[0.00536041](num:sec32_dps_profiles.norm_bond) around a bond; the second minus the first, relative to the first, is
+[-1.33110e-6](num:sec32_dps_profiles.norm_gap_relative). That tiny breathers move at a slight push is no surprise then.
+*/
+template <class T>
+std::pair<T, T> gap_and_norm(T one) {
+  const T site = stationary<T>(Centre::site, one, 31).norm();
+  return {stationary<T>(Centre::bond, one, 32).norm() - site, site};
+}
+
 void report_norms(Report& report) {
   const auto broken = [](const auto& s) {
     return std::abs(rounded(s.contact_sum() / (s.mu * s.norm()) - 1));
@@ -139,18 +109,8 @@ void report_norms(Report& report) {
     add("residual", remainder<double, long double>(centre, residual));
     add("residual_quad", remainder<Quadruple, FiftyDigits>(centre, residual));
   }
-
-  /**
-  How easily does a small breather move? On the way from site to site it has to cross the other centre.
-  The energy of the chain's breather is close to $2\epsilon^2 N$, so at equal frequency the crossing costs
-  the difference of the two norms, and it is very small. */
-  const auto gap = [](auto one) {
-    using T = decltype(one);
-    const T site = stationary<T>(Centre::site, one, 31).norm();
-    return std::pair<T, T>(stationary<T>(Centre::bond, one, 32).norm() - site, site);
-  };
-  const auto extended = gap(1.0L);
-  const auto quad = gap(Quadruple(1));
+  const auto extended = gap_and_norm(1.0L);
+  const auto quad = gap_and_norm(Quadruple(1));
   const Estimate difference = compare(rounded(extended.first), rounded(quad.first));
   const double site = rounded(quad.second);
   report.facts.add("norm_gap", difference);
@@ -160,15 +120,15 @@ void report_norms(Report& report) {
 /**
 ## The approximate profile
 
-The forces $w_n$ of both breathers alternate in sign with a smooth envelope, $w_n = (-1)^n f(n)$. Replacing
-$f(n\pm1)$ by three terms of a Taylor series gives Eq. (17), $F'' = -4F + F|F|^{-1/3}$. Its last term has an infinite
-slope at $F = 0$, which lets a solution reach zero and stay there. Multiplied by $F'$ and integrated with
-$F = F' = 0$ at the edge it becomes $F'^2 = \frac65F^{5/3} - 4F^2$. So $F$ is largest at $F^{1/3} = \frac3{10}$, and
-the half-width of the support is the integral of $dF/|F'|$ from zero to there.
+The forces $w_n$ of both breathers alternate in sign with a smooth envelope, $w_n = (-1)^n f(n)$. Replacing $f(n\pm1)$
+by three terms of a Taylor series gives Eq. (17), $F'' = -4F + F|F|^{-1/3}$. Its last term has an infinite slope at
+$F = 0$, which lets a solution reach zero and stay there. Multiplied by $F'$ and integrated with $F = F' = 0$ at the
+edge it becomes $F'^2 = \frac65F^{5/3} - 4F^2$. So $F$ is largest at $F^{1/3} = \frac3{10}$, and the half-width of the
+support is the integral of $dF/|F'|$ from zero to there, [4.71239](num:dps.qc_support).
 
-With $F = z^3$ the integrand behaves like an inverse square root at both ends. GSL has the
-Gauss rule for exactly that weight, named after Chebyshev. We divide the integrand by the weight and apply
-the rule with 8 and with 16 nodes; the difference is the error. */
+With $F = z^3$ the integrand behaves like an inverse square root at both ends. GSL has the Gauss rule for exactly that
+weight, named after Chebyshev. We divide the integrand by the weight and apply the rule with 8 and with 16 nodes; the
+difference is the error. */
 double quasi_continuum_half_width(std::size_t nodes) {
   const double top = 0.3;
   using Rule =
@@ -188,8 +148,8 @@ double quasi_continuum_half_width(std::size_t nodes) {
 }
 
 /**
-Is the printed $g(x) = (3/10)^3\cos^6(x/3)$ that solution? We differentiate it twice by hand and insert it:
-what remains is rounding, which shrinks with the mantissa. And $g$ vanishes where the quadrature says. */
+Is the printed $g(x) = (3/10)^3\cos^6(x/3)$ that solution? We differentiate it twice by hand and insert it: what remains
+is rounding, which shrinks with the mantissa. And $g$ vanishes where the quadrature says. */
 template <class T>
 double printed_envelope_residual() {
   T worst = 0;
@@ -203,12 +163,21 @@ double printed_envelope_residual() {
 }
 
 /**
-The article calls the agreement of breathers and approximation excellent, a word without a number. We give the
-number and pass no judgement: the largest difference over the sites relative to the largest displacement
-(`continuum_difference` of continuum.hpp).
+## How good is it? (figure x03)
 
-One number hides where the profiles differ, so we also compare the largest displacement alone and
-the norm $N$. */
+The article calls the agreement of breathers and approximation excellent, a word without a number. We give the number
+and pass no judgement: the largest difference over the sites relative to the largest displacement
+(`continuum_difference` of continuum.hpp) is [0.0574512](num:sec32_dps_profiles.qc_difference_site) around a site and
+[0.0614325](num:sec32_dps_profiles.qc_difference_bond) around a bond. It occurs one or two sites beside the largest
+displacement, where the approximate profile is too wide.
+
+One number hides where the profiles differ, so we also compare the largest displacement alone,
+[0.0149102](num:sec32_dps_profiles.qc_peak_difference_site) and
+[0.000187130](num:sec32_dps_profiles.qc_peak_difference_bond), and the norm $N$,
+[0.0600350](num:sec32_dps_profiles.qc_norm_difference_site) and
+[0.0600365](num:sec32_dps_profiles.qc_norm_difference_bond).
+
+![Both breathers, the quasi-continuum profiles and the tails.](fig:x03) */
 template <class T>
 T peak_difference(const Stationary<T>& state) {
   using std::abs;
@@ -227,17 +196,7 @@ T norm_difference(const Stationary<T>& state) {
   return abs(norm / state.norm() - T(1));
 }
 
-/**
-## Breathers and approximation (figure x03)
-
-The figure shows both breathers with the approximation, then the same in moduli, and last
-$\ln(-\ln|u_n|)$: the article calls the decay super-exponential, and the sharp form of that
-statement is a straight line of slope $\ln\frac32$ in this plot.
-
-![Both breathers, the quasi-continuum profiles and the tails.](fig:x03)
-
-Some moduli are far below the smallest double, so their logarithms are taken in quadruple
-precision. The claims speak of the whole profile, so the first of the three differences answers them. */
+// Some moduli are far below the smallest double, so their logarithms are taken in quadruple precision
 void report_profiles(Report& report) {
   // The support of the approximation, and whether the printed envelope solves its equation
   report.results.add("dps.qc_support",
@@ -287,14 +246,17 @@ void report_profiles(Report& report) {
 /**
 ## The tail
 
-The super-exponential decay follows from the equation. Far from the centre $u_n$ is small against
-$u_{n-1}$, so $-\mu u_n \approx -w_{n-1}$ and $|u_n| \approx |u_{n-1}|^{3/2}/\mu$. At $\mu = 1$ the ratio
-$\ln|u_{n+1}|/\ln|u_n|$ therefore tends to 3/2. It does so very fast: from one site to the next its distance
-from 3/2 is raised to nearly the power 3/2. The table lists it.
+The article calls the decay super-exponential, and this follows from the equation. Far from the centre $u_n$ is small
+against $u_{n-1}$, so $-\mu u_n \approx -w_{n-1}$ and $|u_n| \approx |u_{n-1}|^{3/2}/\mu$. At $\mu = 1$ the ratio
+$\ln|u_{n+1}|/\ln|u_n|$ therefore tends to 3/2, and $\ln(-\ln|u_n|)$ in the figure to a straight line of slope
+$\ln\frac32$. It does so very fast: from one site to the next the distance from 3/2 is raised to nearly the power 3/2.
+At $n = 4$, where the profile has just become invisible in a plot, the ratio is
+[1.49856](num:sec32_dps_profiles.tail_ratio_4_site), and at $n = 8$ it differs from 3/2 by
+[1.0588e-12](num:sec32_dps_profiles.tail_distance_8_site).
 
-The tail also shows how little the free ends matter: a missing contact would have pulled by the size of
-the tail. We compare 15 sites with 31. The effect is smaller than the rounding of double precision, so
-quadruple precision is compared with 50 digits. */
+The tail also shows how little the free ends matter: a missing contact would have pulled by the size of the tail. On 15
+sites the breather differs from that on 31 by [1.15790e-21](num:sec32_dps_profiles.free_end_effect_15_sites), less than
+the rounding of double precision, so quadruple precision is compared with 50 digits. */
 template <class T>
 double free_end_effect() {
   const auto short_one = stationary<T>(Centre::site, T(1), 15);
@@ -306,9 +268,6 @@ double free_end_effect() {
   return rounded(apart);
 }
 
-/**
-Two sites tell how fast the law is reached: at $n = 4$ the profile has just become invisible in a plot, at
-$n = 8$ it is far below anything that matters to the motion. */
 void report_tails(Report& report) {
   Table& table = report.table(
       "tails", {label("centre", "site or bond"), count("n", "site", "site"),
@@ -342,20 +301,21 @@ void report_tails(Report& report) {
 /**
 ## Scaling with the frequency
 
-If $u$ solves the equation at $\mu = 1$, $\mu^2u$ solves it at $\mu$. The computation must find this law without
-being told, so we walk from $\mu = 1$ to 64 and to 1/64 in steps of an eighth of an octave, and each time start
+If $u$ solves the equation at $\mu = 1$, $\mu^2u$ solves it at $\mu$. The computation must find this law without being
+told, so we continue the branch from $\mu = 1$ to 64 and to 1/64 in steps of an eighth of an octave, and each time start
 Newton's method from the *unscaled* strains of the neighbour. The exponent is the slope of $\ln\max|u_n|$ against
-$\ln\mu$, the width is the participation number $(\sum u_n^2)^2/\sum u_n^4$, the number of sites that share the
-norm. */
+$\ln\mu$, the width is the participation number $(\sum u_n^2)^2/\sum u_n^4$, the number of sites that share the norm.
+The amplitude grows with the exponent [2.00000](num:dps.scaling), and over 12 octaves of $\mu$ the relative change of
+the width is [7e-16](num:sec32_dps_profiles.width_change_site). */
 struct Scaling {
   Estimate exponent{}, width{}, width_change{};
 };
 
 /**
-Each state starts from the four strains of a short chain around the centre of its neighbour; its tail is
-computed anew. */
+Each state starts from the four strains of a short chain around the centre of its neighbour; its tail is computed anew.
+*/
 template <class T>
-Line walk(Centre centre, int steps, std::vector<double>& widths) {
+Line branch_exponent(Centre centre, int steps, std::vector<double>& widths) {
   using std::exp2;
   using std::log;
   std::vector<double> x, y;
@@ -376,13 +336,13 @@ Line walk(Centre centre, int steps, std::vector<double>& widths) {
 }
 
 /**
-The exponent needs an error. Double and extended precision walk separately; their difference and the error
-of the fit are added. */
+The exponent needs an error. Double and extended precision follow it separately; their difference and the error of the
+fit are added. */
 Scaling scaling(Centre centre, int steps) {
   Scaling out;
   std::vector<double> widths, widths_extended;
-  const Line one = walk<double>(centre, steps, widths);
-  const Line two = walk<long double>(centre, steps, widths_extended);
+  const Line one = branch_exponent<double>(centre, steps, widths);
+  const Line two = branch_exponent<long double>(centre, steps, widths_extended);
   out.exponent = compare(one.slope, two.slope);
   out.exponent.error += one.slope_error;
   out.width = compare(widths.front(), widths_extended.front());
@@ -395,8 +355,8 @@ Scaling scaling(Centre centre, int steps) {
 }
 
 /**
-The claim has one exponent for both centres, so the one farther from 2 answers it. A quick run walks two
-octaves each way instead of six. */
+The claim has one exponent for both centres, so the one farther from 2 answers it. A quick run goes two octaves each way
+instead of six. */
 void report_scaling(Report& report) {
   Estimate answer{2, 0};
   for (const auto& [centre, name] : centres) {
@@ -413,35 +373,11 @@ void report_scaling(Report& report) {
 }
 
 /**
-## Results
+## Differences and limits
 
-The amplitude grows with the exponent [2.00000](num:dps.scaling), and over 12 octaves of $\mu$ the relative
-change of the width is [7e-16](num:sec32_dps_profiles.width_change_site). The support of the
-quasi-continuum profile has the half-width [4.71239](num:dps.qc_support).
-
-The approximation differs from the breathers by [0.0574512](num:sec32_dps_profiles.qc_difference_site) of
-the amplitude around a site and by [0.0614325](num:sec32_dps_profiles.qc_difference_bond) around a bond.
-At the largest displacement the differences are
-[0.0149102](num:sec32_dps_profiles.qc_peak_difference_site) and
-[0.000187130](num:sec32_dps_profiles.qc_peak_difference_bond), in the norm
-[0.0600350](num:sec32_dps_profiles.qc_norm_difference_site) and
-[0.0600365](num:sec32_dps_profiles.qc_norm_difference_bond).
-
-The norms are [0.00536042](num:sec32_dps_profiles.norm_site) around a site and
-[0.00536041](num:sec32_dps_profiles.norm_bond) around a bond. The second minus the first, relative to the
-first, is [-1.33110e-6](num:sec32_dps_profiles.norm_gap_relative). That tiny breathers move at a slight
-push (section 3.3) is no surprise then. */
-// What the profiles leave in the equation they solve
-/**
-## Checks
-
-Inserted into the equation, the double-precision profiles leave at most
-[4e-16](num:sec32_dps_profiles.residual_site) (site) and [4e-16](num:sec32_dps_profiles.residual_bond) (bond)
-of $\mu u_n$ at any site, tails included. The identity of contact sum and norm holds to
-[2e-34](num:sec32_dps_profiles.identity_quad_site) and
-[2e-34](num:sec32_dps_profiles.identity_quad_bond) in quadruple precision. The tail law checks the outer
-sites independently: at $n = 4$ the ratio is [1.49856](num:sec32_dps_profiles.tail_ratio_4_site), and at
-$n = 8$ it differs from 3/2 by [1.0588e-12](num:sec32_dps_profiles.tail_distance_8_site). */
+The article prints no number for the agreement that it calls excellent. The difference is easily overlooked at the size
+of the article's figure, and the approximation is a good first guess for Newton's method, which is what the article uses
+it for. Tails end where the number format does; beyond, the tables say zero. */
 void reproduce(Report& report) {
   report.output.note("tolerance", "relative corrections of the strains below a hundred roundings");
   report_norms(report);
@@ -451,67 +387,24 @@ void reproduce(Report& report) {
 }
 
 /**
-## One profile with your own parameters
+## Try it
 
-`sec32_dps_profiles profile --centre bond --mu 1 --sites 20` prints a breather beside its
-quasi-continuum profile. A bond-centred breather needs an even number of sites, a site-centred
-one an odd number. With `--alpha 2` the contacts are not those of spheres, and their force grows with the square
-of the overlap. */
-struct OneProfile {
-  static constexpr Title title{"profile", "one breather beside its approximation"};
-  Centre centre = Centre::site;
-  double mu = 1, alpha = 1.5;
-  std::size_t sites = 0;  ///< 0: as in the full run, or as wide as other exponents need
+`sec32_dps_profiles profile` prints one profile beside its approximation, for any $\mu$ and any exponent of the contacts
+(commands/one_profile.hpp). How it shows in the chain:
 
-  void parameters(Parameters& p) {
-    p.add("centre", centre, "where the breather is centred",
-          {{"site", Centre::site}, {"bond", Centre::bond}});
-    p.add("mu", mu, "frequency of the stationary state", {1e-6, 1e6});
-    p.add("sites", sites, "chain length (default: 31 or 32, with other exponents as needed)",
-          {2, 1e5});
-    p.add("alpha", alpha, "exponent of the contact force, 3/2 for spheres", static_exponents());
-  }
-  Table table() const {
-    const std::size_t length = sites ? sites : sites_of(centre, alpha);
-    if (!fits(centre, length))
-      throw UsageError("--sites: '" + std::to_string(length) +
-                       "' does not fit this centre (allowed: " +
-                       (centre == Centre::bond ? "even" : "odd") + " numbers)");
-    const auto state = stationary<double>(centre, mu, length, alpha);
-    const bool spheres = alpha == 1.5;
-    const double size = spheres ? mu * mu : std::pow(mu, 1 / (alpha - 1));
-    Table out{count("n", "site", "site"), number("u", "stationary DpS breather"),
-              number("quasi_continuum", "quasi-continuum profile")};
-    for (std::size_t i = 0; i < length; ++i) {
-      const long n = site_number(i, length);
-      out.add({n, state.u[i],
-               size * (spheres ? quasi_continuum(centre, n) : quasi_continuum(centre, n, alpha))});
-    }
-    return out;
-  }
-};
-
-/**
-## Differences and limits
-
-The article prints no number for the agreement that it calls excellent. The largest difference occurs one
-or two sites beside the largest displacement, where the approximate profile is too wide. It is easily
-overlooked at the size of the article's figure, and the approximation is a good first guess for Newton's
-method, which is what the article uses it for.
-
-On a finite chain the free ends disturb the breather by the size of its tail: on 15 sites a
-site-centred one still differs from that on 31 sites by
-[1.15790e-21](num:sec32_dps_profiles.free_end_effect_15_sites), which is nothing in double precision.
-Tails end where the number format does; beyond, the tables say zero.
-
-## Extensions
-
-- Add one more term to the truncated Taylor series: does the difference fall below one per
-  cent, and does the support remain compact?
-- The two norms are almost equal for the exponent 3/2, and nowhere equal for the others from 1.1 to 4 (`secB_other_numbers`).
-  Is there an argument why the one around a bond is smaller?
-- The strains obey a two-dimensional map. Draw its stable and unstable manifolds and find the
-  breathers with two or more humps. */
+1. *Easy.* How good is $y_n = 2\epsilon u_n\cos\omega_bt$ for a small breather of the chain?
+   `build/bin/sec32_newton_breathers breather --omega 1.001` gives `amplitude` = 9.63900e-7. Hint: Eq. (20) gives
+   $\epsilon$, and `profile` gives $u_0$; the rest is of relative size $\epsilon^{1/2}$.
+2. *Harder.* Does its energy follow from the norm, $\mathcal H \approx 2\epsilon^2N$?
+   `build/bin/sec32_newton_breathers breather --omega 1.001` gives `energy` = 9.82092e-13. Hint: how large is the
+   relative error, and how does it change at `--omega 1.002`?
+3. *Harder.* Are the two energies as close for contacts of another exponent?
+   `build/bin/sec32_barrier barrier --omega 1.01 --contact power --alpha 2` gives `equal_frequency` = 3.79482e-8. Hint:
+   divide by the energy that `breather` prints with the same options, and compare with the gap of the norms for spheres.
+4. *Open.* The norms are almost equal for the exponent 3/2, and nowhere equal for the others from 1.1 to 4
+   (`secB_other_numbers`). Is there an argument why the one around a bond is smaller?
+5. *Open.* The strains obey a two-dimensional map. Which breathers with two or more humps follow from its stable and
+   unstable manifolds? */
 int main(int argc, char** argv) {
   return run({"sec32_dps_profiles", "3.2", "Static breathers of the DpS equation (section 3.2)",
               reproduce, commands<OneProfile>()},

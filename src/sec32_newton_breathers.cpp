@@ -1,18 +1,19 @@
 /**
 # 3.2 Static breathers of the chain
 
-Section 3.2 of James, Kevrekidis and Cuevas (Physica D 251, 2013) computes breathers: motions of the chain
-that repeat themselves and stay where they are. Neighbours swing against each other, a few beads
-carry nearly all the energy, and the rest of the chain is almost at rest:
-
-        around a site (n = 0)                  around a bond (n = 0, 1)
-      -3   -2   -1    0    1    2    3       -2   -1    0    1    2    3
-       .    >   <-- =====> <--   >    .       .   --> <==== ====> <--   .
+Section 3.2 of James, Kevrekidis and Cuevas (Physica D 251, 2013) computes breathers: motions of the chain that repeat
+themselves and stay where they are. Neighbours swing against each other, a few beads carry nearly all the energy, and
+the rest of the chain is almost at rest. There are two kinds. Around a *site* one bead swings against both of its
+neighbours; around a *bond* two neighbours swing against each other.
 
 ![Bond-centred breathers.](fig:02)
 
-We find both kinds by Newton's method with exact derivatives, and follow them as their frequency changes.
-How much energy separates them is the question of the next chapter. */
+The article finds both by Newton's method, with a residual of $1.5\cdot10^{-9}$ and a last variation of
+$1.7\cdot10^{-11}$, from an approximate profile that is excellent at small amplitude. Their tails fall off
+super-exponentially, and a site-centred one looks the same after a hundred periods. With the frequency the amplitude,
+the energy and the asymmetry around a site grow, the energies of both kinds are indistinguishable, and both exist in
+wells of every anharmonicity $s \in [-1,1]$. Are these statements true, and how good can the breathers be made? How much
+energy separates the two kinds is the question of the next chapter. */
 
 #include <algorithm>
 #include <array>
@@ -25,28 +26,14 @@ How much energy separates them is the question of the next chapter. */
 #include "lattice/diagnostics/observe.hpp"
 #include "lattice/gsl/random.hpp"
 #include "lattice/numerics/parallel.hpp"
-#include "lattice/orbits/breather.hpp"
-#include "lattice/orbits/breather_pairs.hpp"
-#include "lattice/quadruple/extended.hpp"
 #include "lattice/standing/stationary.hpp"
 #include "report/program.hpp"
 #include "sec3/branches.hpp"
 #include "sec3/continuum.hpp"
+#include "sec32/full_map.hpp"
+#include "sec32/tail.hpp"
 
 using namespace lattice;
-
-/**
-What is claimed, with the identifiers under which the answers are recorded:
-
-- Newton's method leaves a residual of $1.5\cdot10^{-9}$ and a last variation of $1.7\cdot10^{-11}$
-  (`newton.residual`, `newton.variation`), and the breather persists (`newton.persistence`);
-- the tail falls super-exponentially (`newton.decay`), and the breathers have symmetries in space and time
-  (`newton.symmetry`) and are close to the quasi-continuum profile when small (`newton.qc_small`);
-- the energies of both families are indistinguishable (`newton.energy_equal`), amplitude, energy and the
-  asymmetry around a site grow with the frequency (`newton.grows`, `newton.site_asymmetry`), and both families
-  exist for every $s$ in $[-1, 1]$ (`newton.any_s`);
-- their width remains nearly constant at small amplitude (`chain.width_constant`, section 1). */
-constexpr double omega_b = 1.1;  // of the breather on which most is shown
 
 /**
 ## Model
@@ -54,20 +41,28 @@ constexpr double omega_b = 1.1;  // of the breather on which most is shown
 The beads sit in the wells of Eq. (10), mostly linear ones ($s = 0$), and push on their neighbours,
 $$\ddot y_n + y_n + s\,y_n^3 = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2},
   \qquad y_n(t+T_b) = y_n(t),\quad T_b = 2\pi/\omega_b,$$
-with free ends (Eqs. (6) and (9)), dimensionless. In the program `omega_b` is $\omega_b$, `Orbit::start`
-the breather at $t = 0$, where it is at rest, and `Orbit::energy` its energy $\mathcal H$, Eq. (6).
+with free ends (Eqs. (6) and (9)), dimensionless. A breather starts from rest, and its unknowns are the positions at
+$t = 0$. In the program `omega_b` is $\omega_b$, `Orbit::start` the breather at $t = 0$, and `Orbit::energy` its energy
+$\mathcal H$, Eq. (6). Most is shown on one breather. */
+constexpr double omega_b = 1.1;
+
+/**
+## Method: a quarter of a period
 
 We guess the positions from Eqs. (18) to (20) and integrate over a part of a period, after which the symmetry of the
-breather makes as many demands as there are unknowns. A mirror image of the chain must also change the sign of all
-positions, $y_n \to -y_{-n}$, because contacts push and never pull. What starts at rest is at rest again after half a
-period. Around a bond the right half of the chain tells all, and its velocities must vanish then; around a site the
-mirror image is the breather half a period later, so that a quarter of a period is enough:
+breather makes as many demands $R(y) = 0$ as there are unknowns. Newton's method corrects the guess,
+$y \leftarrow y - DR(y)^{-1}R(y)$, with the exact derivative $DR$ from the linearised equations of motion.
+
+Which demands? What starts at rest is at rest again after half a period. A mirror image of the chain must also change
+the sign of all positions, $y_n \to -y_{-n}$: contacts push and never pull, and a mirror image alone would turn every
+overlap into a gap. Around a bond the breather is its own image, so the right half of the chain tells all, and its
+velocities must vanish after half a period. Around a site the image is the breather half a period later. As the breather
+runs backward from there as it runs forward, image and breather meet at a quarter:
 $$\dot y_n(T_b/2) = 0 \quad\text{(bond)},\qquad
   y_n+y_{-n} = 0,\quad \dot y_n-\dot y_{-n} = 0 \quad\text{at } t = T_b/4 \quad\text{(site)}.$$
-Newton's method solves these equations (symmetry.hpp, newton.hpp). The integrator ends a step at every *contact event*,
-the opening or closing of a contact, because a step across it would spoil the orbit at $10^{-9}$ and its derivative
-much earlier (event_driven.hpp). Every number is computed at two tolerances or in two precisions, and the difference is
-its error. */
+The integrator ends a step at every *contact event*, the opening or closing of a contact, because a step across it would
+spoil the orbit at $10^{-9}$ and its derivative much earlier (event_driven.hpp). Every number is computed at two
+tolerances or in two precisions, and the difference is its error. */
 Orbit<double> article_breather(const NewtonRule<double>& rule) {
   const Shooting<double> problem = problem_of(Centre::site, omega_b);
   return newton(problem, problem.reduce(ansatz(Centre::site, omega_b, problem.chain.sites)), rule);
@@ -80,66 +75,21 @@ std::string name_of(Centre centre) {
 /**
 ## Convergence
 
-The article's residual is the distance from $Y(0)$ to $Y(T_b)$, relative to $Y(0)$, where $Y$ holds all
-positions and velocities: a whole period without any symmetry. We evaluate it for our breather, which was
-found on a quarter of one. Its error is the difference from the same integration in extended precision, which has a
-64-bit mantissa. */
-template <class T>
-T distance_after_period(const Shooting<double>& problem, const State<double>& start) {
-  const auto wide = in_precision<T>(problem);
-  State<T> begin(start.y.size());
-  for (std::size_t n = 0; n < start.y.size(); ++n) begin.y[n] = T(start.y[n]);
-  State<T> end = begin;
-  flow(wide.chain, end, wide.period());
-  return largest_difference(end, begin) / largest(begin);
-}
+The article's residual is the distance after a whole period, relative to the start, without any symmetry. For our
+breather, which was found on a quarter of one, it is [4e-14](num:newton.residual) after
+[4](num:sec32_newton_breathers.newton_iterations) steps, and the last variation is [7e-14](num:newton.variation).
 
-/**
-For comparison we also solve the equations of the article, $Y(T_b) = Y(0)$, twice as many as unknowns, in
-the sense of least squares. A shift along the chain hardly violates them: the smallest singular
-value of their matrix belongs to a change of the positions that moves the breather sideways, the
-*pinning mode* of section 3.3. It is nearly the discrete gradient $y_{n+1}-y_{n-1}$: the cosine of the angle
-between them is [0.987389](num:sec32_newton_breathers.softest_along_gradient). The problem is
-ill-conditioned along this mode: after a tiny residual the next step of Newton's method is still large. */
-struct FullMap {
-  History history{};
-  Vector<double> x{};
-  Softness soft{};
-};
-
-/**
-To see this wandering we make the article's iterations one by one: shoot over the whole period,
-solve, step. */
-FullMap solve_full_map(int steps, const NewtonRule<double>& how = rule<double>(0)) {
-  Shooting<double> problem = problem_of(Centre::site, omega_b);
-  problem.symmetry = returning(problem.chain.sites);
-  FullMap out;
-  out.x = problem.reduce(ansatz(Centre::site, omega_b, problem.chain.sites));
-  for (int k = 0; k <= steps; ++k) {
-    const Shot<double> shot = problem.shoot(out.x, how.events);
-    const Sizes<double> size = problem.sizes(out.x, false);
-    const Vector<double> step = solve_scaled<double>(shot.jacobian, shot.miss, size, 0);
-    out.soft = condition_of(shot.jacobian);
-    out.history.push_back({sup<double>(shot.miss) / sup(out.x), sup(step) / sup(out.x)});
-    if (k < steps) out.x -= step;
-  }
-  return out;
-}
-
-/**
-The condition number of the full map's matrix is [1.75392e6](num:sec32_newton_breathers.condition_full),
-that of the symmetric equations [22.3356](num:sec32_newton_breathers.condition_site). After ten steps of the
-full map a residual of [1e-14](num:sec32_newton_breathers.full_residual) still demands a step of
-[8e-9](num:sec32_newton_breathers.full_step). With the symmetric equations Newton's method needs
-[4](num:sec32_newton_breathers.newton_iterations) steps, the residual over the whole period is
-[4e-14](num:newton.residual) (printed: $1.5\cdot10^{-9}$) and the last variation
-[7e-14](num:newton.variation) (printed: $1.7\cdot10^{-11}$).
-
-So both printed numbers are met by another algorithm than the article's. Gauss-Newton on the full map, nearest to
-its own, leaves
-a residual of [3.6091e-10](num:sec32_newton_breathers.full_residual_5) after five steps, of which the last is
-[5.63924e-5](num:sec32_newton_breathers.full_step_5): the residual is met, the variation is not. Least squares that leave the
-pinning mode alone stop at [2.1e-9](num:sec33_article_integrator.residual_flow) with steps of
+How did the article get its larger numbers? We also solve its equations, the whole period map in the sense of least
+squares (sec32/full_map.hpp). They are ill-conditioned: the condition number is
+[1.75392e6](num:sec32_newton_breathers.condition_full), against [22.3356](num:sec32_newton_breathers.condition_site) of
+the symmetric equations. The least singular vector is nearly a shift along the chain, the *pinning mode* of section 3.3;
+its angle with the discrete gradient $y_{n+1}-y_{n-1}$ has the cosine
+[0.987389](num:sec32_newton_breathers.softest_along_gradient). Along it a residual of
+[1e-14](num:sec32_newton_breathers.full_residual) still demands a step of [8e-9](num:sec32_newton_breathers.full_step)
+after ten steps. After five, the article's number, the residual is
+[3.6091e-10](num:sec32_newton_breathers.full_residual_5) and the step
+[5.63924e-5](num:sec32_newton_breathers.full_step_5): the printed residual is met, the variation is not. Least squares
+that leave the pinning mode alone stop at [2.1e-9](num:sec33_article_integrator.residual_flow) with steps of
 [5e-15](num:sec33_article_integrator.variation_flow) (sec33_article_integrator.cpp). The printed pair, a residual that
 is large beside the variation, is of this last kind. */
 void report_convergence(Report& report) {
@@ -158,7 +108,7 @@ void report_convergence(Report& report) {
   report.facts.add("condition_site", compare(symmetric(coarse), symmetric(orbit)));
 
   // The full map after nine and after ten steps: the difference shows how much of its result is wandering
-  const FullMap full = solve_full_map(10), before = solve_full_map(9);
+  const FullMap full = solve_full_map(omega_b, 10), before = solve_full_map(omega_b, 9);
   const auto last = [&](double Iteration::*what) {
     return compare(before.history.back().*what, full.history.back().*what);
   };
@@ -170,7 +120,7 @@ void report_convergence(Report& report) {
   report.facts.add("full_step", last(&Iteration::step), "relative to amplitude");
 
   // After five steps, as in the article, and once more at the coarser tolerance
-  const History rough = solve_full_map(5, rule<double>(1)).history;
+  const History rough = solve_full_map(omega_b, 5, rule<double>(1)).history;
   report.facts.add("full_residual_5", compare(rough[5].residual, full.history[5].residual),
                    "relative to amplitude");
   report.facts.add("full_step_5", compare(rough[4].step, full.history[4].step),
@@ -192,11 +142,11 @@ void report_convergence(Report& report) {
 ## Symmetry
 
 We impose both symmetries, so finding them in the result proves nothing. We therefore look for the breathers without
-them: all positions are unknown, the start is shaken at random by a thousandth (a recorded seed),
-and we demand only that the chain comes to rest at $T_b/2$. If the breathers have their symmetries by nature, the
-symmetries come back: the images under $y_{1-n} = -y_n$ and $y_n(t) = -y_{-n}(t+T_b/2)$ then agree with the orbit far
-better than the guess did. What is left is rounding times the condition number of these equations, and shrinks with
-the precision; a breather without symmetry would keep the thousandth. */
+them: all positions are unknown, the start is shaken at random by a thousandth (a recorded seed), and we demand only
+that the chain comes to rest at $T_b/2$. If the breathers have their symmetries by nature, the symmetries come back: the
+images under $y_{1-n} = -y_n$ and $y_n(t) = -y_{-n}(t+T_b/2)$ then agree with the orbit far better than the guess did.
+What is left is rounding times the condition number of these equations, and shrinks with the precision; a breather
+without symmetry would keep the thousandth. */
 template <class T>
 double broken_symmetry(Centre centre) {
   auto problem = in_precision<T>(problem_of(centre, omega_b));
@@ -213,9 +163,7 @@ double broken_symmetry(Centre centre) {
   return double(most / orbit.amplitude);
 }
 
-/**
-We ask that the asymmetry falls to a millionth of what was put in with extended precision, and that it falls
-at least tenfold from double precision to that type, as rounding does. */
+// Asymmetry falls to a millionth of what was put in, and tenfold from double to extended precision
 void report_symmetry(Report& report) {
   Criterion symmetric;
   for (Centre centre : both_centres) {
@@ -228,17 +176,16 @@ void report_symmetry(Report& report) {
 /**
 ## Profiles (figures 02 and 03)
 
-How good is the quasi-continuum approximation for the chain itself? The figures have three panels each: the
-stationary DpS breather, and the breathers of the chain at $\omega_b = 1.01$ and $1.1$, each with its
-approximation.
+How good is the quasi-continuum approximation for the chain itself? The figures have three panels each: the stationary
+DpS breather, and the breathers of the chain at $\omega_b = 1.01$ and $1.1$, each with its approximation.
 
 ![Bond-centred breathers and their quasi-continuum approximation.](fig:02)
 ![Site-centred breathers and their quasi-continuum approximation.](fig:03)
 
 Two errors add up. The continuum differs from the DpS breather even in the limit, by
 [0.0574512](num:sec32_newton_breathers.continuum_limit_site) around a site and
-[0.0614325](num:sec32_newton_breathers.continuum_limit_bond) around a bond. The DpS equation differs from the
-chain: at $1.01$ this takes a little off the first error, at $1.1$ it has made the sum far larger. */
+[0.0614325](num:sec32_newton_breathers.continuum_limit_bond) around a bond. The DpS equation differs from the chain: at
+$1.01$ this takes a little off the first error, at $1.1$ it has made the sum far larger. */
 Estimate approximation_error(Centre centre, double omega_b) {
   const auto problem = problem_of(centre, omega_b);
   const auto off = [&](int coarser) {
@@ -250,8 +197,8 @@ Estimate approximation_error(Centre centre, double omega_b) {
 }
 
 /**
-The article calls the approximation excellent at $1.01$ and worse at $1.1$; the claim is this ordering, which must
-hold for each family beyond the errors. At $1.01$ the difference is
+The article calls the approximation excellent at $1.01$ and worse at $1.1$; the claim is this ordering, which must hold
+for each family beyond the errors. At $1.01$ the difference is
 [0.0511267](num:sec32_newton_breathers.continuum_101_site) of the amplitude around a site and
 [0.0475461](num:sec32_newton_breathers.continuum_101_bond) around a bond, at $1.1$ it is
 [0.117550](num:sec32_newton_breathers.continuum_110_site) and
@@ -297,10 +244,9 @@ void report_profiles(Report& report) {
 /**
 ## A hundred periods (figure 04)
 
-The site-centred breather is weakly unstable, so rounding errors must grow. A second run with another
-tolerance measures their growth: the difference of the two is the error of the first. The article
-finds the positions visually equal after a hundred periods; they have moved by
-[3e-12](num:newton.persistence) of the amplitude.
+The site-centred breather is weakly unstable, so rounding errors must grow. A second run with another tolerance measures
+their growth: the difference of the two is the error of the first. The article finds the positions visually equal after
+a hundred periods; they have moved by [3e-12](num:newton.persistence) of the amplitude.
 
 ![The breather at the start and after a hundred periods.](fig:04) */
 void report_persistence(Report& report) {
@@ -327,44 +273,21 @@ void report_persistence(Report& report) {
 /**
 ## The tail (figure 05)
 
-How fast do the breathers decay? A bead far out is pushed by its inner neighbour alone, with the power $3/2$
-of the neighbour's displacement, so that $\ln|y_{n+1}|/\ln|y_n| \to 3/2$: the decay is double-exponential.
-Newton's method must reach the same relative accuracy at every site, and every contact, however faint, is
-landed on. Double precision ends at $10^{-308}$, beyond site
-[14](num:sec32_newton_breathers.tail_last_double). Extended precision follows the tail to site
-[21](num:sec32_newton_breathers.tail_last_wide), and where both exist their difference is the error.
+How fast do the breathers decay? A bead far out is pushed by its inner neighbour alone, with the power $3/2$ of the
+neighbour's displacement, so that $\ln|y_{n+1}|/\ln|y_n| \to 3/2$: the decay is double-exponential. Newton's method
+follows it to the end of the number format (sec32/tail.hpp), in double precision to site
+[14](num:sec32_newton_breathers.tail_last_double), in extended precision to site
+[21](num:sec32_newton_breathers.tail_last_wide).
 
-![The tail of the site-centred breather.](fig:05) */
-template <class T>
-Orbit<T> with_tail(std::size_t sites) {
-  const auto problem = breather_problem<double>(Centre::site, omega_b, 0, sites);
-  return polish(in_precision<T>(problem), find_breather(problem), graded<T>());
-}
+![The tail of the site-centred breather.](fig:05)
 
-/// The tail in both precisions; sites beyond the shorter chain of extended precision count as zero.
-struct Tail {
-  Orbit<double> orbit = with_tail<double>(99);
-  Orbit<Wide> wide = with_tail<Wide>(63);
-
-  double size(long n) const { return std::abs(orbit.start.y[std::size_t(n + 49)]); }
-  Wide wide_size(long n) const {
-    return n < -31 || n > 31 ? Wide(0) : std::abs(wide.start.y[std::size_t(n + 31)]);
-  }
-  /// ln|y_(n+1)| / ln|y_n|, away from the centre; nan where the outer one has vanished.
-  double exponent(long n) const {
-    const Wide inner = wide_size(n), outer = wide_size(n < 0 ? n - 1 : n + 1);
-    return inner > 0 && outer > 0 ? double(std::log(outer) / std::log(inner)) : std::nan("");
-  }
-};
-
-/**
-The exponent at the last place where it can be formed decides whether the decay is super-exponential: it
-must be within 0.005 of $3/2$, a bound of our choice, and its change since the place before counts as its
-error. An exponential tail would have the exponent one. The figure tests the law by eye: moduli on one side
-and, on the other, the straight line that it demands of $\ln(-\ln|y_n|)$. */
+The exponent at the last place where it can be formed decides whether the decay is super-exponential: it must be within
+0.005 of $3/2$, a bound of our choice, and its change since the place before counts as its error. An exponential tail
+would have the exponent one. The figure tests the law by eye: moduli on one side and, on the other, the straight line
+that it demands of $\ln(-\ln|y_n|)$. */
 void report_tail(Report& report) {
   // Where both precisions end, and the exponent there
-  const Tail tail;
+  const Tail tail(omega_b);
   long last = 0, last_wide = 0;
   while (tail.wide_size(last_wide + 1) > 0) ++last_wide;
   while (tail.size(last + 1) > 1e-300) ++last;
@@ -374,38 +297,22 @@ void report_tail(Report& report) {
   report.facts.add("tail_last_double", exact(double(last)), "site");
   report.facts.add("tail_last_wide", exact(double(last_wide)), "site");
 
-  // The tail site by site, and the law from its end inwards
-  const double none = std::nan(""), end = double(std::log(tail.wide_size(last_wide)));
-  Table& table = report.table(
-      "tail", {count("n", "site", "site"),
-               estimate("size", "|y_n(0)| in double precision; nan where it has underflown", "",
-                        "difference from extended precision; nan where size is"),
-               number("exponent", "ln |y_(n+1)| / ln |y_n| away from the centre"),
-               number("double_log", "ln(-ln |y_n(0)|) in extended precision"),
-               number("law", "the same by the law 3/2 from the outermost site inwards")});
-  for (long n = -49; n <= 49; ++n) {
-    const double here = tail.size(n);
-    const Wide wide = tail.wide_size(n);
-    const Estimate size = here > 1e-300 && wide > 0 ? Estimate{here, std::abs(double(here - wide))}
-                                                    : Estimate{none, none};
-    table.add({n, size, tail.exponent(n), wide > 0 ? double(std::log(-std::log(wide))) : none,
-               std::log(-end) + double(std::abs(n) - last_wide) * std::log(1.5)});
-  }
+  report_tail_table(report, tail, last_wide);
 }
 
 /**
 ## The branches (figure 06)
 
-Both families are followed by arclength from $\omega_b = 1.001$ to $2$ (continuation.hpp). Their amplitudes differ by
-up to [0.130228](num:newton.amplitude_differs); their energies, which the article finds indistinguishable, by
+Both families are followed by arclength from $\omega_b = 1.001$ to $2$ (continuation.hpp). Their amplitudes differ by up
+to [0.130228](num:newton.amplitude_differs); their energies, which the article finds indistinguishable, by
 [1.18591e-6](num:newton.energy_equal), at [1.001](num:sec32_newton_breathers.largest_energy_difference_at). Towards
-$\omega_b = 1$ this tends to that of the DpS norms, [-1.33110e-6](num:sec32_dps_profiles.norm_gap_relative) without
-its sign.
+$\omega_b = 1$ this tends to that of the DpS norms, [-1.33110e-6](num:sec32_dps_profiles.norm_gap_relative) without its
+sign.
 
 ![Amplitude and energy of both families.](fig:06)
 
-The site-centred breather is its own mirror image only in the limit of small amplitude. Its asymmetry is the
-largest $|y_n(0)-y_{-n}(0)|$ relative to the largest $|y_n(0)|$. */
+The site-centred breather is its own mirror image only in the limit of small amplitude. Its asymmetry is the largest
+$|y_n(0)-y_{-n}(0)|$ relative to the largest $|y_n(0)|$. */
 double asymmetry(const Orbit<double>& orbit) {
   double most = 0;
   for (std::size_t n = 0, last = orbit.start.y.size() - 1; n < last - n; ++n)
@@ -414,10 +321,9 @@ double asymmetry(const Orbit<double>& orbit) {
 }
 
 /**
-The article says of three quantities that they increase with $\omega_b$: the amplitude and the energy of both
-families, and this asymmetry. We take it at its word: from each frequency of the figure to the next the
-quantity must grow, beyond its errors. The asymmetry is
-[0.000515165](num:sec32_newton_breathers.asymmetry_1001) at $1.001$ and
+The article says of three quantities that they increase with $\omega_b$: the amplitude and the energy of both families,
+and this asymmetry. We take it at its word: from each frequency of the figure to the next the quantity must grow, beyond
+its errors. The asymmetry is [0.000515165](num:sec32_newton_breathers.asymmetry_1001) at $1.001$ and
 [0.463687](num:sec32_newton_breathers.asymmetry_200) at 2. */
 void report_branches(Report& report) {
   // Both families, frequency by frequency
@@ -475,11 +381,13 @@ void report_branches(Report& report) {
 A breather of the DpS equation keeps its width when its amplitude goes to zero, whereas one of the discrete nonlinear
 Schrödinger equation broadens like $(\omega_b-1)^{-1/2}$. Section 1 says that those of the chain nearly keep it, too. As
 width we take the number of sites on which the displacements live, $(\sum y_n^2)^2/\sum y_n^4$ at $t = 0$. Around a site
-it is [2.96314](num:sec32_newton_breathers.width_limit_site) in the limit, [2.96507](num:sec32_newton_breathers.width_1001_site) at
-$\omega_b = 1.001$ and [3.05955](num:sec32_newton_breathers.width_105_site) at 1.05; around a bond
+it is [2.96314](num:sec32_newton_breathers.width_limit_site) in the limit,
+[2.96507](num:sec32_newton_breathers.width_1001_site) at $\omega_b = 1.001$ and
+[3.05955](num:sec32_newton_breathers.width_105_site) at 1.05; around a bond
 [2.97033](num:sec32_newton_breathers.width_limit_bond), [2.97330](num:sec32_newton_breathers.width_1001_bond) and
-[3.12164](num:sec32_newton_breathers.width_105_bond). In this range the amplitude grows about 2500-fold and the width by a
-fraction of [0.0498881](num:chain.width_constant) at most; a width like $(\omega_b-1)^{-1/2}$ would change by a factor of seven. */
+[3.12164](num:sec32_newton_breathers.width_105_bond). In this range the amplitude grows about 2500-fold and the width by
+a fraction of [0.0498881](num:chain.width_constant) at most; a width like $(\omega_b-1)^{-1/2}$ would change by a factor
+of seven. */
 template <class Profile>
 double sites_filled(const Profile& y) {
   std::vector<double> squares;
@@ -521,14 +429,13 @@ void report_width(Report& report) {
 /**
 ## Other wells
 
-For $s \in [-1, 1]$ the article finds both families, without showing them. We follow them from rest in four wells
-beside those of the figures as far as they go: through $\omega_b = 2$, or to a fold. In all of them the amplitude
-begins like $(\omega_b-1)^2$. In the soft ones the families end before $\omega_b = 2$: at $s = -1$ they fold at
+For $s \in [-1, 1]$ the article finds both families, without showing them. We follow them from rest in four wells beside
+those of the figures as far as they go: through $\omega_b = 2$, or to a fold. In all of them the amplitude begins like
+$(\omega_b-1)^2$. In the soft ones the families end before $\omega_b = 2$: at $s = -1$ they fold at
 [1.61967](num:sec32_newton_breathers.end_s_minus_1_site) around a site and
 [1.61972](num:sec32_newton_breathers.end_s_minus_1_bond) around a bond, at $s = -1/2$ at
-[1.72385](num:sec32_newton_breathers.end_s_minus_05_site) and
-[1.72391](num:sec32_newton_breathers.end_s_minus_05_bond). The claim asks that all eight families begin at rest and
-reach beyond $\omega_b = 1.01$. */
+[1.72385](num:sec32_newton_breathers.end_s_minus_05_site) and [1.72391](num:sec32_newton_breathers.end_s_minus_05_bond).
+The claim asks that all eight families begin at rest and reach beyond $\omega_b = 1.01$. */
 void report_other_wells(Report& report) {
   std::vector<std::pair<double, std::string>> wells{{1, "1"}};
   if (!report.quick)
@@ -550,6 +457,12 @@ void report_other_wells(Report& report) {
   judge(report, "newton.any_s", all);
 }
 
+/**
+## Differences and limits
+
+The article counts five iterations of its Gauss-Newton method. Ours continues until rounding stops it. The article's
+chain lengths are 31 and 99 around a site; around a bond we take one bead more. We follow no family through its fold.
+`sec32_newton_breathers breather` computes a breather with your own parameters (commands/one_breather.hpp). */
 void reproduce(Report& report) {
   report.output.note("tolerance", "flow to 128 and 2048 roundings of the type");
   report_convergence(report);
@@ -563,18 +476,23 @@ void reproduce(Report& report) {
 }
 
 /**
-## Differences and limits
+## Try it
 
-`sec32_newton_breathers breather` computes a breather of your own (one_breather.hpp). The article counts five
-iterations of its Gauss-Newton method. Ours continues until rounding stops it, and with the symmetric equations that
-takes [4](num:sec32_newton_breathers.newton_iterations). The article's chain lengths are 31 and 99 around a site;
-around a bond we take one bead more. We follow no family through its fold.
-
-## Extensions
-
-- Replace one bead by a heavier one: `even_in_time` finds its breather, which has no mirror symmetry.
-- How does the tail change for a contact of another exponent?
-- Are there breathers around two neighbouring sites that swing in phase? */
+1. *Easy.* How does the amplitude grow with $\omega_b - 1$?
+   `build/bin/sec32_newton_breathers breather --centre bond --omega 1.002` gives `amplitude` = 3.53917e-6. Hint: at
+   1.001 it is a quarter of that; Eq. (20) says why.
+2. *Easy.* Which centre costs more energy at $\omega_b = 1.5$?
+   `build/bin/sec32_newton_breathers breather --centre bond --omega 1.5` gives `energy` = 0.461486. Hint: ask for
+   `--centre site` too, and look at the digits that are the same; the next chapter is about the others.
+3. *Harder.* What does a lighter bead at the centre change?
+   `build/bin/sec32_newton_breathers breather --omega 1.3 --defect-mass 0.8` gives `energy` = 0.00545725. Hint: with
+   equal beads it is five times as large; a lighter bead swings faster by itself, so that less of the frequency has to
+   come from the contacts.
+4. *Harder.* What is the law of exercise 1 for contacts of another exponent?
+   `build/bin/sec32_newton_breathers breather --contact power --alpha 2 --omega 1.1` gives `amplitude` = 0.0998154.
+   Hint: the shift of the frequency goes like the contact force over the displacement, amplitude$^{\alpha-1}$; try
+   `--omega 1.05`.
+5. *Open.* Are there breathers around two neighbouring sites that swing in phase? */
 int main(int argc, char** argv) {
   return run({"sec32_newton_breathers", "3.2", "Static breathers of the chain (section 3.2)",
               reproduce, commands<OneBreather>()},

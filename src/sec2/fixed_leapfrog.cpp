@@ -45,7 +45,7 @@ void LeapfrogShooting::fly(State<double>& z, Tangent<double>* tangent, int count
 }
 
 /**
-A shot differs from that of shooting.hpp only in the flight: residuals and derivatives follow from the
+An evaluation differs from that of shooting.hpp only in how the chain is run: residuals and derivatives follow from the
 lists of the symmetry as they do there. */
 Shot<double> LeapfrogShooting::shoot(const Vector<double>& x, const EventTolerance<double>&,
                                      bool with_jacobian) const {

@@ -2,8 +2,8 @@
 /**
 # Shooting by leapfrog
 
-Far from any orbit the flights that Newton's method asks for are wild, and to land on every contact that
-opens or closes (event_driven.hpp) costs much for nothing. A search is better served by leapfrog steps of fixed
+Far from any orbit the motions that Newton's method asks for are wild, and to end a step at every contact event
+(event_driven.hpp) costs much for nothing. A search is better served by leapfrog steps of fixed
 length $h$,
 $$y \leftarrow y + \tfrac h2 v,\qquad v \leftarrow v + h\,a(y),\qquad y \leftarrow y + \tfrac h2 v,$$
 with $a(y)$ the accelerations, and by the exact derivative of these steps. Orbits of this map at frequency

@@ -23,7 +23,7 @@ nothing with the one by which our orbits are found. */
 
 namespace lattice {
 
-/// Time averages over a flight, and where it ended.
+/// Time averages over a run, and where it ended.
 struct MeanForces {
   std::vector<double> contact;  ///< sites + 1 entries, as the contacts of boundary.hpp
   std::vector<double> well;     ///< of W'(y_n), one entry per site

@@ -111,8 +111,8 @@ inline double contact_push(const MixedChain& chain, const double* y, std::size_t
 }
 
 /**
-The library's Newton method accepts anything that can be shot and gives a Jacobian. For the mixed chain
-GSL's integrator does the shooting, and finite differences give the Jacobian. */
+The library's Newton method accepts any problem that gives residuals and a Jacobian. For the mixed chain
+GSL's integrator gives the residuals, and finite differences give the Jacobian. */
 struct MixedProblem {
   using Scalar = double;
   MixedChain chain;

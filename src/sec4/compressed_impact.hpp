@@ -6,7 +6,7 @@ Section 4 strikes the first bead of a compressed chain. This sends out linear wa
 dispersion.hpp) and perhaps a packet that holds together. This file makes the run and tells the two
 apart.
 
-Near the struck end contacts may open for a while, so the contact-aware method (contact_rkn.hpp) integrates
+Near the struck end contacts may open for a while, so the event-corrected method (contact_rkn.hpp) integrates
 until a settling time. After that the motion is smooth, and a splitting (schemes.hpp) has its full order
 six. The chain is as long as impact.hpp makes it: somewhat longer than the way of the fastest phonon, ahead of
 which the motion falls off super-exponentially. */
@@ -106,11 +106,11 @@ inline constexpr double settling_time = 40;
 
 /**
 The impact takes place at $t = 0$. With compression we change methods at the settling time; without it
-contacts go on opening, and the contact-aware method integrates all the time. */
+contacts go on opening, and the event-corrected method integrates all the time. */
 CompressedRun strike_compressed(const Impact& impact, const std::vector<double>& times,
                                 CompressedSteps steps);
 
-/// Two such runs, the second with half of the steps. After a strong blow the usual steps are too long; they are halved
+/// Two such runs, the second with half of the steps. After a strong impact the usual steps are too long; they are halved
 /// until the second run conserves the energy. Throws like `converge`.
 Refined<CompressedRun> strike_compressed_twice(const Impact& impact,
                                                const std::vector<double>& times);

@@ -1,18 +1,13 @@
 #pragma once
 /**
-# 4.2 A modulated phonon becomes a travelling breather (figure 26)
+# 4.2 The rings of figure 26 and of the other wells
 
-This part of the chapter of section 4 belongs to the program sec4_precompression_mi.cpp, whose equations and
-symbols it uses.
-
-Does the instability make a breather? The article starts a ring of $N = 200$ beads from a phonon of
-amplitude $a = 0.15$ that varies by one per cent along the ring, Eq. (39). We say that a travelling
+This part of the chapter of section 4 belongs to the program sec4_precompression_mi.cpp, which has the equations and
+tells what is seen; here the runs are made and judged. We say that a travelling
 breather has formed (sec4/modulation.hpp) if one site has five times the mean energy density, if
 fewer than half of the sites share the energy, and if the centre moves to the right. The ring with
 $s = 1$ is the control: there $\Phi(\pi/4) < 0$, and after the same time no site may have five times
-the mean.
-
-![The initial phonon and the breather that it has become.](fig:26) */
+the mean. */
 
 #include <algorithm>
 #include <array>
@@ -32,12 +27,10 @@ namespace rings {
 using namespace lattice;
 
 /**
-## The other wells (`pre.same_s1_s0`)
+## The other wells
 
-In the other wells the article saw the same and names no wavenumber. In both we take the most unstable one that fits
-on the ring, and for $s = 1$ all others of the unstable band besides, since there backscattered waves grow too. A run
-goes on until the energy has gathered and half as long again. A breather has formed if the packet, and not the ring,
-is narrow and moves to the right (`formed_packet`). */
+In linear and hard wells a run goes on until the energy has gathered and half as long again. A breather has formed if the
+packet, and not the ring, is narrow and moves to the right (`formed_packet`). */
 struct RingOfWell {
   double s, q;
   RingCourse course{};
@@ -78,20 +71,8 @@ inline void report_band_of(Report& report, const std::string& name,
 }
 
 /**
-## What the rings show
-
-On the rings a breather forms in all three wells. For $s = 0$ this takes until $t =$
-[3.635e4](num:sec4_precompression_mi.gathered_s_0), for $s = 1$ until [4.70e3](num:sec4_precompression_mi.gathered_s_1), and for
-$s = -1/6$ until [6.50e3](num:sec4_precompression_mi.gathered_s_minus_1_6). At half height the packets are at their narrowest
-[31.1791](num:sec4_precompression_mi.packet_width_s_0), [7.12680](num:sec4_precompression_mi.packet_width_s_1) and
-[7.07776](num:sec4_precompression_mi.packet_width_s_minus_1_6) sites wide: at the most unstable wavenumber of linear
-wells the breather is later and less localized, as the article says. For $s = 1$ no wavenumber that makes a breather
-changes this order: of
-[26](num:sec4_precompression_mi.rings_tried_s_1) in the unstable band, [19](num:sec4_precompression_mi.rings_formed_s_1)
-make a breather; the widest of these is [29.4516](num:sec4_precompression_mi.widest_packet_s_1) sites wide, and the last has
-gathered at $t =$ [1.325e4](num:sec4_precompression_mi.last_gathered_s_1). Of the others three do not gather in the time of
-the runs, two of them at the edge of the band; in four the energy gathers, but the richest window jumps between
-packets, and its speed means nothing. */
+In the linear well, whose instability is slow, we follow the most unstable wavenumber only, with twice the steps; in
+the hard one every unstable wavenumber, because there backscattered waves grow too. */
 /// The tables and verdicts of other wells, beside the course in soft ones.
 inline void report_courses(Report& report, const RingCourse& soft) {
   // The linear well at one wavenumber, for long; the hard one all over its band
@@ -147,14 +128,12 @@ inline void report_courses(Report& report, const RingCourse& soft) {
 /**
 ## The run of figure 26
 
-Is this state a fact about the equations or about the integrator? Two runs whose steps differ by a factor of two
-agree to [3e-6](num:sec4_precompression_mi.mi_state_error). We also ask when they part, since statements about later
-times would be statistical: up to $t =$ [30000](num:sec4_precompression_mi.mi_agreement_time), where we stop, they do
-not. So we can also say what becomes of the pulse: it is followed, and splits if a second one grows to half of its
-energy (`pre.splitting`). */
-inline void report_modulated(Report& report) {
+Two runs with different steps tell the error of the state, and a course of two runs side by side when they part: later
+statements would be statistical. */
+/// The state of figure 26 and its control, and with them the courses in all wells.
+inline void report_modulated(Report& report, const ModulatedPhonon& soft) {
   // Two resolutions, and the hard well as the control
-  const ModulatedPhonon soft, hard{.s = 1};
+  const ModulatedPhonon hard{.s = 1};
   const double time = 6619;
   Modulated runs[4];
   RingCourse course;
@@ -197,17 +176,9 @@ inline void report_modulated(Report& report) {
 }
 
 /**
-## The pulse splits
-
-The breather of figure 26 passes round the ring as one pulse. Then it spreads, and at $t =$
-[7.35e3](num:sec4_precompression_mi.splitting_splits_at) a second window of 21 sites holds half as much energy as the first.
-The spread pulse breaks up, and at [8.70e3](num:sec4_precompression_mi.splitting_apart_at) the energy has gathered again, in
-two pulses of which the second has at least half of the energy of the first. The runs with two steps agree beyond, up
-to $t =$ [30000](num:sec4_precompression_mi.agree_s_minus_1_6). That a pulse has lasted we now take from its way round the
-ring, [8.0e2](num:sec4_precompression_mi.splitting_one_pulse_for) units of time being enough; our earlier thousand units
-were more than this pulse lives, and so the criterion missed its splitting and found a much later one.
-
-The subcommand `ring` follows one phonon of your choice. */
+That a pulse has lasted we take from its way round the ring, [8.0e2](num:sec4_precompression_mi.splitting_one_pulse_for)
+units of time being enough; our earlier thousand units were more than the pulse of figure 26 lives, and so the criterion
+missed its splitting and found a much later one. The subcommand `ring` follows one phonon of your choice. */
 struct OneRing {
   static constexpr Title title{"ring",
                                "one modulated phonon: when it gathers, how wide its packet is"};

@@ -2,12 +2,11 @@
 /**
 # 4.2 An impact on a compressed chain (figures 27 and 28)
 
-In section 3.4 a blow on an uncompressed chain made a packet that travelled away or turned round, and in soft wells a
-surface mode. What does precompression change? This part of the chapter of section 4 strikes a chain whose contacts
-are compressed by $d = 1/2$ and answers three claims: in the hard wells $s = 1$ a travelling breather forms that has
-a sech-like envelope and does not turn round (`pre.impact_s1`), and in the end it stands on a tail
-(`pre.tail_both_sides`); for $s = 0$ and $s = -1/6$ there is a dispersive wave train only (`pre.impact_other`).
-Equations and symbols are those of sec4_precompression_mi.cpp, whose program runs it. */
+This part of the chapter of section 4 belongs to the program sec4_precompression_mi.cpp, which has the equations and
+tells what is seen. It strikes a chain whose contacts are compressed by $d = 1/2$ and answers three claims: in the hard
+wells $s = 1$ a travelling breather forms that has a sech-like envelope and does not turn round (`pre.impact_s1`), and in
+the end it stands on a tail (`pre.tail_both_sides`); for $s = 0$ and $s = -1/6$ there is a dispersive wave train only
+(`pre.impact_other`). */
 
 #include <cmath>
 #include <cstddef>
@@ -26,7 +25,7 @@ using namespace lattice;
 /**
 We need to tell a breather, a wave train, a surface mode and a packet that returns apart. The packet's
 share of the energy, the boundary's share and the packet's advance decide; sec4/compressed_impact.hpp gives
-the criteria. A blow of $v_0 = 1.87$ on the first bead, Eq. (26), opens contacts near the boundary for
+the criteria. An impact $v_0 = 1.87$ on the first bead, Eq. (26), opens contacts near the boundary for
 a while, the last time at $t =$ [22](num:sec4_precompression_mi.last_open_s_1) or earlier; after
 $t = 40$ the method relies on closed ones. The chain is so long that its last bead has not moved at
 all when a run ends.
@@ -78,10 +77,7 @@ inline std::vector<Experiment> experiments(bool quick) {
 /**
 For figures 27 and 28 we tabulate the velocities, their envelope and the sech fitted to it, and the
 packet's share of the energy as a function of time, from the time on at which the packet has left the
-boundary.
-
-![Velocities at three times after an impact, s = 1.](fig:27)
-![Wave trains for s = 0 and s = -1/6, and the packet's share of the energy.](fig:28) */
+boundary. */
 inline void add_tables(Report& report, const std::vector<Experiment>& all) {
   Table &profiles = report.table("impact_profiles"), &history = report.table("packet_history");
   for (const Experiment& e : all) {
@@ -189,7 +185,7 @@ inline void report_impacts(Report& report) {
 }
 
 /**
-The subcommand `impact` does the same for one blow of your choice, in wells of any name; the contact, whose
+The subcommand `impact` does the same for one impact of your choice, in wells of any name; the contact, whose
 compression is the subject, stays. The named wells all have the phonons of the harmonic one, on which the
 length of the chain rests. It fails if a bead runs away before the end, because then there is no packet to
 report. */

@@ -1,0 +1,82 @@
+#include "commands/phonon_band.hpp"
+
+#include <cmath>
+#include <string>
+
+namespace lattice {
+
+static constexpr char speed_unit[] = "site per unit of time";
+
+/**
+The edges of the instability come in pairs, `unstable_from` and `unstable_to`, and those of a second interval
+with its number. Where every phonon is stable there are none. */
+static void add_edges_of_instability(Answers& q, double d, double s) {
+  const auto narrow = unstable_wavenumbers(d, s);
+  const auto wide = unstable_wavenumbers<long double>(d, s);
+  if (narrow.size() != wide.size())
+    throw Failure("the unstable wavenumbers are too close to one another to be told apart");
+  const Estimate none{std::nan(""), std::nan("")};
+  if (narrow.empty())
+    for (const char* name : {"unstable_from", "unstable_to"})
+      q.add(name, none, "1/site", "edge of the unstable wavenumbers; there are none",
+            "all phonons are stable: Phi is positive nowhere");
+  for (std::size_t i = 0; i < narrow.size(); ++i) {
+    const std::string number = i == 0 ? "" : "_" + std::to_string(i + 1);
+    q.add_small("unstable_from" + number, compare(narrow[i].from, double(wide[i].from)), "1/site",
+                "least wavenumber of an interval in which phonons are modulationally unstable");
+    q.add("unstable_to" + number, compare(narrow[i].to, double(wide[i].to)), "1/site",
+          "largest wavenumber of this interval, which begins at unstable_from" + number);
+  }
+}
+
+Table Band::table() const {
+  const auto v1 = [d = d](auto zero) { return contact_series(zero + d).v1; };
+  const auto fastest = [v1](auto zero) {
+    return phonon(inflection(v1(zero)), v1(zero)).group_velocity;
+  };
+  const auto last = [](auto zero) { return zero + std::numbers::pi_v<decltype(zero)>; };
+
+  // The band, its inflection, and where modulations grow
+  Answers q;
+  q.add("lower_edge", in_two_precisions([](auto zero) { return 1 + zero; }), "",
+        "frequency of the phonons of q = 0, that of a bead in its well");
+  q.add("upper_edge", in_two_precisions([=](auto zero) { return upper_edge(v1(zero)); }), "",
+        "frequency of the phonons of q = pi, the highest of the band");
+  q.add("inflection", in_two_precisions([=](auto zero) { return inflection(v1(zero)); }), "1/site",
+        "wavenumber q_c at which phonons are fastest: the inflection of omega(q)");
+  q.add("largest_group_velocity", in_two_precisions(fastest), speed_unit,
+        "group velocity of the phonons of q_c");
+  const auto phi = [this](auto at) {
+    return in_two_precisions(
+        [this, at](auto zero) { return coefficients(at(zero), zero + d, zero + s).phi; });
+  };
+  q.add_small("phi_at_0", phi([](auto zero) { return zero; }), "",
+              "Phi = -beta omega_2 of Eq. (37) at q = 0; modulations grow where it is positive");
+  q.add_small("phi_at_pi", phi(last), "",
+              "Phi of Eq. (37) at q = pi; modulations grow where it is positive");
+  add_edges_of_instability(q, d, s);
+  return q.table;
+}
+/**
+At one wavenumber all coefficients come from one evaluation, so here we evaluate once in each
+precision and compare the coefficients one by one. */
+Table OneWavenumber::table() const {
+  const auto narrow = coefficients(q, d, s);
+  const auto wide = coefficients<long double>(q, d, s);
+  const auto both = [&](auto of) { return compare(double(of(narrow)), double(of(wide))); };
+  Answers a;
+  a.add("omega", both([](const auto& c) { return c.omega; }), "",
+        "frequency of the phonon of wavenumber q");
+  a.add_small("group_velocity", both([](const auto& c) { return c.group_velocity; }), speed_unit,
+              "group velocity of this phonon, d omega / d q");
+  a.add_small("beta", both([](const auto& c) { return c.beta; }), "",
+              "coefficient of the cubic term of the NLS equation, after Eq. (36)");
+  a.add_small("omega_2", both([](const auto& c) { return c.omega_2; }), "",
+              "scaled dispersion omega omega''/v_1, negative beyond the inflection");
+  a.add_small(
+      "phi", both([](const auto& c) { return c.phi; }), "",
+      "-beta omega_2 of Eq. (37); the phonon is modulationally unstable where it is positive");
+  return a.table;
+}
+
+}  // namespace lattice

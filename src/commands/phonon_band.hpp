@@ -1,0 +1,55 @@
+#pragma once
+/**
+# The phonon band and its instability, for any compression and well
+
+`sec4_precompression_mi band` prints the edges of the band (dispersion.hpp), its inflection, and the intervals of
+wavenumbers whose phonons are modulationally unstable; `coefficients` evaluates everything that the NLS equation
+(nls.hpp) says about one wavenumber.
+
+Values of formulas have no step to halve, but they have rounding errors: we evaluate in `double` and in `long double`
+and take the difference as the error. */
+
+#include <numbers>
+
+#include "report/program.hpp"
+#include "sec4/nls.hpp"
+
+namespace lattice {
+
+/// A formula in two precisions; it is called with the zero of either.
+template <class Formula>
+Estimate in_two_precisions(Formula formula) {
+  return compare(double(formula(double(0))), double(formula(static_cast<long double>(0))));
+}
+
+/**
+The ranges exclude values at which a formula loses its digits or a run its meaning. */
+struct Band {
+  static constexpr Title title{"band",
+                               "edges and inflection of the phonon band, and of its instability"};
+  double d = 0.5, s = -1.0 / 6;
+
+  /// Declares compression and well.
+  void parameters(Parameters& p) {
+    p.add("d", d, "compression of the contacts", {1e-6, 100});
+    p.add("s", s, "anharmonicity of the well", {-100, 100});
+  }
+  /// Edges, inflection, and where modulations grow.
+  Table table() const;
+};
+
+/// The coefficients of the NLS equation for one carrier.
+struct OneWavenumber : Band {
+  static constexpr Title title{"coefficients", "the NLS coefficients at one wavenumber"};
+  double q = std::numbers::pi / 4;
+
+  /// Declares the wavenumber too.
+  void parameters(Parameters& p) {
+    p.add("q", q, "wavenumber", {0, std::numbers::pi});
+    Band::parameters(p);
+  }
+  /// Frequency, group velocity, and the coefficients of Eqs. (36) and (37).
+  Table table() const;
+};
+
+}  // namespace lattice

@@ -1,0 +1,114 @@
+#include "sec2/searches.hpp"
+
+#include <algorithm>
+
+#include "lattice/diagnostics/observe.hpp"
+#include "lattice/gsl/random.hpp"
+#include "lattice/numerics/parallel.hpp"
+#include "sec2/periodic_motions.hpp"
+
+namespace searches {
+
+using Search = LeapfrogShooting;
+
+/**
+The frequency is that of a breather, $\omega_b = 1.2$. A motion that begins at rest is at rest again after half a period;
+of any other we ask that it returns after a whole one. */
+static std::pair<Search, State<double>> draw(const Series& series, unsigned long seed, int steps) {
+  const std::size_t sites = series.sites, middle = sites / 2;
+  const bool at_rest = seed % 2 == 1;
+  Search search;
+  search.chain = {sites, series.wells ? Well{Harmonic{}} : Well{None{}}, Hertz{.floor = 0},
+                  series.ends};
+  search.omega = 1.2;
+  search.steps = steps;
+  search.symmetry = at_rest ? even_in_time(sites) : travelling(sites, 0, false);
+  Random random(seed);
+  const double size = std::exp(random.uniform(std::log(series.least), std::log(series.most)));
+  State<double> start(sites);
+  for (std::size_t n = middle - 1; n <= middle + 1; ++n) {
+    start.y[n] = size * random.uniform(-1, 1);
+    if (!at_rest) start.v[n] = size * random.uniform(-1, 1);
+  }
+  search.scale = largest(start);
+  return {search, start};
+}
+
+/**
+A motion that is found is followed for a period and classified. */
+static End classify(const Search& search, const State<double>& start) {
+  State<double> z = start;
+  double swing = 0, overlap = 0;
+  search.fly(z, nullptr, search.steps, [&](const State<double>& now) {
+    for (std::size_t n = 0; n < now.y.size(); ++n) {
+      swing = std::max(swing, std::abs(now.y[n] - start.y[n]) / search.scale);
+      if (n > 0) overlap = std::max(overlap, (now.y[n - 1] - now.y[n]) / search.scale);
+    }
+  });
+  if (swing < 1e-6 && overlap < 1e-6) return End::rest;
+  if (!(swing > 1e-2)) return End::doubtful;
+  const auto e = energy_density(search.chain, start);
+  const double all = energy(search.chain, start);
+  return std::max(e.front(), e.back()) < 1e-6 * all ? End::localized : End::extended;
+}
+
+/**
+The library's Newton method, with the exact flow, starts from the motion, may move it by no more than a tenth of its
+size, and must end in an orbit of the same kind. */
+struct Nearby : Shooting<double> {
+  using Base = Shooting<double>;
+  Vector<double> from;
+
+  Shot<double> shoot(const Vector<double>& x, const EventTolerance<double>& rule,
+                     bool jacobian = true) const {
+    if (sup<double>(x - from) < 0.1 * sup(from)) return Base::shoot(x, rule, jacobian);
+    throw NewtonFailed("Newton's method leaves the neighbourhood", {});
+  }
+};
+
+static bool confirmed(const Search& search, const Vector<double>& x, End end) try {
+  const Nearby nearby{search, x};
+  NewtonRule<double> rule;
+  if (search.symmetry.parts == 1) rule.rank = 1e-9;  // such orbits may be shifted in time
+  return classify(search, nearby.expand(solve(nearby, x, rule).x)) == end;
+} catch (const NewtonFailed&) {
+  return false;
+}
+
+/**
+A motion that fails this test is not dismissed: it is counted as doubtful. */
+End run_search(const Series& series, unsigned long seed, int steps) {
+  const auto [search, start] = draw(series, seed, steps);
+  NewtonRule<double> rule = motions::free_rule();
+  rule.most = 200;
+  try {
+    const Vector<double> x = solve(search, search.reduce(start), rule).x;
+    const End end = classify(search, search.expand(x));
+    const bool moves = end == End::localized || end == End::extended;
+    return moves && !confirmed(search, x, end) ? End::doubtful : end;
+  } catch (const NewtonFailed&) {
+    return End::failed;
+  }
+}
+
+Estimate Counts::sum(const std::vector<End>& ends) const {
+  std::array<double, 2> n{};
+  for (End end : ends)
+    for (std::size_t k : {0, 1}) n[k] += of[k][std::size_t(end)];
+  const double error = std::abs(n[1] - n[0]) + std::sqrt(n[1] * (all - n[1]) / all);
+  return error > 0 ? Estimate{n[1], error} : exact(n[1]);
+}
+
+Counts search_all(const Series& series, unsigned long seeds) {
+  std::vector<End> ends(2 * seeds);
+  parallel_for("searches, " + series.name, ends.size(), [&](std::size_t i) {
+    const unsigned long seed = i / 2 + 1;
+    const int steps = i % 2 == 0 ? 128 : 256;
+    ends[i] = run_search(series, seed, steps);
+  });
+  Counts counts{{}, double(seeds)};
+  for (std::size_t i = 0; i < ends.size(); ++i) counts.of[i % 2][std::size_t(ends[i])] += 1;
+  return counts;
+}
+
+}  // namespace searches

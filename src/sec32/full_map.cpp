@@ -1,0 +1,23 @@
+#include "sec32/full_map.hpp"
+
+#include "sec3/continuum.hpp"
+
+namespace lattice {
+
+FullMap solve_full_map(double omega_b, int steps, const NewtonRule<double>& how) {
+  Shooting<double> problem = problem_of(Centre::site, omega_b);
+  problem.symmetry = returning(problem.chain.sites);
+  FullMap out;
+  out.x = problem.reduce(ansatz(Centre::site, omega_b, problem.chain.sites));
+  for (int k = 0; k <= steps; ++k) {
+    const Shot<double> shot = problem.shoot(out.x, how.events);
+    const Sizes<double> size = problem.sizes(out.x, false);
+    const Vector<double> step = solve_scaled<double>(shot.jacobian, shot.miss, size, 0);
+    out.soft = condition_of(shot.jacobian);
+    out.history.push_back({sup<double>(shot.miss) / sup(out.x), sup(step) / sup(out.x)});
+    if (k < steps) out.x -= step;
+  }
+  return out;
+}
+
+}  // namespace lattice
