@@ -1,6 +1,6 @@
 """Numbers in the three documents of the report: paper, supplement and theorem. They say `\\num{pn.omega11}` and
 `\\err{pn.omega11}` for a locked value and its error, `\\both{pn.omega11}` for the two in one, as in 1.62(3)e-11,
-`\\pub{pn.omega11}` for what the article prints and `\\claimed{pn.omega11}` for what that is, `\\fig{07}` for a figure
+`\\pub{pn.omega11}` for what the article prints, `\\claimed{pn.omega11}` for what that is and `\\verdict{pn.omega11}` for ours, `\\fig{07}` for a figure
 with the first sentence of its caption and a link to its chapter, `\\finding{pull}` for the sentence of a finding,
 `\\tally{figures}` for what can be counted and `\\meta{version}` for what codemeta.json says. This file writes the
 definitions of all these, the table of claims, and the proof, which is told once, in its chapter. It names every
@@ -115,6 +115,7 @@ def paper_texts(claims, lock, figures, meta, findings):
     counts.update({v: sum(c["status"] == v for c in claims.values()) for v in VERDICTS if v != "unresolved"})
     out = {("pub", id): worded(c["printed"]) for id, c in claims.items()}
     out.update({("claimed", id): worded(c["quantity"]) for id, c in claims.items()})
+    out.update({("verdict", id): c["status"] for id, c in claims.items()})
     for f in lock.values():
         out["num", name_of(f, claims)] = value(f.shown)
         out["err", name_of(f, claims)] = value(f.shown_error)
@@ -140,7 +141,7 @@ def source(program, meta):
 
 def dangling(paper, texts):
     """References that would stay empty, each once. A comment refers to nothing, and `#1` is a parameter."""
-    found = re.finditer(r"\\(num|err|both|pub|claimed|fig|tally|meta|finding)\{([^}#]*)\}", uncommented(paper))
+    found = re.finditer(r"\\(num|err|both|pub|claimed|verdict|fig|tally|meta|finding)\{([^}#]*)\}", uncommented(paper))
     return sorted({m[0] for m in found if (m[1], m[2]) not in texts})
 
 
