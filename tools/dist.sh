@@ -1,8 +1,8 @@
 #!/bin/sh
 # Everything in one archive, for those who will not run anything: dist.sh BUILD, into BUILD/dist.
-# The sources are those of the last commit; products/ has tables, figures, the book, paper with supplement and theorem, and
-# the lists of packages, tables and commands, as they are; SHA256SUMS is over every file. Equal contents give equal bytes: names in order, nobody's
-# files, all of the time of the last commit.
+# The sources are those of the last commit; products/ has tables, figures, the book, paper, supplement and theorem, and
+# the lists of packages, tables and commands, as they are; SHA256SUMS is over every file. Equal contents give equal
+# bytes: names in order, nobody's files, all of the time of the last commit.
 set -eu
 build=$1 products=
 refuse() { echo "dist: $1" >&2; exit 1; }
