@@ -215,7 +215,7 @@ bench: ready
 	@"$(PYTHON)" figures/x04_work_precision.py $(B)/bench $(B)/bench/work_precision.svg
 	@$(MAKE) $(B)/bench/work_precision.pdf $(B)/bench/work_precision.png
 
-## paper: typeset build/paper.pdf from the locked values and all figures
+## paper: typeset build/paper.pdf, supplement.pdf and theorem.pdf from the locked values and all figures
 paper: install-paper
 	@$(MAKE) all-figures
 	@$(MAKE) typeset
@@ -223,11 +223,12 @@ paper: install-paper
 ## typeset: the same from the figures that are there, in seconds
 typeset:
 	@$(lineage) macros --out $(D)/paper
-	@echo "  typeset  $(D)/paper.pdf"
-	@TEXINPUTS="paper:$(D)/paper:$(D)/figures:" BIBINPUTS="paper:" FORCE_SOURCE_DATE=1 \
-	  latexmk -norc -g -pdf -interaction=nonstopmode -halt-on-error -outdir=$(D)/paper paper/paper.tex \
-	  > $(D)/paper/typeset.log 2>&1 || { tail -n 40 $(D)/paper/typeset.log; exit 1; }
-	@mv $(D)/paper/paper.pdf $(D)/paper.pdf.part && mv $(D)/paper.pdf.part $(D)/paper.pdf
+	@for it in paper supplement theorem; do \
+	  echo "  typeset  $(D)/$$it.pdf"; \
+	  TEXINPUTS="paper:$(D)/paper:$(D)/figures:" BIBINPUTS="paper:" FORCE_SOURCE_DATE=1 \
+	    latexmk -norc -g -pdf -interaction=nonstopmode -halt-on-error -outdir=$(D)/paper paper/$$it.tex \
+	    > $(D)/paper/$$it.out.log 2>&1 || { tail -n 40 $(D)/paper/$$it.out.log; exit 1; }; \
+	  mv $(D)/paper/$$it.pdf $(D)/$$it.pdf.part && mv $(D)/$$it.pdf.part $(D)/$$it.pdf || exit; done
 
 install-paper: install-deps
 	@DEPS=$(DEPS) sh tools/install-deps.sh apt-packages.txt paper
@@ -280,7 +281,7 @@ fresh:
 container:
 	@sh tools/fresh.sh --container $(SUITE)
 
-## dist: sources, tables, figures, and the book and the report that are there, in one archive, build/dist
+## dist: sources, tables, figures, and what is there of book, paper, supplement and theorem, in one archive, build/dist
 dist:
 	@$(lineage) inventory --data $(B)/data --programs $(B)/bin --out $(B)/report
 	@sh tools/dist.sh $(B)

@@ -43,6 +43,18 @@ def article(meta):
             "doi": a["@id"].removeprefix("https://doi.org/")}
 
 
+def said(meta):
+    """What the report says of itself, as plain texts by name; empty where nothing is known yet."""
+    code, text = licences(meta)
+    a = article(meta)
+    edition = ", ".join(["Version " + meta["version"], *([day] if (day := meta.get("datePublished")) else [])])
+    contact = [one["email"].removeprefix("mailto:") for one in meta["author"] if one.get("email")]
+    return {"version": meta["version"], "edition": edition, "keywords": ", ".join(meta["keywords"]), "code": code,
+            "text": text, "title": f"[Re] {a['title']}", "authors": ", ".join(one["name"] for one in meta["author"]),
+            "contact": ", ".join(contact), "repository": meta.get("codeRepository", ""),
+            "doi": meta.get("identifier", ""), "article": cited(a)}
+
+
 def yaml(value, indent=0):
     """A value in YAML, whose texts are quoted as in JSON, which YAML reads; an empty one stays empty."""
     lead = "  " * indent
@@ -88,7 +100,7 @@ def rescience(meta):
     acceptance only stays empty."""
     a = article(meta)
     return NOTE + yaml({
-        "title": f"[Re] {a['title']}",
+        "title": said(meta)["title"],
         "authors": [{"name": one["name"], "orcid": "", "email": "", "affiliations": ""} for one in meta["author"]],
         "affiliations": [{"code": "", "name": "", "address": ""}],
         "keywords": ", ".join(["rescience c", *meta["programmingLanguage"], *meta["keywords"]]),

@@ -1,11 +1,13 @@
-"""Numbers in the paper. It says `\\num{pn.omega11}` and `\\err{pn.omega11}` for a locked value and its error,
-`\\pub{pn.omega11}` for what the article prints and `\\claimed{pn.omega11}` for what that is, `\\fig{07}` for a figure
-with the first sentence of its caption, `\\finding{pull}` for the sentence of a finding, `\\tally{figures}` for what can
-be counted and `\\meta{version}` for what codemeta.json says. This file writes the definitions of all these and the
-table of claims. It names every reference that has nothing behind it, every figure that the paper forgets, and every
-claim that does not survive and is not among those for which the paper has a cause.
+"""Numbers in the three documents of the report: paper, supplement and theorem. They say `\\num{pn.omega11}` and
+`\\err{pn.omega11}` for a locked value and its error, `\\both{pn.omega11}` for the two in one, as in 1.62(3)e-11,
+`\\pub{pn.omega11}` for what the article prints, `\\claimed{pn.omega11}` for what that is and `\\verdict{pn.omega11}` for
+what became of it, `\\fig{07}` for a figure with the first sentence of its caption and a link to its chapter,
+`\\finding{pull}` for the sentence of a finding, `\\tally{figures}` for what can be counted and `\\meta{version}` for what
+codemeta.json says. This file writes the definitions of all these, the table of claims, and the proof, which is told
+once, in its chapter. It names every reference that has nothing behind it, every figure that is in none of the
+documents or in two, and every claim that does not survive and is not among those for which the paper has a cause.
 
-A file of the paper that begins with `% chapter: <program>` is read only where that chapter exists."""
+A file of the report that begins with `% chapter: <program>` is read only where that chapter exists."""
 
 import re
 from pathlib import Path
@@ -16,6 +18,8 @@ from .findings import NUMBERS, read_findings
 from .lock import read_lock, uncommented
 from .refresh import read_figures
 
+DOCUMENTS = ("paper", "supplement", "theorem")
+PROOF = "sec5_kernel_equation"  # the chapter whose prose has the proof: the block that ends with a square
 HEAD = "% Written by `python3 -m lineage macros`; do not edit.\n"
 GREEK = {"pi", "eps", "omega", "tau", "mu", "phi", "lambda", "beta", "Phi", "Gamma", "delta"}
 WORDED = re.compile(
@@ -27,8 +31,9 @@ WORDED = re.compile(
     r"|(?P<relation>>=|<=|\+-|->)|(?P<minus>(?:= | )-)(?= |i\b)")
 
 
-def value(shown):
-    """`1.62e-11` and `-3` as TeX sets them, `0.000162` as the former; words such as `holds` stay."""
+def value(shown, uncertain=""):
+    """`1.62e-11` and `-3` as TeX sets them, `0.000162` as the former; words such as `holds` stay. What is uncertain
+    of the last digit follows the digits."""
     found = re.fullmatch(r"(-?)([0-9.]+)(?:e(-?[0-9]+))?", shown)
     if not found:
         return shown
@@ -37,7 +42,19 @@ def value(shown):
     if not exponent and small:
         exponent = str(-1 - len(small[1]))
         mantissa = small[2] + ("." if small[3] else "") + small[3]
-    return rf"\ensuremath{{{sign}{mantissa}" + (rf"\times10^{{{exponent}}}" if exponent else "") + "}"
+    return rf"\ensuremath{{{sign}{mantissa}{uncertain}" + (rf"\times10^{{{exponent}}}" if exponent else "") + "}"
+
+
+def both(finding):
+    """A value with its error in parentheses, in units of the last digit shown: `1.62(3)e-11`. The digits are those of
+    values.py; where six of them do not reach the error it is one unit, so that what was rounded off is covered. What
+    is exact, made of rounding or no number has no parentheses."""
+    shown, error = finding.shown, finding.shown_error
+    digits = re.fullmatch(r"-?\d+(?:\.(\d+))?(?:e(-?\d+))?", shown)
+    if not digits or finding.value == 0 or error in ("", "exact", "nan", "inf") or finding.kind == "residue":
+        return value(shown)
+    last = int(digits[2] or 0) - len(digits[1] or "")
+    return value(shown, f"({max(1, round(float(error) / 10.0**last))})")
 
 
 def name(word):
@@ -98,9 +115,11 @@ def paper_texts(claims, lock, figures, meta, findings):
     counts.update({v: sum(c["status"] == v for c in claims.values()) for v in VERDICTS if v != "unresolved"})
     out = {("pub", id): worded(c["printed"]) for id, c in claims.items()}
     out.update({("claimed", id): worded(c["quantity"]) for id, c in claims.items()})
+    out.update({("verdict", id): c["status"] for id, c in claims.items()})
     for f in lock.values():
         out["num", name_of(f, claims)] = value(f.shown)
         out["err", name_of(f, claims)] = value(f.shown_error)
+        out["both", name_of(f, claims)] = both(f)
     nums = {name: text for (kind, name), text in out.items() if kind == "num"}
     for id, row in findings.items():
         if lost := [name for name in NUMBERS.findall(row["sentence"]) if name not in nums]:
@@ -108,34 +127,68 @@ def paper_texts(claims, lock, figures, meta, findings):
         out["finding", id] = sentence(row, nums)
     out.update({("fig", id): Path(f["script"]).stem for id, f in figures.items()})
     out.update({("tally", what): str(n) for what, n in counts.items()})
-    code, text = metadata.licences(meta)
-    said = {"version": meta["version"], "keywords": ", ".join(meta["keywords"]), "code": code, "text": text}
-    said["edition"] = ", ".join(["Version " + meta["version"], *([day] if (day := meta.get("datePublished")) else [])])
-    out.update({("meta", what): escaped(words).replace("–", "--") for what, words in said.items()})
+    out.update({("source", id): source(f["program"], meta) for id, f in figures.items()})
+    out.update({("meta", what): escaped(words).replace("–", "--") for what, words in metadata.said(meta).items()})
     return out
+
+
+def source(program, meta):
+    """A link to a chapter: at the repository's address, or else beside the folder that the document is in."""
+    path = f"src/{program}.cpp"
+    where = f"{meta['codeRepository']}/blob/HEAD" if meta.get("codeRepository") else ".."
+    return rf"\href{{{where}/{path}}}{{\nolinkurl{{{path}}}}}"
 
 
 def dangling(paper, texts):
     """References that would stay empty, each once. A comment refers to nothing, and `#1` is a parameter."""
-    found = re.finditer(r"\\(num|err|pub|claimed|fig|tally|meta|finding)\{([^}#]*)\}", uncommented(paper))
+    found = re.finditer(r"\\(num|err|both|pub|claimed|verdict|fig|tally|meta|finding)\{([^}#]*)\}", uncommented(paper))
     return sorted({m[0] for m in found if (m[1], m[2]) not in texts})
 
 
-PLACED = re.compile(r"\\(?:wide|twins|pair|own|ownpair)(?:\[[^]]*\])?((?:\{x?\d\d\})+)")
+PLACED = re.compile(r"\\(?:wide|twins|pair|own)(?:\[[^]]*\])?((?:\{x?\d\d\})+)")
 CITED = re.compile(r"\bFigs?\.[~\s](x?\d\d(?:(?:--|,\s|\sand\s|,\sand\s)x?\d\d)*)")
 CAUSED = re.compile(r"\\gone\{([^}#]*)\}")
 
 
-def omissions(paper, claims, figures):
-    """What the paper, all its files together, leaves out: figures that it does not show or that it shows twice,
-    figures that it cites without having them, discrepant claims without a cause, and causes of what is not
-    discrepant."""
-    paper = uncommented(paper)
-    shown = [id for found in PLACED.findall(paper) for id in re.findall(r"x?\d\d", found)]
-    cited = {id for found in CITED.findall(paper) for id in re.findall(r"x?\d\d", found)}
-    caused, lost = CAUSED.findall(paper), [id for id, c in claims.items() if c["status"] == "discrepant"]
-    return ([f"figure {id} of figures/figures.ecsv is not shown" for id in figures if id not in shown]
-            + [f"figure {id} is shown {shown.count(id)} times" for id in figures if shown.count(id) > 1]
+INPUT = re.compile(r"\\input\{([a-z]+)\}")
+
+
+def files_of(root, programs):
+    """The texts of each document, by path: its own and those that it reads, where their chapters exist. What TeX
+    reads besides was written here. Fault if a file of the report is read by no document."""
+    folder, out = Path(root) / "paper", {}
+    for document in (d for d in DOCUMENTS if (folder / f"{d}.tex").exists()):
+        texts, ahead = {}, [folder / f"{document}.tex"]
+        while ahead:
+            path = ahead.pop(0)
+            if path in texts or not path.exists():
+                continue
+            text = ecsv.text_of(path)
+            if chapter_needed(text) in ("", *programs):
+                texts[path] = text
+                ahead += [folder / f"{name}.tex" for name in INPUT.findall(uncommented(text))]
+        out[document] = texts
+    for path in sorted(folder.glob("*.tex")):
+        if chapter_needed(ecsv.text_of(path)) in ("", *programs) and not any(path in texts for texts in out.values()):
+            raise ecsv.Fault(f"{path}: none of {', '.join(d + '.tex' for d in DOCUMENTS)} reads it")
+    return out
+
+
+def omissions(documents, claims, figures):
+    """What the documents, texts by their names, leave out: figures that none shows or that are shown twice, in one or
+    in two of them, figures that are cited without being there, discrepant claims without a cause, and causes of what
+    is not discrepant."""
+    texts = {name: uncommented(text) for name, text in documents.items()}
+    shown = {id: [] for id in figures}
+    for name, text in texts.items():
+        for id in (id for found in PLACED.findall(text) for id in re.findall(r"x?\d\d", found) if id in shown):
+            shown[id].append(name)
+    whole = "\n".join(texts.values())
+    cited = {id for found in CITED.findall(whole) for id in re.findall(r"x?\d\d", found)}
+    caused, lost = CAUSED.findall(whole), [id for id, c in claims.items() if c["status"] == "discrepant"]
+    return ([f"figure {id} of figures/figures.ecsv is not shown" for id in figures if not shown[id]]
+            + [f"figure {id} is shown {len(places)} times ({', '.join(places)})" for id, places in shown.items()
+               if len(places) > 1]
             + [f"figure {id} is cited and not in figures/figures.ecsv" for id in sorted(cited - set(figures))]
             + [f"the discrepant claim '{id}' has no row \\gone" for id in lost if id not in caused]
             + [f"'{id}' has a row \\gone and is not discrepant" for id in caused if id not in lost])
@@ -189,19 +242,77 @@ def claim_rows(claims, lock):
     return out
 
 
+MARKS = re.compile(r"\*\*(?P<bold>[^*]+)\*\*|\*(?P<emph>[^*]+)\*|`(?P<code>[^`]+)`"
+                   r"|\[[^]]*\]\(num:(?P<num>[^)]+)\)|(?P<odd>[*`<|\]])")
+
+
+def marked(words):
+    """Words between formulas: emphasis, code and bound numbers of Markdown in TeX. Fault for any other mark."""
+    def piece(m):
+        if m["odd"]:
+            raise ecsv.Fault(f"the proof has a mark that is not known to lineage/tex.py: {m.string[m.start():][:40]}")
+        if m["num"]:
+            return rf"\num{{{m['num']}}}"
+        kind = "textbf" if m["bold"] else "emph" if m["emph"] else "texttt"
+        return rf"\{kind}{{{escaped(m['bold'] or m['emph'] or m['code'])}}}"
+
+    out, done = "", 0
+    for m in MARKS.finditer(words):
+        out += escaped(words[done:m.start()]) + piece(m)
+        done = m.end()
+    return out + escaped(words[done:])
+
+
+def sentences(text):
+    """Running Markdown in TeX; what is between dollars stays, and a displayed formula gets brackets. An emphasized
+    sentence may hold formulas, so that these are set aside first."""
+    formulas = re.findall(r"\$\$.*?\$\$|\$[^$]*\$", text, re.S)
+    words = marked(re.sub(r"\$\$.*?\$\$|\$[^$]*\$", "\0", text, flags=re.S))
+    for formula in formulas:
+        words = words.replace("\0", "\\[" + formula[2:-2] + "\\]" if formula.startswith("$$") else formula, 1)
+    return words.replace("–", "--").replace("’", "'")
+
+
+def in_tex(prose):
+    """A block of a chapter's prose in TeX: paragraphs and lists, one level deep; its heading is left to the caller."""
+    out = []
+    for block in re.split(r"\n\s*\n", prose.strip()):
+        if block.startswith("#"):
+            continue
+        items = re.split(r"^(?:\d+\.|-) +", block, flags=re.M)
+        if len(items) > 1 and not items[0]:
+            kind = "itemize" if block.startswith("-") else "enumerate"
+            out.append("\n".join([rf"\begin{{{kind}}}", *(r"\item " + sentences(i.rstrip()) for i in items[1:]),
+                                  rf"\end{{{kind}}}"]))
+        else:
+            out.append(sentences(block))
+    return "\n\n".join(out) + "\n"
+
+
+def proof(root):
+    """The proof in TeX, from the one block of its chapter's prose that ends with a square; empty without the chapter."""
+    path = Path(root) / f"src/{PROOF}.cpp"
+    if not path.exists():
+        return ""
+    ends = "$\\square$"
+    found = [b.strip() for b in re.findall(r"/\*\*(.*?)\*/", ecsv.text_of(path), re.S) if b.strip().endswith(ends)]
+    if len(found) != 1:
+        raise ecsv.Fault(f"{path}: {len(found)} blocks of prose end with {ends} (wanted: one, the proof)")
+    return HEAD + in_tex(found[0].removesuffix(ends).rstrip())
+
+
 def write(root, out):
     """The verb. A reference to nothing is found here, in the paper's own words, before TeX is called."""
     claims, lock, figures, programs = read_claims(root), read_lock(root), read_figures(root), programs_of(root)
-    texts, missing, papers = paper_texts(claims, lock, figures, metadata.read(root), read_findings(root)), [], []
-    for path in sorted((Path(root) / "paper").glob("*.tex")):
-        paper = ecsv.text_of(path)
-        if chapter_needed(paper) in ("", *programs):
-            missing += [f"{path}: nothing is there for {reference}" for reference in dangling(paper, texts)]
-            papers.append(paper)
-    if missing:
-        raise ecsv.Fault("; ".join(missing) + " (a new number: make lock)")
+    texts = paper_texts(claims, lock, figures, metadata.read(root), read_findings(root))
     captions(root)
-    if left := omissions("\n".join(papers), claims, figures):
+    documents = files_of(root, programs)
+    if missing := [f"{path}: nothing is there for {reference}" for path, text in
+                   sorted({p: t for document in documents.values() for p, t in document.items()}.items())
+                   for reference in dangling(text, texts)]:
+        raise ecsv.Fault("; ".join(missing) + " (a new number: make lock)")
+    if left := omissions({name: "\n".join(files.values()) for name, files in documents.items()}, claims, figures):
         raise ecsv.Fault(f"{Path(root) / 'paper'}: " + "; ".join(left))
     ecsv.write_whole(Path(out) / "numbers.tex", macros(texts, figures, programs))
     ecsv.write_whole(Path(out) / "claims.tex", claim_rows(claims, lock))
+    ecsv.write_whole(Path(out) / "proof.tex", proof(root))

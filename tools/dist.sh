@@ -1,8 +1,8 @@
 #!/bin/sh
 # Everything in one archive, for those who will not run anything: dist.sh BUILD, into BUILD/dist.
-# The sources are those of the last commit; products/ has tables, figures, the book, the report and the list of
-# packages, as they are; SHA256SUMS is over every file. Equal contents give equal bytes: names in order, nobody's
-# files, all of the time of the last commit.
+# The sources are those of the last commit; products/ has tables, figures, the book, paper, supplement and theorem, and
+# the lists of packages, tables and commands, as they are; SHA256SUMS is over every file. Equal contents give equal
+# bytes: names in order, nobody's files, all of the time of the last commit.
 set -eu
 build=$1 products=
 refuse() { echo "dist: $1" >&2; exit 1; }
@@ -36,7 +36,9 @@ for index in packages tables commands; do
   take report/$index.ecsv $index.ecsv "the list of $index" "make dist"
 done
 take book book "the book" "make book"
-take paper.pdf report.pdf "the report" "make paper"
+take paper.pdf paper.pdf "the paper" "make paper"
+take supplement.pdf supplement.pdf "its supplement" "make paper"
+take theorem.pdf theorem.pdf "the theorem" "make paper"
 find "$part/$name/products" -name '.*' -exec rm -rf {} +
 
 (cd "$part/$name" && find . -type f | LC_ALL=C sort | sed 's|^\./||' | tr '\n' '\0' | xargs -0 sha256sum) > "$part/sums"

@@ -36,6 +36,7 @@ class Locking(Scratch):
         text = self.read("src/sec1_demo.cpp")
         for name, quotation in [("src/sec1_demo.cpp", text + "/** [](num:sec1_demo.fact) */\n"),
                                 ("paper/paper.tex", "\\num{sec1_demo.fact}\n"), ("paper/paper.tex", "\\err{sec1_demo.fact}\n"),
+                                ("paper/supplement.tex", "\\both{sec1_demo.fact}\n"),
                                 ("book/start.md", "[](num:sec1_demo.fact)\n"),
                                 ("book/commands.txt", "# one\nsec1_demo.fact run # it\n")]:
             self.write(name, quotation)

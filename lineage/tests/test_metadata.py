@@ -93,6 +93,17 @@ class Day(Scratch):
         self.assertIn(r"\define{meta}{edition}{Version 1.0.0, 2001-02-03}", self.read("build/paper/numbers.tex"))
 
 
+    def test_the_report_says_who_and_where_when_that_is_known(self):
+        meta = metadata.read(ROOT)
+        bare = metadata.said(meta | {"codeRepository": "", "identifier": "", "author": [{"name": "The contributors"}]})
+        self.assertEqual([bare[x] for x in ("authors", "contact", "repository", "doi")], ["The contributors", "", "", ""])
+        known = metadata.said(meta | {"codeRepository": "https://a.org/b", "identifier": "10.5281/zenodo.1",
+                                      "author": [{"name": "A B", "email": "mailto:a@b.org"}, {"name": "C"}]})
+        self.assertEqual([known[x] for x in ("authors", "contact", "repository", "doi")],
+                         ["A B, C", "a@b.org", "https://a.org/b", "10.5281/zenodo.1"])
+        self.assertEqual(known["title"], "[Re] " + metadata.article(meta)["title"])
+
+
 class Faults(Scratch):
     def test_what_cannot_be_used_is_named(self):
         good = self.read("codemeta.json")

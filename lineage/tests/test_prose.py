@@ -5,9 +5,9 @@ import subprocess
 import tempfile
 import unittest
 
-from lineage import chapters, ecsv, lock, refresh, tex
+from lineage import chapters, ecsv, lock, metadata, refresh, tex
 
-from . import ROOT, Scratch, table
+from . import FIGURES, ROOT, Scratch, finding, table
 
 
 class Links(unittest.TestCase):
@@ -109,23 +109,40 @@ class Paper(Scratch):
             self.assertEqual(tex.worded(plain), ought)
         self.assertEqual(tex.unit("um"), r"$\mu$m")
 
+    def test_a_value_and_its_error_in_one(self):
+        """The digits are those of values.py, and the error counts in units of the last of them."""
+        for value, error, ought in [(1.62422e-11, 3e-14, r"1.624(3)\times10^{-11}"),
+                                    (0.152519, 2e-4, "0.1525(2)"), (12345.6, 30.0, r"1.235(3)\times10^{4}"),
+                                    (16.4, 2.0, "16(2)"), (-0.000162, 3e-6, r"-1.62(3)\times10^{-4}"),
+                                    (9.97, 0.0961, "9.97(10)"), (2e-5, 3e-4, r"2(30)\times10^{-5}")]:
+            self.assertEqual(tex.both(finding(value, error)), rf"\ensuremath{{{ought}}}")
+        # Six digits do not reach the error: what was rounded off is less than a unit
+        self.assertEqual(tex.both(finding(1.6242247e-11, 8e-20)), r"\ensuremath{1.62422(1)\times10^{-11}}")
+        # Nothing in parentheses where nothing is uncertain, or nothing is known of it
+        for one, ought in [(finding(3.0), "3"), (finding(2e-14, 2e-14, kind="residue"), r"2\times10^{-14}"),
+                           (finding(0.0, 0.1), "0"), (finding(1.5, float("inf")), "2"), (finding(1.5, float("nan")), "2")]:
+            self.assertEqual(tex.both(one), rf"\ensuremath{{{ought}}}")
+        self.assertEqual(tex.both(finding(1.0, unit="claim")), "holds")
+        self.assertEqual(tex.both(finding(float("nan"), 0.1)), "nan")
+
     def test_a_reference_to_nothing_is_named(self):
-        good = (r"\num{a.one} \err{a.one} \pub{a.one} \claimed{a.one} \num{sec1_demo.fact} \fig{01} \tally{open}"
+        good = (r"\num{a.one} \err{a.one} \both{a.one} \pub{a.one} \claimed{a.one} \num{sec1_demo.fact} \fig{01} \tally{open}"
                 r" \meta{code} \wide{01} \gone{a.one}{cause}")
         self.write("paper/paper.tex", good + "\n% \\num{x}\n\\newcommand\\q[1]{\\num{#1}} 5\\% of \\num{a.one}\n")
         self.assertEqual(self.lineage("macros")[0], 0)
         numbers, claims = self.read("build/paper/numbers.tex"), self.read("build/paper/claims.tex")
         for line in [r"\define{num}{a.one}{\ensuremath{1.000}}", r"\define{err}{a.one}{\ensuremath{0.001}}",
-                     r"\define{pub}{a.one}{1.02}", r"\define{fig}{01}{fig01}", r"\define{tally}{discrepant}{1}",
+                     r"\define{both}{a.one}{\ensuremath{1.000(1)}}", r"\define{pub}{a.one}{1.02}", r"\define{fig}{01}{fig01}", r"\define{tally}{discrepant}{1}",
                      r"\define{caption}{01}{A line.}", r"\define{chapter}{sec1_demo}{}",
                      r"\define{claimed}{a.one}{one}", r"\define{meta}{version}{1.0.0}",
-                     r"\define{meta}{text}{CC-BY-4.0}"]:
+                     r"\define{meta}{text}{CC-BY-4.0}",
+                     r"\define{source}{01}{\href{../src/sec1_demo.cpp}{\nolinkurl{src/sec1_demo.cpp}}}"]:
             self.assertIn(line + "\n", numbers)
         self.assertNotIn(r"\claim{a.one}", claims)  # it is in the table of those that do not survive
         self.assertIn(r"\claim{a.two}{two}{yes}{}{}{open}", claims)
         shutil.rmtree(self.root / "build/paper")
-        self.write("paper/paper.tex", "\\num{a.three} 5\\% of \\pub{sec1_demo.fact}\n\\fig{08} \\num{a.three}\n")
-        self.refuses("macros", r"\fig{08}", r"\num{a.three}", r"\pub{sec1_demo.fact}")
+        self.write("paper/paper.tex", "\\both{a.three} \\num{a.three} 5\\% of \\pub{sec1_demo.fact}\n\\fig{08} \\num{a.three}\n")
+        self.refuses("macros", r"\fig{08}", r"\num{a.three}", r"\both{a.three}", r"\pub{sec1_demo.fact}")
         self.assertFalse((self.root / "build/paper").exists())
         self.write("paper/paper.tex", good)
         self.write("paper/more.tex", "% chapter: sec9_none\n\\num{a.three}\n")
@@ -154,6 +171,53 @@ class Paper(Scratch):
                              (whole + "\\gone{a.two}{none}", "'a.two' has a row \\gone and is not discrepant")]:
             self.write("paper/paper.tex", paper)
             self.refuses("macros", words)
+
+    def test_every_figure_is_in_one_of_the_documents(self):
+        self.write("figures/figures.ecsv", table(FIGURES, [
+            [id, "", "1", "sec1_demo", f"{id}.gp", "ER", "facts", "A line."] for id in ("01", "02", "x03", "x04")]))
+        good = {"paper": "\\wide{01}\\gone{a.one}{they erred} (Fig.~x03)\n\\input{numbers}",
+                "supplement": "\\pair{02}{x03}\n\\input{more}\n", "more": "\\own{x04}\n", "theorem": "None here.\n"}
+        gone = good | {"more": "% chapter: sec9_none\n\\own{x04}\n"}
+        for texts, words in [
+                (good, None), (good | {"paper": good["paper"].replace("\\wide{01}", "")}, "figure 01 of figures/figures.ecsv is not"),
+                (good | {"theorem": "\\wide{02}"}, "figure 02 is shown 2 times (supplement, theorem)"),
+                (good | {"supplement": good["supplement"] + "\\own{02}"}, "figure 02 is shown 2 times (supplement, supplement)"),
+                (good | {"theorem": "(Fig.~x05)"}, "figure x05 is cited and not in figures/figures.ecsv"),
+                (good | {"supplement": "\\pair{02}{x03}"}, "more.tex: none of paper.tex, supplement.tex, theorem.tex reads it"),
+                (good | {"supplement": "\\pair{02}{x03}% \\input{more}"}, "more.tex: none of"),
+                (gone, "figure x04 of figures/figures.ecsv is not shown"),
+                (good | {"more": "\\own{x04}\\num{a.three}"}, "paper/more.tex: nothing is there for \\num{a.three}"),
+                (good | {"supplement": good["supplement"] + "\\gone{a.two}{none}"}, "'a.two' has a row \\gone")]:
+            for name, text in texts.items():
+                self.write(f"paper/{name}.tex", text)
+            if words:
+                self.refuses("macros", words)
+            else:
+                self.assertEqual(self.lineage("macros"), (0, "", ""))
+
+    def test_a_caption_links_its_chapter_where_the_repository_is(self):
+        meta = metadata.read(ROOT)
+        self.assertIn(r"\href{../src/sec1_demo.cpp}", tex.source("sec1_demo", meta | {"codeRepository": ""}))
+        self.assertEqual(tex.source("sec1_demo", meta | {"codeRepository": "https://a.org/b"}),
+                         r"\href{https://a.org/b/blob/HEAD/src/sec1_demo.cpp}{\nolinkurl{src/sec1_demo.cpp}}")
+
+    def test_the_proof_comes_from_its_chapter(self):
+        prose = ("/**\n## The proof\n\nWe *look $a_1$ up* in **L**, `a_b`, [3.1](num:a.one), 5 % – so:\n$$x*y$$\nof $x*z$.\n\n"
+                 "1. *One*: first,\n   still.\n2. Two.\n\n- A.\n\nThe end. $\\square$ */\nint x;\n/** More. */\n")
+        ought = ("We \\emph{look $a_1$ up} in \\textbf{L}, \\texttt{a\\_b}, \\num{a.one}, 5 \\% -- so:\n\\[x*y\\]\nof $x*z$.\n\n"
+                 "\\begin{enumerate}\n\\item \\emph{One}: first,\n   still.\n\\item Two.\n\\end{enumerate}\n\n"
+                 "\\begin{itemize}\n\\item A.\n\\end{itemize}\n\nThe end.\n")
+        self.assertEqual(tex.proof(self.root), "")  # its chapter may be left out
+        for text, words in [(prose, None), (prose.replace("$\\square$", ""), "0 blocks of prose end with"), (prose * 2, "2 blocks"),
+                            (prose.replace("**L**", "**L"), "a mark that is not known"),
+                            (prose.replace("[3.1]", "![a](fig:01) [3.1]"), "a mark that is not known"),
+                            (prose.replace("The end", "a < b"), "a mark that is not known")]:
+            self.write(f"src/{tex.PROOF}.cpp", text)
+            if words:
+                with self.assertRaisesRegex(ecsv.Fault, words):
+                    tex.proof(self.root)
+            else:
+                self.assertEqual(tex.proof(self.root), tex.HEAD + ought)
 
     def test_captions(self):
         self.write("paper/captions.tex",
@@ -215,6 +279,14 @@ class ThisRepository(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             tex.write(ROOT, folder)  # a Fault else
         self.assertEqual(set(tex.captions(ROOT)) - set(refresh.read_figures(ROOT)), set())
+
+    def test_the_proof_is_whole(self):
+        """All of its steps, with their formulas, and no mark of Markdown is left."""
+        proof = tex.proof(ROOT).replace(tex.HEAD, "")
+        for step in ("Bounds", "No vanishing", "No splitting", "A maximum", "Its equation", "Smoothness and decay"):
+            self.assertIn(rf"\emph{{{step}", proof)
+        self.assertEqual(proof.count("$") % 2, 0)
+        self.assertNotIn("\0", proof)
 
     def test_the_lock_holds_what_is_claimed_quoted_or_a_headline(self):
         claims, locked, names = lock.read_claims(ROOT), lock.read_lock(ROOT), lock.quoted(ROOT)
