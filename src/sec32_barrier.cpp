@@ -4,8 +4,8 @@
 A breather that sits on a site can move to the next one only by way of a bond. As a function of the place of its
 centre, its energy is the *Peierls-Nabarro potential*, of which the breathers around a site and around a bond are the
 extrema, and their difference is the *barrier* $E_{PN} = E_{\rm site}-E_{\rm bond}$. Which of the two is the place of rest
-depends on the mass: a particle of positive mass would rest where the potential is low, but for positive effective mass
-only. That of the breathers of section 3.3 is negative (`sec33_mobility`): they rest where the potential is high.
+depends on the effective mass: with a positive one a breather rests where the potential is low. That of the breathers of
+section 3.3 is negative (`sec33_mobility`): they rest where the potential is high.
 
 Section 3.2 of James, Kevrekidis and Cuevas (Physica D 251, 2013) finds that this potential is astonishingly flat:
 $E_{PN} = 1.77\cdot10^{-11}$ at the frequency $\omega_b = 1.1$ in the linear well, and $10^{-14}$ to $10^{-15}$ near

@@ -255,7 +255,7 @@ per cent of the printed value in [0](num:sec33_article_integrator.settings_near_
 So none of these settings explains the discrepancies of section 3.3. Some hundred and twenty commensurate steps per period
 can print a threshold of that size if one waits for 20000 periods, breathers and multipliers ask for a much more
 accurate computation, and the jump is explained by nothing that we tried. */
-Columns setting_columns() {
+Columns report_columns() {
   return {label("method", "integrator"),
           count("steps", "for one period"),
           number("residual", "after five iterations, site-centred, relative to the amplitude"),
@@ -319,7 +319,7 @@ void report_scan(Report& report) {
   report_kicks(report, all);
 
   // All settings, and how many come near in what
-  Table& table = report.table("settings", setting_columns());
+  Table& table = report.table("settings", report_columns());
   std::array<int, 7> near_counts{};  // by the number near: none, one, ...
   int barriers = 0, both_s0 = 0, jumps = 0;
   const Setting *nearest = &all.front(), *highest = nullptr;

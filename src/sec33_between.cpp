@@ -476,12 +476,13 @@ void reproduce(Report& report) {
 
 1. *Easy.* The curve of exchange at another frequency: `build/bin/sec33_floquet exchange --centre site --omega 1.15`
    gives `s0` = 0.0187803. Is the site-centred breather stable in the linear well there?
-   Hint: between $\omega_b = 1.1$ and 1.15 no curve crosses $s = 0$, and beyond the exchange the roles are reversed.
+   Hint: it is unstable at $\omega_b = 1.1$, and of the six exchanges of the linear well none lies between the two
+   frequencies. Where will the next one be?
 2. *Harder.* Find an exchange without any multiplier. `build/bin/sec32_barrier barrier --omega 1.1 --s 0.1525` gives
    `equal_area` = -3.04e-17, four orders less than at $s = 0$; a little further,
    `build/bin/sec32_barrier barrier --omega 1.1 --s 0.15252` gives `equal_area` = 5.3e-19.
    Hint: an extremum of the potential at equal area changes its kind where all of the potential vanishes. The barrier at
-   equal frequency is nowhere near zero there: `equal_frequency` is a million times larger.
+   equal frequency is nowhere near zero there: `equal_frequency` is millions of times larger.
 3. *Open.* Follow the intermediate breather through the whole plane: where is it stable, and does a kicked breather stop
    at it?
 4. *Open.* At a zero of the second harmonic of the barrier three curves of exchange would meet: is there one in the

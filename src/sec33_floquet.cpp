@@ -36,7 +36,8 @@ using namespace lattice;
 ## Model and method
 
 The chain is that of Eqs. (6) and (10), the breathers those of section 3.2. Multipliers come in pairs
-$\lambda, 1/\lambda$. One pair is exactly $+1$ for every breather, the *time-translation pair*. The *pinning pair* belongs to a shift along the chain. Each pair is one number
+$\lambda, 1/\lambda$. One pair is exactly $+1$ for every breather, the *time-translation pair*. The *pinning pair* belongs
+to a shift along the chain. Each pair is one number
 $$\kappa = \tfrac14\Bigl(\lambda+\frac1\lambda-2\Bigr),$$
 an eigenvalue of an $N\times N$ matrix made of half a period of the linearised flow, from which the time-translation pair is
 removed (floquet.hpp). Why not $\lambda$ itself? At $+1$ the monodromy matrix has a double eigenvalue with one
@@ -74,7 +75,7 @@ three ways: by a fifth multiplier near one, by a pair off the circle, or by an a
 one means within 0.01, and the fifth multiplier must be farther away than 0.1; the article gives no bounds,
 and these are our choice. These checks at one frequency are recorded as facts; the claim is decided in
 `sec33_between`. */
-void note(Report& report, const std::string& name, const Criterion& narrow) {
+void report_checks(Report& report, const std::string& name, const Criterion& narrow) {
   report.facts.add(name + "_holds", exact(holds(narrow)));
   for (const Condition& c : narrow) {
     report.facts.add(name + "_" + c.name, c.value);
@@ -105,7 +106,7 @@ void report_spectrum(Report& report) {
     report.facts.add("fifth_distance", compare(found[1].fifth, found[0].fifth));
     report.facts.add("at_edge", exact(found[0].at_edge));
   }
-  note(report, "spectrum", structure);
+  report_checks(report, "spectrum", structure);
 }
 
 /**
@@ -178,7 +179,7 @@ void report_wells(Report& report) {
   // The largest instability at this frequency
   report.facts.add("largest_excess", largest);
   report.facts.add("others_stable", exact(others_stable));
-  note(report, "instability_size", small_instability(largest));
+  report_checks(report, "instability_size", small_instability(largest));
 }
 
 /**
@@ -407,8 +408,8 @@ struct Exchanges : ChosenBreather {
 
 1. *Easy.* At a frequency a little higher the exchange lies elsewhere:
    `build/bin/sec33_floquet exchange --centre bond --omega 1.15` gives `s0` = 0.018780, while at 1.05 the command finds none.
-   Hint: follow the curves of exchange on the chart of `sec33_between`. Each of them ends nowhere in the plane; they cross
-   $s = 0$ at the six exchanges of the linear well.
+   Hint: the curves of exchange on the chart of `sec33_between` are slanted, and cross $s = 0$ at six frequencies. To which
+   of them does this curve lead?
 2. *Harder.* Which breather is stable can be told without multipliers.
    `build/bin/sec32_barrier barrier --omega 1.1 --s 0.05` gives `equal_area` = -1.58248e-13, and
    `build/bin/sec32_barrier barrier --omega 1.1 --s 0.26` gives `equal_area` = 1.66492e-13.

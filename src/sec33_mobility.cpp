@@ -321,7 +321,7 @@ Laplacian of the chain weighted by $|d_n|^{1/2}$, the contact matrix of the brea
 The mode that shifts $u$ nearly solves the linearised equation, $(\mu-\frac32M)\,v\approx0$, so that
 $Mv\approx\frac23\mu\,v$. Of a kick along the discrete gradient $g$ the part $g\cdot v$ is along this mode, and
 $$\varphi \approx (g\cdot v)^2\bigl(\tfrac23\mu-\mu\bigr) = -(g\cdot v)^2\,\frac{\omega_b-1}3.$$
-The two directions nearly agree: $(g\cdot v)^2$ is [0.98068](num:sec33_mobility.overlap). */
+The two directions nearly agree: $(g\cdot v)^2$ is [0.980675](num:sec33_mobility.overlap). */
 /// (g.v)^2 of the DpS breather around a bond, whatever its frequency.
 Estimate overlap() {
   const auto squared = [](std::size_t more) {
