@@ -379,12 +379,12 @@ void reproduce(Report& report) {
 1. *Easy.* A pendulum instead of the soft well: `build/bin/sec32_barrier barrier --omega 1.1 --well pendulum` gives
    `equal_frequency` = 3.59543777e-11, nearly the barrier of the soft well at this frequency.
    Hint: $1-\cos y = \frac12y^2-\frac1{24}y^4+\dots$, and the amplitude of the breather is a hundredth.
-2. *Easy.* Next to a zero: `build/bin/sec32_barrier barrier --omega 1.01462` gives `equal_frequency` = -9.70e-20, and the
-   same command gives `equal_area` = -1.86531e-17. Which of the two decides where the breather rests?
+2. *Easy.* Next to a zero: `build/bin/sec32_barrier barrier --omega 1.01462` gives `equal_area` = -1.86531e-17, some two
+   hundred times the modulus of `equal_frequency`. Which of the two decides where the breather rests?
    Hint: a breather that moves keeps its action. Its potential does not vanish here.
 3. *Harder.* Contacts whose force grows with the square of the overlap:
-   `build/bin/sec32_barrier barrier --omega 1.001 --contact power --alpha 2` gives `equal_frequency` = 5.924102e-10, and the
-   same command gives `equal_area` = -1.994595e-13. What becomes of the factor $-\delta/5$?
+   `build/bin/sec32_barrier barrier --omega 1.001 --contact power --alpha 2` gives `equal_area` = -1.994595e-13. Divide it by
+   `equal_frequency`: what becomes of the factor $-\delta/5$?
    Hint: with the exponent $\alpha$ the DpS scaling is $\mathcal H = e\,\delta^p$, $p = 2/(\alpha-1)$; repeat the
    derivation with this $p$.
 4. *Open.* Follow the soft branch through its fold up to the maximum of the well's potential.

@@ -407,7 +407,7 @@ struct Exchanges : ChosenBreather {
 ## Try it
 
 1. *Easy.* At a frequency a little higher the exchange lies elsewhere:
-   `build/bin/sec33_floquet exchange --centre bond --omega 1.15` gives `s0` = 0.018780, while at 1.05 the command finds none.
+   `build/bin/sec33_floquet exchange --centre bond --omega 1.15` gives `s0` = 0.018781, while at 1.05 the command finds none.
    Hint: the curves of exchange on the chart of `sec33_between` are slanted, and cross $s = 0$ at six frequencies. To which
    of them does this curve lead?
 2. *Harder.* Which breather is stable can be told without multipliers.

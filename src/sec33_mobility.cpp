@@ -483,7 +483,7 @@ void reproduce(Report& report) {
    Hint: far above the threshold the Peierls-Nabarro potential hardly matters, and the momentum of the kick is what
    counts. The sign is that of the effective mass.
 2. *Easy.* And weaker kicks? `build/bin/sec33_mobility kick --centre site --c 2e-5 --time 20000` gives
-   `velocity` = -5.523e-5, a little more than a tenth of the speed after the strong kick.
+   `velocity` = -5.52e-5, a little more than a tenth of the speed after the strong kick.
    Hint: around a site the breather starts where the potential holds it back most, and is faster everywhere else.
 3. *Harder.* Predict the threshold of the bond-centred breather at $\omega_b = 1.001$, where the limit of small amplitude
    is close. `build/bin/sec32_barrier barrier --omega 1.001` gives `equal_area` = -2.3723e-22.
