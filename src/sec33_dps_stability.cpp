@@ -408,12 +408,12 @@ void report_map(Report& report, const Breathers& breathers, Case which, const st
 ## Differences and limits
 
 The article calls the bond-centred breather structurally robust and mentions simulations that it does not show. This
-breather is stable, but in a landscape so flat that noise of the size of figure 10 may free it. The article does not
+breather is stable, but in a potential so flat that noise of the size of figure 10 may free it. The article does not
 specify that noise, and how many breathers leave depends on it. Real noise shifts a breather and hardly pushes it: no
 bond-centred one leaves its place then ([0](num:sec33_dps_stability.left_real_bond) of
 [6](num:sec33_dps_stability.seeds_real_bond) in a run half as long again), but a site-centred one leaves at
 [516.19](num:sec33_dps_stability.departure_real_site) instead of
-[113.1](num:sec33_dps_stability.departure_complex_site) and often stays in the trough beside it:
+[113.1](num:sec33_dps_stability.departure_complex_site) and often stays in the potential minimum beside it:
 [3](num:sec33_dps_stability.moved_real_site) of [6](num:sec33_dps_stability.seeds_real_site) move. Noise that is
 proportional to $u_n$ pushes harder and frees [5](num:sec33_dps_stability.left_relative_bond) of
 [6](num:sec33_dps_stability.seeds_relative_bond). Speeds are those over the first site that is crossed. */
