@@ -15,7 +15,9 @@ the same noise without its part in the pinning pair, which to first order cannot
 
 namespace lattice {
 
+/// Their frequency, and how long they are followed.
 inline constexpr double mu_high = 10, duration = 500;
+/// With which tolerances, and how many samples.
 inline constexpr Accuracy coarse{1e-8, 1}, fine{1e-10, 2};
 
 /**
@@ -28,6 +30,7 @@ inline constexpr Noise readings[] = {{"complex", true, false, false, 0.01},
                                      {"positive", false, true, false, 0.01},
                                      {"relative", true, false, true, 0.01}};
 
+/// Which breather, or the control.
 enum class Case { site, control, bond };
 inline constexpr std::pair<Case, const char*> cases[] = {
     {Case::site, "site"}, {Case::control, "control"}, {Case::bond, "bond"}};
