@@ -1,5 +1,5 @@
 /**
-# 3.2 The energy between two breathers
+# 3.2 The Peierls-Nabarro barrier between two breathers
 
 A breather that sits on a site can move to the next one only by way of a bond. As a function of the place of its
 centre, its energy is the *Peierls-Nabarro potential*, of which the breathers around a site and around a bond are the

@@ -1,5 +1,5 @@
 /**
-# 3.3 How little it takes to move a breather
+# 3.3 Kicked breathers and the depinning threshold
 
 Section 3.3 of James, Kevrekidis and Cuevas (Physica D 251, 2013) ends with a push. A breather of frequency
 $\omega_b = 1.1$ receives a kick along its pinning mode, the direction of a shift along the chain, of size

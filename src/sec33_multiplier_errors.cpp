@@ -1,5 +1,5 @@
 /**
-# 3.3 How a multiplier goes wrong
+# 3.3 Errors of the Floquet multipliers next to one
 
 Four multipliers of a breather lie within a few $10^{-4}$ of $+1$, and whether one of them exceeds one
 decides its stability. Section 3.3 of James, Kevrekidis and Cuevas (Physica D 251, 2013) reads off them two
@@ -358,7 +358,7 @@ void reproduce(Report& report) {
 3. *Open.* Which part of the error comes from which contact? Locate the events of the central contact only.
 4. *Open.* Does a symplectic integrator with fixed steps keep the double $+1$ together? */
 int main(int argc, char** argv) {
-  return run(
-      {"sec33_multiplier_errors", "3.3", "How a multiplier goes wrong (section 3.3)", reproduce},
-      argc, argv);
+  return run({"sec33_multiplier_errors", "3.3",
+              "Errors of the multipliers next to one (section 3.3)", reproduce},
+             argc, argv);
 }

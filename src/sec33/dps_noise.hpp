@@ -20,10 +20,7 @@ inline constexpr double mu_high = 10, duration = 500;
 /// With which tolerances, and how many samples.
 inline constexpr Accuracy coarse{1e-8, 1}, fine{1e-10, 2};
 
-/**
-The article says "uniformly distributed" and "of amplitude 0.01". As $v_n$ is complex, the main reading adds
-$0.01(\xi_n+i\eta_n)$ at every site, $\xi_n$ and $\eta_n$ uniform in $(-1,1)$; the narrow one has half that size, and the
-others are real of either sign, real and positive, and complex in proportion to $u_n$. */
+/// The readings of "uniformly distributed" and "of amplitude 0.01", the main one first.
 inline constexpr Noise readings[] = {{"complex", true, false, false, 0.01},
                                      {"narrow", true, false, false, 0.005},
                                      {"real", false, false, false, 0.01},

@@ -6,6 +6,7 @@ What would the article's programs have printed with a given method and a given n
 `Setting` collects the numbers that the article prints for $\omega_b = 1.1$, all computed of the map of these steps
 (fixed_step.hpp): its own breathers, its own derivative, its own runs. */
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -58,14 +59,11 @@ struct Setting {
   static constexpr double horizon = 2.5e5, horizons = 5;
 };
 
-/**
-How close is close? The map's numbers jump from one number of steps to the next, so to ask for the printed digits would
-exclude everything. We are generous on purpose, so that a negative answer does not hang on a digit: ten per cent for
-the barrier and the threshold, 0.03 for $s_0$, half a site for the jump, a factor of two for the residual, which is a
-size and not a value. */
+/// Whether a value is within a share of the target.
 bool is_near(double value, double target, double share = 0.1);
 
-/// Which of the numbers come near the printed ones.
+/// Which of the numbers come near the printed ones: within ten per cent for barrier and threshold, 0.03 for s_0, half a
+/// site for the jump, and a factor of two for the residual, which is a size and not a value.
 struct Near {
   bool residual, barrier, s0_site, s0_bond, threshold, jump;
   int count() const { return residual + barrier + s0_site + s0_bond + threshold + jump; }
