@@ -37,9 +37,9 @@ for name, label, color, style in [
         ("verlet", "velocity Verlet", "#888888", "v-"),
         ("blanes_moan_4", "splitting, order 4", "#56B4E9", "^-"),
         ("blanes_moan_4_wide", "the same, 64-bit mantissa", "#000000", "+:"),
-        ("contact_aware_6", "contact-aware, order 6", "#D55E00", "o-"),
-        ("contact_aware_14", "contact-aware, 14 stages", "#0072B2", "s--"),
-        ("landing", "landing on the switchings", "#009E73", "D")]:
+        ("contact_aware_6", "event-corrected, order 6", "#D55E00", "o-"),
+        ("contact_aware_14", "event-corrected, 14 stages", "#0072B2", "s--"),
+        ("landing", "exact event location", "#009E73", "D")]:
     part = [row for row in table if row["integrator"] == name]
     right.loglog(column(part, "work"), column(part, "drift"), style, color=color, ms=3.5, lw=0.9,
                  label=label)

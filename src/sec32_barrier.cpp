@@ -1,23 +1,21 @@
 /**
-# 3.2 The energy between two breathers
+# 3.2 The Peierls-Nabarro barrier between two breathers
 
-A breather that sits on a site can move to the next one only by way of a bond. The energies of the breathers
-around both, as heights and valleys of a landscape in which its centre moves, are the *Peierls-Nabarro potential*, and
-their difference is the *barrier*:
+A breather that sits on a site can move to the next one only by way of a bond. As a function of the place of its
+centre, its energy is the *Peierls-Nabarro potential*, of which the breathers around a site and around a bond are the
+extrema, and their difference is the *barrier* $E_{PN} = E_{\rm site}-E_{\rm bond}$. Which of the two is the place of rest
+depends on the effective mass: with a positive one a breather rests where the potential is low. That of the breathers of
+section 3.3 is negative (`sec33_mobility`): they rest where the potential is high.
 
-      energy
-      E_site            __               __
-                       /  \             /  \         E_PN = E_site - E_bond,
-                      /    \           /    \        here positive
-      E_bond      ___/      \_________/      \___
-                 bond   site   bond   site   bond
+Section 3.2 of James, Kevrekidis and Cuevas (Physica D 251, 2013) finds that this potential is astonishingly flat:
+$E_{PN} = 1.77\cdot10^{-11}$ at the frequency $\omega_b = 1.1$ in the linear well, and $10^{-14}$ to $10^{-15}$ near
+$\omega_b = 1.01$ for each well; close to $10^{-4}$ at $\omega_b = 1.5$ for the anharmonicity $s = -1/6$. It says that the
+barrier is by three to four orders smaller in the linear well than in the others at $\omega_b = 1.3$; that it increases
+with the amplitude of the breather but remains very small; and that relative to the energy it is smallest in the linear
+well. Two of these statements do not say whether they are meant of the curves as a whole or of every frequency.
 
-A particle of positive mass would rest in the valleys. Breathers may have a negative mass, as those of section 3.3
-(`sec33_mobility`): then they rest on the hills, and the valleys are what they have to cross.
-
-Section 3.2 of James, Kevrekidis and Cuevas (Physica D 251, 2013) finds that this hill is
-astonishingly flat. It compares the two breathers at equal frequency; the comparison at equal *area*, which
-physics demands, it considers too difficult. This program does both, with signs, and draws figure 07.
+The article compares the two breathers at equal frequency; the comparison at equal *area*, which physics demands, it
+considers too difficult. This program does both, with signs, and draws figure 07.
 
 ![Energy barrier between both families, for three wells.](fig:07) */
 
@@ -30,7 +28,6 @@ physics demands, it considers too difficult. This program does both, with signs,
 #include <vector>
 
 #include "commands/one_barrier.hpp"
-#include "lattice/gsl/reference.hpp"
 #include "lattice/numerics/parallel.hpp"
 #include "lattice/orbits/breather.hpp"
 #include "lattice/orbits/breather_pairs.hpp"
@@ -40,30 +37,18 @@ physics demands, it considers too difficult. This program does both, with signs,
 using namespace lattice;
 
 /**
-What is claimed, with the identifiers under which the answers are recorded:
-
-- $E_{PN} = 1.77\cdot10^{-11}$ at $\omega_b = 1.1$ in the linear well (`pn.omega11`);
-- $10^{-14}$ to $10^{-15}$ near $\omega_b = 1.01$ for each well (`pn.small`);
-- close to $10^{-4}$ at $\omega_b = 1.5$ for $s = -1/6$ (`pn.omega15`);
-- by three to four orders smaller in the linear well than in the others at $\omega_b = 1.3$
-  (`pn.harmonic_ratio`);
-- it increases with the amplitude of the breather (`pn.grows`) but remains very small
-  (`pn.remains_small`), and relative to the energy it is smallest in the linear well (`pn.ratio_smallest`).
-
-Two of these statements do not say whether they are meant of the curves as a whole or of every frequency. */
-constexpr std::array<double, 3> wells{-1.0 / 6, 0, 1};
-const std::array<std::string, 3> names{"soft", "linear", "hard"};
-
-/**
 ## Model
 
 The breathers are those of the previous chapter, periodic motions of frequency $\omega_b$ in the chain
 of Eqs. (6) and (10) with $s = -1/6$, $0$ and $1$, called the soft, the linear and the hard well. Of
 each we need the energy $\mathcal H$ and the area
 $$\mathcal A = \int_0^{2\pi/\omega_b}\sum_n\dot y_n^2\,dt .$$
-Why the area? A breather that creeps along the chain keeps its action, not its frequency, and an
+Why the area? A breather that drifts slowly along the chain keeps its action, not its frequency, and an
 effective Hamiltonian for its position compares states of equal action; $\mathcal A$ is $2\pi$ times
 that action. The article plots the difference at equal frequency instead, and without its sign. */
+constexpr std::array<double, 3> wells{-1.0 / 6, 0, 1};
+const std::array<std::string, 3> names{"soft", "linear", "hard"};
+
 /// The modulus of a barrier, as the article has it.
 Estimate size(const Estimate& e) {
   return {std::abs(e.value), e.error};
@@ -73,7 +58,7 @@ Estimate size(const Estimate& e) {
 ## Method
 
 The two energies agree to six digits and more, so each must be known to twelve if the barrier is to have
-six. Along a family $d\mathcal H = \omega_b\,d\mathcal A/2\pi$. We change the frequency of the site-centred
+six. Along a family of periodic orbits $d\mathcal H = \omega_b\,d\mathcal A/2\pi$. We change the frequency of the site-centred
 breather until the areas agree to first order, and convert what is left of their difference into energy;
 what we neglect is of third order (breather.hpp). All is computed at two tolerances. Where double precision
 leaves an error of more than three parts in a thousand, we repeat it with 64-bit mantissas. The frequencies
@@ -157,9 +142,8 @@ void report_barriers(Report& report, const std::vector<BreatherPairs>& families)
 /**
 Does $E_{PN}$ increase with the amplitude, as the article says? The amplitude increases with the frequency. From
 every frequency to the next the barrier does not: at a zero it falls to nothing. Of the curves as a whole the
-statement is true. In all three wells the arches between the zeros become higher and higher, and the largest barrier
-is the last one; we ask for both (`increasing_on_the_whole`). An earlier criterion asked that each curve grow at every
-step and keep its sign, which is more than the sentence says.
+statement is true (`pn.grows`). In all three wells the arches between the zeros become higher and higher, and the largest
+barrier is the last one; we ask for both (`increasing_on_the_whole`).
 
 Whether the barrier remains very small depends on the well, and on where one stops. At the upper ends of the
 curves it is [0.000120789](num:sec32_barrier.end_barrier_soft) in the soft well,
@@ -195,9 +179,8 @@ Is the linear well's barrier the smallest in units of the energy? The article sa
 of a figure that shows the whole curves. Their means over the [55](num:sec32_barrier.frequencies_shared) frequencies
 that all three wells share are [5e-8](num:sec32_barrier.relative_mean_linear) in the linear well,
 [2.3e-7](num:sec32_barrier.relative_mean_soft) in the soft one and [0.0151](num:sec32_barrier.relative_mean_hard) in the hard
-one, and the criterion compares them; at $1.3$ and at the upper ends of the curves it is the smallest, too. An earlier
-criterion compared frequency by frequency, more than the sentence says. There the linear well has the smallest ratio
-at [50](num:sec32_barrier.linear_smallest_at) of these frequencies, and at most
+one, and the criterion (`pn.ratio_smallest`) compares them; at $1.3$ and at the upper ends of the curves it is the
+smallest, too. Frequency by frequency, which is more than the sentence says, the linear well has the smallest ratio at [50](num:sec32_barrier.linear_smallest_at) of these frequencies, and at most
 [1.33055](num:sec32_barrier.linear_over_soft_most) times that of the soft well at the others. But towards $\omega_b=1$ the
 three agree, and near each zero of the soft well the soft well has the smaller one, up to the last zero at
 [1.89803](num:sec32_barrier.zero_soft14). */
@@ -352,60 +335,9 @@ frequency: its phase is wrong at $T_b$. The energy of that breather differs by
 $E'(\omega_b)\,\delta\omega$, and nothing in the residual tells the two cases apart. This difference is
 [1.59887e-12](num:sec32_barrier.hidden_energy) for one of the two breathers, and the printed barrier exceeds ours by
 [1.45775e-12](num:sec32_barrier.printed_excess). So the article agrees with us within its own accuracy; our value is the
-more accurate one. */
-// What integrations of that accuracy give
-/**
-Do integrations of that accuracy differ from ours by as much? We try some: adaptive Runge-Kutta integration, which
-steps across the switchings of the contacts, with the symmetric equations or with those of the article. The
-Jacobians are those of the exact breather, which affects only how fast the iteration converges. The residual
-that remains shows the noise of the integration. In the first two rows of the table, symmetric equations at the two
-coarsest tolerances, one residual or both are about as large as the printed one, and the barriers lie on either side of
-the printed barrier, within two per cent of it. */
-struct Plain {
-  double energy, residual;
-};
-
-Plain plain_newton(const Shooting<double>& problem, Vector<double> x, double tolerance) {
-  const Matrix<double> matrix = problem.shoot(x, {}).jacobian;
-  const Sizes<double> size = problem.sizes(x, false);
-  const Tolerance both(0.01 * tolerance, tolerance, gsl_odeiv2_step_rk8pd);
-  double residual = 0;
-  for (int k = 0; k < 6; ++k) {
-    const State<double> start = problem.expand(x);
-    State<double> end = start;
-    evolve_reference(problem.chain, end, problem.period() / problem.symmetry.parts, both);
-    const Vector<double> miss = problem.residuals(start, end);
-    residual = sup(miss) / largest(start);
-    x -= solve_scaled<double>(matrix, miss, size, 0);
-  }
-  return {energy(problem.chain, problem.expand(x)), residual};
-}
-
-/**
-The trials vary two things, the equations and the tolerance: one row for each pair. */
+more accurate one. Integrations of that accuracy give barriers on either side of the printed one
+(`sec33_article_integrator`). */
 void report_printed(Report& report, const Estimate& barrier) {
-  std::vector<std::pair<bool, double>> trials;
-  for (bool full : {false, true})
-    for (double tolerance : {1e-8, 1e-9, 1e-10, 1e-11, 1e-12}) trials.emplace_back(full, tolerance);
-  Table& table =
-      report.table("barrier_trials", {number("tolerance", "of the adaptive integration"),
-                                      label("equations", "symmetric or full period map"),
-                                      number("residual_site", "left by the site-centred breather"),
-                                      number("residual_bond", "left by the bond-centred breather"),
-                                      number("barrier", "E_site - E_bond")});
-  const auto row = [](const std::pair<bool, double>& trial) {
-    const auto& [full, tolerance] = trial;
-    std::array<Plain, 2> ends{};
-    for (std::size_t k : {0U, 1U}) {
-      Shooting<double> problem = problem_of(both_centres[k], 1.1);
-      const State<double> start = find_breather(problem).start;
-      if (full) problem.symmetry = returning(problem.chain.sites);
-      ends[k] = plain_newton(problem, problem.reduce(start), tolerance);
-    }
-    return Cells{tolerance, full ? "full" : "symmetric", ends[0].residual, ends[1].residual,
-                 ends[0].energy - ends[1].energy};
-  };
-  table.fill(trials, row, "trials");
   report.facts.add("hidden_energy",
                    compare(hidden_energy(1.5e-9, 2e-6), hidden_energy(1.5e-9, 1e-6)));
   report.facts.add("printed_excess", Estimate{1.77e-11 - barrier.value, barrier.error});
@@ -414,7 +346,7 @@ void report_printed(Report& report, const Estimate& barrier) {
 /**
 ## What goes beyond the article
 
-`sec32_barrier barrier` prints both barriers with your own parameters (one_barrier.hpp). The barrier at equal
+The barrier at equal
 frequency has no fixed sign, and neither has the one at equal area; their zeros differ. Those at equal area are where
 stability is exchanged: in the linear well each of the six lies between the exchanges of the two breathers, the first
 on both (`sec33_between`). [](finding:barrier.equal_area) There the bond is the stable centre although at equal area
@@ -426,13 +358,7 @@ frequency it need not be smaller: at $1.3$ the two are [-5.22284e-12](num:sec32_
 
 The article does not say how far in frequency its soft and hard branches go. Ours end at $\omega_b = 2$,
 those of the soft well at $1.9$, just before their folds, which we locate but do not pass. The barrier says
-nothing about what lies between the two breathers; section 3.3 looks for breathers without symmetry there.
-
-## Extensions
-
-- Follow the soft branch through its fold up to the rim of the well.
-- How does the barrier at equal area change with the anharmonicity of the well?
-- Other exponents of the contact: is there one for which the barrier vanishes altogether? */
+nothing about what lies between the two breathers; section 3.3 looks for breathers without symmetry there. */
 void reproduce(Report& report) {
   report.output.note("tolerance", "flow to 128 and 2048 roundings of the type");
   const auto families = climb_wells(report.quick ? 10 : 60);
@@ -447,6 +373,26 @@ void reproduce(Report& report) {
   report_printed(report, key[std::size(key_frequencies) + 2].equal_frequency);
 }
 
+/**
+## Try it
+
+1. *Easy.* A pendulum instead of the soft well: `build/bin/sec32_barrier barrier --omega 1.1 --well pendulum` gives
+   `equal_frequency` = 3.59543777e-11, nearly the barrier of the soft well at this frequency.
+   Hint: $1-\cos y = \frac12y^2-\frac1{24}y^4+\dots$, and the amplitude of the breather is a hundredth.
+2. *Easy.* Next to a zero: `build/bin/sec32_barrier barrier --omega 1.01462` gives `equal_area` = -1.86531e-17, some two
+   hundred times the modulus of `equal_frequency`. Which of the two decides where the breather rests?
+   Hint: a breather that moves keeps its action. Its potential does not vanish here.
+3. *Harder.* Contacts whose force grows with the square of the overlap:
+   `build/bin/sec32_barrier barrier --omega 1.001 --contact power --alpha 2` gives `equal_area` = -1.994595e-13. Divide it by
+   `equal_frequency`: what becomes of the factor $-\delta/5$?
+   Hint: with the exponent $\alpha$ the DpS scaling is $\mathcal H = e\,\delta^p$, $p = 2/(\alpha-1)$; repeat the
+   derivation with this $p$.
+4. *Open.* Follow the soft branch through its fold up to the maximum of the well's potential.
+5. *Open.* Other exponents of the contact: is there one for which the barrier vanishes altogether?
+
+## With your own parameters
+
+`sec32_barrier barrier` prints both barriers with your own parameters (one_barrier.hpp). */
 int main(int argc, char** argv) {
   return run({"sec32_barrier", "3.2", "The barrier between two breathers (section 3.2)", reproduce,
               commands<OneBarrier>()},

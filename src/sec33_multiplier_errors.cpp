@@ -1,19 +1,12 @@
 /**
-# 3.3 How a multiplier goes wrong
+# 3.3 Errors of the Floquet multipliers next to one
 
 Four multipliers of a breather lie within a few $10^{-4}$ of $+1$, and whether one of them exceeds one
 decides its stability. Section 3.3 of James, Kevrekidis and Cuevas (Physica D 251, 2013) reads off them two
 values of the anharmonicity at which the stability changes, $s_0 \approx 0.26$ around a bond and $0.05$ around
-a site. The previous chapter finds one number for both. This one asks which computations give the printed
-pair, and what an error of the monodromy matrix, the derivative of the flow over one period, does to a
-verdict.
-
-        exact                 matrix wrong by delta
-          o                        o
-        --@--  a double +1       o   o   four eigenvalues, sqrt(delta) away
-          o                        o
-
-The claims are answered in the previous chapter; the results here are our own measurements. */
+a site. `sec33_floquet` finds one number for both, and answers what is claimed. This chapter asks which computations
+give the printed pair, and what an error of the monodromy matrix, the derivative of the flow over one period, does to a
+verdict. */
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -37,9 +30,10 @@ using namespace lattice;
 ## Model and method
 
 The chain is that of Eqs. (6) and (10) at $\omega_b = 1.1$. The breathers are accurate throughout, so that
-only the linearised flow is at fault. One pair of multipliers is exactly $+1$; of the other, the pinning pair
-$\lambda, 1/\lambda$ of a shift along the chain, we form $\kappa = (\lambda+1/\lambda-2)/4$ (floquet.hpp).
-The breather is unstable where $\kappa>0$. From a matrix of any origin we take the symmetric function
+only the linearised flow is at fault. One pair of multipliers is exactly $+1$, that of a shift in time; of the other one
+of the four, the pinning pair $\lambda, 1/\lambda$ of a shift along the chain, we form
+$\kappa = (\lambda+1/\lambda-2)/4$ (floquet.hpp). The breather is unstable where $\kappa>0$. A symmetric function of the
+four does not ask which of them belongs to which pair, so from a matrix of any origin we take
 $$\kappa \simeq \frac18\sum_{k=1}^4\frac{(\lambda_k-1)^2}{\lambda_k}$$
 of the four eigenvalues next to one. It changes smoothly with the matrix, while each eigenvalue does not. */
 constexpr double omega_b = 1.1;
@@ -49,7 +43,9 @@ constexpr double omega_b = 1.1;
 
 The double $+1$ is *defective*: it has only one eigenvector. Suppose that we had read the multipliers off the
 monodromy matrix $M$ of the bond-centred breather, which is stable. We add noise of size $\delta$ to an accurate $M$
-and look at the four eigenvalues next to $+1$. [](finding:multipliers.defect) */
+and look at the four eigenvalues next to $+1$. Near a double zero of the characteristic polynomial,
+$(\lambda-1)^2 = O(\delta)$, so that they move by $\sqrt\delta$, in directions of which some lead out of the unit circle.
+[](finding:multipliers.defect) */
 struct Damage {
   double displacement = 0;  ///< of the four from where they belong, the largest
   double excess = 0;        ///< largest | |lambda| - 1 | of the four
@@ -154,8 +150,9 @@ struct Trial {
 };
 
 /**
-The variational equations give the derivative of the flow, column by column. All columns are integrated
-together with the orbit. */
+The variational equations give the derivative of the flow, column by column: each column is a small change
+$(\delta y, \delta v)$ with $\delta\dot y = \delta v$, $\delta\dot v = -H(y)\,\delta y$, where $H$ is the Hessian of the
+potential energy. All columns are integrated together with the orbit. */
 Matrix<double> variational(const Around& at, const Tolerance& tolerance) {
   const Chain& chain = at.problem.chain;
   const std::size_t n = chain.sites, m = 2 * n;
@@ -337,12 +334,7 @@ void report_printed(Report& report) {
 
 The article does not say how its matrices were computed. Tolerances that are common produce gaps of the printed
 size and sign; that does not prove that one of them was used. In the trials the breathers are exact; those
-of the article had residuals of $1.5\cdot10^{-9}$ besides.
-
-## Extensions
-
-- Which part of the error comes from which contact? Land on the switchings of the central contact only.
-- Does a symplectic integrator with fixed steps keep the double $+1$ together? */
+of the article had residuals of $1.5\cdot10^{-9}$ besides. */
 void reproduce(Report& report) {
   report.output.note("tolerance",
                      "flow to 128 and 2048 roundings of the type, unless a table says else");
@@ -351,8 +343,22 @@ void reproduce(Report& report) {
   report_printed(report);
 }
 
+/**
+## Try it
+
+1. *Easy.* How close are the two exchanges? `build/bin/sec33_floquet exchange --centre site` gives `s0` = 0.15251950, and
+   `build/bin/sec33_floquet exchange --centre bond` gives `s0` = 0.15251982.
+   Hint: multiply their distance by the slope of $\kappa$ to see to how many digits a matrix must be known before
+   its eigenvalues show two numbers.
+2. *Harder.* A check that needs no matrix at all: `build/bin/sec32_barrier barrier --omega 1.1 --s 0.05` gives
+   `equal_area` = -1.58248e-13, and `build/bin/sec32_barrier barrier --omega 1.1 --s 0.26` gives
+   `equal_area` = 1.66492e-13. Where is its zero?
+   Hint: the energies are smooth in $s$, so that a straight line through the two is a good guess. Compare it with the
+   table of trials.
+3. *Open.* Which part of the error comes from which contact? Locate the events of the central contact only.
+4. *Open.* Does a symplectic integrator with fixed steps keep the double $+1$ together? */
 int main(int argc, char** argv) {
-  return run(
-      {"sec33_multiplier_errors", "3.3", "How a multiplier goes wrong (section 3.3)", reproduce},
-      argc, argv);
+  return run({"sec33_multiplier_errors", "3.3",
+              "Errors of the multipliers next to one (section 3.3)", reproduce},
+             argc, argv);
 }

@@ -2,9 +2,10 @@
 /**
 # When a kick frees a breather
 
-A breather that creeps along the chain feels an energy landscape with the period of the chain: if it is
-stable around a bond only, there are troughs at the bonds and hills at the sites, if around a site, the
-reverse. A kick (kick.hpp) frees it from a trough if it carries it over the hill. This file tells a free
+A breather that drifts slowly along the chain feels a Peierls-Nabarro potential with the period of the chain. We draw it
+such that a stable breather sits in a *trough*: if it is stable around a bond only, there are troughs at the bonds and
+*hills* at the sites, if around a site, the reverse. (Where the effective mass is negative the energies are upside down.)
+A kick (kick.hpp) depins it from a trough if it carries it over the hill. This file tells a free
 breather from a pinned one, says what linear theory expects, and finds the least kick that frees. */
 
 #include <cmath>
@@ -41,7 +42,7 @@ where $A$ and $B$ are the derivatives of the final positions with respect to the
 velocities. Over many periods this is an oscillator (or, if $\cos\theta > 1$, its unstable twin) of squared
 frequency $\Omega^2 = 2(1-\cos\theta)/T^2$. Its *kinetic* energy after a kick $c\,g$ is
 $$K = \varphi\,\frac{c^2}2,\qquad \varphi = \frac{b\,(x\cdot g)^2}{T\,(x\cdot z)}.$$
-Only the small share $\varphi$ of the kick moves the breather along; the rest goes into its internal
+Only the small fraction $\varphi$ of the kick moves the breather along; the rest goes into its internal
 oscillation and changes the action. */
 struct Pinning {
   double frequency2 = 0;  ///< Omega^2; negative for an unstable breather
@@ -101,7 +102,7 @@ double threshold_from(double c1, double v1, double c2, double v2);
 /**
 ## A pendulum
 
-How does the speed of a freed breather depend on its kick? If the landscape is a sine, the centre moves
+How does the speed of a freed breather depend on its kick? If the potential is a sine, the centre moves
 like a pendulum, and its mean speed over a whole site is the arithmetic-geometric mean of the speeds on
 the hill and in the trough: $V$ and $(V^2+\Omega^2/\pi^2)^{1/2}$ for a start on a hill, $V$ and
 $(V^2-\Omega^2/\pi^2)^{1/2}$ from a trough. */

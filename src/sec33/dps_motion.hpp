@@ -5,8 +5,8 @@
 Section 3.3 perturbs a stationary breather (stationary.hpp) and sees it move. Its place is the centre of
 $|v_n|^4$: the fourth power keeps out small noise along the chain. For a small shift $x$ and push $y$ along
 the pinning pair of spectrum.hpp the displacement is $X = gx$, where $g$ is the derivative of the centre,
-and $\ddot X = \pm\lambda^2X$ with the plus at a site and the minus at a bond. The simplest energy
-landscape with both is a sine, in which the centre moves like a pendulum; about a site
+and $\ddot X = \pm\lambda^2X$ with the plus at a site and the minus at a bond. The simplest
+potential with both is a sine, in which the centre moves like a pendulum; about a site
 $$\ddot X = \frac{\lambda^2}{2\pi}\sin 2\pi X,$$
 and a push $y$ gives it the initial speed $g(\mu-m)y$. This predicts the push that frees a bond-centred
 breather, $y_c = |\lambda|/(\pi g(\mu-m))$, and the time that a site-centred one takes to the next bond. If

@@ -71,6 +71,16 @@ struct Creep {
   double drift_margin(double c, double energy) const;
 };
 
+/// One path with two schemes or steps, of which the second is the finer.
+struct TwoPaths {
+  Creep rough{}, good{};
+  /// When the breather is `distance` sites from its start. Throws as `mean_speed` does.
+  Estimate when(double distance) const {
+    const auto of = [&](const Creep& p) { return p.t[0] + distance / p.mean_speed(distance); };
+    return compare(of(rough), of(good));
+  }
+};
+
 /**
 The samples of eleven periods are added up to one mean of $X$. */
 struct MeanPlace {

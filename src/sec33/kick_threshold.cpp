@@ -11,6 +11,17 @@ RestingBreather resting_breather(Centre centre, Phase phase, double omega_b, std
           found.orbit.energy};
 }
 
+ContactAware fourteen_stages(double step) {
+  return {step, nystrom(blanes_moan_6_14())};
+}
+
+BreatherPair barriers_at(double omega_b) {
+  BreatherPair pair{0, omega_b};
+  for (int k : {0, 1}) pair.orbit[k] = find_breather(problem_of(both_centres[k], omega_b));
+  measure_in<double>(pair);
+  return pair;
+}
+
 // Find the pinning mode from two tolerances of the tangent map, whose difference is its error
 Prediction predict_threshold(const RestingBreather& at, const Estimate& barrier) {
   std::array<Pinning, 2> found;

@@ -20,6 +20,7 @@ $c_c$. This file predicts $c_c$ from one period of the tangent map and the barri
 #include "lattice/numerics/estimate.hpp"
 #include "lattice/numerics/parallel.hpp"
 #include "lattice/orbits/breather.hpp"
+#include "lattice/orbits/breather_pairs.hpp"
 #include "sec33/depinning.hpp"
 
 namespace lattice {
@@ -49,6 +50,12 @@ The chain has the given number of sites, or one more if a site-centred breather 
 hold the tail of the breather down to rounding, $10^{-16}$. */
 /// Throws ShortChain if the breather needs a longer chain, NewtonFailed if it is not found.
 RestingBreather resting_breather(Centre centre, Phase phase, double omega_b, std::size_t sites);
+
+/// Contact-aware steps of this length by the method of order six with fourteen stages.
+ContactAware fourteen_stages(double step);
+
+/// Both breathers of this frequency in harmonic wells, with their barriers at equal frequency and at equal area.
+BreatherPair barriers_at(double omega_b);
 
 /**
 ## Prediction

@@ -1,0 +1,73 @@
+#pragma once
+/**
+# Groups of breathers under noise
+
+One trial is an accident. For each kind of noise (`readings`) and each case a *group* of trials is run, which differ in
+the seed alone. Beside the site-centred and the bond-centred breather there is a *control*: the site-centred one under
+the same noise without its part in the pinning pair, which to first order cannot move. */
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sec33/dps_motion.hpp"
+
+namespace lattice {
+
+/// Their frequency, and how long they are followed.
+inline constexpr double mu_high = 10, duration = 500;
+/// With which tolerances, and how many samples.
+inline constexpr Accuracy coarse{1e-8, 1}, fine{1e-10, 2};
+
+/// The readings of "uniformly distributed" and "of amplitude 0.01", the main one first.
+inline constexpr Noise readings[] = {{"complex", true, false, false, 0.01},
+                                     {"narrow", true, false, false, 0.005},
+                                     {"real", false, false, false, 0.01},
+                                     {"positive", false, true, false, 0.01},
+                                     {"relative", true, false, true, 0.01}};
+
+/// Which breather, or the control.
+enum class Case { site, control, bond };
+inline constexpr std::pair<Case, const char*> cases[] = {
+    {Case::site, "site"}, {Case::control, "control"}, {Case::bond, "bond"}};
+
+/// Both breathers of frequency `mu_high`.
+struct Breathers {
+  PinnedBreather site, bond;
+
+  Breathers()
+      : site(Centre::site, mu_high, sites_of(Centre::site)),
+        bond(Centre::bond, mu_high, sites_of(Centre::bond)) {}
+  const PinnedBreather& of(Case which) const { return which == Case::bond ? bond : site; }
+  Field start(const Noise& reading, Case which, Trial& trial) const {
+    return perturbed(of(which), reading, which != Case::control, trial);
+  }
+};
+
+/**
+The main and the narrow reading get sixteen seeds. In some of the others a breather waits longer, so they run half as
+long again, with six seeds. A control belongs to the main reading alone and, to see when it moves after all, runs twice
+as long. */
+struct Group {
+  const Noise* reading;
+  Case which;
+  std::string name;
+  std::vector<Trial> trials{};
+
+  bool main() const { return reading == readings; }
+  bool many() const { return reading <= readings + 1; }
+  double time() const { return duration * (!many() ? 1.5 : which == Case::control ? 2 : 1); }
+};
+
+/// All groups, before they are run.
+std::vector<Group> groups_of_trials(bool quick);
+
+/// Runs all trials side by side, each at both tolerances.
+void run(std::vector<Group>& groups, const Breathers& breathers);
+
+/// The trials of a group. Throws std::invalid_argument if there is none.
+const std::vector<Trial>& trials_of(const std::vector<Group>& groups, Case which,
+                                    const Noise& reading = readings[0]);
+
+}  // namespace lattice
