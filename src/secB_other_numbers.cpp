@@ -281,7 +281,20 @@ void reproduce(Report& report) {
 }
 
 /**
-TRYIT */
+## Try it
+
+1. *Easy.* A harder impact makes a faster pulse: by how much?
+   `build/bin/sec34_impact run --well none --velocity 2` gives `speed` = 0.965491.
+   Hint: divide by $2^{1/5}$ and compare with another velocity.
+2. *Easy.* Which fraction of the energy does the pulse take along?
+   `build/bin/sec34_impact run --well none` gives `packet_energy_fraction` = 0.9936610.
+   Hint: try another velocity. Why can it not matter, and where is the rest?
+3. *Harder.* Does the exponent alone exchange the two breathers in the chain, beyond the limit of small amplitude?
+   `build/bin/sec32_barrier barrier --contact power --alpha 2` gives `equal_area` = 3.55070e-8, and
+   `build/bin/sec32_barrier barrier --contact power --alpha 2 --omega 1.05` gives `equal_area` = -9.12675e-11.
+   Hint: the sign at small $\omega_b-1$ is that of the DpS equation. Find the frequency at which the barrier vanishes.
+4. *Open.* Along which curve of exponent and frequency does that barrier vanish?
+5. *Open.* From which run did Sen and Manciu take their $C_1$? */
 int main(int argc, char** argv) {
   return run({"secB_other_numbers", "B", "Numbers of other authors (appendix)", reproduce}, argc,
              argv);
