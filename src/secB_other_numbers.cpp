@@ -210,8 +210,8 @@ compute both from $\alpha = 1.1$ to 4 (secB/exponents.hpp). At every exponent th
 spectrally stable and the one around a site is not, with a margin $m_2/\mu-1/\alpha$ that grows from
 [2.62509e-28](num:secB_other_numbers.margin_site_110) over [4.85298e-6](num:secB_other_numbers.margin_site_150) for
 spheres to [0.0954946](num:secB_other_numbers.margin_site_400). No margin changes its sign between the exponents
-computed, and neither does the difference of the norms: anharmonic wells exchange stability in the chain, the exponent
-of the contact alone does not.
+computed, and neither does the difference of the norms: anharmonic wells exchange stability in the chain; in the
+limit of small amplitude the exponent of the contact alone does not.
 
 ![Which static DpS breather is stable, and by how much, against the exponent of the contact.](fig:x35)
 
