@@ -35,8 +35,8 @@ The chain has beams of 10 ms lifetime, all with the rate $\nu$ of losses, and a 
 $$\ddot y_n+y_n+\nu\dot y_n = (y_{n-1}-y_n)_+^{3/2}-(y_n-y_{n+1})_+^{3/2}+\delta_{n1}\,G(y_1,t),$$
 where the first bead has no left neighbour, and $G = (a\sin\Omega t-y_1)_+^{3/2}$ for a piston, $G = a\sin\Omega t$ for
 the base of the first beam (driven_chain.hpp). A motion of the period of the drive that decays along the chain is
-*quiet*: it emits nothing. As $a$ grows two such motions, a stable and an unstable one, meet in a fold (a saddle-node
-bifurcation, panel b of the first figure) and vanish. In the DpS limit $y_n \simeq 2\epsilon u_n\cos\Omega t$ with
+*quiet*: it emits nothing. As $a$ grows two branches of such motions meet in a fold (a saddle-node bifurcation, panel b
+of the first figure) and end there. In the DpS limit $y_n \simeq 2\epsilon u_n\cos\Omega t$ with
 $\epsilon = (2\tau_0\delta)^2$ both are static solutions that decay into the chain, and the fold is where the displacement
 that the piston has to take at their end, or the force by which the base has to pull, is largest (driven_end.hpp):
 $$a_{\rm piston} = 8\tau_0^2\,\delta^2\,\max|u_0|,\qquad a_{\rm base} = 16\tau_0^2\,\delta^3\,\max|D_0|,$$

@@ -305,7 +305,7 @@ Both breathers of section 3.2 are let go at $\omega_b = 1.1$ in a chain with lin
 the two lifetimes of the run they follow their branch: at five moments the energy is that of the exact breather with the
 frequency of that moment, to [0.0006](num:sec5_experiment.off_the_branch_site) of it, and its area (2$\pi$ times the
 action) has decayed as friction prescribes (decay.hpp). The centre of the energy of the one around a site shifts by
-[0.000823830](num:sec5_experiment.drift_site) sites; the other one is held by its symmetry. */
+[0.000823830](num:sec5_experiment.drift_site) sites; the other one is kept in its place by its symmetry. */
 constexpr double released_at = 1.1;
 
 struct Released {

@@ -60,9 +60,8 @@ Eq. (13).
 
 For $c\ge0$ nothing grows. Beyond $q = \pi/2$ the shortest modulations grow, neighbours against each other, and where
 $c$ passes $-\frac15$ the band changes sides: from there on it holds the long ones, up to the edge $\cos Q_* =
-(1+3c)/(5c-1)$. Long modulations grow in proportion to $Q$,
-not to $Q$ times the amplitude as under precompression (section 4), because here no dispersion acts against the
-nonlinearity: both come from the contacts. */
+(1+3c)/(5c-1)$. Long modulations grow in proportion to $Q$, not to $Q$ times the amplitude as under precompression
+(section 4), because here no dispersion acts against the nonlinearity: both come from the contacts. */
 void report_chart(Report& report) {
   const int points = report.quick ? 20 : 60;
   Table& growth = report.table("growth", {number("q", "wavenumber of the wave", "1/site"),

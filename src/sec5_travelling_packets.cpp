@@ -150,7 +150,8 @@ $\varphi$, as it does at an orbit of type II, the tail would fall otherwise. The
 energy agree with the line within their errors, which come mainly from the choice of the stretch. So, from two
 impacts, a packet seems to become an orbit of type I whose internal phase is not captured by the shift, and its contact
 energy seems to select which one. Whether it is captured later cannot be seen here: at the end $\varphi$ is still hundreds
-of times $2|\kappa|^{1/2}$, the angle per shift at which the phase of the orbit $k = 1$ is pinned. */
+of times $2|\kappa|^{1/2}$, the angle per shift by which the pinned phase of the orbit $k = 1$
+swings. */
 // What belongs to the last decade as it is has the difference of the two runs as its error
 void report_tail(Quantities& facts, const std::string& name, const FinalState& state) {
   const auto fact = [&](const std::string& what, double CourseReading::*of,
@@ -344,7 +345,7 @@ void report_dps(Report& report, const DpsMember& coarse, const DpsMember& fine) 
 }
 
 /**
-## For the article
+## What this means for the article
 
 The article proposes to compute exact travelling breathers by Newton's method, and this works. In the chain with
 linear wells those that we find repeat themselves from site to site and have isolated shift times, at which the
@@ -400,7 +401,7 @@ every $k$ (chapter on the kernel equation), and for $k = 1$ there are two (chapt
 stated; their folds in $s$; the multipliers; the limit of small amplitude. A computation to seventeen
 digits is no proof that an orbit exists: those of type II, and all in other wells, are computed only.
 
-*Conjectured*: that there are two for every $k \ge 2$; that what holds the phase decreases with $k$ faster than
+*Conjectured*: that there are two for every $k \ge 2$; that what pins the phase decreases with $k$ faster than
 any power of $1/k$.
 
 *Open*: how the tail of a packet falls in the end; whether there are orbits that repeat themselves only after several
