@@ -1,4 +1,4 @@
-"""Figure x24: the kernel, waves of both signs, the ascent of the quotient, and the quotients against alpha."""
+"""Figure x24: the kernel, waves of both signs, the iteration that maximizes the quotient, and the quotients against alpha."""
 
 import draw
 import matplotlib.pyplot as plt
@@ -39,7 +39,7 @@ colours = [BLUE, RED, GREEN, "#CC79A7", "#E69F00", "black"]
 for start, dash, colour in zip(np.unique(ascents["start"]), dashes, colours):
     one = draw.where(ascents, "start", start)
     c.plot(one["step"], one["log_missing"], ls=dash, color=colour, lw=0.9, label=f"{start:.0f}")
-c.set(xlabel="steps of the ascent", ylabel=r"$\log_{10}(1-Q/Q_{\mathrm{max}})$", ylim=(-9, 0.5))
+c.set(xlabel="steps of the iteration", ylabel=r"$\log_{10}(1-Q/Q_{\mathrm{max}})$", ylim=(-9, 0.5))
 c.set_xscale("symlog", linthresh=10)
 c.set_xlim(0, None)
 c.legend(loc="lower left", fontsize=7, ncols=2, title="random start", title_fontsize=7)

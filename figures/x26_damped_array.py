@@ -14,26 +14,26 @@ COLORS = ["#0072B2", "#009E73", "#D55E00"]
 MARKS, DASHES = ["o", "s", "^"], ["-", "--", "-."]
 
 figure, axes = plt.subplots(2, 2, figsize=(draw.TWO_COLUMNS, 125 * draw.MM))
-(way, sight), (branch, seen) = axes
+(distance, reach), (branch, seen) = axes
 
 for color, mark, dash, v in zip(COLORS, MARKS, DASHES, np.unique(journeys["velocity"])):
     rows = draw.where(draw.where(journeys, "velocity", v), "velocity", v)
     rows = {name: x[rows["lifetime"] > 0] for name, x in rows.items()}
-    way.semilogx(rows["lifetime"], rows["sites_law"], dash, color=color, lw=0.9)
-    way.semilogx(rows["lifetime"], rows["sites"], mark, color=color, ms=3.5, mfc="white",
+    distance.semilogx(rows["lifetime"], rows["sites_law"], dash, color=color, lw=0.9)
+    distance.semilogx(rows["lifetime"], rows["sites"], mark, color=color, ms=3.5, mfc="white",
                  label=f"{v:g} m/s")
-way.set(xlabel="lifetime of the energy (ms)", ylabel="sites travelled in 10 ms", ylim=(0, 24))
-way.legend(loc="lower right")
-draw.letter(way, "a")
+distance.set(xlabel="lifetime of the energy (ms)", ylabel="sites travelled in 10 ms", ylim=(0, 24))
+distance.legend(loc="lower right")
+draw.letter(distance, "a")
 
 for color, mark, dash, r in zip(COLORS, MARKS, DASHES, np.unique(sights["resolution"])):
     rows = draw.where(sights, "resolution", r)
-    sight.loglog(rows["lifetime"], rows["seen_law"], dash, color=color, lw=0.9)
-    sight.loglog(rows["lifetime"], rows["seen"], mark, color=color, ms=3.5, mfc="white",
+    reach.loglog(rows["lifetime"], rows["seen_law"], dash, color=color, lw=0.9)
+    reach.loglog(rows["lifetime"], rows["seen"], mark, color=color, ms=3.5, mfc="white",
                  label=f"{1000 * r:g} mm/s")
-sight.set(xlabel="lifetime of the energy (ms)", ylabel="last site at which it is seen")
-sight.legend(loc="lower right", title="sensor resolves")
-draw.letter(sight, "b")
+reach.set(xlabel="lifetime of the energy (ms)", ylabel="last site at which it is seen")
+reach.legend(loc="lower right", title="sensor resolves")
+draw.letter(reach, "b")
 
 for color, mark, bond, name in [(COLORS[2], "s", 0, "site"), (COLORS[0], "o", 1, "bond")]:
     rows = draw.where(decay, "bond", bond)

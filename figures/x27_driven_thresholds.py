@@ -31,7 +31,7 @@ for way, (mark, name) in marks.items():
                  color=color, ms=4.5, mfc="none", mew=0.9)
     law.plot([], [], mark, color="#000000", ms=4.5, mfc="none", mew=0.9, label=name)
 law.set(xlabel=r"relative distance $\delta$ from the frequency of a beam",
-        ylabel="amplitude over the law", ylim=(0.93, 1.92))
+        ylabel="amplitude over asymptotic threshold", ylim=(0.93, 1.92))
 law.set_xticks([0.025, 0.05, 0.1, 0.2, 0.35], ["0.025", "0.05", "0.1", "0.2", "0.35"])
 law.set_xticks([], minor=True)
 law.legend(loc="upper left", fontsize=6, bbox_to_anchor=(0.08, 1))
@@ -40,9 +40,13 @@ draw.letter(law, "a")
 quiet.plot(orbits["amplitude"], orbits["response"], "o-", color="#0072B2", ms=2.5, lw=0.9)
 quiet.set(xlabel=r"amplitude of the piston ($\mathrm{\mu m}$)",
           ylabel=r"amplitude of the first bead ($\mathrm{\mu m}$)", xlim=(0, None), ylim=(0, None))
+# The fold, where the lower and the upper branch of quiet orbits meet
+fold = next(float(row["fold"]) for row in folds if row["by"] == "piston" and abs(float(row["delta"]) - 0.1) < 1e-9)
+quiet.axvline(fold, color="#888888", lw=0.8, ls=":")
+quiet.annotate("fold", (fold, 0), xytext=(-3, 4), textcoords="offset points", ha="right", fontsize=7)
 draw.letter(quiet, "b")
 
-STYLE = [(0, "quiet", ".", "#888888"), (1, "train", "o", "#0072B2"),
+STYLE = [(0, "quiet", ".", "#888888"), (1, "periodic", "o", "#0072B2"),
          (2, "irregular", "x", "#D55E00")]
 for kind, name, mark, color in STYLE:
     rows = draw.where(chart, "kind", kind)
@@ -61,7 +65,7 @@ for color, mark, dash, delta in zip(["#0072B2", "#009E73", "#D55E00"], "os^", ["
     rows = draw.where(chart, "delta", delta)
     power.semilogy(rows["ratio"], np.maximum(rows["power"], 1e-12) * 1e3, mark + dash, color=color,
                    ms=3, lw=0.9, mfc="white", label=f"{rows['frequency'][0] / 1000:.1f} kHz")
-power.set(xlabel="amplitude over the law of the DpS limit", ylabel="mean power (mW)")
+power.set(xlabel="amplitude over asymptotic threshold", ylabel="mean power (mW)")
 power.legend(loc="lower right")
 draw.letter(power, "d")
 draw.save(figure, out)

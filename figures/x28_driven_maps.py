@@ -1,4 +1,4 @@
-"""Figure x28: energy in space and time in a driven array, quiet, with a train, and irregular."""
+"""Figure x28: energy in space and time in a driven array, quiet, with periodic emission, and irregular."""
 
 import draw
 import matplotlib.pyplot as plt
@@ -17,7 +17,7 @@ for axes, ratio, name in zip(panels, ratios, "abc"):
                         aspect="auto", norm=LogNorm(1e-6 * most, most), cmap="viridis",
                         interpolation="nearest")
     axes.set(xlabel="bead $n$")
-    axes.set_title(f"({name}) {ratio:g} of the law", loc="left", pad=3)
+    axes.set_title(f"({name}) {ratio:g} of asymptotic threshold", loc="left", pad=3, fontsize=7)
 panels[0].set(ylabel="time (ms)")
 figure.colorbar(shown, ax=panels, label="energy of a bead (J)", fraction=0.05, pad=0.02)
 draw.save(figure, out)

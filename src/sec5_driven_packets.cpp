@@ -23,16 +23,14 @@ those of an impact, and are they exact?
 using namespace lattice;
 
 /**
-In short: [](finding:driving.packets) The packets of a drive and of an impact are breathers of one kind with different
-phases. To be exact a breather needs a phase that fits its shift time, and none of the seventeen drives that we tried is
-seen to hold it there. Strength and frequency of the drive decide the phase more than how it begins.
-
 ## Two numbers
 
-In the DpS limit two numbers determine a travelling breather, its shift time $T$ and the phase $\varphi$ by which it
-turns from site to site, and so they nearly do in the chain (packet_members.hpp). We measure both, at $\delta = 0.1$ for a
-piston that begins at once with several multiples of the law (the fold of the quiet motion at small $\delta$,
-`sec5_driving`), and after an impact of 1 m/s. There the fold, with 10 ms, is [1.1167](num:sec5_driving.fold_over_law) times the law.
+The array is that of `sec5_driving`: linear wells, and a piston $a\sin\Omega t$ that touches the first bead, $\Omega =
+1+\delta$. A travelling breather of the DpS equation obeys $A_n(\tau+T) = e^{i\varphi}A_{n-1}(\tau)$, and two numbers
+determine it: its shift time $T$ and the phase $\varphi$ by which it turns from site to site. In the chain they nearly
+do (packet_members.hpp). We measure both, at $\delta = 0.1$ for a piston that begins at once, and after an impact of 1
+m/s. The *strength* of a drive is its amplitude over the asymptotic threshold $8\tau_0^2\delta^2\max|u_0|$ (the law of
+`sec5_driving`); the fold of the quiet motion, with 10 ms, has the strength [1.1167](num:sec5_driving.fold_over_law).
 
 | symbol | program | meaning | unit |
 |---|---|---|---|
@@ -44,7 +42,7 @@ Without losses we look at beads 12 to 28. With 10 ms the packets of a train catc
 lost more (figure x28), and meet it between beads 20 and 30; so we look at beads 9 to 17. */
 struct Packet {
   std::string name;
-  double strength;  ///< amplitude of the piston over the law; 0 for an impact
+  double strength;  ///< amplitude of the piston over the asymptotic threshold; 0 for an impact
   double lifetime;  ///< ms; 0 without losses
   WatchedBeads stretch{};
   double delta = 0.1, ramp = 0, start = 0;  ///< of the drive, the last two in its periods
@@ -162,21 +160,21 @@ class Families {
 };
 
 /**
-The energies are those of the families. The first packet of a drive at 1.3 times the law has the ratio
-[0.999](num:sec5_driven_packets.energy_ratio_drive), the third one of this train
+The energies are those of the families. [](finding:driving.packets) The first packet of a drive of strength 1.3 has the
+ratio [0.999](num:sec5_driven_packets.energy_ratio_drive), the third one of this train
 [1.001](num:sec5_driven_packets.energy_ratio_drive_third), the first one with losses
-[1.01](num:sec5_driven_packets.energy_ratio_drive_lossy), and in the whole table `strengths` none is farther from
-one than [1.009](num:sec5_driven_packets.energy_ratio_worst), though at the two strongest drives four looks differ
-by more than one per cent (figure x29). After an impact, where the packet still sheds a tail, the ratio is
+[1.01](num:sec5_driven_packets.energy_ratio_drive_lossy), and in the whole table `strengths` none is farther from one
+than [1.009](num:sec5_driven_packets.energy_ratio_worst), though at the two strongest drives four looks differ by more
+than one per cent (figure x29). After an impact, where the packet still sheds a tail, the ratio is
 [1.009](num:sec5_driven_packets.energy_ratio_impact) on beads 12 to 28 and
 [1.00](num:sec5_driven_packets.energy_ratio_impact_far) on beads 44 to 60. This tests one combination of $T$ and
 $\varphi$: a phase that is wrong by a tenth would multiply the ratio by
-[0.8636](num:sec5_driven_packets.energy_ratio_mistimed), but an error in time changes $T$ and $\varphi$ so that most
-of it cancels. The width tests little ([0.9938](num:sec5_driven_packets.width_ratio_mistimed) for such a phase);
-without losses the ratio farthest from one is [0.986](num:sec5_driven_packets.width_ratio_worst), for the impact
-with losses it is [1.05](num:sec5_driven_packets.width_ratio_impact_lossy). Of the energy of the orbit of type I
-with its speed the drive's packet has [2.25](num:sec5_driven_packets.type_one_ratio_drive) times as much, that of
-the impact [0.63](num:sec5_driven_packets.type_one_ratio_impact) times. */
+[0.8636](num:sec5_driven_packets.energy_ratio_mistimed), but an error in time changes $T$ and $\varphi$ so that most of
+it cancels. The width tests little ([0.9938](num:sec5_driven_packets.width_ratio_mistimed) for such a phase); without
+losses the ratio farthest from one is [0.986](num:sec5_driven_packets.width_ratio_worst), for the impact with losses it
+is [1.05](num:sec5_driven_packets.width_ratio_impact_lossy). Of the energy of the orbit of type I with its speed the
+drive's packet has [2.25](num:sec5_driven_packets.type_one_ratio_drive) times as much, that of the impact
+[0.63](num:sec5_driven_packets.type_one_ratio_impact) times. */
 void report_packets(Report& report, const Families& families) {
   const std::vector<Packet> all = packets(report.quick);
   std::vector<Looks> looks(all.size());
@@ -257,7 +255,7 @@ void report_strengths(Report& report, const Families& families) {
   };
   Table& table = report.table(
       "strengths",
-      {number("strength", "amplitude of the piston over the law"),
+      {number("strength", "amplitude of the piston over the asymptotic threshold"),
        seen("phase", "from site to site"), seen("family", "shift time and phase over 2 pi"),
        seen("energy_ratio", "energy over that of the exact family's member"),
        seen("width_ratio", "width over that of the exact family's member")});
@@ -279,18 +277,19 @@ void report_strengths(Report& report, const Families& families) {
 }
 
 /**
-The two weakest drives, at 1.05 and 1.1 times the law, lie below the fold: their packets belong to the onset, and a
-drive that rises slowly would send none. The phases of the first packets rise from
-[0.630](num:sec5_driven_packets.phase_weakest) at 1.05 to [0.680](num:sec5_driven_packets.phase_drive_weak) at 1.15 times the law
-and then fall, through zero at [1.77](num:sec5_driven_packets.phase_zero_at); that of an impact is
-[-0.26](num:sec5_driven_packets.phase_impact). The drives at 1.15, 1.3 and 1.6 have $(T+\varphi)/2\pi =$ [4.122](num:sec5_driven_packets.family_drive_weak),
-[3.81](num:sec5_driven_packets.family_drive) and [3.06](num:sec5_driven_packets.family_drive_strong). The number is 4
-at [1.230](num:sec5_driven_packets.family_at_4) and 3 at [1.63](num:sec5_driven_packets.family_at_3) times the law,
-where it falls at the rates [-3.2](num:sec5_driven_packets.family_slope_at_4) and
-[-1.8](num:sec5_driven_packets.family_slope_at_3). From each of the seventeen strengths to the next it changes by more
-than the spreads of both, at least by [1.58478](num:sec5_driven_packets.family_least_change) times their sum. So a
-plateau, if there is one, is narrower than the distance of two strengths; at single ones the number comes close to a
-whole one, and at 1.65 times the law it cannot be told from 3.
+The two weakest drives, of strength 1.05 and 1.1, lie below the fold: their packets belong to the onset, and a drive
+that rises slowly would send none. The phases of the first packets rise from
+[0.630](num:sec5_driven_packets.phase_weakest) at 1.05 to [0.680](num:sec5_driven_packets.phase_drive_weak) at 1.15 and
+then fall, through zero at [1.77](num:sec5_driven_packets.phase_zero_at); that of an impact is
+[-0.26](num:sec5_driven_packets.phase_impact). The drives at 1.15, 1.3 and 1.6 have $(T+\varphi)/2\pi =$
+[4.122](num:sec5_driven_packets.family_drive_weak), [3.81](num:sec5_driven_packets.family_drive) and
+[3.06](num:sec5_driven_packets.family_drive_strong). The number is 4 at [1.230](num:sec5_driven_packets.family_at_4) and
+3 at [1.63](num:sec5_driven_packets.family_at_3), where it falls at the rates
+[-3.2](num:sec5_driven_packets.family_slope_at_4) and [-1.8](num:sec5_driven_packets.family_slope_at_3). From each of
+the seventeen strengths to the next it changes by more than the spreads of both, at least by
+[1.58478](num:sec5_driven_packets.family_least_change) times their sum. So a plateau, if there is one, is narrower than
+the distance of two strengths; at single ones the number comes close to a whole one, and at 1.65 it cannot be told from
+3.
 
 ## Does a packet stay the same?
 
@@ -308,7 +307,12 @@ Estimate phase_change(double strength) {
 
 How the drive begins? We begin at another phase of the piston, or let its amplitude grow during twenty or eighty
 periods, at four strengths: if the onset decided, these phases would differ as those of different strengths do. Other
-frequencies ask whether the strength over the law is all that matters, as it would be in the DpS limit. */
+frequencies ask whether the strength is all that matters, as it would be in the DpS limit.
+
+The onset does not decide: of the twelve changes of the onset none shifts the phase by more than
+[0.1](num:sec5_driven_packets.phase_by_onset), and at the strength 1.77 it stays near zero. Nor is the strength all
+that matters: from $\delta = 0.05$ to 0.2 the phase changes by [0.24](num:sec5_driven_packets.phase_by_delta) or
+more at each of the four strengths, so that the strength with the phase zero belongs to $\delta = 0.1$. */
 void report_phases(Report& report) {
   const double delta = 0.1;
   struct Kind {
@@ -327,11 +331,12 @@ void report_phases(Report& report) {
     const Kind& k = kinds[i % per];
     phase[i] = look_at({"", strengths[i / per], 0, {}, k.delta, k.ramp, k.start})(phase_of);
   });
-  Table& table = report.table("phases", {number("strength", "amplitude of the piston over the law"),
-                                         label("onset", "how the drive begins"),
-                                         number("delta", "distance from the beams' frequency"),
-                                         number("phase", "from site to site"),
-                                         number("phase_spread", "largest difference of looks")});
+  Table& table = report.table(
+      "phases",
+      {number("strength", "amplitude of the piston over the asymptotic threshold"),
+       label("onset", "how the drive begins"),
+       number("delta", "distance from the beams' frequency"), number("phase", "from site to site"),
+       number("phase_spread", "largest difference of looks")});
   // The farthest from the drive that begins at once, and the nearest two of the other frequencies
   Estimate by_onset{0, 0}, by_delta{std::numeric_limits<double>::infinity(), 0};
   for (std::size_t i = 0; i < phase.size(); ++i) {
@@ -348,21 +353,7 @@ void report_phases(Report& report) {
 }
 
 /**
-It does not decide: of the twelve changes of the onset none shifts the phase by more than
-[0.1](num:sec5_driven_packets.phase_by_onset), and at 1.77 times the law it stays near zero. Nor is the strength over the
-law all that matters: from $\delta = 0.05$ to 0.2 the phase changes by [0.24](num:sec5_driven_packets.phase_by_delta) or
-more at each of the four strengths, so that the strength with the phase zero belongs to $\delta = 0.1$. */
-void reproduce(Report& report) {
-  const Families families;
-  report_packets(report, families);
-  report_strengths(report, families);
-  report.facts.add("phase_change_drive", phase_change(1.3));
-  report.facts.add("phase_change_impact", phase_change(0));
-  report_phases(report);
-}
-
-/**
-## One packet with your own numbers
+## With your own parameters
 
 `sec5_driven_packets packet --strength 1.3` tells what the first packet of a drive is. */
 struct OnePacket {
@@ -371,8 +362,8 @@ struct OnePacket {
   std::size_t which = 1, from = 12, beads = 16;
 
   void parameters(Parameters& p) {
-    p.add("strength", strength, "amplitude of the piston over the law; 0: an impact of 1 m/s",
-          {0, 2.4});
+    p.add("strength", strength,
+          "amplitude of the piston over the asymptotic threshold; 0: an impact of 1 m/s", {0, 2.4});
     p.add("lifetime", lifetime, "of the energy of a beam, in ms; 0: no losses", {0, 1e6, "ms"});
     p.add("which", which, "packet that comes to the first bead", {1, 5});
     p.add("from", from, "first bead of the stretch on which it is measured", {5, 70});
@@ -400,18 +391,37 @@ struct OnePacket {
 };
 
 /**
-## Checks, differences and limits
+## Differences and limits
 
 A breather of a family, put into a chain, is measured as what it is, and so is a packet beside another one into
 which it flickers (tests/driven.cpp). Shift time and phase come from stretches of eight to sixteen beads: what
 happens within one bead, or after a hundred, they do not tell. But for the last table the drives have one frequency,
-$\delta = 0.1$, and begin at once.
+$\delta = 0.1$, and begin at once. */
+void reproduce(Report& report) {
+  const Families families;
+  report_packets(report, families);
+  report_strengths(report, families);
+  report.facts.add("phase_change_drive", phase_change(1.3));
+  report.facts.add("phase_change_impact", phase_change(0));
+  report_phases(report);
+}
 
-## Extensions
+/**
+## Try it
 
-- Which law gives the phase of a driven packet as a function of strength and frequency?
-- Is there a drive, of another frequency or with a second tone, whose packets are exact?
-- Does a packet whose number is not whole lose its tail for ever, or does it come to rest at a whole one? */
+1. *Easy.* Which drive sends a packet that nearly repeats itself one site further on?
+   `build/bin/sec5_driven_packets packet --strength 1.65` gives `family` = 2.96.
+   Hint: 3 is within the error, and the phase is small, too. Then try 1.6 and 1.7.
+2. *Easy.* An impact's packet sheds a tail. What is its phase thirty beads later?
+   `build/bin/sec5_driven_packets packet --strength 0 --from 44` gives `phase` = -0.17.
+   Hint: on beads 12 to 28 it is larger in modulus. In the chapter on packets the phase goes to zero; here one sees how
+   slowly.
+3. *Harder.* Is a packet that loses energy still a breather of the family?
+   `build/bin/sec5_driven_packets packet --lifetime 10 --from 9 --beads 8` gives `energy_ratio` = 1.01.
+   Hint: shift time and phase change on the way, and the energy with them. The ratio compares all three at the same place.
+4. *Open.* Which law gives the phase of a driven packet as a function of strength and frequency?
+5. *Open.* Is there a drive, of another frequency or with a second tone, whose packets are exact?
+6. *Open.* Does a packet whose number is not whole lose its tail for ever, or does it come to rest at a whole one? */
 int main(int argc, char** argv) {
   return run({"sec5_driven_packets", "5", "What a driven array sends out (section 5)", reproduce,
               commands<OnePacket>()},

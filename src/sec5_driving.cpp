@@ -6,44 +6,43 @@ says the conclusion of James, Kevrekidis and Cuevas (Physica D 251, 2013): it is
 to shake its end. We shake the array of section 3.6, with a piston that touches the first bead or with the base of
 the first beam.
 
-![Thresholds of a driven array, and what it does beside them.](fig:x27)
+![Thresholds of a driven array, the fold of its quiet motion, and what it does beside them.](fig:x27)
 ![Energy in a driven array below, just above and far above the threshold.](fig:x28)
 
 All beams have one frequency, so nothing travels at small amplitude, and a drive above that frequency should shake
 the first beads only. If it grows slowly it does so up to a sharp amplitude; beyond, the array sends out breathers
-(what kind of breathers is another chapter, `sec5_driven_packets`). */
+(what kind of breathers is another chapter, `sec5_driven_packets`). Elsewhere this is known as nonlinear
+supratransmission (driven_end.hpp). Which amplitude is it, and what comes out? */
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <limits>
 #include <string>
 #include <vector>
 
 #include "lattice/numerics/parallel.hpp"
 #include "report/program.hpp"
-#include "report/sweep.hpp"
+#include "sec5/drive_chart.hpp"
 #include "sec5/driven_array.hpp"
 
 using namespace lattice;
 
 /**
-In short: [](finding:driving.onset) [](finding:driving.law) The constant is that of a static breather of the DpS
-equation, which the drive has to lift to its top: [0.0504148](num:sec5_driving.top) is to nine digits the largest displacement of
-the site-centred one (section 3.2).
-
 ## Model
 
 The chain has beams of 10 ms lifetime, all with the rate $\nu$ of losses, and a drive $G$ at its first bead,
 $$\ddot y_n+y_n+\nu\dot y_n = (y_{n-1}-y_n)_+^{3/2}-(y_n-y_{n+1})_+^{3/2}+\delta_{n1}\,G(y_1,t),$$
 where the first bead has no left neighbour, and $G = (a\sin\Omega t-y_1)_+^{3/2}$ for a piston, $G = a\sin\Omega t$ for
 the base of the first beam (driven_chain.hpp). A motion of the period of the drive that decays along the chain is
-*quiet*. As $a$ grows two such motions meet in a fold (driven_end.hpp), where this branch ends. In the DpS limit
-the fold is at
+*quiet*: it emits nothing. As $a$ grows two branches of such motions meet in a fold (a saddle-node bifurcation, panel b
+of the first figure) and end there. In the DpS limit $y_n \simeq 2\epsilon u_n\cos\Omega t$ with
+$\epsilon = (2\tau_0\delta)^2$ both are static solutions that decay into the chain, and the fold is where the displacement
+that the piston has to take at their end, or the force by which the base has to pull, is largest (driven_end.hpp):
 $$a_{\rm piston} = 8\tau_0^2\,\delta^2\,\max|u_0|,\qquad a_{\rm base} = 16\tau_0^2\,\delta^3\,\max|D_0|,$$
-with the largest displacement and the largest contact force at the end of a static solution that decays; below, this
-asymptotic threshold is called *the law*. The bead at which packets are counted, bead 20, is the *detector*.
+with $D_n$ the contact force. We call this the *asymptotic threshold*, or the *law*. At it the piston's amplitude equals
+the static DpS peak: the maximum of $|u_0|$, [0.0504148](num:sec5_driving.top), is to nine digits the largest
+displacement of the site-centred breather of section 3.2.
 
 | symbol | program | meaning | unit |
 |---|---|---|---|
@@ -56,10 +55,10 @@ std::string name_of(Drive::By by) {
 }
 
 /**
-## The fold against the law of the DpS limit
+## The fold and its asymptotic threshold
 
-The quiet orbit has the period of the drive. Newton's method follows it from a weak drive through the fold, at two
-numbers of steps per period and two distances along the curve. */
+The quiet orbit has the period of the drive. Newton's method follows it from a weak drive by pseudo-arclength through the
+fold, at two numbers of steps per period and two distances along the curve. */
 struct Fold {
   std::string name;  ///< in facts; none without thresholds
   Drive::By by;
@@ -109,7 +108,7 @@ std::vector<Fold> report_folds(Report& report, const ArraySetup& setup) {
       "folds",
       {label("by", "what is driven"), number("delta", "distance from the beams' frequency"),
        number("frequency", "of the drive", "Hz"), estimate("fold", "amplitude of the fold", "um"),
-       number("law", "the same in the DpS limit", "um"), estimate("ratio", "of the two")});
+       number("law", "its asymptotic value as delta -> 0", "um"), estimate("ratio", "of the two")});
   for (const Fold& f : folds) {
     const double law = threshold_law(f.by, f.omega);
     const Estimate ratio{f.amplitude.value / law, f.amplitude.error / law};
@@ -137,13 +136,15 @@ std::vector<Fold> report_folds(Report& report, const ArraySetup& setup) {
 }
 
 /**
-The laws, $\delta^2$ and $\delta^3$, are those of $\delta\to0$. Between $\delta = 0.05$ and 0.1 the fold of a piston
-grows with the exponent [2.076](num:sec5_driving.exponent_piston_weak), between 0.2 and 0.35 with
-[2.277](num:sec5_driving.exponent_piston_strong); that of a base with [3.18701](num:sec5_driving.exponent_base_weak) and, between
-0.1 and 0.2, [3.36910](num:sec5_driving.exponent_base_strong). At $\delta = 0.1$ a piston needs
-[1.1167](num:sec5_driving.fold_over_law) times the law, at 0.025 [1.0376](num:sec5_driving.fold_over_law_small) times. The law leaves
-damping out; without losses the last number is [1.0280](num:sec5_driving.fold_over_law_lossless), and closer to the beams'
-frequency damping matters more. The orbits themselves, for the figure: */
+[](finding:driving.onset) [](finding:driving.law) The powers $\delta^2$ and $\delta^3$ are those of $\delta\to0$.
+Between $\delta = 0.05$ and 0.1 the fold of a piston grows with the exponent
+[2.076](num:sec5_driving.exponent_piston_weak), between 0.2 and 0.35 with
+[2.277](num:sec5_driving.exponent_piston_strong); that of a base with [3.18701](num:sec5_driving.exponent_base_weak)
+and, between 0.1 and 0.2, [3.36910](num:sec5_driving.exponent_base_strong). At $\delta = 0.1$ a piston needs
+[1.1167](num:sec5_driving.fold_over_law) times the asymptotic threshold, at 0.025
+[1.0376](num:sec5_driving.fold_over_law_small) times. The asymptotic threshold leaves damping out; without losses the
+last number is [1.0280](num:sec5_driving.fold_over_law_lossless), and closer to the beams' frequency damping matters
+more. */
 void report_orbits(Report& report, const ArraySetup& setup) {
   const auto branch = quiet_branch(setup.driven(Drive::By::piston, 1.1, 0, 0, 0, 10), 64, 0.1);
   Table& orbits =
@@ -240,7 +241,7 @@ const Table& report_thresholds(Report& report, const ArraySetup& setup,
        number("rougher", "the same from rougher runs", "um"),
        number("bracket", "between the highest quiet amplitude and the lowest that emits", "um"),
        number("over_fold", "the same over the fold"),
-       number("over_law", "and over the law of the DpS limit")});
+       number("over_law", "and over the asymptotic threshold")});
 
   // Each threshold from two runs
   table.fill(threshold_points(folds), [&](const Threshold& t) {
@@ -275,13 +276,13 @@ const Table& report_thresholds(Report& report, const ArraySetup& setup,
 
 /**
 Slowly upward the threshold comes to the fold from below as the rise becomes slower. Ours of 0.15 s leads to
-[5.77](num:sec5_driving.threshold_first_up) and [25.7](num:sec5_driving.threshold_second_up) µm for a piston at $\delta = 0.1$
-and 0.2, and to [0.7530](num:sec5_driving.base_first_up) and [7.79](num:sec5_driving.base_second_up) µm for a base. In these
-cases lasting emission begins below the fold: for a piston at [5.53](num:sec5_driving.threshold_first_lasting) and
-[24.1](num:sec5_driving.threshold_second_lasting) µm if the drive begins at once, at
-[5.56](num:sec5_driving.threshold_first_down) and [24.0](num:sec5_driving.threshold_second_down) µm if it comes down; for a base
-that begins at once at [0.721](num:sec5_driving.base_first_lasting) and [7.49](num:sec5_driving.base_second_lasting) µm. In
-between the array is quiet or emits, as it was before.
+[5.77](num:sec5_driving.threshold_first_up) and [25.7](num:sec5_driving.threshold_second_up) µm for a piston at $\delta
+= 0.1$ and 0.2, and to [0.7530](num:sec5_driving.base_first_up) and [7.79](num:sec5_driving.base_second_up) µm for a
+base. In these cases lasting emission begins below the fold: for a piston at
+[5.53](num:sec5_driving.threshold_first_lasting) and [24.1](num:sec5_driving.threshold_second_lasting) µm if the drive
+begins at once, at [5.56](num:sec5_driving.threshold_first_down) and [24.0](num:sec5_driving.threshold_second_down) µm
+if it comes down; for a base that begins at once at [0.721](num:sec5_driving.base_first_lasting) and
+[7.49](num:sec5_driving.base_second_lasting) µm. In between the array is quiet or emits, as it was before.
 
 ## What leaves below the threshold of lasting emission
 
@@ -289,8 +290,8 @@ A sudden drive shakes the first bead more than the quiet orbit does, and a packe
 last. How many do, half-way between the first packet and lasting emission? And what is a packet? A base that begins at
 once sends something at weaker amplitudes too: at $\delta = 0.2$ the largest energy density at the detector is
 [1.32](num:sec5_driving.base_second_strong) $(a/\delta)^2$ at 1.1 times the threshold and still
-[0.0088](num:sec5_driving.base_second_weak) $(a/\delta)^2$ at 0.9 times. We count from 0.03 on (driven_end.hpp); a lower bar
-would find weaker packets at weaker drives. */
+[0.0088](num:sec5_driving.base_second_weak) $(a/\delta)^2$ at 0.9 times. We count from 0.03 on (driven_end.hpp); a lower
+bar would find weaker packets at weaker drives. */
 void report_onset(Report& report, const ArraySetup& setup, const std::vector<Fold>& folds,
                   const Table& thresholds) {
   const auto name = thresholds.texts("name"), way = thresholds.texts("way");
@@ -300,7 +301,7 @@ void report_onset(Report& report, const ArraySetup& setup, const std::vector<Fol
     while (name.at(k) != f.name || way[k] != by) ++k;
     return over_fold[k];
   };
-  const auto at_gate = [&](const Fold& f, double of_fold, double step) {
+  const auto at_detector = [&](const Fold& f, double of_fold, double step) {
     const DrivenChain driven = setup.driven(f.by, f.omega, of_fold * f.amplitude.value, 0, 0);
     return drive_chain(driven, 4000, ArraySetup::detector, step);
   };
@@ -308,13 +309,13 @@ void report_onset(Report& report, const ArraySetup& setup, const std::vector<Fol
     const double once = f.name.empty() ? 0 : share(f, "once");
     if (f.name == "threshold_first" || f.name == "threshold_second") {
       const double half_way = (once + share(f, "lasting")) / 2;
-      const auto sent = [&](double step) { return at_gate(f, half_way, step).passages.size(); };
+      const auto sent = [&](double step) { return at_detector(f, half_way, step).passages.size(); };
       report.facts.add(f.name + "_packets", compare(sent(0.4), sent(0.2)));
     }
     if (f.name != "base_second") continue;
     const auto loudest = [&](double of_once) {
-      return compare(at_gate(f, of_once * once, 0.4).loudest,
-                     at_gate(f, of_once * once, 0.2).loudest);
+      return compare(at_detector(f, of_once * once, 0.4).loudest,
+                     at_detector(f, of_once * once, 0.2).loudest);
     };
     report.facts.add("base_second_weak", loudest(0.9));
     report.facts.add("base_second_strong", loudest(1.1));
@@ -325,11 +326,9 @@ void report_onset(Report& report, const ArraySetup& setup, const std::vector<Fol
 A piston sends the first packet at [5.07](num:sec5_driving.threshold_first_once) and
 [22.27](num:sec5_driving.threshold_second_once) µm for $\delta = 0.1$ and 0.2. Half-way from there to lasting emission
 [1](num:sec5_driving.threshold_first_packets) and [1](num:sec5_driving.threshold_second_packets) packet leaves within
-0.1 s, and no other. A base sends its first one at [0.5658](num:sec5_driving.base_first_once) µm for $\delta = 0.1$, which is
-below the law, and at [5.61](num:sec5_driving.base_second_once) µm for 0.2, which is above it. These packets belong to the
-onset: a slow rise has none of them.
-
-The array must be long, or packets come back from the far end and pass the detector again. */
+0.1 s, and no other. A base sends its first one at [0.5658](num:sec5_driving.base_first_once) µm for $\delta = 0.1$,
+which is below the asymptotic threshold, and at [5.61](num:sec5_driving.base_second_once) µm for 0.2, which is above it.
+These packets belong to the onset: a slow rise has none of them. */
 void report_far_end(Report& report, const ArraySetup& setup) {
   const double law = threshold_law(Drive::By::piston, 1.2);
   for (const std::size_t sites : {30, 120, 300}) {
@@ -343,85 +342,23 @@ void report_far_end(Report& report, const ArraySetup& setup) {
 }
 
 /**
-At $\delta = 0.2$ and 1.04 times the law a drive that comes down from twice the law sends
+The array must be long, or packets come back from the far end and pass the detector again: at $\delta = 0.2$ and 1.04
+times the asymptotic threshold a drive that comes down from twice of it sends
 [17](num:sec5_driving.late_30) packets past the detector in the second half of 0.1 s in an array of 30 beads,
 [0](num:sec5_driving.late_120) in one of 120 and [0](num:sec5_driving.late_300) in one of 300. We take 120 beads for
 thresholds and 300 for the chart, whose drives are stronger.
 
 ## A chart over frequency and amplitude
 
-The chart goes over frequencies and amplitudes in units of the law; the amplitude rises during a twelfth of the run. It
-holds the rate of packets, how regular they are and what power the drive gives. A run is *quiet* if nothing passes the
-detector, a *train* if the intervals between packets differ by less than a tenth, and *irregular* otherwise. Each point
-has a second run, half as long and with twice the step: where an irregular drive becomes a train after a while, or
-where a step decides, the two are of different kinds, at [9](num:sec5_driving.chart_undecided) of the 70 points. At
-[14](num:sec5_driving.chart_reached) of them the last bead moves, by more than a millionth of the amplitude, so that
-something may come back. The points are independent; `chart --part k/n` computes a part of them. */
-struct ChartPoint {
-  double delta, ratio;
-};
-
-std::vector<ChartPoint> chart_points(bool quick) {
-  std::vector<ChartPoint> out;
-  for (int i = 0; i < (quick ? 2 : 7); ++i)
-    for (int k = 0; k < (quick ? 3 : 10); ++k)
-      out.push_back({0.1 + 0.05 * i, quick ? 0.7 + 0.6 * k : 0.6 + 0.25 * k});
-  return out;
-}
-
-// The table that holds the chart
-Sweep chart_sweep(const std::filesystem::path& folder, bool quick) {
-  const Columns columns{
-      number("delta", "distance from the beams' frequency"),
-      number("frequency", "of the piston", "Hz"),
-      number("ratio", "amplitude over the law of the DpS limit"),
-      number("amplitude", "of the piston", "um"),
-      count("kind", "0 quiet, 1 train, 2 irregular or fewer than four packets"),
-      count("kind_rough", "the same for half the time and steps twice as long"),
-      number("rate", "packets that pass the detector site", "1/s"),
-      number("rate_rough", "the same for half the time and steps twice as long", "1/s"),
-      number("spread", "relative standard deviation of their intervals; -1: too few"),
-      number("power", "mean power of the drive", "W"),
-      number("power_rough", "the same for half the time and steps twice as long", "W"),
-      number("far", "largest displacement of the last bead", "um")};
-  return {folder, "chart", columns, chart_points(quick).size(),
-          std::string("chart of a driven array, ") + (quick ? "quick" : "full")};
-}
-
-int kind_of(const Emission& e, double horizon) {
-  const double spread = e.spread(horizon);
-  return e.passages.empty() ? 0 : spread >= 0 && spread < 0.1 ? 1 : 2;
-}
-
-// Each point twice: is it quiet, a train or irregular?
-void compute_chart(Sweep& sweep, const ArraySetup& setup, bool quick, Part part) {
-  const auto points = chart_points(quick);
-  const double horizon = quick ? 2400 : 4800;
-  sweep.compute(part, [&](std::size_t i) {
-    const ChartPoint& p = points[i];
-    const double omega = 1 + p.delta, a = p.ratio * threshold_law(Drive::By::piston, omega);
-    const DrivenChain driven =
-        setup.driven(Drive::By::piston, omega, a, 0, horizon / 12, DrivenArray::sites);
-    const Emission coarse = drive_chain(driven, horizon / 2, ArraySetup::detector, 0.4);
-    const Emission fine = drive_chain(driven, horizon, ArraySetup::detector, 0.2);
-    const double per_second = setup.per_second(1);
-    return Cells{p.delta,
-                 setup.hertz(omega),
-                 p.ratio,
-                 setup.micrometres(a),
-                 kind_of(fine, horizon),
-                 kind_of(coarse, horizon / 2),
-                 fine.rate(horizon) * per_second,
-                 coarse.rate(horizon / 2) * per_second,
-                 fine.spread(horizon),
-                 setup.watts(fine.power),
-                 setup.watts(coarse.power),
-                 setup.micrometres(fine.far)};
-  });
-}
-
+The chart (drive_chart.hpp) goes over frequencies and amplitudes in units of the asymptotic threshold. It holds the rate
+of packets, how regular they are and what power the drive gives. A run is *quiet* if nothing passes the detector, its
+emission is *periodic*, a train of packets, if the intervals between them differ by less than a tenth, and *irregular*
+otherwise. Each point has a second run, half as long and with twice the step: where irregular emission becomes periodic
+after a while, or where a step decides, the two are of different kinds, at [9](num:sec5_driving.chart_undecided) of the
+70 points. At [14](num:sec5_driving.chart_reached) of them the last bead moves, by more than a millionth of the
+amplitude, so that something may come back. */
 void report_chart(Report& report, const ArraySetup& setup) {
-  Sweep sweep = chart_sweep(report.output.folder(), report.quick);
+  Sweep sweep = drive_chart(report.output.folder(), report.quick);
   compute_chart(sweep, setup, report.quick, {});
   const Table table = sweep.table();
   const auto kind = table.numbers("kind"), rough = table.numbers("kind_rough");
@@ -443,8 +380,7 @@ void report_chart(Report& report, const ArraySetup& setup) {
   sweep.forget();
 }
 
-/**
-The second figure shows the three kinds in space and time, for a piston at $\delta = 0.1$. */
+// The second figure: the three kinds in space and time, for a piston at delta = 0.1
 void report_maps(Report& report, const ArraySetup& setup) {
   const std::array<double, 3> ratios{0.95, 1.3, 3};
   const std::size_t bins = report.quick ? 40 : 160, sites = ArraySetup::sites;
@@ -456,7 +392,7 @@ void report_maps(Report& report, const ArraySetup& setup) {
   });
   Table& table = report.table(
       "maps",
-      {number("ratio", "amplitude over the law of the DpS limit"),
+      {number("ratio", "amplitude over the asymptotic threshold"),
        number("t", "middle of the time interval", "ms"), count("n", "bead", "site"),
        number("energy", "largest energy of the bead in the interval, without contacts", "J")});
   const double unit = setup.unit_energy();
@@ -467,9 +403,7 @@ void report_maps(Report& report, const ArraySetup& setup) {
                    std::int64_t(n + 1), maps[i][bin * sites + n] * unit});
 }
 
-/**
-The books are kept whether anything is sent out or not. Three drives with the steps of the command show how well they
-close. */
+// How well the energy budget closes, with the steps of the command, in three drives
 void report_budget(Report& report) {
   std::vector<DrivenArray> cases(3);
   for (DrivenArray& drive : cases) drive.duration = 20;
@@ -484,9 +418,10 @@ void report_budget(Report& report) {
 }
 
 /**
-## One drive with your own numbers
+## With your own parameters
 
-`sec5_driving drive --frequency 7000 --amplitude 5` tells what comes out. */
+`sec5_driving drive --frequency 7000 --amplitude 5` tells what comes out of one drive, `chart --part 1/10` computes a
+tenth of the chart. */
 struct OneDrive : DrivenArray {
   static constexpr Title title{"drive", "what a driven array sends out"};
 
@@ -513,14 +448,21 @@ struct Chart : MapPart {
   static constexpr Title title{"chart", "a part of the chart over frequency and amplitude"};
 
   Table table() const {
-    Sweep sweep = chart_sweep(folder, false);
+    Sweep sweep = drive_chart(folder, false);
     compute_chart(sweep, ArraySetup{}, false, mine());
     return sweep.table(mine());
   }
 };
 
 /**
-A full run follows the chapter, with the chart at the end. */
+## Differences and limits
+
+The fold has three routes: slow runs, Newton's method on the driven orbit, and a map of two lines in the DpS limit,
+which shares no code with the others. The bookkeeping of `drive`, energy and losses less work over the most energy
+that was there or came in, closes to [1e-12](num:sec5_driving.budget) at its steps in a quiet motion, a periodic one
+and a driven base. The piston is a bead of the same size that cannot be
+pushed back; a real shaker can, and its force is what `power` tells. That a quiet motion vanishes in a fold does not
+tell what comes after it: periodic and irregular emission are what runs show, with one lifetime. */
 void reproduce(Report& report) {
   const ArraySetup setup;
   const std::vector<Fold> folds = report_folds(report, setup);
@@ -533,20 +475,24 @@ void reproduce(Report& report) {
 }
 
 /**
-## Checks, differences and limits
+## Try it
 
-The fold has three routes: slow runs, Newton's method on the driven orbit, and a map of two lines in the DpS limit,
-which shares no code with the others. The bookkeeping of `drive`, energy and losses less work over the most energy
-that was there or came in, closes to [1e-12](num:sec5_driving.budget) at its steps in a quiet motion, a train and a
-driven base; the program stops if it does not close to 1e-10. The piston is a bead of the same size that cannot be
-pushed back; a real shaker can, and its force is what `power` tells. That a quiet motion vanishes in a fold does not
-tell what comes after it: trains and irregular emission are what runs show, with one lifetime.
-
-## Extensions
-
-- Where is the second threshold, from trains to irregular emission, and is it a bifurcation of the train?
-- Drive two ends: do trains pass through each other?
-- Tune the frequency during the run and make one breather only. */
+1. *Easy.* How far must a piston move at 6600 Hz instead of 7000?
+   `build/bin/sec5_driving drive --frequency 6600 --time 20` gives `threshold_law` = 1.08769.
+   Hint: the beams swing at [6310.91](num:sec5_driving.beam_frequency) Hz, and the asymptotic threshold goes like
+   $\delta^2$.
+2. *Easy.* What does the end do below the fold, at 4 µm?
+   `build/bin/sec5_driving drive --amplitude 4 --time 20` gives `response` = 1.3147.
+   Hint: this is a point of the lower branch of quiet orbits, at another frequency than that of the figure. At 7 µm the
+   array emits: by which factor does the response jump?
+3. *Harder.* Do losses move the threshold? With a lifetime of 1 ms and 7 µm nothing passes the detector:
+   `build/bin/sec5_driving drive --amplitude 7 --lifetime 1 --time 20` gives `response` = 4.049.
+   Hint: either the fold is above 7 µm now, or packets die before bead 20. Is the response that of a quiet or of an
+   emitting end?
+4. *Harder.* And below the beams' frequency?
+   `build/bin/sec5_driving drive --frequency 6000 --amplitude 20 --time 20` gives `response` = 7.471.
+   Hint: nothing passes the detector. Contacts harden, so that the frequencies of breathers lie above that of the beams.
+5. *Open.* Where does periodic emission become irregular, and is this a bifurcation of the periodic motion? */
 int main(int argc, char** argv) {
   return run({"sec5_driving", "5", "Driving an array at one end (section 5)", reproduce,
               commands<OneDrive, Chart>()},

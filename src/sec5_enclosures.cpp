@@ -2,16 +2,14 @@
 # 5 Breathers between bounds
 
 Some of what section 3 computes with error bars can be proved. This chapter encloses breathers in
-intervals that no rounding can break:
-
-        guess  --->  ball that a map sends       --->  a solution is in it,
-                     into itself and shrinks            and no other one
+intervals that no rounding can break: a map is given that sends a ball around an approximate solution into itself and
+shrinks distances in it, so that an exact solution is in the ball, and no other one.
 
 ![Both DpS breathers, the search for others, and what the proofs need.](fig:x25)
 
-It begins with the static breathers of the DpS equation. [](finding:dps.enclosed) The margin of
-instability, five millionths, is one of the closest decisions of the article. Then it turns to the
-breathers of the chain itself. */
+It begins with the static breathers of the DpS equation, whose instability, with a margin of five millionths, is one of
+the closest decisions of the article. Then it turns to the breathers of the chain itself, and to waves of the kernel
+equation. */
 
 #include <algorithm>
 #include <cmath>
@@ -26,6 +24,23 @@ breathers of the chain itself. */
 #include "sec5/wave_enclosure.hpp"
 
 using namespace lattice;
+
+/**
+## Method
+
+To solve $F(x) = 0$ we take the map $x \to x-AF(x)$ with an approximate inverse $A$ of the derivative. Let it move the
+guess by at most $\eta$ and shrink distances at least by the factor $q(\rho)<1$ in the ball of radius $\rho$ around it. If
+$$\eta+q(\rho)\,\rho \le \rho,$$
+the ball is sent into itself, and by Banach's theorem there is exactly one solution in it (contraction.hpp). $\eta$ and
+$q$ are computed in intervals whose ends are rounded outwards (interval.hpp), with bounds for all that a finite
+computation leaves out. The last panel of the figure draws $\eta/\rho+q(\rho)$ for the DpS breathers: it is below one
+between two radii. Within the smaller one the solution lies; within the larger there is no other.
+
+An interval becomes a value with an error: the middle, and half the width rounded up. For once the error is no
+estimate. */
+Estimate estimate_of(const Interval<double>& x) {
+  return {x.middle(), x.radius()};
+}
 
 /**
 ## What is proved about the DpS equation
@@ -60,31 +75,26 @@ constexpr std::pair<Centre, const char*> centres[] = {{Centre::site, "site"},
                                                       {Centre::bond, "bond"}};
 
 /**
-An interval becomes a value with an error: the middle, and half the width rounded up. For once the error is no
-estimate. */
-Estimate estimate_of(const Interval<double>& x) {
-  return {x.middle(), x.radius()};
-}
-
-/**
 ## Existence
 
 The strains $r_n$ are sought with the contraction of dps_enclosure.hpp, from the profile that section 3.2 computes.
 That profile is only a guess, and the proof would fail if it were wrong. The map contracts on all sequences of this
 symmetry that differ from it by less than [0.0078125](num:sec5_enclosures.unique_radius_site) in each contact (about
 a twelfth of $r_0$), and it moves the guess by some $10^{-16}$. So the solution is that close and alone in the large
-ball. Its components are then tightened until the tail, too, is known to many digits. */
-Table strain_table(const DpsBreather<double>& b) {
-  Table table{{count("n", "contact, from the centre outwards"),
-               number("lower", "lower bound of |u_(n+1) - u_n|, mu = 1"),
-               number("upper", "upper bound"), number("relative", "width over lower bound")}};
+ball. Its components are then tightened until the tail, too, is known to many digits. The norms are
+[0.00536042](num:sec5_enclosures.norm_site) and [0.00536041](num:sec5_enclosures.norm_bond), the largest
+displacements [0.0504148](num:sec5_enclosures.u0_site) and [0.0462323](num:sec5_enclosures.u0_bond). */
+void report_strains(Report& report, const DpsBreather<double>& b, const std::string& who) {
+  Table& table =
+      report.table("strains" + who,
+                   {count("n", "contact, from the centre outwards"),
+                    number("lower", "lower bound of |u_(n+1) - u_n|, mu = 1"),
+                    number("upper", "upper bound"), number("relative", "width over lower bound")});
   for (std::size_t n = 0; n < b.r.size(); ++n)
     table.add({n, b.r[n].lower, b.r[n].upper, (b.r[n].upper - b.r[n].lower) / b.r[n].lower});
-  return table;
 }
 
-/**
-Norm and largest displacement follow from the strains. */
+// Norm and largest displacement follow from the strains
 void report_profile(Quantities& facts, const DpsBreather<double>& b, const std::string& who) {
   facts.add("u0" + who, estimate_of(b.largest()), "at mu = 1");
   facts.add("norm" + who, estimate_of(b.norm()), "at mu = 1");
@@ -129,30 +139,30 @@ $\lambda^2 = -(1-m)(1-\frac32m)$. On the infinite lattice $M$ is compact, its la
 $m_1 = 1$ and simple, and a real pair exists for each further $m > \frac23$. Counting pivots decides, and
 the second and third eigenvalue are
 
-        site: m_2 > 2/3 > m_3,     bond: 2/3 > m_2.
-
-Why does that make the bond-centred breather stable in the full equation (Weinstein 1986; Grillakis, Shatah
-and Strauss 1987)? Energy $H = \frac25\sum|v_{n+1}-v_n|^{5/2}$ and norm $N = \sum|v_n|^2$ are conserved, and
-solutions exist for all times because the right side of Eq. (11) is locally Lipschitz on $\ell^2$ and $N$ is
-bounded. Take $v = e^{i\varphi}(u+x+iy)$ with $N(v) = N(u)$ and with the phase that is closest, so that
-$y\perp u$. Then $2\langle x,u\rangle = -|x|^2-|y|^2$: to first order $x\perp u$ as well. Since $H$ is twice
-differentiable with a Hölder continuous second derivative,
+$$\text{site: } m_2 > \tfrac23 > m_3,\qquad \text{bond: } \tfrac23 > m_2;$$
+$m_2-\frac23$ is [4.85298e-6](num:sec5_enclosures.margin_site) around a site and
+[-4.85327e-6](num:sec5_enclosures.margin_bond) around a bond. Why does that make the bond-centred breather stable in the
+full equation (Weinstein 1986; Grillakis, Shatah and Strauss 1987)? Energy $H = \frac25\sum|v_{n+1}-v_n|^{5/2}$ and norm
+$N = \sum|v_n|^2$ are conserved, and solutions exist for all times because the right side of Eq. (11) is locally
+Lipschitz on $\ell^2$ and $N$ is bounded. Take $v = e^{i\varphi}(u+x+iy)$ with $N(v) = N(u)$ and with the phase that is
+closest, so that $y\perp u$. Then $2\langle x,u\rangle = -|x|^2-|y|^2$: to first order $x\perp u$ as well. Since $H$ is
+twice differentiable with a Hölder continuous second derivative,
 $$H(u)-H(v) = \tfrac12\langle x,(1-\tfrac32M)x\rangle+\tfrac12\langle y,(1-M)y\rangle+O(|x|^{5/2}+|y|^{5/2}).$$
 On $u^\perp$ the first form is at least $(1-\frac32m_2)|x|^2$ and the second $(1-m_2)|y|^2$, both positive.
 So $H$ has a strict maximum at the orbit of $u$ among states of its norm, with a quadratic bound, and a
 solution that starts close cannot leave. If its norm is slightly different, we compare it with $\mu^2u$ of
 the same norm. */
-Table eigenvalue_table(const DpsBreather<double>& b) {
-  Table table{{count("k", "number of the eigenvalue of M"), number("lower", "lower bound"),
-               number("upper", "upper bound")}};
+void report_eigenvalues(Report& report, const DpsBreather<double>& b, const std::string& who) {
+  Table& table = report.table("eigenvalues" + who,
+                              {count("k", "number of the eigenvalue of M"),
+                               number("lower", "lower bound"), number("upper", "upper bound")});
   for (std::size_t k = 1; k <= 4; ++k) {
     const Interval<double> m = contact_eigenvalue(b, k);
     table.add({k, m.lower, m.upper});
   }
-  return table;
 }
 
-/// The verdict, and the modulus of the pinning pair.
+/// The verdict, and the modulus of the translational pair.
 void report_stability(Quantities& facts, const DpsBreather<double>& b, const std::string& who) {
   const Interval<double> edge = Interval<double>(2) / Interval<double>(3);
   const Interval<double> m2 = contact_eigenvalue(b, 2), m3 = contact_eigenvalue(b, 3);
@@ -168,7 +178,7 @@ void report_stability(Quantities& facts, const DpsBreather<double>& b, const std
 
 The norms of both breathers agree to six digits. In intervals their difference keeps eight digits, and it has a
 sign. The energy at equal norm has the opposite one: the bond-centred breather, the stable one, is the
-higher of the two and, at fixed norm, a local *maximum* of $H$. */
+higher of the two and, at fixed norm, a local *maximum* of $H$. [](finding:dps.enclosed) */
 DpsBarrier<double> certain_barrier(const Both& both) {
   const DpsBarrier<double> barrier = dps_barrier(both.site, both.bond);
   if (!(barrier.equal_mu > Interval<double>(0) && barrier.equal_norm < Interval<double>(0)))
@@ -188,7 +198,10 @@ solutions with these symmetries it is the only one that differs by no more than 
 energy follow. The table `bounds` has the constants of the proof, all rounded upwards: $\kappa \ge \|A\|-1$, the
 residual of the guess, $\eta \le (1+\kappa)\,$residual, and $q$.
 
-Not proved is anything about its Floquet multipliers, or about its barrier, of order $10^{-11}$. */
+The amplitudes are [0.0107480](num:sec5_enclosures.amplitude_site) (site) and
+[0.00978427](num:sec5_enclosures.amplitude_bond) (bond), the energies [0.000153599](num:sec5_enclosures.energy_site) and
+[0.000153599](num:sec5_enclosures.energy_bond), whose difference, of order $10^{-11}$, is far below what these intervals
+resolve. Not proved is anything about Floquet multipliers. */
 const std::pair<int, int> omega_b{11, 10};
 
 Fineness fineness_of(bool quick) {
@@ -238,7 +251,11 @@ the true tail is bounded by the inequality of the theorem, $M(t+T) \le 4M(t)^{3/
 
 Energy and peak follow with errors of the order of the small radius. The action $\int d_+^{5/2}dt$ is a critical
 value, so that its error is of second order in the radius and is dominated by the residual. The actions of
-the two signs therefore do not overlap, although they agree to ten digits. */
+the two signs therefore do not overlap, although they agree to ten digits. The energies are
+[0.180834](num:sec5_enclosures.wave_energy_plus) and [0.180834](num:sec5_enclosures.wave_energy_minus), the peaks
+[0.446249](num:sec5_enclosures.wave_peak_plus) and [0.457322](num:sec5_enclosures.wave_peak_minus), within
+[1.78063e-12](num:sec5_enclosures.wave_radius_plus) or [1.94232e-12](num:sec5_enclosures.wave_radius_minus) at all times;
+each is alone within [1.52588e-5](num:sec5_enclosures.wave_unique_radius_plus). [](finding:travelling.two_waves) */
 WaveFineness wave_fineness_of(bool quick) {
   WaveFineness fine;
   if (quick) fine.per_turn /= 4;
@@ -273,16 +290,11 @@ void report_kernel_waves(Report& report) {
   report.facts.add("wave_energy_difference", estimate_of(energy), "plus minus minus");
 }
 
-/**
-## What the lemma needs (figure x25)
-
-A ball of radius $\rho$ proves something if $\eta/\rho+q(\rho) \le 1$. The figure draws this sum for the DpS
-breathers. The interval between both crossings is the room of the proof: on the left the solution is where
-we say, on the right there is no other. */
-Table lemma_table() {
-  Table table{{number("radius", "of the ball, in strains"),
-               number("site", "eta / radius + q, site-centred"),
-               number("bond", "the same, bond-centred")}};
+// Between which radii the lemma proves something
+void report_lemma(Report& report) {
+  Table& table = report.table("lemma", {number("radius", "of the ball, in strains"),
+                                        number("site", "eta / radius + q, site-centred"),
+                                        number("bond", "the same, bond-centred")});
   const DpsGuess<double> site = dps_guess<double>(Centre::site),
                          bond = dps_guess<double>(Centre::bond);
   for (int k = -104; k <= -8; ++k) {
@@ -290,60 +302,10 @@ Table lemma_table() {
     table.add({radius, dps_eta(site) / radius + dps_q(site, radius),
                dps_eta(bond) / radius + dps_q(bond, radius)});
   }
-  return table;
 }
 
 /**
-## Results
-
-The second eigenvalue differs from $\frac23$ by [4.85298e-6](num:sec5_enclosures.margin_site) around a site and by
-[-4.85327e-6](num:sec5_enclosures.margin_bond) around a bond. The norms are
-[0.00536042](num:sec5_enclosures.norm_site) and [0.00536041](num:sec5_enclosures.norm_bond), the largest
-displacements [0.0504148](num:sec5_enclosures.u0_site) and [0.0462323](num:sec5_enclosures.u0_bond).
-
-At $\omega_b = 1.1$ the chain's breathers have the amplitudes [0.0107480](num:sec5_enclosures.amplitude_site) (site)
-and [0.00978427](num:sec5_enclosures.amplitude_bond) (bond) and the energies
-[0.000153599](num:sec5_enclosures.energy_site) and [0.000153599](num:sec5_enclosures.energy_bond); the difference of
-the energies is far below what these intervals resolve.
-
-The waves of the kernel equation have the energies [0.180834](num:sec5_enclosures.wave_energy_plus) and
-[0.180834](num:sec5_enclosures.wave_energy_minus) and the peaks [0.446249](num:sec5_enclosures.wave_peak_plus) and
-[0.457322](num:sec5_enclosures.wave_peak_minus). Each is known within
-[1.78063e-12](num:sec5_enclosures.wave_radius_plus) or [1.94232e-12](num:sec5_enclosures.wave_radius_minus) at all
-times and is alone within [1.52588e-5](num:sec5_enclosures.wave_unique_radius_plus). [](finding:travelling.two_waves)
-Whether the sign plus is the maximum remains open. */
-void reproduce(Report& report) {
-  const Both both;
-  for (const auto& [centre, name] : centres) {
-    const std::string who = std::string("_") + name;
-    const DpsBreather<double>& b = both.of(centre);
-    report.output.add("strains" + who, strain_table(b));
-    report.output.add("eigenvalues" + who, eigenvalue_table(b));
-    report_profile(report.facts, b, who);
-    report_search(report, b, who);
-    report_stability(report.facts, b, who);
-  }
-  const DpsBarrier<double> barrier = certain_barrier(both);
-  report.facts.add("barrier_equal_mu", estimate_of(barrier.equal_mu), "energy at mu = 1");
-  report.facts.add("barrier_equal_norm", estimate_of(barrier.equal_norm),
-                   "energy at the norm of the bond-centred breather at mu = 1");
-  report.output.add("lemma", lemma_table());
-  report_chain(report);
-  report_kernel_waves(report);
-}
-
-/**
-## Checks
-
-The arithmetic is tested on a million random operations against four-fold precision, and so is
-Boost.Interval, which fails without a special option of the compiler. A second program in another language, with the
-intervals of the Python package mpmath and eighty digits, repeats for the DpS equation: existence, with the norm and the
-largest displacement; the second eigenvalue, its exponent, and how many eigenvalues lie above $\frac23$; both
-barriers; and the radius of uniqueness. Its intervals lie in ours. Not repeated are the search for other profiles and
-all that concerns the chain and the kernel equation, whose waves and breathers are only compared with those that
-Newton's method finds. The errors that the tests put into the proof, one at a time, make it fail.
-
-## Enclosures to be printed
+## With your own parameters
 
 `sec5_enclosures dps --centre bond` prints the bounds for the DpS equation, `sec5_enclosures breather --centre site`
 those for the chain and `sec5_enclosures wave --sign minus` those for the kernel equation. The barriers belong to
@@ -388,8 +350,7 @@ struct EnclosedDps {
   }
 };
 
-/**
-For the chain there is one frequency, that of the article's example. */
+// For the chain there is one frequency, that of the article's example
 struct EnclosedBreather {
   static constexpr Title title{
       "breather", "bounds for a breather of the chain in linear wells, omega_b = 1.1", certified};
@@ -409,8 +370,7 @@ struct EnclosedBreather {
   }
 };
 
-/**
-The kernel equation is that of Hertzian contacts, $\alpha = \frac32$, at $k = 1$. */
+// The kernel equation is that of Hertzian contacts, alpha = 3/2, at k = 1
 enum class Sign { plus = 1, minus = -1 };
 
 struct EnclosedWaves {
@@ -435,16 +395,53 @@ struct EnclosedWaves {
 /**
 ## Differences and limits
 
-The article computes and does not prove. A proof of this kind trusts the compiler and the arithmetic of the
-processor, and nothing else that is computed: guesses and approximate inverses may come from anywhere.
+The article computes and does not prove. A proof of this kind trusts the compiler and the arithmetic of the processor,
+and nothing else that is computed: guesses and approximate inverses may come from anywhere. Whether the sign plus is the
+maximum of the theorem remains open.
 
-## Extensions
+The arithmetic is tested on a million random operations against four-fold precision, and so is
+Boost.Interval, which fails without a special option of the compiler. A second program in another language, with the
+intervals of the Python package mpmath and eighty digits, repeats for the DpS equation: existence, with the norm and the
+largest displacement; the second eigenvalue, its exponent, and how many eigenvalues lie above $\frac23$; both
+barriers; and the radius of uniqueness. Its intervals lie in ours. Not repeated are the search for other profiles and
+all that concerns the chain and the kernel equation, whose waves and breathers are only compared with those that
+Newton's method finds. The errors that the tests put into the proof, one at a time, make it fail. */
+void reproduce(Report& report) {
+  const Both both;
+  for (const auto& [centre, name] : centres) {
+    const std::string who = std::string("_") + name;
+    const DpsBreather<double>& b = both.of(centre);
+    report_strains(report, b, who);
+    report_eigenvalues(report, b, who);
+    report_profile(report.facts, b, who);
+    report_search(report, b, who);
+    report_stability(report.facts, b, who);
+  }
+  const DpsBarrier<double> barrier = certain_barrier(both);
+  report.facts.add("barrier_equal_mu", estimate_of(barrier.equal_mu), "energy at mu = 1");
+  report.facts.add("barrier_equal_norm", estimate_of(barrier.equal_norm),
+                   "energy at the norm of the bond-centred breather at mu = 1");
+  report_lemma(report);
+  report_chain(report);
+  report_kernel_waves(report);
+}
 
-- Does the site-centred breather leave its place in the full DpS equation, as a theorem?
-- The chain's breathers for other frequencies, and in wells that are not linear: which constant grows?
-- The waves with $k \ge 2$: only the integrals of $|K|$ and $K_+$ change. How does the margin of the proof fall with
-  $k$?
-- Is there a third wave at $k = 1$? The ball of uniqueness excludes it near the two known ones only. */
+/**
+## Try it
+
+1. *Easy.* Does Newton's method find the wave that is enclosed?
+   `build/bin/sec5_kernel_equation wave --sign minus` gives `peak` = 0.457321972291.
+   Hint: `sec5_enclosures wave --sign minus` prints bounds; the value must lie between them, its own error included.
+2. *Harder.* How much narrower would the energies of the chain's breathers have to be for their barrier to have a sign?
+   `build/bin/sec32_barrier barrier --omega 1.1` gives `equal_frequency` = 1.62422e-11.
+   Hint: compare with the widths that `sec5_enclosures breather` prints for both centres.
+3. *Harder.* Has the barrier at equal area the sign of the DpS limit?
+   `build/bin/sec32_barrier barrier --omega 1.01` gives `equal_area` = -7.99392e-18.
+   Hint: the area takes the place of the norm. The enclosed `barrier_equal_norm` goes like $\mu^5$; does this one between
+   $\omega_b-1 = 0.01$ and 0.1?
+4. *Open.* Does the site-centred breather leave its place in the full DpS equation, as a theorem?
+5. *Open.* The waves with $k \ge 2$: only the integrals of $|K|$ and $K_+$ change. How does the margin fall with $k$?
+6. *Open.* Is there a third even wave at $k = 1$? The balls of uniqueness exclude it near the two known ones only. */
 int main(int argc, char** argv) {
   return run({"sec5_enclosures", "5", "Breathers between bounds (section 5)", reproduce,
               commands<EnclosedDps, EnclosedBreather, EnclosedWaves>()},

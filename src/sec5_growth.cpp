@@ -20,6 +20,7 @@ Which modulations grow, and how fast, is said by two lines of algebra. */
 #include <string>
 #include <vector>
 
+#include "commands/plane_wave.hpp"
 #include "lattice/integrators/contact_rkn.hpp"
 #include "lattice/model/cantilever.hpp"
 #include "lattice/numerics/line_fit.hpp"
@@ -27,6 +28,7 @@ Which modulations grow, and how fast, is said by two lines of algebra. */
 #include "report/program.hpp"
 #include "sec5/dps_tracks.hpp"
 #include "sec5/dps_waves.hpp"
+#include "sec5/leftovers.hpp"
 
 using namespace lattice;
 using std::numbers::pi;
@@ -38,9 +40,14 @@ In short: [](finding:growth.bands)
 
 ## Model
 
-The wave $A_n = A\,e^{i(qn-\Omega\tau)}$ of the DpS equation, Eq. (12), its frequency, the growth of a modulation, the
-edge of the unstable band and the two marginal waves are derived in dps_waves.hpp. Since the equation scales, $|A| = 1$
-throughout; growth and frequency go like $|A|^{1/2}$. A bead of the chain then swings by $\pm2\epsilon$, Eq. (13).
+In the slow time $\tau = \epsilon^{1/2}t$ the DpS equation (12) is $2i\tau_0\,\partial_\tau A_n = D_n-D_{n-1}$ with
+$D_n = (A_{n+1}-A_n)|A_{n+1}-A_n|^{1/2}$, and plane waves $A_n = A\,e^{i(qn-\Omega\tau)}$ solve it. With the rate
+$\rho = |2A\sin\frac q2|^{1/2}/2\tau_0$, $c = \cos q$ and $C = \cos Q$ their frequency and the growth rate of a
+modulation of wavenumber $Q$ are (dps_waves.hpp)
+$$\Omega = -4\rho\sin^2\tfrac q2,\qquad
+  (\mathrm{Re}\,\sigma)^2 = \tfrac14\rho^2(1+5c)(1-C)\bigl[(5c-1)C-(1+3c)\bigr].$$
+Growth and frequency go like $|A|^{1/2}$, so $|A| = 1$ throughout. A bead of the chain then swings by $\pm2\epsilon$,
+Eq. (13).
 
 | symbol | program | meaning |
 |---|---|---|
@@ -51,10 +58,10 @@ throughout; growth and frequency go like $|A|^{1/2}$. A bead of the chain then s
 
 ## The chart
 
-Close to $q = \pi/2$ the shortest modulations grow, neighbours against each other, and where $\cos q$ passes
-$-\frac15$ the band changes sides: from there on it holds the long ones. Long modulations grow in proportion to $Q$,
-not to $Q$ times the amplitude as under precompression (section 4), because here no dispersion acts against the
-nonlinearity: both come from the contacts. */
+For $c\ge0$ nothing grows. Beyond $q = \pi/2$ the shortest modulations grow, neighbours against each other, and where
+$c$ passes $-\frac15$ the band changes sides: from there on it holds the long ones, up to the edge $\cos Q_* =
+(1+3c)/(5c-1)$. Long modulations grow in proportion to $Q$, not to $Q$ times the amplitude as under precompression
+(section 4), because here no dispersion acts against the nonlinearity: both come from the contacts. */
 void report_chart(Report& report) {
   const int points = report.quick ? 20 : 60;
   Table& growth = report.table("growth", {number("q", "wavenumber of the wave", "1/site"),
@@ -75,23 +82,13 @@ void report_chart(Report& report) {
   }
 }
 
-/**
-Formulas have no step to halve, so their error is the difference of two precisions. */
-template <class Of>
-Estimate in_two_precisions(double q, Of of) {
-  return compare(double(of(DpsWave<double>{q})), double(of(DpsWave<long double>{q})));
-}
-
 void report_fastest(Report& report) {
-  const auto add = [&](const std::string& name, auto of, const std::string& unit) {
-    report.facts.add(name, in_two_precisions(pi, of), unit);
-  };
-  add(
-      "greatest_growth", [](const auto& w) { return w.growth(w.fastest()); }, "");
-  add(
-      "fastest_modulation", [](const auto& w) { return w.fastest(); }, "1/site");
-  add(
-      "edge_at_pi", [](const auto& w) { return w.edge(); }, "1/site");
+  const auto growth = [](const auto& w) { return w.growth(w.fastest()); };
+  const auto fastest = [](const auto& w) { return w.fastest(); };
+  const auto edge = [](const auto& w) { return w.edge(); };
+  report.facts.add("greatest_growth", in_two_precisions(pi, growth));
+  report.facts.add("fastest_modulation", in_two_precisions(pi, fastest), "1/site");
+  report.facts.add("edge_at_pi", in_two_precisions(pi, edge), "1/site");
 }
 
 /**
@@ -132,6 +129,19 @@ down to $\epsilon = 10^{-7}$, and compare the fastest growth on a ring (`chain_r
 smallest amplitudes the order is [0.499](num:sec5_growth.order_growth_8_4) at $q = \pi$ and between
 [0.5003](num:sec5_growth.order_growth_16_6) and [0.51](num:sec5_growth.order_growth_16_5) at the other four. The
 prefactor is large: at $\epsilon = 10^{-2}$ the wave $q = \pi$ loses more than a quarter of its growth. */
+struct ChainPoint {
+  ModulatedWave wave;
+  double eps;
+};
+
+std::vector<ChainPoint> chain_points(const std::vector<ModulatedWave>& waves,
+                                     const std::vector<double>& sizes) {
+  std::vector<ChainPoint> points;
+  for (const ModulatedWave& wave : waves)
+    for (double eps : sizes) points.push_back({wave, eps});
+  return points;
+}
+
 void report_chain(Report& report) {
   Table& table = report.table(
       "chain_growth",
@@ -142,14 +152,7 @@ void report_chain(Report& report) {
        estimate("shift_apart", "relative difference of the frequency shift, its size")});
   std::vector<double> sizes{1e-2, 1e-3, 1e-4};
   if (!report.quick) sizes.insert(sizes.end(), {1e-5, 1e-6, 1e-7});
-  struct Point {
-    ModulatedWave wave;
-    double eps;
-  };
-  std::vector<Point> points;
-  for (const ModulatedWave& wave : waves_tried())
-    for (double eps : sizes) points.push_back({wave, eps});
-  table.fill(points, [](const Point& p) {
+  table.fill(chain_points(waves_tried(), sizes), [](const ChainPoint& p) {
     const WaveRates coarse = chain_rates(p.wave, p.eps, 12), fine = chain_rates(p.wave, p.eps, 24);
     const double dps = largest_growth(p.wave), shift = p.wave.wave().frequency();
     const auto off = [](double value, double limit) { return std::abs(value / limit - 1); };
@@ -200,34 +203,36 @@ void report_runs(Report& report) {
 ## Two waves in between
 
 At $q = \frac\pi2$ and where $\cos q = -\frac15$ nothing grows exponentially in the DpS equation, and yet these waves
-are not stable but marginal. A phase modulation $Q = \pi$ of the first becomes
-[153.940](num:sec5_growth.side_band_400) times as large in 400 units of slow time. The second nearly fits on a ring of 39
-sites, where it grows at [0.00193470](num:sec5_growth.growth_on_39) at most; on twice that ring, with noise of one per cent
-(seeds 1 to 8), it has kept [0.016](num:sec5_growth.share_left_fifth) of the norm after 300 units.
+are not stable but marginal. A phase modulation $Q = \pi$ of the first becomes [153.940](num:sec5_growth.side_band_400)
+times as large in 400 units of slow time. The second nearly fits on a ring of 39 sites, where it grows at
+[0.00193470](num:sec5_growth.growth_on_39) at most; on twice that ring, with noise of one per cent (seeds 1 to 8), it
+has kept [0.016](num:sec5_growth.share_left_fifth) of the norm after 300 units.
 
-The chain tips them over. Its wave $q = \frac\pi2$ grows at [0.0179886](num:sec5_growth.growth_quarter_6) per unit of slow
-time for $\epsilon = 10^{-6}$, at [0.0533953](num:sec5_growth.growth_quarter_4) for $10^{-4}$,
-[0.0809977](num:sec5_growth.growth_quarter_3) for $10^{-3}$ and [0.0731881](num:sec5_growth.growth_quarter_2) for $10^{-2}$.
-Between the two smallest amplitudes the growth has the order [0.248](num:sec5_growth.order_quarter) and on 39 sites
-[0.242](num:sec5_growth.order_fifth), close to the $\frac14$ of a split double exponent. So here the chain does not
-agree with the DpS equation up to $\epsilon^{1/2}$. Four waves below $\frac\pi2$ show no growth beyond
-[5e-5](num:sec5_growth.growth_below_quarter), which is the root of an error, at amplitudes from $10^{-6}$ to
-$10^{-2}$. */
+The chain tips them over. Its wave $q = \frac\pi2$ grows at [0.0179886](num:sec5_growth.growth_quarter_6) per unit of
+slow time for $\epsilon = 10^{-6}$, at [0.0533953](num:sec5_growth.growth_quarter_4) for $10^{-4}$,
+[0.0809977](num:sec5_growth.growth_quarter_3) for $10^{-3}$ and [0.0731881](num:sec5_growth.growth_quarter_2) for
+$10^{-2}$. Between the two smallest amplitudes the growth has the order [0.248](num:sec5_growth.order_quarter) and on 39
+sites [0.242](num:sec5_growth.order_fifth), close to the $\frac14$ of a split double exponent. So here the chain does
+not agree with the DpS equation up to $\epsilon^{1/2}$. Four waves below $\frac\pi2$ show no growth beyond
+[5e-5](num:sec5_growth.growth_below_quarter), which is the root of an error, at amplitudes from $10^{-6}$ to $10^{-2}$.
+*/
+/// The largest growth in the chain of four waves below pi/2 at four amplitudes.
+double growth_below_quarter(std::size_t steps) {
+  double most = 0;
+  for (const ModulatedWave& wave : {ModulatedWave{32, 7, 0}, {16, 3, 0}, {8, 1, 0}, {12, 2, 0}})
+    for (double eps : {1e-2, 1e-3, 1e-4, 1e-6})
+      most = std::max(most, chain_rates(wave, eps, steps).growth);
+  return most;
+}
+
 void report_marginal(Report& report) {
   const std::vector<ModulatedWave> waves{{8, 2, 4}, {39, 11, 0}};
   Table& table = report.table(
       "marginal_growth",
       {count("sites", "length of the ring", "site"), number("q", "wavenumber", "1/site"),
        number("eps", "amplitude scale"), estimate("growth", "largest on the ring, in the chain")});
-  struct Point {
-    ModulatedWave wave;
-    double eps;
-  };
   const std::vector<double> sizes{1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7};
-  std::vector<Point> points;
-  for (const ModulatedWave& wave : waves)
-    for (double eps : sizes) points.push_back({wave, eps});
-  table.fill(points, [](const Point& p) {
+  table.fill(chain_points(waves, sizes), [](const ChainPoint& p) {
     return Cells{
         std::int64_t(p.wave.sites), p.wave.wave().q, p.eps,
         compare(chain_rates(p.wave, p.eps, 12).growth, chain_rates(p.wave, p.eps, 24).growth)};
@@ -246,26 +251,8 @@ void report_marginal(Report& report) {
   report.facts.add("growth_on_39", in_two_precisions(waves[1].wave().q, [](const auto& w) {
                      return w.growth(2 * pi * 32 / 39);
                    }));
-
-  // Do waves below pi/2 grow in the chain?
-  std::array<double, 2> below{};
-  for (const ModulatedWave& wave : {ModulatedWave{32, 7, 0}, {16, 3, 0}, {8, 1, 0}, {12, 2, 0}})
-    for (double eps : {1e-2, 1e-3, 1e-4, 1e-6})
-      for (std::size_t k : {0u, 1u})
-        below[k] = std::max(below[k], chain_rates(wave, eps, k ? 24 : 12).growth);
-  report.facts.add("growth_below_quarter", compare(below[0], below[1]));
-}
-
-/// Means over the seeds, one entry a tolerance.
-Estimate over_seeds(const std::vector<std::vector<double>>& values) {
-  std::vector<Estimate> means;
-  for (const auto& v : values) {
-    double mean = 0, square = 0;
-    for (double x : v) mean += x / double(v.size());
-    for (double x : v) square += (x - mean) * (x - mean) / double(v.size() - 1);
-    means.push_back({mean, std::sqrt(square / double(v.size()))});
-  }
-  return compare(means[0], means[1]);
+  report.facts.add("growth_below_quarter",
+                   compare(growth_below_quarter(12), growth_below_quarter(24)));
 }
 
 /**
@@ -274,18 +261,20 @@ $10^{-4}$ on 32 sites. After 80 units of slow time the wave $q = \frac\pi2$ has 
 [0.0549708](num:sec5_growth.share_left_quarter) of the norm and $q = \frac7{16}\pi$
 [0.999571](num:sec5_growth.share_left_below);
 the third harmonic of the first is its own marginal modulation, so that noise is hardly needed. */
-void report_marginal_runs(Report& report) {
+/// By what a modulation Q = pi of the wave pi/2 grows in 400 units of slow time.
+double side_band_400(double tolerance) {
   const ModulatedWave quarter{8, 2, 4};
-  const auto side_band = [&](double tolerance) {
-    const double size = 1e-7, q = quarter.wave().q;
-    Field field(quarter.sites);
-    for (std::size_t n = 0; n < field.size(); ++n)
-      field[n] = std::polar(1.0, q * double(n)) * std::complex<double>(1, n % 2 ? -size : size);
-    evolve_dps(Dps{quarter.sites, Ends::periodic}, field, 400, 1, tolerance,
-               [](double, const Field&) {});
-    return std::sqrt(wave_share(field, q + pi)) / size;
-  };
-  report.facts.add("side_band_400", compare(side_band(1e-11), side_band(1e-13)));
+  const double size = 1e-7, q = quarter.wave().q;
+  Field field(quarter.sites);
+  for (std::size_t n = 0; n < field.size(); ++n)
+    field[n] = std::polar(1.0, q * double(n)) * std::complex<double>(1, n % 2 ? -size : size);
+  evolve_dps(Dps{quarter.sites, Ends::periodic}, field, 400, 1, tolerance,
+             [](double, const Field&) {});
+  return std::sqrt(wave_share(field, q + pi)) / size;
+}
+
+void report_marginal_runs(Report& report) {
+  report.facts.add("side_band_400", compare(side_band_400(1e-11), side_band_400(1e-13)));
 
   const unsigned long seeds = report.quick ? 2 : 8;
   std::vector<std::vector<double>> left(2, std::vector<double>(seeds));
@@ -331,7 +320,7 @@ void report_array(Report& report) {
 ## What is left
 
 Eight waves with noise of one per cent (seeds 1 to 8) run for 600 units of slow time on rings of 64 sites; from $\tau
-= 100$ on we look for breathers that live for at least 25 units, about ten of their periods (dps_tracks.hpp). These
+= 100$ on we look for breathers that live for at least 25 units, about ten of their periods (leftovers.hpp). These
 runs are chaotic. A tolerance ten times smaller gives other breathers, so that only means have a meaning: their
 errors are the standard error over the seeds and the difference of both tolerances.
 
@@ -343,33 +332,19 @@ nonlinear Schrödinger equation. Waves pass that energy at $q =$ [1.67605](num:s
 $\pi/2$, so that most unstable waves are above. On 64 sites chance is large: the eight random fields that we run beside
 the waves scatter by [0.1](num:sec5_growth.random_energy_scatter) in energy, and
 [3](num:sec5_growth.random_with_surplus) of them have a surplus themselves. */
-struct Leftover {
-  int waves;  ///< on the ring; zero stands for random amplitudes
-  unsigned long seed;
-  std::vector<BreatherTrack> found{};
-  double drift = 0;
+/// Energy per site at infinite temperature and norm one.
+template <class T>
+T random_energy() {
+  return T(0.4L) * std::pow(T(2), T(1.25)) * std::tgamma(T(2.25));
+}
 
-  /// How many live at a time while they are watched.
-  double at_a_time(double watched) const {
-    double life = 0;
-    for (const BreatherTrack& b : found) life += b.lived / watched;
-    return life;
-  }
-  void run(double duration, double least, double tolerance) {
-    const std::size_t sites = 64;
-    Field field = waves > 0 ? noisy_wave(sites, waves, 0.01, seed) : random_field(sites, seed);
-    BreatherWatch watch(least);
-    drift = evolve_dps(Dps{sites, Ends::periodic}, field, duration, std::size_t(duration),
-                       tolerance, [&](double tau, const Field& now) {
-                         if (tau >= duration / 6) watch.look(tau, now);
-                       });
-    found = watch.breathers();
-  }
-};
+/// The wavenumber of the wave that has as much, (2/5) (2 sin(q/2))^{5/2}.
+template <class T>
+T neutral_wavenumber() {
+  return T(2) * std::asin(std::pow(random_energy<T>() / T(0.4L), T(0.4L)) / T(2));
+}
 
-/**
-Energy and norm of a breather are compared with a static one, and its path tells how it moves: we call it at rest if
-it stays within two sites for all of its life. */
+// A breather is at rest if it stays within two sites for all of its life
 void report_leftovers(Report& report) {
   const std::vector<int> waves{32, 24, 20, 18, 17, 0};
   const double duration = report.quick ? 240 : 600, watched = duration * 5 / 6, least = 25;
@@ -399,18 +374,7 @@ void report_leftovers(Report& report) {
 
   // Means of each wave: how many at a time, how they move, and their energy
   for (int w : waves) {
-    std::vector<std::vector<double>> number(2), rest(2), share(2), speed(2), size(2);
-    for (int k = 0; k < 2; ++k)
-      for (const Leftover& r : runs[k]) {
-        if (r.waves != w) continue;
-        for (const BreatherTrack& b : r.found) {
-          rest[std::size_t(k)].push_back(b.strayed < 2);
-          speed[std::size_t(k)].push_back(b.speed);
-          size[std::size_t(k)].push_back(std::abs(b.speed));
-          share[std::size_t(k)].push_back(b.energy / static_energy(b.norm));
-        }
-        number[std::size_t(k)].push_back(r.at_a_time(watched));
-      }
+    const auto [number, rest, share, speed, size] = statistics_of(runs, w, watched);
     const std::string name = w > 0 ? "_" + std::to_string(w) : "_random";
     // One born in the last `least` units would not have been counted
     if (std::min(w, 20) < 20)
@@ -438,8 +402,8 @@ after $\frac{20}{32}\pi$; the first two have [0.963](num:sec5_growth.energy_over
 [0.89](num:sec5_growth.energy_over_static_24) of the energy of static ones. After $\frac{18}{32}\pi$, which has a little
 surplus, after $\frac{17}{32}\pi$, which is unstable but has none, and in the random fields none was seen. At 95 per
 cent this means fewer births per unit of slow time than [0.00079](num:sec5_growth.births_below_18),
-[0.00079](num:sec5_growth.births_below_17) and [0.00079](num:sec5_growth.births_below_random), and no more: in runs of 30,000
-units breathers are born in all three, rarely, and more often where there is a surplus.
+[0.00079](num:sec5_growth.births_below_17) and [0.00079](num:sec5_growth.births_below_random), and no more: in runs of
+30,000 units breathers are born in all three, rarely, and more often where there is a surplus.
 
 Few are at rest, at 95 per cent fewer than [0.2](num:sec5_growth.at_rest_below_32) and
 [0.1](num:sec5_growth.at_rest_below_24) of those after the first two waves: they travel, and a collision or a wave turns
@@ -449,27 +413,15 @@ size [0.16](num:sec5_growth.mean_size_of_speed_32). After $q = \frac34\pi$ they 
 [-0.777628](num:sec5_growth.group_velocity_24). The static breathers that the article hopes for are the exception in
 these runs, and of the waves tried $q = \pi$ leaves the most. */
 void report_energies(Report& report) {
-  // That of the wave is (2/5) (2 sin(q/2))^{5/2}
-  const auto random = []<class T>(const DpsWave<T>&) {
-    return T(0.4L) * std::pow(T(2), T(1.25)) * std::tgamma(T(2.25));
-  };
-  const auto neutral = [&]<class T>(const DpsWave<T>& w) {
-    return T(2) * std::asin(std::pow(random(w) / T(0.4L), T(0.4L)) / T(2));
-  };
-  report.facts.add("random_energy", in_two_precisions(pi, random));
-  report.facts.add("neutral_q", in_two_precisions(pi, neutral), "1/site");
+  report.facts.add("random_energy",
+                   compare(random_energy<double>(), double(random_energy<long double>())));
+  report.facts.add("neutral_q",
+                   compare(neutral_wavenumber<double>(), double(neutral_wavenumber<long double>())),
+                   "1/site");
   const unsigned long seeds = report.quick ? 2 : 8;
-  double mean = 0, square = 0;
-  int surplus = 0;
-  for (unsigned long seed = 1; seed <= seeds; ++seed) {
-    const double here = energy(random_field(64, seed), true) / 64;
-    mean += here / double(seeds), square += here * here / double(seeds);
-    surplus += here > random(DpsWave<double>{pi});
-  }
-  const double free = double(seeds - 1);
-  const double scatter = std::sqrt((square - mean * mean) * double(seeds) / free);
-  report.facts.add("random_energy_scatter", {scatter, scatter / std::sqrt(2 * free)});
-  report.facts.add("random_with_surplus", exact(surplus));
+  const RandomEnergies fields = random_energies(seeds, random_energy<double>());
+  report.facts.add("random_energy_scatter", fields.scatter);
+  report.facts.add("random_with_surplus", exact(fields.above));
   report.facts.add(
       "group_velocity_24",
       in_two_precisions(0.75 * pi, [](const auto& wave) { return wave.group_velocity(); }),
@@ -504,45 +456,13 @@ void report_maps(Report& report) {
 }
 
 /**
-## One wave with your own numbers
+## Differences and limits
 
-`sec5_growth growth --q 2.5 --modulation 0.7` tells its frequency, the growth of the modulation, and the band. */
-struct PlaneWave {
-  static constexpr Title title{"growth", "frequency and growth of a modulated plane wave"};
-  double q = pi, modulation = pi / 4, amplitude = 1;
-
-  void parameters(Parameters& p) {
-    p.add("q", q, "wavenumber of the wave", {1e-6, pi, "1/site"});
-    p.add("modulation", modulation, "wavenumber Q of the modulation", {1e-6, pi, "1/site"});
-    p.add("amplitude", amplitude, "modulus |A| of the wave", {1e-12, 1e12});
-  }
-  Table table() const {
-    const auto both = [this](auto of) {
-      return compare(double(of(DpsWave<double>{q, amplitude})),
-                     double(of(DpsWave<long double>{q, amplitude})));
-    };
-    // The wave and this modulation, then all modulations
-    const std::string stable = std::string("the wave is ") +
-                               (std::abs(std::cos(q)) < 1e-9 ? "marginal" : "stable") +
-                               ": no modulation of it grows exponentially";
-    Answers answers;
-    answers.add("frequency", both([](const auto& w) { return w.frequency(); }), "",
-                "frequency Omega of the plane wave in the slow time of the DpS equation");
-    answers.add_small(
-        "growth", both([this](const auto& w) { return w.growth(modulation); }), "",
-        "growth rate in the slow time of a modulation of the given Q; 0 if it does not grow");
-    answers.add_small("edge", both([](const auto& w) { return w.edge(); }), "1/site",
-                      "edge Q_* of the band of modulations that grow", stable);
-    answers.add_small("fastest", both([](const auto& w) { return w.fastest(); }), "1/site",
-                      "wavenumber Q of the modulation that grows fastest", stable);
-    answers.add_small("fastest_growth",
-                      both([](const auto& w) { return w.unstable() ? w.growth(w.fastest()) : 0; }),
-                      "",
-                      "growth rate in the slow time of the fastest modulation; 0 if none grows");
-    return answers.table;
-  }
-};
-
+The growth has four routes: the closed form, the matrix of a ring, runs of the DpS equation, and the linearised chain
+with a run of it. What the article calls MI has been studied for plane waves and linear wells. Spectrally stable is not
+stable for ever: on 64 sites with noise of one per cent, seed 8, the wave $q = \frac{15}{32}\pi$ of the DpS equation
+loses more than half of its norm within 4000 units. The energy of a random field says where a surplus is, not how fast
+it gathers, and we do not know whether a breather is left in the end. That few are at rest is said of a ring without losses. */
 void reproduce(Report& report) {
   report_chart(report);
   report_fastest(report);
@@ -558,20 +478,20 @@ void reproduce(Report& report) {
 }
 
 /**
-## Checks, differences and limits
+## Try it
 
-The growth has four routes: the closed form, the matrix of a ring, runs of the DpS equation, and the linearised chain
-with a run of it. What the article calls MI has been studied for plane waves and linear wells. Spectrally stable is not
-stable for ever: on 64 sites with noise of one per cent, seed 8, the wave $q = \frac{15}{32}\pi$ of the DpS equation
-loses more than half of its norm within 4000 units. The energy of a random field says where a surplus is, not how fast
-it gathers, and we do not know whether a breather is left in the end. That few are at rest is a statement about a ring
-full of waves without losses.
-
-## Extensions
-
-- Do standing waves, $\cos qn$, have a band of instability in closed form?
-- How do number and norm of the breathers change with time, on longer rings?
-- With the losses of an experiment (the chapter on damping), which breathers are left when the waves are gone? */
+1. *Easy.* A wave of four times the amplitude: how fast does its fastest modulation grow?
+   `build/bin/sec5_growth growth --amplitude 4` gives `fastest_growth` = 0.747349.
+   Hint: the rate $\rho$ goes like $|A|^{1/2}$. Does the band move, too?
+2. *Easy.* Which modulations of the wave $q = 1.7$ grow, the short or the long ones?
+   `build/bin/sec5_growth growth --q 1.7 --modulation 3.1` gives `edge` = 1.95315.
+   Hint: is $\cos q$ above or below $-\frac15$? Compare the growth on either side of the edge.
+3. *Harder.* Do long modulations grow in proportion to $Q$?
+   `build/bin/sec5_growth growth --modulation 0.02` gives `growth` = 0.0129423.
+   Hint: halve $Q$, then halve the amplitude. In the nonlinear Schrödinger equation the edge $Q_*$ is proportional to the
+   amplitude, because dispersion does not depend on it; here nothing but the amplitude sets a rate.
+4. *Open.* Do standing waves, $\cos qn$, have a band of instability in closed form?
+5. *Open.* With the losses of an experiment (the chapter on damping), which breathers are left when the waves are gone? */
 int main(int argc, char** argv) {
   return run({"sec5_growth", "5", "Modulational instability without precompression (section 5)",
               reproduce, commands<PlaneWave>()},

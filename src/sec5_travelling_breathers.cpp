@@ -33,18 +33,16 @@ using namespace lattice;
 /**
 ## The question
 
-The article generates travelling breathers by striking a chain and waiting, and calls the computation
-of exact ones by Newton's method an interesting open problem. It prints no number for them, so this
-chapter has no claims to answer. Two more chapters follow the exact orbits into other wells and compare
-them with packets; the last one sorts what is proved, computed and conjectured.
+The article generates travelling breathers by striking a chain and waiting, and calls the computation of exact ones by
+Newton's method an interesting open problem. It prints no number for them. Two more chapters follow the exact orbits
+into other wells and compare them with packets; the last one sorts what is proved, computed and conjectured.
 
 ## Model
 
 The wells are linear, later those of Eq. (10), and the contacts those of Eq. (9),
 $$\ddot y_n + y_n + s\,y_n^3 = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2}.$$
-All is dimensionless. In the program the *shift time* $T$ is `shift_time`, so that the speed is $1/T$
-sites per unit of time; `sign` is that of the velocity $\dot y_0(0)$ of the central bead; and `reach` is
-$L$, where an orbit has the sites $-L \le n \le L+1$. */
+All is dimensionless. $T$, the inverse of the speed, is called the *shift time* (`shift_time`); `sign` is that of the
+velocity $\dot y_0(0)$ of the central bead; and `reach` is $L$, where an orbit has the sites $-L \le n \le L+1$. */
 constexpr double two_pi = 2 * std::numbers::pi;
 
 /**
@@ -125,19 +123,20 @@ double residual_in_wide(const Exact& e, const Vector<T>& x_given) {
 
 /**
 The energies deserve as much care as the residuals. The orbits of the two signs are the same packet
-with two internal phases, and the difference of their energies is what could hold the phase. */
+with two internal phases, and the difference of their energies is the barrier that pins the phase. */
 void report_exactness(Report& report, const std::vector<Exact>& plus,
                       const std::vector<Exact>& minus) {
-  double narrow = 0, rounded = 0, wide = 0;
+  double in_double = 0, rounded = 0, wide = 0;
   for (const auto* orbits : {&plus, &minus})
     for (const Exact& e : *orbits) {
       if (e.k > 3) continue;
-      narrow = std::max(narrow, residual_in_wide(e, e.orbit.x));
+      in_double = std::max(in_double, residual_in_wide(e, e.orbit.x));
       rounded = std::max(rounded, residual_in_wide<double>(e, e.wide.x.cast<double>()));
       wide = std::max(wide, e.wide.residual());
     }
   Quantities& facts = report.facts;
-  facts.add("residual_double", {narrow, narrow}, "largest of k = 1, 2, 3, relative to amplitude");
+  facts.add("residual_double", {in_double, in_double},
+            "largest of k = 1, 2, 3, relative to amplitude");
   facts.add("residual_rounded", {rounded, rounded}, "of the extended orbit rounded to double");
   facts.add("residual_wide", {wide, wide}, "largest of k = 1, 2, 3, relative to amplitude");
   facts.add("newton_steps_from_cut", exact(double(Staircase(1).orbit().iterations())));
@@ -186,12 +185,13 @@ void add_profile(Table& table, const Exact& e, const Orbit<double>& orbit,
 /**
 Each orbit shown is computed on both chains; the difference is the error in the table. The velocities
 of the orbit that the rest of the chapter uses are compared with those on the longer chain. */
-Table profiles(Report& report, const std::vector<Exact>& shown) {
-  Table table{{count("k", "oscillations a site"), count("sign", "of the central velocity"),
-               count("n", "site", "site"), number("y", "position at t = 0"),
-               number("v", "velocity at t = 0"),
-               estimate("log_size", "log10 of the larger modulus of both over the amplitude", "",
-                        "against the largest: difference of two chain lengths")}};
+void report_profiles(Report& report, const std::vector<Exact>& shown) {
+  Table& table = report.table(
+      "profiles", {count("k", "oscillations a site"), count("sign", "of the central velocity"),
+                   count("n", "site", "site"), number("y", "position at t = 0"),
+                   number("v", "velocity at t = 0"),
+                   estimate("log_size", "log10 of the larger modulus of both over the amplitude",
+                            "", "against the largest: difference of two chain lengths")});
   std::vector<Orbit<double>> orbits(2 * shown.size());
   parallel_for(orbits.size(), [&](std::size_t i) {
     orbits[i] = lengthened(shown[i / 2], i % 2 ? shorter : longer);
@@ -206,7 +206,6 @@ Table profiles(Report& report, const std::vector<Exact>& shown) {
                      e.orbit.amplitude);
   }
   report.facts.add("lengths_apart", {apart, apart}, "relative to amplitude, two chain lengths");
-  return table;
 }
 
 /**
@@ -226,27 +225,29 @@ void add_map(Table& table, int which, const Chain& chain, State<double> state, d
   });
 }
 
-Table maps(const Exact& orbit) {
-  Table table{{count("packet", "0 exact, 1 of an impact"), number("t", "time"),
-               count("n", "site", "site"), number("log_e", "log10 of the energy density")}};
+void report_maps(Report& report, const Exact& orbit) {
+  Table& table = report.table(
+      "maps", {count("packet", "0 exact, 1 of an impact"), number("t", "time"),
+               count("n", "site", "site"), number("log_e", "log10 of the energy density")});
   const Chain chain{120};
   add_map(table, 0, chain, embed(orbit.orbit.start, chain.sites, 0), 0, 0);
   const double arrival = 47 * two_pi;  // the packet has then come to site 50 or so
   add_map(table, 1, chain, struck(chain.sites, 0.6676), arrival, 40);
-  return table;
 }
 
 /**
 ## What an orbit leaves behind, and whether it is stable
 
-The equations cover one shift; now we let an orbit run on, and look at what it leaves behind. The multipliers
-per shift say whether small disturbances grow (one_orbit.hpp).
+The equations cover one shift; now we let an orbit run on, and look at what it leaves behind. The multipliers per shift,
+the eigenvalues of the flow over $T$ read one site further on, say whether small disturbances grow: the pair $\lambda$,
+$1/\lambda$ of the internal phase by $\kappa = (\lambda+\lambda^{-1}-2)/4$, the phase being pinned, or *held*, if
+$\kappa<0$ (one_orbit.hpp).
 
 A long run is the strictest test that an orbit leaves nothing behind. For a thousand shifts an
-ordinary stepper is cheaper; its error shows in what it leaves behind. The frame moves on by twenty
+ordinary integrator is cheaper; its error shows in what it leaves behind. The frame moves on by twenty
 sites at a time, and resting beads come in ahead. A hundred shifts are repeated by GSL, with which our
-steppers have nothing in common, in one long chain. */
-struct Flown {
+integrators have nothing in common, in one long chain. */
+struct LongRun {
   double left, off;  ///< left behind, and distance from the orbit where it should be
 };
 
@@ -259,7 +260,7 @@ double passed(const State<double>& z, std::size_t shifts) {
 
 /**
 After each round of twenty shifts we look at the beads that have been passed and drop them. */
-Flown by_steps(const Exact& e, std::size_t shifts, double step) {
+LongRun by_steps(const Exact& e, std::size_t shifts, double step) {
   constexpr std::size_t round = 20;
   const Chain chain{round + 3 * usual_reach};
   const State<double> start = embed(e.orbit.start, chain.sites, 0);
@@ -277,7 +278,7 @@ Flown by_steps(const Exact& e, std::size_t shifts, double step) {
 
 /**
 GSL needs no frame: its chain holds all the sites that the packet passes. */
-Flown by_gsl(const Exact& e, std::size_t shifts, double tolerance) {
+LongRun by_gsl(const Exact& e, std::size_t shifts, double tolerance) {
   const Chain chain{shifts + 3 * usual_reach};
   State<double> state = embed(e.orbit.start, chain.sites, 0);
   evolve_reference(chain, state, double(shifts) * e.shift_time(), Tolerance(tolerance));
@@ -287,11 +288,11 @@ Flown by_gsl(const Exact& e, std::size_t shifts, double tolerance) {
 }
 
 /**
-We follow the fastest orbit of type I, $k = 1$, with the sign for which the phase is held; with the
+We follow the fastest orbit of type I, $k = 1$, with the sign for which the phase is pinned; with the
 other sign errors would grow. */
-void report_flights(Report& report, const Exact& e) {
+void report_long_runs(Report& report, const Exact& e) {
   const std::size_t many = report.quick ? 100 : 1000, few = report.quick ? 10 : 100;
-  std::array<Flown, 4> f{};
+  std::array<LongRun, 4> f{};
   parallel_for(4, [&](std::size_t i) {
     f[i] = i == 0   ? by_steps(e, many, 0.01)
            : i == 1 ? by_steps(e, many, 0.02)
@@ -308,21 +309,8 @@ void report_flights(Report& report, const Exact& e) {
 To first order a change of the speed stays as it is. Beside it two numbers describe the stability of an orbit:
 $\kappa$ of the phase, and the largest modulus of the other multipliers. These lie inside the unit circle, which does
 not mean that anything is damped: the frame travels, a bead's free oscillation does not, and so what disturbs the
-orbit leaves the frame. */
-void report_stability(Report& report, const Exact& e) {
-  const auto narrow = phase_and_rest(type_one<double>(e.k), e.orbit, {});
-  const auto wide = phase_and_rest(type_one<long double>(e.k), e.wide, {});
-  const std::string name = "_k" + std::to_string(e.k) + (e.sign > 0 ? "_plus" : "_minus");
-  const Estimate kappa = compare(narrow.first, wide.first);
-  report.facts.add("kappa" + name, kappa);
-  if (kappa.value > kappa.error)
-    report.facts.add("growth" + name,
-                     {2 * std::asinh(std::sqrt(kappa.value)), kappa.error / std::sqrt(kappa.value)},
-                     "per shift");
-  report.facts.add("next_modulus" + name, compare(narrow.second, wide.second));
-}
+orbit leaves the frame.
 
-/**
 ## Results
 
 Newton's method finds two exact travelling breathers, one of each sign, for every $k$ from 1 to 5 (and for 6, 8, 10,
@@ -333,29 +321,26 @@ from the cut packet. The residuals are [7e-14](num:sec5_travelling_breathers.res
 [2e-14](num:sec5_travelling_breathers.left_by_thousand_shifts) of the amplitude behind, no more than the error of the
 steps. That of $k = 1$, the fastest of type I, has the speed $1/(2\pi)$ and the energy
 [0.180834](num:sec5_travelling_breathers.energy_plus); with the other sign it is higher by only
-[7.843e-11](num:sec5_travelling_breathers.energy_difference). So little holds the internal phase, and the multipliers
+[7.843e-11](num:sec5_travelling_breathers.energy_difference). So little pins the internal phase, and the multipliers
 agree: $\kappa =$ [-8.8883e-11](num:sec5_travelling_breathers.kappa_k1_plus) with the sign plus,
 [8.888e-11](num:sec5_travelling_breathers.kappa_k1_minus) with the sign minus, a growth of
 [1.8856e-5](num:sec5_travelling_breathers.growth_k1_minus) per shift. At $k = 2$ no $\kappa$ is left above the errors.
 [](finding:travelling.stability) */
-void reproduce(Report& report) {
-  const std::vector<std::size_t> ks =
-      report.quick ? std::vector<std::size_t>{1, 2, 3} : std::vector<std::size_t>{1, 2, 3, 4, 5};
-  std::vector<std::vector<Exact>> all(2);
-  parallel_for(2, [&](std::size_t i) { all[i] = type_one_orbits(signs[i], ks); });
-  const Exact &plus = all[0].front(), &minus = all[1].front();
-  report_exactness(report, all[0], all[1]);
-  report.output.add("profiles", profiles(report, {plus, minus, all[0][2]}));
-  report.output.add("maps", maps(plus));
-  report_flights(report, plus);
-  for (const auto& orbits : all)
-    for (const Exact& e : {orbits[0], orbits[1]}) report_stability(report, e);
+void report_stability(Report& report, const Exact& e) {
+  const auto in_double = phase_and_rest(type_one<double>(e.k), e.orbit, {});
+  const auto wide = phase_and_rest(type_one<long double>(e.k), e.wide, {});
+  const std::string name = "_k" + std::to_string(e.k) + (e.sign > 0 ? "_plus" : "_minus");
+  const Estimate kappa = compare(in_double.first, wide.first);
+  report.facts.add("kappa" + name, kappa);
+  if (kappa.value > kappa.error)
+    report.facts.add("growth" + name,
+                     {2 * std::asinh(std::sqrt(kappa.value)), kappa.error / std::sqrt(kappa.value)},
+                     "per shift");
+  report.facts.add("next_modulus" + name, compare(in_double.second, wide.second));
 }
 
 /**
-## Limits and extensions
-
-`sec5_travelling_breathers orbit` computes one orbit of your choice, also in other wells (one_orbit.hpp).
+## Differences and limits
 
 Orbits that repeat themselves only after $m > 1$ sites, or never, were not looked for. For a shift by $m$ sites the
 sum $Z$ still demands $T = 2\pi k$, and the speeds $m/2\pi k$ are dense: so it is not this identity alone that
@@ -369,13 +354,38 @@ here the well itself is the resonator. In the DpS equation travelling breathers 
 (Philosophical Transactions A 376, 20170138, 2018), who finds tails but for particular parameters. Moving
 breathers on a tail, and the conditions under which it vanishes, are discussed for other lattices by Flach and
 Kladko (Physica D 127, 61, 1999), Iooss and Kirchgässner (Communications in Mathematical Physics 211, 439,
-2000) and Sire and James (Physica D 204, 15, 2005).
+2000) and Sire and James (Physica D 204, 15, 2005). */
+void reproduce(Report& report) {
+  const std::vector<std::size_t> ks =
+      report.quick ? std::vector<std::size_t>{1, 2, 3} : std::vector<std::size_t>{1, 2, 3, 4, 5};
+  std::vector<std::vector<Exact>> all(2);
+  parallel_for(2, [&](std::size_t i) { all[i] = type_one_orbits(signs[i], ks); });
+  const Exact &plus = all[0].front(), &minus = all[1].front();
+  report_exactness(report, all[0], all[1]);
+  report_profiles(report, {plus, minus, all[0][2]});
+  report_maps(report, plus);
+  report_long_runs(report, plus);
+  for (const auto& orbits : all)
+    for (const Exact& e : {orbits[0], orbits[1]}) report_stability(report, e);
+}
 
-- `sec5_travelling_breathers orbit --k 1 --sign minus` is weakly unstable. What does its phase do after
-  a hundred thousand shifts?
-- `orbit --near 5.6` prints an orbit of type II. Is the nearest one always on the family that begins at
-  the next larger $2\pi k$?
-- Why do the energies of the two signs differ by so little, and by what law in $k$? */
+/**
+## Try it
+
+1. *Easy.* Half the speed: which energy? `build/bin/sec5_travelling_breathers orbit --k 2` gives `energy` = 0.00581039.
+   Hint: at small amplitude $E\propto T^{-4}$, a factor of 16. Is $k = 1$ a small amplitude?
+2. *Easy.* How high is the barrier that pins the internal phase?
+   `build/bin/sec5_travelling_breathers orbit --sign minus` gives `energy` = 0.1808335136583.
+   Hint: compare with the sign plus, digit by digit.
+3. *Harder.* Must the shift time be a multiple of $2\pi$ in soft wells?
+   `build/bin/sec5_travelling_breathers orbit --s -0.3` gives `shift_time` = 6.48005.
+   Hint: the forces of the wells do not cancel in $Z$ any more; $T$ is an unknown of Newton's method, and a tail is
+   still avoided.
+4. *Harder.* And is that orbit stable further down?
+   `build/bin/sec5_travelling_breathers orbit --s -1` gives `multiplier_modulus` = 1.000453.
+   Hint: after how many shifts is a disturbance $e$ times as large? At $s = -0.3$ none grows.
+5. *Open.* With the sign minus the phase is weakly unstable. What does it do after a hundred thousand shifts?
+6. *Open.* Why do the energies of the two signs differ by so little, and by what law in $k$? */
 int main(int argc, char** argv) {
   return run({"sec5_travelling_breathers", "5", "Exact travelling breathers (section 5)", reproduce,
               commands<OneOrbit>()},

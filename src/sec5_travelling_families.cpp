@@ -3,16 +3,10 @@
 
 An exact travelling breather of the linear well needs the right speed. Its time $T$ for a shift by one
 site must be $2\pi k$ (type I) or such that the sum $Z = \sum_n(y_n+i\dot y_n)$ vanishes (type II). In
-between, a breather sheds a tail. This chapter follows the families on which both kinds lie:
-
-        V ^   type I                          what is left behind ~ |1 - exp(-iT)| |V|
-          |*
-          |  *                  zeros of V: type II
-          |    * . _ o____._o__
-          +----------------------->  2 pi k - T
-
+between, a breather sheds a tail. This chapter follows the families on which both kinds lie,
 and continues the exact ones into soft wells, and into hard wells, in which those of $k = 1$, 2 and 3 turn back in
-folds.
+folds. How much do breathers in between leave behind, and does the packet that turns round in section 3.4 follow exact
+ones?
 
 ![What travelling breathers leave behind, against their shift time.](fig:x19) */
 
@@ -28,6 +22,7 @@ folds.
 #include "lattice/impact/turning.hpp"
 #include "lattice/numerics/parallel.hpp"
 #include "report/program.hpp"
+#include "sec5/branches_in_s.hpp"
 #include "sec5/travelling.hpp"
 
 using namespace lattice;
@@ -35,13 +30,12 @@ using namespace lattice;
 /**
 ## Model and method
 
-The chain is that of the chapter before: linear wells, and later those of Eq. (10). To find the orbits
-of type II we leave out one of the equations of a travelling breather (travelling.hpp). The others have
-a solution for every shift time $T$ at which we look for one, in the stretches named below, and these
-solutions form a *family*. In the linear well the equation left out reads $V\sin(T/2) = 0$, with $V =
-\sum\dot y_n$ at $t = 0$. So $T = 2\pi k$ gives an orbit of type I, at which a family begins, and each zero
-of $V$ an orbit of type II. The full equations, with $T$ unknown, confirm the latter and give its digits in
-two precisions. */
+The chain is that of the chapter before, $\ddot y_n+y_n+s\,y_n^3 = (y_{n-1}-y_n)_+^{3/2}-(y_n-y_{n+1})_+^{3/2}$, with $s
+= 0$ at first. To find the orbits of type II we leave out one of the equations of a travelling breather
+(travelling.hpp). The others have a solution for every shift time $T$ at which we look for one, in the stretches named
+below, and these solutions form a *family*. In the linear well the equation left out reads $V\sin(T/2) = 0$, with $V =
+\sum\dot y_n$ at $t = 0$. So $T = 2\pi k$ gives an orbit of type I, at which a family begins, and each zero of $V$ an
+orbit of type II. The full equations, with $T$ unknown, confirm the latter and give its digits in two precisions. */
 constexpr double two_pi = 2 * std::numbers::pi;
 
 struct Family {
@@ -116,6 +110,16 @@ double missed_identity(const Orbit<double>& member) {
   return std::abs(first / member.amplitude - velocity_sum(member) * std::sin(time / 2));
 }
 
+/**
+Between the exact orbits, in five families with $T/2\pi$ from 0.7 to 1, 1.5 to 2, 2.6 to 3 and 3.7 to 4, what a
+breather leaves behind has the order of magnitude that the sum $Z$ says:
+[0.40](num:sec5_travelling_families.left_over_sum_least) to [1.05406](num:sec5_travelling_families.left_over_sum_most) of
+$\lvert1-e^{-iT}\rvert\,\lvert Z\rvert$, more than a fifth off at
+[126](num:sec5_travelling_families.left_off_by_a_fifth) of [141](num:sec5_travelling_families.left_compared) members. The
+ratio does not tend to one towards an orbit of type I either: with this measurement at $T/2\pi = k-10^{-4}$, made
+once by a program that is not part of this repository, it is 1.079, 0.961 and 0.889 for $k = 1$, $2$ and $4$. Where
+$V$ vanishes, nothing is left behind. */
+// The errors are to be compared with the largest value of their column, because these columns pass through zero
 Cells row_of(const Family& f, const Orbit<double>& member, double step) {
   const double tail = 2 * std::abs(std::sin(shift_time(member) / 2) * velocity_sum(member));
   const Left fine = set_free(member, step / 2), coarse = set_free(member, step);
@@ -131,28 +135,25 @@ Cells row_of(const Family& f, const Orbit<double>& member, double step) {
           log(fine.pulse)};
 }
 
-/**
-The errors are to be compared with the largest value of their column, because these columns pass through
-zero. */
-Table left_behind(const std::vector<Family>& all, double step) {
-  Table table{{count("k", "where the family begins"), count("sign", "of the central velocity"),
-               number("turns", "shift time over 2 pi"), number("energy", "energy"),
-               estimate("tail", "|1 - exp(-iT)| |V|, over the amplitude", "",
-                        "against the largest tail: from the equation left out"),
-               number("log_tail", "its log10"),
-               estimate("beads", "amplitude of the beads left behind, over that of the member", "",
-                        "against the largest: difference of two steps"),
-               number("log_beads", "its log10"),
-               number("log_pulse", "log10 of |1 - exp(-iT)| |g(1)|, over the amplitude")}};
+const Table& report_left_behind(Report& report, const std::vector<Family>& all, double step) {
+  Table& table =
+      report.table("left_behind",
+                   {count("k", "where the family begins"), count("sign", "of the central velocity"),
+                    number("turns", "shift time over 2 pi"), number("energy", "energy"),
+                    estimate("tail", "|1 - exp(-iT)| |V|, over the amplitude", "",
+                             "against the largest tail: from the equation left out"),
+                    number("log_tail", "its log10"),
+                    estimate("beads", "amplitude of the beads left behind, over that of the member",
+                             "", "against the largest: difference of two steps"),
+                    number("log_beads", "its log10"),
+                    number("log_pulse", "log10 of |1 - exp(-iT)| |g(1)|, over the amplitude")});
   for (const Family& f : all)
     table.fill(
         f.members, [&](const Orbit<double>& member) { return row_of(f, member, step); }, "members");
   return table;
 }
 
-/**
-How far is the amplitude from $|1-e^{-iT}|\,|V|$? Members with less than $10^{-7}$ are left out, for which the step
-errs as much. */
+// Members with less than 1e-7 are left out, for which the step errs as much
 void report_left(Report& report, const Table& table) {
   const auto tail = table.numbers("tail"), tail_error = table.numbers("tail_error"),
              beads = table.numbers("beads"), beads_error = table.numbers("beads_error");
@@ -174,9 +175,12 @@ void report_left(Report& report, const Table& table) {
 /**
 ## All orbits in one chart (figure x20)
 
-The chart shows the orbits of type I and those of type II on the families. An orbit found once has no
-error, so each is found twice: those of type I again from a disturbed guess and with a coarser landing,
-those of type II in extended precision. */
+The chart shows the orbits of type I and those of type II on the families. An orbit found once has no error, so each is
+found twice: those of type I again from a disturbed guess and with contact events located less precisely, those of type
+II in extended precision. On the family that begins at $T = 2\pi$ the first orbit of type II lies at $T/2\pi =$
+[0.897407](num:sec5_travelling_families.turns_type_two_1); in all we found
+[12](num:sec5_travelling_families.found_type_one) orbits of type I and [18](num:sec5_travelling_families.found_type_two)
+of type II. */
 struct Twice {
   int type;
   std::size_t k;
@@ -223,22 +227,21 @@ std::vector<Twice> all_orbits(const std::vector<Family>& all, std::size_t slowes
   return orbits;
 }
 
-Table orbit_chart(const std::vector<Twice>& orbits) {
-  Table table{
+void report_orbit_chart(Report& report, const std::vector<Twice>& orbits) {
+  Table& table = report.table(
+      "orbits",
       {count("type", "1 or 2"), count("k", "where the family begins"),
        count("sign", "of the central velocity"),
        estimate("turns", "shift time over 2 pi", "", "difference of two precisions, 0 where exact"),
        number("speed", "speed", "site per unit of time"),
        estimate("energy", "energy", "", "difference of two computations"),
-       number("central_velocity", "velocity of the central bead at t = 0")}};
+       number("central_velocity", "velocity of the central bead at t = 0")});
   for (const Twice& o : orbits)
     table.add({o.type, o.k, o.sign, Estimate{o.time.value / two_pi, o.time.error / two_pi},
                1 / o.time.value, o.energy, o.central});
-  return table;
 }
 
-/**
-The facts hold those of type II on the family of $k = 1$, and how many orbits we found. */
+// Those of type II on the family of k = 1, and how many orbits we found
 void report_orbits(Report& report, const std::vector<Twice>& orbits) {
   int count = 0, found[2] = {0, 0};
   for (const Twice& o : orbits) {
@@ -258,64 +261,30 @@ void report_orbits(Report& report, const std::vector<Twice>& orbits) {
 
 What happens to exact orbits in other wells? For $s \ne 0$ the sum $Z$ does not merely rotate, and it no
 longer tells which speeds are possible. But with $T$ as an unknown there are as many equations as
-unknowns, so a regular solution continues to $s \ne 0$. We follow it by its arclength, so that we can
-pass *folds*, at which a branch turns back in $s$ (continuation.hpp). */
-constexpr Stride in_s{.first = 0.02, .least = 1e-6, .most = 0.25};
+unknowns, so a regular solution continues to $s \ne 0$. We follow it by pseudo-arclength, so that we
+can pass *folds*, at which a branch turns back in $s$ (branches_in_s.hpp).
 
+[](finding:travelling.wells) In soft wells the orbits of type I continue as far as the table follows them, to $s =$
+[-1.163](num:sec5_travelling_families.soft_k1) ($k = 1$), [-1.38](num:sec5_travelling_families.soft_k2) ($k = 2$),
+[-1.392](num:sec5_travelling_families.soft_k3) ($k = 3$) and [-0.049](num:sec5_travelling_families.soft_k4) ($k = 4$),
+but not for ever: that of $k = 1$ folds at $s =$ [-5.73337](num:sec5_travelling_families.soft_fold_k1), and followed
+further, once (not part of this program), that of $k = 2$ at $-54.4$, while those of $k = 3$ and $4$ reach $-13.9$. In
+hard ones they come back from the fold to an orbit of type II at $s = 0$, for $k = 1$ after two folds more. */
 using Start = std::pair<std::size_t, Orbit<double>>;  ///< k and its orbit at s = 0
 
-Branch<double> branch_from(const Orbit<double>& start, int direction, const Stride& stride) {
-  const Shooting<double> problem = with_free_time(travelling_problem(shift_time(start)));
-  const Orbit<double> orbit = newton(problem, with_time(start.x, shift_time(start)));
-  return {problem, along_s<double>(), orbit, direction, {}, stride};
-}
-
-/// A point of a branch.
-struct Place {
-  double s, turns, energy;
-};
-Place place(const Branch<double>& branch) {
-  const Shooting<double> problem = branch.problem();
-  const Vector<double> x = branch.unknowns();
-  return {problem.chain.well.as<Quartic>().s, x[x.size() - 1] / two_pi,
-          energy(problem.chain, problem.expand(x))};
-}
-
-/**
-A branch is followed for a given number of steps and within $|s| \le 3$ and $T \ge \pi$, which are our
-choice. */
-std::vector<Place> follow_branch(const Orbit<double>& start, int direction, int steps) {
-  Branch<double> branch = branch_from(start, direction, in_s);
-  std::vector<Place> way{place(branch)};
-  try {
-    for (int i = 0; i < steps; ++i) {
-      branch.advance();
-      way.push_back(place(branch));
-      if (std::abs(way.back().s) > 3 || way.back().turns < 0.5) break;
-    }
-  } catch (const NewtonFailed&) {
-    // Newton's method fails where beads of the tail only just touch; the branch is shown up to there.
-  }
-  return way;
-}
-
-/**
-The folds come from shorter steps than the branches (continuation.hpp). In soft wells the fastest orbit has one,
-too. */
+// The folds come from shorter steps than the branches
 void report_folds(Report& report, const std::vector<Start>& starts) {
   const std::size_t hard = starts.size();
   std::vector<Estimate> folds(hard + (report.quick ? 0 : 1));
   parallel_for(folds.size(), [&](std::size_t i) {
-    folds[i] = fold_of(branch_from(starts[i % hard].second, i < hard ? 1 : -1, in_s));
+    folds[i] = fold_of(branch_from(starts[i % hard].second, i < hard ? 1 : -1));
   });
   for (std::size_t i = 0; i < hard; ++i)
     report.facts.add("fold_k" + std::to_string(starts[i].first), folds[i], "s");
   if (folds.size() > hard) report.facts.add("soft_fold_k1", folds[hard], "s");
 }
 
-/**
-For the figure each branch is followed in both directions of $s$. Slow orbits are small and hardly
-notice the quartic term, so their branches need few steps. */
+// Slow orbits are small and hardly notice the quartic term, so their branches need few steps
 Table branch_table(const std::vector<Start>& starts, int steps) {
   Table table{{count("k", "where the branch begins at s = 0"),
                count("direction", "of s at the start"),
@@ -335,12 +304,31 @@ Table branch_table(const std::vector<Start>& starts, int steps) {
   return table;
 }
 
+void report_wells(Report& report, const std::vector<Start>& starts) {
+  const bool quick = report.quick;
+  report_folds(report, {starts.begin(), starts.begin() + (quick ? 1 : 3)});
+  const Table branches = branch_table(starts, quick ? 8 : 40);
+  const auto k = branches.numbers("k"), direction = branches.numbers("direction"),
+             s = branches.numbers("s");
+  for (const Start& start : starts) {
+    double softest = 0;
+    for (std::size_t i = 0; i < s.size(); ++i)
+      if (k[i] == double(start.first) && direction[i] < 0) softest = std::min(softest, s[i]);
+    report.facts.add("soft_k" + std::to_string(start.first),
+                     exact(std::trunc(1000 * softest) / 1000), "s to which it is followed");
+  }
+  report.output.add("branches", branches);
+}
+
 /**
 ## The boomeron again
 
-In section 3.4 a packet slows down and turns at $s = 1$. Does it follow exact orbits as it slows down,
-and turn where they end? To see this we draw its speed against its energy, together with the orbits that
-we find at $s = 1$. */
+In section 3.4 a packet slows down and turns at $s = 1$. Does it follow exact orbits as it slows down, and turn where
+they end? To see this we draw its speed against its energy, together with the orbits that we find at $s = 1$. A branch
+may pass this value on its way out, and again after its fold; one that folds before has no orbit there. The boomeron
+does not turn where the exact orbits that we know end. The fastest of them at $s = 1$ has the speed
+[0.0539509](num:sec5_travelling_families.fastest_at_one), and when the packet is as slow as that it has hundreds of
+times its energy; sec34_boomeron_why.cpp looks for what turns it instead. */
 Path packet_at_one(double step) {
   Path path;
   strike(ContactAware{step}, {1.9, {160, Quartic{1}}, 400, 0.5},
@@ -352,18 +340,6 @@ double speed_in(const Path& p, std::size_t i) {
   return (p.centre[i + 1] - p.centre[i - 1]) / (p.t[i + 1] - p.t[i - 1]);
 }
 
-Table packet_table(const Path& p) {
-  Table table{{number("t", "time"), number("centre", "smoothed centre", "site"),
-               number("speed", "of the smoothed centre", "site per unit of time"),
-               number("energy", "smoothed energy of the packet")}};
-  for (std::size_t i = 1; i + 1 < p.t.size(); i += 2)
-    table.add({p.t[i], p.centre[i], speed_in(p, i), p.energy[i]});
-  return table;
-}
-
-/**
-We need the exact orbits at $s = 1$. A branch may pass this value on its way out, and again after its
-fold. */
 Cells crossing(std::size_t k, Branch<double>& branch) {
   const Orbit<double> orbit = branch.reach(1);
   Shooting<double> problem = branch.problem();
@@ -373,8 +349,6 @@ Cells crossing(std::size_t k, Branch<double>& branch) {
           compare(orbit.energy, double(wide.energy))};
 }
 
-/**
-A branch that folds below $s = 1$ has no orbit there, and none is listed. */
 Table exact_at_one(const std::vector<Start>& starts) {
   Table table{{count("k", "where the branch begins at s = 0"),
                estimate("speed", "speed", "site per unit of time", "difference of two precisions"),
@@ -382,7 +356,7 @@ Table exact_at_one(const std::vector<Start>& starts) {
   std::vector<std::vector<Cells>> rows(starts.size());
   parallel_for(starts.size(), [&](std::size_t i) {
     const std::size_t k = starts[i].first;
-    Branch<double> branch = branch_from(starts[i].second, 1, in_s);
+    Branch<double> branch = branch_from(starts[i].second, 1);
     try {
       rows[i].push_back(crossing(k, branch));
       if (k > 3) return;
@@ -397,9 +371,7 @@ Table exact_at_one(const std::vector<Start>& starts) {
   return table;
 }
 
-/**
-To decide whether packet and exact orbits meet, we compare the energy of the fastest exact orbit at
-$s = 1$ with that of the packet when it has slowed down to the same speed. */
+// The energy of the fastest exact orbit at s = 1 and that of the packet when it has slowed down to the same speed
 void report_boomeron(Report& report, const Table& exact_orbits, const Path& coarse,
                      const Path& fine) {
   const auto speeds = exact_orbits.numbers("speed"), energies = exact_orbits.numbers("energy"),
@@ -418,59 +390,31 @@ void report_boomeron(Report& report, const Table& exact_orbits, const Path& coar
                    "when it is as fast as the fastest exact orbit");
 }
 
-/**
-## Results
-
-Between the exact orbits, in five families with $T/2\pi$ from 0.7 to 1, 1.5 to 2, 2.6 to 3 and 3.7 to 4, what a
-breather leaves behind has the order of magnitude that the sum $Z$ says:
-[0.40](num:sec5_travelling_families.left_over_sum_least) to [1.05406](num:sec5_travelling_families.left_over_sum_most) of
-$\lvert1-e^{-iT}\rvert\,\lvert Z\rvert$, more than a fifth off at
-[126](num:sec5_travelling_families.left_off_by_a_fifth) of [141](num:sec5_travelling_families.left_compared) members. The
-ratio does not tend to one towards an orbit of type I either: with this measurement at $T/2\pi = k-10^{-4}$, made
-once by a program that is not part of this repository, it is 1.079, 0.961 and 0.889 for $k = 1$, $2$ and $4$. Where
-$V$ vanishes, nothing is left behind. On the family that begins at $T = 2\pi$ the first orbit of type II lies at
-$T/2\pi =$ [0.897407](num:sec5_travelling_families.turns_type_two_1); in all we found
-[12](num:sec5_travelling_families.found_type_one) orbits of type I and
-[18](num:sec5_travelling_families.found_type_two) of type II.
-
-[](finding:travelling.wells) In soft wells the orbits of type I continue as far as the table follows them, to $s =$
-[-1.163](num:sec5_travelling_families.soft_k1) ($k = 1$), [-1.38](num:sec5_travelling_families.soft_k2) ($k = 2$),
-[-1.392](num:sec5_travelling_families.soft_k3) ($k = 3$) and [-0.049](num:sec5_travelling_families.soft_k4) ($k = 4$),
-but not for ever: that of $k = 1$ folds at $s =$ [-5.73337](num:sec5_travelling_families.soft_fold_k1), and followed
-further, once (not part of this program), that of $k = 2$ at $-54.4$, while those of $k = 3$ and $4$ reach $-13.9$. In
-hard ones they come back from the fold to an orbit of type II at $s = 0$, for $k = 1$ after two folds more. */
-void report_wells(Report& report, const std::vector<Start>& starts) {
-  const bool quick = report.quick;
-  report_folds(report, {starts.begin(), starts.begin() + (quick ? 1 : 3)});
-  const Table branches = branch_table(starts, quick ? 8 : 40);
-  const auto k = branches.numbers("k"), direction = branches.numbers("direction"),
-             s = branches.numbers("s");
-  for (const Start& start : starts) {
-    double softest = 0;
-    for (std::size_t i = 0; i < s.size(); ++i)
-      if (k[i] == double(start.first) && direction[i] < 0) softest = std::min(softest, s[i]);
-    report.facts.add("soft_k" + std::to_string(start.first),
-                     exact(std::trunc(1000 * softest) / 1000), "s to which it is followed");
-  }
-  report.output.add("branches", branches);
+void report_packet(Report& report, const Path& p) {
+  Table& table = report.table("packet_at_one",
+                              {number("t", "time"), number("centre", "smoothed centre", "site"),
+                               number("speed", "of the smoothed centre", "site per unit of time"),
+                               number("energy", "smoothed energy of the packet")});
+  for (std::size_t i = 1; i + 1 < p.t.size(); i += 2)
+    table.add({p.t[i], p.centre[i], speed_in(p, i), p.energy[i]});
 }
 
 /**
-So the boomeron does not turn where the exact orbits that we know end. The fastest of them at $s = 1$ has the speed
-[0.0539509](num:sec5_travelling_families.fastest_at_one), and when the packet is as slow as that it has hundreds of
-times its energy; sec34_boomeron_why.cpp looks for what turns it instead. */
+## Differences and limits
+
+Branches are followed within bounds. They stop where Newton's method fails, it seems at orbits in which a bead of the
+tail only just touches its neighbour. We do not prove that nothing else exists at $s = 1$; we looked only for what is
+connected with $s = 0$. */
 void reproduce(Report& report) {
   const bool quick = report.quick;
   std::vector<Family> all = families(quick);
   parallel_for(all.size(), [&](std::size_t i) {
     follow(all[i], quick ? 0.2 : i < 2 ? 0.06 : 0.1);
   });
-  const Table left = left_behind(all, 0.1);
-  report_left(report, left);
-  report.output.add("left_behind", left);
+  report_left(report, report_left_behind(report, all, 0.1));
   const std::vector<Twice> orbits = all_orbits(all, quick ? 4 : 6);
   report_orbits(report, orbits);
-  report.output.add("orbits", orbit_chart(orbits));
+  report_orbit_chart(report, orbits);
   std::vector<Start> starts;
   for (std::size_t k : quick ? std::vector<std::size_t>{1} : std::vector<std::size_t>{1, 2, 3, 4})
     starts.emplace_back(k, Staircase(1).reach(k));
@@ -480,20 +424,23 @@ void reproduce(Report& report) {
   parallel_for(2, [&](std::size_t i) { packet[i] = packet_at_one(i ? 0.05 : 0.1); });
   report_boomeron(report, at_one, packet[0], packet[1]);
   report.output.add("exact_at_one", at_one);
-  report.output.add("packet_at_one", packet_table(packet[1]));
+  report_packet(report, packet[1]);
 }
 
 /**
-## Limits
+## Try it
 
-Branches are followed within bounds. They stop where Newton's method fails, it seems at orbits in which a bead of the
-tail only just touches its neighbour. We do not prove that nothing else exists at $s = 1$; we looked only for what is
-connected with $s = 0$.
-
-## Extensions
-
-- Follow type II into the limit of small amplitude: do all of them merge with type I?
-- Kick an exact orbit at $s = 0$ and watch its phase: how long does it take to lose the kick? */
+1. *Easy.* How much energy has the first orbit of type II on the family that begins at $T = 2\pi$?
+   `build/bin/sec5_travelling_breathers orbit --near 5.6` gives `energy` = 1.313832.
+   Hint: a little faster than the orbit of type I at the family's beginning, and yet several times its energy.
+2. *Harder.* And near $T = 12$, on the family of $k = 2$?
+   `build/bin/sec5_travelling_breathers orbit --near 12` gives `shift_time` = 12.187932.
+   Hint: divide by $2\pi$, and ask for shift times a little shorter: zeros of $V$ follow one another.
+3. *Harder.* Do slow orbits notice the well?
+   `build/bin/sec5_travelling_breathers orbit --k 2 --s -1` gives `shift_time` = 12.65551.
+   Hint: compare the relative change of the shift time with that of $k = 1$ (`--k 1 --s -1`), and the peaks of both.
+4. *Open.* Follow type II into the limit of small amplitude: do all of them merge with type I?
+5. *Open.* Kick an exact orbit at $s = 0$ and watch its phase: how long does it take to lose the kick? */
 int main(int argc, char** argv) {
   return run(
       {"sec5_travelling_families", "5", "Families of travelling breathers (section 5)", reproduce},

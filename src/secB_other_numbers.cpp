@@ -1,12 +1,12 @@
 /**
-# Appendix: other people's numbers
+# Appendix: numbers of other authors
 
 This book compares its numbers with those of one article and with each other. A library for chains of beads should also
-reproduce what others have printed, and so we compute here some twenty numbers from the classical subject of this field, the
-chain *without* wells, and from the neighbours of the article's own equations. The list
-`paper/literature.ecsv` holds what is printed, with its source and the way in which we know it: only a number that we
-have read at its source, in its text or its data, or in its abstract, is judged. Numbers that everybody quotes, and
-whose source we could not open, stand beside ours without a verdict.
+reproduce what others have printed, and so we compute here some twenty numbers from the classical subject of this field,
+the chain *without* wells, and from the neighbours of the article's own equations. The list `paper/literature.ecsv`
+holds what is printed, with its source and the way in which we know it: only a number that we have read at its source,
+in its text or its data, or in its abstract, is judged. Numbers that everybody quotes, and whose source we could not
+open, stand beside ours without a verdict.
 
 ![Numbers of other authors, and ours over them.](fig:x34)
 
@@ -63,9 +63,9 @@ Record watch_beads(std::size_t sites, double duration, double step, double sampl
 }
 
 /**
-The error is that of the step and of the sampling together, and of the length of the run: whether the pulse still changes
-between bead 40 and bead 80. The largest velocity is [0.681632](num:secB_other_numbers.pulse_amplitude) times that of the impact,
-and the pulse has [0.993661](num:secB_other_numbers.pulse_energy) of its energy. */
+The error is that of the step and of the sampling together, and of the length of the run: whether the pulse still
+changes between bead 40 and bead 80. The largest velocity is [0.681632](num:secB_other_numbers.pulse_amplitude) times
+that of the impact, and the pulse has [0.993661](num:secB_other_numbers.pulse_energy) of its energy. */
 Estimate pulse_amplitude() {
   const auto heights = [](double step) {
     const Record run = watch_beads(100, 110, step, step, {40, 80});
@@ -77,12 +77,12 @@ Estimate pulse_amplitude() {
 }
 
 /**
-The wave itself is computed without a run, and from its integrals follows what else is printed. A wave of the
-amplitude $V$ has the speed $c = (V/V_1)^{1/5}$ if $V_1$ is the largest velocity in the wave of speed one. In the
-long-wave theory of Nesterenko $c = (4/5)^{2/5}V^{1/5}$, and the velocity is proportional to
-$\cos^4(\sqrt{2/5}\,\xi)$, five sites wide. Sen and Manciu wrote the displacement as a $\tanh$ with the slope $C_1/2$ at the centre, so that
-$C_1 = 4V/(c\,A)$ with the shift $A$ of every bead. We find $C_1 =$ [2.39525](num:secB_other_numbers.sen_c1); theirs, as we remember
-it, is larger by a twentieth of a thousandth, and we do not know from which run it was taken. The wave is slower than the
+The wave itself is computed without a run, and from its integrals follows what else is printed. A wave of the amplitude
+$V$ has the speed $c = (V/V_1)^{1/5}$ if $V_1$ is the largest velocity in the wave of speed one. In the long-wave theory
+of Nesterenko $c = (4/5)^{2/5}V^{1/5}$, and the velocity is proportional to $\cos^4(\sqrt{2/5}\,\xi)$, five sites wide.
+Sen and Manciu wrote the displacement as a $\tanh$ with the slope $C_1/2$ at the centre, so that $C_1 = 4V/(c\,A)$ with
+the shift $A$ of every bead. We find $C_1 =$ [2.39525](num:secB_other_numbers.sen_c1); theirs, as we remember it, is
+larger by a twentieth of a thousandth, and we do not know from which run it was taken. The wave is slower than the
 long-wave theory by [0.780663](num:secB_other_numbers.pulse_slower) per cent and at half height narrower by
 [12.677](num:secB_other_numbers.pulse_narrower) per cent. */
 struct WaveNumbers {
@@ -106,8 +106,8 @@ WaveNumbers wave_numbers(std::size_t points, std::size_t reach) {
 /**
 One of the sources gives the width at a hundredth of the crest as it was measured: bead 31 of 60 steel beads of 10 mm,
 sampled every 2 microseconds, between the samples a straight line. Near the foot of the pulse the velocity falls by half
-from sample to sample, and the straight line makes the pulse wider: [3.95724](num:secB_other_numbers.sampled_width) sites instead
-of [3.94587](num:secB_other_numbers.pulse_width). */
+from sample to sample, and the straight line makes the pulse wider: [3.95724](num:secB_other_numbers.sampled_width)
+sites instead of [3.94587](num:secB_other_numbers.pulse_width). */
 double sampled_width(double step, double speed) {
   const double mass = 7780 * std::numbers::pi / 6 * 1e-6;
   const double stiffness = 4. / 3 * 203e9 / (2 * (1 - 0.3 * 0.3)) * std::sqrt(0.005 / 2);
@@ -117,7 +117,7 @@ double sampled_width(double step, double speed) {
   return speed * time_above(run.t, run.v[0], 0.01 * crest);
 }
 
-void compute_pulse(Report& report) {
+void report_pulse(Report& report) {
   const WaveNumbers coarse = wave_numbers(16, 6), fine = wave_numbers(32, 6);
   const auto add = [&](const char* name, double WaveNumbers::*number, const char* unit = "") {
     report.facts.add(name, compare(coarse.*number, fine.*number), unit);
@@ -142,13 +142,14 @@ void compute_pulse(Report& report) {
 ## What flies back
 
 Behind the pulse one bead after the other loses its contacts and flies back, each more slowly than the one before, the
-sixteenth by the factor [0.562601](num:secB_other_numbers.fragment_ratio). Hinch and Saint-Jean described this fragmentation of a line of balls in
-1999; the six digits that we compare with are those of a run that was put online with a program of Sokolow's, with 100
-steel balls and a leapfrog of ten picoseconds. Its first ball later meets a wall, and until then the chain is ours. */
+sixteenth by the factor [0.562601](num:secB_other_numbers.fragment_ratio). Hinch and Saint-Jean described this
+fragmentation of a line of balls in 1999; the six digits that we compare with are those of a run that was put online
+with a program of Sokolow's, with 100 steel balls and a leapfrog of ten picoseconds. Its first ball later meets a wall,
+and until then the chain is ours. */
 constexpr std::size_t fragments[]{1, 2, 4, 8, 16};
 constexpr double struck_with = 0.099188;  // m/s
 
-void compute_fragments(Report& report) {
+void report_fragments(Report& report) {
   const auto velocities = [](double step) { return watch_beads(60, 30, step, 30, {}).end.v; };
   const auto coarse = velocities(0.04), fine = velocities(0.02);
   for (std::size_t n : fragments)
@@ -163,12 +164,13 @@ void compute_fragments(Report& report) {
 
 In a dimer chain the pulse loses energy to the light beads, but at particular mass ratios it does not: Jayaprakash,
 Starosvetsky and Vakakis found a sequence of them. A run approaches them slowly. We solve the equations of the wave
-itself (dimer_wave.hpp), from the pulse of a run near each ratio, on two grids: [0.342846](num:secB_other_numbers.dimer_1),
-[0.154752](num:secB_other_numbers.dimer_2), [0.0901278](num:secB_other_numbers.dimer_3) and [0.0615021](num:secB_other_numbers.dimer_4). They are the
-four numbers that we remember of that article, to all its digits. */
+itself (dimer_wave.hpp), from the pulse of a run near each ratio, on two grids:
+[0.342846](num:secB_other_numbers.dimer_1), [0.154752](num:secB_other_numbers.dimer_2),
+[0.0901278](num:secB_other_numbers.dimer_3) and [0.0615021](num:secB_other_numbers.dimer_4). They are the four numbers
+that we remember of that article, to all its digits. */
 constexpr double near_ratio[]{0.343, 0.155, 0.09, 0.0615};
 
-void compute_dimers(Report& report) {
+void report_dimers(Report& report) {
   for (std::size_t k = 0; k < std::size(near_ratio); ++k) {
     const auto ratio = [&](std::size_t steps) {
       return dimer_wave(passing_pulse(near_ratio[k], steps)).mass_ratio;
@@ -182,9 +184,10 @@ void compute_dimers(Report& report) {
 
 The same happens in a chain of equal beads whose contacts have two exponents in turn (alternating.hpp). Kekić, who
 studied such chains in his thesis, writes exponents of the potential energy and names two pairs for which the leading
-pulse keeps its energy, 5/2 with 2.635 and 4 with 5.0. His unit of length follows from the impact of 0.11 m/s. The loss has
-its minimum, zero, at [2.63533](num:secB_other_numbers.exponent_hertz) and [5.01](num:secB_other_numbers.exponent_four). */
-void compute_alternating(Report& report) {
+pulse keeps its energy, 5/2 with 2.635 and 4 with 5.0. His unit of length follows from the impact of 0.11 m/s. The loss
+has its minimum, zero, at [2.63533](num:secB_other_numbers.exponent_hertz) and
+[5.01](num:secB_other_numbers.exponent_four). */
+void report_alternating(Report& report) {
   // His steel beads, and the unit of length (m v^2 / (a A))^(1/a) with the exponent a and the strength A of the energy
   const double A = 0.4 * std::sqrt(0.002) / (1.5 * (1 - 0.3 * 0.3) / 2.26e11), m = 2.05e-3;
   const double v = 1e-7 / std::sqrt(m / (1e9 * 2.5));
@@ -202,23 +205,23 @@ void compute_alternating(Report& report) {
 ## Any exponent of the contact
 
 James and Starosvetsky (2013) proved that the DpS equation has breathers around a site and around a bond for every
-exponent $\alpha > 1$ of the contact force, and that they become Gaussian as $\alpha \to 1$. Which one is stable? We compute
-both from $\alpha = 1.1$ to 4 (secB/exponents.hpp). At every exponent that we computed the one around a bond is spectrally stable
-and the one around a site is not, with a margin $m_2/\mu-1/\alpha$ that grows from
-[2.62509e-28](num:secB_other_numbers.margin_site_110) over [4.85298e-6](num:secB_other_numbers.margin_site_150) for spheres to
-[0.0954946](num:secB_other_numbers.margin_site_400). No margin changes its sign between the exponents computed, and neither
-does the difference of the norms: anharmonic wells exchange stability in the chain, the exponent of the contact alone
-does not.
+exponent $\alpha > 1$ of the contact force, and that they become Gaussian as $\alpha \to 1$. Which one is stable? We
+compute both from $\alpha = 1.1$ to 4 (secB/exponents.hpp). At every exponent that we computed the one around a bond is
+spectrally stable and the one around a site is not, with a margin $m_2/\mu-1/\alpha$ that grows from
+[2.62509e-28](num:secB_other_numbers.margin_site_110) over [4.85298e-6](num:secB_other_numbers.margin_site_150) for
+spheres to [0.0954946](num:secB_other_numbers.margin_site_400). No margin changes its sign between the exponents
+computed, and neither does the difference of the norms: anharmonic wells exchange stability in the chain; in the
+limit of small amplitude the exponent of the contact alone does not.
 
 ![Which static DpS breather is stable, and by how much, against the exponent of the contact.](fig:x35)
 
-As $\alpha \to 1$ the two become alike like $e^{-c/(\alpha-1)}$. The Gaussian's width alone would give $c = \pi^2/2$; the
-profile farther out gives [6.49017](num:secB_other_numbers.alike_expected), by the argument of secB/exponents.hpp. Between
-$\alpha = 1.1$ and 1.12 the logarithm of the norms' difference falls by
+As $\alpha \to 1$ the two become alike like $e^{-c/(\alpha-1)}$. The Gaussian's width alone would give $c = \pi^2/2$;
+the profile farther out gives [6.49017](num:secB_other_numbers.alike_expected), by the argument of secB/exponents.hpp.
+Between $\alpha = 1.1$ and 1.12 the logarithm of the norms' difference falls by
 [6.45110](num:secB_other_numbers.alike_rate) for each unit of $1/(\alpha-1)$, and between 1.2 and 1.3 by
-[6.42891](num:secB_other_numbers.alike_rate_far): the rate approaches $c$ slowly, as a power in front would make it do, and
-$\pi^2/2$ is refuted. */
-void compute_exponents(Report& report) {
+[6.42891](num:secB_other_numbers.alike_rate_far): the rate approaches $c$ slowly, as a power in front would make it do,
+and $\pi^2/2$ is refuted. */
+void report_exponents(Report& report) {
   std::vector<double> alphas{1.3, 1.5, 2, 3, 4};
   if (!report.quick)
     alphas = {1.1, 1.12, 1.16, 1.2,  1.25, 1.3,  1.4, 1.5,  1.6, 1.8,
@@ -262,15 +265,37 @@ void compute_exponents(Report& report) {
   report.facts.add("alike_expected", pinning_exponent());
 }
 
+/**
+## Differences and limits
+
+Of what we could not read at its source we compare what we remember, and give no verdict. An agreement of printed digits
+says that two computations solve the same equations, not that a chain of real balls does. The exponents of the last
+section are those of the DpS equation, the limit of small amplitudes; in the chain itself only those that other chapters
+compute are known. */
 void reproduce(Report& report) {
-  compute_pulse(report);
-  compute_fragments(report);
-  compute_dimers(report);
-  compute_alternating(report);
-  compute_exponents(report);
+  report_pulse(report);
+  report_fragments(report);
+  report_dimers(report);
+  report_alternating(report);
+  report_exponents(report);
 }
 
+/**
+## Try it
+
+1. *Easy.* A harder impact makes a faster pulse: by how much?
+   `build/bin/sec34_impact run --well none --velocity 2` gives `speed` = 0.965491.
+   Hint: divide by $2^{1/5}$ and compare with another velocity.
+2. *Easy.* Which fraction of the energy does the pulse take along?
+   `build/bin/sec34_impact run --well none` gives `packet_energy_fraction` = 0.9936610.
+   Hint: try another velocity. Why can it not matter, and where is the rest?
+3. *Harder.* Does the exponent alone exchange the two breathers in the chain, beyond the limit of small amplitude?
+   `build/bin/sec32_barrier barrier --contact power --alpha 2` gives `equal_area` = 3.55070e-8, and
+   `build/bin/sec32_barrier barrier --contact power --alpha 2 --omega 1.05` gives `equal_area` = -9.12675e-11.
+   Hint: the sign at small $\omega_b-1$ is that of the DpS equation. Find the frequency at which the barrier vanishes.
+4. *Open.* Along which curve of exponent and frequency does that barrier vanish?
+5. *Open.* From which run did Sen and Manciu take their $C_1$? */
 int main(int argc, char** argv) {
-  return run({"secB_other_numbers", "B", "Other people's numbers (appendix)", reproduce}, argc,
+  return run({"secB_other_numbers", "B", "Numbers of other authors (appendix)", reproduce}, argc,
              argv);
 }

@@ -103,7 +103,7 @@ double lifetime_of_growth(const std::vector<Member>& members, double limit, doub
   return high;
 }
 
-// The pair that becomes the pinning pair of the chain
+// The pair that becomes the translational pair of the chain
 double dps_growth(Centre centre) {
   const auto spectrum =
       contact_spectrum(stationary<double>(centre, 1.0, centre == Centre::bond ? 30 : 31));

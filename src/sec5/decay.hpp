@@ -24,10 +24,10 @@ damped chain to a tenth. */
 
 namespace lattice {
 
-/// A breather of the branch in the well of anharmonicity s, with the growth rate of its pinning pair.
+/// A breather of the branch in the well of anharmonicity s, with the growth rate of its translational pair.
 struct Member {
   double omega = 0, energy = 0, area = 0;
-  double kappa = 0;   ///< of the pinning pair (floquet.hpp); unstable if positive
+  double kappa = 0;   ///< of the translational pair (floquet.hpp); unstable if positive
   double growth = 0;  ///< per unit of time, zero if stable
   /// The multiplier per period that belongs to the growth.
   double multiplier() const;

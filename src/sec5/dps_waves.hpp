@@ -33,6 +33,7 @@ $\frac23\rho^2$ at $c = -1$, and $\rho$ rises with it: the wave $q = \pi$ is the
 #include <vector>
 
 #include "lattice/dps/evolve.hpp"
+#include "lattice/numerics/estimate.hpp"
 
 namespace lattice {
 
@@ -97,6 +98,13 @@ struct DpsWave {
     return cos(q) > T(-1) / T(5) ? std::numbers::pi_v<T> : acos((T(1) + cos(edge())) / T(2));
   }
 };
+
+/// A quantity of the wave q. Formulas have no step to halve, so their error is the difference of two precisions.
+template <class Of>
+Estimate in_two_precisions(double q, Of of, double amplitude = 1) {
+  return compare(double(of(DpsWave<double>{q, amplitude})),
+                 double(of(DpsWave<long double>{q, amplitude})));
+}
 
 /**
 ## The same without the formulas

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "lattice/gsl/random.hpp"
+#include "lattice/numerics/parallel.hpp"
 
 namespace lattice {
 
@@ -101,6 +102,18 @@ Vector<double> random_start(const PlainLine& line, std::size_t pieces, unsigned 
     u[i] = values[left] + (place - double(left)) * (values[left + 1] - values[left]);
   }
   return u;
+}
+
+std::vector<Ascent> random_ascents(std::size_t count, double shift_time, std::size_t per_shift,
+                                   const PowerContact& law, const StopRule& rule) {
+  std::vector<Ascent> all(count);
+  parallel_for("ascents", count, [&](std::size_t i) {
+    const PlainLine line(shift_time, 12, per_shift);
+    const auto convolve = [&](const Vector<double>& f) { return line.convolve(f); };
+    all[i] = ascend(convolve, line.weight(), law, random_start(line, 96, i + 1), rule.gain,
+                    rule.most, rule.over);
+  });
+  return all;
 }
 
 }  // namespace lattice

@@ -71,4 +71,14 @@ class PlainLine {
 /// every grid of the same interval.
 Vector<double> random_start(const PlainLine& line, std::size_t pieces, unsigned long seed);
 
+/// When an ascent stops: after so many tries, or when `over` steps gained less than `gain` each, on average.
+struct StopRule {
+  double gain;
+  std::size_t most, over;
+};
+
+/// Ascents on twelve shift times from `count` random starts, the seeds being 1, 2 and so on.
+std::vector<Ascent> random_ascents(std::size_t count, double shift_time, std::size_t per_shift,
+                                   const PowerContact& law, const StopRule& rule);
+
 }  // namespace lattice

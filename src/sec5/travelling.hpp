@@ -250,7 +250,7 @@ change of the orbit to another one. Changes that the breather leaves behind are 
 multipliers lie inside the unit circle. Near $+1$ there remain two pairs: that of the shift in time with
 the change of the speed, which is defective (floquet.hpp), and that of the internal phase. The sum of
 $(\lambda-1)^2/\lambda$ over the four is $8\kappa$, to which the first pair contributes nothing: with
-$\kappa > 0$ a change of the phase grows, with $\kappa < 0$ it is held. */
+$\kappa > 0$ a change of the phase grows, with $\kappa < 0$ it is pinned. */
 
 /// The derivative of the flow over one shift, read one site further; nothing enters from ahead.
 template <class T>

@@ -1,0 +1,31 @@
+#include "commands/one_kernel_wave.hpp"
+
+#include "sec5/two_signs.hpp"
+
+namespace lattice {
+
+void OneKernelWave::parameters(Parameters& p) {
+  p.add("k", k, "oscillations a site", {1, 12});
+  p.add("sign", sign, "of the central velocity", {{"plus", Sign::plus}, {"minus", Sign::minus}});
+  p.add("alpha", alpha, "exponent of the contacts", {1.1, 8});
+}
+
+Table OneKernelWave::table() const {
+  const TwoGridWave w = wave_on_two_grids(k, int(sign), alpha);
+  const double residual = w.fine().residual();
+  Answers q;
+  q.add("energy", w(&KernelWave::energy), "",
+        "energy of the whole lattice that carries the wave, Eq. (6)");
+  q.add("action", w(&KernelWave::action), "",
+        "integral over all times of d_+^(alpha+1), d being the compression of a contact");
+  q.add("peak", w(&KernelWave::peak), "", "largest compression of a contact");
+  q.add("contacts", compare(w.grids[0].contacts(), w.fine().contacts()), "",
+        "number of intervals of time in which one contact is closed");
+  q.add("quotient", w(&KernelWave::quotient), "",
+        "value Q of the variational quotient, action^(-(alpha-1)/(alpha+1))");
+  q.add_small("residual", {residual, residual}, "relative to the peak",
+              "by how much the kernel equation is missed");
+  return q.table;
+}
+
+}  // namespace lattice

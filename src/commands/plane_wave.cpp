@@ -1,0 +1,39 @@
+#include "commands/plane_wave.hpp"
+
+#include <cmath>
+#include <string>
+
+#include "sec5/dps_waves.hpp"
+
+namespace lattice {
+
+void PlaneWave::parameters(Parameters& p) {
+  p.add("q", q, "wavenumber of the wave", {1e-6, std::numbers::pi, "1/site"});
+  p.add("modulation", modulation, "wavenumber Q of the modulation",
+        {1e-6, std::numbers::pi, "1/site"});
+  p.add("amplitude", amplitude, "modulus |A| of the wave", {1e-12, 1e12});
+}
+
+Table PlaneWave::table() const {
+  const auto both = [this](auto of) { return in_two_precisions(q, of, amplitude); };
+  // The wave and this modulation, then all modulations
+  const std::string stable = std::string("the wave is ") +
+                             (std::abs(std::cos(q)) < 1e-9 ? "marginal" : "stable") +
+                             ": no modulation of it grows exponentially";
+  Answers answers;
+  answers.add("frequency", both([](const auto& w) { return w.frequency(); }), "",
+              "frequency Omega of the plane wave in the slow time of the DpS equation");
+  answers.add_small(
+      "growth", both([this](const auto& w) { return w.growth(modulation); }), "",
+      "growth rate in the slow time of a modulation of the given Q; 0 if it does not grow");
+  answers.add_small("edge", both([](const auto& w) { return w.edge(); }), "1/site",
+                    "edge Q_* of the band of modulations that grow", stable);
+  answers.add_small("fastest", both([](const auto& w) { return w.fastest(); }), "1/site",
+                    "wavenumber Q of the modulation that grows fastest", stable);
+  answers.add_small("fastest_growth",
+                    both([](const auto& w) { return w.unstable() ? w.growth(w.fastest()) : 0; }),
+                    "", "growth rate in the slow time of the fastest modulation; 0 if none grows");
+  return answers.table;
+}
+
+}  // namespace lattice

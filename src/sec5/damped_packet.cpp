@@ -1,0 +1,21 @@
+#include "sec5/damped_packet.hpp"
+
+namespace lattice {
+
+Journey journey(double velocity, double lifetime, double contact, double ms, double step) {
+  const DrivenChain driven{Chain{beams}, {array.rate(lifetime), contact}};
+  return follow_packet(driven, array.velocity(velocity), array.time(ms), beams - 1, step);
+}
+
+TwoJourneys two_journeys(double velocity, double lifetime, double contact, double ms,
+                         const std::array<double, 2>& h) {
+  TwoJourneys out;
+  for (std::size_t i : {0U, 1U}) out.runs[i] = journey(velocity, lifetime, contact, ms, h[i]);
+  return out;
+}
+
+TwoJourneys slowed_both(const TwoJourneys& free, double nu) {
+  return {{slowed(free.runs[0], nu), slowed(free.runs[1], nu)}};
+}
+
+}  // namespace lattice

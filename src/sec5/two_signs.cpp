@@ -1,0 +1,81 @@
+#include "sec5/two_signs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "lattice/numerics/parallel.hpp"
+#include "sec5/wave_zeros.hpp"
+
+namespace lattice {
+namespace {
+
+constexpr double rounding_of_quotients = 4 * std::numeric_limits<double>::epsilon();
+constexpr double hertz_exponent = 1.5;
+
+}  // namespace
+
+TwoGridWave wave_on_two_grids(std::size_t k, int sign, double alpha, const TwoGrids& grids) {
+  const PowerContact law{alpha, 0};
+  return {k,
+          sign,
+          alpha,
+          {wave_of_type_one(k, sign, law, grids[0]), wave_of_type_one(k, sign, law, grids[1])}};
+}
+
+Estimate TwoSigns::difference() const {
+  const auto ratio = [&](std::size_t i) {
+    return plus.grids[i].quotient() / minus.grids[i].quotient() - 1;
+  };
+  const Estimate apart = compare(ratio(0), ratio(1));
+  return {apart.value, std::max(apart.error, rounding_of_quotients)};
+}
+
+std::vector<TwoSigns> compare_signs(const std::vector<double>& alphas) {
+  std::vector<std::vector<TwoGridWave>> found(2 * alphas.size());
+  std::vector<Estimate> kappa(found.size(), {std::nan(""), std::nan("")});
+  parallel_for("exponents", found.size(), [&](std::size_t i) {
+    const double alpha = alphas[i / 2];
+    found[i].push_back(wave_on_two_grids(1, i % 2 ? -1 : 1, alpha, dense_grids));
+    const TwoGridWave& w = found[i].front();
+    if (alpha >= hertz_exponent) kappa[i] = compare(kappa_of(w.grids[0], 8), kappa_of(w.fine(), 1));
+  });
+  // Both signs of an exponent side by side
+  std::vector<TwoSigns> all;
+  for (std::size_t i = 0; i < alphas.size(); ++i)
+    all.push_back({alphas[i], found[2 * i].front(), found[2 * i + 1].front(), kappa[2 * i],
+                   kappa[2 * i + 1]});
+  return all;
+}
+
+std::vector<std::size_t> exchanges_among(const std::vector<TwoSigns>& all) {
+  std::vector<std::size_t> where;
+  const auto clear = [](const Estimate& e) { return std::abs(e.value) > 10 * e.error; };
+  for (std::size_t i = all.size() - 1; i-- > 0;) {
+    const Estimate low = all[i].difference(), high = all[i + 1].difference();
+    if (clear(low) && clear(high) && low.value * high.value < 0) where.push_back(i);
+  }
+  return where;
+}
+
+Estimate exchange_of_quotients(const TwoSigns& low, const TwoSigns& high) {
+  const auto zero = [&](std::size_t grid) {
+    Follow plus{low.plus.grids[grid], dense_grids[grid]},
+        minus{low.minus.grids[grid], dense_grids[grid]};
+    return zero_between(low.alpha, high.alpha, [&](double alpha) {
+      return plus(alpha).quotient() / minus(alpha).quotient() - 1;
+    });
+  };
+  return compare(zero(0), zero(1));
+}
+
+Estimate exchange_of_stability(const TwoSigns& low, const TwoSigns& high, int sign) {
+  const auto zero = [&](std::size_t grid, double tolerance) {
+    Follow wave{(sign > 0 ? low.plus : low.minus).grids[grid], dense_grids[grid]};
+    return zero_between(low.alpha, high.alpha,
+                        [&](double alpha) { return kappa_of(wave(alpha), tolerance); });
+  };
+  return compare(zero(0, 8), zero(1, 1));
+}
+
+}  // namespace lattice
