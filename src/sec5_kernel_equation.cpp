@@ -79,10 +79,10 @@ const PowerContact hertz{1.5, 0};
 We look for the maximum $S$ of $Q(f) = \int f\,(K*f)\,dt$ among all $f \ge 0$ with $\int f^p dt = 1$, $p = 1 +
 1/\alpha$, a Rayleigh quotient with the norm of $L^p$ in the place of that of $L^2$. The dual exponent is $p' = \alpha +
 1$. A maximum on the whole line may be missed in two ways, which Lions's *concentration-compactness* keeps apart: a
-maximizing sequence may become ever thinner, or fall into pieces that move away from each other. The plan:
+maximizing sequence may spread out ever more thinly, or fall into pieces that move away from each other. The plan:
 
 1. *Bounds*: $S$ is finite and positive.
-2. *No vanishing*: $K$ is bounded and of bounded support, so a thin $f$ has a small $Q$.
+2. *No vanishing*: $K$ is bounded and of bounded support, so an $f$ that is spread out thinly has a small $Q$.
 3. *No dichotomy*: pieces far apart do not interact, and one piece with all of the mass has more than several.
 4. *A maximum*: what is left converges, and the limit has $Q = S$.
 5. *Its equation*: because $f \ge 0$ was asked for, the positive part appears by itself.
@@ -149,8 +149,8 @@ By the last step of the proof every localized wave of this $T$ falls double-expo
   $f$ with $K > 0$ only, hence positive, and so would be $f(t)$, beyond $b$.
 - *Contacts open.* $\int K = 0$, so $\int d\,dt = 0$ and $d$ is negative somewhere.
 - *Growth with $k$.* $S$ is of the order of $k^{2/(\alpha+1)}$: not more by Young's bound, and not less because of
-  $k \ge 2$ equal pulses $2\pi - \pi/2k$ apart, each two of which have $K > 0$; they are narrow, but of a width that
-  does not depend on $k$. Two beads differ by $\max d$, so $E \ge \frac14(4k)^{-2/(\alpha-1)}$ for every localized
+  $k \ge 2$ equal pulses $2\pi - \pi/2k$ apart. Between centres $j$ places apart $K = \sin(j\pi/2k) > 0$, and a small width $w$
+  that does not depend on $k$ changes this by $w$ at most, less than its mean over all pairs. Two beads differ by $\max d$, so $E \ge \frac14(4k)^{-2/(\alpha-1)}$ for every localized
   wave, and by Young's inequality for $\int(q^2+\dot q^2)$, whose kernel is $(T-|\sigma|)\cos\sigma$, the maximum has
   $E \le C k^{-2/(\alpha-1)}$. In Hertzian contacts that is the fourth power of the speed. */
 double least_peak(std::size_t k, double alpha) {
