@@ -283,12 +283,13 @@ container:
 ## dist: sources, tables, figures, and the book and the report that are there, in one archive, build/dist
 dist:
 	@$(lineage) inventory --data $(B)/data --programs $(B)/bin --out $(B)/report
-	@sh tools/dist.sh $(B)
+	@PYTHON="$(PYTHON)" sh tools/dist.sh $(B)
 
-## style: clang-format and shellcheck, where they are installed
+## style: clang-format, shellcheck and reuse (from its version 4 on), where they are installed
 style:
 	@! command -v clang-format >/dev/null 2>&1 || git ls-files '*.cpp' '*.hpp' | xargs clang-format --dry-run --Werror
 	@! command -v shellcheck >/dev/null 2>&1 || shellcheck .ci/run tools/*.sh tests/*.sh tests/slurm/*.sh examples/*.sbatch
+	@! reuse --version 2>/dev/null | grep -Eq ' ([4-9]|[1-9][0-9])\.' || reuse lint --lines
 
 ## install-deps: install the Debian packages of apt-packages.txt that are missing
 install-deps:

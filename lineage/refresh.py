@@ -10,7 +10,7 @@ import math
 import re
 from pathlib import Path
 
-from . import ecsv, metadata, modules
+from . import codecheck, ecsv, metadata, modules
 from .chapters import costs_text, explained_by, read_commands, renewed_costs, run_of, shown_cost
 from .claims import SAID, VERDICTS, Judge, name_of, printed_range, read_claims
 from .findings import check_quotations, in_plain, read_findings, tally as kinds_of
@@ -192,6 +192,7 @@ def fresh_texts(root, measured):
     for name in PAGES:
         yield fresh(root / name, lambda text: fresh_page(with_marked_numbers(text, numbers), tables))
     yield from metadata.generated(root)
+    yield root / "codecheck.yml", codecheck.text(root)
 
 
 def renew(root, costs, check=False):
