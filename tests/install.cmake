@@ -34,6 +34,16 @@ while(says)
     message(FATAL_ERROR "${name} says: ${text}")
   endif()
 endwhile()
+# Whoever compiles against the installed headers cannot change values by accident
+foreach(option -ffast-math -Ofast)
+  file(WRITE ${place}/fast.cpp "#include \"lattice/numerics/estimate.hpp\"\nint main() {}\n")
+  execute_process(COMMAND ${COMPILER} -std=c++20 ${option} -I ${place}/prefix/include -fsyntax-only ${place}/fast.cpp
+                  RESULT_VARIABLE code ERROR_VARIABLE text)
+  if(code EQUAL 0 OR NOT text MATCHES "lattice needs IEEE arithmetic: compile without -ffast-math")
+    message(FATAL_ERROR "with ${option} the compiler of the reader says: ${text}")
+  endif()
+endforeach()
+run(${COMPILER} -std=c++20 -O3 -I ${place}/prefix/include -fsyntax-only ${place}/fast.cpp)
 # The Python module is installed with the rest; without its compiled half it is not, and says so where it is imported
 function(python_says folder code expected)
   execute_process(COMMAND ${CMAKE_COMMAND} -E env PYTHONPATH=${folder} PYTHONDONTWRITEBYTECODE=1 ${PYTHON} -c "${code}"
