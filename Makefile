@@ -97,8 +97,7 @@ test: ready
 
 # What must be there, and be right, before hours are spent on computing.
 ready: install-deps
-	@sh tools/configure.sh $(B)
-	@PYTHON="$(PYTHON)" sh tools/draw.sh
+	@missing=; sh tools/configure.sh $(B) || missing=yes; PYTHON="$(PYTHON)" sh tools/draw.sh && [ -z "$$missing" ]
 	@mkdir -p $(D)/report && (. tools/shared.sh; now) > $(D)/report/start
 	@$(lineage) tables --data $(D)/data
 
