@@ -1,5 +1,6 @@
 """Tests of the Python module. Argument: the folder of the programs, whose numbers and complaints are the measure."""
 
+import ast
 import concurrent.futures
 import csv
 import functools
@@ -23,6 +24,7 @@ import numpy as np
 
 import lattice
 import notebooks
+import stubs
 
 BIN = Path(sys.argv.pop(1)) if __name__ == "__main__" else None  # a process of a test reads this file too
 HERE = Path(__file__).parent
@@ -466,6 +468,15 @@ class Documentation(unittest.TestCase):
                     self.assertIn(option, inspect.signature(target).parameters)
         self.assertIn("Eq. (26)", lattice.strike.__doc__)
         self.assertEqual(inspect.signature(lattice.breather).parameters["omega"].default, 1.1)
+
+    def test_the_types_are_those_of_this_module(self):
+        folder = Path(lattice.__file__).parent
+        told = (folder / "__init__.pyi").read_text()
+        self.assertEqual(told, stubs.stub(lattice))
+        self.assertTrue((folder / "py.typed").exists())
+        names = {node.name for node in ast.parse(told).body if isinstance(node, (ast.ClassDef, ast.FunctionDef))}
+        self.assertEqual(names, set(lattice.__all__))
+        self.assertIn('ends: Literal["free", "fixed", "periodic"] = ', told)
 
     def test_a_number_shows_what_is_known(self):
         self.assertEqual(str(lattice.Estimate(0.361294, 2e-5, "site")), "0.36129 +- 2e-05 site")
