@@ -72,7 +72,7 @@ results := $(foreach p,$(chapters),$(D)/data/$(p)/results.ecsv)
 # Folders have the names of some of them.
 .PHONY: figures article test ready all-figures all-data programs configure summary book weave install-book \
   test-book test-lineage tests examples python run-tests test-faults test-fuzz bench paper typeset install-paper \
-  lock hashes refresh show gallery second mutants test-platforms test-slurm fresh container dist style \
+  lock hashes refresh show gallery second mutants test-platforms test-slurm fresh container dist style tidy \
   install-deps burn help
 took = . tools/shared.sh; echo "$$(now) $$(cat $(D)/report/start)" | awk '{ printf "$(1)", ($$1 > $$2 ? $$1 - $$2 : 0) }'
 
@@ -289,6 +289,10 @@ style:
 	@! command -v clang-format >/dev/null 2>&1 || git ls-files '*.cpp' '*.hpp' | xargs clang-format --dry-run --Werror
 	@! command -v shellcheck >/dev/null 2>&1 || shellcheck .ci/run tools/*.sh tests/*.sh tests/slurm/*.sh examples/*.sbatch
 	@! reuse --version 2>/dev/null | grep -Eq ' ([4-9]|[1-9][0-9])\.' || reuse lint --lines
+
+## tidy: clang-tidy on the sources that differ from a commit, SINCE=HEAD~1; without it on all (an hour)
+tidy:
+	@sh tools/tidy.sh $(SINCE)
 
 ## install-deps: install the Debian packages of apt-packages.txt that are missing
 install-deps:
