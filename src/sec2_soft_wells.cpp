@@ -260,7 +260,7 @@ void reproduce(Report& report) {
   for (std::size_t k = 0; k < longer.size(); k += 4)
     for (int n = -40; n <= 40; ++n) {
       const auto force = [&](std::size_t j) {
-        return softer[j][k].contact[std::size_t(int(lengths[j] / 2) + n)];
+        return softer[j][k].contact[std::size_t(long(lengths[j] / 2) + n)];
       };
       profiles.add(
           {{"kappa", "stiffness of the wells", longer[k].kappa},
