@@ -7,6 +7,7 @@ from pathlib import Path
 
 from . import codecheck, ecsv, metadata
 from .claims import SAID
+from .values import Finding
 
 PAGE = """<!DOCTYPE html>
 <html lang="en">
@@ -57,13 +58,13 @@ def figures(root):
 
 
 def claims(root):
-    """A row for each claim; a statement, whose unit is `claim`, has no number."""
+    """A row for each claim; a statement is told by its verdict alone."""
     if not (path := root / codecheck.CLAIMS).exists():
         return
-    for row in ecsv.read(path, ("quantity", "published", "reproduced", "error", "unit", "verdict")).rows:
-        number = row["unit"] != "claim"
-        told = [row["quantity"], row["published"], f"{row['reproduced']:.6g} {row['unit']}" if number else "",
-                f"{row['error']:.0e}" if number else "", SAID.get(row["verdict"], row["verdict"])]
+    for row in ecsv.read(path, ("id", "quantity", "published", "reproduced", "error", "unit", "verdict", "program")).rows:
+        f = Finding(row["program"], row["id"], row["reproduced"], row["error"], row["unit"])
+        number = "" if f.unit == "claim" else f.shown + f.shown_unit
+        told = [row["quantity"], row["published"], number, f.shown_error, SAID.get(row["verdict"], row["verdict"])]
         yield "<tr>" + "".join(f"<td>{escaped(cell)}" for cell in told) + "</tr>"
 
 

@@ -110,7 +110,7 @@ class Archive(Scratch):
         self.assertEqual([path for path in paths if not (inside / path).exists()], [])
         self.assertIn("build/figures/fig01.svg", paths)
         self.assertNotIn("build/book/index.html", paths)
-        self.assertRegex(page, "<td>one<td>1.02<td>1 m<td>1e-03<td>discrepant</tr>")
+        self.assertRegex(page, "<td>one<td>1.02<td>1.000 m<td>0.001<td>discrepant</tr>")
         manifest = re.findall(r'- file: "(.*)"', ecsv.text_of(inside / "codecheck.yml"))
         self.assertEqual(manifest, ["build/figures/fig01.pdf", "build/report/published.ecsv"])
         self.assertEqual([path for path in manifest if not (inside / path).exists()], [])
