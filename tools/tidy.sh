@@ -1,8 +1,8 @@
 #!/bin/sh
 # clang-tidy, by the rules of .clang-tidy, on the sources that differ from the commit $1 (without it: on all, which takes
-# an hour), and on the source beside a header that differs. It reads them without headers compiled before, from a folder
-# of its own, and with GCC's header of quadruple precision. Version 16 is the first that knows our C++, and the one that
-# continuous integration has.
+# an hour), and on the source beside a header that differs. It configures a folder of its own, in which nothing is built,
+# and finds GCC's header of quadruple precision. Version 16 is the first that knows our C++, and the one that continuous
+# integration has.
 set -eu
 cd "$(dirname "$0")/.."
 since=${1:-}
@@ -22,7 +22,7 @@ files=$(echo "$changed" | sed -n 's/\.[hc]pp$/.cpp/p' | sort -u | while read -r 
 [ -n "$files" ] || { echo "  tidy     nothing in src differs"; exit 0; }
 log=build/tidy/log
 mkdir -p build/tidy
-cmake -S . -B build/tidy -D CMAKE_DISABLE_PRECOMPILE_HEADERS=ON -D LATTICE_TESTS=OFF > "$log" 2>&1 || { cat "$log"; exit 1; }
+cmake -S . -B build/tidy -D LATTICE_TESTS=OFF > "$log" 2>&1 || { cat "$log"; exit 1; }
 bad=0 quadruple=$(c++ -print-file-name=include/quadmath.h)
 for file in $files; do
   echo "  tidy     $file"
