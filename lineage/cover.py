@@ -1,5 +1,5 @@
 """index.html of the archive, what a reader without a compiler opens: the article's figures, its claims with their
-verdicts, and the way to the book and the report. The archive is as a checkout after `make figures`, `make book` and
+verdicts, and the way to the book and the papers. The archive is as a checkout after `make figures`, `make book` and
 `make paper`, and only what is in it is linked."""
 
 from html import escape as escaped
@@ -35,7 +35,9 @@ td, th {{ padding: .2em .6em; text-align: left; vertical-align: top; border-bott
 </html>
 """
 LINKS = {"build/book/index.html": "the book: every chapter with its equations, figures, numbers and commands",
-         "build/paper.pdf": "the report: what survives, what does not and why, what is new",
+         "build/paper.pdf": "the paper: what survives and what does not, in three cases",
+         "build/supplement.pdf": "its supplement: all other figures, results and claims",
+         "build/theorem.pdf": "the theorem on exact travelling breathers, with its proof",
          "build/data": "all tables", "build/figures": "all figures as svg, pdf and png",
          "README.md": "how to compute all of it", "DATA.md": "how to read the tables",
          "codecheck.yml": "what a codechecker compares", "LICENSES": "the licences"}

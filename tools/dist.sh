@@ -1,8 +1,9 @@
 #!/bin/sh
 # Everything in one archive, for those who will not run anything: dist.sh BUILD, into BUILD/dist.
-# The sources are those of the last commit, and build/ has tables, figures, the book, paper, supplement and theorem, and the list of
-# packages where `make` puts them, so that codecheck.yml and the README's paths hold; index.html leads through them, and SHA256SUMS
-# is over every file. Equal contents give equal bytes: names in order, nobody's files, all of the time of the last commit.
+# The sources are those of the last commit, and build/ has tables, figures, the book, paper, supplement and theorem, and
+# the list of packages where `make` puts them, so that codecheck.yml and the README's paths hold; index.html leads through
+# them, and SHA256SUMS is over every file. Equal contents give equal bytes: names in order, nobody's files, all of the
+# time of the last commit.
 set -eu
 build=$1 products=
 refuse() { echo "dist: $1" >&2; exit 1; }
