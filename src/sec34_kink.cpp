@@ -254,13 +254,12 @@ void report_confinement(Report& report) {
 /**
 ## Differences and limits
 
-What the article says in its one sentence we find: at large impact velocity a kink, beads ejected at the far end, no blow-up.
-It gives no parameters, so chain length, run length and scan are our choice, and so is the transition velocity. A count that has
-settled may still change: at $v_0 = 4.28$ it has by $t = 200$, but when the breather arrives at the far
-end, before $t = 400$, it throws the last bead off (`sec34_impact run` with these parameters). In a longer
-chain a slow kink may stop before the end: in another program, with $v_0 = 4.70$, after 244 of 1000 beads.
-At high velocity several kinks follow each other, and which beads leave the far end then depends on all of
-them. */
+What the article says in its one sentence is found: at large impact velocity a kink, beads ejected at the far end, no
+blow-up. It gives no parameters; chain length, run length and scan are our choice, and the velocity of the transition
+depends on them. A count that has settled may still change: at $v_0 = 4.28$ it has by $t = 200$, but when the breather
+arrives at the far end, before $t = 400$, it throws the last bead off (`sec34_impact run` with these parameters). In a
+longer chain a slow kink may stop before the end: in the other program, with $v_0 = 4.70$, after 244 of 1000 beads. At high
+velocity several kinks follow each other, and which beads leave the far end then depends on all of them. */
 void reproduce(Report& report) {
   report.output.note("tolerance", "steps 0.1 and 0.05, half of that near the transition");
   report_transition(report);

@@ -68,8 +68,8 @@ void report_collision(Report& report) {
 ## The beam and the scales
 
 The article replaces a beam of the length $\ell$ by a spring and a point mass, with factors that it prints with two or three
-digits, so we compute them. We integrate $u'''' = x^4u$ for the deflection $u$, with $x$ the wavenumber times $\ell$, along
-half of the beam (cantilever.hpp). For the stiffness at the middle, $x = 0$, the solution is a cubic, which the Runge–Kutta
+digits, so we compute them. We integrate $u'''' = x^4u$ for the deflection $u$, where $x$ is now the wavenumber times $\ell$, along half
+of the beam (cantilever.hpp). For the stiffness at the middle, $x = 0$, the solution is a cubic, which the Runge–Kutta
 method reproduces exactly, so that only rounding is left; for the frequency an independent route is $\cos x\cosh x = 1$.
 
 | of a clamped beam | printed | computed |
@@ -103,12 +103,12 @@ void report_beam(Report& report, const CantileverArray& array) {
 With these two parts the article's array has, for an impact of 1 m/s, $\tau_h =$ [0.0465155](num:cantilever.tau_h) ms, printed
 as 0.047, $\tau_c =$ [0.025219](num:cantilever.tau_c) ms, printed as 0.025, and $\lambda =$
 [0.293941](num:cantilever.lambda), printed as 0.29. The two times are of the same order, and the impact of the dimensionless
-chain, $\lambda^{5/2}$, is small: stiff beams take breathers from the cradle's range into that of this book. `scales` prints
-all constants for an impact velocity of your choice (sec35/all_scales.hpp); cantilever.hpp has the formulas.
+chain, $\lambda^{5/2}$, is small: in such an array breathers can travel. `scales` prints all constants for an impact velocity of your choice (sec35/all_scales.hpp); cantilever.hpp has the formulas.
 
 ## Differences and limits
 
-Only the compression 0.76 and, by the rounding of its constants, $\lambda^{5/2}$ of the cradle differ from what is printed.
+Of the printed numbers quoted here only the compression 0.76 is not found, and $\lambda^{5/2}$ of the cradle only with the
+article's rounding.
 Hertz's coefficient needs the Young modulus of the beads, $\gamma = \mathcal E\sqrt{2R}/(3(1-\nu^2))$ with their radius $R$
 and Poisson's ratio $\nu$; the article prints the symbol of the beam's, which would give a $\lambda$ that is not small. A beam
 is described by one number, the deflection of its middle: its higher modes and its twisting are left out, and so are
