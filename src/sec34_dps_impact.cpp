@@ -265,9 +265,10 @@ double share_within(std::size_t half_width, const ChainImpact& out) {
 
 /**
 The DpS approximation reproduces the wave train reasonably well, says the article. As the amplitude of the train we take the
-root of the energy of all sites up to ten behind the packets; in the second half of the run those of chain and
-approximation differ by a fraction of [](num:impact.wavetrain) at most. For this and for figure 18 the approximation is turned into displacements by Eq. (13), and its energy density is computed from
-Eq. (23), as if these and their velocities were those of beads. */
+root of the energy of all sites up to ten behind the packets; in the second half of the run those of chain and approximation
+differ by a fraction of [](num:impact.wavetrain) at most. For this and for figure 18 the approximation is turned into
+displacements by Eq. (13), and its energy density is computed from Eq. (23), as if these and their velocities were those of
+beads. */
 double train_apart(const std::vector<double>& chain, const std::vector<double>& dps) {
   const auto until = std::ptrdiff_t(std::min(*front_packet(chain), *front_packet(dps))) - 10;
   const auto train = [&](const std::vector<double>& e) {
@@ -430,12 +431,12 @@ void report_loose_steps(Report& report, const DpsPair& converged, const Estimate
 }
 
 /**
-So the printed value is compatible with the usual tolerances and the mean, at the free end that the article states.
-The evidence is mixed: the packet is then faster than that of the chain by [0.1117](num:sec34_dps_impact.excess_rms),
-which the article calls slightly, and the wave train, which it finds reasonably well reproduced, differs from the
-converged one by [0.079](num:sec34_dps_impact.train_rms) of itself. The number also depends on the length of the
-chain, which the article does not print, because the mean over its sites does. In these runs loose steps amplify the
-packet, which the growth of the norm shows at once; in ours the norm drifts by [5e-14](num:sec34_dps_impact.dps_norm_drift), and the energy of the chain by
+So the printed value is compatible with the usual tolerances and the mean, at the free end that the article states. The
+evidence is mixed: the packet is then faster than that of the chain by [0.1117](num:sec34_dps_impact.excess_rms), which the
+article calls slightly, and the wave train, which it finds reasonably well reproduced, differs from the converged one by
+[0.079](num:sec34_dps_impact.train_rms) of itself. The number also depends on the length of the chain, which the article
+does not print, because the mean over its sites does. In these runs loose steps amplify the packet, which the growth of the
+norm shows at once; in ours the norm drifts by [5e-14](num:sec34_dps_impact.dps_norm_drift), and the energy of the chain by
 [4e-11](num:sec34_dps_impact.lattice_energy_drift) of itself.
 
 ## Differences and limits

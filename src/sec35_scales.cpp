@@ -30,8 +30,8 @@ using namespace lattice;
 
 All scales rest on the collision of two free beads, so we begin with one (collision.hpp); its units are $\tau_h$ and
 $\delta = (mV^2/\gamma)^{2/5}$. It lasts for [](num:scale.contact_time) $\tau_h$, printed as 2.43, and the largest
-compression is [](num:scale.max_compression) $\delta$, where the article has 0.76. The conservation of energy gives the same as
-the integration: all energy of the relative motion, $\frac14mV^2$, is in the contact, $\frac25\gamma\,x^{5/2}$, when
+compression is [](num:scale.max_compression) $\delta$, where the article has 0.76. The conservation of energy gives the same
+as the integration: all energy of the relative motion, $\frac14mV^2$, is in the contact, $\frac25\gamma\,x^{5/2}$, when
 $x = (5/8)^{2/5}\,\delta$. The printed 0.76 is $2^{-2/5}$. There is more than one way to it:
 $\frac12 mV^2 = \gamma\,x^{5/2}$ forgets both the reduced mass and the factor 2/5 of Hertz's energy, and
 $\frac14 mV^2 = \frac12\gamma\,x^{5/2}$ keeps the mass but takes the factor of a linear spring. What decides is the other
@@ -40,9 +40,10 @@ of 0.76 it would be [2.23689](num:sec35_scales.contact_time_of_printed_compressi
 
 A cradle whose strings have the length $L$ has $\tau_c^2 = L/g$. A collision of steel balls was measured to take 0.077 ms,
 which is 2.43 $\tau_h$. As $\lambda^{5/2} = (L/g\tau_h^2)^{5/2}$ contains the fifth power of $\tau_h$, an error of one per
-cent in the contact time becomes five, and rounding matters. With $L = 0.5$ m, the rounded 2.43 and $g = 10$ m/s² it is [1.74986e19](num:scale.cradle), the printed
-value; with $g = 9.81$ m/s² and all digits it is [1.86945e19](num:sec35_scales.cradle_converged). Either way a collision is
-over long before a pendulum has moved, and breathers do not travel there. */
+cent in the contact time becomes five, and rounding matters. With $L = 0.5$ m, the rounded 2.43 and $g = 10$ m/s² it is
+[1.74986e19](num:scale.cradle), the printed value; with $g = 9.81$ m/s² and all digits it is
+[1.86945e19](num:sec35_scales.cradle_converged). Either way a collision is over long before a pendulum has moved, and
+breathers do not travel there. */
 void report_collision(Report& report) {
   const double step = report.quick ? 0.2 : 0.1;
   const Collision coarse = collide(step), fine = collide(step / 2), known = collision_by_energy();
@@ -68,9 +69,10 @@ void report_collision(Report& report) {
 ## The beam and the scales
 
 The article replaces a beam of the length $\ell$ by a spring and a point mass, with factors that it prints with two or three
-digits, so we compute them. We integrate $u'''' = x^4u$ for the deflection $u$, where $x$ is now the wavenumber times $\ell$, along half
-of the beam (cantilever.hpp). For the stiffness at the middle, $x = 0$, the solution is a cubic, which the Runge–Kutta
-method reproduces exactly, so that only rounding is left; for the frequency an independent route is $\cos x\cosh x = 1$.
+digits, so we compute them. We integrate $u'''' = x^4u$ for the deflection $u$, where $x$ is now the wavenumber times
+$\ell$, along half of the beam (cantilever.hpp). For the stiffness at the middle, $x = 0$, the solution is a cubic, which
+the Runge–Kutta method reproduces exactly, so that only rounding is left; for the frequency an independent route is
+$\cos x\cosh x = 1$.
 
 | of a clamped beam | printed | computed |
 |---|---|---|
@@ -100,10 +102,11 @@ void report_beam(Report& report, const CantileverArray& array) {
 /**
 ## Cradle and array
 
-With these two parts the article's array has, for an impact of 1 m/s, $\tau_h =$ [0.0465155](num:cantilever.tau_h) ms, printed
-as 0.047, $\tau_c =$ [0.025219](num:cantilever.tau_c) ms, printed as 0.025, and $\lambda =$
+With these two parts the article's array has, for an impact of 1 m/s, $\tau_h =$ [0.0465155](num:cantilever.tau_h) ms,
+printed as 0.047, $\tau_c =$ [0.025219](num:cantilever.tau_c) ms, printed as 0.025, and $\lambda =$
 [0.293941](num:cantilever.lambda), printed as 0.29. The two times are of the same order, and the impact of the dimensionless
-chain, $\lambda^{5/2}$, is small: in such an array breathers can travel. `scales` prints all constants for an impact velocity of your choice (sec35/all_scales.hpp); cantilever.hpp has the formulas.
+chain, $\lambda^{5/2}$, is small: in such an array breathers can travel. `scales` prints all constants for an impact
+velocity of your choice (sec35/all_scales.hpp); cantilever.hpp has the formulas.
 
 ## Differences and limits
 

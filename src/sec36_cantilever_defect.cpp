@@ -182,9 +182,9 @@ void report_dps(Report& report, const StruckArray& blow, const WatchedRuns& runs
 /**
 ## The packet at the defect (figure 24)
 
-The article draws $f_n = -\gamma_n(x_n-x_{n+1})_+^{3/2}$ in newtons over space and time. A contact is open for about
-half of each internal period, so that a snapshot says little; we keep the strongest force within intervals of about
-two linear periods. At 1.6 radii the packet comes back, and hardly anything is seen beyond the defect; at 1.1 a part passes. */
+The article draws $f_n = -\gamma_n(x_n-x_{n+1})_+^{3/2}$ in newtons over space and time. A contact is open for about half of
+each internal period, so that a snapshot says little; we keep the strongest force within intervals of about two linear
+periods. At 1.6 radii the packet comes back, and hardly anything is seen beyond the defect; at 1.1 a part passes. */
 void report_forces(Report& report, const StruckArray& blow, std::size_t bins) {
   Table& table =
       report.table("contact_forces",
@@ -207,9 +207,9 @@ void report_forces(Report& report, const StruckArray& blow, std::size_t bins) {
 ## Where the energy goes (figure x09)
 
 The article calls the reflection at 1.6 radii *almost total* and sees a good part of the packet pass at 1.1. These words
-call for numbers. 75 ms after the impact the packet has left the defect, and we divide the energy of the impact into three shares:
-$r$ on the sites up to 95 (reflected), $d$ from 96 to 104 (near the defect), and $t$ beyond (transmitted). They must add
-up to one, and the excess is the error of this *energy budget*.
+call for numbers. 75 ms after the impact the packet has left the defect, and we divide the energy of the impact into three
+shares: $r$ on the sites up to 95 (reflected), $d$ from 96 to 104 (near the defect), and $t$ beyond (transmitted). They must
+add up to one, and the excess is the error of this *energy budget*.
 
 But over half of the energy, [0.566749](num:sec36_cantilever_defect.left_behind), has not come so far by then: it is in
 the wave train near the struck end. If $r_0$ is what lies before site 96 in an array without a defect, only $1-r_0$
@@ -227,9 +227,9 @@ Estimate left_behind(const ScatteringSetup& setup) {
 Of what arrives, 1.6 radii reflect [](num:sec36_cantilever_defect.net_reflected_16), so almost all, and 1.1 radii reflect
 [](num:sec36_cantilever_defect.net_reflected_11) and transmit [](num:sec36_cantilever_defect.net_transmitted_11). Figure x09
 varies the radius by a factor of four (sec36/defect_map.hpp), the mass of the beads by one of 64. The shares change
-smoothly, and heavy and light defects reflect. That a defect's own frequency, $\mu^{-1/2}$, is far from the packet's is not the reason, or not the only one: at
-0.8 radii the two agree to about one per cent, and more than nine tenths are reflected. Another reason we do not know.
-[](finding:defect.map)
+smoothly, and heavy and light defects reflect. That a defect's own frequency, $\mu^{-1/2}$, is far from the packet's is not
+the reason, or not the only one: at 0.8 radii the two agree to about one per cent, and more than nine tenths are reflected.
+Another reason we do not know. [](finding:defect.map)
 
 What the packet leaves behind is, as the article says, a fairly extended wave train. Just before the packet meets the
 defect we take the sites up to ten behind its largest one, as in section 3.4. They hold a share of
@@ -318,13 +318,13 @@ Of the five radii that we watch only 0.925 and 0.8 keep the energy around them d
 
 Why a light one? It oscillates faster than its neighbours, at 0.925 radii with
 [](num:sec36_cantilever_defect.mode_linear_frequency), and as a family of breathers of the homogeneous array begins at their
-frequency 1, one of breathers at the defect begins at its own. The packet's frequency,
-[](num:cantilever.frequency), lies in its range. Newton's method finds the breather with the energy that stays: it has the
-frequency [](num:sec36_cantilever_defect.mode_frequency), the defect in the run
-[](num:sec36_cantilever_defect.mode_run_frequency), and their distributions over the sites overlap by
-[](num:sec36_cantilever_defect.mode_overlap) (sec36/trapped_mode.hpp). A heavy defect is slower than its neighbours, and the
-packet drives it far above its frequency: at 1.6 radii it holds, between 65 and 100 ms,
-[](num:sec36_cantilever_defect.at_defect_16) of the energy on the mean, and what stays lies before it. Whether a heavy one has breathers that other waves excite we have not examined. */
+frequency 1, one of breathers at the defect begins at its own. The packet's frequency, [](num:cantilever.frequency), lies in
+its range. Newton's method finds the breather with the energy that stays: it has the frequency
+[](num:sec36_cantilever_defect.mode_frequency), the defect in the run [](num:sec36_cantilever_defect.mode_run_frequency),
+and their distributions over the sites overlap by [](num:sec36_cantilever_defect.mode_overlap) (sec36/trapped_mode.hpp). A
+heavy defect is slower than its neighbours, and the packet drives it far above its frequency: at 1.6 radii it holds, between
+65 and 100 ms, [](num:sec36_cantilever_defect.at_defect_16) of the energy on the mean, and what stays lies before it.
+Whether a heavy one has breathers that other waves excite we have not examined. */
 void report_stay(Report& report, const StruckArray& blow) {
   trapped::report_trapping(report, blow);
 }
