@@ -169,7 +169,7 @@ gives way to a kink: below no kink crosses the chain, and above every impact sen
 velocities is the spacing of the scan; a share of [0.00569801](num:sec34_kink.kink_undecided) of them stays undecided.
 
 Why so far above 2? The first bead does not climb alone, but pushes on the second all the way up. When it first stops, less
-than half of the impact's energy is in its own well, after each of ten impacts from 2 to 4.72 that were tried in another
+than half of the impact's energy is in its own well, after each of eleven impacts from 2 to 4.72 that were tried in another
 program, not part of this repository; the rest is in the contact and ahead. Nor is it enough that it passes the maximum:
 after 4.0 and 4.4 it does so and is thrown back all the same. In a kink *every* bead passes its maximum; each pays 2 on the
 way up and gets 2 back on the way down, so that a kink, once on its way, can go on. We have no theory that gives 4.7. */

@@ -29,10 +29,10 @@ using namespace lattice;
 ## Two beads
 
 All scales rest on the collision of two free beads, so we begin with one (collision.hpp); its units are $\tau_h$ and
-$\delta = (mV^2/\gamma)^{2/5}$. It lasts for [](num:scale.contact_time) $\tau_h$, printed as 2.43, and the largest
-compression is [](num:scale.max_compression) $\delta$, where the article has 0.76. The conservation of energy gives the same
-as the integration: all energy of the relative motion, $\frac14mV^2$, is in the contact, $\frac25\gamma\,x^{5/2}$, when
-$x = (5/8)^{2/5}\,\delta$. The printed 0.76 is $2^{-2/5}$. There is more than one way to it:
+$\delta = (mV^2/\gamma)^{2/5}$. Integrated, it lasts for [](num:scale.contact_time) $\tau_h$, printed as 2.43, and the
+largest compression is [](num:scale.max_compression) $\delta$, where the article has 0.76. The conservation of energy gives
+the same as the integration: all energy of the relative motion, $\frac14mV^2$, is in the contact, $\frac25\gamma\,x^{5/2}$,
+when $x = (5/8)^{2/5}\,\delta$. The printed 0.76 is $2^{-2/5}$. There is more than one way to it:
 $\frac12 mV^2 = \gamma\,x^{5/2}$ forgets both the reduced mass and the factor 2/5 of Hertz's energy, and
 $\frac14 mV^2 = \frac12\gamma\,x^{5/2}$ keeps the mass but takes the factor of a linear spring. What decides is the other
 printed number: at given $V$ the contact time is proportional to the compression, $t = 2.943\,x/V$, and with a compression
@@ -40,8 +40,8 @@ of 0.76 it would be [2.23689](num:sec35_scales.contact_time_of_printed_compressi
 
 A cradle whose strings have the length $L$ has $\tau_c^2 = L/g$. A collision of steel balls was measured to take 0.077 ms,
 which is 2.43 $\tau_h$. As $\lambda^{5/2} = (L/g\tau_h^2)^{5/2}$ contains the fifth power of $\tau_h$, an error of one per
-cent in the contact time becomes five, and rounding matters. With $L = 0.5$ m, the rounded 2.43 and $g = 10$ m/s² it is
-[1.74986e19](num:scale.cradle), the printed value; with $g = 9.81$ m/s² and all digits it is
+cent in the contact time becomes five, and rounding matters. With $L = 0.5$ m, the rounded 2.43 and $g = 10$ m/s²
+$\lambda^{5/2}$ is [1.74986e19](num:scale.cradle), the printed value; with $g = 9.81$ m/s² and all digits it is
 [1.86945e19](num:sec35_scales.cradle_converged). Either way a collision is over long before a pendulum has moved, and
 breathers do not travel there. */
 void report_collision(Report& report) {
