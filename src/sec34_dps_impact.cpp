@@ -432,8 +432,8 @@ void report_loose_steps(Report& report, const DpsPair& converged, const Estimate
 
 /**
 So the printed value is compatible with the usual tolerances and the mean, at the free end that the article states. The
-evidence is mixed: the packet is then faster than that of the chain by [0.1117](num:sec34_dps_impact.excess_rms), which the
-article calls slightly, and the wave train, which it finds reasonably well reproduced, differs from the converged one by
+evidence is mixed: the packet is then faster than that of the chain by [0.1117](num:sec34_dps_impact.excess_rms), where the
+article has *slightly*, and the wave train, which it finds reasonably well reproduced, differs from the converged one by
 [0.079](num:sec34_dps_impact.train_rms) of itself. The number also depends on the length of the chain, which the article
 does not print, because the mean over its sites does. In these runs loose steps amplify the packet, which the growth of the
 norm shows at once; in ours the norm drifts by [5e-14](num:sec34_dps_impact.dps_norm_drift), and the energy of the chain by

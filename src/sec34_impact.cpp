@@ -118,8 +118,8 @@ using Curve = std::vector<SweepPoint>;
 
 As $v_0 \to 0$ the DpS equation takes over, in which $s$ does not occur. So the curves must *meet* there. We ask two
 things of speed and peak density: up to $v_0 = 0.05$ a soft curve differs from the linear one by less than one per cent, and
-this difference is less than half of the largest one up to $v_0 = 0.5$. The second is what two curves fail that are close
-to each other but do not approach. Up to $v_0 = 0.05$ the speeds
+this difference is less than half of the largest one up to $v_0 = 0.5$. Two curves that are close to each other but do not
+approach would fail the second. Up to $v_0 = 0.05$ the speeds
 for $s = -1/6$ differ from the linear ones by a fraction of [2e-5](num:sec34_impact.ampvel_speed_s_1_6_near), well within
 the error. */
 template <class Of>
@@ -281,7 +281,7 @@ where the contacts push as strongly as the wells, the DpS limit is left, and two
 hundredth. This is no contradiction to the article, which speaks of *mainly* seven sites and of *moderate* velocities
 without a measure for either; the hundredth and the velocity are ours, and so we give the width and do not judge it.
 
-A small tail there is, of [0.09840](num:impact.tail) times the packet's amplitude. It grows with the impact velocity, from
+The tail is small, [0.09840](num:impact.tail) times the packet's amplitude. It grows with the impact velocity, from
 [0.08428](num:sec34_impact.tail_gentle) at $v_0 = 0.05$ to [0.10348](num:sec34_impact.tail_strong) at $v_0 = 1.9$. */
 void report_tail(Report& report) {
   struct Followed : ImpactRun {

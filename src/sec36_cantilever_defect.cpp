@@ -229,7 +229,7 @@ Of what arrives, 1.6 radii reflect [](num:sec36_cantilever_defect.net_reflected_
 varies the radius by a factor of four (sec36/defect_map.hpp), the mass of the beads by one of 64. The shares change
 smoothly, and heavy and light defects reflect. That a defect's own frequency, $\mu^{-1/2}$, is far from the packet's is not
 the reason, or not the only one: at 0.8 radii the two agree to about one per cent, and more than nine tenths are reflected.
-Another reason we do not know. [](finding:defect.map)
+What it is we do not know. [](finding:defect.map)
 
 What the packet leaves behind is, as the article says, a fairly extended wave train. Just before the packet meets the
 defect we take the sites up to ten behind its largest one, as in section 3.4. They hold a share of
@@ -313,8 +313,9 @@ void report_map(Report& report, const ScatteringSetup& setup, const std::filesys
 
 The article sees a small part of the energy loosely trapped at 1.6 radii. At 75 ms the nine sites up to the defect hold
 [0.00389406](num:cantilever.trapped) of the energy, against [0.00147795](num:sec36_cantilever_defect.before_75_without)
-without a defect, so there is indeed some; 25 ms later [0.866036](num:sec36_cantilever_defect.kept_before_16) of it is left.
-Of the five radii that we watch only 0.925 and 0.8 keep the energy around them during these 25 ms, on the defect itself.
+without a defect, so there is indeed some; 25 ms later [0.866036](num:sec36_cantilever_defect.kept_before_16) of it is left,
+so it is held loosely. Of the five radii that we watch only 0.925 and 0.8 keep the energy around them during these 25 ms, on
+the defect itself.
 
 Why a light one? It oscillates faster than its neighbours, at 0.925 radii with
 [](num:sec36_cantilever_defect.mode_linear_frequency), and as a family of breathers of the homogeneous array begins at their
@@ -322,9 +323,9 @@ frequency 1, one of breathers at the defect begins at its own. The packet's freq
 its range. Newton's method finds the breather with the energy that stays: it has the frequency
 [](num:sec36_cantilever_defect.mode_frequency), the defect in the run [](num:sec36_cantilever_defect.mode_run_frequency),
 and their distributions over the sites overlap by [](num:sec36_cantilever_defect.mode_overlap) (sec36/trapped_mode.hpp). A
-heavy defect is slower than its neighbours, and the packet drives it far above its frequency: at 1.6 radii it holds, between
-65 and 100 ms, [](num:sec36_cantilever_defect.at_defect_16) of the energy on the mean, and what stays lies before it.
-Whether a heavy one has breathers that other waves excite we have not examined. */
+heavy defect is slower than its neighbours. At 1.6 radii the packet drives it far above its frequency; between 65 and 100 ms
+it holds [](num:sec36_cantilever_defect.at_defect_16) of the energy on the mean, and what stays lies before it. Whether
+heavy ones have breathers of their own that other waves could excite we have not examined. */
 void report_stay(Report& report, const StruckArray& blow) {
   trapped::report_trapping(report, blow);
 }
