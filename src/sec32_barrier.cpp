@@ -57,12 +57,12 @@ Estimate size(const Estimate& e) {
 /**
 ## Method
 
-The two energies agree to six digits and more, so each must be known to twelve if the barrier is to have
-six. Along a family of periodic orbits $d\mathcal H = \omega_b\,d\mathcal A/2\pi$. We change the frequency of the site-centred
-breather until the areas agree to first order, and convert what is left of their difference into energy;
-what we neglect is of third order (breather.hpp). Every barrier is computed at two tolerances, and the change from one
-to the other is its error. Where this error exceeds three parts in a thousand, we repeat the computation with 64-bit
-mantissas. The two breathers of one frequency are called a *pair*. */
+The two energies agree to six digits and more, so each must be known to twelve if the barrier is to have six. Along a
+family of periodic orbits $d\mathcal H = \omega_b\,d\mathcal A/2\pi$. We change the frequency of the site-centred
+breather until the areas agree to first order, and convert what is left of their difference into energy; what we neglect
+is of third order (breather.hpp). Every barrier is computed at two tolerances, and the change from one to the other is
+its error. Where this error exceeds three parts in a thousand, we repeat the computation with 64-bit mantissas. The two
+breathers of one frequency are called a *pair*. */
 /// The pairs of each well.
 std::vector<BreatherPairs> climb_wells(int count) {
   std::vector<BreatherPairs> families;
@@ -103,7 +103,8 @@ barrier at $1.3$ is small because of that zero.
 
 Why does it vanish at all? Along a family, $\mathcal L = \mathcal H-\omega_b\mathcal A/2\pi$ has the derivative
 $-\mathcal A/2\pi$, so that $\mathcal H = \mathcal L-\omega_b\,d\mathcal L/d\omega_b$. Between the two breathers of one
-frequency $\mathcal L$ differs by the barrier at equal area, $\tilde E_{PN}$, up to terms of second order in the difference of the areas. Hence
+frequency $\mathcal L$ differs by the barrier at equal area, $\tilde E_{PN}$, up to terms of second order in the
+difference of the areas. Hence
 $$E_{PN} \simeq -\omega_b^2\,\frac{d}{d\omega_b}\,\frac{\tilde E_{PN}}{\omega_b} .$$
 So the barrier at equal frequency vanishes where $\tilde E_{PN}/\omega_b$ has an extremum: at least once between any two
 zeros of $\tilde E_{PN}$, and once before the first, because $\tilde E_{PN}\to0$ for $\omega_b\to1$. In the table
@@ -183,14 +184,15 @@ void report_growth(Report& report, const std::vector<BreatherPairs>& families) {
 }
 
 /**
-Is the linear well's barrier the smallest in units of the energy? The article says so after its comparison at $1.3$,
-of a figure that shows the whole curves. Their means over the [55](num:sec32_barrier.frequencies_shared) frequencies
-that all three wells share are [5e-8](num:sec32_barrier.relative_mean_linear) in the linear well,
-[2.3e-7](num:sec32_barrier.relative_mean_soft) in the soft one and [0.0151](num:sec32_barrier.relative_mean_hard) in the hard
-one, and the criterion (`pn.ratio_smallest`) compares them; at $1.3$ and at the upper ends of the curves it is the
-smallest, too. Frequency by frequency, which is more than the sentence says, the linear well has the smallest ratio at [50](num:sec32_barrier.linear_smallest_at) of these frequencies, and at most
-[1.33055](num:sec32_barrier.linear_over_soft_most) times that of the soft well at the others. But towards $\omega_b=1$ the
-three agree, and near each zero of the soft well the soft well has the smaller one, up to the last zero at
+Is the linear well's barrier the smallest in units of the energy? The article says so after its comparison at $1.3$, of
+a figure that shows the whole curves. Their means over the [55](num:sec32_barrier.frequencies_shared) frequencies that
+all three wells share are [5e-8](num:sec32_barrier.relative_mean_linear) in the linear well,
+[2.3e-7](num:sec32_barrier.relative_mean_soft) in the soft one and [0.0151](num:sec32_barrier.relative_mean_hard) in the
+hard one, and the criterion (`pn.ratio_smallest`) compares them; at $1.3$ and at the upper ends of the curves it is the
+smallest, too. Frequency by frequency, which is more than the sentence says, the linear well has the smallest ratio at
+[50](num:sec32_barrier.linear_smallest_at) of these frequencies, and at most
+[1.33055](num:sec32_barrier.linear_over_soft_most) times that of the soft well at the others. But towards $\omega_b=1$
+the three agree, and near each zero of the soft well the soft well has the smaller one, up to the last zero at
 [1.89803](num:sec32_barrier.zero_soft14). */
 /// Barriers in units of the energy, at the frequencies that all wells have in common.
 std::vector<std::vector<Estimate>> shared_ratios(const std::vector<BreatherPairs>& families) {
@@ -273,10 +275,11 @@ linear well, and we find [1.62422e-11](num:pn.omega11). At $1.5$ in the soft wel
 
 At $1.3$ the soft barrier is [857.526](num:pn.harmonic_ratio) times the linear one, and the hard barrier is
 [24934.6](num:sec32_barrier.harmonic_ratio_hard) times the linear one: three to four orders, as printed. But this test
-is a weak one. Its tolerance, an order of magnitude on either side, passes whatever lies between $10^2$ and $10^5$,
-and $1.3$ is only [0.000307365](num:sec32_barrier.zero_distance_130) away from a zero of the linear barrier, at which the ratio
-is infinite. At the neighbouring pairs of the table, a sixtieth below and above, the soft barrier is
-[10.684](num:sec32_barrier.harmonic_ratio_below) and [21.270](num:sec32_barrier.harmonic_ratio_above) times the linear one. */
+is a weak one. Its tolerance, an order of magnitude on either side, passes whatever lies between $10^2$ and $10^5$, and
+$1.3$ is only [0.000307365](num:sec32_barrier.zero_distance_130) away from a zero of the linear barrier, at which the
+ratio is infinite. At the neighbouring pairs of the table, a sixtieth below and above, the soft barrier is
+[10.684](num:sec32_barrier.harmonic_ratio_below) and [21.270](num:sec32_barrier.harmonic_ratio_above) times the linear
+one. */
 void report_key(Report& report, const BreatherPairs& pairs) {
   // Both barriers, well by well
   const std::size_t count = std::size(key_frequencies);

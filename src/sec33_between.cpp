@@ -379,7 +379,7 @@ the slope of $\kappa$ there. At $\omega_b = 1.1$ half of [3.22e-7](num:sec33_bet
 [7.5451e-8](num:sec33_floquet.exchange_slope) is within four per cent of what we find,
 [1.262e-14](num:sec33_between.kappa_between_in_s). What determines the sign of $b$ we do not know.
 
-The third breather can be shifted almost freely, so that Newton's equations for it are nearly singular. We prescribe its centre,
+Newton's equations for the third breather are nearly singular, as it can be shifted almost freely. We prescribe its centre,
 $$Q = \frac{\sum_n n\,\bigl(y_n(0)^2 + y_n(T_b/2)^2\bigr)}{\sum_n \bigl(y_n(0)^2+y_n(T_b/2)^2\bigr)},$$
 and solve for its positions and for the parameter, $s$ or $\omega_b$, at which it exists there (held.hpp), from a
 site, $Q=0$, to the next bond, $Q=1/2$; the orbit at one centre is the guess for the next (intermediate.hpp).
