@@ -185,10 +185,10 @@ void report_growth(Report& report, const std::vector<BreatherPairs>& families) {
 
 /**
 Is the linear well's barrier the smallest in units of the energy? The article says so after its comparison at $1.3$, of
-a figure that shows the whole curves. Their means over the [55](num:sec32_barrier.frequencies_shared) frequencies that
+a figure that shows the whole curves. The means of barrier over energy at the [55](num:sec32_barrier.frequencies_shared) frequencies that
 all three wells share are [5e-8](num:sec32_barrier.relative_mean_linear) in the linear well,
 [2.3e-7](num:sec32_barrier.relative_mean_soft) in the soft one and [0.0151](num:sec32_barrier.relative_mean_hard) in the
-hard one, and the criterion (`pn.ratio_smallest`) compares them; at $1.3$ and at the upper ends of the curves it is the
+hard one, and the test (`pn.ratio_smallest`) compares these means; at $1.3$ and at the upper ends of the curves it is the
 smallest, too. Frequency by frequency, which is more than the sentence says, the linear well has the smallest ratio at
 [50](num:sec32_barrier.linear_smallest_at) of these frequencies, and at most
 [1.33055](num:sec32_barrier.linear_over_soft_most) times that of the soft well at the others. But towards $\omega_b=1$
@@ -267,8 +267,8 @@ BreatherPairs key_pairs(const std::vector<BreatherPairs>& families, bool quick) 
 }
 
 /**
-The article's numbers are answered from these pairs. Printed is $1.77\cdot10^{-11}$ at $1.1$ in the
-linear well, and we find [1.62422e-11](num:pn.omega11). At $1.5$ in the soft well we find
+With these pairs we answer the numbers of the article. At $1.1$ in the linear well it prints $1.77\cdot10^{-11}$, and we
+find [1.62422e-11](num:pn.omega11). At $1.5$ in the soft well we find
 [7.57142e-8](num:pn.omega15) instead of $10^{-4}$; neither the equal area,
 [7.43890e-10](num:sec32_barrier.equal_area_soft_150), nor the unit of the energy brings it nearer. The hard well has
 [-8.64349e-5](num:sec32_barrier.equal_frequency_hard_150) there, and the printed value probably belongs to it.

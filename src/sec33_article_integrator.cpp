@@ -1,9 +1,9 @@
 /**
 # Appendix: which integrator did the article use?
 
-Seven numbers of section 3.3 of James, Kevrekidis and Cuevas (Physica D 251, 2013) depend on how the chain was
-integrated. All belong to $\omega_b = 1.1$, $T_b = 2\pi/\omega_b$, in wells with the anharmonicity $s$, Eq. (10), which
-is zero unless it is varied:
+Seven numbers of James, Kevrekidis and Cuevas (Physica D 251, 2013), most of them in section 3.3, depend on how the
+chain was integrated. All but the last belong to $\omega_b = 1.1$, $T_b = 2\pi/\omega_b$, in wells with the anharmonicity
+$s$, Eq. (10), which is zero unless it is varied:
 
 | number | printed |
 |---|---|
@@ -175,8 +175,8 @@ std::vector<Setting> all_settings(bool quick) {
 }
 
 /**
-*Breathers.* Many of these maps have no periodic orbit near the breather. Then it is the state that comes nearest, in the
-sense of least squares. For the residual we make five iterations from the DpS profile, as the article did, and for all
+*Breathers.* Many of these maps have no periodic orbit near the breather. Then we take the state that returns most nearly,
+in the sense of least squares. For the residual we make five iterations from the DpS profile, as the article did, and for all
 else three from the accurate breather.
 
 *Multipliers.* The flow maps an orbit to itself after any shift in time, and therefore has an exact pair $+1$. A map
@@ -246,7 +246,7 @@ multipliers of a map are at least [0.000410771](num:sec33_article_integrator.lea
 that by far less: the error of the time-translation pair hides the pinning pair. Both centres show an exchange in
 $[-1, 1]$ in [0](num:sec33_article_integrator.settings_with_both_s0) of [55](num:sec33_article_integrator.settings) settings.
 A gap of the printed size comes from adaptive variational equations at tolerances from $10^{-8}$ to $10^{-9}$ instead
-(`sec33_multiplier_errors`), far more accurate than the steps that print the threshold. Difference quotients do not
+(`sec33_multiplier_errors`), far more accurate than the steps that give the threshold. Difference quotients do not
 change this.
 
 *The barrier* of the maps scatters about the converged one; at 120 steps its largest modulus is
@@ -372,11 +372,11 @@ void report_flow(Report& report) {
 ## The DpS amplitude
 
 The DpS equation is of first order and not separable, so only three of the methods apply to it. As its period we take
-that of the stationary breather with $\mu = 1$, which is $2\pi$ in the slow time. With a hundred steps, and even with
-twenty, all three give the converged amplitude; only near the limit of their stability, with five or six, does that
-of Dormand and Prince give [0.00126358](num:sec33_article_integrator.largest_dps) because the norm grows. So the
-printed $13\cdot10^{-4}$ is not compatible with the steps that print the threshold, and belongs to loosely controlled
-steps if to any (`sec34_dps_impact`). */
+that of the stationary breather with $\mu = 1$, which is $2\pi$ in the slow time. From sixteen steps on all three give
+the converged amplitude within a per cent, and with more steps they come closer. Only near the limit of their stability,
+with six, does that of Dormand and Prince give [0.00126358](num:sec33_article_integrator.largest_dps), because the norm
+grows. So the printed $13\cdot10^{-4}$ is not compatible with the hundred steps or more that give the threshold, and
+belongs to loosely controlled steps if to any (`sec34_dps_impact`). */
 struct DpsRun {
   double amplitude = 0, growth = 0;
 };

@@ -47,8 +47,8 @@ stability, negative where it is stable ($\lambda$ on the unit circle). Unlike $\
 ## A chart of both breathers (figure x13)
 
 Where do the breathers exist, and how unstable are they there? We compute all multipliers of both on a grid of 80
-frequencies and 25 wells, following each breather in $\omega_b$ through the linear well and from there in $s$ until the
-family ends (chart.hpp).
+frequencies from 1.01 to 2 and 25 wells, $-1\le s\le1$, following each breather in $\omega_b$ through the linear well and
+from there in $s$ until the family ends (chart.hpp).
 
 ![Which breather is stable, where they change places, and how unstable they are.](fig:x13) */
 /// A node of the chart, and of which breather.
@@ -374,8 +374,8 @@ site, have two harmonics, $V = a\cos2\pi X+b\cos4\pi X$. Then $V' = -2\pi\sin2\p
 and bond there is a third extremum where $\cos2\pi X = -a/4b$, if $|a|<4|b|$. The curvature is proportional to
 $-(a+4b)$ at the site and to $a-4b$ at the bond: both are stable in this interval if $b<0$, and both unstable if $b>0$.
 An exchange is a place where $a$ passes through zero, and the interval is narrow because $V$ is nearly a sine: there
-only the tiny second harmonic is left. In this model $\kappa$ of the third breather half way is half the interval times
-the slope of $\kappa$ there. At $\omega_b = 1.1$ half of [3.22e-7](num:sec33_between.exchange_gap) times
+only the tiny second harmonic is left. As $\kappa$ is proportional to minus the curvature, that of the third breather half
+way is, in size, half the interval times the slope of $\kappa$. At $\omega_b = 1.1$ half of [3.22e-7](num:sec33_between.exchange_gap) times
 [7.5451e-8](num:sec33_floquet.exchange_slope) is within four per cent of what we find,
 [1.262e-14](num:sec33_between.kappa_between_in_s). What determines the sign of $b$ we do not know.
 

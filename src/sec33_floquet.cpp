@@ -7,8 +7,8 @@ four of them so close to $+1$ that the breathers are almost free to move. In the
 site-centred breather is weakly unstable and the bond-centred one stable. This depends on the strength and the sign of
 the anharmonicity $s$ of the well, the article says: the multipliers pass through $+1$ at some $s_0$, beyond which the
 site-centred breather is the stable one. It prints $s_0 \approx 0.26$ around a bond and $0.05$ around a site. We find
-that the two differ by [3.22e-7](num:sec33_floquet.exchange_gap) only, and between them a breather that is centred
-neither on a site nor on a bond.
+that the two differ by [3.22e-7](num:sec33_floquet.exchange_gap) only, and that between them there is a third breather,
+which is centred neither on a site nor on a bond.
 
 The article says more: near $\omega_b = 1$ the instability is $O(\epsilon^{1/2})$ times weaker than that of the DpS
 equation, where $\epsilon$ is the size of the breather; and the *pinning mode*, which shifts the breather along the
@@ -41,7 +41,7 @@ $$\kappa = \tfrac14\Bigl(\lambda+\frac1\lambda-2\Bigr),$$
 an eigenvalue of an $N\times N$ matrix made of half a period of the linearised flow, from which the time-translation pair is
 removed (floquet.hpp). Why not $\lambda$ itself? At $+1$ the monodromy matrix has a double eigenvalue with one
 eigenvector, and an error $\eta$ of the matrix splits it by $\sqrt\eta$: $10^{-8}$ in the flow would cost $10^{-4}$ in
-$\lambda$. The $\kappa$ of the pinning pair is a simple eigenvalue and suffers by $\eta$ only. A pair on the unit circle
+$\lambda$. The $\kappa$ of the pinning pair is a simple eigenvalue and changes in proportion to $\eta$ only. A pair on the unit circle
 has $-1\le\kappa\le0$; a pinning pair becomes unstable where $\kappa$ passes zero, and there
 $\ln\lambda \simeq 2\sqrt\kappa$: then a small shift along the chain grows instead of swinging back, and the breather
 slides away from its place. Other pairs may leave the circle at $-1$ ($\kappa < -1$) or as a quadruplet (complex

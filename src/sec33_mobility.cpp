@@ -196,7 +196,7 @@ it does slowly, and it is faster over the bonds. The bond-centred one swings abo
 
 ![Energy centre after a weak kick.](fig:15)
 
-The article says that it jumps two sites, and not how long it was followed. Does a suitable end of the run make this
+The article says that the site-centred one jumps two sites, and not how long it was followed. Does a suitable end of the run make this
 true? The breather is two sites away at $t =$ [180339](num:sec33_mobility.two_sites_time), and a figure that ended there
 would show two sites, but nothing that is pinned: over the second site its speed is still
 [0.589652](num:sec33_mobility.slow_over_fast) times that over a bond. The sign of the kick and the phase change nothing,
@@ -313,8 +313,8 @@ std::vector<Prediction> predictions_for(const std::vector<RestingBreather>& bond
 
 /**
 Sign and size of $\varphi$ follow in the DpS limit, with $\mu = \omega_b-1$. Of a kick $c\,v$ along a mode $v$ of length
-one the moving centre keeps what is left at equal action, $\varphi\,c^2/2 = dE-\omega_b\,dI$. The kick changes the action
-by $dI = c^2/2$ and the energy by as much, if there were no contacts: that leaves $(1-\omega_b)\,c^2/2 = -\mu\,c^2/2$. A
+one the moving centre keeps what is left at equal action, $\varphi\,c^2/2 = dE-\omega_b\,dI$. Without contacts the kick
+would change the action $I$ and the energy by $c^2/2$ each: that leaves $(1-\omega_b)\,c^2/2 = -\mu\,c^2/2$. A
 velocity changes the complex amplitude of an oscillator across the breather's own, real one, and in this direction a
 contact of strain $d_n$ has the stiffness $|d_n|^{1/2}$, so that the contacts add $\frac{c^2}2\,v\cdot Mv$. Here $M$ is the
 Laplacian of the chain weighted by $|d_n|^{1/2}$, the contact matrix of the breather $u$ (spectrum.hpp), $Mu = \mu u$.

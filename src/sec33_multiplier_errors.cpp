@@ -255,7 +255,8 @@ FoundZero read_zero(const std::vector<double>& kappa, std::size_t stride) {
 }
 
 /**
-All fourteen settings, a tolerance or an increment, with a dash where no zero is found twice:
+All fourteen settings, a tolerance or an increment, with a dash where no zero is found twice; `rk8pd` and `rkf45` are
+GSL's methods of Prince and Dormand (order eight) and of Fehlberg (order five):
 
 | setting | around a site | around a bond |
 |---|---|---|
@@ -275,8 +276,8 @@ All fourteen settings, a tolerance or an increment, with a dash where no zero is
 | differences, $10^{-6}$ | [-0.88](num:sec33_multiplier_errors.site_differences_1e6) ± [0.08](num:sec33_multiplier_errors.site_differences_1e6_spread) | [-0.8](num:sec33_multiplier_errors.bond_differences_1e6) ± [0.2](num:sec33_multiplier_errors.bond_differences_1e6_spread) |
 
 With the variational equations, wherever both zeros are found, the one around a site is too low and the one around a bond
-too high, as in the article, although the true ones are the same number. A gap of the printed size comes out of order
-eight (`rk8pd`) at tolerances between $10^{-8}$ and $10^{-9}$, and of order five (`rkf45`) at $10^{-10}$. But the zeros of
+too high, as in the article, although the true ones are one number. A gap of the printed size comes out of order
+eight at tolerances between $10^{-8}$ and $10^{-9}$, and of order five at $10^{-10}$. But the zeros of
 one setting depend on the wells that are sampled, and no setting gives both 0.05 and 0.26. At $10^{-11}$ order eight has
 closed the gap to a thousandth. Difference quotients do not come near, with any of the four increments, and some change
 the sign of $\kappa$ ten times: the stiffness of a contact that is barely closed is like the square root of the overlap,
