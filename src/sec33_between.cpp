@@ -1,12 +1,11 @@
 /**
 # 3.3 Breathers between a site and a bond
 
-Where do the two breathers exchange their stability, and what happens there? Section 3.3 of
-James, Kevrekidis and Cuevas (Physica D 251, 2013) finds that they do so as the anharmonicity $s$ is changed at
-$\omega_b = 1.1$, and leaves the bifurcations to future work. It says, too, that "for different values" of
-$\omega_b \in (1,2]$ and $s\in[-1,1]$ four Floquet multipliers are close to $+1$ and the others on the unit circle, where
-they accumulate at $e^{\pm2\pi i/\omega_b}$, and in section 5 that the instabilities which it found are weak, with
-multipliers that exceed one by less than $10^{-3}$.
+Where do the two breathers exchange their stability, and what happens there? Section 3.3 of James, Kevrekidis and Cuevas
+(Physica D 251, 2013) finds exchanges as the anharmonicity $s$ is changed at $\omega_b = 1.1$, and leaves the bifurcations
+to future work. It says, too, that "for different values" of $\omega_b \in (1,2]$ and $s\in[-1,1]$ four Floquet
+multipliers are close to $+1$ and the others on the unit circle, where they accumulate at $e^{\pm2\pi i/\omega_b}$, and in
+section 5 that the instabilities which it found are weak, with multipliers that exceed one by less than $10^{-3}$.
 
 This program tests these two statements on the frequencies and wells that the article's figures show. Then it maps the
 exchanges over the whole plane of $\omega_b$ and $s$ and finds the breathers that are born there: they are centred
@@ -125,8 +124,7 @@ int most_missing(const std::vector<OnChart>& nodes) {
   return *std::max_element(missing.begin(), missing.end());
 }
 
-/**
-A statement about many nodes is decided by the worst of them. */
+/// A statement about many nodes is decided by the worst of them.
 struct Worst {
   Estimate fourth, share, others, largest;
 
@@ -180,15 +178,17 @@ int report_lines(Report& report, const std::vector<OnChart>& seen,
 ## Over the whole plane
 
 Elsewhere the statements fail. In hard wells the pinning pair leaves the neighbourhood of $+1$, along the real
-axis around a bond and along the circle around a site: from $\omega_b =$ [1.44](num:sec33_between.far_from_bond)
-on there are wells in which the fourth multiplier is farther away than 0.01, at [398](num:sec33_between.far_bond) of
-[1719](num:sec33_between.chart_nodes_bond) nodes around a bond and at [397](num:sec33_between.far_site) of
-[1730](num:sec33_between.chart_nodes_site) around a site, and from [1.65](num:sec33_between.farther_from_bond) on farther
-than 0.1, at [202](num:sec33_between.farther_bond) and [201](num:sec33_between.farther_site) nodes. Moduli exceed one by
-more than $10^{-3}$ at [823](num:sec33_between.large_bond) nodes around a bond, from $\omega_b =$
-[1.15](num:sec33_between.large_from_bond) on, and at [94](num:sec33_between.large_site) around a site, from
-[1.16](num:sec33_between.large_from_site) on, and by [1.06121](num:sec33_between.range_largest) at most, at $\omega_b = 2$
-and $s = 1$. Next to the end of the families in soft wells multipliers beside the four leave the circle too, by up to
+axis around a bond and along the circle around a site. Of the [1719](num:sec33_between.chart_nodes_bond) nodes at which a
+breather around a bond exists, and [1730](num:sec33_between.chart_nodes_site) around a site, so many violate a bound:
+
+| | around a bond | from $\omega_b =$ | around a site | from $\omega_b =$ |
+|---|---|---|---|---|
+| fourth multiplier farther than 0.01 from $+1$ | [398](num:sec33_between.far_bond) | [1.44](num:sec33_between.far_from_bond) | [397](num:sec33_between.far_site) | [1.44](num:sec33_between.far_from_site) |
+| farther than 0.1 | [202](num:sec33_between.farther_bond) | [1.65](num:sec33_between.farther_from_bond) | [201](num:sec33_between.farther_site) | [1.65](num:sec33_between.farther_from_site) |
+| a modulus exceeds one by more than $10^{-3}$ | [823](num:sec33_between.large_bond) | [1.15](num:sec33_between.large_from_bond) | [94](num:sec33_between.large_site) | [1.16](num:sec33_between.large_from_site) |
+
+The largest excess is [1.06121](num:sec33_between.range_largest), at $\omega_b = 2$ and $s = 1$. Next to the end of the
+families in soft wells multipliers beside the four leave the circle too, by up to
 [0.0493672](num:sec33_between.range_others). Wherever longer chains were tried the added multipliers accumulate at
 the same point. At all but [2](num:sec33_between.chart_same_sign) nodes the pinning pair makes one of the two breathers
 stable and the other one unstable. */
@@ -234,11 +234,11 @@ void report_range(Report& report, const std::vector<OnChart>& seen, int missing,
 /**
 ## Where they change places
 
-Is the exchange at $\omega_b = 1.1$ the only one? Wherever neighbours on the chart of the site-centred breather,
-along either axis, have opposite signs of $\kappa$, an exchange lies between them. A curve for the eye needs no more
-than three digits: each exchange is refined until a step is shorter than a thousandth, and the next step is the
-error. What is counted are the edges of this grid across which the sign changes: the number tells how many searches
-were made, and depends on the grid. Near the end of a family a search may fail; the facts count how many were lost. */
+Is the exchange at $\omega_b = 1.1$ the only one? Wherever neighbours on the chart of the site-centred breather, along
+either axis, have opposite signs of $\kappa$, an exchange lies between them. For a curve in a figure three digits
+suffice: the search ends with a step shorter than a thousandth, and the next step is the error. Of
+[333](num:sec33_between.chart_exchanges) edges of the grid with such a change of sign the search failed on
+[0](num:sec33_between.chart_lost). */
 /// An edge of the grid across which kappa changes its sign, and the exchange there.
 struct CrossedEdge {
   Cut cut;
