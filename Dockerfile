@@ -1,9 +1,16 @@
 # This repository in a container, by an ordinary user: the packages of apt-packages.txt, then the README's two commands.
 #   docker build -t breathers .                         on Debian 12; with --build-arg RELEASE=trixie on Debian 13
+#   docker build -t breathers --build-arg SNAPSHOT=20261101T000000Z .    with that day's packages, from snapshot.debian.org
 #   docker run --rm -it breathers                       a shell beside the programs, tables and figures
 # `make container` tries these steps one by one where no container can run.
 ARG RELEASE=bookworm
 FROM debian:${RELEASE}
+
+# An old list of packages has run out, and is what is wanted here
+ARG SNAPSHOT=
+RUN [ -z "${SNAPSHOT:-}" ] || { \
+  sed -i "s,http://deb.debian.org/\(debian[a-z-]*\),http://snapshot.debian.org/archive/\1/$SNAPSHOT," /etc/apt/sources.list.d/debian.sources \
+  && echo 'Acquire::Check-Valid-Until "false";' > /etc/apt/apt.conf.d/snapshot; }
 
 # What the README asks for, and what the list has for figures, tests and book
 RUN apt-get update -qq \

@@ -72,7 +72,7 @@ results := $(foreach p,$(chapters),$(D)/data/$(p)/results.ecsv)
 # Folders have the names of some of them.
 .PHONY: figures article test ready all-figures all-data programs configure summary book weave install-book \
   test-book test-lineage tests examples python run-tests test-faults test-fuzz bench paper typeset install-paper \
-  lock hashes refresh show gallery second mutants test-platforms test-slurm fresh container dist style \
+  lock hashes refresh show gallery second mutants test-platforms test-slurm fresh container dist style tidy \
   install-deps burn help
 took = . tools/shared.sh; echo "$$(now) $$(cat $(D)/report/start)" | awk '{ printf "$(1)", ($$1 > $$2 ? $$1 - $$2 : 0) }'
 
@@ -97,8 +97,7 @@ test: ready
 
 # What must be there, and be right, before hours are spent on computing.
 ready: install-deps
-	@sh tools/configure.sh $(B)
-	@PYTHON="$(PYTHON)" sh tools/draw.sh
+	@missing=; sh tools/configure.sh $(B) || missing=yes; PYTHON="$(PYTHON)" sh tools/draw.sh && [ -z "$$missing" ]
 	@mkdir -p $(D)/report && (. tools/shared.sh; now) > $(D)/report/start
 	@$(lineage) tables --data $(D)/data
 
@@ -284,12 +283,17 @@ container:
 ## dist: sources, tables, figures, and what is there of book, paper, supplement and theorem, in one archive, build/dist
 dist:
 	@$(lineage) inventory --data $(B)/data --programs $(B)/bin --out $(B)/report
-	@sh tools/dist.sh $(B)
+	@PYTHON="$(PYTHON)" sh tools/dist.sh $(B)
 
-## style: clang-format and shellcheck, where they are installed
+## style: clang-format, shellcheck and reuse (from its version 4 on), where they are installed
 style:
 	@! command -v clang-format >/dev/null 2>&1 || git ls-files '*.cpp' '*.hpp' | xargs clang-format --dry-run --Werror
 	@! command -v shellcheck >/dev/null 2>&1 || shellcheck .ci/run tools/*.sh tests/*.sh tests/slurm/*.sh examples/*.sbatch
+	@! reuse --version 2>/dev/null | grep -Eq ' ([4-9]|[1-9][0-9])\.' || reuse lint --lines
+
+## tidy: clang-tidy on the sources that differ from a commit, SINCE=HEAD~1; without it on all (an hour)
+tidy:
+	@sh tools/tidy.sh $(SINCE)
 
 ## install-deps: install the Debian packages of apt-packages.txt that are missing
 install-deps:

@@ -9,9 +9,11 @@
     hashes    paper/hashes.ecsv: the bytes of every table
     refresh   values and tables in prose: src/, the pages, bench/costs.ecsv
     metadata  version, title, authors, licences: CITATION.cff, .zenodo.json, paper/metadata.yaml
+    codecheck what a codechecker compares: codecheck.yml
     tex       the same values for the paper
     summary   the end of `make figures`, build/report/published.ecsv, one claim by its id
     inventory every table with its columns, every command, the packages used
+    cover     the first page of the archive of `make dist`
     gallery   the small pictures of the README
     book      the weaver, a package of its own
 

@@ -69,6 +69,11 @@ def inventory(given):
     write(given.root, given.data, given.programs, given.out)
 
 
+def cover(given):
+    from .cover import write
+    write(given.root)
+
+
 def weave(given):
     from .book.weave import make
     count = make(given.root, given.data, given.figures, given.out, given.live, given.programs)
@@ -117,6 +122,7 @@ def reader():
     verb(macros, "write the locked values for the paper", out="build/paper")
     verb(gallery, "draw the small pictures of the README", "figures")
     verb(inventory, "every table with its columns, every command, the packages used", "data", "programs", out="build/report")
+    verb(cover, "index.html of the archive, with the article's figures and claims")
     verb(weave, "weave the book", "data", "figures", "live", "programs", out="build/book")
     return parser
 

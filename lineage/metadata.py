@@ -12,7 +12,7 @@ from . import ecsv
 
 SOURCE = "codemeta.json"
 NOTE = f"# Written by `make refresh` from {SOURCE}; do not edit.\n"
-REQUIRED = ("name", "version", "description", "keywords", "author", "license", "referencePublication")
+REQUIRED = ("name", "version", "description", "keywords", "author", "license", "hasPart", "referencePublication")
 
 
 def read(root):
@@ -29,8 +29,9 @@ def read(root):
 
 
 def licences(meta):
-    """The identifiers of SPDX; the first is that of the code."""
-    return [url.rsplit("/", 1)[-1] for url in meta["license"]]
+    """The identifiers of SPDX: that of the code, and that of prose, data and pictures, which are parts of the whole. Two
+    in one list would mean that the reader may choose."""
+    return [one["license"].rsplit("/", 1)[-1] for one in (meta, *meta["hasPart"])]
 
 
 def article(meta):
@@ -67,13 +68,13 @@ def yaml(value, indent=0):
 
 
 def citation(meta):
-    """CITATION.cff, version 1.2.0 of the format."""
+    """CITATION.cff, version 1.2.0 of the format, whose licence is that of the software; several would be a choice."""
     return NOTE + yaml({
         "cff-version": "1.2.0",
         "message": "If you use this software, please cite it together with the article that it reproduces.",
         "type": "software", "title": meta["name"], "version": meta["version"],
         **({"date-released": meta["datePublished"]} if meta.get("datePublished") else {}),
-        "abstract": meta["description"], "keywords": meta["keywords"], "license": licences(meta),
+        "abstract": meta["description"], "keywords": meta["keywords"], "license": licences(meta)[0],
         "authors": [{"name": a["name"]} for a in meta["author"]], "references": [article(meta)]})
 
 
@@ -84,7 +85,7 @@ def zenodo(meta):
         "upload_type": "software", "title": meta["name"], "version": meta["version"],
         "description": f"<p>{meta['description']}</p>", "creators": [{"name": a["name"]} for a in meta["author"]],
         "keywords": meta["keywords"], "access_right": "open", "license": code,
-        "notes": f"Source code under {code}; texts, figures and tables under {', '.join(others)}.",
+        "notes": f"Source code under {code}; prose, data and pictures under {', '.join(others)}; REUSE.toml says which file is which.",
         "related_identifiers": [{"identifier": article(meta)["doi"], "relation": "isDerivedFrom", "scheme": "doi"}],
     }, ensure_ascii=False, indent=2) + "\n"
 

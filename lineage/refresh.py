@@ -10,7 +10,7 @@ import math
 import re
 from pathlib import Path
 
-from . import ecsv, metadata, modules
+from . import codecheck, ecsv, metadata, modules
 from .chapters import costs_text, explained_by, read_commands, renewed_costs, run_of, shown_cost
 from .claims import SAID, VERDICTS, Judge, name_of, printed_range, read_claims
 from .findings import check_quotations, in_plain, read_findings, tally as kinds_of
@@ -140,6 +140,15 @@ def cost_rows(costs):
             f"| together | {together} |"]
 
 
+def minute_rows(root):
+    """How long the commands take; None where nobody has measured it."""
+    if not (path := Path(root) / "bench/minutes.ecsv").exists():
+        return None
+    rows = ecsv.read(path, ("command", "seconds", "what")).rows
+    return ["| | | about |", "|---|---|---|",
+            *(f"| `{row['command']}` | {row['what']} | {max(1, round(row['seconds'] / 60))} min |" for row in rows)]
+
+
 def generated_tables(claims, lock, figures, costs, alone, findings, literature):
     """Every table that a page may show, by the name in its marks."""
     return {"gallery": gallery_rows(figures), "summary": summary_rows(claims, figures, findings, literature),
@@ -188,10 +197,11 @@ def fresh_texts(root, measured):
     costs = renewed_costs(root, measured)
     yield root / "bench/costs.ecsv", costs_text(costs)
     tables = generated_tables(claims, lock, read_figures(root), costs, read_commands(root), findings, read_literature(root))
-    tables["modules"] = modules.drawing(root)
+    tables |= {"modules": modules.drawing(root), "minutes": minute_rows(root)}
     for name in PAGES:
         yield fresh(root / name, lambda text: fresh_page(with_marked_numbers(text, numbers), tables))
     yield from metadata.generated(root)
+    yield root / "codecheck.yml", codecheck.text(root)
 
 
 def renew(root, costs, check=False):

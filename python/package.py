@@ -27,7 +27,7 @@ try:
     import numpy as np
 except ImportError:
     raise ImportError(f"lattice needs numpy, which {sys.executable} does not have (Debian: apt install python3-numpy, and "
-                      "call /usr/bin/python3)") from None
+                      "call /usr/bin/python3; in a virtual environment: pip install numpy)") from None
 try:
     from . import _lattice
 except ImportError as _error:

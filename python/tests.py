@@ -1,5 +1,6 @@
 """Tests of the Python module. Argument: the folder of the programs, whose numbers and complaints are the measure."""
 
+import ast
 import concurrent.futures
 import csv
 import functools
@@ -12,17 +13,21 @@ import pickle
 import signal
 import subprocess
 import sys
+import tempfile
 import threading
 import time
 import unittest
 import warnings
+import zipfile
 from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
 
+import backend
 import lattice
 import notebooks
+import stubs
 
 BIN = Path(sys.argv.pop(1)) if __name__ == "__main__" else None  # a process of a test reads this file too
 HERE = Path(__file__).parent
@@ -466,6 +471,28 @@ class Documentation(unittest.TestCase):
                     self.assertIn(option, inspect.signature(target).parameters)
         self.assertIn("Eq. (26)", lattice.strike.__doc__)
         self.assertEqual(inspect.signature(lattice.breather).parameters["omega"].default, 1.1)
+
+    def test_the_types_are_those_of_this_module(self):
+        folder = Path(lattice.__file__).parent
+        told = (folder / "__init__.pyi").read_text()
+        self.assertEqual(told, stubs.stub(lattice))
+        self.assertTrue((folder / "py.typed").exists())
+        names = {node.name for node in ast.parse(told).body if isinstance(node, (ast.ClassDef, ast.FunctionDef))}
+        self.assertEqual(names, set(lattice.__all__))
+        self.assertIn('ends: Literal["free", "fixed", "periodic"] = ', told)
+
+    def test_a_wheel_has_all_that_an_import_needs_and_says_so(self):
+        with tempfile.TemporaryDirectory() as folder:
+            name = backend.pack(Path(lattice.__file__).parent, folder)
+            self.assertRegex(name, r"^breathers_lattice-[0-9.]+-cp3\d+-cp3\d+-\w+\.whl$")
+            with zipfile.ZipFile(Path(folder) / name) as wheel:
+                wheel.extractall(folder)
+                listed = [row[0] for row in csv.reader(wheel.read(f"{'-'.join(name.split('-')[:2])}.dist-info/RECORD").decode().splitlines())]
+                self.assertEqual(sorted(wheel.namelist()), sorted(listed))
+                self.assertIn("lattice/__init__.pyi", listed)
+            run = subprocess.run([sys.executable, "-c", "import lattice; print(lattice.__file__, lattice.Chain(3).sites)"],
+                                 capture_output=True, text=True, cwd=folder, env={**os.environ, "PYTHONPATH": folder})
+            self.assertEqual(run.stdout, f"{Path(folder) / 'lattice/__init__.py'} 3\n", run.stderr)
 
     def test_a_number_shows_what_is_known(self):
         self.assertEqual(str(lattice.Estimate(0.361294, 2e-5, "site")), "0.36129 +- 2e-05 site")

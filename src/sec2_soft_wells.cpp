@@ -250,7 +250,7 @@ void report_breathers(Report& report, const Both& softer) {
   for (std::size_t i = 0; i < longer.size(); i += 4)
     for (int n = -40; n <= 40; ++n) {
       const auto force = [&](std::size_t j) {
-        return softer[j][i].contact[std::size_t(int(lengths[j] / 2) + n)];
+        return softer[j][i].contact[std::size_t(long(lengths[j] / 2) + n)];
       };
       profiles.add(
           {{"kappa", "stiffness of the wells", longer[i].k},

@@ -12,10 +12,10 @@ $E_{PN} = 1.77\cdot10^{-11}$ at the frequency $\omega_b = 1.1$ in the linear wel
 $\omega_b = 1.01$ for each well; close to $10^{-4}$ at $\omega_b = 1.5$ for the anharmonicity $s = -1/6$. It says that the
 barrier is by three to four orders smaller in the linear well than in the others at $\omega_b = 1.3$; that it increases
 with the amplitude of the breather but remains very small; and that relative to the energy it is smallest in the linear
-well. Two of these statements do not say whether they are meant of the curves as a whole or of every frequency.
+well. It does not say whether the last two statements are meant of the curves as a whole or of every frequency.
 
-The article compares the two breathers at equal frequency; the comparison at equal *area*, which physics demands, it
-considers too difficult. This program does both, with signs, and draws figure 07.
+The article compares the two breathers at equal frequency; the comparison at equal *area* (defined below), which is the
+one that a moving breather makes, it considers too difficult. This program does both, with signs, and draws figure 07.
 
 ![Energy barrier between both families, for three wells.](fig:07) */
 
@@ -57,12 +57,12 @@ Estimate size(const Estimate& e) {
 /**
 ## Method
 
-The two energies agree to six digits and more, so each must be known to twelve if the barrier is to have
-six. Along a family of periodic orbits $d\mathcal H = \omega_b\,d\mathcal A/2\pi$. We change the frequency of the site-centred
-breather until the areas agree to first order, and convert what is left of their difference into energy;
-what we neglect is of third order (breather.hpp). All is computed at two tolerances. Where double precision
-leaves an error of more than three parts in a thousand, we repeat it with 64-bit mantissas. The frequencies
-form *pairs*, each of two breathers of one frequency. */
+The two energies agree to six digits and more, so each must be known to twelve if the barrier is to have six. Along a
+family of periodic orbits $d\mathcal H = \omega_b\,d\mathcal A/2\pi$. We change the frequency of the site-centred
+breather until the areas agree to first order, and convert what is left of their difference into energy; what we neglect
+is of third order (breather.hpp). Every barrier is computed at two tolerances, and the change from one to the other is
+its error. Where this error exceeds three parts in a thousand, we repeat the computation with 64-bit mantissas. The two
+breathers of one frequency are called a *pair*. */
 /// The pairs of each well.
 std::vector<BreatherPairs> climb_wells(int count) {
   std::vector<BreatherPairs> families;
@@ -96,12 +96,21 @@ std::vector<Zero> find_zeros(const std::vector<BreatherPairs>& families) {
 /**
 ## The barrier against frequency (figure 07)
 
-The figure shows the energy of the bond-centred breather, the modulus of both barriers and the ratio of
-barrier to energy. Its logarithmic scale hides what matters most: both barriers change their signs, and
-each of the dips is a zero. The table therefore keeps the signs. [](finding:barrier.signs) In the linear
-well the first zero is at [1.01462](num:sec32_barrier.zero_linear1) and the fifth at
-[1.29969](num:sec32_barrier.zero_linear5): the article's barrier at $1.3$ is small because of that
-zero. */
+The logarithmic scale of the figure hides what matters most: both barriers change their signs, and each of the dips
+is a zero. The table therefore keeps the signs. [](finding:barrier.signs) In the linear well the first zero is at
+[1.01462](num:sec32_barrier.zero_linear1) and the fifth at [1.29969](num:sec32_barrier.zero_linear5): the article's
+barrier at $1.3$ is small because of that zero.
+
+Why does it vanish at all? Along a family, $\mathcal L = \mathcal H-\omega_b\mathcal A/2\pi$ has the derivative
+$-\mathcal A/2\pi$, so that $\mathcal H = \mathcal L-\omega_b\,d\mathcal L/d\omega_b$. Between the two breathers of one
+frequency $\mathcal L$ differs by the barrier at equal area, $\tilde E_{PN}$, up to terms of second order in the
+difference of the areas. Hence
+$$E_{PN} \simeq -\omega_b^2\,\frac{d}{d\omega_b}\,\frac{\tilde E_{PN}}{\omega_b} .$$
+So the barrier at equal frequency vanishes where $\tilde E_{PN}/\omega_b$ has an extremum: at least once between any two
+zeros of $\tilde E_{PN}$, and once before the first, because $\tilde E_{PN}\to0$ for $\omega_b\to1$. In the table
+`sign_changes` the zeros of the two do alternate, in all three wells. Why $\tilde E_{PN}$ changes its own sign, that is,
+why the potential of the centre turns upside down, so often in the soft well and only once in the hard one, we do not
+know. */
 void report_barriers(Report& report, const std::vector<BreatherPairs>& families) {
   // Pair by pair
   Table& table = report.table(
@@ -140,10 +149,10 @@ void report_barriers(Report& report, const std::vector<BreatherPairs>& families)
 }
 
 /**
-Does $E_{PN}$ increase with the amplitude, as the article says? The amplitude increases with the frequency. From
-every frequency to the next the barrier does not: at a zero it falls to nothing. Of the curves as a whole the
-statement is true (`pn.grows`). In all three wells the arches between the zeros become higher and higher, and the largest
-barrier is the last one; we ask for both (`increasing_on_the_whole`).
+Does $E_{PN}$ increase with the amplitude, as the article says? The amplitude increases with the frequency. The modulus
+of the barrier does not increase everywhere, since it falls to nothing at each zero, but it does on the whole
+(`pn.grows`): in all three wells each arch between two zeros is higher than the one before, and the largest barrier is
+the last one. The test asks for both (`increasing_on_the_whole`).
 
 Whether the barrier remains very small depends on the well, and on where one stops. At the upper ends of the
 curves it is [0.000120789](num:sec32_barrier.end_barrier_soft) in the soft well,
@@ -175,14 +184,15 @@ void report_growth(Report& report, const std::vector<BreatherPairs>& families) {
 }
 
 /**
-Is the linear well's barrier the smallest in units of the energy? The article says so after its comparison at $1.3$,
-of a figure that shows the whole curves. Their means over the [55](num:sec32_barrier.frequencies_shared) frequencies
-that all three wells share are [5e-8](num:sec32_barrier.relative_mean_linear) in the linear well,
-[2.3e-7](num:sec32_barrier.relative_mean_soft) in the soft one and [0.0151](num:sec32_barrier.relative_mean_hard) in the hard
-one, and the criterion (`pn.ratio_smallest`) compares them; at $1.3$ and at the upper ends of the curves it is the
-smallest, too. Frequency by frequency, which is more than the sentence says, the linear well has the smallest ratio at [50](num:sec32_barrier.linear_smallest_at) of these frequencies, and at most
-[1.33055](num:sec32_barrier.linear_over_soft_most) times that of the soft well at the others. But towards $\omega_b=1$ the
-three agree, and near each zero of the soft well the soft well has the smaller one, up to the last zero at
+Is the linear well's barrier the smallest in units of the energy? The article says so after its comparison at $1.3$, of
+a figure that shows the whole curves. The means of barrier over energy at the [55](num:sec32_barrier.frequencies_shared) frequencies that
+all three wells share are [5e-8](num:sec32_barrier.relative_mean_linear) in the linear well,
+[2.3e-7](num:sec32_barrier.relative_mean_soft) in the soft one and [0.0151](num:sec32_barrier.relative_mean_hard) in the
+hard one, and the test (`pn.ratio_smallest`) compares these means; at $1.3$ and at the upper ends of the curves it is the
+smallest, too. Frequency by frequency, which is more than the sentence says, the linear well has the smallest ratio at
+[50](num:sec32_barrier.linear_smallest_at) of these frequencies, and at most
+[1.33055](num:sec32_barrier.linear_over_soft_most) times that of the soft well at the others. But towards $\omega_b=1$
+the three agree, and near each zero of the soft well the soft well has the smaller one, up to the last zero at
 [1.89803](num:sec32_barrier.zero_soft14). */
 /// Barriers in units of the energy, at the frequencies that all wells have in common.
 std::vector<std::vector<Estimate>> shared_ratios(const std::vector<BreatherPairs>& families) {
@@ -224,13 +234,13 @@ void report_ratios(Report& report, const std::vector<BreatherPairs>& families) {
 ## Five frequencies to all digits
 
 The claims speak of single frequencies, so these pairs are computed in extended precision throughout. Close to
-$\omega_b = 1$, with $\delta = \omega_b-1$, all energies follow the DpS scaling $\mathcal H = e\,\delta^4$. Then
+$\omega_b = 1$, with $\delta = \omega_b-1$, the amplitude goes like $\delta^2$ (Eq. (20)) and all energies follow the DpS
+scaling $\mathcal H = e\,\delta^4$, with an $e$ that differs slightly from one breather to the other. Then
 $d\mathcal H = \omega_b\,d\mathcal A/2\pi$ gives $\mathcal A/2\pi = e\,\delta^4-\frac45e\,\delta^5$, hence
 $\mathcal H = \mathcal A/2\pi+\frac45e\,\delta^5$. At equal area $e\,\delta^4$ is the same for both breathers, and the
 one with the larger $e$ has a $\delta$ that is smaller by a quarter of the relative difference: the barrier at equal
 area is $-\delta/5$ times the one at equal frequency, smaller by orders of magnitude, and of the opposite sign. At
-$\omega_b = 1.001$ the
-computed ratio divided by this prediction is [1.01843](num:sec32_barrier.equal_area_law). */
+$\omega_b = 1.001$ the computed ratio divided by this prediction is [1.01843](num:sec32_barrier.equal_area_law). */
 const std::pair<double, const char*> key_frequencies[] = {
     {1.001, "1001"}, {1.01, "101"}, {1.1, "110"}, {1.3, "130"}, {1.5, "150"}};
 
@@ -257,18 +267,19 @@ BreatherPairs key_pairs(const std::vector<BreatherPairs>& families, bool quick) 
 }
 
 /**
-The article's numbers are answered from these pairs. Printed is $1.77\cdot10^{-11}$ at $1.1$ in the
-linear well, and we find [1.62422e-11](num:pn.omega11). At $1.5$ in the soft well we find
+With these pairs we answer the numbers of the article. At $1.1$ in the linear well it prints $1.77\cdot10^{-11}$, and we
+find [1.62422e-11](num:pn.omega11). At $1.5$ in the soft well we find
 [7.57142e-8](num:pn.omega15) instead of $10^{-4}$; neither the equal area,
 [7.43890e-10](num:sec32_barrier.equal_area_soft_150), nor the unit of the energy brings it nearer. The hard well has
 [-8.64349e-5](num:sec32_barrier.equal_frequency_hard_150) there, and the printed value probably belongs to it.
 
 At $1.3$ the soft barrier is [857.526](num:pn.harmonic_ratio) times the linear one, and the hard barrier is
 [24934.6](num:sec32_barrier.harmonic_ratio_hard) times the linear one: three to four orders, as printed. But this test
-is a weak one. Its tolerance, an order of magnitude on either side, passes whatever lies between $10^2$ and $10^5$,
-and $1.3$ is only [0.000307365](num:sec32_barrier.zero_distance_130) away from a zero of the linear barrier, at which the ratio
-is infinite. At the neighbouring pairs of the table, a sixtieth below and above, the soft barrier is
-[10.684](num:sec32_barrier.harmonic_ratio_below) and [21.270](num:sec32_barrier.harmonic_ratio_above) times the linear one. */
+is a weak one. Its tolerance, an order of magnitude on either side, passes whatever lies between $10^2$ and $10^5$, and
+$1.3$ is only [0.000307365](num:sec32_barrier.zero_distance_130) away from a zero of the linear barrier, at which the
+ratio is infinite. At the neighbouring pairs of the table, a sixtieth below and above, the soft barrier is
+[10.684](num:sec32_barrier.harmonic_ratio_below) and [21.270](num:sec32_barrier.harmonic_ratio_above) times the linear
+one. */
 void report_key(Report& report, const BreatherPairs& pairs) {
   // Both barriers, well by well
   const std::size_t count = std::size(key_frequencies);
@@ -329,13 +340,13 @@ void report_folds(Report& report, const BreatherPair& last) {
 /**
 ## How accurate the printed 1.77e-11 is
 
-The article prints its own accuracy: for one breather Newton's method left a residual of $1.5\cdot10^{-9}$. Such a
-residual is left not only by an approximate breather, but also by an exact one of a slightly different
-frequency: its phase is wrong at $T_b$. The energy of that breather differs by
-$E'(\omega_b)\,\delta\omega$, and nothing in the residual tells the two cases apart. This difference is
-[1.59887e-12](num:sec32_barrier.hidden_energy) for one of the two breathers, and the printed barrier exceeds ours by
-[1.45775e-12](num:sec32_barrier.printed_excess). So the article agrees with us within its own accuracy; our value is the
-more accurate one. Integrations of that accuracy give barriers on either side of the printed one
+The article prints its own accuracy: for one breather Newton's method left a residual of $1.5\cdot10^{-9}$. By how
+much may the energy be wrong then? An exact breather of a slightly different frequency, $\omega_b+\delta\omega$, leaves
+such a residual, too, because its phase is wrong at $T_b$, and its energy is wrong by $\mathcal H'(\omega_b)\,\delta\omega$.
+A residual of the printed size corresponds to an energy of
+[1.59887e-12](num:sec32_barrier.hidden_energy) for one breather, and the printed barrier exceeds ours by
+[1.45775e-12](num:sec32_barrier.printed_excess). So the two agree within the accuracy of the article, and ours is the
+more accurate value. Integrations of that accuracy give barriers on either side of the printed one
 (`sec33_article_integrator`). */
 void report_printed(Report& report, const Estimate& barrier) {
   report.facts.add("hidden_energy",
@@ -346,19 +357,20 @@ void report_printed(Report& report, const Estimate& barrier) {
 /**
 ## What goes beyond the article
 
-The barrier at equal
-frequency has no fixed sign, and neither has the one at equal area; their zeros differ. Those at equal area are where
-stability is exchanged: in the linear well each of the six lies between the exchanges of the two breathers, the first
-on both (`sec33_between`). [](finding:barrier.equal_area) There the bond is the stable centre although at equal area
-its energy is the higher one (sec33_mobility.cpp explains how that can be). Next to a zero of the one at equal
-frequency it need not be smaller: at $1.3$ the two are [-5.22284e-12](num:sec32_barrier.equal_area_linear_130) and
+Neither barrier has a fixed sign. Where the one at equal area vanishes, the two breathers exchange their stability: in
+the linear well the site-centred and the bond-centred breather do so at six close pairs of frequencies, and between the
+two of each pair lies a zero of this barrier (`sec33_between`; those of the first pair cannot be told apart).
+[](finding:barrier.equal_area) At $1.1$ the bond is the stable centre although at equal area its energy is the higher
+one, because the effective mass is negative (`sec33_mobility`). Near a zero of the barrier at equal frequency the one at
+equal area is not the smaller one: at $1.3$ it is [-5.22284e-12](num:sec32_barrier.equal_area_linear_130) against
 [-4.89194e-12](num:sec32_barrier.equal_frequency_linear_130).
 
 ## Differences and limits
 
 The article does not say how far in frequency its soft and hard branches go. Ours end at $\omega_b = 2$,
 those of the soft well at $1.9$, just before their folds, which we locate but do not pass. The barrier says
-nothing about what lies between the two breathers; section 3.3 looks for breathers without symmetry there. */
+nothing about the potential between the two breathers, which may have further extrema: `sec33_between` looks for
+breathers without symmetry there. */
 void reproduce(Report& report) {
   report.output.note("tolerance", "flow to 128 and 2048 roundings of the type");
   const auto families = climb_wells(report.quick ? 10 : 60);

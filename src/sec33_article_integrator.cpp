@@ -1,9 +1,9 @@
 /**
 # Appendix: which integrator did the article use?
 
-Seven numbers of section 3.3 of James, Kevrekidis and Cuevas (Physica D 251, 2013) depend on how the chain was
-integrated. All belong to $\omega_b = 1.1$, $T_b = 2\pi/\omega_b$, in wells with the anharmonicity $s$, Eq. (10), which
-is zero unless it is varied:
+Seven numbers of James, Kevrekidis and Cuevas (Physica D 251, 2013), most of them in section 3.3, depend on how the
+chain was integrated. All but the last belong to $\omega_b = 1.1$, $T_b = 2\pi/\omega_b$, in wells with the anharmonicity
+$s$, Eq. (10), which is zero unless it is varied:
 
 | number | printed |
 |---|---|
@@ -13,13 +13,13 @@ is zero unless it is varied:
 | the same for the bond-centred one | 0.26 |
 | kick $c_c$ beyond which the bond-centred breather is free | $6.19\cdot10^{-6}$ |
 | sites that the site-centred one jumps, to stay there, after a kick of $3\cdot10^{-6}$ | 2 |
-| amplitude of the struck DpS chain | $13\cdot10^{-4}$ |
+| amplitude of the packet in the struck DpS chain (section 3.4) | $13\cdot10^{-4}$ |
 
-Six of them come out differently when the integration is converged; the residual tells how accurate theirs was. Most
-have an explanation of their own in their chapters, the barrier lies within the article's own accuracy
-(`sec32_barrier`), and the jump has none. The article does not say which integrator it used. Here we ask whether *one*
-choice, a method and a number of steps per period, explains them all. This is forensics: what we find is compatible
-with a setting or not, and says nothing about what was done. */
+Six of them come out differently when the integration is converged; the seventh, the residual, tells how accurate the
+article's breathers were. The barrier lies within that accuracy (`sec32_barrier`), the others are discussed in their
+chapters, and the jump has no explanation there. The article does not say which integrator it used. Here we ask whether
+*one* choice, a method and a number of steps per period, explains them all. This is forensics: a setting is compatible
+with the printed numbers or it is not, and neither says what was done. */
 
 #include <algorithm>
 #include <array>
@@ -47,14 +47,14 @@ The chain is that of Eqs. (6) to (9). The force of a contact grows like the powe
 smooth at the instant at which the contact opens or closes, and an integrator that steps across this *contact event*
 loses accuracy there. Our own steps correct for it (contact_rkn.hpp); nothing in the article says that its did.
 
-The first trial is an adaptive Runge-Kutta method without the correction, under Newton's iteration for the
+The first trial puts an adaptive Runge-Kutta method without the correction into Newton's iteration for the
 two breathers (uncorrected.hpp). The iteration solves the equations with the breather's symmetries, or those of the
-article, that all beads return after one period. What matters is the residual that remains, because the printed one
-tells how accurate the article's breathers were, and the barrier that comes with it.
+article, that all beads return after one period. We record the residual that remains, to be compared with the printed
+one, and the barrier that comes with it.
 
 At the two coarsest tolerances and with the symmetric equations, the first two rows of the table, one residual or both
 are about as large as the printed one, and the barriers lie on either side of the printed barrier, within two per cent
-of it. So an adaptive method of common tolerance can print this barrier. */
+of it. So an adaptive method of common tolerance can give this barrier. */
 Cells barrier_trial(bool whole_period, double tolerance) {
   std::array<UncorrectedEnd, 2> ends{};
   for (std::size_t k : {0U, 1U}) {
@@ -92,8 +92,8 @@ own. We take the classical Runge-Kutta method with $T_b/k$ as its step, for seve
 two of the article's experiments: the site-centred breather after the weak kick, and the bond-centred one after a kick
 of $5.5\cdot10^{-6}$, which lies between the converged threshold [4.4518e-6](num:moving.c_threshold) and the printed one.
 
-With 80 commensurate steps a period the bond-centred breather stays where it is, with 80 steps that are not
-commensurate it moves. But none of these runs conserves the energy: it drifts by
+With 80 commensurate steps a period the bond-centred breather stays where it is; with steps of about the same
+length that are not commensurate it moves. But none of these runs conserves the energy: it drifts by
 [6e2](num:sec33_article_integrator.least_drift_of_trials) to [1e5](num:sec33_article_integrator.largest_drift_of_trials)
 times the energy $c^2/2$ of the kick. They show that commensurate steps can pin a breather, not that they do so at a
 conserved energy. In a control, 120 commensurate steps of our own method, corrected for the contact events, let the
@@ -154,7 +154,7 @@ integration is the $k$-th power of one step (fixed_step.hpp):
      flow   Y(0) ~~~~~~~~~~~~~~~~~~~~~~~~~~~> Y(T)
      map    Y(0) -> o -> o -> o -> o -> o -> o -> Y(T)     k steps, contact events ignored
 
-The numbers are computed of this map: its own breathers, its own derivative (by variational equations or by difference
+All numbers are computed from this map: its own breathers, its own derivative (by variational equations or by difference
 quotients), its own runs. The methods are velocity Verlet, the classical Runge-Kutta method, those of Fehlberg and of
 Dormand and Prince of order five, and the symplectic one of Calvo and Sanz-Serna, often used in this field.
 
@@ -175,13 +175,14 @@ std::vector<Setting> all_settings(bool quick) {
 }
 
 /**
-*Breathers.* Many of these maps have no periodic orbit near the breather. Then it is the state that comes nearest, in the
-sense of least squares. For the residual we make five iterations from the DpS profile, as the article did, and for all
+*Breathers.* Many of these maps have no periodic orbit near the breather. Then we take the state that returns most nearly,
+in the sense of least squares. For the residual we make five iterations from the DpS profile, as the article did, and for all
 else three from the accurate breather.
 
-*Multipliers.* A map has no symmetry against shifts in time shorter than a step, so its time-translation pair does not
-stay at $+1$, and the four multipliers next to $+1$ are off by $2\sqrt{|\kappa|}$ ($\kappa$ as in `sec33_floquet`). How
-far, we record for the linear well; $s_0$ follows from $\kappa$ in three wells.
+*Multipliers.* The flow maps an orbit to itself after any shift in time, and therefore has an exact pair $+1$. A map
+knows only shifts by whole steps, so its time-translation pair does not stay at $+1$. With $\kappa$ (as in
+`sec33_floquet`) made of all four multipliers next to $+1$, their distance from it is $2\sqrt{|\kappa|}$. We record it in
+the linear well; $s_0$ follows from $\kappa$ in three wells.
 
 *Threshold.* It costs many periods, so it is tried with 100, 120 and 128 steps only. First we ask whether it lies within
 twelve per cent of the printed one, with a kick on either side; if so, three halvings narrow it down.
@@ -191,8 +192,8 @@ pinned if it is two sites away, by half a site more or less, from $t = 2.5\cdot1
 not enough: a breather that travels on at two sites in this time, swinging a little, looks there as if it had stopped.
 
 A number is near the printed one within ten per cent for barrier and threshold, 0.03 for $s_0$, half a site for the jump
-and a factor of two for the residual: generous bounds, so that a negative answer does not hang on a digit
-(`near_printed` of printed_numbers.hpp). */
+and a factor of two for the residual: generous bounds, so that a negative answer does not depend on a digit
+(`near_printed` of printed_numbers.hpp). The DpS amplitude has a section of its own; six numbers remain. */
 void measure(Setting& at) {
   at.measure_residual();
   at.measure_breathers();
@@ -218,9 +219,9 @@ threshold, [3](num:sec33_article_integrator.thresholds_above) do not free it twe
 with 120 steps, [6.05e-6](num:sec33_article_integrator.threshold_runge-kutta-4_120), and with 128,
 [6.43e-6](num:sec33_article_integrator.threshold_runge-kutta-4_128), that of Calvo and Sanz-Serna with 100,
 [6.24e-6](num:sec33_article_integrator.threshold_calvo-sanz-serna-4_100), and Fehlberg's with 120,
-[6.43e-6](num:sec33_article_integrator.threshold_fehlberg-5_120). So the size of the printed number singles out no
-method. One lies between ten and twelve per cent. Nor need what is pinned stay so: with 120 steps of the classical
-method the breather swings further and further, and a kick of $4\cdot10^{-6}$, too weak for a converged run, has freed
+[6.43e-6](num:sec33_article_integrator.threshold_fehlberg-5_120). The remaining one lies between ten and twelve per cent
+away. So the printed number singles out no method. Nor need a pinned breather stay so: with 120 steps of the classical
+method it swings farther and farther, and a kick of $4\cdot10^{-6}$, too weak for a converged run, has freed
 it after 200000 periods (run once, with that number in `measure_threshold` of printed_numbers.cpp).
 
 *The jump.* In [0](num:sec33_article_integrator.settings_near_jump) of the
@@ -230,31 +231,31 @@ constant speed, and leaves that place at [3.191e5](num:sec33_article_integrator.
 // What the iteration leaves
 /**
 *The residual.* The classical method leaves [1.60775e-8](num:sec33_article_integrator.residual_runge-kutta-4_120) at 120
-steps, ten times the printed residual. But that one may not be an error of integration at all: for the flow itself
-the iteration, which leaves the shift along the chain alone, stops at
-[2.1e-9](num:sec33_article_integrator.residual_flow) with steps of
-[5e-15](num:sec33_article_integrator.variation_flow), perhaps because the DpS profile is slightly shifted. That a
-residual of $1.5\cdot10^{-9}$ was printed beside a last step of $1.7\cdot10^{-11}$ is compatible with such an
+steps, ten times the printed residual. But the printed one need not be an error of integration at all. Our iteration
+takes no step along the weakly pinned shift of the chain, and for the converged flow it stops at a residual of
+[2.1e-9](num:sec33_article_integrator.residual_flow) with a last step of
+[5e-15](num:sec33_article_integrator.variation_flow), perhaps because the DpS profile, from which it starts, is slightly
+shifted. The article prints $1.5\cdot10^{-9}$ beside a last step of $1.7\cdot10^{-11}$, which is compatible with such an
 iteration and an accurate integration. */
 // What the maps say of stability and of the barrier
 /**
-*The multipliers.* With none of these maps can $s_0$ be read off. The four multipliers next to $+1$ are at least
-[0.000410771](num:sec33_article_integrator.least_off) and at 120 steps of the classical method
-[0.005](num:sec33_article_integrator.off_runge-kutta-4_120) away from it in the linear well, and other wells change
-that by far less: it is the time-translation pair that is not held; what decides the stability is
-[0.000214282](num:sec33_floquet.fourth_distance). Both centres show an exchange in $[-1, 1]$ in
-[0](num:sec33_article_integrator.settings_with_both_s0) of [55](num:sec33_article_integrator.settings) settings. The
-printed pair is compatible with variational equations at a tolerance of $10^{-9}$ instead
-(`sec33_multiplier_errors`), far more accurate than the steps that print the threshold. Difference quotients do not
+*The multipliers.* With none of these maps can $s_0$ be read off. The stability is decided by a distance from $+1$ of
+[0.000214282](num:sec33_floquet.fourth_distance), that of the pinning pair in the linear well. There the four
+multipliers of a map are at least [0.000410771](num:sec33_article_integrator.least_off) away from it, and
+[0.005](num:sec33_article_integrator.off_runge-kutta-4_120) at 120 steps of the classical method, and other wells change
+that by far less: the error of the time-translation pair hides the pinning pair. Both centres show an exchange in
+$[-1, 1]$ in [0](num:sec33_article_integrator.settings_with_both_s0) of [55](num:sec33_article_integrator.settings) settings.
+A gap of the printed size comes from adaptive variational equations at tolerances from $10^{-8}$ to $10^{-9}$ instead
+(`sec33_multiplier_errors`), far more accurate than the steps that give the threshold. Difference quotients do not
 change this.
 
 *The barrier* of the maps scatters about the converged one; at 120 steps its largest modulus is
 [6.35779e-10](num:sec33_article_integrator.largest_barrier_120), many times the barrier itself. It comes within ten
 per cent of the printed value in [0](num:sec33_article_integrator.settings_near_barrier) settings.
 
-So none of these settings explains the discrepancies of section 3.3. Some hundred and twenty commensurate steps per period
-can print a threshold of that size if one waits for 20000 periods, breathers and multipliers ask for a much more
-accurate computation, and the jump is explained by nothing that we tried. */
+So none of these settings explains the discrepancies of section 3.3. Some hundred and twenty commensurate steps per
+period give a threshold of the printed size if one waits for 20000 periods, the printed breathers and multipliers require
+a much more accurate computation, and nothing that we tried explains the jump. */
 Columns report_columns() {
   return {label("method", "integrator"),
           count("steps", "for one period"),
@@ -371,11 +372,11 @@ void report_flow(Report& report) {
 ## The DpS amplitude
 
 The DpS equation is of first order and not separable, so only three of the methods apply to it. As its period we take
-that of the stationary breather with $\mu = 1$, which is $2\pi$ in the slow time. With a hundred steps, and even with
-twenty, all three give the converged amplitude; only near the limit of their stability, with five or six, does that
-of Dormand and Prince give [0.00126358](num:sec33_article_integrator.largest_dps) because the norm grows. So the
-printed $13\cdot10^{-4}$ is not compatible with the steps that print the threshold, and belongs to loosely controlled
-steps if to any (`sec34_dps_impact`). */
+that of the stationary breather with $\mu = 1$, which is $2\pi$ in the slow time. From sixteen steps on all three give
+the converged amplitude within a per cent, and with more steps they come closer. Only near the limit of their stability,
+with six, does that of Dormand and Prince give [0.00126358](num:sec33_article_integrator.largest_dps), because the norm
+grows. So the printed $13\cdot10^{-4}$ is not compatible with the hundred steps or more that give the threshold, and
+belongs to loosely controlled steps if to any (`sec34_dps_impact`). */
 struct DpsRun {
   double amplitude = 0, growth = 0;
 };
@@ -411,13 +412,14 @@ void report_dps(Report& report) {
 /**
 ## Differences and limits
 
-Nothing here says what the article did. The scan has steps that divide the period and breathers on short chains. Steps
-of a round length, such as 0.05, are not commensurate, and in the trials above with such steps the breather moves. A kick
-that has not freed the breather within 20000 periods, or after which it has turned round before, counts as too weak; with
-16000 some thresholds come out three per cent higher, and with 12000 one more setting seems to come near. A number of a
-map is what it is and has no error from a second resolution; as the error of a threshold we give the half of its bracket,
-as that of a time the 64 periods between two looks, and that of a residual is its difference from the one with difference
-quotients. */
+Nothing here says what the article did. The scan has steps that divide the period and breathers on short chains;
+adaptive steps were tried for the barrier and for the multipliers (`sec33_multiplier_errors`), not for kicks. Steps of a
+round length, such as 0.05, are not commensurate, and in the trials with incommensurate steps the breather moves. A kick
+that has not freed the breather within 20000 periods, or after which it has turned round before, counts as too weak;
+with 16000 some thresholds come out three per cent higher, and with 12000 one more setting seems to come near. A map has
+no finer resolution to be compared with, so its numbers have no error of that kind; as that of a threshold we give half
+of its bracket, as that of a time the 64 periods between two looks, and that of a residual is its difference from the
+one with difference quotients. */
 void reproduce(Report& report) {
   report.output.note("tolerance", "none: the fixed steps are what is studied");
   report_scan(report);

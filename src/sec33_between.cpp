@@ -1,17 +1,16 @@
 /**
 # 3.3 Breathers between a site and a bond
 
-Where do the two breathers exchange their stability, and what happens there? Section 3.3 of
-James, Kevrekidis and Cuevas (Physica D 251, 2013) finds that they do so in the anharmonicity $s$ at $\omega_b = 1.1$
-and leaves the bifurcations to future work. It says, too, that "for different values" of $\omega_b \in (1,2]$ and
-$s\in[-1,1]$ four Floquet multipliers are close to $+1$ and the others on the unit circle, where they accumulate at
-$e^{\pm2\pi i/\omega_b}$, and in section 5 that the instabilities which it found are weak, with multipliers that exceed
-one by less than $10^{-3}$.
+Where do the two breathers exchange their stability, and what happens there? Section 3.3 of James, Kevrekidis and Cuevas
+(Physica D 251, 2013) finds exchanges as the anharmonicity $s$ is changed at $\omega_b = 1.1$, and leaves the bifurcations
+to future work. It says, too, that "for different values" of $\omega_b \in (1,2]$ and $s\in[-1,1]$ four Floquet
+multipliers are close to $+1$ and the others on the unit circle, where they accumulate at $e^{\pm2\pi i/\omega_b}$, and in
+section 5 that the instabilities which it found are weak, with multipliers that exceed one by less than $10^{-3}$.
 
 This program tests these two statements on the frequencies and wells that the article's figures show. Then it maps the
 exchanges over the whole plane of $\omega_b$ and $s$ and finds the breathers that are born there: they are centred
-neither on a site nor on a bond. Why there must be such breathers a picture of the Peierls-Nabarro potential tells, drawn
-so that a stable breather sits in a valley:
+neither on a site nor on a bond. Why must there be such breathers? The centre moves in the Peierls-Nabarro potential,
+drawn here so that a stable breather sits in a valley. Between two valleys there is a hill, between two hills a valley:
 
       both stable                both unstable
        site  between  bond        site  between  bond
@@ -40,16 +39,15 @@ $$\ddot y_n + y_n + s\,y_n^3 = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2}.$$
 The multipliers of a breather are the factors by which small changes of it grow in one period; they come in pairs
 $\lambda, 1/\lambda$. One pair is exactly $+1$, that of a shift in time. The *pinning pair* belongs to a shift along the
 chain and lies close to $+1$, because a shift by a fraction of a site costs hardly any energy. It is one number,
-$$\kappa = \tfrac14\Bigl(\lambda+\frac1\lambda-2\Bigr),$$
-positive where the breather is unstable ($\lambda$ real), zero at an exchange of stability, negative where it is stable
-($\lambda$ on the unit circle). Unlike $\lambda$ it keeps all its digits near zero (floquet.hpp). The centre of a breather
-is $Q$, `centre`, in sites from the middle of the chain.
+$\kappa = \frac14(\lambda+1/\lambda-2)$, positive where the breather is unstable ($\lambda$ real), zero at an exchange of
+stability, negative where it is stable ($\lambda$ on the unit circle). Unlike $\lambda$ it keeps all its digits near zero
+(floquet.hpp). The centre of a breather is $Q$, `centre`, in sites from the middle of the chain.
 
 ## A chart of both breathers (figure x13)
 
-Where do the breathers exist, and how unstable are they there? We compute all pairs of both on a grid of 80 frequencies
-and 25 wells, following each breather in $\omega_b$ through the linear well and from there in $s$ until the family ends
-(chart.hpp).
+Where do the breathers exist, and how unstable are they there? We compute all multipliers of both on a grid of 80
+frequencies from 1.01 to 2 and 25 wells, $-1\le s\le1$, following each breather in $\omega_b$ through the linear well and
+from there in $s$ until the family ends (chart.hpp).
 
 ![Which breather is stable, where they change places, and how unstable they are.](fig:x13) */
 /// A node of the chart, and of which breather.
@@ -98,12 +96,12 @@ The article does not say for which values of $\omega_b$ and $s$ it has computed 
 of values, since the families of soft wells end before $\omega_b=2$. It shows multipliers at $\omega_b=1.1$ only, for all
 $s$, and follows breathers in $\omega_b$ through the linear well; on these two lines we test the statement
 (`floquet.spectrum`). In hard wells, which its figure 7 follows too, it fails (next section). Near $+1$ means
-within 0.01 and at least ten times as near as the fifth multiplier; its own distance cannot be prescribed, because for
+within 0.01 and at least ten times as near as the fifth multiplier, whose own distance cannot be prescribed, because for
 $\omega_b \to 1$ the point of accumulation itself comes near. All others may leave the circle by $10^{-3}$ at most,
-the size that the article neglects. And ten more sites must add twenty multipliers at the point of accumulation,
-within $10^{-4}$ in $\kappa$, because the first of the new beads still touch the old ends; this is asked at every
-thirteenth frequency of the linear well and in three wells at $1.1$. These bounds are ours, and the nodes that decide
-are computed once more, with two tolerances. */
+the size that the article neglects. And ten more sites must add twenty multipliers at the point of accumulation, within
+$10^{-4}$ in $\kappa$ and not exactly, because the tail of the breather still reaches the first of the new beads; this is
+tested at every thirteenth frequency of the linear well and in three wells at $1.1$. These bounds are ours, and the nodes
+that decide are computed once more, with two tolerances. */
 int added_at_edge(const OnChart& at) {
   // The same breather on a longer chain, with beads at rest beyond the old ends
   const auto& [centre, node] = at;
@@ -126,8 +124,7 @@ int most_missing(const std::vector<OnChart>& nodes) {
   return *std::max_element(missing.begin(), missing.end());
 }
 
-/**
-What is far from $+1$, and what is large? Of many nodes the worst is taken. */
+/// A statement about many nodes is decided by the worst of them.
 struct Worst {
   Estimate fourth, share, others, largest;
 
@@ -180,20 +177,21 @@ int report_lines(Report& report, const std::vector<OnChart>& seen,
 /**
 ## Over the whole plane
 
-What happens elsewhere is a finding of ours. In hard wells the pinning pair leaves the neighbourhood of $+1$, along
-the axis around a bond and along the circle around a site: from $\omega_b =$ [1.44](num:sec33_between.far_from_bond)
-on there are wells in which the fourth multiplier is farther away than 0.01, at [398](num:sec33_between.far_bond) of
-[1719](num:sec33_between.chart_nodes_bond) nodes around a bond and at [397](num:sec33_between.far_site) of
-[1730](num:sec33_between.chart_nodes_site) around a site, and from [1.65](num:sec33_between.farther_from_bond) on farther
-than 0.1, at [202](num:sec33_between.farther_bond) and [201](num:sec33_between.farther_site) nodes. Moduli exceed one by
-more than $10^{-3}$ at [823](num:sec33_between.large_bond) nodes around a bond, from $\omega_b =$
-[1.15](num:sec33_between.large_from_bond) on, and at [94](num:sec33_between.large_site) around a site, from
-[1.16](num:sec33_between.large_from_site) on, and by [1.06121](num:sec33_between.range_largest) at most, at $\omega_b = 2$
-and $s = 1$. Next to the end of the families in soft wells multipliers beside the four leave the circle too, by up to
-[0.0493672](num:sec33_between.range_others). Wherever longer chains were tried
-they accumulate at the same point. At all but
-[2](num:sec33_between.chart_same_sign) nodes the pinning pair makes one of the two breathers stable and the other one
-unstable. */
+Elsewhere the statements fail. In hard wells the pinning pair leaves the neighbourhood of $+1$, along the real
+axis around a bond and along the circle around a site. Of the [1719](num:sec33_between.chart_nodes_bond) nodes at which a
+breather around a bond exists, and [1730](num:sec33_between.chart_nodes_site) around a site, so many violate a bound:
+
+| | around a bond | from $\omega_b =$ | around a site | from $\omega_b =$ |
+|---|---|---|---|---|
+| fourth multiplier farther than 0.01 from $+1$ | [398](num:sec33_between.far_bond) | [1.44](num:sec33_between.far_from_bond) | [397](num:sec33_between.far_site) | [1.44](num:sec33_between.far_from_site) |
+| farther than 0.1 | [202](num:sec33_between.farther_bond) | [1.65](num:sec33_between.farther_from_bond) | [201](num:sec33_between.farther_site) | [1.65](num:sec33_between.farther_from_site) |
+| a modulus exceeds one by more than $10^{-3}$ | [823](num:sec33_between.large_bond) | [1.15](num:sec33_between.large_from_bond) | [94](num:sec33_between.large_site) | [1.16](num:sec33_between.large_from_site) |
+
+The largest excess is [1.06121](num:sec33_between.range_largest), at $\omega_b = 2$ and $s = 1$. Next to the end of the
+families in soft wells multipliers beside the four leave the circle too, by up to
+[0.0493672](num:sec33_between.range_others). Wherever longer chains were tried the added multipliers accumulate at
+the same point. At all but [2](num:sec33_between.chart_same_sign) nodes the pinning pair makes one of the two breathers
+stable and the other one unstable. */
 void report_range(Report& report, const std::vector<OnChart>& seen, int missing, double spacing) {
   // How many nodes are beyond a limit, and from which frequency on
   using Pairs = std::vector<Pair>;
@@ -236,11 +234,11 @@ void report_range(Report& report, const std::vector<OnChart>& seen, int missing,
 /**
 ## Where they change places
 
-Is the exchange at $\omega_b = 1.1$ the only one? Wherever neighbours on the chart of the site-centred breather,
-along either axis, have opposite signs of $\kappa$, an exchange lies between them. A curve for the eye needs no more
-than three digits: each exchange is refined until a step is shorter than a thousandth, and the next step is the
-error. What is counted are the edges of this grid across which the sign changes: the number tells how many searches
-were made, and depends on the grid. Near the end of a family a search may fail; the facts count how many were lost. */
+Is the exchange at $\omega_b = 1.1$ the only one? Wherever neighbours on the chart of the site-centred breather, along
+either axis, have opposite signs of $\kappa$, an exchange lies between them. For a curve in a figure three digits
+suffice: the search ends with a step shorter than a thousandth, and the next step is the error. Of
+[333](num:sec33_between.chart_exchanges) edges of the grid with such a change of sign the search failed on
+[0](num:sec33_between.chart_lost). */
 /// An edge of the grid across which kappa changes its sign, and the exchange there.
 struct CrossedEdge {
   Cut cut;
@@ -371,12 +369,19 @@ std::vector<ExchangePair> report_windows(Report& report, const Chart& grid) {
 /**
 ## Intermediate breathers (figure x14)
 
-Where both breathers are stable, or both unstable, there must be a third one between them, as in the sketch above: the
-symmetry-breaking bifurcation that exchanges the stability of one breather does not coincide with that of the other, and
-a branch of breathers without a mirror leads from the one to the other. Such a breather can be shifted along the chain
-almost freely, so that Newton's equations for it are nearly singular. Therefore we prescribe its centre,
+How wide is the interval in which both are stable, or both unstable? Let the potential of the centre $X$, in sites from a
+site, have two harmonics, $V = a\cos2\pi X+b\cos4\pi X$. Then $V' = -2\pi\sin2\pi X\,(a+4b\cos2\pi X)$, and besides site
+and bond there is a third extremum where $\cos2\pi X = -a/4b$, if $|a|<4|b|$. The curvature is proportional to
+$-(a+4b)$ at the site and to $a-4b$ at the bond: both are stable in this interval if $b<0$, and both unstable if $b>0$.
+An exchange is a place where $a$ passes through zero, and the interval is narrow because $V$ is nearly a sine: there
+only the tiny second harmonic is left. As $\kappa$ is proportional to minus the curvature, that of the third breather half
+way is, in size, half the interval times the slope of $\kappa$. At $\omega_b = 1.1$ half of [3.22e-7](num:sec33_between.exchange_gap) times
+[7.5451e-8](num:sec33_floquet.exchange_slope) is within four per cent of what we find,
+[1.262e-14](num:sec33_between.kappa_between_in_s). What determines the sign of $b$ we do not know.
+
+Newton's equations for the third breather are nearly singular, as it can be shifted almost freely. We prescribe its centre,
 $$Q = \frac{\sum_n n\,\bigl(y_n(0)^2 + y_n(T_b/2)^2\bigr)}{\sum_n \bigl(y_n(0)^2+y_n(T_b/2)^2\bigr)},$$
-and solve for its positions and for the parameter, $s$ or $\omega_b$, at which it exists there (held.hpp). We go from a
+and solve for its positions and for the parameter, $s$ or $\omega_b$, at which it exists there (held.hpp), from a
 site, $Q=0$, to the next bond, $Q=1/2$; the orbit at one centre is the guess for the next (intermediate.hpp).
 
 ![Centre, energy and stability of the breathers in between.](fig:x14) */
@@ -405,7 +410,7 @@ std::vector<FamilyEnds> family_ends(const std::vector<ExchangePair>& edges) {
 /**
 [](finding:exchange.between) Half way the first of these families is at $s =$
 [0.152520](num:sec33_between.middle_between_in_s), the second at $\omega_b =$
-[1.32606](num:sec33_between.middle_between_in_omega). Other exchanges were not searched. */
+[1.32606](num:sec33_between.middle_between_in_omega). At the other exchanges no third breather was looked for. */
 void report_between(Report& report, const std::vector<ExchangePair>& edges) {
   const std::vector<FamilyEnds> families = family_ends(edges);
   report.facts.add("exchange_gap", families[0].edge.width());
@@ -447,7 +452,8 @@ void report_between(Report& report, const std::vector<ExchangePair>& edges) {
 ## Differences and limits
 
 The chart follows each family in $s$ only until Newton's method fails, which for soft wells is near the
-fold of the family. */
+fold of the family. Third breathers were followed at two exchanges only; two exchanges between neighbouring nodes of the
+chart would escape; and whether a third breather stops a moving one was not asked. */
 void reproduce(Report& report) {
   report.output.note("tolerance", "flow to 128 and 2048 roundings of the type");
   const Chart site = chart(Centre::site, report.quick), bond = chart(Centre::bond, report.quick);
@@ -481,12 +487,12 @@ void reproduce(Report& report) {
 2. *Harder.* Find an exchange without any multiplier. `build/bin/sec32_barrier barrier --omega 1.1 --s 0.1525` gives
    `equal_area` = -3.04e-17, four orders less than at $s = 0$; a little further,
    `build/bin/sec32_barrier barrier --omega 1.1 --s 0.15252` gives `equal_area` = 5e-19.
-   Hint: an extremum of the potential at equal area changes its kind where all of the potential vanishes. The barrier at
-   equal frequency is nowhere near zero there: `equal_frequency` is millions of times larger.
+   Hint: site and bond exchange their stability where the first harmonic of the potential at equal area vanishes, and with
+   it the barrier. That at equal frequency is nowhere near zero there: `equal_frequency` is millions of times larger.
 3. *Open.* Follow the intermediate breather through the whole plane: where is it stable, and does a kicked breather stop
    at it?
-4. *Open.* At a zero of the second harmonic of the barrier three curves of exchange would meet: is there one in the
-   plane? */
+4. *Open.* The second harmonic $b$ changes its sign from one exchange to another. At a zero of both harmonics curves of
+   exchange would meet: is there one in the plane? */
 int main(int argc, char** argv) {
   return run(
       {"sec33_between", "3.3", "Breathers between a site and a bond (section 3.3)", reproduce},

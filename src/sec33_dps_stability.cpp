@@ -57,8 +57,8 @@ The breather itself belongs to the largest eigenvalue, $Mu = \mu u$. It gives $\
 phase, and no perturbation grows unless some other $m$ lies in $(\frac23\mu,\mu)$. So with $m_2$ the
 second largest eigenvalue a breather is spectrally stable if and only if $m_2 \le \frac23\mu$. The sign of the
 *margin* $m_2/\mu-\frac23$ is the whole verdict, so it needs a safe error. We add two differences: double against a longer
-mantissa, and the chain against one that is ten sites longer. In quadruple precision we find $m_2$ by counting
-eigenvalues instead of computing all. */
+mantissa, and the chain against one that is ten sites longer. Where the longer mantissa is quadruple precision, $m_2$ alone
+is found, by bisection on the number of eigenvalues above a bound (spectrum.hpp). */
 template <class Fine>
 Margin margin_of(Centre centre, double mu) {
   return margin_of<Fine>(centre, mu, sites_of(centre));
@@ -67,8 +67,8 @@ Margin margin_of(Centre centre, double mu) {
 /**
 ## How close to the edge (figures 08, 09 and x06)
 
-Drawn as in the article, both spectra are alike: a point at zero and two arcs on the imaginary axis. The insets show
-what decides, a pair a thousand times closer to zero than the rest.
+Drawn as in the article, both spectra look alike: a point at zero and two arcs on the imaginary axis. What decides is
+seen in the insets only, a pair that is a thousand times closer to zero than the rest.
 
 ![The bond-centred breather and its spectrum: all exponents are imaginary.](fig:08)
 
@@ -80,9 +80,12 @@ it. In units of $\mu$ the margins are [4.85298e-6](num:sec33_dps_stability.margi
 but a strain wrong by $10^{-4}$ reverses either verdict, as a test shows. Stable (`dps.bond_stable`) means that the margin
 is negative at both frequencies by a hundred times its error; a sign within that would count as a failure.
 
-Why so close and so symmetric? Both fit one potential for the centre, nearly a sine and very flat, with the site at the
-top and the bond at the bottom: the relative difference of their norms is
-[-1.33110e-6](num:sec32_dps_profiles.norm_gap_relative). Figure x06 shows that no other eigenvalue of $M$ is near the edge.
+Why equally far, on opposite sides? Both breathers are extrema of one potential for the centre, the site at its top and
+the bond at its bottom. If it is a sine, the two curvatures are opposite and equal, and $\lambda^2$ is proportional to
+them. That both are so close to the edge means that the potential is very flat: even the norms of the two differ by a
+fraction of [-1.33110e-6](num:sec32_dps_profiles.norm_gap_relative) only. Why it is so flat and so nearly a sine we
+cannot derive; with contacts of exponent two it is far less flat (exercise 2). Figure x06 shows that no other
+eigenvalue of $M$ is near the edge.
 
 ![The second eigenvalue of both breathers sits on the edge of instability; what follows in time.](fig:x06) */
 void report_profiles(Report& report) {
@@ -158,8 +161,9 @@ The article's way, a matrix of $2N$ rows, is an independent route to the same pa
 [1.9e-13](num:sec33_dps_stability.full_matrix_difference_double_site) in double precision, and it shows a trap: the
 double zero of the phase has only one eigenvector, so an error $\delta$ of the matrix moves the two zeros by
 $\sqrt\delta$, here by [2.3e-8](num:sec33_dps_stability.full_matrix_zero_double_site), and they may leave zero along
-either axis. A real pair is evidence only where it is far larger. Such remainders do not converge; the comparison with a
-chain ten sites longer tells how far they may be trusted. */
+either axis. So a small real pair is evidence of instability only where it is far larger than that. What rounding makes
+of the double zero converges to nothing; only its size means something, and a chain ten sites longer shows how much that
+size depends on chance. */
 template <class T>
 void report_full_matrix(Report& report, const std::string& precision) {
   for (const auto& [centre, name] : centres) {
@@ -175,8 +179,8 @@ void report_full_matrix(Report& report, const std::string& precision) {
 ## The instability at work
 
 We now follow the breathers of $\mu = 10$ in time. Their place is the centre of $|v_n|^4$, a power that keeps out small
-noise, and their displacement $X$ is counted in sites (dps_motion.hpp), at two tolerances; the finer run also takes twice
-as many samples, because times are read from them.
+noise, and their displacement $X$ is counted in sites (dps_motion.hpp). Each run is made at two tolerances; the finer one
+also takes twice as many samples, because times are read from them.
 
 Does the exponent of the matrix come out of the nonlinear equation? We displace the breather along the
 growing direction, by a millionth of its size, and fit a line to the logarithm of the growing part over
@@ -213,10 +217,10 @@ Is it really the growing direction that moves the breather? A *control* takes th
 *pinning pair*, the growing and the decaying direction: to first order it cannot move.
 
 What counts as motion? We require that the centre passes the neighbouring site within 500 units of time, $|X| > 1$: a
-breather that only falls into the potential minimum beside it swings back before. No control need stay for ever: by
-second order the noise reaches its pinning pair, too. So `dps.instability_moves` asks that at least half of the sixteen
-seeds move, that the control of the same seed passes the site later for at least three quarters of them, and that the
-medians of the two times differ by a factor of two. */
+breather that only falls into the potential minimum beside it swings back before. A control need not stay for ever,
+because to second order its noise feeds the pinning pair, too. So `dps.instability_moves` asks that at least half of the
+sixteen seeds move, that the control of the same seed passes the site later for at least three quarters of them, and
+that the medians of the two times differ by a factor of two. */
 Criterion site_moves(const std::vector<Group>& groups) {
   return moved_by_instability(trials_of(groups, Case::site), trials_of(groups, Case::control));
 }
@@ -251,7 +255,7 @@ void report_motion(Report& report, const std::vector<Group>& groups) {
 
 All [16](num:sec33_dps_stability.moved_complex_site) of [16](num:sec33_dps_stability.seeds_complex_site) perturbed
 site-centred breathers move, and their controls move later, in the median after
-[3.80](num:sec33_dps_stability.instability_moves_delay) times as long: by $t = 500$, 600, 750 and 1000 there move
+[3.80](num:sec33_dps_stability.instability_moves_delay) times as long: by $t = 500$, 600, 750 and 1000 there have moved
 [0](num:sec33_dps_stability.controls_moved_by_500), [1](num:sec33_dps_stability.controls_moved_by_600),
 [8](num:sec33_dps_stability.controls_moved_by_750) and [10](num:sec33_dps_stability.controls_moved_by_1000) of them.
 The median departures are [113.1](num:sec33_dps_stability.departure_complex_site) and
@@ -284,16 +288,18 @@ void report_census(Report& report, const Group& group) {
 
 /**
 But [5](num:sec33_dps_stability.moved_complex_bond) of [16](num:sec33_dps_stability.seeds_complex_bond) *stable*
-breathers move as well. Why? Between site and bond the centre moves like a pendulum: along the pinning pair
-$\ddot X = \pm\lambda^2X$ near the two, and the simplest potential with both signs is a sine. A *push*, the imaginary part
-of the noise, counts $(\mu-m_2)/|\lambda|$, some two hundred times, as much as a *shift*, its real part. The push that
-carries the pendulum from a bond over the site, [0.00641907](num:sec33_dps_stability.freeing_push_of_pendulum), is less
-than the amplitude of the noise. We bisect for it in the whole equation without noise, between 0.8 and 1.2 of that
-prediction, and find [0.006542](num:sec33_dps_stability.freeing_push); a run of $12/|\lambda|$ resolves a push that is
-$e^{-8}$ from the edge. The noise exceeds it for [5](num:sec33_dps_stability.pushed_over) seeds, and the push alone
-predicts the fate of [16](num:sec33_dps_stability.told_by_push); each departure from a site follows from the pendulum with
-a relative error of [0.0446](num:sec33_dps_stability.departure_difference) at worst. None of those that we followed falls
-apart, in any reading: the number of its sites grows by no more than the factor
+breathers move as well. Why? Near site and bond $\ddot X = \pm\lambda^2X$, and the simplest potential with both signs is
+a sine: the centre moves like a pendulum. A *shift* $x$, the real part of the noise along the pinning mode, displaces
+it; a *push* $y$, the imaginary part, gives it the speed $\dot x = (\mu-m_2)\,y\approx\frac13\mu\,y$. A pendulum of
+frequency $|\lambda|$ with that speed swings as far as with a shift of $(\mu-m_2)\,y/|\lambda|$, some two hundred times
+$y$. So noise of equal real and imaginary parts acts by its push. The push that carries the pendulum from a bond over
+the site, [0.00641907](num:sec33_dps_stability.freeing_push_of_pendulum), is less than the amplitude of the noise.
+Without noise the whole equation has [0.006542](num:sec33_dps_stability.freeing_push), by bisection between 0.8 and 1.2
+of the prediction with runs of $12/|\lambda|$, long enough to decide a push that is $e^{-8}$ from the edge. The noise
+exceeds it for [5](num:sec33_dps_stability.pushed_over) seeds, and the push alone predicts the fate of
+[16](num:sec33_dps_stability.told_by_push); each departure from a site follows from the pendulum with a relative error
+of [0.0446](num:sec33_dps_stability.departure_difference) at worst. No breather that we followed falls apart, in any
+reading: the number of its sites grows by no more than the factor
 [1.0112](num:sec33_dps_stability.bond_robust_spread). */
 Estimate freeing_push(const PinnedBreather& bond, int steps) {
   double found[2];
@@ -305,8 +311,8 @@ Estimate freeing_push(const PinnedBreather& bond, int steps) {
 
 /**
 No count may depend on where within its error the freeing push lies, so we count at both ends. All this requires that
-norm and energy are conserved: they drift by at most a fraction of
-[1e-10](num:sec33_dps_stability.largest_drift), and the freeing push is worth some $10^{-7}$. */
+norm and energy are conserved: they drift by at most a fraction of [1e-10](num:sec33_dps_stability.largest_drift), while
+the freeing push changes them by some $10^{-7}$. */
 void report_pendulum(Report& report, const std::vector<Group>& groups, const Breathers& breathers) {
   Quantities& facts = report.facts;
   const Estimate push = freeing_push(breathers.bond, report.quick ? 3 : 9);
@@ -376,16 +382,16 @@ Noise of half that size separates the two. In the narrow reading [16](num:sec33_
 [16](num:sec33_dps_stability.seeds_narrow_site) site-centred breathers leave, at
 [160.14](num:sec33_dps_stability.departure_narrow_site) in the median, and
 [0](num:sec33_dps_stability.left_narrow_bond) of [16](num:sec33_dps_stability.seeds_narrow_bond) bond-centred ones. So
-the claim holds: robust as a structure in all readings, and in one of them in its place as well, though not for
-certain: two in a hundred draws of this noise push harder than the freeing push. With 48 seeds (in
-`groups_of_trials`) all site-centred breathers leave by $t = 500$, and one bond-centred one in ten times that time
-(`duration`); a second program with a generator of its own (not part of this repository) counts 48 and none, and with 1000
-seeds 25 that leave a bond by $t = 500$.
+the claim holds: the breather is robust as a structure in all readings, and in one of them it keeps its place as well.
+That is a matter of odds: two in a hundred draws of this noise push harder than the freeing push. In a longer test, run
+once with 48 seeds (a number in `groups_of_trials`), all site-centred breathers left by $t = 500$, and one bond-centred
+one in ten times that time. A second program with a generator of its own (not part of this repository) counted 48 and
+none, and with 1000 seeds 25 that left a bond by $t = 500$.
 
 ### The article's picture (figure 10)
 
-The article shows one run as a map of $|v_n(t)|^2$. We show one seed, a lively one of the sixteen in figure
-x06, beside its control and beside a bond-centred breather under noise of the same seed.
+The article shows one run as a map of $|v_n(t)|^2$. We show one seed of the sixteen in figure x06, a breather that moves
+early, beside its control and beside a bond-centred breather under noise of the same seed.
 
 ![The perturbed site-centred breather leaves; without the pinning pair the same noise holds it for
 long.](fig:10) */
@@ -411,12 +417,13 @@ The article calls the bond-centred breather structurally robust and mentions sim
 breather is stable, but in a potential so flat that noise of the size of figure 10 may free it. The article does not
 specify that noise, and how many breathers leave depends on it. Real noise shifts a breather and hardly pushes it: no
 bond-centred one leaves its place then ([0](num:sec33_dps_stability.left_real_bond) of
-[6](num:sec33_dps_stability.seeds_real_bond) in a run half as long again), but a site-centred one leaves at
+[6](num:sec33_dps_stability.seeds_real_bond), in runs half as long again), but a site-centred one leaves at
 [516.19](num:sec33_dps_stability.departure_real_site) instead of
 [113.1](num:sec33_dps_stability.departure_complex_site) and often stays in the potential minimum beside it:
 [3](num:sec33_dps_stability.moved_real_site) of [6](num:sec33_dps_stability.seeds_real_site) move. Noise that is
 proportional to $u_n$ pushes harder and frees [5](num:sec33_dps_stability.left_relative_bond) of
-[6](num:sec33_dps_stability.seeds_relative_bond). Speeds are those over the first site that is crossed. */
+[6](num:sec33_dps_stability.seeds_relative_bond). How far a breather comes in the end we did not follow; speeds are those
+over the first site that is crossed. */
 void reproduce(Report& report) {
   report.output.note(
       "seed", "GSL mt19937, seeds in the tables of trials; map: " + std::to_string(map_seed));

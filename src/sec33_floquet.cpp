@@ -7,15 +7,14 @@ four of them so close to $+1$ that the breathers are almost free to move. In the
 site-centred breather is weakly unstable and the bond-centred one stable. This depends on the strength and the sign of
 the anharmonicity $s$ of the well, the article says: the multipliers pass through $+1$ at some $s_0$, beyond which the
 site-centred breather is the stable one. It prints $s_0 \approx 0.26$ around a bond and $0.05$ around a site. We find
-that the two differ by [3.22e-7](num:sec33_floquet.exchange_gap) only, and between them a breather that is centred
-neither on a site nor on a bond.
+that the two differ by [3.22e-7](num:sec33_floquet.exchange_gap) only, and that between them there is a third breather,
+which is centred neither on a site nor on a bond.
 
 The article says more: near $\omega_b = 1$ the instability is $O(\epsilon^{1/2})$ times weaker than that of the DpS
 equation, where $\epsilon$ is the size of the breather; and the *pinning mode*, which shifts the breather along the
 chain, is very close to its discrete gradient. That all other multipliers lie on the unit circle, where they accumulate
 at $e^{\pm 2\pi i/\omega_b}$, and that unstable ones exceed one by less than $10^{-3}$, is true at the frequency of its
 figures; `sec33_between` tests it at others. */
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -42,9 +41,10 @@ $$\kappa = \tfrac14\Bigl(\lambda+\frac1\lambda-2\Bigr),$$
 an eigenvalue of an $N\times N$ matrix made of half a period of the linearised flow, from which the time-translation pair is
 removed (floquet.hpp). Why not $\lambda$ itself? At $+1$ the monodromy matrix has a double eigenvalue with one
 eigenvector, and an error $\eta$ of the matrix splits it by $\sqrt\eta$: $10^{-8}$ in the flow would cost $10^{-4}$ in
-$\lambda$. The $\kappa$ of the pinning pair is a simple eigenvalue and suffers by $\eta$ only. A pair on the unit circle
+$\lambda$. The $\kappa$ of the pinning pair is a simple eigenvalue and changes in proportion to $\eta$ only. A pair on the unit circle
 has $-1\le\kappa\le0$; a pinning pair becomes unstable where $\kappa$ passes zero, and there
-$\ln\lambda \simeq 2\sqrt\kappa$. Other pairs may leave the circle at $-1$ ($\kappa < -1$) or as a quadruplet (complex
+$\ln\lambda \simeq 2\sqrt\kappa$: then a small shift along the chain grows instead of swinging back, and the breather
+slides away from its place. Other pairs may leave the circle at $-1$ ($\kappa < -1$) or as a quadruplet (complex
 $\kappa$); here, at $\omega_b = 1.1$, we look at all of them, and `sec33_between` at other frequencies. The whole
 spectrum is computed on the article's chains of 31 and 32 sites, the rest on shorter ones.
 
@@ -112,7 +112,12 @@ void report_spectrum(Report& report) {
 /**
 ## The quadruplet against $s$ (figures 11 and 12)
 
-To see where the breathers change places we follow each from the linear well to both ends of $-1 \le s \le 1$.
+Which breather is stable in which wells? Both are extrema of one potential of the centre, which has the period of the
+chain (`sec32_barrier`). If that potential is nearly a sine, they are its only extrema in a period, one stable and the
+other one not. When its amplitude passes through zero as $s$ is changed, the potential turns upside down, and the two
+*exchange* their stability in almost the same well. Only where the sine vanishes do higher harmonics matter; they decide
+what happens in between (`sec33_between`). So two values as far apart as the printed ones would require a potential
+that is no sine at all. To find them we follow each breather from the linear well to both ends of $-1 \le s \le 1$.
 
 ![Arguments and moduli of the four multipliers near one, bond-centred.](fig:11)
 ![The same around a site.](fig:12) */
@@ -135,9 +140,9 @@ $\kappa$.
 
 Near an exchange the multipliers leave $+1$ like square roots, so the sweep is denser there. Its largest instability,
 [0.000583922](num:sec33_floquet.largest_excess), occurs around a site and is smaller than the $10^{-3}$ of the
-article's conclusion. The error bar decides what may be said at $s = 0$. There $\kappa$ is
-[1.14767e-8](num:sec33_floquet.kappa_site) around a site and [-1.14768e-8](num:sec33_floquet.kappa_bond) around a
-bond. So the article's verdict holds, with a multiplier that exceeds one by
+article's conclusion. At $s = 0$, $\kappa$ is [1.14767e-8](num:sec33_floquet.kappa_site) around a site and
+[-1.14768e-8](num:sec33_floquet.kappa_bond) around a bond: opposite and nearly equal, like the curvatures of a sine at
+its top and its bottom. So the article's verdict holds, with a multiplier that exceeds one by
 [0.000214282](num:sec33_floquet.excess_site). */
 void report_wells(Report& report) {
   // From the linear well to both ends, more densely beside the exchange
@@ -211,8 +216,9 @@ void report_harmonic(Report& report) {
 
 /**
 Now the two exchanges themselves, the zeros of $\kappa$ in $s$ (exchange.hpp): [0.152519](num:floquet.s0_site) around a
-site and [0.152520](num:floquet.s0_bond) around a bond. [](finding:exchange.equal) The slope of $\kappa$ there, a
-difference quotient with two widths, converts errors of $\kappa$ into errors of $s$. */
+site and [0.152520](num:floquet.s0_bond) around a bond. [](finding:exchange.equal) The slope of $\kappa$ there,
+[7.5451e-8](num:sec33_floquet.exchange_slope) per unit of $s$, converts errors of $\kappa$ into errors of $s$: whoever
+wants two digits of $s_0$ must know $\kappa$ to $10^{-9}$. */
 std::array<Exchange, 2> both_exchanges() {
   // Around a site and around a bond; both lie between 0.1 and 0.2
   std::array<Exchange, 2> found;
@@ -244,13 +250,14 @@ void report_exchange(Report& report) {
 }
 
 /**
-The conclusion of the article says that the stability depends on the strength and the sign of the anharmonicity. At
-$s = -0.1$, 0 and $0.1$ the verdict is the same: $\kappa$ is [1.89678e-8](num:sec33_floquet.kappa_s_minus_01_site),
-[1.14767e-8](num:sec33_floquet.kappa_site) and [3.95898e-9](num:sec33_floquet.kappa_s_01_site) around a site,
+The conclusion of the article says that the stability depends on the strength and the sign of the anharmonicity. In
+weakly anharmonic wells of either sign the verdict is that of the linear one: at $s = -0.1$, 0 and $0.1$, $\kappa$ is
+[1.89678e-8](num:sec33_floquet.kappa_s_minus_01_site), [1.14767e-8](num:sec33_floquet.kappa_site) and
+[3.95898e-9](num:sec33_floquet.kappa_s_01_site) around a site,
 [-1.89680e-8](num:sec33_floquet.kappa_s_minus_01_bond), [-1.14768e-8](num:sec33_floquet.kappa_bond) and
-[-3.95900e-9](num:sec33_floquet.kappa_s_01_bond) around a bond. Only hard wells beyond the exchange reverse it, and soft ones as
-strong do not: of all $s$ in $[-1,1]$ those above [0.152519](num:floquet.s0_site). So it depends on both (`depends_on_well`
-of exchange.hpp, from $s = 0.1$, 1 and $-1$). */
+[-3.95900e-9](num:sec33_floquet.kappa_s_01_bond) around a bond. It is reversed in hard wells beyond the exchange,
+$s >$ [0.152519](num:floquet.s0_site), and not in soft wells down to $s = -1$. So the stability depends on both
+(`depends_on_well` of exchange.hpp tests it with $s = 0.1$, 1 and $-1$). */
 void report_strength(Report& report) {
   const std::vector<double> wells{-1, -0.5, -0.1, 0, 0.1, 0.5, 1};
   std::vector<std::array<Estimate, 2>> kappa(wells.size());
@@ -269,11 +276,12 @@ void report_strength(Report& report) {
 In the DpS equation the site-centred breather of frequency $\mu$ grows unstable at the rate
 [0.00155771](num:sec33_floquet.dps_rate) $\mu$ in slow time, whatever its size. By Eq. (20) a breather of the chain of size
 $\epsilon$ has $\omega_b-1 = \epsilon^{1/2}/(2\tau_0)$, and if the same happens in the chain its rate is
-$\ln\lambda/T_b =$ [0.00155771](num:sec33_floquet.dps_rate) $(\omega_b-1)$, weaker by $O(\epsilon^{1/2})$. The exponent
-between two sizes, $\omega_b-1 = 2\cdot10^{-4}$ and $10^{-4}$, is [0.497](num:floquet.weaker); its error is the change from
-the sizes before. The rate over $\omega_b-1$ tends to [0.00155770](num:sec33_floquet.slow_rate_limit), but slowly: at
-$\omega_b-1 = 10^{-4}$ it is [0.0015503](num:sec33_floquet.slow_rate), and at $\omega_b = 1.1$ a quarter of the limit. There
-$\kappa$ is so small that extended precision is needed. */
+$\ln\lambda/T_b =$ [0.00155771](num:sec33_floquet.dps_rate) $(\omega_b-1)$, weaker by $O(\epsilon^{1/2})$. Computed with
+$\omega_b-1 = 2\cdot10^{-4}$ and $10^{-4}$, the rate goes like $\epsilon$ to the power [0.497](num:floquet.weaker); the
+error of this exponent is its change from $4\cdot10^{-4}$ and $2\cdot10^{-4}$. The rate over $\omega_b-1$ tends to
+[0.00155770](num:sec33_floquet.slow_rate_limit), but slowly: at $\omega_b-1 = 10^{-4}$ it is
+[0.0015503](num:sec33_floquet.slow_rate), and at $\omega_b = 1.1$ only a quarter of the limit. So close to one $\kappa$ is
+so small that extended precision is needed. */
 Estimate growth_rate(double beyond_one) {
   // ln(lambda) / T_b, since sinh(ln(lambda) / 2) is the root of kappa
   const auto problem = problem_at(Centre::site, {1 + beyond_one, 0});
@@ -349,11 +357,12 @@ void report_mode(Report& report) {
 /**
 ## Differences and limits
 
-The printed exchanges, 0.26 and 0.05, are discrepant; the program `sec33_multiplier_errors` shows how common
-tolerances pull one number apart into such a pair. The verdict at $s = 0$ survives, because there $\kappa$ is far
-enough from zero. It is not a general rule: at $s = 0$ the two breathers change places six times between
-$\omega_b = 1$ and 2, and near an exchange a third breather may lie between them. The program `sec33_between` finds
-the exchanges and follows two families of such breathers. */
+The printed exchanges, 0.26 and 0.05, are discrepant; `sec33_multiplier_errors` shows how common tolerances pull one
+number apart into such a pair. The verdict at $s = 0$ survives, because there $\kappa$ is far enough from zero. All this
+holds at $\omega_b = 1.1$, in quartic wells, and is no general rule: at $s = 0$ the two breathers exchange their stability
+six times between $\omega_b = 1.003$ and 2, and near an exchange a third breather may lie between them. `sec33_between`
+finds the exchanges and follows two families of such breathers. Why the potential turns upside down at just these
+places is not known. */
 void reproduce(Report& report) {
   report.output.note("tolerance", "flow to 128 and 2048 roundings of the type");
   report_spectrum(report);

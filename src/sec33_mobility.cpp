@@ -11,8 +11,8 @@ frees the bond-centred one, from which the article reads a barrier, $c_c^2/2 = 1
 barrier $E_{PN}$ of section 3.2.
 
 This program repeats both experiments, conserves the energy to a hundredth of that of the kick or better, draws
-figures 14 and 15, and then derives the threshold. The breather feels a barrier that is far lower than the energy of the
-kick at the threshold: where does the rest go?
+figures 14 and 15, and then derives the threshold. The barrier that the breather has to get over is far lower than the
+energy of the kick that frees it: where does the rest go?
 
 ![Energy density after a kick of the bond-centred and of the site-centred breather.](fig:14) */
 #include <algorithm>
@@ -35,7 +35,7 @@ using namespace lattice;
 /**
 ## Model
 
-The chain has linear wells, Eqs. (6) to (9), with free ends,
+The chain has linear wells, Eqs. (6) to (9), and free ends,
 $$\ddot y_n + y_n = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2}.$$
 It starts from a breather at an instant at which all beads are at rest, with velocities $c\,g_n$ along the discrete
 gradient, $g_n\propto y_{n+1}-y_{n-1}$ with $\sum g_n^2 = 1$ (kick.hpp). We follow the energy centre $X$ of Eq. (24), the
@@ -71,12 +71,12 @@ Breathers all_ready(std::size_t around_site, std::size_t around_bond) {
 /**
 ## Method
 
-A kick is tiny beside the breather: $c^2/2$ is $10^{-4}$ of its energy for the strong kick and $3\cdot10^{-8}$ for
-the weak one. So the relative drift of the energy must stay a hundred times below that. Event-corrected steps, which
-take account of the opening and closing of contacts (contact_rkn.hpp), achieve this for $10^5$ periods; plain symplectic
-steps do not, because each such event costs them an error of $h^{5/2}$ with the step $h$. For the speeds a method of order six with five forces a
-step is enough; the long runs need one with fourteen stages. Each run has a second one with another step or another
-scheme, and the difference is the error. Table `integrators` and figure x15 show why we choose so. */
+A kick is tiny beside the breather: $c^2/2$ is $10^{-4}$ of its energy for the strong kick and $3\cdot10^{-8}$ for the
+weak one. So the relative drift of the energy must stay a hundred times below that. Event-corrected steps, which take
+account of the opening and closing of contacts (contact_rkn.hpp), achieve this for $10^5$ periods; plain symplectic
+steps do not, because each such event costs them an error of $h^{5/2}$ with the step $h$. For the speeds a method of
+order six with five forces a step is enough; the long runs need one with fourteen stages. Each run is repeated with
+another step or another scheme, and the difference is the error. Figure x15 shows the reasons for these choices. */
 struct Resolution {
   ContactAware glides, speeds, paths, thresholds;
 };
@@ -94,9 +94,9 @@ Resolution coarse(bool quick = false) {
 
 Is the speed really constant? Over 32000 units of time, more than 5000 oscillations, the breathers cover some
 seventeen sites. The speed is the slope of $X$ from $t = 2000$ on; if it is constant, the two halves of this window
-have the same slope. And what does the breather leave behind? The answer to `moving.dispersion` is the largest share
-of the energy that is at any of 45000 samples of a run further than five sites from the strongest one,
-[2.95e-9](num:moving.dispersion): a bound, because the breather's own tail is part of it. */
+have the same slope. And what does the breather leave behind? At 45000 instants of each run we look at the share of the
+energy that is farther than five sites from the strongest site. The largest, [2.95e-9](num:moving.dispersion), is
+a bound on what has been lost (`moving.dispersion`), because the breather's own tail is part of it. */
 struct Glide {
   Creep path;
   Table map{{number("t", "time"), count("n", "site", "site"), number("e", "energy density")}};
@@ -117,10 +117,10 @@ Glide glide(const RestingBreather& at, const ContactAware& stepper, double time)
 }
 
 /**
-Which phase did the article kick? Its speed of the bond-centred breather results when the central contact is stretched;
-a compressed one gives [0.000552678](num:sec33_mobility.speed_bond_compressed). The kick points to the right and the breather
-goes to the left: its mass is negative (see the threshold). The article prints speeds without a direction, so we drop
-the sign. What we return is the speed per kick. */
+At which phase did the article kick? Its speed of the bond-centred breather results when the central contact is stretched;
+a compressed one gives [0.000552678](num:sec33_mobility.speed_bond_compressed). The kick points to the right and the
+breather goes to the left: its effective mass is negative (see the threshold). The article prints speeds without a
+direction, so we drop the sign. The function returns the speeds divided by the kick. */
 std::array<double, 3> report_glides(Report& report) {
   const double time = report.quick ? 6000 : 32000;
   const Breathers at = all_ready(52, 52);
@@ -190,24 +190,24 @@ void report_kick_energy(Report& report, const RestingBreather& at) {
 /**
 ## A weak kick (figure 15)
 
-What does a kick below the barrier do? With $c = 3\cdot10^{-6}$ the site-centred breather travels without a stop from
-site to site: slowly over sites, which are what it has to get over (the threshold tells why), faster over bonds. The
-bond-centred one swings about its bond.
+What does a weak kick do? With $c = 3\cdot10^{-6}$ the site-centred breather travels without a stop from site to site.
+It starts where the potential holds it back most, so that it has only to pass the same place again at every site, which
+it does slowly, and it is faster over the bonds. The bond-centred one swings about its bond.
 
 ![Energy centre after a weak kick.](fig:15)
 
-The article prints no horizon. Does one make its sentence true? The site-centred breather is two sites away at
-$t =$ [180339](num:sec33_mobility.two_sites_time), and a figure that ended there would show two sites, but nothing that is
-pinned: on the second site the breather has still [0.589652](num:sec33_mobility.slow_over_fast) of its speed between two of
-them. The sign of the kick and the phase change nothing, since around a site they come to a reversal of time or
-of the chain. By $t = 10^6$ (`sec33_mobility kick --centre site --c 3e-6 --time 1e6 --sites 61`) it has travelled 11.07
-sites, at the same mean speed.
+The article says that the site-centred one jumps two sites, and not how long it was followed. Does a suitable end of the run make this
+true? The breather is two sites away at $t =$ [180339](num:sec33_mobility.two_sites_time), and a figure that ended there
+would show two sites, but nothing that is pinned: over the second site its speed is still
+[0.589652](num:sec33_mobility.slow_over_fast) times that over a bond. The sign of the kick and the phase change nothing,
+since around a site they come to a reversal of time or of the chain. By $t = 10^6$
+(`sec33_mobility kick --centre site --c 3e-6 --time 1e6 --sites 61`) it has travelled 11.07 sites, at the same mean speed.
 
-A horizon would also move the threshold: whoever calls a breather pinned that has not passed the next site by some
-time finds a larger $c_c$. After the printed $6.19\cdot10^{-6}$ the bond-centred breather passes the site at
-$t =$ [35877.4](num:sec33_mobility.hill_time_bond_stretched) (with the contact stretched). By this time the site-centred one of
-the same paragraph has moved by [0.368812](num:sec33_mobility.site_by_then) sites, so that one horizon for both
-experiments leaves either the two sites or the threshold unexplained. */
+The end of the run also matters for the threshold: whoever calls a breather pinned that has not passed the next site by
+some time finds a larger $c_c$. After the printed $6.19\cdot10^{-6}$ the bond-centred breather passes the site at
+$t =$ [35877.4](num:sec33_mobility.hill_time_bond_stretched) (with the contact stretched). By this time the site-centred
+one has moved by [0.368812](num:sec33_mobility.site_by_then) sites after its weak kick, so that runs of one length in
+both experiments leave either the two sites or the threshold unexplained. */
 void report_horizon(Report& report, const Breathers& at, const TwoPaths& site) {
   // The printed kick, until the breather is past the next site
   TwoPaths printed;
@@ -313,8 +313,8 @@ std::vector<Prediction> predictions_for(const std::vector<RestingBreather>& bond
 
 /**
 Sign and size of $\varphi$ follow in the DpS limit, with $\mu = \omega_b-1$. Of a kick $c\,v$ along a mode $v$ of length
-one the moving centre keeps what is left at equal action, $\varphi\,c^2/2 = dE-\omega_b\,dI$. The kick changes the action
-by $dI = c^2/2$ and the energy by as much, if there were no contacts: that leaves $(1-\omega_b)\,c^2/2 = -\mu\,c^2/2$. A
+one the moving centre keeps what is left at equal action, $\varphi\,c^2/2 = dE-\omega_b\,dI$. Without contacts the kick
+would change the action $I$ and the energy by $c^2/2$ each: that leaves $(1-\omega_b)\,c^2/2 = -\mu\,c^2/2$. A
 velocity changes the complex amplitude of an oscillator across the breather's own, real one, and in this direction a
 contact of strain $d_n$ has the stiffness $|d_n|^{1/2}$, so that the contacts add $\frac{c^2}2\,v\cdot Mv$. Here $M$ is the
 Laplacian of the chain weighted by $|d_n|^{1/2}$, the contact matrix of the breather $u$ (spectrum.hpp), $Mu = \mu u$.
@@ -339,11 +339,11 @@ factors of the same kind, which leave $c_c^2/2 \approx \frac35E_{PN}$. At $\omeg
 [0.6101](num:moving.barrier_close). So the two numbers have the same order of magnitude for a reason, but they are
 not the same number.
 
-The whole chain must confirm the prediction. Three kicks beyond it free the breather, and the square of the speed
-with which it passes the potential's extremum over the site is linear in $c^2$ and leads to the threshold
-(kick_threshold.hpp), with two schemes. For the phase that answers the claim we also check directly: one per cent below
-the threshold it must turn round, one per cent above it must get over. Runs whose energy drifts by a hundredth of the
-kick are refused. */
+The whole chain must confirm the prediction. We kick it three times beyond the predicted threshold. The square of the
+speed with which the breather passes the potential's extremum at the site is linear in $c^2$, and its zero is the
+threshold (kick_threshold.hpp), with two schemes. For the phase that answers the claim we also check directly: one per
+cent below the threshold it must turn round, one per cent above it must get over. Runs whose energy drifts by a
+hundredth of the kick are refused. */
 std::vector<Prediction> report_thresholds(Report& report, const std::vector<RestingBreather>& bonds,
                                           const std::array<double, 3>& response) {
   // What one period of the linearised flow predicts, for either phase
@@ -391,8 +391,8 @@ std::vector<Prediction> report_thresholds(Report& report, const std::vector<Rest
 ## Speed against kick (figure x15)
 
 How does the speed depend on the kick? If the Peierls-Nabarro potential is a sine, the centre is a pendulum
-(depinning.hpp), with an initial speed proportional to the kick. We time it over one site, from the first and the second
-mean of $X$.
+(depinning.hpp), with an initial speed proportional to the kick. We time it over one site, in means of $X$ over eleven
+periods (kick.hpp), from the first and from the second of them.
 
 ![Mean speed against kick, and the drift of several integrators against their work.](fig:x15) */
 Estimate speed_over_a_site(const RestingBreather& at, double c, const Resolution& r) {
@@ -455,14 +455,15 @@ void report_integrators(Report& report, const RestingBreather& at) {
 | speed, site | $5.446\cdot10^{-4}$ | [0.000544490](num:moving.v_site) | nothing to explain |
 | speed, bond | $5.364\cdot10^{-4}$ | [0.000536296](num:moving.v_bond) | central contact stretched at $t = 0$ |
 | distance after the weak kick | 2, and pinned | [2.81675](num:moving.site_below), and on | not known |
-| $c_c$ | $6.19\cdot10^{-6}$ | [4.4518e-6](num:moving.c_threshold) | perhaps commensurate steps, or a horizon |
+| $c_c$ | $6.19\cdot10^{-6}$ | [4.4518e-6](num:moving.c_threshold) | perhaps commensurate steps, or too short a run |
 | $c_c^2/2$ | $1.92\cdot10^{-11}$ | [9.909e-12](num:moving.pn_dynamic) | follows from $c_c$ |
 
 [](finding:depinning.law) The pendulum predicts
 [4.45275e-6](num:sec33_mobility.threshold_of_pendulum_bond_stretched). With the central contact compressed the
 threshold is [4.3198e-6](num:sec33_mobility.threshold_bond_compressed). That commensurate steps explain the printed
 threshold is a conjecture: the trials of `sec33_article_integrator` show that they can pin a breather, but not at a
-conserved energy, and none that comes near the threshold makes the site-centred breather jump two sites and stay. */
+conserved energy, and none that comes near the threshold makes the site-centred breather jump two sites and stay. The law
+of the threshold was tested for slow motion and kicks along $g$; other directions of the kick were not tried. */
 void reproduce(Report& report) {
   report.output.note("sites", "52 and 53 for strong kicks, 22 to 31 otherwise");
   const Breathers at = all_ready(26, 22);

@@ -6,11 +6,10 @@ The packet, a travelling breather, slows down, turns round, comes back to the st
 article compares it with *boomerons*, solitons that reverse their direction. How far does it get, how does it slow down,
 and for how long can its motion be known?
 
-The article shows three impacts, all in wells with $s=1$. At $v_0=1.9$ the packet turns, returns and rebounds, and
-after some rebounds its motion is erratic; at $v_0=1.5$ it only slows down; at $v_0=1.87$ it is about to turn near
-$t=240$. During the first rebounds, it says, the centre moves like a particle in an almost constant force, which grows
-with $s$ and with $v_0$. For which impacts and wells packets turn, and why, is the subject of two later chapters
-(`sec34_boomeron_map`, `sec34_boomeron_why`).
+The article shows three impacts, all in wells with $s=1$. At $v_0=1.9$ the packet turns, returns and rebounds, and after some
+rebounds its motion is erratic; at $v_0=1.5$ it only slows down; at $v_0=1.87$ it is about to turn near $t=240$. During the
+first rebounds, it says, the centre moves like a particle in an almost constant force, which grows with $s$ and with $v_0$.
+Which packets turn, and why, is the subject of two later chapters (`sec34_boomeron_map`, `sec34_boomeron_why`).
 
 ![Energy density after impacts with 1.5 and 1.9, and a zoom.](fig:22) */
 
@@ -46,7 +45,9 @@ with the largest $e_n$ of all, because a packet on its way back need not be the 
 $$e_n = \tfrac12\dot y_n^2 + W(y_n) + V(y_{n+1}-y_n),\qquad
   X = \sum_{|n-n'|\le m} n\,e_n \Big/ \sum_{|n-n'|\le m} e_n .$$
 
-| article | program | meaning; all is dimensionless, and the packet's internal period is near four |
+All is dimensionless. The packet's own oscillation, its *internal period*, takes about four units of time.
+
+| article | program | meaning |
 |---|---|---|
 | $\dot y_1(0) = v_0$, $s$ | `velocity`, `s` | impact velocity, anharmonicity of the well |
 | $X$, $e_n$ | `Path::centre`, `energy_density` | energy centre and density | */
@@ -98,9 +99,10 @@ void report_maps(Report& report, double determined_until) {
 ## Where and when it turns
 
 What the eye sees in figure 22 has to become numbers. The centre trembles with the internal oscillation, so we smooth
-$X(t)$ over four internal periods (turning.hpp) and take the first *velocity zero* of the smoothed path, its *turning
-point*, which is the furthest one, and the *rebound*, the nearest point of the way back. A packet can come to rest, drift
-slowly on and turn later, so the first two may differ. The errors are those of the step and of the smoothing.
+$X(t)$ over four internal periods (turning.hpp). Of the smoothed path we take the first instant at which the *velocity
+vanishes*; the *turning point*, which is the furthest point of the way out; and the *rebound*, the nearest point of the way
+back. A packet can come to rest, drift slowly on and turn later, so the first two may differ. The errors are those of the
+step and of the smoothing.
 
 At $v_0=1.9$ the velocity vanishes at $t =$ [289](num:sec34_boomeron.stop_time_190), the turning point is at site
 [20.065](num:sec34_boomeron.apex_site_190) and time [467](num:sec34_boomeron.apex_time_190), and the rebound at
@@ -108,8 +110,8 @@ At $v_0=1.9$ the velocity vanishes at $t =$ [289](num:sec34_boomeron.stop_time_1
 turns in the end too, far outside the figure: at site [183.239](num:sec34_boomeron.apex_site_150) and time
 [4.36e3](num:sec34_boomeron.apex_time_150).
 
-Near a turning point small errors decide which way a packet goes that is almost at rest. So we do not assume that our
-steps are short enough but show it: a table holds each of these moments at three steps. */
+Near a turning point a packet is almost at rest, and small errors decide which way it goes. So a table holds each of these
+moments at three steps, which shows whether they are short enough. */
 std::vector<TurnEstimate> report_turns(Report& report) {
   const std::vector<double> steps =
       report.quick ? std::vector<double>{0.2, 0.1} : std::vector<double>{0.1, 0.05, 0.025};
@@ -150,13 +152,12 @@ std::vector<TurnEstimate> report_turns(Report& report) {
 /**
 ## The acceleration
 
-The article likens the packet to a particle in an almost constant force. What can be seen of a force is the
-acceleration of the packet's centre, $\ddot X$, and that is what we measure, in sites per squared unit of time: the
-slope of a line through the velocities of the smoothed path (sec34/acceleration.hpp), on the way out, for $100 < t < 220$,
-on the way back, between sites 18 and 6, and between the two, around the turning point. For a force one would have to know
-the packet's mass, and there is reason to expect a negative one, as a slow breather of section 3.3 has it
-(`sec33_mobility`): what is pushed forward then slows down. The waves behind this packet, which can only push it forward,
-do slow it down (`sec34_boomeron_why`).
+The article likens the packet to a particle in an almost constant force. What can be seen of a force is the acceleration of
+the packet's centre, $\ddot X$, and that is what we measure, in sites per squared unit of time: the slope of a line through
+the velocities of the smoothed path (sec34/acceleration.hpp), on the way out, for $100 < t < 220$, on the way back, between
+sites 18 and 6, and between the two, around the turning point. For a force one would have to know the packet's mass, and
+there is reason to expect a negative one, as a slow breather of section 3.3 has it (`sec33_mobility`): what is pushed forward
+then slows down. The waves behind this packet, which can only push it forward, do slow it down (`sec34_boomeron_why`).
 
 At $s=1$, $v_0 = 1.9$ the acceleration is [](num:sec34_boomeron.force_190) on the way out,
 [](num:sec34_boomeron.force_190_between) around the turning point and [](num:sec34_boomeron.force_190_back) on the way back,
@@ -174,8 +175,8 @@ struct Deceleration {
 According to the article the force grows with $s$ and with $v_0$. So the list varies $v_0$ at $s=1$, then $s$ at
 $v_0=1.9$, with $s = 0$ for comparison; its last rows are the way back and the turning. Both lists must rise in modulus:
 no value may be smaller than an earlier one beyond the errors of both, and the last must exceed the first by more than
-these. (At first we asked that each exceed the one before beyond the errors; below $v_0 = 1.5$ these are larger than the
-differences, and this could not be decided.) */
+these. Both do, and the article's statement holds in this sense. (At first we asked that each value exceed the one before;
+below $v_0 = 1.5$ the errors are larger than the differences, and this could not be decided.) */
 std::vector<Deceleration> report_accelerations(Report& report, double step) {
   std::vector<Deceleration> list;
   for (double v : {1.1, 1.3, 1.5, 1.6, 1.7, 1.8, 1.9, 2.0}) list.push_back({{v, 1, 300}});
@@ -256,12 +257,12 @@ void report_force(Report& report, const std::vector<TurnEstimate>& reads) {
 /**
 ## Profiles close to the turning (figure 23)
 
-The article shows the velocities at $v_0 = 1.87$ when, as it says, the packet is close to turning,
-and we show the same times for comparison. How close is close? At $t = 238$ the centre is
-[2.459](num:boomeron.turning_time) sites from its turning point and still moves, at
-[0.0308568](num:sec34_boomeron.speed_187_at_238) sites per unit of time, a fraction
+The article shows the velocities at $v_0 = 1.87$ when, as it says, the packet is close to turning, and we show the same times
+for comparison. How close is close? At $t = 238$ the centre is [2.459](num:boomeron.turning_time) sites from its turning
+point and still moves, at [0.0308568](num:sec34_boomeron.speed_187_at_238) sites per unit of time, a fraction
 [0.354492](num:sec34_boomeron.speed_ratio_187) of its mean speed on the way out. Its velocity vanishes first at
-[5e2](num:sec34_boomeron.stop_time_187); the error holds what the smoothing changes on a plateau.
+[5e2](num:sec34_boomeron.stop_time_187), a time that is badly known because the path is almost flat there: another smoothing
+moves its zero a long way. So the packet is close to turning in place, but not in time.
 
 ![Velocities close to the turning.](fig:23) */
 void report_profiles(Report& report, const TurnEstimate& turn) {
@@ -316,17 +317,15 @@ void report_printed_range(Report& report) {
 /**
 ## How long the motion is determined
 
-The motion is chaotic, so two runs that differ by as little as a rounding error part sooner or later: their states differ
-by a tenth of the largest displacement or velocity (sec34/decorrelation.hpp). We measure when this happens, for one
-impact computed with two steps, which tells for how long *we* can compute the motion, and for two impacts that differ by a
-fraction $\delta$, which tells for how long anybody can who knows the impact to so many digits only. The article
-prints its impact velocities with two or three digits; half a unit of the last digit of 1.87 means
-$\delta\approx 3\cdot10^{-3}$.
+The motion is chaotic, so two runs that differ by as little as a rounding error part sooner or later. We say that they have
+parted when their states differ by a tenth of the largest displacement or velocity (sec34/decorrelation.hpp). One impact
+computed with two steps tells for how long *we* can compute the motion; two impacts that differ by a fraction $\delta$ tell
+for how long anybody can who knows the impact to so many digits only. The article prints its impact velocities with two or
+three digits; half a unit of the last digit of 1.87 means $\delta\approx 3\cdot10^{-3}$.
 
-At $v_0 = 1.9$ our runs agree until $t =$ [](num:sec34_boomeron.resolved_until), and up to this time the trajectories of
-this chapter are facts. Two impacts that differ by $\delta = 10^{-6}$ part at
-[](num:sec34_boomeron.decorrelation_time_190), and figure 22 marks this time, since nobody would print an impact velocity
-with more digits. */
+At $v_0 = 1.9$ our runs agree until $t =$ [](num:sec34_boomeron.resolved_until), and up to this time a single trajectory is a
+fact about the chain. Two impacts that differ by $\delta = 10^{-6}$ part at [](num:sec34_boomeron.decorrelation_time_190),
+and figure 22 marks this time, since nobody would print an impact velocity with more digits. */
 struct TwoImpacts {
   double delta, coarse, fine;
   double when = 0, check = 0;
@@ -460,8 +459,9 @@ void report_check(Report& report) {
 /**
 ## Differences and limits
 
-The article does not say how it integrates, how long its chain is, or how it averages. We do not find its turning at
-$v_0\approx1.87$ near $t=240$ (*Profiles close to the turning*). */
+The article does not say how it integrates, how long its chain is, or how it averages. The reversal at 1.9 is found, and so
+is the growth of the force; the article's turning at $v_0\approx1.87$ near $t=240$ is not (*Profiles close to the turning*).
+The force on the ways out and back is the same within a factor of two, but around the turning point it is much weaker. */
 void reproduce(Report& report) {
   const std::vector<TurnEstimate> reads = report_turns(report);
   const double marked = report_decorrelation(report);

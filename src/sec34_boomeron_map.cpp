@@ -34,9 +34,10 @@ using namespace lattice;
 A map needs one criterion for all its points, although the impacts differ by orders of magnitude. A
 packet has *turned* when its energy centre, averaged over about one internal period, has come back by five
 sites; a packet that is trapped between two sites swings by less. It has *escaped* when it passes
-site 40, and it *stays* if it never gets beyond site 8 (turning.hpp says how long we wait). A packet
-that turns further out than site 40 counts as escaped here; that is a limit of the map and no
-statement about the chain: with $s=1$ and $v_0=1.5$ the map says that it escapes, and it does turn, at site
+site 40, and it *stays* if it never gets beyond site 8. We wait ten times as long as the slow packet of a weak impact needs
+to reach site 40, and after strong impacts, where all is faster, accordingly less (turning.hpp). So a packet
+that turns further out than site 40 is said to escape, which is a limit of the map and no
+statement about the chain: with $s=1$ and $v_0=1.5$ the map says *escaped*, and the packet does turn, at site
 [183.239](num:sec34_boomeron.apex_site_150). */
 constexpr double horizon = 40;
 
@@ -44,12 +45,13 @@ constexpr double horizon = 40;
 ## The scaling that decides
 
 Where should the points of the map lie? In a packet of displacements of the size $y$ the well pulls with $y$, the contacts
-push with $y^{3/2}$, and the hardness adds $s\,y^3$. Relative to the first, the contacts are $y^{1/2}$ and the hardness
-is $s\,y^2$. If both are small, the beads oscillate almost freely and their amplitudes change slowly, as in the DpS
-equation; $y^{1/2}$ only sets how slowly. What happens at which site can then depend on nothing but the ratio of the two,
+push with $y^{3/2}$, and the hardness adds $s\,y^3$. Relative to the first, the contacts are of the size $y^{1/2}$ and the
+hardness is of the size $s\,y^2$. If both are small, the beads oscillate almost freely and their amplitudes change slowly, as
+in the DpS equation (`sec34_dps_impact`); $y^{1/2}$ only sets how slowly. Measured in this slow time, the contacts are one
+and the hardness is the ratio of the two. So what happens at which site can depend on nothing but this ratio,
 $s\,y^{3/2}$, and as $y$ is proportional to $v_0$, on the *scaled hardness*
 $$\chi = s\,v_0^{3/2}.$$
-So we expect packets to turn before a given site for $s$ above
+So we expect packets to turn before a given site if $s$ is above
 $$s_c(v_0) = v_0^{-3/2}\,(\chi_0 + \chi_1 v_0^{1/2} + \dots),$$
 where the second term is the first correction, in $y^{1/2}$, to that limit, and both coefficients belong to
 the site. The contour thus crosses many decades of $s$ while $\chi$ changes little, and we place the points of each
@@ -98,8 +100,9 @@ void compute_map(Sweep& sweep, const MapGrid& grid, Part part) {
 }
 
 /**
-A bisection is made with either step. The finer one begins where the coarser one has ended: if the fate changes
-in its last interval too, that is the result; if not, the finer step goes all the way by itself. */
+Beside the map we need single points of the contour, by bisection: one between a packet that escapes and one that does not,
+with either step. The finer step begins where the coarser one has ended. If the fate changes in that last interval with the
+finer step too, this is the result; if not, the finer step goes all the way by itself. */
 struct Interval {
   double low, high;
 };
@@ -146,8 +149,8 @@ Estimate critical_s(double velocity, int bisections, double site = horizon) {
 
 /**
 The expected law is a line when $\chi_c = s_c v_0^{3/2}$ is plotted against $v_0^{1/2}$. We fit it
-for $v_0 < 3$, a bound that is our choice, and judge it by its largest relative deviation, because a
-curved contour would show at the ends of the line and not in the mean. */
+for $v_0 < 3$, a bound that is our choice, and judge it by its largest relative deviation, because the curvature of
+a contour would show at the ends of the line and not in the mean. */
 struct Contour {
   std::vector<double> velocity;
   std::vector<Estimate> s;
@@ -313,7 +316,7 @@ follows a power law with the exponent [-1.236](num:sec34_boomeron_map.power_larg
 its slope changes.
 
 **The article's $s\ge0.005$ is confirmed for strong impacts only.** At $v_0=1.9$ it takes $s$ above
-[0.908](num:boomeron.any_s) to turn a packet before site 40 (far above, it stays at the end), and at
+[0.908](num:boomeron.any_s) to turn a packet before site 40 (if $s$ is far larger, it stays at the struck end), and at
 $s=0.005$ an impact of [128.4](num:sec34_boomeron_map.v0_needed_at_s_0005), far above the article's
 velocities. Whether a weaker packet turns further out we do not know. At $s=0$ none turned before site
 40. */

@@ -89,13 +89,14 @@ std::vector<Experiment> experiments(bool quick) {
 
 /**
 With all its waves the packet returns, after its turning point at site [20.0468](num:sec34_boomeron_why.furthest_waves).
-That the end hardly reflects any wave only moves this point to site [33.26](num:sec34_boomeron_why.furthest_end). With the
-waves absorbed more than six sites behind it, the packet has not returned by $t = 10^4$ (nor by $10^5$, run once); of eighty
-neighbours within half a per cent of this impact four do by $10^4$ in another program, from beyond site 58. Put on a
-quiet chain at $t = 120$ it may still return, long afterwards, but with its waves it turns much earlier.
+An end that reflects hardly any wave only moves this point to site [33.26](num:sec34_boomeron_why.furthest_end). With the
+waves absorbed more than six sites behind it, the packet has not returned by $t = 10^4$ (nor by $10^5$, run once). This is
+true of most but not of all packets of such impacts: of eighty neighbours within half a per cent of this impact four return
+by $10^4$ in another program, from beyond site 58. Put on a quiet chain at $t = 120$ the packet still returns, but long
+afterwards; with its waves it turns much earlier.
 
-What becomes of a packet that drifts slowly seems a matter of chance. On which of the seven return both steps agree;
-where they did not, the motion would be chaotic by then, and we could say no more about it. */
+What becomes of a packet that drifts slowly seems a matter of chance. Both steps agree on which of the seven return; of a
+packet on which they disagreed we could say no more than that its motion is chaotic by then. */
 void report_experiments(Report& report) {
   std::vector<Experiment> list = experiments(report.quick);
   parallel_for("experiments", 2 * list.size(), [&](std::size_t i) {
@@ -194,16 +195,16 @@ void report_distance(Report& report) {
 ## What is pushed forward slows down
 
 Where do energy and momentum go between $t=100$ and 220? The momentum of the packet's eleven sites is changed by the push
-$F$ of the contact behind them, by that of the contact ahead, and by the wells. These are true forces. With its waves the
-packet is pushed forward, *away* from them, by $F =$ [0.01131](num:sec34_boomeron_why.push_waves) on the mean, and by
-[0.00498](num:sec34_boomeron_why.push_behind) where those beyond six sites are absorbed; the wells take up the momentum. So
-the packet that is pushed forward more is the one that slows down more, as a body of negative effective mass does.
+$F$ of the contact behind them, by that of the contact ahead, and by the wells. These are true forces, unlike the
+acceleration of the centre. With its waves the packet is pushed forward, *away* from them, by a mean force $F =$
+[0.01131](num:sec34_boomeron_why.push_waves), and by [0.00498](num:sec34_boomeron_why.push_behind) if those beyond six sites
+are absorbed; the wells take up the momentum. So the packet that is pushed forward more is the one that slows down more, as
+a body of negative effective mass does.
 
 Nor does it lose the energy that it sheds without its waves: with them its energy changes by
 [0.00821](num:sec34_boomeron_why.gain_waves), and with those beyond six sites absorbed by
-[-0.0556](num:sec34_boomeron_why.gain_behind). In the linear well it is
-[-0.06639](num:sec34_boomeron_why.gain_linear) with the waves and [-0.06624](num:sec34_boomeron_why.gain_linear_behind)
-without: there they make no difference. */
+[-0.0556](num:sec34_boomeron_why.gain_behind). In the linear well it is [-0.06639](num:sec34_boomeron_why.gain_linear) with
+the waves and [-0.06624](num:sec34_boomeron_why.gain_linear_behind) without: there they make no difference. */
 void report_budgets(Report& report) {
   struct Case {
     std::string name;
@@ -247,14 +248,13 @@ A smaller deceleration may still turn a packet, only later. So packets of five i
 followed until they have returned, or to $t = 10^4$, with waves left up to different distances, with and without
 a cut. Long runs are chaotic and no single one of them proves anything; so both steps are shown, and we count.
 
-Of five packets of an impact [4](num:sec34_boomeron_why.of_five_return_waves_15) return if the waves up to fifteen
-sites behind them are left, [3](num:sec34_boomeron_why.of_five_return_waves_10) with ten sites,
-[0](num:sec34_boomeron_why.of_five_return_waves_8) with eight and [1](num:sec34_boomeron_why.of_five_return_waves_6)
-with six; the others go on or are trapped. Of five that are cut out at $t = 60$ it is
-[1](num:sec34_boomeron_why.of_five_return_cut_30) with thirty sites of their fresh wake, and
-[0](num:sec34_boomeron_why.of_five_return_cut_6) with six. An error of one says that the steps disagree. In these
-trials the distance decides above all where a packet of an impact stops: with fifteen sites all five before site 40,
-with six all five beyond site 50. */
+Of the five packets [4](num:sec34_boomeron_why.of_five_return_waves_15) return if the waves up to fifteen sites behind them
+are left, [3](num:sec34_boomeron_why.of_five_return_waves_10) with ten sites,
+[0](num:sec34_boomeron_why.of_five_return_waves_8) with eight and [1](num:sec34_boomeron_why.of_five_return_waves_6) with
+six; the others go on or are trapped. If they are cut out at $t = 60$, [1](num:sec34_boomeron_why.of_five_return_cut_30) of
+five returns with thirty sites of the fresh wake, and [0](num:sec34_boomeron_why.of_five_return_cut_6) with six. An error of
+one means that the steps disagree on one packet. In these trials the distance decides above all where a packet that was not
+cut out stops: with fifteen sites all five before site 40, with six all five beyond site 50. */
 struct Packet {
   WavesRemoved impact;
   std::array<LateFate, 2> fate{};
@@ -311,23 +311,23 @@ void report_late_fates(Report& report) {
 ## How far behind the waves may be
 
 So far there was one well. Do fifteen sites suffice in others, and at other velocities? Four packets that turn,
-between sites 20 and 80, are followed to $t = 4000$ with the waves left up to four distances, and with all of them.
-Of these four, the farther out the turning point, the more such an absorber moves it. With all waves, twenty sites and
-fifteen sites of them the furthest site is [20.0468](num:sec34_boomeron_why.apex_10_19_all),
-[20.0468](num:sec34_boomeron_why.apex_10_19_20) and [20.12](num:sec34_boomeron_why.apex_10_19_15) at $s = 1$,
-$v_0 = 1.9$, where with fifteen the packet is trapped there; [26.1075](num:sec34_boomeron_why.apex_08_22_all),
-[26.1258](num:sec34_boomeron_why.apex_08_22_20) and [27.1809](num:sec34_boomeron_why.apex_08_22_15) at $s = 0.8$,
-$v_0 = 2.2$; [54.2](num:sec34_boomeron_why.apex_10_17_all), [63.123](num:sec34_boomeron_why.apex_10_17_20) and
-[64.3195](num:sec34_boomeron_why.apex_10_17_15) at $s = 1$, $v_0 = 1.7$; and
-[77.3](num:sec34_boomeron_why.apex_06_25_all), [84.241](num:sec34_boomeron_why.apex_06_25_20) and
-[128.34](num:sec34_boomeron_why.apex_06_25_15) at $s = 0.6$, $v_0 = 2.5$, where with fifteen the packet is still on
-its way out. Thirty sites leave the last one at [75.10](num:sec34_boomeron_why.apex_06_25_30), and with six sites
-none of the four returns in that time.
+between sites 20 and 80, are followed to $t = 4000$, with all waves and with those up to a distance $d$ behind them. The
+table has the furthest site by then.
 
-At $s = 0.6$, $v_0 = 1.9$ the packet has not turned by $t = 4000$, and until then the waves make no difference: with
-all of them and with six sites of them it is at the same place, within
-[0.017](num:sec34_boomeron_why.apart_without_turn) sites. Later they do: followed once to $t = 20000$ it is beyond
-site 1100 with all waves, and beyond site 1400 with six sites. */
+| $s$, $v_0$ | all waves | $d = 30$ | $20$ | $15$ | $6$ |
+|---|---|---|---|---|---|
+| 1, 1.9 | [](num:sec34_boomeron_why.apex_10_19_all) | [](num:sec34_boomeron_why.apex_10_19_30) | [](num:sec34_boomeron_why.apex_10_19_20) | [](num:sec34_boomeron_why.apex_10_19_15) | [](num:sec34_boomeron_why.apex_10_19_6) |
+| 0.8, 2.2 | [](num:sec34_boomeron_why.apex_08_22_all) | [](num:sec34_boomeron_why.apex_08_22_30) | [](num:sec34_boomeron_why.apex_08_22_20) | [](num:sec34_boomeron_why.apex_08_22_15) | [](num:sec34_boomeron_why.apex_08_22_6) |
+| 1, 1.7 | [](num:sec34_boomeron_why.apex_10_17_all) | [](num:sec34_boomeron_why.apex_10_17_30) | [](num:sec34_boomeron_why.apex_10_17_20) | [](num:sec34_boomeron_why.apex_10_17_15) | [](num:sec34_boomeron_why.apex_10_17_6) |
+| 0.6, 2.5 | [](num:sec34_boomeron_why.apex_06_25_all) | [](num:sec34_boomeron_why.apex_06_25_30) | [](num:sec34_boomeron_why.apex_06_25_20) | [](num:sec34_boomeron_why.apex_06_25_15) | [](num:sec34_boomeron_why.apex_06_25_6) |
+
+With fifteen sites the turning point moves the more, the farther out it is; the first packet is then trapped where it would
+have turned, and the last is still on its way out. With six sites none returns in that time. (At $v_0 = 1.7$ with all waves
+only the finer of two steps has the packet back by $t = 4000$.)
+
+At $s = 0.6$, $v_0 = 1.9$ the packet has not turned by $t = 4000$, and until then the waves make no difference: with all of
+them and with six sites of them it is at the same place, within [0.017](num:sec34_boomeron_why.apart_without_turn) sites.
+Later they do: followed once to $t = 20000$ it is beyond site 1100 with all waves, and beyond site 1400 with six sites. */
 void report_range(Report& report) {
   std::vector<Packet> list;
   for (const auto& [s, velocity] : {std::pair{1.0, 1.9}, {0.8, 2.2}, {1.0, 1.7}, {0.6, 2.5}})
@@ -359,20 +359,18 @@ void report_range(Report& report) {
 /**
 ## Inside the packet
 
-What is it that the waves turn? If the packet is a breather that moves, its frequency $\omega$, energy and area in phase
+What kind of body do the waves turn? If the packet is a breather that moves, its frequency $\omega$, energy and area in phase
 space, $\int \sum \dot y_n^2\,dt$ over one internal period ($2\pi$ times its action), should be related as in the breathers
 at rest of the same $s$. We average them over the way from $t = 100$, when the packet has left the end, to 300, before it
-turns (wake.hpp), and compare with the breather of the same mean frequency, which Newton's method finds
-(sec34/at_rest.hpp).
+turns (wake.hpp), and compare with the breather of the same mean frequency, which Newton's method finds (sec34/at_rest.hpp).
 
 The packet is close to a breather that moves: at its frequency, [1.68362](num:sec34_boomeron_why.omega_waves), its area is
-[5.9885](num:sec34_boomeron_why.area_waves) and that of a breather at rest
-[5.83](num:sec34_boomeron_why.area_at_rest_waves). With the waves its energy is
-[1.48728](num:sec34_boomeron_why.energy_waves), without them [1.3694](num:sec34_boomeron_why.energy_behind), so they do feed
-it. The lattice itself could stop a packet: its barrier is $E_{\rm site}-E_{\rm bond}$ at equal area (chapter 3.2),
-[0.00040](num:sec34_boomeron_why.barrier_waves), which can hold a slow packet, as we see after late cuts, and near it
-chance decides which way a slow packet goes. But the force that belongs to it has both signs within one site, and can
-neither slow a packet over many sites nor accelerate it on its way back. */
+[5.9885](num:sec34_boomeron_why.area_waves) and that of a breather at rest [5.83](num:sec34_boomeron_why.area_at_rest_waves).
+With the waves its energy is [1.48728](num:sec34_boomeron_why.energy_waves), without them
+[1.3694](num:sec34_boomeron_why.energy_behind), so they do feed it. The lattice itself could stop a packet: its barrier is
+$E_{\rm site}-E_{\rm bond}$ at equal area (chapter 3.2), [0.00040](num:sec34_boomeron_why.barrier_waves), which can hold a
+slow packet, as we see after late cuts, and near it chance decides which way a slow packet goes. But the force that belongs
+to it has both signs within one site, and can neither slow a packet over many sites nor accelerate it on its way back. */
 void report_inside(Report& report) {
   // The packet with all its waves and with those behind it absorbed, at two steps each
   const double step = report.quick ? 0.1 : 0.05;

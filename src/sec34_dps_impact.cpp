@@ -36,13 +36,13 @@ The beads sit in linear wells and push on their neighbours, Eq. (9), and the fir
 Eq. (26),
 $$\ddot y_n + y_n = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2},
   \qquad y_n(0) = 0,\quad \dot y_n(0) = 2\epsilon\,\delta_{n,1}.$$
-The article's $\epsilon$ is the one whose static breathers have the frequency 1.01, Eq. (20). The
-approximation replaces the chain by slow complex amplitudes, Eq. (13), that obey the DpS
-equation (12),
+The article's $\epsilon$ is the one whose static breathers have the frequency
+$\omega_b = 1+\epsilon^{1/2}/(2\tau_0) = 1.01$, Eq. (20). The approximation replaces the chain by slow complex amplitudes,
+Eq. (13), that obey the DpS equation (12),
 $$y_n \approx 2\epsilon\,\mathrm{Re}\,[A_n(\tau)\,e^{it}], \quad \tau = \epsilon^{1/2}t, \qquad
   2i\tau_0\dot A_n = (A_{n+1}-A_n)|A_{n+1}-A_n|^{1/2} - (A_n-A_{n-1})|A_n-A_{n-1}|^{1/2},$$
 with $A_1(0) = -i$ and all others zero, Eq. (25), and $\tau_0 = 5\,\Gamma(\frac14)^2/(24\sqrt\pi)$ (chapter 3.1). All ends
-are free and all quantities dimensionless. By Eq. (20) the frequency 1.01 needs $\epsilon =$
+are free and all quantities dimensionless. The frequency 1.01 needs $\epsilon =$
 [0.000954887](num:sec34_dps_impact.eps_of_1_01), printed as $0.9548\cdot10^{-3}$, and then the slow
 time $\tau = 250$ of the article's figures is $t =$ [8090.29](num:impact.scales_fig17), printed as 8090. */
 constexpr double eps = 0.9548e-3, tau_end = 250;
@@ -71,14 +71,15 @@ struct Resolution {
 /**
 ## The DpS impact (figure 16)
 
-The DpS equation is scale invariant, so the size of the impact drops out and one run serves for
-all of them. The figure shows the map of $|A_n|^2$ and, in its inset, the final profile.
+Both sides of the DpS equation change in the same way if the amplitudes are multiplied by $c$ and time runs faster by
+$c^{1/2}$. So the size of the impact drops out, and one run serves for all of them; in the time of the chain every speed is
+proportional to $\epsilon^{1/2}$, the root of the impact velocity. The figure shows the map of $|A_n|^2$ and, in its inset,
+the final profile.
 
-Is this a travelling breather? It must *last*. Between the first and the
-second half of its way we allow its mean speed to change by five per cent and its norm by ten. The
-front of a linear wave would fail this: it also runs at a constant speed, but spreads as
-$\tau^{1/3}$ and loses more (tests/criteria.cpp). The residue must also be weak, that is, no window
-of eleven sites behind the packet may hold as much as the packet does.
+Is this a travelling breather? It must *last*. Between the first and the second half of its way we allow its mean speed to
+change by five per cent and its norm by ten. A constant speed alone would not do: the front of a linear wave has one, too,
+but it spreads as $\tau^{1/3}$ and loses more than a tenth of its norm (tests/criteria.cpp). The residue must also be weak,
+that is, no window of eleven sites behind the packet may hold as much as the packet does.
 
 The packet carries [0.448900](num:sec34_dps_impact.dps_packet_norm) of the norm at a speed of
 [0.36129](num:sec34_dps_impact.dps_speed) sites per unit of $\tau$, which changes by a fraction of
@@ -109,10 +110,11 @@ Estimate speed_of(const DpsPair& runs) {
 }
 
 /**
-What is left at the boundary is no surface mode, says the article, since it is extended and not periodic. By their
-participation number $(\sum|A_n|^2)^2/\sum|A_n|^4$ [](num:impact.residual_extended) sites share it, up to ten sites behind
-the packet's largest one. A stationary mode would have a constant $|A_1|$; the difference of its largest and least square
-over their sum is [](num:sec34_dps_impact.residual_swing) in the last fifth of the run. */
+What is left at the boundary is no surface mode, says the article, since it is extended and not periodic. Both hold. We
+count the sites that share it by the participation number $(\sum|A_n|^2)^2/\sum|A_n|^4$, with the sums up to ten sites
+behind the packet's largest one: it is [](num:impact.residual_extended). And in a stationary mode, $A_n = a_ne^{i\Omega\tau}$,
+$|A_1|$ would be constant, but in the last fifth of the run the difference of the largest and the least $|A_1|^2$ is still the
+fraction [](num:sec34_dps_impact.residual_swing) of their sum. */
 double swing(const std::vector<double>& squares, std::size_t every) {
   double most = squares[0], least = squares[0];
   for (std::size_t i = 0; i < squares.size(); i += every) {
@@ -236,14 +238,14 @@ double map_error(const ChainImpact& coarse, const ChainImpact& fine) {
 }
 
 /**
-The DpS packet is faster than that of the chain if the excess of its speed is positive by more than the errors of both.
-The article's "slightly" is a word without a number; we give the excess,
-[0.0252](num:sec34_dps_impact.speed_order_excess), and do not judge it. The chain's packet moves at
+The DpS packet is faster than that of the chain by the fraction [0.0252](num:sec34_dps_impact.speed_order_excess). We ask
+that this excess be larger than the errors of both speeds, and leave open whether it is what the article calls slight. The
+chain's packet moves at
 [0.0108897](num:sec34_dps_impact.lattice_speed) sites per unit of $t$ and has the amplitude
 [0.0009180](num:impact.amp_full), the DpS approximation [0.000949922](num:impact.amp_dps).
 
-How many sites carry the packet? Behind it it is arbitrary where to stop counting, since its trailing edge merges into the
-wave train. Ahead of it nothing has moved yet, and the amplitude falls super-exponentially. On that side the third site
+How many sites carry the packet? Where to stop counting behind the peak is arbitrary, since the trailing edge merges into
+the wave train. Ahead of it nothing has moved yet, and the amplitude falls super-exponentially. On that side the third site
 from the peak reaches [0.0593544](num:sec34_dps_impact.support_outermost) of its amplitude, the fourth
 [0.00201264](num:sec34_dps_impact.support_next): with one per cent as the limit, which a drawing still shows, three sites on
 either side and the peak make seven. Counted by energy the packet is narrower: five sites hold
@@ -262,10 +264,11 @@ double share_within(std::size_t half_width, const ChainImpact& out) {
 }
 
 /**
-The wave train, says the article, is reasonably well reproduced. Its amplitude is the root of the energy up to ten sites
-behind the packets, and in the second half of the run the two differ by [](num:impact.wavetrain) of it at most. For this
-and for figure 18 the approximation is turned into displacements by Eq. (13), and its energy density is computed from
-Eq. (23), as if these and their velocities were those of beads. */
+The DpS approximation reproduces the wave train reasonably well, says the article. As the amplitude of the train we take the
+root of the energy of all sites up to ten behind the packets; in the second half of the run those of chain and approximation
+differ by a fraction of [](num:impact.wavetrain) at most. For this and for figure 18 the approximation is turned into
+displacements by Eq. (13), and its energy density is computed from Eq. (23), as if these and their velocities were those of
+beads. */
 double train_apart(const std::vector<double>& chain, const std::vector<double>& dps) {
   const auto until = std::ptrdiff_t(std::min(*front_packet(chain), *front_packet(dps))) - 10;
   const auto train = [&](const std::vector<double>& e) {
@@ -331,7 +334,7 @@ Estimate report_comparison(Report& report, const DpsPair& dps, const Resolution&
 
 The converged DpS amplitude is [0.000949922](num:impact.amp_dps). What would give the printed value?
 
-*A slip in the problem.* With a fixed end in place of the free one it is
+*A slip in the problem.* With a fixed end in place of the free one the amplitude is
 [0.00125776](num:sec34_dps_impact.amplitude_fixed_end), with an initial amplitude larger by $\sqrt2$
 (such as $-1-i$) it is [0.00133799](num:sec34_dps_impact.amplitude_larger_start). But the article
 states the free end and a speed only slightly above that of the chain, and both of these packets
@@ -366,8 +369,8 @@ relative one, as in programs that take $10^{-6}$ and $10^{-3}$ unless told other
 user: how the errors of all components become one number. Most of a struck chain is still at rest and has no error at
 all, so the root of the *mean* square is small although a few sites are wrong (sec34/loose_steps.hpp).
 
-As long as a packet is left at all, the settings lie on one curve (figure x31): the more the norm grows, which should stay
-at one, the larger the amplitude. With the usual tolerances and the mean the method of Dormand and Prince gives
+As long as a packet is left at all, the settings lie on one curve (figure x31): the more the norm grows, which ought to
+stay constant, the larger the amplitude. With the usual tolerances and the mean the method of Dormand and Prince gives
 [0.00127913](num:sec34_dps_impact.amplitude_rms), so $13\cdot10^{-4}$; the norm has grown by
 [0.4074](num:sec34_dps_impact.growth_rms). With the sum of the squares it gives
 [0.0009593](num:sec34_dps_impact.amplitude_two) and with the largest component
@@ -428,12 +431,12 @@ void report_loose_steps(Report& report, const DpsPair& converged, const Estimate
 }
 
 /**
-So the printed value is compatible with the usual tolerances and the mean, at the free end that the article states.
-The evidence is mixed: the packet is then faster than that of the chain by [0.1117](num:sec34_dps_impact.excess_rms),
-which the article calls slightly, and the wave train, which it finds reasonably well reproduced, differs from the
-converged one by [0.079](num:sec34_dps_impact.train_rms) of itself. The number also depends on the length of the
-chain, which the article does not print, because the mean does. In these runs such steps amplify the packet, and the
-norm tells at once; in ours it drifts by [5e-14](num:sec34_dps_impact.dps_norm_drift), and the energy of the chain by
+So the printed value is compatible with the usual tolerances and the mean, at the free end that the article states. The
+evidence is mixed: the packet is then faster than that of the chain by [0.1117](num:sec34_dps_impact.excess_rms), where the
+article has *slightly*, and the wave train, which it finds reasonably well reproduced, differs from the converged one by
+[0.079](num:sec34_dps_impact.train_rms) of itself. The number also depends on the length of the chain, which the article
+does not print, because the mean over its sites does. In these runs loose steps amplify the packet, which the growth of the
+norm shows at once; in ours the norm drifts by [5e-14](num:sec34_dps_impact.dps_norm_drift), and the energy of the chain by
 [4e-11](num:sec34_dps_impact.lattice_energy_drift) of itself.
 
 ## Differences and limits

@@ -1,11 +1,14 @@
 /**
 # 3.5 Scales: a cradle is not an array
 
-When is the chain of this book a good picture of real beads? Every motion in it lives between two times: the time
-$\tau_h$ that two beads need to collide, and the time $\tau_c$ that one of them takes to swing in its well. Their ratio
-is the only parameter that an impact leaves, Eqs. (29) and (30),
-$$\lambda = (\tau_c/\tau_h)^2,\qquad \dot y_1(0) = \lambda^{5/2}.$$
-A travelling breather needs a small $\lambda$: contacts must last for a good part of an oscillation.
+When is the chain of this book a good picture of real beads? Two times decide. Beads of the mass $m$ that push on each
+other with $\gamma x^{3/2}$ at the overlap $x$ and collide at the speed $V$ touch for a time of order $\tau_h$, and
+in a well of the stiffness $k$ each of them swings with the period $2\pi\tau_c$,
+$$\tau_h = \Bigl(\frac{m^2}{\gamma^2V}\Bigr)^{1/5},\qquad \tau_c = \Bigl(\frac mk\Bigr)^{1/2}.$$
+Their ratio is the only parameter that an impact leaves, Eqs. (29) and (30),
+$$\lambda = (\tau_c/\tau_h)^2,\qquad \dot y_1(0) = \lambda^{5/2} = (\tau_c/\tau_h)^5,$$
+if lengths are measured by $\xi = (k/\gamma)^2$, at which well and contact are equally strong, and times by $\tau_c$. A
+travelling breather needs a small $\lambda$: contacts must last for a good part of an oscillation.
 
 ![Newton's cradle and an array of clamped cantilevers decorated by beads.](fig:01)
 
@@ -25,20 +28,22 @@ using namespace lattice;
 /**
 ## Two beads
 
-All scales rest on the collision of two beads, so we begin with one (collision.hpp); its units are
-$\tau_h$ and $\delta = (mV^2/\gamma)^{2/5}$. The integrated contact time and compression agree with the
-conservation of energy, which gives the largest compression $(5/8)^{2/5}\,\delta$. The printed 0.76 is
-not this value but $2^{-2/5}$. There is more than one way to it: $\frac12 mV^2 = \gamma\,x^{5/2}$ forgets
-both the reduced mass and the factor 2/5 of Hertz's energy, and $\frac14 mV^2 = \frac12\gamma\,x^{5/2}$
-keeps the mass but takes the factor of a linear spring. What decides is the other printed number: at given
-$V$ the contact time is proportional to the compression, $t = 2.943\,x/V$, and a compression of 0.76 would
-last for [2.23689](num:sec35_scales.contact_time_of_printed_compression) $\tau_h$ and not for 2.43.
+All scales rest on the collision of two free beads, so we begin with one (collision.hpp); its units are $\tau_h$ and
+$\delta = (mV^2/\gamma)^{2/5}$. Integrated, it lasts for [](num:scale.contact_time) $\tau_h$, printed as 2.43, and the
+largest compression is [](num:scale.max_compression) $\delta$, where the article has 0.76. The conservation of energy gives
+the same as the integration: all energy of the relative motion, $\frac14mV^2$, is in the contact, $\frac25\gamma\,x^{5/2}$,
+when $x = (5/8)^{2/5}\,\delta$. The printed 0.76 is $2^{-2/5}$. There is more than one way to it:
+$\frac12 mV^2 = \gamma\,x^{5/2}$ forgets both the reduced mass and the factor 2/5 of Hertz's energy, and
+$\frac14 mV^2 = \frac12\gamma\,x^{5/2}$ keeps the mass but takes the factor of a linear spring. What decides is the other
+printed number: at given $V$ the contact time is proportional to the compression, $t = 2.943\,x/V$, and with a compression
+of 0.76 it would be [2.23689](num:sec35_scales.contact_time_of_printed_compression) $\tau_h$ and not 2.43.
 
 A cradle whose strings have the length $L$ has $\tau_c^2 = L/g$. A collision of steel balls was measured to take 0.077 ms,
-which is 2.43 $\tau_h$, so $\lambda^{5/2} = (L/g\tau_h^2)^{5/2}$ contains the fifth power of the contact time, and rounding
-matters. With $L = 0.5$ m, the rounded 2.43 and $g = 10$ m/s² it is [1.74986e19](num:scale.cradle), the printed
-value; with $g = 9.81$ m/s² and all digits it is [1.86945e19](num:sec35_scales.cradle_converged). Either way a cradle is
-extremely far from small $\lambda$, where breathers travel. */
+which is 2.43 $\tau_h$. As $\lambda^{5/2} = (L/g\tau_h^2)^{5/2}$ contains the fifth power of $\tau_h$, an error of one per
+cent in the contact time becomes five, and rounding matters. With $L = 0.5$ m, the rounded 2.43 and $g = 10$ m/s²
+$\lambda^{5/2}$ is [1.74986e19](num:scale.cradle), the printed value; with $g = 9.81$ m/s² and all digits it is
+[1.86945e19](num:sec35_scales.cradle_converged). Either way a collision is over long before a pendulum has moved, and
+breathers do not travel there. */
 void report_collision(Report& report) {
   const double step = report.quick ? 0.2 : 0.1;
   const Collision coarse = collide(step), fine = collide(step / 2), known = collision_by_energy();
@@ -63,12 +68,20 @@ void report_collision(Report& report) {
 /**
 ## The beam and the scales
 
-Stiffness and frequency of the beam are printed with two or three digits, so we compute them. We
-integrate $u'''' = x^4u$, with $x$ the wavenumber times the length, along half of the beam
-(cantilever.hpp). For the stiffness, $x = 0$, the solution is a cubic, which the Runge–Kutta method
-reproduces exactly, so that only rounding is left; for the frequency an independent route is
-$\cos x\cosh x = 1$. Two beads at the middle change the shape of the vibration, and replacing beam
-and beads by a point mass is then an approximation: the frequency of the model is
+The article replaces a beam of the length $\ell$ by a spring and a point mass, with factors that it prints with two or three
+digits, so we compute them. We integrate $u'''' = x^4u$ for the deflection $u$, where $x$ is now the wavenumber times
+$\ell$, along half of the beam (cantilever.hpp). For the stiffness at the middle, $x = 0$, the solution is a cubic, which
+the Runge–Kutta method reproduces exactly, so that only rounding is left; for the frequency an independent route is
+$\cos x\cosh x = 1$.
+
+| of a clamped beam | printed | computed |
+|---|---|---|
+| stiffness, in $EI/\ell^3$ | 192 | [](num:beam.stiffness) |
+| frequency $x^2$, in $(EI/\rho A)^{1/2}/\ell^2$ | 22.4 | [](num:beam.frequency) |
+| effective mass, in masses of the beam | 0.38 | [](num:beam.mass) |
+
+Here $EI$ is the bending stiffness and $\rho A$ the mass per length. Two beads at the middle change the shape of the
+vibration, so that one point mass for beam and beads is an approximation: the frequency of the model is
 [0.998945](num:sec35_scales.point_mass_frequency_ratio) times that of the decorated beam. */
 void report_beam(Report& report, const CantileverArray& array) {
   const auto both = [](auto of) { return compare(of(200), of(400)); };
@@ -89,11 +102,20 @@ void report_beam(Report& report, const CantileverArray& array) {
 /**
 ## Cradle and array
 
-With these two parts the article's array has $\tau_h =$ [0.0465155](num:cantilever.tau_h) ms for an impact of 1 m/s,
-$\tau_c =$ [0.025219](num:cantilever.tau_c) ms and $\lambda =$ [0.293941](num:cantilever.lambda). `scales` prints all
-constants for an impact velocity of your choice (sec35/all_scales.hpp); cantilever.hpp has the formulas. Hertz's coefficient
-needs the Young modulus of the beads, $\gamma = \mathcal E\sqrt{2R}/(3(1-\nu^2))$; the article prints the symbol of the
-beam's, which would give a $\lambda$ that is not small. */
+With these two parts the article's array has, for an impact of 1 m/s, $\tau_h =$ [0.0465155](num:cantilever.tau_h) ms,
+printed as 0.047, $\tau_c =$ [0.025219](num:cantilever.tau_c) ms, printed as 0.025, and $\lambda =$
+[0.293941](num:cantilever.lambda), printed as 0.29. The two times are of the same order, and the impact of the dimensionless
+chain, $\lambda^{5/2}$, is small: in such an array breathers can travel. `scales` prints all constants for an impact
+velocity of your choice (sec35/all_scales.hpp); cantilever.hpp has the formulas.
+
+## Differences and limits
+
+Of the printed numbers quoted here only the compression 0.76 is not found, and $\lambda^{5/2}$ of the cradle only with the
+article's rounding.
+Hertz's coefficient needs the Young modulus of the beads, $\gamma = \mathcal E\sqrt{2R}/(3(1-\nu^2))$ with their radius $R$
+and Poisson's ratio $\nu$; the article prints the symbol of the beam's, which would give a $\lambda$ that is not small. A beam
+is described by one number, the deflection of its middle: its higher modes and its twisting are left out, and so are
+all losses and whatever a contact does beyond Hertz's static law. Damping is added in `sec5_experiment`. */
 void reproduce(Report& report) {
   const StruckArray array;
   report_collision(report);

@@ -182,11 +182,9 @@ void report_dps(Report& report, const StruckArray& blow, const WatchedRuns& runs
 /**
 ## The packet at the defect (figure 24)
 
-The article draws $f_n = -\gamma_n(x_n-x_{n+1})_+^{3/2}$ in newtons over space and time. A contact is open for about
-half of each internal period, so that a snapshot says little; we keep the strongest force within intervals of about
-two linear periods. At 1.6 radii the packet comes back, and hardly anything is seen beyond the defect; at 1.1 a part passes.
-
-![Contact forces for beads of 1.6 and of 1.1 radii at n = 100.](fig:24) */
+The article draws $f_n = -\gamma_n(x_n-x_{n+1})_+^{3/2}$ in newtons over space and time. A contact is open for about half of
+each internal period, so that a snapshot says little; we keep the strongest force within intervals of about two linear
+periods. At 1.6 radii the packet comes back, and hardly anything is seen beyond the defect; at 1.1 a part passes. */
 void report_forces(Report& report, const StruckArray& blow, std::size_t bins) {
   Table& table =
       report.table("contact_forces",
@@ -209,9 +207,9 @@ void report_forces(Report& report, const StruckArray& blow, std::size_t bins) {
 ## Where the energy goes (figure x09)
 
 The article calls the reflection at 1.6 radii *almost total* and sees a good part of the packet pass at 1.1. These words
-call for numbers. At 75 ms the packet has left the defect, and we divide the energy of the impact into three shares:
-$r$ on the sites up to 95 (reflected), $d$ from 96 to 104 (near the defect), and $t$ beyond (transmitted). They must add
-up to one, and the excess is the error of this *energy budget*.
+call for numbers. 75 ms after the impact the packet has left the defect, and we divide the energy of the impact into three
+shares: $r$ on the sites up to 95 (reflected), $d$ from 96 to 104 (near the defect), and $t$ beyond (transmitted). They must
+add up to one, and the excess is the error of this *energy budget*.
 
 But over half of the energy, [0.566749](num:sec36_cantilever_defect.left_behind), has not come so far by then: it is in
 the wave train near the struck end. If $r_0$ is what lies before site 96 in an array without a defect, only $1-r_0$
@@ -226,11 +224,12 @@ Estimate left_behind(const ScatteringSetup& setup) {
 }
 
 /**
-Of what arrives, 1.6 radii reflect [](num:sec36_cantilever_defect.net_reflected_16), and 1.1 radii transmit
-[](num:sec36_cantilever_defect.net_transmitted_11). Figure x09 varies the radius by a factor of four
-(sec36/defect_map.hpp), the mass of the beads by one of 64. The shares change smoothly, and heavy and light defects
-reflect. That their own frequencies are far from the packet's is not the reason, or not the only one: at 0.8 radii the
-two agree to about one per cent, and more than nine tenths are reflected. [](finding:defect.map)
+Of what arrives, 1.6 radii reflect [](num:sec36_cantilever_defect.net_reflected_16), so almost all, and 1.1 radii reflect
+[](num:sec36_cantilever_defect.net_reflected_11) and transmit [](num:sec36_cantilever_defect.net_transmitted_11). Figure x09
+varies the radius by a factor of four (sec36/defect_map.hpp), the mass of the beads by one of 64. The shares change
+smoothly, and heavy and light defects reflect. That a defect's own frequency, $\mu^{-1/2}$, is far from the packet's is not
+the reason, or not the only one: at 0.8 radii the two agree to about one per cent, and more than nine tenths are reflected.
+What it is we do not know. [](finding:defect.map)
 
 What the packet leaves behind is, as the article says, a fairly extended wave train. Just before the packet meets the
 defect we take the sites up to ten behind its largest one, as in section 3.4. They hold a share of
@@ -312,17 +311,21 @@ void report_map(Report& report, const ScatteringSetup& setup, const std::filesys
 /**
 ## What stays at the defect (figure x10)
 
-The article sees a small part of the energy loosely trapped at 1.6 radii. At 75 ms the nine sites up to the defect
-hold [0.00389406](num:cantilever.trapped) of the energy, against
-[0.00147795](num:sec36_cantilever_defect.before_75_without) without a defect, so there is indeed some. It is loosely
-held: after 25 ms [0.866036](num:sec36_cantilever_defect.kept_before_16) of it is left. Of the five radii that we
-watch only 0.925 and 0.8 keep the energy around them during these 25 ms, and they keep it on the defect itself.
+The article sees a small part of the energy loosely trapped at 1.6 radii. At 75 ms the nine sites up to the defect hold
+[0.00389406](num:cantilever.trapped) of the energy, against [0.00147795](num:sec36_cantilever_defect.before_75_without)
+without a defect, so there is indeed some; 25 ms later [0.866036](num:sec36_cantilever_defect.kept_before_16) of it is left,
+so it is held loosely. Of the five radii that we watch only 0.925 and 0.8 keep the energy around them during these 25 ms, on
+the defect itself.
 
-Why a light one? It oscillates faster than its neighbours, and as a family of breathers of the homogeneous array begins
-at their frequency, one of breathers at the defect begins at its own. Newton's method finds the one with the energy that
-stays at 0.925 radii: it has the frequency [](num:sec36_cantilever_defect.mode_frequency), the defect in the run
-[](num:sec36_cantilever_defect.mode_run_frequency), and their distributions over the sites overlap by
-[](num:sec36_cantilever_defect.mode_overlap) (sec36/trapped_mode.hpp). */
+Why a light one? It oscillates faster than its neighbours, at 0.925 radii with
+[](num:sec36_cantilever_defect.mode_linear_frequency), and as a family of breathers of the homogeneous array begins at their
+frequency 1, one of breathers at the defect begins at its own. The packet's frequency, [](num:cantilever.frequency), lies in
+its range. Newton's method finds the breather with the energy that stays: it has the frequency
+[](num:sec36_cantilever_defect.mode_frequency), the defect in the run [](num:sec36_cantilever_defect.mode_run_frequency),
+and their distributions over the sites overlap by [](num:sec36_cantilever_defect.mode_overlap) (sec36/trapped_mode.hpp). A
+heavy defect is slower than its neighbours. At 1.6 radii the packet drives it far above its frequency; between 65 and 100 ms
+it holds [](num:sec36_cantilever_defect.at_defect_16) of the energy on the mean, and what stays lies before it. Whether
+heavy ones have breathers of their own that other waves could excite we have not examined. */
 void report_stay(Report& report, const StruckArray& blow) {
   trapped::report_trapping(report, blow);
 }
@@ -394,11 +397,11 @@ void report_check(Report& report, const StruckArray& blow) {
 /**
 ## Differences and limits
 
-The article prints neither the stretch of its speed nor a threshold for the duration, which are read in its favour (five
-stretches, and a single threshold of a hundredth, are too few to say that no natural one gives the printed
-numbers), and gives no energies for its reflections. Hertz's coefficient needs the Young modulus of the beads; the
-article prints the symbol of the beam's. Replacing a beam with beads by a point mass costs a tenth of a per cent of its
-frequency; twisting of the beams, their higher modes and dissipation in the contacts are left out. */
+The article prints neither the stretch of its speed nor the threshold of its duration: we choose, in its favour, those that
+give the printed numbers, and others that are as natural give other numbers. It gives no energies for its reflections.
+Hertz's coefficient needs the Young modulus of the beads; the article prints the symbol of the beam's. Replacing a beam with
+beads by a point mass costs a tenth of a per cent of its frequency; twisting of the beams, their higher modes and
+dissipation in the contacts are left out. */
 void reproduce(Report& report) {
   const StruckArray blow;
   const WatchedRuns runs = pass_twice(blow, watched_site);

@@ -34,6 +34,26 @@ while(says)
     message(FATAL_ERROR "${name} says: ${text}")
   endif()
 endwhile()
+# A machine that lacks two libraries is told of both at once
+execute_process(COMMAND ${CMAKE_COMMAND} -S ${EXAMPLES}/.. -B ${place}/lacking -D CMAKE_DISABLE_FIND_PACKAGE_GSL=ON -D
+                        CMAKE_DISABLE_FIND_PACKAGE_Eigen3=ON -D CMAKE_CXX_COMPILER=${COMPILER}
+                RESULT_VARIABLE code OUTPUT_QUIET ERROR_VARIABLE text)
+string(REGEX REPLACE "[ \n]+" " " text "${text}")
+if(code EQUAL 0 OR NOT text MATCHES "LIBRARIES: there is no GSL 2.7 .Debian: libgsl-dev., Eigen 3.4 .Debian: libeigen3-dev. .allowed")
+  message(FATAL_ERROR "where GSL and Eigen are missing CMake says: ${text}")
+endif()
+
+# Whoever compiles against the installed headers cannot change values by accident
+foreach(option -ffast-math -Ofast)
+  file(WRITE ${place}/fast.cpp "#include \"lattice/numerics/estimate.hpp\"\nint main() {}\n")
+  execute_process(COMMAND ${COMPILER} -std=c++20 ${option} -I ${place}/prefix/include -fsyntax-only ${place}/fast.cpp
+                  RESULT_VARIABLE code ERROR_VARIABLE text)
+  if(code EQUAL 0 OR NOT text MATCHES "lattice needs IEEE arithmetic: compile without -ffast-math")
+    message(FATAL_ERROR "with ${option} the compiler of the reader says: ${text}")
+  endif()
+endforeach()
+run(${COMPILER} -std=c++20 -O3 -I ${place}/prefix/include -fsyntax-only ${place}/fast.cpp)
+
 # The Python module is installed with the rest; without its compiled half it is not, and says so where it is imported
 function(python_says folder code expected)
   execute_process(COMMAND ${CMAKE_COMMAND} -E env PYTHONPATH=${folder} PYTHONDONTWRITEBYTECODE=1 ${PYTHON} -c "${code}"

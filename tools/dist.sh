@@ -1,8 +1,9 @@
 #!/bin/sh
 # Everything in one archive, for those who will not run anything: dist.sh BUILD, into BUILD/dist.
-# The sources are those of the last commit; products/ has tables, figures, the book, paper, supplement and theorem, and
-# the lists of packages, tables and commands, as they are; SHA256SUMS is over every file. Equal contents give equal
-# bytes: names in order, nobody's files, all of the time of the last commit.
+# The sources are those of the last commit, and build/ has tables, figures, the book, paper, supplement and theorem, and
+# the list of packages where `make` puts them, so that codecheck.yml and the README's paths hold; index.html leads through
+# them, and SHA256SUMS is over every file. Equal contents give equal bytes: names in order, nobody's files, all of the
+# time of the last commit.
 set -eu
 build=$1 products=
 refuse() { echo "dist: $1" >&2; exit 1; }
@@ -16,30 +17,31 @@ name=breathers-$version out=$build/dist
 epoch=$(git log -1 --format=%ct)
 part=$out/.part
 rm -rf "$part"
-mkdir -p "$part/$name/products"
+mkdir -p "$part/$name/build/report"
 trap 'rm -rf "$part"' EXIT
 git archive HEAD | tar -C "$part/$name" -xf -
 
 # What there is of the products; hidden files are of runs that were cut off.
 take() {
   if [ -e "$build/$1" ]; then
-    cp -r "$build/$1" "$part/$name/products/$2"
-    products="$products $2"
+    cp -r "$build/$1" "$part/$name/build/$1"
+    products="$products ${1##*/}"
   else
-    echo "dist       : without $3, which is not there ($4)"
+    echo "dist       : without $2, which is not there ($3)"
   fi
 }
-take data tables "the tables" "make figures"
-take figures figures "the figures" "make figures"
-take report/published.ecsv published.ecsv "published against reproduced" "make figures"
+take data "the tables" "make figures"
+take figures "the figures" "make figures"
+take report/published.ecsv "published against reproduced" "make figures"
 for index in packages tables commands; do
-  take report/$index.ecsv $index.ecsv "the list of $index" "make dist"
+  take report/$index.ecsv "the list of $index" "make dist"
 done
-take book book "the book" "make book"
-take paper.pdf paper.pdf "the paper" "make paper"
-take supplement.pdf supplement.pdf "its supplement" "make paper"
-take theorem.pdf theorem.pdf "the theorem" "make paper"
-find "$part/$name/products" -name '.*' -exec rm -rf {} +
+take book "the book" "make book"
+take paper.pdf "the paper" "make paper"
+take supplement.pdf "its supplement" "make paper"
+take theorem.pdf "the theorem" "make paper"
+find "$part/$name/build" -name '.*' -exec rm -rf {} +
+"${PYTHON:-python3}" -m lineage --root "$part/$name" cover
 
 (cd "$part/$name" && find . -type f | LC_ALL=C sort | sed 's|^\./||' | tr '\n' '\0' | xargs -0 sha256sum) > "$part/sums"
 mv "$part/sums" "$part/$name/SHA256SUMS"

@@ -9,10 +9,13 @@
 set -eu
 if [ $# = 0 ]; then
   missing=
-  for tool in gnuplot rsvg-convert; do command -v "$tool" >/dev/null 2>&1 || missing="$missing $tool"; done
-  "${PYTHON:-python3}" -c 'import importlib.util as u; u.find_spec("matplotlib").name' 2>/dev/null || missing="$missing python3-with-matplotlib"
+  lacks() { missing="$missing, $1 (Debian: $2)"; }
+  command -v gnuplot >/dev/null 2>&1 || lacks "gnuplot 5.4" gnuplot-nox
+  command -v rsvg-convert >/dev/null 2>&1 || lacks "rsvg-convert 2.54" librsvg2-bin
+  "${PYTHON:-python3}" -c 'import importlib.util as u; u.find_spec("matplotlib").name' 2>/dev/null ||
+    lacks "python3 with matplotlib 3.6" python3-matplotlib
   [ -n "$missing" ] || exit 0
-  echo "missing:$missing (make install-deps installs them; PYTHON=... names another python3)" >&2
+  echo "missing: ${missing#, } (allowed: these versions or newer ones; make install-deps installs them, PYTHON=... names another python3)" >&2
   exit 1
 fi
 out=$1 part=$1.$$.part

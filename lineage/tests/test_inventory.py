@@ -1,6 +1,7 @@
 """Tables, commands and packages as they describe themselves, and the archive that has them all."""
 
 import os
+import re
 import shutil
 import subprocess
 import tarfile
@@ -46,6 +47,7 @@ class Archive(Scratch):
     """tools/dist.sh in a checkout of the small repository."""
 
     ENV = {"PATH": os.environ.get("PATH", "/usr/bin:/bin"), "GIT_CONFIG_GLOBAL": "/dev/null", "GIT_CONFIG_NOSYSTEM": "1",
+           "PYTHONPATH": str(ROOT), "PYTHONDONTWRITEBYTECODE": "1",
            "GIT_AUTHOR_DATE": "1000000000 +0000", "GIT_COMMITTER_DATE": "1000000000 +0000"}
 
     def run_in(self, *command):
@@ -86,11 +88,32 @@ class Archive(Scratch):
             members = archive.getmembers()
             archive.extractall(self.root / "out")
         names = [m.name.removeprefix("breathers-1.0.0").lstrip("/") for m in members]
-        for name in ("README.md", "codemeta.json", "SHA256SUMS", "products/tables/sec1_demo/facts.ecsv", "products/figures/fig01.svg"):
+        for name in ("README.md", "codemeta.json", "SHA256SUMS", "build/data/sec1_demo/facts.ecsv", "build/figures/fig01.svg"):
             self.assertIn(name, names)
         self.assertEqual({(m.uid, m.gid, m.mtime) for m in members}, {(0, 0, 1000000000)})
         check = self.run_in("sh", "-c", "cd out/breathers-1.0.0 && sha256sum --quiet -c SHA256SUMS && wc -l < SHA256SUMS")
         self.assertEqual(int(check.stdout), sum(m.isfile() for m in members) - 1, check.stderr)
+
+    def test_its_first_page_leads_to_what_is_in_it_and_to_nothing_else(self):
+        self.lineage("refresh")
+        self.lineage("summary")
+        self.write("build/figures/fig01.pdf", "%PDF\n")
+        self.write("README.md", self.read("README.md") + "It is <b>bold</b>.\n")
+        self.run_in("git", "add", "-A")
+        self.run_in("git", "-c", "user.name=a", "-c", "user.email=a@b", "commit", "-qm", "more")
+        self.dist()
+        with tarfile.open(self.root / "build/dist/breathers-1.0.0.tar.gz") as archive:
+            archive.extractall(self.root / "out")
+        inside = self.root / "out/breathers-1.0.0"
+        page = ecsv.text_of(inside / "index.html")
+        paths = re.findall(r'(?:href|src)="(.*?)"', page)
+        self.assertEqual([path for path in paths if not (inside / path).exists()], [])
+        self.assertIn("build/figures/fig01.svg", paths)
+        self.assertNotIn("build/book/index.html", paths)
+        self.assertRegex(page, "<td>one<td>1.02<td>1.000 m<td>0.001<td>discrepant</tr>")
+        manifest = re.findall(r'- file: "(.*)"', ecsv.text_of(inside / "codecheck.yml"))
+        self.assertEqual(manifest, ["build/figures/fig01.pdf", "build/report/published.ecsv"])
+        self.assertEqual([path for path in manifest if not (inside / path).exists()], [])
 
     def test_what_cannot_be_packed_is_one_line(self):
         shutil.rmtree(self.root / "build/figures")

@@ -3,6 +3,7 @@
 import importlib.util
 import json
 import re
+import subprocess
 import unittest
 
 from lineage import ecsv, metadata
@@ -62,21 +63,61 @@ class Told(unittest.TestCase):
                                 "pages": f"{a['start']}--{a['end']}", "year": str(a["year"]), "doi": a["doi"]})
         self.assertIn(a["title"], ecsv.text_of(ROOT / "README.md").replace("\n", " "))
 
-    def test_both_licences_are_those_of_the_text(self):
+    def test_what_is_told_of_licences_is_no_choice(self):
         code, text = metadata.licences(self.meta)
-        said = ecsv.text_of(ROOT / "LICENSE")
-        self.assertIn(f"{code} License", said)
-        self.assertIn("creativecommons.org/licenses/by/4.0", said)
-        self.assertEqual(text, "CC-BY-4.0")
+        self.assertEqual((code, text), ("MIT", "CC-BY-4.0"))
+        self.assertIn('\nlicense: "MIT"\n', self.texts["CITATION.cff"])
+        self.assertEqual(json.loads(self.texts[".zenodo.json"])["license"], "MIT")
+        self.assertEqual(ecsv.text_of(ROOT / "LICENSE"), ecsv.text_of(ROOT / "LICENSES/MIT.txt"))
+        self.assertEqual({path.stem for path in (ROOT / "LICENSES").iterdir()}, {code, text})
+
+    def test_a_codechecker_is_told_of_every_figure_and_of_the_article(self):
+        said = ecsv.text_of(ROOT / "codecheck.yml")
+        self.assertTrue(said.startswith("---\n"))
+        self.assertEqual(re.findall(r"^([a-z]+):", said, re.M), ["version", "paper", "manifest"])
+        manifest = re.findall(r'^  - file: "(.*)"\n    comment: "\S.*"$', said, re.M)
+        figures = [f"build/figures/{path.stem}.pdf" for path in sorted((ROOT / "figures/gallery").iterdir())]
+        self.assertEqual((sorted(manifest[:-1]), manifest[-1]), (figures, "build/report/published.ecsv"))
+        self.assertEqual(len(re.findall(r"^  authors:|^    - name: |^  title: |^  reference: \"https://doi", said, re.M)), 6)
 
     @unittest.skipUnless(importlib.util.find_spec("yaml"), "python3-yaml is not installed")
     def test_our_yaml_is_yaml(self):
         import yaml
         said = yaml.safe_load(self.texts["CITATION.cff"])
         self.assertEqual((said["title"], said["references"][0]), (self.meta["name"], metadata.article(self.meta)))
+        self.assertEqual(len(yaml.safe_load(ecsv.text_of(ROOT / "codecheck.yml"))["paper"]["authors"]), 3)
         self.assertEqual(yaml.safe_load(self.texts["paper/metadata.yaml"])["abstract"], self.meta["description"])
         value = {"a": ["x: #1", {"b": "", "c": 2}], "d": "\"'\\"}
         self.assertEqual(yaml.safe_load(metadata.yaml(value)), {**value, "a": ["x: #1", {"b": None, "c": 2}]})
+
+
+@unittest.skipUnless(importlib.util.find_spec("tomllib"), "this python has no tomllib")
+@unittest.skipUnless((ROOT / ".git").exists(), "this is no checkout")
+class Reuse(unittest.TestCase):
+    """REUSE.toml by the rules of its specification, for machines whose `reuse` does not know it yet."""
+
+    @staticmethod
+    def pattern(glob):
+        """One star stands for anything but a slash, two for anything."""
+        return re.compile(re.escape(glob).replace(r"\*\*", ".*").replace(r"\*", "[^/]*"))
+
+    def test_every_file_has_a_licence_that_is_there(self):
+        import tomllib
+        rules = tomllib.loads(ecsv.text_of(ROOT / "REUSE.toml"))
+        self.assertEqual((rules.pop("version"), list(rules)), (1, ["annotations"]))
+        files = subprocess.run(["git", "ls-files"], cwd=ROOT, capture_output=True, text=True, check=True).stdout.splitlines()
+        told = {}
+        for rule in rules["annotations"]:
+            self.assertEqual(set(rule), {"path", "SPDX-FileCopyrightText", "SPDX-License-Identifier"})
+            self.assertTrue((ROOT / f"LICENSES/{rule['SPDX-License-Identifier']}.txt").exists(), rule)
+            for glob in [rule["path"]] if isinstance(rule["path"], str) else rule["path"]:
+                met = [name for name in files if self.pattern(glob).fullmatch(name)]
+                self.assertTrue(met, f"REUSE.toml: no file is named by {glob}")
+                told |= dict.fromkeys(met, rule["SPDX-License-Identifier"])
+        self.assertEqual([name for name in files if name not in told], [])
+        for name, licence in [("lineage/ecsv.py", "MIT"), ("figures/style.gp", "MIT"), ("figures/gallery/fig22_turning_maps.png", "CC-BY-4.0"),
+                              ("Dockerfile", "MIT"), ("README.md", "CC-BY-4.0"), ("paper/paper.tex", "CC-BY-4.0")]:
+            self.assertEqual(told[name], licence, name)
 
 
 class Day(Scratch):

@@ -77,6 +77,15 @@ def defined_twice(texts):
     return [f"{name} in {' and '.join(sorted(where))}" for name, where in home.items() if len(where) > 1]
 
 
+def without(wanted, texts):
+    """Headers that include `wanted` neither by themselves nor through others."""
+    reached = {wanted}
+    while more := {name for name, text in texts.items() if name not in reached
+                   and reached & set(re.findall(r'^#include "(.*)"', text, re.M))}:
+        reached |= more
+    return sorted(set(texts) - reached)
+
+
 class Rules(unittest.TestCase):
     def test_prose_and_code_are_counted(self):
         def block(n):
@@ -157,9 +166,16 @@ class Here(unittest.TestCase):
 
     def test_the_sources_keep_their_shape(self):
         self.none(f"{path}: {what}" for path, text in self.texts.items() for what in unreadable(text))
+        self.none(f"{path}: {text.count(chr(10))} lines" for path, text in self.texts.items()
+                  if re.fullmatch(r"src/sec\w+\.cpp", path) and text.count("\n") > 500)
         self.none(defined_twice({path: text for path, text in self.texts.items() if re.match(r"src/lattice/.*hpp$", path)}))
         self.none(what for path, text in self.texts.items() if re.match(r"src/(sec\w+|commands)/", path)
                   for what in foreign_shelves(path.removeprefix("src/"), text))
+
+    def test_every_header_of_the_library_refuses_what_changes_values(self):
+        self.assertEqual(without("a", {"a": "", "b": '#include "a"\n', "c": '#include "b"\n', "d": '#include <a>\n'}), ["d"])
+        headers = {path.removeprefix("src/"): text for path, text in self.texts.items() if re.match(r"src/lattice/.*hpp$", path)}
+        self.assertEqual(without("lattice/numerics/ieee.hpp", headers), ["lattice/model/instances.hpp"])  # which is no header
 
     def test_equations_are_cited_by_the_articles_numbers(self):
         for folder in ("src", "tests", "tools", "bench", "figures"):

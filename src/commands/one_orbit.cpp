@@ -218,7 +218,7 @@ Table OneOrbit::profile(const Found& f) const {
 }
 
 OneOrbit::Found OneOrbit::find() const {
-  const Found f = near ? chosen_near(*this, *near) : chosen_type_one(*this);
+  Found f = near ? chosen_near(*this, *near) : chosen_type_one(*this);
   need_reach(*this, f.orbit);
   return f;
 }

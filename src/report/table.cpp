@@ -38,7 +38,7 @@ Columns::Columns(std::initializer_list<Columns> lists) {
 Columns estimate(const std::string& name, std::string description, std::string unit,
                  std::string from) {
   return {number(name, std::move(description), unit),
-          number(name + "_error", std::move(from), unit)};
+          number(name + "_error", std::move(from), std::move(unit))};
 }
 
 Cells::Cells(std::initializer_list<Entry> entries) {

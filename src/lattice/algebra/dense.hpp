@@ -9,6 +9,8 @@ compiled once, these here and those of eigenvalues.hpp. */
 
 #include <Eigen/Core>
 
+#include "lattice/numerics/ieee.hpp"
+
 namespace lattice {
 
 /// Dense vectors and matrices of any number type.

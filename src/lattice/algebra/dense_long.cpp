@@ -1,2 +1,2 @@
 #define LATTICE_LONG
-#include "dense.cpp"
+#include "dense.cpp"  // NOLINT(bugprone-suspicious-include)

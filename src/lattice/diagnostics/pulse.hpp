@@ -14,6 +14,8 @@ those of straight lines through two. */
 #include <optional>
 #include <vector>
 
+#include "lattice/numerics/ieee.hpp"
+
 namespace lattice {
 
 /// A local maximum: when, and how high.

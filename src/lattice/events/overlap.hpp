@@ -15,6 +15,8 @@ event_driven.hpp asks both questions of all contacts of a chain. */
 #include <cmath>
 #include <limits>
 
+#include "lattice/numerics/ieee.hpp"
+
 namespace lattice {
 
 /// 1, 0 or -1, written out for every number type.

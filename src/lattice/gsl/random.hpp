@@ -11,6 +11,8 @@ distributions of the C++ library do not promise. */
 #include <memory>
 #include <vector>
 
+#include "lattice/numerics/ieee.hpp"
+
 namespace lattice {
 
 /// A source of random numbers with a recorded seed.

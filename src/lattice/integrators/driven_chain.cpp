@@ -150,7 +150,7 @@ Refined<DrivenEnd> run_driven_to(double tolerance, const DrivenChain& driven, St
     return out;
   };
   const auto unseen = [](const State<double>&, const EnergyBudget&) { return true; };
-  const auto pair =
+  auto pair =
       converge(tolerance, [&](const ContactAware& stepper) { return run(stepper, unseen); });
   state = run(stepper_for(tolerance, largest_step, pair.halvings), observe).end;
   return pair;

@@ -15,6 +15,8 @@ into its steps. */
 #include <cstddef>
 #include <iterator>
 
+#include "lattice/numerics/ieee.hpp"
+
 namespace lattice {
 
 /**

@@ -13,6 +13,8 @@ $p$ if the error of a run of fixed duration falls like $h^p$. */
 #include <string>
 #include <vector>
 
+#include "lattice/numerics/ieee.hpp"
+
 namespace lattice {
 
 /**

@@ -17,6 +17,8 @@ it? */
 
 #include <cstddef>
 
+#include "lattice/numerics/ieee.hpp"
+
 namespace lattice {
 
 /// What lies beyond the first and last bead: nothing, a rigid bead at rest, or the other end.

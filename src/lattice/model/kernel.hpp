@@ -15,12 +15,7 @@ on one site (the build forbids fused multiply-adds), so all versions give the sa
 #include <cstddef>
 #include <type_traits>
 
-// A compiler that may reorder sums or forget infinities computes another chain. (GCC has a macro for each part of
-// -ffast-math, Clang for few of them but for the whole.)
-#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__) || \
-    defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || defined(__NO_SIGNED_ZEROS__)
-#error "the chain needs IEEE arithmetic: compile without -ffast-math and its parts"
-#endif
+#include "lattice/numerics/ieee.hpp"
 
 // Not every compiler and platform has function multiversioning; there the one portable version
 // remains, with the same results.

@@ -31,6 +31,8 @@ in a well one, the unit of length does the same for the coefficient of the conta
 #include <variant>
 #include <vector>
 
+#include "lattice/numerics/ieee.hpp"
+
 namespace lattice {
 
 /**

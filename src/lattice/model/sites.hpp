@@ -10,6 +10,8 @@ $n = 1$. */
 
 #include <cstddef>
 
+#include "lattice/numerics/ieee.hpp"
+
 namespace lattice {
 
 /// Where the centre is. The profile u_n of the small-amplitude limit (stationary.hpp) has the symmetry

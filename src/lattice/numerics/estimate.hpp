@@ -8,6 +8,8 @@ called exact is an omission. */
 
 #include <concepts>
 
+#include "lattice/numerics/ieee.hpp"
+
 namespace lattice {
 
 /// A value with the error from two resolutions, or without one because it is exact.

@@ -8,6 +8,8 @@ loops of the library (samples of a run, landings, parts of a sweep) look at it. 
 
 #include <atomic>
 
+#include "lattice/numerics/ieee.hpp"
+
 namespace lattice {
 
 /// Thrown by a computation that was asked to stop. It is no std::exception, so that nobody who is prepared

@@ -6,6 +6,8 @@ The largest value of a sampled quantity lies between two samples, and so does th
 packet turns. The parabola through a sample and its two neighbours finds both: the instant to second order in
 the distance of the samples, the value to third. */
 
+#include "lattice/numerics/ieee.hpp"
+
 namespace lattice {
 
 /// The parabola through three values at -1, 0 and 1, in units of the distance between samples.

@@ -12,6 +12,8 @@ can make smaller than that of the machine. */
 #include <functional>
 #include <string>
 
+#include "lattice/numerics/ieee.hpp"
+
 namespace lattice {
 
 /// Cores that this process may use.

@@ -12,6 +12,8 @@ clock; without one a `Progress` does nothing. No result depends on it. */
 #include <string>
 #include <vector>
 
+#include "lattice/numerics/ieee.hpp"
+
 namespace lattice {
 
 /// A stage as it is shown.

@@ -6,6 +6,8 @@ All methods for ordinary differential equations that do not know of the chain as
 
 #include <functional>
 
+#include "lattice/numerics/ieee.hpp"
+
 namespace lattice {
 
 /// The right-hand side f of an equation: writes dx/dt into `dx`, given `t` and `x`.

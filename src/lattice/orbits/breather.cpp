@@ -46,7 +46,7 @@ Orbit<double> find_breather(const Shooting<double>& problem, Phase phase,
   const Centre centre = problem.chain.sites % 2 == 0 ? Centre::bond : Centre::site;
   const State<double> guess =
       ansatz(centre, nearby.omega, problem.chain.sites, phase, problem.chain.contact);
-  const Orbit<double> start = newton(nearby, nearby.reduce(guess), rule);
+  Orbit<double> start = newton(nearby, nearby.reduce(guess), rule);
   if (nearby.omega == problem.omega) return start;
   Branch branch(nearby, along_omega<double>(problem.chain.contact.exponent()), start, 1, rule);
   return branch.reach(problem.omega);

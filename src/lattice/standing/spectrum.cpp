@@ -86,7 +86,7 @@ T counted_eigenvalue(const Stationary<T>& state, std::size_t k) {
   const auto roots = contact_roots(state);
   T low(0), high = T(2) * state.mu;
   for (;;) {
-    const T middle = (low + high) / T(2);
+    T middle = (low + high) / T(2);
     if (!(low < middle) || !(middle < high)) return middle;
     (eigenvalues_above(roots, middle) >= k ? low : high) = middle;
   }

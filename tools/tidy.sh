@@ -1,0 +1,32 @@
+#!/bin/sh
+# clang-tidy, by the rules of .clang-tidy, on the sources that differ from the commit $1 (without it: on all, which takes
+# an hour), and on the source beside a header that differs. It configures a folder of its own, in which nothing is built,
+# and finds GCC's header of quadruple precision. Version 16 is the first that knows our C++, and the one that continuous
+# integration has.
+set -eu
+cd "$(dirname "$0")/.."
+since=${1:-}
+tidy=
+for name in clang-tidy-16 clang-tidy clang-tidy-17 clang-tidy-18 clang-tidy-19; do
+  version=$("$name" --version 2>/dev/null | sed -n 's/.*version \([0-9]*\).*/\1/p')
+  if [ "${version:-0}" -ge 16 ]; then tidy=$name && break; fi
+done
+[ -n "$tidy" ] || { echo "tidy: there is no clang-tidy of version 16 or newer (Debian 12: clang-tidy-16)" >&2; exit 1; }
+if [ -n "$since" ]; then
+  git rev-parse -q --verify "$since^{commit}" >/dev/null || { echo "tidy: '$since' is no commit" >&2; exit 1; }
+  changed=$(git diff --name-only --diff-filter=d "$since" -- src)
+else
+  changed=$(git ls-files src)
+fi
+files=$(echo "$changed" | sed -n 's/\.[hc]pp$/.cpp/p' | sort -u | while read -r file; do [ ! -f "$file" ] || echo "$file"; done)
+[ -n "$files" ] || { echo "  tidy     nothing in src differs"; exit 0; }
+log=build/tidy/log
+mkdir -p build/tidy
+cmake -S . -B build/tidy -D LATTICE_TESTS=OFF > "$log" 2>&1 || { cat "$log"; exit 1; }
+bad=0 quadruple=$(c++ -print-file-name=include/quadmath.h)
+for file in $files; do
+  echo "  tidy     $file"
+  "$tidy" -p build/tidy --quiet --extra-arg=-Wno-unknown-warning-option --extra-arg="-idirafter${quadruple%/*}" "$file" \
+    > "$log" 2>&1 || { cat "$log"; bad=1; }
+done
+exit $bad
