@@ -149,9 +149,9 @@ By the last step of the proof every localized wave of this $T$ falls double-expo
   $f$ with $K > 0$ only, hence positive, and so would be $f(t)$, beyond $b$.
 - *Contacts open.* $\int K = 0$, so $\int d\,dt = 0$ and $d$ is negative somewhere.
 - *Growth with $k$.* $S$ is of the order of $k^{2/(\alpha+1)}$: not more by Young's bound, and not less because of
-  $k \ge 2$ equal pulses $2\pi - \pi/2k$ apart, of a small width: over all pairs the mean of $K$ is above a positive constant.
-  Two beads differ by $\max d$, so $E \ge \frac14(4k)^{-2/(\alpha-1)}$ for every localized wave, and by Young's
-  inequality for $\int(q^2+\dot q^2)$, whose kernel is $(T-|\sigma|)\cos\sigma$, the maximum has
+  $k \ge 2$ equal pulses $2\pi - \pi/2k$ apart, of a small width: over all pairs the mean of $K$ is above a positive
+  constant. Two beads differ by $\max d$, so $E \ge \frac14(4k)^{-2/(\alpha-1)}$ for every localized wave, and by
+  Young's inequality for $\int(q^2+\dot q^2)$, whose kernel is $(T-|\sigma|)\cos\sigma$, the maximum has
   $E \le C k^{-2/(\alpha-1)}$. In Hertzian contacts that is the fourth power of the speed. */
 double least_peak(std::size_t k, double alpha) {
   return std::pow(4 * double(k), -1 / (alpha - 1));
