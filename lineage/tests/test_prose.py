@@ -283,7 +283,7 @@ class ThisRepository(unittest.TestCase):
     def test_the_proof_is_whole(self):
         """All of its steps, with their formulas, and no mark of Markdown is left."""
         proof = tex.proof(ROOT).replace(tex.HEAD, "")
-        for step in ("Bounds", "No vanishing", "No splitting", "A maximum", "Its equation", "Smoothness and decay"):
+        for step in ("Bounds", "No vanishing", "No dichotomy", "A maximum", "Its equation", "Smoothness and decay"):
             self.assertIn(rf"\emph{{{step}", proof)
         self.assertEqual(proof.count("$") % 2, 0)
         self.assertNotIn("\0", proof)
