@@ -34,34 +34,28 @@ using namespace lattice;
 using std::numbers::pi;
 
 /**
-In short: [](finding:growth.bands)
-[](finding:growth.chain)
-[](finding:growth.left)
+In short: [](finding:growth.bands) [](finding:growth.chain) [](finding:growth.left)
 
 ## Model
 
 In the slow time $\tau = \epsilon^{1/2}t$ the DpS equation (12) is $2i\tau_0\,\partial_\tau A_n = D_n-D_{n-1}$ with
-$D_n = (A_{n+1}-A_n)|A_{n+1}-A_n|^{1/2}$, and plane waves $A_n = A\,e^{i(qn-\Omega\tau)}$ solve it. With the rate
-$\rho = |2A\sin\frac q2|^{1/2}/2\tau_0$, $c = \cos q$ and $C = \cos Q$ their frequency and the growth rate of a
-modulation of wavenumber $Q$ are (dps_waves.hpp)
-$$\Omega = -4\rho\sin^2\tfrac q2,\qquad
-  (\mathrm{Re}\,\sigma)^2 = \tfrac14\rho^2(1+5c)(1-C)\bigl[(5c-1)C-(1+3c)\bigr].$$
-Growth and frequency go like $|A|^{1/2}$, so $|A| = 1$ throughout. A bead of the chain then swings by $\pm2\epsilon$,
-Eq. (13).
+$D_n = (A_{n+1}-A_n)|A_{n+1}-A_n|^{1/2}$, and plane waves $A_n = A\,e^{i(qn-\Omega\tau)}$ solve it with $\Omega =
+-4\rho\sin^2\frac q2$ and the rate $\rho = |2A\sin\frac q2|^{1/2}/2\tau_0$. A modulation changes $A_n$ by the factor
+$1+x\,e^{iQn+\sigma\tau}+\bar y\,e^{-iQn+\bar\sigma\tau}$. To first order a force $z|z|^{1/2}$ changes by
+$|z|^{1/2}(\frac54\,\delta z+\frac z{4\bar z}\,\delta\bar z)$, and the sums over both contacts of a bead give, with $c =
+\cos q$ and $C = \cos Q$,
+$$\frac{i\sigma}\rho\begin{pmatrix}x\\y\end{pmatrix} =
+  \begin{pmatrix}a+e & k\\ -k & e-a\end{pmatrix}\begin{pmatrix}x\\y\end{pmatrix},\qquad
+  a = \tfrac52cC-\tfrac12-2c,\quad e = -\tfrac52\sin q\sin Q,\quad k = \tfrac12(c-C).$$
+$e$ only shifts the frequency of the modulation. It grows if the coupling $k$ of the two side bands $q\pm Q$ exceeds their
+detuning $a$. Rates go like $|A|^{1/2}$, so $|A| = 1$ throughout; a bead of the chain then swings by $\pm2\epsilon$.
 
 | symbol | program | meaning |
 |---|---|---|
 | $q$, $\Omega$ | `q`, `frequency` | wavenumber and frequency of the wave |
 | $Q$, $Q_*$ | `modulation`, `edge` | wavenumber of the modulation, edge of the unstable band |
 | $\mathrm{Re}\,\sigma$ | `growth` | growth rate per unit of the slow time $\tau = \epsilon^{1/2}t$ |
-| $\epsilon$ | `eps` | amplitude scale of the chain |
-
-## The chart
-
-For $c\ge0$ nothing grows. Beyond $q = \pi/2$ the shortest modulations grow, neighbours against each other, and where
-$c$ passes $-\frac15$ the band changes sides: from there on it holds the long ones, up to the edge $\cos Q_* =
-(1+3c)/(5c-1)$. Long modulations grow in proportion to $Q$, not to $Q$ times the amplitude as under precompression
-(section 4), because here no dispersion acts against the nonlinearity: both come from the contacts. */
+| $\epsilon$ | `eps` | amplitude scale of the chain | */
 void report_chart(Report& report) {
   const int points = report.quick ? 20 : 60;
   Table& growth = report.table("growth", {number("q", "wavenumber of the wave", "1/site"),
@@ -82,6 +76,17 @@ void report_chart(Report& report) {
   }
 }
 
+/**
+## The chart, and why its edge is at $q = \pi/2$
+
+The eigenvalues are $\sigma = \rho\,(-ie\pm\sqrt{k^2-a^2})$, and the root factorises,
+$$(\mathrm{Re}\,\sigma)^2 = \rho^2(k-a)(k+a) = \tfrac14\rho^2(1+5c)(1-C)\bigl[(5c-1)C-(1+3c)\bigr].$$
+The bracket is linear in $C$: it is $-2(1-c)$ for the longest modulations, $C = 1$, and $-8c$ for the shortest, $C =
+-1$. For $c\ge0$ it is positive nowhere, and nothing grows. Beyond $q = \pi/2$ it becomes positive at $C = -1$ first:
+the shortest modulations grow, neighbours against each other, from the edge $\cos Q_* = (1+3c)/(5c-1)$ on. At $c =
+-\frac15$ the factor $1+5c$ vanishes for every $Q$, and beyond it is negative: now those grow for which the bracket is
+negative, the long ones up to $Q_*$. They grow in proportion to $Q$, not to $Q$ times the amplitude as under
+precompression (section 4), because here no dispersion acts against the nonlinearity: both come from the contacts. */
 void report_fastest(Report& report) {
   const auto growth = [](const auto& w) { return w.growth(w.fastest()); };
   const auto fastest = [](const auto& w) { return w.fastest(); };
@@ -259,8 +264,7 @@ void report_marginal(Report& report) {
 Runs show the same. The chain at $\epsilon = 10^{-3}$ starts from the field of the DpS equation with noise of
 $10^{-4}$ on 32 sites. After 80 units of slow time the wave $q = \frac\pi2$ has kept
 [0.0549708](num:sec5_growth.share_left_quarter) of the norm and $q = \frac7{16}\pi$
-[0.999571](num:sec5_growth.share_left_below);
-the third harmonic of the first is its own marginal modulation, so that noise is hardly needed. */
+[0.999571](num:sec5_growth.share_left_below); the third harmonic of the first is its own marginal modulation. */
 /// By what a modulation Q = pi of the wave pi/2 grows in 400 units of slow time.
 double side_band_400(double tolerance) {
   const ModulatedWave quarter{8, 2, 4};
@@ -429,9 +433,8 @@ void report_energies(Report& report) {
 }
 
 /**
-The second figure shows the beginning: the wave $q = \pi$ in the DpS equation and, from the same field, in the chain
-with $\epsilon = 10^{-3}$, and $q = \frac34\pi$. Here the chain does in its own time what the DpS equation does, and
-makes its breathers elsewhere: its corrections, of order $\epsilon^{1/2}$, are larger than the noise of one per cent. */
+The second figure begins with the wave $q = \pi$ in the DpS equation and, from the same field, in the chain with
+$\epsilon = 10^{-3}$. The chain makes its breathers elsewhere: its corrections exceed the noise of one per cent. */
 void report_maps(Report& report) {
   const double duration = 160, eps = 1e-3;
   const std::size_t sites = 64, rows = report.quick ? 40 : 160;
@@ -488,8 +491,7 @@ void reproduce(Report& report) {
    Hint: is $\cos q$ above or below $-\frac15$? Compare the growth on either side of the edge.
 3. *Harder.* Do long modulations grow in proportion to $Q$?
    `build/bin/sec5_growth growth --modulation 0.02` gives `growth` = 0.0129423.
-   Hint: halve $Q$, then halve the amplitude. In the nonlinear Schrödinger equation the edge $Q_*$ is proportional to the
-   amplitude, because dispersion does not depend on it; here nothing but the amplitude sets a rate.
+   Hint: halve $Q$, then the amplitude. Where dispersion does not depend on it, the edge $Q_*$ is proportional to it.
 4. *Open.* Do standing waves, $\cos qn$, have a band of instability in closed form?
 5. *Open.* With the losses of an experiment (the chapter on damping), which breathers are left when the waves are gone? */
 int main(int argc, char** argv) {
