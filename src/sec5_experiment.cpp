@@ -173,7 +173,8 @@ std::vector<JourneyRow> report_journeys(Report& report) {
 Is the change of velocity *moderate*? After 10 ms the packet has
 [0.833898](num:sec5_experiment.speed_share) of the speed of one without losses at the same moment; its
 frequency differs by [0.01820](num:sec5_experiment.frequency_change). So yes, the packet would be seen:
-[18.7717](num:sec5_experiment.sites_10ms) sites and [68.3171](num:sec5_experiment.periods_10ms) oscillations. */
+[18.7717](num:sec5_experiment.sites_10ms) sites, without losses [20.9992](num:sec5_experiment.sites_undamped), and
+[68.3171](num:sec5_experiment.periods_10ms) oscillations, against the article's 20 and 70. */
 /// The packet of 1 m/s with this lifetime.
 const TwoJourneys& journey_of(const std::vector<JourneyRow>& rows, double lifetime) {
   return std::ranges::find_if(
@@ -379,9 +380,11 @@ void report_bound(Report& report) {
 }
 
 /**
-But a breather that loses energy moves along its branch, and its instability with it (decay.hpp). In the DpS limit
-it has four lifetimes, and the bound would be [0.00360776](num:sec5_experiment.epsilon_hidden_dps). In the chain the
-breather around a site is stable on a long stretch farther down, where a shift that has grown swings back.
+But a breather that loses energy moves along its branch, and its instability with it (decay.hpp). In the DpS limit the
+growth rate $\sigma = \Lambda(\omega_b-1)$ falls with the clock, like $e^{-\nu t/4}$, so that $\int\sigma\,dt$ is that of
+four lifetimes at the initial rate, and the bound would be [0.00360776](num:sec5_experiment.epsilon_hidden_dps). In the
+chain the breather around a site is stable on a long stretch farther down its branch, where $\sigma^2 < 0$ and a shift
+that has grown swings back.
 [](finding:experiment.hidden) We have not damped others; in hard wells instabilities are much larger
 (sec33_between.cpp).
 

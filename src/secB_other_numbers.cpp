@@ -5,8 +5,9 @@ This book compares its numbers with those of one article and with each other. A 
 reproduce what others have printed, and so we compute here some twenty numbers from the classical subject of this field,
 the chain *without* wells, and from the neighbours of the article's own equations. The list `paper/literature.ecsv`
 holds what is printed, with its source and the way in which we know it: only a number that we have read at its source,
-in its text or its data, or in its abstract, is judged. Numbers that everybody quotes, and whose source we could not
-open, stand beside ours without a verdict.
+in its text or its data, or in its abstract, is judged: these are thirteen, and all of them are reproduced within what
+their digits allow. Five that everybody quotes, and whose source we could not open, stand beside ours as we remember
+them, without a verdict.
 
 ![Numbers of other authors, and ours over them.](fig:x34)
 
@@ -65,7 +66,9 @@ Record watch_beads(std::size_t sites, double duration, double step, double sampl
 /**
 The error is that of the step and of the sampling together, and of the length of the run: whether the pulse still
 changes between bead 40 and bead 80. The largest velocity is [0.681632](num:secB_other_numbers.pulse_amplitude) times
-that of the impact, and the pulse has [0.993661](num:secB_other_numbers.pulse_energy) of its energy. */
+that of the impact (printed in a validation of another program: 0.68), and the pulse has
+[0.993661](num:secB_other_numbers.pulse_energy) of its energy (0.993662 in the data of another one). The kinetic part of
+the wave's own energy is [0.555556](num:secB_other_numbers.pulse_kinetic), the 5/9 of Slepyan. */
 Estimate pulse_amplitude() {
   const auto heights = [](double step) {
     const Record run = watch_beads(100, 110, step, step, {40, 80});
@@ -82,9 +85,9 @@ $V$ has the speed $c = (V/V_1)^{1/5}$ if $V_1$ is the largest velocity in the wa
 of Nesterenko $c = (4/5)^{2/5}V^{1/5}$, and the velocity is proportional to $\cos^4(\sqrt{2/5}\,\xi)$, five sites wide.
 Sen and Manciu wrote the displacement as a $\tanh$ with the slope $C_1/2$ at the centre, so that $C_1 = 4V/(c\,A)$ with
 the shift $A$ of every bead. We find $C_1 =$ [2.39525](num:secB_other_numbers.sen_c1); theirs, as we remember it, is
-larger by a twentieth of a thousandth, and we do not know from which run it was taken. The wave is slower than the
+2.39536, and we do not know from which run it was taken. The wave is slower than the
 long-wave theory by [0.780663](num:secB_other_numbers.pulse_slower) per cent and at half height narrower by
-[12.677](num:secB_other_numbers.pulse_narrower) per cent. */
+[12.677](num:secB_other_numbers.pulse_narrower) per cent; printed are "within 0.8" and 13. */
 struct WaveNumbers {
   double crest, speed_deficit, half_deficit, width, share, c1, energy;
 };
@@ -107,7 +110,7 @@ WaveNumbers wave_numbers(std::size_t points, std::size_t reach) {
 One of the sources gives the width at a hundredth of the crest as it was measured: bead 31 of 60 steel beads of 10 mm,
 sampled every 2 microseconds, between the samples a straight line. Near the foot of the pulse the velocity falls by half
 from sample to sample, and the straight line makes the pulse wider: [3.95724](num:secB_other_numbers.sampled_width)
-sites instead of [3.94587](num:secB_other_numbers.pulse_width). */
+sites instead of [3.94587](num:secB_other_numbers.pulse_width). The source has 3.96. */
 double sampled_width(double step, double speed) {
   const double mass = 7780 * std::numbers::pi / 6 * 1e-6;
   const double stiffness = 4. / 3 * 203e9 / (2 * (1 - 0.3 * 0.3)) * std::sqrt(0.005 / 2);
@@ -268,9 +271,12 @@ void report_exponents(Report& report) {
 /**
 ## Differences and limits
 
-Of what we could not read at its source we compare what we remember, and give no verdict. An agreement of printed digits
+Of what we could not read at its source, $C_1$ and the mass ratios, we compare what we remember, and give no verdict; a
+number behind a paywall may be misremembered. Of what we read, some has two digits only, and a run of another program
+holds its own step and sampling. An agreement of printed digits
 says that two computations solve the same equations, not that a chain of real balls does. The exponents of the last
-section are those of the DpS equation, the limit of small amplitudes; in the chain itself only those that other chapters
+section are those of the DpS equation, the limit of small amplitudes, and between the exponents computed nothing is said;
+in the chain itself only those that other chapters
 compute are known. */
 void reproduce(Report& report) {
   report_pulse(report);
