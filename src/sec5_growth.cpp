@@ -47,7 +47,7 @@ $|z|^{1/2}(\frac54\,\delta z+\frac z{4\bar z}\,\delta\bar z)$, and the sums over
 $$\frac{i\sigma}\rho\begin{pmatrix}x\\y\end{pmatrix} =
   \begin{pmatrix}a+e & k\\ -k & e-a\end{pmatrix}\begin{pmatrix}x\\y\end{pmatrix},\qquad
   a = \tfrac52cC-\tfrac12-2c,\quad e = -\tfrac52\sin q\sin Q,\quad k = \tfrac12(c-C).$$
-$e$ only shifts the frequency of the modulation. It grows if the coupling $k$ of the two side bands $q\pm Q$ exceeds their
+$e$ shifts only the frequency of the modulation. It grows if the coupling $k$ of the side bands $q\pm Q$ exceeds their
 detuning $a$. Rates go like $|A|^{1/2}$, so $|A| = 1$ throughout; a bead of the chain then swings by $\pm2\epsilon$.
 
 | symbol | program | meaning |
@@ -464,8 +464,8 @@ void report_maps(Report& report) {
 The growth has four routes: the closed form, the matrix of a ring, runs of the DpS equation, and the linearised chain
 with a run of it. What the article calls MI has been studied for plane waves and linear wells. Spectrally stable is not
 stable for ever: on 64 sites with noise of one per cent, seed 8, the wave $q = \frac{15}{32}\pi$ of the DpS equation
-loses more than half of its norm within 4000 units. The energy of a random field says where a surplus is, not how fast
-it gathers, and we do not know whether a breather is left in the end. That few are at rest is said of a ring without losses. */
+loses more than half of its norm within 4000 units. The energy of a random field says where a surplus is, not how fast it
+gathers, nor whether a breather is left in the end. That few are at rest is said of a ring without losses. */
 void reproduce(Report& report) {
   report_chart(report);
   report_fastest(report);

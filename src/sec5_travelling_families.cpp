@@ -329,8 +329,9 @@ they end? To see this we draw its speed against its energy, together with the or
 may pass this value on its way out, and again after its fold; one that folds before has no orbit there. The boomeron
 does not turn where the exact orbits that we know end. The fastest of them at $s = 1$ has the speed
 [0.0539509](num:sec5_travelling_families.fastest_at_one) and the energy
-[0.00166](num:sec5_travelling_families.fastest_energy_at_one); when the packet is as slow as that it still has
-[1.52](num:sec5_travelling_families.packet_energy_then), hundreds of times as much; sec34_boomeron_why.cpp looks for what turns it instead. */
+[0.00165802](num:sec5_travelling_families.fastest_energy_at_one); when the packet is as slow as that it still has
+[1.51933](num:sec5_travelling_families.packet_energy_then), hundreds of times as much; sec34_boomeron_why.cpp looks
+for what turns it instead. */
 Path packet_at_one(double step) {
   Path path;
   strike(ContactAware{step}, {1.9, {160, Quartic{1}}, 400, 0.5},
