@@ -29,9 +29,10 @@ The array is that of `sec5_driving`: linear wells, and a piston $a\sin\Omega t$ 
 1+\delta$. A travelling breather of the DpS equation obeys $A_n(\tau+T) = e^{i\varphi}A_{n-1}(\tau)$, and two numbers
 determine it: its shift time $T$ and the phase $\varphi$ by which it turns from site to site. In the chain they nearly
 do: the family that begins at $T = 2\pi k$ (chapter on families) has $\varphi = 2\pi k-T$, one curve for each $k$, and
-between these curves energy and width are interpolated (packet_members.hpp). We measure both numbers, at $\delta = 0.1$
-for a piston that begins at once, and after an impact of 1 m/s. The *strength* of a drive is its amplitude over the asymptotic threshold $8\tau_0^2\delta^2\max|u_0|$ (the law of
-`sec5_driving`); the fold of the quiet motion, with 10 ms, has the strength [1.1167](num:sec5_driving.fold_over_law).
+between these curves energy and width are interpolated (packet_members.hpp). We measure both numbers, at $\delta =
+0.1$ for a piston that begins at once, and after an impact of 1 m/s. The *strength* of a drive is its amplitude over
+the asymptotic threshold $8\tau_0^2\delta^2\max|u_0|$ (the law of `sec5_driving`); the fold of the quiet motion, with
+10 ms, has the strength [1.1167](num:sec5_driving.fold_over_law).
 
 | symbol | program | meaning | unit |
 |---|---|---|---|

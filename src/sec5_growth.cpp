@@ -85,8 +85,8 @@ The bracket is linear in $C$: it is $-2(1-c)$ for the longest modulations, $C = 
 -1$. For $c\ge0$ it is positive nowhere, and nothing grows. Beyond $q = \pi/2$ it becomes positive at $C = -1$ first:
 the shortest modulations grow, neighbours against each other, from the edge $\cos Q_* = (1+3c)/(5c-1)$ on. At $c =
 -\frac15$ the factor $1+5c$ vanishes for every $Q$, and beyond it is negative: now those grow for which the bracket is
-negative, the long ones up to $Q_*$. They grow in proportion to $Q$, not to $Q$ times the amplitude as under
-precompression (section 4), because here no dispersion acts against the nonlinearity: both come from the contacts. */
+negative, the long ones up to $Q_*$, in proportion to $Q$, as $1-C\simeq\frac12Q^2$. Under precompression (section 4)
+the factor is $Q$ times the amplitude; here no dispersion acts against the nonlinearity, both come from the contacts. */
 void report_fastest(Report& report) {
   const auto growth = [](const auto& w) { return w.growth(w.fastest()); };
   const auto fastest = [](const auto& w) { return w.fastest(); };
@@ -99,8 +99,8 @@ void report_fastest(Report& report) {
 /**
 ## Two checks without the algebra
 
-The matrix of a ring, from differences of the right-hand side of the DpS equation, must have the exponents of the
-closed form. For the waves $0<q<\pi$ on rings of 18 and 30 sites and all their modulations the largest distance is
+The matrix of a ring, from differences of the right side of the DpS equation, must have the exponents of the closed
+form. For the waves $0<q<\pi$ on rings of 18 and 30 sites and all their modulations the largest distance is
 [6e-10](num:sec5_growth.exponents_apart) of the wave's rate. And runs of the DpS equation must show the growth:
 theirs differs by [2.959e-8](num:sec5_growth.dps_runs_apart) at most. */
 std::vector<ModulatedWave> waves_tried() {
@@ -208,19 +208,19 @@ void report_runs(Report& report) {
 ## Two waves in between
 
 At $q = \frac\pi2$ and where $\cos q = -\frac15$ nothing grows exponentially in the DpS equation, and yet these waves
-are not stable but marginal. A phase modulation $Q = \pi$ of the first becomes [153.940](num:sec5_growth.side_band_400)
-times as large in 400 units of slow time. The second nearly fits on a ring of 39 sites, where it grows at
-[0.00193470](num:sec5_growth.growth_on_39) at most; on twice that ring, with noise of one per cent (seeds 1 to 8), it
-has kept [0.016](num:sec5_growth.share_left_fifth) of the norm after 300 units.
+are not stable but marginal: with $k^2 = a^2\ne0$ two exponents coincide, and a modulation grows like time. A phase
+modulation $Q = \pi$ of the first becomes [153.940](num:sec5_growth.side_band_400) times as large in 400 units of slow
+time. The second nearly fits on a ring of 39 sites, where it grows at [0.00193470](num:sec5_growth.growth_on_39) at
+most; on twice that ring, with noise of one per cent, it keeps [0.016](num:sec5_growth.share_left_fifth) in 300 units.
 
 The chain tips them over. Its wave $q = \frac\pi2$ grows at [0.0179886](num:sec5_growth.growth_quarter_6) per unit of
 slow time for $\epsilon = 10^{-6}$, at [0.0533953](num:sec5_growth.growth_quarter_4) for $10^{-4}$,
 [0.0809977](num:sec5_growth.growth_quarter_3) for $10^{-3}$ and [0.0731881](num:sec5_growth.growth_quarter_2) for
-$10^{-2}$. Between the two smallest amplitudes the growth has the order [0.248](num:sec5_growth.order_quarter) and on 39
-sites [0.242](num:sec5_growth.order_fifth), close to the $\frac14$ of a split double exponent. So here the chain does
-not agree with the DpS equation up to $\epsilon^{1/2}$. Four waves below $\frac\pi2$ show no growth beyond
-[5e-5](num:sec5_growth.growth_below_quarter), which is the root of an error, at amplitudes from $10^{-6}$ to $10^{-2}$.
-*/
+$10^{-2}$. Between the two smallest amplitudes the growth has the order [0.248](num:sec5_growth.order_quarter) and on
+39 sites [0.242](num:sec5_growth.order_fifth), close to the $\frac14$ of a double exponent, which a change by
+$\epsilon^{1/2}$ splits by its root. So here the chain does not agree with the DpS equation up to $\epsilon^{1/2}$.
+Four waves below $\frac\pi2$ show no growth beyond [5e-5](num:sec5_growth.growth_below_quarter), which is the root of
+an error, at amplitudes from $10^{-6}$ to $10^{-2}$. */
 /// The largest growth in the chain of four waves below pi/2 at four amplitudes.
 double growth_below_quarter(std::size_t steps) {
   double most = 0;
@@ -303,9 +303,8 @@ void report_marginal_runs(Report& report) {
 ## In the array
 
 In the array of section 3.6 a wave with $q = \pi$ that swings by one micrometre has its fastest growth among the
-modulations of a ring of 62 sites, e-fold in [15.648](num:sec5_growth.periods_at_1um) periods of a beam; that of a ring
-of 54 is the error. The DpS equation promises [13.9759](num:sec5_growth.periods_at_1um_dps), an eighth too fast. A
-hundredfold takes less than five times as many, and with a smaller amplitude $a$ this goes like $a^{-1/2}$. */
+modulations of a ring of 62 sites, e-fold in [15.648](num:sec5_growth.periods_at_1um) periods of a beam (a ring of 54
+gives the error), in the DpS equation in [13.9759](num:sec5_growth.periods_at_1um_dps); with the amplitude $a$ both go like $a^{-1/2}$. */
 void report_array(Report& report) {
   const double eps = 1 / CantileverArray{}.scales().micrometres(1) / 2;
   const auto periods = [&](double growth) { return 1 / (growth * std::sqrt(eps) * 2 * pi); };

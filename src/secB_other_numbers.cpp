@@ -167,7 +167,8 @@ void report_fragments(Report& report) {
 
 In a dimer chain the pulse loses energy to the light beads, but at particular mass ratios it does not: Jayaprakash,
 Starosvetsky and Vakakis found a sequence of them. A run approaches them slowly. We solve the equations of the wave
-itself (dimer_wave.hpp), from the pulse of a run near each ratio, on two grids:
+itself, in which the mass ratio is an unknown and the condition that both kinds of beads are at rest behind it one of the
+equations (dimer_wave.hpp), from the pulse of a run near each ratio, on two grids:
 [0.342846](num:secB_other_numbers.dimer_1), [0.154752](num:secB_other_numbers.dimer_2),
 [0.0901278](num:secB_other_numbers.dimer_3) and [0.0615021](num:secB_other_numbers.dimer_4). They are the four numbers
 that we remember of that article, to all its digits. */
@@ -209,8 +210,9 @@ void report_alternating(Report& report) {
 
 James and Starosvetsky (2013) proved that the DpS equation has breathers around a site and around a bond for every
 exponent $\alpha > 1$ of the contact force, and that they become Gaussian as $\alpha \to 1$. Which one is stable? We
-compute both from $\alpha = 1.1$ to 4 (secB/exponents.hpp). At every exponent that we computed the one around a bond is
-spectrally stable and the one around a site is not, with a margin $m_2/\mu-1/\alpha$ that grows from
+compute both from $\alpha = 1.1$ to 4 (secB/exponents.hpp). A breather $u_ne^{i\mu t}$ is unstable if the second
+eigenvalue $m_2$ of the matrix of section 3.3 exceeds $\mu/\alpha$. At every exponent that we computed the one around a
+bond is spectrally stable and the one around a site is not, with a margin $m_2/\mu-1/\alpha$ that grows from
 [2.62509e-28](num:secB_other_numbers.margin_site_110) over [4.85298e-6](num:secB_other_numbers.margin_site_150) for
 spheres to [0.0954946](num:secB_other_numbers.margin_site_400). No margin changes its sign between the exponents
 computed, and neither does the difference of the norms: anharmonic wells exchange stability in the chain; in the
@@ -218,12 +220,13 @@ limit of small amplitude the exponent of the contact alone does not.
 
 ![Which static DpS breather is stable, and by how much, against the exponent of the contact.](fig:x35)
 
-As $\alpha \to 1$ the two become alike like $e^{-c/(\alpha-1)}$. The Gaussian's width alone would give $c = \pi^2/2$;
-the profile farther out gives [6.49017](num:secB_other_numbers.alike_expected), by the argument of secB/exponents.hpp.
-Between $\alpha = 1.1$ and 1.12 the logarithm of the norms' difference falls by
+As $\alpha \to 1$ the profile becomes wide, and a sum over the sites depends on where its centre is only through the
+Fourier component $e^{2\pi ix}$ of the profile: so the two become alike like $e^{-c/(\alpha-1)}$. The Gaussian's width
+alone would give $c = \pi^2/2$; the profile farther out gives [6.49017](num:secB_other_numbers.alike_expected), by the
+argument of secB/exponents.hpp. Between $\alpha = 1.1$ and 1.12 the logarithm of the norms' difference falls by
 [6.45110](num:secB_other_numbers.alike_rate) for each unit of $1/(\alpha-1)$, and between 1.2 and 1.3 by
-[6.42891](num:secB_other_numbers.alike_rate_far): the rate approaches $c$ slowly, as a power in front would make it do,
-and $\pi^2/2$ is refuted. */
+[6.42891](num:secB_other_numbers.alike_rate_far): the rate approaches $c$ slowly, as a power in front would make it
+do, and $\pi^2/2$ is refuted. */
 void report_exponents(Report& report) {
   std::vector<double> alphas{1.3, 1.5, 2, 3, 4};
   if (!report.quick)
