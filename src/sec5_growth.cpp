@@ -304,7 +304,7 @@ void report_marginal_runs(Report& report) {
 
 In the array of section 3.6 a wave with $q = \pi$ that swings by one micrometre has its fastest growth among the
 modulations of a ring of 62 sites, e-fold in [15.648](num:sec5_growth.periods_at_1um) periods of a beam (a ring of 54
-gives the error), in the DpS equation in [13.9759](num:sec5_growth.periods_at_1um_dps); with the amplitude $a$ both go like $a^{-1/2}$. */
+gives the error), in the DpS equation in [13.9759](num:sec5_growth.periods_at_1um_dps); both go nearly like $a^{-1/2}$. */
 void report_array(Report& report) {
   const double eps = 1 / CantileverArray{}.scales().micrometres(1) / 2;
   const auto periods = [&](double growth) { return 1 / (growth * std::sqrt(eps) * 2 * pi); };
