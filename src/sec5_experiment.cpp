@@ -58,7 +58,7 @@ $$s(t) = \int_0^te^{-\nu t'/4}dt' = \frac4\nu\bigl(1-e^{-\nu t/4}\bigr) < 4\tau.
 A force of degree $\frac32$ drives a field of amplitude $|A|$ at a rate $\propto|A|^{1/2}$, so that the speed of a
 packet is $c\propto|A|^{1/2}\propto E^{1/4}$: while the amplitude falls like $e^{-\nu t/2}$ and the energy like
 $e^{-\nu t}$, the clock and with it the packet slow down like $e^{-\nu t/4}$ only. What is read from a maximum in time
-also feels the factor itself: $e^{-\nu t/2} = (1-\nu s/4)^2$ makes the strongest push come earlier (its *weight*).
+also feels the factor itself: with this *weight*, $e^{-\nu t/2} = (1-\nu s/4)^2$, the strongest push comes earlier.
 
 [](finding:experiment.clock) Here the law is tested for impacts of 0.5 to 1 m/s and lifetimes of 1 to 100 ms. The centre
 of the energy, which the clock moves as it is, is right to [0.0111](num:sec5_experiment.centre_off), the distance of the
