@@ -28,9 +28,11 @@ using namespace lattice;
 The array is that of `sec5_driving`: linear wells, and a piston $a\sin\Omega t$ that touches the first bead, $\Omega =
 1+\delta$. A travelling breather of the DpS equation obeys $A_n(\tau+T) = e^{i\varphi}A_{n-1}(\tau)$, and two numbers
 determine it: its shift time $T$ and the phase $\varphi$ by which it turns from site to site. In the chain they nearly
-do (packet_members.hpp). We measure both, at $\delta = 0.1$ for a piston that begins at once, and after an impact of 1
-m/s. The *strength* of a drive is its amplitude over the asymptotic threshold $8\tau_0^2\delta^2\max|u_0|$ (the law of
-`sec5_driving`); the fold of the quiet motion, with 10 ms, has the strength [1.1167](num:sec5_driving.fold_over_law).
+do: the family that begins at $T = 2\pi k$ (chapter on families) has $\varphi = 2\pi k-T$, one curve for each $k$, and
+between these curves energy and width are interpolated (packet_members.hpp). We measure both numbers, at $\delta =
+0.1$ for a piston that begins at once, and after an impact of 1 m/s. The *strength* of a drive is its amplitude over
+the asymptotic threshold $8\tau_0^2\delta^2\max|u_0|$ (the law of `sec5_driving`); the fold of the quiet motion, with
+10 ms, has the strength [1.1167](num:sec5_driving.fold_over_law).
 
 | symbol | program | meaning | unit |
 |---|---|---|---|
@@ -281,7 +283,9 @@ The two weakest drives, of strength 1.05 and 1.1, lie below the fold: their pack
 that rises slowly would send none. The phases of the first packets rise from
 [0.630](num:sec5_driven_packets.phase_weakest) at 1.05 to [0.680](num:sec5_driven_packets.phase_drive_weak) at 1.15 and
 then fall, through zero at [1.77](num:sec5_driven_packets.phase_zero_at); that of an impact is
-[-0.26](num:sec5_driven_packets.phase_impact). The drives at 1.15, 1.3 and 1.6 have $(T+\varphi)/2\pi =$
+[-0.26](num:sec5_driven_packets.phase_impact). So both are breathers of one kind; those of the weaker drives
+and that of the impact lie on opposite sides of type I, whose phase is zero. The drives at 1.15, 1.3 and 1.6 have
+$(T+\varphi)/2\pi =$
 [4.122](num:sec5_driven_packets.family_drive_weak), [3.81](num:sec5_driven_packets.family_drive) and
 [3.06](num:sec5_driven_packets.family_drive_strong). The number is 4 at [1.230](num:sec5_driven_packets.family_at_4) and
 3 at [1.63](num:sec5_driven_packets.family_at_3), where it falls at the rates

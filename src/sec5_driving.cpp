@@ -36,13 +36,15 @@ $$\ddot y_n+y_n+\nu\dot y_n = (y_{n-1}-y_n)_+^{3/2}-(y_n-y_{n+1})_+^{3/2}+\delta
 where the first bead has no left neighbour, and $G = (a\sin\Omega t-y_1)_+^{3/2}$ for a piston, $G = a\sin\Omega t$ for
 the base of the first beam (driven_chain.hpp). A motion of the period of the drive that decays along the chain is
 *quiet*: it emits nothing. As $a$ grows two branches of such motions meet in a fold (a saddle-node bifurcation, panel b
-of the first figure) and end there. In the DpS limit $y_n \simeq 2\epsilon u_n\cos\Omega t$ with
-$\epsilon = (2\tau_0\delta)^2$ both are static solutions that decay into the chain, and the fold is where the displacement
-that the piston has to take at their end, or the force by which the base has to pull, is largest (driven_end.hpp):
-$$a_{\rm piston} = 8\tau_0^2\,\delta^2\,\max|u_0|,\qquad a_{\rm base} = 16\tau_0^2\,\delta^3\,\max|D_0|,$$
-with $D_n$ the contact force. We call this the *asymptotic threshold*, or the *law*. At it the piston's amplitude equals
-the static DpS peak: the maximum of $|u_0|$, [0.0504148](num:sec5_driving.top), is to nine digits the largest
-displacement of the site-centred breather of section 3.2.
+of the first figure) and end there. In the DpS limit $y_n \simeq 2\epsilon u_n\cos\Omega t$ both are static solutions
+that decay into the chain, $-u_n = D_n-D_{n-1}$ with $D_n$ the scaled contact force. Contacts whose stiffness goes like
+$\epsilon^{1/2}$ must make up for the detuning $\delta$, so $\epsilon = (2\tau_0\delta)^2$. A piston prescribes a
+displacement, $a = 2\epsilon|u_0|\propto\delta^2$. A base prescribes a force, which takes the place of that of the
+contact 0; so close to resonance a force $F$ moves a bead by $F/2\delta$, so that $a = 4\delta\epsilon|D_0|$ has one
+power more. The fold is where this displacement or force is largest along the static solutions (driven_end.hpp):
+$$a_{\rm piston} = 8\tau_0^2\,\delta^2\,\max|u_0|,\qquad a_{\rm base} = 16\tau_0^2\,\delta^3\,\max|D_0|.$$
+We call this the *asymptotic threshold*, or the *law*. The maximum of $|u_0|$, [0.0504148](num:sec5_driving.top), is to
+nine digits the largest displacement of the site-centred breather of section 3.2.
 
 | symbol | program | meaning | unit |
 |---|---|---|---|
@@ -143,8 +145,8 @@ Between $\delta = 0.05$ and 0.1 the fold of a piston grows with the exponent
 and, between 0.1 and 0.2, [3.36910](num:sec5_driving.exponent_base_strong). At $\delta = 0.1$ a piston needs
 [1.1167](num:sec5_driving.fold_over_law) times the asymptotic threshold, at 0.025
 [1.0376](num:sec5_driving.fold_over_law_small) times. The asymptotic threshold leaves damping out; without losses the
-last number is [1.0280](num:sec5_driving.fold_over_law_lossless), and closer to the beams' frequency damping matters
-more. */
+last number is [1.0280](num:sec5_driving.fold_over_law_lossless). Closer to the beams' frequency damping matters more,
+so that at a fixed lifetime the ratio does not tend to one. */
 void report_orbits(Report& report, const ArraySetup& setup) {
   const auto branch = quiet_branch(setup.driven(Drive::By::piston, 1.1, 0, 0, 0, 10), 64, 0.1);
   Table& orbits =
@@ -460,9 +462,8 @@ struct Chart : MapPart {
 The fold has three routes: slow runs, Newton's method on the driven orbit, and a map of two lines in the DpS limit,
 which shares no code with the others. The bookkeeping of `drive`, energy and losses less work over the most energy
 that was there or came in, closes to [1e-12](num:sec5_driving.budget) at its steps in a quiet motion, a periodic one
-and a driven base. The piston is a bead of the same size that cannot be
-pushed back; a real shaker can, and its force is what `power` tells. That a quiet motion vanishes in a fold does not
-tell what comes after it: periodic and irregular emission are what runs show, with one lifetime. */
+and a driven base. The article has no number for such a drive. The piston is a bead that cannot be pushed back; a real
+shaker can. That a quiet motion vanishes in a fold does not tell what comes after it: runs do, with one lifetime. */
 void reproduce(Report& report) {
   const ArraySetup setup;
   const std::vector<Fold> folds = report_folds(report, setup);
@@ -479,12 +480,10 @@ void reproduce(Report& report) {
 
 1. *Easy.* How far must a piston move at 6600 Hz instead of 7000?
    `build/bin/sec5_driving drive --frequency 6600 --time 20` gives `threshold_law` = 1.08769.
-   Hint: the beams swing at [6310.91](num:sec5_driving.beam_frequency) Hz, and the asymptotic threshold goes like
-   $\delta^2$.
+   Hint: the beams swing at [6310.91](num:sec5_driving.beam_frequency) Hz; how does the law go with $\delta$?
 2. *Easy.* What does the end do below the fold, at 4 µm?
    `build/bin/sec5_driving drive --amplitude 4 --time 20` gives `response` = 1.3147.
-   Hint: this is a point of the lower branch of quiet orbits, at another frequency than that of the figure. At 7 µm the
-   array emits: by which factor does the response jump?
+   Hint: this is a point of the lower branch of quiet orbits. By which factor does it jump at 7 µm, with emission?
 3. *Harder.* Do losses move the threshold? With a lifetime of 1 ms and 7 µm nothing passes the detector:
    `build/bin/sec5_driving drive --amplitude 7 --lifetime 1 --time 20` gives `response` = 4.049.
    Hint: either the fold is above 7 µm now, or packets die before bead 20. Is the response that of a quiet or of an

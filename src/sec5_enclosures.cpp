@@ -46,7 +46,8 @@ Estimate estimate_of(const Interval<double>& x) {
 ## What is proved about the DpS equation
 
 Stationary solutions $v_n = u_ne^{i\mu t}$ of Eq. (11) obey Eq. (14). By scaling, $u = \mu^2u^{(1)}$, it
-suffices to take $\mu = 1$. For each of the two centres, on the infinite lattice:
+suffices to take $\mu = 1$. The *strain* of contact $n$ is $u_{n+1}-u_n = \pm(-1)^nr_n$. For each of the two centres,
+on the infinite lattice:
 
 1. There is a solution with the symmetry of this centre whose strains alternate in sign, decrease outwards in
    modulus and fall double-exponentially. They lie in the intervals of the tables `strains_site` and
@@ -134,10 +135,10 @@ void report_search(Report& report, const DpsBreather<double>& b, const std::stri
 /**
 ## Stability
 
-Section 3.3 shows that all exponents follow from the eigenvalues $m$ of one matrix $M$ by
-$\lambda^2 = -(1-m)(1-\frac32m)$. On the infinite lattice $M$ is compact, its largest eigenvalue is
-$m_1 = 1$ and simple, and a real pair exists for each further $m > \frac23$. Counting pivots decides, and
-the second and third eigenvalue are
+By section 3.3 all exponents follow from the eigenvalues $m$ of one matrix, $M = \nabla^T\mathrm{diag}(r_n^{1/2})\nabla$
+with $(\nabla x)_n = x_{n+1}-x_n$, by $\lambda^2 = -(1-m)(1-\frac32m)$. $M$ is compact, its largest eigenvalue is $m_1 =
+1$ and simple, and a real pair exists for each further $m > \frac23$. As many eigenvalues exceed $\frac23$ as the
+elimination of $M-\frac23$ has positive pivots, and intervals give each pivot a certain sign:
 
 $$\text{site: } m_2 > \tfrac23 > m_3,\qquad \text{bond: } \tfrac23 > m_2;$$
 $m_2-\frac23$ is [4.85298e-6](num:sec5_enclosures.margin_site) around a site and

@@ -34,34 +34,28 @@ using namespace lattice;
 using std::numbers::pi;
 
 /**
-In short: [](finding:growth.bands)
-[](finding:growth.chain)
-[](finding:growth.left)
+In short: [](finding:growth.bands) [](finding:growth.chain) [](finding:growth.left)
 
 ## Model
 
 In the slow time $\tau = \epsilon^{1/2}t$ the DpS equation (12) is $2i\tau_0\,\partial_\tau A_n = D_n-D_{n-1}$ with
-$D_n = (A_{n+1}-A_n)|A_{n+1}-A_n|^{1/2}$, and plane waves $A_n = A\,e^{i(qn-\Omega\tau)}$ solve it. With the rate
-$\rho = |2A\sin\frac q2|^{1/2}/2\tau_0$, $c = \cos q$ and $C = \cos Q$ their frequency and the growth rate of a
-modulation of wavenumber $Q$ are (dps_waves.hpp)
-$$\Omega = -4\rho\sin^2\tfrac q2,\qquad
-  (\mathrm{Re}\,\sigma)^2 = \tfrac14\rho^2(1+5c)(1-C)\bigl[(5c-1)C-(1+3c)\bigr].$$
-Growth and frequency go like $|A|^{1/2}$, so $|A| = 1$ throughout. A bead of the chain then swings by $\pm2\epsilon$,
-Eq. (13).
+$D_n = (A_{n+1}-A_n)|A_{n+1}-A_n|^{1/2}$, and plane waves $A_n = A\,e^{i(qn-\Omega\tau)}$ solve it with $\Omega =
+-4\rho\sin^2\frac q2$ and the rate $\rho = |2A\sin\frac q2|^{1/2}/2\tau_0$. A modulation changes $A_n$ by the factor
+$1+x\,e^{iQn+\sigma\tau}+\bar y\,e^{-iQn+\bar\sigma\tau}$. To first order a force $z|z|^{1/2}$ changes by
+$|z|^{1/2}(\frac54\,\delta z+\frac z{4\bar z}\,\delta\bar z)$, and the sums over both contacts of a bead give, with $c =
+\cos q$ and $C = \cos Q$,
+$$\frac{i\sigma}\rho\begin{pmatrix}x\\y\end{pmatrix} =
+  \begin{pmatrix}a+e & k\\ -k & e-a\end{pmatrix}\begin{pmatrix}x\\y\end{pmatrix},\qquad
+  a = \tfrac52cC-\tfrac12-2c,\quad e = -\tfrac52\sin q\sin Q,\quad k = \tfrac12(c-C).$$
+$e$ shifts only the frequency of the modulation. It grows if the coupling $k$ of the side bands $q\pm Q$ exceeds their
+detuning $a$. Rates go like $|A|^{1/2}$, so $|A| = 1$ throughout; a bead of the chain then swings by $\pm2\epsilon$.
 
 | symbol | program | meaning |
 |---|---|---|
 | $q$, $\Omega$ | `q`, `frequency` | wavenumber and frequency of the wave |
 | $Q$, $Q_*$ | `modulation`, `edge` | wavenumber of the modulation, edge of the unstable band |
 | $\mathrm{Re}\,\sigma$ | `growth` | growth rate per unit of the slow time $\tau = \epsilon^{1/2}t$ |
-| $\epsilon$ | `eps` | amplitude scale of the chain |
-
-## The chart
-
-For $c\ge0$ nothing grows. Beyond $q = \pi/2$ the shortest modulations grow, neighbours against each other, and where
-$c$ passes $-\frac15$ the band changes sides: from there on it holds the long ones, up to the edge $\cos Q_* =
-(1+3c)/(5c-1)$. Long modulations grow in proportion to $Q$, not to $Q$ times the amplitude as under precompression
-(section 4), because here no dispersion acts against the nonlinearity: both come from the contacts. */
+| $\epsilon$ | `eps` | amplitude scale of the chain | */
 void report_chart(Report& report) {
   const int points = report.quick ? 20 : 60;
   Table& growth = report.table("growth", {number("q", "wavenumber of the wave", "1/site"),
@@ -82,6 +76,17 @@ void report_chart(Report& report) {
   }
 }
 
+/**
+## The chart, and why its edge is at $q = \pi/2$
+
+The eigenvalues are $\sigma = \rho\,(-ie\pm\sqrt{k^2-a^2})$, and the root factorises,
+$$(\mathrm{Re}\,\sigma)^2 = \rho^2(k-a)(k+a) = \tfrac14\rho^2(1+5c)(1-C)\bigl[(5c-1)C-(1+3c)\bigr].$$
+The bracket is linear in $C$: it is $-2(1-c)$ for the longest modulations, $C = 1$, and $-8c$ for the shortest, $C =
+-1$. For $c\ge0$ it is positive nowhere, and nothing grows. Beyond $q = \pi/2$ it becomes positive at $C = -1$ first:
+the shortest modulations grow, neighbours against each other, from the edge $\cos Q_* = (1+3c)/(5c-1)$ on. At $c =
+-\frac15$ the factor $1+5c$ vanishes for every $Q$, and beyond it is negative: now those grow for which the bracket is
+negative, the long ones up to $Q_*$, in proportion to $Q$, as $1-C\simeq\frac12Q^2$. Under precompression (section 4)
+the factor is $Q$ times the amplitude; here no dispersion acts against the nonlinearity, both come from the contacts. */
 void report_fastest(Report& report) {
   const auto growth = [](const auto& w) { return w.growth(w.fastest()); };
   const auto fastest = [](const auto& w) { return w.fastest(); };
@@ -94,8 +99,8 @@ void report_fastest(Report& report) {
 /**
 ## Two checks without the algebra
 
-The matrix of a ring, from differences of the right-hand side of the DpS equation, must have the exponents of the
-closed form. For the waves $0<q<\pi$ on rings of 18 and 30 sites and all their modulations the largest distance is
+The matrix of a ring, from differences of the right side of the DpS equation, must have the exponents of the closed
+form. For the waves $0<q<\pi$ on rings of 18 and 30 sites and all their modulations the largest distance is
 [6e-10](num:sec5_growth.exponents_apart) of the wave's rate. And runs of the DpS equation must show the growth:
 theirs differs by [2.959e-8](num:sec5_growth.dps_runs_apart) at most. */
 std::vector<ModulatedWave> waves_tried() {
@@ -203,19 +208,19 @@ void report_runs(Report& report) {
 ## Two waves in between
 
 At $q = \frac\pi2$ and where $\cos q = -\frac15$ nothing grows exponentially in the DpS equation, and yet these waves
-are not stable but marginal. A phase modulation $Q = \pi$ of the first becomes [153.940](num:sec5_growth.side_band_400)
-times as large in 400 units of slow time. The second nearly fits on a ring of 39 sites, where it grows at
-[0.00193470](num:sec5_growth.growth_on_39) at most; on twice that ring, with noise of one per cent (seeds 1 to 8), it
-has kept [0.016](num:sec5_growth.share_left_fifth) of the norm after 300 units.
+are not stable but marginal: with $k^2 = a^2\ne0$ two exponents coincide, and a modulation grows like time. A phase
+modulation $Q = \pi$ of the first becomes [153.940](num:sec5_growth.side_band_400) times as large in 400 units of slow
+time. The second nearly fits on a ring of 39 sites, where it grows at [0.00193470](num:sec5_growth.growth_on_39) at
+most; on twice that ring, with noise of one per cent, it keeps [0.016](num:sec5_growth.share_left_fifth) in 300 units.
 
 The chain tips them over. Its wave $q = \frac\pi2$ grows at [0.0179886](num:sec5_growth.growth_quarter_6) per unit of
 slow time for $\epsilon = 10^{-6}$, at [0.0533953](num:sec5_growth.growth_quarter_4) for $10^{-4}$,
 [0.0809977](num:sec5_growth.growth_quarter_3) for $10^{-3}$ and [0.0731881](num:sec5_growth.growth_quarter_2) for
-$10^{-2}$. Between the two smallest amplitudes the growth has the order [0.248](num:sec5_growth.order_quarter) and on 39
-sites [0.242](num:sec5_growth.order_fifth), close to the $\frac14$ of a split double exponent. So here the chain does
-not agree with the DpS equation up to $\epsilon^{1/2}$. Four waves below $\frac\pi2$ show no growth beyond
-[5e-5](num:sec5_growth.growth_below_quarter), which is the root of an error, at amplitudes from $10^{-6}$ to $10^{-2}$.
-*/
+$10^{-2}$. Between the two smallest amplitudes the growth has the order [0.248](num:sec5_growth.order_quarter) and on
+39 sites [0.242](num:sec5_growth.order_fifth), close to the $\frac14$ of a double exponent, which a change by
+$\epsilon^{1/2}$ splits by its root. So here the chain does not agree with the DpS equation up to $\epsilon^{1/2}$.
+Four waves below $\frac\pi2$ show no growth beyond [5e-5](num:sec5_growth.growth_below_quarter), which is the root of
+an error, at amplitudes from $10^{-6}$ to $10^{-2}$. */
 /// The largest growth in the chain of four waves below pi/2 at four amplitudes.
 double growth_below_quarter(std::size_t steps) {
   double most = 0;
@@ -259,8 +264,7 @@ void report_marginal(Report& report) {
 Runs show the same. The chain at $\epsilon = 10^{-3}$ starts from the field of the DpS equation with noise of
 $10^{-4}$ on 32 sites. After 80 units of slow time the wave $q = \frac\pi2$ has kept
 [0.0549708](num:sec5_growth.share_left_quarter) of the norm and $q = \frac7{16}\pi$
-[0.999571](num:sec5_growth.share_left_below);
-the third harmonic of the first is its own marginal modulation, so that noise is hardly needed. */
+[0.999571](num:sec5_growth.share_left_below); the third harmonic of the first is its own marginal modulation. */
 /// By what a modulation Q = pi of the wave pi/2 grows in 400 units of slow time.
 double side_band_400(double tolerance) {
   const ModulatedWave quarter{8, 2, 4};
@@ -299,9 +303,8 @@ void report_marginal_runs(Report& report) {
 ## In the array
 
 In the array of section 3.6 a wave with $q = \pi$ that swings by one micrometre has its fastest growth among the
-modulations of a ring of 62 sites, e-fold in [15.648](num:sec5_growth.periods_at_1um) periods of a beam; that of a ring
-of 54 is the error. The DpS equation promises [13.9759](num:sec5_growth.periods_at_1um_dps), an eighth too fast. A
-hundredfold takes less than five times as many, and with a smaller amplitude $a$ this goes like $a^{-1/2}$. */
+modulations of a ring of 62 sites, e-fold in [15.648](num:sec5_growth.periods_at_1um) periods of a beam (a ring of 54
+gives the error), in the DpS equation in [13.9759](num:sec5_growth.periods_at_1um_dps); both go nearly like $a^{-1/2}$. */
 void report_array(Report& report) {
   const double eps = 1 / CantileverArray{}.scales().micrometres(1) / 2;
   const auto periods = [&](double growth) { return 1 / (growth * std::sqrt(eps) * 2 * pi); };
@@ -429,9 +432,8 @@ void report_energies(Report& report) {
 }
 
 /**
-The second figure shows the beginning: the wave $q = \pi$ in the DpS equation and, from the same field, in the chain
-with $\epsilon = 10^{-3}$, and $q = \frac34\pi$. Here the chain does in its own time what the DpS equation does, and
-makes its breathers elsewhere: its corrections, of order $\epsilon^{1/2}$, are larger than the noise of one per cent. */
+The second figure begins with the wave $q = \pi$ in the DpS equation and, from the same field, in the chain with
+$\epsilon = 10^{-3}$. The chain makes its breathers elsewhere: its corrections exceed the noise of one per cent. */
 void report_maps(Report& report) {
   const double duration = 160, eps = 1e-3;
   const std::size_t sites = 64, rows = report.quick ? 40 : 160;
@@ -461,8 +463,8 @@ void report_maps(Report& report) {
 The growth has four routes: the closed form, the matrix of a ring, runs of the DpS equation, and the linearised chain
 with a run of it. What the article calls MI has been studied for plane waves and linear wells. Spectrally stable is not
 stable for ever: on 64 sites with noise of one per cent, seed 8, the wave $q = \frac{15}{32}\pi$ of the DpS equation
-loses more than half of its norm within 4000 units. The energy of a random field says where a surplus is, not how fast
-it gathers, and we do not know whether a breather is left in the end. That few are at rest is said of a ring without losses. */
+loses more than half of its norm within 4000 units. The energy of a random field says where a surplus is, not how fast it
+gathers, nor whether a breather is left in the end. That few are at rest is said of a ring without losses. */
 void reproduce(Report& report) {
   report_chart(report);
   report_fastest(report);
@@ -488,8 +490,7 @@ void reproduce(Report& report) {
    Hint: is $\cos q$ above or below $-\frac15$? Compare the growth on either side of the edge.
 3. *Harder.* Do long modulations grow in proportion to $Q$?
    `build/bin/sec5_growth growth --modulation 0.02` gives `growth` = 0.0129423.
-   Hint: halve $Q$, then halve the amplitude. In the nonlinear Schrödinger equation the edge $Q_*$ is proportional to the
-   amplitude, because dispersion does not depend on it; here nothing but the amplitude sets a rate.
+   Hint: halve $Q$, then the amplitude. Where dispersion does not depend on it, the edge $Q_*$ is proportional to it.
 4. *Open.* Do standing waves, $\cos qn$, have a band of instability in closed form?
 5. *Open.* With the losses of an experiment (the chapter on damping), which breathers are left when the waves are gone? */
 int main(int argc, char** argv) {

@@ -108,11 +108,11 @@ std::vector<Exact> type_one_orbits(int sign, const std::vector<std::size_t>& ks)
 /**
 ## How exact they are
 
-How well do these orbits satisfy the equations? Newton's method solves all but one of them; that one
-follows from the sum $Z$ and serves as a check. We distinguish three residuals: that of the orbit in
-double precision, that of the extended orbit rounded to double, as it can be printed, and that of
-the latter before rounding. The first two are evaluated in extended precision and for all equations. A
-residual is rounding only, so its error is as large as itself. */
+How well do these orbits satisfy the equations? Newton's method solves all but one of them; that one, which reads
+$\sin(T/2)\sum\dot y_n = 0$ (chapter on families), holds by itself at $T = 2\pi k$ and serves as a check. We
+distinguish three residuals: that of the orbit in double precision, that of the extended orbit rounded to double, as
+it can be printed, and that of the latter before rounding. The first two are evaluated in extended precision and for
+all equations. A residual is rounding only, so its error is as large as itself. */
 template <class T>
 double residual_in_wide(const Exact& e, const Vector<T>& x_given) {
   const auto problem = with_free_time(type_one<long double>(e.k));
@@ -122,8 +122,9 @@ double residual_in_wide(const Exact& e, const Vector<T>& x_given) {
 }
 
 /**
-The energies deserve as much care as the residuals. The orbits of the two signs are the same packet
-with two internal phases, and the difference of their energies is the barrier that pins the phase. */
+The energies deserve as much care as the residuals. The orbits of the two signs are nearly the same packet at two
+phases of its internal oscillation. On the way from one to the other the energy changes, and the difference of both
+is the barrier that pins the phase. */
 void report_exactness(Report& report, const std::vector<Exact>& plus,
                       const std::vector<Exact>& minus) {
   double in_double = 0, rounded = 0, wide = 0;
@@ -306,10 +307,10 @@ void report_long_runs(Report& report, const Exact& e) {
 }
 
 /**
-To first order a change of the speed stays as it is. Beside it two numbers describe the stability of an orbit:
-$\kappa$ of the phase, and the largest modulus of the other multipliers. These lie inside the unit circle, which does
-not mean that anything is damped: the frame travels, a bead's free oscillation does not, and so what disturbs the
-orbit leaves the frame.
+A small change of the speed neither grows nor dies out: two multipliers are one. Beside them two numbers describe the
+stability of an orbit to first order, $\kappa$ of the phase, and the largest modulus of the others. These lie inside the
+unit circle, though nothing is damped: the frame travels, a bead's free oscillation does not, and so what disturbs the
+orbit is left behind. All this is said of disturbances of the eighteen sites of the breather.
 
 ## Results
 
@@ -342,11 +343,12 @@ void report_stability(Report& report, const Exact& e) {
 /**
 ## Differences and limits
 
-Orbits that repeat themselves only after $m > 1$ sites, or never, were not looked for. For a shift by $m$ sites the
-sum $Z$ still demands $T = 2\pi k$, and the speeds $m/2\pi k$ are dense: so it is not this identity alone that
-isolates speeds. But it settles only one of the $m$ complex amplitudes that such an orbit may leave behind on $m$
-successive beads, so that $m - 1$ conditions remain without an unknown to meet them. We therefore expect such
-orbits only at particular $s$ or exponents.
+A small residual is no proof that an orbit exists; for $k = 1$ the chapter on enclosures gives one. Orbits that repeat
+themselves only after $m > 1$ sites, or never, were not looked for. For a shift by $m$ sites the sum $Z$ still demands
+$T = 2\pi k$, and the speeds $m/2\pi k$ are dense: so it is not this identity alone that isolates speeds. But it
+settles only one of the $m$ complex amplitudes that such an orbit may leave behind on $m$ successive beads, so that
+$m-1$ conditions remain without an unknown to meet them. We therefore expect such orbits only at particular $s$ or
+exponents.
 
 That tails vanish at countably many speeds, where the resonance meets a zero, is known from chains of beads
 with resonators (Kevrekidis, Stefanov and Xu, Letters in Mathematical Physics 106, 2016, arXiv:1502.01995);

@@ -33,8 +33,9 @@ using namespace lattice;
 The chain is that of the chapter before, $\ddot y_n+y_n+s\,y_n^3 = (y_{n-1}-y_n)_+^{3/2}-(y_n-y_{n+1})_+^{3/2}$, with $s
 = 0$ at first. To find the orbits of type II we leave out one of the equations of a travelling breather
 (travelling.hpp). The others have a solution for every shift time $T$ at which we look for one, in the stretches named
-below, and these solutions form a *family*. In the linear well the equation left out reads $V\sin(T/2) = 0$, with $V =
-\sum\dot y_n$ at $t = 0$. So $T = 2\pi k$ gives an orbit of type I, at which a family begins, and each zero of $V$ an
+below, and these solutions form a *family*. At $t = 0$ positions are odd about the centre and cancel in the sum, so that
+$Z = iV$ with $V = \sum\dot y_n$ and $|e^{-iT}-1|\,|Z| = 2\,|V\sin(T/2)|$: in the linear well the equation left out
+reads $V\sin(T/2) = 0$. So $T = 2\pi k$ gives an orbit of type I, at which a family begins, and each zero of $V$ an
 orbit of type II. The full equations, with $T$ unknown, confirm the latter and give its digits in two precisions. */
 constexpr double two_pi = 2 * std::numbers::pi;
 
@@ -261,7 +262,7 @@ void report_orbits(Report& report, const std::vector<Twice>& orbits) {
 
 What happens to exact orbits in other wells? For $s \ne 0$ the sum $Z$ does not merely rotate, and it no
 longer tells which speeds are possible. But with $T$ as an unknown there are as many equations as
-unknowns, so a regular solution continues to $s \ne 0$. We follow it by pseudo-arclength, so that we
+unknowns, so a solution whose derivative is regular continues to $s \ne 0$. We follow it by pseudo-arclength, so that we
 can pass *folds*, at which a branch turns back in $s$ (branches_in_s.hpp).
 
 [](finding:travelling.wells) In soft wells the orbits of type I continue as far as the table follows them, to $s =$
@@ -327,8 +328,10 @@ In section 3.4 a packet slows down and turns at $s = 1$. Does it follow exact or
 they end? To see this we draw its speed against its energy, together with the orbits that we find at $s = 1$. A branch
 may pass this value on its way out, and again after its fold; one that folds before has no orbit there. The boomeron
 does not turn where the exact orbits that we know end. The fastest of them at $s = 1$ has the speed
-[0.0539509](num:sec5_travelling_families.fastest_at_one), and when the packet is as slow as that it has hundreds of
-times its energy; sec34_boomeron_why.cpp looks for what turns it instead. */
+[0.0539509](num:sec5_travelling_families.fastest_at_one) and the energy
+[0.00165802](num:sec5_travelling_families.fastest_energy_at_one); when the packet is as slow as that it still has
+[1.51933](num:sec5_travelling_families.packet_energy_then), hundreds of times as much; sec34_boomeron_why.cpp looks
+for what turns it instead. */
 Path packet_at_one(double step) {
   Path path;
   strike(ContactAware{step}, {1.9, {160, Quartic{1}}, 400, 0.5},
@@ -404,7 +407,8 @@ void report_packet(Report& report, const Path& p) {
 
 Branches are followed within bounds. They stop where Newton's method fails, it seems at orbits in which a bead of the
 tail only just touches its neighbour. We do not prove that nothing else exists at $s = 1$; we looked only for what is
-connected with $s = 0$. */
+connected with $s = 0$: branches of type I with the sign plus, $k\le4$. Those of the sign minus, of type II and of
+orbits that repeat themselves after several sites were not followed to $s = 1$. */
 void reproduce(Report& report) {
   const bool quick = report.quick;
   std::vector<Family> all = families(quick);

@@ -39,8 +39,10 @@ A bead that has been passed oscillates freely, $z_n = y_n + i\dot y_n \propto e^
 numbers describe what a packet leaves behind: the amplitude $|z_n|$ and the angle $\varphi$ by which the phase of $z_n$
 turns from one bead to the next. An orbit of type I leaves nothing and has $\varphi = 0$.
 
-A power law shows only over many sites, so we follow the packet in a frame that moves with it (long_run.hpp). A second
-frame, half as long again, and half the step give the errors. */
+A power law shows only over many sites, so we follow the packet in a frame that moves with it, and drop the beads far
+behind (long_run.hpp). This is allowed because nothing of what is dropped catches up: without precompression there is no
+sound, and a disturbance of size $\delta$ runs at a speed of the order $\delta^{1/2}$, more slowly than the packet. A
+second frame, half as long again, and half the step give the errors. */
 /// The same course in two frames and with two steps.
 struct TwoCourses {
   double velocity;

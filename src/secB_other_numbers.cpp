@@ -5,8 +5,9 @@ This book compares its numbers with those of one article and with each other. A 
 reproduce what others have printed, and so we compute here some twenty numbers from the classical subject of this field,
 the chain *without* wells, and from the neighbours of the article's own equations. The list `paper/literature.ecsv`
 holds what is printed, with its source and the way in which we know it: only a number that we have read at its source,
-in its text or its data, or in its abstract, is judged. Numbers that everybody quotes, and whose source we could not
-open, stand beside ours without a verdict.
+in its text or its data, or in its abstract, is judged: these are thirteen, and all of them are reproduced within what
+their digits allow. Five that everybody quotes, and whose source we could not open, stand beside ours as we remember
+them, without a verdict.
 
 ![Numbers of other authors, and ours over them.](fig:x34)
 
@@ -65,7 +66,9 @@ Record watch_beads(std::size_t sites, double duration, double step, double sampl
 /**
 The error is that of the step and of the sampling together, and of the length of the run: whether the pulse still
 changes between bead 40 and bead 80. The largest velocity is [0.681632](num:secB_other_numbers.pulse_amplitude) times
-that of the impact, and the pulse has [0.993661](num:secB_other_numbers.pulse_energy) of its energy. */
+that of the impact (printed in a validation of another program: 0.68), and the pulse has
+[0.993661](num:secB_other_numbers.pulse_energy) of its energy (0.993662 in the data of another one). The kinetic part of
+the wave's own energy is [0.555556](num:secB_other_numbers.pulse_kinetic), the 5/9 of Slepyan. */
 Estimate pulse_amplitude() {
   const auto heights = [](double step) {
     const Record run = watch_beads(100, 110, step, step, {40, 80});
@@ -82,9 +85,9 @@ $V$ has the speed $c = (V/V_1)^{1/5}$ if $V_1$ is the largest velocity in the wa
 of Nesterenko $c = (4/5)^{2/5}V^{1/5}$, and the velocity is proportional to $\cos^4(\sqrt{2/5}\,\xi)$, five sites wide.
 Sen and Manciu wrote the displacement as a $\tanh$ with the slope $C_1/2$ at the centre, so that $C_1 = 4V/(c\,A)$ with
 the shift $A$ of every bead. We find $C_1 =$ [2.39525](num:secB_other_numbers.sen_c1); theirs, as we remember it, is
-larger by a twentieth of a thousandth, and we do not know from which run it was taken. The wave is slower than the
+2.39536, and we do not know from which run it was taken. The wave is slower than the
 long-wave theory by [0.780663](num:secB_other_numbers.pulse_slower) per cent and at half height narrower by
-[12.677](num:secB_other_numbers.pulse_narrower) per cent. */
+[12.677](num:secB_other_numbers.pulse_narrower) per cent; printed are "within 0.8" and 13. */
 struct WaveNumbers {
   double crest, speed_deficit, half_deficit, width, share, c1, energy;
 };
@@ -107,7 +110,7 @@ WaveNumbers wave_numbers(std::size_t points, std::size_t reach) {
 One of the sources gives the width at a hundredth of the crest as it was measured: bead 31 of 60 steel beads of 10 mm,
 sampled every 2 microseconds, between the samples a straight line. Near the foot of the pulse the velocity falls by half
 from sample to sample, and the straight line makes the pulse wider: [3.95724](num:secB_other_numbers.sampled_width)
-sites instead of [3.94587](num:secB_other_numbers.pulse_width). */
+sites instead of [3.94587](num:secB_other_numbers.pulse_width). The source has 3.96. */
 double sampled_width(double step, double speed) {
   const double mass = 7780 * std::numbers::pi / 6 * 1e-6;
   const double stiffness = 4. / 3 * 203e9 / (2 * (1 - 0.3 * 0.3)) * std::sqrt(0.005 / 2);
@@ -164,7 +167,8 @@ void report_fragments(Report& report) {
 
 In a dimer chain the pulse loses energy to the light beads, but at particular mass ratios it does not: Jayaprakash,
 Starosvetsky and Vakakis found a sequence of them. A run approaches them slowly. We solve the equations of the wave
-itself (dimer_wave.hpp), from the pulse of a run near each ratio, on two grids:
+itself, in which the mass ratio is an unknown and the condition that both kinds of beads are at rest behind it one of the
+equations (dimer_wave.hpp), from the pulse of a run near each ratio, on two grids:
 [0.342846](num:secB_other_numbers.dimer_1), [0.154752](num:secB_other_numbers.dimer_2),
 [0.0901278](num:secB_other_numbers.dimer_3) and [0.0615021](num:secB_other_numbers.dimer_4). They are the four numbers
 that we remember of that article, to all its digits. */
@@ -206,8 +210,9 @@ void report_alternating(Report& report) {
 
 James and Starosvetsky (2013) proved that the DpS equation has breathers around a site and around a bond for every
 exponent $\alpha > 1$ of the contact force, and that they become Gaussian as $\alpha \to 1$. Which one is stable? We
-compute both from $\alpha = 1.1$ to 4 (secB/exponents.hpp). At every exponent that we computed the one around a bond is
-spectrally stable and the one around a site is not, with a margin $m_2/\mu-1/\alpha$ that grows from
+compute both from $\alpha = 1.1$ to 4 (secB/exponents.hpp). A breather $u_ne^{i\mu t}$ is unstable if the second
+eigenvalue $m_2$ of the matrix of section 3.3 exceeds $\mu/\alpha$. At every exponent that we computed the one around a
+bond is spectrally stable and the one around a site is not, with a margin $m_2/\mu-1/\alpha$ that grows from
 [2.62509e-28](num:secB_other_numbers.margin_site_110) over [4.85298e-6](num:secB_other_numbers.margin_site_150) for
 spheres to [0.0954946](num:secB_other_numbers.margin_site_400). No margin changes its sign between the exponents
 computed, and neither does the difference of the norms: anharmonic wells exchange stability in the chain; in the
@@ -215,12 +220,13 @@ limit of small amplitude the exponent of the contact alone does not.
 
 ![Which static DpS breather is stable, and by how much, against the exponent of the contact.](fig:x35)
 
-As $\alpha \to 1$ the two become alike like $e^{-c/(\alpha-1)}$. The Gaussian's width alone would give $c = \pi^2/2$;
-the profile farther out gives [6.49017](num:secB_other_numbers.alike_expected), by the argument of secB/exponents.hpp.
-Between $\alpha = 1.1$ and 1.12 the logarithm of the norms' difference falls by
+As $\alpha \to 1$ the profile becomes wide, and a sum over the sites depends on where its centre is only through the
+Fourier component $e^{2\pi ix}$ of the profile: so the two become alike like $e^{-c/(\alpha-1)}$. The Gaussian's width
+alone would give $c = \pi^2/2$; the profile farther out gives [6.49017](num:secB_other_numbers.alike_expected), by the
+argument of secB/exponents.hpp. Between $\alpha = 1.1$ and 1.12 the logarithm of the norms' difference falls by
 [6.45110](num:secB_other_numbers.alike_rate) for each unit of $1/(\alpha-1)$, and between 1.2 and 1.3 by
-[6.42891](num:secB_other_numbers.alike_rate_far): the rate approaches $c$ slowly, as a power in front would make it do,
-and $\pi^2/2$ is refuted. */
+[6.42891](num:secB_other_numbers.alike_rate_far): the rate approaches $c$ slowly, as a power in front would make it
+do, and $\pi^2/2$ is refuted. */
 void report_exponents(Report& report) {
   std::vector<double> alphas{1.3, 1.5, 2, 3, 4};
   if (!report.quick)
@@ -268,9 +274,12 @@ void report_exponents(Report& report) {
 /**
 ## Differences and limits
 
-Of what we could not read at its source we compare what we remember, and give no verdict. An agreement of printed digits
+Of what we could not read at its source, $C_1$ and the mass ratios, we compare what we remember, and give no verdict; a
+number behind a paywall may be misremembered. Of what we read, some has two digits only, and a run of another program
+holds its own step and sampling. An agreement of printed digits
 says that two computations solve the same equations, not that a chain of real balls does. The exponents of the last
-section are those of the DpS equation, the limit of small amplitudes; in the chain itself only those that other chapters
+section are those of the DpS equation, the limit of small amplitudes, and between the exponents computed nothing is said;
+in the chain itself only those that other chapters
 compute are known. */
 void reproduce(Report& report) {
   report_pulse(report);

@@ -9,15 +9,9 @@ In the chain it has the frequency $1-\epsilon^{1/2}\Omega$, which is above the b
 
 ## What a modulation does
 
-Let $A_n$ be changed by the factor $1+b_n$, $b_n = x\,e^{iQn+\sigma\tau}+\bar y\,e^{-iQn+\bar\sigma\tau}$. To first
-order a force $z|z|^{1/2}$ changes by $|z|^{1/2}(\frac54\delta z+\frac z{4\bar z}\,\delta\bar z)$. Sums over both
-contacts of a bead give, with $c = \cos q$ and $C = \cos Q$,
-$$\frac{i\sigma}\rho\begin{pmatrix}x\\y\end{pmatrix} =
-  \begin{pmatrix}a+e & k\\ -k & e-a\end{pmatrix}\begin{pmatrix}x\\y\end{pmatrix},\qquad
+The chapter on modulational instability (sec5_growth.cpp) finds for it, with $c = \cos q$ and $C = \cos Q$,
+$$\sigma = \rho\,(-ie\pm\sqrt{k^2-a^2}),\qquad
   a = \tfrac52cC-\tfrac12-2c,\quad e = -\tfrac52\sin q\sin Q,\quad k = \tfrac12(c-C).$$
-So $\sigma = \rho\,(-ie\pm\sqrt{k^2-a^2})$, and the root factorises:
-$$\Bigl(\frac{\mathrm{Re}\,\sigma}\rho\Bigr)^2 = k^2-a^2 =
-  \tfrac14(1+5c)(1-C)\bigl[(5c-1)C-(1+3c)\bigr].$$
 For $c\ge0$ no modulation grows exponentially. For $c<0$ there is a band with the edge $\cos Q_* = (1+3c)/(5c-1)$. It
 holds the *short* modulations $Q_*<Q\le\pi$ if $-\frac15<c<0$, fastest at $Q = \pi$, and the *long* ones $0<Q<Q_*$ if
 $c<-\frac15$, fastest halfway between $1$ and $\cos Q_*$. The square of the largest growth is $-4\rho^2c(1+5c)$, at
