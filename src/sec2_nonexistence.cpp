@@ -11,7 +11,8 @@ free, and a periodic motion of free beads is rest.
 
 No computation proves a theorem, but ours could have refuted it: by a periodic motion with unequal means, by a search
 that ends in a breather, or by a localized state that stays together. Each instrument is also tried where it must find
-something, in the wells of section 3, which add a term to the balance and allow breathers.
+something, in the wells of section 3: the mean force of a well balances unequal pushes on the two sides of its bead, so
+that $\bar F_n$ may fall off outwards, and there are breathers.
 
 ![Mean contact forces are the same at every contact of free chains (a) and not in wells (b); how searches from
 small and large starts end (c); energy and mean force of a localized state (d, e).](fig:x16) */

@@ -377,7 +377,8 @@ void report_scaling(Report& report) {
 
 The article prints no number for the agreement that it calls excellent. The difference is easily overlooked at the size
 of the article's figure, and the approximation is a good first guess for Newton's method, which is what the article uses
-it for. Tails end where the number format does; beyond, the tables say zero. */
+it for. Why the two norms are so nearly equal, and why the one around a bond is the smaller, we do not know. Tails end
+where the number format does; beyond, the tables say zero. */
 void reproduce(Report& report) {
   report.output.note("tolerance", "relative corrections of the strains below a hundred roundings");
   report_norms(report);
