@@ -175,10 +175,9 @@ std::vector<double> tangent_by_events(T tolerance, double& evaluations) {
 /**
 Integrators that choose their own steps cannot be compared at equal steps, so the error of the tangent vector is
 tabulated against the number of force evaluations in one period (figure x05). That of the splitting of order six falls
-with about the power $-\frac32$ of this number. Verlet's falls faster in this range, on the whole with nearly the power
-$-2$ of its order; we do not see it reach $-\frac32$. With fewer than five thousand evaluations event location errs by
-less than a trillionth; the splitting of order six, with more than twice as many, still errs by more than a
-ten-millionth. */
+with about the power $-\frac32$ of this number. Verlet's falls faster in this range, on the whole with a power between
+that and the $-2$ of its order. With fewer than five thousand evaluations event location errs by less than a trillionth;
+the splitting of order six, with more than twice as many, still errs by more than a ten-millionth. */
 void report_tangents(Report& report) {
   Table& table = report.table(
       "error_tangent", {label("method", "integrator"), number("evaluations", "force evaluations"),
