@@ -117,7 +117,7 @@ $\alpha = 2$ between walls, and in the last chain every contact has an exponent 
 finds all four). The mean forces of the uneven ring agree to
 [4e-12](num:sec2_nonexistence.mean_force_spread_uneven_ring) of the largest. The last condition is for a motion that
 must fail: the uneven ring from a start that is wrong by a thousandth at one bead does not return, and its means agree
-only to [0.000756758](num:sec2_nonexistence.mean_force_spread_not_periodic). */
+to no better than [0.000756758](num:sec2_nonexistence.mean_force_spread_not_periodic). */
 Criterion of_free_chains(std::vector<MotionMeans>& all) {
   Criterion out;
   const auto add = [&](const std::string& name, const auto& chain, const State<double>& start,
