@@ -44,10 +44,10 @@ constexpr double velocity = 1.87, duration = 160;  // of the impacts; of all run
 
 A breather is a motion that repeats itself, with a frequency $\omega_b$, and is confined to a few beads. Contacts add a
 repulsive force to the wells, so the breathers begin at $\omega_b = 1$, as small as one likes, and are found above it.
-Nothing radiates them away: far from the breather the beads overlap by
-less and less, contacts become ever softer there, and the amplitude falls faster than any exponential, by the power
-$3/2$ from one bead to the next. There are two kinds of them, symmetric about a bead (*site-centred*) or about a contact
-(*bond-centred*).
+Nothing radiates them away: contacts have no linear part, so the chain at rest carries no small waves from bead to bead.
+Far from the breather the beads overlap by less and less, contacts become ever softer there, and the amplitude of each
+bead is about the power $3/2$ of that of the bead before, a decay faster than any exponential. There are two kinds of
+them, symmetric about a bead (*site-centred*) or about a contact (*bond-centred*).
 
 **Letters**, one meaning each where no chapter says otherwise:
 
@@ -69,9 +69,10 @@ constexpr double omega_b = 1.1;
 ## Three motions
 
 The figure shows the energy density, Eq. (23). Without wells the impact turns into the solitary wave of Nesterenko, five
-beads wide, which is gone after a moment. With harmonic wells half of the energy goes into a packet that oscillates while
-it travels, four times more slowly; the rest stays near the struck end, and whether the packet ever settles is a question
-of section 5. The third motion is an exact periodic orbit, found by Newton's method. */
+beads wide, which is gone after a moment. With harmonic wells each bead is pulled back and swings while the disturbance
+passes: nearly half of the energy goes into a packet that oscillates while it travels, four times more slowly; the rest
+stays near the struck end, and whether the packet ever settles is a question of section 5. The third motion is an exact
+periodic orbit, found by Newton's method. */
 constexpr std::size_t shown = 60;  // sites of the figure
 
 /**

@@ -11,7 +11,8 @@ free, and a periodic motion of free beads is rest.
 
 No computation proves a theorem, but ours could have refuted it: by a periodic motion with unequal means, by a search
 that ends in a breather, or by a localized state that stays together. Each instrument is also tried where it must find
-something, in the wells of section 3, which add a term to the balance and allow breathers.
+something, in the wells of section 3: the mean force of a well balances unequal pushes on the two sides of its bead, so
+that $\bar F_n$ may fall off outwards, and there are breathers.
 
 ![Mean contact forces are the same at every contact of free chains (a) and not in wells (b); how searches from
 small and large starts end (c); energy and mean force of a localized state (d, e).](fig:x16) */
@@ -116,7 +117,7 @@ $\alpha = 2$ between walls, and in the last chain every contact has an exponent 
 finds all four). The mean forces of the uneven ring agree to
 [4e-12](num:sec2_nonexistence.mean_force_spread_uneven_ring) of the largest. The last condition is for a motion that
 must fail: the uneven ring from a start that is wrong by a thousandth at one bead does not return, and its means agree
-only to [0.000756758](num:sec2_nonexistence.mean_force_spread_not_periodic). */
+to no better than [0.000756758](num:sec2_nonexistence.mean_force_spread_not_periodic). */
 Criterion of_free_chains(std::vector<MotionMeans>& all) {
   Criterion out;
   const auto add = [&](const std::string& name, const auto& chain, const State<double>& start,

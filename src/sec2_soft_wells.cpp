@@ -119,9 +119,9 @@ $$\ddot a = (-2a-g)_+^{3/2} - (2a-g)_+^{3/2}.$$
 At a fixed period such motions of the free chain have one parameter, so that $g$ is a function of the mean force
 $\bar F$. The means obey $k\,\bar y_n = \bar F_{n-1}-\bar F_n$ and $g = \bar y_{n+1} - \bar y_n$, hence
 $$\bar F'' = -k\,g(\bar F),\qquad \int_0^{\bar F_c} g\,d\bar F = 0.$$
-In the first equation $k$ sets only the scale of length: the width grows like $k^{-1/2}$. Multiplied by $\bar F'$ and
-integrated, it gives the second, a rule of equal areas for the central force $\bar F_c$ at $k \to 0$. This number comes
-from the free chain alone, and the breathers must reach it. */
+In the first equation $k$ sets only the scale of length, so that to leading order in $k$ the width grows like
+$k^{-1/2}$. Multiplied by $\bar F'$ and integrated, it gives the second, a rule of equal areas for the central force
+$\bar F_c$ at $k \to 0$. This number comes from the free chain alone, and the breathers must reach it. */
 struct Neighbours {
   double left_over, force, lagrangian;  ///< a at a quarter of the period; means over it
 };
@@ -286,11 +286,11 @@ void report_limits(Report& report, const Both& softer) {
 /**
 ## Differences and limits
 
-The article does not treat this question, so the results are facts. They are seen on thirteen bond-centred breathers in
-linear wells and on the limit to which they tend; on chains twice as long, run once, four more were followed down to
-$1/512$. Nothing is proved for the stiffnesses in between and below. A breather in very soft wells needs a chain longer
-than its width, and there our sequence ends. The equation for $\bar F$ holds to leading order in $k$; we did not bound
-its error, and we do not know the origin of the scatter of the extrapolated force. */
+The article does not treat this question, so no claim of it is judged here. The results are seen on thirteen
+bond-centred breathers in linear wells and on the limit to which they tend; on chains twice as long, run once, four more
+were followed down to $1/512$. Nothing is proved for the stiffnesses in between and below. A breather in very soft wells
+needs a chain longer than its width, and there our sequence ends. The equation for $\bar F$ holds to leading order in
+$k$; we did not bound its error, and we do not know the origin of the scatter of the extrapolated force. */
 void reproduce(Report& report) {
   Both softer;
   parallel_for(

@@ -40,8 +40,9 @@ using namespace lattice;
 The chain is that of Eq. (9) with linear wells, dimensionless as everywhere,
 $$\ddot y_n + y_n = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2}.$$
 At amplitude $\epsilon$ each term on the left is $O(\epsilon)$, and the contact forces are $O(\epsilon^{3/2})$. So a
-bead oscillates at the frequency of its well while its complex amplitude $A_n$ drifts in the slow time
-$\tau = \epsilon^{1/2}t$, Eq. (13), as the DpS equation (12) says:
+bead oscillates at the frequency of its well, and the contacts, weaker by the factor $\epsilon^{1/2}$, change its
+complex amplitude $A_n$ at a rate of this order: it drifts in the slow time $\tau = \epsilon^{1/2}t$, Eq. (13), as the
+DpS equation (12) says:
 $$y_n^{app}(t) = 2\epsilon\,\mathrm{Re}\,[A_n(\epsilon^{1/2}t)\,e^{it}], \qquad
 2i\tau_0\dot A_n = (A_{n+1}-A_n)|A_{n+1}-A_n|^{1/2} - (A_n-A_{n-1})|A_n-A_{n-1}|^{1/2}.$$
 

@@ -9,8 +9,8 @@ $u_{-n} = u_n$, and one around a bond, $u_{1-n} = -u_n$.
 
 The article states that their amplitude is proportional to $\mu^2$ at unchanged width, and that an approximation which
 vanishes outside of $|x| \le 3\pi/2$ is in excellent agreement with them. We compute both to the last digit, with their
-tails, measure how good that approximation is, and find that the two have almost the same norm: this is why small
-breathers move so easily (section 3.3). The breathers of the chain have a chapter of their own. */
+tails, measure how good that approximation is, and find that the two have almost the same norm, so that it costs a small
+breather very little energy to move (section 3.3). The breathers of the chain have a chapter of their own. */
 
 #include <gsl/gsl_integration.h>
 
@@ -377,7 +377,8 @@ void report_scaling(Report& report) {
 
 The article prints no number for the agreement that it calls excellent. The difference is easily overlooked at the size
 of the article's figure, and the approximation is a good first guess for Newton's method, which is what the article uses
-it for. Tails end where the number format does; beyond, the tables say zero. */
+it for. Why the two norms are so nearly equal, and why the one around a bond is the smaller, we do not know. Tails end
+where the number format does; beyond, the tables say zero. */
 void reproduce(Report& report) {
   report.output.note("tolerance", "relative corrections of the strains below a hundred roundings");
   report_norms(report);

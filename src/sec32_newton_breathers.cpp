@@ -244,9 +244,9 @@ void report_profiles(Report& report) {
 /**
 ## A hundred periods (figure 04)
 
-The site-centred breather is weakly unstable, so rounding errors must grow. A second run with another tolerance measures
-their growth: the difference of the two is the error of the first. The article finds the positions visually equal after
-a hundred periods; they have moved by [3e-12](num:newton.persistence) of the amplitude.
+The site-centred breather is weakly unstable (section 3.3), so rounding errors must grow. A second run with another
+tolerance measures their growth: the difference of the two is the error of the first. The article finds the positions
+visually equal after a hundred periods; they have moved by [3e-12](num:newton.persistence) of the amplitude.
 
 ![The breather at the start and after a hundred periods.](fig:04) */
 void report_persistence(Report& report) {

@@ -397,7 +397,9 @@ The article says that the breather *forms around* $t = 291$ and that its envelop
 its top that is so (`breather_residual`). We used to fit the sech about the centre of energy, six sites behind the top,
 where it misses by more than the tenth that we allow. For the other wells we confirm what the article says, with its
 restriction: no breather on these time scales. A possible reason, not tested, is that for small $|s|$ the soliton of the
-NLS equation is too wide to form so early. All runs have $d = \frac12$, and those of figure 26 one ring.
+NLS equation is too wide to form so early. That the breather of $s = 1$ does not turn round is an observation up to the
+end of the run; whether compression prevents the turning or only delays it, and why, we have not established. All runs
+have $d = \frac12$, and those of figure 26 one ring.
 
 As long as contacts stay closed each splitting has its full order, and it loses it where they open; GSL's integrator
 arrives at the same states (sec4/full_order.hpp, figure x08). */

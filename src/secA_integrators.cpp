@@ -174,9 +174,10 @@ std::vector<double> tangent_by_events(T tolerance, double& evaluations) {
 
 /**
 Integrators that choose their own steps cannot be compared at equal steps, so the error of the tangent vector is
-tabulated against the number of force evaluations in one period. In figure x05 that of the splittings falls with the
-power $-\frac32$ of this number, whatever their order, and event location gains all digits of a double within ten
-thousand evaluations. */
+tabulated against the number of force evaluations in one period (figure x05). That of the splitting of order six falls
+with about the power $-\frac32$ of this number. Verlet's falls faster in this range, on the whole with a power between
+that and the $-2$ of its order. With fewer than five thousand evaluations event location errs by less than a trillionth;
+the splitting of order six, with more than twice as many, still errs by more than a ten-millionth. */
 void report_tangents(Report& report) {
   Table& table = report.table(
       "error_tangent", {label("method", "integrator"), number("evaluations", "force evaluations"),
@@ -201,7 +202,10 @@ void report_tangents(Report& report) {
 ## Differences and limits
 
 Schemes, steps and starts are ours; the article has no such study. The error of an order is the standard error of the
-slope. It accounts for the jumps, but not for the possibility that large steps obey another law than small ones. */
+slope. It accounts for the jumps, but not for the possibility that large steps obey another law than small ones. All
+orders are from four impacts in hard wells, and the tangent is one column for one breather, whose power is read from the
+table without an error. Whether events spoil a given result, a pinning threshold or a chaotic fate, is judged in its own
+chapter. */
 void reproduce(Report& report) {
   report.output.note("tolerance", "references at step 1/1024 and in extended precision");
   report_orbits(report);
