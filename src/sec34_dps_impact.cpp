@@ -112,9 +112,9 @@ Estimate speed_of(const DpsPair& runs) {
 /**
 What is left at the boundary is no surface mode, says the article, since it is extended and not periodic. Both hold. We
 count the sites that share it by the participation number $(\sum|A_n|^2)^2/\sum|A_n|^4$, with the sums up to ten sites
-behind the packet's largest one: it is [](num:impact.residual_extended). And in a stationary mode, $A_n = a_ne^{i\Omega\tau}$,
+behind the packet's largest one: it is [31.6216](num:impact.residual_extended). And in a stationary mode, $A_n = a_ne^{i\Omega\tau}$,
 $|A_1|$ would be constant, but in the last fifth of the run the difference of the largest and the least $|A_1|^2$ is still the
-fraction [](num:sec34_dps_impact.residual_swing) of their sum. */
+fraction [0.0933](num:sec34_dps_impact.residual_swing) of their sum. */
 double swing(const std::vector<double>& squares, std::size_t every) {
   double most = squares[0], least = squares[0];
   for (std::size_t i = 0; i < squares.size(); i += every) {
@@ -266,7 +266,7 @@ double share_within(std::size_t half_width, const ChainImpact& out) {
 /**
 The DpS approximation reproduces the wave train reasonably well, says the article. As the amplitude of the train we take the
 root of the energy of all sites up to ten behind the packets; in the second half of the run those of chain and approximation
-differ by a fraction of [](num:impact.wavetrain) at most. For this and for figure 18 the approximation is turned into
+differ by a fraction of [0.00368126](num:impact.wavetrain) at most. For this and for figure 18 the approximation is turned into
 displacements by Eq. (13), and its energy density is computed from Eq. (23), as if these and their velocities were those of
 beads. */
 double train_apart(const std::vector<double>& chain, const std::vector<double>& dps) {

@@ -29,8 +29,8 @@ using namespace lattice;
 ## Two beads
 
 All scales rest on the collision of two free beads, so we begin with one (collision.hpp); its units are $\tau_h$ and
-$\delta = (mV^2/\gamma)^{2/5}$. Integrated, it lasts for [](num:scale.contact_time) $\tau_h$, printed as 2.43, and the
-largest compression is [](num:scale.max_compression) $\delta$, where the article has 0.76. The conservation of energy gives
+$\delta = (mV^2/\gamma)^{2/5}$. Integrated, it lasts for [2.43884](num:scale.contact_time) $\tau_h$, printed as 2.43, and the
+largest compression is [0.828614](num:scale.max_compression) $\delta$, where the article has 0.76. The conservation of energy gives
 the same as the integration: all energy of the relative motion, $\frac14mV^2$, is in the contact, $\frac25\gamma\,x^{5/2}$,
 when $x = (5/8)^{2/5}\,\delta$. The printed 0.76 is $2^{-2/5}$. There is more than one way to it:
 $\frac12 mV^2 = \gamma\,x^{5/2}$ forgets both the reduced mass and the factor 2/5 of Hertz's energy, and
@@ -76,9 +76,9 @@ $\cos x\cosh x = 1$.
 
 | of a clamped beam | printed | computed |
 |---|---|---|
-| stiffness, in $EI/\ell^3$ | 192 | [](num:beam.stiffness) |
-| frequency $x^2$, in $(EI/\rho A)^{1/2}/\ell^2$ | 22.4 | [](num:beam.frequency) |
-| effective mass, in masses of the beam | 0.38 | [](num:beam.mass) |
+| stiffness, in $EI/\ell^3$ | 192 | [192.000](num:beam.stiffness) |
+| frequency $x^2$, in $(EI/\rho A)^{1/2}/\ell^2$ | 22.4 | [22.3733](num:beam.frequency) |
+| effective mass, in masses of the beam | 0.38 | [0.383567](num:beam.mass) |
 
 Here $EI$ is the bending stiffness and $\rho A$ the mass per length. Two beads at the middle change the shape of the
 vibration, so that one point mass for beam and beads is an approximation: the frequency of the model is

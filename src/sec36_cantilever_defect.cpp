@@ -47,7 +47,7 @@ with free ends. All beads have the radius $R$, but for those of the defect, $\ti
 $\mu = (m_{\rm beam} + 2\tilde R^3 m_{\rm bead})/(m_{\rm beam} + 2m_{\rm bead})$, $m_{\rm beam}$ being the effective mass of
 the beam, and its two contacts stiffer, with
 $\eta = [2\tilde R/(1+\tilde R)]^{1/2}$; elsewhere both are one. The impact $V$ in m/s enters through $\lambda$ alone,
-Eqs. (28) to (30), which is [](num:cantilever.lambda) at 1 m/s.
+Eqs. (28) to (30), which is [0.293941](num:cantilever.lambda) at 1 m/s.
 
 | article | program | meaning | unit |
 |---|---|---|---|
@@ -70,7 +70,7 @@ the strongest.
 
 | largest velocity | deflection | force | internal period |
 |---|---|---|---|
-| [](num:cantilever.bead_velocity) m/s | [](num:cantilever.deflection) µm | [](num:cantilever.force) N | [](num:cantilever.period) ms |
+| [0.493588](num:cantilever.bead_velocity) m/s | [10.9505](num:cantilever.deflection) µm | [2.86448](num:cantilever.force) N | [0.143814](num:cantilever.period) ms |
 | printed: 0.5 m/s | 11 µm | 2.8 N | 0.14 ms |
 
 The *speed* is, as in section 3.4, the slope of the least-squares line through the energy centre $X(t)$, but the
@@ -224,8 +224,8 @@ Estimate left_behind(const ScatteringSetup& setup) {
 }
 
 /**
-Of what arrives, 1.6 radii reflect [](num:sec36_cantilever_defect.net_reflected_16), so almost all, and 1.1 radii reflect
-[](num:sec36_cantilever_defect.net_reflected_11) and transmit [](num:sec36_cantilever_defect.net_transmitted_11). Figure x09
+Of what arrives, 1.6 radii reflect [0.996536](num:sec36_cantilever_defect.net_reflected_16), so almost all, and 1.1 radii reflect
+[0.703713](num:sec36_cantilever_defect.net_reflected_11) and transmit [0.294426](num:sec36_cantilever_defect.net_transmitted_11). Figure x09
 varies the radius by a factor of four (sec36/defect_map.hpp), the mass of the beads by one of 64. The shares change
 smoothly, and heavy and light defects reflect. That a defect's own frequency, $\mu^{-1/2}$, is far from the packet's is not
 the reason, or not the only one: at 0.8 radii the two agree to about one per cent, and more than nine tenths are reflected.
@@ -318,13 +318,13 @@ so it is held loosely. Of the five radii that we watch only 0.925 and 0.8 keep t
 the defect itself.
 
 Why a light one? It oscillates faster than its neighbours, at 0.925 radii with
-[](num:sec36_cantilever_defect.mode_linear_frequency), and as a family of breathers of the homogeneous array begins at their
-frequency 1, one of breathers at the defect begins at its own. The packet's frequency, [](num:cantilever.frequency), lies in
+[1.04396](num:sec36_cantilever_defect.mode_linear_frequency), and as a family of breathers of the homogeneous array begins at their
+frequency 1, one of breathers at the defect begins at its own. The packet's frequency, [1.10181](num:cantilever.frequency), lies in
 its range. Newton's method finds the breather with the energy that stays: it has the frequency
-[](num:sec36_cantilever_defect.mode_frequency), the defect in the run [](num:sec36_cantilever_defect.mode_run_frequency),
-and their distributions over the sites overlap by [](num:sec36_cantilever_defect.mode_overlap) (sec36/trapped_mode.hpp). A
+[1.10607](num:sec36_cantilever_defect.mode_frequency), the defect in the run [1.10583](num:sec36_cantilever_defect.mode_run_frequency),
+and their distributions over the sites overlap by [0.9439](num:sec36_cantilever_defect.mode_overlap) (sec36/trapped_mode.hpp). A
 heavy defect is slower than its neighbours. At 1.6 radii the packet drives it far above its frequency; between 65 and 100 ms
-it holds [](num:sec36_cantilever_defect.at_defect_16) of the energy on the mean, and what stays lies before it. Whether
+it holds [1.98719e-9](num:sec36_cantilever_defect.at_defect_16) of the energy on the mean, and what stays lies before it. Whether
 heavy ones have breathers of their own that other waves could excite we have not examined. */
 void report_stay(Report& report, const StruckArray& blow) {
   trapped::report_trapping(report, blow);
@@ -359,7 +359,7 @@ void report_ranges(Report& report, const StruckArray& blow, const WatchedRuns& r
 /**
 Would one see the packet in a laboratory? The article expects about 20 sites and 70 oscillations in 10 ms, the lifetime
 of breathers measured in diatomic chains, if damping changes speed and frequency moderately. Without damping the packet
-of figure 24 covers [](num:outlook.travel_10ms) sites and [](num:outlook.periods_10ms) oscillations from $n = 80$ on.
+of figure 24 covers [19.2641](num:outlook.travel_10ms) sites and [69.5343](num:outlook.periods_10ms) oscillations from $n = 80$ on.
 With damping it is followed in `sec5_experiment`, from the impact on, where the packet is fastest: if the amplitude of a
 beam falls like $e^{-t/\tau}$, $\tau = 10$ ms, it covers [17.0208](num:sec5_experiment.sites_5ms) sites in
 10 ms, and if, as a milder reading of the lifetime, the energy does, [18.7717](num:sec5_experiment.sites_10ms),
