@@ -13,6 +13,7 @@ oscillate with the amplitude 0.15 and random phases. Does it move, and where to?
 
 namespace lattice {
 
+/// Of the phases that are drawn.
 inline constexpr unsigned long seed = 20130502;
 
 /// One draw of phases in one well, with the waves on one side.
