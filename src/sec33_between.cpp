@@ -486,7 +486,7 @@ void reproduce(Report& report) {
    frequencies. Where will the next one be?
 2. *Harder.* Find an exchange without any multiplier. `build/bin/sec32_barrier barrier --omega 1.1 --s 0.1525` gives
    `equal_area` = -3.04e-17, four orders less than at $s = 0$; a little further,
-   `build/bin/sec32_barrier barrier --omega 1.1 --s 0.15252` gives `equal_area` = 5e-19.
+   `build/bin/sec32_barrier barrier --omega 1.1 --s 0.15252` gives `equal_area` = 5.3e-19.
    Hint: site and bond exchange their stability where the first harmonic of the potential at equal area vanishes, and with
    it the barrier. That at equal frequency is nowhere near zero there: `equal_frequency` is millions of times larger.
 3. *Open.* Follow the intermediate breather through the whole plane: where is it stable, and does a kicked breather stop
