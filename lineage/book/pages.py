@@ -261,8 +261,8 @@ def formulas(text):
 
 def beginning(paragraph):
     """The first sentences of a paragraph of Markdown, without marks, links and names of statements."""
-    text = re.sub(r"\s*\((?:`[a-z0-9_.]+`(?:,? and |,\s)?)+[^)]*\)", "", re.sub(r"\s+", " ", paragraph))
-    text = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", re.sub(r"[*`]", "", re.sub(r":$", ".", text)))
+    text = re.sub(r"\s*\((?:`[a-z0-9_.]+`(?:,? and |,\s)?)+[^)]*\)", "", re.sub(r"\s+", " ", paragraph.replace("$$", "$")))
+    text = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", re.sub(r"(\$[^$]*\$)|[*`]", r"\1", re.sub(r":$", ".", text)))
     out = ""
     for sentence in re.split(r"(?<=[.?!]) (?=[A-Z])", text):
         if len(out) > 150 and not out.count("$") % 2:

@@ -380,6 +380,8 @@ class Repository(Scratch):
         self.assertEqual(pages.beginning(f"It is *so* (`a.b`, `c.d` and `e.f` in x.hpp) at\n$x. Y = 1$. {long} Not this."),
                          f"It is so at $x. Y = 1$. {long}")
         self.assertEqual(pages.beginning("See [Chapter](x.html) (or not):"), "See Chapter (or not).")
+        self.assertEqual(pages.beginning("At *once* $t^*$ or $t^*$."), "At once $t^*$ or $t^*$.")
+        self.assertEqual(pages.beginning("It is\n$$x,$$\nand so on."), "It is $x,$ and so on.")
 
     @needs_tools
     def test_prose_survives(self):
