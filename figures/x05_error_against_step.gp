@@ -6,7 +6,7 @@ set logscale xy
 set format y '10^{%T}'
 orbit = data.'/secA_integrators/error_orbit.ecsv'
 tangent = data.'/secA_integrators/error_tangent.ecsv'
-set key bottom left samplen 1.2 maxrows 3 width -6
+set key bottom left samplen 1 maxrows 3 width -7
 set xrange [0.0025:0.25]
 set yrange [1e-19:10]
 set ytics 1e3

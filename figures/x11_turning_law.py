@@ -54,12 +54,12 @@ bar.ax.minorticks_off()
 bar.set_label("turning point (site)")
 
 line.plot(law["root_velocity"], law["kappa"], "o", ms=3, mfc="white", mec="#0072B2", mew=0.8,
-          label="apex at site 40")
+          label="turns at site 40")
 for site, mark, colour in [(20, "^", "#009E73"), (80, "v", "#D55E00")]:
     part = draw.where(contours, "site", site)
     if len(part["kappa"]):
         line.plot(np.sqrt(part["velocity"]), part["kappa"], mark, ms=3.5, mfc="none", mec=colour,
-                  mew=0.8, label=f"apex at site {site}")
+                  mew=0.8, label=f"turns at site {site}")
 fitted = law["velocity"] < 3
 line.plot(law["root_velocity"][fitted], law["law"][fitted], color="black", lw=1,
           label=r"$\chi_0 + \chi_1 v_0^{1/2}$")
