@@ -260,9 +260,9 @@ void report_force(Report& report, const std::vector<TurnEstimate>& reads) {
 
 The article shows the velocities at $v_0 = 1.87$ when, as it says, the packet is close to turning, and we show the same times
 for comparison. How close is close? At $t = 238$ the centre is [2.459](num:boomeron.turning_time) sites from its turning
-point, site [23.175](num:sec34_boomeron.apex_site_187), and still moves, at [0.0308568](num:sec34_boomeron.speed_187_at_238) sites per unit of time, a fraction
-[0.354492](num:sec34_boomeron.speed_ratio_187) of its mean speed on the way out. Its velocity vanishes first at
-[5e2](num:sec34_boomeron.stop_time_187), a time that is badly known because the path is almost flat there: another smoothing
+point, site [23.175](num:sec34_boomeron.apex_site_187), and still moves, at [0.0308568](num:sec34_boomeron.speed_187_at_238)
+sites per unit of time, a fraction [0.354492](num:sec34_boomeron.speed_ratio_187) of its mean speed on the way out. Its
+velocity vanishes first at [5e2](num:sec34_boomeron.stop_time_187), a time that is badly known because the path is almost flat there: another smoothing
 moves its zero a long way. So the packet is close to turning in place, but not in time.
 
 ![Velocities close to the turning.](fig:23) */
