@@ -156,15 +156,16 @@ The article likens the packet to a particle in an almost constant force. What ca
 the packet's centre, $\ddot X$, and that is what we measure, in sites per squared unit of time: the slope of a line through
 the velocities of the smoothed path (sec34/acceleration.hpp), on the way out, for $100 < t < 220$, on the way back, between
 sites 18 and 6, and between the two, around the turning point. For a force one would have to know the packet's mass, and
-there is reason to expect a negative one, as a slow breather of section 3.3 has it (`sec33_mobility`): what is pushed forward
+there is reason to expect a negative one, as slow breathers of section 3.3 have (`sec33_mobility`): what is pushed forward
 then slows down. The waves behind this packet, which can only push it forward, do slow it down (`sec34_boomeron_why`).
 
 At $s=1$, $v_0 = 1.9$ the acceleration is [-0.00046](num:sec34_boomeron.force_190) on the way out,
 [-7.8e-5](num:sec34_boomeron.force_190_between) around the turning point and [-0.00029](num:sec34_boomeron.force_190_back) on the way back,
 and it changes by a fraction of [0.3](num:sec34_boomeron.force_190_bend) from the first half of the way out to the second.
-The article does not say how constant *almost constant* is; our answer is the ratio of back and out,
-[0.63](num:boomeron.constant_force). At $v_0 = 1.5$ it is [-0.000171](num:sec34_boomeron.force_150), and in the linear well
-[-9e-5](num:sec34_boomeron.force_linear_well): there too a packet slows down, though none was seen to turn. */
+The article does not say how constant *almost constant* is. The ratio of back and out is [0.63](num:boomeron.constant_force):
+within a factor of two the force is constant on the two ways, but not around the turning point. At $v_0 = 1.5$ it is
+[-0.000171](num:sec34_boomeron.force_150) and in the linear well [-9e-5](num:sec34_boomeron.force_linear_well): there too a
+packet slows down, though none was seen to turn. */
 struct Deceleration {
   Strike strike;
   Stretch stretch = Stretch::out;
@@ -259,9 +260,9 @@ void report_force(Report& report, const std::vector<TurnEstimate>& reads) {
 
 The article shows the velocities at $v_0 = 1.87$ when, as it says, the packet is close to turning, and we show the same times
 for comparison. How close is close? At $t = 238$ the centre is [2.459](num:boomeron.turning_time) sites from its turning
-point and still moves, at [0.0308568](num:sec34_boomeron.speed_187_at_238) sites per unit of time, a fraction
-[0.354492](num:sec34_boomeron.speed_ratio_187) of its mean speed on the way out. Its velocity vanishes first at
-[5e2](num:sec34_boomeron.stop_time_187), a time that is badly known because the path is almost flat there: another smoothing
+point, site [23.175](num:sec34_boomeron.apex_site_187), and still moves, at [0.0308568](num:sec34_boomeron.speed_187_at_238)
+sites per unit of time, a fraction [0.354492](num:sec34_boomeron.speed_ratio_187) of its mean speed on the way out. Its
+velocity vanishes first at [5e2](num:sec34_boomeron.stop_time_187), a time that is badly known because the path is almost flat there: another smoothing
 moves its zero a long way. So the packet is close to turning in place, but not in time.
 
 ![Velocities close to the turning.](fig:23) */
@@ -296,7 +297,7 @@ void report_profiles(Report& report, const TurnEstimate& turn) {
 }
 
 /**
-Could the digits of $v_0$ that are not printed be the reason? They leave a range from 1.865 to 1.875, over which the
+Could the digits of $v_0$ that are not printed explain the later time? They leave a range from 1.865 to 1.875, over which the
 velocity vanishes first between $t =$ [319.813](num:sec34_boomeron.stop_time_187_earliest) and
 [492.97](num:sec34_boomeron.stop_time_187_latest), well after the article's 240. A velocity profile, which is all that
 figure 23 shows, does not tell a packet at rest from one that moves slowly. */
@@ -323,8 +324,8 @@ computed with two steps tells for how long *we* can compute the motion; two impa
 for how long anybody can who knows the impact to so many digits only. The article prints its impact velocities with two or
 three digits; half a unit of the last digit of 1.87 means $\delta\approx 3\cdot10^{-3}$.
 
-At $v_0 = 1.9$ our runs agree until $t =$ [1.38e3](num:sec34_boomeron.resolved_until), and up to this time a single trajectory is a
-fact about the chain. Two impacts that differ by $\delta = 10^{-6}$ part at [1.05e3](num:sec34_boomeron.decorrelation_time_190),
+At $v_0 = 1.9$ our runs agree until $t =$ [1.38e3](num:sec34_boomeron.resolved_until), and up to this time we know the motion
+after this impact. Two impacts that differ by $\delta = 10^{-6}$ part at [1.05e3](num:sec34_boomeron.decorrelation_time_190),
 and figure 22 marks this time, since nobody would print an impact velocity with more digits. */
 struct TwoImpacts {
   double delta, coarse, fine;
@@ -374,7 +375,8 @@ Beyond that time only statements about ensembles make sense. So we draw 24 impac
 width $10^{-6}$, with a recorded seed, and see how far their packets spread. We call the motion erratic if the spread is
 below a quarter of a site on the way out and back and above three sites long after, each beyond its error; three sites
 are half the spread of a centre that is equally likely to be anywhere up to the turning point. It is
-[0.00022](num:sec34_boomeron.erratic_spread_until_return) before and [9](num:sec34_boomeron.erratic_spread_late) after. */
+[0.00022](num:sec34_boomeron.erratic_spread_until_return) before and [9](num:sec34_boomeron.erratic_spread_late) after, more
+than that of such a centre, as some packets then get beyond the first turning point (`high` in the table). */
 constexpr unsigned long seed = 20130501;
 
 std::vector<double> random_impacts(std::size_t members) {
@@ -460,8 +462,7 @@ void report_check(Report& report) {
 ## Differences and limits
 
 The article does not say how it integrates, how long its chain is, or how it averages. The reversal at 1.9 is found, and so
-is the growth of the force; the article's turning at $v_0\approx1.87$ near $t=240$ is not (*Profiles close to the turning*).
-The force on the ways out and back is the same within a factor of two, but around the turning point it is much weaker. */
+is the growth of the force; the turning at $v_0\approx1.87$ near $t=240$ is not (*Profiles close to the turning*). */
 void reproduce(Report& report) {
   const std::vector<TurnEstimate> reads = report_turns(report);
   const double marked = report_decorrelation(report);

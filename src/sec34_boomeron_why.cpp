@@ -95,8 +95,10 @@ true of most but not of all packets of such impacts: of eighty neighbours within
 by $10^4$ in another program, from beyond site 58. Put on a quiet chain at $t = 120$ the packet still returns, but long
 afterwards; with its waves it turns much earlier.
 
-What becomes of a packet that drifts slowly seems a matter of chance. Both steps agree on which of the seven return; of a
-packet on which they disagreed we could say no more than that its motion is chaotic by then. */
+With either step the same packets return: those with all waves, with the absorbing end, and cut out at $t = 120$ and 200.
+Those with the waves absorbed behind them and those cut out at $t = 60$ and 300 do not, by the end of their runs. We see no
+order in the four cuts: what becomes of a packet that drifts slowly seems a matter of chance. Had the two steps disagreed on
+a packet, we could say no more than that its motion is chaotic by then. */
 void report_experiments(Report& report) {
   std::vector<Experiment> list = experiments(report.quick);
   parallel_for("experiments", 2 * list.size(), [&](std::size_t i) {
@@ -135,8 +137,8 @@ void report_experiments(Report& report) {
 
 The acceleration $\ddot X$ on the way out, between $t = 100$ and 220, is the slope of a line through the velocities
 (sec34/acceleration.hpp); it is negative where the packet slows down. If waves act from afar, its modulus should grow with
-the distance $d$ up to which they are left; if it is the packet's own fresh wake that acts, the same should be seen after
-a cut. The linear well, in which we saw no packet turn, is the control. */
+the distance $d$ up to which they are left; if it is the packet's own fresh wake that acts, it should grow in the same way
+after a cut. The linear well, in which we saw no packet turn, is the control. */
 struct Deceleration {
   double s, cut;
   std::size_t behind;
@@ -157,7 +159,7 @@ Estimate acceleration(const WavesRemoved& impact, double step, double from, doub
 /**
 After the impact the acceleration is [-0.000186](num:sec34_boomeron_why.force_waves_5) if only waves up to five sites
 behind the packet are left, and [-0.00044](num:sec34_boomeron_why.force_waves_15) with fifteen; what lies further
-behind adds nothing in this well, at this velocity and in these times. The waves between the fifth and the fifteenth
+behind adds nothing after this impact and until $t = 220$. The waves between the fifth and the fifteenth
 site thus more than double it. They are those that the impact has launched along with the packet: after a cut
 at $t = 60$ it is [-0.000192](num:sec34_boomeron_why.force_cut_15) with all of the fresh wake and
 [-0.000191](num:sec34_boomeron_why.force_cut_5) with five sites of it. In the linear well it does not matter what
@@ -253,8 +255,8 @@ are left, [3](num:sec34_boomeron_why.of_five_return_waves_10) with ten sites,
 [0](num:sec34_boomeron_why.of_five_return_waves_8) with eight and [1](num:sec34_boomeron_why.of_five_return_waves_6) with
 six; the others go on or are trapped. If they are cut out at $t = 60$, [1](num:sec34_boomeron_why.of_five_return_cut_30) of
 five returns with thirty sites of the fresh wake, and [0](num:sec34_boomeron_why.of_five_return_cut_6) with six. An error of
-one means that the steps disagree on one packet. In these trials the distance decides above all where a packet that was not
-cut out stops: with fifteen sites all five before site 40, with six all five beyond site 50. */
+one means that the steps disagree on one packet. In these trials the distance decides above all how far a packet that was
+not cut out gets by the end of its run: with fifteen sites none of the five passes site 40, with six all pass site 50. */
 struct Packet {
   WavesRemoved impact;
   std::array<LateFate, 2> fate{};
@@ -448,13 +450,13 @@ void report_waves(Report& report) {
 /**
 ## The answer, and its limits
 
-**Waves that travel behind a packet turn it early.** [](finding:turning.waves) At $s = 1$, $v_0 = 1.9$ these waves come
+**Waves close behind a packet turn it early.** [](finding:turning.waves) At $s = 1$, $v_0 = 1.9$ these waves come
 from the impact. So the article's suspicion that other waves turn the packet is supported, but they need not be confined:
 an end that absorbs them only moves the turning point.
 
-**A part of the slowing down needs no waves beyond the fourth site.** At $s = 1$, $v_0 = 1.9$ it is the same for a packet
-that has been cut out and meets only its own fresh wake, however much of that is left; and such a packet slows down less
-and less.
+**A part of the slowing down needs no waves beyond the fifth site behind the packet.** At $s = 1$, $v_0 = 1.9$ a packet that
+has been cut out and meets only its own fresh wake slows down about as much as one that keeps five sites of the waves
+of the impact, however much of the fresh wake is left; and as it goes on, it slows down less and less.
 
 **Neither waves nor the end are necessary for an eventual return.** [](finding:turning.alone) Others that are cut out early
 go on or are trapped; of six within a millionth of this impact four return by $t = 4000$, which seems a matter of chance.

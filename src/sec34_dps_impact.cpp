@@ -5,10 +5,11 @@ Strike the first bead of a resting cradle gently. Contact is then a small correc
 swinging of the beads, and the discrete p-Schrödinger (DpS) equation of chapter 3.1, which follows
 only their slowly changing amplitudes, should describe everything.
 
-In Section 3.4 of James, Kevrekidis and Cuevas (Physica D 251, 2013) it does. In the equation and in the chain the energy
-splits into a *packet* of mainly seven sites that runs away, the travelling breather, and a *residue*, an extended wave
-train that the boundary goes on emitting. The chain's packet is a little slower than that of the DpS equation, and of the
-amplitude $9\cdot10^{-4}$ where the DpS approximation is said to give $13\cdot10^{-4}$. We compute both and compare them.
+According to section 3.4 of James, Kevrekidis and Cuevas (Physica D 251, 2013) it does. In the equation and in the chain
+the energy splits into a *packet* of mainly seven sites that runs away, the travelling breather, and a *residue*, an
+extended wave train that the boundary goes on emitting. The chain's packet is a little slower than that of the DpS
+equation, and its amplitude is $9\cdot10^{-4}$, for which the DpS approximation is said to give $13\cdot10^{-4}$. We compute
+both and compare them.
 
 ![A struck DpS chain sends out a travelling breather.](fig:16) */
 
@@ -73,8 +74,8 @@ struct Resolution {
 
 Both sides of the DpS equation change in the same way if the amplitudes are multiplied by $c$ and time runs faster by
 $c^{1/2}$. So the size of the impact drops out, and one run serves for all of them; in the time of the chain every speed is
-proportional to $\epsilon^{1/2}$, the root of the impact velocity. The figure shows the map of $|A_n|^2$ and, in its inset,
-the final profile.
+proportional to $\epsilon^{1/2}$, that is, to the square root of the impact velocity. The figure shows the map of
+$|A_n|^2$ and, in its inset, the final profile.
 
 Is this a travelling breather? It must *last*. Between the first and the second half of its way we allow its mean speed to
 change by five per cent and its norm by ten. A constant speed alone would not do: the front of a linear wave has one, too,
@@ -111,10 +112,10 @@ Estimate speed_of(const DpsPair& runs) {
 
 /**
 What is left at the boundary is no surface mode, says the article, since it is extended and not periodic. Both hold. We
-count the sites that share it by the participation number $(\sum|A_n|^2)^2/\sum|A_n|^4$, with the sums up to ten sites
-behind the packet's largest one: it is [31.6216](num:impact.residual_extended). And in a stationary mode, $A_n = a_ne^{i\Omega\tau}$,
-$|A_1|$ would be constant, but in the last fifth of the run the difference of the largest and the least $|A_1|^2$ is still the
-fraction [0.0933](num:sec34_dps_impact.residual_swing) of their sum. */
+count the sites that share it by the participation number $(\sum|A_n|^2)^2/\sum|A_n|^4$, both sums running from the boundary
+to ten sites behind the largest $|A_n|$ of the packet: it is [31.6216](num:impact.residual_extended). And in a stationary
+mode, $A_n = a_ne^{i\Omega\tau}$, $|A_1|$ would be constant, but in the last fifth of the run the difference of the largest and
+the least $|A_1|^2$ is still the fraction [0.0933](num:sec34_dps_impact.residual_swing) of their sum. */
 double swing(const std::vector<double>& squares, std::size_t every) {
   double most = squares[0], least = squares[0];
   for (std::size_t i = 0; i < squares.size(); i += every) {
@@ -434,7 +435,7 @@ void report_loose_steps(Report& report, const DpsPair& converged, const Estimate
 So the printed value is compatible with the usual tolerances and the mean, at the free end that the article states. The
 evidence is mixed: the packet is then faster than that of the chain by [0.1117](num:sec34_dps_impact.excess_rms), where the
 article has *slightly*, and the wave train, which it finds reasonably well reproduced, differs from the converged one by
-[0.079](num:sec34_dps_impact.train_rms) of itself. The number also depends on the length of the chain, which the article
+the fraction [0.079](num:sec34_dps_impact.train_rms). The number also depends on the length of the chain, which the article
 does not print, because the mean over its sites does. In these runs loose steps amplify the packet, which the growth of the
 norm shows at once; in ours the norm drifts by [5e-14](num:sec34_dps_impact.dps_norm_drift), and the energy of the chain by
 [4e-11](num:sec34_dps_impact.lattice_energy_drift) of itself.
@@ -471,7 +472,7 @@ void reproduce(Report& report) {
 4. *Harder.* Let the beads push with $d_+^2$: `build/bin/sec31_dps_limit impact --alpha 2` gives `speed` = 0.3986 and
    `residual_boundary` = 0.31916. Hint: packet and boundary both keep more than
    at $3/2$; what loses is the wave train between them.
-5. *Open.* The theory bounds the error up to some $\tau$ of order one, but here the comparison runs to
+5. *Open.* The theory (`sec31_dps_limit`) bounds the error up to some $\tau$ of order one, but here the comparison runs to
    $\tau = 250$. When do chain and approximation part for other $\epsilon$? */
 int main(int argc, char** argv) {
   return run({"sec34_dps_impact", "3.4", "Impact in the DpS equation and in the chain", reproduce},

@@ -198,8 +198,8 @@ escape to the highest without, on a fine grid and up to a stated time (sec34/blo
 two steps, and what must agree is the *outcome*; where it does not, the velocity counts for neither edge.
 
 The article's threshold exists if the scan begins with survivors and ends with escapes, if the first escape respects the
-energy bound, and if the two resolutions disagree on less than a twentieth of it. All this holds, but the transition is not
-sharp. [](finding:blowup.bands) */
+energy bound, and if the two resolutions disagree on less than a twentieth of the velocities. All this holds, but the
+transition is not sharp. [](finding:blowup.bands) */
 Criterion threshold(const Struck& well, const EscapeBand& band) {
   const Estimate first{band.first_escape, band.spacing}, last{band.last_survivor, band.spacing};
   return {above("first_escape_" + well.name, first, well.band_from),
@@ -273,8 +273,8 @@ void report_sweep(Report& report) {
 
 The width of a packet is read off its undisturbed side, as in the chapter before: if $k$ sites ahead of the peak ever exceed
 one per cent of its amplitude, the width is $2k+1$. The tail is the largest amplitude, relative to the peak's, on the ten
-sites that follow the window of Eq. (24). Both are taken in linear wells while the centre moves from site 40 to 60. At unit
-overlap and displacement contact and well forces are equal; so $v_0 = 1$ counts as moderate.
+sites that follow the window of Eq. (24). Both are taken in linear wells while the centre moves from site 40 to 60. A contact of
+unit overlap pushes as hard as a well pulls back at unit displacement; so $v_0 = 1$ counts as moderate.
 
 After such an impact the packet has [11.0000](num:sec34_impact.packet_width_moderate) sites, not seven as after a gentle one:
 where the contacts push as strongly as the wells, the DpS limit is left, and two more sites on either side rise above the

@@ -39,9 +39,9 @@ printed number: at given $V$ the contact time is proportional to the compression
 of 0.76 it would be [2.23689](num:sec35_scales.contact_time_of_printed_compression) $\tau_h$ and not 2.43.
 
 A cradle whose strings have the length $L$ has $\tau_c^2 = L/g$. A collision of steel balls was measured to take 0.077 ms,
-which is 2.43 $\tau_h$. As $\lambda^{5/2} = (L/g\tau_h^2)^{5/2}$ contains the fifth power of $\tau_h$, an error of one per
-cent in the contact time becomes five, and rounding matters. With $L = 0.5$ m, the rounded 2.43 and $g = 10$ m/s²
-$\lambda^{5/2}$ is [1.74986e19](num:scale.cradle), the printed value; with $g = 9.81$ m/s² and all digits it is
+and this over the contact time in units of $\tau_h$ is $\tau_h$. As $\lambda^{5/2} = (L/g\tau_h^2)^{5/2}$ contains the fifth
+power of $\tau_h$, an error of one per cent in the contact time becomes five, and rounding matters. With $L = 0.5$ m, the
+rounded 2.43 and $g = 10$ m/s² $\lambda^{5/2}$ is [1.74986e19](num:scale.cradle), the printed value; with $g = 9.81$ m/s² and all digits it is
 [1.86945e19](num:sec35_scales.cradle_converged). Either way a collision is over long before a pendulum has moved, and
 breathers do not travel there. */
 void report_collision(Report& report) {
@@ -70,8 +70,9 @@ void report_collision(Report& report) {
 
 The article replaces a beam of the length $\ell$ by a spring and a point mass, with factors that it prints with two or three
 digits, so we compute them. We integrate $u'''' = x^4u$ for the deflection $u$, where $x$ is now the wavenumber times
-$\ell$, along half of the beam (cantilever.hpp). For the stiffness at the middle, $x = 0$, the solution is a cubic, which
-the Runge–Kutta method reproduces exactly, so that only rounding is left; for the frequency an independent route is
+$\ell$, along half of the beam (cantilever.hpp). The stiffness is that against a steady push at the middle; the wavenumber
+is then $x = 0$ and the solution a cubic, which the Runge–Kutta method reproduces exactly, so that only rounding is left.
+For the frequency an independent route is
 $\cos x\cosh x = 1$.
 
 | of a clamped beam | printed | computed |
@@ -110,11 +111,10 @@ velocity of your choice (sec35/all_scales.hpp); cantilever.hpp has the formulas.
 
 ## Differences and limits
 
-Of the printed numbers quoted here only the compression 0.76 is not found, and $\lambda^{5/2}$ of the cradle only with the
-article's rounding.
-Hertz's coefficient needs the Young modulus of the beads, $\gamma = \mathcal E\sqrt{2R}/(3(1-\nu^2))$ with their radius $R$
-and Poisson's ratio $\nu$; the article prints the symbol of the beam's, which would give a $\lambda$ that is not small. A beam
-is described by one number, the deflection of its middle: its higher modes and its twisting are left out, and so are
+Of the printed numbers quoted here one is not found, the compression 0.76; that for $\lambda^{5/2}$ of the cradle is found
+with the article's rounding only. Hertz's coefficient needs the Young modulus of the beads,
+$\gamma = \mathcal E\sqrt{2R}/(3(1-\nu^2))$ with their radius $R$ and Poisson's ratio $\nu$; the article prints the
+symbol of the beam's, which would give a $\lambda$ that is not small. A beam is described by one number, the deflection of its middle: its higher modes and its twisting are left out, and so are
 all losses and whatever a contact does beyond Hertz's static law. Damping is added in `sec5_experiment`. */
 void reproduce(Report& report) {
   const StruckArray array;

@@ -40,14 +40,13 @@ using namespace lattice;
 
 A beam with its two beads has one degree of freedom, the deflection $x_n$ of its middle. It is a mass $m_n$ on a
 spring, and neighbouring beads push on each other by Hertz's law. With $\xi$, at which spring and contact are equally
-strong, as the unit of length and $\tau_c$, the time of the free oscillation, as that of time, the array obeys Eq. (32),
+strong, as the unit of length and $\tau_c$, the free period over $2\pi$, as that of time, the array obeys Eq. (32),
 $$\mu_n\,\ddot y_n + y_n = -\eta_n\,(y_n-y_{n+1})_+^{3/2} + \eta_{n-1}\,(y_{n-1}-y_n)_+^{3/2},
   \qquad \dot y_n(0) = \lambda^{5/2}\,\delta_{n,1},$$
-with free ends. All beads have the radius $R$, but for those of the defect, $\tilde R R$. They make it heavier, with
+with free ends. All beads have the radius $R$, but for those of the defect, $\tilde R R$. With $\tilde R>1$ it is heavier,
 $\mu = (m_{\rm beam} + 2\tilde R^3 m_{\rm bead})/(m_{\rm beam} + 2m_{\rm bead})$, $m_{\rm beam}$ being the effective mass of
-the beam, and its two contacts stiffer, with
-$\eta = [2\tilde R/(1+\tilde R)]^{1/2}$; elsewhere both are one. The impact $V$ in m/s enters through $\lambda$ alone,
-Eqs. (28) to (30), which is [0.293941](num:cantilever.lambda) at 1 m/s.
+the beam, and its two contacts are stiffer, $\eta = [2\tilde R/(1+\tilde R)]^{1/2}$; elsewhere both are one. The impact $V$
+in m/s enters through $\lambda$ alone, Eqs. (28) to (30), which is [0.293941](num:cantilever.lambda) at 1 m/s.
 
 | article | program | meaning | unit |
 |---|---|---|---|
@@ -91,10 +90,9 @@ force at $n$, needs no centre at all; it is [2029.93](num:sec36_cantilever_defec
 The *duration* of the pulse train is the time from the first to the last instant at which the force is a given share
 of its maximum, and this share is not printed either. Whenever the threshold is lowered by enough, one more pulse
 counts, and the duration grows by an internal period. Above a thousandth of the largest force it is
-[3.78752](num:cantilever.duration) ms, which would be printed as 3.8, above a half
-[1.17055](num:sec36_cantilever_defect.duration_half), above a hundredth
-[3.06486](num:sec36_cantilever_defect.duration_hundredth), and above a two-thousandth
-[3.94122](num:sec36_cantilever_defect.duration_two_thousandth). */
+[3.78752](num:cantilever.duration) ms, and 3.8 is printed; above a half it is
+[1.17055](num:sec36_cantilever_defect.duration_half), above a hundredth [3.06486](num:sec36_cantilever_defect.duration_hundredth),
+and above a two-thousandth [3.94122](num:sec36_cantilever_defect.duration_two_thousandth). */
 void report_packet(Report& report, const StruckArray& blow, const WatchedRuns& runs) {
   // Read off at n = 80
   const auto answer = [&](const char* id, double Pulse::*of, double unit, const char* text) {
@@ -148,11 +146,12 @@ void report_packet(Report& report, const StruckArray& blow, const WatchedRuns& r
 /**
 ## Is this the DpS regime?
 
-The article infers from $\lambda \approx 0.29$ that the DpS equation, Eq. (12), is valid in the homogeneous
-part of the array. We strike the DpS chain, Eq. (25), with $\epsilon = \lambda^{5/2}/2$ and measure its
-packet at $n=80$ as that of the array: the largest deflection $2\epsilon\,|A_{80}|$, and the speed between
-sites 20 and 60. It deflects the beam by a fraction of [0.149806](num:cantilever.dps_valid) more than the array does,
-and is faster by [0.11218](num:sec36_cantilever_defect.dps_speed_apart). */
+The article infers from $\lambda \approx 0.29$ that the DpS equation, Eq. (12), is valid in the homogeneous part of the
+array. We strike the DpS chain, Eq. (25), with $\epsilon = \lambda^{5/2}/2$ and measure its packet at $n=80$ as that of the
+array: the largest deflection $2\epsilon\,|A_{80}|$, and the speed between sites 20 and 60. It deflects the beam by a fraction
+of [0.149806](num:cantilever.dps_valid) more than the array does, and is faster by
+[0.11218](num:sec36_cantilever_defect.dps_speed_apart). Both are of the order $\epsilon^{1/2}$ of the terms that the equation
+leaves out (`sec31_dps_limit`). So yes, roughly: the equation holds in the array to this accuracy, and no better. */
 void report_dps(Report& report, const StruckArray& blow, const WatchedRuns& runs) {
   const double eps = blow.struck_velocity() / 2, tau = 320;
   const Dps dps{150};
@@ -262,8 +261,9 @@ void report_shares(Report& report, const ScatteringSetup& setup) {
 }
 
 /**
-Almost total reflection occurs, says the article, for sufficiently large defects. So we ask it of every defect from 1.6
-radii, where the article shows it, to 2.5, with three more that show where this leads: at five radii
+Almost total reflection occurs, says the article, for sufficiently large defects. So we ask it of every defect of the map
+and of five more, from 1.6 radii, where the article shows it, to 2.5. It holds for all: the least that any of them reflects
+is [0.996536](num:sec36_cantilever_defect.total_reflection_least). Beyond, at five radii, only
 [2.99728e-9](num:sec36_cantilever_defect.net_transmitted_5) of what arrives is transmitted. */
 void report_large(Report& report, const ScatteringSetup& setup, const Table& map) {
   std::vector<Estimate> reflected;
@@ -380,10 +380,9 @@ void report_outlook(Report& report, const StruckArray& blow, const WatchedRuns& 
 /**
 ## Checks
 
-Over the whole map the energy budget is zero to within [4e-10](num:sec36_cantilever_defect.budget_worst). A
-conserved energy does not prove the forces right, so an array with a heavy defect, close enough to
-the impact to be hit hard, is also computed by an independent method, GSL's adaptive one of order
-eight, and must arrive at the same state. */
+Over the whole map the energy budget is zero to within [4e-10](num:sec36_cantilever_defect.budget_worst). A conserved energy
+does not prove the forces right, so an array with a heavy defect, close enough to the impact to be hit hard, is also
+computed by an independent method, GSL's adaptive one of order eight, and must arrive at the same state. */
 void report_check(Report& report, const StruckArray& blow) {
   StruckArray shorter = blow;
   shorter.array.sites = 30, shorter.array.defect = 8;
@@ -420,15 +419,16 @@ void reproduce(Report& report) {
 /**
 ## Try it
 
-1. *Easy.* How much does a lighter defect let pass? `build/bin/sec36_cantilever_defect run --ratio 1.1` gives
+1. *Easy.* How much does a slightly heavier defect let pass? `build/bin/sec36_cantilever_defect run --ratio 1.1` gives
    `net_transmitted` = 0.29443. Hint: its mass differs by an eighth, its own frequency by six per cent only.
 2. *Easy.* Strike half as hard: `build/bin/sec36_cantilever_defect run --velocity 0.5` gives `speed` = 1474.07. Hint:
    in the DpS limit the speed grows as $\lambda^{5/4}$, that is, as $V^{1/2}$; the ratio should be $0.707$.
 3. *Harder.* And the reflection? `build/bin/sec36_cantilever_defect run --ratio 1.6 --velocity 0.5` gives
    `net_transmitted` = 9.8594e-9, five decades less than at 1 m/s. Hint: the defect alone has the frequency 0.67. How
    much its contacts raise this falls with the amplitude, while its distance from the packet's stays.
-4. *Harder.* Where is most energy kept? `build/bin/sec36_cantilever_defect run --ratio 0.925` gives `net_near` =
-   0.10858. Hint: its own frequency, 1.044, is above that of its neighbours but below the packet's 1.1.
+4. *Harder.* Which radius keeps most? `build/bin/sec36_cantilever_defect run --ratio 0.925` gives `net_near` = 0.10858; on
+   the map [0.94](num:sec36_cantilever_defect.most_trapped_at) keeps most. Hint: the own frequency of 0.925, 1.044, lies
+   between that of its neighbours and the packet's 1.1.
 5. *Open.* Which radius reflects best if two neighbouring beams are changed? Is the swing of the trapped mode from side
    to side one of its Floquet multipliers?
 

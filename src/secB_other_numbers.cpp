@@ -66,8 +66,8 @@ Record watch_beads(std::size_t sites, double duration, double step, double sampl
 /**
 The error is that of the step and of the sampling together, and of the length of the run: whether the pulse still
 changes between bead 40 and bead 80. The largest velocity is [0.681632](num:secB_other_numbers.pulse_amplitude) times
-that of the impact (printed in a validation of another program: 0.68), and the pulse has
-[0.993661](num:secB_other_numbers.pulse_energy) of its energy (0.993662 in the data of another one). The kinetic part of
+that of the impact (printed where another program is validated: 0.68), and the pulse has
+[0.993661](num:secB_other_numbers.pulse_energy) of its energy (0.993662 in the data of a third program). The kinetic part of
 the wave's own energy is [0.555556](num:secB_other_numbers.pulse_kinetic), the 5/9 of Slepyan. */
 Estimate pulse_amplitude() {
   const auto heights = [](double step) {
@@ -147,8 +147,8 @@ void report_pulse(Report& report) {
 Behind the pulse one bead after the other loses its contacts and flies back, each more slowly than the one before, the
 sixteenth by the factor [0.562601](num:secB_other_numbers.fragment_ratio). Hinch and Saint-Jean described this
 fragmentation of a line of balls in 1999; the six digits that we compare with are those of a run that was put online
-with a program of Sokolow's, with 100 steel balls and a leapfrog of ten picoseconds. Its first ball later meets a wall,
-and until then the chain is ours. */
+with a program of Sokolow's, of 100 steel balls and with leapfrog steps of ten picoseconds. Its first ball later meets a
+wall, and until then the chain is ours. Of the five balls that we compare, the velocities agree in all six digits. */
 constexpr std::size_t fragments[]{1, 2, 4, 8, 16};
 constexpr double struck_with = 0.099188;  // m/s
 
@@ -214,9 +214,10 @@ compute both from $\alpha = 1.1$ to 4 (secB/exponents.hpp). A breather $u_ne^{i\
 eigenvalue $m_2$ of the matrix of section 3.3 exceeds $\mu/\alpha$. At every exponent that we computed the one around a
 bond is spectrally stable and the one around a site is not, with a margin $m_2/\mu-1/\alpha$ that grows from
 [2.62509e-28](num:secB_other_numbers.margin_site_110) over [4.85298e-6](num:secB_other_numbers.margin_site_150) for
-spheres to [0.0954946](num:secB_other_numbers.margin_site_400). No margin changes its sign between the exponents
-computed, and neither does the difference of the norms: anharmonic wells exchange stability in the chain; in the
-limit of small amplitude the exponent of the contact alone does not.
+spheres to [0.0954946](num:secB_other_numbers.margin_site_400). So small a margin has a certain sign because it is
+computed both in quadruple precision and with fifty digits, which agree. At all of these exponents each margin has the
+same sign, and so has the difference of the norms; what happens between them we do not know. Anharmonic wells exchange
+stability in the chain; in the limit of small amplitude the exponent of the contact, as far as we computed, does not.
 
 ![Which static DpS breather is stable, and by how much, against the exponent of the contact.](fig:x35)
 
@@ -244,7 +245,7 @@ void report_exponents(Report& report) {
                {"rate_bond", "frequency of the translational pair over mu around a bond",
                 row.bond.rate}});
 
-  // Nothing changes its sign
+  // No sign changes from one exponent to the next
   std::size_t changes = 0;
   for (Vanishing what :
        {Vanishing::margin_site, Vanishing::margin_bond, Vanishing::norm_difference})
@@ -276,11 +277,10 @@ void report_exponents(Report& report) {
 
 Of what we could not read at its source, $C_1$ and the mass ratios, we compare what we remember, and give no verdict; a
 number behind a paywall may be misremembered. Of what we read, some has two digits only, and a run of another program
-holds its own step and sampling. An agreement of printed digits
-says that two computations solve the same equations, not that a chain of real balls does. The exponents of the last
-section are those of the DpS equation, the limit of small amplitudes, and between the exponents computed nothing is said;
-in the chain itself only those that other chapters
-compute are known. */
+holds its own step and sampling. An agreement of printed digits says that two computations solve the same equations,
+not that a chain of real balls does. The stability of the last section is that of the DpS equation, the limit of small
+amplitudes, at the exponents computed and not between them; of the chain itself we know only what other chapters
+compute. */
 void reproduce(Report& report) {
   report_pulse(report);
   report_fragments(report);
