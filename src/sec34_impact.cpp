@@ -52,7 +52,7 @@ $$e_n = \tfrac12\dot y_n^2 + W(y_n) + \tfrac25 (y_n-y_{n+1})_+^{5/2}, \qquad
 |---|---|---|
 | $\dot y_1(0)$, $s$ | `velocity`, `s` | impact velocity, anharmonicity of the well |
 | $e_n$, $n'$, $X$ | `density`, `peak`, `track.centre` | Eqs. (23) and (24) | */
-constexpr double fit_to = 60;  // the packet is measured between sites 20 and 60
+constexpr double fit_to = 60;                  // the packet is measured between sites 20 and 60
 constexpr double tolerance = usual_tolerance;  // within which two runs must agree
 
 /**

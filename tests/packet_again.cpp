@@ -9,9 +9,9 @@
 #include "lattice/diagnostics/pulse.hpp"
 #include "lattice/dps/dps_impact.hpp"
 #include "lattice/impact/turning.hpp"
+#include "sec34/acceleration.hpp"
 #include "sec34/criteria.hpp"
 #include "sec34/decorrelation.hpp"
-#include "sec34/acceleration.hpp"
 #include "sec34/wake.hpp"
 
 namespace packet_again {
