@@ -8,8 +8,8 @@ be one, too: a *breather*.
 
 ![Energy of the beads after an impact without and with wells, and of a breather that stays where it is.](fig:x36)
 
-This chapter introduces the chain, shows the three motions of the figure, and says what every other chapter is for. It
-needs nothing but mechanics. */
+This chapter introduces the chain, shows the three motions of the figure, and says what is hard about them, how the
+other chapters hang together, and what they find. It needs nothing but mechanics. */
 
 #include <algorithm>
 #include <cmath>
@@ -76,9 +76,9 @@ periodic orbit, found by Newton's method. */
 constexpr std::size_t shown = 60;  // sites of the figure
 
 /**
-Both impacts are followed twice, with steps that agree in the end state to a millionth (accuracy.hpp). A packet is the
-foremost eleven sites that hold at least a hundredth of the energy (observe.hpp); it is measured from site 20 on. The
-pulse moves by [0.952600](num:sec1_the_chain.pulse_speed) sites in the unit of time and the packet by
+Both impacts are followed twice, with different steps whose end states agree to a millionth (accuracy.hpp). A packet is
+the foremost eleven sites that hold at least a hundredth of the energy (observe.hpp); it is measured from site 20 on.
+The pulse moves by [0.952600](num:sec1_the_chain.pulse_speed) sites in the unit of time and the packet by
 [0.2445](num:sec1_the_chain.packet_speed), and of the impact's energy they carry
 [0.993661](num:sec1_the_chain.pulse_share) and [0.462769](num:sec1_the_chain.packet_share). */
 double every(const Report& report) {
@@ -152,7 +152,7 @@ Four things make these motions hard to compute, and most of this book's methods 
 | difficulty | what goes wrong | what we do | where |
 |---|---|---|---|
 | contact events | the force has no second derivative where a contact opens or closes: integrators of any order lose it, their tangent maps even more | event location for orbits, exact impulses for long runs | `secA_integrators`, event_driven.hpp, contact_rkn.hpp |
-| near-degeneracy | a breather can be shifted in time for nothing and along the chain for almost nothing: Newton's matrix is nearly singular, and four multipliers lie next to $+1$, where an error $\delta$ moves them by $\sqrt\delta$ | symmetries remove both directions; $\kappa$ in the place of $\lambda$ | `sec32_newton_breathers`, floquet.hpp, `sec33_multiplier_errors` |
+| near-degeneracy | a breather can be shifted in time for nothing and along the chain for almost nothing: Newton's matrix is nearly singular, and four multipliers lie next to $+1$, where an error $\eta$ moves them by about $\sqrt\eta$ | symmetries remove both directions; $\kappa$ in the place of $\lambda$ | `sec32_newton_breathers`, floquet.hpp, `sec33_multiplier_errors` |
 | cancellation | two energies agree to seven digits or more, and their difference is the barrier | both orbits in extended precision, their energies from two tolerances | `sec32_barrier` |
 | chaos | late fates of packets in hard wells depend on the last digit of the start | two runs that agree, or a count over many runs | `sec34_boomeron`, `sec34_boomeron_why` |
 
@@ -161,14 +161,17 @@ Four things make these motions hard to compute, and most of this book's methods 
 A chapter needs those to the left of it, and the headers that it names. `[5]` is beyond the article.
 
     sec1 -- sec31 DpS limit -- sec32 static breathers -- sec32 barrier -- sec33 stability -- sec33 mobility
-       |         |                   (chain and DpS)                        |
-       |         |                                                      sec33 between
-       |         +-- sec34 impact, gentle -- sec34 impact, strong -- sec34 turning -- sec34 kink
-       |         |            |                    |
-       |         |            +-- sec36 array -- [5] experiment, driving
+       |         |                 (DpS and chain)                            +-- sec33 between
+       |         |                                                            +-- sec33 multiplier errors
+       |         |                                                            +-- sec33 stability, DpS
+       |         +-- sec34 impact, gentle -- sec34 impact, strong -- sec34 turning -- sec34 which, sec34 why
+       |         |            |                    +-- sec34 kink
+       |         |            |                    +-- secB numbers of other authors
+       |         |            +-- sec35 scales -- sec36 array -- [5] experiment, driving -- [5] driven packets
        |         +-- sec4 precompression -- [5] growth
-       |         +-- [5] travelling breathers -- [5] kernel equation -- [5] enclosures
-       +-- sec2 no breathers without wells
+       |         +-- [5] travelling breathers -- [5] families -- [5] what becomes of a packet
+       |                      +-- [5] kernel equation -- [5] enclosures
+       +-- sec2 no breathers without wells -- sec2 soft wells
        +-- secA integrators -- secA which one did the article use */
 Table& report_motions(Report& report) {
   return report.table("motions", {label("motion", "pulse, packet or breather"), number("t", "time"),
@@ -179,10 +182,12 @@ Table& report_motions(Report& report) {
 ## What is found
 
 Most of the article survives: breathers, packets that turn round, scales. Some delicate numbers do not: a breather of
-frequency 1.1 is depinned by a kick of [4.4518e-6](num:moving.c_threshold), not $6.19\cdot10^{-6}$, and the breathers
-around site and bond exchange their stability in one well, $s=$ [0.152520](num:floquet.s0_bond), not at 0.26 and 0.05
-(*Published against reproduced* has every claim). Beyond the article, one sentence from each part; the page *What we
-found* has all, with what was tried to refute them.
+frequency 1.1 is depinned by a kick of the size $c =$ [4.4518e-6](num:moving.c_threshold), not $6.19\cdot10^{-6}$, and
+the breathers around site and bond exchange their stability in one well, $s=$ [0.152520](num:floquet.s0_bond), not at
+0.26 and 0.05 (*Published against reproduced* has every claim). Beyond the article, one sentence from each part; the
+page *What we found* has all, with what was tried to refute them. In these sentences $c$ is the root of the summed
+squares of the velocities that a kick adds, *equal area* means equal action of the two breathers, and the array is
+shaken with the amplitude $a$, by a *piston* that pushes its first bead or at the *base* of its first beam.
 
 - **Static breathers.** [](finding:barrier.signs)
 - **Stability.** [](finding:exchange.six)

@@ -117,7 +117,7 @@ $\alpha = 2$ between walls, and in the last chain every contact has an exponent 
 finds all four). The mean forces of the uneven ring agree to
 [4e-12](num:sec2_nonexistence.mean_force_spread_uneven_ring) of the largest. The last condition is for a motion that
 must fail: the uneven ring from a start that is wrong by a thousandth at one bead does not return, and its means agree
-to no better than [0.000756758](num:sec2_nonexistence.mean_force_spread_not_periodic). */
+only to [0.000756758](num:sec2_nonexistence.mean_force_spread_not_periodic) of the largest. */
 Criterion of_free_chains(std::vector<MotionMeans>& all) {
   Criterion out;
   const auto add = [&](const std::string& name, const auto& chain, const State<double>& start,
@@ -198,11 +198,12 @@ void report_means(Report& report, const std::vector<MotionMeans>& all) {
 
 Next we look for breathers of the free open chain by brute force. Three beads in the middle get random positions, and in
 half of the searches random velocities too; damped Newton's method then looks for a motion with the period of a
-breather, $\omega_b = 1.2$ (sec2/searches.hpp). Finding nothing means something only if the same search finds what does
-exist, so each series of searches has its control. Small starts, of the size of a breather, are also tried in wells of
-unit stiffness. Large starts have the size of motions of this frequency without wells: about $0.3$ when neighbours swing
-against each other. Such motions of a few beads exist between walls, and there the same search looks for them with three
-beads. */
+breather, $\omega_b = 1.2$. To be cheap, a search moves the chain by leapfrog steps, 128 and again 256 of them in a
+period, and what it finds must survive the exact flow (sec2/searches.hpp). Finding nothing means something only if the
+same search finds what does exist, so each series of searches has its control. Small starts, of the size of a breather,
+are also tried in wells of unit stiffness. Large starts have the size of motions of this frequency without wells: about
+$0.3$ when neighbours swing against each other. Such motions of a few beads exist between walls, and there the same
+search looks for them with three beads. */
 const std::array<searches::Series, 4> series{{{"free", 15, Ends::free, false, 0.02, 0.08},
                                               {"wells", 15, Ends::free, true, 0.02, 0.08},
                                               {"free_large", 15, Ends::free, false, 0.3, 2},
@@ -216,7 +217,8 @@ confirmed breather in wells, or a motion between walls, or the search is blind.
 
 Of [100](num:sec2_nonexistence.searches) small starts in the free chain
 [100](num:sec2_nonexistence.mean_force_rest_free) end at rest and [0](num:sec2_nonexistence.mean_force_moving_free) in a
-motion; in wells [2e1](num:sec2_nonexistence.mean_force_localized_wells) end in a breather. Of as many large ones
+motion; in wells about [2e1](num:sec2_nonexistence.mean_force_localized_wells) end in a breather, more of them with the
+shorter step (the table `searches` has the counts with both). Of as many large ones
 [99](num:sec2_nonexistence.mean_force_rest_free_large) end at rest and
 [0](num:sec2_nonexistence.mean_force_moving_free_large) in a motion, while between walls
 [29](num:sec2_nonexistence.mean_force_moving_walls) find one. */
@@ -300,7 +302,9 @@ Course course(const Well& well, double time, int halvings) {
 We call a free state dispersed if its core keeps less than a tenth of the energy and its mean force goes to zero like
 $1/t$, as it does when the contact transmits a finite impulse in all: over the second half of the time the mean must
 fall to one half, within a tenth. In wells the core must keep more than 99 per cent and the mean force its value. Some
-beads must still be at rest, or the ends of the chain would matter. */
+beads must still be at rest, or the ends of the chain would matter. The fall misses one half by
+[0.0247840](num:sec2_nonexistence.mean_force_late_mean_free), and in wells the mean changes by the fraction
+[0.006581](num:sec2_nonexistence.mean_force_late_mean_wells). */
 Estimate deviation(const Course& coarse, const Course& fine, double expected) {
   const auto late = [&](const Course& course) {
     return course.mean.back() / course.mean[course.mean.size() / 2] - expected;

@@ -5,8 +5,8 @@ Section 2 of James, Kevrekidis and Cuevas (Physica D 251, 2013) ends with the re
 theorem, and section 3 finds breathers in them. What happens in between, to a breather whose wells are made softer and
 softer at a fixed period? It may be lost at some stiffness, if its branch turns back or its size diverges, or it may
 persist and cease to be localized only where there are no wells. The article does not ask. We follow the breather, and
-see it spread until many contacts share the mean force; what becomes of it where the wells vanish is told by a rule of
-equal areas.
+see it spread until many contacts share the mean force. A rule of equal areas tells what becomes of it where the wells
+vanish.
 
 ![A breather spreads as its wells are made softer (a); width, amplitude and central mean force (b), which
 tends to the value that an equal-area rule demands.](fig:x17) */
@@ -30,7 +30,7 @@ using namespace lattice;
 /**
 ## Model and method
 
-The chain is that of Eq. (9) in wells $W = \frac12ky^2$, $k = W''(0)$,
+The chain is that of Eq. (9) in wells $W = \frac12ky^2$, $k = W''(0)$ (`kappa` in the tables),
 $$\ddot y_n + k\,y_n = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2},\qquad y_n(t+2\pi) = y_n(t),$$
 where everything is dimensionless. A breather is found as in sec2_nonexistence.cpp, by Newton's method for motions that
 return after a period; of its two kinds we take the one around a bond, in which two neighbours swing against each other.
@@ -117,11 +117,15 @@ factor [12.0909](num:sec2_soft_wells.amplitude_growth). In a wide breather neigh
 $y_n = \bar y_n + (-1)^n a(t)$, at a mean distance $g$ that changes little from place to place:
 $$\ddot a = (-2a-g)_+^{3/2} - (2a-g)_+^{3/2}.$$
 At a fixed period such motions of the free chain have one parameter, so that $g$ is a function of the mean force
-$\bar F$. The means obey $k\,\bar y_n = \bar F_{n-1}-\bar F_n$ and $g = \bar y_{n+1} - \bar y_n$, hence
+$\bar F$. Small swings of the period $2\pi$ need $6|g|^{1/2} = 1$, that is, $g = -\frac1{36}$ and
+$\bar F = \frac1{216}$. Below this force, in the outer parts of the breather, the swing has died out and the beads only
+lean on one another, with $g = -\bar F^{2/3}$. The means obey $k\,\bar y_n = \bar F_{n-1}-\bar F_n$ and
+$g = \bar y_{n+1} - \bar y_n$, hence
 $$\bar F'' = -k\,g(\bar F),\qquad \int_0^{\bar F_c} g\,d\bar F = 0.$$
 In the first equation $k$ sets only the scale of length, so that to leading order in $k$ the width grows like
-$k^{-1/2}$. Multiplied by $\bar F'$ and integrated, it gives the second, a rule of equal areas for the central force
-$\bar F_c$ at $k \to 0$. This number comes from the free chain alone, and the breathers must reach it. */
+$k^{-1/2}$. Multiplied by $\bar F'$ and integrated from far away, where $\bar F = 0$, to the centre, where
+$\bar F' = 0$, it gives the second, a rule of equal areas for the central force $\bar F_c$ at $k \to 0$. This number
+comes from the free chain alone, and the breathers must reach it. */
 struct Neighbours {
   double left_over, force, lagrangian;  ///< a at a quarter of the period; means over it
 };
@@ -146,10 +150,11 @@ Neighbours neighbours(double swing, double g, const Tolerance& tolerance) {
 
 /**
 The integral need not be computed. Let $L$ be the mean Lagrangian of a bead, kinetic minus potential energy. Because the
-action is stationary, $\bar F = dL/dg$ at a fixed period, and the integral is $g\bar F - L$, which vanishes with the
-force. Two nested bisections do the rest. For a given swing we look for the $g$ at which the period is $2\pi$: the
-larger $g$, the weaker the push and the slower the swing. Among the swings we look for the one at which the integral
-vanishes. */
+action is stationary, $\bar F = dL/dg$ at a fixed period, so that $g\,d\bar F = d(g\bar F - L)$. Where the beads only
+lean on one another, $L = -\frac25|g|^{5/2}$ and $g\bar F - L = -\frac35\bar F^{5/3}$, which vanishes with the force; so
+the integral from zero is $g\bar F - L$. Two nested bisections do the rest. For a given swing we look for the $g$ at
+which the period is $2\pi$: the larger $g$, the weaker the push and the slower the swing. Among the swings we look for
+the one at which the integral vanishes. */
 template <class Good>
 double last_good(double good, double bad, Good is_good) {
   for (int k = 0; k < 60; ++k) {
@@ -176,11 +181,12 @@ double central_force(const Tolerance& tolerance) {
 ## The limit of soft wells
 
 The width of the computed breathers grows with the power [-0.4999](num:sec2_soft_wells.width_exponent) of the stiffness,
-and the mean force at their centre tends to [0.0759926](num:sec2_soft_wells.central_limit), where the rule of equal
-areas demands [0.0759928](num:sec2_soft_wells.central_theory). By $k\,\bar y_n = \bar F_{n-1}-\bar F_n$ the mean
-displacements grow like $k^{-1/2}$ to leading order, while the swing of neighbours against each other tends to a limit.
-In this limit the breather becomes a motion of the free chain, with the same mean force at every contact, as the theorem
-demands, and it is no longer localized.
+where $-\frac12$ is expected, and the mean force at their centre tends to
+[0.0759926](num:sec2_soft_wells.central_limit), where the rule of equal areas demands
+[0.0759928](num:sec2_soft_wells.central_theory). By $k\,\bar y_n = \bar F_{n-1}-\bar F_n$ the mean displacements grow
+like $k^{-1/2}$ to leading order, while the swing of neighbours against each other tends to a limit. In this limit the
+breather tends, near its centre, to a motion of the free chain with the same mean force at every contact, as the theorem
+demands, and this motion is no longer localized.
 
 Width and central force have been extrapolated to $k = 0$. The equations suggest a series in $k$, so we lay a polynomial
 through the last points and read it at zero. How good is that? Two successive parabolas may agree by chance, since the

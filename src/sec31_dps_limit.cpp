@@ -46,7 +46,7 @@ DpS equation (12) says:
 $$y_n^{app}(t) = 2\epsilon\,\mathrm{Re}\,[A_n(\epsilon^{1/2}t)\,e^{it}], \qquad
 2i\tau_0\dot A_n = (A_{n+1}-A_n)|A_{n+1}-A_n|^{1/2} - (A_n-A_{n-1})|A_n-A_{n-1}|^{1/2}.$$
 
-The size of the motion is in $\epsilon$ and in the slow time alone; the DpS equation has no free parameter. In the
+The size of the motion enters through $\epsilon$ and the slow time alone; the DpS equation has no free parameter. In the
 program $\epsilon$ is `eps`, $\tau$ is `tau`, $\tau_0$ is `tau_0()` and the complex amplitudes are a `Field`; all are
 dimensionless. */
 using Workspace = std::unique_ptr<gsl_integration_workspace, void (*)(gsl_integration_workspace*)>;
@@ -135,7 +135,8 @@ We quote the order between the two smallest $\epsilon$; its mean over both start
 
 How far from the limit are amplitudes that a simulation would use? Between $\epsilon = 10^{-2}$ and $10^{-2.5}$, the
 impact has the local order [1.400](num:sec31_dps_limit.order_at_large_eps) at the longest horizon; between $10^{-3.5}$
-and $10^{-4}$ it is [1.478](num:sec31_dps_limit.order_at_small_eps), and it comes closer to 3/2 only below. */
+and $10^{-4}$ it is [1.478](num:sec31_dps_limit.order_at_small_eps), and it comes closer to 3/2 only below. The errors
+themselves are in the table `dps_error`. */
 struct Order {
   double eps;
   std::vector<Estimate> order{};
@@ -239,10 +240,12 @@ void report_constants(Report& report, const std::vector<Point>& points) {
 /**
 ## Wells of other shapes
 
-A force $y^2$ has no part at the frequency of the well, and that of $y^3$ turns the phase by $O(\epsilon^{5/2})$ within
-times $O(\epsilon^{-1/2})$. So the deviation should keep its order 3/2 in hard wells, $s = 1$, and in wells with a
-quadratic force too, which the article's Eq. (10) does not have. The orders are taken for both starts, up to $\tau = 4$,
-between two sizes; the criterion is `order_stays` (sec3/dps_error.hpp). The order stays: it is
+To first order a force $y^2$ has no part at the frequency of the well; it shifts the beads and adds a second harmonic,
+both $O(\epsilon^2)$. To second order it turns the phase, as $y^3$ does to first: by $O(\epsilon^{3/2})$ within times
+$O(\epsilon^{-1/2})$, which changes the displacements by $O(\epsilon^{5/2})$. All this is small against
+$\epsilon^{3/2}$, so the deviation should keep its order 3/2 in hard wells, $s = 1$, and in wells with a quadratic force
+too, which the article's Eq. (10) does not have. The orders are taken for both starts, up to $\tau = 4$, between two
+sizes; the criterion is `order_stays` (sec3/dps_error.hpp). The order stays: it is
 [1.49548](num:sec31_dps_limit.order_hard_impact) and [1.4978](num:sec31_dps_limit.order_hard_pair) at $s = 1$,
 [1.49695](num:sec31_dps_limit.order_lopsided_impact) and [1.4982](num:sec31_dps_limit.order_lopsided_pair) with a
 quadratic force. Followed once on 80 sites up to $\tau = 40$, the orders lie between 1.495 and 1.500 in both wells as in
@@ -373,7 +376,7 @@ void reproduce(Report& report) {
    power of $\epsilon$ does the cubic force enter?
 3. *Harder.* What replaces the DpS equation for contacts of another exponent, and how fast are its packets?
    `build/bin/sec31_dps_limit impact --tau 100 --alpha 2` gives `speed` = 0.4059. Hint: only $|A|^{\alpha-1}$ changes in
-   the equation, but the slow time becomes $\epsilon^{\alpha-1}t$, in which a weak packet is slower.
+   the equation, but the slow time becomes $\epsilon^{\alpha-1}t$, so that in the time $t$ a weak packet is slower.
 4. *Open.* Does the correction of relative size $\epsilon^{1/2}$ explain the local order at $\epsilon = 10^{-2}$, and
    does the constant grow like a power of the horizon for a stationary breather, whose phase is all that drifts? */
 int main(int argc, char** argv) {

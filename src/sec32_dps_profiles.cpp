@@ -5,12 +5,12 @@ In the limit of small amplitude a breather is a pattern that only turns, $v_n = 
 Kevrekidis and Cuevas (Physica D 251, 2013) has two, both narrow, with neighbours on opposite sides: one around a site,
 $u_{-n} = u_n$, and one around a bond, $u_{1-n} = -u_n$.
 
-![Both breathers, their approximation and their tails.](fig:x03)
+![Both breathers, their quasi-continuum approximation and their tails.](fig:x03)
 
 The article states that their amplitude is proportional to $\mu^2$ at unchanged width, and that an approximation which
 vanishes outside of $|x| \le 3\pi/2$ is in excellent agreement with them. We compute both to the last digit, with their
-tails, measure how good that approximation is, and find that the two have almost the same norm, so that it costs a small
-breather very little energy to move (section 3.3). The breathers of the chain have a chapter of their own. */
+tails, measure how good that approximation is, and find that the two have almost the same norm, which suggests that a
+small breather moves at little cost (section 3.3). The breathers of the chain have a chapter of their own. */
 
 #include <gsl/gsl_integration.h>
 
@@ -81,12 +81,13 @@ Newton's method does not use every consequence of the equation, and one of them 
 summing by parts gives $\sum|u_{n+1}-u_n|^{5/2} = \mu N$ with the norm $N = \sum u_n^2$. In quadruple precision this
 holds to [2e-34](num:sec32_dps_profiles.identity_quad_site) and [2e-34](num:sec32_dps_profiles.identity_quad_bond).
 
-How easily does a small breather move? On the way from site to site it has to cross the other centre. The energy of the
-chain's breather is close to $2\epsilon^2 N$, so at equal frequency the crossing costs the difference of the two norms.
-These are [0.00536042](num:sec32_dps_profiles.norm_site) around a site and
-[0.00536041](num:sec32_dps_profiles.norm_bond) around a bond; the second minus the first, relative to the first, is
-[-1.33110e-6](num:sec32_dps_profiles.norm_gap_relative). That tiny breathers move at a slight push is no surprise then.
-*/
+How easily does a small breather move? On the way from site to site it has to cross the other centre. In the limit of
+small amplitude the energy of the chain's breather is $2\epsilon^2 N$, so at equal frequency the two energies differ by
+the same fraction as the two norms. (A breather that moves keeps its area, not its frequency; what the crossing then
+costs is the subject of sec32_barrier.cpp.) The norms are [0.00536042](num:sec32_dps_profiles.norm_site) around a site
+and [0.00536041](num:sec32_dps_profiles.norm_bond) around a bond; the second minus the first, relative to the first, is
+[-1.33110e-6](num:sec32_dps_profiles.norm_gap_relative), which makes it plausible that tiny breathers move at a slight
+push. */
 template <class T>
 std::pair<T, T> gap_and_norm(T one) {
   const T site = stationary<T>(Centre::site, one, 31).norm();
@@ -173,11 +174,9 @@ displacement, where the approximate profile is too wide.
 
 One number hides where the profiles differ, so we also compare the largest displacement alone,
 [0.0149102](num:sec32_dps_profiles.qc_peak_difference_site) and
-[0.000187130](num:sec32_dps_profiles.qc_peak_difference_bond), and the norm $N$,
-[0.0600350](num:sec32_dps_profiles.qc_norm_difference_site) and
-[0.0600365](num:sec32_dps_profiles.qc_norm_difference_bond).
-
-![Both breathers, the quasi-continuum profiles and the tails.](fig:x03) */
+[0.000187130](num:sec32_dps_profiles.qc_peak_difference_bond), and the norm $N$, of which the approximation has too much
+by the fraction [0.0600350](num:sec32_dps_profiles.qc_norm_difference_site) and
+[0.0600365](num:sec32_dps_profiles.qc_norm_difference_bond). */
 template <class T>
 T peak_difference(const Stationary<T>& state) {
   using std::abs;

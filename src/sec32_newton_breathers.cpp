@@ -6,7 +6,7 @@ themselves and stay where they are. Neighbours swing against each other, a few b
 the rest of the chain is almost at rest. There are two kinds. Around a *site* one bead swings against both of its
 neighbours; around a *bond* two neighbours swing against each other.
 
-![Bond-centred breathers.](fig:02)
+![Bond-centred breathers, of the DpS equation and of the chain, and their quasi-continuum approximation.](fig:02)
 
 The article finds both by Newton's method, with a residual of $1.5\cdot10^{-9}$ and a last variation of
 $1.7\cdot10^{-11}$, from an approximate profile that is excellent at small amplitude. Their tails fall off
@@ -80,18 +80,18 @@ breather, which was found on a quarter of one, it is [4e-14](num:newton.residual
 [4](num:sec32_newton_breathers.newton_iterations) steps, and the last variation is [7e-14](num:newton.variation).
 
 How did the article get its larger numbers? We also solve its equations, the whole period map in the sense of least
-squares (sec32/full_map.hpp). They are ill-conditioned: the condition number is
-[1.75392e6](num:sec32_newton_breathers.condition_full), against [22.3356](num:sec32_newton_breathers.condition_site) of
-the symmetric equations. The least singular vector is nearly a shift along the chain, the *pinning mode* of section 3.3;
-its angle with the discrete gradient $y_{n+1}-y_{n-1}$ has the cosine
-[0.987389](num:sec32_newton_breathers.softest_along_gradient). Along it a residual of
-[1e-14](num:sec32_newton_breathers.full_residual) still demands a step of [8e-9](num:sec32_newton_breathers.full_step)
-after ten steps. After five, the article's number, the residual is
+squares (sec32/full_map.hpp), in two ways. First we leave nothing out. These equations are ill-conditioned: the
+condition number is [1.75392e6](num:sec32_newton_breathers.condition_full), against
+[22.3356](num:sec32_newton_breathers.condition_site) of the symmetric equations. The least singular vector is nearly a
+shift along the chain, the *pinning mode* of section 3.3; its angle with the discrete gradient $y_{n+1}-y_{n-1}$ has the
+cosine [0.987389](num:sec32_newton_breathers.softest_along_gradient). After ten steps the residual is
+[1e-14](num:sec32_newton_breathers.full_residual), but Newton's method still demands a step of
+[8e-9](num:sec32_newton_breathers.full_step). After five, the article's number, the residual is
 [3.6091e-10](num:sec32_newton_breathers.full_residual_5) and the step
 [5.63924e-5](num:sec32_newton_breathers.full_step_5): the printed residual is met, the variation is not. Least squares
-that leave the pinning mode alone stop at [2.1e-9](num:sec33_article_integrator.residual_flow) with steps of
-[5e-15](num:sec33_article_integrator.variation_flow) (sec33_article_integrator.cpp). The printed pair, a residual that
-is large beside the variation, is of this last kind. */
+that leave the pinning mode alone stop at the residual [2.1e-9](num:sec33_article_integrator.residual_flow) with steps
+of [5e-15](num:sec33_article_integrator.variation_flow) (sec33_article_integrator.cpp). Of the three only this one has a
+residual that is large beside its variation, as the printed pair has; but its variation is far below the printed one. */
 void report_convergence(Report& report) {
   // The symmetric equations at two tolerances
   const auto problem = problem_of(Centre::site, omega_b);
@@ -179,7 +179,6 @@ void report_symmetry(Report& report) {
 How good is the quasi-continuum approximation for the chain itself? The figures have three panels each: the stationary
 DpS breather, and the breathers of the chain at $\omega_b = 1.01$ and $1.1$, each with its approximation.
 
-![Bond-centred breathers and their quasi-continuum approximation.](fig:02)
 ![Site-centred breathers and their quasi-continuum approximation.](fig:03)
 
 Two errors add up. The continuum differs from the DpS breather even in the limit, by
@@ -303,11 +302,11 @@ void report_tail(Report& report) {
 /**
 ## The branches (figure 06)
 
-Both families are followed by arclength from $\omega_b = 1.001$ to $2$ (continuation.hpp). Their amplitudes differ by up
-to [0.130228](num:newton.amplitude_differs); their energies, which the article finds indistinguishable, by
-[1.18591e-6](num:newton.energy_equal), at [1.001](num:sec32_newton_breathers.largest_energy_difference_at). Towards
-$\omega_b = 1$ this tends to that of the DpS norms, [-1.33110e-6](num:sec32_dps_profiles.norm_gap_relative) without its
-sign.
+Both families are followed by arclength from $\omega_b = 1.001$ to $2$ (continuation.hpp). At one frequency their
+amplitudes differ by up to the fraction [0.130228](num:newton.amplitude_differs); their energies, which the article
+finds indistinguishable, by [1.18591e-6](num:newton.energy_equal), at
+[1.001](num:sec32_newton_breathers.largest_energy_difference_at). Towards $\omega_b = 1$ this must tend to the relative
+difference of the DpS norms, bond minus site, of [-1.33110e-6](num:sec32_dps_profiles.norm_gap_relative).
 
 ![Amplitude and energy of both families.](fig:06)
 
@@ -379,9 +378,9 @@ void report_branches(Report& report) {
 ## The width
 
 A breather of the DpS equation keeps its width when its amplitude goes to zero, whereas one of the discrete nonlinear
-Schrödinger equation broadens like $(\omega_b-1)^{-1/2}$. Section 1 says that those of the chain nearly keep it, too. As
-width we take the number of sites on which the displacements live, $(\sum y_n^2)^2/\sum y_n^4$ at $t = 0$. Around a site
-it is [2.96314](num:sec32_newton_breathers.width_limit_site) in the limit,
+Schrödinger equation broadens like $(\omega_b-1)^{-1/2}$. The article's section 1 says that those of the chain nearly
+keep it, too. As width we take the number of sites on which the displacements live, $(\sum y_n^2)^2/\sum y_n^4$ at
+$t = 0$. Around a site it is [2.96314](num:sec32_newton_breathers.width_limit_site) in the limit,
 [2.96507](num:sec32_newton_breathers.width_1001_site) at $\omega_b = 1.001$ and
 [3.05955](num:sec32_newton_breathers.width_105_site) at 1.05; around a bond
 [2.97033](num:sec32_newton_breathers.width_limit_bond), [2.97330](num:sec32_newton_breathers.width_1001_bond) and
@@ -429,9 +428,9 @@ void report_width(Report& report) {
 /**
 ## Other wells
 
-For $s \in [-1, 1]$ the article finds both families, without showing them. We follow them from rest in four wells beside
-those of the figures as far as they go: through $\omega_b = 2$, or to a fold. In all of them the amplitude begins like
-$(\omega_b-1)^2$. In the soft ones the families end before $\omega_b = 2$: at $s = -1$ they fold at
+For $s \in [-1, 1]$ the article finds both families, without showing them. We follow them from rest in four more wells,
+$s = \pm1$ and $\pm\frac12$, as far as they go: through $\omega_b = 2$, or to a fold. In all of them the amplitude
+begins like $(\omega_b-1)^2$. In the soft ones the families end before $\omega_b = 2$: at $s = -1$ they fold at
 [1.61967](num:sec32_newton_breathers.end_s_minus_1_site) around a site and
 [1.61972](num:sec32_newton_breathers.end_s_minus_1_bond) around a bond, at $s = -1/2$ at
 [1.72385](num:sec32_newton_breathers.end_s_minus_05_site) and [1.72391](num:sec32_newton_breathers.end_s_minus_05_bond).

@@ -12,7 +12,7 @@ impact makes a travelling breather in hard wells, which does not turn round as i
 dispersive wave trains in linear and soft ones (figures 27 and 28). We compute all of this, and ask besides how far the
 NLS equation can be trusted in the chain.
 
-![Where phonons are unstable, for three wells.](fig:25) */
+![The modulation coefficient of Eq. (37) for three wells; phonons are unstable where it is positive.](fig:25) */
 
 #include <cstddef>
 #include <numbers>
@@ -60,10 +60,10 @@ $$i\,\partial_\tau A = -\tfrac12\omega''\,\partial_\xi^2A + h\,|A|^2A,\qquad h =
 $$\beta = \frac{16v_2^2\sin^2q\,(1-\cos q)^2}{4v_1(1-\cos q)^2+3} + \tfrac32\left[4v_3(1-\cos q)^2 + s\right].$$
 The first term of $\beta$ comes from the second harmonic, which the quadratic force drives and which mixes with the wave
 back to its own frequency; the second is the cubic force of contact and well (derived in sec4/nls.hpp). A uniform wave
-has the frequency $\omega + h|A|^2$. Where it is higher its phase runs faster or slower by $h|A|^2$; this bends the
-phase, and the bend drives energy along, by $\omega''$. If both have opposite signs, energy flows to where there already
-is more: a uniform wave is unstable to slow modulations, and a localized envelope, a sech, can travel without spreading.
-The article writes this condition as
+has the frequency $\omega + h|A|^2$. If $|A|$ varies along the chain, the phase runs ahead or lags most where $|A|$ is
+largest; this bends the phase, and the bend drives energy along, in a direction that the sign of $\omega''$ decides. If
+$h$ and $\omega''$ have opposite signs, energy flows to where there already is more: a uniform wave is unstable to slow
+modulations, and a localized envelope, a sech, can travel without spreading. The article writes this condition as
 $$\Phi = -\beta\,\omega_2 > 0,\qquad \omega_2 = \omega\,\omega''/v_1,$$
 Eq. (37). So the whole question is one of two signs, for three wells. */
 constexpr std::array<double, 3> wells = {-1.0 / 6, 0, 1};
@@ -76,9 +76,7 @@ We tabulate $\Phi$. For $s \le 0$ we find $\beta < 0$, and the band of instabili
 $q_c$ of $\omega(q)$. For $s = 1$ it lies to the right of $q_c$ and ends at
 [2.00682](num:sec4_precompression_mi.unstable_to_s_1), before $\pi$, because there $\beta$ changes sign as well. That
 $\Phi$ is much smaller for $s = 0$, as the article says, we take to mean that its largest value is less than a tenth of
-the others'.
-
-![The modulation coefficient of Eq. (37).](fig:25) */
+the others'. */
 void report_instability(Report& report) {
   Table& table = report.table("instability");
   for (double s : wells)
@@ -136,18 +134,19 @@ void report_edges(Report& report) {
 ## A modulated phonon becomes a travelling breather (figure 26)
 
 What does the instability lead to? A ring of 200 beads starts from a phonon that is modulated by one per cent, Eq. (39),
-in soft wells, $s = -\frac16$. At $t = 6619$ the energy has gathered in one place, which travels with the speed
-[0.583](num:sec4_precompression_mi.mi_speed), and a sech of the width [5.19378](num:sec4_precompression_mi.mi_width)
-sites fits its envelope. Two runs whose steps differ by a factor of two agree to
-[3e-6](num:sec4_precompression_mi.mi_state_error) there, and do not part up to $t =$
+in soft wells, $s = -\frac16$. At the time of the article's figure, $t = 6619$, the energy has gathered in one place,
+which travels with the speed [0.583](num:sec4_precompression_mi.mi_speed), and a sech of the width
+[5.19378](num:sec4_precompression_mi.mi_width) sites fits its envelope. Two runs whose steps differ by a factor of two
+agree to [3e-6](num:sec4_precompression_mi.mi_state_error) there, and do not part up to $t =$
 [30000](num:sec4_precompression_mi.mi_agreement_time), where we stop. With $s = 1$ the same phonon has $\Phi < 0$; this
 control stays uniform.
 
 So we can also say what becomes of the breather. It passes round the ring as one pulse, spreads, and at $t =$
 [7.35e3](num:sec4_precompression_mi.splitting_splits_at) a second window of 21 sites holds half as much energy as the
 first. The spread pulse breaks up, and at [8.70e3](num:sec4_precompression_mi.splitting_apart_at) the energy has
-gathered again, in two pulses of which the second has at least half of the energy of the first (`pre.splitting`). What
-we call gathered, one pulse and split is in sec4/modulation.hpp.
+gathered again, in two pulses of which the second has at least half of the energy of the first (`pre.splitting`). The
+article sees the pulse split at the end of a long transient and prints no time. What we call gathered, one pulse and
+split is in sec4/modulation.hpp.
 
 ![The initial phonon and the breather that it has become.](fig:26) */
 const ModulatedPhonon article_ring;  // s = -1/6, q = pi/4, a = 0.15, b = 0.01
@@ -157,10 +156,10 @@ In the other wells the article saw the same and names no wavenumber (`pre.same_s
 that fits on the ring, and for $s = 1$ all others of the unstable band besides. For $s = 0$ the energy has gathered at
 $t =$ [3.635e4](num:sec4_precompression_mi.gathered_s_0), for $s = 1$ at
 [4.70e3](num:sec4_precompression_mi.gathered_s_1), and for $s = -1/6$ at
-[6.50e3](num:sec4_precompression_mi.gathered_s_minus_1_6). At half height the packets are at their narrowest
+[6.50e3](num:sec4_precompression_mi.gathered_s_minus_1_6). Their full width at half height is, at its least,
 [31.1791](num:sec4_precompression_mi.packet_width_s_0), [7.12680](num:sec4_precompression_mi.packet_width_s_1) and
-[7.07776](num:sec4_precompression_mi.packet_width_s_minus_1_6) sites wide: in linear wells the breather is later and
-less localized, as the article says. For $s = 1$ no wavenumber that makes a breather changes this order: of
+[7.07776](num:sec4_precompression_mi.packet_width_s_minus_1_6) sites: in linear wells the breather is later and less
+localized, as the article says. For $s = 1$ no wavenumber that makes a breather changes this order: of
 [26](num:sec4_precompression_mi.rings_tried_s_1) in the unstable band [19](num:sec4_precompression_mi.rings_formed_s_1)
 make one; the widest is [29.4516](num:sec4_precompression_mi.widest_packet_s_1) sites wide, and the last has gathered at
 $t =$ [1.325e4](num:sec4_precompression_mi.last_gathered_s_1). Of the others three do not gather in the time of the
@@ -394,12 +393,12 @@ void report_ansatz(Report& report) {
 ## Differences and limits
 
 The article says that the breather *forms around* $t = 291$ and that its envelope is *reminiscent of* a soliton; about
-its top that is so (`breather_residual`). We used to fit the sech about the centre of energy, six sites behind the top,
-where it misses by more than the tenth that we allow. For the other wells we confirm what the article says, with its
-restriction: no breather on these time scales. A possible reason, not tested, is that for small $|s|$ the soliton of the
-NLS equation is too wide to form so early. That the breather of $s = 1$ does not turn round is an observation up to the
-end of the run; whether compression prevents the turning or only delays it, and why, we have not established. All runs
-have $d = \frac12$, and those of figure 26 one ring.
+its top that is so (`breather_residual`). About the centre of energy, six sites behind the top, a sech would miss by
+more than the tenth that we allow. For the other wells we confirm what the article says, with its restriction: no
+breather on these time scales. A possible reason, not tested, is that for small $|s|$ the soliton of the NLS equation is
+too wide to form so early. That the breather of $s = 1$ does not turn round is an observation up to the end of the run;
+whether compression prevents the turning or only delays it, and why, we have not established. All runs have
+$d = \frac12$, and those of figure 26 one ring.
 
 As long as contacts stay closed each splitting has its full order, and it loses it where they open; GSL's integrator
 arrives at the same states (sec4/full_order.hpp, figure x08). */
@@ -433,7 +432,7 @@ void report_band(Report& report) {
    gives `width` = 13.6445, nearly twice that of `--waves 25`, the phonon of figure 26. Hint: in the NLS equation the
    width of an envelope of given height goes like $(\omega''/|h|)^{1/2}$; ask `coefficients` for both carriers.
 4. *Harder.* When does an impact not feel the compression? `build/bin/sec4_precompression_mi impact --d 0.1 --time 1000`
-   gives `energy_fraction` = 0.788, far more than with $d = \frac12$. Hint: contacts open where beads move apart by more
+   gives `energy_fraction` = 0.788, far more than with `--d 0.5`. Hint: contacts open where beads move apart by more
    than $d$.
 5. *Open.* For which $s$ between 0 and 1 does the impact begin to make a breather, what becomes of the backscattered
    wave near $q = \pi/2$ when it has grown, and how do super-exponential tails become exponential ones as $d$ grows from
