@@ -281,8 +281,8 @@ $\ln\lambda/T_b =$ [0.00155771](num:sec33_floquet.dps_rate) $(\omega_b-1)$, weak
 Computed with $\omega_b-1 = 2\cdot10^{-4}$ and $10^{-4}$, the rate goes like $\epsilon$ to the power
 [0.497](num:floquet.weaker); the error of this exponent is its change from $4\cdot10^{-4}$ and $2\cdot10^{-4}$. The rate
 over $\omega_b-1$ tends to [0.00155770](num:sec33_floquet.slow_rate_limit), but slowly: at $\omega_b-1 = 10^{-4}$ it is
-[0.0015503](num:sec33_floquet.slow_rate), and at $\omega_b = 1.1$ only a quarter of the limit. At frequencies so close to
-one $\kappa$ is so small that extended precision is needed. */
+[0.0015503](num:sec33_floquet.slow_rate), and at $\omega_b = 1.1$ only a quarter of the limit. At
+$\omega_b-1 = 10^{-4}$ $\kappa$ is so small that extended precision is needed for the rates. */
 Estimate growth_rate(double beyond_one) {
   // ln(lambda) / T_b, since sinh(ln(lambda) / 2) is the root of kappa
   const auto problem = problem_at(Centre::site, {1 + beyond_one, 0});
