@@ -7,10 +7,10 @@ to future work. It says, too, that "for different values" of $\omega_b \in (1,2]
 multipliers are close to $+1$ and the others on the unit circle, where they accumulate at $e^{\pm2\pi i/\omega_b}$, and in
 section 5 that the instabilities which it found are weak, with multipliers that exceed one by less than $10^{-3}$.
 
-This program tests these two statements on the frequencies and wells that the article's figures show. Then it maps the
-exchanges over the whole plane of $\omega_b$ and $s$ and finds the breathers that are born there: they are centred
-neither on a site nor on a bond. Why must there be such breathers? The centre moves in the Peierls-Nabarro potential,
-drawn here so that a stable breather sits in a valley. Between two valleys there is a hill, between two hills a valley:
+This program tests the first statement on two lines of the plane, $\omega_b = 1.1$ and $s = 0$, and the second one on the
+former. Then it maps the exchanges over the whole plane and finds the breathers that are born there: they are centred
+neither on a site nor on a bond. Why must there be such breathers? The centre moves in the Peierls-Nabarro potential, drawn
+here so that a stable breather sits in a valley. Between two valleys there is a hill, between two hills a valley:
 
       both stable                both unstable
        site  between  bond        site  between  bond
@@ -187,11 +187,10 @@ breather around a bond exists, and [1730](num:sec33_between.chart_nodes_site) ar
 | farther than 0.1 | [202](num:sec33_between.farther_bond) | [1.65](num:sec33_between.farther_from_bond) | [201](num:sec33_between.farther_site) | [1.65](num:sec33_between.farther_from_site) |
 | a modulus exceeds one by more than $10^{-3}$ | [823](num:sec33_between.large_bond) | [1.15](num:sec33_between.large_from_bond) | [94](num:sec33_between.large_site) | [1.16](num:sec33_between.large_from_site) |
 
-The largest excess is [1.06121](num:sec33_between.range_largest), at $\omega_b = 2$ and $s = 1$. Next to the end of the
-families in soft wells multipliers beside the four leave the circle too, by up to
-[0.0493672](num:sec33_between.range_others). Wherever longer chains were tried the added multipliers accumulate at
-the same point. At all but [2](num:sec33_between.chart_same_sign) nodes the pinning pair makes one of the two breathers
-stable and the other one unstable. */
+The largest excess is [1.06121](num:sec33_between.range_largest), around a bond at $\omega_b = 2$ and $s = 1$. Near the ends of
+soft families multipliers beside the four leave the circle too, by up to [0.0493672](num:sec33_between.range_others). Wherever
+longer chains were tried the added multipliers accumulate at the same point. At all but [2](num:sec33_between.chart_same_sign)
+nodes the pinning pair makes one of the two breathers stable and the other one unstable. */
 void report_range(Report& report, const std::vector<OnChart>& seen, int missing, double spacing) {
   // How many nodes are beyond a limit, and from which frequency on
   using Pairs = std::vector<Pair>;
@@ -310,13 +309,14 @@ void report_exchanges(Report& report, const Chart& grid) {
 /**
 ## The linear well: six exchanges
 
-At $s = 0$ we locate for both breathers, in extended precision (a 64-bit mantissa), the exchanges that the grid shows; on
-one that is twenty-five times as dense, run once from $\omega_b = 1.003$, there are no others up to 2.
-[](finding:exchange.six) Between two exchanges lies a *window* in which one of the two is stable. From $\omega_b = 1$
-on it is the bond, as in the DpS equation, but only up to the first; between the last two,
-[1.32615](num:sec33_between.window_5) and [1.49164](num:sec33_between.window_6), it is the site. Each exchange is a
-close pair, one of the site-centred and one of the bond-centred breather. The order of the two tells whether both
-breathers are stable between them or neither is; those of the first pair are too close to be told apart.
+At $s = 0$ we locate for both breathers, in extended precision (a 64-bit mantissa), the exchanges that the grid shows; on one
+twenty-five times as dense, run once from $\omega_b = 1.003$, there are no others up to 2. [](finding:exchange.six) They lie at
+[1.01794](num:sec33_between.window_1), [1.07504](num:sec33_between.window_2), [1.16086](num:sec33_between.window_3),
+[1.26186](num:sec33_between.window_4), [1.32615](num:sec33_between.window_5), and [1.49164](num:sec33_between.window_6). In the
+*window* between two of them one breather is stable. Up to the first it is the bond, as in the DpS equation, and then they take
+turns: at 1.1, between the second and the third, it is the bond again, between the last two the site. Each exchange is a close
+pair, one of the site-centred and one of the bond-centred breather. Their order tells whether both are stable between them or
+neither is; those of the first pair are too close to be told apart.
 
 The middle row of the chart shows where to look: even the shortest window is more than four of its steps wide.
 Around a bond the search interval is a little wider, because the two exchanges of a pair do not coincide. */
@@ -369,20 +369,20 @@ std::vector<ExchangePair> report_windows(Report& report, const Chart& grid) {
 /**
 ## Intermediate breathers (figure x14)
 
-How wide is the interval in which both are stable, or both unstable? Let the potential of the centre $X$, in sites from a
-site, have two harmonics, $V = a\cos2\pi X+b\cos4\pi X$. Then $V' = -2\pi\sin2\pi X\,(a+4b\cos2\pi X)$, and besides site
-and bond there is a third extremum where $\cos2\pi X = -a/4b$, if $|a|<4|b|$. The curvature is proportional to
-$-(a+4b)$ at the site and to $a-4b$ at the bond: both are stable in this interval if $b<0$, and both unstable if $b>0$.
-An exchange is a place where $a$ passes through zero, and the interval is narrow because $V$ is nearly a sine: there
-only the tiny second harmonic is left. As $\kappa$ is proportional to minus the curvature, that of the third breather half
-way is, in size, half the interval times the slope of $\kappa$. At $\omega_b = 1.1$ half of [3.22e-7](num:sec33_between.exchange_gap) times
+How wide is the interval in which both are stable, or both unstable? Let the potential of the centre $X$, in sites from a site,
+have two harmonics, $V = a\cos2\pi X+b\cos4\pi X$. Then $V' = -2\pi\sin2\pi X\,(a+4b\cos2\pi X)$, and besides site and bond
+there is a third extremum where $\cos2\pi X = -a/4b$, if $|a|<4|b|$. The curvature is proportional to $-(a+4b)$ at the site and
+to $a-4b$ at the bond: both are stable in this interval if $b<0$, and both unstable if $b>0$. It is narrow because $V$ is
+nearly a sine, $b$ tiny. Half way, at $a = 0$, all three curvatures are $16\pi^2|b|$ in size. So $\kappa$, proportional to
+minus the curvature, is there as large for the third breather as for the site, where it has grown from the exchange on, over
+half the interval. At $\omega_b = 1.1$ half of [3.22e-7](num:sec33_between.exchange_gap) times the slope
 [7.5451e-8](num:sec33_floquet.exchange_slope) is within four per cent of what we find,
 [1.262e-14](num:sec33_between.kappa_between_in_s). What determines the sign of $b$ we do not know.
 
 Newton's equations for the third breather are nearly singular, as it can be shifted almost freely. We prescribe its centre,
 $$Q = \frac{\sum_n n\,\bigl(y_n(0)^2 + y_n(T_b/2)^2\bigr)}{\sum_n \bigl(y_n(0)^2+y_n(T_b/2)^2\bigr)},$$
-and solve for its positions and for the parameter, $s$ or $\omega_b$, at which it exists there (held.hpp), from a
-site, $Q=0$, to the next bond, $Q=1/2$; the orbit at one centre is the guess for the next (intermediate.hpp).
+and solve for its positions and for the parameter, $s$ or $\omega_b$, at which it exists there (held.hpp), from a site, $Q=0$,
+to the next bond, $Q=1/2$, at two tolerances of extended precision; each orbit is the next one's guess (intermediate.hpp).
 
 ![Centre, energy and stability of the breathers in between.](fig:x14) */
 /// Two exchanges close together on a cut: the ends of a family of intermediate breathers.
@@ -458,7 +458,7 @@ void reproduce(Report& report) {
   report.output.note("tolerance", "flow to 128 and 2048 roundings of the type");
   const Chart site = chart(Centre::site, report.quick), bond = chart(Centre::bond, report.quick);
 
-  // The frequency of the article's figures is none of the chart's
+  // The frequency of the article's figures is not on the grid of the chart
   std::array<Nodes, 2> columns;
   parallel_for(2, [&](std::size_t k) {
     columns[k] = wells_at(1.1, int(site[0].size() / 2));

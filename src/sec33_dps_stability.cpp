@@ -7,7 +7,7 @@ push stay small? Section 3.3 of James, Kevrekidis and Cuevas (Physica D 251, 201
 the frequencies $\mu = 1$ and 10; that the site-centred one has a real pair of exponents $\pm\lambda$, with $\lambda$
 linear in $\mu$; that a random perturbation of amplitude 0.01 sets the site-centred one in motion; and that the
 bond-centred one "should be structurally robust (a result confirmed by our direct numerical simulations)". We find that
-both verdicts of the linear theory depend on the sixth digit of one number, and that both breathers sit on a
+each of the two verdicts of the linear theory hangs on the sixth digit of one number, and that both breathers sit on a
 Peierls-Nabarro potential so flat that noise of this size may move the stable one, too.
 
 ![The site-centred breather has a real pair of exponents.](fig:09) */
@@ -53,12 +53,13 @@ strain than across it: a change $\xi+i\eta$ of $z$ changes it by $|d_n|^{1/2}(\f
 $\dot x = (\mu-M)y$ and $\dot y = -(\mu-\frac32M)x$, where the *same* symmetric matrix $M$, the Laplacian of
 the chain weighted by $|d_n|^{1/2}$, appears in both. So each of its eigenvectors moves alone, with
 $$\lambda^2 = -(\mu-m)(\mu-\tfrac32m).$$
-The breather itself belongs to the largest eigenvalue, $Mu = \mu u$. It gives $\lambda = 0$, a change of
-phase, and no perturbation grows unless some other $m$ lies in $(\frac23\mu,\mu)$. So with $m_2$ the
-second largest eigenvalue a breather is spectrally stable if and only if $m_2 \le \frac23\mu$. The sign of the
-*margin* $m_2/\mu-\frac23$ is the whole verdict, so it needs a safe error. We add two differences: double against a longer
-mantissa, and the chain against one that is ten sites longer. Where the longer mantissa is quadruple precision, $m_2$ alone
-is found, by bisection on the number of eigenvalues above a bound (spectrum.hpp). */
+The breather itself is an eigenvector, $Mu = \mu u$. Neighbours oppose each other in $u$, and of all eigenvectors of such
+a chain the one whose sign changes at every contact has the largest eigenvalue. It gives $\lambda = 0$, a change of phase,
+and no perturbation grows unless some other $m$ lies in $(\frac23\mu,\mu)$. So with $m_2$ the second largest eigenvalue a
+breather is spectrally stable if and only if $m_2 \le \frac23\mu$. The sign of the *margin* $m_2/\mu-\frac23$ is the whole
+verdict, so it needs a safe error. We add two differences: double against a longer mantissa, and the chain against one
+that is ten sites longer. Where the longer mantissa is quadruple precision, $m_2$ alone is found, by bisection on the
+number of eigenvalues above a bound (spectrum.hpp). */
 template <class Fine>
 Margin margin_of(Centre centre, double mu) {
   return margin_of<Fine>(centre, mu, sites_of(centre));
@@ -77,8 +78,8 @@ it. In units of $\mu$ the margins are [4.85298e-6](num:sec33_dps_stability.margi
 [-4.85327e-6](num:sec33_dps_stability.margin_bond) around a bond. The first gives the growth rate
 [0.00155771](num:sec33_dps_stability.exponent_site) $\mu$, the second an oscillation of frequency
 [0.00155778](num:sec33_dps_stability.exponent_bond) $\mu$ in the turning frame. The errors are far smaller,
-but a strain wrong by $10^{-4}$ reverses either verdict, as a test shows. Stable (`dps.bond_stable`) means that the margin
-is negative at both frequencies by a hundred times its error; a sign within that would count as a failure.
+but a relative error of $10^{-4}$ in one strain reverses either verdict, as a test shows. Stable (`dps.bond_stable`) means
+that the margin is negative at both frequencies by a hundred times its error; a sign within that would count as a failure.
 
 Why equally far, on opposite sides? Both breathers are extrema of one potential for the centre, the site at its top and
 the bond at its bottom. If it is a sine, the two curvatures are opposite and equal, and $\lambda^2$ is proportional to
@@ -162,8 +163,8 @@ The article's way, a matrix of $2N$ rows, is an independent route to the same pa
 double zero of the phase has only one eigenvector, so an error $\delta$ of the matrix moves the two zeros by
 $\sqrt\delta$, here by [2.3e-8](num:sec33_dps_stability.full_matrix_zero_double_site), and they may leave zero along
 either axis. So a small real pair is evidence of instability only where it is far larger than that. What rounding makes
-of the double zero converges to nothing; only its size means something, and a chain ten sites longer shows how much that
-size depends on chance. */
+of the double zero has no limit; only its order of magnitude means something, and a chain ten sites longer shows how much
+the size depends on chance. */
 template <class T>
 void report_full_matrix(Report& report, const std::string& precision) {
   for (const auto& [centre, name] : centres) {
@@ -287,19 +288,20 @@ void report_census(Report& report, const Group& group) {
 }
 
 /**
-But [5](num:sec33_dps_stability.moved_complex_bond) of [16](num:sec33_dps_stability.seeds_complex_bond) *stable*
-breathers move as well. Why? Near site and bond $\ddot X = \pm\lambda^2X$, and the simplest potential with both signs is
-a sine: the centre moves like a pendulum. A *shift* $x$, the real part of the noise along the pinning mode, displaces
-it; a *push* $y$, the imaginary part, gives it the speed $\dot x = (\mu-m_2)\,y\approx\frac13\mu\,y$. A pendulum of
-frequency $|\lambda|$ with that speed swings as far as with a shift of $(\mu-m_2)\,y/|\lambda|$, some two hundred times
-$y$. So noise of equal real and imaginary parts acts by its push. The push that carries the pendulum from a bond over
-the site, [0.00641907](num:sec33_dps_stability.freeing_push_of_pendulum), is less than the amplitude of the noise.
-Without noise the whole equation has [0.006542](num:sec33_dps_stability.freeing_push), by bisection between 0.8 and 1.2
-of the prediction with runs of $12/|\lambda|$, long enough to decide a push that is $e^{-8}$ from the edge. The noise
-exceeds it for [5](num:sec33_dps_stability.pushed_over) seeds, and the push alone predicts the fate of
-[16](num:sec33_dps_stability.told_by_push); each departure from a site follows from the pendulum with a relative error
-of [0.0446](num:sec33_dps_stability.departure_difference) at worst. No breather that we followed falls apart, in any
-reading: the number of its sites grows by no more than the factor
+But [5](num:sec33_dps_stability.moved_complex_bond) of [16](num:sec33_dps_stability.seeds_complex_bond) *stable* breathers
+move as well. Why? Near site and bond $\ddot X = \pm\lambda^2X$, and the simplest potential with both signs is a sine: the
+centre moves like a pendulum. A *shift* $x$, the real part of the noise along the pinning mode (of length one), displaces
+it by a number of sites proportional to $x$ (dps_motion.hpp); a *push* $y$, the imaginary part, sets it in motion, with
+$\dot x = (\mu-m_2)\,y\approx\frac13\mu\,y$. A pendulum of frequency $|\lambda|$ then swings as far as with a shift of
+$(\mu-m_2)\,y/|\lambda|$, some two hundred times $y$. So noise of equal real and imaginary parts acts by its push. The
+push that carries the pendulum from a bond over the site, [0.00641907](num:sec33_dps_stability.freeing_push_of_pendulum),
+is less than the amplitude of the noise. Without noise the whole equation has
+[0.006542](num:sec33_dps_stability.freeing_push), by bisection between 0.8 and 1.2 of the prediction with runs of
+$12/|\lambda|$, long enough to decide a push that is $e^{-8}$ from the edge. The noise exceeds it for
+[5](num:sec33_dps_stability.pushed_over) seeds, and the push alone predicts the fate of
+[16](num:sec33_dps_stability.told_by_push); each departure from a site follows from the pendulum with a relative error of
+[0.0446](num:sec33_dps_stability.departure_difference) at worst. No bond-centred breather that we followed falls apart, in
+any reading: the number of its sites grows by no more than the factor
 [1.0112](num:sec33_dps_stability.bond_robust_spread). */
 Estimate freeing_push(const PinnedBreather& bond, int steps) {
   double found[2];

@@ -10,11 +10,11 @@ site-centred breather is the stable one. It prints $s_0 \approx 0.26$ around a b
 that the two differ by [3.22e-7](num:sec33_floquet.exchange_gap) only, and that between them there is a third breather,
 which is centred neither on a site nor on a bond.
 
-The article says more: near $\omega_b = 1$ the instability is $O(\epsilon^{1/2})$ times weaker than that of the DpS
-equation, where $\epsilon$ is the size of the breather; and the *pinning mode*, which shifts the breather along the
-chain, is very close to its discrete gradient. That all other multipliers lie on the unit circle, where they accumulate
-at $e^{\pm 2\pi i/\omega_b}$, and that unstable ones exceed one by less than $10^{-3}$, is true at the frequency of its
-figures; `sec33_between` tests it at others. */
+The article says more: near $\omega_b = 1$ the instability is weaker than that of the DpS equation by a factor of
+$O(\epsilon^{1/2})$, where $\epsilon$ is the size of the breather; and the *pinning mode*, which shifts the breather along
+the chain, is very close to its discrete gradient. That all other multipliers lie on the unit circle, where they
+accumulate at $e^{\pm 2\pi i/\omega_b}$, and that unstable ones exceed one by less than $10^{-3}$, is true at the
+frequency of its figures; `sec33_between` tests it at others. */
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -63,12 +63,12 @@ std::string name_of(Centre centre) {
 /**
 ## All multipliers at $\omega_b = 1.1$
 
-What does the whole spectrum look like? We ask three things of it. Four multipliers lie near $+1$: the fourth
-is at a distance of [0.000214282](num:sec33_floquet.fourth_distance), the fifth at
-[0.229543](num:sec33_floquet.fifth_distance). No other pair leaves the unit circle by more than its error. And
-the others accumulate at $e^{\pm2\pi i/\omega_b}$: ten more sites add twenty multipliers there, within
-$10^{-9}$, and nowhere else (`four_near_one` of exchange.hpp). The table holds the multipliers of both
-breathers on the article's chains, with the two of the time-translation pair, which are exact.
+What does the whole spectrum look like? We ask three things of it. Four multipliers lie near $+1$: around a site the
+fourth is at a distance of [0.000214282](num:sec33_floquet.fourth_distance), the fifth at
+[0.229543](num:sec33_floquet.fifth_distance), and around a bond these distances are the same to three digits. No other
+pair leaves the unit circle by more than its error. And the others accumulate at $e^{\pm2\pi i/\omega_b}$: ten more sites
+add twenty multipliers there, within $10^{-9}$, and nowhere else (`four_near_one` of exchange.hpp). The table holds the
+multipliers of both breathers on the article's chains, with the two of the time-translation pair, which are exact.
 
 The criterion is put to both breathers, each on two chains, of which one is ten sites longer. It can fail in
 three ways: by a fifth multiplier near one, by a pair off the circle, or by an accumulation elsewhere. Near
@@ -114,10 +114,11 @@ void report_spectrum(Report& report) {
 
 Which breather is stable in which wells? Both are extrema of one potential of the centre, which has the period of the
 chain (`sec32_barrier`). If that potential is nearly a sine, they are its only extrema in a period, one stable and the
-other one not. When its amplitude passes through zero as $s$ is changed, the potential turns upside down, and the two
-*exchange* their stability in almost the same well. Only where the sine vanishes do higher harmonics matter; they decide
-what happens in between (`sec33_between`). So two values as far apart as the printed ones would require a potential
-that is no sine at all. To find them we follow each breather from the linear well to both ends of $-1 \le s \le 1$.
+other one not; which one also depends on the sign of the effective mass (`sec33_mobility`). When its amplitude passes
+through zero as $s$ is changed, the potential turns upside down, and the two *exchange* their stability in almost the same
+well. Only where the sine vanishes do higher harmonics matter; they decide what happens in between (`sec33_between`). So
+two values as far apart as the printed ones would require a potential that is no sine at all. To find them we follow each
+breather from the linear well to both ends of $-1 \le s \le 1$.
 
 ![Arguments and moduli of the four multipliers near one, bond-centred.](fig:11)
 ![The same around a site.](fig:12) */
@@ -274,14 +275,14 @@ void report_strength(Report& report) {
 ## Towards $\omega_b = 1$
 
 In the DpS equation the site-centred breather of frequency $\mu$ grows unstable at the rate
-[0.00155771](num:sec33_floquet.dps_rate) $\mu$ in slow time, whatever its size. By Eq. (20) a breather of the chain of size
-$\epsilon$ has $\omega_b-1 = \epsilon^{1/2}/(2\tau_0)$, and if the same happens in the chain its rate is
-$\ln\lambda/T_b =$ [0.00155771](num:sec33_floquet.dps_rate) $(\omega_b-1)$, weaker by $O(\epsilon^{1/2})$. Computed with
-$\omega_b-1 = 2\cdot10^{-4}$ and $10^{-4}$, the rate goes like $\epsilon$ to the power [0.497](num:floquet.weaker); the
-error of this exponent is its change from $4\cdot10^{-4}$ and $2\cdot10^{-4}$. The rate over $\omega_b-1$ tends to
-[0.00155770](num:sec33_floquet.slow_rate_limit), but slowly: at $\omega_b-1 = 10^{-4}$ it is
-[0.0015503](num:sec33_floquet.slow_rate), and at $\omega_b = 1.1$ only a quarter of the limit. So close to one $\kappa$ is
-so small that extended precision is needed. */
+[0.00155771](num:sec33_floquet.dps_rate) $\mu$ in slow time, whatever its size. By Eq. (20) a breather of the chain of
+size $\epsilon$ has $\omega_b-1 = \epsilon^{1/2}/(2\tau_0)$, and if the same happens in the chain its rate is
+$\ln\lambda/T_b =$ [0.00155771](num:sec33_floquet.dps_rate) $(\omega_b-1)$, weaker by a factor of $O(\epsilon^{1/2})$.
+Computed with $\omega_b-1 = 2\cdot10^{-4}$ and $10^{-4}$, the rate goes like $\epsilon$ to the power
+[0.497](num:floquet.weaker); the error of this exponent is its change from $4\cdot10^{-4}$ and $2\cdot10^{-4}$. The rate
+over $\omega_b-1$ tends to [0.00155770](num:sec33_floquet.slow_rate_limit), but slowly: at $\omega_b-1 = 10^{-4}$ it is
+[0.0015503](num:sec33_floquet.slow_rate), and at $\omega_b = 1.1$ only a quarter of the limit. At
+$\omega_b-1 = 10^{-4}$ $\kappa$ is so small that extended precision is needed for the rates. */
 Estimate growth_rate(double beyond_one) {
   // ln(lambda) / T_b, since sinh(ln(lambda) / 2) is the root of kappa
   const auto problem = problem_at(Centre::site, {1 + beyond_one, 0});
@@ -316,11 +317,11 @@ void report_slow(Report& report) {
 /**
 ## The pinning mode is the gradient (figure 13)
 
-What motion belongs to the pinning pair? We compare its eigenvector, with vanishing velocities, with
-$y_{n+1}(0)-y_{n-1}(0)$, both of length one. (The article's $g_n$ divides by the sum of the squares, but an
-energy of $c^2/2$ needs the square root of that sum.) The cosine of the angle between them is
-[0.979741](num:sec33_floquet.cosine_bond) around a bond and [0.987389](num:sec33_floquet.cosine_site) around a
-site.
+What motion belongs to the pinning pair? The breather starts from rest, so that the two eigenvectors, of $\lambda$ and
+$1/\lambda$, have the same positions at $t = 0$ and opposite velocities. We compare these positions with
+$y_{n+1}(0)-y_{n-1}(0)$, both of length one. (The article's $g_n$ divides by the sum of the squares, but an energy of
+$c^2/2$ needs the square root of that sum.) The cosine of the angle between them is
+[0.979741](num:sec33_floquet.cosine_bond) around a bond and [0.987389](num:sec33_floquet.cosine_site) around a site.
 
 ![Pinning mode and discrete gradient.](fig:13)
 
@@ -357,12 +358,12 @@ void report_mode(Report& report) {
 /**
 ## Differences and limits
 
-The printed exchanges, 0.26 and 0.05, are discrepant; `sec33_multiplier_errors` shows how common tolerances pull one
-number apart into such a pair. The verdict at $s = 0$ survives, because there $\kappa$ is far enough from zero. All this
-holds at $\omega_b = 1.1$, in quartic wells, and is no general rule: at $s = 0$ the two breathers exchange their stability
-six times between $\omega_b = 1.003$ and 2, and near an exchange a third breather may lie between them. `sec33_between`
-finds the exchanges and follows two families of such breathers. Why the potential turns upside down at just these
-places is not known. */
+The printed exchanges, 0.26 and 0.05, are discrepant; `sec33_multiplier_errors` shows that common tolerances pull one
+number apart into two, with a gap of the printed size. The verdict at $s = 0$ survives, because there $\kappa$ is far
+enough from zero. All this holds at $\omega_b = 1.1$, in quartic wells, and is no general rule: at $s = 0$ the two
+breathers exchange their stability six times between $\omega_b = 1.003$ and 2, and near an exchange a third breather may
+lie between them. `sec33_between` finds the exchanges and follows two families of such breathers. Why the potential turns
+upside down at just these places is not known. */
 void reproduce(Report& report) {
   report.output.note("tolerance", "flow to 128 and 2048 roundings of the type");
   report_spectrum(report);

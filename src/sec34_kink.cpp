@@ -163,16 +163,19 @@ Transition find_transition(std::vector<Point> points) {
 Now we scan the impact velocity, from 1 to 8 in steps of 0.02, in a chain of fifty beads. There are three regimes. A weak
 impact leaves every bead in its well; below $v_0 = 2$ nothing else is possible, since the way over a maximum costs
 $W(\pi) = 2$. From $v_0 =$ [2.48](num:sec34_kink.first_thrown_back) on the recoil throws beads back at the near end at most
-velocities, while the breather still travels: beads that swing back push each other apart, and nothing lies behind the
-first one to hold it. Between [4.66](num:sec34_kink.last_breather) and [4.72](num:sec34_kink.first_certain_kink) the breather
+velocities, while the breather still travels: beads that swing back push each other apart, and no contact lies behind the
+first bead to hold it. Between [4.66](num:sec34_kink.last_breather) and [4.72](num:sec34_kink.first_certain_kink) the breather
 gives way to a kink: below no kink crosses the chain, and above every impact sends one through all of it. The error of these
-velocities is the spacing of the scan; a share of [0.00569801](num:sec34_kink.kink_undecided) of them stays undecided.
+velocities is the spacing of the scan; the two velocities between them stay undecided, a share of
+[0.00569801](num:sec34_kink.kink_undecided) of the scan.
 
 Why so far above 2? The first bead does not climb alone, but pushes on the second all the way up. When it first stops, less
 than half of the impact's energy is in its own well, after each of eleven impacts from 2 to 4.72 that were tried in another
-program, not part of this repository; the rest is in the contact and ahead. Nor is it enough that it passes the maximum:
-after 4.0 and 4.4 it does so and is thrown back all the same. In a kink *every* bead passes its maximum; each pays 2 on the
-way up and gets 2 back on the way down, so that a kink, once on its way, can go on. We have no theory that gives 4.7. */
+program, not part of this repository; the rest is in the contact and ahead. With half of $v_0^2/2$ it would pass the maximum
+from $v_0 = 2\sqrt2$ on, so this explains a factor of $\sqrt2$ or somewhat more, not the whole. For it is not enough that the
+first bead passes: after 4.0 and 4.4 it does so and is thrown back all the same. In a kink *every* bead passes its maximum;
+each pays 2 on the way up and gets 2 back on the way down, so that a kink, once on its way, can go on. We have no theory that
+gives 4.7. */
 void report_transition(Report& report) {
   const std::size_t sites = Strike{}.sites;
 
@@ -226,8 +229,8 @@ void report_transition(Report& report) {
 In soft quartic wells a strong impact ends in a blow-up; with $W = 1-\cos y$ that cannot be. No term of the energy is
 negative, so that no bead is ever faster than $v_0$ or farther away than $v_0t$, at every impact velocity and for ever.
 We follow impacts of up to $v_0 = 6$ until $t = 2000$ and ask whether the beads keep to that. They do: the largest
-displacement is [0.868672](num:sec34_kink.no_blowup_pendulum_way) of $v_0t$. It belongs to a bead which has been thrown off and goes
-on over well after well, to [10424.1](num:sec34_kink.furthest). */
+displacement is [0.868672](num:sec34_kink.no_blowup_pendulum_way) of $v_0t$. It belongs to a bead which has been thrown
+off and goes on over well after well, to a displacement of [10424.1](num:sec34_kink.furthest). */
 void report_confinement(Report& report) {
   const std::vector<double> velocities =
       report.quick ? std::vector{2.0, 6.0} : std::vector{2.0, 3.0, 4.0, 5.0, 6.0};
