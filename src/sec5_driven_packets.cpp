@@ -80,8 +80,8 @@ Traveller packet_seen(const Packet& p, double step, const WatchedBeads& stretch)
 /**
 The oscillation within a packet makes all means fluctuate, and a packet changes on its way. So each packet is measured
 four times, in four *looks*: on the whole stretch; on a stretch that begins two beads later, with twice the step; and on
-either half of the stretch. The first look gives the value. Its error is the larger of two numbers, the difference
-between the first two looks, and half of the difference between the last two. */
+either half of the stretch. The first look gives the value. Its error (the tables' *spread*) is the larger of two
+numbers, the difference between the first two looks, and half of the difference between the last two. */
 struct Looks {
   Traveller fine, coarse, before, after;
 
@@ -287,12 +287,11 @@ The two weakest drives, of strength 1.05 and 1.1, lie below the fold: their pack
 that rises slowly would send none. The phases of the first packets rise from
 [0.630](num:sec5_driven_packets.phase_weakest) at 1.05 to [0.680](num:sec5_driven_packets.phase_drive_weak) at 1.15 and
 then fall, through zero at [1.77](num:sec5_driven_packets.phase_zero_at); that of an impact is
-[-0.26](num:sec5_driven_packets.phase_impact). So both are breathers of one kind; those of the weaker drives
-and that of the impact lie on opposite sides of type I, whose phase is zero. The drives at 1.15, 1.3 and 1.6 have
-$(T+\varphi)/2\pi =$
-[4.122](num:sec5_driven_packets.family_drive_weak), [3.81](num:sec5_driven_packets.family_drive) and
-[3.06](num:sec5_driven_packets.family_drive_strong). The number is 4 at [1.230](num:sec5_driven_packets.family_at_4) and
-3 at [1.63](num:sec5_driven_packets.family_at_3), where it falls at the rates
+[-0.26](num:sec5_driven_packets.phase_impact). So the packets of drives and impacts are breathers of one kind, but those
+of the weaker drives and that of the impact lie on opposite sides of type I, whose phase is zero. The drives at 1.15,
+1.3 and 1.6 have $(T+\varphi)/2\pi =$ [4.122](num:sec5_driven_packets.family_drive_weak),
+[3.81](num:sec5_driven_packets.family_drive) and [3.06](num:sec5_driven_packets.family_drive_strong). The number is 4 at
+[1.230](num:sec5_driven_packets.family_at_4) and 3 at [1.63](num:sec5_driven_packets.family_at_3), where its slopes are
 [-3.2](num:sec5_driven_packets.family_slope_at_4) and [-1.8](num:sec5_driven_packets.family_slope_at_3). From each of
 the seventeen strengths to the next it changes by more than the spreads of both, at least by
 [1.58478](num:sec5_driven_packets.family_least_change) times their sum. So a plateau, if there is one, is narrower than
