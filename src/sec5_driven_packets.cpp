@@ -27,12 +27,13 @@ using namespace lattice;
 
 The array is that of `sec5_driving`: linear wells, and a piston $a\sin\Omega t$ that touches the first bead, $\Omega =
 1+\delta$. A travelling breather of the DpS equation obeys $A_n(\tau+T) = e^{i\varphi}A_{n-1}(\tau)$, and two numbers
-determine it: its shift time $T$ and the phase $\varphi$ by which it turns from site to site. In the chain they nearly
-do: the family that begins at $T = 2\pi k$ (chapter on families) has $\varphi = 2\pi k-T$, one curve for each $k$, and
-between these curves energy and width are interpolated (packet_members.hpp). We measure both numbers, at $\delta =
-0.1$ for a piston that begins at once, and after an impact of 1 m/s. The *strength* of a drive is its amplitude over
-the asymptotic threshold $8\tau_0^2\delta^2\max|u_0|$ (the law of `sec5_driving`); the fold of the quiet motion, with
-10 ms, has the strength [1.1167](num:sec5_driving.fold_over_law).
+determine it: its shift time $T$ and the phase $\varphi$ by which it turns from site to site. In the chain, the family
+that begins at $T = 2\pi k$ (chapter on families) has $\varphi = 2\pi k-T$: one curve for each $k$ in the plane of the
+two numbers. A packet may lie between these curves; energy and width are interpolated there (packet_members.hpp), as if
+the two numbers determined them as they do in the DpS limit. We measure both, at $\delta = 0.1$ for a piston that begins
+at once, and after an impact of 1 m/s. The *strength* of a drive is its amplitude over the asymptotic threshold
+$8\tau_0^2\delta^2\max|u_0|$ (the law of `sec5_driving`); the fold of the quiet motion, with 10 ms, has the strength
+[1.1167](num:sec5_driving.fold_over_law).
 
 | symbol | program | meaning | unit |
 |---|---|---|---|
@@ -77,9 +78,10 @@ Traveller packet_seen(const Packet& p, double step, const WatchedBeads& stretch)
 }
 
 /**
-The packet's inner motion ripples all means, and a packet changes on its way. So errors are the larger of two
-differences: from a stretch that begins two beads later, with twice the step, and half that between the two halves of
-the stretch. */
+The oscillation within a packet makes all means fluctuate, and a packet changes on its way. So each packet is measured
+four times, in four *looks*: on the whole stretch; on a stretch that begins two beads later, with twice the step; and on
+either half of the stretch. The first look gives the value. Its error (the tables' *spread*) is the larger of two
+numbers, the difference between the first two looks, and half of the difference between the last two. */
 struct Looks {
   Traveller fine, coarse, before, after;
 
@@ -111,11 +113,11 @@ double family_of(const Traveller& p) {
 /**
 ## Against the exact families
 
-If the packet is such a breather its energy and width are no longer free: they must be those of the members of the
-exact families with its shift time and phase. So their ratios have to be one, and nothing is fitted. Their errors
-contain the difference that the farthest members make. Between them, for $(T+\varphi)/2\pi$ from 2 to 5 and
-$\varphi$ from -0.4 to 0.75, the members are joined by polynomials; beyond there is no ratio. For comparison we also
-ask for the orbit of type I, whose phase is zero, with the speed of the packet. */
+If the packet is such a breather its energy and width are no longer free: they must be those that the exact families
+have at its shift time and phase. So the ratios of both have to be one, and nothing is fitted. For $(T+\varphi)/2\pi$
+from 2 to 5 and $\varphi$ from -0.4 to 0.75 the members of the families are joined by polynomials; beyond there is no
+ratio. The errors contain the change that is made by leaving out the farthest members. For comparison we also ask for
+the orbit of type I, whose phase is zero, with the speed of the packet. */
 class Families {
  public:
   /// Whether the packet lies between the members that we have.
@@ -165,17 +167,19 @@ class Families {
 The energies are those of the families. [](finding:driving.packets) The first packet of a drive of strength 1.3 has the
 ratio [0.999](num:sec5_driven_packets.energy_ratio_drive), the third one of this train
 [1.001](num:sec5_driven_packets.energy_ratio_drive_third), the first one with losses
-[1.01](num:sec5_driven_packets.energy_ratio_drive_lossy), and in the whole table `strengths` none is farther from one
-than [1.009](num:sec5_driven_packets.energy_ratio_worst), though at the two strongest drives four looks differ by more
-than one per cent (figure x29). After an impact, where the packet still sheds a tail, the ratio is
+[1.01](num:sec5_driven_packets.energy_ratio_drive_lossy). In the whole table `strengths` the ratio farthest from one is
+[1.009](num:sec5_driven_packets.energy_ratio_worst), though at the two strongest drives it is uncertain by more than one
+per cent, as the four looks differ (figure x29). After an impact, where the packet still sheds a tail, the ratio is
 [1.009](num:sec5_driven_packets.energy_ratio_impact) on beads 12 to 28 and
 [1.00](num:sec5_driven_packets.energy_ratio_impact_far) on beads 44 to 60. This tests one combination of $T$ and
 $\varphi$: a phase that is wrong by a tenth would multiply the ratio by
 [0.8636](num:sec5_driven_packets.energy_ratio_mistimed), but an error in time changes $T$ and $\varphi$ so that most of
 it cancels. The width tests little ([0.9938](num:sec5_driven_packets.width_ratio_mistimed) for such a phase); without
 losses the ratio farthest from one is [0.986](num:sec5_driven_packets.width_ratio_worst), for the impact with losses it
-is [1.05](num:sec5_driven_packets.width_ratio_impact_lossy). Of the energy of the orbit of type I with its speed the
-drive's packet has [2.25](num:sec5_driven_packets.type_one_ratio_drive) times as much, that of the impact
+is [1.05](num:sec5_driven_packets.width_ratio_impact_lossy).
+
+So the phase matters: compared with a breather of type I of the same speed, whose phase is zero, the drive's packet has
+[2.25](num:sec5_driven_packets.type_one_ratio_drive) times the energy, and that of the impact
 [0.63](num:sec5_driven_packets.type_one_ratio_impact) times. */
 void report_packets(Report& report, const Families& families) {
   const std::vector<Packet> all = packets(report.quick);
@@ -283,12 +287,11 @@ The two weakest drives, of strength 1.05 and 1.1, lie below the fold: their pack
 that rises slowly would send none. The phases of the first packets rise from
 [0.630](num:sec5_driven_packets.phase_weakest) at 1.05 to [0.680](num:sec5_driven_packets.phase_drive_weak) at 1.15 and
 then fall, through zero at [1.77](num:sec5_driven_packets.phase_zero_at); that of an impact is
-[-0.26](num:sec5_driven_packets.phase_impact). So both are breathers of one kind; those of the weaker drives
-and that of the impact lie on opposite sides of type I, whose phase is zero. The drives at 1.15, 1.3 and 1.6 have
-$(T+\varphi)/2\pi =$
-[4.122](num:sec5_driven_packets.family_drive_weak), [3.81](num:sec5_driven_packets.family_drive) and
-[3.06](num:sec5_driven_packets.family_drive_strong). The number is 4 at [1.230](num:sec5_driven_packets.family_at_4) and
-3 at [1.63](num:sec5_driven_packets.family_at_3), where it falls at the rates
+[-0.26](num:sec5_driven_packets.phase_impact). So the packets of drives and impacts are breathers of one kind, but those
+of the weaker drives and that of the impact lie on opposite sides of type I, whose phase is zero. The drives at 1.15,
+1.3 and 1.6 have $(T+\varphi)/2\pi =$ [4.122](num:sec5_driven_packets.family_drive_weak),
+[3.81](num:sec5_driven_packets.family_drive) and [3.06](num:sec5_driven_packets.family_drive_strong). The number is 4 at
+[1.230](num:sec5_driven_packets.family_at_4) and 3 at [1.63](num:sec5_driven_packets.family_at_3), where its slopes are
 [-3.2](num:sec5_driven_packets.family_slope_at_4) and [-1.8](num:sec5_driven_packets.family_slope_at_3). From each of
 the seventeen strengths to the next it changes by more than the spreads of both, at least by
 [1.58478](num:sec5_driven_packets.family_least_change) times their sum. So a plateau, if there is one, is narrower than
@@ -397,10 +400,10 @@ struct OnePacket {
 /**
 ## Differences and limits
 
-A breather of a family, put into a chain, is measured as what it is, and so is a packet beside another one into
-which it flickers (tests/driven.cpp). Shift time and phase come from stretches of eight to sixteen beads: what
-happens within one bead, or after a hundred, they do not tell. But for the last table the drives have one frequency,
-$\delta = 0.1$, and begin at once. */
+The measurement is tested (tests/driven.cpp): an exact breather that is put into a chain is found to have its own shift
+time, phase and energy, and two packets close together, of which now one and now the other has more energy, are told
+apart. Shift time and phase come from stretches of eight to sixteen beads: what happens within one bead, or after a
+hundred, they do not tell. But for the last table the drives have one frequency, $\delta = 0.1$, and begin at once. */
 void reproduce(Report& report) {
   const Families families;
   report_packets(report, families);

@@ -167,11 +167,11 @@ zero, and the first packet at the detector (bead 20) decides. *Once*: the drive 
 decides. *Lasting*: it begins at once, and emission must go on to the end of the run. *Down*: the same for an amplitude
 that falls slowly from 1.2 times the fold. Emission that has been silent for five lifetimes is over.
 
-Near the threshold emission stops after a time that is erratic, so that a stronger drive may be quiet where a weaker
-one still emits, and a longer run finds a higher threshold. We therefore look at thirteen amplitudes around 0.9475 of
-the fold: the threshold of lasting emission lies between the highest quiet one and the lowest one that emits. Each
-threshold comes from two runs, the rougher one shorter and with twice the step; the difference belongs to the error,
-for emission that lasts the larger one of the two ways. */
+Near the threshold emission stops after a time that is erratic, so that a stronger drive may be quiet where a weaker one
+still emits, and a longer run finds a higher threshold. A bisection would miss this. So we look at thirteen amplitudes
+from 0.9175 to 0.9775 of the fold, a stretch with quiet and emitting ones: the threshold of lasting emission lies
+between the highest quiet one and the lowest one that emits. Each threshold comes from two runs, the rougher one shorter
+and with twice the step; the difference belongs to the error, for emission that lasts the larger one of the two ways. */
 enum class Way { up, once, lasting, down };
 
 struct Threshold {
@@ -277,7 +277,7 @@ const Table& report_thresholds(Report& report, const ArraySetup& setup,
 }
 
 /**
-Slowly upward the threshold comes to the fold from below as the rise becomes slower. Ours of 0.15 s leads to
+The slower the amplitude rises, the closer the threshold comes to the fold, from below. A rise of 0.15 s leads to
 [5.77](num:sec5_driving.threshold_first_up) and [25.7](num:sec5_driving.threshold_second_up) µm for a piston at $\delta
 = 0.1$ and 0.2, and to [0.7530](num:sec5_driving.base_first_up) and [7.79](num:sec5_driving.base_second_up) µm for a
 base. In these cases lasting emission begins below the fold: for a piston at

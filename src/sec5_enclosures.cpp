@@ -29,7 +29,7 @@ using namespace lattice;
 ## Method
 
 To solve $F(x) = 0$ we take the map $x \to x-AF(x)$ with an approximate inverse $A$ of the derivative. Let it move the
-guess by at most $\eta$ and shrink distances at least by the factor $q(\rho)<1$ in the ball of radius $\rho$ around it. If
+guess by at most $\eta$, and let it multiply distances in the ball of radius $\rho$ around it by $q(\rho)<1$ at most. If
 $$\eta+q(\rho)\,\rho \le \rho,$$
 the ball is sent into itself, and by Banach's theorem there is exactly one solution in it (contraction.hpp). $\eta$ and
 $q$ are computed in intervals whose ends are rounded outwards (interval.hpp), with bounds for all that a finite
@@ -396,17 +396,17 @@ struct EnclosedWaves {
 /**
 ## Differences and limits
 
-The article computes and does not prove. A proof of this kind trusts the compiler and the arithmetic of the processor,
-and nothing else that is computed: guesses and approximate inverses may come from anywhere. Whether the sign plus is the
-maximum of the theorem remains open.
+The article computes and does not prove. A proof of this kind trusts its program, the compiler and the arithmetic of the
+processor. It does not trust the numbers that it begins with: guesses and approximate inverses may come from anywhere,
+since the bounds hold or fail with whatever they are. Whether the sign plus is the maximum of the theorem remains open.
 
-The arithmetic is tested on a million random operations against four-fold precision, and so is
-Boost.Interval, which fails without a special option of the compiler. A second program in another language, with the
+The interval arithmetic is tested on a million random operations against four-fold precision. Boost.Interval is put to
+the same test and fails it without a special option of the compiler. A second program in another language, with the
 intervals of the Python package mpmath and eighty digits, repeats for the DpS equation: existence, with the norm and the
-largest displacement; the second eigenvalue, its exponent, and how many eigenvalues lie above $\frac23$; both
-barriers; and the radius of uniqueness. Its intervals lie in ours. Not repeated are the search for other profiles and
-all that concerns the chain and the kernel equation, whose waves and breathers are only compared with those that
-Newton's method finds. The errors that the tests put into the proof, one at a time, make it fail. */
+largest displacement; the second eigenvalue, its exponent, and how many eigenvalues lie above $\frac23$; both barriers;
+and the radius of uniqueness. Its intervals lie in ours. Not repeated are the search for other profiles and all that
+concerns the chain and the kernel equation, whose waves and breathers are only compared with those that Newton's method
+finds. The errors that the tests put into the proof, one at a time, make it fail. */
 void reproduce(Report& report) {
   const Both both;
   for (const auto& [centre, name] : centres) {

@@ -34,8 +34,6 @@ using namespace lattice;
 using std::numbers::pi;
 
 /**
-In short: [](finding:growth.bands) [](finding:growth.chain) [](finding:growth.left)
-
 ## Model
 
 In the slow time $\tau = \epsilon^{1/2}t$ the DpS equation (12) is $2i\tau_0\,\partial_\tau A_n = D_n-D_{n-1}$ with
@@ -48,7 +46,8 @@ $$\frac{i\sigma}\rho\begin{pmatrix}x\\y\end{pmatrix} =
   \begin{pmatrix}a+e & k\\ -k & e-a\end{pmatrix}\begin{pmatrix}x\\y\end{pmatrix},\qquad
   a = \tfrac52cC-\tfrac12-2c,\quad e = -\tfrac52\sin q\sin Q,\quad k = \tfrac12(c-C).$$
 $e$ shifts only the frequency of the modulation. It grows if the coupling $k$ of the side bands $q\pm Q$ exceeds their
-detuning $a$. Rates go like $|A|^{1/2}$, so $|A| = 1$ throughout; a bead of the chain then swings by $\pm2\epsilon$.
+detuning $a$. Rates go like $|A|^{1/2}$, so $|A| = 1$ throughout; a bead of the chain, $y_n =
+2\epsilon\,\mathrm{Re}(A_ne^{it})$, then swings by $\pm2\epsilon$.
 
 | symbol | program | meaning |
 |---|---|---|
@@ -85,8 +84,9 @@ The bracket is linear in $C$: it is $-2(1-c)$ for the longest modulations, $C = 
 -1$. For $c\ge0$ it is positive nowhere, and nothing grows. Beyond $q = \pi/2$ it becomes positive at $C = -1$ first:
 the shortest modulations grow, neighbours against each other, from the edge $\cos Q_* = (1+3c)/(5c-1)$ on. At $c =
 -\frac15$ the factor $1+5c$ vanishes for every $Q$, and beyond it is negative: now those grow for which the bracket is
-negative, the long ones up to $Q_*$, in proportion to $Q$, as $1-C\simeq\frac12Q^2$. Under precompression (section 4)
-the factor is $Q$ times the amplitude; here no dispersion acts against the nonlinearity, both come from the contacts. */
+negative, the long ones up to $Q_*$, in proportion to $Q$, as $1-C\simeq\frac12Q^2$. Under precompression (section 4) a
+linear dispersion of fixed strength acts against the nonlinearity, and the band narrows with the amplitude. Here both
+come from the contacts, and $Q_*$ does not depend on the amplitude. In short: [](finding:growth.bands) */
 void report_fastest(Report& report) {
   const auto growth = [](const auto& w) { return w.growth(w.fastest()); };
   const auto fastest = [](const auto& w) { return w.fastest(); };
@@ -128,12 +128,12 @@ void report_checks(Report& report) {
 /**
 ## The chain
 
-The limit is reached slowly. Averaging leaves corrections of relative size $\epsilon^{1/2}$, and so should growth and
-frequency approach those of the DpS equation. We follow five unstable waves of the chain, computed by Newton's method,
-down to $\epsilon = 10^{-7}$, and compare the fastest growth on a ring (`chain_rates`, dps_waves.hpp). Between the two
-smallest amplitudes the order is [0.499](num:sec5_growth.order_growth_8_4) at $q = \pi$ and between
-[0.5003](num:sec5_growth.order_growth_16_6) and [0.51](num:sec5_growth.order_growth_16_5) at the other four. The
-prefactor is large: at $\epsilon = 10^{-2}$ the wave $q = \pi$ loses more than a quarter of its growth. */
+[](finding:growth.chain) The limit is reached slowly. Averaging leaves corrections of relative size $\epsilon^{1/2}$,
+and so should growth and frequency approach those of the DpS equation. We follow five unstable waves of the chain,
+computed by Newton's method, down to $\epsilon = 10^{-7}$, and compare the fastest growth on a ring (`chain_rates`,
+dps_waves.hpp). The orders of the other four lie between [0.5003](num:sec5_growth.order_growth_16_6) and
+[0.51](num:sec5_growth.order_growth_16_5). The prefactor is large: at $\epsilon = 10^{-2}$ the wave $q = \pi$ loses more
+than a quarter of its growth. */
 struct ChainPoint {
   ModulatedWave wave;
   double eps;
@@ -191,9 +191,9 @@ void report_chain(Report& report) {
 }
 
 /**
-A linearisation may be right and a run show something else. The growth of the side band in runs of the chain is
-measured for the two waves whose harmonics do no harm, at $\epsilon = 10^{-3}$; the runs start from the field of the
-DpS equation, which is a wave of the chain up to $\epsilon^{1/2}$ only. */
+A linearisation may be right and a run show something else. The growth of the side band in runs of the chain is measured
+at $\epsilon = 10^{-3}$. The runs start from the field of the DpS equation, which is a wave of the chain up to
+$\epsilon^{1/2}$ only and brings harmonics; of $q = \pi$ and $\frac23\pi$ these are stable modulations, and harmless. */
 void report_runs(Report& report) {
   const double eps = 1e-3;
   for (const ModulatedWave& wave : {waves_tried()[0], waves_tried()[1]}) {
@@ -208,19 +208,20 @@ void report_runs(Report& report) {
 ## Two waves in between
 
 At $q = \frac\pi2$ and where $\cos q = -\frac15$ nothing grows exponentially in the DpS equation, and yet these waves
-are not stable but marginal: with $k^2 = a^2\ne0$ two exponents coincide, and a modulation grows like time. A phase
-modulation $Q = \pi$ of the first becomes [153.940](num:sec5_growth.side_band_400) times as large in 400 units of slow
-time. The second nearly fits on a ring of 39 sites, where it grows at [0.00193470](num:sec5_growth.growth_on_39) at
-most; on twice that ring, with noise of one per cent, it keeps [0.016](num:sec5_growth.share_left_fifth) in 300 units.
+are not stable but marginal: where $k^2 = a^2\ne0$ two exponents coincide with one eigenvector, and a modulation grows
+in proportion to time. A phase modulation $Q = \pi$ of the first becomes [153.940](num:sec5_growth.side_band_400) times
+as large in 400 units of slow time. The second nearly fits on a ring of 39 sites, where it grows at
+[0.00193470](num:sec5_growth.growth_on_39) at most; on twice that ring, with noise of one per cent, it keeps
+[0.016](num:sec5_growth.share_left_fifth) in 300 units.
 
-The chain tips them over. Its wave $q = \frac\pi2$ grows at [0.0179886](num:sec5_growth.growth_quarter_6) per unit of
-slow time for $\epsilon = 10^{-6}$, at [0.0533953](num:sec5_growth.growth_quarter_4) for $10^{-4}$,
-[0.0809977](num:sec5_growth.growth_quarter_3) for $10^{-3}$ and [0.0731881](num:sec5_growth.growth_quarter_2) for
-$10^{-2}$. Between the two smallest amplitudes the growth has the order [0.248](num:sec5_growth.order_quarter) and on
-39 sites [0.242](num:sec5_growth.order_fifth), close to the $\frac14$ of a double exponent, which a change by
-$\epsilon^{1/2}$ splits by its root. So here the chain does not agree with the DpS equation up to $\epsilon^{1/2}$.
-Four waves below $\frac\pi2$ show no growth beyond [5e-5](num:sec5_growth.growth_below_quarter), which is the root of
-an error, at amplitudes from $10^{-6}$ to $10^{-2}$. */
+In the chain both waves are exponentially unstable. A modulation of $q = \frac\pi2$ grows at
+[0.0179886](num:sec5_growth.growth_quarter_6) per unit of slow time for $\epsilon = 10^{-6}$, at
+[0.0533953](num:sec5_growth.growth_quarter_4) for $10^{-4}$, [0.0809977](num:sec5_growth.growth_quarter_3) for $10^{-3}$
+and [0.0731881](num:sec5_growth.growth_quarter_2) for $10^{-2}$. Between the two smallest amplitudes the growth has the
+order [0.248](num:sec5_growth.order_quarter) and on 39 sites [0.242](num:sec5_growth.order_fifth), close to $\frac14$:
+corrections of the size $\epsilon^{1/2}$ split a double exponent by the root of their size. So here the chain does not
+agree with the DpS equation up to $\epsilon^{1/2}$. Four waves below $\frac\pi2$ show no growth beyond
+[5e-5](num:sec5_growth.growth_below_quarter), the root of an error, at the same $\epsilon$. */
 /// The largest growth in the chain of four waves below pi/2 at four amplitudes.
 double growth_below_quarter(std::size_t steps) {
   double most = 0;
@@ -399,20 +400,19 @@ void report_leftovers(Report& report) {
 }
 
 /**
-On a ring of 64 sites [1](num:sec5_growth.breathers_at_a_time_32) breathers live at a time after the wave $q = \pi$,
-[0.4](num:sec5_growth.breathers_at_a_time_24) after $q = \frac34\pi$ and [0.03](num:sec5_growth.breathers_at_a_time_20)
-after $\frac{20}{32}\pi$; the first two have [0.963](num:sec5_growth.energy_over_static_32) and
-[0.89](num:sec5_growth.energy_over_static_24) of the energy of static ones. After $\frac{18}{32}\pi$, which has a little
-surplus, after $\frac{17}{32}\pi$, which is unstable but has none, and in the random fields none was seen. At 95 per
-cent this means fewer births per unit of slow time than [0.00079](num:sec5_growth.births_below_18),
-[0.00079](num:sec5_growth.births_below_17) and [0.00079](num:sec5_growth.births_below_random), and no more: in runs of
-30,000 units breathers are born in all three, rarely, and more often where there is a surplus.
+[](finding:growth.left) These are means over time and seeds; after $\frac{20}{32}\pi$ the mean is
+[0.03](num:sec5_growth.breathers_at_a_time_20). The breathers after the first two waves have
+[0.963](num:sec5_growth.energy_over_static_32) and [0.89](num:sec5_growth.energy_over_static_24) of the energy of static
+ones. Of the fields that left none, $\frac{18}{32}\pi$ has a little surplus, and $\frac{17}{32}\pi$ is unstable but has
+none; the bounds for the latter, [0.00079](num:sec5_growth.births_below_17), and for the random fields,
+[0.00079](num:sec5_growth.births_below_random), are the same. They say no more than that births are rare: in runs of
+30,000 units breathers are born in all three, more often where there is a surplus.
 
 Few are at rest, at 95 per cent fewer than [0.2](num:sec5_growth.at_rest_below_32) and
 [0.1](num:sec5_growth.at_rest_below_24) of those after the first two waves: they travel, and a collision or a wave turns
-them round. After $q = \pi$ they go both ways, with the mean speed [0.06](num:sec5_growth.mean_speed_32) and its mean
-size [0.16](num:sec5_growth.mean_size_of_speed_32). After $q = \frac34\pi$ they go with the energy of the wave, at
-[-0.28](num:sec5_growth.mean_speed_24) on the mean, more slowly than its group velocity
+them round. After $q = \pi$ they go both ways: their mean velocity is [0.06](num:sec5_growth.mean_speed_32), the mean of
+its modulus [0.16](num:sec5_growth.mean_size_of_speed_32). After $q = \frac34\pi$ they go with the energy of the wave,
+at [-0.28](num:sec5_growth.mean_speed_24) on the mean, more slowly than its group velocity
 [-0.777628](num:sec5_growth.group_velocity_24). The static breathers that the article hopes for are the exception in
 these runs, and of the waves tried $q = \pi$ leaves the most. */
 void report_energies(Report& report) {
@@ -461,10 +461,10 @@ void report_maps(Report& report) {
 ## Differences and limits
 
 The growth has four routes: the closed form, the matrix of a ring, runs of the DpS equation, and the linearised chain
-with a run of it. What the article calls MI has been studied for plane waves and linear wells. Spectrally stable is not
-stable for ever: on 64 sites with noise of one per cent, seed 8, the wave $q = \frac{15}{32}\pi$ of the DpS equation
-loses more than half of its norm within 4000 units. The energy of a random field says where a surplus is, not how fast it
-gathers, nor whether a breather is left in the end. That few are at rest is said of a ring without losses. */
+with a run of it. Of the study that the article wishes for these are the plane waves in linear wells, without losses.
+Spectrally stable is not stable for ever: on 64 sites with noise of one per cent, seed 8, the wave $q =
+\frac{15}{32}\pi$ of the DpS equation loses more than half of its norm within 4000 units. The energy of a random field
+says where a surplus is, not how fast it gathers, nor whether a breather is left in the end. */
 void reproduce(Report& report) {
   report_chart(report);
   report_fastest(report);

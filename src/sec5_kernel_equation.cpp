@@ -4,8 +4,9 @@
 An exact travelling breather repeats itself one site further on after the shift time $T$. In linear wells, and for $T
 = 2\pi k$, the whole lattice can be replaced by one scalar equation for one function,
 $$d = K * d_+^{3/2},\qquad K(\sigma) = -\sin|\sigma| \ \text{ for } |\sigma| \le 2\pi k,\ \text{else } 0,$$
-where $d(t)$ is the compression that every contact sees in its own time. The chapters before compute such breathers
-as orbits of a lattice. The equation yields a proof that they exist, and the same energies by a second route.
+where $d(t)$ is the compression that every contact sees in its own time, and $*$ the convolution. The article strikes a
+chain to find such breathers and leaves the computation of exact ones open; the chapters before compute them as orbits
+of a lattice. The equation yields a proof that they exist, and the same energies by a second route.
 [](finding:travelling.existence)
 
 ![The kernel, two waves, the iteration that maximizes the quotient, and the quotients of both signs.](fig:x24) */
@@ -192,11 +193,11 @@ constexpr StopRule rule{1e-10, 60000, 25};
 
 /**
 [30](num:sec5_kernel_equation.ascents_finished) of [30](num:sec5_kernel_equation.ascent_starts) random starts meet the
-stopping rule (some still creep) at quotients between [1.1552](num:sec5_kernel_equation.ascent_lowest) and
-[1.1552](num:sec5_kernel_equation.ascent_highest); the waves have [1.15521](num:sec5_kernel_equation.quotient_plus).
-Their ends differ by [3e-6](num:sec5_kernel_equation.ascent_spread), no more than this changes on the grid with half the
-points: a second maximum is not seen in these starts, nor excluded, since two that are closer would not be told apart.
-*/
+stopping rule (some still creep). The lowest of them ends at the quotient
+[1.1552](num:sec5_kernel_equation.ascent_lowest), where the waves have
+[1.15521](num:sec5_kernel_equation.quotient_plus). All ends lie within [3e-6](num:sec5_kernel_equation.ascent_spread) of
+each other, and the grid with half the points changes this spread by as much: a second maximum is not seen in these
+starts, nor excluded, since two that are closer would not be told apart. */
 Table ascent_table(const std::vector<Ascent>& all, std::size_t shown) {
   double top = 0;
   for (const Ascent& a : all) top = std::max(top, a.quotient());
@@ -263,13 +264,12 @@ bool larger_is_pinned(const TwoSigns& c) {
 [2.30736](num:sec5_kernel_equation.exchange_3), [1.94497](num:sec5_kernel_equation.exchange_4),
 [1.73825](num:sec5_kernel_equation.exchange_5), [1.60461](num:sec5_kernel_equation.exchange_6),
 [1.51174](num:sec5_kernel_equation.exchange_7), [1.44347](num:sec5_kernel_equation.exchange_8) and
-[1.39092](num:sec5_kernel_equation.exchange_9). At all exponents of the table beyond the first, up to $\alpha = 8$,
-the sign minus has the larger quotient. In $1/(\alpha-1)$ the exchanges lie
-[0.267906](num:sec5_kernel_equation.exchange_spacing_first) to
-[0.3031](num:sec5_kernel_equation.exchange_spacing_last) apart; a tenth one is beyond double precision. At
-[35](num:sec5_kernel_equation.phases_agree) of the [35](num:sec5_kernel_equation.phases_compared) exponents of the
-table at which the difference and $\kappa$ are beyond their errors, the phase of the larger quotient is pinned and that
-of the other is not. */
+[1.39092](num:sec5_kernel_equation.exchange_9). At all exponents of the table beyond the largest of these, up to $\alpha
+= 8$, the sign minus has the larger quotient. In $1/(\alpha-1)$ the exchanges lie
+[0.267906](num:sec5_kernel_equation.exchange_spacing_first) to [0.3031](num:sec5_kernel_equation.exchange_spacing_last)
+apart; a tenth one is beyond double precision. At [35](num:sec5_kernel_equation.phases_agree) of the
+[35](num:sec5_kernel_equation.phases_compared) exponents of the table at which the difference and $\kappa$ are beyond
+their errors, the phase of the larger quotient is pinned and that of the other is not. */
 void report_quotients(Report& report, const std::vector<TwoSigns>& all) {
   Table& table = report.table(
       "quotients",
@@ -323,8 +323,8 @@ void report_exchanges(Report& report, const std::vector<TwoSigns>& all) {
 Stability does not pass from one sign to the other in one point. With growing $\alpha$ the phase of the sign plus is
 pinned from [3.10381](num:sec5_kernel_equation.kappa_plus_exchange_2) on and that of the sign minus up to
 [3.10475](num:sec5_kernel_equation.kappa_minus_exchange_2): between them both are pinned, so that a third wave, without
-symmetry, should separate them there. At the first exchange it is the other way round: plus is pinned up to
-[5.79556](num:sec5_kernel_equation.kappa_plus_exchange_1), minus only from
+symmetry, should separate them there. At the exchange of the largest $\alpha$ it is the other way round: plus is pinned
+up to [5.79556](num:sec5_kernel_equation.kappa_plus_exchange_1), minus only from
 [5.85298](num:sec5_kernel_equation.kappa_minus_exchange_1) on, and between them neither is. There an iteration from a
 disturbed wave, made once by Fourier transforms on a circle of sixteen shifts (not part of this repository), comes to a
 wave without symmetry, at the exchange with a quotient $4\times10^{-6}$ above those of both signs.

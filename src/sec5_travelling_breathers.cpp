@@ -48,22 +48,36 @@ constexpr double two_pi = 2 * std::numbers::pi;
 /**
 ## Why only certain speeds
 
-In linear wells the contact forces cancel in the sum $Z = \sum_n (y_n + i\dot y_n)$. If it converges
-absolutely, it only rotates, $Z(t) = e^{-it}Z(0)$, and a shift does not change it, so $(e^{-iT}-1)Z
-= 0$. [](finding:travelling.speeds) The first is type I, one site during $k$ oscillations of a free
-bead, the second type II.
+In linear wells the contact forces cancel in the sum $Z = \sum_n (y_n + i\dot y_n)$. If it converges absolutely, it only
+rotates, $Z(t) = e^{-it}Z(0)$, and a shift by one site does not change it, so that $(e^{-iT}-1)Z = 0$: one of the two
+factors vanishes. [](finding:travelling.speeds) An orbit with $T = 2\pi k$, which moves on by one site during $k$
+oscillations of a free bead, is *type I*; one with $Z = 0$, at whatever $T$, is *type II*.
 
 The same sum says what a packet leaves behind. A bead that has been passed keeps oscillating with the
 amplitude $|\int e^{it}(f_{n-1}-f_n)\,dt|$, where $f_n$ is the force in the contact on its right. If
 these pulses repeat themselves after $T$ from contact to contact, the amplitude is
 $$|1-e^{-iT}|\,|g(1)|,\qquad g(1) = \int e^{it}f_0(t)\,dt.$$
-It vanishes in just these two cases, because the pulse that has passed a contact is all that has
-changed the sum over the beads beyond it, and so $|g(1)| = |Z|$. Pulses of a packet that sheds repeat themselves only
-nearly, so that for it this is an order of magnitude (chapter on families).
+It vanishes in just these two cases. The first factor does so for type I. As to the second, take the sum over the beads
+beyond the contact alone: it is zero before the breather comes and all of $Z$ when it has gone through, and only the
+pulse in the contact changes $e^{it}$ times this sum, so that $|g(1)| = |Z|$. Pulses of a packet that sheds repeat
+themselves only nearly, so that for it this is an order of magnitude (chapter on families). */
+constexpr std::array signs{1, -1};  ///< of the central velocity
+
+/**
+## Not with the opposite sign
+
+Could an orbit come back with the opposite sign after one site, $y_n(t+T) = -y_{n-1}(t)$? No localized one in wells with
+$W'(-y) = -W'(y)$. With $d_n = y_n-y_{n+1}$ the contact $n$ pushes with $(d_n)_+^{3/2}$ at $t$, and at $t+T$, where its
+compression is $-d_{n-1}(t)$, with $(-d_{n-1})_+^{3/2}$: it is closed when the one before was open. So the sum of
+Newton's law for the bead $n$ at $t+T$ and for the bead $n-1$ at $t$, whose left sides cancel, is
+$$0 = (-d_{n-2})_+^{3/2}-(-d_{n-1})_+^{3/2}+(d_{n-2})_+^{3/2}-(d_{n-1})_+^{3/2} = |d_{n-2}|^{3/2}-|d_{n-1}|^{3/2}$$
+at every $t$. At each instant all $|d_n|$ are equal; if the orbit is localized they vanish, and so does the orbit. In
+other wells $W'(y_{n-1})+W'(-y_{n-1})$ takes the place of zero, and the argument fails.
+
+## How orbits are found
 
 This chapter finds orbits of type I, starting from a packet cut out of an impact (travelling.hpp).
 Each is computed in double precision and again in extended precision, which gives its errors. */
-constexpr std::array signs{1, -1};
 
 struct Exact {
   std::size_t k;
@@ -85,14 +99,6 @@ Exact confirmed(std::size_t k, int sign, const Orbit<double>& orbit) {
           polish(type_one<long double>(k, orbit.start.y.size() / 2 - 1), orbit, rule)};
 }
 
-/**
-Could an orbit come back with the opposite sign after one site, $y_n(t+T) = -y_{n-1}(t)$? No localized one in wells
-with $W'(-y) = -W'(y)$. With $d_n = y_n-y_{n+1}$ the contact $n$ pushes with $(d_n)_+^{3/2}$ at $t$, and at $t+T$,
-where its compression is $-d_{n-1}(t)$, with $(-d_{n-1})_+^{3/2}$: it is closed when the one before was open. So the
-sum of Newton's law for the bead $n$ at $t+T$ and for the bead $n-1$ at $t$, whose left sides cancel, is
-$$0 = (-d_{n-2})_+^{3/2}-(-d_{n-1})_+^{3/2}+(d_{n-2})_+^{3/2}-(d_{n-1})_+^{3/2} = |d_{n-2}|^{3/2}-|d_{n-1}|^{3/2}$$
-at every $t$. At each instant all $|d_n|$ are equal; if the orbit is localized they vanish, and so does the orbit. In
-other wells $W'(y_{n-1})+W'(-y_{n-1})$ takes the place of zero, and the argument fails. */
 /// The orbits of type I with the given k, in ascending order, of one sign.
 std::vector<Exact> type_one_orbits(int sign, const std::vector<std::size_t>& ks) {
   std::vector<Exact> found;
@@ -309,8 +315,8 @@ void report_long_runs(Report& report, const Exact& e) {
 /**
 A small change of the speed neither grows nor dies out: two multipliers are one. Beside them two numbers describe the
 stability of an orbit to first order, $\kappa$ of the phase, and the largest modulus of the others. These lie inside the
-unit circle, though nothing is damped: the frame travels, a bead's free oscillation does not, and so what disturbs the
-orbit is left behind. All this is said of disturbances of the eighteen sites of the breather.
+unit circle, though nothing is damped: in the frame that travels with the breather, a free oscillation of the beads is
+left behind, and the disturbance with it. All this is said of disturbances of the eighteen sites of the breather.
 
 ## Results
 

@@ -1,12 +1,11 @@
 /**
 # 5 Families of travelling breathers
 
-An exact travelling breather of the linear well needs the right speed. Its time $T$ for a shift by one
-site must be $2\pi k$ (type I) or such that the sum $Z = \sum_n(y_n+i\dot y_n)$ vanishes (type II). In
-between, a breather sheds a tail. This chapter follows the families on which both kinds lie,
-and continues the exact ones into soft wells, and into hard wells, in which those of $k = 1$, 2 and 3 turn back in
-folds. How much do breathers in between leave behind, and does the packet that turns round in section 3.4 follow exact
-ones?
+An exact travelling breather of the linear well needs the right speed. Its shift time $T$, in which it moves on by one
+site, must be $2\pi k$ (type I) or such that the sum $Z = \sum_n(y_n+i\dot y_n)$ vanishes (type II). At other shift
+times a breather sheds a tail. This chapter follows the families on which both types lie and asks how much the members
+between them leave behind. Then it continues the exact ones into soft wells and into hard wells, in which those of $k =
+1$, 2 and 3 turn back in folds. Does the packet that turns round in section 3.4 follow exact ones?
 
 ![What travelling breathers leave behind, against their shift time.](fig:x19) */
 
@@ -31,12 +30,13 @@ using namespace lattice;
 ## Model and method
 
 The chain is that of the chapter before, $\ddot y_n+y_n+s\,y_n^3 = (y_{n-1}-y_n)_+^{3/2}-(y_n-y_{n+1})_+^{3/2}$, with $s
-= 0$ at first. To find the orbits of type II we leave out one of the equations of a travelling breather
-(travelling.hpp). The others have a solution for every shift time $T$ at which we look for one, in the stretches named
-below, and these solutions form a *family*. At $t = 0$ positions are odd about the centre and cancel in the sum, so that
-$Z = iV$ with $V = \sum\dot y_n$ and $|e^{-iT}-1|\,|Z| = 2\,|V\sin(T/2)|$: in the linear well the equation left out
-reads $V\sin(T/2) = 0$. So $T = 2\pi k$ gives an orbit of type I, at which a family begins, and each zero of $V$ an
-orbit of type II. The full equations, with $T$ unknown, confirm the latter and give its digits in two precisions. */
+= 0$ at first. A shift time chosen at will is in general not that of an exact orbit, and the equations of a travelling
+breather have no solution. So we leave out one of them (travelling.hpp). The others have a solution for every shift time
+$T$ at which we look for one, in the stretches named below, and these solutions form a *family*. At $t = 0$ positions
+are odd about the centre and cancel in the sum, so that $Z = iV$ with $V = \sum\dot y_n$. What the solution still misses
+is the condition $(e^{-iT}-1)Z = 0$, of the modulus $2\,|V\sin(T/2)|$: in the linear well the equation left out reads
+$V\sin(T/2) = 0$. So $T = 2\pi k$ gives an orbit of type I, at which a family begins, and each zero of $V$ an orbit of
+type II. The full equations, with $T$ unknown, confirm the latter and give its digits in two precisions. */
 constexpr double two_pi = 2 * std::numbers::pi;
 
 struct Family {
@@ -66,12 +66,12 @@ void follow(Family& f, double step) {
 /**
 ## What is left behind (figure x19)
 
-What does a member of a family do that is no exact orbit? We set it free in a resting chain, and behind it each
-bead keeps oscillating. By the chapter before, the amplitude is $|1-e^{-iT}|\,|g(1)|$ with
-$g(1) = \int e^{it}f\,dt$, if the pulses $f$ in the contacts repeat themselves after $T$. Those of a member that sheds
-do not, so that this can only give the order of magnitude, and we measure how well it does. The integral needs no
-quadrature: only the pulse changes $e^{it}Z$ when the sum is taken over the beads on the right of its contact, so the
-integral is the difference of this quantity between the end and the beginning. */
+What does a member of a family do that is no exact orbit? We set it free in a resting chain, and behind it each bead
+keeps oscillating. By the chapter before, the amplitude is $|1-e^{-iT}|\,|g(1)|$ with $g(1) = \int e^{it}f\,dt$, if the
+pulses $f$ in the contacts repeat themselves after $T$. A member that sheds loses energy, and its pulses repeat
+themselves only nearly, so that this can only give the order of magnitude, and we measure how well it does. The integral
+needs no quadrature: when the sum $Z$ is taken over the beads on the right of the contact only, nothing but the pulse
+changes $e^{it}Z$, so that the integral is the difference of this quantity between the end and the beginning. */
 struct Left {
   double beads = 0, pulse = 0;  ///< both relative to the amplitude
 };
@@ -112,14 +112,14 @@ double missed_identity(const Orbit<double>& member) {
 }
 
 /**
-Between the exact orbits, in five families with $T/2\pi$ from 0.7 to 1, 1.5 to 2, 2.6 to 3 and 3.7 to 4, what a
-breather leaves behind has the order of magnitude that the sum $Z$ says:
-[0.40](num:sec5_travelling_families.left_over_sum_least) to [1.05406](num:sec5_travelling_families.left_over_sum_most) of
-$\lvert1-e^{-iT}\rvert\,\lvert Z\rvert$, more than a fifth off at
-[126](num:sec5_travelling_families.left_off_by_a_fifth) of [141](num:sec5_travelling_families.left_compared) members. The
-ratio does not tend to one towards an orbit of type I either: with this measurement at $T/2\pi = k-10^{-4}$, made
-once by a program that is not part of this repository, it is 1.079, 0.961 and 0.889 for $k = 1$, $2$ and $4$. Where
-$V$ vanishes, nothing is left behind. */
+Between the exact orbits, in five families with $T/2\pi$ from 0.7 to 1, 1.5 to 2, 2.6 to 3 and 3.7 to 4, what a breather
+leaves behind has the order of magnitude that the sum $Z$ says: [0.40](num:sec5_travelling_families.left_over_sum_least)
+to [1.05406](num:sec5_travelling_families.left_over_sum_most) of $\lvert1-e^{-iT}\rvert\,\lvert Z\rvert$, more than a
+fifth off at [126](num:sec5_travelling_families.left_off_by_a_fifth) of
+[141](num:sec5_travelling_families.left_compared) members. It might be expected to become exact close to an orbit of
+type I, where the tail is weak and the pulses nearly repeat themselves. But the ratio does not tend to one there: with
+this measurement at $T/2\pi = k-10^{-4}$, made once by a program that is not part of this repository, it is 1.079, 0.961
+and 0.889 for $k = 1$, $2$ and $4$. At the orbits of type II, where $V$ vanishes, nothing is left behind. */
 // The errors are to be compared with the largest value of their column, because these columns pass through zero
 Cells row_of(const Family& f, const Orbit<double>& member, double step) {
   const double tail = 2 * std::abs(std::sin(shift_time(member) / 2) * velocity_sum(member));
@@ -260,17 +260,18 @@ void report_orbits(Report& report, const std::vector<Twice>& orbits) {
 /**
 ## Soft and hard wells (figure x21)
 
-What happens to exact orbits in other wells? For $s \ne 0$ the sum $Z$ does not merely rotate, and it no
-longer tells which speeds are possible. But with $T$ as an unknown there are as many equations as
-unknowns, so a solution whose derivative is regular continues to $s \ne 0$. We follow it by pseudo-arclength, so that we
-can pass *folds*, at which a branch turns back in $s$ (branches_in_s.hpp).
+What happens to exact orbits in other wells? For $s \ne 0$ the sum $Z$ does not merely rotate, and it no longer tells
+which speeds are possible. But with $T$ as an unknown there are as many equations as unknowns, so that by the implicit
+function theorem an orbit at which their derivative is invertible continues to $s \ne 0$. We follow it by
+pseudo-arclength, so that we can pass *folds*, at which a branch turns back in $s$ (branches_in_s.hpp).
 
 [](finding:travelling.wells) In soft wells the orbits of type I continue as far as the table follows them, to $s =$
 [-1.163](num:sec5_travelling_families.soft_k1) ($k = 1$), [-1.38](num:sec5_travelling_families.soft_k2) ($k = 2$),
 [-1.392](num:sec5_travelling_families.soft_k3) ($k = 3$) and [-0.049](num:sec5_travelling_families.soft_k4) ($k = 4$),
 but not for ever: that of $k = 1$ folds at $s =$ [-5.73337](num:sec5_travelling_families.soft_fold_k1), and followed
 further, once (not part of this program), that of $k = 2$ at $-54.4$, while those of $k = 3$ and $4$ reach $-13.9$. In
-hard ones they come back from the fold to an orbit of type II at $s = 0$, for $k = 1$ after two folds more. */
+hard ones those of $k = 1$, 2 and 3 come back from the first fold to an orbit of type II at $s = 0$, for $k = 1$ after
+two folds more. */
 using Start = std::pair<std::size_t, Orbit<double>>;  ///< k and its orbit at s = 0
 
 // The folds come from shorter steps than the branches
@@ -405,10 +406,10 @@ void report_packet(Report& report, const Path& p) {
 /**
 ## Differences and limits
 
-Branches are followed within bounds. They stop where Newton's method fails, it seems at orbits in which a bead of the
-tail only just touches its neighbour. We do not prove that nothing else exists at $s = 1$; we looked only for what is
-connected with $s = 0$: branches of type I with the sign plus, $k\le4$. Those of the sign minus, of type II and of
-orbits that repeat themselves after several sites were not followed to $s = 1$. */
+Branches are followed within bounds of $s$ and $T$. Within them they end where Newton's method fails, which seems to
+happen at orbits in which a bead of the tail only just touches its neighbour. We do not prove that nothing else exists
+at $s = 1$; we looked only for what is connected with $s = 0$: branches of type I with the sign plus, $k\le4$. Those of
+the sign minus, of type II and of orbits that repeat themselves after several sites were not followed to $s = 1$. */
 void reproduce(Report& report) {
   const bool quick = report.quick;
   std::vector<Family> all = families(quick);
