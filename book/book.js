@@ -53,7 +53,7 @@
 
   // A link to a line of folded code opens it, and paper has all.
   const unfold = () => {
-    const at = location.hash && $(decodeURIComponent(location.hash.slice(1))), around = at?.closest("details");
+    const at = $(decodeURIComponent(location.hash.slice(1))), around = at?.closest("details");
     if (around && !around.open) { around.open = true; at.scrollIntoView(); }
   };
   addEventListener("hashchange", unfold);
