@@ -370,13 +370,15 @@ void reproduce(Report& report) {
 
 1. *Easy.* Does a packet of the chain move as the DpS equation says?
    `build/bin/sec34_impact run --velocity 0.01 --time 1000` gives `speed` = 0.02531. Hint: an impact of velocity $v_0$
-   has $\epsilon = v_0/2$; `sec31_dps_limit impact` prints the speed in sites per $\tau$.
+   has $\epsilon = v_0/2$, and $t = 1000$ is $\tau = 70.7$; `sec31_dps_limit impact --tau 70.7` prints the speed in sites
+   per $\tau$, a few per cent too fast. (It falls with $\tau$: at other times one compares the wrong ones.)
 2. *Easy.* Do hard wells change this? `build/bin/sec34_impact run --velocity 0.01 --time 1000 --s 1`
-   gives `centre` = 26.97444. Hint: at $s = 0$ the centre is behind by less than a thousandth of a site; with which
-   power of $\epsilon$ does the cubic force enter?
+   gives `packet_energy_fraction` = 0.479324. Hint: compare with $s = 0$, then both with
+   `--velocity 0.04 --time 500`, the same $\tau$: with which power of $\epsilon$ does the cubic force enter?
 3. *Harder.* What replaces the DpS equation for contacts of another exponent, and how fast are its packets?
-   `build/bin/sec31_dps_limit impact --tau 100 --alpha 2` gives `speed` = 0.4059. Hint: only $|A|^{\alpha-1}$ changes in
-   the equation, but the slow time becomes $\epsilon^{\alpha-1}t$, so that in the time $t$ a weak packet is slower.
+   `build/bin/sec31_dps_limit impact --tau 100 --alpha 2` gives `speed` = 0.4059. Hint: $|A|^{1/2}$ becomes
+   $|A|^{\alpha-1}$ and $\tau_0$ becomes smaller, which alone makes the packet faster; but the slow time is
+   $\epsilon^{\alpha-1}t$, so that in the time $t$ a weak packet is slower.
 4. *Open.* Does the correction of relative size $\epsilon^{1/2}$ explain the local order at $\epsilon = 10^{-2}$, and
    does the constant grow like a power of the horizon for a stationary breather, whose phase is all that drifts? */
 int main(int argc, char** argv) {

@@ -106,7 +106,7 @@ $-\mathcal A/2\pi$, so that $\mathcal H = \mathcal L-\omega_b\,d\mathcal L/d\ome
 frequency $\mathcal L$ differs by the barrier at equal area, $\tilde E_{PN}$, up to terms of second order in the
 difference of the areas. Hence
 $$E_{PN} \simeq -\omega_b^2\,\frac{d}{d\omega_b}\,\frac{\tilde E_{PN}}{\omega_b} .$$
-So the barrier at equal frequency vanishes where $\tilde E_{PN}/\omega_b$ has an extremum: at least once between any two
+So the barrier at equal frequency vanishes, to this order, where $\tilde E_{PN}/\omega_b$ has an extremum: at least once between any two
 zeros of $\tilde E_{PN}$, and once before the first, because $\tilde E_{PN}\to0$ for $\omega_b\to1$. In the table
 `sign_changes` the zeros of the two do alternate, in all three wells. Why $\tilde E_{PN}$ changes its own sign, that is,
 why the potential of the centre turns upside down, so often in the soft well and only once in the hard one, we do not
@@ -401,7 +401,8 @@ void reproduce(Report& report) {
    Hint: with the exponent $\alpha$ the DpS scaling is $\mathcal H = e\,\delta^p$, $p = 2/(\alpha-1)$; repeat the
    derivation with this $p$.
 4. *Open.* Follow the soft branch through its fold up to the maximum of the well's potential.
-5. *Open.* Other exponents of the contact: is there one for which the barrier vanishes altogether?
+5. *Open.* Other exponents of the contact: is there one, between those of `secB_other_numbers`, for which the barrier
+   vanishes altogether?
 
 ## With your own parameters
 

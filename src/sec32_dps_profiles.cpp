@@ -401,8 +401,8 @@ void reproduce(Report& report) {
 3. *Harder.* Are the two energies as close for contacts of another exponent?
    `build/bin/sec32_barrier barrier --omega 1.01 --contact power --alpha 2` gives `equal_frequency` = 3.79482e-8. Hint:
    divide by the energy that `breather` prints with the same options, and compare with the gap of the norms for spheres.
-4. *Open.* The norms are almost equal for the exponent 3/2, and nowhere equal for the others from 1.1 to 4
-   (`secB_other_numbers`). Is there an argument why the one around a bond is smaller?
+4. *Open.* The norms are almost equal for the exponent 3/2, more nearly so below it, and at none of the exponents from 1.1 to 4
+   that were computed equal (`secB_other_numbers`). Is there an argument why the one around a bond is smaller?
 5. *Open.* The strains obey a two-dimensional map. Which breathers with two or more humps follow from its stable and
    unstable manifolds? */
 int main(int argc, char** argv) {

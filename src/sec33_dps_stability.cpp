@@ -467,7 +467,7 @@ void reproduce(Report& report) {
    of it look like?
 4. *Open.* At no exponent from 1.1 to 4 that we tried is the margin zero (`secB_other_numbers`). Do breathers move more
    freely where it is small, `--alpha 1.2`?
-5. *Open.* How does a moving packet lose its speed in the end, and to what?
+5. *Open.* How does a breather that noise has freed lose its speed in the end, and to what?
 
 ## With your own parameters
 

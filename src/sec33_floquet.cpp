@@ -434,8 +434,7 @@ struct Exchanges : ChosenBreather {
    `build/bin/sec32_barrier barrier --omega 1.1 --s 0.26` gives `equal_area` = 1.66492e-13.
    Hint: at equal action the breather of higher energy is the stable one here, because the effective mass is negative
    (`sec33_mobility`). Is this in accord with $\kappa$, and with the printed exchanges?
-3. *Open.* The pairs beyond the first: is there a collision on the unit circle at higher frequencies?
-4. *Open.* Does a kicked breather stop at the stable breather in between? */
+3. *Open.* Near the ends of soft families other pairs leave the unit circle (`sec33_between`): by which collisions? */
 int main(int argc, char** argv) {
   return run({"sec33_floquet", "3.3", "Stability of the breathers (section 3.3)", reproduce,
               commands<Multipliers, Exchanges>()},

@@ -321,7 +321,7 @@ Laplacian of the chain weighted by $|d_n|^{1/2}$, the contact matrix of the brea
 The mode that shifts $u$ nearly solves the linearised equation, $(\mu-\frac32M)\,v\approx0$, so that
 $Mv\approx\frac23\mu\,v$. Of a kick along the discrete gradient $g$ the part $g\cdot v$ is along this mode, and
 $$\varphi \approx (g\cdot v)^2\bigl(\tfrac23\mu-\mu\bigr) = -(g\cdot v)^2\,\frac{\omega_b-1}3.$$
-Here $(g\cdot v)^2$ is [0.980675](num:sec33_mobility.overlap). At $\omega_b = 1.1$ $|\varphi|$ is a good quarter smaller. */
+In the limit $(g\cdot v)^2$ is [0.980675](num:sec33_mobility.overlap). At 1.1 $|\varphi|$ is about a quarter smaller. */
 /// (g.v)^2 of the DpS breather around a bond, whatever its frequency.
 Estimate overlap() {
   const auto squared = [](std::size_t more) {
@@ -335,9 +335,9 @@ Estimate overlap() {
 /**
 Why did the article find its barriers to agree? In the limit $\omega_b \to 1$ the barrier at equal area is $-(\omega_b-1)/5$
 times the one at equal frequency (`sec32_barrier`), and $\varphi$ nearly $-(\omega_b-1)/3$: two small factors of the same
-kind, which leave $c_c^2/2 \approx \frac35E_{PN}$. At $\omega_b = 1.1$ both are below their limits by nearly the same share, a
-good quarter, so that their ratio, [0.6101](num:moving.barrier_close), is close to $\frac35$ although neither is close to its
-limit. So the two numbers have the same order of magnitude for a reason, but they are not the same number.
+kind, which leave $c_c^2/2 \approx \frac35(g\cdot v)^{-2}E_{PN}$. At $\omega_b = 1.1$, with the central contact stretched, both are
+below their limits by nearly the same, a good quarter, so that their ratio, [0.6101](num:moving.barrier_close), is close to
+$\frac35(g\cdot v)^{-2}$ although neither is close to its limit; with the contact compressed they differ more. So the two numbers have the same order of magnitude for a reason, but they are not the same number.
 
 The whole chain must confirm the prediction. We give it three kicks, all of them beyond the predicted threshold. The square of
 the speed with which the breather passes the potential's extremum at the site is linear in $c^2$, and its zero is the

@@ -480,7 +480,7 @@ void reproduce(Report& report) {
 1. *Easy.* A packet that the article sees turning near $t = 240$ does so much later:
    `build/bin/sec34_boomeron run --velocity 1.87` gives `apex_site` = 23.175 and `apex_time` = 493. Hint: the velocity of a
    packet that is about to turn is small for a long time.
-2. *Easy.* Make the wells harder: `build/bin/sec34_boomeron run --s 1.5 --time 600` gives `apex_site` = 8.87. Hint: at
+2. *Easy.* Make the wells harder: `build/bin/sec34_boomeron run --s 1.2 --time 600` gives `apex_site` = 8.8. Hint: at
    $s = 1$ it is site 20; figure x11 shows what matters, $s\,v_0^{3/2}$.
 3. *Harder.* For how long can a harder impact be known? `build/bin/sec34_boomeron run --velocity 2.2` gives
    `decorrelation_time` = 580, less than half the time of $v_0 = 1.9$. Hint: this packet stays near the struck end, where it

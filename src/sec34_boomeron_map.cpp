@@ -349,10 +349,10 @@ are marked as undecided.
    `build/bin/sec34_boomeron run --velocity 0.95 --s 2.828427 --time 1500` gives `apex_site` = 10.00 and `return_time` =
    331, instead of 20.07 and 898. Hint: $\chi = 2.6$ is above the contour of site 40 for both, but these impacts are not
    weak.
-2. *Harder.* Halve it once more: `build/bin/sec34_boomeron run --velocity 0.475 --s 8 --time 2000` gives `apex_site` = 9.51.
-   Hint: the law holds for weak impacts; the first correction is proportional to $v_0^{1/2}$.
-3. *Open.* Is there a $\chi$ below which a packet does not turn at all, or does the turning point recede without limit? Can
-   $\chi_0$ at a given site be derived from the DpS equation with a cubic term added, where it is a pure number?
+2. *Harder.* Weaker impacts at $\chi = 1.6$: `build/bin/sec34_boomeron run --velocity 0.475 --s 4.887419 --time 4000`
+   gives `apex_site` = 60.9, `build/bin/sec34_boomeron run --velocity 0.2375 --s 13.823708 --time 6000` gives
+   `apex_site` = 30.7. Hint: the contour of site 40 lies between them; its correction is proportional to $v_0^{1/2}$.
+3. *Open.* Is there a $\chi$ below which no packet turns? Does $\chi_0$ follow from a DpS equation with a cubic term?
 4. *Open.* Does the law hold for a struck chain with a fixed end?
 
 ## With your own parameters

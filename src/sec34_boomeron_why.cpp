@@ -483,11 +483,12 @@ void reproduce(Report& report) {
    `build/bin/sec32_newton_breathers breather --omega 1.68362 --s 1 --centre bond` gives `energy` = 1.44065 and
    `area` = 5.8312. Hint: the packet has 1.487 and 5.99, a few per cent more.
 2. *Easy.* Could the lattice hold it? `build/bin/sec32_barrier barrier --omega 1.68 --s 1` gives `equal_area` = 3.5641e-4.
-   Hint: on its way from $t = 100$ to 220 the packet gains twenty times as much from its waves.
+   Hint: on its way from $t = 100$ to 220 the packet with its waves gains more than twenty times as much, and without those
+   beyond six sites it loses more than a hundred times as much.
 3. *Harder.* And in the linear well? `build/bin/sec32_barrier barrier --omega 1.68 --s 0` gives `equal_area` = -2.2978e-9,
    a hundred thousand times less and of the other sign. Hint: it tells which of the two breathers has more energy, and at
    a negative mass the stable one is that of *higher* energy (`sec33_mobility`).
-4. *Open.* How does the pull depend on amplitude and frequency of the waves? Is there a frequency that pushes?
+4. *Open.* By which law does the pull depend on amplitude and frequency of the waves? Does a frequency below 1.4 push?
 5. *Open.* Measure the mass of both breathers by kicking them, and compare the ratio with that of the pulls. Does a packet
    also turn when waves come towards it? Exact travelling breathers (section 5) do not help to explain the turning: the
    fastest one found at $s = 1$ has the energy [0.00165802](num:sec5_travelling_families.fastest_energy_at_one). */

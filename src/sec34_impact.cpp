@@ -328,11 +328,12 @@ The energy that the packet lacks must be somewhere, and figure 20 shows where. I
 contact forces $f_n = -(y_n-y_{n+1})_+^{3/2}$ for a linear and a very soft well after the same
 impact, $v_0 = 0.94$, just below the first escape.
 
-Why should a soft well keep energy? In linear wells all beads swing at the frequency 1, however far they move, and what one
-bead gives, the next one takes up in step. In a soft well the bead that moves far is slower. In the run of the figure
-the first bead swings at a frequency clearly below 1; its neighbours move less and are, by themselves, faster, and contacts
-can only make them stiffer. So they are pushed below their resonance, and the energy stays where it is. This is an
-explanation by the frequencies and not a proof: we have not computed the surface mode as a periodic orbit.
+Why should a soft well keep energy? Between contacts all beads in linear wells swing at the frequency 1, however far they move,
+and what one bead gives, the next one takes up in step. In a soft well the bead that moves far is slower. If the impact is
+strong enough, this exceeds what the contact adds: in the run of the figure the first bead swings at a frequency
+clearly below 1, while its neighbours move less and are, by themselves, faster. So they are pushed below their resonance,
+and the energy stays where it is. After weaker impacts it travels on. This is an explanation by the frequencies and not a
+proof: we have not computed the surface mode as a periodic orbit.
 
 ![Contact forces for a linear and a very soft well.](fig:20) */
 void add_forces(Table& table, double s, double velocity) {
@@ -466,8 +467,8 @@ void reproduce(Report& report) {
    $\ddot y = y^{3/2}$; the power is one fifth.
 3. *Harder.* How close to the escape can one go? `build/bin/sec34_impact run --s -1/6 --velocity 2.02 --time 300` gives
    `boundary_energy_fraction` = 0.68959. Hint: the energy bound is $v_0 = (2|s|)^{-1/2} = 1.73$; part of the impact's energy
-   leaves the first bead before it comes to the maximum. Try 2.3 and 2.5.
-4. *Open.* Is there a fastest packet at $s = -1/6$? What do the islands of survival look like on a finer grid?
+   leaves the first bead before it comes to the maximum. Try 2.11, 2.3 and 2.51.
+4. *Open.* Is there a fastest packet at $s = -1/6$? Why are there just these bands of survival?
 5. *Open.* Is the surface mode a time-periodic breather of the half-chain? Compute it by Newton's method.
 
 ## With your own parameters

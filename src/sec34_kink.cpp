@@ -280,8 +280,8 @@ void reproduce(Report& report) {
 3. *Harder.* A kink is much faster than a breather: `build/bin/sec34_impact run --well pendulum --velocity 5 --time 60`
    gives `speed` = 0.7697, and `build/bin/sec34_impact run --well pendulum --velocity 3 --time 200` gives `speed` = 0.2471.
    Hint: a bead that falls into the next well gets back the energy that the maximum has cost, and can hand it on.
-4. *Open.* Does the kink slow down and stop in a longer chain, and where does its energy go? How does the number of ejected
-   beads grow with the velocity? What remains of the transition with precompression?
+4. *Open.* Which kinks stop in a longer chain, and where does their energy go? Why are just one or two beads ejected by
+   impacts up to 8? What remains of the transition with precompression?
 
 ## With your own parameters
 

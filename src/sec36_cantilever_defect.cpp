@@ -427,7 +427,7 @@ void reproduce(Report& report) {
    `net_transmitted` = 9.8594e-9, five decades less than at 1 m/s. Hint: the defect alone has the frequency 0.67. How
    much its contacts raise this falls with the amplitude, while its distance from the packet's stays.
 4. *Harder.* Which radius keeps most? `build/bin/sec36_cantilever_defect run --ratio 0.925` gives `net_near` = 0.10858; on
-   the map [0.94](num:sec36_cantilever_defect.most_trapped_at) keeps most. Hint: the own frequency of 0.925, 1.044, lies
+   the map [0.94](num:sec36_cantilever_defect.most_trapped_at) keeps most; try 0.935. Hint: the own frequency of 0.925, 1.044, lies
    between that of its neighbours and the packet's 1.1.
 5. *Open.* Which radius reflects best if two neighbouring beams are changed? Is the swing of the trapped mode from side
    to side one of its Floquet multipliers?

@@ -430,7 +430,8 @@ void report_band(Report& report) {
    $16v_3 = -d^{-3/2}$.
 3. *Harder.* Does a longer carrier gather in a wider packet? `build/bin/sec4_precompression_mi ring --s -1/6 --waves 12`
    gives `width` = 13.6445, nearly twice that of `--waves 25`, the phonon of figure 26. Hint: in the NLS equation the
-   width of an envelope of given height goes like $(\omega''/|h|)^{1/2}$; ask `coefficients` for both carriers.
+   width of an envelope goes like $(\omega''/|h|)^{1/2}$ over its height; ask `coefficients` for both carriers and compare
+   `highest`, too.
 4. *Harder.* When does an impact not feel the compression? `build/bin/sec4_precompression_mi impact --d 0.1 --time 1000`
    gives `energy_fraction` = 0.788, far more than with `--d 0.5`. Hint: contacts open where beads move apart by more
    than $d$.

@@ -295,8 +295,8 @@ of the weaker drives and that of the impact lie on opposite sides of type I, who
 [-3.2](num:sec5_driven_packets.family_slope_at_4) and [-1.8](num:sec5_driven_packets.family_slope_at_3). From each of
 the seventeen strengths to the next it changes by more than the spreads of both, at least by
 [1.58478](num:sec5_driven_packets.family_least_change) times their sum. So a plateau, if there is one, is narrower than
-the distance of two strengths; at single ones the number comes close to a whole one, and at 1.65 it cannot be told from
-3.
+the distance of two strengths; at single ones the number comes close to a whole one, as it does to 3 between 1.6 and
+1.65.
 
 ## Does a packet stay the same?
 
@@ -417,8 +417,8 @@ void reproduce(Report& report) {
 ## Try it
 
 1. *Easy.* Which drive sends a packet that nearly repeats itself one site further on?
-   `build/bin/sec5_driven_packets packet --strength 1.65` gives `family` = 2.96.
-   Hint: 3 is within the error, and the phase is small, too. Then try 1.6 and 1.7.
+   `build/bin/sec5_driven_packets packet --strength 1.63` gives `family` = 2.997.
+   Hint: 3 is within the error, and the phase is small, too. Then try 1.6 and 1.7, on either side of it.
 2. *Easy.* An impact's packet sheds a tail. What is its phase thirty beads later?
    `build/bin/sec5_driven_packets packet --strength 0 --from 44` gives `phase` = -0.17.
    Hint: on beads 12 to 28 it is larger in modulus. In the chapter on packets the phase goes to zero; here one sees how
@@ -428,7 +428,7 @@ void reproduce(Report& report) {
    Hint: shift time and phase change on the way, and the energy with them. The ratio compares all three at the same place.
 4. *Open.* Which law gives the phase of a driven packet as a function of strength and frequency?
 5. *Open.* Is there a drive, of another frequency or with a second tone, whose packets are exact?
-6. *Open.* Does a packet whose number is not whole lose its tail for ever, or does it come to rest at a whole one? */
+6. *Open.* Does a driven packet whose number is not whole lose its tail for ever, or does it come to rest at a whole one? */
 int main(int argc, char** argv) {
   return run({"sec5_driven_packets", "5", "What a driven array sends out (section 5)", reproduce,
               commands<OnePacket>()},

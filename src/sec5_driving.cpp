@@ -41,7 +41,8 @@ that decay into the chain, $-u_n = D_n-D_{n-1}$ with $D_n$ the scaled contact fo
 $\epsilon^{1/2}$ must make up for the detuning $\delta$, so $\epsilon = (2\tau_0\delta)^2$. A piston prescribes a
 displacement, $a = 2\epsilon|u_0|\propto\delta^2$. A base prescribes a force, which takes the place of that of the
 contact 0; so close to resonance a force $F$ moves a bead by $F/2\delta$, so that $a = 4\delta\epsilon|D_0|$ has one
-power more. The fold is where this displacement or force is largest along the static solutions (driven_end.hpp):
+power more. The fold is at the first maximum of this displacement or force along the branch of static solutions that
+begins at rest (driven_end.hpp):
 $$a_{\rm piston} = 8\tau_0^2\,\delta^2\,\max|u_0|,\qquad a_{\rm base} = 16\tau_0^2\,\delta^3\,\max|D_0|.$$
 We call this the *asymptotic threshold*, or the *law*. The maximum of $|u_0|$, [0.0504148](num:sec5_driving.top), is to
 nine digits the largest displacement of the site-centred breather of section 3.2.

@@ -477,7 +477,8 @@ void reproduce(Report& report) {
 
 1. *Easy.* Half the lifetime: how much of the way is lost?
    `build/bin/sec5_experiment damped --lifetime 5` gives `sites_10ms` = 17.0208.
-   Hint: `slow_clock` says at which time a packet without losses has its centre there.
+   Hint: compare with the default lifetime. `slow_clock` says at which time the energy of an array without losses has
+   its centre at about `centre_10ms`; the strongest push is not there.
 2. *Easy.* Does a weaker packet lose a larger part of its way?
    `build/bin/sec5_experiment damped --velocity 0.5` gives `sites_10ms` = 13.6624, and without losses
    `build/bin/sec5_experiment damped --velocity 0.5 --lifetime 1000000` gives `sites_10ms` = 15.3118.

@@ -490,7 +490,7 @@ void reproduce(Report& report) {
    `build/bin/sec5_kernel_equation wave --k 4` gives `peak` = 0.0229914.
    Hint: compare the ratio at $k = 1$ and 4: the power of $k$ is right. Equality would ask for $d = \max d$ wherever
    $K>0$.
-4. *Open.* Near $\alpha = 3.104$ the phases of both signs are pinned. Which wave without symmetry lies between them?
+4. *Open.* Near $\alpha = 3.104$ both phases are pinned. Follow the wave without symmetry between the zeros of $\kappa$.
 5. *Open.* Does a contact stay closed for ever once it has closed for the last time, as far as double precision reaches?
    */
 int main(int argc, char** argv) {

@@ -445,7 +445,7 @@ void reproduce(Report& report) {
    `build/bin/sec5_travelling_breathers orbit --k 2 --s -1` gives `shift_time` = 12.65551.
    Hint: compare the relative change of the shift time with that of $k = 1$ (`--k 1 --s -1`), and the peaks of both.
 4. *Open.* Follow type II into the limit of small amplitude: do all of them merge with type I?
-5. *Open.* Kick an exact orbit at $s = 0$ and watch its phase: how long does it take to lose the kick? */
+5. *Open.* Kick an exact orbit at $s = 0$ and watch its phase: does it ever lose the kick? */
 int main(int argc, char** argv) {
   return run(
       {"sec5_travelling_families", "5", "Families of travelling breathers (section 5)", reproduce},

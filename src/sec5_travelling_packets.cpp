@@ -445,8 +445,8 @@ void reproduce(Report& report) {
    speed and see.
 3. *Harder.* By how much does a member with the phase $\varphi = 0.1$ miss itself after one shift?
    `build/bin/sec5_travelling_packets orbit --phase 0.1` gives `residual` = 0.005124.
-   Hint: one equation is left out, and missed by $V\sin(\varphi/2)$. What happens at $\varphi = 0.5$, where $V$ is
-   smaller?
+   Hint: one equation is left out, and missed by $V\sin(\varphi/2)$; the field misses itself by a little less. What
+   happens at $\varphi = 0.2$ and at 0.5, where $V$ is smaller?
 4. *Open.* Damp the chain slightly: does a packet pass along the line of type I, and does it stop at some $k$?
 5. *Open.* Strike the first bead a second time such that $Z$ becomes zero: does the packet then shed less from the start?
 6. *Open.* What is the exponent of the tail in a soft well, where $Z$ does not merely rotate? */

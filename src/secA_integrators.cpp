@@ -26,7 +26,8 @@ using namespace lattice;
 /**
 ## The orbit
 
-An integrator that steps across $t^*$ with the step $h$ misses a fixed fraction of an impulse of size $h\cdot h^{3/2}$.
+An integrator that steps across $t^*$ with the step $h$ misses some fraction, which depends on where in the step
+the event falls, of an impulse of size $h\cdot h^{3/2}$.
 So its error falls like $h^{5/2}$, however high its order is for smooth forces; a method of order two, such as Verlet's,
 keeps its order. Our event-corrected integrator (contact_rkn.hpp) replaces this impulse by the exact one, and what an
 event leaves should be of the size $h^5$.
@@ -156,7 +157,7 @@ std::vector<double> tangent_by_splitting(const Scheme& scheme, std::size_t steps
 }
 
 /**
-The other integrator steps exactly to every contact event and starts anew there, so that each piece is smooth. It
+The other integrator steps exactly to every contact event and starts anew there, so that no step has one inside. It
 chooses its own steps, so we also count its force evaluations. */
 template <class T>
 std::vector<double> tangent_by_events(T tolerance, double& evaluations) {
