@@ -7,7 +7,8 @@ stage forces, and with weights of order $p$ the error is $O(h^{p+1})$ as long as
 The force of a contact that opens or closes does not. Its overlap $x$ passes through zero with a finite
 speed $w$ at some $t^*$, and the force $F = \eta\,x_+^\alpha$ starts like $\eta\,[w\,(t-t^*)_+]^\alpha$.
 Scaled to one step this function looks the same for every $h$, so the weights miss a fraction of its
-size that depends only on where in the step the event falls: $h^\alpha$ in the force, $h^{\alpha+1}$ in the velocity, which is $h^{5/2}$ for spheres.
+size that depends only on where in the step the event falls: $h^\alpha$ in the force, $h^{\alpha+1}$ in
+the velocity, which is $h^{5/2}$ for spheres.
 
 The remedy is cheap, because only the sum over one contact force is wrong; the motion that enters it is
 smoother by two integrations and well known. So we take an ordinary step, look for contacts that have
