@@ -124,7 +124,7 @@ def interrupted_map(scratch):
     kept, found = MAP + ["--folder", "kept"], 0
 
     def rows_kept():
-        return sum(len(path.read_text().splitlines()) - 1 for path in (scratch / "kept").glob("[!.]*"))
+        return sum(len(path.read_text().splitlines()) - 1 for path in (scratch / "kept").glob(".*.rows-*[0-9]"))
 
     for number in (signal.SIGTERM, signal.SIGXCPU, signal.SIGKILL):
         disturbed(kept, lambda: rows_kept() > found, number, cwd=scratch)
