@@ -29,9 +29,9 @@ much passes, how much stays?
 #include "lattice/gsl/reference.hpp"
 #include "lattice/numerics/parallel.hpp"
 #include "report/program.hpp"
-#include "sec3/array_impact.hpp"
 #include "sec36/defect_map.hpp"
 #include "sec36/trapped_mode.hpp"
+#include "sec36/watched_runs.hpp"
 
 using namespace lattice;
 

@@ -1,7 +1,5 @@
 #include "sec3/array_impact.hpp"
 
-#include "lattice/numerics/parallel.hpp"
-
 namespace lattice {
 
 // What the article quotes of a packet, in SI units
@@ -24,22 +22,6 @@ WatchedRun pass(const StruckArray& blow, std::size_t n, double until, const Reso
     at.y.push_back(now.y[n - 1]);
   };
   return {strike(ContactAware{r.step}, impact, watch), std::move(at)};
-}
-
-// The error is the difference of the two
-WatchedRuns pass_twice(const StruckArray& blow, std::size_t n) {
-  WatchedRuns runs;
-  parallel_for(2, [&](std::size_t i) {
-    runs[i] = pass(blow, n, 60, i ? Resolution{0.05, 0.05} : Resolution{0.1, 0.1});
-  });
-  return runs;
-}
-
-Estimate speed_between(const WatchedRuns& runs, const StruckArray& blow, double from, double to) {
-  const auto speed = [&](const WatchedRun& run) {
-    return run.track.line(from, to)->slope / blow.scales.tau_c();
-  };
-  return compare(speed(runs[0]), speed(runs[1]));
 }
 
 // Speed and duration as one would read them off the force at the watched contact

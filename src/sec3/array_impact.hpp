@@ -74,16 +74,6 @@ struct WatchedRun : ImpactRun {
 WatchedRun pass(const StruckArray& blow, std::size_t n, double until, const Resolution& r);
 
 /**
-Every number comes from two such runs, the second with half the step and half the sampling interval. */
-using WatchedRuns = std::array<WatchedRun, 2>;
-
-/// Both runs until 60 ms, watched at site `n`.
-WatchedRuns pass_twice(const StruckArray& blow, std::size_t n);
-
-/// Least-squares speed between two sites, in sites per second.
-Estimate speed_between(const WatchedRuns& runs, const StruckArray& blow, double from, double to);
-
-/**
 The article quotes a speed in sites per second and does not say how it was measured. One reading is a mean:
 `n` over the time at which the packet is strongest at site `n`, where the run was watched. */
 double mean_speed(const WatchedRun& run, const StruckArray& blow, std::size_t n);
