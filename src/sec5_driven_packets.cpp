@@ -26,10 +26,10 @@ using namespace lattice;
 ## Two numbers
 
 The array is that of `sec5_driving`: linear wells, and a piston $a\sin\Omega t$ that touches the first bead, $\Omega =
-1+\delta$. A travelling breather of the DpS equation obeys $A_n(\tau+T) = e^{i\varphi}A_{n-1}(\tau)$, and two numbers
-determine it: its shift time $T$ and the phase $\varphi$ by which it turns from site to site. In the chain, the family
-that begins at $T = 2\pi k$ (chapter on families) has $\varphi = 2\pi k-T$: one curve for each $k$ in the plane of the
-two numbers. A packet may lie between these curves; energy and width are interpolated there (packet_members.hpp), as if
+1+\delta$. A travelling breather of the DpS equation has $A_n(t+T) = e^{i\varphi}A_{n-1}(t)$, and two numbers
+determine it: its shift time $T$ and the phase $\varphi$ by which it turns from site to site. In the chain
+$y_n = 2\epsilon\,\mathrm{Re}(A_ne^{it})$ repeats itself if $e^{i(T+\varphi)} = 1$: the family that begins at $T = 2\pi k$
+(chapter on families) has $\varphi = 2\pi k-T$, one curve for each $k$ in the plane of the two numbers. A packet may lie between these curves; energy and width are interpolated there (packet_members.hpp), as if
 the two numbers determined them as they do in the DpS limit. We measure both, at $\delta = 0.1$ for a piston that begins
 at once, and after an impact of 1 m/s. The *strength* of a drive is its amplitude over the asymptotic threshold
 $8\tau_0^2\delta^2\max|u_0|$ (the law of `sec5_driving`); the fold of the quiet motion, with 10 ms, has the strength
@@ -288,14 +288,15 @@ that rises slowly would send none. The phases of the first packets rise from
 [0.630](num:sec5_driven_packets.phase_weakest) at 1.05 to [0.680](num:sec5_driven_packets.phase_drive_weak) at 1.15 and
 then fall, through zero at [1.77](num:sec5_driven_packets.phase_zero_at); that of an impact is
 [-0.26](num:sec5_driven_packets.phase_impact). So the packets of drives and impacts are breathers of one kind, but those
-of the weaker drives and that of the impact lie on opposite sides of type I, whose phase is zero. The drives at 1.15,
+of the weaker drives and that of the impact lie on opposite sides of type I, whose phase is zero. A packet is exact if
+$(T+\varphi)/2\pi$ is whole and the sites behind stay at rest, as for type I or where $Z = 0$. The drives at 1.15,
 1.3 and 1.6 have $(T+\varphi)/2\pi =$ [4.122](num:sec5_driven_packets.family_drive_weak),
 [3.81](num:sec5_driven_packets.family_drive) and [3.06](num:sec5_driven_packets.family_drive_strong). The number is 4 at
 [1.230](num:sec5_driven_packets.family_at_4) and 3 at [1.63](num:sec5_driven_packets.family_at_3), where its slopes are
 [-3.2](num:sec5_driven_packets.family_slope_at_4) and [-1.8](num:sec5_driven_packets.family_slope_at_3). From each of
 the seventeen strengths to the next it changes by more than the spreads of both, at least by
-[1.58478](num:sec5_driven_packets.family_least_change) times their sum. So a plateau, if there is one, is narrower than
-the distance of two strengths; at single ones the number comes close to a whole one, as it does to 3 between 1.6 and
+[1.58478](num:sec5_driven_packets.family_least_change) times their sum. So no locking is seen, and a plateau could only
+hide between two neighbouring strengths; at single ones the number comes close to a whole one, as it does to 3 between 1.6 and
 1.65.
 
 ## Does a packet stay the same?

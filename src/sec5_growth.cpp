@@ -45,8 +45,8 @@ $|z|^{1/2}(\frac54\,\delta z+\frac z{4\bar z}\,\delta\bar z)$, and the sums over
 $$\frac{i\sigma}\rho\begin{pmatrix}x\\y\end{pmatrix} =
   \begin{pmatrix}a+e & k\\ -k & e-a\end{pmatrix}\begin{pmatrix}x\\y\end{pmatrix},\qquad
   a = \tfrac52cC-\tfrac12-2c,\quad e = -\tfrac52\sin q\sin Q,\quad k = \tfrac12(c-C).$$
-$e$ shifts only the frequency of the modulation. It grows if the coupling $k$ of the side bands $q\pm Q$ exceeds their
-detuning $a$. Rates go like $|A|^{1/2}$, so $|A| = 1$ throughout; a bead of the chain, $y_n =
+$e$ shifts only the frequency of the modulation. It grows if the coupling of the side bands $q\pm Q$ exceeds their
+detuning, $|k|>|a|$. Rates go like $|A|^{1/2}$, so $|A| = 1$ throughout; a bead of the chain, $y_n =
 2\epsilon\,\mathrm{Re}(A_ne^{it})$, then swings by $\pm2\epsilon$.
 
 | symbol | program | meaning |
