@@ -173,8 +173,10 @@ per cent, as the four looks differ (figure x29). After an impact, where the pack
 [1.009](num:sec5_driven_packets.energy_ratio_impact) on beads 12 to 28 and
 [1.00](num:sec5_driven_packets.energy_ratio_impact_far) on beads 44 to 60. This tests one combination of $T$ and
 $\varphi$: a phase that is wrong by a tenth would multiply the ratio by
-[0.8636](num:sec5_driven_packets.energy_ratio_mistimed), but an error in time changes $T$ and $\varphi$ so that most of
-it cancels. The width tests little ([0.9938](num:sec5_driven_packets.width_ratio_mistimed) for such a phase); without
+[0.8636](num:sec5_driven_packets.energy_ratio_mistimed), but an error in time is hardly seen:
+a packet that is timed too late by $\Delta$ from site to site has $T$ too large by $\Delta$ and, as it oscillates faster
+than a free bead by about $\delta = 0.1$, $\varphi$ too large by about $0.1\,\Delta$; the energy goes like $T^{-4}$ at a
+given phase, and the two changes nearly cancel. The width tests little ([0.9938](num:sec5_driven_packets.width_ratio_mistimed) for such a phase); without
 losses the ratio farthest from one is [0.986](num:sec5_driven_packets.width_ratio_worst), for the impact with losses it
 is [1.05](num:sec5_driven_packets.width_ratio_impact_lossy).
 
@@ -296,8 +298,9 @@ $(T+\varphi)/2\pi$ is whole and the sites behind stay at rest, as for type I or 
 [-3.2](num:sec5_driven_packets.family_slope_at_4) and [-1.8](num:sec5_driven_packets.family_slope_at_3). From each of
 the seventeen strengths to the next it changes by more than the spreads of both, at least by
 [1.58478](num:sec5_driven_packets.family_least_change) times their sum. So no locking is seen, and a plateau could only
-hide between two neighbouring strengths; at single ones the number comes close to a whole one, as it does to 3 between 1.6 and
-1.65.
+hide between two neighbouring strengths; at single ones the number comes close to a whole one, as it does to 3 between
+1.6 and 1.65. What distinguishes the packets is the phase: strength and frequency set it, how the drive begins hardly
+does, and it still changes on the way of an impact's packet.
 
 ## Does a packet stay the same?
 

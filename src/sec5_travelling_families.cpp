@@ -112,6 +112,8 @@ double missed_identity(const Orbit<double>& member) {
 }
 
 /**
+Three numbers are compared: what the beads have, what the pulse in the contact would leave if it repeated itself, and what
+the sum $Z = iV$ of the member at the start would leave. The range below is the first over the third.
 Between the exact orbits, in five families with $T/2\pi$ from 0.7 to 1, 1.5 to 2, 2.6 to 3 and 3.7 to 4, what a breather
 leaves behind has the order of magnitude that the sum $Z$ says: [0.40](num:sec5_travelling_families.left_over_sum_least)
 to [1.05406](num:sec5_travelling_families.left_over_sum_most) of $\lvert1-e^{-iT}\rvert\,\lvert Z\rvert$, more than a
@@ -265,13 +267,14 @@ which speeds are possible. But with $T$ as an unknown there are as many equation
 function theorem an orbit at which their derivative is invertible continues to $s \ne 0$. We follow it by
 pseudo-arclength, so that we can pass *folds*, at which a branch turns back in $s$ (branches_in_s.hpp).
 
-[](finding:travelling.wells) In soft wells the orbits of type I continue as far as the table follows them, to $s =$
+In soft wells no branch of type I ends within the steps that we spend on it: ten, and two for $k = 4$, reach $s =$
 [-1.163](num:sec5_travelling_families.soft_k1) ($k = 1$), [-1.38](num:sec5_travelling_families.soft_k2) ($k = 2$),
-[-1.392](num:sec5_travelling_families.soft_k3) ($k = 3$) and [-0.049](num:sec5_travelling_families.soft_k4) ($k = 4$),
-but not for ever: that of $k = 1$ folds at $s =$ [-5.73337](num:sec5_travelling_families.soft_fold_k1), and followed
-further, once (not part of this program), that of $k = 2$ at $-54.4$, while those of $k = 3$ and $4$ reach $-13.9$. In
-hard ones those of $k = 1$, 2 and 3 come back from the first fold to an orbit of type II at $s = 0$, for $k = 1$ after
-two folds more. */
+[-1.392](num:sec5_travelling_families.soft_k3) ($k = 3$) and [-0.049](num:sec5_travelling_families.soft_k4) ($k = 4$).
+Followed further, that of $k = 1$ folds at $s =$ [-5.73337](num:sec5_travelling_families.soft_fold_k1), and, once (not
+part of this program), that of $k = 2$ at $-54.4$, while those of $k = 3$ and $4$ reach $-13.9$. In hard wells those of
+$k = 1$, 2 and 3 fold at [](num:sec5_travelling_families.fold_k1), [](num:sec5_travelling_families.fold_k2) and
+[](num:sec5_travelling_families.fold_k3), and come back from there to an orbit of type II at $s = 0$, for $k = 1$ after
+two folds more close to $s = 0$. */
 using Start = std::pair<std::size_t, Orbit<double>>;  ///< k and its orbit at s = 0
 
 // The folds come from shorter steps than the branches
@@ -331,8 +334,9 @@ may pass this value on its way out, and again after its fold; one that folds bef
 does not turn where the exact orbits that we know end. The fastest of them at $s = 1$ has the speed
 [0.0539509](num:sec5_travelling_families.fastest_at_one) and the energy
 [0.00165802](num:sec5_travelling_families.fastest_energy_at_one); when the packet is as slow as that it still has
-[1.51933](num:sec5_travelling_families.packet_energy_then), hundreds of times as much; sec34_boomeron_why.cpp looks
-for what turns it instead. */
+[1.51933](num:sec5_travelling_families.packet_energy_then), some nine hundred times as much. A packet on an exact orbit
+would have its speed and its energy, so this one is on none of those found. [](finding:travelling.wells) What turns it
+instead is asked in `sec34_boomeron_why`. */
 Path packet_at_one(double step) {
   Path path;
   strike(ContactAware{step}, {1.9, {160, Quartic{1}}, 400, 0.5},
@@ -406,8 +410,9 @@ void report_packet(Report& report, const Path& p) {
 /**
 ## Differences and limits
 
-Branches are followed within bounds of $s$ and $T$. Within them they end where Newton's method fails, which seems to
-happen at orbits in which a bead of the tail only just touches its neighbour. We do not prove that nothing else exists
+The branches of the table are followed within $|s|\le3$ and $T\ge\pi$, which are our choice, and for a limited number of
+steps; the soft folds quoted were searched beyond. Some end before where Newton's method fails, which seems to happen at
+orbits in which a bead of the tail only just touches its neighbour. We do not prove that nothing else exists
 at $s = 1$; we looked only for what is connected with $s = 0$: branches of type I with the sign plus, $k\le4$. Those of
 the sign minus, of type II and of orbits that repeat themselves after several sites were not followed to $s = 1$. */
 void reproduce(Report& report) {

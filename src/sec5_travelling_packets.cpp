@@ -39,11 +39,10 @@ $$\ddot y_n + y_n = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2},\qquad
 A bead that has been passed oscillates freely, $z_n = y_n + i\dot y_n \propto e^{-it}$, with a constant amplitude. Two
 numbers describe what a packet leaves behind: the amplitude $|z_n|$ and the angle $\varphi$ by which the phase of $z_n$
 turns from one bead to the next, both seen at the same $t$. So $\varphi$ is the phase from bead to bead in the frame of
-a free bead, that is, of $z_ne^{it}$. For a packet that is the same again one site further on after $T$ it is $T-2\pi k$
-(the phase of $A_n$ turns the other way), and it vanishes only for type I. But a packet may repeat itself only up to an
-*internal phase*: while the envelope moves on by one site, the oscillation under it gains a phase that is not a multiple
-of $2\pi$. Then $\varphi$ and $T$ are two independent numbers, and $\varphi$ may tend to zero while $T/2\pi$ tends to a
-number that is not whole. */
+a free bead, that is, of $z_ne^{it}$. For an exact orbit $\varphi = T-2\pi k$ (the phase of $A_n$ turns the other way), so
+that $\varphi = 0$ means type I. A packet need not be exact: its envelope may move on by one site in $T$ while the
+oscillation under it gains an extra phase, the *internal phase*. Then $\varphi$ and $T$ are independent, and $\varphi$ may
+tend to zero while $T/2\pi$ tends to a number that is not whole. */
 /// The same course in two frames and with two steps.
 struct TwoCourses {
   double velocity;
@@ -123,9 +122,9 @@ CourseReading read_off(const Course& c, std::size_t half = 6) {
 So a final quantity has two errors, which are added: the difference of the two runs, and the largest difference that
 another stretch makes.
 
-If the final state is like an orbit of type I, it should lie on the line that joins these orbits, which is interpolated
-between seven of them, or beyond $k = 1$ extrapolated (type_one_line.hpp), and compared with the packet at its own
-speed. Two impacts are followed, $v_0 = 0.66$ and 1.5. */
+The orbits of type I are isolated points in the plane of speed and energy. We draw a smooth curve through seven of them,
+the *line of type I* (type_one_line.hpp): between the orbits it holds no exact breather, and beyond $k = 1$ it is an
+extrapolation. If the final state is like an orbit of type I, the packet should lie on this line at its own speed. Two impacts are followed, $v_0 = 0.66$ and 1.5. */
 struct FinalState {
   CourseReading coarse, fine, shorter, longer;
 
@@ -149,8 +148,10 @@ $1/\varphi$ is not constant: it falls from [0.0094495](num:sec5_travelling_packe
 beyond site 200 to [0.00208](num:sec5_travelling_packets.angle_growth_v66) at the end, while $|g|$ falls from
 [0.0308411](num:sec5_travelling_packets.pulse_early_v66) to [0.01113](num:sec5_travelling_packets.pulse_v66). So the law
 $1/n$ is not confirmed: if it holds at all, it does so only beyond the sites computed here. Should $g$ go on falling
-with $\varphi$, like $|\varphi|^p$, then by the same balance $\varphi$ falls like $n^{-1/(1+2p)}$ and the tail like
-$n^{-(1+p)/(1+2p)}$, more slowly than $1/n$. */
+with $\varphi$, like $|\varphi|^p$, at a constant $b$, then by the same balance $\varphi$ falls like $n^{-1/(1+2p)}$ and the
+tail like $n^{-(1+p)/(1+2p)}$, more slowly than $1/n$. Over the last decade of sites the tail has the exponent
+[](num:sec5_travelling_packets.tail_exponent_v66); but neither $p$ nor $b = g^2/2$ over the growth of $1/\varphi$ is
+constant there, so that this is no law. */
 // What belongs to the last decade as it is has the difference of the two runs as its error
 void report_tail(Quantities& facts, const std::string& name, const FinalState& state) {
   const auto fact = [&](const std::string& what, double CourseReading::*of,
@@ -181,11 +182,12 @@ The packet of $v_0 = 0.66$ tends to the scaled speed $cE^{-1/4} =$
 [0.2312](num:sec5_travelling_packets.type_one_scaled_speed_v150) and to
 [0.08242](num:sec5_travelling_packets.final_contact_energy_v150) against
 [0.0824](num:sec5_travelling_packets.contact_energy_of_type_one_v150). All four agree with the line within their errors,
-which come mainly from the choice of the stretch. But the shift times to which they tend are no multiples of $2\pi$. So,
-from these two impacts, a packet seems to end on the line of type I, at a place that its contact energy selects, but
-away from the orbits: the shift does not capture its internal phase. Whether it is captured later cannot be seen here:
-at the end $\varphi$ is still hundreds of times $2|\kappa|^{1/2}$, the angle per shift by which the pinned phase of the
-orbit $k = 1$ swings. */
+which come mainly from the choice of the stretch. But the shift times to which they tend, $T/2\pi =$
+[](num:sec5_travelling_packets.final_turns_v66) and [](num:sec5_travelling_packets.final_turns_v150), are not whole. So,
+from these two impacts, a packet seems to end on the line of type I, at a place that its contact energy selects, but away
+from the orbits: none captures its internal phase. The orbit $k = 1$ holds that phase weakly: displaced, it swings by
+$2|\kappa|^{1/2}$ per shift, $\kappa =$ [](num:sec5_travelling_breathers.kappa_k1_plus) (chapter on exact travelling
+breathers), and at the end $\varphi$ is still hundreds of times that. A later capture is not excluded. */
 // The final state beside the line of the exact orbits at its own speed
 void report_end(Quantities& facts, const std::string& name, const FinalState& state,
                 const ExactLine& line) {
@@ -419,8 +421,8 @@ digits is no proof that an orbit exists: those of type II, and all in other well
 *Conjectured*: that there are two for every $k \ge 2$; that what pins the phase decreases with $k$ faster than
 any power of $1/k$.
 
-*Open*: how the tail of a packet falls in the end; whether there are orbits that repeat themselves only after several
-sites; a proof for type II. */
+*Open*: how the tail of a packet falls in the end; whether an exact orbit captures a packet later than we follow these
+two; whether there are orbits that repeat themselves only after several sites; a proof for type II. */
 void reproduce(Report& report) {
   const bool quick = report.quick;
   report_packets(report, quick ? 24 : 36);

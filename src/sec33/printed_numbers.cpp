@@ -90,12 +90,17 @@ void Setting::measure_jump() {
   });
 }
 
+// What counts as near
 bool is_near(double value, double target, double share) {
   return std::abs(value - target) <= share * std::abs(target);
 }
 
+bool is_near_residual(double residual) {
+  return std::abs(std::log2(residual / printed::residual)) <= 1;
+}
+
 Near near_printed(const Setting& at) {
-  return {std::abs(std::log2(at.residual / printed::residual)) <= 1,
+  return {is_near_residual(at.residual),
           is_near(std::abs(at.barrier), printed::barrier),
           std::abs(at.s0[0] - printed::s0_site) <= 0.03,
           std::abs(at.s0[1] - printed::s0_bond) <= 0.03,

@@ -70,4 +70,7 @@ struct Near {
 };
 Near near_printed(const Setting& at);
 
+/// Whether a residual is the printed one but for a factor of two.
+bool is_near_residual(double residual);
+
 }  // namespace lattice
