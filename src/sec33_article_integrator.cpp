@@ -57,7 +57,7 @@ With the symmetric equations the results resemble the printed ones. At $10^{-9}$
 and two times the printed one, and the barrier is less than two per cent below the printed one; at $10^{-8}$ only the
 bond-centred residual is as near, and the barrier is less than one per cent above. (Converged, it is
 [1.62422e-11](num:pn.omega11).) So an adaptive method of a common tolerance can give the printed residual and barrier at
-once, as [](num:sec33_article_integrator.adaptive_near_both) of our ten trials does, by the bounds of the section after
+once, as [1](num:sec33_article_integrator.adaptive_near_both) of our ten trials does, by the bounds of the section after
 next. With the equations of the article no tolerance comes as near: the barrier is far too high at first, too low at
 $10^{-11}$, and converged at $10^{-12}$. */
 Cells barrier_trial(bool whole_period, double tolerance) {

@@ -272,8 +272,8 @@ In soft wells no branch of type I ends within the steps that we spend on it: ten
 [-1.392](num:sec5_travelling_families.soft_k3) ($k = 3$) and [-0.049](num:sec5_travelling_families.soft_k4) ($k = 4$).
 Followed further, that of $k = 1$ folds at $s =$ [-5.73337](num:sec5_travelling_families.soft_fold_k1), and, once (not
 part of this program), that of $k = 2$ at $-54.4$, while those of $k = 3$ and $4$ reach $-13.9$. In hard wells those of
-$k = 1$, 2 and 3 fold at [](num:sec5_travelling_families.fold_k1), [](num:sec5_travelling_families.fold_k2) and
-[](num:sec5_travelling_families.fold_k3), and come back from there to an orbit of type II at $s = 0$, for $k = 1$ after
+$k = 1$, 2 and 3 fold at [0.0103004](num:sec5_travelling_families.fold_k1), [0.325582](num:sec5_travelling_families.fold_k2) and
+[1.90266](num:sec5_travelling_families.fold_k3), and come back from there to an orbit of type II at $s = 0$, for $k = 1$ after
 two folds more close to $s = 0$. */
 using Start = std::pair<std::size_t, Orbit<double>>;  ///< k and its orbit at s = 0
 

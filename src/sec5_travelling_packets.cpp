@@ -150,7 +150,7 @@ beyond site 200 to [0.00208](num:sec5_travelling_packets.angle_growth_v66) at th
 $1/n$ is not confirmed: if it holds at all, it does so only beyond the sites computed here. Should $g$ go on falling
 with $\varphi$, like $|\varphi|^p$, at a constant $b$, then by the same balance $\varphi$ falls like $n^{-1/(1+2p)}$ and the
 tail like $n^{-(1+p)/(1+2p)}$, more slowly than $1/n$. Over the last decade of sites the tail has the exponent
-[](num:sec5_travelling_packets.tail_exponent_v66); but neither $p$ nor $b = g^2/2$ over the growth of $1/\varphi$ is
+[-0.72067](num:sec5_travelling_packets.tail_exponent_v66); but neither $p$ nor $b = g^2/2$ over the growth of $1/\varphi$ is
 constant there, so that this is no law. */
 // What belongs to the last decade as it is has the difference of the two runs as its error
 void report_tail(Quantities& facts, const std::string& name, const FinalState& state) {
@@ -183,10 +183,10 @@ The packet of $v_0 = 0.66$ tends to the scaled speed $cE^{-1/4} =$
 [0.08242](num:sec5_travelling_packets.final_contact_energy_v150) against
 [0.0824](num:sec5_travelling_packets.contact_energy_of_type_one_v150). All four agree with the line within their errors,
 which come mainly from the choice of the stretch. But the shift times to which they tend, $T/2\pi =$
-[](num:sec5_travelling_packets.final_turns_v66) and [](num:sec5_travelling_packets.final_turns_v150), are not whole. So,
+[1.1566](num:sec5_travelling_packets.final_turns_v66) and [0.847](num:sec5_travelling_packets.final_turns_v150), are not whole. So,
 from these two impacts, a packet seems to end on the line of type I, at a place that its contact energy selects, but away
 from the orbits: none captures its internal phase. The orbit $k = 1$ holds that phase weakly: displaced, it swings by
-$2|\kappa|^{1/2}$ per shift, $\kappa =$ [](num:sec5_travelling_breathers.kappa_k1_plus) (chapter on exact travelling
+$2|\kappa|^{1/2}$ per shift, $\kappa =$ [-8.8883e-11](num:sec5_travelling_breathers.kappa_k1_plus) (chapter on exact travelling
 breathers), and at the end $\varphi$ is still hundreds of times that. A later capture is not excluded. */
 // The final state beside the line of the exact orbits at its own speed
 void report_end(Quantities& facts, const std::string& name, const FinalState& state,
