@@ -21,14 +21,14 @@ from .refresh import read_figures
 DOCUMENTS = ("paper", "supplement", "theorem")
 PROOF = "sec5_kernel_equation"  # the chapter whose prose has the proof: the block that ends with a square
 HEAD = "% Written by `python3 -m lineage macros`; do not edit.\n"
-GREEK = {"pi", "eps", "omega", "tau", "mu", "phi", "lambda", "beta", "Phi", "Gamma", "delta"}
+GREEK = {"pi", "eps", "epsilon", "omega", "tau", "mu", "phi", "lambda", "beta", "Phi", "Gamma", "delta"}
 WORDED = re.compile(
     r"(?P<base>-?[A-Za-z]+)_(?P<below>\([^)]*\)|[A-Za-z0-9]+)"
     r"|\^(?P<above>\([^)]*\)|-[0-9/]+|[A-Za-z0-9]+)"
-    r"|(?P<number>-?\d+(?:\.\d+)?e-?\d+|-\d+(?:\.\d+)?)"
-    r"|\b(?P<greek>pi|eps|omega|tau|mu|lambda|beta|Phi|Gamma|delta)\b"
+    r"|(?P<number>-?(?:\d+(?:\.\d+)?|\.\d+)e-?\d+|-\d+(?:\.\d+)?)"
+    r"|\b(?P<greek>pi|eps|epsilon|omega|tau|mu|lambda|beta|Phi|Gamma|delta)\b"
     r"|\bsqrt\((?P<root>[^()]*)\)"
-    r"|(?P<relation>>=|<=|\+-|->)|(?P<minus>(?:= | )-)(?= |i\b)")
+    r"|(?P<relation>>=|<=|\+-|->)|(?P<minus>(?:= | )-)(?= |[in]\b)")
 
 
 def value(shown, uncertain=""):
@@ -225,19 +225,23 @@ def macros(texts, figures, programs):
 
 
 def claim_rows(claims, lock):
-    """A row for each claim but the discrepant ones, which the paper has in a table of their own: what is claimed and
-    printed, what we found with its error, and the verdict. Only a claim that is open has no number."""
-    out, judge = HEAD, Judge(claims, lock.values())
-    for id, c in claims.items():
+    """A row for each claim but the discrepant ones, which the paper has in a table of their own, by the sections of the
+    article: what is claimed and printed, what we found with its error in parentheses, and the verdict. Only a claim that
+    is open has no number."""
+    out, section, judge = HEAD, None, Judge(claims, lock.values())
+    for id, c in sorted(claims.items(), key=lambda claim: claim[1]["section"]):
         f = lock.get((c["program"], id))
         if not f and c["status"] != "open":
             raise ecsv.Fault(f"nothing is locked for the claim '{id}' (make lock)")
         said = judge.verdict(id)
         if c["status"] == "discrepant":
             continue
-        here = value(f.shown) + (f" {unit(f.unit)}" if f.shown_unit else "") if f and f.shown != said else ""
+        if c["section"] != section:
+            section = c["section"]
+            out += rf"\claimsof{{{escaped(section)}}}" + "\n"
+        here = both(f) + (f" {unit(f.unit)}" if f.shown_unit else "") if f and f.shown != said else ""
         cells = [escaped(id), worded(c["quantity"]), worded(c["printed"]) + (f" {unit(c['unit'])}" if c["unit"] else ""),
-                 here, value(f.shown_error) if f else "", said]
+                 here, said]
         out += r"\claim" + "".join(f"{{{cell}}}" for cell in cells) + "\n"
     return out
 
