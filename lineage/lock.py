@@ -85,7 +85,7 @@ def quoted(root):
     for path in sources(root) + sorted((root / "book").glob("*.md")):
         out.update(re.findall(r"\]\(num:([^)]+)\)", ecsv.text_of(path)))
     for path in sorted((root / "paper").glob("*.tex")):
-        out.update(re.findall(r"\\(?:num|err|both)\{([^}#]+)\}", uncommented(ecsv.text_of(path))))
+        out.update(re.findall(r"\\(?:num|err|both|about)\{([^}#]+)\}", uncommented(ecsv.text_of(path))))
     return out.union(read_commands(root)) - {"..."}
 
 

@@ -1,7 +1,7 @@
 """Numbers in the three documents of the report: paper, supplement and theorem. They say `\\num{pn.omega11}` and
 `\\err{pn.omega11}` for a locked value and its error, `\\both{pn.omega11}` for the two in one, as in 1.62(3)e-11,
-`\\pub{pn.omega11}` for what the article prints, `\\claimed{pn.omega11}` for what that is and `\\verdict{pn.omega11}` for
-what became of it, `\\fig{07}` for a figure with the first sentence of its caption and a link to its chapter,
+`\\about{pn.omega11}` for the value to three digits, `\\pub{pn.omega11}` for what the article prints,
+`\\claimed{pn.omega11}` for what that is and `\\verdict{pn.omega11}` for what became of it, `\\fig{07}` for a figure with the first sentence of its caption and a link to its chapter,
 `\\finding{pull}` for the sentence of a finding, `\\tally{figures}` for what can be counted and `\\meta{version}` for what
 codemeta.json says. This file writes the definitions of all these, the table of claims, and the proof, which is told
 once, in its chapter. It names every reference that has nothing behind it, every figure that is in none of the
@@ -9,6 +9,7 @@ documents or in two, and every claim that does not survive and is not among thos
 
 A file of the report that begins with `% chapter: <program>` is read only where that chapter exists."""
 
+import math
 import re
 from pathlib import Path
 
@@ -17,6 +18,7 @@ from .claims import VERDICTS, Judge, name_of, programs_of, read_claims
 from .findings import NUMBERS, read_findings
 from .lock import read_lock, uncommented
 from .refresh import read_figures
+from .values import with_digits
 
 DOCUMENTS = ("paper", "supplement", "theorem")
 PROOF = "sec5_kernel_equation"  # the chapter whose prose has the proof: the block that ends with a square
@@ -55,6 +57,12 @@ def both(finding):
         return value(shown)
     last = int(digits[2] or 0) - len(digits[1] or "")
     return value(shown, f"({max(1, round(float(error) / 10.0**last))})")
+
+
+def about(finding):
+    """A value to three digits at most, where a reader needs no more of it."""
+    fewer = with_digits(finding.value, 3) if math.isfinite(finding.value) else finding.shown
+    return value(min(fewer, finding.shown, key=lambda shown: len(re.sub(r"e.*|[^0-9]", "", shown).lstrip("0"))))
 
 
 def name(word):
@@ -120,6 +128,7 @@ def paper_texts(claims, lock, figures, meta, findings):
         out["num", name_of(f, claims)] = value(f.shown)
         out["err", name_of(f, claims)] = value(f.shown_error)
         out["both", name_of(f, claims)] = both(f)
+        out["about", name_of(f, claims)] = about(f)
     nums = {name: text for (kind, name), text in out.items() if kind == "num"}
     for id, row in findings.items():
         if lost := [name for name in NUMBERS.findall(row["sentence"]) if name not in nums]:
@@ -141,7 +150,7 @@ def source(program, meta):
 
 def dangling(paper, texts):
     """References that would stay empty, each once. A comment refers to nothing, and `#1` is a parameter."""
-    found = re.finditer(r"\\(num|err|both|pub|claimed|verdict|fig|tally|meta|finding)\{([^}#]*)\}", uncommented(paper))
+    found = re.finditer(r"\\(num|err|both|about|pub|claimed|verdict|fig|tally|meta|finding)\{([^}#]*)\}", uncommented(paper))
     return sorted({m[0] for m in found if (m[1], m[2]) not in texts})
 
 

@@ -117,6 +117,10 @@ class Paper(Scratch):
                                     (16.4, 2.0, "16(2)"), (-0.000162, 3e-6, r"-1.62(3)\times10^{-4}"),
                                     (9.97, 0.0961, "9.97(10)"), (2e-5, 3e-4, r"2(30)\times10^{-5}")]:
             self.assertEqual(tex.both(finding(value, error)), rf"\ensuremath{{{ought}}}")
+        for one, ought in [(finding(0.00162601, 3e-9), "0.00163"), (finding(24934.6, 0.2), r"2.49\times10^{4}"), (finding(5.0), "5"),
+                           (finding(2e-5, 3e-4), r"2\times10^{-5}"), (finding(0.07, 0.01), "0.07")]:
+            self.assertEqual(tex.about(one), rf"\ensuremath{{{ought}}}")
+        self.assertEqual(tex.about(finding(float("nan"), 0.1)), "nan")
         # Six digits do not reach the error: what was rounded off is less than a unit
         self.assertEqual(tex.both(finding(1.6242247e-11, 8e-20)), r"\ensuremath{1.62422(1)\times10^{-11}}")
         # Nothing in parentheses where nothing is uncertain, or nothing is known of it
@@ -127,7 +131,7 @@ class Paper(Scratch):
         self.assertEqual(tex.both(finding(float("nan"), 0.1)), "nan")
 
     def test_a_reference_to_nothing_is_named(self):
-        good = (r"\num{a.one} \err{a.one} \both{a.one} \pub{a.one} \claimed{a.one} \num{sec1_demo.fact} \fig{01} \tally{open}"
+        good = (r"\num{a.one} \err{a.one} \both{a.one} \about{a.one} \pub{a.one} \claimed{a.one} \num{sec1_demo.fact} \fig{01} \tally{open}"
                 r" \meta{code} \wide{01} \gone{a.one}{cause}")
         self.write("paper/paper.tex", good + "\n% \\num{x}\n\\newcommand\\q[1]{\\num{#1}} 5\\% of \\num{a.one}\n")
         self.assertEqual(self.lineage("macros")[0], 0)
