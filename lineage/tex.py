@@ -1,11 +1,12 @@
 """Numbers in the three documents of the report: paper, supplement and theorem. They say `\\num{pn.omega11}` and
 `\\err{pn.omega11}` for a locked value and its error, `\\both{pn.omega11}` for the two in one, as in 1.62(3)e-11,
 `\\about{pn.omega11}` for the value to three digits, `\\pub{pn.omega11}` for what the article prints,
-`\\claimed{pn.omega11}` for what that is and `\\verdict{pn.omega11}` for what became of it, `\\fig{07}` for a figure with the first sentence of its caption and a link to its chapter,
-`\\finding{pull}` for the sentence of a finding, `\\tally{figures}` for what can be counted and `\\meta{version}` for what
-codemeta.json says. This file writes the definitions of all these, the table of claims, and the proof, which is told
-once, in its chapter. It names every reference that has nothing behind it, every figure that is in none of the
-documents or in two, and every claim that does not survive and is not among those for which the paper has a cause.
+`\\claimed{pn.omega11}` for what that is and `\\verdict{pn.omega11}` for what became of it, `\\fig{07}` for a figure with
+the first sentence of its caption and a link to its chapter, `\\finding{pull}` for the sentence of a finding,
+`\\tally{figures}` for what can be counted and `\\meta{version}` for what codemeta.json says. This file writes the
+definitions of all these, the table of claims, and the proof, which is told once, in its chapter. It names every
+reference that has nothing behind it, every figure that is in none of the documents or in two, and every claim that does
+not survive and is not among those for which the paper has a cause.
 
 A file of the report that begins with `% chapter: <program>` is read only where that chapter exists."""
 
