@@ -44,7 +44,7 @@ departures.plot(site["growing"][order], site["pendulum"][order], "-", color="bla
                 label="pendulum")
 departures.plot(site["growing"], site["leaves"], "o", color=BLUE, ms=4, mfc="none", mew=0.9,
                 label="site-centred")
-departures.set(xscale="log", xlabel="growing share of the noise", ylim=(0, 320),
+departures.set(xscale="log", xlabel="growing part of the noise", ylim=(0, 320),
                ylabel=r"time $t$ at $|X| = \frac{1}{2}$ (units of eq.)")
 departures.legend(loc="upper right")
 
@@ -52,7 +52,7 @@ bond = draw.read(f"{folder}/trials_bond.ecsv")
 distances.plot(1e3 * bond["push_size"], bond["largest"], "s", color=VERMILION, ms=4, mfc="none",
                mew=0.9, label="bond-centred")
 distances.axvline(1e3 * float(facts["freeing_push"]), color="black", lw=0.9, ls="--",
-                  label="freeing push")
+                  label="depinning push")
 distances.set(xlabel=r"push of the noise, $10^3|y|$", ylabel="largest $|X|$ (sites)", ylim=(0, None))
 distances.legend(loc="upper left")
 draw.letter(paths, "b")
