@@ -58,8 +58,8 @@ and two times the printed one, and the barrier is less than two per cent below t
 bond-centred residual is as near, and the barrier is less than one per cent above. (Converged, it is
 [1.62422e-11](num:pn.omega11).) So an adaptive method of a common tolerance can give the printed residual and barrier at
 once, as [1](num:sec33_article_integrator.adaptive_near_both) of our ten trials does, by the bounds of the section after
-next. With the equations of the article no tolerance comes as near: the barrier is far too high at first, too low at
-$10^{-11}$, and converged at $10^{-12}$. */
+next. With the equations of the article none of the five tolerances comes as near: the barrier is far too high at first,
+too low at $10^{-11}$, and converged at $10^{-12}$. */
 Cells barrier_trial(bool whole_period, double tolerance) {
   std::array<UncorrectedEnd, 2> ends{};
   for (std::size_t k : {0U, 1U}) {
@@ -99,13 +99,14 @@ void report_barrier_trials(Report& report) {
 
 With fixed steps the error at a contact event depends on where in its step the event falls. If the steps are
 *commensurate with the period*, a whole number of them to it, this is the same place in every period: errors that would
-cancel add up, as long as the breather stays where it is. The integrator then has a Peierls-Nabarro potential of its
-own. We take the classical Runge-Kutta method with $T_b/k$ as its step, for several $k$, commensurate and not, and repeat
-two of the article's experiments: the site-centred breather after the weak kick, and the bond-centred one after a kick
-of $5.5\cdot10^{-6}$, which lies between the converged threshold [4.4518e-6](num:moving.c_threshold) and the printed one.
+cancel may add up, as long as the breather stays where it is, and act like a Peierls-Nabarro potential of the
+integrator's own. We take the classical Runge-Kutta method with $T_b/k$ as its step, for several $k$, commensurate and
+not, and repeat two of the article's experiments: the site-centred breather after the weak kick, and the bond-centred
+one after a kick of $5.5\cdot10^{-6}$, which lies between the converged threshold [4.4518e-6](num:moving.c_threshold)
+and the printed one.
 
-With 80 commensurate steps a period the bond-centred breather stays where it is; with steps of about the same
-length that are not commensurate it moves. But none of these runs conserves the energy: it drifts by
+With 80 commensurate steps a period the bond-centred breather stays where it is until $t = 8\cdot10^4$; with steps of
+about the same length that are not commensurate it moves. But none of these runs conserves the energy: it drifts by
 [6e2](num:sec33_article_integrator.least_drift_of_trials) to [1e5](num:sec33_article_integrator.largest_drift_of_trials)
 times the energy $c^2/2$ of the kick. They show that commensurate steps can pin a breather, not that they do so at a
 conserved energy. In a control, 120 commensurate steps of our own method, corrected for the contact events, let the
@@ -235,10 +236,12 @@ with 120 steps, [6.05e-6](num:sec33_article_integrator.threshold_runge-kutta-4_1
 [6.43e-6](num:sec33_article_integrator.threshold_runge-kutta-4_128), that of Calvo and Sanz-Serna with 100,
 [6.24e-6](num:sec33_article_integrator.threshold_calvo-sanz-serna-4_100), and Fehlberg's with 120,
 [6.43e-6](num:sec33_article_integrator.threshold_fehlberg-5_120). The remaining one lies between ten and twelve per cent
-away. So the printed number singles out no method. This compares numbers only: such steps changed the energy by far more
-than the kick brings in the trials above, so that these are no barriers of a conserved energy. And a breather that seems pinned need not stay pinned: with 120 steps
-of the classical method it swings farther and farther, and a kick of $4\cdot10^{-6}$, too weak for a converged run, has
-freed it after 200000 periods (run once, with that number in `measure_threshold` of printed_numbers.cpp).
+away. So the printed number singles out no method. This compares numbers only: in the trials above the steps of the
+classical method changed the energy by far more than the kick brings, so that its thresholds are no barriers of a
+conserved energy; of the other methods the energy was not watched. And a breather that seems pinned need not stay
+pinned: with 120 steps of the classical method it swings farther and farther, and a kick of $4\cdot10^{-6}$, too weak
+for a converged run, has freed it after 200000 periods (run once, with that number in `measure_threshold` of
+printed_numbers.cpp).
 
 *The jump.* In [0](num:sec33_article_integrator.settings_near_jump) of the
 [6](num:sec33_article_integrator.thresholds_near) settings near the threshold the site-centred breather jumps two sites
@@ -269,10 +272,11 @@ printed size comes from adaptive variational equations at tolerances from $10^{-
 [6.35779e-10](num:sec33_article_integrator.largest_barrier_120), many times the barrier itself. It comes within ten
 per cent of the printed value in [0](num:sec33_article_integrator.settings_near_barrier) settings.
 
-So no *fixed* steps explain more than one of the numbers. Some of the methods, with 100 to 128 commensurate steps per
-period, give a threshold of the printed size if one waits for 20000 periods. The adaptive method of the first section
-does better for the orbits: at $10^{-9}$ it is near the residual and the barrier, and variational equations of about that
-tolerance give a gap of the printed size. Kicks were not tried with it, and nothing that we tried explains the jump. */
+So none of the [55](num:sec33_article_integrator.settings) settings of *fixed* steps comes near more than one of the six
+numbers. Some of the methods, with 100 to 128 commensurate steps per period, give a threshold of the printed size if one
+waits for 20000 periods. The adaptive method of the first section does better for the orbits: at $10^{-9}$ it is near
+the residual and the barrier, and variational equations of about that tolerance give a gap of the printed size. Kicks
+were not tried with it, and nothing that we tried explains the jump. */
 Columns report_columns() {
   return {label("method", "integrator"),
           count("steps", "for one period"),
@@ -434,10 +438,10 @@ Nothing here says what the article did. The scan has steps that divide the perio
 adaptive steps were tried for the barrier and for the multipliers (`sec33_multiplier_errors`), not for kicks. Steps of a
 round length, such as 0.05, are not commensurate, and in the trials with incommensurate steps the breather moves. A kick
 that has not freed the breather within 20000 periods, or after which it has turned round before, counts as too weak;
-with 16000 some thresholds come out three per cent higher, and with 12000 one more setting seems to come near. A map has
-no finer resolution to be compared with, so its numbers have no error of that kind; as that of a threshold we give half
-of its bracket, as that of a time the 64 periods between two looks, and that of a residual is its difference from the
-one with difference quotients. */
+with 16000, run once, some thresholds come out three per cent higher, and with 12000 one more setting seems to come
+near. A map has no finer resolution to be compared with, so its numbers have no error of that kind; as that of a
+threshold we give half of its bracket, as that of a time the 64 periods between two looks, and that of a residual is its
+difference from the one with difference quotients. */
 void reproduce(Report& report) {
   report.output.note("tolerance", "none: the fixed steps are what is studied");
   report_scan(report);
