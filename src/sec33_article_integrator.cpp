@@ -224,9 +224,8 @@ std::string outcome(const Setting& at) {
 /**
 ## The result
 
-No setting of fixed steps comes near more than [1](num:sec33_article_integrator.most_at_once) of the six numbers: some of
-those with 100 to 128 steps are near the threshold, some of those with 200 or more near the residual, and none is near
-any other of the six.
+No setting of fixed steps comes near more than [1](num:sec33_article_integrator.most_at_once) of the six numbers: some
+with 100 to 128 steps are near the threshold, some with 200 or more near the residual, none near any other of the six.
 
 *The threshold.* We tried [15](num:sec33_article_integrator.thresholds_tried) settings. Of these
 [5](num:sec33_article_integrator.thresholds_below) free the bond-centred breather already twelve per cent below the
@@ -236,12 +235,11 @@ with 120 steps, [6.05e-6](num:sec33_article_integrator.threshold_runge-kutta-4_1
 [6.43e-6](num:sec33_article_integrator.threshold_runge-kutta-4_128), that of Calvo and Sanz-Serna with 100,
 [6.24e-6](num:sec33_article_integrator.threshold_calvo-sanz-serna-4_100), and Fehlberg's with 120,
 [6.43e-6](num:sec33_article_integrator.threshold_fehlberg-5_120). The remaining one lies between ten and twelve per cent
-away. So the printed number singles out no method. This compares numbers only: in the trials above the steps of the
-classical method changed the energy by far more than the kick brings, so that its thresholds are no barriers of a
-conserved energy; of the other methods the energy was not watched. And a breather that seems pinned need not stay
-pinned: with 120 steps of the classical method it swings farther and farther, and a kick of $4\cdot10^{-6}$, too weak
-for a converged run, has freed it after 200000 periods (run once, with that number in `measure_threshold` of
-printed_numbers.cpp).
+away. So the printed number singles out no method. This compares numbers only: in the trials above the classical method
+changed the energy by far more than the kick brings, and that of the others was not watched, so that these are not known
+to be barriers of a conserved energy. And a breather that seems pinned need not stay so: with 120 steps of the classical
+method a kick of $4\cdot10^{-6}$, too weak for a converged run, has freed it after 200000 periods (run once, with that
+number in `measure_threshold`).
 
 *The jump.* In [0](num:sec33_article_integrator.settings_near_jump) of the
 [6](num:sec33_article_integrator.thresholds_near) settings near the threshold the site-centred breather jumps two sites
@@ -266,17 +264,17 @@ error of the one pair hides the other, and $s_0$ cannot be read off: both centre
 [0](num:sec33_article_integrator.settings_with_both_s0) of [55](num:sec33_article_integrator.settings) settings, and a
 single setting shows one around a bond, far from the printed value. Difference quotients do not change this. A gap of the
 printed size comes from adaptive variational equations at tolerances from $10^{-8}$ to $10^{-9}$ instead
-(`sec33_multiplier_errors`), far more accurate than the steps that give the threshold.
+(`sec33_multiplier_errors`).
 
 *The barrier* of the maps scatters about the converged one; at 120 steps its largest modulus is
 [6.35779e-10](num:sec33_article_integrator.largest_barrier_120), many times the barrier itself. It comes within ten
 per cent of the printed value in [0](num:sec33_article_integrator.settings_near_barrier) settings.
 
-So none of the [55](num:sec33_article_integrator.settings) settings of *fixed* steps comes near more than one of the six
-numbers. Some of the methods, with 100 to 128 commensurate steps per period, give a threshold of the printed size if one
-waits for 20000 periods. The adaptive method of the first section does better for the orbits: at $10^{-9}$ it is near
-the residual and the barrier, and variational equations of about that tolerance give a gap of the printed size. Kicks
-were not tried with it, and nothing that we tried explains the jump. */
+So none of these settings of *fixed* steps comes near more than one of the six numbers. Some of the methods, with 100 to
+128 commensurate steps per period, give a threshold of the printed size if one waits for 20000 periods. The adaptive
+method of the first section does better for the orbits: at $10^{-9}$ it is near the residual and the barrier, and
+variational equations of about that tolerance give a gap of the printed size. Kicks were not tried with it, and nothing
+that we tried explains the jump. */
 Columns report_columns() {
   return {label("method", "integrator"),
           count("steps", "for one period"),

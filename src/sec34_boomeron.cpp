@@ -461,9 +461,8 @@ void report_check(Report& report) {
 /**
 ## Differences and limits
 
-The article does not say how it integrates or averages, nor how long its chain is. The reversal at 1.9 and the growth of
-the force are found; at $v_0\approx1.87$ the velocity vanishes later than the times that it calls close to the
-reversal. */
+The article does not say how it integrates or averages, nor how long its chain is. Reversal at 1.9 and growth of the
+force are found; at $v_0\approx1.87$ the velocity vanishes later than the times that it calls close to the reversal. */
 void reproduce(Report& report) {
   const std::vector<TurnEstimate> reads = report_turns(report);
   const double marked = report_decorrelation(report);

@@ -187,7 +187,7 @@ which come mainly from the choice of the stretch. But the shift times to which t
 from these two impacts, a packet seems to end on the line of type I, at a place that its contact energy selects, but away
 from the orbits: none captures its internal phase. The orbit $k = 1$ holds that phase weakly: displaced, it swings by
 $2|\kappa|^{1/2}$ per shift, $\kappa =$ [-8.8883e-11](num:sec5_travelling_breathers.kappa_k1_plus) (chapter on exact travelling
-breathers), and at the end $\varphi$ is still hundreds of times that. A later capture is not excluded. */
+breathers), and at the end $\varphi$ is still about a thousand times that. A later capture is not excluded. */
 // The final state beside the line of the exact orbits at its own speed
 void report_end(Quantities& facts, const std::string& name, const FinalState& state,
                 const ExactLine& line) {
