@@ -459,9 +459,8 @@ need not be confined: an end that absorbs them only moves the turning point.
 has been cut out and meets only its own fresh wake slows down about as much as one that keeps five sites of the waves
 of the impact, however much of the fresh wake is left; and as it goes on, it slows down less and less.
 
-**Neither waves nor the end are necessary for an eventual return.** [](finding:turning.alone) Others that are cut out early
-go on or are trapped; of six within a millionth of this impact, tried once, four return by $t = 4000$, by chance as it
-seems.
+**Neither waves nor the end are necessary for an eventual return.** [](finding:turning.alone) Others that are cut out
+early go on or are trapped; of six within a millionth of this impact, tried once, four return by $t = 4000$.
 
 *Not shown* is why waves pull. The packet is pushed forward and slows down; that neighbours in it oscillate in opposite
 phase (figure 23), as at the upper edge of a band, while the waves behind are long and in phase, fits a negative mass but

@@ -122,9 +122,10 @@ CourseReading read_off(const Course& c, std::size_t half = 6) {
 So a final quantity has two errors, which are added: the difference of the two runs, and the largest difference that
 another stretch makes.
 
-The orbits of type I are isolated points in the plane of speed and energy. We draw a smooth curve through seven of them,
-the *line of type I* (type_one_line.hpp): between the orbits it holds no exact breather, and beyond $k = 1$ it is an
-extrapolation. If the final state is like an orbit of type I, the packet should lie on this line at its own speed. Two impacts are followed, $v_0 = 0.66$ and 1.5. */
+The orbits of type I that we found are single points in the plane of speed and energy. We draw a smooth curve through
+seven of them, the *line of type I* (type_one_line.hpp): between the orbits it holds no exact breather that we know, and
+beyond $k = 1$ it is an extrapolation. If the final state is like an orbit of type I, the packet should lie on this line
+at its own speed. Two impacts are followed, $v_0 = 0.66$ and 1.5. */
 struct FinalState {
   CourseReading coarse, fine, shorter, longer;
 
