@@ -59,8 +59,8 @@ With the symmetric equations the results resemble the printed ones. At the toler
 one and a half and two times the printed one, and the barrier is less than two per cent below the printed one; at $10^{-8}$
 only the bond-centred residual is as near, and the barrier is less than one per cent above. Of our ten trials
 [1](num:sec33_article_integrator.adaptive_near_both) is near the printed residual and the printed barrier at once, by the
-bounds of the section after next. With the equations of the article no tolerance comes as near: the barrier is far too high
-at first, too low at $10^{-11}$, and converged at $10^{-12}$. So an adaptive method of a common tolerance *can* give both
+bounds of the section after next. With the equations of the article none of the five tolerances comes as near: the
+barrier is far too high at first, too low at $10^{-11}$, and converged at $10^{-12}$. So an adaptive method of a common tolerance *can* give both
 numbers. But this speaks for no coarse integration: the converged barrier, [1.62422e-11](num:pn.omega11), is only eight per
 cent below the printed one. */
 Cells barrier_trial(bool whole_period, double tolerance) {
@@ -102,13 +102,14 @@ void report_barrier_trials(Report& report) {
 
 With fixed steps the error at a contact event depends on where in its step the event falls. If the steps are
 *commensurate with the period*, a whole number of them to it, this is the same place in every period: errors that would
-cancel on average add up, like a force that depends on where the breather is. The integrator then has a Peierls-Nabarro
-potential of its own. We take the classical Runge-Kutta method with $T_b/k$ as its step, for several $k$, commensurate and not, and repeat
-two of the article's experiments: the site-centred breather after the weak kick, and the bond-centred one after a kick
-of $5.5\cdot10^{-6}$, which lies between the converged threshold [4.4518e-6](num:moving.c_threshold) and the printed one.
+cancel on average may add up, as long as the breather stays where it is, and act like a Peierls-Nabarro potential of the
+integrator's own. We take the classical Runge-Kutta method with $T_b/k$ as its step, for several $k$, commensurate and
+not, and repeat two of the article's experiments: the site-centred breather after the weak kick, and the bond-centred
+one after a kick of $5.5\cdot10^{-6}$, which lies between the converged threshold [4.4518e-6](num:moving.c_threshold)
+and the printed one.
 
-With 80 commensurate steps a period the bond-centred breather stays where it is; with steps of about the same
-length that are not commensurate it moves. But none of these runs conserves the energy: it drifts by
+With 80 commensurate steps a period the bond-centred breather stays where it is until $t = 8\cdot10^4$; with steps of
+about the same length that are not commensurate it moves. But none of these runs conserves the energy: it drifts by
 [6e2](num:sec33_article_integrator.least_drift_of_trials) to [1e5](num:sec33_article_integrator.largest_drift_of_trials)
 times the energy $c^2/2$ of the kick. They show that commensurate steps can pin a breather, not that they do so at a
 conserved energy. In a control, 120 commensurate steps of our own method, corrected for the contact events, let the
@@ -228,10 +229,10 @@ std::string outcome(const Setting& at) {
 /**
 ## The result
 
-No setting of fixed steps comes near more than [1](num:sec33_article_integrator.most_at_once) of the six numbers: some of
-those with 100 to 128 steps are near the threshold, some of those with 200 or more near the residual, as the flow is, and
-none is near any other of the six. Each panel of figure x30 shows one number against the steps, the line being what is
-printed, and the last one how many are near.
+No setting of fixed steps comes near more than [1](num:sec33_article_integrator.most_at_once) of the six numbers: some
+with 100 to 128 steps are near the threshold, some with 200 or more near the residual, as the flow is, and none near any
+other of the six. Each panel of figure x30 shows one number against the steps, the line being what is printed, and the
+last one how many are near.
 
 *The threshold.* We tried [15](num:sec33_article_integrator.thresholds_tried) settings. Of these
 [5](num:sec33_article_integrator.thresholds_below) free the bond-centred breather already twelve per cent below the
@@ -241,11 +242,11 @@ with 120 steps, [6.05e-6](num:sec33_article_integrator.threshold_runge-kutta-4_1
 [6.43e-6](num:sec33_article_integrator.threshold_runge-kutta-4_128), that of Calvo and Sanz-Serna with 100,
 [6.24e-6](num:sec33_article_integrator.threshold_calvo-sanz-serna-4_100), and Fehlberg's with 120,
 [6.43e-6](num:sec33_article_integrator.threshold_fehlberg-5_120). The remaining one lies between ten and twelve per cent
-away. So the printed number singles out no method. This compares numbers only: such steps changed the energy by far more
-than the kick brings in the trials above, so that these are no barriers of a conserved energy. And a breather that seems
-pinned need not stay pinned: with 120 steps of the classical method it swings farther and farther, and a kick of
-$4\cdot10^{-6}$, too weak for a converged run, has freed it after 200000 periods (run once, with that number in
-`measure_threshold` of printed_numbers.cpp).
+away. So the printed number singles out no method. This compares numbers only: in the trials above the classical method
+changed the energy by far more than the kick brings, and that of the others was not watched, so that these are not known
+to be barriers of a conserved energy. And a breather that seems pinned need not stay so: with 120 steps of the classical
+method a kick of $4\cdot10^{-6}$, too weak for a converged run, has freed it after 200000 periods (run once, with that
+number in `measure_threshold`).
 
 *The jump.* In [0](num:sec33_article_integrator.settings_near_jump) of the
 [6](num:sec33_article_integrator.thresholds_near) settings near the threshold the site-centred breather jumps two sites
@@ -274,17 +275,17 @@ error of the one pair hides the other, and $s_0$ cannot be read off: both centre
 [0](num:sec33_article_integrator.settings_with_both_s0) of [55](num:sec33_article_integrator.settings) settings, and a
 single setting shows one around a bond, far from the printed value. Difference quotients do not change this. Two exchanges
 as far apart as the printed ones come from adaptive variational equations at tolerances from $10^{-8}$ to $10^{-9}$ instead
-(`sec33_multiplier_errors`), far more accurate than the steps that give the threshold.
+(`sec33_multiplier_errors`).
 
 *The barrier* of the maps scatters about the converged one; at 120 steps its largest modulus is
 [6.35779e-10](num:sec33_article_integrator.largest_barrier_120), many times the barrier itself. It comes within ten
 per cent of the printed value in [0](num:sec33_article_integrator.settings_near_barrier) settings.
 
-So no *fixed* steps that we tried explain more than one of the numbers. Some of the methods, with 100 to 128 commensurate
-steps per period, give a threshold of the printed size if one waits for 20000 periods. Residual and barrier need no such
-explanation: an accurate integration is near both, and so is the adaptive one of the first section at $10^{-9}$. The two
-$s_0$ ask for a tolerance as loose as this. Kicks were not tried with adaptive steps, and nothing that we tried explains
-the jump. */
+So none of these settings of *fixed* steps comes near more than one of the six numbers. Some of the methods, with 100 to
+128 commensurate steps per period, give a threshold of the printed size if one waits for 20000 periods. Residual and
+barrier need no such explanation: an accurate integration is near both, and so is the adaptive one of the first section
+at $10^{-9}$. Two $s_0$ as far apart as printed came from variational equations of about that tolerance. Kicks were not
+tried with adaptive steps, and nothing that we tried explains the jump. */
 Columns report_columns() {
   return {label("method", "integrator"),
           count("steps", "for one period"),
@@ -457,10 +458,10 @@ Nothing here says what the article did. The scan has steps that divide the perio
 adaptive steps were tried for the barrier and for the multipliers (`sec33_multiplier_errors`), not for kicks. Steps of a
 round length, such as 0.05, are not commensurate, and in the trials with incommensurate steps the breather moves. A kick
 that has not freed the breather within 20000 periods, or after which it has turned round before, counts as too weak;
-with 16000 some thresholds come out three per cent higher, and with 12000 one more setting seems to come near. A map has
-no finer resolution to be compared with, so its numbers have no error of that kind; as that of a threshold we give half
-of its bracket, as that of a time the 64 periods between two looks, and that of a residual is its difference from the
-one with difference quotients. */
+with 16000, run once, some thresholds come out three per cent higher, and with 12000 one more setting seems to come
+near. A map has no finer resolution to be compared with, so its numbers have no error of that kind; as that of a
+threshold we give half of its bracket, as that of a time the 64 periods between two looks, and that of a residual is its
+difference from the one with difference quotients. */
 void reproduce(Report& report) {
   report.output.note("tolerance", "none: the fixed steps are what is studied");
   report_scan(report);

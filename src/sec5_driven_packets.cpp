@@ -164,8 +164,8 @@ class Families {
 };
 
 /**
-The energies are those of the families. [](finding:driving.packets) The first packet of a drive of strength 1.3 has the
-ratio [0.999](num:sec5_driven_packets.energy_ratio_drive), the third one of this train
+The energies agree with those of the families. [](finding:driving.packets) The first packet of a drive of strength 1.3
+has the ratio [0.999](num:sec5_driven_packets.energy_ratio_drive), the third one of this train
 [1.001](num:sec5_driven_packets.energy_ratio_drive_third), the first one with losses
 [1.01](num:sec5_driven_packets.energy_ratio_drive_lossy). In the whole table `strengths` the ratio farthest from one is
 [1.009](num:sec5_driven_packets.energy_ratio_worst), though at the two strongest drives it is uncertain by more than one
@@ -173,12 +173,12 @@ per cent, as the four looks differ (figure x29). After an impact, where the pack
 [1.009](num:sec5_driven_packets.energy_ratio_impact) on beads 12 to 28 and
 [1.00](num:sec5_driven_packets.energy_ratio_impact_far) on beads 44 to 60. This tests one combination of $T$ and
 $\varphi$: a phase that is wrong by a tenth would multiply the ratio by
-[0.8636](num:sec5_driven_packets.energy_ratio_mistimed), but an error in time is hardly seen:
-a packet that is timed too late by $\Delta$ from site to site has $T$ too large by $\Delta$ and, as it oscillates faster
-than a free bead by about $\delta = 0.1$, $\varphi$ too large by about $0.1\,\Delta$; the energy goes like $T^{-4}$ at a
-given phase, and the two changes nearly cancel. The width tests little ([0.9938](num:sec5_driven_packets.width_ratio_mistimed) for such a phase); without
-losses the ratio farthest from one is [0.986](num:sec5_driven_packets.width_ratio_worst), for the impact with losses it
-is [1.05](num:sec5_driven_packets.width_ratio_impact_lossy).
+[0.8636](num:sec5_driven_packets.energy_ratio_mistimed), but an error in time is hardly seen: a packet that is timed too
+late by $\Delta$ from site to site has $T$ too large by $\Delta$ and, as it oscillates faster than a free bead by about
+$\delta = 0.1$, $\varphi$ too large by about $0.1\,\Delta$; the energy goes like $T^{-4}$ at a given phase, and the two
+changes nearly cancel. The width tests little ([0.9938](num:sec5_driven_packets.width_ratio_mistimed) for such a phase);
+without losses the ratio farthest from one is [0.986](num:sec5_driven_packets.width_ratio_worst), for the impact with
+losses it is [1.05](num:sec5_driven_packets.width_ratio_impact_lossy).
 
 So the phase matters: compared with a breather of type I of the same speed, whose phase is zero, the drive's packet has
 [2.25](num:sec5_driven_packets.type_one_ratio_drive) times the energy, and that of the impact

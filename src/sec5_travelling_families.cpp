@@ -119,9 +119,9 @@ leaves behind has the order of magnitude that the sum $Z$ says: [0.40](num:sec5_
 to [1.05406](num:sec5_travelling_families.left_over_sum_most) of $\lvert1-e^{-iT}\rvert\,\lvert Z\rvert$, more than a
 fifth off at [126](num:sec5_travelling_families.left_off_by_a_fifth) of
 [141](num:sec5_travelling_families.left_compared) members. It might be expected to become exact close to an orbit of
-type I, where the tail is weak and the pulses nearly repeat themselves. But the ratio does not tend to one there: with
-this measurement at $T/2\pi = k-10^{-4}$, made once by a program that is not part of this repository, it is 1.079, 0.961
-and 0.889 for $k = 1$, $2$ and $4$. At the orbits of type II, where $V$ vanishes, nothing is left behind. */
+type I, where the tail is weak and the pulses nearly repeat themselves. But the ratio is not one there: with this
+measurement at $T/2\pi = k-10^{-4}$, made once by a program that is not part of this repository, it was 1.079, 0.961 and
+0.889 for $k = 1$, $2$ and $4$. At the orbits of type II, where $V$ vanishes, nothing is left behind. */
 // The errors are to be compared with the largest value of their column, because these columns pass through zero
 Cells row_of(const Family& f, const Orbit<double>& member, double step) {
   const double tail = 2 * std::abs(std::sin(shift_time(member) / 2) * velocity_sum(member));
@@ -270,11 +270,11 @@ pseudo-arclength, so that we can pass *folds*, at which a branch turns back in $
 In soft wells no branch of type I ends within the steps that we spend on it: ten, and two for $k = 4$, reach $s =$
 [-1.163](num:sec5_travelling_families.soft_k1) ($k = 1$), [-1.38](num:sec5_travelling_families.soft_k2) ($k = 2$),
 [-1.392](num:sec5_travelling_families.soft_k3) ($k = 3$) and [-0.049](num:sec5_travelling_families.soft_k4) ($k = 4$).
-Followed further, that of $k = 1$ folds at $s =$ [-5.73337](num:sec5_travelling_families.soft_fold_k1), and, once (not
-part of this program), that of $k = 2$ at $-54.4$, while those of $k = 3$ and $4$ reach $-13.9$. In hard wells those of
-$k = 1$, 2 and 3 fold at [0.0103004](num:sec5_travelling_families.fold_k1), [0.325582](num:sec5_travelling_families.fold_k2) and
-[1.90266](num:sec5_travelling_families.fold_k3), and come back from there to an orbit of type II at $s = 0$, for $k = 1$ after
-two folds more close to $s = 0$. */
+Followed further, that of $k = 1$ folds at $s =$ [-5.73337](num:sec5_travelling_families.soft_fold_k1). In a run made
+once, which is not part of this program, that of $k = 2$ folded at $-54.4$, and those of $k = 3$ and $4$ reached
+$-13.9$. In hard wells those of $k = 1$, 2 and 3 fold at [0.0103004](num:sec5_travelling_families.fold_k1),
+[0.325582](num:sec5_travelling_families.fold_k2) and [1.90266](num:sec5_travelling_families.fold_k3), and come back from
+there to an orbit of type II at $s = 0$, for $k = 1$ after two folds more close to $s = 0$. */
 using Start = std::pair<std::size_t, Orbit<double>>;  ///< k and its orbit at s = 0
 
 // The folds come from shorter steps than the branches

@@ -122,9 +122,10 @@ CourseReading read_off(const Course& c, std::size_t half = 6) {
 So a final quantity has two errors, which are added: the difference of the two runs, and the largest difference that
 another stretch makes.
 
-The orbits of type I are isolated points in the plane of speed and energy. We draw a smooth curve through seven of them,
-the *line of type I* (type_one_line.hpp): between the orbits it holds no exact breather, and beyond $k = 1$ it is an
-extrapolation. If the final state is like an orbit of type I, the packet should lie on this line at its own speed. Two impacts are followed, $v_0 = 0.66$ and 1.5. */
+The orbits of type I that we found are single points in the plane of speed and energy. We draw a smooth curve through
+seven of them, the *line of type I* (type_one_line.hpp): between the orbits it holds no exact breather that we know, and
+beyond $k = 1$ it is an extrapolation. If the final state is like an orbit of type I, the packet should lie on this line
+at its own speed. Two impacts are followed, $v_0 = 0.66$ and 1.5. */
 struct FinalState {
   CourseReading coarse, fine, shorter, longer;
 
@@ -187,7 +188,7 @@ which come mainly from the choice of the stretch. But the shift times to which t
 from these two impacts, a packet seems to end on the line of type I, at a place that its contact energy selects, but away
 from the orbits: none captures its internal phase. The orbit $k = 1$ holds that phase weakly: displaced, it swings by
 $2|\kappa|^{1/2}$ per shift, $\kappa =$ [-8.8883e-11](num:sec5_travelling_breathers.kappa_k1_plus) (chapter on exact travelling
-breathers), and at the end $\varphi$ is still hundreds of times that. A later capture is not excluded. */
+breathers), and at the end $\varphi$ is still about a thousand times that. A later capture is not excluded. */
 // The final state beside the line of the exact orbits at its own speed
 void report_end(Quantities& facts, const std::string& name, const FinalState& state,
                 const ExactLine& line) {
