@@ -151,9 +151,9 @@ Four things make these motions hard to compute, and most of this book's methods 
 
 | difficulty | what goes wrong | what we do | where |
 |---|---|---|---|
-| contact events | the force has no second derivative where a contact opens or closes: integrators of any order lose it, their tangent maps even more | event location for orbits, exact impulses for long runs | `secA_integrators`, event_driven.hpp, contact_rkn.hpp |
+| contact events | the force has no second derivative where a contact opens or closes: integrators of high order lose it, their tangent maps even more | event location for orbits, exact impulses for long runs | `secA_integrators`, event_driven.hpp, contact_rkn.hpp |
 | near-degeneracy | a breather can be shifted in time for nothing and along the chain for almost nothing: Newton's matrix is nearly singular, and four multipliers lie next to $+1$, where an error $\eta$ moves them by about $\sqrt\eta$ | symmetries remove both directions; $\kappa$ in the place of $\lambda$ | `sec32_newton_breathers`, floquet.hpp, `sec33_multiplier_errors` |
-| cancellation | two energies agree to seven digits or more, and their difference is the barrier | both orbits in extended precision, their energies from two tolerances | `sec32_barrier` |
+| cancellation | two energies agree to six digits or more in the linear well, and their difference is the barrier | both orbits in extended precision, their energies from two tolerances | `sec32_barrier` |
 | chaos | late fates of packets in hard wells depend on the last digit of the start | two runs that agree, or a count over many runs | `sec34_boomeron`, `sec34_boomeron_why` |
 
 ## How the chapters depend on each other
@@ -183,8 +183,8 @@ Table& report_motions(Report& report) {
 
 Most of the article survives: breathers, packets that turn round, scales. Some delicate numbers do not: a breather of
 frequency 1.1 is depinned by a kick of the size $c =$ [4.4518e-6](num:moving.c_threshold), not $6.19\cdot10^{-6}$, and
-the breathers around site and bond exchange their stability in one well, $s=$ [0.152520](num:floquet.s0_bond), not at
-0.26 and 0.05 (*Published against reproduced* has every claim). Beyond the article, one sentence from each part; the
+the breathers around site and bond exchange their stability at almost the same $s$, [0.152520](num:floquet.s0_bond), not
+at 0.26 and 0.05 (*Published against reproduced* has every claim). Beyond the article, one sentence from each part; the
 page *What we found* has all, with what was tried to refute them. In these sentences $c$ is the root of the summed
 squares of the velocities that a kick adds, *equal area* means equal action of the two breathers, and the array is
 shaken with the amplitude $a$, by a *piston* that pushes its first bead or at the *base* of its first beam.

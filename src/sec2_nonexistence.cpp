@@ -362,11 +362,12 @@ Criterion report_dispersal(Report& report) {
 
 The article proves and does not compute, so every parameter here is ours. The frequency of the searches,
 $\omega_b = 1.2$, was chosen so that those in wells succeed. Some of these end in doubt, more of them at the longer
-step: the energy barrier between a site and a bond is so low at this frequency that the leapfrog chain has breathers
-centred in between, near which Newton's method finds none of the exact flow. Between walls it is tried with three beads
-only; it may be a weak instrument for motions of many, but a breather has few. Without wells contacts in the core still
-close now and then, ever more faintly, so we judge the fall of the mean and do not wait for silence. Where each contact
-has its own exponent both the search and the check use GSL's integrator, and only the identity is tested. */
+step: perhaps because the energy barrier between a site and a bond is so low at this frequency that the leapfrog chain
+has breathers centred in between, near which Newton's method finds none of the exact flow. Between walls it is tried
+with three beads only; it may be a weak instrument for motions of many, but a breather has few. Without wells contacts
+in the core still close now and then, ever more faintly, so we judge the fall of the mean and do not wait for silence.
+Where each contact has its own exponent both the search and the check use GSL's integrator, and only the identity is
+tested. */
 void reproduce(Report& report) {
   std::vector<MotionMeans> means;
   Criterion all = of_free_chains(means);

@@ -248,8 +248,8 @@ too, which the article's Eq. (10) does not have. The orders are taken for both s
 sizes; the criterion is `order_stays` (sec3/dps_error.hpp). The order stays: it is
 [1.49548](num:sec31_dps_limit.order_hard_impact) and [1.4978](num:sec31_dps_limit.order_hard_pair) at $s = 1$,
 [1.49695](num:sec31_dps_limit.order_lopsided_impact) and [1.4982](num:sec31_dps_limit.order_lopsided_pair) with a
-quadratic force. Followed once on 80 sites up to $\tau = 40$, the orders lie between 1.495 and 1.500 in both wells as in
-linear ones. */
+quadratic force. In a run made once, on 80 sites up to $\tau = 40$, the orders lay between 1.495 and 1.500 in both wells
+as in linear ones. */
 struct Lopsided {
   static constexpr const char* name = "lopsided";
   template <class T>

@@ -15,7 +15,8 @@ with the amplitude of the breather but remains very small; and that relative to 
 well. It does not say whether the last two statements are meant of the curves as a whole or of every frequency.
 
 The article compares the two breathers at equal frequency; the comparison at equal *area* (defined below), which is the
-one that a moving breather makes, it considers too difficult. This program does both, with signs, and draws figure 07.
+one that a moving breather makes, it leaves for its numerical difficulties. This program does both, with signs, and
+draws figure 07.
 
 ![Energy barrier between both families, for three wells.](fig:07) */
 

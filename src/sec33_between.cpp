@@ -9,8 +9,8 @@ section 5 that the instabilities which it found are weak, with multipliers that 
 
 This program tests the first statement on two lines of the plane, $\omega_b = 1.1$ and $s = 0$, and the second one on the
 former. Then it maps the exchanges over the whole plane and finds the breathers that are born there: they are centred
-neither on a site nor on a bond. Why must there be such breathers? The centre moves in the Peierls-Nabarro potential, drawn
-here so that a stable breather sits in a valley. Between two valleys there is a hill, between two hills a valley:
+neither on a site nor on a bond. Why should there be such breathers? The centre moves in the Peierls-Nabarro potential,
+drawn here so that a stable breather sits in a valley. Between two valleys there is a hill, between two hills a valley:
 
       both stable                both unstable
        site  between  bond        site  between  bond
@@ -95,13 +95,13 @@ std::vector<OnChart> report_multipliers(Report& report, const Chart& site, const
 The article does not say for which values of $\omega_b$ and $s$ it has computed the spectrum. It cannot mean every pair
 of values, since the families of soft wells end before $\omega_b=2$. It shows multipliers at $\omega_b=1.1$ only, for all
 $s$, and follows breathers in $\omega_b$ through the linear well; on these two lines we test the statement
-(`floquet.spectrum`). In hard wells, which its figure 7 follows too, it fails (next section). Near $+1$ means
-within 0.01 and at least ten times as near as the fifth multiplier, whose own distance cannot be prescribed, because for
-$\omega_b \to 1$ the point of accumulation itself comes near. All others may leave the circle by $10^{-3}$ at most,
-the size that the article neglects. And ten more sites must add twenty multipliers at the point of accumulation, within
-$10^{-4}$ in $\kappa$ and not exactly, because the tail of the breather still reaches the first of the new beads; this is
-tested at every thirteenth frequency of the linear well and in three wells at $1.1$. These bounds are ours, and the nodes
-that decide are computed once more, with two tolerances. */
+(`floquet.spectrum`). In hard wells, which its figure 7 follows too, it fails towards high frequencies (next section).
+Near $+1$ means within 0.01 and at least ten times as near as the fifth multiplier, whose own distance cannot be
+prescribed, because for $\omega_b \to 1$ the point of accumulation itself comes near. All others may leave the circle by
+$10^{-3}$ at most, the size that the article neglects. And ten more sites must add twenty multipliers at the point of
+accumulation, within $10^{-4}$ in $\kappa$ and not exactly, because the tail of the breather still reaches the first of
+the new beads; this is tested at every thirteenth frequency of the linear well and in three wells at $1.1$. These bounds
+are ours, and the nodes that decide are computed once more, with two tolerances. */
 int added_at_edge(const OnChart& at) {
   // The same breather on a longer chain, with beads at rest beyond the old ends
   const auto& [centre, node] = at;
@@ -177,9 +177,9 @@ int report_lines(Report& report, const std::vector<OnChart>& seen,
 /**
 ## Over the whole plane
 
-Elsewhere the statements fail. In hard wells the pinning pair leaves the neighbourhood of $+1$, along the real
-axis around a bond and along the circle around a site. Of the [1719](num:sec33_between.chart_nodes_bond) nodes at which a
-breather around a bond exists, and [1730](num:sec33_between.chart_nodes_site) around a site, so many violate a bound:
+Elsewhere the statements do not hold everywhere. In hard wells the pinning pair leaves the neighbourhood of $+1$, along
+the real axis around a bond and along the circle around a site. Of the [1719](num:sec33_between.chart_nodes_bond) nodes
+with a breather around a bond, and [1730](num:sec33_between.chart_nodes_site) around a site, so many violate a bound:
 
 | | around a bond | from $\omega_b =$ | around a site | from $\omega_b =$ |
 |---|---|---|---|---|

@@ -293,15 +293,15 @@ move as well. Why? Near site and bond $\ddot X = \pm\lambda^2X$, and the simples
 centre moves like a pendulum. A *shift* $x$, the real part of the noise along the pinning mode (of length one), displaces
 it by a number of sites proportional to $x$ (dps_motion.hpp); a *push* $y$, the imaginary part, sets it in motion, with
 $\dot x = (\mu-m_2)\,y\approx\frac13\mu\,y$. A pendulum of frequency $|\lambda|$ then swings as far as with a shift of
-$(\mu-m_2)\,y/|\lambda|$, some two hundred times $y$. So noise of equal real and imaginary parts acts by its push. The
-push that carries the pendulum from a bond over the site, [0.00641907](num:sec33_dps_stability.freeing_push_of_pendulum),
-is less than the amplitude of the noise. Without noise the whole equation has
-[0.006542](num:sec33_dps_stability.freeing_push), by bisection between 0.8 and 1.2 of the prediction with runs of
-$12/|\lambda|$, long enough to decide a push that is $e^{-8}$ from the edge. The noise exceeds it for
-[5](num:sec33_dps_stability.pushed_over) seeds, and the push alone predicts the fate of
-[16](num:sec33_dps_stability.told_by_push); each departure from a site follows from the pendulum with a relative error of
-[0.0446](num:sec33_dps_stability.departure_difference) at worst. No bond-centred breather that we followed falls apart, in
-any reading: the number of its sites grows by no more than the factor
+$(\mu-m_2)\,y/|\lambda|$, some two hundred times $y$. So noise of equal real and imaginary parts acts mainly by its
+push. The push that carries the pendulum from a bond over the site,
+[0.00641907](num:sec33_dps_stability.freeing_push_of_pendulum), is less than the amplitude of the noise. Without noise
+the whole equation has [0.006542](num:sec33_dps_stability.freeing_push), by bisection between 0.8 and 1.2 of the
+prediction with runs of $12/|\lambda|$, long enough to decide a push that is $e^{-8}$ from the edge. The noise exceeds
+it for [5](num:sec33_dps_stability.pushed_over) seeds, and the push alone predicts the fate of
+[16](num:sec33_dps_stability.told_by_push); each departure from a site follows from the pendulum with a relative error
+of [0.0446](num:sec33_dps_stability.departure_difference) at worst. No bond-centred breather that we followed falls
+apart, in any reading: the number of its sites grows by no more than the factor
 [1.0112](num:sec33_dps_stability.bond_robust_spread). */
 Estimate freeing_push(const PinnedBreather& bond, int steps) {
   double found[2];

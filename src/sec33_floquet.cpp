@@ -117,8 +117,8 @@ chain (`sec32_barrier`). If that potential is nearly a sine, they are its only e
 other one not; which one also depends on the sign of the effective mass (`sec33_mobility`). When its amplitude passes
 through zero as $s$ is changed, the potential turns upside down, and the two *exchange* their stability in almost the same
 well. Only where the sine vanishes do higher harmonics matter; they decide what happens in between (`sec33_between`). So
-two values as far apart as the printed ones would require a potential that is no sine at all. To find them we follow each
-breather from the linear well to both ends of $-1 \le s \le 1$.
+two values as far apart as the printed ones would require a potential that is far from a sine in all wells between them.
+To find them we follow each breather from the linear well to both ends of $-1 \le s \le 1$.
 
 ![Arguments and moduli of the four multipliers near one, bond-centred.](fig:11)
 ![The same around a site.](fig:12) */

@@ -73,10 +73,10 @@ Breathers all_ready(std::size_t around_site, std::size_t around_bond) {
 
 A kick is tiny beside the breather: $c^2/2$ is $10^{-4}$ of its energy for the strong kick and $3\cdot10^{-8}$ for the
 weak one. So the relative drift of the energy must stay a hundred times below that. Event-corrected steps, which take
-account of the opening and closing of contacts (contact_rkn.hpp), achieve this for $10^5$ periods; plain symplectic
-steps do not, because each such event costs them an error of $h^{5/2}$ with the step $h$. For the speeds a method of
-order six with five forces a step is enough; the long runs need one with fourteen stages. Each run is repeated with
-another step or another scheme, and the difference is the error. Figure x15 shows the reasons for these choices. */
+account of the opening and closing of contacts (contact_rkn.hpp), achieve this for $10^5$ periods; the plain symplectic
+steps that we tried do not, as each such event costs them an error of $h^{5/2}$ with the step $h$. For the speeds a
+method of order six with five forces a step is enough; the long runs need one with fourteen stages. Each run is repeated
+with another step or another scheme, and the difference is the error. Figure x15 shows the reasons for these choices. */
 struct Resolution {
   ContactAware glides, speeds, paths, thresholds;
 };
@@ -167,9 +167,9 @@ std::array<double, 3> report_glides(Report& report) {
 
 /**
 The energy of the kick depends on the norm of $g$. With the printed denominator, the sum of squares and not its root,
-$g$ would be longer by the factor [63.0043](num:sec33_mobility.printed_norm), and the kick $c = 2\cdot10^{-4}$ would
-tear the breather apart. The threshold would be [7.0658e-8](num:sec33_mobility.threshold_as_printed) then, and neither
-$c = 3\cdot10^{-6}$ nor $6.19\cdot10^{-6}$ would leave anything pinned: so this reading is not what was computed. */
+$g$ would be longer by the factor [63.0043](num:sec33_mobility.printed_norm), and the kick $c = 2\cdot10^{-4}$ would not
+be small beside the breather. The threshold would be [7.0658e-8](num:sec33_mobility.threshold_as_printed) then, and
+neither $c = 3\cdot10^{-6}$ nor $6.19\cdot10^{-6}$ would leave anything pinned: so this is hardly what was computed. */
 Estimate printed_norm() {
   const auto longer = [](std::size_t sites) { return 1 / gradient(ready(1, sites).rest.y).norm(); };
   static const Estimate once = compare(longer(22), longer(26));

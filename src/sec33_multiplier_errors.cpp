@@ -89,10 +89,10 @@ Damage mean_damage(const Matrix<double>& map, double delta, double kappa) {
 /**
 Do real errors act like noise? A second series takes the same matrix from our integrator at looser and looser
 tolerances, with the largest change of an entry as $\delta$. Over six decades of $\delta$ (table `defect`) its
-displacements stay between a third and two thirds of $\sqrt\delta$, and the changes of $\kappa$ between two and twelve
-hundredths of $\delta$: the same two laws, with factors that scatter. The moduli are less regular. At two of the nine
-tolerances the four have stayed on the circle, at the others they have left it by as much as they have moved, or half as
-much. The exponents quoted are the slopes of straight lines through the logarithms of the first series. */
+displacements follow $\sqrt\delta$ and the changes of $\kappa$ follow $\delta$: the same two laws, with factors that
+scatter. The moduli are less regular: at some tolerances the four have stayed on the circle, at the others they have
+left it by about as much as they have moved. The exponents quoted are the slopes of straight lines through the
+logarithms of the first series. */
 void report_defect(Report& report) {
   const auto problem = problem_at(Centre::bond, {});
   const Orbit<double> orbit = find_breather(problem);
@@ -282,8 +282,8 @@ error) and the one around a bond too high, as in the article, although the accur
 printed size comes out of order eight at tolerances between $10^{-8}$ and $10^{-9}$, and of order five at $10^{-10}$. But
 the zeros of one setting depend on the wells that are sampled, and no setting gives both 0.05 and 0.26. At $10^{-11}$
 order eight has closed the gap to a thousandth. Difference quotients do not come near, with any of the four increments,
-and some change the sign of $\kappa$ ten times: the stiffness of a contact that is barely closed is like the square root
-of the overlap, so their error is like the square root of the increment. */
+and some change the sign of $\kappa$ many times: the stiffness of a contact that is barely closed is like the square
+root of the overlap, so their error is like the square root of the increment. */
 void report_printed(Report& report) {
   // Accurate breathers in all wells, for every trial the same
   const int steps = report.quick ? 2 : 10;

@@ -7,9 +7,9 @@ article compares it with *boomerons*, solitons that reverse their direction. How
 and for how long can its motion be known?
 
 The article shows three impacts, all in wells with $s=1$. At $v_0=1.9$ the packet turns, returns and rebounds, and after some
-rebounds its motion is erratic; at $v_0=1.5$ it only slows down; at $v_0=1.87$ it is about to turn near $t=240$. During the
-first rebounds, it says, the centre moves like a particle in an almost constant force, which grows with $s$ and with $v_0$.
-Which packets turn, and why, is the subject of two later chapters (`sec34_boomeron_map`, `sec34_boomeron_why`).
+rebounds its motion is erratic; at $v_0=1.5$ it only slows down; at $v_0=1.87$ it is close to turning at $t=238$. During
+the first rebounds, it says, the centre moves like a particle in an almost constant force, which grows with $s$ and
+$v_0$. Which packets turn, and why, is asked in two later chapters (`sec34_boomeron_map`, `sec34_boomeron_why`).
 
 ![Energy density after impacts with 1.5 and 1.9, and a zoom.](fig:22) */
 
@@ -461,8 +461,8 @@ void report_check(Report& report) {
 /**
 ## Differences and limits
 
-The article does not say how it integrates, how long its chain is, or how it averages. The reversal at 1.9 is found, and so
-is the growth of the force; the turning at $v_0\approx1.87$ near $t=240$ is not (*Profiles close to the turning*). */
+The article does not say how it integrates or averages, nor how long its chain is. Reversal at 1.9 and growth of the
+force are found; at $v_0\approx1.87$ the velocity vanishes later than the times that it calls close to the reversal. */
 void reproduce(Report& report) {
   const std::vector<TurnEstimate> reads = report_turns(report);
   const double marked = report_decorrelation(report);
@@ -477,9 +477,9 @@ void reproduce(Report& report) {
 /**
 ## Try it
 
-1. *Easy.* A packet that the article sees turning near $t = 240$ does so much later:
-   `build/bin/sec34_boomeron run --velocity 1.87` gives `apex_site` = 23.175 and `apex_time` = 493. Hint: the velocity of a
-   packet that is about to turn is small for a long time.
+1. *Easy.* A packet that the article calls close to turning at $t = 238$ turns later:
+   `build/bin/sec34_boomeron run --velocity 1.87` gives `apex_site` = 23.175 and `apex_time` = 493. Hint: the velocity
+   of a packet that is about to turn is small for a long time.
 2. *Easy.* Make the wells harder: `build/bin/sec34_boomeron run --s 1.2 --time 600` gives `apex_site` = 8.8. Hint: at
    $s = 1$ it is site 20; figure x11 shows what matters, $s\,v_0^{3/2}$.
 3. *Harder.* For how long can a harder impact be known? `build/bin/sec34_boomeron run --velocity 2.2` gives

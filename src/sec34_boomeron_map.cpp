@@ -48,7 +48,7 @@ Where should the points of the map lie? In a packet of displacements of the size
 push with $y^{3/2}$, and the hardness adds $s\,y^3$. Relative to the first, the contacts are of the size $y^{1/2}$ and the
 hardness is of the size $s\,y^2$. If both are small, the beads oscillate almost freely and their amplitudes change slowly, as
 in the DpS equation (`sec34_dps_impact`); $y^{1/2}$ only sets how slowly. Measured in this slow time, the contacts are one
-and the hardness is the ratio of the two. So what happens at which site can depend on nothing but this ratio,
+and the hardness is the ratio of the two. So in this limit what happens at which site depends on this ratio only,
 $s\,y^{3/2}$, and as $y$ is proportional to $v_0$, on the *scaled hardness*
 $$\chi = s\,v_0^{3/2},$$
 which is `kappa` in tables and facts. So we expect packets to turn before a given site if $s$ is above
@@ -317,11 +317,11 @@ void report_any_s(Report& report) {
 that are fitted. Above $v_0=1$ the points seem to lie on another power law, and a fit gives the exponent
 [-1.236](num:sec34_boomeron_map.power_large_impacts); but the slope changes along the contour, and this is a mean.
 
-**The article's $s\ge0.005$ is confirmed for strong impacts only.** At $v_0=1.9$ it takes $s$ above
-[0.908](num:boomeron.any_s) to turn a packet before site 40 (if $s$ is far larger, it stays at the struck end), and at
-$s=0.005$ an impact of [128.4](num:sec34_boomeron_map.v0_needed_at_s_0005), far above the article's
-velocities. Whether a weaker packet turns further out we do not know. At $s=0$ none turned before site
-40. */
+**At the article's least hardness, $s=0.005$, packets turn before site 40 after very strong impacts only.** At $v_0=1.9$
+it takes $s$ above [0.908](num:boomeron.any_s) to turn a packet before site 40 (if $s$ is far larger, it stays at the
+struck end), and at $s=0.005$ an impact of [128.4](num:sec34_boomeron_map.v0_needed_at_s_0005), far above the velocities
+that the article prints. It does not say for which impact and until when it looked, and whether a weaker packet turns
+further out we do not know. At $s=0$ none turned before site 40. */
 void reproduce(Report& report) {
   MapGrid grid;
   if (report.quick) grid.columns = grid.rows = 8;

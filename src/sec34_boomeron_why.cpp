@@ -2,7 +2,7 @@
 # 3.4 Why packets turn round
 
 James, Kevrekidis and Cuevas (Physica D 251, 2013) leave open why packets turn round in the hard wells of section 3.4.
-They suspect the waves that are confined between the packet and the struck end. We test this with experiments whose
+They name one possibility, the waves confined between the packet and the struck end. We test this with experiments whose
 outcome could contradict it.
 
      waves     |~~~~~~~~~~~~~~~ (packet)              does it turn?
@@ -158,12 +158,12 @@ Estimate acceleration(const WavesRemoved& impact, double step, double from, doub
 
 /**
 After the impact the acceleration is [-0.000186](num:sec34_boomeron_why.force_waves_5) if only waves up to five sites
-behind the packet are left, and [-0.00044](num:sec34_boomeron_why.force_waves_15) with fifteen; what lies further
-behind adds nothing after this impact and until $t = 220$. The waves between the fifth and the fifteenth
-site thus more than double it. They are those that the impact has launched along with the packet: after a cut
-at $t = 60$ it is [-0.000192](num:sec34_boomeron_why.force_cut_15) with all of the fresh wake and
-[-0.000191](num:sec34_boomeron_why.force_cut_5) with five sites of it. In the linear well it does not matter what
-is left: [-9.0e-5](num:sec34_boomeron_why.force_linear_15) and [-8.9e-5](num:sec34_boomeron_why.force_linear_5). */
+behind the packet are left, and [-0.00044](num:sec34_boomeron_why.force_waves_15) with fifteen; what lies further behind
+adds no more than the errors after this impact and until $t = 220$. The waves between the fifth and the fifteenth site
+thus more than double it. They are those that the impact has launched along with the packet: after a cut at $t = 60$ it
+is [-0.000192](num:sec34_boomeron_why.force_cut_15) with all of the fresh wake and
+[-0.000191](num:sec34_boomeron_why.force_cut_5) with five sites of it. In the linear well it does not matter what is
+left: [-9.0e-5](num:sec34_boomeron_why.force_linear_15) and [-8.9e-5](num:sec34_boomeron_why.force_linear_5). */
 void report_distance(Report& report) {
   std::vector<Deceleration> list;
   for (double s : {hard, 0.0})
@@ -205,8 +205,8 @@ a body of negative effective mass does.
 
 Nor does it lose the energy that it sheds without its waves: with them its energy changes by
 [0.00821](num:sec34_boomeron_why.gain_waves), and with those beyond six sites absorbed by
-[-0.0556](num:sec34_boomeron_why.gain_behind). In the linear well it is [-0.06639](num:sec34_boomeron_why.gain_linear) with
-the waves and [-0.06624](num:sec34_boomeron_why.gain_linear_behind) without: there they make no difference. */
+[-0.0556](num:sec34_boomeron_why.gain_behind). In the linear well it is [-0.06639](num:sec34_boomeron_why.gain_linear)
+with the waves and [-0.06624](num:sec34_boomeron_why.gain_linear_behind) without: there they matter little. */
 void report_budgets(Report& report) {
   struct Case {
     std::string name;
@@ -371,8 +371,9 @@ The packet is close to a breather that moves: at its frequency, [1.68362](num:se
 With the waves its energy is [1.48728](num:sec34_boomeron_why.energy_waves), without them
 [1.3694](num:sec34_boomeron_why.energy_behind), so they do feed it. The lattice itself could stop a packet: its barrier is
 $E_{\rm site}-E_{\rm bond}$ at equal area (chapter 3.2), [0.00040](num:sec34_boomeron_why.barrier_waves), which can hold a
-slow packet, as we see after late cuts, and near it chance decides which way a slow packet goes. But the force that belongs
-to it has both signs within one site, and can neither slow a packet over many sites nor accelerate it on its way back. */
+slow packet, as we see after late cuts, and near it chance decides which way a slow packet goes. But the force that
+belongs to it has both signs within one site, and can by itself neither slow a packet over many sites nor speed up its
+return. */
 void report_inside(Report& report) {
   // The packet with all its waves and with those behind it absorbed, at two steps each
   const double step = report.quick ? 0.1 : 0.05;
@@ -451,15 +452,15 @@ void report_waves(Report& report) {
 ## The answer, and its limits
 
 **Waves close behind a packet turn it early.** [](finding:turning.waves) At $s = 1$, $v_0 = 1.9$ these waves come
-from the impact. So the article's suspicion that other waves turn the packet is supported, but they need not be confined:
-an end that absorbs them only moves the turning point.
+from the impact. So the possibility that the article names, that other waves turn the packet, is supported, but they
+need not be confined: an end that absorbs them only moves the turning point.
 
 **A part of the slowing down needs no waves beyond the fifth site behind the packet.** At $s = 1$, $v_0 = 1.9$ a packet that
 has been cut out and meets only its own fresh wake slows down about as much as one that keeps five sites of the waves
 of the impact, however much of the fresh wake is left; and as it goes on, it slows down less and less.
 
-**Neither waves nor the end are necessary for an eventual return.** [](finding:turning.alone) Others that are cut out early
-go on or are trapped; of six within a millionth of this impact four return by $t = 4000$, which seems a matter of chance.
+**Neither waves nor the end are necessary for an eventual return.** [](finding:turning.alone) Others that are cut out
+early go on or are trapped; of six within a millionth of this impact, tried once, four return by $t = 4000$.
 
 *Not shown* is why waves pull. The packet is pushed forward and slows down; that neighbours in it oscillate in opposite
 phase (figure 23), as at the upper edge of a band, while the waves behind are long and in phase, fits a negative mass but

@@ -335,12 +335,11 @@ Estimate report_comparison(Report& report, const DpsPair& dps, const Resolution&
 
 The converged DpS amplitude is [0.000949922](num:impact.amp_dps). What would give the printed value?
 
-*A slip in the problem.* With a fixed end in place of the free one the amplitude is
-[0.00125776](num:sec34_dps_impact.amplitude_fixed_end), with an initial amplitude larger by $\sqrt2$
-(such as $-1-i$) it is [0.00133799](num:sec34_dps_impact.amplitude_larger_start). But the article
-states the free end and a speed only slightly above that of the chain, and both of these packets
-are much faster ([0.41369](num:sec34_dps_impact.speed_fixed_end) and
-[0.42760](num:sec34_dps_impact.speed_larger_start)). */
+*Another problem.* With a fixed end in place of the free one the amplitude is
+[0.00125776](num:sec34_dps_impact.amplitude_fixed_end), with an initial amplitude larger by $\sqrt2$ (such as $-1-i$) it
+is [0.00133799](num:sec34_dps_impact.amplitude_larger_start). But the article states the free end and a speed only
+slightly above that of the chain, and both of these packets are much faster
+([0.41369](num:sec34_dps_impact.speed_fixed_end) and [0.42760](num:sec34_dps_impact.speed_larger_start)). */
 void report_slips(Report& report, const Resolution& resolution) {
   Table& table = report.table("amplitude_trials",
                               {label("trial", "what differs from the article's problem"),
@@ -364,11 +363,11 @@ void report_slips(Report& report, const Resolution& resolution) {
 }
 
 /**
-*Loose steps.* The other possibility is the right problem and a careless integration. We take two adaptive methods of
-order five, whose steps follow an estimated error, and vary the tolerance; the absolute one is a thousandth of the
-relative one, as in programs that take $10^{-6}$ and $10^{-3}$ unless told otherwise. A third choice is seldom made by the
-user: how the errors of all components become one number. Most of a struck chain is still at rest and has no error at
-all, so the root of the *mean* square is small although a few sites are wrong (sec34/loose_steps.hpp).
+*Loose steps.* The other possibility is the right problem, integrated loosely. We take two adaptive methods of order
+five, whose steps follow an estimated error, and vary the tolerance; the absolute one is a thousandth of the relative
+one, as in programs that take $10^{-6}$ and $10^{-3}$ unless told otherwise. A third choice is seldom made by the user:
+how the errors of all components become one number. Most of a struck chain is still at rest and has no error at all, so
+the root of the *mean* square is small although a few sites are wrong (sec34/loose_steps.hpp).
 
 As long as a packet is left at all, the settings lie on one curve (figure x31): the more the norm grows, which ought to
 stay constant, the larger the amplitude. With the usual tolerances and the mean the method of Dormand and Prince gives

@@ -445,8 +445,9 @@ void report_check(Report& report) {
 ## Differences and limits
 
 The article does not say how far from the boundary it fits speeds, for which $s$ it draws figure 19, or how it integrates;
-our choices are stated where they are made. The ripple on the peak density of figure 19 is resolved and real: a packet
-passes a site in a time comparable to its internal period, and the largest density depends on the phase between the two. */
+our choices are stated where they are made. The ripple on the peak density of figure 19 is resolved. A packet passes a
+site in a time comparable to its internal period, so that the largest density should depend on the phase between the
+two. */
 void reproduce(Report& report) {
   report.output.note("tolerance", "end state " + short_text(tolerance));
   report_sweep(report);

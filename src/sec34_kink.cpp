@@ -165,8 +165,8 @@ impact leaves every bead in its well; below $v_0 = 2$ nothing else is possible, 
 $W(\pi) = 2$. From $v_0 =$ [2.48](num:sec34_kink.first_thrown_back) on the recoil throws beads back at the near end at most
 velocities, while the breather still travels: beads that swing back push each other apart, and no contact lies behind the
 first bead to hold it. Between [4.66](num:sec34_kink.last_breather) and [4.72](num:sec34_kink.first_certain_kink) the breather
-gives way to a kink: below no kink crosses the chain, and above every impact sends one through all of it. The error of these
-velocities is the spacing of the scan; the two velocities between them stay undecided, a share of
+gives way to a kink: in the scan no impact below sends a kink through the chain, and every one above does. The error of
+these velocities is the spacing of the scan; the two velocities between them stay undecided, a share of
 [0.00569801](num:sec34_kink.kink_undecided) of the scan.
 
 Why so far above 2? The first bead does not climb alone, but pushes on the second all the way up. When it first stops, less

@@ -35,8 +35,8 @@ the same as the integration: all energy of the relative motion, $\frac14mV^2$, i
 when $x = (5/8)^{2/5}\,\delta$. The printed 0.76 is $2^{-2/5}$. There is more than one way to it:
 $\frac12 mV^2 = \gamma\,x^{5/2}$ forgets both the reduced mass and the factor 2/5 of Hertz's energy, and
 $\frac14 mV^2 = \frac12\gamma\,x^{5/2}$ keeps the mass but takes the factor of a linear spring. What decides is the other
-printed number: at given $V$ the contact time is proportional to the compression, $t = 2.943\,x/V$, and with a compression
-of 0.76 it would be [2.23689](num:sec35_scales.contact_time_of_printed_compression) $\tau_h$ and not 2.43.
+printed number: at given $V$ the contact time is proportional to the compression, and with a compression of 0.76 it
+would be [2.23689](num:sec35_scales.contact_time_of_printed_compression) $\tau_h$ and not 2.43.
 
 A cradle whose strings have the length $L$ has $\tau_c^2 = L/g$. A collision of steel balls was measured to take 0.077 ms,
 and this over the contact time in units of $\tau_h$ is $\tau_h$. As $\lambda^{5/2} = (L/g\tau_h^2)^{5/2}$ contains the fifth

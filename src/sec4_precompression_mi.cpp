@@ -162,9 +162,8 @@ $t =$ [3.635e4](num:sec4_precompression_mi.gathered_s_0), for $s = 1$ at
 localized, as the article says. For $s = 1$ no wavenumber that makes a breather changes this order: of
 [26](num:sec4_precompression_mi.rings_tried_s_1) in the unstable band [19](num:sec4_precompression_mi.rings_formed_s_1)
 make one; the widest is [29.4516](num:sec4_precompression_mi.widest_packet_s_1) sites wide, and the last has gathered at
-$t =$ [1.325e4](num:sec4_precompression_mi.last_gathered_s_1). Of the others three do not gather in the time of the
-runs, two of them at the edge of the band; in four the energy gathers, but the richest window jumps between packets, and
-its speed means nothing. */
+$t =$ [1.325e4](num:sec4_precompression_mi.last_gathered_s_1). Of the others some do not gather in the time of the runs;
+in the rest the energy gathers, but the richest window jumps between packets, and its speed means nothing. */
 void report_rings(Report& report) {
   rings::report_modulated(report, article_ring);
 }
@@ -351,8 +350,8 @@ $s = -1/6$ and $q = \pi/4$, from the soliton of Eq. (38), let it run up to $t = 
 distance from the ansatz on the way, for four $\epsilon$ and a look at least every fifth of a unit of time, which the
 beating of chain and ansatz needs (sec4/soliton.hpp). In $\ell^2$, with displacements and velocities together, the local
 order comes down from [1.69357](num:sec4_precompression_mi.nls_order_first) to [1.49](num:pre.nls_order); its error is
-the distance to the order before. No bead is off by more than $O(\epsilon^2)$: the largest error has the order
-[1.98](num:sec4_precompression_mi.nls_order_largest). */
+the distance to the order before. The largest error of a bead has the order
+[1.98](num:sec4_precompression_mi.nls_order_largest), better than the bound. */
 struct SizeOfError {
   double eps;
   Estimate l2{}, largest{};

@@ -25,15 +25,29 @@ using namespace lattice;
 /**
 ## Two numbers
 
-The array is that of `sec5_driving`: linear wells, and a piston $a\sin\Omega t$ that touches the first bead, $\Omega =
-1+\delta$. A travelling breather of the DpS equation has $A_n(t+T) = e^{i\varphi}A_{n-1}(t)$, and two numbers
-determine it: its shift time $T$ and the phase $\varphi$ by which it turns from site to site. In the chain
-$y_n = 2\epsilon\,\mathrm{Re}(A_ne^{it})$ repeats itself if $e^{i(T+\varphi)} = 1$: the family that begins at $T = 2\pi k$
-(chapter on families) has $\varphi = 2\pi k-T$, one curve for each $k$ in the plane of the two numbers. A packet may lie between these curves; energy and width are interpolated there (packet_members.hpp), as if
-the two numbers determined them as they do in the DpS limit. We measure both, at $\delta = 0.1$ for a piston that begins
-at once, and after an impact of 1 m/s. The *strength* of a drive is its amplitude over the asymptotic threshold
-$8\tau_0^2\delta^2\max|u_0|$ (the law of `sec5_driving`); the fold of the quiet motion, with 10 ms, has the strength
-[1.1167](num:sec5_driving.fold_over_law).
+The array is that of `sec5_driving`, beads in linear wells and a piston $a\sin\Omega t$ that touches the first of them,
+$\Omega = 1+\delta$,
+$$\ddot y_n+y_n+\nu\dot y_n = (y_{n-1}-y_n)_+^{3/2}-(y_n-y_{n+1})_+^{3/2},\qquad y_0 = a\sin\Omega t,$$
+with $\nu = 0$ at first. If the piston is weak there is a *quiet* motion of its period that emits nothing. As $a$ grows it
+ends in a *fold*, and beyond the array sends out packets. In the limit of small $\delta$ the fold is at
+$a = 8\tau_0^2\delta^2\max|u_0|$, where $u_0$ is the displacement of the first bead in static solutions of the DpS equation
+and $\tau_0$ the constant of this equation. The *strength* of a drive is its amplitude over this asymptotic threshold. At
+$\delta = 0.1$ the fold itself has the strength [1.1100](num:sec5_driving.fold_over_law_first_lossless), and with beams of
+the lifetime 10 ms [1.1167](num:sec5_driving.fold_over_law).
+
+A travelling breather of the DpS equation has $A_n(t+T) = e^{i\varphi}A_{n-1}(t)$ with the shift time $T$ and the phase
+$\varphi$ by which it turns from site to site. (In the frame of a free bead $z_n = y_n+i\dot y_n$ turns the other way, by
+$\vartheta = -\varphi$, as in the chapter *What becomes of a packet*.) These two numbers determine it: its amplitude scales
+like $T^{-2}$, and all else depends on $\varphi$ only. In the chain $y_n = 2\epsilon\,\mathrm{Re}(A_ne^{it})$ repeats itself
+if $e^{i(T+\varphi)} = 1$: the family that begins at $T = 2\pi k$ (chapter on families) has $\varphi = 2\pi k-T$, one
+curve for each $k$ in the plane of the two numbers. A packet may lie between these curves; energy and width are
+interpolated there, as if the two numbers determined them as they do in the DpS limit.
+
+We measure both numbers from bead to bead (packet_members.hpp). A packet is what lies within three sites of its peak.
+Whenever its centre passes a bead we note the time and the seven $z_ne^{it}$ about it: $T$ is the mean time from one bead
+to the next, and $\varphi$ the mean angle by which these seven numbers turn back. Energy and width are means over the way,
+the width being the participation number of the energies of the seven sites. The packets are those of a piston that begins at
+once, at $\delta = 0.1$, and that of an impact of 1 m/s.
 
 | symbol | program | meaning | unit |
 |---|---|---|---|
@@ -41,7 +55,8 @@ $8\tau_0^2\delta^2\max|u_0|$ (the law of `sec5_driving`); the fold of the quiet 
 | $(T+\varphi)/2\pi$ | `family` | a whole number if the packet repeats itself one site further on | 1 |
 | $Z$ | | sum of all $y_n+i\dot y_n$ of a breather; where it is zero nothing is left behind, whatever the phase | $\xi$ |
 
-Without losses we look at beads 12 to 28. With 10 ms the packets of a train catch up with the first one, which has
+($\tau_c$ is the time unit of the array, in which a beam oscillates with the period $2\pi$, and $\xi$ its unit of length.)
+Without losses we look at beads 12 to 28. With a lifetime of 10 ms the packets of a train catch up with the first one, which has
 lost more (figure x28), and meet it between beads 20 and 30; so we look at beads 9 to 17. */
 struct Packet {
   std::string name;
@@ -164,8 +179,8 @@ class Families {
 };
 
 /**
-The energies are those of the families. [](finding:driving.packets) The first packet of a drive of strength 1.3 has the
-ratio [0.999](num:sec5_driven_packets.energy_ratio_drive), the third one of this train
+The energies agree with those of the families. [](finding:driving.packets) The first packet of a drive of strength 1.3
+has the ratio [0.999](num:sec5_driven_packets.energy_ratio_drive), the third one of this train
 [1.001](num:sec5_driven_packets.energy_ratio_drive_third), the first one with losses
 [1.01](num:sec5_driven_packets.energy_ratio_drive_lossy). In the whole table `strengths` the ratio farthest from one is
 [1.009](num:sec5_driven_packets.energy_ratio_worst), though at the two strongest drives it is uncertain by more than one
@@ -173,12 +188,12 @@ per cent, as the four looks differ (figure x29). After an impact, where the pack
 [1.009](num:sec5_driven_packets.energy_ratio_impact) on beads 12 to 28 and
 [1.00](num:sec5_driven_packets.energy_ratio_impact_far) on beads 44 to 60. This tests one combination of $T$ and
 $\varphi$: a phase that is wrong by a tenth would multiply the ratio by
-[0.8636](num:sec5_driven_packets.energy_ratio_mistimed), but an error in time is hardly seen:
-a packet that is timed too late by $\Delta$ from site to site has $T$ too large by $\Delta$ and, as it oscillates faster
-than a free bead by about $\delta = 0.1$, $\varphi$ too large by about $0.1\,\Delta$; the energy goes like $T^{-4}$ at a
-given phase, and the two changes nearly cancel. The width tests little ([0.9938](num:sec5_driven_packets.width_ratio_mistimed) for such a phase); without
-losses the ratio farthest from one is [0.986](num:sec5_driven_packets.width_ratio_worst), for the impact with losses it
-is [1.05](num:sec5_driven_packets.width_ratio_impact_lossy).
+[0.8636](num:sec5_driven_packets.energy_ratio_mistimed), but an error in time is hardly seen: a packet that is timed too
+late by $\Delta$ from site to site has $T$ too large by $\Delta$ and, as it oscillates faster than a free bead by about
+$\delta = 0.1$, $\varphi$ too large by about $0.1\,\Delta$; the energy goes like $T^{-4}$ at a given phase, and the two
+changes nearly cancel. So what is tested is about $\varphi-\delta\,T$, not each of them. The width tests little ([0.9938](num:sec5_driven_packets.width_ratio_mistimed) for such a phase);
+without losses the ratio farthest from one is [0.986](num:sec5_driven_packets.width_ratio_worst), for the impact with
+losses it is [1.05](num:sec5_driven_packets.width_ratio_impact_lossy).
 
 So the phase matters: compared with a breather of type I of the same speed, whose phase is zero, the drive's packet has
 [2.25](num:sec5_driven_packets.type_one_ratio_drive) times the energy, and that of the impact
@@ -210,7 +225,7 @@ An exact breather is the same again one site further on, $(T+\varphi)/2\pi$ bein
 behind, $\varphi$ or the sum $Z$ being zero. How do the two numbers follow the strength of the drive? The table
 `strengths` has the first packet of seventeen drives without losses. Between two of them we interpolate to find where
 the phase changes its sign and where $(T+\varphi)/2\pi$ is a whole number. A drive that locked its packets to an exact
-breather would hold this number there over a range of strengths; so we also ask how far two neighbours are at least
+breather would keep this number at a whole value over a range of strengths; so we also ask how far two neighbours are at least
 apart, in units of what is uncertain of them. */
 struct LevelCrossing {
   Estimate strength, slope;
@@ -286,11 +301,11 @@ void report_strengths(Report& report, const Families& families) {
 
 /**
 The two weakest drives, of strength 1.05 and 1.1, lie below the fold: their packets belong to the onset, and a drive
-that rises slowly would send none. The phases of the first packets rise from
+that rose slowly would send none. The phases of the first packets rise from
 [0.630](num:sec5_driven_packets.phase_weakest) at 1.05 to [0.680](num:sec5_driven_packets.phase_drive_weak) at 1.15 and
 then fall, through zero at [1.77](num:sec5_driven_packets.phase_zero_at); that of an impact is
-[-0.26](num:sec5_driven_packets.phase_impact). So the packets of drives and impacts are breathers of one kind, but those
-of the weaker drives and that of the impact lie on opposite sides of type I, whose phase is zero. A packet is exact if
+[-0.26](num:sec5_driven_packets.phase_impact). So the packets of drives and impacts have the energy of one kind of
+breather, but those of the weaker drives and that of the impact lie on opposite sides of type I, whose phase is zero. A packet is exact if
 $(T+\varphi)/2\pi$ is whole and the sites behind stay at rest, as for type I or where $Z = 0$. The drives at 1.15,
 1.3 and 1.6 have $(T+\varphi)/2\pi =$ [4.122](num:sec5_driven_packets.family_drive_weak),
 [3.81](num:sec5_driven_packets.family_drive) and [3.06](num:sec5_driven_packets.family_drive_strong). The number is 4 at
@@ -298,15 +313,19 @@ $(T+\varphi)/2\pi$ is whole and the sites behind stay at rest, as for type I or 
 [-3.2](num:sec5_driven_packets.family_slope_at_4) and [-1.8](num:sec5_driven_packets.family_slope_at_3). From each of
 the seventeen strengths to the next it changes by more than the spreads of both, at least by
 [1.58478](num:sec5_driven_packets.family_least_change) times their sum. So no locking is seen, and a plateau could only
-hide between two neighbouring strengths; at single ones the number comes close to a whole one, as it does to 3 between
-1.6 and 1.65. What distinguishes the packets is the phase: strength and frequency set it, how the drive begins hardly
-does, and it still changes on the way of an impact's packet.
+hide between two neighbouring strengths. And at no strength do we see both conditions met: the number is 3 at 1.63, where
+the phase is not yet zero, and the phase is zero at 1.77, where the number is no longer whole. None of these packets is
+exact, though one between 1.6 and 1.65 nearly repeats itself.
 
 ## Does a packet stay the same?
 
 A packet that sheds a tail changes its phase: from beads 12 to 24 to beads 30 to 42 that of an impact by
 [0.08](num:sec5_driven_packets.phase_change_impact). The change of a drive's,
-[-0.02](num:sec5_driven_packets.phase_change_drive), is not resolved. */
+[-0.02](num:sec5_driven_packets.phase_change_drive), is not resolved, although its phase is the larger one. It need not shed
+as much: what is left behind is $\lvert1-e^{i\varphi}\rvert\,\lvert Z\rvert$ (chapter on families), and in the DpS limit
+$|Z|$, over the root of the norm, falls from [0.1172](num:sec5_travelling_packets.dps_sum) at type I to
+[0.0139](num:sec5_travelling_packets.dps_sum_half) at $\varphi = 0.5$, whereas it rises to
+[0.2713](num:sec5_travelling_packets.dps_sum_impact) at $-0.25$. */
 Estimate phase_change(double strength) {
   const Estimate early = look_at({"", strength, 0, {12, 24}})(phase_of),
                  late = look_at({"", strength, 0, {30, 42}})(phase_of);
@@ -318,7 +337,7 @@ Estimate phase_change(double strength) {
 
 How the drive begins? We begin at another phase of the piston, or let its amplitude grow during twenty or eighty
 periods, at four strengths: if the onset decided, these phases would differ as those of different strengths do. Other
-frequencies ask whether the strength is all that matters, as it would be in the DpS limit.
+frequencies ask whether the strength is all that matters, as in the DpS limit, where $\delta$ is only a scale.
 
 The onset does not decide: of the twelve changes of the onset none shifts the phase by more than
 [0.1](num:sec5_driven_packets.phase_by_onset), and at the strength 1.77 it stays near zero. Nor is the strength all

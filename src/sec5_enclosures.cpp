@@ -396,9 +396,10 @@ struct EnclosedWaves {
 /**
 ## Differences and limits
 
-The article computes and does not prove. A proof of this kind trusts its program, the compiler and the arithmetic of the
-processor. It does not trust the numbers that it begins with: guesses and approximate inverses may come from anywhere,
-since the bounds hold or fail with whatever they are. Whether the sign plus is the maximum of the theorem remains open.
+The article computes such breathers and does not prove them. A proof of this kind trusts its program, the compiler and
+the arithmetic of the processor. It does not trust the numbers that it begins with: guesses and approximate inverses may
+come from anywhere, since the bounds hold or fail with whatever they are. Whether the sign plus is the maximum of the
+theorem remains open.
 
 The interval arithmetic is tested on a million random operations against four-fold precision. Boost.Interval is put to
 the same test and fails it without a special option of the compiler. A second program in another language, with the

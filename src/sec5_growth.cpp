@@ -406,7 +406,7 @@ void report_leftovers(Report& report) {
 ones. Of the fields that left none, $\frac{18}{32}\pi$ has a little surplus, and $\frac{17}{32}\pi$ is unstable but has
 none; the bounds for the latter, [0.00079](num:sec5_growth.births_below_17), and for the random fields,
 [0.00079](num:sec5_growth.births_below_random), are the same. They say no more than that births are rare: in runs of
-30,000 units breathers are born in all three, more often where there is a surplus.
+30,000 units, made once, breathers were born in all three, more often where there was a surplus.
 
 Few are at rest, at 95 per cent fewer than [0.2](num:sec5_growth.at_rest_below_32) and
 [0.1](num:sec5_growth.at_rest_below_24) of those after the first two waves: they travel, and a collision or a wave turns
@@ -462,9 +462,9 @@ void report_maps(Report& report) {
 
 The growth has four routes: the closed form, the matrix of a ring, runs of the DpS equation, and the linearised chain
 with a run of it. Of the study that the article wishes for these are the plane waves in linear wells, without losses.
-Spectrally stable is not stable for ever: on 64 sites with noise of one per cent, seed 8, the wave $q =
-\frac{15}{32}\pi$ of the DpS equation loses more than half of its norm within 4000 units. The energy of a random field
-says where a surplus is, not how fast it gathers, nor whether a breather is left in the end. */
+Spectrally stable is not stable for ever: in a run made once, on 64 sites with noise of one per cent, the wave
+$q = \frac{15}{32}\pi$ of the DpS equation lost more than half of its norm within 4000 units. The energy of a random
+field says where a surplus is, not how fast it gathers, nor whether a breather is left in the end. */
 void reproduce(Report& report) {
   report_chart(report);
   report_fastest(report);

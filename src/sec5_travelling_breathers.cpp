@@ -8,8 +8,8 @@ compute exact ones, which after a time $T$ are the same again, one site further:
       t = 0    .  .  o  O  o  .  .  .            y_n(t + T) = y_(n-1)(t)
       t = T    .  .  .  o  O  o  .  .            and nothing is left behind
 
-One can in linear wells. Those that we find repeat themselves from site to site and have isolated speeds; one sum says
-which are possible.
+One can in linear wells. Those that we find repeat themselves from site to site and have isolated speeds; one sum
+narrows down which are possible.
 
 ![Exact travelling breathers, and a packet that sheds a tail.](fig:x18) */
 

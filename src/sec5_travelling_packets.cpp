@@ -37,12 +37,13 @@ the DpS equation (12),
 $$\ddot y_n + y_n = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2},\qquad
   2i\tau_0\dot A_n = D_n - D_{n-1},\quad D_n = (A_{n+1}-A_n)|A_{n+1}-A_n|^{1/2}.$$
 A bead that has been passed oscillates freely, $z_n = y_n + i\dot y_n \propto e^{-it}$, with a constant amplitude. Two
-numbers describe what a packet leaves behind: the amplitude $|z_n|$ and the angle $\varphi$ by which the phase of $z_n$
-turns from one bead to the next, both seen at the same $t$. So $\varphi$ is the phase from bead to bead in the frame of
-a free bead, that is, of $z_ne^{it}$. For an exact orbit $\varphi = T-2\pi k$ (the phase of $A_n$ turns the other way), so
-that $\varphi = 0$ means type I. A packet need not be exact: its envelope may move on by one site in $T$ while the
-oscillation under it gains an extra phase, the *internal phase*. Then $\varphi$ and $T$ are independent, and $\varphi$ may
-tend to zero while $T/2\pi$ tends to a number that is not whole. */
+numbers describe what a packet leaves behind: the amplitude $|z_n|$ and the angle $\vartheta$ by which the phase of $z_n$
+turns from one bead to the next, both seen at the same $t$. So $\vartheta$ is the phase from bead to bead in the frame of
+a free bead, that is, of $z_ne^{it}$. For an exact orbit $\vartheta = T-2\pi k$, so that $\vartheta = 0$ means type I. A
+packet need not be exact: its envelope may move on by one site in $T$ while the oscillation under it gains an extra phase,
+the *internal phase*. Then $\vartheta$ and $T$ are independent, and $\vartheta$ may tend to zero while $T/2\pi$ tends to
+a number that is not whole. Such a packet leaves nothing behind either, but one site further on it is the same only up to
+a phase of its oscillation: it is quasi-periodic, and no exact orbit in our sense. */
 /// The same course in two frames and with two steps.
 struct TwoCourses {
   double velocity;
@@ -51,22 +52,25 @@ struct TwoCourses {
 
 /**
 A power law shows only over many sites, so we follow the packet in a frame that moves with it, and drop the beads far
-behind (long_run.hpp). This is allowed because nothing of what is dropped catches up: without precompression there is no
+behind (long_run.hpp). Rows are kept at twelve sites to a decade, so that they are equidistant in $\log n$. This is allowed because nothing of what is dropped catches up: without precompression there is no
 sound, and a disturbance of size $\delta$ runs at a speed of the order $\delta^{1/2}$, more slowly than the packet. A
 second frame, half as long again, and half the step give the errors.
 
 ## The tail of a packet (figure x22)
 
-How should the tail fall? In the frame of a free bead the pulses in the contacts turn by $\varphi$ from site to site, so
-that a bead keeps the amplitude $|z| = |1-e^{i\varphi}|\,|g| \simeq |\varphi|\,|g|$, where $g$ is the integral $g(1)$ of
-the chapters before, and takes away the energy $|z|^2/2$. If the packet's own energy is linear in a small $\varphi$, $E
-\simeq E_\infty + b\,\varphi$, then
-$$b\,\frac{d\varphi}{dn} = -\frac{g^2\varphi^2}{2},\qquad \frac1\varphi = \frac{g^2}{2b}\,n + \dots,$$
-and $\varphi$ and the tail fall like $1/n$, *provided that $g$ and $b$ tend to constants*. With $g$ and $b$
+How should the tail fall? In the frame of a free bead the pulses in the contacts turn by $\vartheta$ from site to site, so
+that a bead keeps the amplitude $|z| = |1-e^{i\vartheta}|\,|g| \simeq |\vartheta|\,|g|$, where $g$ is the integral $g(1)$ of
+the chapters before, and takes away the energy $|z|^2/2$. If the packet's own energy is linear in a small $\vartheta$, $E
+\simeq E_\infty + b\,\vartheta$, then
+$$b\,\frac{d\vartheta}{dn} = -\frac{g^2\vartheta^2}{2},\qquad \frac1\vartheta = \frac{g^2}{2b}\,n + \dots,$$
+and $\vartheta$ and the tail fall like $1/n$, *provided that $g$ and $b$ tend to constants*. With $g$ and $b$
 read off the run itself this is the balance of energy and always true; the law is tested by whether the
-growth of $1/\varphi$ becomes constant. What hardly changes on the way is the energy in the contacts: a bead
-keeps none of it, because its neighbours oscillate nearly as it does itself. We therefore expect the contact
-energy to select the final speed. */
+growth of $1/\vartheta$ becomes constant.
+
+One quantity hardly changes on the way, the mean energy in the contacts. In the limit of small amplitude two quantities are
+conserved separately, the norm $\sum|A_n|^2$, which is the energy of the wells, and the energy in the contacts, the DpS
+Hamiltonian. The beads left behind take away norm, but hardly any energy of contacts, since neighbours oscillate nearly
+alike. We therefore expect the contact energy to select the final speed. */
 Line late_line(const std::vector<double>& x, const std::vector<double>& y, std::size_t skip) {
   const auto from = std::ptrdiff_t(skip);
   return fit_line({x.begin() + from, x.end()}, {y.begin() + from, y.end()});
@@ -82,13 +86,14 @@ struct CourseReading {
   double exponent, angle_exponent, energy_lost, contact_lost, contact_early, contact_late, speed,
       energy, contact;
   double early_growth, growth, early_pulse,
-      pulse;  ///< of 1/phi per site; |g|, near site 300 and at the end
+      pulse;     ///< of 1/angle per site; |g|, near site 300 and at the end
+  double angle;  ///< at the end
 };
 
 /**
-Exponents are those of the last decade of sites. The growth of $1/\varphi$ and $|g| = |z|/\varphi$ are taken over
+Exponents are those of the last decade of sites. The growth of $1/\vartheta$ and $|g| = |z|/\vartheta$ are taken over
 four rows, a third of a decade, from site 200 on and at the end. Final speed, energy and contact energy are
-extrapolated to $\varphi = 0$ by straight lines through the last half decade, six rows. How much this depends on the
+extrapolated to $\vartheta = 0$ by straight lines through the last half decade, six rows. How much this depends on the
 stretch shows when `half` is changed to three rows or to a whole decade. */
 CourseReading read_off(const Course& c, std::size_t half = 6) {
   constexpr std::size_t decade = 12, few = 4;
@@ -115,16 +120,19 @@ CourseReading read_off(const Course& c, std::size_t half = 6) {
           growth(decade, decade + few),
           growth(from, last),
           pulse(decade, decade + few),
-          pulse(from, last)};
+          pulse(from, last),
+          c.angle[last]};
 }
 
 /**
 So a final quantity has two errors, which are added: the difference of the two runs, and the largest difference that
 another stretch makes.
 
-The orbits of type I are isolated points in the plane of speed and energy. We draw a smooth curve through seven of them,
-the *line of type I* (type_one_line.hpp): between the orbits it holds no exact breather, and beyond $k = 1$ it is an
-extrapolation. If the final state is like an orbit of type I, the packet should lie on this line at its own speed. Two impacts are followed, $v_0 = 0.66$ and 1.5. */
+The orbits of type I that we found are single points in the plane of speed and energy. We draw a smooth curve through
+seven of them, the *line of type I* (type_one_line.hpp): between the orbits it holds no exact breather that we know, and
+beyond $k = 1$ it is an extrapolation. If the final state is like an orbit of type I, the packet should lie on this line
+at its own speed. Two impacts are followed: $v_0 = 0.66$, whose packet ends slower than the orbit $k = 1$, and 1.5, whose
+packet ends faster. */
 struct FinalState {
   CourseReading coarse, fine, shorter, longer;
 
@@ -144,13 +152,13 @@ struct FinalState {
 
 /**
 After the impact with $v_0 = 0.66$ the tail does not fall with the exponent $-1$ within these sites, and the growth of
-$1/\varphi$ is not constant: it falls from [0.0094495](num:sec5_travelling_packets.angle_growth_early_v66) per site
+$1/\vartheta$ is not constant: it falls from [0.0094495](num:sec5_travelling_packets.angle_growth_early_v66) per site
 beyond site 200 to [0.00208](num:sec5_travelling_packets.angle_growth_v66) at the end, while $|g|$ falls from
 [0.0308411](num:sec5_travelling_packets.pulse_early_v66) to [0.01113](num:sec5_travelling_packets.pulse_v66). So the law
 $1/n$ is not confirmed: if it holds at all, it does so only beyond the sites computed here. Should $g$ go on falling
-with $\varphi$, like $|\varphi|^p$, at a constant $b$, then by the same balance $\varphi$ falls like $n^{-1/(1+2p)}$ and the
+with $\vartheta$, like $|\vartheta|^p$, at a constant $b$, then by the same balance $\vartheta$ falls like $n^{-1/(1+2p)}$ and the
 tail like $n^{-(1+p)/(1+2p)}$, more slowly than $1/n$. Over the last decade of sites the tail has the exponent
-[-0.72067](num:sec5_travelling_packets.tail_exponent_v66); but neither $p$ nor $b = g^2/2$ over the growth of $1/\varphi$ is
+[-0.72067](num:sec5_travelling_packets.tail_exponent_v66); but neither $p$ nor $b = g^2/2$ over the growth of $1/\vartheta$ is
 constant there, so that this is no law. */
 // What belongs to the last decade as it is has the difference of the two runs as its error
 void report_tail(Quantities& facts, const std::string& name, const FinalState& state) {
@@ -167,11 +175,15 @@ void report_tail(Quantities& facts, const std::string& name, const FinalState& s
   fact("pulse", &CourseReading::pulse, "|g(1)|, at the end");
   fact("energy_lost", &CourseReading::energy_lost, "share, in the last decade of sites");
   fact("contact_energy_lost", &CourseReading::contact_lost, "share, in the last decade of sites");
+  fact("angle_end", &CourseReading::angle, "at the end");
   fact("contact_energy_early", &CourseReading::contact_early, "mean, sites 43 to 113");
 }
 
 /**
-The packet of $v_0 = 0.66$ tends to the scaled speed $cE^{-1/4} =$
+The packet has lost the fraction [0.0366](num:sec5_travelling_packets.energy_lost_v66) of its energy in the last decade of
+sites, but only [0.0037](num:sec5_travelling_packets.contact_energy_lost_v66) of that in its contacts. To compare it with
+the line we scale its speed: at small amplitude $E\propto c^4$, so that $cE^{-1/4}$ depends on the energy only as far as
+the amplitude is not small. With $v_0 = 0.66$ it tends to the scaled speed $cE^{-1/4} =$
 [0.25467](num:sec5_travelling_packets.final_scaled_speed_v66), where the line has
 [0.25466](num:sec5_travelling_packets.type_one_scaled_speed_v66). Its contact energy was
 [0.0135176](num:sec5_travelling_packets.contact_energy_early_v66) near site 100, is
@@ -185,9 +197,11 @@ The packet of $v_0 = 0.66$ tends to the scaled speed $cE^{-1/4} =$
 which come mainly from the choice of the stretch. But the shift times to which they tend, $T/2\pi =$
 [1.1566](num:sec5_travelling_packets.final_turns_v66) and [0.847](num:sec5_travelling_packets.final_turns_v150), are not whole. So,
 from these two impacts, a packet seems to end on the line of type I, at a place that its contact energy selects, but away
-from the orbits: none captures its internal phase. The orbit $k = 1$ holds that phase weakly: displaced, it swings by
-$2|\kappa|^{1/2}$ per shift, $\kappa =$ [-8.8883e-11](num:sec5_travelling_breathers.kappa_k1_plus) (chapter on exact travelling
-breathers), and at the end $\varphi$ is still hundreds of times that. A later capture is not excluded. */
+from the orbits: none captures its internal phase. The orbit $k = 1$ holds that phase like a very weak pendulum: displaced a
+little, it swings by $2|\kappa|^{1/2}$, some $10^{-5}$, per shift, $\kappa =$
+[-8.8883e-11](num:sec5_travelling_breathers.kappa_k1_plus) (chapter on exact travelling breathers). It could capture only
+a phase that turns not much faster, but at the end it turns by [0.0185](num:sec5_travelling_packets.angle_end_v66), about
+a thousand times as much. A later capture is not excluded. */
 // The final state beside the line of the exact orbits at its own speed
 void report_end(Quantities& facts, const std::string& name, const FinalState& state,
                 const ExactLine& line) {
@@ -277,12 +291,20 @@ void report_packets(Report& report, std::size_t rows) {
 Do exact travelling breathers survive in the limit of small amplitude? There they are orbits of the DpS equation
 (dps_travelling.hpp), of the same two types. Since $A_n$ may be multiplied by any constant phase factor, nothing pins
 the internal phase in this limit: an orbit of type I is one of a whole circle of orbits, and the two signs of the chain
-are two of them. We follow its family with the angle $\varphi$, by which the phase of $A_n$ turns from site to site. */
+are two of them. A travelling breather is now $A_n(\tau+\tau_T) = e^{i\varphi}A_{n-1}(\tau)$, where the phase of $A_n$
+turns the other way than that of $z_n$, $\varphi = -\vartheta$. The sum $\sum A_n$ is conserved, so that $\varphi = 0$
+(type I) or $\sum A_n = 0$ (type II). We follow the family of type I with $\varphi$; as in the chain one equation is left
+out, and $V = \sum A_n/i$ shows what is missed.
+
+From $\varphi = 0$ to 3 this $V$ becomes ever smaller, but does not change its sign (figure x23): on this stretch we find no
+orbit of type II. Relative to the root of the norm, $|V|$ is [0.1172](num:sec5_travelling_packets.dps_sum) at
+$\varphi = 0$, [0.0139](num:sec5_travelling_packets.dps_sum_half) at 0.5 and on the other side, which is that of impacts,
+[0.2713](num:sec5_travelling_packets.dps_sum_impact) at $-0.25$. */
 std::vector<DpsMember> dps_family(double tolerance, double to, double step) {
   DpsTravelling problem;
   problem.tolerance = tolerance;
   std::vector<DpsMember> all{dps_member(problem, cut_dps_packet(40, problem.reach))};
-  for (int i = 1; i * step <= to + 1e-9; ++i) {
+  for (int i = 1; std::abs(i * step) <= std::abs(to) + 1e-9; ++i) {
     problem.phase = i * step;
     Vector<double> guess = all.back().x;
     if (i > 1) guess += all.back().x - all[std::size_t(i) - 2].x;
@@ -352,6 +374,10 @@ void report_small(Report& report, std::size_t slowest) {
   report_small_orbits(report, lists);
 }
 
+double relative_sum(const DpsMember& m) {
+  return std::abs(m.V) / std::sqrt(m.norm);
+}
+
 void report_dps(Report& report, const DpsMember& coarse, const DpsMember& fine) {
   const double time = DpsTravelling::shift_time;
   const auto constant = [&](const DpsMember& m) { return 2 * m.norm * std::pow(time, 4); };
@@ -383,9 +409,11 @@ void report_dps_family(Report& report, const std::vector<DpsMember>& coarse,
                                   number("norm", "norm"), number("energy", "energy")});
   for (std::size_t i = 0; i < fine.size(); ++i) {
     const DpsMember& m = fine[i];
-    table.add({m.phase, compare(coarse[i].V, m.V),
-               std::log10(std::max(std::abs(m.V) / std::sqrt(m.norm), 1e-16)), m.norm, m.energy});
+    table.add({m.phase, compare(coarse[i].V, m.V), std::log10(std::max(relative_sum(m), 1e-16)),
+               m.norm, m.energy});
   }
+  for (const auto& [name, i] : {std::pair{"dps_sum", 0U}, {"dps_sum_half", 5U}})
+    report.facts.add(name, compare(relative_sum(coarse[i]), relative_sum(fine[i])));
 }
 
 // Beside the exact profile that of a struck packet, cut out at site 20 and at site 100 and scaled to the same shift time
@@ -410,7 +438,7 @@ void report_dps_profiles(Report& report, const DpsMember& exact, std::size_t rea
 
 *Proved*: in the linear well an exact travelling breather whose sum $Z$ converges absolutely has $T = 2\pi k$
 or $Z = 0$; pulses *that repeat themselves exactly* leave behind the amplitude $|1-e^{-iT}|\,|g(1)|$, which
-those of a packet only nearly do; the last equation of a family is $V\sin(T/2) = 0$; no localized orbit
+those of a packet only nearly do; the equation left out of a family is $V\sin(T/2) = 0$; no localized orbit
 repeats itself with the opposite sign after one site (in symmetric wells). There is an orbit of type I for
 every $k$ (chapter on the kernel equation), and for $k = 1$ there are two (chapter on enclosures).
 
@@ -427,11 +455,16 @@ void reproduce(Report& report) {
   const bool quick = report.quick;
   report_packets(report, quick ? 24 : 36);
   report_small(report, quick ? 8 : 20);
-  std::vector<std::vector<DpsMember>> family(2);
-  parallel_for(
-      2, [&](std::size_t i) { family[i] = dps_family(i ? 1e-13 : 1e-12, quick ? 1 : 3, 0.1); });
+  std::vector<std::vector<DpsMember>> family(4);
+  parallel_for(4, [&](std::size_t i) {
+    const double tolerance = i % 2 ? 1e-13 : 1e-12;
+    family[i] =
+        i < 2 ? dps_family(tolerance, quick ? 1 : 3, 0.1) : dps_family(tolerance, -0.25, -0.05);
+  });
   report_dps(report, family[0].front(), family[1].front());
   report_dps_family(report, family[0], family[1]);
+  report.facts.add("dps_sum_impact",
+                   compare(relative_sum(family[2].back()), relative_sum(family[3].back())));
   report_dps_profiles(report, family[1].front(), DpsTravelling{}.reach);
 }
 

@@ -5,9 +5,9 @@ This book compares its numbers with those of one article and with each other. A 
 reproduce what others have printed, and so we compute here some twenty numbers from the classical subject of this field,
 the chain *without* wells, and from the neighbours of the article's own equations. The list `paper/literature.ecsv`
 holds what is printed, with its source and the way in which we know it: only a number that we have read at its source,
-in its text or its data, or in its abstract, is judged: these are thirteen, and all of them are reproduced within what
-their digits allow. Five that everybody quotes, and whose source we could not open, stand beside ours as we remember
-them, without a verdict.
+in its text or its data, or in its abstract, is judged, and all of these are reproduced within what their digits allow.
+A few that are often quoted, and whose source we could not open, stand beside ours as we remember them, without a
+verdict.
 
 ![Numbers of other authors, and ours over them.](fig:x34)
 
@@ -214,10 +214,10 @@ compute both from $\alpha = 1.1$ to 4 (secB/exponents.hpp). A breather $u_ne^{i\
 eigenvalue $m_2$ of the matrix of section 3.3 exceeds $\mu/\alpha$. At every exponent that we computed the one around a
 bond is spectrally stable and the one around a site is not, with a margin $m_2/\mu-1/\alpha$ that grows from
 [2.62509e-28](num:secB_other_numbers.margin_site_110) over [4.85298e-6](num:secB_other_numbers.margin_site_150) for
-spheres to [0.0954946](num:secB_other_numbers.margin_site_400). So small a margin has a certain sign because it is
-computed both in quadruple precision and with fifty digits, which agree. At all of these exponents each margin has the
-same sign, and so has the difference of the norms; what happens between them we do not know. Anharmonic wells exchange
-stability in the chain; in the limit of small amplitude the exponent of the contact, as far as we computed, does not.
+spheres to [0.0954946](num:secB_other_numbers.margin_site_400). The sign of so small a margin is trusted because
+quadruple precision and fifty digits agree on it. At all of these exponents each margin has the same sign, and so has
+the difference of the norms; what happens between them we do not know. Anharmonic wells exchange stability in the chain;
+in the limit of small amplitude the exponent of the contact, as far as we computed, does not.
 
 ![Which static DpS breather is stable, and by how much, against the exponent of the contact.](fig:x35)
 
@@ -226,8 +226,8 @@ Fourier component $e^{2\pi ix}$ of the profile: so the two become alike like $e^
 alone would give $c = \pi^2/2$; the profile farther out gives [6.49017](num:secB_other_numbers.alike_expected), by the
 argument of secB/exponents.hpp. Between $\alpha = 1.1$ and 1.12 the logarithm of the norms' difference falls by
 [6.45110](num:secB_other_numbers.alike_rate) for each unit of $1/(\alpha-1)$, and between 1.2 and 1.3 by
-[6.42891](num:secB_other_numbers.alike_rate_far): the rate approaches $c$ slowly, as a power in front would make it
-do, and $\pi^2/2$ is refuted. */
+[6.42891](num:secB_other_numbers.alike_rate_far): the rate approaches $c$ slowly, as a power in front would make it do,
+and both are far from $\pi^2/2$. */
 void report_exponents(Report& report) {
   std::vector<double> alphas{1.3, 1.5, 2, 3, 4};
   if (!report.quick)

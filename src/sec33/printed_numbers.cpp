@@ -39,6 +39,27 @@ void Setting::measure_residual() {
   residual_differences = rough.residual, variation_differences = rough.variation;
 }
 
+Shifted Setting::shift_left() const {
+  const FixedStep map = map_of(*this, Centre::site, 0);
+  const auto guess = ansatz(Centre::site, omega_b, map.chain.sites);
+  const State<double> left = find_breather(map, guess, {5, 0, no_shift}).start;
+  const State<double> exact =
+      find_breather(breather_problem(Centre::site, omega_b, 0, sites), Phase::compressed).start;
+
+  // The direction that the equations feel least, and the slope of the profile along the chain
+  Matrix<double> jacobian = derivative(map, exact, sites, 0);
+  for (std::size_t n = 0; n < sites; ++n) jacobian(n, n) -= 1;
+  const Vector<double> softest = condition_of(jacobian).softest;
+  Vector<double> difference(sites), slope(sites);
+  for (std::size_t n = 0; n < sites; ++n) {
+    difference[n] = left.y[n] - exact.y[n];
+    slope[n] = ((n + 1 < sites ? exact.y[n + 1] : 0) - (n > 0 ? exact.y[n - 1] : 0)) / 2;
+  }
+  const double along = softest.dot(difference);
+  return {std::abs(along / softest.dot(slope)), std::abs(along) / difference.norm(),
+          find_breather(map, left, {8, 0, 0}).residual};
+}
+
 void Setting::measure_breathers() {
   std::array<double, 2> energies{};
   for (std::size_t c : {0U, 1U}) {

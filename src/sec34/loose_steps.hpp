@@ -2,11 +2,11 @@
 /**
 # The DpS impact with loose steps
 
-Does a careless integration explain the printed amplitude of section 3.4? Here the DpS impact is followed by adaptive
-Runge–Kutta methods (runge_kutta.hpp) whose tolerance, and the norm by which the estimated errors of all components become
-one number, are chosen. A run keeps its tolerance in both resolutions; they differ in the first step and in the number of
-samples, which are interpolated between the steps. (If a run must *stop* at each of a thousand samples, its steps are too
-short to do harm, whatever the tolerance allows.) */
+Do loose steps explain the printed amplitude of section 3.4? Here the DpS impact is followed by adaptive Runge–Kutta
+methods (runge_kutta.hpp) whose tolerance, and the norm by which the estimated errors of all components become one
+number, are chosen. A run keeps its tolerance in both resolutions; they differ in the first step and in the number of
+samples, which are interpolated between the steps. (If a run must *stop* at each of a thousand samples, its steps are
+too short to do harm, whatever the tolerance allows.) */
 
 #include <cstddef>
 #include <string>
@@ -35,8 +35,8 @@ std::string name_of(ErrorNorm norm);
 DpsPair loose_runs(const LooseSteps& how, double tau_end, std::size_t samples);
 
 /**
-Two numbers tell a careless run from an accurate one: the norm $\sum|A_n|^2$, which should stay at one, and
-the difference of the wave train, here the first sixty sites, from the converged one. */
+Two numbers tell a loose run from an accurate one: the norm $\sum|A_n|^2$, which should stay at one, and the difference
+of the wave train, here the first sixty sites, from the converged one. */
 double growth(const DpsOutcome& out);
 double train_difference(const DpsOutcome& out, const DpsOutcome& converged);
 

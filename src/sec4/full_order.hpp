@@ -59,7 +59,7 @@ inline Line order_of(const OrderCase& c, const Scheme& scheme, const State<doubl
 }
 
 /**
-To measure errors we need the right end state. It is that of a event-corrected run with a very short step, once an
+To measure errors we need the right end state. It is that of an event-corrected run with a very short step, once an
 adaptive integrator that shares nothing with it has confirmed it. */
 /// That state; the facts have its distance from the independent one.
 inline State<double> confirmed_end(const OrderCase& c, Quantities& facts) {

@@ -14,7 +14,7 @@ $\tau \to a^{1-\alpha}\tau$; the article's is $3/2$. With the symmetry $A_n(\tau
 $w_n = e^{-i\varphi/2}A_n(\tau_T/2)$ the equations are
 $$\mathrm{Re}\,(w_n + w_{1-n}) = 0,\qquad \mathrm{Im}\,(w_n - w_{1-n}) = 0,\qquad n = 1,\dots,L+1.$$
 Those of the first kind add up to $V\sin(\varphi/2) = 0$, where $\sum_nA_n(0) = iV$. We leave out the one
-with $n = 1$ and obtain a family with a member for every $\varphi$ that we tried, 0 to 3. */
+with $n = 1$ and obtain a family with a member for every $\varphi$ that we tried, $-0.4$ to 3. */
 
 #include <algorithm>
 #include <cmath>
