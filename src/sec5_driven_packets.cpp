@@ -32,7 +32,7 @@ with $\nu = 0$ at first. If the piston is weak there is a *quiet* motion of its 
 ends in a *fold*, and beyond the array sends out packets. In the limit of small $\delta$ the fold is at
 $a = 8\tau_0^2\delta^2\max|u_0|$, where $u_0$ is the displacement of the first bead in static solutions of the DpS equation
 and $\tau_0$ the constant of this equation. The *strength* of a drive is its amplitude over this asymptotic threshold. At
-$\delta = 0.1$ the fold itself has the strength [1.1100](num:sec5_driving.fold_over_law_first_lossless), and with beams of
+$\delta = 0.1$ the fold itself has the strength [1.1160](num:sec5_driving.fold_over_law_first_lossless), and with beams of
 the lifetime 10 ms [1.1167](num:sec5_driving.fold_over_law).
 
 A travelling breather of the DpS equation has $A_n(t+T) = e^{i\varphi}A_{n-1}(t)$ with the shift time $T$ and the phase
@@ -323,9 +323,9 @@ A packet that sheds a tail changes its phase: from beads 12 to 24 to beads 30 to
 [0.08](num:sec5_driven_packets.phase_change_impact). The change of a drive's,
 [-0.02](num:sec5_driven_packets.phase_change_drive), is not resolved, although its phase is the larger one. It need not shed
 as much: what is left behind is $\lvert1-e^{i\varphi}\rvert\,\lvert Z\rvert$ (chapter on families), and in the DpS limit
-$|Z|$, over the root of the norm, falls from [0.1172](num:sec5_travelling_packets.dps_sum) at type I to
-[0.0139](num:sec5_travelling_packets.dps_sum_half) at $\varphi = 0.5$, whereas it rises to
-[0.2713](num:sec5_travelling_packets.dps_sum_impact) at $-0.25$. */
+$|Z|$, over the root of the norm, falls from [0.117175](num:sec5_travelling_packets.dps_sum) at type I to
+[0.0138902](num:sec5_travelling_packets.dps_sum_half) at $\varphi = 0.5$, whereas it rises to
+[0.271304](num:sec5_travelling_packets.dps_sum_impact) at $-0.25$. */
 Estimate phase_change(double strength) {
   const Estimate early = look_at({"", strength, 0, {12, 24}})(phase_of),
                  late = look_at({"", strength, 0, {30, 42}})(phase_of);

@@ -149,7 +149,7 @@ Between $\delta = 0.05$ and 0.1 the fold of a piston grows with the exponent
 and, between 0.1 and 0.2, [3.36910](num:sec5_driving.exponent_base_strong). At $\delta = 0.1$ a piston needs
 [1.1167](num:sec5_driving.fold_over_law) times the asymptotic threshold, at 0.025
 [1.0376](num:sec5_driving.fold_over_law_small) times. The asymptotic threshold leaves damping out; without losses these are
-[1.1100](num:sec5_driving.fold_over_law_first_lossless) and [1.0280](num:sec5_driving.fold_over_law_lossless). Closer to
+[1.1160](num:sec5_driving.fold_over_law_first_lossless) and [1.0280](num:sec5_driving.fold_over_law_lossless). Closer to
 the beams' frequency damping matters more, so that at a fixed lifetime the ratio does not tend to one. */
 void report_orbits(Report& report, const ArraySetup& setup) {
   const auto branch = quiet_branch(setup.driven(Drive::By::piston, 1.1, 0, 0, 0, 10), 64, 0.1);

@@ -180,8 +180,8 @@ void report_tail(Quantities& facts, const std::string& name, const FinalState& s
 }
 
 /**
-The packet has lost the fraction [0.0366](num:sec5_travelling_packets.energy_lost_v66) of its energy in the last decade of
-sites, but only [0.0037](num:sec5_travelling_packets.contact_energy_lost_v66) of that in its contacts. To compare it with
+The packet has lost the fraction [0.0171](num:sec5_travelling_packets.energy_lost_v66) of its energy in the last decade of
+sites, but only [0.0026](num:sec5_travelling_packets.contact_energy_lost_v66) of that in its contacts. To compare it with
 the line we scale its speed: at small amplitude $E\propto c^4$, so that $cE^{-1/4}$ depends on the energy only as far as
 the amplitude is not small. With $v_0 = 0.66$ it tends to the scaled speed $cE^{-1/4} =$
 [0.25467](num:sec5_travelling_packets.final_scaled_speed_v66), where the line has
@@ -200,7 +200,7 @@ from these two impacts, a packet seems to end on the line of type I, at a place 
 from the orbits: none captures its internal phase. The orbit $k = 1$ holds that phase like a very weak pendulum: displaced a
 little, it swings by $2|\kappa|^{1/2}$, some $10^{-5}$, per shift, $\kappa =$
 [-8.8883e-11](num:sec5_travelling_breathers.kappa_k1_plus) (chapter on exact travelling breathers). It could capture only
-a phase that turns not much faster, but at the end it turns by [0.0185](num:sec5_travelling_packets.angle_end_v66), about
+a phase that turns not much faster, but at the end it turns by [0.0197](num:sec5_travelling_packets.angle_end_v66), about
 a thousand times as much. A later capture is not excluded. */
 // The final state beside the line of the exact orbits at its own speed
 void report_end(Quantities& facts, const std::string& name, const FinalState& state,
@@ -297,9 +297,9 @@ turns the other way than that of $z_n$, $\varphi = -\vartheta$. The sum $\sum A_
 out, and $V = \sum A_n/i$ shows what is missed.
 
 From $\varphi = 0$ to 3 this $V$ becomes ever smaller, but does not change its sign (figure x23): on this stretch we find no
-orbit of type II. Relative to the root of the norm, $|V|$ is [0.1172](num:sec5_travelling_packets.dps_sum) at
-$\varphi = 0$, [0.0139](num:sec5_travelling_packets.dps_sum_half) at 0.5 and on the other side, which is that of impacts,
-[0.2713](num:sec5_travelling_packets.dps_sum_impact) at $-0.25$. */
+orbit of type II. Relative to the root of the norm, $|V|$ is [0.117175](num:sec5_travelling_packets.dps_sum) at
+$\varphi = 0$, [0.0138902](num:sec5_travelling_packets.dps_sum_half) at 0.5 and on the other side, which is that of impacts,
+[0.271304](num:sec5_travelling_packets.dps_sum_impact) at $-0.25$. */
 std::vector<DpsMember> dps_family(double tolerance, double to, double step) {
   DpsTravelling problem;
   problem.tolerance = tolerance;
