@@ -250,8 +250,9 @@ away. So the printed number singles out no method. This compares numbers only: i
 changed the energy by far more than the kick brings, and that of the others was not watched, so that these are not known
 to be barriers of a conserved energy. And a breather that seems pinned need not stay so: with 120 steps of the classical
 method a kick of $4\cdot10^{-6}$, too weak for a converged run, has freed it after 200000 periods (run once, with that
-number in `measure_threshold`).
-
+number in `measure_threshold`). */
+// And the jump
+/**
 *The jump.* In [0](num:sec33_article_integrator.settings_near_jump) of the
 [6](num:sec33_article_integrator.thresholds_near) settings near the threshold the site-centred breather jumps two sites
 and stays. With 120 steps of the classical method it is two sites away at $t = 2.5\cdot10^5$, but it has not stopped

@@ -41,8 +41,9 @@ $\vartheta = -\varphi$, as in the chapter *What becomes of a packet*.) These two
 like $T^{-2}$, and all else depends on $\varphi$ only. In the chain $y_n = 2\epsilon\,\mathrm{Re}(A_ne^{it})$ repeats itself
 if $e^{i(T+\varphi)} = 1$: the family that begins at $T = 2\pi k$ (chapter on families) has $\varphi = 2\pi k-T$, one
 curve for each $k$ in the plane of the two numbers. A packet may lie between these curves; energy and width are
-interpolated there, as if the two numbers determined them as they do in the DpS limit.
-
+interpolated there, as if the two numbers determined them as they do in the DpS limit. */
+// How they are measured
+/**
 We measure both numbers from bead to bead (packet_members.hpp). A packet is what lies within three sites of its peak.
 Whenever its centre passes a bead we note the time and the seven $z_ne^{it}$ about it: $T$ is the mean time from one bead
 to the next, and $\varphi$ the mean angle by which these seven numbers turn back. Energy and width are means over the way,
@@ -315,8 +316,9 @@ the seventeen strengths to the next it changes by more than the spreads of both,
 [1.58478](num:sec5_driven_packets.family_least_change) times their sum. So no locking is seen, and a plateau could only
 hide between two neighbouring strengths. And at no strength do we see both conditions met: the number is 3 at 1.63, where
 the phase is not yet zero, and the phase is zero at 1.77, where the number is no longer whole. None of these packets is
-exact, though one between 1.6 and 1.65 nearly repeats itself.
-
+exact, though one between 1.6 and 1.65 nearly repeats itself. */
+// Early and late
+/**
 ## Does a packet stay the same?
 
 A packet that sheds a tail changes its phase: from beads 12 to 24 to beads 30 to 42 that of an impact by

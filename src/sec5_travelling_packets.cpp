@@ -194,7 +194,10 @@ the amplitude is not small. With $v_0 = 0.66$ it tends to the scaled speed $cE^{
 [0.2312](num:sec5_travelling_packets.type_one_scaled_speed_v150) and to
 [0.08242](num:sec5_travelling_packets.final_contact_energy_v150) against
 [0.0824](num:sec5_travelling_packets.contact_energy_of_type_one_v150). All four agree with the line within their errors,
-which come mainly from the choice of the stretch. But the shift times to which they tend, $T/2\pi =$
+which come mainly from the choice of the stretch. */
+// On the line, between the orbits
+/**
+But the shift times to which they tend, $T/2\pi =$
 [1.1566](num:sec5_travelling_packets.final_turns_v66) and [0.847](num:sec5_travelling_packets.final_turns_v150), are not whole. So,
 from these two impacts, a packet seems to end on the line of type I, at a place that its contact energy selects, but away
 from the orbits: none captures its internal phase. The orbit $k = 1$ holds that phase like a very weak pendulum: displaced a
