@@ -128,7 +128,8 @@ Matrix<double> derivative(const FixedStep& map, const State<double>& start, std:
   Matrix<double> out(2 * sites, count);
   if (increment == 0) {
     std::vector<double> y(sites * count, 0), v = y;
-    for (std::size_t c = 0; c < count; ++c) (c < sites ? y : v)[(c % sites) * count + c] = 1;
+    for (std::size_t c = 0; c < count; ++c)
+      (c < sites ? y[c * count + c] : v[(c - sites) * count + c]) = 1;
     carry_columns(map, start, y, v);
     for (std::size_t n = 0; n < sites; ++n)
       for (std::size_t c = 0; c < count; ++c) {
