@@ -17,12 +17,12 @@ anharmonicity $s$, Eq. (10), which is zero unless it is varied:
 
 A kick adds velocities along the *pinning mode*, the direction of a shift along the chain; its size is their norm. We
 call the first six *the six numbers*; the amplitude, which belongs to another equation, has a section of its own. The
-residual tells how accurate the article's breathers were; all others come out differently when the integration is
-converged. The printed barrier differs from the converged one by no more than breathers of that residual allow
-(`sec32_barrier`), the amplitude, the threshold and the two values of $s$ are discussed in their chapters, and the jump
-has no explanation there. The article does not say which integrator it used. Here we ask whether *one* choice, a method
-and a number of steps per period, explains them all.
-This is forensics: a setting is compatible with the printed numbers or it is not, and neither says what was done. */
+residual seems to tell how accurate the article's breathers were (below it has another source); all others come out
+differently when the integration is converged. The printed barrier differs from the converged one by no more than
+breathers of that residual allow (`sec32_barrier`), the amplitude, the threshold and the two values of $s$ are discussed
+in their chapters, and the jump has no explanation there. The article does not say which integrator it used. Here we ask
+whether *one* choice, a method and a number of steps per period, explains them all. This is forensics: a setting is
+compatible with the printed numbers or it is not, and neither says what was done. */
 
 #include <algorithm>
 #include <array>
@@ -51,21 +51,24 @@ smooth at the instant at which the contact opens or closes, and an integrator th
 loses accuracy there. Our own steps correct for it (contact_rkn.hpp); nothing in the article says that its did.
 
 The first trial puts an adaptive Runge-Kutta method without the correction into Newton's iteration for the two breathers
-(uncorrected.hpp). The iteration solves the equations with the breather's symmetries, after half a period around a bond
-and a quarter around a site (symmetry.hpp), or those of the article, that all beads return after one period. We record
-the residual that remains, to be compared with the printed one, and the barrier that comes with it.
-
+(uncorrected.hpp). It starts from the accurate breather, so that the residual is the error of the integration alone;
+what a start from the DpS profile leaves is asked below. The iteration solves the equations with the breather's
+symmetries, after half a period around a bond and a quarter around a site (symmetry.hpp), or those of the article, that
+all beads return after one period. We record the residual that remains, to be compared with the printed one, and the
+barrier that comes with it. */
+// What it leaves
+/**
 With the symmetric equations the results resemble the printed ones. At the tolerance $10^{-9}$ both residuals are
 between one and a half and two times the printed one, and the barrier is less than two per cent below the printed one;
 at $10^{-8}$ only the bond-centred residual is as near, and the barrier is less than one per cent above. Of our ten
 trials [1](num:sec33_article_integrator.adaptive_near_both) is near the printed residual and the printed barrier at
-once, by the bounds of the section after next. With the equations of the article none of the five tolerances comes as
-near: the barrier is far too high at first, too low at $10^{-11}$, and converged at $10^{-12}$. So an adaptive method of
-a common tolerance *can* give both numbers. But this singles out nothing. The converged barrier,
-[1.62422e-11](num:pn.omega11), is only eight per cent below the printed one; and with five other adaptive methods, tried
-once by a program that is not part of this repository, the tolerance at which the residual is near lies between
-$10^{-9}$ and $10^{-14}$, as the method and its control of errors have it. Wherever it was near, with the symmetric
-equations, the barrier was between 1.56 and $1.98\cdot10^{-11}$. */
+once, by the bounds of the section after next. With the equations of the article none of the five tolerances comes near
+both: the barrier is far too high at first and too low at $10^{-11}$; at $10^{-12}$ it is converged, and the residual is
+no longer near. So an adaptive method of a common tolerance *can* give both numbers. But this singles out nothing. The
+converged barrier, [1.62422e-11](num:pn.omega11), is only eight per cent below the printed one; and with five other
+adaptive methods, tried once by a program that is not part of this repository, the tolerance at which the residual is
+near lies between $10^{-9}$ and $10^{-14}$, as the method and its control of errors have it. Wherever it was near, with
+the symmetric equations, the barrier was between 1.56 and $1.98\cdot10^{-11}$. */
 Cells barrier_trial(bool whole_period, double tolerance) {
   std::array<UncorrectedEnd, 2> ends{};
   for (std::size_t k : {0U, 1U}) {
@@ -206,13 +209,15 @@ does not stay at $+1$. As in `sec33_floquet`, $\kappa$ is a quarter of the sum o
 If one of them stays at $+1$ the other is $2\sqrt{|\kappa|}$ away from it. We record this distance in the linear well;
 $s_0$ is where the parabola through $\kappa$ in the wells $s = -1$, 0 and 1 vanishes.
 
-*Threshold.* It costs many periods, so it is tried with 100, 120 and 128 steps only. First we ask whether it lies within
-twelve per cent of the printed one, with a kick on either side; if so, three halvings narrow it down.
+*Threshold.* A kick frees the breather if it has got away within 20000 periods. This is costly, so only 100, 120 and 128
+steps are tried. First we ask whether it lies within twelve per cent of the printed one, with a kick on either side; if
+so, three halvings narrow it down.
 
 *Jump.* Only where the threshold is near the printed one is the site-centred breather followed. It has jumped and is
 pinned if it is two sites away, by half a site more or less, from $t = 2.5\cdot10^5$ to five times that. One horizon is
-not enough: a slow one that happens to be two sites away at that time looks as if it had stopped.
-
+not enough: a slow one that happens to be two sites away at that time looks as if it had stopped. */
+// What counts as near
+/**
 A number is near the printed one within ten per cent for barrier and threshold, 0.03 for $s_0$, half a site for the jump
 and a factor of two for the residual: generous bounds, so that a negative answer does not depend on a digit
 (`near_printed` of printed_numbers.hpp). They are so wide that the converged flow meets
@@ -239,8 +244,8 @@ No setting of fixed steps comes near more than [1](num:sec33_article_integrator.
 with 100 to 128 steps are near the threshold, some with 200 or more near the residual, as the flow is, and none near any
 other of the six. Panels (a), (b), (d) and (e) of figure x30 show residual, barrier, threshold and DpS amplitude against
 the steps, the line being what is printed; an arrow means that the threshold lies beyond the kicks tried. Panel (c)
-shows how far the four multipliers around a bond are from $+1$; its line is the article's bound for the unstable ones,
-$10^{-3}$. Panel (f) counts the numbers that are near.
+shows how far the four multipliers around a bond are from $+1$; its line is $10^{-3}$, within which the article finds
+unstable ones. Panel (f) counts the numbers that are near.
 
 *The threshold.* We tried [15](num:sec33_article_integrator.thresholds_tried) settings. Of these
 [5](num:sec33_article_integrator.thresholds_below) free the bond-centred breather already twelve per cent below the
@@ -277,10 +282,11 @@ and an accurate integration. */
 // What the maps say of stability and of the barrier
 /**
 *The multipliers.* What decides the stability is how far the pinning pair is from $+1$, in the linear well by
-[0.000214282](num:sec33_floquet.fourth_distance). There the time-translation pair of a map has left $+1$ by more: the
-distance of its four multipliers from $+1$ is at least [0.000410771](num:sec33_article_integrator.least_off) in all
-settings, and [0.005](num:sec33_article_integrator.off_runge-kutta-4_120) at 120 steps of the classical method. So the
-error of the one pair hides the other, and $s_0$ cannot be read off: both centres show an exchange in $[-1, 1]$ in
+[0.000214282](num:sec33_floquet.fourth_distance) around a site. There the time-translation pair of a map has left $+1$
+by more: the distance of its four multipliers from $+1$ is at least
+[0.000410771](num:sec33_article_integrator.least_off) in all settings, and
+[0.005](num:sec33_article_integrator.off_runge-kutta-4_120) at 120 steps of the classical method. So the error of the
+one pair hides the other, and $s_0$ cannot be read off: both centres show an exchange in $[-1, 1]$ in
 [0](num:sec33_article_integrator.settings_with_both_s0) of [55](num:sec33_article_integrator.settings) settings, and a
 single setting shows one around a bond, far from the printed value. Difference quotients do not change this. Two
 exchanges as far apart as the printed ones come from adaptive variational equations at tolerances from $10^{-8}$ to
@@ -485,14 +491,8 @@ void reproduce(Report& report) {
 1. *Easy.* By how much does the printed barrier exceed the converged one?
    `build/bin/sec32_barrier barrier --omega 1.1` gives `equal_frequency` = 1.624225e-11.
    Hint: compare the excess with the scatter of the barriers in the table of adaptive trials.
-2. *Harder.* A residual may come from a breather of a slightly wrong frequency.
-   `build/bin/sec32_newton_breathers breather --omega 1.1` gives `energy` = 0.00015359852004, and
-   `build/bin/sec32_newton_breathers breather --omega 1.1001` gives `energy` = 0.00015428151472. Which error of the frequency
-   changes the energy by that excess?
-   Hint: the phase of a breather is then wrong by this error times $T_b$ after one period, and the velocities of its beads
-   by as much of their accelerations; compare with the printed residual.
-3. *Open.* Can commensurate steps pin a breather at a conserved energy?
-4. *Open.* What makes a breather jump two sites and stay? */
+2. *Open.* Can commensurate steps pin a breather at a conserved energy?
+3. *Open.* What makes a breather jump two sites and stay? */
 int main(int argc, char** argv) {
   return run({"sec33_article_integrator", "3.3", "Which integrator did the article use? (appendix)",
               reproduce},

@@ -31,10 +31,10 @@ $$\ddot y_n+y_n+\nu\dot y_n = (y_{n-1}-y_n)_+^{3/2}-(y_n-y_{n+1})_+^{3/2},\qquad
 with $\nu = 0$ at first. If the piston is weak there is a *quiet* motion of its period that emits nothing. As $a$ grows
 it ends in a *fold*, and beyond the array sends out packets. In the limit of small $\delta$ the fold is at $a =
 8\tau_0^2\delta^2\max|u_0|$: the DpS equation, with its constant $\tau_0$, has static solutions $u_n$ that decay into
-the chain from the displacement $u_0$ of the piston; followed from rest, $|u_0|$ grows up to a first maximum, which is
-meant. The *strength* of a drive is its amplitude over this asymptotic threshold. At $\delta = 0.1$ the fold itself has
-the strength [1.1160](num:sec5_driving.fold_over_law_first_lossless), and with beams of the lifetime 10 ms
-[1.1167](num:sec5_driving.fold_over_law).
+the chain from the displacement $u_0$ of the piston; followed from rest, $|u_0|$ grows up to a first maximum, and
+$\max|u_0|$ means this one. The *strength* of a drive is its amplitude over this asymptotic threshold. At $\delta = 0.1$
+the fold itself has the strength [1.1160](num:sec5_driving.fold_over_law_first_lossless), and with beams of the lifetime
+10 ms [1.1167](num:sec5_driving.fold_over_law).
 
 A travelling breather of the DpS equation has $A_n(t+T) = e^{i\varphi}A_{n-1}(t)$ with the shift time $T$ and the phase
 $\varphi$ by which it turns from site to site. (In the frame of a free bead $z_n = y_n+i\dot y_n$ turns the other way,
@@ -150,7 +150,7 @@ class Families {
     const auto between = [](const char* name, double a, double b) {
       return name + short_text(a) + " to " + short_text(b);
     };
-    return between("the exact members that we have: family ", fastest, slowest) +
+    return between("the members that we have: family ", fastest, slowest) +
            between(", phase ", phases.front(), phases.back());
   }
   /// Energy or width of a packet over that of the breather with its shift time and phase; nan beyond the members.
@@ -338,8 +338,8 @@ hide between two neighbouring strengths. And at no strength do we see both condi
 where the phase is still [0.077](num:sec5_driven_packets.phase_at_3), and the phase is zero at 1.77, where the number is
 no longer whole. The number is 4 at 1.23, where the phase is [0.608](num:sec5_driven_packets.phase_at_4); on the family
 of $k = 4$ the nearest orbit of type II, where $Z = 0$, has the phase
-[0.582817](num:sec5_driven_packets.phase_type_two_4). So we see no packet that is exact, but those at 1.23 and at 1.63
-nearly are. */
+[0.582817](num:sec5_driven_packets.phase_type_two_4). Both differences are many times the spread of the phase. So we see
+no packet that is exact, but those at 1.23 and at 1.63 nearly are. */
 // Early and late
 /**
 ## Does a packet stay the same?
@@ -365,9 +365,10 @@ periods, at four strengths: if the onset decided, these phases would differ as t
 other frequencies we ask whether the strength is all that matters, as in the DpS limit, where $\delta$ is only a scale.
 
 The onset does not decide: of the twelve changes of the onset none shifts the phase by more than
-[0.1](num:sec5_driven_packets.phase_by_onset), and at the strength 1.77 it stays near zero. Nor is the strength all
-that matters: from $\delta = 0.05$ to 0.2 the phase changes by [0.24](num:sec5_driven_packets.phase_by_delta) or
-more at each of the four strengths, so that the strength with the phase zero belongs to $\delta = 0.1$. */
+[0.1](num:sec5_driven_packets.phase_by_onset), and at the strength 1.77 it stays near zero. Nor is the strength all that
+matters: from $\delta = 0.05$ to 0.2 the phase changes by [0.24](num:sec5_driven_packets.phase_by_delta) or more at each
+of the four strengths, so that the strength with the phase zero belongs to $\delta = 0.1$. What does decide the phase is
+open. */
 void report_phases(Report& report) {
   const double delta = 0.1;
   struct Kind {
@@ -451,7 +452,8 @@ struct OnePacket {
 The measurement is tested (tests/driven.cpp): an exact breather that is put into a chain is found to have its own shift
 time, phase and energy, and two packets close together, of which now one and now the other has more energy, are told
 apart. Shift time and phase come from stretches of eight to sixteen beads: what happens within one bead, or after a
-hundred, they do not tell. But for the last table the drives have one frequency, $\delta = 0.1$, and begin at once. */
+hundred, they do not tell. Except in the last table, all drives have one frequency, $\delta = 0.1$, and begin at once.
+*/
 void reproduce(Report& report) {
   const Families families;
   report_packets(report, families);
@@ -476,7 +478,7 @@ void reproduce(Report& report) {
    Hint: shift time and phase change on the way, and the energy with them. The ratio compares all three at the same place.
 4. *Open.* Which law gives the phase of a driven packet as a function of strength and frequency?
 5. *Open.* Is there a drive, of another frequency or with a second tone, whose packets are exact?
-6. *Open.* Does a driven packet whose number is not whole lose its tail for ever, or does it come to rest at a whole one? */
+6. *Open.* Does a driven packet whose number is not whole shed a tail for ever, or does its number settle at a whole one? */
 int main(int argc, char** argv) {
   return run({"sec5_driven_packets", "5", "What a driven array sends out (section 5)", reproduce,
               commands<OnePacket>()},

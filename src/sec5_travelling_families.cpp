@@ -4,8 +4,8 @@
 An exact travelling breather of the linear well needs the right speed. Its shift time $T$, in which it moves on by one
 site, must be $2\pi k$ (type I) or such that the sum $Z = \sum_n(y_n+i\dot y_n)$ vanishes (type II). At other shift
 times a breather sheds a tail. This chapter follows the families on which both types lie and asks how much the members
-between them leave behind. Then it continues the exact ones into soft wells and into hard wells, in which those of $k =
-1$, 2 and 3 turn back in folds. Does the packet that turns round in section 3.4 follow exact ones?
+between the exact ones leave behind. Then it continues the exact ones into soft wells and into hard wells, in which
+those of $k = 1$, 2 and 3 turn back in folds. Does the packet that turns round in section 3.4 follow exact ones?
 
 ![What travelling breathers leave behind, against their shift time.](fig:x19) */
 
@@ -110,10 +110,11 @@ Left set_free(const Orbit<double>& member, double step) {
 }
 
 /**
-The figure compares both with $|1-e^{-iT}|\,|V|$, since $|g(1)| = |V|$ as long as little is shed: then the
-whole sum $Z = iV$ passes from the beads on the left of the contact to those on its right. The
-error of the run is the difference between two steps. For the error of $V$ we evaluate the equation that was left out
-and compare it with $V\sin(T/2)$, which also checks this identity for every member. */
+The figure compares both with $|1-e^{-iT}|\,|V|$ (beside some orbits of type II the pulse misses the dip or makes it too
+deep), since $|g(1)| = |V|$ as long as little is shed: then the whole sum $Z = iV$ passes from the beads on the left of
+the contact to those on its right. The error of the run is the difference between two steps. For the error of $V$ we
+evaluate the equation that was left out and compare it with $V\sin(T/2)$, which also checks this identity for every
+member. */
 double missed_identity(const Orbit<double>& member) {
   const double time = shift_time(member);
   const auto problem = with_free_time(travelling_problem(time));
@@ -127,10 +128,11 @@ We compare what the beads have with what the sum $Z = iV$ of the member at the s
 a breather leaves behind has the order of magnitude that the sum $Z$ says, from
 [0.40](num:sec5_travelling_families.left_over_sum_least) to [1.05406](num:sec5_travelling_families.left_over_sum_most)
 of $\lvert1-e^{-iT}\rvert\,\lvert Z\rvert$, but at [126](num:sec5_travelling_families.left_off_by_a_fifth) of them it is
-more than a fifth off. One might expect the two to agree close to an orbit of type I, nearer than any member of the
-table, where the tail is weak and the pulses nearly repeat themselves. They do not: with this measurement at $T/2\pi =
+more than a fifth off. One might expect the two to agree very close to an orbit of type I, closer than the table goes,
+because there the tail is weak and the pulses nearly repeat themselves. They do not: with this measurement at $T/2\pi =
 k-10^{-4}$, made once by a program that is not part of this repository, the ratio was 1.079, 0.961 and 0.889 for $k =
-1$, $2$ and $4$; we do not know why. At the orbits of type II, where $V$ vanishes, nothing is left behind. */
+1$, $2$ and $4$; we do not know why. At the orbits of type II $V$ vanishes, and nothing should be left behind; the
+members drawn lie beside them, so that the figure shows dips and no zeros. */
 // The errors are to be compared with the largest value of their column, because these columns pass through zero
 Cells row_of(const Family& f, const Orbit<double>& member, double step) {
   const double tail = 2 * std::abs(std::sin(shift_time(member) / 2) * velocity_sum(member));

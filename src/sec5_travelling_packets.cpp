@@ -40,10 +40,11 @@ A bead that has been passed oscillates freely, $z_n = y_n + i\dot y_n \propto e^
 numbers describe what a packet leaves behind: the amplitude $|z_n|$ and the angle $\vartheta$ by which the phase of
 $z_n$ turns from one bead to the next, both seen at the same $t$. So $\vartheta$ is the phase from bead to bead in the
 frame of a free bead, that is, of $z_ne^{it}$. For an exact orbit $\vartheta = T-2\pi k$, so that $\vartheta = 0$ means
-type I. A packet need not be exact: its envelope may move on by one site in $T$ while the oscillation under it gains an
-extra phase, the *internal phase*. Then $\vartheta$ and $T$ are independent, and $\vartheta$ may tend to zero while
-$T/2\pi$ tends to a number that is not whole. Such a packet leaves nothing behind either, but one site further on it is
-the same only up to a phase of its oscillation: it is quasi-periodic, and no exact orbit in our sense. */
+type I. A packet need not be exact: its envelope may move on by one site in $T$ while the oscillation under it, its
+*internal phase*, turns by an extra angle, $T-\vartheta$ modulo $2\pi$. Then $\vartheta$ and $T$ are independent, and
+$\vartheta$ may tend to zero while $T/2\pi$ tends to a number that is not whole. Such a packet leaves nothing behind
+either, but one site further on it is the same only up to a phase of its oscillation: it is quasi-periodic, and no exact
+orbit in our sense. */
 /// The same course in two frames and with two steps.
 struct TwoCourses {
   double velocity;
@@ -184,7 +185,7 @@ void report_tail(Quantities& facts, const std::string& name, const FinalState& s
 
 /**
 The packet has lost the fraction [0.0171](num:sec5_travelling_packets.energy_lost_v66) of its energy in the last decade
-of sites, but only [0.0026](num:sec5_travelling_packets.contact_energy_lost_v66) of that in its contacts. To compare it
+of sites, but only [0.0026](num:sec5_travelling_packets.contact_energy_lost_v66) of its contact energy. To compare it
 with the line we scale its speed: at small amplitude $E\propto c^4$, so that $cE^{-1/4}$ depends on the energy only as
 far as the amplitude is not small. With $v_0 = 0.66$ it tends to the scaled speed $cE^{-1/4} =$
 [0.25467](num:sec5_travelling_packets.final_scaled_speed_v66), where the line has
@@ -203,13 +204,14 @@ which come mainly from the choice of the stretch. */
 But the shift times to which they tend, $T/2\pi =$ [1.1566](num:sec5_travelling_packets.final_turns_v66) and
 [0.847](num:sec5_travelling_packets.final_turns_v150), are not whole. So, from these two impacts, a packet seems to end
 on the line of type I, at a place that its contact energy selects, but away from the orbits: none captures its internal
-phase. The orbit $k = 1$ holds that phase like a very weak pendulum: displaced a little, it swings by $2|\kappa|^{1/2}$,
-some $10^{-5}$, per shift, $\kappa =$ [-8.8883e-11](num:sec5_travelling_breathers.kappa_k1_plus) (chapter on exact
-travelling breathers). It could capture only a phase that turns not much faster. But the internal phase of the packet
-turns by $T-\vartheta$, modulo $2\pi$, from one site to the next. Though $\vartheta$ has fallen to
+phase. (The orbits of type II found at such shift times have some ten times the packet's energy, figure x20.) The orbit
+$k = 1$ holds that phase like a very weak pendulum: displaced a little, it swings by $2|\kappa|^{1/2}$, some $10^{-5}$,
+per shift, $\kappa =$ [-8.8883e-11](num:sec5_travelling_breathers.kappa_k1_plus) (chapter on exact travelling
+breathers). It could capture only a phase that turns not much faster. But the internal phase of the packet turns by
+$T-\vartheta$, modulo $2\pi$, from one site to the next. Though $\vartheta$ has fallen to
 [0.0197](num:sec5_travelling_packets.angle_end_v66) at the end, $T$ has grown beyond $2\pi$, so that this is
-[0.8867](num:sec5_travelling_packets.turn_end_v66) there, more than ten thousand times as much, and still rising. Whether
-another orbit captures the packet beyond these sites is not known. */
+[0.8867](num:sec5_travelling_packets.turn_end_v66) there, more than ten thousand times as much, and still rising.
+Whether another orbit captures the packet beyond these sites is not known. */
 // The final state beside the line of the exact orbits at its own speed
 void report_end(Quantities& facts, const std::string& name, const FinalState& state,
                 const ExactLine& line) {
@@ -297,17 +299,19 @@ void report_packets(Report& report, std::size_t rows) {
 ## The limit of small amplitude (figure x23)
 
 Do exact travelling breathers survive in the limit of small amplitude? There they are orbits of the DpS equation
-(dps_travelling.hpp), of the same two types. Since $A_n$ may be multiplied by any constant phase factor, nothing pins
-the internal phase in this limit: an orbit of type I is one of a whole circle of orbits, and the two signs of the chain
-are two of them. A travelling breather is now $A_n(\tau+\tau_T) = e^{i\varphi}A_{n-1}(\tau)$, where the phase of $A_n$
-turns the other way than that of $z_n$, $\varphi = -\vartheta$. The sum $\sum A_n$ is conserved, so that $\varphi = 0$
-(type I) or $\sum A_n = 0$ (type II). We follow the family of type I with $\varphi$; as in the chain one equation is
-left out, and $V = \sum A_n/i$ shows what is missed.
+(dps_travelling.hpp), and the same two conditions hold. Since $A_n$ may be multiplied by any constant phase factor,
+nothing pins the internal phase in this limit: an orbit of type I is one of a whole circle of orbits, and the two signs
+of the chain are two of them. A travelling breather is now $A_n(\tau+\tau_T) = e^{i\varphi}A_{n-1}(\tau)$, where the
+phase of $A_n$ turns the other way than that of $z_n$, $\varphi = -\vartheta$. The sum $\sum A_n$ is conserved, so that
+$\varphi = 0$ (type I) or $\sum A_n = 0$ (type II). Panel (a) of figure x23 shows the orbit of type I beside a struck
+packet at two sites, scaled to the same shift time. We follow its family with $\varphi$ (panel b); as in the chain one
+equation is left out, and $V = \sum A_n/i$ shows what is missed.
 
-From $\varphi = 0$ to 3 this $V$ becomes ever smaller, but does not change its sign (figure x23): on this stretch we
-find no orbit of type II. Relative to the root of the norm, $|V|$ is [0.117175](num:sec5_travelling_packets.dps_sum) at
-$\varphi = 0$, [0.0138902](num:sec5_travelling_packets.dps_sum_half) at 0.5 and on the other side, which is that of
-impacts, [0.271304](num:sec5_travelling_packets.dps_sum_impact) at $-0.25$. */
+From $\varphi = 0$ to 3 this $V$ becomes ever smaller, but does not change its sign: on this stretch we find no orbit of
+type II, although the chain's families from $k = 1$ to 4 have them. Relative to the root of the norm, $|V|$ is
+[0.117175](num:sec5_travelling_packets.dps_sum) at $\varphi = 0$, [0.0138902](num:sec5_travelling_packets.dps_sum_half)
+at 0.5 and on the other side, which is that of impacts, [0.271304](num:sec5_travelling_packets.dps_sum_impact) at
+$-0.25$. */
 std::vector<DpsMember> dps_family(double tolerance, double to, double step) {
   DpsTravelling problem;
   problem.tolerance = tolerance;
@@ -400,13 +404,10 @@ void report_dps(Report& report, const DpsMember& coarse, const DpsMember& fine) 
 
 The article calls the computation of exact travelling breathers by Newton's method an open problem; it works. In the
 chain with linear wells those that we find repeat themselves from site to site and have isolated shift times, at which
-the rotation of $\sum(y_n+i\dot y_n)$ allows them: multiples of the bead's period, and times at which the sum vanishes.
-Newton's method reaches them from the packets that the article describes. At small amplitude they tend to a travelling
-breather of the DpS equation. Continued in $s$, the fastest three turn back in folds in hard wells; in soft ones they
-continue as far as we followed them, the fastest to a fold at $s =$
-[-5.73337](num:sec5_travelling_families.soft_fold_k1). In linear wells packets of two impacts approach the line that
-joins the exact orbits, without being captured by any within 16,000 sites, and shed a tail that becomes weaker and
-weaker. The reversal of direction at $s > 0$ is not explained by the exact orbits that we know. */
+the rotation of $\sum(y_n+i\dot y_n)$ allows them: multiples of $2\pi$, and times at which the sum vanishes. At small
+amplitude they tend to a travelling breather of the DpS equation. In linear wells packets of two impacts approach the
+line that joins the exact orbits, without being captured by any within 16,000 sites, and shed a tail that becomes weaker
+and weaker. The reversal of direction at $s > 0$ is not explained by the exact orbits that we know. */
 void report_dps_family(Report& report, const std::vector<DpsMember>& coarse,
                        const std::vector<DpsMember>& fine) {
   Table& table =
@@ -491,8 +492,7 @@ void reproduce(Report& report) {
    Hint: one equation is left out, and missed by $V\sin(\varphi/2)$; the field misses itself by a little less. What
    happens at $\varphi = 0.2$ and at 0.5, where $V$ is smaller?
 4. *Open.* Damp the chain slightly: does a packet pass along the line of type I, and does it stop at some $k$?
-5. *Open.* Strike the first bead a second time such that $Z$ becomes zero: does the packet then shed less from the start?
-6. *Open.* What is the exponent of the tail in a soft well, where $Z$ does not merely rotate? */
+5. *Open.* Strike the first bead a second time such that $Z$ becomes zero: does the packet then shed less from the start? */
 int main(int argc, char** argv) {
   return run({"sec5_travelling_packets", "5", "What becomes of a packet (section 5)", reproduce,
               commands<DpsOrbit>()},
