@@ -15,7 +15,7 @@ import re
 from pathlib import Path
 
 from . import ecsv, metadata
-from .claims import VERDICTS, Judge, name_of, programs_of, read_claims
+from .claims import VERDICTS, Judge, name_of, printed_range, programs_of, read_claims
 from .findings import NUMBERS, read_findings
 from .lock import read_lock, uncommented
 from .refresh import read_figures
@@ -250,8 +250,11 @@ def claim_rows(claims, lock):
             section = c["section"]
             out += rf"\claimsof{{{escaped(section)}}}" + "\n"
         here = both(f) + (f" {unit(f.unit)}" if f.shown_unit else "") if f and f.shown != said else ""
-        means = rf" \emph{{(here: {worded(c['means'])})}}" if c.get("means") else ""
-        cells = [escaped(id), worded(c["quantity"]) + means, worded(c["printed"]) + (f" {unit(c['unit'])}" if c["unit"] else ""),
+        printed = worded(c["printed"]) + (f" {unit(c['unit'])}" if c["unit"] and printed_range(c["printed"]) else "")
+        means = c.get("means", "")
+        if means:
+            here = both(f) + (" sites" if f.unit == "site" else "")
+        cells = [escaped(id), worded(c["quantity"]) + (rf" \emph{{(here: {worded(means)})}}" if means else ""), printed,
                  here, said]
         out += r"\claim" + "".join(f"{{{cell}}}" for cell in cells) + "\n"
     return out
