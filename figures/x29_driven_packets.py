@@ -25,7 +25,7 @@ a.legend(fontsize=7, loc="center right", bbox_to_anchor=(1, 0.35))
 b.axhline(1, color="#888888", lw=0.8)
 points(b, "energy_ratio", "o", "#0072B2", "energy")
 points(b, "width_ratio", "s", "#D55E00", "width")
-b.set(xlabel="amplitude of the piston over asymptotic threshold", ylabel="ratio to the exact family's member")
+b.set(xlabel="amplitude of the piston over asymptotic threshold", ylabel="ratio to the family's member")
 b.legend(fontsize=7, loc="upper center")
 for axes, name in zip((a, b), "ab"):
     draw.letter(axes, name)
