@@ -252,8 +252,9 @@ def claim_rows(claims, lock):
         here = both(f) + (f" {unit(f.unit)}" if f.shown_unit else "") if f and f.shown != said else ""
         printed = worded(c["printed"]) + (f" {unit(c['unit'])}" if c["unit"] and printed_range(c["printed"]) else "")
         means = c.get("means", "")
-        if means:
-            here = both(f) + (" sites" if f.unit == "site" else "")
+        # The unit is not said again: that of the article, or that of the words
+        if means or (here and c["unit"] not in ("", f.unit)):
+            here = both(f) + (" sites" if means and f.unit == "site" else "")
         cells = [escaped(id), worded(c["quantity"]) + (rf" \emph{{(here: {worded(means)})}}" if means else ""), printed,
                  here, said]
         out += r"\claim" + "".join(f"{{{cell}}}" for cell in cells) + "\n"
