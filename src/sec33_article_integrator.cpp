@@ -2,8 +2,8 @@
 # Appendix: which integrator did the article use?
 
 Seven numbers of James, Kevrekidis and Cuevas (Physica D 251, 2013), most of them in section 3.3, depend on how the
-chain was integrated. All but the last belong to $\omega_b = 1.1$, $T_b = 2\pi/\omega_b$, in wells with the anharmonicity
-$s$, Eq. (10), which is zero unless it is varied:
+chain was integrated. All but the last belong to $\omega_b = 1.1$, $T_b = 2\pi/\omega_b$, in wells with the
+anharmonicity $s$, Eq. (10), which is zero unless it is varied:
 
 | number | printed |
 |---|---|
@@ -12,7 +12,7 @@ $s$, Eq. (10), which is zero unless it is varied:
 | $s$ at which the site-centred breather changes its stability | 0.05 |
 | the same for the bond-centred one | 0.26 |
 | size $c_c$ of the kick beyond which the bond-centred breather is free | $6.19\cdot10^{-6}$ |
-| sites that the site-centred one jumps, to stay there, after a kick of $3\cdot10^{-6}$ | 2 |
+| sites that the site-centred one jumps, to stay there, after a *weak* kick, of $3\cdot10^{-6}$ | 2 |
 | amplitude of the packet in the struck DpS chain (section 3.4) | $13\cdot10^{-4}$ |
 
 A kick adds velocities along the *pinning mode*, the direction of a shift along the chain; its size is their norm. We
@@ -50,22 +50,22 @@ The chain is that of Eqs. (6) to (9). The force of a contact grows like the powe
 smooth at the instant at which the contact opens or closes, and an integrator that steps across this *contact event*
 loses accuracy there. Our own steps correct for it (contact_rkn.hpp); nothing in the article says that its did.
 
-The first trial puts an adaptive Runge-Kutta method without the correction into Newton's iteration for the
-two breathers (uncorrected.hpp). The iteration solves the equations with the breather's symmetries, after half a period
-around a bond and a quarter around a site (symmetry.hpp), or those of the article, that all beads return after one period.
-We record the residual that remains, to be compared with the printed one, and the barrier that comes with it.
+The first trial puts an adaptive Runge-Kutta method without the correction into Newton's iteration for the two breathers
+(uncorrected.hpp). The iteration solves the equations with the breather's symmetries, after half a period around a bond
+and a quarter around a site (symmetry.hpp), or those of the article, that all beads return after one period. We record
+the residual that remains, to be compared with the printed one, and the barrier that comes with it.
 
-With the symmetric equations the results resemble the printed ones. At the tolerance $10^{-9}$ both residuals are between
-one and a half and two times the printed one, and the barrier is less than two per cent below the printed one; at $10^{-8}$
-only the bond-centred residual is as near, and the barrier is less than one per cent above. Of our ten trials
-[1](num:sec33_article_integrator.adaptive_near_both) is near the printed residual and the printed barrier at once, by the
-bounds of the section after next. With the equations of the article none of the five tolerances comes as near: the
-barrier is far too high at first, too low at $10^{-11}$, and converged at $10^{-12}$. So an adaptive method of a common
-tolerance *can* give both numbers. But this singles out nothing. The converged barrier, [1.62422e-11](num:pn.omega11), is
-only eight per cent below the printed one; and with five other adaptive methods, tried once by a program that is not part
-of this repository, the tolerance at which the residual is near lies between $10^{-9}$ and $10^{-14}$, as the method and
-its control of errors have it. Wherever it was near, with the symmetric equations, the barrier was between 1.56 and
-$1.98\cdot10^{-11}$. */
+With the symmetric equations the results resemble the printed ones. At the tolerance $10^{-9}$ both residuals are
+between one and a half and two times the printed one, and the barrier is less than two per cent below the printed one;
+at $10^{-8}$ only the bond-centred residual is as near, and the barrier is less than one per cent above. Of our ten
+trials [1](num:sec33_article_integrator.adaptive_near_both) is near the printed residual and the printed barrier at
+once, by the bounds of the section after next. With the equations of the article none of the five tolerances comes as
+near: the barrier is far too high at first, too low at $10^{-11}$, and converged at $10^{-12}$. So an adaptive method of
+a common tolerance *can* give both numbers. But this singles out nothing. The converged barrier,
+[1.62422e-11](num:pn.omega11), is only eight per cent below the printed one; and with five other adaptive methods, tried
+once by a program that is not part of this repository, the tolerance at which the residual is near lies between
+$10^{-9}$ and $10^{-14}$, as the method and its control of errors have it. Wherever it was near, with the symmetric
+equations, the barrier was between 1.56 and $1.98\cdot10^{-11}$. */
 Cells barrier_trial(bool whole_period, double tolerance) {
   std::array<UncorrectedEnd, 2> ends{};
   for (std::size_t k : {0U, 1U}) {
@@ -111,9 +111,9 @@ not, and repeat two of the article's experiments: the site-centred breather afte
 one after a kick of $5.5\cdot10^{-6}$, which lies between the converged threshold [4.4518e-6](num:moving.c_threshold)
 and the printed one.
 
-With 80 and with 120 commensurate steps a period the bond-centred breather stays within half a site of its start until $t =
-8\cdot10^4$; with steps of about the same length that are not commensurate it moves. The site-centred one moves in all four
-runs. But none of these runs conserves the energy: it drifts by
+With 80 and with 120 commensurate steps a period the bond-centred breather stays within half a site of its start until
+$t = 8\cdot10^4$; with steps of about the same length that are not commensurate it moves. The site-centred one moves in
+all four runs. But none of these runs conserves the energy: it drifts by
 [6e2](num:sec33_article_integrator.least_drift_of_trials) to [1e5](num:sec33_article_integrator.largest_drift_of_trials)
 times the energy $c^2/2$ of the kick. They show that commensurate steps can pin a breather, not that they do so at a
 conserved energy. In a control, 120 commensurate steps of our own method, corrected for the contact events, let the
@@ -178,7 +178,7 @@ All numbers are computed from this map: its own breathers, its own derivative (b
 quotients), its own runs. The methods are velocity Verlet, the classical Runge-Kutta method, those of Fehlberg and of
 Dormand and Prince of order five, and the symplectic one of Calvo and Sanz-Serna, often used in this field.
 
-![Seven numbers, computed with five methods and fixed steps.](fig:x30) */
+![Numbers of the article, computed with five methods and fixed steps.](fig:x30) */
 std::vector<Setting> all_settings(bool quick) {
   const std::vector<std::size_t> steps =
       quick ? std::vector<std::size_t>{40, 100}
@@ -195,28 +195,30 @@ std::vector<Setting> all_settings(bool quick) {
 }
 
 /**
-*Breathers.* Many of these maps have no periodic orbit near the breather. Then we take the state that returns most nearly,
-in the sense of least squares. For the residual we make five iterations from the DpS profile, as the article did, and for all
-else three from the accurate breather.
+*Breathers.* Many of these maps have no periodic orbit near the breather. The flow has a circle of them, one for each
+phase; a map has no continuous shift in time, so that of the circle single points survive at best, and none where the
+energy drifts. Then we take the state that returns most nearly, in the sense of least squares. For the residual we make
+five iterations from the DpS profile, as the article did, and for all else three from the accurate breather.
 
 *Multipliers.* Four lie next to $+1$: a pair for shifts in time, exactly $+1$ for the flow, and the *pinning pair* for
 shifts along the chain, which decides the stability. A map knows only shifts in time by whole steps, so its first pair
-does not stay at $+1$. As in `sec33_floquet`, $\kappa$ is a quarter of the sum of $\lambda+1/\lambda-2$ over both pairs. If
-one of them stays at $+1$ the other is $2\sqrt{|\kappa|}$ away from it. We record this distance in the linear well; $s_0$
-is where the parabola through $\kappa$ in the wells $s = -1$, 0 and 1 vanishes.
+does not stay at $+1$. As in `sec33_floquet`, $\kappa$ is a quarter of the sum of $\lambda+1/\lambda-2$ over both pairs.
+If one of them stays at $+1$ the other is $2\sqrt{|\kappa|}$ away from it. We record this distance in the linear well;
+$s_0$ is where the parabola through $\kappa$ in the wells $s = -1$, 0 and 1 vanishes.
 
 *Threshold.* It costs many periods, so it is tried with 100, 120 and 128 steps only. First we ask whether it lies within
 twelve per cent of the printed one, with a kick on either side; if so, three halvings narrow it down.
 
 *Jump.* Only where the threshold is near the printed one is the site-centred breather followed. It has jumped and is
 pinned if it is two sites away, by half a site more or less, from $t = 2.5\cdot10^5$ to five times that. One horizon is
-not enough: a breather that travels on at two sites in this time, swinging a little, looks there as if it had stopped.
+not enough: a slow one that happens to be two sites away at that time looks as if it had stopped.
 
 A number is near the printed one within ten per cent for barrier and threshold, 0.03 for $s_0$, half a site for the jump
 and a factor of two for the residual: generous bounds, so that a negative answer does not depend on a digit
 (`near_printed` of printed_numbers.hpp). They are so wide that the converged flow meets
-[2](num:sec33_article_integrator.near_of_flow) of them: its barrier, and the residual that five iterations leave. To be near
-these two is therefore no evidence for a coarse integration; the threshold, the two $s_0$ and the jump are what tells. */
+[2](num:sec33_article_integrator.near_of_flow) of them: its barrier, and the residual that five iterations leave. To be
+near these two is therefore no evidence for a coarse integration; the threshold, the two $s_0$ and the jump are what
+tells. */
 void measure(Setting& at) {
   at.measure_residual();
   at.measure_breathers();
@@ -235,8 +237,10 @@ std::string outcome(const Setting& at) {
 
 No setting of fixed steps comes near more than [1](num:sec33_article_integrator.most_at_once) of the six numbers: some
 with 100 to 128 steps are near the threshold, some with 200 or more near the residual, as the flow is, and none near any
-other of the six. Each panel of figure x30 shows one number against the steps, the line being what is printed, and the
-last one how many are near.
+other of the six. Panels (a), (b), (d) and (e) of figure x30 show residual, barrier, threshold and DpS amplitude against
+the steps, the line being what is printed; an arrow means that the threshold lies beyond the kicks tried. Panel (c)
+shows how far the four multipliers around a bond are from $+1$; its line is the article's bound for the unstable ones,
+$10^{-3}$. Panel (f) counts the numbers that are near.
 
 *The threshold.* We tried [15](num:sec33_article_integrator.thresholds_tried) settings. Of these
 [5](num:sec33_article_integrator.thresholds_below) free the bond-centred breather already twelve per cent below the
@@ -260,16 +264,16 @@ there: it leaves that place at [3.191e5](num:sec33_article_integrator.left_runge
 // What the iteration leaves
 /**
 *The residual.* The classical method leaves [1.60775e-8](num:sec33_article_integrator.residual_runge-kutta-4_120) at 120
-steps, ten times the printed residual. But the printed one need not be an error of integration at all. Our iteration takes
-no step along the weakly pinned shift of the chain, so it cannot mend a start that is shifted a little. And the start is:
-the DpS profile is symmetric about its site, the breather only together with a change of sign and half a period. For the
-converged flow the iteration stops at a residual of [2.1e-9](num:sec33_article_integrator.residual_flow) with a last step
-of [5e-15](num:sec33_article_integrator.variation_flow). What it leaves is the breather shifted by
+steps, ten times the printed residual. But the printed one need not be an error of integration at all. Our iteration
+takes no step along the weakly pinned shift of the chain, so it cannot mend a start that is shifted a little. And the
+start is: the DpS profile is symmetric about its site, the breather only together with a change of sign and half a
+period. For the converged flow the iteration stops at a residual of [2.1e-9](num:sec33_article_integrator.residual_flow)
+with a last step of [5e-15](num:sec33_article_integrator.variation_flow). What it leaves is the breather shifted by
 [0.0162081](num:sec33_article_integrator.shift_of_flow) sites: of the difference, the fraction
 [0.999978](num:sec33_article_integrator.share_of_shift) is along the direction that the equations feel least. Once the
-iteration may go along it too, the residual falls to [5e-15](num:sec33_article_integrator.residual_released). The article
-prints $1.5\cdot10^{-9}$ beside a last step of $1.7\cdot10^{-11}$, which is compatible with such an iteration and an
-accurate integration. */
+iteration may go along it too, the residual falls to [5e-15](num:sec33_article_integrator.residual_released). The
+article prints $1.5\cdot10^{-9}$ beside a last step of $1.7\cdot10^{-11}$, which is compatible with such an iteration
+and an accurate integration. */
 // What the maps say of stability and of the barrier
 /**
 *The multipliers.* What decides the stability is how far the pinning pair is from $+1$, in the linear well by
@@ -278,9 +282,9 @@ distance of its four multipliers from $+1$ is at least [0.000410771](num:sec33_a
 settings, and [0.005](num:sec33_article_integrator.off_runge-kutta-4_120) at 120 steps of the classical method. So the
 error of the one pair hides the other, and $s_0$ cannot be read off: both centres show an exchange in $[-1, 1]$ in
 [0](num:sec33_article_integrator.settings_with_both_s0) of [55](num:sec33_article_integrator.settings) settings, and a
-single setting shows one around a bond, far from the printed value. Difference quotients do not change this. Two exchanges
-as far apart as the printed ones come from adaptive variational equations at tolerances from $10^{-8}$ to $10^{-9}$ instead
-(`sec33_multiplier_errors`).
+single setting shows one around a bond, far from the printed value. Difference quotients do not change this. Two
+exchanges as far apart as the printed ones come from adaptive variational equations at tolerances from $10^{-8}$ to
+$10^{-9}$ instead (`sec33_multiplier_errors`).
 
 *The barrier* of the maps scatters about the converged one; at 120 steps its largest modulus is
 [6.35779e-10](num:sec33_article_integrator.largest_barrier_120), many times the barrier itself. It comes within ten
@@ -309,8 +313,7 @@ Columns report_columns() {
           count("near", "how many of the six numbers are near the printed ones")};
 }
 
-/**
-The settings whose threshold was tried have a table of their own. */
+// The settings whose threshold was tried have a table of their own
 void report_kicks(Report& report, const std::vector<Setting>& all) {
   const std::string unit = "site per unit of time";
   Table& table = report.table(
@@ -417,13 +420,13 @@ void report_flow(Report& report) {
 /**
 ## The DpS amplitude
 
-The DpS equation is of first order and not separable, so only three of the methods apply to it. As its period we take that
-of the stationary breather with $\mu = 1$, which is $2\pi$ in the slow time. The converged amplitude is
-[0.000949922](num:impact.amp_dps). From sixteen steps on all three methods give it within a per cent, and with more steps
-they come closer. Only near the limit of its stability, with six steps, does that of Dormand and Prince give
+The DpS equation is of first order and not separable, so only three of the methods apply to it. As its period we take
+that of the stationary breather with $\mu = 1$, which is $2\pi$ in the slow time. The converged amplitude is
+[0.000949922](num:impact.amp_dps). From sixteen steps on all three methods give it within a per cent, and with more
+steps they come closer. Only near the limit of its stability, with six steps, does that of Dormand and Prince give
 [0.00126358](num:sec33_article_integrator.largest_dps), because the norm grows. So the printed $13\cdot10^{-4}$ is not
-compatible with the hundred steps or more that give the threshold, and belongs to loosely controlled steps if to any
-(`sec34_dps_impact`). */
+compatible with the hundred steps or more that give the threshold; if it comes from the integration, then from looser
+steps (`sec34_dps_impact`). */
 struct DpsRun {
   double amplitude = 0, growth = 0;
 };
@@ -488,8 +491,7 @@ void reproduce(Report& report) {
    changes the energy by that excess?
    Hint: the phase of a breather is then wrong by this error times $T_b$ after one period, and the velocities of its beads
    by as much of their accelerations; compare with the printed residual.
-3. *Open.* Can commensurate steps pin a breather at a conserved energy? In the trials here they lose or gain far more
-   energy than the kick brings.
+3. *Open.* Can commensurate steps pin a breather at a conserved energy?
 4. *Open.* What makes a breather jump two sites and stay? */
 int main(int argc, char** argv) {
   return run({"sec33_article_integrator", "3.3", "Which integrator did the article use? (appendix)",

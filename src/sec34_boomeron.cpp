@@ -217,7 +217,7 @@ bool only_slows_down(Report& report, double step) {
     return (p.centre[j] - p.centre[i]) / (p.t[j] - p.t[i]);
   };
   bool slows = true;
-  double ratio[2];
+  double ratio[2]{};
   for (int k : {0, 1}) {
     const Voyage figure = voyage({k ? step : 2 * step}, {1.5, 1, 1000});
     const Path p = smooth(figure.path, smoothing);
@@ -279,7 +279,7 @@ void report_profiles(Report& report, const TurnEstimate& turn) {
   }
 
   // Where the centre is at the first of these times, and how fast
-  double centre[2], speed[2], mean[2];
+  double centre[2]{}, speed[2]{}, mean[2]{};
   for (int k : {0, 1}) {
     const Path p = smooth(voyage({k ? step : 2 * step}, {1.87, 1, 260}).path, smoothing);
     const auto at = [&](double t) {

@@ -33,8 +33,9 @@ The chain is that of the chapter before, $\ddot y_n+y_n+s\,y_n^3 = (y_{n-1}-y_n)
 = 0$ at first. We look for motions that are *reversible*: at $t = 0$ positions are odd and velocities even about the
 central site, and at $T/2$ they are so about the next contact,
 $$y_n+y_{1-n} = 0,\qquad \dot y_n-\dot y_{1-n} = 0\qquad\text{at } t = T/2,\ n = 1,\dots,L+1,$$
-on the sites $-L$ to $L+1$ (symmetry.hpp). There are as many equations as unknowns if $T$ is one of them, the state at $t
-= 0$ having $2L+1$.
+on the sites $-L$ to $L+1$ (symmetry.hpp). The two together, $y_n(t) = -y_{-n}(-t) = -y_{1-n}(T-t)$, make $y_n(t+T) =
+y_{n-1}(t)$; even wells allow them. There are as many equations as unknowns if $T$ is one of them: the state at $t = 0$
+has $L$ positions and $L+1$ velocities, the bead $L+1$ being at rest.
 
 If $T$ is chosen at will we leave out one equation, that of $y_1+y_0$. The others have a solution for every $T$ at which
 we look for one, in the stretches named below, and these solutions form a *family*. What do they miss? At $t = 0$ the
@@ -72,13 +73,14 @@ void follow(Family& f, double step) {
 /**
 ## What is left behind (figure x19)
 
-What does a member of a family do that is no exact orbit? We set it free in a resting chain, and behind it each bead
-keeps oscillating. The contact on its left has pushed it with a pulse $f(t)$, and a time $T$ later that on its right has
+What becomes of a member that is no exact orbit? We set it free in a resting chain, and behind it each bead keeps
+oscillating. The contact on its left has pushed it with a pulse $f(t)$, and a time $T$ later that on its right has
 pushed it back with $-f(t-T)$, if the pulses repeat themselves after $T$. A free bead turns with $e^{-it}$ and keeps the
-amplitude $|\int e^{it}(f(t)-f(t-T))\,dt| = |1-e^{iT}|\,|g(1)|$ with $g(1) = \int e^{it}f\,dt$. A member that sheds loses energy, and its pulses repeat
-themselves only nearly, so that this can only give the order of magnitude, and we measure how well it does. The integral
-needs no quadrature: when the sum $Z$ is taken over the beads on the right of the contact only, nothing but the pulse
-changes $e^{it}Z$, so that the integral is the difference of this quantity between the end and the beginning. */
+amplitude $|\int e^{it}(f(t)-f(t-T))\,dt| = |1-e^{iT}|\,|g(1)|$ with $g(1) = \int e^{it}f\,dt$. A member that sheds
+loses energy, and its pulses repeat themselves only nearly, so that this can only give the order of magnitude, and we
+measure how well it does. The integral needs no quadrature: when the sum $Z$ is taken over the beads on the right of the
+contact only, nothing but the pulse changes $e^{it}Z$, so that the integral is the difference of this quantity between
+the end and the beginning. */
 struct Left {
   double beads = 0, pulse = 0;  ///< both relative to the amplitude
 };
@@ -110,7 +112,7 @@ Left set_free(const Orbit<double>& member, double step) {
 /**
 The figure compares both with $|1-e^{-iT}|\,|V|$, since $|g(1)| = |V|$ as long as little is shed: then the
 whole sum $Z = iV$ passes from the beads on the left of the contact to those on its right. The
-error of the run is that of the step. For the error of $V$ we evaluate the equation that was left out
+error of the run is the difference between two steps. For the error of $V$ we evaluate the equation that was left out
 and compare it with $V\sin(T/2)$, which also checks this identity for every member. */
 double missed_identity(const Orbit<double>& member) {
   const double time = shift_time(member);
@@ -120,16 +122,15 @@ double missed_identity(const Orbit<double>& member) {
 }
 
 /**
-Three numbers are compared: what the beads have, what the pulse in the contact would leave if it repeated itself, and what
-the sum $Z = iV$ of the member at the start would leave. We compare the first with the third at the
-[141](num:sec5_travelling_families.left_compared) members of the five families whose tail is above $10^{-7}$. There what a
-breather leaves behind has the order of magnitude that the sum $Z$ says, from
-[0.40](num:sec5_travelling_families.left_over_sum_least) to [1.05406](num:sec5_travelling_families.left_over_sum_most) of
-$\lvert1-e^{-iT}\rvert\,\lvert Z\rvert$, but at [126](num:sec5_travelling_families.left_off_by_a_fifth) of them it is more
-than a fifth off. One might expect the two to agree close to an orbit of type I, nearer than any member of the table, where
-the tail is weak and the pulses nearly repeat themselves. They do not: with this measurement at $T/2\pi = k-10^{-4}$, made
-once by a program that is not part of this repository, the ratio was 1.079, 0.961 and 0.889 for $k = 1$, $2$ and $4$; we do
-not know why. At the orbits of type II, where $V$ vanishes, nothing is left behind. */
+We compare what the beads have with what the sum $Z = iV$ of the member at the start would leave, at the
+[141](num:sec5_travelling_families.left_compared) members of the five families whose tail is above $10^{-7}$. There what
+a breather leaves behind has the order of magnitude that the sum $Z$ says, from
+[0.40](num:sec5_travelling_families.left_over_sum_least) to [1.05406](num:sec5_travelling_families.left_over_sum_most)
+of $\lvert1-e^{-iT}\rvert\,\lvert Z\rvert$, but at [126](num:sec5_travelling_families.left_off_by_a_fifth) of them it is
+more than a fifth off. One might expect the two to agree close to an orbit of type I, nearer than any member of the
+table, where the tail is weak and the pulses nearly repeat themselves. They do not: with this measurement at $T/2\pi =
+k-10^{-4}$, made once by a program that is not part of this repository, the ratio was 1.079, 0.961 and 0.889 for $k =
+1$, $2$ and $4$; we do not know why. At the orbits of type II, where $V$ vanishes, nothing is left behind. */
 // The errors are to be compared with the largest value of their column, because these columns pass through zero
 Cells row_of(const Family& f, const Orbit<double>& member, double step) {
   const double tail = 2 * std::abs(std::sin(shift_time(member) / 2) * velocity_sum(member));
@@ -186,12 +187,14 @@ void report_left(Report& report, const Table& table) {
 /**
 ## All orbits in one chart (figure x20)
 
-The chart shows the orbits of type I, for $k = 1$ to 6 and both signs of the central velocity, and those of type II on the
-five families. An orbit found once has no estimate of its error, so each is found twice: those of type I again from a
-disturbed guess and with contact events located less precisely, those of type II in extended precision. On the family that begins at $T = 2\pi$ the first orbit of type II lies at $T/2\pi =$
+The chart shows the orbits of type I, for $k = 1$ to 6 and both signs of the central velocity, and those of type II on
+the five families. An orbit found once has no estimate of its error, so each is found twice: those of type I again from
+a disturbed guess and with contact events located less precisely, those of type II in extended precision. On the family
+that begins at $T = 2\pi$ the first orbit of type II lies at $T/2\pi =$
 [0.897407](num:sec5_travelling_families.turns_type_two_1); in all we found
 [12](num:sec5_travelling_families.found_type_one) orbits of type I and [18](num:sec5_travelling_families.found_type_two)
-of type II. */
+of type II. For $k = 1$ the two signs give different orbits of nearly the same energy. Near $T/2\pi = 0.95$, where the
+figure before has a dip, there is none: $V$ becomes small and keeps its sign. */
 struct Twice {
   int type;
   std::size_t k;
@@ -275,16 +278,15 @@ which speeds are possible. But with $T$ as an unknown there are as many equation
 function theorem an orbit at which their derivative is invertible continues to $s \ne 0$. We follow it by
 pseudo-arclength, so that we can pass *folds*, at which a branch turns back in $s$ (branches_in_s.hpp).
 
-In soft wells none of the four branches of type I ends within the steps that we spend on it: ten, and two for $k = 4$, reach
-$s =$
-[-1.163](num:sec5_travelling_families.soft_k1) ($k = 1$), [-1.38](num:sec5_travelling_families.soft_k2) ($k = 2$),
-[-1.392](num:sec5_travelling_families.soft_k3) ($k = 3$) and [-0.049](num:sec5_travelling_families.soft_k4) ($k = 4$).
-Followed further, that of $k = 1$ folds at $s =$ [-5.73337](num:sec5_travelling_families.soft_fold_k1). In a run made
-once, which is not part of this program, that of $k = 2$ folded at $-54.4$, and those of $k = 3$ and $4$ reached
+In soft wells none of the four branches of type I ends within the steps that we spend on it: ten, and two for $k = 4$,
+reach $s =$ [-1.163](num:sec5_travelling_families.soft_k1) ($k = 1$), [-1.38](num:sec5_travelling_families.soft_k2) ($k
+= 2$), [-1.392](num:sec5_travelling_families.soft_k3) ($k = 3$) and [-0.049](num:sec5_travelling_families.soft_k4) ($k =
+4$). Followed further, that of $k = 1$ folds at $s =$ [-5.73337](num:sec5_travelling_families.soft_fold_k1). In a run
+made once, which is not part of this program, that of $k = 2$ folded at $-54.4$, and those of $k = 3$ and $4$ reached
 $-13.9$. In hard wells those of $k = 1$, 2 and 3 fold at [0.0103004](num:sec5_travelling_families.fold_k1),
 [0.325582](num:sec5_travelling_families.fold_k2) and [1.90266](num:sec5_travelling_families.fold_k3), and come back from
-there to an orbit of type II at $s = 0$, for $k = 1$ after two folds more close to $s = 0$. The slower the orbit, the later
-it folds: slow orbits are small and feel the quartic term less. */
+there to an orbit of type II at $s = 0$, for $k = 1$ after two folds more close to $s = 0$. The slower the orbit, the
+later it folds: slow orbits are small and feel the quartic term less. */
 using Start = std::pair<std::size_t, Orbit<double>>;  ///< k and its orbit at s = 0
 
 // The folds come from shorter steps than the branches
@@ -339,14 +341,15 @@ void report_wells(Report& report, const std::vector<Start>& starts) {
 ## The boomeron again
 
 In section 3.4 the packet of an impact with $v_0 = 1.9$ slows down in hard wells, $s = 1$, and turns round: the
-*boomeron*. At a given $s$ the exact orbits that we know are single points in the plane of speed and energy. Does the path
-of the packet come near any of them, and does it turn there? A branch may pass $s = 1$ on its way out, and again after its
-fold; those of $k = 1$ and 2 fold before and have no orbit there. The fastest orbit found at $s = 1$ has the speed
-[0.0539509](num:sec5_travelling_families.fastest_at_one) and the energy
+*boomeron*. At a given $s$ the exact orbits that we know are single points in the plane of speed and energy. Does the
+path of the packet come near any of them, and does it turn there? A branch may pass $s = 1$ on its way out, and again
+after its fold; those of $k = 1$ and 2 fold before and have no orbit there. The fastest orbit found at $s = 1$ has the
+speed [0.0539509](num:sec5_travelling_families.fastest_at_one) and the energy
 [0.00165802](num:sec5_travelling_families.fastest_energy_at_one); when the packet is as slow as that it still has
-[1.51933](num:sec5_travelling_families.packet_energy_then), some nine hundred times as much. A packet on an exact orbit
-would have its speed and its energy, so this one is on none of those found. [](finding:travelling.wells) What turns it
-instead is asked in `sec34_boomeron_why`. */
+[1.51933](num:sec5_travelling_families.packet_energy_then), some nine hundred times as much (figure x21d). The other two
+that we found are slower and have less energy still, while the packet has kept most of its own. A packet on an exact
+orbit would have its speed and its energy, so this one is on none of those found. [](finding:travelling.wells) What
+turns it instead is asked in `sec34_boomeron_why`. */
 Path packet_at_one(double step) {
   Path path;
   strike(ContactAware{step}, {1.9, {160, Quartic{1}}, 400, 0.5},
@@ -421,10 +424,10 @@ void report_packet(Report& report, const Path& p) {
 ## Differences and limits
 
 The branches of the table are followed within $|s|\le3$ and $T\ge\pi$, which are our choice, and for a limited number of
-steps; the soft folds quoted were searched beyond. Some of them end where Newton's method fails, which seems to happen at
-orbits in which a bead of the tail only just touches its neighbour. We do not prove that nothing else exists
-at $s = 1$; we looked only for what is connected with $s = 0$: branches of type I with the sign plus, $k\le4$. Those of
-the sign minus, of type II and of orbits that repeat themselves after several sites were not followed to $s = 1$. */
+steps; the soft folds quoted were searched beyond. Some of them end where Newton's method fails, which seems to happen
+at orbits in which a bead of the tail only just touches its neighbour. We do not prove that nothing else exists at $s =
+1$; we looked only for what is connected with $s = 0$: branches of type I with the sign plus, $k\le4$. Those of the sign
+minus, of type II and of orbits that repeat themselves after several sites were not followed to $s = 1$. */
 void reproduce(Report& report) {
   const bool quick = report.quick;
   std::vector<Family> all = families(quick);

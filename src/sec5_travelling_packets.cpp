@@ -37,13 +37,13 @@ the DpS equation (12),
 $$\ddot y_n + y_n = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2},\qquad
   2i\tau_0\dot A_n = D_n - D_{n-1},\quad D_n = (A_{n+1}-A_n)|A_{n+1}-A_n|^{1/2}.$$
 A bead that has been passed oscillates freely, $z_n = y_n + i\dot y_n \propto e^{-it}$, with a constant amplitude. Two
-numbers describe what a packet leaves behind: the amplitude $|z_n|$ and the angle $\vartheta$ by which the phase of $z_n$
-turns from one bead to the next, both seen at the same $t$. So $\vartheta$ is the phase from bead to bead in the frame of
-a free bead, that is, of $z_ne^{it}$. For an exact orbit $\vartheta = T-2\pi k$, so that $\vartheta = 0$ means type I. A
-packet need not be exact: its envelope may move on by one site in $T$ while the oscillation under it gains an extra phase,
-the *internal phase*. Then $\vartheta$ and $T$ are independent, and $\vartheta$ may tend to zero while $T/2\pi$ tends to
-a number that is not whole. Such a packet leaves nothing behind either, but one site further on it is the same only up to
-a phase of its oscillation: it is quasi-periodic, and no exact orbit in our sense. */
+numbers describe what a packet leaves behind: the amplitude $|z_n|$ and the angle $\vartheta$ by which the phase of
+$z_n$ turns from one bead to the next, both seen at the same $t$. So $\vartheta$ is the phase from bead to bead in the
+frame of a free bead, that is, of $z_ne^{it}$. For an exact orbit $\vartheta = T-2\pi k$, so that $\vartheta = 0$ means
+type I. A packet need not be exact: its envelope may move on by one site in $T$ while the oscillation under it gains an
+extra phase, the *internal phase*. Then $\vartheta$ and $T$ are independent, and $\vartheta$ may tend to zero while
+$T/2\pi$ tends to a number that is not whole. Such a packet leaves nothing behind either, but one site further on it is
+the same only up to a phase of its oscillation: it is quasi-periodic, and no exact orbit in our sense. */
 /// The same course in two frames and with two steps.
 struct TwoCourses {
   double velocity;
@@ -52,25 +52,26 @@ struct TwoCourses {
 
 /**
 A power law shows only over many sites, so we follow the packet in a frame that moves with it, and drop the beads far
-behind (long_run.hpp). Rows are kept at twelve sites to a decade, so that they are equidistant in $\log n$. This is allowed because nothing of what is dropped catches up: without precompression there is no
+behind (long_run.hpp). This is allowed because nothing of what is dropped catches up: without precompression there is no
 sound, and a disturbance of size $\delta$ runs at a speed of the order $\delta^{1/2}$, more slowly than the packet. A
-second frame, half as long again, and half the step give the errors.
+second frame, half as long again, and half the step give the errors. What we read off is noted at twelve sites to a
+decade, equidistant in $\log n$; each of these is a *row*.
 
 ## The tail of a packet (figure x22)
 
-How should the tail fall? In the frame of a free bead the pulses in the contacts turn by $\vartheta$ from site to site, so
-that a bead keeps the amplitude $|z| = |1-e^{i\vartheta}|\,|g| \simeq |\vartheta|\,|g|$, where $g$ is the integral $g(1)$ of
-the chapters before, and takes away the energy $|z|^2/2$. If the packet's own energy is linear in a small $\vartheta$, $E
-\simeq E_\infty + b\,\vartheta$, then
+How should the tail fall? In the frame of a free bead the pulses in the contacts turn by $\vartheta$ from site to site,
+so that a bead keeps the amplitude $|z| = |1-e^{i\vartheta}|\,|g| \simeq |\vartheta|\,|g|$, where $g$ is the integral
+$g(1)$ of the chapters before, and takes away the energy $|z|^2/2$. If the packet's own energy is linear in a small
+$\vartheta$, $E \simeq E_\infty + b\,\vartheta$, then
 $$b\,\frac{d\vartheta}{dn} = -\frac{g^2\vartheta^2}{2},\qquad \frac1\vartheta = \frac{g^2}{2b}\,n + \dots,$$
 and $\vartheta$ and the tail fall like $1/n$, *provided that $g$ and $b$ tend to constants*. With $g$ and $b$
 read off the run itself this is the balance of energy and always true; the law is tested by whether the
 growth of $1/\vartheta$ becomes constant.
 
-One quantity hardly changes on the way, the mean energy in the contacts. In the limit of small amplitude two quantities are
-conserved separately, the norm $\sum|A_n|^2$, which is the energy of the wells, and the energy in the contacts, the DpS
-Hamiltonian. The beads left behind take away norm, but hardly any energy of contacts, since neighbours oscillate nearly
-alike. We therefore expect the contact energy to select the final speed. */
+One quantity hardly changes on the way, the mean energy in the contacts. In the limit of small amplitude two quantities
+are conserved separately, the norm $\sum|A_n|^2$, which is the energy of the wells, and the energy in the contacts, the
+DpS Hamiltonian. The beads left behind take away norm, but hardly any energy of contacts, since neighbours oscillate
+nearly alike. We therefore expect the contact energy to select the final speed. */
 Line late_line(const std::vector<double>& x, const std::vector<double>& y, std::size_t skip) {
   const auto from = std::ptrdiff_t(skip);
   return fit_line({x.begin() + from, x.end()}, {y.begin() + from, y.end()});
@@ -86,8 +87,8 @@ struct CourseReading {
   double exponent, angle_exponent, energy_lost, contact_lost, contact_early, contact_late, speed,
       energy, contact;
   double early_growth, growth, early_pulse,
-      pulse;     ///< of 1/angle per site; |g|, near site 300 and at the end
-  double angle;  ///< at the end
+      pulse;           ///< of 1/angle per site; |g|, near site 300 and at the end
+  double angle, turn;  ///< at the end, the latter of the internal phase
 };
 
 /**
@@ -121,7 +122,8 @@ CourseReading read_off(const Course& c, std::size_t half = 6) {
           growth(from, last),
           pulse(decade, decade + few),
           pulse(from, last),
-          c.angle[last]};
+          c.angle[last],
+          1 / c.speed[last] - c.angle[last] - 2 * std::numbers::pi};
 }
 
 /**
@@ -131,8 +133,8 @@ another stretch makes.
 The orbits of type I that we found are single points in the plane of speed and energy. We draw a smooth curve through
 seven of them, the *line of type I* (type_one_line.hpp): between the orbits it holds no exact breather that we know, and
 beyond $k = 1$ it is an extrapolation. If the final state is like an orbit of type I, the packet should lie on this line
-at its own speed. Two impacts are followed: $v_0 = 0.66$, whose packet ends slower than the orbit $k = 1$, and 1.5, whose
-packet ends faster. */
+at its own speed. Two impacts are followed: $v_0 = 0.66$, whose packet ends slower than the orbit $k = 1$, and 1.5,
+whose packet ends faster. */
 struct FinalState {
   CourseReading coarse, fine, shorter, longer;
 
@@ -156,10 +158,10 @@ $1/\vartheta$ is not constant: it falls from [0.0094495](num:sec5_travelling_pac
 beyond site 200 to [0.00208](num:sec5_travelling_packets.angle_growth_v66) at the end, while $|g|$ falls from
 [0.0308411](num:sec5_travelling_packets.pulse_early_v66) to [0.01113](num:sec5_travelling_packets.pulse_v66). So the law
 $1/n$ is not confirmed: if it holds at all, it does so only beyond the sites computed here. Should $g$ go on falling
-with $\vartheta$, like $|\vartheta|^p$, at a constant $b$, then by the same balance $\vartheta$ falls like $n^{-1/(1+2p)}$ and the
-tail like $n^{-(1+p)/(1+2p)}$, more slowly than $1/n$. Over the last decade of sites the tail has the exponent
-[-0.72067](num:sec5_travelling_packets.tail_exponent_v66); but neither $p$ nor $b = g^2/2$ over the growth of $1/\vartheta$ is
-constant there, so that this is no law. */
+with $\vartheta$, like $|\vartheta|^p$, at a constant $b$, then by the same balance $\vartheta$ falls like
+$n^{-1/(1+2p)}$ and the tail like $n^{-(1+p)/(1+2p)}$, more slowly than $1/n$. Over the last decade of sites the tail
+has the exponent [-0.72067](num:sec5_travelling_packets.tail_exponent_v66); but neither $p$ nor $b$, which is $g^2/2$
+divided by the growth of $1/\vartheta$ per site, is constant there, so that this is no law. */
 // What belongs to the last decade as it is has the difference of the two runs as its error
 void report_tail(Quantities& facts, const std::string& name, const FinalState& state) {
   const auto fact = [&](const std::string& what, double CourseReading::*of,
@@ -176,14 +178,15 @@ void report_tail(Quantities& facts, const std::string& name, const FinalState& s
   fact("energy_lost", &CourseReading::energy_lost, "share, in the last decade of sites");
   fact("contact_energy_lost", &CourseReading::contact_lost, "share, in the last decade of sites");
   fact("angle_end", &CourseReading::angle, "at the end");
+  fact("turn_end", &CourseReading::turn, "of the internal phase from site to site, at the end");
   fact("contact_energy_early", &CourseReading::contact_early, "mean, sites 43 to 113");
 }
 
 /**
-The packet has lost the fraction [0.0171](num:sec5_travelling_packets.energy_lost_v66) of its energy in the last decade of
-sites, but only [0.0026](num:sec5_travelling_packets.contact_energy_lost_v66) of that in its contacts. To compare it with
-the line we scale its speed: at small amplitude $E\propto c^4$, so that $cE^{-1/4}$ depends on the energy only as far as
-the amplitude is not small. With $v_0 = 0.66$ it tends to the scaled speed $cE^{-1/4} =$
+The packet has lost the fraction [0.0171](num:sec5_travelling_packets.energy_lost_v66) of its energy in the last decade
+of sites, but only [0.0026](num:sec5_travelling_packets.contact_energy_lost_v66) of that in its contacts. To compare it
+with the line we scale its speed: at small amplitude $E\propto c^4$, so that $cE^{-1/4}$ depends on the energy only as
+far as the amplitude is not small. With $v_0 = 0.66$ it tends to the scaled speed $cE^{-1/4} =$
 [0.25467](num:sec5_travelling_packets.final_scaled_speed_v66), where the line has
 [0.25466](num:sec5_travelling_packets.type_one_scaled_speed_v66). Its contact energy was
 [0.0135176](num:sec5_travelling_packets.contact_energy_early_v66) near site 100, is
@@ -197,14 +200,16 @@ the amplitude is not small. With $v_0 = 0.66$ it tends to the scaled speed $cE^{
 which come mainly from the choice of the stretch. */
 // On the line, between the orbits
 /**
-But the shift times to which they tend, $T/2\pi =$
-[1.1566](num:sec5_travelling_packets.final_turns_v66) and [0.847](num:sec5_travelling_packets.final_turns_v150), are not whole. So,
-from these two impacts, a packet seems to end on the line of type I, at a place that its contact energy selects, but away
-from the orbits: none captures its internal phase. The orbit $k = 1$ holds that phase like a very weak pendulum: displaced a
-little, it swings by $2|\kappa|^{1/2}$, some $10^{-5}$, per shift, $\kappa =$
-[-8.8883e-11](num:sec5_travelling_breathers.kappa_k1_plus) (chapter on exact travelling breathers). It could capture only
-a phase that turns not much faster, but at the end it turns by [0.0197](num:sec5_travelling_packets.angle_end_v66), about
-a thousand times as much. A later capture is not excluded. */
+But the shift times to which they tend, $T/2\pi =$ [1.1566](num:sec5_travelling_packets.final_turns_v66) and
+[0.847](num:sec5_travelling_packets.final_turns_v150), are not whole. So, from these two impacts, a packet seems to end
+on the line of type I, at a place that its contact energy selects, but away from the orbits: none captures its internal
+phase. The orbit $k = 1$ holds that phase like a very weak pendulum: displaced a little, it swings by $2|\kappa|^{1/2}$,
+some $10^{-5}$, per shift, $\kappa =$ [-8.8883e-11](num:sec5_travelling_breathers.kappa_k1_plus) (chapter on exact
+travelling breathers). It could capture only a phase that turns not much faster. But the internal phase of the packet
+turns by $T-\vartheta$, modulo $2\pi$, from one site to the next. Though $\vartheta$ has fallen to
+[0.0197](num:sec5_travelling_packets.angle_end_v66) at the end, $T$ has grown beyond $2\pi$, so that this is
+[0.8867](num:sec5_travelling_packets.turn_end_v66) there, more than ten thousand times as much, and still rising. Whether
+another orbit captures the packet beyond these sites is not known. */
 // The final state beside the line of the exact orbits at its own speed
 void report_end(Quantities& facts, const std::string& name, const FinalState& state,
                 const ExactLine& line) {
@@ -296,13 +301,13 @@ Do exact travelling breathers survive in the limit of small amplitude? There the
 the internal phase in this limit: an orbit of type I is one of a whole circle of orbits, and the two signs of the chain
 are two of them. A travelling breather is now $A_n(\tau+\tau_T) = e^{i\varphi}A_{n-1}(\tau)$, where the phase of $A_n$
 turns the other way than that of $z_n$, $\varphi = -\vartheta$. The sum $\sum A_n$ is conserved, so that $\varphi = 0$
-(type I) or $\sum A_n = 0$ (type II). We follow the family of type I with $\varphi$; as in the chain one equation is left
-out, and $V = \sum A_n/i$ shows what is missed.
+(type I) or $\sum A_n = 0$ (type II). We follow the family of type I with $\varphi$; as in the chain one equation is
+left out, and $V = \sum A_n/i$ shows what is missed.
 
-From $\varphi = 0$ to 3 this $V$ becomes ever smaller, but does not change its sign (figure x23): on this stretch we find no
-orbit of type II. Relative to the root of the norm, $|V|$ is [0.117175](num:sec5_travelling_packets.dps_sum) at
-$\varphi = 0$, [0.0138902](num:sec5_travelling_packets.dps_sum_half) at 0.5 and on the other side, which is that of impacts,
-[0.271304](num:sec5_travelling_packets.dps_sum_impact) at $-0.25$. */
+From $\varphi = 0$ to 3 this $V$ becomes ever smaller, but does not change its sign (figure x23): on this stretch we
+find no orbit of type II. Relative to the root of the norm, $|V|$ is [0.117175](num:sec5_travelling_packets.dps_sum) at
+$\varphi = 0$, [0.0138902](num:sec5_travelling_packets.dps_sum_half) at 0.5 and on the other side, which is that of
+impacts, [0.271304](num:sec5_travelling_packets.dps_sum_impact) at $-0.25$. */
 std::vector<DpsMember> dps_family(double tolerance, double to, double step) {
   DpsTravelling problem;
   problem.tolerance = tolerance;
@@ -440,8 +445,8 @@ void report_dps_profiles(Report& report, const DpsMember& exact, std::size_t rea
 ## What is proved, what is computed, what is conjectured
 
 *Proved*: in the linear well an exact travelling breather whose sum $Z$ converges absolutely has $T = 2\pi k$
-or $Z = 0$; pulses *that repeat themselves exactly* leave behind the amplitude $|1-e^{-iT}|\,|g(1)|$, which
-those of a packet only nearly do; the equation left out of a family is $V\sin(T/2) = 0$; no localized orbit
+or $Z = 0$; pulses *that repeat themselves exactly* leave behind the amplitude $|1-e^{-iT}|\,|g(1)|$ (those of
+a packet repeat themselves only nearly); the equation left out of a family is $V\sin(T/2) = 0$; no localized orbit
 repeats itself with the opposite sign after one site (in symmetric wells). There is an orbit of type I for
 every $k$ (chapter on the kernel equation), and for $k = 1$ there are two (chapter on enclosures).
 
