@@ -9,7 +9,7 @@ from lineage.literature import read_literature
 
 # What each number is, by its id without the digits at the end, and who printed it
 SHORT = {"fragment_": "Sokolow: velocity of ball {} flying back (m/s)",
-         "pulse_energy": "Sokolow: energy of the pulse over that of the impact",
+         "pulse_energy": "Sokolow: energy of the pulse over the impact's",
          "pulse_amplitude": "MOOSE test: its largest velocity over the impact's",
          "pulse_slower": "MOOSE test: slower than in long-wave theory by (%)",
          "pulse_narrower": "MOOSE test: narrower than there by (%)",
@@ -41,5 +41,5 @@ axes.set(yticks=range(len(rows)), yticklabels=[f"{SHORT[row['id'].rstrip('012345
          xticks=[-1e-2, -1e-4, -1e-6, 0, 1e-6, 1e-4, 1e-2], xlabel="ours over the printed value, minus one")
 axes.tick_params(axis="y", labelsize=7)
 axes.invert_yaxis()
-axes.legend(loc="lower center", bbox_to_anchor=(0.4, 1.0), ncols=3, fontsize=7, frameon=False)
+axes.legend(loc="lower center", bbox_to_anchor=(0.2, 1.0), ncols=3, fontsize=7, frameon=False)
 draw.save(figure, out)
