@@ -16,5 +16,5 @@ for axes, s, name in zip(both, [0, -0.7], ["a", "b"]):
     axes.set_title(f"({name}) $s = {s:g}$", loc="left")
 both[0].set_ylabel("time $t$")
 bar = figure.colorbar(picture, ax=both, extend="max", ticks=[0, 0.01, 0.05, 0.1, 0.2, 0.4])
-bar.set_label("contact force $-f_n$")
+bar.set_label("contact force $f_n$")
 draw.save(figure, out)

@@ -10,13 +10,13 @@ forces = draw.read(f"{data}/sec36_cantilever_defect/contact_forces.ecsv")
 figure, both = plt.subplots(1, 2, figsize=(draw.TWO_COLUMNS, 80 * draw.MM), sharey=True)
 for axes, ratio, name in zip(both, [1.6, 1.1], ["a", "b"]):
     image, extent = draw.grid(draw.where(forces, "ratio", ratio), "n", "t", "force")
-    picture = axes.imshow(image, extent=extent, origin="lower", aspect="auto", cmap="gray",
-                          norm=PowerNorm(2, vmin=-3, vmax=0, clip=True), interpolation="none")
+    picture = axes.imshow(-image, extent=extent, origin="lower", aspect="auto", cmap="gray_r",
+                          norm=PowerNorm(0.5, vmin=0, vmax=3, clip=True), interpolation="none")
     axes.axvline(99.5, color="#D55E00", lw=0.5, ls=(0, (4, 3)))
     axes.set(xlabel="contact $n$", xlim=(0.5, 199.5))
     axes.set_title(rf"({name}) $\tilde R_{{100}} = {ratio:g}$", loc="left")
 both[0].set_ylabel("time $t$ (ms)")
-bar = figure.colorbar(picture, ax=both, ticks=[-3, -2, -1, -0.3, 0])
-bar.ax.set_yticklabels(["≤ −3", "−2", "−1", "−0.3", "0"])
+bar = figure.colorbar(picture, ax=both, ticks=[0, 0.3, 1, 2, 3])
+bar.ax.set_yticklabels(["0", "0.3", "1", "2", "≥ 3"])
 bar.set_label("contact force $f_n$ (N)")
 draw.save(figure, out)

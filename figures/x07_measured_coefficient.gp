@@ -32,8 +32,8 @@ set key at graph 0.99,0.985 right maxrows auto width 0
 plot growth using "modulation":(at(0.15, column("nls"))) with lines ls 1 title 'NLS', \
      growth using "modulation":(at(0.05, column("nls"))) with lines ls 1 notitle, \
      growth using "modulation":(at(0.15, column("growth"))) with points pt 6 ps 0.4 lw 1 lc rgb vermilion \
-       title 'exact, a = 0.15', \
+       title 'chain, a = 0.15', \
      growth using "modulation":(at(0.05, column("growth"))) with points pt 4 ps 0.4 lw 1 lc rgb green \
-       title 'exact, a = 0.05', \
-     runs using "modulation":"growth" with points pt 2 ps 0.8 lw 1.5 lc rgb black title 'run'
+       title 'chain, a = 0.05', \
+     runs using "modulation":"growth" with points pt 2 ps 0.8 lw 1.5 lc rgb black title 'run, a = 0.15'
 unset multiplot

@@ -12,9 +12,9 @@ figure, (a, b) = plt.subplots(1, 2, figsize=(draw.TWO_COLUMNS, 70 * draw.MM), la
 for axes, k, low in ((a, 1, 0.7), (b, 2, 1.5)):
     family = draw.where(draw.where(table, "k", k), "sign", 1)
     axes.plot(family["turns"], family["log_tail"], "-", color="#0072B2", lw=1,
-              label=r"$|1-e^{-iT}|\,|V|$")
+              label=r"$|1-e^{-iT}|\,|Z|$")
     axes.plot(family["turns"], family["log_pulse"], "--", color="#D55E00", lw=1,
-              label=r"$|1-e^{-iT}|\,|g(1)|$")
+              label=r"$|1-e^{-iT}|\,|\int e^{it}f_0\,dt|$")
     axes.plot(family["turns"], family["log_beads"], "o", ms=3, mfc="none", mew=0.7, color="black",
               label="beads left behind")
     exact = draw.where(draw.where(orbits, "k", k), "sign", 1)

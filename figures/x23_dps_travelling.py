@@ -20,13 +20,13 @@ a.plot(profile["n"], profile["late"], "^", ms=5, mfc="none", mew=0.8, color="#00
 a.set(xlabel="site $n$", ylabel="$|A_n|$", xlim=(-6, 6), xticks=range(-6, 7, 2), ylim=(-0.005, 0.16))
 a.legend(loc="upper right", fontsize=6.5)
 b.plot(family["phase"], family["log_V"], "-", color="#0072B2", lw=1)
-b.set(xlabel=r"angle $\varphi$", ylabel=r"$\log_{10}\,|V|\,/\,\|A\|$", xlim=(0, 3.05))
+b.set(xlabel=r"angle $\varphi$", ylabel=r"$\log_{10}\,|\sum A_n|\,/\,\|A\|$", xlim=(0, 3.05))
 for sign, mark, colour in ((1, "+", "#0072B2"), (-1, "x", "#D55E00")):
     one = draw.where(orbits, "sign", sign)
     c.plot(one["inverse_k"], one["scaled_energy"], mark, ms=5, mew=0.9, color=colour,
            label="type I, " + ("+" if sign > 0 else "−"))
 c.plot([0], [facts["dps_energy_over_c4"]], "D", ms=4, color="#009E73", clip_on=False, label="DpS")
-c.set(xlabel=r"$1/k$", ylabel=r"$E/c^4$", xlim=(0, 0.22), ylim=(60, 95))
+c.set(xlabel=r"$1/k$", ylabel=r"$E\,T^4$", xlim=(0, 0.22), ylim=(60, 95))
 c.legend(loc="lower right", fontsize=7)
 for axes, name in zip((a, b, c), "abc"):
     draw.letter(axes, name)

@@ -7,6 +7,19 @@ import matplotlib.pyplot as plt
 from lineage.claims import agreement, printed_range
 from lineage.literature import read_literature
 
+# What each number is, by its id without the digits at the end, and who printed it
+SHORT = {"fragment_": "Sokolow: velocity of ball {} flying back (m/s)",
+         "pulse_energy": "Sokolow: energy of the pulse over the impact's",
+         "pulse_amplitude": "MOOSE test: its largest velocity over the impact's",
+         "pulse_slower": "MOOSE test: slower than in long-wave theory by (%)",
+         "pulse_narrower": "MOOSE test: narrower than there by (%)",
+         "sampled_width": "MOOSE test: its width as sampled (sites)",
+         "pulse_kinetic": "Slepyan: kinetic part of its energy",
+         "exponent_hertz": "Kekić: exponent that goes with 5/2",
+         "exponent_four": "Kekić: exponent that goes with 4",
+         "sen_c": "Sen and Manciu: slope $C_1$ of the pulse",
+         "dimer_": "Jayaprakash et al.: mass ratio {} of a dimer chain"}
+
 data, out = draw.arguments()
 facts = draw.table_of(f"{data}/secB_other_numbers/facts.ecsv").by("quantity", "facts")
 rows = [row for row in read_literature(Path(__file__).resolve().parents[1]).values() if printed_range(row["printed"])]
@@ -24,9 +37,9 @@ for k, row in enumerate(rows):
                   label={0: "ours, source read", len(rows) - 1: "ours, source not read: no verdict"}.get(k))
 axes.axvline(0, color="black", lw=0.6, zorder=0)
 axes.set_xscale("symlog", linthresh=1e-7, linscale=0.6)
-axes.set(yticks=range(len(rows)), yticklabels=[f"{row['id'].replace('_', ' ')}  {row['printed']}" for row in rows], xlim=(-0.1, 0.1),
+axes.set(yticks=range(len(rows)), yticklabels=[f"{SHORT[row['id'].rstrip('0123456789')].format(row['id'].split('_')[-1])}  {row['printed']}" for row in rows], xlim=(-0.1, 0.1),
          xticks=[-1e-2, -1e-4, -1e-6, 0, 1e-6, 1e-4, 1e-2], xlabel="ours over the printed value, minus one")
 axes.tick_params(axis="y", labelsize=7)
 axes.invert_yaxis()
-axes.legend(loc="lower center", bbox_to_anchor=(0.4, 1.0), ncols=3, fontsize=7, frameon=False)
+axes.legend(loc="lower center", bbox_to_anchor=(0.2, 1.0), ncols=3, fontsize=7, frameon=False)
 draw.save(figure, out)

@@ -15,7 +15,7 @@ import re
 from pathlib import Path
 
 from . import ecsv, metadata
-from .claims import VERDICTS, Judge, name_of, programs_of, read_claims
+from .claims import VERDICTS, Judge, name_of, printed_range, programs_of, read_claims
 from .findings import NUMBERS, read_findings
 from .lock import read_lock, uncommented
 from .refresh import read_figures
@@ -236,8 +236,8 @@ def macros(texts, figures, programs):
 
 def claim_rows(claims, lock):
     """A row for each claim but the discrepant ones, which the paper has in a table of their own, by the sections of the
-    article: what is claimed and printed, what we found with its error in parentheses, and the verdict. Only a claim that
-    is open has no number."""
+    article: what is claimed and printed, what we found with its error in parentheses, and the verdict; where the article
+    has a word, what our number is. Only a claim that is open has no number."""
     out, section, judge = HEAD, None, Judge(claims, lock.values())
     for id, c in sorted(claims.items(), key=lambda claim: claim[1]["section"]):
         f = lock.get((c["program"], id))
@@ -250,7 +250,12 @@ def claim_rows(claims, lock):
             section = c["section"]
             out += rf"\claimsof{{{escaped(section)}}}" + "\n"
         here = both(f) + (f" {unit(f.unit)}" if f.shown_unit else "") if f and f.shown != said else ""
-        cells = [escaped(id), worded(c["quantity"]), worded(c["printed"]) + (f" {unit(c['unit'])}" if c["unit"] else ""),
+        printed = worded(c["printed"]) + (f" {unit(c['unit'])}" if c["unit"] and printed_range(c["printed"]) else "")
+        means = c.get("means", "")
+        # The unit is not said again: that of the article, or that of the words
+        if means or (here and c["unit"] not in ("", f.unit)):
+            here = both(f) + (" sites" if means and f.unit == "site" else "")
+        cells = [escaped(id), worded(c["quantity"]) + (rf" \emph{{(here: {worded(means)})}}" if means else ""), printed,
                  here, said]
         out += r"\claim" + "".join(f"{{{cell}}}" for cell in cells) + "\n"
     return out

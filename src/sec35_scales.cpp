@@ -30,12 +30,11 @@ using namespace lattice;
 
 All scales rest on the collision of two free beads, so we begin with one (collision.hpp); its units are $\tau_h$ and
 $\delta = (mV^2/\gamma)^{2/5}$. Integrated, it lasts for [2.43884](num:scale.contact_time) $\tau_h$, printed as 2.43, and the
-largest compression is [0.828614](num:scale.max_compression) $\delta$, where the article has 0.76. The conservation of energy gives
-the same as the integration: all energy of the relative motion, $\frac14mV^2$, is in the contact, $\frac25\gamma\,x^{5/2}$,
-when $x = (5/8)^{2/5}\,\delta$. The printed 0.76 is $2^{-2/5}$. There is more than one way to it:
-$\frac12 mV^2 = \gamma\,x^{5/2}$ forgets both the reduced mass and the factor 2/5 of Hertz's energy, and
-$\frac14 mV^2 = \frac12\gamma\,x^{5/2}$ keeps the mass but takes the factor of a linear spring. What decides is the other
-printed number: at given $V$ the contact time is proportional to the compression, and with a compression of 0.76 it
+largest compression is [0.828614](num:scale.max_compression) $\delta$, where the article has 0.76; it quotes both numbers
+from other works. The conservation of energy gives the same as the integration: all energy of the relative motion,
+$\frac14mV^2$, is in the contact, $\frac25\gamma\,x^{5/2}$, when $x = (5/8)^{2/5}\,\delta$. The quoted 0.76 is
+$2^{-2/5}$, which follows if the energy of the contact is taken for $\frac12\gamma\,x^{5/2}$. What decides is the other
+quoted number: at given $V$ the contact time is proportional to the compression, and with a compression of 0.76 it
 would be [2.23689](num:sec35_scales.contact_time_of_printed_compression) $\tau_h$ and not 2.43.
 
 A cradle whose strings have the length $L$ has $\tau_c^2 = L/g$. A collision of steel balls was measured to take 0.077 ms,
