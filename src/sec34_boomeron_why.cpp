@@ -419,7 +419,7 @@ share their phases and are not independent, so the standard error is that of the
 
 [](finding:turning.pull) */
 void report_waves(Report& report) {
-  std::vector<Trial> list = trials(report.quick ? 3 : 12);
+  std::vector<ExposedBreather> list = exposed_breathers(report.quick ? 3 : 12);
   const double step = report.quick ? 0.2 : 0.1;
   const auto resting = [](double omega, double well, int coarser) {
     return find_breather(problem_of(Centre::bond, omega, well), Phase::compressed,
@@ -427,7 +427,7 @@ void report_waves(Report& report) {
   };
   const Orbit<double> hard = resting(1.68, 1, 0), linear = resting(1.6045, 0, 0);
   parallel_for(2 * list.size(), [&](std::size_t i) {
-    Trial& t = list[i / 2];
+    ExposedBreather& t = list[i / 2];
     (i % 2 ? t.path : t.coarse) = expose(t, t.well > 0 ? hard : linear, i % 2 ? step / 2 : step);
   });
 
@@ -437,7 +437,7 @@ void report_waves(Report& report) {
                                     count("side", "-1 waves on the left, 1 on the right"),
                                     count("trial", "number of the draw"), number("t", "time"),
                                     number("displacement", "of the centre, smoothed", "site")});
-  table.meta = {{"seed", std::to_string(seed)}};
+  table.meta = {{"seed", std::to_string(phase_seed)}};
   for (std::size_t k = 0; k < list.size(); ++k) {
     const Path p = smooth(list[k].path, smoothing);
     for (std::size_t i = 0; i < p.t.size(); i += 25)

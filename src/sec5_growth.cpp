@@ -495,6 +495,6 @@ void reproduce(Report& report) {
 5. *Open.* With the losses of an experiment (the chapter on damping), which breathers are left when the waves are gone? */
 int main(int argc, char** argv) {
   return run({"sec5_growth", "5", "Modulational instability without precompression (section 5)",
-              reproduce, commands<PlaneWave>()},
+              reproduce, commands<OnePlaneWave>()},
              argc, argv);
 }
