@@ -107,7 +107,7 @@ TEST_CASE("runs part the later the less they differ", "[unit][boomeron]") {
   CHECK(time(3e-3) < 300);
   const Estimate when = decorrelation_of(100, 104);
   CHECK(when.value == 104);
-  CHECK(when.error >= 4 + look_every);
+  CHECK(when.error >= 4 + comparison_interval);
   CHECK(std::isnan(decorrelation_of(100, time(0)).value));
 }
 

@@ -217,7 +217,7 @@ TEST_CASE("how an impact is set up, and when its far end is quiet", "[unit][impa
   const Strike usual;
   CHECK(std::array{usual.velocity, usual.s, usual.time, double(usual.sites)} ==
         std::array{1.9, 1.0, 1000.0, 150.0});
-  CHECK(std::array{smoothing, sampling, parted, look_every, fit_from} ==
+  CHECK(std::array{smoothing, sampling, parting_distance, comparison_interval, fit_from} ==
         std::array{15.0, 0.2, 0.1, 2.0, 20.0});
   CHECK(std::array{ImpactRun{}.reach, ImpactRun{}.far_end, Outlook{}.apex} ==
         std::array{0.0, 0.0, 0.0});
