@@ -616,7 +616,7 @@ TEST_CASE(
     "3.4: in pendulum wells a strong impact sends a kink and ejects beads, a weak one does not",
     "[article]") {
   const auto moved_on = [](double velocity, double step) {
-    const Impact impact{velocity, {50, Pendulum{}}, 400, 100, reached, false};
+    const Impact impact{velocity, {50, Pendulum{}}, 400, 100, may_move, false};
     const auto y = strike(ContactAware{step}, impact).end.y;
     return std::count_if(y.begin(), y.end(), [](double x) { return x > M_PI; });
   };

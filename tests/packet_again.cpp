@@ -877,7 +877,7 @@ TEST_CASE("what is said of packets holds up to its bounds and not beyond", "[uni
 }
 
 TEST_CASE("how fast and how far the beads of an impact come", "[unit][criteria]") {
-  const Impact impact{1.5, {20, Quartic{0.5}}, 8, 0.5, reached, false};
+  const Impact impact{1.5, {20, Quartic{0.5}}, 8, 0.5, may_move, false};
   std::array<double, 2> speed{}, way{}, drift{};
   for (std::size_t i : {0U, 1U}) {
     const ImpactRun run =
@@ -896,7 +896,7 @@ TEST_CASE("how fast and how far the beads of an impact come", "[unit][criteria]"
   check_close(c.drift.value, drift[1], 0, 1e-12);
   CHECK(c.lasted == 1);
   // A bead leaves a soft well: the run that ends first counts
-  const Impact soft{2.5, {20, Quartic{-1.0 / 6}}, 40, 0.5, reached, false};
+  const Impact soft{2.5, {20, Quartic{-1.0 / 6}}, 40, 0.5, may_move, false};
   const double ends = strike(ContactAware{0.25}, soft).end.t,
                other = strike(ContactAware{0.02}, soft).end.t;
   for (const auto& [a, b] : {std::pair(0.25, 0.02), {0.02, 0.25}})

@@ -29,7 +29,7 @@ Impact impact_of(const Request& r) {
   return {.velocity = r.velocity,
           .chain = {std::size_t(r.sites), named<Well>(name, given), contact},
           .time = r.time,
-          .far_end = reached};
+          .far_end = may_move};
 }
 
 /// Shows about `rows` of the samples of a run, whatever their number.

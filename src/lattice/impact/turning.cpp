@@ -105,7 +105,7 @@ Outlook probe(double velocity, double s, double horizon, int halvings) {
   // Four steps between two looks resolve the fastest motion; halvings shorten the steps only
   ContactAware stepper{wait.interval / 4};
   stepper.halvings = halvings;
-  strike(stepper, {velocity, chain, wait.time, wait.interval, reached, false}, look);
+  strike(stepper, {velocity, chain, wait.time, wait.interval, may_move, false}, look);
   return out;
 }
 
