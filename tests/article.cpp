@@ -602,7 +602,7 @@ TEST_CASE(
   // At the time of the article's picture, t = 238, the packet of v_0 = 1.87 is close to its apex
   const auto pictured = runs({1.87, 1, 900, 150});
   const auto to_apex = [](const Voyage& v) {
-    return v.turn().apex.site - v.path.centre[std::size_t(std::lround(238 / sampling))];
+    return v.turn().apex.site - v.path.centre[std::size_t(std::lround(238 / path_sampling))];
   };
   CHECK(stands("close to direction reversal", {below("sites", both(pictured, to_apex), 5)}));
   for (const Voyage& run : runs({1.5, 1, 1000, 250})) CHECK_FALSE(run.turn().apex.found());

@@ -217,8 +217,8 @@ TEST_CASE("how an impact is set up, and when its far end is quiet", "[unit][impa
   const Strike usual;
   CHECK(std::array{usual.velocity, usual.s, usual.time, double(usual.sites)} ==
         std::array{1.9, 1.0, 1000.0, 150.0});
-  CHECK(std::array{smoothing, sampling, parting_distance, comparison_interval, fit_from} ==
-        std::array{15.0, 0.2, 0.1, 2.0, 20.0});
+  CHECK(std::array{path_smoothing, path_sampling, parting_distance, comparison_interval,
+                   fit_from} == std::array{15.0, 0.2, 0.1, 2.0, 20.0});
   CHECK(std::array{ImpactRun{}.reach, ImpactRun{}.far_end, Outlook{}.apex} ==
         std::array{0.0, 0.0, 0.0});
   for (const auto& [contact, K] : {std::pair<Contact, double>{Hertz{}, 0.8 * std::pow(3, 0.4)},
@@ -375,7 +375,7 @@ TEST_CASE("a turn has the errors of the step and of half the smoothing", "[unit]
   const auto made = [](double by) {
     Voyage out;
     for (int i = 0; i < 2000; ++i) {
-      const double t = sampling * i, wave = 0.3 * std::cos(t / 3) + by * std::sin(t / 17);
+      const double t = path_sampling * i, wave = 0.3 * std::cos(t / 3) + by * std::sin(t / 17);
       out.path.t.push_back(t), out.path.energy.push_back(1);
       out.path.centre.push_back(1 + std::abs(20 - std::pow((t - 160) / 32, 2)) + wave);
     }
@@ -475,7 +475,7 @@ TEST_CASE("the force on a packet is the slope of its velocities every five units
   // Out to site 27 at 240, rebounds at site 1; from `begin` to `end`
   const auto made = [](double by, double begin, double end) {
     Voyage out;
-    for (double t = begin; t < end; t = begin + sampling * double(out.path.t.size())) {
+    for (double t = begin; t < end; t = begin + path_sampling * double(out.path.t.size())) {
       const double x =
           27 - 26 * std::pow((t - 240) / 210, 2) + by * std::cos(t / 11) + by * std::sin(t);
       out.path.t.push_back(t), out.path.centre.push_back(x), out.path.energy.push_back(1);

@@ -24,7 +24,7 @@ struct ExposedBreather {
   Path path{}, coarse{};
 
   double moved(const Path& p) const {
-    const Path q = smooth(p, smoothing);
+    const Path q = smooth(p, path_smoothing);
     return q.centre.back() - q.centre.front();
   }
 };

@@ -62,7 +62,7 @@ Turn find_turn(const Path& path, double back, double again, double clear) {
 
 // Two errors for every turning point: from the step, and from the width of the smoothing
 TurnEstimate estimate_turn(const Voyage& coarse, const Voyage& fine) {
-  const Turn a = coarse.turn(), b = fine.turn(), c = fine.turn(smoothing / 2);
+  const Turn a = coarse.turn(), b = fine.turn(), c = fine.turn(path_smoothing / 2);
   const auto both = [&](auto of) {
     Estimate e = compare(of(a), of(b));
     e.error += std::abs(of(c) - of(b));
