@@ -47,7 +47,7 @@ T span(T s, T e) {
 /**
 A single number governs the accuracy: `tolerance` bounds the error of a step, relative to the amplitude
 for the orbit and absolute for a tangent of order one. By default it is 128 units in the last place. The
-other members rarely need to be set. `floor` is explained at `Care` in landing.cpp; `sight` is short
+other members rarely need to be set. `floor` is explained at `Care` in event_driven.cpp; `sight` is short
 against the period $2\pi$ of a well; and a number type with more digits needs more `levels` of the
 extrapolation below. */
 template <class T>
@@ -78,8 +78,8 @@ whether the step suits them, before we carry all of them: the orbit is smoother 
 derivative and would be content with too long a step. Positions `y`, velocities `v`, the area and, if
 there is a probe, its two halves lie in one array.
 
-The area $\mathcal A = \int\sum\mu_n\dot y_n^2\,dt$ over a period, the action by which section 3.2
-compares breathers, travels along as one more position: while the chain drifts its velocities are
+The area $\mathcal A = \int\sum\mu_n\dot y_n^2\,dt$ over a period, the action by which breathers
+are compared, travels along as one more position: while the chain drifts its velocities are
 constant, and so is the rate of the area. Its extrapolation is then as accurate as that of the orbit.
 
 The leapfrog drifts, kicks and drifts, so that it never evaluates a contact at the very instant of a

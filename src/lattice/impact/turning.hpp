@@ -3,7 +3,7 @@
 # A packet that turns round
 
 In hard wells, $s > 0$, a travelling breather slows down, turns and comes back to the end where it was
-launched (section 3.4). We follow its centre, Eq. (24), around the strongest site, because a packet on its
+launched. We follow its centre, Eq. (24), around the strongest site, because a packet on its
 way back need not be the front-most one. The centre trembles with the internal oscillation, so that its
 velocity vanishes twice per period, and a turning point has a meaning only for a smoothed path: the mean
 over a stated width with the weight $1+\cos(2\pi t/\text{width})$. */
