@@ -107,12 +107,6 @@ TEST_CASE("windows, centres and the foremost packet by plain sums", "[unit][obse
   CHECK(front_packet({0, 0, 1, 1, 0}, 0.1, 1) == 2);
   CHECK_FALSE(front_packet({1, 1, 1}, 0.9, 0));
   check_close(participation({1, 2, 0, 4}), 49.0 / 21, 1e-14);
-  // 8 of 16 in the middle, 14 within one, 16 within two; the window is 2 m + 1 at most
-  const Numbers e{1, 3, 8, 3, 1};
-  for (const auto& [share, m, sites] : std::vector<std::tuple<double, std::size_t, std::size_t>>{
-           {0.5, 2, 1}, {0.51, 2, 3}, {0.875, 2, 3}, {0.88, 2, 5}, {0.5, 1, 1}, {0.9, 1, 3}})
-    CHECK(support(e, 2, share, m) == sites);
-  CHECK(support(e, 2, 0.88) == 5);
 }
 
 TEST_CASE("a track is read between its samples", "[unit][observe]") {

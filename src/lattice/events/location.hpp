@@ -62,11 +62,10 @@ struct EventTolerance {
 /// the solution runs away it exceeds one or is infinite, and the state is the last one computed.
 template <class T>
 struct FlowReport {
-  std::size_t switchings = 0;     ///< contacts that opened or closed at the end of an interval
-  std::size_t unlanded = 0;       ///< contacts that did so in the middle of a step all the same
-  std::size_t steps = 0;          ///< of the final passage; their column work is `column_sweeps`
-  std::size_t evaluations = 0;    ///< of the force on the whole chain
-  std::size_t column_sweeps = 0;  ///< kicks and drifts of all columns of the tangent
+  std::size_t switchings = 0;   ///< contacts that opened or closed at the end of an interval
+  std::size_t unlanded = 0;     ///< contacts that did so in the middle of a step all the same
+  std::size_t steps = 0;        ///< of the final passage
+  std::size_t evaluations = 0;  ///< of the force on the whole chain
   T error = T(0);
   T energy_drift = T(0);  ///< relative
   T area = T(0);          ///< time integral of sum mu_n v_n^2
