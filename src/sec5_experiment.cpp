@@ -361,9 +361,7 @@ void report_decay(Report& report) {
     const bool bond = centre == Centre::bond;
     const double unit = array36.unit_energy();
     for (double share : {0.02, 0.25, 0.5, 0.75, 0.98}) {
-      const auto at = [&](const Decay& d) {
-        return d.moments[std::size_t(share * double(d.moments.size()))];
-      };
+      const auto at = [&](const Decay& d) { return d[std::size_t(share * double(d.size()))]; };
       const DecayMoment coarse = at(runs[0]), fine = at(runs[1]);
       const auto same = breather_at(centre, fine.omega);
       table.add({bond, array36.milliseconds(fine.t), compare(coarse.omega, fine.omega),
@@ -371,9 +369,7 @@ void report_decay(Report& report) {
                  same.area / (from.orbit.area * std::exp(-nu * fine.t))});
       worst[bond] = std::max(worst[bond], std::abs(fine.energy / same.energy - 1));
     }
-    const auto shift = [](const Decay& d) {
-      return d.moments.back().centre - d.moments.front().centre;
-    };
+    const auto shift = [](const Decay& d) { return d.back().centre - d.front().centre; };
     if (!bond) drift = compare(shift(runs[0]), shift(runs[1]));
   }
   report.facts.add("off_the_branch_site", {worst[0], worst[0]});
