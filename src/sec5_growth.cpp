@@ -20,7 +20,7 @@ Which modulations grow, and how fast, is said by two lines of algebra. */
 #include <string>
 #include <vector>
 
-#include "commands/plane_wave.hpp"
+#include "commands/one_plane_wave.hpp"
 #include "lattice/integrators/contact_rkn.hpp"
 #include "lattice/model/cantilever.hpp"
 #include "lattice/numerics/line_fit.hpp"

@@ -19,7 +19,7 @@ loses energy and slows down. Where does it go, and does an exact breather captur
 #include <utility>
 #include <vector>
 
-#include "commands/dps_travelling.hpp"
+#include "commands/dps_orbit.hpp"
 #include "lattice/numerics/parallel.hpp"
 #include "report/program.hpp"
 #include "sec5/dps_travelling.hpp"

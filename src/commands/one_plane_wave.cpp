@@ -1,4 +1,4 @@
-#include "commands/plane_wave.hpp"
+#include "commands/one_plane_wave.hpp"
 
 #include <cmath>
 #include <string>
