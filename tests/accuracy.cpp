@@ -12,6 +12,7 @@
 
 #include "check.hpp"
 #include "lattice/impact/impact.hpp"
+#include "lattice/model/potential_names.hpp"
 #include "lattice/numerics/parallel.hpp"
 #include "report/table.hpp"
 #include "run.hpp"

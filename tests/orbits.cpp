@@ -3,6 +3,7 @@
 
 #include "check.hpp"
 #include "lattice/gsl/random.hpp"
+#include "lattice/model/potential_names.hpp"
 #include "lattice/orbits/breather.hpp"
 #include "sec3/branches.hpp"
 

@@ -7,6 +7,7 @@ it is computed, and gets each quantity with its error; what goes wrong is told i
 which the programs tell it. */
 
 #include "lattice/impact/impact.hpp"
+#include "lattice/model/potential_names.hpp"
 #include "page.hpp"
 
 using namespace lattice;
