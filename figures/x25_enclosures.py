@@ -2,7 +2,6 @@
 
 import draw
 import matplotlib.pyplot as plt
-import numpy as np
 
 data, out = draw.arguments()
 folder = f"{data}/sec5_enclosures"

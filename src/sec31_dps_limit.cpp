@@ -345,8 +345,8 @@ much longer than $\epsilon^{-1/2}$: the impact chapter compares both equations a
 The `impact` command does not notice whether its packet has met the far end. The default length avoids that; with
 `--sites` the reader must take care. */
 void reproduce(Report& report) {
-  report.output.note("tolerance", "GSL " + short_text(resolutions[0].tolerance) + " and " +
-                                      short_text(resolutions[1].tolerance));
+  report.output.note("tolerance", "GSL " + short_text(error_resolutions[0].tolerance) + " and " +
+                                      short_text(error_resolutions[1].tolerance));
 
   // The time constant in two ways
   const double quadrature = tau_0_by_quadrature();

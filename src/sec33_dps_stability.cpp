@@ -190,8 +190,8 @@ times larger, which measures what the nonlinear terms do. The perturbation grows
 [0.0155771](num:sec33_dps_stability.rate_in_time), and the matrix gives
 [0.0155771](num:sec33_dps_stability.rate_of_matrix). */
 Estimate rate_of_matrix(const PinnedBreather& breather) {
-  const Margin extended = margin_of<long double>(breather.centre, mu_high);
-  return compare(mu_high * extended.exponent.value, breather.pair.rate);
+  const Margin extended = margin_of<long double>(breather.centre, noise_mu);
+  return compare(noise_mu * extended.exponent.value, breather.pair.rate);
 }
 
 void report_rate(Report& report, const PinnedBreather& site) {
@@ -237,8 +237,8 @@ Criterion bond_is_robust(const std::vector<Group>& groups) {
   Estimate spread{};
   for (const Group& group : groups)
     if (group.which == Case::bond) spread = larger(spread, largest_spread(group.trials));
-  return structurally_robust(trials_of(groups, Case::bond, readings[1]),
-                             trials_of(groups, Case::site, readings[1]), spread);
+  return structurally_robust(trials_of(groups, Case::bond, noise_readings[1]),
+                             trials_of(groups, Case::site, noise_readings[1]), spread);
 }
 
 void report_motion(Report& report, const std::vector<Group>& groups) {
@@ -270,7 +270,7 @@ the median time of departure and the range of speeds, each the mean over one sit
 agree on it. */
 void report_census(Report& report, const Group& group) {
   const std::string time = "unit of time", speed = "site per unit of time";
-  const double by = group.many() ? duration : group.time();
+  const double by = group.many() ? trial_time : group.time();
   const Census rough = tally(group.trials, &Trial::rough, by),
                good = tally(group.trials, &Trial::good, by);
   const auto add = [&](const char* what, const Estimate& e, const std::string& unit = "") {
@@ -305,7 +305,9 @@ apart, in any reading: the number of its sites grows by no more than the factor
 [1.0112](num:sec33_dps_stability.bond_robust_spread). */
 Estimate freeing_push(const PinnedBreather& bond, int steps) {
   double found[2];
-  parallel_for(2, [&](std::size_t i) { found[i] = bisect_push(bond, i ? fine : coarse, steps); });
+  parallel_for(2, [&](std::size_t i) {
+    found[i] = bisect_push(bond, i ? fine_trial : coarse_trial, steps);
+  });
   Estimate push = compare(found[0], found[1]);
   push.error += 0.2 * bond.freeing_push() / std::exp2(steps);
   return push;
@@ -347,7 +349,7 @@ a thousandth of a site. That is enough: we ask whether it passes a whole site. T
 beside the measured one for each breather that starts on a site. */
 void report_trials(Report& report, const Group& group, const PinnedBreather& site) {
   const std::string time = "unit of time", nan = "; nan where it does not happen";
-  const std::string suffix = std::string("_") + cases[std::size_t(group.which)].second;
+  const std::string suffix = std::string("_") + noise_cases[std::size_t(group.which)].second;
   Table& table = report.table(
       "trials" + suffix,
       {count("seed", "seed of the generator"),
@@ -366,7 +368,7 @@ void report_trials(Report& report, const Group& group, const PinnedBreather& sit
                               {count("seed", "seed of the generator"), number("t", "time", time),
                                number("X", "displacement", "site")});
   for (const Trial& trial : group.trials) {
-    const Course run = trial.good.until(duration), rough = trial.rough.until(duration);
+    const Course run = trial.good.until(trial_time), rough = trial.rough.until(trial_time);
     const double leaves = run.reaches(0.5), pendulum = site.departure(trial.growing);
     const auto apart = [&](auto of) { return Estimate{of(run), std::abs(of(run) - of(rough))}; };
     table.add({trial.seed, trial.kick.real(), trial.kick.imag(), std::abs(trial.kick.imag()),
@@ -404,8 +406,8 @@ void report_map(Report& report, const Breathers& breathers, Case which, const st
       report.table("map_" + name, {number("t", "time", "unit of time"), count("n", "site", "site"),
                                    number("density", "|v_n|^2")});
   Trial trial{map_seed};
-  const Field start = breathers.start(readings[0], which, trial);
-  follow_breather(breathers.of(which), start, duration, {fine.tolerance, 0.5},
+  const Field start = breathers.start(noise_readings[0], which, trial);
+  follow_breather(breathers.of(which), start, trial_time, {fine_trial.tolerance, 0.5},
                   [&](double t, const Field& v) {
                     for (std::size_t i = 0; i < v.size(); ++i)
                       map.add({t, site_number(i, v.size()), std::norm(v[i])});
@@ -440,14 +442,14 @@ void reproduce(Report& report) {
   const Breathers breathers;
   report_rate(report, breathers.site);
   std::vector<Group> groups = groups_of_trials(report.quick);
-  run(groups, breathers);
+  run_trials(groups, breathers);
   report_motion(report, groups);
   for (const Group& group : groups) {
     report_census(report, group);
     if (group.main()) report_trials(report, group, breathers.site);
   }
   report_pendulum(report, groups, breathers);
-  for (const auto& [which, name] : cases) report_map(report, breathers, which, name);
+  for (const auto& [which, name] : noise_cases) report_map(report, breathers, which, name);
 }
 
 /**

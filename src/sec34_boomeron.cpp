@@ -220,7 +220,7 @@ bool only_slows_down(Report& report, double step) {
   double ratio[2]{};
   for (int k : {0, 1}) {
     const Voyage figure = voyage({k ? step : 2 * step}, {1.5, 1, 1000});
-    const Path p = smooth(figure.path, smoothing);
+    const Path p = smooth(figure.path, path_smoothing);
     ratio[k] = speed(p, 3) / speed(p, 0);
     slows = slows && ratio[k] > 0 && ratio[k] < 1 && !figure.turn().apex.found();
   }
@@ -281,9 +281,9 @@ void report_profiles(Report& report, const TurnEstimate& turn) {
   // Where the centre is at the first of these times, and how fast
   double centre[2]{}, speed[2]{}, mean[2]{};
   for (int k : {0, 1}) {
-    const Path p = smooth(voyage({k ? step : 2 * step}, {1.87, 1, 260}).path, smoothing);
+    const Path p = smooth(voyage({k ? step : 2 * step}, {1.87, 1, 260}).path, path_smoothing);
     const auto at = [&](double t) {
-      return p.centre[std::size_t(std::lround((t - p.t[0]) / sampling))];
+      return p.centre[std::size_t(std::lround((t - p.t[0]) / path_sampling))];
     };
     centre[k] = at(238), speed[k] = (at(243) - at(233)) / 10;
     mean[k] = speed[k] * 238 / centre[k];
@@ -405,7 +405,7 @@ std::vector<Spread> ensemble(std::size_t members, double step, double time) {
   const std::vector<double> velocity = random_impacts(members);
   std::vector<Path> paths(members);
   parallel_for(members, [&](std::size_t i) {
-    paths[i] = smooth(voyage({step}, {velocity[i], 1, time, 300}).path, smoothing);
+    paths[i] = smooth(voyage({step}, {velocity[i], 1, time, 300}).path, path_smoothing);
   });
   std::vector<Spread> out;
   for (std::size_t k = 0; k < paths[0].t.size(); k += 50) out.push_back(spread_at(paths, k));

@@ -114,7 +114,7 @@ void report_experiments(Report& report) {
     report.facts.add("returned_" + e.name, counted(back(coarse), back(fine)), "1 if it came back");
     report.facts.add("furthest_" + e.name, compare(coarse.furthest, fine.furthest), "site");
     const Estimate when = compare(coarse.when, fine.when);
-    report.facts.add("when_" + e.name, {when.value, when.error + smoothing / 2});
+    report.facts.add("when_" + e.name, {when.value, when.error + path_smoothing / 2});
   }
 
   // The ways, smoothed; after a cut only from the cut on
@@ -126,7 +126,7 @@ void report_experiments(Report& report) {
                     number("t", "time"), number("centre", "centre of the packet, smoothed", "site"),
                     number("energy", "energy of the packet, smoothed")});
   for (std::size_t k = 0; k < list.size(); ++k) {
-    const Path p = smooth(list[k].path, smoothing);
+    const Path p = smooth(list[k].path, path_smoothing);
     for (std::size_t i = 0; i < p.t.size() && p.t[i] < 4000; i += 100)
       if (p.t[i] > list[k].impact.cut) tracks.add({k, p.t[i], p.centre[i], p.energy[i]});
   }
@@ -146,7 +146,7 @@ struct Deceleration {
 };
 
 Estimate acceleration(const WavesRemoved& impact, double step, double from, double to) {
-  const Path p = smooth(follow_without(impact, step, 240, 150), smoothing);
+  const Path p = smooth(follow_without(impact, step, 240, 150), path_smoothing);
   const double look = p.t[1] - p.t[0];
   const auto half = std::size_t(std::lround(5 / look));
   const auto at = [&](double t) {
@@ -419,7 +419,7 @@ share their phases and are not independent, so the standard error is that of the
 
 [](finding:turning.pull) */
 void report_waves(Report& report) {
-  std::vector<Trial> list = trials(report.quick ? 3 : 12);
+  std::vector<ExposedBreather> list = exposed_breathers(report.quick ? 3 : 12);
   const double step = report.quick ? 0.2 : 0.1;
   const auto resting = [](double omega, double well, int coarser) {
     return find_breather(problem_of(Centre::bond, omega, well), Phase::compressed,
@@ -427,7 +427,7 @@ void report_waves(Report& report) {
   };
   const Orbit<double> hard = resting(1.68, 1, 0), linear = resting(1.6045, 0, 0);
   parallel_for(2 * list.size(), [&](std::size_t i) {
-    Trial& t = list[i / 2];
+    ExposedBreather& t = list[i / 2];
     (i % 2 ? t.path : t.coarse) = expose(t, t.well > 0 ? hard : linear, i % 2 ? step / 2 : step);
   });
 
@@ -437,9 +437,9 @@ void report_waves(Report& report) {
                                     count("side", "-1 waves on the left, 1 on the right"),
                                     count("trial", "number of the draw"), number("t", "time"),
                                     number("displacement", "of the centre, smoothed", "site")});
-  table.meta = {{"seed", std::to_string(seed)}};
+  table.meta = {{"seed", std::to_string(phase_seed)}};
   for (std::size_t k = 0; k < list.size(); ++k) {
-    const Path p = smooth(list[k].path, smoothing);
+    const Path p = smooth(list[k].path, path_smoothing);
     for (std::size_t i = 0; i < p.t.size(); i += 25)
       table.add({list[k].well, list[k].side, k / 4, p.t[i], p.centre[i] - p.centre[0]});
   }

@@ -101,7 +101,7 @@ struct Verdict {
 
 Verdict follow(const Strike& impact, const ContactAware& stepper) {
   const Impact whole{
-      impact.velocity, {impact.sites, Pendulum{}}, impact.patience, first_look, reached, false};
+      impact.velocity, {impact.sites, Pendulum{}}, impact.patience, first_look, may_move, false};
   Verdict verdict;
   double next = first_look;
   const auto look = [&](const State<double>& now, const auto&) {
@@ -185,7 +185,7 @@ void report_transition(Report& report) {
                    {number("velocity", "impact velocity"), number("t", "time"),
                     count("n", "site", "site"), number("wells", "displacement in units of 2 pi")});
   for (double velocity : {2.0, 5.0}) {
-    const Impact impact{velocity, {sites, Pendulum{}}, 100, 0.5, reached, false};
+    const Impact impact{velocity, {sites, Pendulum{}}, 100, 0.5, may_move, false};
     strike(stepper(velocity, 1), impact, [&](const State<double>& now, const auto&) {
       for (std::size_t n = 0; n < now.y.size(); ++n)
         examples.add({velocity, now.t, n + 1, now.y[n] / (2 * std::numbers::pi)});
@@ -237,7 +237,7 @@ void report_confinement(Report& report) {
   std::vector<Confinement> all(velocities.size());
   parallel_for(all.size(), [&](std::size_t i) {
     const Impact impact{
-        velocities[i], {Strike{}.sites, Pendulum{}}, report.quick ? 200.0 : 2000.0, 0.2, reached,
+        velocities[i], {Strike{}.sites, Pendulum{}}, report.quick ? 200.0 : 2000.0, 0.2, may_move,
         false};
     all[i] = confinement(impact, stepper(velocities[i], 0), stepper(velocities[i], 1));
   });

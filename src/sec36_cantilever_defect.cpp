@@ -195,10 +195,10 @@ void report_forces(Report& report, const StruckArray& blow, std::size_t bins) {
   const double ratios[] = {1.6, 1.1};
   std::array<std::vector<double>, 2> maps;
   parallel_for(
-      2, [&](std::size_t i) { maps[i] = strongest_forces(blow, ratios[i], shown_until, bins); });
+      2, [&](std::size_t i) { maps[i] = strongest_forces(blow, ratios[i], defect_passed, bins); });
   for (std::size_t i : {0, 1})
     for (std::size_t k = 0; k < bins * contacts; ++k)
-      table.add({ratios[i], (double(k / contacts) + 0.5) * shown_until / double(bins),
+      table.add({ratios[i], (double(k / contacts) + 0.5) * defect_passed / double(bins),
                  k % contacts + 1, 0.0 - maps[i][k]});
 }
 
@@ -460,7 +460,7 @@ static Fractions within_array(const StruckArray& blow, double ratio) try {
   return fractions(setup_for(blow, false), ratio);
 } catch (const FarEndReached&) {
   throw Failure("the packet that passes the defect comes to the end of the array within " +
-                short_text(shown_until) + " ms: --sites " + std::to_string(blow.array.sites) +
+                short_text(defect_passed) + " ms: --sites " + std::to_string(blow.array.sites) +
                 " are too few");
 }
 

@@ -88,7 +88,7 @@ std::vector<JourneyRow> journey_rows(const Report& report) {
   const JourneyRow* free = nullptr;
   for (JourneyRow& row : rows) {
     if (row.lifetime == 0) free = &row;
-    row.law = slowed_both(free->found, array.rate(row.lifetime));
+    row.law = slowed_both(free->found, array36.rate(row.lifetime));
   }
   return rows;
 }
@@ -128,7 +128,7 @@ Columns journey_columns() {
 }
 
 void report_deviations(Report& report, const std::vector<JourneyRow>& rows) {
-  const double t10 = array.time(ten);
+  const double t10 = array36.time(ten_ms);
   const auto way = [&](const Journey& j) { return way_after(j, t10).sites; };
   const auto centre = [&](const Journey& j) { return centre_after(j, t10); };
   Estimate off{}, slow_off{}, bare_off{}, centre_off{};
@@ -138,15 +138,15 @@ void report_deviations(Report& report, const std::vector<JourneyRow>& rows) {
     if (row.lifetime == 0) continue;
     const Estimate here = distance(row.law, row.found, way);
     off = larger(off, here);
-    if (row.lifetime >= ten) slow_off = larger(slow_off, here);
+    if (row.lifetime >= ten_ms) slow_off = larger(slow_off, here);
     centre_off = larger(centre_off, distance(row.law, row.found, centre));
     // The clock alone, as if the strongest push were at its place on the undamped way
-    const double s = slow_clock(array.rate(row.lifetime), t10);
+    const double s = slow_clock(array36.rate(row.lifetime), t10);
     const Estimate bare = free->of_way(s, &Progressed::sites);
     bare_off = larger(bare_off, relative_distance(quotient(bare, row.found.both(way)), 1));
     if (row.velocity != 1 || row.lifetime != 1) continue;
     // One lifetime of 1 ms
-    const double t4 = array.time(4);
+    const double t4 = array36.time(4);
     report.facts.add("sites_1ms", row.found.both(way), "sites");
     report.facts.add("sites_4_free", free->of_way(t4, &Progressed::sites), "sites");
     report.facts.add("centre_1ms", row.found.both(centre), "sites");
@@ -160,7 +160,7 @@ void report_deviations(Report& report, const std::vector<JourneyRow>& rows) {
 }
 
 std::vector<JourneyRow> report_journeys(Report& report) {
-  const double t10 = array.time(ten), per_second = array.per_second(1);
+  const double t10 = array36.time(ten_ms), per_second = array36.per_second(1);
   const auto centre = [&](const Journey& j) { return centre_after(j, t10); };
   const auto hertz = [&](const Journey& j) { return per_second / way_after(j, t10).period; };
   auto rows = journey_rows(report);
@@ -196,9 +196,9 @@ const TwoJourneys& journey_of(const std::vector<JourneyRow>& rows, double lifeti
 }
 
 void report_ten(Report& report, const std::vector<JourneyRow>& rows) {
-  const double t10 = array.time(ten);
-  const TwoJourneys &free = journey_of(rows, 0), &found = journey_of(rows, ten),
-                    &five = journey_of(rows, ten / 2);
+  const double t10 = array36.time(ten_ms);
+  const TwoJourneys &free = journey_of(rows, 0), &found = journey_of(rows, ten_ms),
+                    &five = journey_of(rows, ten_ms / 2);
   const Estimate sites = found.of_way(t10, &Progressed::sites);
   const Estimate speed = found.of_way(t10, &Progressed::speed);
   const Estimate period = found.of_way(t10, &Progressed::period);
@@ -211,7 +211,7 @@ void report_ten(Report& report, const std::vector<JourneyRow>& rows) {
   report.facts.add("speed_share", quotient(speed, free.of_way(t10, &Progressed::speed)));
   const Estimate slower = quotient(free.of_way(t10, &Progressed::period), period);
   report.facts.add("frequency_change", {1 - slower.value, slower.error});
-  const TwoJourneys law = slowed_both(free, array.rate(ten));
+  const TwoJourneys law = slowed_both(free, array36.rate(ten_ms));
   report.facts.add("law_over_sites", quotient(law.of_way(t10, &Progressed::sites), sites));
   report.facts.add("budget_10ms", {found.runs[1].budget, found.runs[0].budget});
 }
@@ -225,12 +225,13 @@ void report_limits(Report& report, const std::vector<JourneyRow>& rows) {
     runs[i] = i < 2 ? two_journeys(1. / 64, i ? 40 : 0, 0, 104, h) : two_journeys(1, 1, 0, 23, h);
   });
   report.facts.add("front_dwell", runs[2].both([&](const Journey& j) {
-    return 5 / (way_after(j, array.time(20)).sites - way_after(j, array.time(15)).sites);
+    return 5 / (way_after(j, array36.time(20)).sites - way_after(j, array36.time(15)).sites);
   }));
   report.facts.add("front_dwell_dps", exact(4 * std::log(1.5)));
   const auto off = [&](const TwoJourneys& free, const TwoJourneys& found, double slower) {
-    return distance(slowed_both(free, array.rate(5 * slower)), found,
-                    [&](const Journey& j) { return way_after(j, array.time(ten * slower)).sites; });
+    return distance(slowed_both(free, array36.rate(5 * slower)), found, [&](const Journey& j) {
+      return way_after(j, array36.time(ten_ms * slower)).sites;
+    });
   };
   report.facts.add("way_off_5ms", off(journey_of(rows, 0), journey_of(rows, 5), 1));
   report.facts.add("way_off_weak", off(runs[0], runs[1], 8));
@@ -267,14 +268,15 @@ void report_ranges(Report& report) {
                  number("seen_law", "the same from the slow clock", "site")});
   Estimate off{};
   for (std::size_t i = 0; i < lives.size(); ++i) {
-    const TwoJourneys law = slowed_both(free, array.rate(lives[i]));
+    const TwoJourneys law = slowed_both(free, array36.rate(lives[i]));
     for (double r : resolutions) {
-      const auto range = [v = array.velocity(r)](const Journey& j) { return seen_until(j, v); };
+      const auto range = [v = array36.velocity(r)](const Journey& j) { return seen_until(j, v); };
       const Estimate seen = found[i].both(range);
       table.add({lives[i], r, seen, range(law.runs[1])});
       off = larger(off, distance(law, found[i], range));
-      if (lives[i] == ten && r == resolutions.front()) report.facts.add("seen_best", seen, "sites");
-      if (lives[i] == ten && r == resolutions.back())
+      if (lives[i] == ten_ms && r == resolutions.front())
+        report.facts.add("seen_best", seen, "sites");
+      if (lives[i] == ten_ms && r == resolutions.back())
         report.facts.add("seen_coarse", seen, "sites");
     }
   }
@@ -291,7 +293,7 @@ than with elastic contacts and a lifetime of 5 ms, [17.0208](num:sec5_experiment
 should look for beads with a high restitution as much as for good clamps. */
 void report_contacts(Report& report) {
   const auto& h = report.quick ? quick_steps : steps;
-  const double t10 = array.time(ten);
+  const double t10 = array36.time(ten_ms);
   const std::vector<double> values =
       report.quick ? std::vector{0.9} : std::vector{0.98, 0.95, 0.9, 0.8};
   Table& table = report.table(
@@ -303,14 +305,14 @@ void report_contacts(Report& report) {
        number("budget", "energy and losses against the energy at the start, relative")});
   Estimate quoted{};
   table.fill(values, [&](double e) {
-    const double contact = contact_loss(e, array.velocity(1));
+    const double contact = contact_loss(e, array36.velocity(1));
     const TwoJourneys found = two_journeys(1, 0, contact, 13, h);
     if (e == 0.9) quoted = found.of_way(t10, &Progressed::sites);
     return Cells{e,
-                 array.milliseconds(contact) * 1e3,
+                 array36.milliseconds(contact) * 1e3,
                  found.of_way(t10, &Progressed::sites),
                  found.of_way(t10, &Progressed::oscillations),
-                 found.of_way(t10, &Progressed::speed, array.per_second(1)),
+                 found.of_way(t10, &Progressed::speed, array36.per_second(1)),
                  found.runs[1].budget};
   });
   report.facts.add("sites_restitution_90", quoted, "sites");
@@ -339,7 +341,7 @@ struct Released {
 };
 
 void report_decay(Report& report) {
-  const double nu = array.rate(ten);
+  const double nu = array36.rate(ten_ms);
   const auto& h = report.quick ? quick_steps : steps;
   Table& table = report.table(
       "decay", {count("bond", "1 around a bond, 0 around a site"), number("t", "time", "ms"),
@@ -356,21 +358,17 @@ void report_decay(Report& report) {
     std::array<Decay, 2> runs;
     parallel_for(2, [&](std::size_t i) { runs[i] = from.decay(nu, 2, h[i]); });
     const bool bond = centre == Centre::bond;
-    const double unit = array.unit_energy();
+    const double unit = array36.unit_energy();
     for (double share : {0.02, 0.25, 0.5, 0.75, 0.98}) {
-      const auto at = [&](const Decay& d) {
-        return d.moments[std::size_t(share * double(d.moments.size()))];
-      };
+      const auto at = [&](const Decay& d) { return d[std::size_t(share * double(d.size()))]; };
       const DecayMoment coarse = at(runs[0]), fine = at(runs[1]);
       const auto same = breather_at(centre, fine.omega);
-      table.add({bond, array.milliseconds(fine.t), compare(coarse.omega, fine.omega),
+      table.add({bond, array36.milliseconds(fine.t), compare(coarse.omega, fine.omega),
                  compare(coarse.energy * unit, fine.energy * unit), same.energy * unit,
                  same.area / (from.orbit.area * std::exp(-nu * fine.t))});
       worst[bond] = std::max(worst[bond], std::abs(fine.energy / same.energy - 1));
     }
-    const auto shift = [](const Decay& d) {
-      return d.moments.back().centre - d.moments.front().centre;
-    };
+    const auto shift = [](const Decay& d) { return d.back().centre - d.front().centre; };
     if (!bond) drift = compare(shift(runs[0]), shift(runs[1]));
   }
   report.facts.add("off_the_branch_site", {worst[0], worst[0]});
@@ -386,9 +384,9 @@ $1+\epsilon$ in each period, does not grow by a factor of $e$ in 10 ms, that is 
 period of 0.15 ms $(1+\epsilon)^{10/0.15} = e$ gives [0.0151131](num:outlook.dominated), with $2\pi\tau_c$
 [0.0159718](num:sec5_experiment.epsilon_e_fold). */
 void report_bound(Report& report) {
-  const double linear_period = array.milliseconds(2 * std::numbers::pi);
-  report.results.add("outlook.dominated", exact(std::expm1(0.15 / ten)));
-  report.facts.add("epsilon_e_fold", exact(std::expm1(linear_period / ten)));
+  const double linear_period = array36.milliseconds(2 * std::numbers::pi);
+  report.results.add("outlook.dominated", exact(std::expm1(0.15 / ten_ms)));
+  report.facts.add("epsilon_e_fold", exact(std::expm1(linear_period / ten_ms)));
 }
 
 /**
@@ -439,7 +437,7 @@ void report_instability(Report& report) {
     };
     const Estimate found = compare(lifetime(coarse), lifetime(fine));
     const Member& start = members[k];
-    const double ms = array.milliseconds(1);
+    const double ms = array36.milliseconds(1);
     const Estimate life{found.value * ms, found.error * ms};
     const Estimate quality{found.value * start.omega, found.error * start.omega};
     table.add(
@@ -447,7 +445,7 @@ void report_instability(Report& report) {
     if (std::abs(start.omega - released_at) > 1e-9) continue;
 
     // What ten milliseconds hide, in the DpS limit and in the chain
-    const double nu = array.rate(ten), turn = 2 * std::numbers::pi / start.omega;
+    const double nu = array36.rate(ten_ms), turn = 2 * std::numbers::pi / start.omega;
     const Member loose = member_at(Centre::site, start.omega, 0, false);
     report.facts.add("epsilon", compare(loose.multiplier() - 1, start.multiplier() - 1));
     report.facts.add("shift_10ms", compare(largest_shift(coarse, limit, nu) - 1,

@@ -20,7 +20,7 @@ Which modulations grow, and how fast, is said by two lines of algebra. */
 #include <string>
 #include <vector>
 
-#include "commands/plane_wave.hpp"
+#include "commands/one_plane_wave.hpp"
 #include "lattice/integrators/contact_rkn.hpp"
 #include "lattice/model/cantilever.hpp"
 #include "lattice/numerics/line_fit.hpp"
@@ -495,6 +495,6 @@ void reproduce(Report& report) {
 5. *Open.* With the losses of an experiment (the chapter on damping), which breathers are left when the waves are gone? */
 int main(int argc, char** argv) {
   return run({"sec5_growth", "5", "Modulational instability without precompression (section 5)",
-              reproduce, commands<PlaneWave>()},
+              reproduce, commands<OnePlaneWave>()},
              argc, argv);
 }

@@ -19,7 +19,7 @@ loses energy and slows down. Where does it go, and does an exact breather captur
 #include <utility>
 #include <vector>
 
-#include "commands/dps_travelling.hpp"
+#include "commands/dps_orbit.hpp"
 #include "lattice/numerics/parallel.hpp"
 #include "report/program.hpp"
 #include "sec5/dps_travelling.hpp"
@@ -48,7 +48,7 @@ orbit in our sense. */
 /// The same course in two frames and with two steps.
 struct TwoCourses {
   double velocity;
-  Course coarse{}, fine{};
+  LongRun coarse{}, fine{};
 };
 
 /**
@@ -97,7 +97,7 @@ Exponents are those of the last decade of sites. The growth of $1/\vartheta$ and
 four rows, a third of a decade, from site 200 on and at the end. Final speed, energy and contact energy are
 extrapolated to $\vartheta = 0$ by straight lines through the last half decade, six rows. How much this depends on the
 stretch shows when `half` is changed to three rows or to a whole decade. */
-CourseReading read_off(const Course& c, std::size_t half = 6) {
+CourseReading read_off(const LongRun& c, std::size_t half = 6) {
   constexpr std::size_t decade = 12, few = 4;
   const std::size_t last = c.t.size() - 1, from = last - few;
   const auto growth = [&](std::size_t i, std::size_t j) {
@@ -254,7 +254,7 @@ void report_courses(Report& report, const std::vector<TwoCourses>& runs) {
   // The two columns that the figure draws have errors; the others are means that fluctuate
   for (const TwoCourses& p : runs)
     for (std::size_t i = 0; i < p.fine.t.size(); ++i) {
-      const Course &f = p.fine, &c = p.coarse;
+      const LongRun &f = p.fine, &c = p.coarse;
       table.add({p.velocity, f.t[i], f.site[i], std::log10(f.site[i]),
                  compare(c.left[i], f.left[i]), std::log10(f.left[i]),
                  compare(c.angle[i], f.angle[i]), 1 / f.angle[i], f.speed[i],

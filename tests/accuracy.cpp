@@ -12,6 +12,7 @@
 
 #include "check.hpp"
 #include "lattice/impact/impact.hpp"
+#include "lattice/model/potential_names.hpp"
 #include "lattice/numerics/parallel.hpp"
 #include "report/table.hpp"
 #include "run.hpp"
@@ -222,7 +223,7 @@ TEST_CASE("a step that is too long is halved until a run holds", "[convergence][
   Chain stiff{8, Quartic{0}, PowerContact{10, 0}}, light{8};
   vary(light, {1e-6, 1, 1, 1, 1, 1, 1, 1}, {});
   for (const auto& [chain, velocity] : {std::pair(stiff, 100.0), {light, 1.87}}) {
-    const Impact impact{velocity, chain, 3, 0.2, reached};
+    const Impact impact{velocity, chain, 3, 0.2, may_move};
     CHECK(strike(stepper_for(1e-4, largest_step, 3), impact).run.broken());
     const auto runs = strike_to(1e-4, impact);
     CAPTURE(runs.history);
@@ -245,7 +246,7 @@ TEST_CASE("nothing is said to leave a well without a rim", "[property][accuracy]
         const Chain chain{6, well, PowerContact{alpha, 0}};
         CAPTURE(velocity, alpha, describe(well));
         CHECK(evolved(chain, struck(6, velocity), 2, 0.2).find("runs away") == std::string::npos);
-        CHECK_NOTHROW(strike_to(1e-2, {velocity, chain, 2, 0.2, reached}));
+        CHECK_NOTHROW(strike_to(1e-2, {velocity, chain, 2, 0.2, may_move}));
       }
 }
 
@@ -265,7 +266,7 @@ TEST_CASE("forces that are nothing or wrong are told by the run", "[unit][accura
   }
   // Under a strong compression the energies are small differences of large ones, and known to few digits
   const auto pressed =
-      strike_to(1e-4, {1e-3, {5, Harmonic{}, PowerContact{8, 8}}, 1, 0.2, reached});
+      strike_to(1e-4, {1e-3, {5, Harmonic{}, PowerContact{8, 8}}, 1, 0.2, may_move});
   CHECK(pressed.fine.run.energy_drift > 1e-4);
   CHECK(pressed.fine.run.energy_defect < 1e-4);
   // From rest on a hill the energy is nearly zero, and its relative drift says nothing

@@ -602,7 +602,7 @@ TEST_CASE(
   // At the time of the article's picture, t = 238, the packet of v_0 = 1.87 is close to its apex
   const auto pictured = runs({1.87, 1, 900, 150});
   const auto to_apex = [](const Voyage& v) {
-    return v.turn().apex.site - v.path.centre[std::size_t(std::lround(238 / sampling))];
+    return v.turn().apex.site - v.path.centre[std::size_t(std::lround(238 / path_sampling))];
   };
   CHECK(stands("close to direction reversal", {below("sites", both(pictured, to_apex), 5)}));
   for (const Voyage& run : runs({1.5, 1, 1000, 250})) CHECK_FALSE(run.turn().apex.found());
@@ -616,7 +616,7 @@ TEST_CASE(
     "3.4: in pendulum wells a strong impact sends a kink and ejects beads, a weak one does not",
     "[article]") {
   const auto moved_on = [](double velocity, double step) {
-    const Impact impact{velocity, {50, Pendulum{}}, 400, 100, reached, false};
+    const Impact impact{velocity, {50, Pendulum{}}, 400, 100, may_move, false};
     const auto y = strike(ContactAware{step}, impact).end.y;
     return std::count_if(y.begin(), y.end(), [](double x) { return x > M_PI; });
   };

@@ -17,7 +17,7 @@ namespace {
 template <class Centre>
 Path drawn(double time, double ripple, Centre centre) {
   Path path;
-  for (double t = 0; t <= time; t += sampling) {
+  for (double t = 0; t <= time; t += path_sampling) {
     path.t.push_back(t);
     path.centre.push_back(centre(t) + ripple * std::cos(3.4 * t));
     path.energy.push_back(1);
@@ -29,7 +29,7 @@ Path drawn(double time, double ripple, Centre centre) {
 
 TEST_CASE("a thrown ball turns at its apex and rebounds at the ground", "[unit][boomeron]") {
   const auto ball = [](double t) { return std::abs(1 + 0.2 * t - 0.0005 * t * t) + 1; };
-  const Turn turn = find_turn(smooth(drawn(600, 0.3, ball), smoothing));
+  const Turn turn = find_turn(smooth(drawn(600, 0.3, ball), path_smoothing));
   check_close(turn.apex.time, 200, 0.5);
   check_close(turn.apex.site, 22, 0.05);
   check_close(turn.stop.time, 200, 0.5);
@@ -38,11 +38,11 @@ TEST_CASE("a thrown ball turns at its apex and rebounds at the ground", "[unit][
 
 TEST_CASE("a packet that is caught, or only slows down, has not turned", "[unit][boomeron]") {
   const auto caught = [](double t) { return 20 - 19 * std::exp(-t / 40) + 0.8 * std::sin(t / 20); };
-  const Turn swing = find_turn(smooth(drawn(800, 0.3, caught), smoothing));
+  const Turn swing = find_turn(smooth(drawn(800, 0.3, caught), path_smoothing));
   CHECK(swing.stop.found());
   CHECK_FALSE(swing.apex.found());
   const auto slow = [](double t) { return 1 + 4 * std::sqrt(t); };
-  const Turn away = find_turn(smooth(drawn(800, 0.3, slow), smoothing));
+  const Turn away = find_turn(smooth(drawn(800, 0.3, slow), path_smoothing));
   CHECK_FALSE(away.stop.found());
   CHECK_FALSE(away.apex.found());
 }
@@ -50,7 +50,7 @@ TEST_CASE("a packet that is caught, or only slows down, has not turned", "[unit]
 TEST_CASE("without smoothing the ripple passes for a stop", "[unit][boomeron]") {
   const auto steady = [](double t) { return 1 + 0.1 * t; };
   CHECK(find_turn(drawn(300, 0.3, steady)).stop.found());
-  CHECK_FALSE(find_turn(smooth(drawn(300, 0.3, steady), smoothing)).stop.found());
+  CHECK_FALSE(find_turn(smooth(drawn(300, 0.3, steady), path_smoothing)).stop.found());
 }
 
 TEST_CASE("a turning carries the errors of step and smoothing", "[unit][boomeron]") {
@@ -107,7 +107,7 @@ TEST_CASE("runs part the later the less they differ", "[unit][boomeron]") {
   CHECK(time(3e-3) < 300);
   const Estimate when = decorrelation_of(100, 104);
   CHECK(when.value == 104);
-  CHECK(when.error >= 4 + look_every);
+  CHECK(when.error >= 4 + comparison_interval);
   CHECK(std::isnan(decorrelation_of(100, time(0)).value));
 }
 

@@ -92,7 +92,7 @@ TEST_CASE("the deviation of the DpS equation is that of two plain runs", "[unit]
       for (std::size_t i : {0, 1})
         if (h * k * std::sqrt(eps) <= times[i] * (1 + 1e-9)) most[i] = std::max(most[i], apart);
     }
-    const auto seen = deviations(both, eps, resolutions[halved], {0.3, 1.0});
+    const auto seen = deviations(both, eps, error_resolutions[halved], {0.3, 1.0});
     for (std::size_t i : {0, 1}) check_close(seen.at(i), most[i], 0, 1e-4);
   }
 }
@@ -100,7 +100,7 @@ TEST_CASE("the deviation of the DpS equation is that of two plain runs", "[unit]
 TEST_CASE("two resolutions tell how well a deviation is known", "[unit][dps]") {
   const double eps = 1e-3;
   const Compared both{dps_impact(5), Quartic{-1}, 0.3};
-  CHECK((resolutions[0].halvings == 0 && resolutions[1].halvings == 1));
+  CHECK((error_resolutions[0].halvings == 0 && error_resolutions[1].halvings == 1));
   const auto coarse = deviations(both, eps, {0, 1e-9}, {0.3, 1.0}),
              fine = deviations(both, eps, {1, 1e-11}, {0.3, 1.0});
   const auto refined = refined_deviations(both, eps, {0.3, 1.0});

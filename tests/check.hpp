@@ -21,6 +21,14 @@ inline void check_close(double value, double expected, double absolute, double r
   CHECK((difference <= absolute || difference <= relative * std::abs(expected)));
 }
 
+/// How the residuals of a problem change with the unknown `k`, from a step `h` to either side.
+template <class Problem, class Unknowns>
+Unknowns slope_along(const Problem& problem, const Unknowns& x, long k, double h) {
+  Unknowns up = x, down = x;
+  up[k] += h, down[k] -= h;
+  return (problem.shoot(up, {}, false).miss - problem.shoot(down, {}, false).miss) / (2 * h);
+}
+
 /// What is said when `make` is refused with such an error; nothing if it is not.
 template <class Error = std::exception, class Make>
 std::string refusal(Make make) {

@@ -7,6 +7,7 @@
 
 #include "check.hpp"
 #include "lattice/model/contact.hpp"
+#include "lattice/model/potential_names.hpp"
 #include "lattice/model/well.hpp"
 
 /// Central difference with one Richardson step: error of order h^4.

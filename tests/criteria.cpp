@@ -199,7 +199,7 @@ TEST_CASE("a transition needs both sides, in order, and few doubts", "[unit][cri
 
 TEST_CASE("a struck soft well blows up, a pendulum does not", "[property][criteria]") {
   const auto bounded = [](const Well& well, double velocity, double time) {
-    const Impact impact{velocity, {20, well}, time, 0.2, reached, false};
+    const Impact impact{velocity, {20, well}, time, 0.2, may_move, false};
     return no_blowup(confinement(impact, stepper_for(1e-4, 0.1), stepper_for(1e-4, 0.1, 1)));
   };
   CHECK(holds(bounded(Pendulum{}, 6, 200)));  // beads leave at both ends

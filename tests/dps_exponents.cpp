@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "check.hpp"
-#include "commands/dps_travelling.hpp"
+#include "commands/dps_orbit.hpp"
 #include "lattice/dps/dps_impact.hpp"
 #include "lattice/model/contact.hpp"
 #include "lattice/quadruple/extended.hpp"

@@ -109,7 +109,7 @@ TEST_CASE("a damped breather follows its branch", "[property][decay]") {
   const auto chain = breather_problem<double>(Centre::bond, 1.1, 0.0, orbit.start.y.size()).chain;
   const double nu = 1e-3;
   const Decay decay = let_decay(orbit, chain, nu, 700, 0.1);
-  const DecayMoment end = decay.moments.back();
+  const DecayMoment end = decay.back();
   const auto same = breather_at(Centre::bond, end.omega);
   check_close(same.area, orbit.area * std::exp(-nu * end.t), 0, 5e-3);
   check_close(end.energy, same.energy, 0, 5e-3);

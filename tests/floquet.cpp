@@ -193,12 +193,7 @@ TEST_CASE("a breather held at a site or bond stands at the exchange", "[property
   x << problem.reduce(orbit.start), 0.15;
   const Shot<double> shot = held.shoot(x, {});
   for (Eigen::Index k : {5, 7, 8, 15}) {
-    const double h = k == 15 ? 1e-4 : 1e-7;
-    Vector<double> up = x, down = x;
-    up[k] += h;
-    down[k] -= h;
-    const Vector<double> slope =
-        (held.shoot(up, {}, false).miss - held.shoot(down, {}, false).miss) / (2 * h);
+    const Vector<double> slope = slope_along(held, x, k, k == 15 ? 1e-4 : 1e-7);
     CAPTURE(k);
     CHECK(sup<double>(slope - shot.jacobian.col(k)) < 1e-5 * (1 + sup<double>(slope)));
   }

@@ -88,7 +88,7 @@ TEST_CASE("a chain is long enough for what travels in it", "[unit][model]") {
 TEST_CASE("a run that its far end sends back is no result", "[unit][model]") {
   Impact impact{1.9, {30}, 100};
   CHECK_THROWS_AS(strike(ContactAware{0.05}, impact), FarEndReached);
-  impact.far_end = reached;
+  impact.far_end = may_move;
   CHECK(strike(ContactAware{0.05}, impact).far_end > 0.01);
   // The packet leaves before it is back, so here the same chain will do
   impact.far_end = 1e-9, impact.until = 20;

@@ -3,6 +3,7 @@
 
 #include "check.hpp"
 #include "lattice/gsl/random.hpp"
+#include "lattice/model/potential_names.hpp"
 #include "lattice/orbits/breather.hpp"
 #include "sec3/branches.hpp"
 
@@ -115,12 +116,7 @@ TEST_CASE("the derivative with respect to a free period is exact", "[unit][orbit
   x << 0.02, -0.01, 0.001, 0, 0.03, -0.02, 0.004, 0.001, 0, 6;
   const Shot<double> shot = problem.shoot(x, {});
   for (Eigen::Index k : {0, 4, 5, 9}) {
-    const double h = k == 9 ? 1e-6 : 1e-8;
-    Vector<double> up = x, down = x;
-    up[k] += h;
-    down[k] -= h;
-    const Vector<double> slope =
-        (problem.shoot(up, {}, false).miss - problem.shoot(down, {}, false).miss) / (2 * h);
+    const Vector<double> slope = slope_along(problem, x, k, k == 9 ? 1e-6 : 1e-8);
     CAPTURE(k);
     CHECK(sup<double>(slope - shot.jacobian.col(k)) < 1e-5);
   }

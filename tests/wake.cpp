@@ -73,7 +73,7 @@ TEST_CASE("a cut packet goes on as GSL says", "[unit][wake]") {
   const State<double> start =
       cut_out(Chain{80, Quartic{1}}, voyage({0.0125}, {1.9, 1, cut, 80}).end, 80);
   State<double> end = start;
-  evolve(ContactAware{0.0125}, chain, end, until - cut, sampling, Unobserved{});
+  evolve(ContactAware{0.0125}, chain, end, until - cut, path_sampling, Unobserved{});
   CHECK(distance_from_reference(chain, start, until - cut, end, 1e-6) < 1e-6);
   const Path path =
       follow_without({.cut = cut}, 0.0125, until + 0.025, 80);  // its last look is at `until`

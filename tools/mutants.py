@@ -2,7 +2,7 @@
 
 `make mutants` takes the errors that were chosen by hand. A row names the tests that should notice; an error is killed if
 one of them fails (or no longer compiles, or does not end) and survives otherwise. A row whose right text is not in its
-room exactly once is a mistake in the table and ends the run. Arguments select rows by their room or their description.
+module exactly once is a mistake in the table and ends the run. Arguments select rows by their module or description.
 
 `make mutants RANDOM=200 SEED=1` draws errors from the code of src/lattice and of the sections: an operator, a comparison, a
 sign, an index, a constant, min for max, sin for cos, and for or; not from prose, texts and messages. A tolerance, which is
@@ -203,9 +203,9 @@ class Places:
 
 # Errors chosen by hand
 
-def files(room):
-    """The sources of a room of the library, of `report`, or of a section's shelf."""
-    folder = ROOT / "src" / room if room == "report" or room.startswith("sec") else ROOT / "src/lattice" / room
+def files(module):
+    """The sources of a module of the library, of `report`, or the code of a section."""
+    folder = ROOT / "src" / module if module == "report" or module.startswith("sec") else ROOT / "src/lattice" / module
     return sorted(path for path in folder.iterdir() if path.suffix in (".hpp", ".cpp"))
 
 
@@ -214,14 +214,14 @@ def read_table(selection):
     for number, line in enumerate((ROOT / "tools/mutants.tsv").read_text(encoding="utf8").splitlines(), 1):
         if not line or line.startswith("#"):
             continue
-        room, right, wrong, tests, what = line.split("\t")
-        texts = {path: path.read_text(encoding="utf8") for path in files(room)}
+        module, right, wrong, tests, what = line.split("\t")
+        texts = {path: path.read_text(encoding="utf8") for path in files(module)}
         count = sum(text.count(right) for text in texts.values())
         if count != 1:
-            mistakes.append(f"mutants.tsv:{number}: '{right}' occurs {count} times in {room}")
+            mistakes.append(f"mutants.tsv:{number}: '{right}' occurs {count} times in {module}")
         elif missing := [test for test in tests.split() if not (ROOT / f"tests/{test}.cpp").exists()]:
             mistakes.append(f"mutants.tsv:{number}: there is no tests/{missing[0]}.cpp")
-        elif not selection or any(word in room or word in what for word in selection):
+        elif not selection or any(word in module or word in what for word in selection):
             path, text = next((path, text) for path, text in texts.items() if right in text)
             table.append(((path.relative_to(ROOT / "src"), text.index(right), right, wrong), tests.split(), what))
     if mistakes:
@@ -328,15 +328,15 @@ def judge_random(pool, places, count, seed):
     counts = collections.defaultdict(collections.Counter)
     while (missing := count - sum(sum(of.values()) for of in counts.values())) and drawn:
         batch, drawn = drawn[:missing], drawn[missing:]
-        for room, kind in pool.map(judge, batch):
+        for module, kind in pool.map(judge, batch):
             if kind != "none":
-                counts[room][kind] += 1
+                counts[module][kind] += 1
     kinds = ["killed", "bytes", "alive", "equivalent"]
     total = collections.Counter()
     print(f"{'module':18}" + "".join(f"{kind:>12}" for kind in kinds))
-    for room, of in sorted(counts.items()):
+    for module, of in sorted(counts.items()):
         total += of
-        print(f"{room:18}" + "".join(f"{of[kind]:12}" for kind in kinds))
+        print(f"{module:18}" + "".join(f"{of[kind]:12}" for kind in kinds))
     print(f"{'all':18}" + "".join(f"{total[kind]:12}" for kind in kinds))
     return total["alive"] > 0 or total["bytes"] > 0.1 * count
 

@@ -7,6 +7,7 @@ it is computed, and gets each quantity with its error; what goes wrong is told i
 which the programs tell it. */
 
 #include "lattice/impact/impact.hpp"
+#include "lattice/model/potential_names.hpp"
 #include "page.hpp"
 
 using namespace lattice;
@@ -29,7 +30,7 @@ Impact impact_of(const Request& r) {
   return {.velocity = r.velocity,
           .chain = {std::size_t(r.sites), named<Well>(name, given), contact},
           .time = r.time,
-          .far_end = reached};
+          .far_end = may_move};
 }
 
 /// Shows about `rows` of the samples of a run, whatever their number.

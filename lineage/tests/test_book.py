@@ -181,8 +181,8 @@ class Numbers(unittest.TestCase):
         for id, (command, quantity) in known.alone.items():
             self.assertIn(id, known.quotable)
             program, subcommand = command.split()[0].split("/")[-1], command.split()[1]
-            shelves = [ROOT / "src/commands", *(f for f in (ROOT / "src").glob("sec*/") if program.startswith(f.name))]
-            sources = [ROOT / "src" / f"{program}.cpp", *(h for shelf in shelves for h in shelf.glob("*.hpp"))]
+            folders = [ROOT / "src/commands", *(f for f in (ROOT / "src").glob("sec*/") if program.startswith(f.name))]
+            sources = [ROOT / "src" / f"{program}.cpp", *(h for folder in folders for h in folder.glob("*.hpp"))]
             self.assertTrue(any(f'"{subcommand}"' in ecsv.text_of(path) for path in sources), f"{id}: {subcommand}")
             self.assertTrue(quantity, id)
 

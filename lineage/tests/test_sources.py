@@ -61,14 +61,14 @@ def misquoted(text):
         found[0] for found in re.finditer(r"\bEqs?\.\s+\((\d+)\)", text) if not 1 <= int(found[1]) <= LAST_EQUATION]
 
 
-def foreign_shelves(file, text):
-    """Includes by which a file on a section's shelf reaches for another section's. Commands may take from every one."""
+def foreign_sections(file, text):
+    """Includes by which a file of a section reaches for the code of another one. Commands may take from every one."""
     return [f"{file} -> {name}" for name in re.findall(r'^#include "(\w+)/', text, re.M)
             if name not in ("lattice", "report") and not file.split("/")[0].startswith(name) and not (file.startswith("commands/") and name.startswith("sec"))]
 
 
 def defined_twice(texts):
-    """Types that two headers define under one name. The library is one namespace, so that whoever includes both could
+    """Types that two headers define under one name. All are in one namespace, so that whoever includes both could
     not compile; most chapters include only one, and nobody notices."""
     home = {}
     for header, text in texts.items():
@@ -113,11 +113,11 @@ class Rules(unittest.TestCase):
                             (f"by {eq}. (40)", 1), (f"by {eq}. (0)", 1)]:
             self.assertEqual(len(misquoted(text)), count, text)
 
-    def test_a_shelf_that_uses_another_one_is_seen(self):
+    def test_a_section_that_uses_another_one_is_seen(self):
         for file, name, count in [("sec4/a.cpp", "lattice/model/a.hpp", 0), ("sec4/a.cpp", "sec4/b.hpp", 0),
                                   ("sec33/a.cpp", "sec3/b.hpp", 0), ("sec3/a.cpp", "sec33/b.hpp", 1), ("sec4/a.cpp", "sec5/b.hpp", 1), ("sec4/a.cpp", "commands/b.hpp", 1),
                                   ("commands/a.cpp", "sec5/b.hpp", 0), ("commands/a.cpp", "commands/b.hpp", 0)]:
-            self.assertEqual(len(foreign_shelves(file, f'#include "{name}"\n')), count, (file, name))
+            self.assertEqual(len(foreign_sections(file, f'#include "{name}"\n')), count, (file, name))
 
     def test_one_name_for_two_types_is_seen(self):
         part = "struct Part {\n};\n"
@@ -168,9 +168,9 @@ class Here(unittest.TestCase):
         self.none(f"{path}: {what}" for path, text in self.texts.items() for what in unreadable(text))
         self.none(f"{path}: {text.count(chr(10))} lines" for path, text in self.texts.items()
                   if re.fullmatch(r"src/sec\w+\.cpp", path) and text.count("\n") > 500)
-        self.none(defined_twice({path: text for path, text in self.texts.items() if re.match(r"src/lattice/.*hpp$", path)}))
+        self.none(defined_twice({path: text for path, text in self.texts.items() if path.endswith(".hpp")}))
         self.none(what for path, text in self.texts.items() if re.match(r"src/(sec\w+|commands)/", path)
-                  for what in foreign_shelves(path.removeprefix("src/"), text))
+                  for what in foreign_sections(path.removeprefix("src/"), text))
 
     def test_every_header_of_the_library_refuses_what_changes_values(self):
         self.assertEqual(without("a", {"a": "", "b": '#include "a"\n', "c": '#include "b"\n', "d": '#include <a>\n'}), ["d"])

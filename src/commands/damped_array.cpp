@@ -12,9 +12,9 @@ void DampedArray::parameters(Parameters& p) {
 }
 
 Table DampedArray::table() const {
-  const double t10 = array.time(ten), contact = contact_loss(restitution, array.velocity(1));
+  const double t10 = array36.time(ten_ms), contact = contact_loss(restitution, array36.velocity(1));
   const TwoJourneys found = two_journeys(velocity, lifetime, contact, 16, {0.05, 0.025});
-  const double per_second = array.per_second(1);
+  const double per_second = array36.per_second(1);
   Answers q;
   q.add("sites_10ms", found.of_way(t10, &Progressed::sites), "sites",
         "distance of the packet from the first contact in the 10 ms after the impact, by the "
@@ -23,14 +23,14 @@ Table DampedArray::table() const {
         "oscillations of the packet over this distance");
   q.add_small("speed", found.of_way(t10, &Progressed::speed, per_second), "sites/s",
               "speed of the packet after 10 ms, over its last five sites; 0 if it has stopped");
-  q.add("period", found.of_way(t10, &Progressed::period, array.milliseconds(1)), "ms",
+  q.add("period", found.of_way(t10, &Progressed::period, array36.milliseconds(1)), "ms",
         "period of the packet's oscillation after 10 ms");
   q.add_small(
       "budget", found.both([](const Journey& j) { return j.budget; }), "",
       "energy and losses less the energy of the impact, relative to it: zero but for errors");
   q.add("centre_10ms", found.both([&](const Journey& j) { return centre_after(j, t10); }), "site",
         "centre of the energy of the whole array after 10 ms, from the first bead as one");
-  q.add("slow_clock", exact(array.milliseconds(slow_clock(array.rate(lifetime), t10))), "ms",
+  q.add("slow_clock", exact(array36.milliseconds(slow_clock(array36.rate(lifetime), t10))), "ms",
         "what the clock of the DpS field with these beams shows after 10 ms: without any losses "
         "the centre of the energy is about as far then; the strongest push is not");
   return q.table;

@@ -20,7 +20,7 @@ void OneImpact::parameters(Parameters& p) {
 
 OneImpact::Found OneImpact::find() const {
   Impact whole = endless(impact);
-  if (sites) whole.chain.sites = *sites, whole.far_end = reached;
+  if (sites) whole.chain.sites = *sites, whole.far_end = may_move;
   return {whole, strike_to(tolerance, whole)};
 }
 

@@ -12,7 +12,7 @@ A line is read in two passes: first every word finds its place, then the values 
 #include <sstream>
 #include <utility>
 
-#include "lattice/model/potential.hpp"
+#include "lattice/model/potential_names.hpp"
 
 namespace lattice {
 

@@ -12,6 +12,7 @@ reader's choice, only the well is offered. */
 
 #include "lattice/model/boundary.hpp"
 #include "lattice/model/contact.hpp"
+#include "lattice/model/potential_names.hpp"
 #include "lattice/model/well.hpp"
 #include "report/parameters.hpp"
 

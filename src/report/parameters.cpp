@@ -12,7 +12,7 @@ allowed. */
 #include <filesystem>
 #include <fstream>
 
-#include "lattice/model/potential.hpp"
+#include "lattice/model/potential_names.hpp"
 #include "report/files.hpp"
 
 namespace lattice {

@@ -38,7 +38,7 @@ struct ErrorResolution {
   int halvings;
   double tolerance;
 };
-inline constexpr ErrorResolution resolutions[] = {{0, 1e-9}, {1, 1e-11}};
+inline constexpr ErrorResolution error_resolutions[] = {{0, 1e-9}, {1, 1e-11}};
 
 /**
 The deviation compares both equations at the same instants, so they run side by side: the chain's samples
@@ -75,8 +75,8 @@ inline std::vector<double> deviations(const Compared& both, double eps,
 /// The same with errors, from both resolutions.
 inline std::vector<Estimate> refined_deviations(const Compared& both, double eps,
                                                 const std::vector<double>& horizons) {
-  const auto coarse = deviations(both, eps, resolutions[0], horizons);
-  const auto fine = deviations(both, eps, resolutions[1], horizons);
+  const auto coarse = deviations(both, eps, error_resolutions[0], horizons);
+  const auto fine = deviations(both, eps, error_resolutions[1], horizons);
   std::vector<Estimate> out;
   for (std::size_t k = 0; k < fine.size(); ++k) out.push_back(compare(coarse[k], fine[k]));
   return out;

@@ -8,8 +8,8 @@ namespace lattice {
 
 std::vector<Group> groups_of_trials(bool quick) {
   std::vector<Group> out;
-  for (const Noise& reading : readings)
-    for (const auto& [which, name] : cases) {
+  for (const Noise& reading : noise_readings)
+    for (const auto& [which, name] : noise_cases) {
       Group group{&reading, which, std::string("_") + reading.name + "_" + name};
       if (!group.main() && which == Case::control) continue;
       const std::size_t seeds = quick ? (group.many() ? 4 : 1) : (group.many() ? 16 : 6);
@@ -20,7 +20,7 @@ std::vector<Group> groups_of_trials(bool quick) {
 }
 
 // Each trial at both tolerances
-void run(std::vector<Group>& groups, const Breathers& breathers) {
+void run_trials(std::vector<Group>& groups, const Breathers& breathers) {
   std::vector<std::pair<const Group*, Trial*>> all;
   for (Group& group : groups)
     for (Trial& trial : group.trials) all.emplace_back(&group, &trial);
@@ -28,8 +28,8 @@ void run(std::vector<Group>& groups, const Breathers& breathers) {
     const auto& [group, trial] = all[i];
     const Field v = breathers.start(*group->reading, group->which, *trial);
     const PinnedBreather& breather = breathers.of(group->which);
-    trial->rough = follow_breather(breather, v, group->time(), coarse);
-    trial->good = follow_breather(breather, v, group->time(), fine);
+    trial->rough = follow_breather(breather, v, group->time(), coarse_trial);
+    trial->good = follow_breather(breather, v, group->time(), fine_trial);
   });
 }
 

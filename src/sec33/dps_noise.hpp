@@ -2,9 +2,9 @@
 /**
 # Groups of breathers under noise
 
-One trial is an accident. For each kind of noise (`readings`) and each case a *group* of trials is run, which differ in
-the seed alone. Beside the site-centred and the bond-centred breather there is a *control*: the site-centred one under
-the same noise without its part in the pinning pair, which to first order cannot move. */
+One trial is an accident. For each kind of noise (`noise_readings`) and each case a *group* of trials is run, which
+differ in the seed alone. Beside the site-centred and the bond-centred breather there is a *control*: the site-centred
+one under the same noise without its part in the pinning pair, which to first order cannot move. */
 
 #include <cstddef>
 #include <string>
@@ -16,29 +16,29 @@ the same noise without its part in the pinning pair, which to first order cannot
 namespace lattice {
 
 /// Their frequency, and how long they are followed.
-inline constexpr double mu_high = 10, duration = 500;
+inline constexpr double noise_mu = 10, trial_time = 500;
 /// With which tolerances, and how many samples.
-inline constexpr Accuracy coarse{1e-8, 1}, fine{1e-10, 2};
+inline constexpr Accuracy coarse_trial{1e-8, 1}, fine_trial{1e-10, 2};
 
 /// The readings of "uniformly distributed" and "of amplitude 0.01", the main one first.
-inline constexpr Noise readings[] = {{"complex", true, false, false, 0.01},
-                                     {"narrow", true, false, false, 0.005},
-                                     {"real", false, false, false, 0.01},
-                                     {"positive", false, true, false, 0.01},
-                                     {"relative", true, false, true, 0.01}};
+inline constexpr Noise noise_readings[] = {{"complex", true, false, false, 0.01},
+                                           {"narrow", true, false, false, 0.005},
+                                           {"real", false, false, false, 0.01},
+                                           {"positive", false, true, false, 0.01},
+                                           {"relative", true, false, true, 0.01}};
 
 /// Which breather, or the control.
 enum class Case { site, control, bond };
-inline constexpr std::pair<Case, const char*> cases[] = {
+inline constexpr std::pair<Case, const char*> noise_cases[] = {
     {Case::site, "site"}, {Case::control, "control"}, {Case::bond, "bond"}};
 
-/// Both breathers of frequency `mu_high`.
+/// Both breathers of frequency `noise_mu`.
 struct Breathers {
   PinnedBreather site, bond;
 
   Breathers()
-      : site(Centre::site, mu_high, sites_of(Centre::site)),
-        bond(Centre::bond, mu_high, sites_of(Centre::bond)) {}
+      : site(Centre::site, noise_mu, sites_of(Centre::site)),
+        bond(Centre::bond, noise_mu, sites_of(Centre::bond)) {}
   const PinnedBreather& of(Case which) const { return which == Case::bond ? bond : site; }
   Field start(const Noise& reading, Case which, Trial& trial) const {
     return perturbed(of(which), reading, which != Case::control, trial);
@@ -55,19 +55,19 @@ struct Group {
   std::string name;
   std::vector<Trial> trials{};
 
-  bool main() const { return reading == readings; }
-  bool many() const { return reading <= readings + 1; }
-  double time() const { return duration * (!many() ? 1.5 : which == Case::control ? 2 : 1); }
+  bool main() const { return reading == noise_readings; }
+  bool many() const { return reading <= noise_readings + 1; }
+  double time() const { return trial_time * (!many() ? 1.5 : which == Case::control ? 2 : 1); }
 };
 
 /// All groups, before they are run.
 std::vector<Group> groups_of_trials(bool quick);
 
 /// Runs all trials side by side, each at both tolerances.
-void run(std::vector<Group>& groups, const Breathers& breathers);
+void run_trials(std::vector<Group>& groups, const Breathers& breathers);
 
 /// The trials of a group. Throws std::invalid_argument if there is none.
 const std::vector<Trial>& trials_of(const std::vector<Group>& groups, Case which,
-                                    const Noise& reading = readings[0]);
+                                    const Noise& reading = noise_readings[0]);
 
 }  // namespace lattice

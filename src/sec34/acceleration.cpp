@@ -33,8 +33,8 @@ Acceleration acceleration_of(const Voyage& seen, double width, Stretch stretch) 
   if (stretch == Stretch::between) last = first;
   if (stretch != Stretch::back)
     for (first = 0; p.t[first] < (stretch == Stretch::out ? 100 : 220);) ++first;
-  if (stretch == Stretch::out) last = first + std::size_t(120 / sampling);
-  const auto [t, v] = velocities(p, first, last, sampling);
+  if (stretch == Stretch::out) last = first + std::size_t(120 / path_sampling);
+  const auto [t, v] = velocities(p, first, last, path_sampling);
   return {fit_line(t, v).estimate(), bend(t, v)};
 }
 
@@ -42,9 +42,9 @@ Acceleration acceleration_of(const Voyage& seen, double width, Stretch stretch) 
 
 // Two steps and half the smoothing
 Acceleration acceleration_of(const Voyage& coarse, const Voyage& fine, Stretch stretch) {
-  const Acceleration a = acceleration_of(coarse, smoothing, stretch),
-                     b = acceleration_of(fine, smoothing, stretch),
-                     c = acceleration_of(fine, smoothing / 2, stretch);
+  const Acceleration a = acceleration_of(coarse, path_smoothing, stretch),
+                     b = acceleration_of(fine, path_smoothing, stretch),
+                     c = acceleration_of(fine, path_smoothing / 2, stretch);
   Acceleration out{compare(a.mean, b.mean), b.bend};
   out.mean.error += std::abs(c.mean.value - b.mean.value);
   return out;

@@ -14,7 +14,7 @@ namespace lattice {
 
 constexpr double wave_amplitude = 0.15, wave_time = 300;
 
-Path expose(const Trial& trial, const Orbit<double>& orbit, double step) {
+Path expose(const ExposedBreather& trial, const Orbit<double>& orbit, double step) {
   const std::size_t length = 160, first = 64, centre = first + orbit.start.y.size() / 2;
   const Chain chain{length, Quartic{trial.well}};
   State<double> state(length);
@@ -26,16 +26,16 @@ Path expose(const Trial& trial, const Orbit<double>& orbit, double step) {
     state.v[n] += wave_amplitude * std::sin(trial.phase[k]);
   }
   Path path;
-  evolve(ContactAware{step}, chain, state, wave_time, sampling, [&](const State<double>& now) {
+  evolve(ContactAware{step}, chain, state, wave_time, path_sampling, [&](const State<double>& now) {
     path.add(now.t, energy_density(chain, now));
     path.centre.back() -= double(centre) + 0.5;
   });
   return path;
 }
 
-std::vector<Trial> trials(std::size_t count) {
-  Random random(seed);
-  std::vector<Trial> list;
+std::vector<ExposedBreather> exposed_breathers(std::size_t count) {
+  Random random(phase_seed);
+  std::vector<ExposedBreather> list;
   for (std::size_t k = 0; k < count; ++k) {
     std::vector<double> phase(15);
     for (double& x : phase) x = random.uniform(0, 2 * std::numbers::pi);
@@ -47,12 +47,12 @@ std::vector<Trial> trials(std::size_t count) {
 
 // Counted are, at both steps, the breathers that moved towards the waves by more than a tenth of a site; the largest
 // difference between two steps in any trial must be far below the mean
-void add_pull(Quantities& facts, const std::vector<Trial>& list, double well) {
+void add_pull(Quantities& facts, const std::vector<ExposedBreather>& list, double well) {
   std::vector<double> draws(list.size() / 4, 0.0);
   std::array<std::int64_t, 2> towards{};
   double steps = 0;
   for (std::size_t k = 0; k < list.size(); ++k) {
-    const Trial& t = list[k];
+    const ExposedBreather& t = list[k];
     if (t.well != well) continue;
     const double x = t.side * t.moved(t.path), rough = t.side * t.moved(t.coarse);
     draws[k / 4] += x / 2;

@@ -14,29 +14,29 @@ oscillate with the amplitude 0.15 and random phases. Does it move, and where to?
 namespace lattice {
 
 /// Of the phases that are drawn.
-inline constexpr unsigned long seed = 20130502;
+inline constexpr unsigned long phase_seed = 20130502;
 
 /// One draw of phases in one well, with the waves on one side.
-struct Trial {
+struct ExposedBreather {
   double well, omega;
   int side;  ///< -1: waves on the left
   std::vector<double> phase;
   Path path{}, coarse{};
 
   double moved(const Path& p) const {
-    const Path q = smooth(p, smoothing);
+    const Path q = smooth(p, path_smoothing);
     return q.centre.back() - q.centre.front();
   }
 };
 
 /// The path of the breather `orbit` until $t = 300$; its displacement is measured from the bond at which it rested.
-Path expose(const Trial& trial, const Orbit<double>& orbit, double step);
+Path expose(const ExposedBreather& trial, const Orbit<double>& orbit, double step);
 
 /// Draws, each used four times: in both wells and, mirrored, on both sides. The frequencies 1.68 and 1.6045 are chosen
 /// such that the energies of the two breathers agree.
-std::vector<Trial> trials(std::size_t count);
+std::vector<ExposedBreather> exposed_breathers(std::size_t count);
 
 /// Adds the mean displacement towards the waves in one well, with its standard error, and how many trials moved there.
-void add_pull(Quantities& facts, const std::vector<Trial>& list, double well);
+void add_pull(Quantities& facts, const std::vector<ExposedBreather>& list, double well);
 
 }  // namespace lattice

@@ -5,7 +5,7 @@ namespace lattice {
 Estimate decorrelation_of(double coarse, double fine) {
   if (!std::isfinite(coarse) || !std::isfinite(fine)) return {std::nan(""), std::nan("")};
   Estimate when = compare(coarse, fine);
-  when.error += look_every;
+  when.error += comparison_interval;
   return when;
 }
 

@@ -20,8 +20,8 @@ displacement or velocity. */
 
 namespace lattice {
 
-inline constexpr double parted = 0.1;    ///< relative difference of the states
-inline constexpr double look_every = 2;  ///< units of time between two comparisons
+inline constexpr double parting_distance = 0.1;   ///< relative difference of the states
+inline constexpr double comparison_interval = 2;  ///< units of time between two comparisons
 
 /**
 The two runs go on side by side from look to look, so that no more is kept than the two states. */
@@ -30,8 +30,8 @@ The two runs go on side by side from look to look, so that no more is kept than 
 template <class First, class Second>
 double decorrelation_time(const First& first, State<double> a, const Second& second,
                           State<double> b, const Chain& chain, double time) {
-  const TimeGrid one = time_grid_for(first, time, look_every),
-                 other = time_grid_for(second, time, look_every);
+  const TimeGrid one = time_grid_for(first, time, comparison_interval),
+                 other = time_grid_for(second, time, comparison_interval);
   Window of_a = waking(chain, a), of_b = waking(chain, b);
   auto advance_a = advance_of(first, chain);
   auto advance_b = advance_of(second, chain);
@@ -39,7 +39,7 @@ double decorrelation_time(const First& first, State<double> a, const Second& sec
   Progress progress("two runs", 1);
   for (std::size_t k = 0;; ++k) {
     a.t = b.t = start + one.interval() * double(k);
-    if (!bounded(a) || !bounded(b) || distance(a, b) > parted) return a.t;
+    if (!bounded(a) || !bounded(b) || distance(a, b) > parting_distance) return a.t;
     progress.reach(double(k) / double(one.samples));
     if (k == one.samples) return std::numeric_limits<double>::infinity();
     advance_a(a, of_a, one.step(), one.steps);
@@ -58,7 +58,7 @@ inline double decorrelation_of_impacts(const ContactAware& first, double one,
 /**
 This time is a number like any other: it depends on the steps of the two runs, and has an error. */
 /// The decorrelation time, from two pairs of runs with different steps. A parting is noticed up to
-/// `look_every` late, which is added to the error; `nan` if there was none.
+/// `comparison_interval` late, which is added to the error; `nan` if there was none.
 Estimate decorrelation_of(double coarse, double fine);
 
 }  // namespace lattice

@@ -15,7 +15,7 @@ constexpr double rate = 0.1, rate_at_end = 0.2, packet_has_left = 60;
 
 // Looks become denser with the step, so that two steps also show the error of what is read from them
 double look_every(double step) {
-  return std::min(sampling, 2 * step);
+  return std::min(path_sampling, 2 * step);
 }
 
 /// Beads, counted from the first one, that are damped at rate `nu`.
@@ -120,7 +120,7 @@ Path follow_without(const WavesRemoved& impact, double step, double until, std::
 LateFate late_fate(const WavesRemoved& impact, double step, double until, std::size_t sites,
                    Path* way) {
   LateFate out;
-  const auto width = std::size_t(std::lround(smoothing / look_every(step)));
+  const auto width = std::size_t(std::lround(path_smoothing / look_every(step)));
   Path recent;
   double mean = 0, late = std::nan("");
   const auto watch = [&](const Sight& now) {

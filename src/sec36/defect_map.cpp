@@ -24,8 +24,8 @@ Sweep map_sweep(const std::filesystem::path& folder, bool quick) {
 }
 
 ScatteringSetup setup_for(const StruckArray& blow, bool quick) {
-  if (quick) return {blow, {0.2, 0.1}, shown_until};
-  return {blow, {0.1, 0.05}, shown_until};
+  if (quick) return {blow, {0.2, 0.1}, defect_passed};
+  return {blow, {0.1, 0.05}, defect_passed};
 }
 
 void compute_map(Sweep& sweep, const ScatteringSetup& setup, bool quick, Part part) {

@@ -15,7 +15,7 @@ run collects what the parts have left in the folder (sweep.hpp). */
 namespace lattice {
 
 /// The end of figure 24, in ms, when the packet has left the defect.
-inline constexpr double shown_until = 75;
+inline constexpr double defect_passed = 75;
 
 /// The radii of the map, closer to each other around one.
 std::vector<double> map_radii(bool quick);

@@ -1,7 +1,5 @@
 #include "sec4/modulation.hpp"
 
-#include <limits>
-
 #include "lattice/numerics/progress.hpp"
 #include "sec4/nls.hpp"
 

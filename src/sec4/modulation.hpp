@@ -17,6 +17,7 @@ of the appendix, and two steps tell the error. */
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -109,7 +110,8 @@ struct RingCourse {
 /// Goes on until the runs part, until `longest`, or until `patience` times the time that it takes the energy
 /// to gather.
 RingCourse ring_course(const ModulatedPhonon& phonon, double longest,
-                       const std::array<double, 2>& steps, double patience = reached);
+                       const std::array<double, 2>& steps,
+                       double patience = std::numeric_limits<double>::infinity());
 
 /// The wavenumbers of the ring at which Phi, Eq. (37), is positive, one in `every`, from the largest Phi on.
 std::vector<double> unstable_band(const ModulatedPhonon& phonon, std::size_t every);

@@ -3,8 +3,8 @@
 namespace lattice {
 
 Journey journey(double velocity, double lifetime, double contact, double ms, double step) {
-  const DrivenChain driven{Chain{beams}, {array.rate(lifetime), contact}};
-  return follow_packet(driven, array.velocity(velocity), array.time(ms), beams - 1, step);
+  const DrivenChain driven{Chain{beams36}, {array36.rate(lifetime), contact}};
+  return follow_packet(driven, array36.velocity(velocity), array36.time(ms), beams36 - 1, step);
 }
 
 TwoJourneys two_journeys(double velocity, double lifetime, double contact, double ms,

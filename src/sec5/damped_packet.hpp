@@ -15,9 +15,9 @@ is in units of the experiment. */
 namespace lattice {
 
 /// Units of the array of section 3.6.
-inline const Scales array = CantileverArray{}.scales();
-constexpr double ten = 10;          ///< ms
-constexpr std::size_t beams = 200;  ///< as in section 3.6
+inline const Scales array36 = CantileverArray{}.scales();
+constexpr double ten_ms = 10;         ///< time and lifetime, in ms
+constexpr std::size_t beams36 = 200;  ///< as in section 3.6
 
 /// One packet with two steps.
 struct TwoJourneys {

@@ -27,7 +27,7 @@ Member member_at(Centre centre, double omega, double s, bool fine) {
   EventTolerance<double> rule;
   if (!fine) rule.tolerance *= 1000;
   const auto pairs = floquet_pairs(problem.chain, orbit.start, orbit.period(), rule);
-  Member out{omega, orbit.energy, orbit.area, pairs.pinning(), 0};
+  Member out{omega, orbit.area, pairs.pinning(), 0};
   if (out.kappa > 0) out.growth = 2 * std::asinh(std::sqrt(out.kappa)) / orbit.period();
   return out;
 }
@@ -119,8 +119,7 @@ Decay let_decay(const Orbit<double>& orbit, const Chain& chain, double nu, doubl
                                    [](double a, double b) { return std::abs(a) < std::abs(b); }) -
                   state.y.begin());
   std::vector<double> t, y, e, centres;
-  Decay out;
-  out.budget = run_driven(
+  run_driven(
       {chain, {nu, 0}}, state, time_grid(duration, step, step),
       [&](const State<double>& now, const EnergyBudget&) {
         const auto density = energy_density(chain, now);
@@ -133,6 +132,7 @@ Decay let_decay(const Orbit<double>& orbit, const Chain& chain, double nu, doubl
         return true;
       });
   // From one upward passage to that eight periods later
+  Decay out;
   constexpr std::size_t periods = 8;
   const auto up = upward_crossings(t, y);
   for (std::size_t k = 0; k + periods < up.size(); ++k) {
@@ -144,7 +144,7 @@ Decay let_decay(const Orbit<double>& orbit, const Chain& chain, double nu, doubl
     for (std::size_t i = from; i < to; ++i) sum += e[i], place += centres[i];
     const double end = up[k + periods], turns = 2 * std::numbers::pi * double(periods);
     const double count = double(to - from);
-    out.moments.push_back({(up[k] + end) / 2, turns / (end - up[k]), sum / count, place / count});
+    out.push_back({(up[k] + end) / 2, turns / (end - up[k]), sum / count, place / count});
   }
   return out;
 }

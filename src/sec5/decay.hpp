@@ -26,7 +26,7 @@ namespace lattice {
 
 /// A breather of the branch in the well of anharmonicity s, with the growth rate of its translational pair.
 struct Member {
-  double omega = 0, energy = 0, area = 0;
+  double omega = 0, area = 0;
   double kappa = 0;   ///< of the translational pair (floquet.hpp); unstable if positive
   double growth = 0;  ///< per unit of time, zero if stable
   /// The multiplier per period that belongs to the growth.
@@ -62,11 +62,8 @@ struct DecayMoment {
   double centre;  ///< of the energy, in sites from one, with half of a contact on either side
 };
 
-/// The life of a breather with losses.
-struct Decay {
-  std::vector<DecayMoment> moments{};  ///< one for each period, over the eight that follow
-  double budget = 0;                   ///< see run_driven
-};
+/// The life of a breather with losses: one moment for each period, over the eight that follow.
+using Decay = std::vector<DecayMoment>;
 
 /// Lets a breather of this orbit decay at the rate `nu` for the time `duration`.
 Decay let_decay(const Orbit<double>& orbit, const Chain& chain, double nu, double duration,

@@ -14,7 +14,7 @@ struct Stretch {
 };
 
 /// Adds what is seen at one instant; a row is written when the centre has passed `next`.
-void look(Course& course, Stretch& s, const Chain& chain, const State<double>& now,
+void look(LongRun& run, Stretch& s, const Chain& chain, const State<double>& now,
           std::size_t offset, double next) {
   const auto e = energy_density(chain, now);
   const auto peak = front_packet(e);
@@ -28,30 +28,30 @@ void look(Course& course, Stretch& s, const Chain& chain, const State<double>& n
   if (x < next) return;
   const std::size_t b = *peak - 11;
   const std::complex<double> z(now.y[b], now.v[b]), behind(now.y[b - 1], now.v[b - 1]);
-  course.t.push_back(now.t), course.site.push_back(x);
-  course.left.push_back(std::abs(z)), course.angle.push_back(std::arg(z / behind));
-  course.energy.push_back(s.energy / s.looks), course.contact.push_back(s.contact / s.looks);
-  course.speed.push_back((x - s.begin_x) / (now.t - s.begin_t));
+  run.t.push_back(now.t), run.site.push_back(x);
+  run.left.push_back(std::abs(z)), run.angle.push_back(std::arg(z / behind));
+  run.energy.push_back(s.energy / s.looks), run.contact.push_back(s.contact / s.looks);
+  run.speed.push_back((x - s.begin_x) / (now.t - s.begin_t));
   s = {now.t, x};
 }
 
 }  // namespace
 
-Course long_run(double velocity, const Frame& frame, std::size_t rows) {
+LongRun long_run(double velocity, const Frame& frame, std::size_t rows) {
   const Chain chain{frame.sites};
   const auto steps = std::size_t(std::lround(1 / frame.step));
   State<double> state = struck(chain.sites, velocity);
-  Course course;
+  LongRun run;
   Stretch stretch;
   std::size_t offset = 0;
-  while (course.t.size() < rows) {
-    const double next = 20 * std::pow(10.0, double(course.t.size()) / 12);
+  while (run.t.size() < rows) {
+    const double next = 20 * std::pow(10.0, double(run.t.size()) / 12);
     evolve(ContactAware{frame.step}, chain, state, TimeGrid{1, 1, steps}, Unobserved{});
-    look(course, stretch, chain, state, offset, next);
+    look(run, stretch, chain, state, offset, next);
     const auto peak = front_packet(energy_density(chain, state));
     if (peak && *peak + 20 > chain.sites) move_on(state, frame.drop), offset += frame.drop;
   }
-  return course;
+  return run;
 }
 
 }  // namespace lattice

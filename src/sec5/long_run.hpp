@@ -19,7 +19,7 @@ twelve to a decade from site 20 on. The chain is sampled once per unit of time. 
 namespace lattice {
 
 /// What is seen of a packet, row by row.
-struct Course {
+struct LongRun {
   std::vector<double> t, site, left, angle, energy, contact, speed;
 };
 
@@ -30,6 +30,6 @@ struct Frame {
 };
 
 /// Strikes a chain of linear wells with `velocity` and follows the packet for so many rows.
-Course long_run(double velocity, const Frame& frame, std::size_t rows);
+LongRun long_run(double velocity, const Frame& frame, std::size_t rows);
 
 }  // namespace lattice

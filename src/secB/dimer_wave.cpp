@@ -123,7 +123,6 @@ DimerWave dimer_wave(DimerWave wave) {
     if (change > 1e-11) continue;
     wave.mass_ratio = x(n);
     wave.force.assign(x.data(), x.data() + n);
-    wave.least_overlap = overlap.segment(n / 2, Eigen::Index(wave.steps)).minCoeff();
     return wave;
   }
   throw std::runtime_error(

@@ -27,7 +27,6 @@ struct DimerWave {
   double period = 0;      ///< T, from one heavy bead to the next
   std::size_t steps = 0;  ///< of the grid in T
   std::vector<double> force{};
-  double least_overlap = 0;  ///< between 0 and T; positive if beads touch all that time
 };
 
 /// A first guess: the pulse in a struck chain with masses 1 and `mass_ratio`, far from the impact.

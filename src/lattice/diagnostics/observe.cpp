@@ -103,11 +103,4 @@ Estimate speed_change(const Track& track, double to) {
   return bend(t, x);
 }
 
-std::size_t support(const std::vector<double>& e, std::size_t peak, double share, std::size_t m) {
-  const double all = window_sum(e, peak, m);
-  for (std::size_t k = 0; k < m; ++k)
-    if (window_sum(e, peak, k) >= share * all) return 2 * k + 1;
-  return 2 * m + 1;
-}
-
 }  // namespace lattice

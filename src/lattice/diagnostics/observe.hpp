@@ -123,9 +123,4 @@ Estimate packet_speed(const Track& track, double to = far_away);
 /// the packet moves at a constant speed, which a good fit alone does not show.
 Estimate speed_change(const Track& track, double to = far_away);
 
-/// The least number of neighbouring sites about `peak`, equally many on either side, that hold
-/// `share` of the window's energy.
-std::size_t support(const std::vector<double>& e, std::size_t peak, double share,
-                    std::size_t m = packet_half_width);
-
 }  // namespace lattice

@@ -2,7 +2,7 @@
 /**
 # Striking a DpS chain
 
-This is the impact of section 3.4 (impact/impact.hpp) in the limit of small amplitude, Eq. (25):
+This is an impact (impact/impact.hpp) in the limit of small amplitude, Eq. (25):
 $A_1(0) = -i$ and all others zero. The packet is followed in the density $|A_n|^2$ and the slow time. */
 
 #include <cstddef>

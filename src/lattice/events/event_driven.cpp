@@ -255,10 +255,7 @@ void EventIntegrator<T>::arrive(const Passage<T>& way, const std::vector<T>& a,
   flow_.error += way.error;
   flow_.steps += way.records.size();
   for (const Record<T>& record : way.records)
-    if (tangent_) {
-      carry(chain_, record, rule_.tolerance / T(64), *tangent_);
-      flow_.column_sweeps += record.nodes.size();
-    }
+    if (tangent_) carry(chain_, record, rule_.tolerance / T(64), *tangent_);
   if (target.ahead > rule_.sight / T(100)) std::fill(glanced_.begin(), glanced_.end(), 0);
   if (target.bond != Sight<T>::none && !target.crosses) glanced_[target.bond] = 1;
   for (std::size_t i = 0; i <= chain_.sites; ++i) settle(overlap(z_, a, i), side_[i]);

@@ -47,7 +47,7 @@ T span(T s, T e) {
 /**
 A single number governs the accuracy: `tolerance` bounds the error of a step, relative to the amplitude
 for the orbit and absolute for a tangent of order one. By default it is 128 units in the last place. The
-other members rarely need to be set. `floor` is explained at `Care` in landing.cpp; `sight` is short
+other members rarely need to be set. `floor` is explained at `Care` in event_driven.cpp; `sight` is short
 against the period $2\pi$ of a well; and a number type with more digits needs more `levels` of the
 extrapolation below. */
 template <class T>
@@ -62,11 +62,10 @@ struct EventTolerance {
 /// the solution runs away it exceeds one or is infinite, and the state is the last one computed.
 template <class T>
 struct FlowReport {
-  std::size_t switchings = 0;     ///< contacts that opened or closed at the end of an interval
-  std::size_t unlanded = 0;       ///< contacts that did so in the middle of a step all the same
-  std::size_t steps = 0;          ///< of the final passage; their column work is `column_sweeps`
-  std::size_t evaluations = 0;    ///< of the force on the whole chain
-  std::size_t column_sweeps = 0;  ///< kicks and drifts of all columns of the tangent
+  std::size_t switchings = 0;   ///< contacts that opened or closed at the end of an interval
+  std::size_t unlanded = 0;     ///< contacts that did so in the middle of a step all the same
+  std::size_t steps = 0;        ///< of the final passage
+  std::size_t evaluations = 0;  ///< of the force on the whole chain
   T error = T(0);
   T energy_drift = T(0);  ///< relative
   T area = T(0);          ///< time integral of sum mu_n v_n^2
@@ -78,8 +77,8 @@ whether the step suits them, before we carry all of them: the orbit is smoother 
 derivative and would be content with too long a step. Positions `y`, velocities `v`, the area and, if
 there is a probe, its two halves lie in one array.
 
-The area $\mathcal A = \int\sum\mu_n\dot y_n^2\,dt$ over a period, the action by which section 3.2
-compares breathers, travels along as one more position: while the chain drifts its velocities are
+The area $\mathcal A = \int\sum\mu_n\dot y_n^2\,dt$ over a period, the action by which breathers
+are compared, travels along as one more position: while the chain drifts its velocities are
 constant, and so is the rate of the area. Its extrapolation is then as accurate as that of the orbit.
 
 The leapfrog drifts, kicks and drifts, so that it never evaluates a contact at the very instant of a

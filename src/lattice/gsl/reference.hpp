@@ -20,8 +20,8 @@ std::size_t evolve_reference(const Chain& chain, State<double>& state, double du
                              const Tolerance& tolerance);
 
 /**
-A chapter asks it whether a state that our own stepper has reached is right. The local tolerance is so small
-that GSL's own error does not matter. */
+It says whether a state that our own stepper has reached is right. The local tolerance is so small that GSL's
+own error does not matter. */
 /// The `distance` (accuracy.hpp) of `end` from where GSL arrives that leaves `start` for `duration`.
 /// Throws std::runtime_error unless it is below `bound`.
 double distance_from_reference(const Chain& chain, State<double> start, double duration,

@@ -40,9 +40,9 @@ at rest, and give the chain 15 per cent more than this way and a hundred sites.
 This is an estimate and not a bound, and other contacts may have other pulses. What counts is whether the
 far end has remained at rest. A run therefore records the largest velocity of its last bead, and refuses to
 give a result if that exceeds `far_end` times the impact's. Where the far end is part of the experiment
-`far_end` is `reached`. */
+`far_end` is `may_move`. */
 /// For `far_end`: the far end may move.
-inline constexpr double reached = std::numeric_limits<double>::infinity();
+inline constexpr double may_move = std::numeric_limits<double>::infinity();
 
 /// Thrown if the motion reaches the far end; the message says when and by how much.
 struct FarEndReached : std::runtime_error {

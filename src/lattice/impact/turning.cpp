@@ -62,7 +62,7 @@ Turn find_turn(const Path& path, double back, double again, double clear) {
 
 // Two errors for every turning point: from the step, and from the width of the smoothing
 TurnEstimate estimate_turn(const Voyage& coarse, const Voyage& fine) {
-  const Turn a = coarse.turn(), b = fine.turn(), c = fine.turn(smoothing / 2);
+  const Turn a = coarse.turn(), b = fine.turn(), c = fine.turn(path_smoothing / 2);
   const auto both = [&](auto of) {
     Estimate e = compare(of(a), of(b));
     e.error += std::abs(of(c) - of(b));
@@ -105,7 +105,7 @@ Outlook probe(double velocity, double s, double horizon, int halvings) {
   // Four steps between two looks resolve the fastest motion; halvings shorten the steps only
   ContactAware stepper{wait.interval / 4};
   stepper.halvings = halvings;
-  strike(stepper, {velocity, chain, wait.time, wait.interval, reached, false}, look);
+  strike(stepper, {velocity, chain, wait.time, wait.interval, may_move, false}, look);
   return out;
 }
 

@@ -3,7 +3,7 @@
 # A packet that turns round
 
 In hard wells, $s > 0$, a travelling breather slows down, turns and comes back to the end where it was
-launched (section 3.4). We follow its centre, Eq. (24), around the strongest site, because a packet on its
+launched. We follow its centre, Eq. (24), around the strongest site, because a packet on its
 way back need not be the front-most one. The centre trembles with the internal oscillation, so that its
 velocity vanishes twice per period, and a turning point has a meaning only for a smoothed path: the mean
 over a stated width with the weight $1+\cos(2\pi t/\text{width})$. */
@@ -96,7 +96,7 @@ struct Strike {
 };
 
 /// Width of the smoothing, about four internal periods, and time between two looks at the chain.
-inline constexpr double smoothing = 15, sampling = 0.2;
+inline constexpr double path_smoothing = 15, path_sampling = 0.2;
 
 /// One struck chain, followed (impact.hpp).
 struct Voyage {
@@ -104,7 +104,7 @@ struct Voyage {
   State<double> end;
   Run run;
   /// The turn of the path smoothed over `width`. Throws std::invalid_argument for fewer than three samples.
-  Turn turn(double width = smoothing) const { return find_turn(smooth(path, width)); }
+  Turn turn(double width = path_smoothing) const { return find_turn(smooth(path, width)); }
 };
 
 /**
@@ -116,7 +116,7 @@ template <class Watch = Unwatched>
 Voyage voyage(const ContactAware& stepper, const Chain& chain, double velocity, double time,
               Watch watch = {}) {
   Path path;
-  const Impact impact{velocity, chain, time, sampling, 1e-9, false};
+  const Impact impact{velocity, chain, time, path_sampling, 1e-9, false};
   ImpactRun run = strike(stepper, impact, [&](const State<double>& now, const auto& density) {
     path.add(now.t, density);
     watch(now, density);

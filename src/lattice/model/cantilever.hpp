@@ -90,7 +90,7 @@ double clamped_root();
 A chain in SI units becomes that of Eq. (9) once length and time are measured in suitable units. Two
 beads that collide at the speed $V$ touch for a time of order $\tau_h$ and are compressed by a length of
 order $\delta$. The well adds the period $2\pi\tau_c$, and the displacement $\xi$ at which its force
-equals that of a contact (section 3.5):
+equals that of a contact:
 $$\tau_h = \Bigl(\frac{m^2}{\gamma^2 V}\Bigr)^{1/5},\quad \delta = \Bigl(\frac{mV^2}{\gamma}\Bigr)^{2/5},\quad
 \tau_c = \sqrt{m/k},\quad \xi = (k/\gamma)^2,\quad \lambda = \frac{m}{k\,\tau_h^2}.$$
 In the units $\xi$ and $\tau_c$ the chain is that of Eq. (9), and the impact velocity is
@@ -147,10 +147,10 @@ struct CantileverArray {
   double length = 25e-3, width = 5e-3, thickness = 1e-3;          ///< of a beam, m
   double bead_density = 2.2e3, bead_modulus = 1.46e9, nu = 0.46;  ///< kg/m^3, Pa, Poisson's ratio
   double radius = 2.38e-3;                                        ///< of a bead, m
-  double beam_share = 0.38;  ///< effective mass of a beam over its mass, as printed in section 3.6
+  double beam_share = 0.38;  ///< effective mass of a beam over its mass, as printed
 
   /**
-  From these follow the masses and stiffnesses of section 3.6, in kg and N/m. A `ratio` is that of a
+  From these follow masses and stiffnesses, in kg and N/m. A `ratio` is that of a
   bead's radius to the usual one, $\tilde R_n$ in the article. */
   /// Second moment of area of a beam's cross section, m^4.
   double area_moment() const { return width * thickness * thickness * thickness / 12; }

@@ -7,8 +7,8 @@ pushing on its two neighbours. Bead $n$ has the mass $\mu_n$ and the displacemen
 the potential $W$ (well.hpp), the contacts the potential $V$ (contact.hpp), and $\eta_n$ is the stiffness
 of the contact between the beads $n$ and $n+1$:
 $$\mu_n \ddot y_n = -W'(y_n) + \eta_n V'(y_{n+1}-y_n) - \eta_{n-1} V'(y_n-y_{n-1}).$$
-This is Eq. (32) with wells and contacts of any kind. With $\mu_n = \eta_n = 1$ it is the chain of
-section 3, whose Hamiltonian is Eq. (6):
+This is Eq. (32) with wells and contacts of any kind. With $\mu_n = \eta_n = 1$ the
+Hamiltonian is that of Eq. (6):
 $$\mathcal H = \sum_n \tfrac12\,\dot y_n^2 + W(y_n) + V(y_{n+1}-y_n).$$
 Everything is dimensionless (cantilever.hpp has the units). Sites are counted from zero in the code and
 from one in tables, as in the article. */

@@ -58,7 +58,7 @@ struct Dps {
 
 /**
 The method of integration knows nothing of the two conserved quantities, so their drift is an independent
-check of every run. The figures show the density $|A_n|^2$, whose sum is the norm. */
+check of every run. The norm is the sum of the density $|A_n|^2$. */
 /// Norm sum |A_n|^2, conserved.
 double norm(const Field& field);
 

@@ -1,8 +1,13 @@
 #include "lattice/model/potential.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
 
 namespace lattice {
 

@@ -17,7 +17,7 @@ end; CONTRIBUTING.md shows one being added. A struct that is in no list serves a
 
 namespace lattice {
 
-/// No well at all, W = 0, as in section 2: beads that only their neighbours hold.
+/// No well at all, W = 0: beads that only their neighbours hold.
 struct None {
   static constexpr const char* name = "none";
   template <class T>
@@ -82,7 +82,7 @@ struct Quartic {
 };
 
 /**
-Gravity on a pendulum gives $W = 1 - \cos y$ (section 3.4), with rims at the odd multiples of $\pi$ and
+Gravity on a pendulum gives $W = 1 - \cos y$, with rims at the odd multiples of $\pi$ and
 another well beyond each. The energy is computed as $2\sin^2(y/2)$, which loses no digits near the
 bottom. */
 struct Pendulum {

@@ -16,8 +16,8 @@ namespace lattice {
 
 /// `value` must be above (or below) `limit`.
 struct Condition {
-  std::string name;  ///< by which the facts of a chapter call it (report/program.hpp)
-  Estimate value;    ///< what is judged
+  std::string name;                       ///< by which a report calls it
+  Estimate value;                         ///< what is judged
   enum class Side { below, above } side;  ///< of the limit on which it must lie
   double limit;
 

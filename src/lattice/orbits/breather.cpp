@@ -85,7 +85,7 @@ double alignment(const Vector<double>& a, const Vector<double>& b) {
   return std::abs(a.dot(b)) / (a.norm() * b.norm());
 }
 
-// What section 3.2 says in words
+// What is said of breathers in words
 Criterion symmetric_by_nature(double left, double wide) {
   return {below("broken", compare(0.0, wide), 1e-9),
           below("share_of_double", compare(0.0, wide / left), 0.1)};

@@ -2,8 +2,8 @@
 /**
 # Static breathers of the chain
 
-A static breather is a vibration with one frequency $\omega_b$ that is localized at a few sites. Those of
-section 3.2 are periodic orbits of a chain with free ends. At small amplitude their profile $u_n$ is known
+A static breather is a vibration with one frequency $\omega_b$ that is localized at a few sites. The
+article's are periodic orbits of a chain with free ends. At small amplitude their profile $u_n$ is known
 approximately, in the quasi-continuum limit of the DpS equation (quasi_continuum.hpp), Eqs. (18) to (20):
 $$y_n(0) = 2\epsilon\,u_n,\qquad \epsilon = \bigl(2\tau_0(\omega_b-1)\bigr)^2.$$
 Close to $\omega_b = 1$ Newton's method converges from there. To reach higher frequencies we follow the
@@ -48,7 +48,7 @@ Newton's method needs a guess, and close to $\omega_b = 1$ the quasi-continuum p
 State<double> ansatz(Centre centre, double omega, std::size_t sites,
                      Phase phase = Phase::compressed, const Contact& contact = Hertz{});
 
-/// Up to this frequency, that of figure 4, Newton's method starts from the quasi-continuum profile.
+/// Up to this frequency, that of the article's figure 4, Newton's method starts from the quasi-continuum profile.
 constexpr double direct_up_to = 1.1;
 
 /// The breather of a problem in double precision, on the branch that begins at omega_b = 1. Throws
@@ -111,7 +111,7 @@ inline Fitted fit_chain(Centre centre, double omega, double s, std::size_t sites
 }
 
 /**
-A breather can be shifted along the chain at almost no cost in energy. Section 3.3 finds that the direction
+A breather can be shifted along the chain at almost no cost in energy. The article finds that the direction
 in which this happens, the pinning mode, is nearly the discrete gradient of its profile. */
 /// Discrete gradient of a profile, y_(n+1) - y_(n-1), not normalised, and zero at both ends.
 Vector<double> gradient(const std::vector<double>& y);
@@ -144,7 +144,7 @@ Barrier<T> barrier(const Shooting<T>& site_problem, const Orbit<T>& site, const 
 /**
 ## What is said of breathers in words
 
-Three statements of section 3.2 are decided by conditions (criterion.hpp), with bounds of our choice. A
+Three statements of the article are decided by conditions (criterion.hpp), with bounds of our choice. A
 breather has a symmetry by nature if it returns after a perturbation of $10^{-3}$ that breaks it: down to a
 millionth of that in extended precision, and to at most a tenth of what double precision leaves, since rounding
 shrinks with the precision and a missing symmetry does not. */

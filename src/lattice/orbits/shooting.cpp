@@ -188,7 +188,6 @@ Orbit<T> describe(const Shooting<T>& problem, const Solution<T>& found) {
   orbit.area = T(problem.symmetry.parts) * found.shot.flow.area;
   orbit.amplitude = largest(orbit.start);
   orbit.history = found.history;
-  orbit.switchings = found.shot.flow.switchings;
   orbit.error = found.shot.flow.error;
   return orbit;
 }

@@ -93,7 +93,7 @@ the derivative of the energy. The area is $\mathcal A = \oint\sum_n\mu_n\dot y_n
 period. */
 template <class T>
 struct Orbit {
-  Vector<T> x;        ///< unknowns at t = 0, see Shooting::unfold
+  Vector<T> x;        ///< unknowns at t = 0, see Shooting::expand
   Vector<T> x_omega;  ///< their derivative along the branch; empty where the period is an unknown
   State<T> start;     ///< the chain at t = 0
   T omega{}, energy{}, area{};
@@ -101,8 +101,7 @@ struct Orbit {
   T amplitude{};            ///< largest modulus of positions and velocities at t = 0
   Matrix<double> jacobian;  ///< of the equations, for `polish`
   History history;
-  std::size_t switchings = 0;  ///< in the part of a period that was computed
-  T error{};                   ///< of the flow, by its own estimate, relative to the amplitude
+  T error{};  ///< of the flow, by its own estimate, relative to the amplitude
   /// The last residual, relative to the amplitude.
   double residual() const { return history.back().residual; }
   /// Newton steps that were made.

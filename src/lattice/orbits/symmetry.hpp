@@ -64,7 +64,7 @@ Symmetry bond_centred(std::size_t sites);
 
 /**
 The site-centred ones have a symmetry that is less easy to see. A mirror image of the motion is no motion
-of the chain, because beads push and do not pull; but it is one if the signs are changed too. Section 3.2
+of the chain, because beads push and do not pull; but it is one if the signs are changed too. The article
 finds these breathers invariant under $S'$, $y_n(t) \to -y_{-n}(t+T_b/2)$. Combined with evenness this
 relates the times $T_b/4 \pm t$, and with the reflection $P : n \to -n$ it is enough that
 $(1+P)\,y(T_b/4) = 0$ and $(1-P)\,\dot y(T_b/4) = 0$: as many equations as sites, after a quarter of a

@@ -1,4 +1,4 @@
-#include "commands/dps_travelling.hpp"
+#include "commands/dps_orbit.hpp"
 
 #include <algorithm>
 #include <cmath>

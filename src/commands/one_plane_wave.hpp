@@ -13,7 +13,7 @@ difference of two precisions. */
 namespace lattice {
 
 /// The command.
-struct PlaneWave {
+struct OnePlaneWave {
   static constexpr Title title{"growth", "frequency and growth of a modulated plane wave"};
   double q = std::numbers::pi;               ///< wavenumber of the wave
   double modulation = std::numbers::pi / 4;  ///< Q

@@ -1,4 +1,4 @@
-#include "commands/plane_wave.hpp"
+#include "commands/one_plane_wave.hpp"
 
 #include <cmath>
 #include <string>
@@ -7,14 +7,14 @@
 
 namespace lattice {
 
-void PlaneWave::parameters(Parameters& p) {
+void OnePlaneWave::parameters(Parameters& p) {
   p.add("q", q, "wavenumber of the wave", {1e-6, std::numbers::pi, "1/site"});
   p.add("modulation", modulation, "wavenumber Q of the modulation",
         {1e-6, std::numbers::pi, "1/site"});
   p.add("amplitude", amplitude, "modulus |A| of the wave", {1e-12, 1e12});
 }
 
-Table PlaneWave::table() const {
+Table OnePlaneWave::table() const {
   const auto both = [this](auto of) { return in_two_precisions(q, of, amplitude); };
   // The wave and this modulation, then all modulations
   const std::string stable = std::string("the wave is ") +
