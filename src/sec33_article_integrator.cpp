@@ -21,8 +21,8 @@ residual seems to tell how accurate the article's breathers were (below it has a
 differently when the integration is converged. The printed barrier differs from the converged one by no more than
 breathers of that residual allow (`sec32_barrier`), the amplitude, the threshold and the two values of $s$ are discussed
 in their chapters, and the jump has no explanation there. The article does not say which integrator it used. Here we ask
-whether *one* choice, a method and a number of steps per period, explains them all. This is forensics: a setting is
-compatible with the printed numbers or it is not, and neither says what was done. */
+whether *one* choice, a method and a number of steps per period, explains them all. A setting is compatible with the
+printed numbers or it is not; neither says what was done. */
 
 #include <algorithm>
 #include <array>
@@ -265,20 +265,20 @@ number in `measure_threshold`). */
 *The jump.* In [0](num:sec33_article_integrator.settings_near_jump) of the
 [6](num:sec33_article_integrator.thresholds_near) settings near the threshold the site-centred breather jumps two sites
 and stays. With 120 steps of the classical method it is two sites away at $t = 2.5\cdot10^5$, but it has not stopped
-there: it leaves that place at [3.191e5](num:sec33_article_integrator.left_runge-kutta-4_120). */
-// What the iteration leaves
-/**
+there: it leaves that place at [3.191e5](num:sec33_article_integrator.left_runge-kutta-4_120).
+
 *The residual.* The classical method leaves [1.60775e-8](num:sec33_article_integrator.residual_runge-kutta-4_120) at 120
-steps, ten times the printed residual. But the printed one need not be an error of integration at all. Our iteration
-takes no step along the weakly pinned shift of the chain, so it cannot mend a start that is shifted a little. And the
-start is: the DpS profile is symmetric about its site, the breather only together with a change of sign and half a
-period. For the converged flow the iteration stops at a residual of [2.1e-9](num:sec33_article_integrator.residual_flow)
-with a last step of [5e-15](num:sec33_article_integrator.variation_flow). What it leaves is the breather shifted by
-[0.0162081](num:sec33_article_integrator.shift_of_flow) sites: of the difference, the fraction
-[0.999978](num:sec33_article_integrator.share_of_shift) is along the direction that the equations feel least. Once the
-iteration may go along it too, the residual falls to [5e-15](num:sec33_article_integrator.residual_released). The
-article prints $1.5\cdot10^{-9}$ beside a last step of $1.7\cdot10^{-11}$, which is compatible with such an iteration
-and an accurate integration. */
+steps, ten times the printed residual. But the printed one need not be an error of integration at all. Near the breather
+our iteration takes no step along its weakly pinned shift, which changes the equations more than ten thousand times less
+than other directions do; so it cannot mend a start that is shifted a little. And the start is: the DpS profile is
+symmetric about its site, the breather only together with a change of sign and half a period. For the converged flow the
+iteration stops at a residual of [2.1e-9](num:sec33_article_integrator.residual_flow) with a last step of
+[5e-15](num:sec33_article_integrator.variation_flow). What it leaves is the breather shifted along the chain, by
+[0.0162081](num:sec33_article_integrator.shift_of_flow) sites if one divides by the slope of its profile: of the
+difference, the fraction [0.999978](num:sec33_article_integrator.share_of_shift) is along the direction that the
+equations feel least. Once the iteration may go along it too, the residual falls to
+[5e-15](num:sec33_article_integrator.residual_released). The article prints $1.5\cdot10^{-9}$ beside a last step of
+$1.7\cdot10^{-11}$, which is compatible with such an iteration and an accurate integration. */
 // What the maps say of stability and of the barrier
 /**
 *The multipliers.* What decides the stability is how far the pinning pair is from $+1$, in the linear well by
