@@ -27,7 +27,6 @@ compatible with the printed numbers or it is not, and neither says what was done
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <string>
 #include <utility>
