@@ -15,7 +15,6 @@ so that the comparison is one of methods. They know nothing of the chain and alw
 #include <vector>
 
 #include "lattice/gsl/reference.hpp"
-#include "lattice/integrators/contact_rkn.hpp"
 #include "measure.hpp"
 
 namespace bench {

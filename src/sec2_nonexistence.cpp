@@ -22,7 +22,6 @@ small and large starts end (c); energy and mean force of a localized state (d, e
 #include <cstdint>
 #include <numbers>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "lattice/diagnostics/observe.hpp"

@@ -14,7 +14,6 @@ tends to the value that an equal-area rule demands.](fig:x17) */
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <string>
 #include <utility>
 #include <vector>
 

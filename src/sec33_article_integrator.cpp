@@ -27,7 +27,6 @@ printed numbers or it is not; neither says what was done. */
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <string>
 #include <utility>

@@ -19,7 +19,6 @@ frequency of its figures; `sec33_between` tests it at others. */
 #include <array>
 #include <cmath>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "commands/multipliers.hpp"

@@ -15,7 +15,6 @@ figures 14 and 15, and then derives the threshold. The barrier that the breather
 energy of the kick that frees it: where does the rest go?
 
 ![Energy density after a kick of the bond-centred and of the site-centred breather.](fig:14) */
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>

@@ -8,10 +8,8 @@ a site. `sec33_floquet` finds one number for both. This chapter asks what an err
 derivative of the flow over one period, does to a verdict of stability, and which computations would give the printed
 pair. */
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <string>
 #include <utility>
 #include <vector>

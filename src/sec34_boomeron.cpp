@@ -17,7 +17,6 @@ $v_0$. Which packets turn, and why, is asked in two later chapters (`sec34_boome
 #include <array>
 #include <cmath>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "commands/one_turn.hpp"

@@ -18,7 +18,6 @@ both and compare them.
 #include <cmath>
 #include <numeric>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "lattice/dps/dps_impact.hpp"

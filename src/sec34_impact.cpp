@@ -29,7 +29,6 @@ chapters of their own. */
 #include "commands/one_impact.hpp"
 #include "lattice/gsl/reference.hpp"
 #include "lattice/impact/impact.hpp"
-#include "lattice/numerics/parallel.hpp"
 #include "report/program.hpp"
 #include "sec34/blowup_band.hpp"
 #include "sec34/criteria.hpp"

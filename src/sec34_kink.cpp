@@ -19,7 +19,6 @@ end; nothing blows up. How the transition happens is left open; here we map it. 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <string>
 #include <vector>
 
 #include "lattice/impact/impact.hpp"

@@ -16,7 +16,6 @@ Section 3.5 of James, Kevrekidis and Cuevas (Physica D 251, 2013) puts numbers i
 astronomical, for stiff cantilevers it is less than one. Here every constant is derived in SI units. */
 
 #include <cmath>
-#include <utility>
 
 #include "lattice/model/cantilever.hpp"
 #include "report/program.hpp"

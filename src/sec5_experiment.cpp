@@ -16,7 +16,6 @@ instability show before the breather has died?
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <string>
 #include <vector>
 
 #include "commands/damped_array.hpp"

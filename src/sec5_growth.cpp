@@ -21,7 +21,6 @@ Which modulations grow, and how fast, is said by two lines of algebra. */
 #include <vector>
 
 #include "commands/one_plane_wave.hpp"
-#include "lattice/integrators/contact_rkn.hpp"
 #include "lattice/model/cantilever.hpp"
 #include "lattice/numerics/line_fit.hpp"
 #include "lattice/numerics/parallel.hpp"

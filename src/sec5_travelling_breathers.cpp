@@ -16,10 +16,8 @@ narrows down which are possible.
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <complex>
 #include <numbers>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "commands/one_orbit.hpp"

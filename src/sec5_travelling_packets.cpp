@@ -11,12 +11,9 @@ loses energy and slows down. Where does it go, and does an exact breather captur
 [](finding:travelling.packets) */
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <complex>
 #include <numbers>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "commands/dps_orbit.hpp"

@@ -12,10 +12,8 @@ that know about contacts.
 #include <cmath>
 #include <numbers>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "lattice/diagnostics/observe.hpp"
 #include "lattice/events/event_driven.hpp"
 #include "lattice/impact/impact.hpp"
 #include "lattice/integrators/contact_rkn.hpp"

@@ -24,6 +24,7 @@
 #include "sec36/scattering.hpp"
 #include "sec4/instability.hpp"
 #include "sec4/modulation.hpp"
+#include "sec4/plane_wave.hpp"
 
 using namespace lattice;
 

@@ -6,7 +6,6 @@
 #include "check.hpp"
 #include "report/sweep.hpp"
 #include "run.hpp"
-#include "sec35/collision.hpp"
 #include "sec36/defect_mode.hpp"
 
 using namespace lattice;

@@ -2,7 +2,6 @@
 
 #include "lattice/model/chain.hpp"
 
-#include <cstring>
 #include <random>
 
 #include "check.hpp"

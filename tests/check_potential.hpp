@@ -1,8 +1,6 @@
 #pragma once
 // What every well and every contact must satisfy; ready for new ones.
 
-#include <limits>
-#include <string>
 #include <vector>
 
 #include "check.hpp"

@@ -2,7 +2,6 @@
 // their bounds.
 
 #include <algorithm>
-#include <numeric>
 
 #include "check.hpp"
 #include "sec4/compressed_impact.hpp"

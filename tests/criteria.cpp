@@ -7,9 +7,7 @@
 
 #include "check.hpp"
 #include "estimates.hpp"
-#include "lattice/dps/dps_impact.hpp"
 #include "lattice/impact/impact.hpp"
-#include "lattice/impact/turning.hpp"
 #include "sec3/branches.hpp"
 #include "sec33/dps_motion.hpp"
 #include "sec33/exchange.hpp"

@@ -115,7 +115,7 @@ TEST_CASE("a shift of a breather of the DpS limit has four lifetimes", "[unit][d
   for (double mu : {0.01, 0.02, 0.04, 0.08, 0.16}) {
     const double omega = 1 + mu, growth = 1e-3 * mu;
     const double half = std::sinh(growth * std::numbers::pi / omega);
-    members.push_back({omega, 0, mu * mu * mu * mu, half * half, growth});
+    members.push_back({omega, mu * mu * mu * mu, half * half, growth});
   }
   const double nu = 2e-4, shown = 4 / nu * (1 - std::pow(0.01, 0.25));
   const double grown = largest_shift(members, 1e-3, nu);

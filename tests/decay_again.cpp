@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "check.hpp"
+#include "lattice/integrators/driven_chain.hpp"
 
 namespace decay_again {
 
@@ -71,7 +72,7 @@ std::vector<Member> branch(const Numbers& kappa) {
   for (std::size_t i = 0; i < kappa.size(); ++i) {
     const double omega = 1.03 + 0.02 * double(i * i), area = std::pow(4.0, double(i)) + 0.3;
     const double sigma = std::acosh(1 + 2 * std::max(0.0, kappa[i])) * omega / turn;
-    out.push_back({omega, 0, area, kappa[i], sigma});
+    out.push_back({omega, area, kappa[i], sigma});
   }
   return out;
 }

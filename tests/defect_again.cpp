@@ -1,7 +1,7 @@
 // Arrays of cantilevers and a defect in them a second time: what a watched cantilever shows, how the energy is
 // divided, what stays, the mode of the defect, and collisions, from plain sums and formulas.
 
-#include <functional>
+#include <map>
 
 #include "check.hpp"
 #include "estimates.hpp"

@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "check.hpp"
-#include "lattice/dps/dps_impact.hpp"
 #include "lattice/events/event_driven.hpp"
 #include "lattice/impact/impact.hpp"
 #include "sec3/dps_error.hpp"

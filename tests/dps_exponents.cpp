@@ -8,7 +8,6 @@
 
 #include "check.hpp"
 #include "commands/dps_orbit.hpp"
-#include "lattice/dps/dps_impact.hpp"
 #include "lattice/model/contact.hpp"
 #include "lattice/quadruple/extended.hpp"
 #include "lattice/standing/spectrum.hpp"

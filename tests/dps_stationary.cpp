@@ -6,7 +6,6 @@
 
 #include "check.hpp"
 #include "lattice/dps/dps_impact.hpp"
-#include "lattice/impact/impact.hpp"
 #include "lattice/model/dps.hpp"
 #include "lattice/quadruple/extended.hpp"
 #include "sec3/continuum.hpp"

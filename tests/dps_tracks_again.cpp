@@ -2,7 +2,6 @@
 // the travelling breathers of the DpS equation, their equations and their first guess.
 
 #include <functional>
-#include <map>
 
 #include "check.hpp"
 #include "lattice/gsl/random.hpp"

@@ -8,7 +8,6 @@
 #include "check.hpp"
 #include "lattice/integrators/contact_rkn.hpp"
 #include "lattice/numerics/line_fit.hpp"
-#include "sec5/dps_tracks.hpp"
 
 namespace dps_waves_again {
 

@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "check.hpp"
-#include "lattice/impact/impact.hpp"
 #include "lattice/model/cantilever.hpp"
 #include "lattice/model/dps.hpp"
 #include "lattice/standing/stationary.hpp"

@@ -1,8 +1,6 @@
 // Where breathers exchange their stability, those held in between, and breathers of the DpS equation that move: a
 // second time, from formulas in plain numbers; and the criteria at both sides of their bounds.
 
-#include <functional>
-
 #include "check.hpp"
 #include "estimates.hpp"
 #include "lattice/gsl/random.hpp"

@@ -1,6 +1,5 @@
 // The exercises at the end of each chapter: their form, and that their commands print what they say.
 
-#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <map>

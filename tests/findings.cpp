@@ -1,7 +1,6 @@
 // What we found beyond the article: each row of paper/findings.ecsv is judged on the files from which the figures are
 // drawn. lineage/findings.py judges for the pages; the two share no line.
 
-#include <regex>
 #include <sstream>
 
 #include "answers.hpp"

@@ -1,7 +1,6 @@
 // Formulas against numbers worked out by hand: where a sign, an exponent, a factor or an index of the
 // library is wrong, one of these says so at once. `make mutants` puts such errors in and asks.
 
-#include <array>
 #include <complex>
 
 #include "check.hpp"

@@ -1,6 +1,5 @@
 // Plane waves of the DpS equation, their modulation, the waves of the chain, and what they leave.
 
-#include <limits>
 #include <numbers>
 
 #include "check.hpp"

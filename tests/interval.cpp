@@ -2,7 +2,6 @@
 
 #include "sec5/interval.hpp"
 
-#include <cstdint>
 #include <random>
 
 #include <boost/numeric/interval.hpp>

@@ -3,7 +3,6 @@
 
 #include "sec5/journey.hpp"
 
-#include <limits>
 #include <numbers>
 
 #include "check.hpp"

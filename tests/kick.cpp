@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "check.hpp"
-#include "lattice/integrators/accuracy.hpp"
 #include "sec33/kick_threshold.hpp"
 
 using namespace lattice;

@@ -6,7 +6,6 @@
 
 #include "check_potential.hpp"
 #include "lattice/gsl/reference.hpp"
-#include "lattice/impact/turning.hpp"
 #include "lattice/orbits/breather.hpp"
 #include "run.hpp"
 #include "sec4/compressed_impact.hpp"

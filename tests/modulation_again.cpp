@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <numbers>
-#include <numeric>
 
 #include "check.hpp"
 #include "sec4/modulation.hpp"

@@ -3,11 +3,9 @@
 #include <numbers>
 
 #include "commands/multipliers.hpp"
-#include "commands/one_barrier.hpp"
 #include "commands/one_breather.hpp"
 #include "lattice/algebra/eigenvalues.hpp"
 #include "lattice/integrators/driven_chain.hpp"
-#include "lattice/integrators/runge_kutta.hpp"
 #include "lattice/orbits/other_chains.hpp"
 #include "run.hpp"
 

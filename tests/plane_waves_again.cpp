@@ -6,8 +6,7 @@
 #include "check.hpp"
 #include "lattice/algebra/eigenvalues.hpp"
 #include "sec4/instability.hpp"
-#include "sec4/soliton.hpp"
-#include "sec4/wave_on_ring.hpp"
+#include "sec4/plane_wave.hpp"
 
 namespace plane_waves_again {
 

@@ -1,7 +1,6 @@
 // Published against reproduced: every answered row of paper/published.ecsv is judged on the files from which the
 // figures are drawn, here (judge.hpp) and by `lineage summary`; both have to come to the status that is recorded.
 
-#include <algorithm>
 #include <set>
 
 #include "answers.hpp"

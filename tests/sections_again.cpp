@@ -1,7 +1,6 @@
 // Section 2: leapfrog shooting, mean forces and motions without wells,
 // by second formulas.
 
-#include <algorithm>
 #include <numbers>
 
 #include "check.hpp"

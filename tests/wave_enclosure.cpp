@@ -11,7 +11,6 @@
 #include "check.hpp"
 #include "lattice/algebra/dense.hpp"
 #include "lattice/orbits/shooting.hpp"
-#include "sec5/kernel_wave.hpp"
 
 using namespace lattice;
 

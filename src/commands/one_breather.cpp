@@ -1,5 +1,6 @@
 #include "commands/one_breather.hpp"
 
+#include "lattice/orbits/breather_pairs.hpp"
 #include "lattice/quadruple_orbits/orbits.hpp"
 
 namespace lattice {

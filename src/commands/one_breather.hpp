@@ -15,7 +15,6 @@ Contacts may have another exponent (`--contact power --alpha 1.8`) or be compres
 
 #include <string>
 
-#include "lattice/orbits/breather_pairs.hpp"
 #include "sec3/breather_options.hpp"
 
 namespace lattice {

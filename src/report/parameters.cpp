@@ -7,10 +7,7 @@ allowed. */
 #include "report/parameters.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 
 #include "lattice/model/potential_names.hpp"
 #include "report/files.hpp"

@@ -17,7 +17,6 @@ when it is read. */
 #include <concepts>
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <initializer_list>
 #include <iosfwd>
 #include <iterator>

@@ -1,5 +1,6 @@
 #include "sec2/fixed_leapfrog.hpp"
 
+#include <cstddef>
 #include <vector>
 
 #include "lattice/events/columns.hpp"

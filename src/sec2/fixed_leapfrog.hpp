@@ -11,7 +11,6 @@ $\omega$ have a relative error of the order $(\omega h)^2/24$; what a search fin
 exact flow. The averaging argument of section 2 carries over to the map: on an orbit the kicks of each bead
 add up to zero over a period, as the integral of the force does. */
 
-#include <cstddef>
 #include <functional>
 
 #include "lattice/orbits/shooting.hpp"

@@ -1,8 +1,9 @@
 #include "sec2/searches.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
-#include "lattice/diagnostics/observe.hpp"
 #include "lattice/gsl/random.hpp"
 #include "lattice/numerics/parallel.hpp"
 #include "sec2/periodic_motions.hpp"

@@ -10,10 +10,8 @@ A search should be cheap, so it moves the chain by leapfrog steps (fixed_leapfro
 well. The leapfrog chain is not the chain itself, so every motion that was found must survive the exact flow. */
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "lattice/numerics/estimate.hpp"

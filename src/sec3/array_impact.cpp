@@ -1,5 +1,7 @@
 #include "sec3/array_impact.hpp"
 
+#include <algorithm>
+
 namespace lattice {
 
 // What the article quotes of a packet, in SI units

@@ -7,9 +7,6 @@ metres per second, and a packet runs away from it. The run is that of the dimens
 (cantilever.hpp, impact.hpp); this file translates to and from SI units and watches the packet pass a given
 cantilever. */
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
 #include <stdexcept>
 #include <vector>

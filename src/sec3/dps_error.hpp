@@ -15,7 +15,6 @@ followed here from the same start, and what counts is the largest deviation of a
 #include "lattice/dps/evolve.hpp"
 #include "lattice/integrators/accuracy.hpp"
 #include "lattice/numerics/criterion.hpp"
-#include "lattice/numerics/line_fit.hpp"
 
 namespace lattice {
 

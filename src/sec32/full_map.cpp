@@ -1,7 +1,5 @@
 #include "sec32/full_map.hpp"
 
-#include "sec3/continuum.hpp"
-
 namespace lattice {
 
 FullMap solve_full_map(double omega_b, int steps, const NewtonRule<double>& how) {

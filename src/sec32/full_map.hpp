@@ -12,7 +12,6 @@ positions that moves the breather sideways. Along this mode the problem is ill-c
 
 #include "lattice/orbits/breather.hpp"
 #include "lattice/orbits/breather_pairs.hpp"
-#include "lattice/quadruple/extended.hpp"
 
 namespace lattice {
 

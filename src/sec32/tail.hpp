@@ -12,7 +12,6 @@ exist their difference is the error. */
 
 #include "lattice/orbits/breather.hpp"
 #include "lattice/orbits/breather_pairs.hpp"
-#include "lattice/quadruple/extended.hpp"
 #include "report/program.hpp"
 
 namespace lattice {

@@ -1,5 +1,11 @@
 #include "sec33/depinning.hpp"
 
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <stdexcept>
+#include <vector>
+
 namespace lattice {
 
 // Well beyond the hill it is free; if it turns back before, it is pinned

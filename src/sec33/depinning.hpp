@@ -8,12 +8,6 @@ such that a stable breather sits in a *trough*: if it is stable around a bond on
 A kick (kick.hpp) depins it from a trough if it carries it over the hill. This file tells a free
 breather from a pinned one, says what linear theory expects, and finds the least kick that frees. */
 
-#include <cmath>
-#include <cstddef>
-#include <numbers>
-#include <stdexcept>
-#include <vector>
-
 #include "lattice/algebra/dense.hpp"
 #include "lattice/events/event_driven.hpp"
 #include "lattice/model/sites.hpp"

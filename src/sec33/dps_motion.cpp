@@ -7,7 +7,6 @@
 #include <limits>
 #include <numbers>
 #include <stdexcept>
-#include <utility>
 
 #include "lattice/gsl/random.hpp"
 #include "lattice/model/sites.hpp"

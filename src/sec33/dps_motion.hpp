@@ -14,10 +14,8 @@ its push has the growing share $c = (\mu-m)y/(2\lambda)$, it starts with the spe
 $$t = \int_0^{1/2}\frac{dX}{\sqrt{v^2+(\lambda/\pi)^2\sin^2\pi X}},$$
 a complete elliptic integral, for which the arithmetic-geometric mean suffices. */
 
-#include <cmath>
 #include <complex>
 #include <cstddef>
-#include <functional>
 #include <string>
 #include <vector>
 

@@ -1,5 +1,6 @@
 #include "sec33/dps_noise.hpp"
 
+#include <cstddef>
 #include <stdexcept>
 
 #include "lattice/numerics/parallel.hpp"

@@ -6,7 +6,6 @@ One trial is an accident. For each kind of noise (`noise_readings`) and each cas
 differ in the seed alone. Beside the site-centred and the bond-centred breather there is a *control*: the site-centred
 one under the same noise without its part in the pinning pair, which to first order cannot move. */
 
-#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>

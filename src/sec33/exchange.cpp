@@ -1,6 +1,7 @@
 #include "sec33/exchange.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "lattice/numerics/progress.hpp"
 

@@ -9,12 +9,7 @@ is unstable and negative if it is stable. On a cut through the plane of $\omega_
 at a point. This file finds it: by regula falsi in double precision, and a last step in extended precision. */
 
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <limits>
-#include <stdexcept>
-#include <string>
-#include <utility>
 #include <vector>
 
 #include "lattice/numerics/criterion.hpp"

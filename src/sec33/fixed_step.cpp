@@ -1,9 +1,9 @@
 #include "sec33/fixed_step.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <vector>
 
 #include "lattice/model/typed.hpp"
 #include "lattice/orbits/linear.hpp"

@@ -10,7 +10,6 @@ Runge-Kutta-Nystrom scheme. */
 #include <array>
 #include <cstddef>
 #include <functional>
-#include <vector>
 
 #include "lattice/algebra/dense.hpp"
 #include "lattice/integrators/schemes.hpp"

@@ -14,11 +14,8 @@ $p(Q)$. A reflection about its centre changes the sign of a bond-centred breathe
 site-centred one also exchanges the two times; in either case $Q$ is exactly the bond or the site, and $p$
 there is the branch point. */
 
-#include <cmath>
 #include <cstddef>
 #include <string>
-#include <utility>
-#include <vector>
 
 #include "lattice/orbits/continuation.hpp"
 

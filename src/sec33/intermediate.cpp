@@ -1,8 +1,10 @@
 #include "sec33/intermediate.hpp"
 
 #include <cmath>
+#include <cstddef>
 
 #include "lattice/numerics/parallel.hpp"
+#include "sec33/held.hpp"
 
 namespace lattice {
 

@@ -7,12 +7,10 @@ site-centred and one of the bond-centred breather, are the ends of a family of b
 they are centred on the site, at the other on the bond. This file follows such a family by its centre (held.hpp). */
 
 #include <array>
-#include <cstddef>
 #include <string>
 #include <vector>
 
 #include "sec33/exchange.hpp"
-#include "sec33/held.hpp"
 
 namespace lattice {
 

@@ -1,5 +1,8 @@
 #include "sec33/kick.hpp"
 
+#include <stdexcept>
+#include <string>
+
 namespace lattice {
 
 std::vector<double> kick_direction(const std::vector<double>& y) {

@@ -1,5 +1,11 @@
 #include "sec33/kick_threshold.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "lattice/numerics/parallel.hpp"
+
 namespace lattice {
 
 // Newton's method finds the breather in harmonic wells, on a chain that holds its tail

@@ -7,9 +7,6 @@ the normalised discrete gradient (kick.hpp). A stable breather is set in motion 
 $c_c$. This file predicts $c_c$ from one period of the tangent map and the barrier at equal area
 (depinning.hpp), and then finds it in runs of the whole chain. */
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <stdexcept>
@@ -18,7 +15,6 @@ $c_c$. This file predicts $c_c$ from one period of the tangent map and the barri
 
 #include "lattice/integrators/contact_rkn.hpp"
 #include "lattice/numerics/estimate.hpp"
-#include "lattice/numerics/parallel.hpp"
 #include "lattice/orbits/breather.hpp"
 #include "lattice/orbits/breather_pairs.hpp"
 #include "sec33/depinning.hpp"

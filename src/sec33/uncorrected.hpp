@@ -8,7 +8,6 @@ breather with an adaptive method, and a kick with fixed steps. */
 
 #include <cstddef>
 
-#include "lattice/orbits/breather.hpp"
 #include "sec33/kick_threshold.hpp"
 
 namespace lattice {

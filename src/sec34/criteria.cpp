@@ -1,6 +1,7 @@
 #include "sec34/criteria.hpp"
 
 #include <array>
+#include <stdexcept>
 
 namespace lattice {
 

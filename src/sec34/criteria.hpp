@@ -9,9 +9,6 @@ functions without side effects, so that tests can feed them inputs for which the
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <stdexcept>
-#include <string>
-#include <utility>
 #include <vector>
 
 #include "lattice/diagnostics/observe.hpp"

@@ -1,5 +1,7 @@
 #include "sec34/decorrelation.hpp"
 
+#include <cmath>
+
 namespace lattice {
 
 Estimate decorrelation_of(double coarse, double fine) {

@@ -8,10 +8,8 @@ trajectory is a fact about the chain; afterwards it is one possibility among man
 about ensembles make sense. We say that two states have parted when they differ by a tenth of the largest
 displacement or velocity. */
 
-#include <cmath>
 #include <cstddef>
 #include <limits>
-#include <vector>
 
 #include "lattice/impact/impact.hpp"
 #include "lattice/integrators/accuracy.hpp"

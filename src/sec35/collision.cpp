@@ -1,5 +1,10 @@
 #include "sec35/collision.hpp"
 
+#include <cmath>
+#include <numbers>
+
+#include "lattice/impact/impact.hpp"
+
 namespace lattice {
 
 Collision collide(double step) {

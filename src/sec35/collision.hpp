@@ -10,11 +10,6 @@ then been carried along with the centre of mass, at the speed $V/2$, for the con
 rests at $y_1 = t_c/2$. So $t_c$ can be read off without finding an event. The compression is largest at
 $t_c/2$. */
 
-#include <cmath>
-#include <numbers>
-
-#include "lattice/impact/impact.hpp"
-
 namespace lattice {
 
 /// Contact time and largest compression, in units of tau_h and delta (see cantilever.hpp).

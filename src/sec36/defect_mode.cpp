@@ -1,5 +1,12 @@
 #include "sec36/defect_mode.hpp"
 
+#include <algorithm>
+#include <numbers>
+#include <numeric>
+#include <stdexcept>
+
+#include "lattice/integrators/contact_rkn.hpp"
+
 namespace lattice {
 
 // A short array around the defect; contacts without a floor, because the tail is of interest

@@ -11,15 +11,10 @@ this force, with the factor $\frac1\pi\int_0^{2\pi}|\cos\theta|^{5/2}d\theta \ap
 $\mu\,\omega_b^2 \approx 1 + 0.915\,\eta\sqrt a$. We demand evenness in time only; that the mode has the mirror
 symmetry of the defect is then a result. */
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
-#include <numeric>
-#include <stdexcept>
 #include <vector>
 
-#include "lattice/integrators/contact_rkn.hpp"
 #include "lattice/orbits/shooting.hpp"
 #include "sec36/scattering.hpp"
 

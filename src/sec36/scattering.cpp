@@ -1,5 +1,9 @@
 #include "sec36/scattering.hpp"
 
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
 namespace lattice {
 
 // Divide the energy among the sites before the defect, the nine around it, and those behind

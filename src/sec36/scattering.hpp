@@ -16,10 +16,7 @@ energies. */
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <numbers>
-#include <numeric>
 #include <vector>
 
 #include "lattice/numerics/criterion.hpp"

@@ -1,5 +1,10 @@
 #include "sec4/compressed_impact.hpp"
 
+#include <algorithm>
+#include <limits>
+
+#include "lattice/integrators/contact_rkn.hpp"
+
 namespace lattice {
 
 // Where the packet is at one instant, and which share of the energy it holds

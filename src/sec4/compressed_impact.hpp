@@ -11,18 +11,14 @@ until a settling time. After that the motion is smooth, and a splitting (schemes
 six. The chain is as long as impact.hpp makes it: somewhat longer than the way of the fastest phonon, ahead of
 which the motion falls off super-exponentially. */
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <string>
 #include <vector>
 
 #include "lattice/impact/impact.hpp"
-#include "lattice/integrators/contact_rkn.hpp"
 #include "lattice/numerics/criterion.hpp"
 #include "lattice/numerics/estimate.hpp"
-#include "sec4/dispersion.hpp"
 #include "sec4/envelope.hpp"
 
 namespace lattice {

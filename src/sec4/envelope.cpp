@@ -1,6 +1,9 @@
 #include "sec4/envelope.hpp"
 
+#include <algorithm>
 #include <array>
+
+#include "lattice/diagnostics/observe.hpp"
 
 namespace lattice {
 

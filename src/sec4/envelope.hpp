@@ -11,12 +11,10 @@ is the amplitude of the velocity at site $n$, free of the carrier. A soliton of 
 has the envelope $a\,\mathrm{sech}((n-n_0)/w)$, Eq. (38). How far a packet is from that form is seen from
 the residual of a least-squares fit. */
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
 
-#include "lattice/diagnostics/observe.hpp"
 #include "lattice/model/chain.hpp"
 
 namespace lattice {

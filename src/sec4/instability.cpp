@@ -6,6 +6,7 @@
 
 #include "lattice/model/contact.hpp"
 #include "lattice/model/well.hpp"
+#include "sec4/plane_wave.hpp"
 
 namespace lattice {
 

@@ -14,7 +14,6 @@ amplitudes remove the first correction, and the next pair gives the error. */
 #include "lattice/numerics/criterion.hpp"
 #include "lattice/numerics/estimate.hpp"
 #include "sec4/nls.hpp"
-#include "sec4/plane_wave.hpp"
 
 namespace lattice {
 

@@ -9,13 +9,11 @@ fewer than half of the sites share the energy, and if the centre moves to the ri
 $s = 1$ is the control: there $\Phi(\pi/4) < 0$, and after the same time no site may have five times
 the mean. */
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "lattice/numerics/parallel.hpp"

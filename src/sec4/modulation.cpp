@@ -3,6 +3,8 @@
 #include "lattice/numerics/progress.hpp"
 #include "sec4/nls.hpp"
 
+#include <algorithm>
+
 namespace lattice {
 
 // Follow the packet's centre for sixty units of time

@@ -13,7 +13,6 @@ splitting of order six with fourteen stages (schemes.hpp) keeps its full order. 
 may open contacts, at the most unstable wavenumber from about $t = 4600$ on; then the step has the order
 of the appendix, and two steps tell the error. */
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -24,6 +23,7 @@ of the appendix, and two steps tell the error. */
 #include "lattice/numerics/criterion.hpp"
 #include "lattice/numerics/estimate.hpp"
 #include "sec4/compressed_impact.hpp"
+#include "sec4/dispersion.hpp"
 
 namespace lattice {
 

@@ -15,7 +15,6 @@ $$A = M\,\mathrm{sech}(\xi)\,e^{i\omega''\tau/2}, \qquad M^2 = -\omega''/h. $$ *
 #include <cstddef>
 
 #include "lattice/model/chain.hpp"
-#include "lattice/numerics/estimate.hpp"
 #include "sec4/instability.hpp"
 
 namespace lattice {

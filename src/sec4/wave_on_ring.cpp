@@ -1,5 +1,7 @@
 #include "sec4/wave_on_ring.hpp"
 
+#include "sec4/instability.hpp"
+
 namespace lattice {
 
 std::complex<double> fourier(const State<double>& state, double wavenumber, double omega) {

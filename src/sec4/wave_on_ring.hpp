@@ -15,7 +15,7 @@ $q + Q$. */
 
 #include "lattice/integrators/integrate.hpp"
 #include "lattice/numerics/line_fit.hpp"
-#include "sec4/instability.hpp"
+#include "sec4/plane_wave.hpp"
 
 namespace lattice {
 

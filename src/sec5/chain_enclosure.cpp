@@ -5,6 +5,7 @@
 #include "lattice/algebra/dense.hpp"
 #include "lattice/orbits/breather_pairs.hpp"
 #include "sec5/chain_bounds.hpp"
+#include "sec5/circle.hpp"
 #include "sec5/fineness.hpp"
 
 namespace lattice {

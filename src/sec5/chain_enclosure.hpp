@@ -20,7 +20,6 @@ $s = \sin(\pi/\omega)$, for $1 < \omega < 2$. */
 #include <vector>
 
 #include "lattice/model/sites.hpp"
-#include "sec5/circle.hpp"
 #include "sec5/contraction.hpp"
 
 namespace lattice {

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <stdexcept>
 
 #include "lattice/diagnostics/pulse.hpp"
 #include "lattice/impact/impact.hpp"
+#include "lattice/integrators/driven_chain.hpp"
 #include "lattice/standing/spectrum.hpp"
 
 namespace lattice {

@@ -15,10 +15,8 @@ which we take for the chain, too. There $\sigma^2$ changes its sign along the br
 shift swings back. The friction $\nu/4$ is that of the limit; tests/damped.cpp finds the growth of a shift in a
 damped chain to a tenth. */
 
-#include <cstddef>
 #include <vector>
 
-#include "lattice/integrators/driven_chain.hpp"
 #include "lattice/orbits/breather.hpp"
 #include "lattice/orbits/floquet.hpp"
 

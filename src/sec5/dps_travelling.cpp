@@ -1,5 +1,8 @@
 #include "sec5/dps_travelling.hpp"
 
+#include <cmath>
+#include <stdexcept>
+
 namespace lattice {
 
 DpsMember dps_member(const DpsTravelling& problem, const Vector<double>& guess) {

@@ -16,15 +16,11 @@ $$\mathrm{Re}\,(w_n + w_{1-n}) = 0,\qquad \mathrm{Im}\,(w_n - w_{1-n}) = 0,\qqua
 Those of the first kind add up to $V\sin(\varphi/2) = 0$, where $\sum_nA_n(0) = iV$. We leave out the one
 with $n = 1$ and obtain a family with a member for every $\varphi$ that we tried, $-0.4$ to 3. */
 
-#include <algorithm>
-#include <cmath>
 #include <complex>
 #include <cstddef>
 #include <numbers>
-#include <stdexcept>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "lattice/dps/dps_impact.hpp"
 #include "lattice/orbits/newton.hpp"

@@ -1,5 +1,6 @@
 #include "sec5/dps_waves.hpp"
 
+#include <algorithm>
 #include <numeric>
 #include <stdexcept>
 

@@ -18,7 +18,6 @@ $c<-\frac15$, fastest halfway between $1$ and $\cos Q_*$. The square of the larg
 most $\rho^2/5$, in the first case and $-\frac{\rho^2}4(1+5c)(1-c)^2/(1-5c)$ in the second. This rises up to
 $\frac23\rho^2$ at $c = -1$, and $\rho$ rises with it: the wave $q = \pi$ is the fastest. Long modulations grow like $Q$. */
 
-#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <cstddef>

@@ -1,7 +1,6 @@
 #include "sec5/quotient.hpp"
 
 #include <cmath>
-#include <utility>
 
 #include "lattice/gsl/random.hpp"
 #include "lattice/numerics/parallel.hpp"

@@ -1,5 +1,8 @@
 #include "sec5/travelling.hpp"
 
+#include <stdexcept>
+#include <utility>
+
 namespace lattice {
 
 // About its centre a travelling breather is odd in position and even in velocity

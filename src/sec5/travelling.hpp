@@ -17,8 +17,6 @@ an exact orbit. */
 #include <cmath>
 #include <complex>
 #include <cstddef>
-#include <stdexcept>
-#include <utility>
 #include <vector>
 
 #include "lattice/algebra/eigenvalues.hpp"

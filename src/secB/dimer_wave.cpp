@@ -9,7 +9,6 @@
 #include "lattice/diagnostics/pulse.hpp"
 #include "lattice/impact/impact.hpp"
 #include "lattice/integrators/contact_rkn.hpp"
-#include "lattice/model/contact.hpp"
 
 namespace lattice {
 

@@ -2,6 +2,9 @@
 
 #include "lattice/numerics/parabola.hpp"
 
+#include <numeric>
+#include <stdexcept>
+
 namespace lattice {
 
 double window_sum(const std::vector<double>& e, std::size_t peak, std::size_t m) {

@@ -9,12 +9,9 @@ $$X = \frac{\sum_{|n-c|\le m} n\,e_n}{\sum_{|n-c|\le m} e_n} \qquad\text{(Eq. (2
 with $c$ the site of its largest density and $m = 5$, how fast it moves, and how much energy it carries. */
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numeric>
 #include <optional>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 

@@ -2,6 +2,10 @@
 
 #include "lattice/numerics/parabola.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
 namespace lattice {
 
 std::vector<Top> maxima(const std::vector<double>& t, const std::vector<double>& x) {

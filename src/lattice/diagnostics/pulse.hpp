@@ -8,9 +8,6 @@ period apart, this file reads what an experiment would report: the strongest pus
 period, and how long the train lasts. Maxima are those of parabolas through three samples, crossings
 those of straight lines through two. */
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <optional>
 #include <vector>
 

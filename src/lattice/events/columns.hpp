@@ -6,7 +6,6 @@ What the orbit and the columns of a tangent (tangent.hpp) have in common: the ro
 equation and the two loops that apply them. Only the `.cpp` files of this library include this file. */
 
 #include <cstddef>
-#include <vector>
 
 #include "lattice/events/tangent.hpp"
 #include "lattice/model/kernel.hpp"

@@ -1,6 +1,7 @@
 #include "lattice/events/event_driven.hpp"
 
 #include <cmath>
+#include <vector>
 
 #include "lattice/numerics/interrupt.hpp"
 #include "lattice/numerics/progress.hpp"

@@ -17,7 +17,6 @@ after the passage as an overlap with the wrong sign, and we then land on it. */
 #include <algorithm>
 #include <cstddef>
 #include <type_traits>
-#include <vector>
 
 #include "lattice/events/location.hpp"
 #include "lattice/events/overlap.hpp"

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "lattice/integrators/accuracy.hpp"
+
 namespace lattice {
 
 std::size_t evolve_reference(const Chain& chain, State<double>& state, double duration,

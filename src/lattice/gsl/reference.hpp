@@ -8,7 +8,6 @@ beads integrated by the GNU Scientific Library (gsl_ode.hpp). */
 #include <cstddef>
 
 #include "lattice/gsl/gsl_ode.hpp"
-#include "lattice/integrators/accuracy.hpp"
 #include "lattice/model/chain.hpp"
 
 namespace lattice {

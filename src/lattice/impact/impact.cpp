@@ -1,5 +1,6 @@
 #include "lattice/impact/impact.hpp"
 
+#include <numeric>
 #include <sstream>
 
 namespace lattice {

@@ -12,7 +12,6 @@ energy and the front-most packet, and it sees to it that nothing comes back from
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <stdexcept>
 #include <type_traits>

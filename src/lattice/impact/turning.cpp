@@ -2,6 +2,10 @@
 
 #include "lattice/numerics/parabola.hpp"
 
+#include <numbers>
+#include <numeric>
+#include <stdexcept>
+
 namespace lattice {
 
 // Average the internal oscillation away with a raised cosine as wide as several of its periods

@@ -13,9 +13,6 @@ over a stated width with the weight $1+\cos(2\pi t/\text{width})$. */
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <numbers>
-#include <numeric>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>

@@ -1,5 +1,8 @@
 #include "lattice/integrators/accuracy.hpp"
 
+#include <limits>
+#include <sstream>
+
 namespace lattice {
 
 double distance(const State<double>& a, const State<double>& b) {

@@ -18,13 +18,10 @@ because its steps are too long is no run, and the step is halved until one holds
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "lattice/integrators/contact_rkn.hpp"
 

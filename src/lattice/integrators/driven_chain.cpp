@@ -1,8 +1,10 @@
 #include "lattice/integrators/driven_chain.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <stdexcept>
 
+#include "lattice/integrators/contact_rkn.hpp"
 #include "lattice/numerics/progress.hpp"
 
 namespace lattice {

@@ -21,13 +21,10 @@ constant but for the drift of the conservative step. As the budget cannot see th
 which is of order two, that error is found by halving the step. */
 
 #include <cmath>
-#include <cstddef>
 #include <functional>
-#include <numbers>
 #include <vector>
 
 #include "lattice/integrators/accuracy.hpp"
-#include "lattice/integrators/contact_rkn.hpp"
 
 namespace lattice {
 

@@ -1,5 +1,11 @@
 #include "lattice/orbits/breather_pairs.hpp"
 
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "lattice/numerics/parallel.hpp"
+
 namespace lattice {
 
 // Both breathers of a pair and the barrier between them, at one tolerance

@@ -12,13 +12,9 @@ gives at two resolutions. */
 #include <cstddef>
 #include <functional>
 #include <limits>
-#include <stdexcept>
-#include <string>
-#include <utility>
 #include <vector>
 
 #include "lattice/numerics/estimate.hpp"
-#include "lattice/numerics/parallel.hpp"
 #include "lattice/orbits/breather.hpp"
 
 namespace lattice {

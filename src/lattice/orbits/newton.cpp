@@ -1,10 +1,8 @@
 #include "lattice/orbits/newton.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <limits>
-#include <type_traits>
 
 #include "lattice/numerics/progress.hpp"
 

@@ -4,7 +4,6 @@
 #include <cstdio>
 #include <limits>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace lattice {

@@ -15,7 +15,6 @@ event_driven.hpp, with its exact derivative (tangent.hpp). */
 #include <cstddef>
 #include <string>
 
-#include "lattice/events/event_driven.hpp"
 #include "lattice/events/tangent.hpp"
 #include "lattice/model/chain.hpp"
 #include "lattice/orbits/newton.hpp"

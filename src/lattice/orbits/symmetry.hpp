@@ -13,9 +13,7 @@ The state of $N$ sites is one vector of $2N$ entries, first the positions, then 
 is an entry with a sign, and a sum of terms is a `Combination`. */
 
 #include <cstddef>
-#include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "lattice/model/sites.hpp"
