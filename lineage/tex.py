@@ -237,26 +237,31 @@ def macros(texts, figures, programs):
 def claim_rows(claims, lock):
     """A row for each claim but the discrepant ones, which the paper has in a table of their own, by the sections of the
     article: what is claimed and printed, what we found with its error in parentheses, and the verdict; where the article
-    has a word, what our number is. Only a claim that is open has no number."""
+    has a word, what our number is, and of a statement that holds what limits it. Only a claim that is open has no number."""
     out, section, judge = HEAD, None, Judge(claims, lock.values())
     for id, c in sorted(claims.items(), key=lambda claim: claim[1]["section"]):
         f = lock.get((c["program"], id))
         if not f and c["status"] != "open":
             raise ecsv.Fault(f"nothing is locked for the claim '{id}' (make lock)")
-        said = judge.verdict(id)
+        said, of_words = judge.verdict(id), not printed_range(c["printed"])
         if c["status"] == "discrepant":
             continue
         if c["section"] != section:
             section = c["section"]
             out += rf"\claimsof{{{escaped(section)}}}" + "\n"
         here = both(f) + (f" {unit(f.unit)}" if f.shown_unit else "") if f and f.shown != said else ""
-        printed = worded(c["printed"]) + (f" {unit(c['unit'])}" if c["unit"] and printed_range(c["printed"]) else "")
-        means = c.get("means", "")
+        printed = worded(c["printed"]) + ("" if of_words or not c["unit"] else f" {unit(c['unit'])}")
+        note, means = c.get("means", ""), False
+        # A statement is what the row says: a word for it would be ours
+        if said == "holds" and of_words:
+            printed = "--"
+        else:
+            means = bool(note)
         # The unit is not said again: that of the article, or that of the words
         if means or (here and c["unit"] not in ("", f.unit)):
             here = both(f) + (" sites" if means and f.unit == "site" else "")
-        cells = [escaped(id), worded(c["quantity"]) + (rf" \emph{{(here: {worded(means)})}}" if means else ""), printed,
-                 here, said]
+        noted = rf" \emph{{({'here: ' if means else ''}{worded(note)})}}" if note else ""
+        cells = [escaped(id), worded(c["quantity"]) + noted, printed, here, said]
         out += r"\claim" + "".join(f"{{{cell}}}" for cell in cells) + "\n"
     return out
 
