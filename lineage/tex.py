@@ -243,24 +243,22 @@ def claim_rows(claims, lock):
         f = lock.get((c["program"], id))
         if not f and c["status"] != "open":
             raise ecsv.Fault(f"nothing is locked for the claim '{id}' (make lock)")
-        said, of_words = judge.verdict(id), not printed_range(c["printed"])
+        said = judge.verdict(id)
         if c["status"] == "discrepant":
             continue
         if c["section"] != section:
             section = c["section"]
             out += rf"\claimsof{{{escaped(section)}}}" + "\n"
         here = both(f) + (f" {unit(f.unit)}" if f.shown_unit else "") if f and f.shown != said else ""
-        printed = worded(c["printed"]) + ("" if of_words or not c["unit"] else f" {unit(c['unit'])}")
-        note, means = c.get("means", ""), False
-        # A statement is what the row says: a word for it would be ours
-        if said == "holds" and of_words:
-            printed = "--"
-        else:
-            means = bool(note)
+        printed = worded(c["printed"]) + (f" {unit(c['unit'])}" if c["unit"] and printed_range(c["printed"]) else "")
+        note = means = c.get("means", "")
+        if said == "holds" and not printed_range(c["printed"]):
+            printed, means = "--", ""  # the row is the statement; what is noted limits it
         # The unit is not said again: that of the article, or that of the words
         if means or (here and c["unit"] not in ("", f.unit)):
             here = both(f) + (" sites" if means and f.unit == "site" else "")
-        noted = rf" \emph{{({'here: ' if means else ''}{worded(note)})}}" if note else ""
+        words = re.sub(r"\bSection ([a-z]+)", r"Section~\\ref{\1}", worded(note))  # by its label
+        noted = rf" \emph{{({'here: ' if means else ''}{words})}}" if note else ""
         cells = [escaped(id), worded(c["quantity"]) + noted, printed, here, said]
         out += r"\claim" + "".join(f"{{{cell}}}" for cell in cells) + "\n"
     return out

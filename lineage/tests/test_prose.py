@@ -4,6 +4,7 @@ import shutil
 import subprocess
 import tempfile
 import unittest
+from dataclasses import replace
 
 from lineage import chapters, ecsv, lock, metadata, refresh, tex
 
@@ -163,6 +164,16 @@ class Paper(Scratch):
         self.assertEqual(self.lineage("macros")[0], 0)
         self.assertIn(r"\claim{a.one}{one}{1.00}{\ensuremath{1.000(1)} m}{reproduced}",
                       self.read("build/paper/claims.tex"))
+
+    def test_a_statement_that_holds_has_a_dash_and_its_limits(self):
+        claim = {"section": "1", "quantity": "it is so", "printed": "so", "unit": "", "class": "claim", "tolerance": "",
+                 "program": "sec1_demo", "status": "holds", "covered_by": "", "means": "not in all wells, Section wells"}
+        lock = {("sec1_demo", "a.so"): finding(1.0, unit="claim"), ("sec1_demo", "a.how"): finding(2.5, 0.1)}
+        lock = {key: replace(f, program=key[0], id=key[1]) for key, f in lock.items()}
+        claims = {"a.so": claim, "a.how": claim | {"status": "measured", "means": "their ratio"}}
+        rows = tex.claim_rows(claims, lock)
+        self.assertIn(r"\claim{a.so}{it is so \emph{(not in all wells, Section~\ref{wells})}}{--}{}{holds}", rows)
+        self.assertIn(r"\claim{a.how}{it is so \emph{(here: their ratio)}}{so}{\ensuremath{2.5(1)}}{measured}", rows)
 
     def test_what_the_paper_leaves_out_is_named(self):
         whole = "\\wide[0.6]{01}\n\\gone{a.one}{they erred}\n\\newcommand\\gone[2]{\\num{#1}} (Fig.~01).\n"
