@@ -7,13 +7,11 @@ data, out = draw.arguments()
 folder = f"{data}/sec33_article_integrator"
 settings = draw.records(f"{folder}/settings.ecsv")
 kicks = draw.records(f"{folder}/thresholds.ecsv")
-dps = draw.records(f"{folder}/dps_steps.ecsv")
 looks = {"verlet": ("#888888", "v", ":", "Verlet"),
          "runge-kutta-4": ("#0072B2", "o", "-", "Runge–Kutta 4"),
          "fehlberg-5": ("#E69F00", "^", "--", "Fehlberg 5"),
          "dormand-prince-5": ("#009E73", "D", "-.", "Dormand–Prince 5"),
          "calvo-sanz-serna-4": ("#D55E00", "s", (0, (1, 1)), "Calvo–Sanz-Serna 4")}
-looks["classical-4"] = looks["runge-kutta-4"]
 
 
 def curve(axes, rows, method, y, scale=1, x="steps"):
@@ -65,20 +63,15 @@ for shift, method in enumerate(methods):
 d.axhline(6.19, color="black", lw=0.8)
 d.set(ylabel="threshold $c_c$ ($10^{-6}$)", xlabel="steps for one period", xlim=(94, 134), ylim=(5.15, 7.4))
 
-for method in ["classical-4", "fehlberg-5", "dormand-prince-5"]:
-    curve(e, dps, method, "amplitude", 1e4)
-e.axhline(13, color="black", lw=0.8)
-e.set(xscale="log", ylabel="amplitude of the DpS packet ($10^{-4}$)",
-      xlabel=r"steps for $2\pi$ of slow time", ylim=(3, 14))
-
 for method in methods:
-    curve(f, settings, method, "near")
-f.set(xscale="log", ylabel="numbers near the printed ones", xlabel="steps for one period",
+    curve(e, settings, method, "near")
+e.set(xscale="log", ylabel="numbers near the printed ones", xlabel="steps for one period",
       ylim=(-0.2, 6.2))
-f.legend(loc="upper left", fontsize=6)
-for panel, text in zip(axes.flat, "abcdef"):
+f.legend(*e.get_legend_handles_labels(), loc="center", fontsize=8, frameon=False)
+f.axis("off")
+for panel, text in zip(axes.flat, "abcde"):
     panel.minorticks_off()
-    ticks = {"d": [100, 120, 128], "e": [4, 8, 16, 32]}.get(text, [50, 100, 200, 400])
+    ticks = [100, 120, 128] if text == "d" else [50, 100, 200, 400]
     panel.set_xticks(ticks, [str(tick) for tick in ticks])
-    draw.letter(panel, text, x=0.97 if text in "abcf" else 0.03)
+    draw.letter(panel, text, x=0.03 if text == "d" else 0.97)
 draw.save(figure, out)

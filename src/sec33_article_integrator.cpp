@@ -1,9 +1,9 @@
 /**
 # Appendix: which integrator did the article use?
 
-Seven numbers of James, Kevrekidis and Cuevas (Physica D 251, 2013), most of them in section 3.3, depend on how the
-chain was integrated. All but the last belong to $\omega_b = 1.1$, $T_b = 2\pi/\omega_b$, in wells with the
-anharmonicity $s$, Eq. (10), which is zero unless it is varied:
+Six numbers of sections 3.2 and 3.3 of James, Kevrekidis and Cuevas (Physica D 251, 2013) depend on how the chain was
+integrated. They belong to $\omega_b = 1.1$, $T_b = 2\pi/\omega_b$, in wells with the anharmonicity $s$, Eq. (10), which
+is zero unless it is varied:
 
 | number | printed |
 |---|---|
@@ -13,16 +13,14 @@ anharmonicity $s$, Eq. (10), which is zero unless it is varied:
 | the same for the bond-centred one | 0.26 |
 | size $c_c$ of the kick beyond which the bond-centred breather is free | $6.19\cdot10^{-6}$ |
 | sites that the site-centred one jumps, to stay there, after a *weak* kick, of $3\cdot10^{-6}$ | 2 |
-| amplitude of the packet in the struck DpS chain (section 3.4) | $13\cdot10^{-4}$ |
 
-A kick adds velocities along the *pinning mode*, the direction of a shift along the chain; its size is their norm. We
-call the first six *the six numbers*; the amplitude, which belongs to another equation, has a section of its own. The
+A kick adds velocities along the *pinning mode*, the direction of a shift along the chain; its size is their norm. The
 residual seems to tell how accurate the article's breathers were (below it has another source); all others come out
 differently when the integration is converged. The printed barrier differs from the converged one by no more than
-breathers of that residual allow (`sec32_barrier`), the amplitude, the threshold and the two values of $s$ are discussed
-in their chapters, and the jump has no explanation there. The article does not say which integrator it used. Here we ask
-whether *one* choice, a method and a number of steps per period, explains them all. A setting is compatible with the
-printed numbers or it is not; neither says what was done. */
+breathers of that residual allow (`sec32_barrier`), the threshold and the two values of $s$ are discussed in their
+chapters, and the jump has no explanation there. The article does not say which integrator it used. Here we ask whether
+*one* choice, a method and a number of steps per period, explains them all. A setting is compatible with the printed
+numbers or it is not; neither says what was done. */
 
 #include <algorithm>
 #include <array>
@@ -32,8 +30,6 @@ printed numbers or it is not; neither says what was done. */
 #include <utility>
 #include <vector>
 
-#include "lattice/dps/dps_impact.hpp"
-#include "lattice/integrators/runge_kutta.hpp"
 #include "lattice/numerics/parallel.hpp"
 #include "lattice/orbits/breather_pairs.hpp"
 #include "report/program.hpp"
@@ -241,10 +237,10 @@ std::string outcome(const Setting& at) {
 
 No setting of fixed steps comes near more than [1](num:sec33_article_integrator.most_at_once) of the six numbers: some
 with 100 to 128 steps are near the threshold, some with 200 or more near the residual, as the flow is, and none near any
-other of the six. Panels (a), (b), (d) and (e) of figure x30 show residual, barrier, threshold and DpS amplitude against
-the steps, the line being what is printed; an arrow means that the threshold lies beyond the kicks tried. Panel (c)
-shows how far the four multipliers around a bond are from $+1$; its line is $10^{-3}$, within which the article finds
-unstable ones. Panel (f) counts the numbers that are near.
+other of the six. Panels (a), (b) and (d) of figure x30 show residual, barrier and threshold against the steps, the line
+being what is printed; an arrow means that the threshold lies beyond the kicks tried. Panel (c) shows how far the four
+multipliers around a bond are from $+1$; its line is $10^{-3}$, within which the article finds unstable ones. Panel (e)
+counts the numbers that are near.
 
 *The threshold.* We tried [15](num:sec33_article_integrator.thresholds_tried) settings. Of these
 [5](num:sec33_article_integrator.thresholds_below) free the bond-centred breather already twelve per cent below the
@@ -423,48 +419,6 @@ void report_flow(Report& report) {
 }
 
 /**
-## The DpS amplitude
-
-The DpS equation is of first order and not separable, so only three of the methods apply to it. As its period we take
-that of the stationary breather with $\mu = 1$, which is $2\pi$ in the slow time. The converged amplitude is
-[0.000949922](num:impact.amp_dps). From sixteen steps on all three methods give it within a per cent, and with more
-steps they come closer. Only near the limit of its stability, with six steps, does that of Dormand and Prince give
-[0.00126358](num:sec33_article_integrator.largest_dps), because the norm grows. So the printed $13\cdot10^{-4}$ is not
-compatible with the hundred steps or more that give the threshold; if it comes from the integration, then from looser
-steps (`sec34_dps_impact`). */
-struct DpsRun {
-  double amplitude = 0, growth = 0;
-};
-
-DpsRun struck_dps(const RungeKutta& method, double steps, std::size_t sites, double tau_end) {
-  constexpr double eps = 0.9548e-3;
-  const std::size_t count = std::size_t(std::ceil(tau_end * steps / (2 * std::numbers::pi)));
-  const DpsOutcome out = follow_dps_by(
-      Dps{sites}, dps_impact(sites), [&](const Rhs& rhs, auto& x, const auto& observe) {
-        integrate_fixed(method, rhs, x, tau_end, count, 1, observe);
-      });
-  return {2 * eps * packet_amplitude(out.track), norm(out.end) - 1};
-}
-
-void report_dps(Report& report) {
-  const std::size_t sites = report.quick ? 40 : 120;
-  const double tau_end = report.quick ? 80 : 250;
-  Table& table = report.table(
-      "dps_steps", {label("method", "integrator"), number("steps", "for 2 pi of slow time"),
-                    number("amplitude", "2 eps |A_n| of the packet near tau = 250"),
-                    number("growth", "of the conserved norm until then, relative")});
-  Estimate largest;
-  for (const RungeKutta& method : {classical_4(), fehlberg_5(), dormand_prince_5()})
-    for (double steps : {4., 5., 6., 7., 8., 10., 12., 16., 24., 32.}) {
-      const DpsRun out = struck_dps(method, steps, sites, tau_end);
-      table.add({method.name, steps, out.amplitude, out.growth});
-      if (out.amplitude > largest.value)
-        largest = compare(struck_dps(method, steps, sites + 20, tau_end).amplitude, out.amplitude);
-    }
-  report.facts.add("largest_dps", largest);
-}
-
-/**
 ## Differences and limits
 
 Nothing here says what the article did. The scan has steps that divide the period and breathers on short chains;
@@ -479,7 +433,6 @@ void reproduce(Report& report) {
   report.output.note("tolerance", "none: the fixed steps are what is studied");
   report_scan(report);
   report_flow(report);
-  report_dps(report);
   if (!report.quick) report_barrier_trials(report);
   report_step_trials(report);
 }
@@ -490,8 +443,13 @@ void reproduce(Report& report) {
 1. *Easy.* By how much does the printed barrier exceed the converged one?
    `build/bin/sec32_barrier barrier --omega 1.1` gives `equal_frequency` = 1.624225e-11.
    Hint: compare the excess with the scatter of the barriers in the table of adaptive trials.
-2. *Open.* Can commensurate steps pin a breather at a conserved energy?
-3. *Open.* What makes a breather jump two sites and stay? */
+2. *Harder.* Which error of the frequency changes the energy by that excess?
+   `build/bin/sec32_newton_breathers breather --omega 1.1001` gives `energy` = 0.00015428151472.
+   Hint: subtract the energy at 1.1. The phase of a breather is then wrong by this error times $T_b$ after one period, and
+   the velocities of its beads by as much of their accelerations; compare with the printed residual.
+3. *Open.* Can commensurate steps pin a breather at a conserved energy? In the trials here they lose or gain far more
+   energy than the kick brings.
+4. *Open.* What makes a breather jump two sites and stay? */
 int main(int argc, char** argv) {
   return run({"sec33_article_integrator", "3.3", "Which integrator did the article use? (appendix)",
               reproduce},

@@ -485,7 +485,7 @@ void reproduce(Report& report) {
    `build/bin/sec5_experiment damped --lifetime 5` gives `sites_10ms` = 17.0208.
    Hint: compare with the default lifetime. `slow_clock` says at which time the energy of an array without losses has
    its centre at about `centre_10ms`; the strongest push is not there.
-2. *Easy.* Does a weaker packet lose a larger part of its way?
+2. *Harder.* Does a weaker packet lose a larger part of its way?
    `build/bin/sec5_experiment damped --velocity 0.5` gives `sites_10ms` = 13.6624; without losses it is 15.3118.
    Hint: form the ratio, then that at 1 m/s. The slow clock knows $\nu$ and no amplitude.
 3. *Open.* What does the slow clock become where contacts lose energy?
