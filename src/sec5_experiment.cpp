@@ -131,7 +131,7 @@ void report_deviations(Report& report, const std::vector<JourneyRow>& rows) {
   const auto way = [&](const Journey& j) { return way_after(j, t10).sites; };
   const auto centre = [&](const Journey& j) { return centre_after(j, t10); };
   Estimate off{}, slow_off{}, bare_off{}, centre_off{};
-  const TwoJourneys* free = nullptr;
+  const TwoJourneys* free = &rows.front().found;
   for (const JourneyRow& row : rows) {
     if (row.lifetime == 0) free = &row.found;
     if (row.lifetime == 0) continue;
