@@ -270,6 +270,7 @@ py::tuple answer(const Command& command, const Found& found) {
 py::tuple strike_chain(const Words& words, const Chain* chain) {
   auto command = read<OneImpact>(words);
   if (chain) command.impact.chain = *chain;
+  if (chain && chain->sites) command.sites = chain->sites;
   const auto found = at_work([&] { return command.find(); });
   return answer(command, found) +
          py::make_tuple(to_python(found.runs.fine.track), found.impact.chain);

@@ -230,6 +230,36 @@ class Refusals(unittest.TestCase):
 
 
 class OwnChains(unittest.TestCase):
+    def test_a_struck_chain_keeps_its_length(self):
+        """Against the method of Runge and Kutta, with the far end in the run."""
+        for n, mass, eta, ends in [(10, 1, 1, "free"), (12, np.ones(12), 1, "free"), (12, [1, 1.5], 1, "free"),
+                                   (9, np.linspace(1, 0.5, 9), np.linspace(0.5, 2, 10), "fixed")]:
+            chain = lattice.Chain(n, mass, eta, ends=ends)
+            found = lattice.strike(chain, velocity=1.5, time=40, tolerance=1e-7)
+            self.assertEqual((len(found.y), found.chain.mass.tolist()), (n, chain.mass.tolist()))
+            masses, stiffnesses = np.resize(mass, n), np.resize(eta, n + 1) * np.r_[ends == "fixed", np.ones(n - 1), ends == "fixed"]
+
+            def rate(z):
+                push = stiffnesses * np.maximum(-np.diff(z[:n], prepend=0, append=0), 0) ** 1.5
+                return np.concatenate([z[n:], (push[:-1] - push[1:] - z[:n]) / masses])
+
+            z, h = 1.5 * np.eye(2 * n)[n], 0.005
+            for _ in range(8000):
+                a = rate(z)
+                b = rate(z + h / 2 * a)
+                c = rate(z + h / 2 * b)
+                z = z + h / 6 * (a + 2 * b + 2 * c + rate(z + h * c))
+            np.testing.assert_allclose(np.concatenate([found.y, found.v]), z, rtol=0, atol=1e-6)
+            self.assertEqual(found.far_end_moved, 1)
+            if np.all(masses == 1) and np.all(eta == 1):
+                same = lattice.strike(sites=n, velocity=1.5, time=40, tolerance=1e-7)
+                self.assertEqual(bits(list(found.quantities.values())), bits(list(same.quantities.values())))
+        self.assertEqual(lattice.strike(lattice.Chain(60), velocity=1, time=20).far_end_moved, 0)
+        chain = lattice.Chain(17, mass=[1.2, 1])  # shorter than breathers usually are
+        found = lattice.breather(chain, omega=1.3)
+        self.assertEqual((len(found.y), found.chain.mass.tolist()), (17, chain.mass.tolist()))
+        self.assertEqual(len(lattice.multipliers(chain, omega=1.3).multiplier), 34)
+
     def test_forces_of_a_dimer(self):
         """Eq. (32), written once more: masses, stiffnesses, another exponent, and the ends."""
         rng = np.random.default_rng(1)

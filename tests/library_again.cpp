@@ -7,12 +7,15 @@
 #include "lattice/events/location.hpp"
 #include "lattice/impact/impact.hpp"
 #include "lattice/integrators/accuracy.hpp"
+#include "lattice/integrators/driven_chain.hpp"
 #include "lattice/model/cantilever.hpp"
 #include "lattice/model/dps.hpp"
 #include "lattice/model/quasi_continuum.hpp"
 #include "lattice/model/typed.hpp"
 #include "lattice/orbits/breather.hpp"
 #include "lattice/orbits/breather_pairs.hpp"
+#include "lattice/orbits/other_chains.hpp"
+#include "sec3/breather_like.hpp"
 
 namespace library_again {
 
@@ -312,6 +315,50 @@ TEST_CASE("units of an array, there and back", "[unit][cantilever]") {
   check_close(array.beam_mass(), 8e3 * 5e-3 * 1e-3 * 25e-3, 0, 1e-12);
   check_close(array.bead_mass(1.5), 4 * pi<double>() / 3 * 2.2e3 * std::pow(1.5 * 2.38e-3, 3), 0,
               1e-12);
+}
+
+TEST_CASE("a chain runs with the length of its masses and in states of that length only",
+          "[unit][chain]") {
+  Chain twelve{12};
+  vary(twelve, std::vector<double>(12, 1), {});
+  const auto refused = [](const Chain& chain, const State<double>& start) {
+    State<double> state = start;
+    CAPTURE(chain.sites, chain.mass.size(), state.y.size());
+    CHECK_THROWS_AS(energy_density(chain, state), std::invalid_argument);
+    CHECK_THROWS_AS(evolve(ContactAware{0.1}, chain, state, 1, 1, Unobserved{}),
+                    std::invalid_argument);
+    CHECK_THROWS_AS(flow<double>(chain, state, 1.0), std::invalid_argument);
+    CHECK_THROWS_AS(run_driven({chain, {}, {}}, state, time_grid(1, 1, 0.1),
+                               [](const auto&, const auto&) { return true; }),
+                    std::invalid_argument);
+    if (state.y.size() == chain.mass.size()) return;
+    CHECK_THROWS_AS(accelerations(chain, state.y), std::invalid_argument);
+    CHECK_THROWS_AS(contact_forces(chain, state.y), std::invalid_argument);
+    CHECK_THROWS_AS(linearise(chain, state.y), std::invalid_argument);
+  };
+  for (const std::size_t sites : {8, 13, 136}) {
+    Chain other = twelve;
+    other.sites = sites;
+    refused(other, struck(sites, 1));
+    refused(twelve, struck(sites, 1));
+    refused(Chain{12}, struck(sites, 1));
+    CHECK_THROWS_AS(lengthened(other, sites + 2), std::invalid_argument);
+    CHECK_THROWS_AS(between(other, Chain{sites}, 0.5), std::invalid_argument);
+    CHECK_THROWS_AS(between(Chain{sites}, other, 1), std::invalid_argument);
+  }
+  State<double> torn = struck(12, 1);
+  torn.v.pop_back();
+  refused(twelve, torn);
+  // Masses without stiffnesses, and the other way round
+  Chain half{12};
+  half.mass = half.inverse_mass = twelve.mass;
+  refused(half, struck(12, 1));
+  half.mass = half.inverse_mass = {}, half.eta = twelve.eta;
+  refused(half, struck(12, 1));
+  // Nor is it made longer; as it is it has the bits of a chain without masses
+  CHECK_THROWS_AS(endless({1, twelve, 20}), std::invalid_argument);
+  const Impact plain{1, {12}, 20, 0.2, may_move}, heavy{1, twelve, 20, 0.2, may_move};
+  CHECK(strike(ContactAware{0.1}, plain).end.y == strike(ContactAware{0.1}, heavy).end.y);
 }
 
 }  // namespace library_again

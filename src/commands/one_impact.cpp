@@ -19,7 +19,7 @@ void OneImpact::parameters(Parameters& p) {
 }
 
 OneImpact::Found OneImpact::find() const {
-  Impact whole = endless(impact);
+  Impact whole = sites ? impact : endless(impact);
   if (sites) whole.chain.sites = *sites, whole.far_end = may_move;
   return {whole, strike_to(tolerance, whole)};
 }
@@ -89,6 +89,10 @@ Table OneImpact::quantities(const Found& found) const {
                 return int(out.reach > rim);
               }),
               "", "1 if a bead was beyond the rim of its well at any time, otherwise 0");
+  q.add_small("far_end_moved",
+              both([&](const ImpactRun& out) { return int(!is_quiet(impact, out)); }), "",
+              "1 if the last bead has moved, so that what its end sends back is in these numbers, "
+              "otherwise 0");
   return q.table;
 }
 

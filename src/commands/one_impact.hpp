@@ -8,7 +8,7 @@ speed is fitted on the way out, from site 20 to twenty sites before the far end;
 gets there it is `nan`. Over a long stretch a packet slows down as it sheds energy, so the value
 depends on the window. If a bead runs away the command fails, because then there is no packet to
 measure. It also fails if the motion reaches the far end, unless you choose the end yourself with
-`--sites`: then what it sends back belongs to the run.
+`--sites`: then what it sends back belongs to the run, and `far_end_moved` says whether there is any.
 
 The packet that is measured is the foremost one. In soft wells it is the breather of the article. In hard wells a weak
 packet may run ahead of the one that has most of the energy, and `strongest_site` tells where this is; how it

@@ -51,6 +51,7 @@ std::string PhononBands::to_text() const {
 }
 
 Chain lengthened(const Chain& chain, std::size_t sites) {
+  assert_fits(chain, chain.sites);
   Chain out = chain;
   out.sites = sites;
   if (chain.mass.empty()) return out;

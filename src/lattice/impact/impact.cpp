@@ -7,6 +7,8 @@ namespace lattice {
 
 // The fastest phonon of a chain whose contacts are as stiff as those of the strongest pulse
 Impact endless(Impact impact) {
+  if (!impact.chain.mass.empty())
+    throw std::invalid_argument("masses end with their chain: it has the length that it has");
   const double well = impact.chain.well.stiffness(0.0);
   const double contact =
       std::max(impact.chain.contact.stiffness(0.0), 0.8 * std::pow(impact.velocity, 0.4));

@@ -62,6 +62,7 @@ struct Impact {
 };
 
 /// The same impact on a chain so long that nothing crosses it within the time of the run; its own length is ignored.
+/// Throws std::invalid_argument for a chain with masses and stiffnesses, since how they go on is not known.
 Impact endless(Impact impact);
 
 /// The chain at rest but for its first bead, Eq. (26). Throws std::invalid_argument without sites.

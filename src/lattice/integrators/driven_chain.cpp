@@ -117,9 +117,9 @@ double run_driven(const DrivenChain& driven, State<double>& state, const TimeGri
   if (driven.chain.ends != Ends::free &&
       (losses.contact > 0 || driven.drive.by != Drive::By::nothing))
     throw std::invalid_argument("a drive and losses in contacts need a chain with free ends");
+  const double start = energy(driven.chain, state), t0 = state.t;
   DrivenRun run(driven, grid.step());
   Window window = waking(driven.chain, state);
-  const double start = energy(driven.chain, state), t0 = state.t;
   double scale = start, open = 0;
   if (!observe(state, run.budget)) return 0;
   Progress progress(number_label("step", grid.step()), 1);

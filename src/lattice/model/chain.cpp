@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
 
 #include "lattice/model/typed.hpp"
@@ -29,6 +30,18 @@ void vary(Chain& chain, const std::vector<double>& mass, const std::vector<doubl
   chain.mass = given(mass, chain.sites);
   chain.inverse_mass = chain.mass;
   for (double& m : chain.inverse_mass) m = 1 / m;
+}
+
+void assert_fits(const Chain& chain, std::size_t entries) {
+  const std::size_t beads = chain.mass.empty() ? 0 : chain.sites, contacts = beads ? beads + 1 : 0;
+  if (entries == chain.sites && chain.mass.size() == beads && chain.inverse_mass.size() == beads &&
+      chain.eta.size() == contacts)
+    return;
+  std::ostringstream text;
+  text << "a chain of " << chain.sites << " sites has " << chain.mass.size() << " masses and "
+       << chain.eta.size() << " stiffnesses, and its state " << entries << " numbers (allowed: N, N"
+       << " + 1 and N, or no masses and stiffnesses)";
+  throw std::invalid_argument(text.str());
 }
 #endif
 
@@ -61,6 +74,7 @@ void accelerate(const Chain& chain, const T* y, T* a, Window& window) {
 
 template <class T>
 std::vector<T> accelerations(const Chain& chain, const std::vector<T>& y) {
+  assert_fits(chain, y.size());
   std::vector<T> a(chain.sites, T(0));
   Window all{0, chain.sites};
   accelerate(chain, y.data(), a.data(), all);
@@ -97,6 +111,7 @@ sums are still formed in one order: kinetic energy, well, contact to the right, 
 contact to the left. */
 template <class T>
 std::vector<T> energy_density(const Chain& chain, const State<T>& state) {
+  for (const auto* row : {&state.y, &state.v}) assert_fits(chain, row->size());
   std::vector<T> e(chain.sites, T(0));
   if (chain.sites == 0) return e;
   const Window moving = energetic(chain, state);
@@ -140,6 +155,7 @@ T energy(const Chain& chain, const State<T>& state) {
 // The push of each bead on its neighbour to the right
 template <class T>
 std::vector<T> contact_forces(const Chain& chain, const std::vector<T>& y) {
+  assert_fits(chain, y.size());
   std::vector<T> f(chain.sites);
   detail::with_kind(chain.contact, [&](const auto& contact) {
     for (std::size_t n = 0; n < chain.sites; ++n)
@@ -151,6 +167,7 @@ std::vector<T> contact_forces(const Chain& chain, const std::vector<T>& y) {
 // Stiffnesses for small motions about y: a well acts on its own bead
 template <class T>
 Hessian<T> linearise(const Chain& chain, const std::vector<T>& y) {
+  assert_fits(chain, y.size());
   const std::size_t n = chain.sites;
   const bool ring = chain.ends == Ends::periodic;
   Hessian<T> h{std::vector<T>(n), std::vector<T>(n, T(0))};

@@ -70,6 +70,13 @@ or a ring has two different stiffnesses for the contact of its last bead with it
 void vary(Chain& chain, const std::vector<double>& mass, const std::vector<double>& eta);
 
 /**
+A chain whose length is changed after `vary` no longer fits its masses. So whatever takes a chain and rows of numbers, an
+energy with which every run begins, the accelerations or a linearisation, first asks whether all of them fit. */
+/// Throws std::invalid_argument unless the chain has masses and stiffnesses as `vary` makes them, or none, and a row of
+/// `entries` numbers has one for each site.
+void assert_fits(const Chain& chain, std::size_t entries);
+
+/**
 Whatever is computed outside the inner loop (an energy, a linearisation, the instant at which a contact
 opens) asks the chain the questions that follow, so that masses, stiffnesses and ends are treated alike
 everywhere. The first one is how much a unit of force accelerates bead `n`: $1/\mu_n$, in the precision

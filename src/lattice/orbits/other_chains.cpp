@@ -13,6 +13,7 @@ Contact bare(const Contact& contact) {
 
 Chain between(const Chain& a, const Chain& b, double part) {
   const auto mixed = [&](double from, double to) { return (1 - part) * from + part * to; };
+  for (const Chain* chain : {&a, &b}) assert_fits(*chain, b.sites);
   Chain out = b;
   if (part == 1) return out;
   // What differs from bead to bead
