@@ -2,12 +2,17 @@
 
 #include "report/program.hpp"
 
+#include <pthread.h>
+#include <pty.h>
+#include <unistd.h>
+
 #include <set>
 #include <thread>
 
 #include "check.hpp"
 #include "lattice/gsl/gsl_ode.hpp"
 #include "report/command_line.hpp"
+#include "report/heartbeat.hpp"
 
 using namespace lattice;
 
@@ -45,6 +50,49 @@ TEST_CASE("work is shared by as many threads as were asked for", "[unit][frame]"
   }
   set_threads(0);
   CHECK(threads() == granted_cores());
+}
+
+namespace {
+
+/// As long as it lives a thread would need a stack that no memory holds, and none starts.
+struct NoThreads {
+  pthread_attr_t usual;
+  NoThreads() {
+    pthread_getattr_default_np(&usual);
+    pthread_attr_t huge = usual;
+    pthread_attr_setstacksize(&huge, std::size_t(1) << 47);
+    pthread_setattr_default_np(&huge);
+  }
+  ~NoThreads() { pthread_setattr_default_np(&usual); }
+  NoThreads(const NoThreads&) = delete;
+  NoThreads& operator=(const NoThreads&) = delete;
+};
+
+}  // namespace
+
+TEST_CASE("where no thread can start one does all the work", "[unit][frame]") {
+  const NoThreads none;
+  CHECK_THROWS_AS(std::thread([] {}).join(), std::system_error);
+  set_threads(3);
+  std::vector<std::thread::id> by(9);
+  parallel_for(by.size(), [&](std::size_t i) { by[i] = std::this_thread::get_id(); });
+  CHECK(by == std::vector<std::thread::id>(9, std::this_thread::get_id()));
+  const auto fails = [](std::size_t i) {
+    if (i == 5) throw std::invalid_argument("the fifth");
+  };
+  CHECK_THROWS_AS(parallel_for(9, fails), std::invalid_argument);
+  set_threads(0);
+  // Nor does somebody who watches a terminal need one
+  int reader, terminal;
+  REQUIRE(openpty(&reader, &terminal, nullptr, nullptr, nullptr) == 0);
+  const int before = dup(STDERR_FILENO);
+  dup2(terminal, STDERR_FILENO);
+  { const Heartbeat silent("nobody"); }
+  dup2(before, STDERR_FILENO);
+  char shown[16] = {};
+  CHECK(read(reader, shown, sizeof shown) == 4);
+  CHECK(std::string(shown) == "\r\033[K");
+  for (const int file : {reader, terminal, before}) close(file);
 }
 
 TEST_CASE("GSL reports and never aborts", "[unit][frame]") {

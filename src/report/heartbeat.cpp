@@ -9,6 +9,7 @@
 #include <condition_variable>
 #include <cstdio>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -63,14 +64,20 @@ static double now() {
 
 // One thread writes the line, as long as somebody looks at it
 struct Heartbeat::Beat {
-  explicit Beat(std::string label) : label_(std::move(label)), thread_([this] { run(); }) {}
+  explicit Beat(std::string label) : label_(std::move(label)) {
+    try {
+      thread_ = std::thread([this] { run(); });
+    } catch (const std::system_error&) {
+      // No thread can start, and no line is shown
+    }
+  }
   ~Beat() {
     {
       const std::lock_guard lock(guard_);
       done_ = true;
     }
     over_.notify_one();
-    thread_.join();
+    if (thread_.joinable()) thread_.join();
     std::fprintf(stderr, "\r\033[K");
   }
   void run() {
@@ -92,7 +99,7 @@ struct Heartbeat::Beat {
   std::mutex guard_{};
   std::condition_variable over_{};
   bool done_ = false;
-  std::thread thread_;  // last, so that all it needs is there
+  std::thread thread_{};
 };
 
 Heartbeat::Heartbeat(std::string label)

@@ -55,10 +55,13 @@ void parallel_for(std::size_t count, const std::function<void(std::size_t)>& bod
         next = count;
       }
   };
-  // This thread works too
+  // This thread works too, alone where no other can start
   std::vector<std::thread> workers;
-  for (std::size_t k = 1, all = std::min(threads(), count); k < all; ++k)
-    workers.emplace_back(work);
+  try {
+    for (std::size_t k = 1, all = std::min(threads(), count); k < all; ++k)
+      workers.emplace_back(work);
+  } catch (const std::exception&) {
+  }
   work();
   for (auto& worker : workers) worker.join();
   if (error) std::rethrow_exception(error);
