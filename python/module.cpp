@@ -7,23 +7,25 @@ programs, and nothing is decided here. What is added is what Python needs: array
 are written in Python, and a way to stop. The package around it (package.py) has the names and the
 documentation. */
 
+#include <cxxabi.h>
 #include <gsl/gsl_errno.h>
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <condition_variable>
 #include <deque>
 #include <exception>
+#include <functional>
+#include <future>
 #include <memory>
-#include <mutex>
-#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <variant>
@@ -49,43 +51,73 @@ namespace {
 using Words = std::vector<std::string>;
 
 /**
+## The lock of the interpreter
+
+An interpreter that exits ends every other thread that wants its lock, or runs its code, by unwinding its stack. Our
+frames are not made for that: destructors would let go of objects without the lock, and the process would abort. Such a
+thread waits instead until the process is gone, as it does from Python 3.14 on. */
+/// What a function of the interpreter returns, if it returns.
+template <class Ask>
+auto ask_interpreter(Ask ask) {
+  try {
+    return ask();
+  } catch (const abi::__forced_unwind&) {
+    for (;;) std::this_thread::sleep_for(std::chrono::hours(1));
+  }
+}
+
+class WithLock {
+ public:
+  WithLock() = default;
+  ~WithLock() { PyGILState_Release(state_); }
+  WithLock(const WithLock&) = delete;
+  WithLock& operator=(const WithLock&) = delete;
+
+ private:
+  PyGILState_STATE state_ = ask_interpreter(PyGILState_Ensure);
+};
+
+class WithoutLock {
+ public:
+  WithoutLock() = default;
+  ~WithoutLock() {
+    ask_interpreter([this] { PyEval_RestoreThread(state_); });
+  }
+  WithoutLock(const WithoutLock&) = delete;
+  WithoutLock& operator=(const WithoutLock&) = delete;
+
+ private:
+  PyThreadState* state_ = PyEval_SaveThread();
+};
+
+/**
 ## Long work
 
-A computation runs in a thread of its own, without the lock of the interpreter, while the calling thread waits
-and asks from time to time whether the user has pressed Ctrl-C. If so, the computation is told to stop. */
+Signals reach the main thread only. There a computation runs in a thread of its own, without the lock, while the main
+thread waits and asks from time to time whether the user has pressed Ctrl-C. If so, the computation is told to stop.
+Any other thread computes itself, and so does the main one where no thread can start. */
 template <class Compute>
 auto at_work(Compute compute) {
   std::atomic<bool> stop{false};
-  std::optional<decltype(compute())> out;
-  std::exception_ptr error;
+  std::packaged_task<decltype(compute())()> task([&] {
+    const Interruptible with_flag(&stop);
+    return compute();
+  });
+  auto found = task.get_future();
   {
-    const py::gil_scoped_release without_lock;
-    std::mutex guard;
-    std::condition_variable over;
-    bool done = false;
-    std::thread worker([&] {
-      const Interruptible with_flag(&stop);
-      try {
-        out.emplace(compute());
-      } catch (...) {
-        error = std::current_exception();
-      }
-      const std::lock_guard lock(guard);
-      done = true;
-      over.notify_one();
-    });
-    std::unique_lock lock(guard);
-    while (!over.wait_for(lock, std::chrono::milliseconds(50), [&] { return done; })) {
-      lock.unlock();
-      if (const py::gil_scoped_acquire with_lock; !stop && PyErr_CheckSignals() != 0) stop = true;
-      lock.lock();
+    const WithoutLock for_others;
+    std::thread worker;
+    try {
+      if (gettid() == getpid()) worker = std::thread(std::ref(task));
+    } catch (const std::system_error&) {
     }
-    lock.unlock();
-    worker.join();
+    if (!worker.joinable()) task();
+    while (found.wait_for(std::chrono::milliseconds(50)) != std::future_status::ready)
+      if (const WithLock with_lock; !stop && PyErr_CheckSignals() != 0) stop = true;
+    if (worker.joinable()) worker.join();
   }
   if (PyErr_Occurred()) throw py::error_already_set();
-  if (error) std::rethrow_exception(error);
-  return std::move(*out);
+  return found.get();
 }
 
 /**
@@ -102,7 +134,7 @@ class Rows {
  public:
   explicit Rows(const Functions& functions)
       : functions_(new Functions(functions), [](const Functions* last) {
-          const py::gil_scoped_acquire with_lock;
+          const WithLock with_lock;
           delete last;
         }) {}
 
@@ -125,12 +157,17 @@ class Rows {
   template <class T>
   void call(py::function Functions::*which, const char* name, const T* x, T* out,
             std::size_t n) const {
-    const py::gil_scoped_acquire with_lock;
-    const py::array_t<T> given(py::ssize_t(n), x);
-    const auto returned = py::array::ensure(((*functions_).*which)(given));
+    const WithLock with_lock;
+    // numpy, too, lets go of the lock and asks for it again
+    const auto given = ask_interpreter([&] { return py::array_t<T>(py::ssize_t(n), x); });
+    const auto said = py::reinterpret_steal<py::object>(ask_interpreter(
+        [&] { return PyObject_CallOneArg(((*functions_).*which).ptr(), given.ptr()); }));
+    if (!said) throw py::error_already_set();
+    const auto returned = ask_interpreter([&] { return py::array::ensure(said); });
     if (!returned || std::string("fiu").find(returned.dtype().kind()) == std::string::npos)
       throw std::invalid_argument(std::string(name) + " returns something else than real numbers");
-    const auto answer = py::array_t<T, py::array::c_style | py::array::forcecast>(returned);
+    const auto answer = ask_interpreter(
+        [&] { return py::array_t<T, py::array::c_style | py::array::forcecast>(returned); });
     // One number stands for as many as are asked for
     if (returned.size() == 1) return void(std::fill_n(out, n, *answer.data()));
     if (std::size_t(returned.size()) != n)

@@ -480,6 +480,32 @@ class LongWork(unittest.TestCase):
         other.join()
         self.assertGreater(len(ticks), 3)
 
+    def test_an_exit_ends_what_still_computes(self):
+        """Daemons in the library, or in functions of Python, while the interpreter goes."""
+        for own in ("", "well=lattice.Well(lambda y: y * y / 2, lambda y: -y, np.ones_like)"):
+            code = f"""if True:
+                import lattice, numpy as np, threading, time
+                def evolve():
+                    while True:
+                        lattice.Chain(20, {own}).evolve(np.zeros(20), np.eye(20)[0], 20)
+                def strike():
+                    while True:
+                        lattice.strike(lattice.Chain(20, {own}), velocity=1, time=20)
+                for work in (evolve, strike):
+                    threading.Thread(target=work, daemon=True).start()
+                time.sleep(0.3)"""
+            for _ in range(3):
+                run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=120)
+                self.assertEqual((run.returncode, run.stderr), (0, ""))
+
+    def test_where_no_thread_can_start(self):
+        """Every new thread asks for a stack that no memory holds."""
+        code = "import lattice, numpy as np; print(lattice.Chain(3).evolve(np.zeros(3), np.eye(3)[0], 20).error.hex())"
+        run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True,
+                             env={**os.environ, "OPENBLAS_NUM_THREADS": "1"},
+                             preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_STACK, (1 << 47, resource.getrlimit(resource.RLIMIT_STACK)[1])))
+        self.assertEqual((run.stderr, run.stdout.strip()), ("", lattice.Chain(3).evolve(np.zeros(3), np.eye(3)[0], 20).error.hex()))
+
     def test_threads_decide_nothing(self):
         lattice.set_threads(1)
         one = lattice.dps(tau=30)
