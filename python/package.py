@@ -473,7 +473,7 @@ def breather(chain=None, **options):
     frequency, which must be above the linear waves of the chain.
 
     Returns a Result with the quantities of `sec32_newton_breathers breather`: amplitude, energy (Eq. (6)), area (the
-    integral of the squared velocities over a period), residual (distance after a period, relative to the amplitude) and
+    integral of twice the kinetic energy over a period), residual (distance after a period, relative to the amplitude) and
     iterations; the arrays n and y, one entry per bead: site (around the centre) and position at t = 0, where all are at
     rest; and the `chain`. Errors are differences from a wider number type.
 

@@ -116,6 +116,9 @@ class SameBits(unittest.TestCase):
         self.check(lattice.barrier, "sec32_barrier barrier", omega=1.2, contact="power", alpha=1.75)
         found = lattice.breather(omega=1.3, mass_ratio=0.8)
         self.assertEqual(bits(found.y), bits(program(breather, "--omega=1.3", "--mass-ratio=0.8", "--profile")["y"]))
+        period = 2 * np.pi / 1.3
+        run = found.chain.evolve(found.y, 0 * found.y, period, sample=period / 1000, tolerance=1e-9)
+        self.assertAlmostEqual(found.area / (period * np.mean(run.v[1:] ** 2 @ found.chain.mass)), 1, delta=1e-7)
         # A chain says the same, in numbers that are not rounded alike
         chain = lattice.Chain(31, mass=np.resize([0.8, 1], 31))
         given = lattice.breather(chain, omega=1.3)
