@@ -71,7 +71,7 @@ results := $(foreach p,$(chapters),$(D)/data/$(p)/results.ecsv)
 
 # Folders have the names of some of them.
 .PHONY: figures article test ready all-figures all-data programs configure summary book weave install-book \
-  test-book test-lineage tests examples python run-tests test-faults test-fuzz bench paper typeset install-paper \
+  test-book test-lineage tests examples python run-tests test-faults test-fuzz test-python bench paper typeset install-paper \
   lock hashes refresh show gallery second mutants test-platforms test-slurm fresh container dist style tidy \
   install-deps burn help
 took = . tools/shared.sh; echo "$$(now) $$(cat $(D)/report/start)" | awk '{ printf "$(1)", ($$1 > $$2 ? $$1 - $$2 : 0) }'
@@ -205,6 +205,14 @@ test-fuzz: install-deps
 	@cmake --preset asan > /dev/null
 	@sh tools/build.sh $(B)/asan $(JOBS) programs
 	@LATTICE_SLACK=12 $(or $(PYTHON),python3) tests/fuzz.py $(B)/asan/bin $(COUNT) $(SEED)
+
+## test-python: the tests of the Python module, which is built with sanitizers for it (long)
+test-python: programs
+	@cmake --preset asan > /dev/null
+	@sh tools/build.sh $(B)/asan $(JOBS) python_module
+	@LATTICE_SLACK=12 ASAN_OPTIONS=detect_leaks=0 PYTHONPATH=$(B)/asan/python \
+	  LD_PRELOAD="$$(c++ -print-file-name=libasan.so) $$(c++ -print-file-name=libstdc++.so)" \
+	  $(call with,numpy) python/tests.py $(B)/bin
 
 ## bench: time our integrators against GSL and Boost.odeint (ten minutes), as in bench/ratios.ecsv
 bench: ready
