@@ -17,7 +17,7 @@ B := build
 quick := $(filter-out 0 no off false,$(QUICK))
 D := $(B)$(if $(quick),/quick)
 LAUNCH ?=
-CTEST_ARGS := --output-on-failure --timeout 900
+CTEST_ARGS := --test-dir $(B) --no-tests=error --output-on-failure --timeout 900
 # PYTHON=... on the command line is taken at its word; one that the shell exports is only tried first.
 ifneq ($(origin PYTHON),command line)
 pythons := $(PYTHON)
@@ -43,6 +43,8 @@ threads = $(if $(THREADS),--threads $(THREADS),$(if $(findstring srun,$(LAUNCH))
 two_by_two = $(if $(filter -j%,$(MAKEFLAGS))$(LAUNCH)$(filter 1,$(CORES)),,-j2)
 side_by_side = $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS))
 
+# No `cd` goes elsewhere than it says.
+unexport CDPATH
 # Equal inputs give equal bytes: no dates in figures, one locale everywhere.
 export SOURCE_DATE_EPOCH := 1370000000
 export LC_ALL := C.UTF-8
@@ -181,7 +183,7 @@ test-lineage:
 tests: test
 ## examples: build the programs of examples/ against the installed library and run them
 examples: programs
-	@cd $(B) && ctest -R '^install$$' $(CTEST_ARGS)
+	@ctest -R '^install$$' $(CTEST_ARGS)
 
 ## python: build the Python module, build/python/lattice
 python: configure
@@ -192,7 +194,7 @@ run-tests: configure
 	@$(MAKE) QUICK=1 built=yes $(two_by_two) all-data
 	@$(lineage) summary --data $(B)/data --out $(B)/report > /dev/null
 	@$(MAKE) test-lineage
-	@cd $(B) && ctest -j $(JOBS) $(CTEST_ARGS)
+	@ctest -j $(JOBS) $(CTEST_ARGS)
 
 ## test-faults: runs that are killed, out of time or disk, or that nobody reads (minutes)
 test-faults: programs
@@ -295,7 +297,7 @@ dist:
 
 ## style: clang-format, shellcheck and reuse (from its version 4 on), where they are installed
 style:
-	@! command -v clang-format >/dev/null 2>&1 || git ls-files '*.cpp' '*.hpp' | xargs clang-format --dry-run --Werror
+	@! command -v clang-format >/dev/null 2>&1 || { files=$$(git ls-files '*.cpp' '*.hpp') && clang-format --dry-run --Werror $${files:?git lists none}; }
 	@! command -v shellcheck >/dev/null 2>&1 || shellcheck .ci/run tools/*.sh tests/*.sh tests/slurm/*.sh examples/*.sbatch
 	@! reuse --version 2>/dev/null | grep -Eq ' ([4-9]|[1-9][0-9])\.' || reuse lint --lines
 

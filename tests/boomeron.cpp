@@ -125,6 +125,21 @@ TEST_CASE("the boomeron run keeps its contract", "[cli][boomeron]") {
   CHECK(std::isnan(quantity(never, "apex_site")));
 }
 
+// In chains of a length of their own; the times of parting are those of an extrapolating integrator elsewhere, which
+// looks every two units too
+TEST_CASE("two impacts part because they differ, not because of the step", "[cli][boomeron]") {
+  for (const auto& [impact, when] : std::vector<std::pair<std::string, double>>{
+           {"--velocity 50 --s 0.01 --time 200 --sites 120", 730},
+           {"--velocity 25.5 --s 0.0491 --time 100 --sites 80", 290},
+           {"--velocity 52.7 --s 0.0292 --time 100 --sites 80", 116},
+           {"--velocity 1.22 --s 5.34 --time 100 --sites 80", 364}}) {
+    CAPTURE(impact);
+    const Result r = call("sec34_boomeron run " + impact);
+    CHECK(std::abs(quantity(r, "decorrelation_time") - when) < 1e-9);
+    CHECK(quantity(r, "decorrelation_time", "error") <= 4.1);
+  }
+}
+
 TEST_CASE("no phonon reaches the end of an endless chain", "[unit][boomeron]") {
   // The largest group velocity of omega^2 = 1 + 4 k sin^2(q/2), sought among the wavenumbers.
   const Chain chain{0, Quartic{1}, CompressedHertz{0.5}};

@@ -351,6 +351,10 @@ TEST_CASE("a computation that fails says why, and leaves nothing", "[cli]") {
       {"sec32_newton_breathers breather --omega 2 --s -1", "turns back near 1.6"},
       {"sec33_mobility kick --c 0.5", "breaks up"},
       {"sec36_cantilever_defect run --sites 120", "--sites 120 are too few"},
+      {"sec5_travelling_packets orbit --alpha 4 --phase 3", "misses itself by 0.474731 of"},
+      {"sec5_travelling_packets orbit --alpha 3 --phase 1", "misses itself by 0.165919 of"},
+      {"sec5_travelling_packets orbit --alpha 2 --phase 0.5 --profile",
+       "misses itself by 0.0494715 of"},
       {"sec5_driven_packets packet --strength 0.5", "packet 1 has not passed the beads 12 to 28"}};
   for (const auto& [command, said] : all) {
     const Result r = call(command + (" --output " + word(scratch.path / "x.ecsv")));

@@ -149,6 +149,21 @@ for wrong in fgi04 build/data/sec99/facts.ecsv; do
 done
 make -n tests DEPS=skip 2>&1 | grep -q ctest || fail "make tests tests nothing: there is a folder of that name"
 
+# Neither CDPATH nor another repository leads a step to where it has nothing to do and succeeds.
+mkdir -p "$scratch/elsewhere/build" "$scratch/elsewhere/tools"
+stub ctest <<'STUB'
+#!/bin/sh
+echo "$* in $PWD" >> "$STUB_LOG"
+STUB
+for tool in clang-format shellcheck; do printf '#!/bin/sh\n' | stub $tool; done
+export CDPATH="$scratch/elsewhere"
+run examples
+called "--test-dir build --no-tests=error.* in $here$" "CDPATH leads to other tests, or none are enough"
+sh tools/platforms.sh none > "$scratch/out" 2>&1 && fail "a platform of no name"
+said "'none' is none of" "CDPATH leads a script away"
+unset CDPATH
+GIT_DIR=/none refused style
+
 # On a terminal one sees what is compiled, elsewhere one line says that something is, and none if nothing is.
 mkdir "$scratch/slow"
 cat > "$scratch/slow/cmake" <<'STUB'

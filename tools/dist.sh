@@ -5,6 +5,7 @@
 # them, and SHA256SUMS is over every file. Equal contents give equal bytes: names in order, nobody's files, all of the
 # time of the last commit.
 set -eu
+unset CDPATH
 build=$1 products=
 refuse() { echo "dist: $1" >&2; exit 1; }
 git rev-parse HEAD >/dev/null 2>&1 || refuse "this is no checkout of the repository (allowed: a clone with its history)"

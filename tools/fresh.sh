@@ -8,6 +8,7 @@
 # FRESH_ENV='CXXFLAGS=-Werror' adds to the empty environment; KEEP=1 leaves the root where it is. Ends with 77
 # where such a root cannot be made.
 set -eu
+unset CDPATH
 cd "$(dirname "$0")/.."
 what=
 case ${1:-} in --*) what=$1 && shift ;; esac

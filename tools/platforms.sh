@@ -13,6 +13,7 @@
 #            and qemu-user-static); also runs the unit tests and, on the tables of build/data, the published suite
 # shellcheck disable=SC2012,SC2015,SC2317
 set -eu
+unset CDPATH
 cd "$(dirname "$0")/.."
 root=$PWD place=$PWD/build/platforms
 jobs=$(nproc)

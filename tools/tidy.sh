@@ -4,6 +4,7 @@
 # and finds GCC's header of quadruple precision. Version 16 is the first that knows our C++, and the one that continuous
 # integration has.
 set -eu
+unset CDPATH
 cd "$(dirname "$0")/.."
 since=${1:-}
 tidy=

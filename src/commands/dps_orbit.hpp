@@ -6,9 +6,10 @@
 $A_n(\tau+T) = e^{i\varphi}A_{n-1}(\tau)$, for contacts whose force has the exponent $\alpha$. With the angle
 $\varphi = 0$ it is exact. With any other angle one equation is left out and missed by $V\sin(\varphi/2)$, which
 vanishes where $\sum_nA_n = iV$ does: the command tells by how much such a member misses itself and what it leaves
-behind. The shift time $T$ only scales the field. It prints amplitude, norm, energy, the sum, the tail and the residual,
-all dimensionless and at $\tau = 0$. The error is the difference from a member that was found at ten times the tolerance
-in a window with two sites less on either side. */
+behind, and fails where it misses itself by more than a hundredth of its amplitude. The shift time $T$ only scales the
+field. It prints amplitude, norm, energy, the sum, the tail and the residual, all dimensionless and at $\tau = 0$. The
+error is the difference from a member that was found at ten times the tolerance in a window with two sites less on
+either side. */
 
 #include <utility>
 
@@ -33,7 +34,7 @@ struct DpsOrbit {
   struct Found {
     Member coarse, fine;
   };
-  /// Both windows. Throws NewtonFailed.
+  /// Both windows. Throws NewtonFailed, and std::runtime_error if the field is no travelling breather.
   Found find() const;
   /// Rows `quantity,value,error,unit,kind,meaning,reason`.
   Table quantities(const Found& found) const;

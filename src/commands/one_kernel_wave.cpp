@@ -20,11 +20,12 @@ Table OneKernelWave::table() const {
         "integral over all times of d_+^(alpha+1), d being the compression of a contact");
   q.add("peak", w(&KernelWave::peak), "", "largest compression of a contact");
   q.add("contacts", compare(w.grids[0].contacts(), w.fine().contacts()), "",
-        "number of intervals of time in which one contact is closed");
+        "number of intervals of time in which one contact is closed by more than 2.2e-16 of the "
+        "peak");
   q.add("quotient", w(&KernelWave::quotient), "",
         "value Q of the variational quotient, action^(-(alpha-1)/(alpha+1))");
   q.add_small("residual", {residual, residual}, "relative to the peak",
-              "by how much the kernel equation is missed");
+              "by how much the kernel equation is missed at the nodes of the finer grid");
   return q.table;
 }
 

@@ -1,6 +1,5 @@
 #include "commands/one_turn.hpp"
 
-#include <array>
 #include <cmath>
 
 #include "lattice/impact/turning.hpp"
@@ -19,20 +18,20 @@ void OneTurn::parameters(Parameters& p) {
         {1e-8, 0.1});
 }
 
-// The two impacts that part are run with half the step once more, for the error of that time
+// The neighbours start from the steps that have proved to be short enough for the turn
 Table OneTurn::table() const {
   const double v = velocity;
-  Chain chain = endless({v, like, time}).chain;
-  if (sites) chain.sites = *sites;
+  const auto chain_for = [&](double duration) {
+    Chain chain = endless({v, like, duration}).chain;
+    if (sites) chain.sites = *sites;
+    return chain;
+  };
+  const Chain chain = chain_for(time);
   const auto runs = converge(
       tolerance, [&](const ContactAware& at) { return voyage(at, chain, v, time); }, SameTurn{});
-  // The neighbours start from the steps that have proved to be short enough
   const TurnEstimate read = estimate_turn(runs.coarse, runs.fine);
-  const auto neighbours = [&](int more) {
-    const ContactAware at = stepper_for(tolerance, largest_step, runs.halvings + more);
-    return decorrelation_of_impacts(at, v, at, v * (1 + 1e-8), chain, 4 * time);
-  };
-  const std::array<double, 2> parted{neighbours(0), neighbours(1)};
+  const auto parted = decorrelation_to(stepper_for(tolerance, largest_step, runs.halvings), v, 1e-8,
+                                       chain_for(4 * time), 4 * time);
   const Turn turn = runs.fine.turn();
   const std::string by = " by t = " + short_text(time),
                     on = "the packet has not come back by five sites" + by;
@@ -45,12 +44,16 @@ Table OneTurn::table() const {
       "return_time", read.return_time, "",
       "time at which this packet, on its way back, is nearest to the struck end",
       turn.apex.found() ? "the packet has turned and not moved out again by three sites" + by : on);
-  q.add("decorrelation_time", decorrelation_of(parted[0], parted[1]), "",
+  const double never = std::nan("");
+  q.add("decorrelation_time",
+        parted && std::isfinite(parted->value) ? *parted : Estimate{never, never}, "",
         "time after which two impacts whose velocities differ by a fraction 1e-8 have parted",
-        "the two impacts have not parted by t = " + short_text(4 * time) +
-            (std::isfinite(parted[1]) ? " in the coarser runs" : ""));
-  q.add("step_difference", exact(runs.error), "relative",
-        "difference of apex and rebound in the last two runs, with a step and with half of it");
+        parted ? "the two impacts have not parted by t = " + short_text(4 * time)
+               : "the steps part the two impacts as early as their velocities do");
+  q.add(
+      "step_difference", exact(runs.error), "relative",
+      "difference of apex and rebound in the last two runs, with a step and with half of it, or a "
+      "thousandth of that of their end states where this is larger");
   return q.table;
 }
 

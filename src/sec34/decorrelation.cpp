@@ -1,5 +1,6 @@
 #include "sec34/decorrelation.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace lattice {
@@ -9,6 +10,25 @@ Estimate decorrelation_of(double coarse, double fine) {
   Estimate when = compare(coarse, fine);
   when.error += comparison_interval;
   return when;
+}
+
+// As often as any refinement halves its step (accuracy.hpp)
+std::optional<Estimate> decorrelation_to(const ContactAware& largest, double velocity, double delta,
+                                         const Chain& chain, double time) {
+  const auto parted = [&](int one, int other) {
+    ContactAware first = largest, second = largest;
+    first.halvings += one, second.halvings += other;
+    return decorrelation_of_impacts(first, velocity, second, velocity * (1 + delta), chain, time);
+  };
+  double coarse = parted(0, 0);
+  for (int k = 0; k < usual_halvings; ++k) {
+    const double fine = parted(k + 1, k + 1);
+    const auto [least, most] = std::minmax({coarse, parted(k, k + 1), fine});
+    const double spread = least == most ? 0 : most - least;
+    if (spread <= 1.01 * comparison_interval) return Estimate{fine, spread + comparison_interval};
+    coarse = fine;
+  }
+  return {};
 }
 
 }  // namespace lattice

@@ -10,6 +10,7 @@ displacement or velocity. */
 
 #include <cstddef>
 #include <limits>
+#include <optional>
 
 #include "lattice/impact/impact.hpp"
 #include "lattice/integrators/accuracy.hpp"
@@ -58,5 +59,15 @@ This time is a number like any other: it depends on the steps of the two runs, a
 /// The decorrelation time, from two pairs of runs with different steps. A parting is noticed up to
 /// `comparison_interval` late, which is added to the error; `nan` if there was none.
 Estimate decorrelation_of(double coarse, double fine);
+
+/**
+Steps that are too long part the runs as well, and two agreeing pairs of runs may both be wrong. So the two impacts are
+also run with different steps, one of which is half the other: where this lets them part at another time, what
+parts them is the step. */
+/// The decorrelation time of two impacts whose velocities differ by a fraction `delta`, infinite if they do not part by
+/// `time`. The steps are those of `largest`, or are halved until equal steps, half of them, and both beside each other
+/// part the impacts within one `comparison_interval`; nothing if none is short enough.
+std::optional<Estimate> decorrelation_to(const ContactAware& largest, double velocity, double delta,
+                                         const Chain& chain, double time);
 
 }  // namespace lattice

@@ -7,6 +7,7 @@
 # Slurm's commands find the cluster by SLURM_CONF, which `start` prints. Needs root and the packages slurm-wlm and
 # munge, and ends with 77 where they are missing.
 set -eu
+unset CDPATH
 verb=$1
 mkdir -p "$2"
 folder=$(cd "$2" && pwd -P)

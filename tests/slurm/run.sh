@@ -5,6 +5,7 @@
 #   3. the same while a node fails: its parts are queued and computed again
 # Argument: the steps (all without); PROGRAMS='sec34_kink' takes only these for the first. Ends with 77 where no cluster can be started.
 set -eu
+unset CDPATH
 cd "$(dirname "$0")/../.."
 steps=${1:-1 2 3}
 PATH=$PATH:/usr/sbin
