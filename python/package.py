@@ -449,11 +449,12 @@ def strike(chain=None, **options):
 
     Returns a Result with the quantities of `sec34_impact run`: speed (of the foremost packet's centre X, Eq. (24), from site
     20 to twenty sites before the far end; sites per unit of time), centre (site, from one), strongest_site (of the largest
-    energy density outside of the first five, which in hard wells need not be the foremost packet's), peak_energy_density,
-    packet_energy_fraction, boundary_energy_fraction (first five sites), energy_drift, escaped and far_end_moved (both 0 or 1),
-    nan where one does not exist; the arrays n, y, v and e, one entry per bead: site (from one), position, velocity and energy
-    density, Eq. (23), at the end; t, track_centre, track_energy and track_peak, one entry per sample: the packet's way, energy
-    and largest density; and the `chain`. Errors are differences of the last two of a series of runs with halved steps.
+    energy density outside of the first five, which in hard wells need not be the foremost packet's),
+    peak_energy_density (the foremost one's largest maximum in time on its way from site 20), packet_energy_fraction,
+    boundary_energy_fraction (first five sites), energy_drift, escaped and far_end_moved (both 0 or 1), nan where one does
+    not exist; the arrays n, y, v and e, one entry per bead: site (from one), position, velocity and energy density,
+    Eq. (23), at the end; t, track_centre, track_energy and track_peak, one entry per sample: the packet's way, energy and
+    largest density; and the `chain`. Errors are differences of the last two of a series of runs with halved steps.
 
     RuntimeError: a bead runs away, the motion reaches the far end, or no step reaches the tolerance."""
     found, end, track, chain = _lattice.strike(_words("strike", options), _given(chain, options))

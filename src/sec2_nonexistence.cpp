@@ -186,7 +186,7 @@ void report_means(Report& report, const std::vector<MotionMeans>& all) {
                  {"relative", "mean force over the largest one of the motion", here / top},
                  {"step", "mean force of this contact minus that of the next",
                   bead ? here - fine.contact[i + 1] : none},
-                 {"well", "mean force of the well on bead n, nan where there is no bead",
+                 {"well", "mean of W' at bead n, nan where there is no bead",
                   bead ? fine.well[i] : none}});
     }
   }

@@ -381,34 +381,14 @@ void reproduce(Report& report) {
 --centre bond` where the stability changes in the article's wells. A breather may lose and regain its stability several
 times. All exchanges between $s=-1$ and $1$ are printed, the one nearest to the linear well first; if there is none, the
 command fails rather than print an empty table. */
-std::vector<Estimate> exchanges_on(Centre centre, double frequency, int side) {
-  std::vector<Estimate> found;
-  Orbit<double> orbit = find_breather(problem_at(centre, {frequency, 0}));
-  double last = quick_kappa(centre, {frequency, 0}, orbit);
-  Progress progress(side > 0 ? "s up to 1" : "s down to -1", 20);
-  try {
-    for (int k = 1; k <= 20; ++k, progress.tick()) {
-      const double s = side * k / 20.0, before = side * (k - 1) / 20.0;
-      const Orbit<double> near = orbit;
-      const double kappa = quick_kappa(centre, {frequency, s}, orbit);
-      if (last * kappa < 0)
-        found.push_back(exchange<Wide>(centre, {true, frequency}, before, s, near).place);
-      last = kappa;
-    }
-  } catch (const NewtonFailed&) {  // the family ends
-  }
-  return found;
-}
-
 struct Exchanges : ChosenBreather {
   static constexpr Title title{"exchange", "anharmonicity at which the stability changes"};
 
   Table table() const {
-    std::vector<Estimate> found = exchanges_on(centre, omega_b, 1);
-    for (const Estimate& e : exchanges_on(centre, omega_b, -1)) found.push_back(e);
+    auto [from, to, found] = exchanges_in_wells(centre, omega_b);
     if (found.empty())
-      throw Failure("no exchange of stability between s = -1 and 1 at omega_b = " +
-                    short_text(omega_b));
+      throw Failure("no exchange of stability between s = " + short_text(from) + " and " +
+                    short_text(to) + " at omega_b = " + short_text(omega_b));
     const auto nearer = [](const Estimate& a, const Estimate& b) {
       return std::abs(a.value) < std::abs(b.value);
     };

@@ -74,7 +74,7 @@ Sweep map_sweep(const std::filesystem::path& folder, const MapGrid& grid) {
       number("s", "anharmonicity of the well"),
       number("kappa", "the scaled hardness chi = s v0^(3/2)"),
       count("fate", "0 escapes, 1 turns, 2 stays, 3 undecided or not the same at two steps"),
-      number("apex", "turning point, nan for other fates", "site"),
+      number("apex", "furthest mean centre of a packet that turns; nan for others", "site"),
       number("apex_difference", "of two steps", "site")};
   std::ostringstream key;
   key << grid.columns << " x " << grid.rows << " points, kappa from " << grid.least << " to "
@@ -205,7 +205,7 @@ void report_law(Report& report) {
   Table& table = report.table(
       "critical_s",
       {number("velocity", "impact velocity"), number("root_velocity", "its square root"),
-       estimate("s", "anharmonicity from which on the packet turns before site 40", "",
+       estimate("s", "anharmonicity from which on the packet does not pass site 40", "",
                 "two steps and the last interval"),
        number("kappa", "chi = s v0^(3/2)"), number("law", "chi_0 + chi_1 v0^(1/2)")});
   std::vector<double> log_v, log_s;

@@ -66,10 +66,8 @@ Contacts open and close all the time, which spoils the order of ordinary integra
 method that corrects its steps at contact events (contact_rkn.hpp). The step is halved, and the samples with it, until the
 *end states* of two successive runs agree to `tolerance`, relative to their largest entry. The error of every derived
 number is its difference between these two runs, for a speed with the error of its fit added. */
-Refined<ImpactRun> strike_twice(double s, double velocity, double time) {
-  return strike_to(
-      tolerance,
-      {.velocity = velocity, .chain = {90, Quartic{s}}, .time = time, .until = fit_to + 2});
+Impact followed(double s, double velocity, double time) {
+  return {.velocity = velocity, .chain = {90, Quartic{s}}, .time = time, .until = fit_to + 2};
 }
 
 /**
@@ -77,9 +75,9 @@ Refined<ImpactRun> strike_twice(double s, double velocity, double time) {
 
 For each velocity of the sweep we ask for three numbers of the packet: the speed, which is the
 slope of the least-squares line through $X(t)$ between sites 20 and 60 (the article fits it away
-from the boundary and says no more); the largest $e_n$ on the same stretch; and the energy within
-$m$ sites of the peak when the packet passes site 60. How long to wait follows from the chapter
-before: at small $\epsilon = v_0/2$ a packet has the speed
+from the boundary and says no more); the largest maximum in time of $e_n$ on the same stretch; and
+the energy within $m$ sites of the peak when the packet passes site 60. How long to wait follows from
+the chapter before: at small $\epsilon = v_0/2$ a packet has the speed
 [0.36129](num:sec34_dps_impact.dps_speed) times $\epsilon^{1/2}$. */
 struct SweepPoint {
   double s, velocity;
@@ -87,7 +85,7 @@ struct SweepPoint {
 
   void measure() {
     const double slow = 0.36 * std::sqrt(velocity / 2);  // speed in the DpS limit
-    const auto runs = strike_twice(s, velocity, 3 * fit_to / slow);
+    const auto runs = strike_to(tolerance, followed(s, velocity, 3 * fit_to / slow));
     if (runs.fine.run.escaped()) throw Failure("an impact below the blow-up band blows up");
     const Track &coarse = runs.coarse.track, &fine = runs.fine.track;
     speed = compare(packet_speed(coarse, fit_to), packet_speed(fine, fit_to));
@@ -244,7 +242,7 @@ void report_sweep(Report& report) {
                    {number("s", "anharmonicity of the well"), number("velocity", "impact velocity"),
                     estimate("speed", "of the centre between sites 20 and 60",
                              "site per unit of time", "of two resolutions and of the fit"),
-                    estimate("peak", "largest energy density on the same stretch"),
+                    estimate("peak", "largest maximum in time of e_n on the same stretch"),
                     estimate("energy", "energy of the packet when it passes site 60"),
                     count("ending", "1 in the last 0.05 of a curve that ends in a blow-up")});
   std::vector<Curve> curves;
@@ -357,12 +355,24 @@ struct Shares {
 };
 
 Shares shares(double s, double velocity) {
-  const auto runs = strike_twice(s, velocity, 900);
-  const ImpactRun &coarse = runs.coarse, &fine = runs.fine;
+  struct Shared : ImpactRun {
+    Track boundary{};  ///< that of the packet, with the share of the first five sites as its energy
+  };
+  const auto run = [&](const ContactAware& stepper) {
+    std::vector<double> held;
+    const auto watch = [&](const State<double>& now, const std::vector<double>& density) {
+      if (now.t > 0 && front_packet(density)) held.push_back(boundary_share(density));
+    };
+    Shared out{strike(stepper, followed(s, velocity, 900), watch)};
+    out.boundary = out.track, out.boundary.energy = held;
+    return out;
+  };
+  const auto runs = converge(tolerance, run, EndState{});
+  const Shared &coarse = runs.coarse, &fine = runs.fine;
   const auto packet = [](const ImpactRun& out) {
     return out.track.energy_at(fit_to) / total(out.density);
   };
-  return {compare(boundary_share(coarse.density), boundary_share(fine.density)),
+  return {compare(coarse.boundary.energy_at(fit_to), fine.boundary.energy_at(fit_to)),
           compare(packet(coarse), packet(fine)),
           compare(packet_speed(coarse.track, fit_to), packet_speed(fine.track, fit_to))};
 }

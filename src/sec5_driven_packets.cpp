@@ -437,11 +437,11 @@ struct OnePacket {
     q.add("family", looks(family_of), "",
           "shift time and phase over 2 pi, a whole number for an exact breather");
     q.add("energy", looks([](const Traveller& p) { return p.energy; }), "units of the chain",
-          "energy on the seven sites about the peak");
+          "geometric mean in time of the energy on the seven sites about the peak");
     q.add("energy_ratio", families.ratio(looks, &Traveller::energy), "",
           "energy over that of the family's member with this shift time and phase", beyond);
     q.add("width_ratio", families.ratio(looks, &Traveller::width), "",
-          "participation number over that of the same member", beyond);
+          "mean participation number of these sites over that of the same member", beyond);
     return q.table;
   }
 };

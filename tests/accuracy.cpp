@@ -291,6 +291,19 @@ TEST_CASE("commands halve a step that is too long, and say when a bead leaves", 
   check_line(gone.errors.substr(0, gone.errors.find('\n')), "a bead runs away at t = 2.30");
 }
 
+TEST_CASE("the peak of a packet is a maximum in time and no flank", "[cli]") {
+  // By an integrator of order eight and samples every hundredth; at site 20 the density falls from 0.139 and from 0.211
+  for (const auto& [options, peak] : {std::pair{"--velocity 1 --time 150", 0.126289144},
+                                      {"--velocity 1.2 --time 120", 0.192802249},
+                                      {"--velocity 1.03 --time 130", 0.175245315}}) {
+    const Result answer = call("sec34_impact run --well harmonic --sites 41 --tolerance 1e-7 " +
+                               std::string(options));
+    CAPTURE(options);
+    check_close(quantity(answer, "peak_energy_density"), peak,
+                quantity(answer, "peak_energy_density", "error"));
+  }
+}
+
 TEST_CASE("packets are followed with samples that differ, up to the same time",
           "[unit][accuracy]") {
   const auto runs = strike_to(1e-4, {.velocity = 1, .chain = {60}, .time = 400, .until = 40});

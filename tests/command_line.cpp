@@ -314,6 +314,10 @@ TEST_CASE("what does not exist has a reason", "[cli]") {
        "no packet comes to site 20: the foremost one comes to"},
       {"sec34_impact run --time 20", "peak_energy_density",
        "% of the energy stays on the first 5 sites"},
+      {"sec34_impact run --velocity 1 --well harmonic --sites 41 --time 96", "peak_energy_density",
+       "the energy density has no maximum in time on this way"},
+      {"sec31_dps_limit impact --tau 1 --sites 30", "amplitude",
+       "no maximum in time on its last two sites"},
       {"sec31_dps_limit impact --tau 40 --sites 60", "speed",
        "% of the norm stays on the first 10 sites"},
       {"sec31_dps_limit impact --tau 10 --sites 30", "speed", "is empty"},
@@ -339,6 +343,19 @@ TEST_CASE("what does not exist has a reason", "[cli]") {
     CHECK(std::isnan(quantity(answer, name)) == (*reason != '\0'));
     CHECK(said.empty() == (*reason == '\0'));
     CHECK(said.find(reason) != std::string::npos);
+  }
+}
+
+TEST_CASE("a band of modulations has the side that is told", "[cli]") {
+  for (const auto& [q, growing] : {std::pair{"1.6", true}, {"1.77", true}, {"1.78", false}}) {
+    const Result answer = call("sec5_growth growth --q " + std::string(q) + " --modulation 3.14");
+    const std::string side = text_of(answer, "edge", "meaning");
+    CAPTURE(q, side);
+    CHECK((quantity(answer, "growth") > 0) == growing);
+    CHECK((side.find("above which all modulations grow, up to Q = pi") != std::string::npos) ==
+          growing);
+    CHECK((side.find("below which all modulations grow, down to Q = 0") != std::string::npos) !=
+          growing);
   }
 }
 

@@ -155,6 +155,26 @@ TEST_CASE("an exchange of stability, step by step", "[unit][exchange]") {
   CHECK_THROWS_AS(exchange<double>(centre, cut, 1.08, 1.09, near), NoBranch);
 }
 
+TEST_CASE("two exchanges between neighbouring wells are found", "[property][exchange]") {
+  for (const auto& [centre, omega_b] :
+       {std::pair{Centre::site, 1.3265}, {Centre::bond, 1.3265}, {Centre::site, 1.3263}}) {
+    const auto kappa = [&, centre = centre, omega_b = omega_b](double s) {
+      Orbit<double> orbit = find_breather(problem_at(centre, {omega_b, 0}));
+      return quick_kappa(centre, {omega_b, s}, orbit);
+    };
+    const auto found = exchanges_in_wells(centre, omega_b);
+    CAPTURE(omega_b);
+    CHECK((found.from == -1 && found.to == 1));
+    REQUIRE(found.places.size() == 2);
+    CHECK(kappa(0) * kappa(0.05) > 0);  // at the neighbours nothing is seen
+    for (const Estimate& e : found.places) {
+      CHECK((e.value > 0 && e.value < 0.05));
+      CHECK(kappa(e.value - 1e-5) * kappa(e.value + 1e-5) < 0);
+    }
+  }
+  CHECK(exchanges_in_wells(Centre::bond, 1.1).places.size() == 1);
+}
+
 TEST_CASE("a breather held at a centre: its equations and their derivative", "[unit][exchange]") {
   Shooting<double> problem = breather_problem(Centre::site, 1.3, 0.1, 7);
   const Orbit<double> orbit = find_breather(problem);

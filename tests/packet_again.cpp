@@ -133,12 +133,16 @@ TEST_CASE("a track is read between its samples", "[unit][observe]") {
   check_close(track.largest_peak(0, 99), second, 1e-13);
   check_close(track.largest_peak(0, 20), first, 1e-13);
   check_close(track.largest_peak(14, 20), first, 1e-13);
-  check_close(track.largest_peak(14.2, 20), 5, 1e-13);  // lies at 14.125: the sample at 15
-  check_close(track.largest_peak(12, 13), 4, 1e-14);    // only a flank
-  CHECK(track.largest_peak(30, 40) == 0);
+  CHECK(std::isnan(track.largest_peak(14.2, 20)));  // lies at 14.125, and what follows is its flank
+  CHECK(std::isnan(track.largest_peak(12, 13)));    // only a flank
+  CHECK(std::isnan(track.largest_peak(30, 40)));
   // Over the last site only, from 9 to 10
   check_close(packet_amplitude({{0, 1, 2, 3, 4}, {8, 8.5, 9, 9.5, 10}, {}, {1, 9, 1, 4, 1}}), 2,
               1e-14);
+  // The last two sites, and no maximum
+  check_close(packet_amplitude({{0, 1, 2, 3, 4}, {8, 8.5, 9, 9.6, 10.2}, {}, {1, 2, 4, 3, 5}}),
+              std::sqrt(4 + 1 / 24.0), 1e-14);
+  CHECK(std::isnan(packet_amplitude({{0, 1, 2}, {8, 8.5, 9}, {}, {1, 2, 4}})));
   Track flat{{0, 1, 2, 3}, {1, 2, 3, 4}, {1, 1, 1, 1}, {2, 2, 2, 2}};
   CHECK(flat.largest_peak(0, 9) == 2);
 }

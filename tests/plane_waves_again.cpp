@@ -5,6 +5,7 @@
 
 #include "check.hpp"
 #include "lattice/algebra/eigenvalues.hpp"
+#include "lattice/gsl/random.hpp"
 #include "sec4/instability.hpp"
 #include "sec4/plane_wave.hpp"
 
@@ -103,23 +104,51 @@ TEST_CASE("what the band and the NLS equation say of a phonon, by a second formu
   check_close(upper_edge(2.0), 3, 1e-15);
 }
 
-TEST_CASE("a grid of 2000 wavenumbers sees what lies about one of its own", "[unit]") {
-  // Between the zeros of beta and of the curvature, a fifth of a cell about the middle of a cell
-  for (std::size_t k : {500, 700, 900}) {
-    const double cell = pi / 2000, middle = cell * (double(k) + 0.5), zero = middle + 0.1 * cell;
-    const double D = std::pow(2 * std::cos(zero) / std::pow(1 - std::cos(zero), 2) / 3, 2);
-    const auto seen = unstable_wavenumbers(D, without_beta(middle - 0.1 * cell, D));
-    std::vector<double> edges;
-    for (const auto& part : seen) edges.insert(edges.end(), {part.from, part.to});
-    const auto near = [&](double q) {
-      return std::any_of(edges.begin(), edges.end(),
-                         [q](double x) { return std::abs(x - q) < 1e-9; });
-    };
-    CAPTURE(k, edges);
-    CHECK(near(middle - 0.1 * cell));
-    CHECK(near(zero));
+TEST_CASE("no interval of unstable wavenumbers is too narrow to be found", "[unit]") {
+  const auto ends = [](double D, double s) {
+    std::vector<double> out;
+    for (const auto& part : unstable_wavenumbers(D, s)) out.insert(out.end(), {part.from, part.to});
+    return out;
+  };
+  const auto check = [&](double D, double s, const std::vector<double>& right) {
+    const std::vector<double> found = ends(D, s);
+    CAPTURE(D, s, found);
+    REQUIRE(found.size() == right.size());
+    for (std::size_t k = 0; k < right.size(); ++k) check_close(found[k], right[k], 3e-8, 1e-11);
+  };
+  // An edge next to 0 and next to pi, and a narrow gap; the values are those of a program with sixty digits
+  check(1e-6, 2.27e-5, {0.000776312306718529, 1.56930080943298});
+  check(0.5, 2.828427, {1.16795002276345, 3.14134384488821});
+  check(1, 1e-9, {0.0112475972836517, 1.04710809692715, 1.0472869823720304, 1.1024444801741456});
+  // Both edges of an interval of this width between the zeros of the curvature and of beta
+  for (double width : {1e-4, 1e-6, 1e-9}) {
+    const double zero = 1.2,
+                 D = std::pow(2 * std::cos(zero) / std::pow(1 - std::cos(zero), 2) / 3, 2);
+    const auto seen = unstable_wavenumbers(D, without_beta(zero - width, D)).back();
+    check_close(seen.from, zero - width, 1e-14);
+    check_close(seen.to, zero, 1e-14);
   }
-  // At the ends of the band one cell decides
+  CHECK(ends(0.5, 0) == std::vector<double>{0, inflection(contact_series(0.5).v1)});
+  CHECK(ends(0.5, 4).back() == pi);
+}
+
+TEST_CASE("unstable are the wavenumbers at which Phi is positive", "[property]") {
+  Random random(3);
+  for (int k = 0; k < 3000; ++k) {
+    const double D = std::pow(10, random.uniform(-6, 2)),
+                 s = std::copysign(std::pow(10, random.uniform(-12, 2)), random.uniform(-1, 1));
+    const auto parts = unstable_wavenumbers(D, s);
+    for (int j = 0; j < 20; ++j) {
+      const double q = random.uniform(0, pi), phi = coefficients(q, D, s).phi;
+      bool inside = false, beside = std::abs(phi) < 1e-9 * std::abs(s);
+      for (const auto& part : parts) {
+        inside = inside || (q > part.from && q < part.to);
+        beside = beside || std::abs(q - part.from) < 1e-9 || std::abs(q - part.to) < 1e-9;
+      }
+      if (!beside && inside != (phi > 0)) FAIL_CHECK("d = " << D << ", s = " << s << ", q = " << q);
+    }
+  }
+  // By bisection between two wavenumbers, too
   CHECK_THROWS_AS(sign_change_of_phi(d, 0.0, 0.0, 1.3), std::invalid_argument);
   CHECK_THROWS_AS(sign_change_of_phi(d, 0.0, 1.3, 0.0), std::invalid_argument);
   check_close(largest_phi(d, -4, 1), 6, 1e-14);                      // at q = 0

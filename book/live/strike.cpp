@@ -78,10 +78,8 @@ void report(const Impact& impact, const Facts& facts) {
     return o.track.line(fit_from, to).value_or(Line{undefined, undefined, undefined}).estimate();
   });
   facts.tracked("centre", [](const ImpactRun& o) { return o.track.centre.back(); });
-  facts.add("peak_energy_density", [&](const ImpactRun& o) {
-    const double peak = o.track.largest_peak(fit_from, to);
-    return peak > 0 ? peak : undefined;
-  });
+  facts.add("peak_energy_density",
+            [&](const ImpactRun& o) { return o.track.largest_peak(fit_from, to); });
   facts.tracked("packet_energy_fraction",
                 [](const ImpactRun& o) { return o.track.energy.back() / total(o.density); });
   facts.add("boundary_energy_fraction",

@@ -56,7 +56,9 @@ Table DpsStrike::quantities(const Found& runs) const {
         "speed of the foremost packet, fitted between site 20 and twenty sites before the far end",
         still);
   q.add("amplitude", both([](const DpsOutcome& out) { return packet_amplitude(out.track); }), "",
-        "largest |A_n| of the foremost packet while its centre moves over its last site", lost);
+        "largest maximum in time of |A_n| of the foremost packet over the last site of its way, or "
+        "the last two",
+        lost.empty() ? "|A_n| of the packet has no maximum in time on its last two sites" : lost);
   q.add("norm_window", both([](const DpsOutcome& out) { return out.track.energy.back(); }), "",
         "sum of |A_n|^2 over the eleven sites about the packet's peak at the end; 1 in all", lost);
   q.add_small("residual_boundary",

@@ -35,7 +35,7 @@ static Table breather_table(const Shooting<T>& problem, const Orbit<T>& orbit,
         "largest displacement of a bead at t = 0, when all beads are at rest");
   q.add("energy", differs(orbit.energy, other.energy), "", "energy of the whole chain, Eq. (6)");
   q.add("area", differs(orbit.area, other.area), "",
-        "integral over a period of twice the kinetic energy of all beads, the action of the orbit");
+        "integral over a period of the sum of mass times squared velocity, 2 pi times the action");
   q.add_small("residual", {double(miss), double(run.error)}, "relative to amplitude",
               "largest difference of positions and velocities after a period from those before");
   q.add("iterations", exact(double(orbit.iterations())), "",

@@ -68,13 +68,11 @@ Table OneImpact::quantities(const Found& found) const {
   q.add("centre", tracked([](const ImpactRun& out) { return out.track.centre.back(); }), "site",
         "energy centre of the foremost packet at the end of the run, Eq. (24)", lost);
   add_strongest(q, runs.coarse, runs.fine);
-  q.add("peak_energy_density", both([&](const ImpactRun& out) {
-          const double peak = out.track.largest_peak(fit_from, to);
-          return peak > 0 ? peak : undefined;
-        }),
-        "",
-        "largest energy density of the foremost packet, on the way on which the speed is fitted",
-        still);
+  q.add("peak_energy_density",
+        both([&](const ImpactRun& out) { return out.track.largest_peak(fit_from, to); }), "",
+        "largest maximum in time of the foremost packet's energy density, of those at which its "
+        "centre is on the way on which the speed is fitted",
+        still.empty() ? "the energy density has no maximum in time on this way" : still);
   q.add("packet_energy_fraction",
         tracked([](const ImpactRun& out) { return out.track.energy.back() / total(out.density); }),
         "", "energy of the foremost packet (eleven sites) over that of the chain, at the end",

@@ -47,7 +47,8 @@ Table OneKick::table() const {
   q.add_small("drift", compare(runs[0].run.energy_drift, runs[1].run.energy_drift), "relative",
               "largest change of the chain's energy during the run");
   q.add_small("sites_travelled", compare(runs[0].travelled(), runs[1].travelled()), "site",
-              "way of the energy centre, averaged over eleven periods, with its sign");
+              "way of the energy centre from its first mean over eleven periods to the last, with "
+              "its sign");
   q.add("time", exact(runs[1].run.t_end), "",
         "when the run ended: the given time, or earlier near an end of the chain");
   return q.table;

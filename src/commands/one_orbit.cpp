@@ -198,7 +198,7 @@ Table OneOrbit::quantities(const Found& f) const {
               compare(left_behind(f.problem, f.orbit, shifts, coarse),
                       left_behind(f.problem, f.orbit, shifts, fine)),
               "relative to amplitude",
-              "largest position and velocity that are left behind on the way through the chain");
+              "largest root of the squares of position and velocity of a bead that is left behind");
   q.add_small("residual", {residual_of(f), residual_of(f)}, "relative to amplitude",
               "by how much the printed profile misses itself after a shift time, one site further");
   q.add("multiplier_modulus", largest_modulus(phase, compare(narrow.second, better.second)), "",

@@ -27,7 +27,9 @@ Table OnePlaneWave::table() const {
       "growth", both([this](const auto& w) { return w.growth(modulation); }), "",
       "growth rate in the slow time of a modulation of the given Q; 0 if it does not grow");
   answers.add_small("edge", both([](const auto& w) { return w.edge(); }), "1/site",
-                    "edge Q_* of the band of modulations that grow", stable);
+                    std::cos(q) > -0.2 ? "edge Q_* above which all modulations grow, up to Q = pi"
+                                       : "edge Q_* below which all modulations grow, down to Q = 0",
+                    stable);
   answers.add_small("fastest", both([](const auto& w) { return w.fastest(); }), "1/site",
                     "wavenumber Q of the modulation that grows fastest", stable);
   answers.add_small("fastest_growth",

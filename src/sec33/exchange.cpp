@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lattice/numerics/parabola.hpp"
 #include "lattice/numerics/progress.hpp"
 
 namespace lattice {
@@ -145,6 +146,50 @@ Exchange exchange(Centre centre, const Cut& cut, double low, double high, Orbit<
   if (below.kappa * above.kappa >= 0)
     throw NoBranch("no exchange of stability between the two values");
   return polish_zero<T>(centre, cut, exchange_between(centre, cut, below, above, orbit, 1e-5));
+}
+
+InWells exchanges_in_wells(Centre centre, double omega_b) {
+  struct Look {
+    double s, kappa;
+    Orbit<double> orbit;
+  };
+  const auto look = [&](double s, Orbit<double> near) {
+    const double kappa = quick_kappa(centre, {omega_b, s}, near);
+    return Look{s, kappa, std::move(near)};
+  };
+  // From the linear well to either end of the family
+  std::vector<Look> all;
+  for (int side : {-1, 1}) {
+    Progress progress(side > 0 ? "s up to 1" : "s down to -1", 20);
+    Orbit<double> orbit = find_breather(problem_at(centre, {omega_b, 0}));
+    try {
+      for (int k = side < 0; k <= 20; ++k, progress.tick()) {
+        all.push_back(look(side * k / 20.0, orbit));
+        orbit = all.back().orbit;
+      }
+    } catch (const NewtonFailed&) {  // it ends
+    }
+    if (side < 0) std::reverse(all.begin(), all.end());
+  }
+  // Does kappa dip through zero and back beside the least of three?
+  for (std::size_t k = 1; k + 1 < all.size(); ++k) {
+    const double here = all[k].kappa;
+    const auto larger = [&](const Look& l) { return l.kappa / here >= 1; };
+    if (!larger(all[k - 1]) || !larger(all[k + 1])) continue;
+    Look left = all[k - 1], middle = all[k], right = all[k + 1];
+    for (double h = 0.05; middle.kappa * here > 0 && h > 1e-4; h /= 10) {
+      const Parabola dip(left.kappa, middle.kappa, right.kappa);
+      middle = look(middle.s + std::clamp(dip.vertex(), -1.0, 1.0) * h, middle.orbit);
+      left = look(middle.s - h / 10, middle.orbit), right = look(middle.s + h / 10, middle.orbit);
+    }
+    if (middle.kappa * here < 0) all.insert(all.begin() + long(k) + (middle.s > all[k].s), middle);
+  }
+  InWells out{all.front().s, all.back().s, {}};
+  for (std::size_t k = 1; k < all.size(); ++k)
+    if (all[k - 1].kappa * all[k].kappa < 0)
+      out.places.push_back(
+          exchange<Wide>(centre, {true, omega_b}, all[k - 1].s, all[k].s, all[k].orbit).place);
+  return out;
 }
 
 #define LATTICE_INSTANCES(T)                                                    \

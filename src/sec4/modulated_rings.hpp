@@ -199,11 +199,17 @@ struct OneRing {
                                                         ", before the energy has gathered";
     Answers a{"a shorter --longest"};
     a.add("gathered", gathered ? Estimate{course.gathered, 50} : none, "",
-          "time at which the energy has gathered in a part of the ring, nan if it has not", why);
+          "first of the looks, one in 50 units of time, at which a site has five times the mean "
+          "energy density and less than half of the sites share the energy",
+          why);
     a.add("agree", course.agree, "", "time up to which the runs with two steps agree");
-    a.add("width", gathered ? course.width() : none, "site",
-          "least width of the packet at half height, up to half as long again", why);
-    a.add("highest", course.highest(), "", "largest energy density over the mean");
+    a.add(
+        "width", gathered ? course.width() : none, "site",
+        "least width of the packet at half height in these looks, until half as long again or the "
+        "end",
+        why);
+    a.add("highest", course.highest(), "",
+          "largest energy density over the mean that any of these looks sees");
     return a.table;
   }
 };

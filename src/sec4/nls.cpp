@@ -10,8 +10,8 @@ namespace lattice {
 // The detour through the second harmonic, then the cubic parts of contact and well
 template <class T>
 T nls_beta(T q, const ContactSeries<T>& v, T s) {
-  using std::cos, std::sin;
-  const T x = (T(1) - cos(q)) * (T(1) - cos(q));
+  using std::sin;
+  const T half = sin(q / T(2)), x = T(4) * half * half * half * half;  // (1 - cos q)^2
   return T(16) * v.v2 * v.v2 * sin(q) * sin(q) * x / (T(4) * v.v1 * x + T(3)) +
          T(3) / T(2) * (T(4) * v.v3 * x + s);
 }
@@ -41,36 +41,53 @@ T fastest_modulation(const Coefficients<T>& at, T a) {
 }
 
 // Where the modulational instability sets in, by bisection in the wavenumber
-template <class T>
-T sign_change_of_phi(T d, T s, T low, T high) {
-  const auto phi = [d, s](T q) { return coefficients(q, d, s).phi; };
-  if (!(phi(low) * phi(high) < T(0)))
+double sign_change_of_phi(double d, double s, double low, double high) {
+  const auto phi = [d, s](double q) { return coefficients(q, d, s).phi; };
+  if (!(phi(low) * phi(high) < 0))
     throw std::invalid_argument("phi does not change its sign between the two wavenumbers");
-  const bool rises = phi(high) > T(0);
+  const bool rises = phi(high) > 0;
   for (int i = 0; i < 70; ++i) {
-    const T middle = (low + high) / T(2);
-    ((phi(middle) > T(0)) == rises ? high : low) = middle;
+    const double middle = (low + high) / 2;
+    ((phi(middle) > 0) == rises ? high : low) = middle;
   }
-  return (low + high) / T(2);
+  return (low + high) / 2;
 }
 
-// The wavenumbers of the grid are middles of its cells, so that no end of the band, where phi may vanish, decides
+// Phi is positive at q = 0 if beta is negative there, and changes its sign at each zero of omega_2 and of beta
 template <class T>
 std::vector<Wavenumbers<T>> unstable_wavenumbers(T d, T s) {
-  constexpr std::size_t cells = 2000;
-  const T pi = std::numbers::pi_v<T>;
-  const auto at = [&](std::size_t k) { return pi * (T(double(k)) + T(0.5)) / T(double(cells)); };
-  const auto unstable = [&](std::size_t k) { return coefficients(at(k), d, s).phi > T(0); };
+  using std::asin, std::sqrt;
+  const T root = sqrt(d), b = T(2) * s * d * root - T(1) / (T(4) * root);
+  const auto positive = [&](T x) { return x * x * (x * (T(1) - x) + b) + s * d > T(0); };
+  // The polynomial is monotone between these places
+  std::vector<T> places{T(0)};
+  if (const T square = T(9) + T(32) * b; square > T(0)) {
+    const T top = (T(3) + sqrt(square)) / T(8);
+    for (T x : {-b / (T(2) * top), top})
+      if (x > T(0) && x < T(2)) places.push_back(x);
+  }
+  places.push_back(T(2));
+  std::vector<T> zeros{T(2) / (T(1) + sqrt(T(1) + T(6) * root))};  // that of omega_2
+  for (std::size_t k = 1; k < places.size(); ++k) {
+    T low = places[k - 1], high = places[k], middle;
+    const bool before = positive(low);
+    if (positive(high) == before) continue;
+    while ((middle = low + (high - low) / T(2)) > low && middle < high)
+      (positive(middle) == before ? low : high) = middle;
+    zeros.push_back(middle);
+  }
+  std::sort(zeros.begin(), zeros.end());
+  // From one zero to the next
   std::vector<Wavenumbers<T>> out;
-  bool inside = false;
-  for (std::size_t k = 0; k < cells; ++k) {
-    if (unstable(k) == inside) continue;
+  bool inside = !positive(T(0));
+  if (inside) out.push_back({T(0), std::numbers::pi_v<T>});
+  for (T x : zeros) {
+    const T q = T(2) * asin(sqrt(x / T(2)));
     inside = !inside;
-    const T edge = k == 0 ? T(0) : sign_change_of_phi(d, s, at(k - 1), at(k));
     if (inside)
-      out.push_back({edge, pi});
+      out.push_back({q, std::numbers::pi_v<T>});
     else
-      out.back().to = edge;
+      out.back().to = q;
   }
   return out;
 }
@@ -89,7 +106,6 @@ double largest_phi(double d, double s, std::size_t points) {
   template Coefficients<T> coefficients(T, T, T);           \
   template T nls_growth(const Coefficients<T>&, T, T);      \
   template T fastest_modulation(const Coefficients<T>&, T); \
-  template T sign_change_of_phi(T, T, T, T);                \
   template std::vector<Wavenumbers<T>> unstable_wavenumbers(T, T);
 
 LATTICE_NLS(double)

@@ -59,20 +59,22 @@ Where the instability begins is a zero of $\Phi$. Bisection finds it between two
 using the closed form of the inflection, so that one can check the other. */
 /// The zero of phi between the wavenumbers `low` and `high`. Throws std::invalid_argument if phi has the
 /// same sign at both.
-template <class T>
-T sign_change_of_phi(T d, T s, T low, T high);
+double sign_change_of_phi(double d, double s, double low, double high);
 
 /**
 Both factors of $\Phi$ can change sign, $\omega_2$ at the inflection and $\beta$ wherever the well outweighs the
-contact or no longer does. So the unstable wavenumbers may be one interval, or several, or none. */
+contact or no longer does. So the unstable wavenumbers may be one interval, or several, or none, and any of them may be
+narrow. None is lost if we know all zeros. That of $\omega_2$ has a closed form, and with $x = 1-\cos q$ those of $\beta$
+are the zeros of a polynomial,
+$$\tfrac{2d}9\,(4v_1x^2+3)\,\beta = -x^4 + x^3 + \bigl(2sd^{3/2}-\tfrac14d^{-1/2}\bigr)x^2 + sd,$$
+of which three stationary points are known, one of them at $x = 0$. */
 /// Wavenumbers from `from` to `to`, in 1/site.
 template <class T>
 struct Wavenumbers {
   T from, to;
 };
 
-/// The intervals between 0 and pi in which phi is positive, as far as a grid of 2000 wavenumbers tells
-/// them apart.
+/// The intervals between 0 and pi in which phi is positive.
 template <class T>
 std::vector<Wavenumbers<T>> unstable_wavenumbers(T d, T s);
 

@@ -76,7 +76,8 @@ struct DrivenArray : ArraySetup {
         {"response", compare(micrometres(coarse.response), micrometres(fine.response)), "um",
          "largest displacement of the first bead in the second half of the run"},
         {"budget", compare(coarse.budget, fine.budget), "",
-         "energy and losses less work, over the most energy that came in: zero but for errors"}};
+         "energy and losses less work, over the most energy that was there or came in: zero but "
+         "for errors"}};
     if (omega(frequency) > 1)
       out.push_back({"threshold_law", law(omega(frequency)), "um",
                      "amplitude of the fold of the quiet motion, by the law of small amplitudes"});

@@ -74,7 +74,7 @@ struct DrivenOrbit {
 /// The curve of quiet orbits from a weak drive to beyond its fold, and the fold.
 struct QuietBranch {
   std::vector<double> amplitude{};  ///< of the drive
-  std::vector<double> response{};   ///< largest displacement of the first bead
+  std::vector<double> response{};   ///< amplitude of the first bead when a period begins
   double fold = 0;                  ///< largest amplitude
 };
 

@@ -2,6 +2,7 @@
 
 #include "lattice/numerics/parabola.hpp"
 
+#include <cmath>
 #include <numeric>
 #include <stdexcept>
 
@@ -78,20 +79,18 @@ double Track::travelled(double site, double duration) const {
 /**
 A maximum in time falls between two samples: the parabola through the highest one and its neighbours finds
 its height, and where the centre is then. Only a maximum whose own centre lies in the stretch counts, not
-the flank of one beyond its edge. If there is no maximum at all, the highest sample stands in for it. */
+the flank of one beyond its edge, which says more about the edge than about the packet. */
 double Track::largest_peak(double from, double to) const {
-  double best = 0, highest = 0;
-  const std::size_t end = std::min(until(to), t.size());
-  for (std::size_t i = 0; i < end; ++i) {
-    if (centre[i] >= from) highest = std::max(highest, peak[i]);
-    if (i == 0 || i + 1 >= t.size() || peak[i] < peak[i - 1] || peak[i] < peak[i + 1]) continue;
+  double best = std::nan("");
+  for (std::size_t i = 1, end = until(to); i <= end && i + 1 < t.size(); ++i) {
+    if (peak[i] < peak[i - 1] || peak[i] < peak[i + 1]) continue;
     const Parabola top(peak[i - 1], peak[i], peak[i + 1]);
     const bool flat = top.bend == 0;
     const double where =
         centre[i] + (flat ? 0 : top.vertex()) * (centre[i + 1] - centre[i - 1]) / 2;
-    if (where >= from && where <= to) best = std::max(best, flat ? peak[i] : top.extremum());
+    if (where >= from && where <= to) best = std::fmax(best, flat ? peak[i] : top.extremum());
   }
-  return best > 0 ? best : highest;
+  return best;
 }
 
 Estimate packet_speed(const Track& track, double to) {

@@ -93,7 +93,8 @@ struct Track {
   /// Sites by which the centre moves on in `duration` after it has passed `site`. Throws
   /// std::runtime_error if the track ends before.
   double travelled(double site, double duration) const;
-  /// Largest energy density of the packet while its centre is between `from` and `to`, or zero.
+  /// Largest maximum in time of the packet's energy density while its centre is between `from` and `to`; nan if it
+  /// has none there.
   double largest_peak(double from, double to) const;
 };
 

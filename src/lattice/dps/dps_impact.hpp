@@ -37,8 +37,9 @@ using Integration = std::function<void(
 DpsOutcome follow_dps_by(const Dps& dps, const Field& start, const Integration& integrate);
 
 /**
-The amplitude of a packet oscillates while it moves from site to site. So `packet_amplitude` is the largest
-$|A_n|$ while the centre moves over the last site of its track. */
+The amplitude of a packet oscillates while it moves from site to site. So `packet_amplitude` is the largest maximum in
+time of $|A_n|$ while the centre moves over the last site of its track, or over the last two if none falls on the last.
+It is nan where there is none at all. */
 double packet_amplitude(const Track& track);
 
 /**
