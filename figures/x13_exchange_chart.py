@@ -1,4 +1,4 @@
-"""Figure x13: which breather is stable in the plane of frequency and anharmonicity, and how unstable both are."""
+"""Figure x13: which breather has its pinning pair on the circle, and how unstable both are."""
 
 import draw
 import matplotlib.pyplot as plt
@@ -32,8 +32,8 @@ axes.axhline(0, color="#888888", lw=0.6, ls="--")
 axes.plot(windows["omega_site"], windows["s"], "D", color="#D55E00", ms=4, mfc="none",
           label="exchange at $s=0$")
 handles = axes.get_legend_handles_labels()[0] + [
-    Patch(fc=colours(0), ec="black", lw=0.4, label="site-centred stable"),
-    Patch(fc=colours(255), ec="black", lw=0.4, label="bond-centred stable"),
+    Patch(fc=colours(0), ec="black", lw=0.4, label="site-centred on the circle"),
+    Patch(fc=colours(255), ec="black", lw=0.4, label="bond-centred on the circle"),
     Patch(fc="white", ec="#999999", lw=0.4, hatch="////", label="no breather found")]
 axes.set(xlabel=r"frequency $\omega_b$", ylabel="anharmonicity $s$", xlim=(1, 2), ylim=(-1, 1))
 axes.legend(handles=handles, loc="lower right", handlelength=1.4, frameon=True, framealpha=1,

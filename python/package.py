@@ -493,10 +493,11 @@ def multipliers(chain=None, **options):
 
     `well` may be a `Well` of your own, as in `breather`.
 
-    Returns a Result with the quantity kappa = (lambda + 1/lambda - 2)/4 of the pinning pair, positive if the breather is
-    unstable; and the arrays multiplier (complex) and multiplier_error, two entries per bead, the first two being the pair
-    of the phase, which is exactly +1, as `sec33_floquet multipliers` prints them. Errors are differences of two
-    tolerances."""
+    Returns a Result with the quantities kappa = (lambda + 1/lambda - 2)/4 of the pinning pair, the one nearest to +1, and
+    largest_modulus of all multipliers; and the arrays multiplier (complex) and multiplier_error, two entries per bead, the
+    first two being the pair of the phase, which is exactly +1, as `sec33_floquet multipliers` prints them. The breather is
+    unstable if largest_modulus exceeds one by more than its error, as it does where kappa is positive by more than its own;
+    a negative kappa alone says nothing of the other pairs. Errors are differences of two tolerances."""
     _given(chain, options, _DASHED)
     well = _own(options, "well", Well)
     found, all_of_them = _lattice.multipliers(_words("multipliers", options), well, chain)

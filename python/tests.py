@@ -105,6 +105,12 @@ class SameBits(unittest.TestCase):
         self.assertEqual(bits(found.multiplier_error), bits(table["error"]))
         z = found.multiplier[2]
         self.assertAlmostEqual(((z + 1 / z - 2) / 4).real, found.kappa, delta=1e-15)
+        # The pair next to +1 is on the circle, another one is not; moduli by a program of their own
+        for omega, s, modulus in ((3, 10, 1.0468009382067568), (1.91, -1 / 6, 1.843417022224)):
+            found = lattice.multipliers(omega=omega, well="quartic", s=s)
+            self.assertLess(found.kappa, 0)
+            self.assertAlmostEqual(found.largest_modulus, modulus, delta=1e-11)
+            self.assertAlmostEqual(found.largest_modulus, np.abs(found.multiplier).max(), delta=1e-15)
 
     def test_barrier(self):
         self.check(lattice.barrier, "sec32_barrier barrier", omega=1.1, s=0)

@@ -199,8 +199,9 @@ energy drifts. Then we take the state that returns most nearly, in the sense of 
 five iterations from the DpS profile, as the article did, and for all else three from the accurate breather.
 
 *Multipliers.* Four lie next to $+1$: a pair for shifts in time, exactly $+1$ for the flow, and the *pinning pair* for
-shifts along the chain, which decides the stability. A map knows only shifts in time by whole steps, so its first pair
-does not stay at $+1$. As in `sec33_floquet`, $\kappa$ is a quarter of the sum of $\lambda+1/\lambda-2$ over both pairs.
+shifts along the chain, which decides the stability where all others are on the circle. A map knows only shifts in
+time by whole steps, so its first pair does not stay at $+1$. As in `sec33_floquet`, $\kappa$ is a quarter of the sum
+of $\lambda+1/\lambda-2$ over both pairs.
 If one of them stays at $+1$ the other is $2\sqrt{|\kappa|}$ away from it. We record this distance in the linear well;
 $s_0$ is where the parabola through $\kappa$ in the wells $s = -1$, 0 and 1 vanishes.
 

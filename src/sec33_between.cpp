@@ -40,8 +40,9 @@ The multipliers of a breather are the factors by which small changes of it grow 
 $\lambda, 1/\lambda$. One pair is exactly $+1$, that of a shift in time. The *pinning pair* belongs to a shift along the
 chain and lies close to $+1$, because a shift by a fraction of a site costs hardly any energy. It is one number,
 $\kappa = \frac14(\lambda+1/\lambda-2)$, positive where the breather is unstable ($\lambda$ real), zero at an exchange of
-stability, negative where it is stable ($\lambda$ on the unit circle). Unlike $\lambda$ it keeps all its digits near zero
-(floquet.hpp). The centre of a breather is $Q$, `centre`, in sites from the middle of the chain.
+stability, negative where the pair is on the unit circle. There the breather is stable if all other pairs are on the circle,
+too, so we give the largest modulus as well. Unlike $\lambda$, $\kappa$ keeps all its digits near zero (floquet.hpp). The
+centre of a breather is $Q$, `centre`, in sites from the middle of the chain.
 
 ## A chart of both breathers (figure x13)
 
@@ -49,7 +50,7 @@ Where do the breathers exist, and how unstable are they there? We compute all mu
 frequencies from 1.01 to 2 and 25 wells, $-1\le s\le1$, following each breather in $\omega_b$ through the linear well and
 from there in $s$ until the family ends (chart.hpp).
 
-![Which breather is stable, where they change places, and how unstable they are.](fig:x13) */
+![Which breather has its pinning pair on the circle, where they change places, and how unstable they are.](fig:x13) */
 /// A node of the chart, and of which breather.
 struct OnChart {
   Centre centre;
@@ -140,7 +141,6 @@ struct Worst {
     fourth = worst([](const Pairs& p) { return from_one(p[0]); });
     share = worst([](const Pairs& p) { return quotient(from_one(p[0]), from_one(p[1])); });
     others = worst([](const Pairs& p) { return excess(p, 1); });
-    if (others.value == 0) others = exact(0);  // none leaves the circle
     largest = worst([](const Pairs& p) { return excess(p); });
   }
 };
@@ -190,7 +190,7 @@ with a breather around a bond, and [1730](num:sec33_between.chart_nodes_site) ar
 The largest excess is [1.06121](num:sec33_between.range_largest), around a bond at $\omega_b = 2$ and $s = 1$. Near the ends of
 soft families multipliers beside the four leave the circle too, by up to [0.0493672](num:sec33_between.range_others). Wherever
 longer chains were tried the added multipliers accumulate at the same point. At all but [2](num:sec33_between.chart_same_sign)
-nodes the pinning pair makes one of the two breathers stable and the other one unstable. */
+nodes one of the two breathers has its pinning pair on the circle and the other one not. */
 void report_range(Report& report, const std::vector<OnChart>& seen, int missing, double spacing) {
   // How many nodes are beyond a limit, and from which frequency on
   using Pairs = std::vector<Pair>;
@@ -283,7 +283,7 @@ void report_exchanges(Report& report, const Chart& grid) {
       {number("omega", "frequency"), number("s", "anharmonicity"),
        estimate("kappa", "of the pinning pair around a site; nan where the family has ended", "",
                 "symplectic defect, against the neighbouring rows; may be nan"),
-       number("sign", "of kappa: +1 where the site-centred breather is unstable; may be nan")});
+       number("sign", "of kappa: +1 where the pinning pair is off the circle; may be nan")});
   for (const auto& column : grid)
     for (const Node& n : column)
       map.add({n.spot.omega_b, n.spot.s, n.kappa(), n.defect(),
@@ -354,7 +354,7 @@ std::vector<ExchangePair> report_windows(Report& report, const Chart& grid) {
                   estimate("width", "omega_bond - omega_site; nan where it is below its error", "",
                            "of both together, against the largest; may be nan"),
                   number("s", "anharmonicity: zero"),
-                  label("between", "what both breathers are between the two")});
+                  label("between", "what the pinning pairs of both are between the two")});
   for (std::size_t k = 0; k < edges.size(); ++k) {
     const auto& [site, bond] = edges[k].found;
     const bool known = edges[k].resolved();
@@ -430,20 +430,27 @@ void report_between(Report& report, const std::vector<ExchangePair>& edges) {
                                      "", "of both, against the largest"),
                             number("share", "(E - E_site) / (E_bond - E_site) at equal frequency"),
                             estimate("kappa", "of its pinning pair: positive where it is unstable",
-                                     "", "from two tolerances, against the largest")});
+                                     "", "from two tolerances, against the largest"),
+                            estimate("largest_modulus", "of all its multipliers")});
     const Estimate &site = edge.found[0].place, &bond = edge.found[1].place;
     const Estimate zero{};
-    table.add({0.0, site, Estimate{0, site.error}, 0.0, zero});
+    const auto largest = [&, &cut = cut, &edge = edge](std::size_t k) {
+      const Exchange& end = edge.found[k];
+      const auto problem = problem_at(both_centres[k], cut.at(end.place.value));
+      return spectrum<Wide>(problem, end.orbit).largest_modulus();
+    };
+    table.add({0.0, site, Estimate{0, site.error}, 0.0, zero, largest(0)});
     for (std::size_t i = 0; i < family.size(); ++i) {
       const Intermediate& one = family[i];
       const Estimate offset{double(one.parameter - Wide(site.value)), one.place.error + site.error};
-      table.add({one.centre, one.place, offset, share[i], one.kappa});
+      table.add({one.centre, one.place, offset, share[i], one.kappa, one.largest_modulus});
     }
-    table.add({0.5, bond, edge.width(), 1.0, zero});
+    table.add({0.5, bond, edge.width(), 1.0, zero, largest(1)});
 
     // Half way
     const Intermediate& middle = family[family.size() / 2];
     report.facts.add(std::string("kappa_") + name, middle.kappa);
+    report.facts.add(std::string("largest_modulus_") + name, middle.largest_modulus);
     report.facts.add(std::string("middle_") + name, middle.place);
   }
 }

@@ -396,10 +396,11 @@ this alone an instability would be hidden only for $\epsilon <$ [0.00360776](num
 quarter of the article's bound. The breather around a site at $\omega_b = 1.1$ has $\epsilon =$
 [0.000214282](num:sec5_experiment.epsilon), far below either. (Friction does not damp the shift itself: breather and
 perturbation both decrease like $e^{-\nu t/2}$, and the shift is counted in sites.) The chain hides more: farther down
-its branch the breather around a site is stable on a long stretch, where $\sigma^2 < 0$ and a shift that has grown
-swings back. And a shift that begins at rest obeys $\ddot X+\frac\nu4\dot X = \sigma^2X$ (decay.hpp), so that it grows
-at first like $1+\frac12\sigma^2t^2$ and not like $e^{\sigma t}$. [](finding:experiment.hidden) Breathers around a bond
-or in other wells were not damped in this way; in hard wells instabilities are much larger (`sec33_between`).
+its branch the breather around a site has its translational pair on the unit circle for a long stretch, where
+$\sigma^2 < 0$ and a shift that has grown swings back. And a shift that begins at rest obeys
+$\ddot X+\frac\nu4\dot X = \sigma^2X$ (decay.hpp), so that it grows at first like $1+\frac12\sigma^2t^2$ and not like
+$e^{\sigma t}$. [](finding:experiment.hidden) Breathers around a bond or in other wells were not damped in this way;
+in hard wells instabilities are much larger (`sec33_between`).
 
 For the integral of $\sigma$ we compute breathers at frequencies that are equidistant in $\ln(\omega_b-1)$, from 1.01
 on, so that one of them is at 1.1; the coarse solution takes every second one and begins higher. */
@@ -420,7 +421,7 @@ void report_instability(Report& report) {
   const auto members = branch_members(80 / each + 1, each);
   Table& table = report.table(
       "instability", {number("omega", "frequency at the start, over that of a beam"),
-                      number("epsilon", "unstable Floquet multiplier minus one; 0: stable"),
+                      number("epsilon", "multiplier minus one; 0: pair on the circle"),
                       number("scaled_growth", "growth rate over omega - 1"),
                       estimate("quality_e",
                                "quality factor with which a shift grows e-fold before a hundredth "

@@ -263,18 +263,20 @@ TEST_CASE("four multipliers near one, no more and no fewer", "[unit][criteria]")
   CHECK(wrong_with(-1.013) == "others_stable");  // beyond -1
   CHECK(holds(small_instability({6e-4, 1e-6})));
   CHECK_FALSE(holds(small_instability({2e-3, 1e-6})));
-  CHECK(holds(bond_alone_stable({1e-8, 1e-15}, {-1e-8, 1e-15})));
-  CHECK(failing(bond_alone_stable({1e-8, 1e-15}, {1e-8, 1e-15})) == "bond");
-  CHECK(failing(bond_alone_stable({1e-8, 1e-7}, {-1e-8, 1e-7})) == "site bond");
+  CHECK(holds(bond_alone_stable({1e-8, 1e-15}, {-1e-8, 1e-15}, true)));
+  CHECK(failing(bond_alone_stable({1e-8, 1e-15}, {1e-8, 1e-15}, true)) == "bond");
+  CHECK(failing(bond_alone_stable({1e-8, 1e-7}, {-1e-8, 1e-7}, true)) == "site bond");
+  CHECK(failing(bond_alone_stable({1e-8, 1e-15}, {-1e-8, 1e-15}, false)) == "others_stable");
 }
 
 TEST_CASE("stability depends on a well that exchanges it", "[unit][criteria]") {
   const std::array<Estimate, 2> same{{{1e-8, 1e-12}, {-1e-8, 1e-12}}},
       reversed{{{-1e-8, 1e-12}, {1e-8, 1e-12}}};
-  CHECK(holds(depends_on_well(same, reversed, same)));
-  CHECK_FALSE(holds(depends_on_well(same, same, same)));          // no exchange at all
-  CHECK_FALSE(holds(depends_on_well(same, reversed, reversed)));  // the sign does not matter
-  CHECK_FALSE(holds(depends_on_well(reversed, reversed, same)));  // nor the strength
+  CHECK(holds(depends_on_well(same, reversed, same, true)));
+  CHECK_FALSE(holds(depends_on_well(same, same, same, true)));          // no exchange at all
+  CHECK_FALSE(holds(depends_on_well(same, reversed, reversed, true)));  // the sign does not matter
+  CHECK_FALSE(holds(depends_on_well(reversed, reversed, same, true)));  // nor the strength
+  CHECK_FALSE(holds(depends_on_well(same, reversed, same, false)));     // another pair is off
 }
 
 TEST_CASE("the worst of many spectra decides", "[unit][criteria]") {

@@ -74,17 +74,17 @@ TEST_CASE("what spectra say, and their bounds", "[unit][exchange]") {
   CHECK(failing(many(0, 0, 0, 1)) == "not_at_edge");
   bounded_by(1e-3, true, "largest", [](double x) { return small_instability({x, 0}); });
   const auto alone = [](double site, double bond) {
-    return failing(bond_alone_stable({site, 1e-3}, {bond, 1e-3}));
+    return failing(bond_alone_stable({site, 1e-3}, {bond, 1e-3}, true));
   };
   CHECK(
       (alone(2e-3, -2e-3).empty() && alone(5e-4, -2e-3) == "site" && alone(2e-3, -5e-4) == "bond"));
   const std::array<Estimate, 2> usual{{{1, 0}, {-1, 0}}}, reversed{{{-1, 0}, {1, 0}}};
-  CHECK(failing(depends_on_well(usual, reversed, usual)).empty());
-  CHECK(failing(depends_on_well(reversed, reversed, usual)) == "weak_site weak_bond");
-  CHECK(failing(depends_on_well(usual, usual, usual)) == "strong_site strong_bond");
-  CHECK(failing(depends_on_well(usual, reversed, reversed)) == "opposite_site opposite_bond");
-  CHECK(failing(depends_on_well({{{1, 0}, {1, 0}}}, {{{-1, 0}, {-1, 0}}}, {{{-1, 0}, {-1, 0}}})) ==
-        "weak_bond strong_site opposite_site");
+  CHECK(failing(depends_on_well(usual, reversed, usual, true)).empty());
+  CHECK(failing(depends_on_well(reversed, reversed, usual, true)) == "weak_site weak_bond");
+  CHECK(failing(depends_on_well(usual, usual, usual, true)) == "strong_site strong_bond");
+  CHECK(failing(depends_on_well(usual, reversed, reversed, true)) == "opposite_site opposite_bond");
+  CHECK(failing(depends_on_well({{{1, 0}, {1, 0}}}, {{{-1, 0}, {-1, 0}}}, {{{-1, 0}, {-1, 0}}},
+                                true)) == "weak_bond strong_site opposite_site");
 }
 
 TEST_CASE("an exchange of stability, step by step", "[unit][exchange]") {

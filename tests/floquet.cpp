@@ -4,6 +4,7 @@
 #include "lattice/orbits/floquet.hpp"
 
 #include "check.hpp"
+#include "commands/multipliers.hpp"
 #include "lattice/algebra/eigenvalues.hpp"
 #include "lattice/gsl/random.hpp"
 #include "lattice/orbits/breather.hpp"
@@ -76,6 +77,54 @@ TEST_CASE("a pair follows from kappa", "[unit][floquet]") {
   CHECK((Pair{{-0.5, 1e-6}, 1e-9}.is_unstable()));
   CHECK_FALSE((Pair{{1e-10, 0}, 1e-9}.is_unstable()));
   CHECK_FALSE((Pair{{-1, 1e-10}, 1e-9}.is_unstable()));
+  // What a double rounds off can neither hide that a pair is at -1 nor take it off the circle.
+  const Pair rounded{{-1 - 2e-16, 0}, 1e-20};
+  CHECK_FALSE(rounded.is_unstable());
+  CHECK(rounded.multiplier_error() > 2e-8);
+}
+
+TEST_CASE("the largest modulus allows for the errors of all pairs", "[unit][floquet]") {
+  const auto contains = [](const Estimate& e, double x) {
+    return std::abs(e.value - x) <= e.error;
+  };
+  const Pair circle{-0.3, 1e-15}, quadruplet{{-0.5, 1e-3}, 1e-6}, at_one{1e-10, 1e-9};
+  CHECK(excess({circle}).value + excess({circle}).error < 1e-14);
+  // A quadruplet shows beside a pinning pair on the circle: cosh ln|lambda| = |kappa| + |1 + kappa|
+  const double off = std::acosh(2 * std::abs(std::complex<double>(0.5, 1e-3)));
+  CHECK(contains(excess({circle, quadruplet}), std::expm1(off)));
+  CHECK(excess({circle, quadruplet}).error < 1e-5);
+  // A pair that may be real or not leaves both open, and an uncertain one counts beside a larger one
+  for (double kappa : {-9e-10, 0.0, 1.1e-9})
+    CHECK(contains(excess({circle, at_one}), std::max(0.0, multiplier(kappa, 1).real() - 1)));
+  CHECK(contains(excess({{1e-10, 1e-16}, at_one}), multiplier(1.1e-9, 1).real() - 1));
+}
+
+TEST_CASE("a pinning pair on the circle does not make a breather stable", "[property][floquet]") {
+  // True moduli by a program of its own: eighty-bit numbers, extrapolated midpoint rule from event to event
+  struct {
+    double omega, s, modulus, known;
+  } const cases[] = {{3, 10, 1.0468009382067568, 0},
+                     {1.9, -1 / 6., 1.2862005642672, 1e-12},
+                     {1.91, -1 / 6., 1.843417022224, 1e-11},
+                     {2.5, 1, 1.0301029405398695, 0}};
+  for (const auto& [omega, s, modulus, known] : cases) {
+    Multipliers command;
+    command.omega_b = omega, command.well = Quartic{s};
+    const Spectrum all = command.find();
+    CAPTURE(omega, s);
+    CHECK(all.kappa().value + all.kappa().error < 0);
+    check_close(all.largest_modulus().value, modulus, all.largest_modulus().error + known);
+    CHECK(all.largest_modulus().error < 1e-12);
+    CHECK(command.quantities(all).rows.size() == 2);
+  }
+  // Around a bond all pairs are on the circle, and the error is small enough to say so
+  Multipliers bond;
+  bond.centre = Centre::bond;
+  const Estimate largest = bond.find().largest_modulus();
+  CHECK((std::abs(largest.value - 1) <= largest.error && largest.error < 1e-12));
+  // Where the pair nearest to +1 is half of a quadruplet its kappa is no number
+  const Spectrum four{{{{-0.01, 1e-3}, 1e-12}, {{-0.01, -1e-3}, 1e-12}}, {}};
+  CHECK(std::isnan(std::get<double>(bond.quantities(four).rows[0][1])));
 }
 
 TEST_CASE("beads without contact have the multipliers of a pendulum at rest", "[unit][floquet]") {

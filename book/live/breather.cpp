@@ -68,7 +68,7 @@ void report_orbit(const Fitted& found, const Orbit<double>& rough) {
 ## Its stability
 
 Each pair of multipliers is one number $\kappa$ with its error (floquet.hpp), and the verdict is that
-of the pair which is most clearly off the circle. */
+of all pairs: how many are off the circle by more than their errors, and the largest modulus. */
 void report_multipliers(const Fitted& found, const Orbit<double>& rough) {
   const double period = found.problem.period();
   const auto& chain = found.problem.chain;
@@ -86,6 +86,8 @@ void report_multipliers(const Fitted& found, const Orbit<double>& rough) {
   }
   page::list("multipliers", points);
   page::fact("unstable_pairs", exact(unstable));
+  const Estimate beyond = excess(pairs);
+  page::fact("largest_modulus", {1 + beyond.value, beyond.error});
   page::fact("pinning_kappa", {pairs.front().kappa.real(), pairs.front().error});
 }
 

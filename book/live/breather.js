@@ -52,9 +52,9 @@
       this.fact("sites", "sites of the chain", "", String(f.sites.value));
       this.fact("pinning_kappa", "κ of the pinning pair; unstable where positive");
       const count = f.unstable_pairs.value;
-      const sure = Math.abs(f.pinning_kappa.value) > f.pinning_kappa.error;
+      this.fact("largest_modulus", "largest modulus of a multiplier");
       this.fact("unstable_pairs", "stability", "", count ? `unstable: ${count} pair${count > 1 ? "s" : ""} of multipliers off the circle, beyond the error`
-        : sure ? "stable: every multiplier on the circle" : "no verdict: the pinning pair is at +1 within its error");
+        : "every multiplier on the circle, within its error");
       if (!kicked) return;
       this.fact("speed", "mean speed after the kick", "sites per unit of time");
       this.fact("travelled", "sites travelled");

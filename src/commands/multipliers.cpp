@@ -1,5 +1,7 @@
 #include "commands/multipliers.hpp"
 
+#include <cmath>
+
 namespace lattice {
 
 Columns multiplier_columns() {
@@ -30,12 +32,18 @@ Multipliers::Found Multipliers::find() const {
 }
 
 /**
-The pair that decides on stability is the one next to $+1$. */
+What a shift along the chain does is said by the pair next to $+1$, whether the breather is stable by all of them. */
 Table Multipliers::quantities(const Found& found) const {
   Answers q;
+  const Pair& pinning = found.pairs.front();
+  const bool real = std::abs(pinning.kappa.imag()) <= pinning.radius();
   q.add_small(
-      "kappa", found.kappa(), "",
-      "(lambda + 1/lambda - 2)/4 of the pinning pair of multipliers; above 0 it is unstable");
+      "kappa", real ? found.kappa() : Estimate{std::nan(""), std::nan("")}, "",
+      "(lambda + 1/lambda - 2)/4 of the pinning pair of multipliers, the one nearest to +1; "
+      "above 0 it is unstable, otherwise largest_modulus decides",
+      "the pair nearest to +1 is half of a quadruplet: its kappa is not real");
+  q.add("largest_modulus", found.largest_modulus(), "",
+        "of all multipliers; the breather is unstable if it exceeds 1 by more than its error");
   return q.table;
 }
 

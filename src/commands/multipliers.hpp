@@ -33,7 +33,7 @@ struct Multipliers : ChosenBreather {
   using Found = Spectrum;
   /// The spectrum of the breather, in two precisions. Throws UsageError, NewtonFailed, NoBranch.
   Found find() const;
-  /// Rows `quantity,value,error,unit,kind,meaning,reason` for the pinning pair.
+  /// Rows `quantity,value,error,unit,kind,meaning,reason` for the pinning pair and the largest modulus.
   Table quantities(const Found& found) const;
   /// Every multiplier.
   Table profile(const Found& found) const;

@@ -37,7 +37,7 @@ struct OneKick : KickedBreather {
 
 /// The command `threshold`.
 struct OneThreshold : KickedBreather {
-  static constexpr Title title{"threshold", "the kick that frees a stable breather"};
+  static constexpr Title title{"threshold", "the kick that frees a pinned breather"};
   /// What the program prints.
   Table table() const;
 };

@@ -3,10 +3,10 @@
 # When a kick frees a breather
 
 A breather that drifts slowly along the chain feels a Peierls-Nabarro potential with the period of the chain. We draw it
-such that a stable breather sits in a *trough*: if it is stable around a bond only, there are troughs at the bonds and
-*hills* at the sites, if around a site, the reverse. (Where the effective mass is negative the energies are upside down.)
-A kick (kick.hpp) depins it from a trough if it carries it over the hill. This file tells a free
-breather from a pinned one, says what linear theory expects, and finds the least kick that frees. */
+such that a breather whose pinning pair is on the unit circle sits in a *trough*: if that is so around a bond only, there
+are troughs at the bonds and *hills* at the sites, if around a site, the reverse. (Where the effective mass is
+negative the energies are upside down.) A kick (kick.hpp) depins it from a trough if it carries it over the hill. This
+file tells a free breather from a pinned one, says what linear theory expects, and finds the least kick that frees. */
 
 #include "lattice/algebra/dense.hpp"
 #include "lattice/events/event_driven.hpp"

@@ -54,16 +54,6 @@ Estimate from_one(const Pair& pair) {
   return {std::abs(multiplier(pair.kappa, 1) - 1.0), pair.multiplier_error()};
 }
 
-// The larger of both multipliers of a pair is the first one beyond +1 and the second one beyond -1
-Estimate excess(const std::vector<Pair>& pairs, std::size_t first) {
-  Estimate out{};
-  for (std::size_t k = first; k < pairs.size(); ++k)
-    for (int sign : {1, -1})
-      if (const double beyond = std::abs(multiplier(pairs[k].kappa, sign)) - 1; beyond > out.value)
-        out = {beyond, pairs[k].multiplier_error()};
-  return out;
-}
-
 // The article's words about the multipliers, with bounds of our own
 Criterion four_near_one(const Quadruplet& chain, const Quadruplet& longer) {
   const bool stable = chain.others_stable && longer.others_stable;
@@ -84,16 +74,17 @@ Criterion small_instability(const Estimate& excess) {
   return {below("largest", excess, 1e-3)};
 }
 
-Criterion bond_alone_stable(const Estimate& site, const Estimate& bond) {
-  return {above("site", site, 0), below("bond", bond, 0)};
+Criterion bond_alone_stable(const Estimate& site, const Estimate& bond, bool others_stable) {
+  return {above("site", site, 0), below("bond", bond, 0),
+          above("others_stable", exact(others_stable), 0.5)};
 }
 
 Criterion depends_on_well(const std::array<Estimate, 2>& weak,
                           const std::array<Estimate, 2>& strong,
-                          const std::array<Estimate, 2>& opposite) {
-  Criterion out = named("weak", bond_alone_stable(weak[0], weak[1]));
-  append(out, named("strong", bond_alone_stable(strong[1], strong[0])));
-  append(out, named("opposite", bond_alone_stable(opposite[0], opposite[1])));
+                          const std::array<Estimate, 2>& opposite, bool others_stable) {
+  Criterion out = named("weak", bond_alone_stable(weak[0], weak[1], others_stable));
+  append(out, named("strong", bond_alone_stable(strong[1], strong[0], others_stable)));
+  append(out, named("opposite", bond_alone_stable(opposite[0], opposite[1], others_stable)));
   return out;
 }
 
@@ -138,7 +129,7 @@ Exchange polish_zero(Centre centre, const Cut& cut, Exchange found) {
   return found;
 }
 
-// Opposite signs of kappa at the two ends: in between the breather changes its stability
+// Opposite signs of kappa at the two ends: in between the pinning pair passes +1
 template <class T>
 Exchange exchange(Centre centre, const Cut& cut, double low, double high, Orbit<double> orbit) {
   const TrialKappa below{low, quick_kappa(centre, cut.at(low), orbit)};

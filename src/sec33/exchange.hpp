@@ -3,10 +3,11 @@
 # Where two breathers exchange their stability
 
 Section 3.3 of the article reports that a breather changes its stability at certain values of the
-anharmonicity $s$. The pair of Floquet multipliers $\lambda$, $1/\lambda$ that decides this, the pinning
-pair, is described by $\kappa = (\lambda+1/\lambda-2)/4$ (floquet.hpp), which is positive if the breather
-is unstable and negative if it is stable. On a cut through the plane of $\omega_b$ and $s$ the sign changes
-at a point. This file finds it: by regula falsi in double precision, and a last step in extended precision. */
+anharmonicity $s$. There a pair of Floquet multipliers $\lambda$, $1/\lambda$, the pinning pair, passes $+1$. It is
+described by $\kappa = (\lambda+1/\lambda-2)/4$ (floquet.hpp): where $\kappa > 0$ the breather is unstable, where
+$\kappa < 0$ the pair is on the unit circle, and the breather is stable if all other pairs are, too. On a cut through
+the plane of $\omega_b$ and $s$ the sign changes at a point. This file finds it: by regula falsi in double precision,
+and a last step in extended precision. */
 
 #include <array>
 #include <cstddef>
@@ -45,6 +46,11 @@ struct Spectrum {
   Vector<double> mode;  ///< of the pinning pair, positions at t = 0
   /// That of the pinning pair.
   Estimate kappa() const { return {pairs.front().kappa.real(), pairs.front().error}; }
+  /// Of all multipliers.
+  Estimate largest_modulus() const {
+    const Estimate beyond = excess(pairs);
+    return {1 + beyond.value, beyond.error};
+  }
 };
 
 /// The pairs at the orbit of a problem, in type T, with their errors. Throws NewtonFailed.
@@ -70,17 +76,14 @@ int at_edge(const std::vector<Pair>& pairs, double omega_b, double close = 1e-9)
 /// How far the multipliers of a pair are from +1.
 Estimate from_one(const Pair& pair);
 
-/// By how much a multiplier exceeds one, the largest of the pairs from number `first` on.
-Estimate excess(const std::vector<Pair>& pairs, std::size_t first = 0);
-
 /**
 A fifth multiplier near one fails the statement, and so does a pair off the circle or an accumulation
 elsewhere: ten more sites must add their twenty multipliers at the edge. Near one means within 0.01, and the
 fifth must be farther away than 0.1; these bounds are ours. Over many breathers the worst of them decides. There the
 fifth must be ten times as far as the fourth, since the point of accumulation goes to one with $\omega_b$; the
 others may leave the circle by no more than $10^{-3}$, and the added multipliers are asked for again. An
-instability is small if the multiplier exceeds one by less than $10^{-3}$, and two breathers are told apart by the
-signs of their $\kappa$. */
+instability is small if the multiplier exceeds one by less than $10^{-3}$. Two breathers are told apart by the signs of
+their $\kappa$; one of them is stable only if no other pair leaves the circle. */
 /// From a chain and one that is ten sites longer.
 Criterion four_near_one(const Quadruplet& chain, const Quadruplet& longer);
 
@@ -92,16 +95,17 @@ Criterion four_near_one_everywhere(const Estimate& fourth, const Estimate& share
 /// From the largest excess of a multiplier over one.
 Criterion small_instability(const Estimate& excess);
 
-/// From the kappa of both breathers: the one around a site unstable, that around a bond stable.
-Criterion bond_alone_stable(const Estimate& site, const Estimate& bond);
+/// From the kappa of both breathers, and whether all other pairs are on the circle: the one around a site unstable, that
+/// around a bond stable.
+Criterion bond_alone_stable(const Estimate& site, const Estimate& bond, bool others_stable);
 
 /**
 The stability depends on the strength of the anharmonicity if a stronger one of the same sign reverses the verdict on
 both breathers, and on its sign if one that is as strong and has the other sign does not. */
-/// From the kappa around a site and around a bond in three wells.
+/// From the kappa around a site and around a bond in three wells, and whether all other pairs are on the circle.
 Criterion depends_on_well(const std::array<Estimate, 2>& weak,
                           const std::array<Estimate, 2>& strong,
-                          const std::array<Estimate, 2>& opposite);
+                          const std::array<Estimate, 2>& opposite, bool others_stable);
 
 /**
 ## A zero of $\kappa$

@@ -67,8 +67,8 @@ MapBreather find_breather(const FixedStep& map, State<double> guess, const Gauss
 ## Where the stability changes
 
 The four eigenvalues next to $+1$ say by the sign of their symmetric function $\kappa$ (floquet.hpp) whether the
-breather is unstable. In three wells $\kappa$ makes a parabola in the anharmonicity, whose zero in $[-1, 1]$ is what
-a plot of multipliers would show. */
+pinning pair is off the circle. In three wells $\kappa$ makes a parabola in the anharmonicity, whose zero in $[-1, 1]$
+is what a plot of multipliers would show. */
 /// The zero of the parabola through `kappa` at s = -1, 0, 1, the one nearest to zero; nan without one.
 double zero_in_wells(const std::array<double, 3>& kappa);
 

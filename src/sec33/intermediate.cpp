@@ -33,8 +33,9 @@ Intermediate describe(const Cut& cut, const Exchange& from, double centre,
   const double apart = double(magnitude<Wide>(x[1][last] - x[0][last]));
   Intermediate out{centre, x[0][last], energy(held.at(x[0]).chain, held.start(x[0]))};
   out.place = {double(out.parameter), apart + double(pairs[0].defect) / std::abs(from.slope)};
-  const Pair pair = compare_pairs(pairs[1], pairs[0]).front();
-  out.kappa = {pair.kappa.real(), pair.error};
+  const Spectrum all{compare_pairs(pairs[1], pairs[0]), {}};
+  out.kappa = all.kappa();
+  out.largest_modulus = all.largest_modulus();
   return out;
 }
 

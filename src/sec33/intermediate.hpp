@@ -15,7 +15,8 @@ they are centred on the site, at the other on the bond. This file follows such a
 namespace lattice {
 
 /**
-The order of the two exchanges tells whether both breathers are stable between them or neither is. */
+The order of the two exchanges tells whether the pinning pairs of both breathers are on the circle between them or neither
+is. */
 struct ExchangePair {
   std::array<Exchange, 2> found;  ///< site, bond
   Estimate width() const {
@@ -23,18 +24,19 @@ struct ExchangePair {
     return {bond.value - site.value, site.error + bond.error};
   }
   bool resolved() const { return std::abs(width().value) > width().error; }
-  /// What both are between the two: stable, unstable, or unresolved where the width is below its error.
+  /// What both pinning pairs are between the two: stable, unstable, or unresolved where the width is below its error.
   std::string between() const {
     if (!resolved()) return "unresolved";
     return (width().value > 0) == (found[0].slope < 0) ? "stable" : "unstable";
   }
 };
 
-/// One of the family: Q, s or omega_b with and without its error, the energy, and kappa of its pinning pair.
+/// One of the family: Q, s or omega_b with and without its error, the energy, kappa of its pinning pair, and the largest
+/// modulus of all multipliers.
 struct Intermediate {
   double centre = 0;
   Wide parameter = 0, energy = 0;
-  Estimate place{}, kappa{};
+  Estimate place{}, kappa{}, largest_modulus{};
 };
 
 /**

@@ -3,7 +3,7 @@
 # The kick that frees a breather
 
 Section 3.3 kicks a breather along its pinning mode: each velocity is changed by $c\,g_n$, where $g_n$ is
-the normalised discrete gradient (kick.hpp). A stable breather is set in motion only if $c$ exceeds some
+the normalised discrete gradient (kick.hpp). A pinned breather is set in motion only if $c$ exceeds some
 $c_c$. This file predicts $c_c$ from one period of the tangent map and the barrier at equal area
 (depinning.hpp), and then finds it in runs of the whole chain. */
 
@@ -58,7 +58,7 @@ BreatherPair barriers_at(double omega_b);
 
 A pinned breather oscillates about its centre, with the frequency of its pinning mode, and the kick that
 carries it over the barrier follows from the two (depinning.hpp). The error comes from two tolerances of
-the tangent map and from the barrier. If the breather is unstable the slightest kick may move it, and
+the tangent map and from the barrier. If the pinning pair is real the slightest kick may move it, and
 there is neither a frequency nor a threshold. */
 struct Prediction {
   Estimate threshold{}, share{}, frequency{},
@@ -67,7 +67,7 @@ struct Prediction {
   bool exists() const { return frequency.value > 0; }
 };
 
-/// From the barrier at equal area, E_site - E_bond; without a frequency if the breather is unstable.
+/// From the barrier at equal area, E_site - E_bond; without a frequency if the pinning pair is real.
 Prediction predict_threshold(const RestingBreather& at, const Estimate& barrier);
 
 /**

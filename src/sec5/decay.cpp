@@ -36,7 +36,7 @@ Member member_at(Centre centre, double omega, double s, bool fine) {
 
 namespace {
 
-/// Where a branch is unstable, and how much, against the logarithm of the area.
+/// How a shift grows along a branch, against the logarithm of the area.
 struct Stability {
   std::vector<double> area, mu, square;  ///< ln A, ln(omega - 1), (sigma/(omega - 1))^2
   double limit;

@@ -25,8 +25,8 @@ namespace lattice {
 /// A breather of the branch in the well of anharmonicity s, with the growth rate of its translational pair.
 struct Member {
   double omega = 0, area = 0;
-  double kappa = 0;   ///< of the translational pair (floquet.hpp); unstable if positive
-  double growth = 0;  ///< per unit of time, zero if stable
+  double kappa = 0;   ///< of the translational pair (floquet.hpp), real if positive
+  double growth = 0;  ///< per unit of time, zero if the pair is on the circle
   /// The multiplier per period that belongs to the growth.
   double multiplier() const;
 };
@@ -42,7 +42,7 @@ Member member_at(Centre centre, double omega, double s, bool fine = true);
 What is smooth along the branch is $\sigma^2/(\omega_b-1)^2$; it is taken as a straight line in $\ln\mathcal A$
 between neighbouring members, and in $\omega_b-1$ between the first one and the limit $\Lambda^2$ of the DpS
 equation (spectrum.hpp). */
-/// $\Lambda$ of the DpS breather, zero if it is stable.
+/// $\Lambda$ of the DpS breather, zero if it has none.
 double dps_growth(Centre centre);
 
 /// The largest |X| until a hundredth of the area is left, if X begins at one and at rest with the last of

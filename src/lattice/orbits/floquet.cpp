@@ -157,6 +157,20 @@ std::vector<Pair> compare_pairs(const Pairs<C>& coarse, const Pairs<T>& fine) {
   return out;
 }
 
+// Of a pair the first multiplier is the larger one beyond +1, the second one beyond -1
+Estimate excess(const std::vector<Pair>& pairs, std::size_t first) {
+  double found = 0, least = 0, most = 0;
+  for (std::size_t k = first; k < pairs.size(); ++k) {
+    const double error = pairs[k].multiplier_error();
+    for (int sign : {1, -1}) {
+      const double beyond = std::abs(multiplier(pairs[k].kappa, sign)) - 1;
+      found = std::max(found, beyond), least = std::max(least, beyond - error);
+      most = std::max(most, beyond + error);
+    }
+  }
+  return {found, std::max(found - least, most - found)};
+}
+
 // The pinning pair by itself, separated from the phase by the symmetry of the breather
 template <class T>
 T pinning_by_symmetry(const Matrix<T>& half, Centre centre) {

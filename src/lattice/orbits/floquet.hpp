@@ -15,9 +15,11 @@ far apart or that of the phase is absent. */
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <limits>
 #include <type_traits>
 #include <vector>
 
+#include "lattice/numerics/estimate.hpp"
 #include "lattice/orbits/shooting.hpp"
 
 namespace lattice {
@@ -54,14 +56,17 @@ $$M = \begin{pmatrix} 1+2K & 2D^TB\\ 2A^TC & 1+2K^T\end{pmatrix},\qquad K = B^TC
 M + M^{-1} = \begin{pmatrix} 2+4K & 0\\ 0& 2+4K^T\end{pmatrix}.$$
 Each eigenvalue $\kappa$ of the $N\times N$ matrix $K$ is therefore one pair,
 $$\lambda + \frac1\lambda - 2 = 4\kappa,\qquad \lambda = 1 + 2\kappa \pm 2\sqrt{\kappa(1+\kappa)},$$
-and its eigenvector holds the positions of the mode. A real $\kappa$ in $[-1,0]$ means a stable pair, at the angles
-$\pm 2\arcsin\sqrt{-\kappa}$; $\kappa > 0$ means an unstable one, $\ln\lambda = \pm 2\,\mathrm{arsinh}\sqrt\kappa$.
+and its eigenvector holds the positions of the mode. A real $\kappa$ in $[-1,0]$ means a pair on the unit circle, at the
+angles $\pm 2\arcsin\sqrt{-\kappa}$; $\kappa > 0$ means an unstable one, $\ln\lambda = \pm 2\,\mathrm{arsinh}\sqrt\kappa$.
+Unstable are also $\kappa < -1$ and every complex $\kappa$, which comes with its conjugate, as a *quadruplet* of
+multipliers. One pair alone can therefore show that an orbit is unstable, but not that it is stable.
 Near $+1$ the difference $\lambda+1/\lambda-2$ would lose all digits; here it is never formed. */
 /// The matrix K of a half-period map in momenta.
 template <class T>
 Matrix<T> pair_matrix(const Matrix<T>& half);
 
-/// The two multipliers of a pair: `sign` > 0 gives the larger one, or the one above the real axis.
+/// The two multipliers of a pair: `sign` > 0 gives the larger one if kappa > 0, the one above the real axis on the
+/// circle.
 std::complex<double> multiplier(std::complex<double> kappa, int sign);
 
 /**
@@ -108,19 +113,23 @@ Pairs<T> floquet_pairs(const Chain& chain, const State<T>& start,
 No orbit should be called stable or unstable below the error of its multipliers. Computations with two
 tolerances or types give two values of every $\kappa$. We take their difference as the error and add the
 symplectic defect of the finer one, which needs no comparison. From $\kappa$ to the multiplier the error
-grows by $|d\lambda/d\kappa| \sim |\kappa|^{-1/2}$, up to the square root of the error if $\kappa$ cannot
-be told from zero. */
+grows by $|d\lambda/d\kappa| \sim |\kappa(1+\kappa)|^{-1/2}$, up to the square root of the error if $\kappa$ cannot
+be told from 0 or $-1$; what a double rounds off of $\kappa$ and $\lambda$ counts, too. */
 struct Pair {
   std::complex<double> kappa;
   double error;  ///< of kappa, absolute
+  /// The error with what a double rounds off of kappa.
+  double radius() const { return error + std::numeric_limits<double>::epsilon() * std::abs(kappa); }
   /// Whether the multipliers leave the unit circle by more than the error allows.
   bool is_unstable() const {
-    return std::abs(kappa.imag()) > error || kappa.real() > error || kappa.real() < -1 - error;
+    const double r = radius();
+    return std::abs(kappa.imag()) > r || kappa.real() > r || kappa.real() < -1 - r;
   }
   /// Error of either multiplier.
   double multiplier_error() const {
-    const double distance = std::max(std::abs(kappa * (1.0 + kappa)), error);
-    return 2 * error * (1 + std::abs(1.0 + 2.0 * kappa) / std::sqrt(distance));
+    const double r = radius(), distance = std::max(std::abs(kappa * (1.0 + kappa)), r);
+    return 2 * r * (1 + std::abs(1.0 + 2.0 * kappa) / std::sqrt(distance)) +
+           2 * std::numeric_limits<double>::epsilon();
   }
 };
 
@@ -130,6 +139,13 @@ the nearest one of the coarser that has not been taken yet. */
 /// The pairs with their errors, in the order of `fine`.
 template <class C, class T>
 std::vector<Pair> compare_pairs(const Pairs<C>& coarse, const Pairs<T>& fine);
+
+/**
+An orbit is unstable if the largest modulus of all multipliers exceeds one by more than its error. Otherwise
+nothing contradicts its stability. */
+/// By how much the largest modulus of the pairs from number `first` on exceeds one; its error allows for those of all
+/// these pairs.
+Estimate excess(const std::vector<Pair>& pairs, std::size_t first = 0);
 
 /**
 ## Two other ways to the pinning pair
