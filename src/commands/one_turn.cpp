@@ -29,7 +29,7 @@ Table OneTurn::table() const {
   // The neighbours start from the steps that have proved to be short enough
   const TurnEstimate read = estimate_turn(runs.coarse, runs.fine);
   const auto neighbours = [&](int more) {
-    const ContactAware at = stepper_for(tolerance, largest_step, runs.halvings + more);
+    const ContactAware at = stepper_for(tolerance, largest_step, runs.stepper.halvings + more);
     return decorrelation_of_impacts(at, v, at, v * (1 + 1e-8), chain, 4 * time);
   };
   const std::array<double, 2> parted{neighbours(0), neighbours(1)};

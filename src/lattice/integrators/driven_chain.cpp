@@ -23,6 +23,7 @@ class DrivenRun {
  public:
   DrivenRun(const DrivenChain& driven, double h)
       : driven_(driven), h_(h), stepper_{h}, memory_(stepper_.memory<double>(driven.chain)) {
+    stepper_.finer = std::max(0, std::ilogb(largest_step / h));
     for (double rate : driven.losses.of_site) friction_.emplace_back(rate, h);
     if (friction_.empty()) friction_.assign(driven.chain.sites, {driven.losses.rate, h});
   }
@@ -154,7 +155,7 @@ Refined<DrivenEnd> run_driven_to(double tolerance, const DrivenChain& driven, St
   const auto unseen = [](const State<double>&, const EnergyBudget&) { return true; };
   auto pair =
       converge(tolerance, [&](const ContactAware& stepper) { return run(stepper, unseen); });
-  state = run(stepper_for(tolerance, largest_step, pair.halvings), observe).end;
+  state = run(pair.stepper, observe).end;
   return pair;
 }
 
