@@ -142,7 +142,10 @@ Refined<DrivenEnd> run_driven_to(double tolerance, const DrivenChain& driven, St
                                  double duration, double sample, const DrivenObserver& observe) {
   assert_usable(state, tolerance);
   const State<double> start = state;
-  const auto run = [&](const ContactAware& stepper, const DrivenObserver& look) {
+  const auto run = [&](ContactAware stepper, const DrivenObserver& look) {
+    // A drive that turns round within a step would be seen at a few phases only
+    if (driven.drive.by != Drive::By::nothing)
+      stepper.step = std::min(stepper.step, 1 / std::abs(driven.drive.omega));
     DrivenEnd out{start, {}, 0, 0};
     out.imbalance = run_driven(driven, out.end, time_grid_for(stepper, duration, sample),
                                [&](const State<double>& now, const EnergyBudget& so_far) {
