@@ -111,7 +111,7 @@ TEST_CASE("what must agree is named, and named again where it does not", "[unit]
   const auto compute = [](const ContactAware& s) { return after_impact(s, 1); };
   const auto loose = converge(1e-2, compute, share), tight = converge(1e-7, compute, share);
   CHECK(tight.error <= 1e-7);
-  CHECK(tight.halvings > loose.halvings);
+  CHECK(tight.stepper.halvings > loose.stepper.halvings);
   const auto message = refusal<RefinementFailed>([&] { converge(0, compute, share); });
   CHECK(message.find("shares of the first bead") != std::string::npos);
   CHECK(message.find("step 0.1:") != std::string::npos);
@@ -231,7 +231,7 @@ TEST_CASE("a step that is too long is halved until a run holds", "[convergence][
     CHECK(runs.fine.end.t == 3);
     CHECK(runs.error <= 1e-4);
     CHECK(runs.fine.run.energy_drift < 1e-5);
-    const auto finer = strike(stepper_for(1e-4, largest_step, runs.halvings + 1), impact);
+    const auto finer = strike(stepper_for(1e-4, largest_step, runs.stepper.halvings + 1), impact);
     CHECK(distance(runs.fine.end, finer.end) <= runs.error);
   }
   // Free flight is no escape, however far it leads

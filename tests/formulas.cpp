@@ -213,6 +213,34 @@ TEST_CASE("a contact that closes and opens within a step", "[unit][formulas]") {
   }
 }
 
+TEST_CASE("a contact that closes or opens between two looks", "[unit][formulas]") {
+  // x = +-(p - (s - c)^2), with sqrt(p) much smaller than the distance of the points at which it is looked at
+  for (double c : {0.11, 0.38, 0.6, 0.9})
+    for (double p : {1e-3, 1e-6}) {
+      CAPTURE(c, p);
+      const auto impulse = [&](double side) {
+        const Quintic<double> x{
+            side * (p - c * c), side * 2 * c, -side, side * (p - (1 - c) * (1 - c)),
+            side * 2 * (c - 1), -side};
+        CHECK(x.may_return());
+        const auto push = [&](double s) { return three_halves(std::max(x(s), 0.0)); };
+        return exact_impulse(x, push, false);
+      };
+      const double all = 3 * std::acos(-1.0) / 8 * p * p;
+      const auto closed = impulse(1), open = impulse(-1);
+      check_close(closed.velocity, all, 1e-8 * all);
+      check_close(closed.position, (1 - c) * all, 1e-8 * all);
+      check_close(closed.reach, p, 1e-8 * p);
+      // The integral of (u^2 - p)^(3/2) from u = sqrt(p) to a
+      const auto side = [&](double a) {
+        const double r = std::sqrt(a * a - p);
+        return a * r * (2 * a * a - 5 * p) / 8 + 3 * p * p / 8 * std::log((a + r) / std::sqrt(p));
+      };
+      check_close(open.velocity, side(c) + side(1 - c), 1e-9);
+    }
+  CHECK_FALSE(Quintic<double>{-0.3, 1, 0, 0.7, 1, 0}.may_return());
+}
+
 TEST_CASE("the look-out's parabola and cubic by hand", "[unit][formulas]") {
   // 3 - 4 t + t^2 leaves the positive side at t = 1, its mirror image the negative one.
   check_close(Overlap<double>{3, -4, 2}.leaves(1), 1, 1e-14);

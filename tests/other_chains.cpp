@@ -342,3 +342,19 @@ TEST_CASE("a driven run for a tolerance balances its budget", "[property][chains
       response = 0.05 / (1 - 1.2 * 1.2 + i * 0.1 * 1.2) * std::exp(i * 1.2 * 400.0);
   check_close(alone.y[0], response.imag(), 1e-7);
 }
+
+TEST_CASE("a drive that is faster than the steps is seen", "[property][chains]") {
+  // With 2 pi / omega = 0.1 and 0.2 the force vanishes at the ends of all steps of the first resolutions
+  for (double omega : {20 * std::acos(-1.0), 10 * std::acos(-1.0), 40.0, 3.0}) {
+    CAPTURE(omega);
+    State<double> state(1);
+    state.y[0] = 1;
+    const auto pair =
+        run_driven_to(1e-4, {Chain{1}, {}, {Drive::By::base, omega, 1}}, state, 10, 10,
+                      [](const State<double>&, const EnergyBudget&) { return true; });
+    const double w = omega, y = std::cos(10) + (std::sin(10 * w) - w * std::sin(10)) / (1 - w * w),
+                 v = -std::sin(10) + w * (std::cos(10 * w) - std::cos(10)) / (1 - w * w);
+    check_close(state.y[0], y, 2 * pair.error);
+    check_close(state.v[0], v, 2 * pair.error);
+  }
+}

@@ -30,8 +30,7 @@ Table OneTurn::table() const {
   const auto runs = converge(
       tolerance, [&](const ContactAware& at) { return voyage(at, chain, v, time); }, SameTurn{});
   const TurnEstimate read = estimate_turn(runs.coarse, runs.fine);
-  const auto parted = decorrelation_to(stepper_for(tolerance, largest_step, runs.halvings), v, 1e-8,
-                                       chain_for(4 * time), 4 * time);
+  const auto parted = decorrelation_to(runs.stepper, v, 1e-8, chain_for(4 * time), 4 * time);
   const Turn turn = runs.fine.turn();
   const std::string by = " by t = " + short_text(time),
                     on = "the packet has not come back by five sites" + by;

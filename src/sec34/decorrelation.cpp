@@ -17,7 +17,8 @@ std::optional<Estimate> decorrelation_to(const ContactAware& largest, double vel
                                          const Chain& chain, double time) {
   const auto parted = [&](int one, int other) {
     ContactAware first = largest, second = largest;
-    first.halvings += one, second.halvings += other;
+    first.halvings += one, first.finer += one;
+    second.halvings += other, second.finer += other;
     return decorrelation_of_impacts(first, velocity, second, velocity * (1 + delta), chain, time);
   };
   double coarse = parted(0, 0);

@@ -53,6 +53,26 @@ struct Care {
 };
 
 /**
+The detection sees a contact only if its steps are shorter than the contact. A collision with twice the amplitude as
+its speed is the hardest that we expect, and the frequency that the overlap reaches in it tells how short it is.
+Only stiff contacts and light beads shorten the usual step. */
+template <class T>
+T sight_of(const Chain& chain, const EventTolerance<T>& rule, double amplitude) {
+  double fastest = 0;
+  for (std::size_t i = 0; i <= chain.sites; ++i) {
+    if (!touches(chain, i)) continue;
+    const double inverse = (i > 0 ? inverse_mass<double>(chain, i - 1) : 0) +
+                           (i < chain.sites ? inverse_mass<double>(chain, i) : 0);
+    const double d = chain.contact.opening(), eta = chain.eta_of(i);
+    const auto energy = [&](double x) { return inverse * eta * chain.contact.energy(d - x); };
+    double x = 1;
+    while (x > 1e-30 && energy(x) > energy(0) + 2 * amplitude * amplitude) x /= 2;
+    fastest = std::max(fastest, std::sqrt(inverse * eta * chain.contact.stiffness(d - x)));
+  }
+  return std::min(rule.sight, T(3 / fastest));
+}
+
+/**
 A run from landing to landing is called a flight. It remembers on which side of zero each overlap is: $+1$
 closed, $-1$ open, 0 not yet known (both beads at rest). Time is counted backwards, as what is left of the
 duration, so that tiny intervals are known to full relative precision. */
@@ -107,6 +127,7 @@ EventIntegrator<T>::EventIntegrator(const Chain& chain, const State<T>& state, T
       crossing_(chain, rule, largest(state)) {
   z_.insert(z_.end(), state.v.begin(), state.v.end());
   z_.push_back(T(0));
+  rule_.sight = sight_of(chain, rule, double(largest(state)));
   const std::vector<T> a = accelerations(chain_, state.y);
   for (std::size_t i = 0; i <= chain_.sites; ++i) {
     const Overlap<T> o = overlap(z_, a, i);

@@ -29,6 +29,7 @@ ContactAware stepper_for(double tolerance, double step, int halvings) {
   ContactAware stepper{step};
   if (tolerance < 1e-10) stepper.base = nystrom(blanes_moan_6_14());
   stepper.halvings = halvings;
+  stepper.finer = halvings;
   return stepper;
 }
 

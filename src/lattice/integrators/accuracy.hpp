@@ -115,12 +115,12 @@ whether the tolerance was reached. */
 template <class Result>
 struct Refined {
   Result coarse, fine;
-  double error;          ///< of what must agree: the difference of the two
-  double step;           ///< of the finer run, before it is fitted to the samples
-  bool converged;        ///< whether the error is below the tolerance
-  std::string history;   ///< steps and errors of all attempts, for messages
-  int halvings = 0;      ///< of the finer run
-  bool gave_up = false;  ///< whether shorter steps were not tried any more
+  double error;            ///< of what must agree: the difference of the two
+  double step;             ///< of the finer run, before it is fitted to the samples
+  bool converged;          ///< whether the error is below the tolerance
+  std::string history;     ///< steps and errors of all attempts, for messages
+  ContactAware stepper{};  ///< of the finer run
+  bool gave_up = false;    ///< whether shorter steps were not tried any more
 };
 
 /// The run that belongs to a result; an empty one if none does.
@@ -175,9 +175,13 @@ class Refinement {
   explicit Refinement(double tolerance, Differ differ = {}, GiveUp give_up = {})
       : tolerance_(tolerance), differ_(std::move(differ)), give_up_(give_up) {}
 
-  /// Whether another run is wanted, and its stepper.
+  /// Whether another run is wanted, and its stepper; fast contacts are resolved better with every run that held.
   bool wants_more() const { return !done_; }
-  ContactAware stepper() const { return stepper_for(tolerance_, largest_step, runs_); }
+  ContactAware stepper() const {
+    ContactAware next = stepper_for(tolerance_, largest_step, runs_);
+    next.finer = attempts_.held + 1;
+    return next;
+  }
   /// Takes the run that was made with it. Throws std::logic_error if it ignores the halvings of its stepper, so that
   /// it is the one before.
   void add(Result run);
@@ -197,6 +201,7 @@ class Refinement {
 
 template <class Result, class Differ, class GiveUp>
 void Refinement<Result, Differ, GiveUp>::add(Result fine) {
+  const ContactAware made_with = stepper();
   const int k = runs_++;
   const Run b = run_of(fine);
   if (k == 0) {
@@ -219,14 +224,9 @@ void Refinement<Result, Differ, GiveUp>::add(Result fine) {
       !good && !attempts_.spent && !early && give_up_(error, tolerance_, attempts_.held);
   done_ = good || attempts_.spent || vain;
   if (done_)
-    pair_ = Refined<Result>{std::move(coarse),
-                            std::move(fine),
-                            error,
-                            std::ldexp(largest_step, -k),
-                            good,
-                            attempts_.history,
-                            k,
-                            vain};
+    pair_ = Refined<Result>{
+        std::move(coarse), std::move(fine), error, std::ldexp(largest_step, -k), good,
+        attempts_.history, made_with,       vain};
   else
     last_ = std::move(fine);
 }
@@ -296,8 +296,7 @@ Run evolve_to(double tolerance, const Chain& chain, State<double>& state, double
   const auto pair = converge(tolerance, [&](const ContactAware& stepper) {
     return end_of_run(stepper, chain, state, duration, sample);
   });
-  Run run = evolve(stepper_for(tolerance, largest_step, pair.halvings), chain, state, duration,
-                   sample, std::move(observe));
+  Run run = evolve(pair.stepper, chain, state, duration, sample, std::move(observe));
   run.error = pair.error;
   return run;
 }

@@ -33,6 +33,9 @@ LATTICE_WIDE void sweep_terms(const T* __restrict__ y, const T* __restrict__ v, 
   }
 }
 
+/// How often a step is divided at most.
+constexpr std::size_t most_divisions = 12;
+
 /**
 The scheme of six stages has at most six terms in a sum, the splitting with fourteen evaluations at most
 fifteen. Each number of triples has its own loop, which passes over the sites once. */
@@ -82,15 +85,19 @@ inline __attribute__((always_inline)) bool is_singular(T x0, T w0, T x1, T w1, T
   return ((std::max(x0, x1) > small) | bulge) & ((least <= T(0)) | dip);
 }
 
-/// Flags singular contacts between neighbours: flag[i] is that of sites i and i + 1. A flag is as wide as
-/// a number, so that the loop vectorises without packing.
+/// Flags contacts between neighbours, singular ones by 1 and those with an overlap above `tight` by 2: flag[i] is
+/// that of sites i and i + 1. A flag is as wide as a number, so that the loop vectorises without packing.
 template <class T>
 LATTICE_WIDE void sweep_singular(const T* __restrict__ y0, const T* __restrict__ v0,
                                  const T* __restrict__ y1, const T* __restrict__ v1, T opening, T h,
-                                 T small, std::uint64_t* __restrict__ flag, std::size_t n) {
-  for (std::size_t i = 0; i < n; ++i)
-    flag[i] = is_singular<T>(opening - (y0[i + 1] - y0[i]), -h * (v0[i + 1] - v0[i]),
-                             opening - (y1[i + 1] - y1[i]), -h * (v1[i + 1] - v1[i]), small);
+                                 T small, T tight, std::uint64_t* __restrict__ flag,
+                                 std::size_t n) {
+  for (std::size_t i = 0; i < n; ++i) {
+    const T x0 = opening - (y0[i + 1] - y0[i]), x1 = opening - (y1[i + 1] - y1[i]);
+    flag[i] = std::uint64_t(is_singular<T>(x0, -h * (v0[i + 1] - v0[i]), x1,
+                                           -h * (v1[i + 1] - v1[i]), small)) |
+              std::uint64_t(std::max(x0, x1) > tight) << 1;
+  }
 }
 
 }  // namespace
@@ -110,17 +117,9 @@ NystromMemory<T>::NystromMemory(const Nystrom& base, std::size_t sites, double n
   v.resize(sites), shift.resize(sites);
   y.assign(base.c.size(), v), a = y;
   shift_weight.resize(y.size());
-  flag.resize(sites), correction.resize(sites + 1);
+  flag.resize(sites), correction.resize(sites + 1), prepared.resize(most_divisions + 1);
   for (std::size_t i = 0; i < y.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) shift_weight[j] += T(base.b[i] * base.a[i][j]);
-}
-template <class T>
-void NystromMemory<T>::prepare(const Nystrom& base, double h) {
-  if (h == prepared) return;
-  sums.clear();
-  for (const auto& row : base.a) sums.emplace_back(row, h * h);
-  sums.emplace_back(base.b, h);
-  prepared = h;
 }
 
 template <class T>
@@ -140,6 +139,8 @@ struct NystromStep {
   const Nystrom& base;
   const Chain& chain;
   const C& contact;
+  const int finer;
+  const Accelerate<T> accelerate = accelerator<T>(chain);
 
   /**
   A stage is one sweep along the moving sites. To correct a contact we then need what its overlap did in
@@ -161,24 +162,66 @@ struct NystromStep {
             d - across(y),       -h * across(at.v),    -half * across(a)};
   }
 
+  /// The square of the frequency of contact `i` at the overlap `x`; zero where the motion is lost.
+  T square_frequency(std::size_t i, T x) const {
+    if (!(x < T(escape_displacement))) return T(0);
+    const T inverse = (i > 0 ? inverse_mass<T>(chain, i - 1) : T(0)) +
+                      (i < chain.sites ? inverse_mass<T>(chain, i) : T(0));
+    return inverse * T(chain.eta_of(i)) * contact.stiffness(T(contact.opening()) - x);
+  }
+
+  /// Makes the sums for steps of length `h`, unless they are those of the last call. The smallest overlap that may be
+  /// too fast is found among the powers of two.
+  void prepare(StepSums<T>& step, double h, double frequency) const {
+    if (h == step.length) return;
+    step = {h};
+    for (const auto& row : base.a) step.sums.emplace_back(row, h * h);
+    step.sums.emplace_back(base.b, h);
+    step.fast = T(frequency * frequency), step.tight = T(1);
+    const auto fits = [&](T x) {
+      T most(0);
+      for (std::size_t i = 0; i <= chain.sites; ++i) most = std::max(most, square_frequency(i, x));
+      return most <= step.fast;
+    };
+    while (step.tight < T(escape_displacement) && fits(T(2) * step.tight)) step.tight *= T(2);
+    while (step.tight > T(1e-30) && !fits(step.tight)) step.tight /= T(2);
+  }
+
+  /// Whether a step like `now` is too long for contact `i` at the overlap `x`.
+  bool too_fast(std::size_t i, T x, const StepSums<T>& now) const {
+    return x > now.tight && square_frequency(i, x) > now.fast;
+  }
+
   /**
   Few contacts switch in a step, but all have to be looked at. Those between two beads are tested in one
   vectorised pass without branches, after which the flagged ones are gathered. The contacts at the ends of
   the chain depend on the boundary condition and are tested one by one. */
-  void find(const State<T>& state, Window window, T h, NystromMemory<T>& at) const {
+  /// Lists the singular contacts; whether none that is closed at an end of the step is too fast.
+  bool find(const State<T>& state, Window window, T h, const StepSums<T>& now,
+            NystromMemory<T>& at) const {
     const std::size_t n = chain.sites, left = std::max<std::size_t>(window.first, 1) - 1;
     const std::size_t inner = std::min(window.last, n - 1) - left;
+    bool slow = true;
+    const auto enter = [&](std::size_t i, std::uint64_t flag) {
+      if (flag & 1) at.contacts.push_back(i);
+      if (flag & 2) {
+        const Quintic<T> x = overlap_during(state, i, h, at);
+        slow &= !too_fast(i, std::max(x.x0, x.x1), now);
+      }
+    };
     const auto try_end = [&](std::size_t i) {
       const Quintic<T> x = overlap_during(state, i, h, at);
-      if (is_singular(x.x0, x.w0, x.x1, x.w1, at.small)) at.contacts.push_back(i);
+      enter(i, is_singular(x.x0, x.w0, x.x1, x.w1, at.small) ? 3 : 2);
     };
     at.contacts.clear();
     if (chain.boundary().pushes(0) && window.first == 0) try_end(0);
     sweep_singular<T>(state.y.data() + left, state.v.data() + left, at.y[base.last()].data() + left,
-                      at.v.data() + left, T(contact.opening()), h, at.small, at.flag.data(), inner);
+                      at.v.data() + left, T(contact.opening()), h, at.small, now.tight,
+                      at.flag.data(), inner);
     for (std::size_t k = 0; k < inner; ++k)
-      if (at.flag[k]) at.contacts.push_back(left + 1 + k);
+      if (at.flag[k]) enter(left + 1 + k, at.flag[k]);
     if (chain.boundary().pushes(n) && window.last == n) try_end(n);
+    return slow;
   }
 
   /**
@@ -193,13 +236,14 @@ struct NystromStep {
     const auto push = [&](T s) { return eta * (contact.force(d - x(s)) - open); };
     Impulse<T> sum = exact_impulse(x, push, twice != std::floor(twice));
     for (std::size_t k = 0; k <= last; ++k) {
-      const std::vector<T>& y = k > 0 ? at.y[k] : state.y;
-      const T f = eta * contact.force(stretch(chain, y.data(), i)) - eta * open;
+      const T r = stretch(chain, k > 0 ? at.y[k].data() : state.y.data(), i);
+      const T f = eta * contact.force(r) - eta * open;
+      sum.reach = std::max(sum.reach, d - r);
       sum.velocity -= T(base.b[k]) * f;
       sum.position -= k < last ? T(base.a[last][k]) * f : T(0);
       sum.shift -= at.shift_weight[k] * f;
     }
-    return {h * sum.velocity, h * h * sum.position, h * h * h * sum.shift};
+    return {h * sum.velocity, h * h * sum.position, h * h * h * sum.shift, sum.reach};
   }
 
   /**
@@ -265,16 +309,26 @@ struct NystromStep {
   /**
   All corrections are computed before any is made, so that left and right are treated alike. At the end the
   memory is cleared again at the sites that were touched. */
-  void correct(const State<T>& state, Window& window, T h, NystromMemory<T>& at) const {
-    if (window.first != window.last) find(state, window, h, at);
-    if (at.contacts.empty()) return;
-    for (std::size_t i : at.contacts) at.correction[i] = defect(state, i, h, at);
-    exchange_impulses(window, at);
-    repair_forces(window, at);
-    near_contacts(at, 1, [&](std::size_t n) { at.shift[n] = T(0); });
+  /// Whether the step resolves all contacts; otherwise, unless it is the `last` resort, nothing is corrected.
+  bool correct(const State<T>& state, Window& window, T h, bool last, const StepSums<T>& now,
+               NystromMemory<T>& at) const {
+    bool good = window.first == window.last || find(state, window, h, now, at) || last;
+    if (at.contacts.empty() || !good) return good;
+    for (std::size_t i : at.contacts) {
+      at.correction[i] = defect(state, i, h, at);
+      good &= last || !too_fast(i, at.correction[i].reach, now);
+    }
+    if (good) {
+      exchange_impulses(window, at);
+      repair_forces(window, at);
+      near_contacts(at, 1, [&](std::size_t n) { at.shift[n] = T(0); });
+    }
     for (std::size_t i : at.contacts) at.correction[i] = {};
+    return good;
   }
 
+  double step(State<T>& state, Window& window, double h, std::size_t divided,
+              NystromMemory<T>& at) const;
   double run(State<T>& state, Window& window, double h, std::size_t count,
              NystromMemory<T>& at) const;
 };
@@ -282,28 +336,42 @@ struct NystromStep {
 /**
 A step is an ordinary one followed by the corrections. Its last stage is the new state, which is
 corrected in place, and the accelerations there are those with which the next step begins: they are
-swapped at no cost, and one evaluation of the force is saved. */
+swapped at no cost, and one evaluation of the force is saved. A step that is too long for a contact leaves state and
+accelerations as they were, and its halves are tried. */
+template <class T, class C>
+double NystromStep<T, C>::step(State<T>& state, Window& window, double h, std::size_t divided,
+                               NystromMemory<T>& at) const {
+  const std::size_t last = base.last();
+  double work = 0;
+  StepSums<T>& now = at.prepared[divided];
+  prepare(now, h, std::ldexp(divided > 0 ? 0.125 : 0.5, -std::min(finer, 3)) / h);
+  for (std::size_t i = 1; i <= last; ++i) {
+    combine(state.y, state.v, base.c[i] * h, now.sums[i], window, at, at.y[i]);
+    accelerate(chain, at.y[i].data(), at.a[i].data(), window);
+    work += double(window.last - window.first);
+  }
+  combine(state.v, state.v, 0, now.sums.back(), window, at, at.v);
+  if (!correct(state, window, T(h), divided == most_divisions, now, at)) {
+    heed_stop();
+    const int parts = divided == 0 ? 2 + finer % 2 : 2;
+    for (int k = 0; k < parts; ++k) work += step(state, window, h / parts, divided + 1, at);
+    return work;
+  }
+  std::swap(state.y, at.y[last]), std::swap(state.v, at.v), std::swap(at.a[0], at.a[last]);
+  std::swap(at.row[0], at.row[last]);
+  return work;
+}
+
 template <class T, class C>
 double NystromStep<T, C>::run(State<T>& state, Window& window, double h, std::size_t count,
                               NystromMemory<T>& at) const {
-  const auto accelerate = accelerator<T>(chain);
-  const std::size_t last = base.last();
-  at.prepare(base, h);
   at.row.clear();
   for (const std::vector<T>& stage : at.a) at.row.push_back(stage.data());
   accelerate(chain, state.y.data(), at.a[0].data(), window);
   double work = double(window.last - window.first);
   for (std::size_t k = 0; k < count; ++k) {
     if (k % 64 == 63) heed_stop();
-    for (std::size_t i = 1; i <= last; ++i) {
-      combine(state.y, state.v, base.c[i] * h, at.sums[i], window, at, at.y[i]);
-      accelerate(chain, at.y[i].data(), at.a[i].data(), window);
-      work += double(window.last - window.first);
-    }
-    combine(state.v, state.v, 0, at.sums.back(), window, at, at.v);
-    correct(state, window, T(h), at);
-    std::swap(state.y, at.y[last]), std::swap(state.v, at.v), std::swap(at.a[0], at.a[last]);
-    std::swap(at.row[0], at.row[last]);
+    work += step(state, window, h, 0, at);
   }
   return work;
 }
@@ -315,12 +383,13 @@ double ContactAware::advance(const Chain& chain, State<T>& state, Window& window
                              std::size_t count, NystromMemory<T>& at) const {
   double work = 0;
   detail::with_kind(chain.contact, [&]<class C>(const C& contact) {
-    work = detail::NystromStep<T, C>{base, chain, contact}.run(state, window, h, count, at);
+    work = detail::NystromStep<T, C>{base, chain, contact, finer}.run(state, window, h, count, at);
   });
   return work;
 }
 
 template struct StageSum<double>;
+template struct StepSums<double>;
 template struct NystromMemory<double>;
 template NystromMemory<double> ContactAware::memory<double>(const Chain&) const;
 template double ContactAware::advance<double>(const Chain&, State<double>&, Window&, double,

@@ -36,27 +36,32 @@ struct StageSum {
   StageSum(const std::vector<double>& row, double scale);
 };
 
+/// The sums for steps of one length, and the bounds beyond which such a step does not resolve a contact.
+template <class T>
+struct StepSums {
+  double length = 0;
+  std::vector<StageSum<T>> sums{};  ///< of the stages and, last, of the velocities
+  T fast{}, tight{};  ///< the square of a frequency, and the smallest overlap that may have it
+};
+
 /**
 A run consists of many short calls of the stepper, and allocating the stages anew in each would cost more
 than the steps. So the memory is set up once and serves the whole run; outside the window of moving sites
 it stays zero. It also keeps the weights $\sum_i b_i a_{ij}$ with which an error in the force reaches the
-velocity through the stages, and the sums for the latest step length (`prepare`). */
+velocity through the stages, and the sums for the latest step lengths. */
 template <class T>
 struct NystromMemory {
   std::vector<std::vector<T>> y{}, a{};  ///< of the stages; the first y is that of the state
   std::vector<T> v{}, shift{};           ///< new velocities; what the stages' positions lacked
   std::vector<T> shift_weight{};         ///< $\sum_i b_i a_{ij}$
-  std::vector<StageSum<T>> sums{};       ///< of the stages and, last, of the velocities
-  double prepared = 0;                   ///< the step for which the sums hold
-  std::vector<const T*> row{};           ///< where the accelerations of the stages are
-  std::vector<std::uint64_t> flag{};     ///< singular contacts,
-  std::vector<std::size_t> contacts{};   ///< the list of them, ascending,
+  std::vector<StepSums<T>> prepared{};  ///< for the latest steps, undivided, divided once and so on
+  std::vector<const T*> row{};          ///< where the accelerations of the stages are
+  std::vector<std::uint64_t> flag{};    ///< singular contacts,
+  std::vector<std::size_t> contacts{};  ///< the list of them, ascending,
   std::vector<Impulse<T>> correction{};  ///< and what each one needs, zero for all the others
   T small;                               ///< overlap that is not worth a correction
   /// `negligible` becomes `small`.
   NystromMemory(const Nystrom& base, std::size_t sites, double negligible);
-  /// Makes the sums for steps of length `h`, unless they are those of the last call.
-  void prepare(const Nystrom& base, double h);
 };
 
 /**
@@ -67,11 +72,21 @@ which the same quadrature gives. So we subtract
 $$\frac{K h^3}{\mu}\Bigl[\int_0^1 \tfrac12 (1-s)^2 F\,ds
  - \sum_j \Bigl(\sum_i b_i a_{ij}\Bigr) F_j\Bigr] = O(h^{9/2}).$$
 What remains are errors in $h^5$ per switching, mostly from the quintic. The scheme is neither symplectic
-nor reversible; its energy drifts by as much as its error. */
+nor reversible; its energy drifts by as much as its error.
+
+All this takes the overlap within a step from the motion that the stages saw. Under a stiff contact, or one of
+light beads, the overlap vibrates with the frequency $\omega$, $\omega^2 = \eta V''\,(1/\mu_n + 1/\mu_{n+1})$,
+and once $\omega h$ is of order one it may close, turn round and open between two stages. The impulse is then that of a
+motion which does not happen, and since the contact may be as short in half the step two resolutions can agree on it.
+So a step in which a closed contact has $\omega h > 1/2$ is divided into halves, again and again, until
+$\omega h < 1/8$ wherever a contact is closed. Both numbers are halved with the steps of a refinement (`finer`),
+three times; then the contacts are as exact as rounding allows. Every other resolution begins with thirds, so that
+two of them have no steps in common. Beads of unit mass whose overlaps are below four do not know of all this. */
 struct ContactAware {
   double step;  ///< the largest that it may take
   Nystrom base = dormand_prince_6();
   double negligible = 1e-19;  ///< contact force that is not worth a correction
+  int finer = 0;              ///< how often the resolution of fast contacts is doubled
   int halvings = 0;  ///< how often a run halves the steps that `step` asks for (accuracy.hpp)
 
   /**

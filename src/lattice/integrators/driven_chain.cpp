@@ -23,6 +23,7 @@ class DrivenRun {
  public:
   DrivenRun(const DrivenChain& driven, double h)
       : driven_(driven), h_(h), stepper_{h}, memory_(stepper_.memory<double>(driven.chain)) {
+    stepper_.finer = std::max(0, std::ilogb(largest_step / h));
     for (double rate : driven.losses.of_site) friction_.emplace_back(rate, h);
     if (friction_.empty()) friction_.assign(driven.chain.sites, {driven.losses.rate, h});
   }
@@ -141,7 +142,10 @@ Refined<DrivenEnd> run_driven_to(double tolerance, const DrivenChain& driven, St
                                  double duration, double sample, const DrivenObserver& observe) {
   assert_usable(state, tolerance);
   const State<double> start = state;
-  const auto run = [&](const ContactAware& stepper, const DrivenObserver& look) {
+  const auto run = [&](ContactAware stepper, const DrivenObserver& look) {
+    // A drive that turns round within a step would be seen at a few phases only
+    if (driven.drive.by != Drive::By::nothing)
+      stepper.step = std::min(stepper.step, 1 / std::abs(driven.drive.omega));
     DrivenEnd out{start, {}, 0, 0};
     out.imbalance = run_driven(driven, out.end, time_grid_for(stepper, duration, sample),
                                [&](const State<double>& now, const EnergyBudget& so_far) {
@@ -154,7 +158,7 @@ Refined<DrivenEnd> run_driven_to(double tolerance, const DrivenChain& driven, St
   const auto unseen = [](const State<double>&, const EnergyBudget&) { return true; };
   auto pair =
       converge(tolerance, [&](const ContactAware& stepper) { return run(stepper, unseen); });
-  state = run(stepper_for(tolerance, largest_step, pair.halvings), observe).end;
+  state = run(pair.stepper, observe).end;
   return pair;
 }
 

@@ -11,6 +11,7 @@ the overlap, its rate and its acceleration at the two ends of the step, in three
 its roots, and a quadrature to which the singular point does no harm. contact_rkn.hpp puts such impulses
 into its steps. */
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
@@ -32,6 +33,18 @@ struct Quintic {
   T c5 = T(6) * d - T(3) * e + f;
   /// The overlap at s.
   T operator()(T s) const { return x0 + s * (w0 + s * (g0 + s * (c3 + s * (c4 + s * c5)))); }
+  /// Whether it can change its sign more than once in (0, 1): no more often than its Bernstein coefficients do.
+  bool may_return() const {
+    const T b[]{x0,
+                x0 + w0 / T(5),
+                x0 + (T(4) * w0 + g0) / T(10),
+                x1 - (T(4) * w1 - g1) / T(10),
+                x1 - w1 / T(5),
+                x1};
+    int changes = 0;
+    for (std::size_t k = 1; k < std::size(b); ++k) changes += (b[k] > T(0)) != (b[k - 1] > T(0));
+    return changes > 1;
+  }
   /// Its derivative by s.
   T slope(T s) const {
     return w0 + s * (T(2) * g0 + s * (T(3) * c3 + s * (T(4) * c4 + s * T(5) * c5)));
@@ -61,6 +74,7 @@ T root_between(const Quintic<T>& x, T lo, T hi, T below, T above) {
 template <class T>
 struct Impulse {
   T velocity{}, position{}, shift{};
+  T reach{};  ///< the largest overlap that was met
 };
 
 /// Gauss-Legendre with eight nodes in (-1, 1), and their weights.
@@ -103,7 +117,8 @@ void add_piece(const Push& push, T a, T b, T root, bool fourth, Impulse<T>& sum)
 
 /**
 Now the impulse over the whole step is put together. While the contact is closed, $x > 0$, it acts from
-one root of the quintic to the next. We look for changes of sign between the `probe` points. Roots more
+one root of the quintic to the next. We look for changes of sign between the `probe` points, and inside the
+step also where it turns round between two of them: a contact may be shorter than their distance. Roots more
 than a step outside do not matter, since the force is smooth enough for the eight nodes. A piece between
 two roots is cut in the middle, and each half is referred to its own root. */
 /// `push(s)` is the force at s while the contact is closed; `fourth` where twice its exponent is no integer.
@@ -112,21 +127,38 @@ Impulse<T> exact_impulse(const Quintic<T>& x, const Push& push, bool fourth) {
   static constexpr double probe[]{-1, -0.5, 0, 0.25, 0.5, 0.75, 1, 1.5, 2};
   T at[std::size(probe)];
   for (std::size_t k = 0; k < std::size(probe); ++k) at[k] = x(T(probe[k]));
+  const bool twice = x.may_return();
   Impulse<T> sum;
   T left(-1);
   bool closed = at[0] > T(0), left_root = false;
   const auto stretch = [&](T right, bool right_root) {
     const T a = left > T(0) ? left : T(0), b = right < T(1) ? right : T(1);
     if (!(a < b)) return;
+    sum.reach = std::max(sum.reach, x((a + b) / T(2)));
     const T cut = !right_root ? b : (left_root ? (a + b) / T(2) : a);
     if (a < cut) add_piece(push, a, cut, left, fourth, sum);
     if (cut < b) add_piece(push, cut, b, right, fourth, sum);
   };
-  for (std::size_t k = 1; k < std::size(probe); ++k) {
-    if ((at[k] > T(0)) == closed) continue;
-    const T root = root_between(x, T(probe[k - 1]), T(probe[k]), at[k - 1], at[k]);
+  const auto pass = [&](T low, T high, T below, T above) {
+    if ((above > T(0)) == closed) return;
+    const T root = root_between(x, low, high, below, above);
     if (closed) stretch(root, true);
     left = root, left_root = true, closed = !closed;
+  };
+  for (std::size_t k = 1; k < std::size(probe); ++k) {
+    T low(probe[k - 1]), below = at[k - 1];
+    const T high(probe[k]), out = closed ? T(1) : T(-1);
+    if (twice && low >= T(0) && high <= T(1) && out * at[k] > T(0) && out * x.slope(low) < T(0) &&
+        out * x.slope(high) > T(0)) {
+      T turn = low, end = high;
+      for (int i = 0; i < 24; ++i) {
+        const T middle = (turn + end) / T(2);
+        (out * x.slope(middle) > T(0) ? end : turn) = middle;
+      }
+      pass(low, turn, below, x(turn));
+      low = turn, below = x(turn);
+    }
+    pass(low, high, below, at[k]);
   }
   if (closed) stretch(T(2), false);
   return sum;
