@@ -380,10 +380,10 @@ class Chain(_lattice.Chain):
         leaves no difference, as in a chain at rest.
 
         With damping or a force the quantities are error, injected, dissipated and energy (what the force gave, what the
-        damping took, what is there at the end; their errors are differences of two runs) and imbalance (largest deviation of
-        energy + dissipated - injected from its value at the start, relative to the most energy that was there or came in);
-        the arrays injected_t, dissipated_t and energy_t say the same of every sample. Damping and force are of order two in the
-        step, so that a tolerance below 1e-6 is seldom reached."""
+        damping took, what is there at the end; their error is the largest of their differences in two runs) and imbalance
+        (largest deviation of energy + dissipated - injected from its value at the start, relative to the most energy that
+        was there or came in); the arrays injected_t, dissipated_t and energy_t say the same of every sample. Damping and
+        force are of order two in the step, so that a tolerance below 1e-6 is seldom reached."""
         y, v = self._rows(y=y, v=v)
         if y.ndim != 1:
             raise ValueError(f"y and v: shape {y.shape} (allowed: ({self.sites},), one number a site)")

@@ -324,6 +324,22 @@ class OwnChains(unittest.TestCase):
         self.assertEqual(bits(chain.evolve(rest, np.eye(20)[0], 30, damping=0, force=0, frequency=7).y), bits(plain.y))
         self.assertEqual(list(plain.quantities), ["error", "energy_drift"])
 
+    def test_what_is_faster_than_the_steps(self):
+        """A stiff contact of 0.02 units of time (DOP853 between the zeros of the overlap), and a force of ten turns a unit."""
+        a, f = 1 + 4.8e-5, 3.29614
+        run = lattice.Chain(2, mass=[1, 1e6], eta=[0, 1e5, 0]).evolve([a * math.cos(f), 1], [-a * math.sin(f), 0], 6)
+        np.testing.assert_allclose(run.y[-1], [-0.991841245840, 0.999982001374], rtol=0, atol=3e-9)
+        w = 20 * math.pi
+        run = lattice.Chain(2, eta=0).evolve([1, 0], [0, 0], 10, force=1, frequency=w)
+        want = math.cos(10) + (math.sin(10 * w) - w * math.sin(10)) / (1 - w**2)
+        self.assertLess(abs(run.y[-1, 0] - want), 3 * run.error)
+        # What three quantities are off by adds up to nothing: a small difference of one alone is chance
+        force = dict(damping=[0.02157, 0.00728, 0, 0.02613], force=0.4785, frequency=0.3997)
+        run = lattice.Chain(4, eta=[0, 0.01, 1.4e4, 0.015, 0]).evolve([-0.5757, 0.1428, 0.8524, 0.5865],
+                                                                      [-0.6745, 0.3928, -0.4321, 0.3976], 5.53, tolerance=6e-5, **force)
+        for name, want in (("injected", 0.50277154), ("dissipated", 0.11219036)):
+            self.assertLess(abs(getattr(run, name) - want), getattr(run, name).error)
+
     def test_a_pattern_is_repeated(self):
         self.assertEqual(bits(lattice.Chain(20, mass=[1, 0.5]).mass), bits([1, 0.5] * 10))
         self.assertEqual(bits(lattice.Chain(5, mass=(1, 0.5)).mass), bits([1, 0.5, 1, 0.5, 1]))
