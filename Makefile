@@ -209,10 +209,11 @@ test-fuzz: install-deps
 	@LATTICE_SLACK=12 $(or $(PYTHON),python3) tests/fuzz.py $(B)/asan/bin $(COUNT) $(SEED)
 
 ## test-python: the tests of the Python module, which is built with sanitizers for it (long)
+test-python: export ASAN_OPTIONS := detect_leaks=0:verify_asan_link_order=0
 test-python: programs
 	@cmake --preset asan > /dev/null
 	@sh tools/build.sh $(B)/asan $(JOBS) python_module
-	@LATTICE_SLACK=12 ASAN_OPTIONS=detect_leaks=0 PYTHONPATH=$(B)/asan/python \
+	@LATTICE_SLACK=12 PYTHONPATH=$(B)/asan/python \
 	  LD_PRELOAD="$$(c++ -print-file-name=libasan.so) $$(c++ -print-file-name=libstdc++.so)" \
 	  $(call with,numpy) python/tests.py $(B)/bin
 

@@ -7,7 +7,6 @@ programs, and nothing is decided here. What is added is what Python needs: array
 are written in Python, and a way to stop. The package around it (package.py) has the names and the
 documentation. */
 
-#include <cxxabi.h>
 #include <gsl/gsl_errno.h>
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
@@ -57,12 +56,13 @@ using Words = std::vector<std::string>;
 An interpreter that exits ends every other thread that wants its lock, or runs its code, by unwinding its stack. Our
 frames are not made for that: destructors would let go of objects without the lock, and the process would abort. Such a
 thread waits instead until the process is gone, as it does from Python 3.14 on. */
-/// What a function of the interpreter returns, if it returns.
+/// What a function of the interpreter, or of numpy, which lets go of the lock to copy, returns, if it returns.
 template <class Ask>
 auto ask_interpreter(Ask ask) {
   try {
     return ask();
-  } catch (const abi::__forced_unwind&) {
+  } catch (...) {
+    if (std::current_exception()) throw;  // an exception of C++, as that unwinding is not
     for (;;) std::this_thread::sleep_for(std::chrono::hours(1));
   }
 }
@@ -159,7 +159,6 @@ class Rows {
   void call(py::function Functions::*which, const char* name, const T* x, T* out,
             std::size_t n) const {
     const WithLock with_lock;
-    // numpy, too, lets go of the lock and asks for it again
     const auto given = ask_interpreter([&] { return py::array_t<T>(py::ssize_t(n), x); });
     const auto said = py::reinterpret_steal<py::object>(ask_interpreter(
         [&] { return PyObject_CallOneArg(((*functions_).*which).ptr(), given.ptr()); }));
@@ -266,7 +265,7 @@ py::object own_in(const Any& any) {
 
 A column becomes an array of its own type. */
 py::object array_of(const std::vector<double>& x) {
-  return py::array_t<double>(py::ssize_t(x.size()), x.data());
+  return ask_interpreter([&] { return py::array_t<double>(py::ssize_t(x.size()), x.data()); });
 }
 
 py::object column_of(const Table& table, std::size_t k) {
@@ -274,7 +273,8 @@ py::object column_of(const Table& table, std::size_t k) {
   py::list out;
   for (const auto& row : table.rows)
     std::visit([&](const auto& cell) { out.append(cell); }, row[k]);
-  if (table.columns[k].kind == Kind::integer) return py::array::ensure(out);
+  if (table.columns[k].kind == Kind::integer)
+    return ask_interpreter([&] { return py::array::ensure(out); });
   return out;
 }
 
