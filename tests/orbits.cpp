@@ -261,6 +261,17 @@ struct Naive {
 
 }  // namespace
 
+TEST_CASE("an iteration that leaps to violent motions ends", "[unit][orbits]") {
+  // Its next flow took minutes, and the one after that for ever
+  for (const auto& [alpha, s] : {std::pair(2.5, 3.0), {2.5, 3.1}, {2.5, 2.9}}) {
+    Problem problem = breather_problem(Centre::site, 1.1, s, 61);
+    problem.chain.contact = PowerContact{alpha};
+    CAPTURE(alpha, s);
+    const std::string why = refusal<NewtonFailed>([&] { find_breather(problem); });
+    CHECK(why.find("it leaps off, from a guess of size 0.2 to") != std::string::npos);
+  }
+}
+
 TEST_CASE("an orbit that shrinks to rest is none", "[unit][orbits]") {
   // The breather of spheres is a bad guess for other contacts: numbers of size 1e-321 came of it
   Problem problem = breather_problem(Centre::bond, 1.05, 0, 16);
