@@ -261,6 +261,25 @@ struct Naive {
 
 }  // namespace
 
+TEST_CASE("a large extended motion is not taken for a breather", "[unit][orbits]") {
+  // Newton's method converges to a motion of energy 65.8, with an error of 1e-13
+  Problem problem = breather_problem(Centre::site, 1.1, 5, 61);
+  problem.chain.contact = PowerContact{2.8};
+  check_line(refusal<NewtonFailed>([&] { find_breather(problem); }),
+             "instead of the breather a motion of size");
+}
+
+TEST_CASE("an iteration that leaps to violent motions ends", "[unit][orbits]") {
+  // Its next flow took minutes, and the one after that for ever
+  for (const auto& [alpha, s] : {std::pair(2.5, 3.0), {2.5, 3.1}, {2.5, 2.9}}) {
+    Problem problem = breather_problem(Centre::site, 1.1, s, 61);
+    problem.chain.contact = PowerContact{alpha};
+    CAPTURE(alpha, s);
+    const std::string why = refusal<NewtonFailed>([&] { find_breather(problem); });
+    CHECK(why.find("it leaps off, from a guess of size 0.2 to") != std::string::npos);
+  }
+}
+
 TEST_CASE("an orbit that shrinks to rest is none", "[unit][orbits]") {
   // The breather of spheres is a bad guess for other contacts: numbers of size 1e-321 came of it
   Problem problem = breather_problem(Centre::bond, 1.05, 0, 16);

@@ -6,6 +6,7 @@
 
 #include "lattice/model/dps.hpp"
 #include "lattice/model/quasi_continuum.hpp"
+#include "lattice/numerics/progress.hpp"
 
 namespace lattice {
 
@@ -46,7 +47,15 @@ Orbit<double> find_breather(const Shooting<double>& problem, Phase phase,
   const Centre centre = problem.chain.sites % 2 == 0 ? Centre::bond : Centre::site;
   const State<double> guess =
       ansatz(centre, nearby.omega, problem.chain.sites, phase, problem.chain.contact);
-  Orbit<double> start = newton(nearby, nearby.reduce(guess), rule);
+  const Vector<double> from = nearby.reduce(guess);
+  Orbit<double> start = newton(nearby, from, rule);
+  // In wells that do not fit the guess the method may end in another family, of large extended motions
+  const double expected = sup<double>(from);
+  if (start.amplitude > 3 * expected)
+    throw NewtonFailed(number_label(nearby.name() + ": instead of the breather a motion of size",
+                                    start.amplitude) +
+                           number_label(" is found, from a guess of size", expected),
+                       start.history);
   if (nearby.omega == problem.omega) return start;
   Branch branch(nearby, along_omega<double>(problem.chain.contact.exponent()), start, 1, rule);
   return branch.reach(problem.omega);

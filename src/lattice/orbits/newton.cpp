@@ -73,17 +73,19 @@ std::string iteration_label(int i, double residual) {
 
 /**
 Rest is a periodic orbit of any frequency, and from a bad guess the method shrinks towards it until the numbers
-end. What is a millionth of its guess is no orbit: in all families that we know the two are of one size. */
-/// Throws NewtonFailed if the unknowns `x` are close to rest.
+end; or it leaps to motions so violent that the flow over one period would take for ever. What is a millionth of its
+guess, or thirty times as large, is no orbit: in all families that we know the two are of one size. */
+/// Throws NewtonFailed if the unknowns `x` are close to rest or far beyond the guess.
 template <class T>
-void refuse_rest(const NewtonProblem<T>& problem, const Vector<T>& guess, const Vector<T>& x,
+void refuse_size(const NewtonProblem<T>& problem, const Vector<T>& guess, const Vector<T>& x,
                  const Solution<T>& so_far) {
   if (!problem.amplitude) return;
   const T begin = problem.amplitude(guess), now = problem.amplitude(x);
-  if (!(now <= T(1e-6) * begin)) return;
+  const bool rests = now <= T(1e-6) * begin;
+  if (!rests && !(now > T(30) * begin)) return;
   char why[80];
-  std::snprintf(why, sizeof why, "it shrinks to rest, from a guess of size %.2g to %.2g",
-                double(begin), double(now));
+  std::snprintf(why, sizeof why, "it %s, from a guess of size %.2g to %.2g",
+                rests ? "shrinks to rest" : "leaps off", double(begin), double(now));
   throw failure(problem, why, so_far);
 }
 
@@ -120,7 +122,7 @@ Solution<T> iterate(const NewtonProblem<T>& problem, Vector<T> x, const NewtonRu
   T last = std::numeric_limits<T>::infinity();
   for (int i = 0; i <= rule.most; ++i) {
     const Progress progress(iteration_label(i, double(last)));
-    refuse_rest(problem, guess, x, best);
+    refuse_size(problem, guess, x, best);
     // By how much does the orbit from here fail to close?
     const bool fresh = jacobian && !(last < T(rule.keep));
     Shot<T> shot = problem.shoot(x, rule.events, fresh);
