@@ -219,8 +219,8 @@ TEST_CASE("runs that end early prove nothing by their end", "[unit][accuracy]") 
 }
 
 TEST_CASE("a step that is too long is halved until a run holds", "[convergence][accuracy]") {
-  // Stiff contacts after a strong blow, and a light bead
-  Chain stiff{8, Quartic{0}, PowerContact{10, 0}}, light{8};
+  // Stiff wells after a strong blow, and a light bead
+  Chain stiff{8, Quartic{1e6}}, light{8};
   vary(light, {1e-6, 1, 1, 1, 1, 1, 1, 1}, {});
   for (const auto& [chain, velocity] : {std::pair(stiff, 100.0), {light, 1.87}}) {
     const Impact impact{velocity, chain, 3, 0.2, may_move};
@@ -234,6 +234,12 @@ TEST_CASE("a step that is too long is halved until a run holds", "[convergence][
     const auto finer = strike(stepper_for(1e-4, largest_step, runs.stepper.halvings + 1), impact);
     CHECK(distance(runs.fine.end, finer.end) <= runs.error);
   }
+  // Stiff contacts divide the steps themselves
+  const Impact hard{100, {8, Quartic{0}, PowerContact{10, 0}}, 3, 0.2, may_move};
+  const auto runs = strike_to(1e-4, hard);
+  CHECK(runs.history.find("breaks") == std::string::npos);
+  const auto finer = strike(stepper_for(1e-4, largest_step, runs.stepper.halvings + 1), hard);
+  CHECK(distance(runs.fine.end, finer.end) <= runs.error);
   // Free flight is no escape, however far it leads
   CHECK(evolved({2, None{}}, struck(2, 1000), 2000, 1000) == "");
 }

@@ -162,9 +162,8 @@ struct NystromStep {
             d - across(y),       -h * across(at.v),    -half * across(a)};
   }
 
-  /// The square of the frequency of contact `i` at the overlap `x`; zero where the motion is lost.
+  /// The square of the frequency of contact `i` at the overlap `x`.
   T square_frequency(std::size_t i, T x) const {
-    if (!(x < T(escape_displacement))) return T(0);
     const T inverse = (i > 0 ? inverse_mass<T>(chain, i - 1) : T(0)) +
                       (i < chain.sites ? inverse_mass<T>(chain, i) : T(0));
     return inverse * T(chain.eta_of(i)) * contact.stiffness(T(contact.opening()) - x);
@@ -187,9 +186,10 @@ struct NystromStep {
     while (step.tight > T(1e-30) && !fits(step.tight)) step.tight /= T(2);
   }
 
-  /// Whether a step like `now` is too long for contact `i` at the overlap `x`.
-  bool too_fast(std::size_t i, T x, const StepSums<T>& now) const {
-    return x > now.tight && square_frequency(i, x) > now.fast;
+  /// Whether a step like `now` is too long for contact `i` at the overlap `x`, unless the motion was lost before.
+  bool too_fast(std::size_t i, T x, const State<T>& state, const StepSums<T>& now) const {
+    return x > now.tight && square_frequency(i, x) > now.fast &&
+           -stretch(chain, state.y.data(), i) < T(escape_displacement);
   }
 
   /**
@@ -206,7 +206,7 @@ struct NystromStep {
       if (flag & 1) at.contacts.push_back(i);
       if (flag & 2) {
         const Quintic<T> x = overlap_during(state, i, h, at);
-        slow &= !too_fast(i, std::max(x.x0, x.x1), now);
+        slow &= !too_fast(i, std::max(x.x0, x.x1), state, now);
       }
     };
     const auto try_end = [&](std::size_t i) {
@@ -316,7 +316,7 @@ struct NystromStep {
     if (at.contacts.empty() || !good) return good;
     for (std::size_t i : at.contacts) {
       at.correction[i] = defect(state, i, h, at);
-      good &= last || !too_fast(i, at.correction[i].reach, now);
+      good &= last || !too_fast(i, at.correction[i].reach, state, now);
     }
     if (good) {
       exchange_impulses(window, at);
