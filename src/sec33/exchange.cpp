@@ -100,7 +100,7 @@ double quick_kappa(Centre centre, const Spot& spot, Orbit<double>& orbit,
 Exchange exchange_between(Centre centre, const Cut& cut, TrialKappa low, TrialKappa high,
                           Orbit<double> orbit, double close, const NewtonRule<double>& how) {
   TrialKappa last = low;
-  double slope = (high.kappa - low.kappa) / (high.p - low.p), step = high.p - low.p;
+  double slope = (high.kappa - low.kappa) / (high.p - low.p), step = std::abs(high.p - low.p);
   for (int k = 0, stays = 0; k < 30 && step > close; ++k) {
     const double p = low.p - low.kappa * (high.p - low.p) / (high.kappa - low.kappa);
     const TrialKappa now{p, quick_kappa(centre, cut.at(p), orbit, how)};
