@@ -341,9 +341,7 @@ void report_waves(Report& report) {
 order from a theorem and gives neither constants nor a figure; the two starts, the three horizons and the range of
 $\epsilon$ are ours. The supremum is taken over positions and over sampled times. The theorem says nothing about times
 much longer than $\epsilon^{-1/2}$: the impact chapter compares both equations at $\tau = 250$.
-
-The `impact` command does not notice whether its packet has met the far end. The default length avoids that; with
-`--sites` the reader must take care. */
+ */
 void reproduce(Report& report) {
   report.output.note("tolerance", "GSL " + short_text(error_resolutions[0].tolerance) + " and " +
                                       short_text(error_resolutions[1].tolerance));

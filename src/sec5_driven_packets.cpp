@@ -90,11 +90,12 @@ Traveller packet_seen(const Packet& p, double step, const WatchedBeads& stretch)
   setup.lifetime = p.lifetime;
   const auto by = p.strength > 0 ? Drive::By::piston : Drive::By::nothing;
   const double a = p.strength * threshold_law(Drive::By::piston, omega);
-  State<double> start(ArraySetup::sites);
+  // So long that earlier packets are not back from the far end before the fifth has passed
+  State<double> start(2 * ArraySetup::sites);
   start.t = p.start * period;
   if (p.strength == 0) start.v[0] = setup.velocity(1);
-  return traveller_on(setup.driven(by, omega, a, 0, p.ramp * period), start, long_enough, step,
-                      stretch);
+  return traveller_on(setup.driven(by, omega, a, 0, p.ramp * period, start.y.size()), start,
+                      long_enough, step, stretch);
 }
 
 /**

@@ -270,11 +270,10 @@ TEST_CASE("forces that are nothing or wrong are told by the run", "[unit][accura
     check_line(evolved(chain, start, 20, 1), "the energy drifts by ");
     check_line(evolved(chain, start, 20, 1), "with half of the step as well");
   }
-  // Under a strong compression the energies are small differences of large ones, and known to few digits
+  // Under a strong compression the energies are small, and known all the same
   const auto pressed =
       strike_to(1e-4, {1e-3, {5, Harmonic{}, PowerContact{8, 8}}, 1, 0.2, may_move});
-  CHECK(pressed.fine.run.energy_drift > 1e-4);
-  CHECK(pressed.fine.run.energy_defect < 1e-4);
+  CHECK(pressed.fine.run.energy_drift < 1e-5);
   // From rest on a hill the energy is nearly zero, and its relative drift says nothing
   struct Hill {
     double energy(double y) const { return y * y * (y * y / 4 - 0.5); }
@@ -289,9 +288,10 @@ TEST_CASE("commands halve a step that is too long, and say when a bead leaves", 
       call("sec34_impact run --velocity 100 --contact power --alpha 10 --sites 10 --time 5");
   CHECK(stiff.code == 0);
   CHECK(quantity(stiff, "energy_drift") < 1e-5);
-  const Result pressed = call("sec4_precompression_mi impact --velocity 100 --d 10 --s 10");
+  const Result pressed =
+      call("sec4_precompression_mi impact --velocity 100 --d 10 --s 10 --time 60");
   CHECK(pressed.code == 0);
-  CHECK(quantity(pressed, "energy_drift") < 1e-3);
+  CHECK(quantity(pressed, "energy_drift") < 1e-5);
   const Result gone = call("sec4_precompression_mi impact --velocity 5 --s -1/6");
   CHECK(gone.code == 1);
   check_line(gone.errors.substr(0, gone.errors.find('\n')), "a bead runs away at t = 2.30");

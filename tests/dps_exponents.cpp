@@ -8,6 +8,7 @@
 
 #include "check.hpp"
 #include "commands/dps_orbit.hpp"
+#include "commands/dps_strike.hpp"
 #include "lattice/model/contact.hpp"
 #include "lattice/quadruple/extended.hpp"
 #include "lattice/standing/spectrum.hpp"
@@ -335,6 +336,32 @@ TEST_CASE("travelling breathers of other exponents", "[property][dps][exponents]
   // The equation that is left out, at an angle where it is not satisfied
   const auto [off, other] = follow_dps_member(2, 0.5, 1e-12);
   check_close(off.misses(other.x)[0], other.V * std::sin(0.25), 0, 1e-7);
+}
+
+TEST_CASE("a DpS chain is long enough for what runs away in it", "[dps][exponents]") {
+  // Centres and norms from another program, which has longer chains
+  struct Seen {
+    double alpha, tau, centre, norm;
+  };
+  for (const auto& [alpha, tau, centre, norm] : {Seen{2.5, 400, 259.910756, 0.87380056},
+                                                 {3.4, 300, 325.957455, 0.91291466},
+                                                 {4, 150, 234.235660, 0.92912480}}) {
+    DpsStrike impact;
+    impact.alpha = alpha, impact.tau = tau, impact.end = Ends::fixed;
+    const auto found = impact.find();
+    const Table t = impact.quantities(found);
+    const auto value = t.numbers("value"), error = t.numbers("error");
+    CAPTURE(alpha, found[1].end.size(), value[0], value[3]);
+    check_close(value[0], centre, 3 * error[0]);
+    check_close(value[3], norm, 3 * error[3] + 1e-8);
+    CHECK(found[1].far_end < 1e-9);
+  }
+  // The chains of the chapters are, and a chosen end belongs to the run
+  CHECK(follow_dps(Dps{120}, dps_impact(120), 250, 250, 1e-6, Unwatched{}).far_end < 1e-9);
+  CHECK(follow_dps(Dps{150}, dps_impact(150), 320, 320, 1e-6, Unwatched{}).far_end < 1e-9);
+  DpsStrike chosen;
+  chosen.sites = 30;
+  CHECK(chosen.find()[1].end.size() == 30);
 }
 
 TEST_CASE("commands take an exponent, and refuse what is none", "[cli][exponents]") {

@@ -235,13 +235,13 @@ TEST_CASE("breathers begin only in wells of frequency one", "[unit][model]") {
 }
 
 TEST_CASE("the compressed impact strikes the well that was named", "[cli][model]") {
-  const Impact impact =
-      endless({1.87, {.well = Pendulum{}, .contact = CompressedHertz{0.5}}, 100, 1});
-  const CompressedRun own = strike_compressed(impact, {100}, CompressedSteps{}.halved());
+  const auto own =
+      strike_to(1e-4, endless({1.87, {.well = Pendulum{}, .contact = CompressedHertz{0.5}}, 100}));
+  const PacketSample packet = packet_sample(100, own.fine.density);
   const Result r = call(squeezed + "--well pendulum");
   REQUIRE(r.code == 0);
-  CHECK(quantity(r, "centre") == own.samples.back().centre);
-  CHECK(quantity(r, "energy_fraction") == own.samples.back().share);
+  CHECK(quantity(r, "centre") == packet.centre);
+  CHECK(quantity(r, "energy_fraction") == packet.share);
 }
 
 TEST_CASE("a frequency without breathers is refused with the reason", "[cli][model]") {

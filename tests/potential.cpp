@@ -49,6 +49,24 @@ TEST_CASE("contacts push and never pull", "[unit][potential]") {
   CHECK(CompressedHertz{0.25}.force(0.3) == -0.125);  // open: only the compression is missing
 }
 
+TEST_CASE("little strains of a compressed contact have an energy too", "[unit][potential]") {
+  for (double alpha : {1.0, 1.2, 1.5, 2.0, 7.3})
+    for (double d : {1e-3, 0.5, 10.0}) {
+      CAPTURE(alpha, d);
+      for (double u : {-1e-5, -1e-11, 1e-20, 1e-8, 1e-5}) {
+        const double few = 1 - (alpha - 1) / 3 * u * (1 - (alpha - 2) / 4 * u),
+                     energy = alpha / 2 * std::pow(d, alpha + 1) * u * u * few;
+        check_close(PowerContact{alpha, d}.energy(u * d), energy, 0, 3e-14);
+        if (alpha == 1.5) check_close(CompressedHertz{d}.energy(u * d), energy, 0, 3e-14);
+      }
+      for (double u : {-2.0, -0.126, -0.124, 0.01, 0.124, 0.126, 1.0, 3.0}) {
+        const long double x = std::max(1 - u, 0.0), more = alpha + 1;
+        check_close(PowerContact{alpha, d}.energy(u * d) / std::pow(d, alpha + 1),
+                    double((std::pow(x, more) - 1) / more + u), 1e-16, 2e-13);
+      }
+    }
+}
+
 TEST_CASE("the power 3/2 takes the root of the 3/2 law", "[unit][potential]") {
   for (double r : {-2.0, -0.3, -1e-3, 0.1}) {
     CHECK(PowerContact{}.force(r) == Hertz{}.force(r));

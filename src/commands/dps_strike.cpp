@@ -9,6 +9,9 @@
 
 namespace lattice {
 
+/// |A_n| of a far end that has not moved; the struck site has 1.
+static constexpr double quiet = 1e-9;
+
 void DpsStrike::parameters(Parameters& p) {
   p.add("tau", tau, "slow time of the run", {1, 1e4});
   p.add("sites", sites, "chain length (default: as long as needed)", {2, 1e5});
@@ -17,20 +20,18 @@ void DpsStrike::parameters(Parameters& p) {
         {1.05, 4, "", "at 1 the equation is linear and packets disperse; more than 4 is untested"});
 }
 
-DpsOutcome DpsStrike::run(double tolerance, double samples_per_tau) const {
-  // Packets of spheres move by less than 0.4 sites per unit of tau, others by less than this
-  const double fastest = alpha == 1.5 ? 0.4 : std::max(0.5, 1 / (2 * tau_0(alpha)));
-  const std::size_t n = sites.value_or(20 + std::size_t(std::ceil(fastest * tau)));
-  const Dps dps{n, end, alpha};
-  const auto samples =
-      std::size_t(std::ceil(fastest / 0.4 * samples_per_tau * std::max(tau, 25.0)));
-  return follow_dps(dps, dps_impact(n), tau, samples, tolerance, Unwatched{});
-}
-
+// Most fronts are slower than `fastest`; what another one brings to the far end comes back, and the chain was too short
 DpsStrike::Found DpsStrike::find() const {
+  const double fastest = alpha == 1.5 ? 0.4 : std::max(0.5, 1 / (2 * tau_0(alpha)));
   Found runs;
-  parallel_for(2, [&](std::size_t k) { runs[k] = run(k ? 1e-11 : 1e-8, k ? 4 : 2); });
-  return runs;
+  for (std::size_t n = sites.value_or(20 + std::size_t(std::ceil(fastest * tau)));; n += n / 2) {
+    parallel_for(2, [&](std::size_t k) {
+      const double samples = std::ceil(fastest / 0.4 * (k ? 4 : 2) * std::max(tau, 25.0));
+      runs[k] = follow_dps({n, end, alpha}, dps_impact(n), tau, std::size_t(samples),
+                           k ? 1e-11 : 1e-8, Unwatched{});
+    });
+    if (sites || std::max(runs[0].far_end, runs[1].far_end) <= quiet) return runs;
+  }
 }
 
 /**

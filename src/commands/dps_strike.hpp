@@ -10,7 +10,11 @@ the norm within five sites of its peak, and the share left on the first ten site
 and hold for every $\epsilon$. With `--alpha` the force of the contacts has another exponent than the article's $3/2$.
 The error is the difference from a run with a thousand times the tolerance
 and half the samples; the speed also carries the error of the fit. A quantity that does not exist is
-`nan`. In Python this is `lattice.dps`. */
+`nan`. In Python this is `lattice.dps`.
+
+How fast a front is nobody has proved, and after an impact on a fixed end it is faster. So a chain whose last site
+has moved is lengthened and struck again. If you choose the end yourself with `--sites`, what it sends back
+belongs to the run. */
 
 #include <array>
 #include <cstddef>
@@ -40,9 +44,6 @@ struct DpsStrike {
   Table profile(const Found& found) const;
   /// What the program prints.
   Table table() const { return quantities(find()); }
-
- private:
-  DpsOutcome run(double tolerance, double samples_per_tau) const;
 };
 
 }  // namespace lattice

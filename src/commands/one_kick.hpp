@@ -5,7 +5,8 @@
 `sec33_mobility kick --centre bond --omega 1.1 --c 2e-4` kicks one breather along its discrete gradient (kick.hpp). The
 run ends early if the breather comes within eight sites of an end of its chain. If less than nine tenths of the energy
 stays together, the breather has broken up, and that is an error; so is a chain too short for the breather. Errors come
-from two step sizes. A breather that has moved less than one site has no speed: it is `nan`.
+from two step sizes and, unless `--sites` is given, from two chains, of which the longer one has the smaller step. A
+breather that has moved less than one site has no speed: it is `nan`.
 
 `sec33_mobility threshold --centre bond --omega 1.1` finds the least kick that frees it (kick_threshold.hpp), takes some
 seconds and refuses an unstable centre. */

@@ -97,26 +97,6 @@ CompressedRun strike_compressed(const Impact& impact, const std::vector<double>&
   return out;
 }
 
-Refined<CompressedRun> strike_compressed_twice(const Impact& impact,
-                                               const std::vector<double>& times) {
-  struct Conserved {
-    std::string name = "energies at the start and at the end";
-    double operator()(const CompressedRun&, const CompressedRun& fine) const {
-      return fine.run.energy_defect;
-    }
-  };
-  const auto run = [&](const ContactAware& at) {
-    const CompressedSteps steps = CompressedSteps{}.halved(at.halvings);
-    CompressedRun out = strike_compressed(impact, times, steps);
-    if (!out.run.escaped()) return out;
-    // Samples a unit of time apart do not show a bead that leaves its well
-    Impact closely = impact;
-    closely.sample = steps.early;
-    return strike_compressed(closely, times, steps);
-  };
-  return converge(largest_defect, run, Conserved{});
-}
-
 // A breather keeps its share of the energy and moves on; a train thins out everywhere
 Criterion lasting_breather(const Traits& coarse, const Traits& fine) {
   return {above("packet_exponent", fine.with(coarse, &Traits::share_exponent), -1.0 / 6),

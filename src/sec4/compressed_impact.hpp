@@ -7,8 +7,8 @@ dispersion.hpp) and perhaps a packet that holds together. This file makes the ru
 apart.
 
 Near the struck end contacts may open for a while, so the event-corrected method (contact_rkn.hpp) integrates
-until a settling time. After that the motion is smooth, and a splitting (schemes.hpp) has its full order
-six. The chain is as long as impact.hpp makes it: somewhat longer than the way of the fastest phonon, ahead of
+until a settling time. After the article's impacts the motion is smooth from then on, and a splitting (schemes.hpp)
+has its full order six. The chain is as long as impact.hpp makes it: somewhat longer than the way of the fastest phonon, ahead of
 which the motion falls off super-exponentially. */
 
 #include <cmath>
@@ -105,11 +105,6 @@ The impact takes place at $t = 0$. With compression we change methods at the set
 contacts go on opening, and the event-corrected method integrates all the time. */
 CompressedRun strike_compressed(const Impact& impact, const std::vector<double>& times,
                                 CompressedSteps steps);
-
-/// Two such runs, the second with half of the steps. After a strong impact the usual steps are too long; they are halved
-/// until the second run conserves the energy. Throws like `converge`.
-Refined<CompressedRun> strike_compressed_twice(const Impact& impact,
-                                               const std::vector<double>& times);
 
 /**
 What is a breather, and what a wave train? A breather keeps its energy: the share of the packet goes like

@@ -46,13 +46,14 @@ struct DrivenArray : ArraySetup {
 
   double frequency = 7000, amplitude = 5, duration = 60;  ///< Hz, micrometres, ms
   Drive::By by = Drive::By::piston;
+  std::size_t beads = sites;  ///< to begin with; `quantities` lengthens an array whose end moves
 
   /// The duration in units of tau_c.
   double horizon() const { return time(duration); }
   /// The same array in units of the chain.
   DrivenChain driven() const {
     return ArraySetup::driven(by, omega(frequency), amplitude / micrometres(1), 0, horizon() / 6,
-                              sites);
+                              beads);
   }
   /// The law of the DpS limit at `omega`, in micrometres.
   Estimate law(double omega) const {
@@ -64,7 +65,12 @@ struct DrivenArray : ArraySetup {
 
   /// Two runs and what they say; the law of the DpS limit holds above the frequency of a beam.
   std::vector<DrivenQuantity> quantities() const {
-    const Emission coarse = run(2 * step), fine = run(step);
+    // What comes back from the far end is no answer to the drive, and such an array is too short
+    DrivenArray array = *this;
+    Emission coarse = array.run(2 * step);
+    for (; coarse.far > 1e-9 * amplitude / micrometres(1); coarse = array.run(2 * step))
+      array.beads *= 2;
+    const Emission fine = array.run(step);
     const double per = per_second(1);
     std::vector<DrivenQuantity> out{
         {"outcome", compare(int(!coarse.passages.empty()), int(!fine.passages.empty())), "",

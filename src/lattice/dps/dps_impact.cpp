@@ -5,29 +5,33 @@
 
 namespace lattice {
 
+// The packet at one sample, and whether the motion has come to the far end
+static void look(DpsOutcome& out, double tau, const Field& field) {
+  const auto d = density(field);
+  const auto site = front_packet(d);
+  if (tau > 0 && site) out.track.add(tau, d, *site);
+  out.far_end = std::max(out.far_end, std::abs(field.back()));
+}
+
 DpsOutcome follow_dps(const Dps& dps, const Field& start, double duration, std::size_t samples,
                       const Tolerance& tolerance, const DpsObserver& watch) {
-  DpsOutcome out{{}, start, 0};
+  DpsOutcome out{{}, start};
   out.norm_drift =
       evolve_dps(dps, out.end, duration, samples, tolerance, [&](double tau, const Field& field) {
         watch(tau, field);
-        const auto d = density(field);
-        const auto site = front_packet(d);
-        if (tau > 0 && site) out.track.add(tau, d, *site);
+        look(out, tau, field);
       });
   return out;
 }
 
 DpsOutcome follow_dps_by(const Dps& dps, const Field& start, const Integration& integrate) {
-  DpsOutcome out{{}, start, 0};
+  DpsOutcome out{{}, start};
   std::vector<double> x = interleaved(start);
   const double at_start = norm(start);
   integrate(dps, x, [&](double tau, const std::vector<double>& now) {
     for (std::size_t n = 0; n < out.end.size(); ++n) out.end[n] = {now[2 * n], now[2 * n + 1]};
     out.norm_drift = std::max(out.norm_drift, std::abs(norm(out.end) / at_start - 1));
-    const auto d = density(out.end);
-    const auto site = front_packet(d);
-    if (tau > 0 && site) out.track.add(tau, d, *site);
+    look(out, tau, out.end);
   });
   return out;
 }

@@ -19,6 +19,7 @@ struct DpsOutcome {
   Track track;  ///< its energy is the norm in the window
   Field end;
   double norm_drift = 0;  ///< relative
+  double far_end = 0;     ///< largest |A_n| of the last site that a sample saw
 };
 
 /// Follows the packet that leaves the struck field `start`; `watch` sees every sample. Throws

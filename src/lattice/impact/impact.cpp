@@ -10,8 +10,10 @@ Impact endless(Impact impact) {
   if (!impact.chain.mass.empty())
     throw std::invalid_argument("masses end with their chain: it has the length that it has");
   const double well = impact.chain.well.stiffness(0.0);
-  const double contact =
-      std::max(impact.chain.contact.stiffness(0.0), 0.8 * std::pow(impact.velocity, 0.4));
+  const double more = impact.chain.contact.exponent() + 1;
+  const double pulse =
+      0.8 * std::pow(impact.velocity, 2 * (more - 2) / more) / std::pow(0.4 * more, 2 / more);
+  const double contact = std::max(impact.chain.contact.stiffness(0.0), pulse);
   const double fastest = (std::sqrt(well + 4 * contact) - std::sqrt(well)) / 2;
   impact.chain.sites = 100 + std::size_t(1.15 * fastest * impact.time);
   return impact;

@@ -32,11 +32,12 @@ of everything else run either linear waves or, if the contacts are not compresse
 pulses. Beads with the stiffness $k$ of their wells and $K$ of their contacts have phonons between
 $\sqrt k$ and $\sqrt{k+4K}$; the fastest of them travels at half the width of this band,
 $$c = \tfrac12\bigl(\sqrt{k+4K}-\sqrt k\bigr)\ \text{sites per unit of time.}$$
-In a chain without wells, $k = 0$, the strongest pulse of an impact has the overlap $v_0^{4/5}$ at most and
-the speed of the sound for which $K = \frac45 v_0^{2/5}$. So we insert the larger of this and the stiffness
-at rest, and give the chain 15 per cent more than this way and a hundred sites.
+In a chain without wells, $k = 0$, the strongest pulse of an impact has the overlap $x$ at most whose energy is
+$x^{\alpha+1}/(\alpha+1) = \frac25 v_0^2$, which is $v_0^{4/5}$ for spheres, and
+the speed of the sound for which $K = \frac45 v_0^2/x^2$, or $\frac45 v_0^{2/5}$. So we insert the larger of this and the
+stiffness at rest, and give the chain 15 per cent more than this way and a hundred sites.
 
-This is an estimate and not a bound, and other contacts may have other pulses. What counts is whether the
+This is an estimate and not a bound. What counts is whether the
 far end has remained at rest. A run therefore records the largest velocity of its last bead, and refuses to
 give a result if that exceeds `far_end` times the impact's. Where the far end is part of the experiment
 `far_end` is `may_move`. */

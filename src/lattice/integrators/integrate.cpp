@@ -62,21 +62,6 @@ bool bounded(const State<double>& state) {
                      [](double y) { return std::abs(y) < escape_displacement; });
 }
 
-#ifndef __wasm__
-// What rounding may do to an energy, from its densities in extended precision: in a stiff contact under compression it is
-// the small difference of large terms
-static double rounding(const Chain& chain, const State<double>& state) {
-  State<long double> wide;
-  wide.y.assign(state.y.begin(), state.y.end());
-  wide.v.assign(state.v.begin(), state.v.end());
-  const auto exact = energy_density(chain, wide);
-  const auto rounded = energy_density(chain, state);
-  double sum = 0;
-  for (std::size_t n = 0; n < chain.sites; ++n) sum += double(std::abs(exact[n] - rounded[n]));
-  return sum;
-}
-#endif
-
 // Beyond the wells and beyond the flight of the lightest bead with all of the energy
 static double farthest(const Chain& chain, double energy, double duration) {
   const double mass =
@@ -114,15 +99,6 @@ class Audit {
     return true;
   }
 
-  /// Takes what rounding explains from the defect. The browser has no extended precision to tell.
-  void excuse_rounding([[maybe_unused]] const State<double>& state, [[maybe_unused]] Run& run) {
-#ifndef __wasm__
-    if (run.energy_defect > rounded_defect && !run.escaped())
-      run.energy_defect =
-          std::max(0.0, run.energy_defect - 10 * rounding(chain_, state) / largest_);
-#endif
-  }
-
  private:
   const Chain& chain_;
   double start_, far_, scale_ = start_ != 0 ? std::abs(start_) : 1, largest_ = scale_;
@@ -154,7 +130,6 @@ Run evolve(const Advance& advance, const Chain& chain, State<double>& state, con
     if (!look(state)) break;
     progress.reach(double(k) / double(grid.samples));
   }
-  audit.excuse_rounding(state, run);
   return run;
 }
 #endif

@@ -94,7 +94,7 @@ may run away, and then it is first seen beyond the rim, with the energy still co
 are too long for the forces: such a run is *broken* and says nothing. */
 struct Run {
   double energy_drift = 0;  ///< largest change of the energy, relative to the start
-  /// The same, relative to the largest kinetic energy if that is more, and beyond what rounding explains.
+  /// The same, relative to the largest kinetic energy if that is more.
   double energy_defect = 0;
   double work = 0;        ///< site-force evaluations
   std::size_t steps = 0;  ///< time steps

@@ -97,13 +97,16 @@ struct CompressedHertz {
   }
 
   /**
-  For small $r$ the constant nearly cancels the power, so the two are subtracted before anything is
-  added. */
+  For small $r$ all terms but one of order $r^2$ cancel, and of $10^{-6}$ the rounding of the others would leave
+  four digits. With $w = (d-r)^{1/2}$ and $p = d^{1/2}$ the terms of a closed contact are
+  $\frac25(w^5 - \frac52p^3w^2 + \frac32p^5)$, which has the factor $(w-p)^2$, and $w-p = -r/(w+p)$. */
   template <class T>
   T energy(T r) const {
     using std::sqrt;
-    const T x = overlap(r), root = sqrt(T(d));
-    return T(2) / T(5) * (x * x * sqrt(x) - T(d) * T(d) * root) + T(d) * root * r;
+    const T x = overlap(r), p = sqrt(T(d));
+    if (!(x > T(0))) return T(d) * p * (r - T(2) / T(5) * T(d));
+    const T w = sqrt(x), s = r / (w + p);
+    return T(2) / T(5) * s * s * (x * (w + T(2) * p) + T(d) * (T(3) * w + T(3) / T(2) * p));
   }
   template <class T>
   T force(T r) const {
@@ -149,10 +152,21 @@ struct PowerContact {
     const T x = T(d) - r;
     return x > T(0) ? x : T(0);
   }
+
+  /**
+  The energy of a small $r$ is summed by its powers from $r^2$ on, since what is before them cancels. */
   template <class T>
   T energy(T r) const {
-    const T x = overlap(r), rest = power(T(d));
-    return (x * power(x) - T(d) * rest) / (T(exponent) + T(1)) + rest * r;
+    using std::abs;
+    if (exponent == 1.5) return CompressedHertz{d}.energy(r);
+    const T x = overlap(r), rest = power(T(d)), more = T(exponent) + T(1);
+    if (!(abs(r) < T(d) / T(8))) return (x * power(x) - T(d) * rest) / more + rest * r;
+    T sum(0), term = T(exponent) / T(2) * rest * r * (r / T(d));
+    for (int k = 2; sum + term != sum; ++k) {
+      sum += term;
+      term *= (T(k) - more) / T(k + 1) * (r / T(d));
+    }
+    return sum;
   }
   template <class T>
   T force(T r) const {
