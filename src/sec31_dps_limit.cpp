@@ -340,8 +340,7 @@ void report_waves(Report& report) {
 `sec31_dps_limit impact` follows an impact with your own parameters (commands/dps_strike.hpp). The article quotes the
 order from a theorem and gives neither constants nor a figure; the two starts, the three horizons and the range of
 $\epsilon$ are ours. The supremum is taken over positions and over sampled times. The theorem says nothing about times
-much longer than $\epsilon^{-1/2}$: the impact chapter compares both equations at $\tau = 250$.
- */
+much longer than $\epsilon^{-1/2}$: the impact chapter compares both equations at $\tau = 250$. */
 void reproduce(Report& report) {
   report.output.note("tolerance", "GSL " + short_text(error_resolutions[0].tolerance) + " and " +
                                       short_text(error_resolutions[1].tolerance));
