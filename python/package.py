@@ -529,8 +529,8 @@ def travelling(**options):
     Returns a Result with the quantities of `sec5_travelling_breathers orbit`: shift_time T, speed (sites per unit of time),
     energy, peak (largest energy density at t = 0), tail (left behind, relative to the amplitude), residual (relative to
     the amplitude) and multiplier_modulus (per shift); the arrays n, y and v, one entry per bead: site (around the
-    centre), position and velocity at t = 0; and the `chain`. Errors are differences from a wider number type or of two
-    tolerances.
+    centre), position and velocity at t = 0; and the `chain`. Errors are differences from a wider number type; those of tail
+    and residual are their own size.
 
     ValueError: there is no such orbit; the message names the nearest."""
     found, profile, chain = _lattice.travelling(_words("travelling", options))

@@ -184,7 +184,9 @@ Table OneOrbit::quantities(const Found& f) const {
   const auto better = t < 30 ? phase_and_rest(f.wide_problem, f.wide, {})
                              : phase_and_rest(f.problem, f.orbit, fine);
   const Pair phase{better.first, compare(narrow.first, better.first).error};
-  // A tail or a residual that is only rounding is printed as it is, because its smallness is the result
+  const double tail = left_behind(f.problem, f.orbit, shifts, fine);
+  // A tail or a residual that is only rounding is printed as it is, because its smallness is the result. Two tolerances
+  // share the rounding of the start, so that their difference is not its error
   Answers q;
   q.add("shift_time", compare(t, t_wide), "time",
         "the T after which every bead does what its neighbour behind did: one site of way");
@@ -194,9 +196,7 @@ Table OneOrbit::quantities(const Found& f) const {
         "energy of the whole chain, Eq. (6)");
   q.add("peak", compare(peak(f.problem, f.orbit), peak(f.wide_problem, f.wide)), "",
         "largest energy density of a site at t = 0");
-  q.add_small("tail",
-              compare(left_behind(f.problem, f.orbit, shifts, coarse),
-                      left_behind(f.problem, f.orbit, shifts, fine)),
+  q.add_small("tail", {tail, std::max(tail, left_behind(f.problem, f.orbit, shifts, coarse))},
               "relative to amplitude",
               "largest root of the squares of position and velocity of a bead that is left behind");
   q.add_small("residual", {residual_of(f), residual_of(f)}, "relative to amplitude",
