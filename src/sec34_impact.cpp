@@ -89,7 +89,8 @@ struct SweepPoint {
     if (runs.fine.run.escaped()) throw Failure("an impact below the blow-up band blows up");
     const Track &coarse = runs.coarse.track, &fine = runs.fine.track;
     speed = compare(packet_speed(coarse, fit_to), packet_speed(fine, fit_to));
-    peak = compare(coarse.largest_peak(fit_from, fit_to), fine.largest_peak(fit_from, fit_to));
+    peak = compare(coarse.largest_peak(fit_from, fit_to).value,
+                   fine.largest_peak(fit_from, fit_to).value);
     energy = compare(coarse.energy_at(fit_to), fine.energy_at(fit_to));
   }
 };

@@ -549,7 +549,7 @@ TEST_CASE(
                                        .chain = {90, Quartic{s}},
                                        .time = 180 / (0.36 * std::sqrt(velocity / 2)),
                                        .until = 62});
-    const auto peak = [](const ImpactRun& run) { return run.track.largest_peak(20, 60); };
+    const auto peak = [](const ImpactRun& run) { return run.track.largest_peak(20, 60).value; };
     return std::array{
         compare(packet_speed(runs.coarse.track, 60), packet_speed(runs.fine.track, 60)),
         compare(peak(runs.coarse), peak(runs.fine))};

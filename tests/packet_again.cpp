@@ -130,12 +130,22 @@ TEST_CASE("a track is read between its samples", "[unit][observe]") {
   CHECK_THROWS_AS(track.travelled(24, 2), std::runtime_error);
   // Peaks through (4, 5, 2), at 15 - 7/8, and through (2, 7, 3), which is beyond what counts
   const double first = 5 + 1 / 8.0, second = 7 + 1 / 72.0;
-  check_close(track.largest_peak(0, 99), second, 1e-13);
-  check_close(track.largest_peak(0, 20), first, 1e-13);
-  check_close(track.largest_peak(14, 20), first, 1e-13);
-  CHECK(std::isnan(track.largest_peak(14.2, 20)));  // lies at 14.125, and what follows is its flank
-  CHECK(std::isnan(track.largest_peak(12, 13)));    // only a flank
-  CHECK(std::isnan(track.largest_peak(30, 40)));
+  check_close(track.largest_peak(0, 99).value, second, 1e-13);
+  check_close(track.largest_peak(0, 20).value, first, 1e-13);
+  check_close(track.largest_peak(14, 20).value, first, 1e-13);
+  check_close(track.largest_peak(14, 20).error, (first - 5) / 3,
+              1e-13);  // 1 and 7 beside it: no wider top
+  // The wider parabola leaves 3 at the first maximum, and makes 3 + 1/40 of 3 + 1/48 at the second
+  const Track pair{{0, 1, 2, 3, 4, 5, 6, 7, 8, 9},
+                   {1, 2, 3, 4, 5, 6, 7, 8, 9, 10},
+                   {},
+                   {0, 2, 3, 2, 0, 1, 2.5, 3, 2, 0}};
+  check_estimate(pair.largest_peak(0, 6), 3, 0);
+  check_estimate(pair.largest_peak(0, 9), 3 + 1 / 48.0, (1 / 40.0 - 1 / 48.0) / 3);
+  CHECK(std::isnan(
+      track.largest_peak(14.2, 20).value));  // lies at 14.125, and what follows is its flank
+  CHECK(std::isnan(track.largest_peak(12, 13).value));  // only a flank
+  CHECK(std::isnan(track.largest_peak(30, 40).value));
   // Over the last site only, from 9 to 10
   check_close(packet_amplitude({{0, 1, 2, 3, 4}, {8, 8.5, 9, 9.5, 10}, {}, {1, 9, 1, 4, 1}}), 2,
               1e-14);
@@ -144,7 +154,7 @@ TEST_CASE("a track is read between its samples", "[unit][observe]") {
               std::sqrt(4 + 1 / 24.0), 1e-14);
   CHECK(std::isnan(packet_amplitude({{0, 1, 2}, {8, 8.5, 9}, {}, {1, 2, 4}})));
   Track flat{{0, 1, 2, 3}, {1, 2, 3, 4}, {1, 1, 1, 1}, {2, 2, 2, 2}};
-  CHECK(flat.largest_peak(0, 9) == 2);
+  CHECK(flat.largest_peak(0, 9).value == 2);
 }
 
 TEST_CASE("speeds are those from site 20 on", "[unit][observe]") {

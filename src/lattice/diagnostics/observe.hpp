@@ -93,9 +93,9 @@ struct Track {
   /// Sites by which the centre moves on in `duration` after it has passed `site`. Throws
   /// std::runtime_error if the track ends before.
   double travelled(double site, double duration) const;
-  /// Largest maximum in time of the packet's energy density while its centre is between `from` and `to`; nan if it
-  /// has none there.
-  double largest_peak(double from, double to) const;
+  /// Largest maximum in time of the packet's energy density while its centre is between `from` and `to`, with the error
+  /// that samples leave; nan if it has none there.
+  Estimate largest_peak(double from, double to) const;
 };
 
 /// The observer of a run that is followed for its packet alone.

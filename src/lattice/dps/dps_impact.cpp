@@ -38,8 +38,8 @@ DpsOutcome follow_dps_by(const Dps& dps, const Field& start, const Integration& 
 
 double packet_amplitude(const Track& track) {
   const double end = track.centre.back();
-  const double last = track.largest_peak(end - 1, end);
-  return std::sqrt(std::isnan(last) ? track.largest_peak(end - 2, end) : last);
+  const double last = track.largest_peak(end - 1, end).value;
+  return std::sqrt(std::isnan(last) ? track.largest_peak(end - 2, end).value : last);
 }
 
 DpsPair follow_dps_to(double tolerance, const Dps& dps, const Field& start, double duration,
