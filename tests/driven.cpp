@@ -37,6 +37,20 @@ State<double> after(const DrivenChain& driven, double time, double step) {
 
 }  // namespace
 
+TEST_CASE("response and power of a driven end are not those of single looks", "[unit][driven]") {
+  // Looks 0.4 apart fall on six phases of the first drive; half of the second run is no multiple of 0.4
+  for (const auto& [omega, duration] :
+       {std::pair(std::numbers::pi / 1.2, 480.0), {1.7, 160 * std::numbers::pi / 1.7}}) {
+    CAPTURE(omega);
+    DrivenChain bead{Chain{3}, {0.3, 0}, {Drive::By::base, omega, 0.1}};
+    vary(bead.chain, {}, {0, 0, 0, 0});
+    const Emission out = drive_chain(bead, duration, 2, 0.005);
+    const double size = 0.1 / std::hypot(1 - omega * omega, 0.3 * omega);
+    check_close(out.response, size, 0, 1e-3);
+    check_close(out.power, 0.3 / 2 * omega * omega * size * size, 0, 1e-3);
+  }
+}
+
 TEST_CASE("losses and work are booked to the last digits", "[property][driven]") {
   const DrivenChain driven = busy();
   State<double> state(12);

@@ -213,23 +213,30 @@ Emission drive_chain(const DrivenChain& driven, double duration, std::size_t det
   Emission out;
   State<double> state(driven.chain.sites);
   double half = 0;
+  // The middle of the run is a look
+  TimeGrid grid = time_grid(duration / 2, 0.4, step);
+  grid.duration = duration, grid.samples *= 2;
+  const double h = grid.interval();
+  Quintic<double> way{};
   out.budget =
-      run_driven(driven, state, time_grid(duration, 0.4, step),
-                 [&](const State<double>& now, const EnergyBudget& l) {
-                   const double y = now.y[detector - 1], v = now.v[detector - 1];
-                   const double density = (y * y + v * v) / 2;
-                   counter.look(now.t, density, out.passages);
-                   out.loudest = std::max(out.loudest, density / (size * size));
-                   if (now.t <= duration / 2)
-                     half = l.work;
-                   else
-                     out.response = std::max(out.response, std::abs(now.y[0]));
-                   out.power = (l.work - half) / (duration / 2);
-                   out.far = std::max(out.far, std::abs(now.y.back()));
-                   const double heard = out.passages.empty() ? 0 : out.passages.back();
-                   const bool lasting = std::isfinite(silence) && out.lasts(duration, silence);
-                   return out.passages.size() < enough && now.t < heard + silence && !lasting;
-                 });
+      run_driven(driven, state, grid, [&](const State<double>& now, const EnergyBudget& l) {
+        const double y = now.y[detector - 1], v = now.v[detector - 1];
+        const double density = (y * y + v * v) / 2;
+        counter.look(now.t, density, out.passages);
+        out.loudest = std::max(out.loudest, density / (size * size));
+        const double a = accelerations(driven.chain, now.y)[0] +
+                         driven.drive.force(now.t, now.y[0]) - driven.losses.rate * now.v[0];
+        way = {way.x1, way.w1, way.g1, now.y[0], h * now.v[0], h * h * a / 2};
+        if (now.t < (duration + h) / 2)
+          half = l.work;
+        else
+          out.response = std::max(out.response, way.farthest());
+        out.power = (l.work - half) / (duration / 2);
+        out.far = std::max(out.far, std::abs(now.y.back()));
+        const double heard = out.passages.empty() ? 0 : out.passages.back();
+        const bool lasting = std::isfinite(silence) && out.lasts(duration, silence);
+        return out.passages.size() < enough && now.t < heard + silence && !lasting;
+      });
   return out;
 }
 

@@ -49,6 +49,20 @@ struct Quintic {
   T slope(T s) const {
     return w0 + s * (T(2) * g0 + s * (T(3) * c3 + s * (T(4) * c4 + s * T(5) * c5)));
   }
+  /// Where it turns round between `low` and `high`, by bisection.
+  T turn(T low, T high) const {
+    const bool rises = slope(low) > T(0);
+    for (int i = 0; i < 24; ++i) {
+      const T middle = (low + high) / T(2);
+      ((slope(middle) > T(0)) == rises ? low : high) = middle;
+    }
+    return low;
+  }
+  /// The largest modulus in the step, in which it turns round once at most.
+  T farthest() const {
+    const T ends = std::max(std::abs(x0), std::abs(x1));
+    return (w0 > T(0)) != (w1 > T(0)) ? std::max(ends, std::abs((*this)(turn(T(0), T(1))))) : ends;
+  }
 };
 
 /**
@@ -150,11 +164,7 @@ Impulse<T> exact_impulse(const Quintic<T>& x, const Push& push, bool fourth) {
     const T high(probe[k]), out = closed ? T(1) : T(-1);
     if (twice && low >= T(0) && high <= T(1) && out * at[k] > T(0) && out * x.slope(low) < T(0) &&
         out * x.slope(high) > T(0)) {
-      T turn = low, end = high;
-      for (int i = 0; i < 24; ++i) {
-        const T middle = (turn + end) / T(2);
-        (out * x.slope(middle) > T(0) ? end : turn) = middle;
-      }
+      const T turn = x.turn(low, high);
       pass(low, turn, below, x(turn));
       low = turn, below = x(turn);
     }
