@@ -56,8 +56,11 @@ Table DpsStrike::quantities(const Found& runs) const {
         "site per tau",
         "speed of the foremost packet, fitted between site 20 and twenty sites before the far end",
         still);
-  q.add("amplitude", both([](const DpsOutcome& out) { return packet_amplitude(out.track); }), "",
-        "largest |A_n| of the foremost packet while its centre moves over its last site", lost);
+  q.add(
+      "amplitude", both([](const DpsOutcome& out) { return packet_amplitude(out.track); }), "",
+      "largest maximum in time of the foremost packet's |A_n| while its centre moves over its last "
+      "site",
+      lost.empty() ? "|A_n| has no maximum in time on this site" : lost);
   q.add("norm_window", both([](const DpsOutcome& out) { return out.track.energy.back(); }), "",
         "sum of |A_n|^2 over the eleven sites about the packet's peak at the end; 1 in all", lost);
   q.add_small("residual_boundary",

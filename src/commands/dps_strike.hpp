@@ -5,7 +5,7 @@
 `sec31_dps_limit impact --tau 250` strikes the first site of a DpS chain, $A_1(0) = -i$, and measures
 the packet that runs away, in the way of the impact chapter (sec34_dps_impact.cpp). It prints the
 packet's centre (site), its speed (sites per unit of $\tau$, fitted from site 20 to twenty sites before
-the far end), its amplitude (the largest $|A_n|$ while the centre moves over the last site), its share of
+the far end), its amplitude (the largest maximum in time of $|A_n|$ while the centre moves over the last site), its share of
 the norm within five sites of its peak, and the share left on the first ten sites. All are dimensionless
 and hold for every $\epsilon$. With `--alpha` the force of the contacts has another exponent than the article's $3/2$.
 The error is the difference from a run with a thousand times the tolerance
