@@ -376,6 +376,7 @@ TEST_CASE("a computation that fails says why, and leaves nothing", "[cli]") {
       {"sec4_precompression_mi impact --s -0.7 --velocity 9 --time 60", "runs away"},
       {"sec32_newton_breathers breather --omega 2 --s -1", "turns back near 1.6"},
       {"sec33_mobility kick --c 0.5", "breaks up"},
+      {"sec34_kink run --velocity 54.85833751593519 --patience 400", "counts or places"},
       {"sec36_cantilever_defect run --sites 120", "--sites 120 are too few"},
       {"sec5_travelling_packets orbit --alpha 4 --phase 3", "misses itself by 0.474731 of"},
       {"sec5_travelling_packets orbit --alpha 3 --phase 1", "misses itself by 0.165919 of"},
