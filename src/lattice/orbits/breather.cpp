@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "lattice/model/dps.hpp"
@@ -162,15 +163,21 @@ Barrier<T> barrier(const Shooting<T>& site_problem, const Orbit<T>& site, const 
   Barrier<T> out;
   out.equal_frequency = site.energy - bond.energy;
   // Change the frequency of the site-centred breather until its area is that of the other
-  const T area_omega = site_problem.period() * site.energy_omega;
-  const T change = (bond.area - site.area) / area_omega;
   Shooting<T> shifted = site_problem;
-  shifted.omega += change;
-  Orbit<T> guess = site;
-  guess.x += change * site.x_omega;
-  const Orbit<T> moved = polish(shifted, guess, rule);
+  Orbit<T> moved = site;
+  T left = bond.area - site.area, neglected(0);
+  const T rounding = std::numeric_limits<T>::epsilon() * magnitude(site.energy);
+  for (int i = 0; i == 0 || neglected > rounding; ++i) {
+    if (i == 10) throw NewtonFailed("no site-centred breather of the other's area is found", {});
+    const T area_omega = shifted.period() * moved.energy_omega, change = left / area_omega;
+    shifted.omega += change;
+    moved.x += change * moved.x_omega;
+    moved = polish(shifted, moved, rule);
+    left = bond.area - moved.area;
+    neglected = magnitude(T(left * left / (T(4) * pi<T>() * area_omega)));
+  }
   // What is left of the difference in area becomes energy by dE = dA / T_b
-  out.equal_area = moved.energy + (bond.area - moved.area) / shifted.period() - bond.energy;
+  out.equal_area = moved.energy + left / shifted.period() - bond.energy;
   out.omega_site = shifted.omega;
   return out;
 }

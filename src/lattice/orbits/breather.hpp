@@ -127,7 +127,8 @@ there is a barrier (named after Peierls and Nabarro). The article, section 3.2, 
 frequency. The effective Hamiltonian that it refers to compares breathers of the same area
 $\mathcal A = \oint\sum\dot y_n^2\,dt$ instead. We keep the frequency of the bond-centred breather and correct that
 of the site-centred one until the areas agree. Along a branch $dE = d\mathcal A/T_b$; this turns the remaining
-difference of the areas into energy, and what is neglected is of third order. */
+difference of the areas into energy, and what is neglected is of second order in it: less than rounding, after one
+correction or a few. */
 template <class T>
 struct Barrier {
   T equal_frequency{};  ///< E_site - E_bond at the same frequency
