@@ -236,13 +236,16 @@ struct NystromStep {
     const auto push = [&](T s) { return eta * (contact.force(d - x(s)) - open); };
     Impulse<T> sum = exact_impulse(x, push, twice != std::floor(twice));
     for (std::size_t k = 0; k <= last; ++k) {
-      const T r = stretch(chain, k > 0 ? at.y[k].data() : state.y.data(), i);
-      const T f = eta * contact.force(r) - eta * open;
-      sum.reach = std::max(sum.reach, d - r);
+      const std::vector<T>& y = k > 0 ? at.y[k] : state.y;
+      const T f = eta * contact.force(stretch(chain, y.data(), i)) - eta * open;
       sum.velocity -= T(base.b[k]) * f;
       sum.position -= k < last ? T(base.a[last][k]) * f : T(0);
       sum.shift -= at.shift_weight[k] * f;
     }
+    // Between open ends the stages may have met more than the quintic tells
+    if (!(std::max(x.x0, x.x1) > T(0)))
+      for (std::size_t k = 1; k < last; ++k)
+        sum.reach = std::max(sum.reach, d - stretch(chain, at.y[k].data(), i));
     return {h * sum.velocity, h * h * sum.position, h * h * h * sum.shift, sum.reach};
   }
 

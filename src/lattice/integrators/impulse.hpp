@@ -33,18 +33,6 @@ struct Quintic {
   T c5 = T(6) * d - T(3) * e + f;
   /// The overlap at s.
   T operator()(T s) const { return x0 + s * (w0 + s * (g0 + s * (c3 + s * (c4 + s * c5)))); }
-  /// Whether it can change its sign more than once in (0, 1): no more often than its Bernstein coefficients do.
-  bool may_return() const {
-    const T b[]{x0,
-                x0 + w0 / T(5),
-                x0 + (T(4) * w0 + g0) / T(10),
-                x1 - (T(4) * w1 - g1) / T(10),
-                x1 - w1 / T(5),
-                x1};
-    int changes = 0;
-    for (std::size_t k = 1; k < std::size(b); ++k) changes += (b[k] > T(0)) != (b[k - 1] > T(0));
-    return changes > 1;
-  }
   /// Its derivative by s.
   T slope(T s) const {
     return w0 + s * (T(2) * g0 + s * (T(3) * c3 + s * (T(4) * c4 + s * T(5) * c5)));
@@ -88,7 +76,7 @@ T root_between(const Quintic<T>& x, T lo, T hi, T below, T above) {
 template <class T>
 struct Impulse {
   T velocity{}, position{}, shift{};
-  T reach{};  ///< the largest overlap that was met
+  T reach{};  ///< the overlap where it turns round in the step, and any larger one that was met
 };
 
 /// Gauss-Legendre with eight nodes in (-1, 1), and their weights.
@@ -141,34 +129,32 @@ Impulse<T> exact_impulse(const Quintic<T>& x, const Push& push, bool fourth) {
   static constexpr double probe[]{-1, -0.5, 0, 0.25, 0.5, 0.75, 1, 1.5, 2};
   T at[std::size(probe)];
   for (std::size_t k = 0; k < std::size(probe); ++k) at[k] = x(T(probe[k]));
-  const bool twice = x.may_return();
+  // With both ends on one side it may be on the other one where it turns round
+  const T out = x.x0 > T(0) ? T(1) : T(-1);
+  T turn(2);
   Impulse<T> sum;
+  if (out * x.x1 > T(0) && out * x.w0 < T(0) && out * x.w1 > T(0))
+    turn = x.turn(T(0), T(1)), sum.reach = x(turn);
   T left(-1);
   bool closed = at[0] > T(0), left_root = false;
   const auto stretch = [&](T right, bool right_root) {
     const T a = left > T(0) ? left : T(0), b = right < T(1) ? right : T(1);
     if (!(a < b)) return;
-    sum.reach = std::max(sum.reach, x((a + b) / T(2)));
     const T cut = !right_root ? b : (left_root ? (a + b) / T(2) : a);
     if (a < cut) add_piece(push, a, cut, left, fourth, sum);
     if (cut < b) add_piece(push, cut, b, right, fourth, sum);
   };
-  const auto pass = [&](T low, T high, T below, T above) {
-    if ((above > T(0)) == closed) return;
-    const T root = root_between(x, low, high, below, above);
-    if (closed) stretch(root, true);
-    left = root, left_root = true, closed = !closed;
-  };
+  T low(probe[0]), below = at[0];
   for (std::size_t k = 1; k < std::size(probe); ++k) {
-    T low(probe[k - 1]), below = at[k - 1];
-    const T high(probe[k]), out = closed ? T(1) : T(-1);
-    if (twice && low >= T(0) && high <= T(1) && out * at[k] > T(0) && out * x.slope(low) < T(0) &&
-        out * x.slope(high) > T(0)) {
-      const T turn = x.turn(low, high);
-      pass(low, turn, below, x(turn));
-      low = turn, below = x(turn);
+    T high(probe[k]), above = at[k];
+    if (low < turn && turn < high && (sum.reach > T(0)) != closed && (above > T(0)) == closed)
+      high = turn, above = sum.reach, --k;
+    if ((above > T(0)) != closed) {
+      const T root = root_between(x, low, high, below, above);
+      if (closed) stretch(root, true);
+      left = root, left_root = true, closed = !closed;
     }
-    pass(low, high, below, at[k]);
+    low = high, below = above;
   }
   if (closed) stretch(T(2), false);
   return sum;
