@@ -347,9 +347,9 @@ void add_forces(Table& table, double s, double velocity) {
 /**
 Energy is *trapped* if the first five sites hold more than the packet when the packet passes site 60, long after the
 impact. We ask for this in the soft well, for the opposite in the linear one, and for a slower packet in the soft well.
-There the first five sites keep [0.798578](num:sec34_impact.trapped_soft) of the energy, and the packet takes
+There the first five sites keep [0.798919](num:sec34_impact.trapped_soft) of the energy, and the packet takes
 [0.0650178](num:sec34_impact.packet_soft) and travels at [0.12701](num:sec34_impact.speed_soft) sites per unit of time; in the
-linear well it is [0.0998175](num:sec34_impact.trapped_linear) against [0.441095](num:sec34_impact.packet_linear), and the
+linear well it is [0.101827](num:sec34_impact.trapped_linear) against [0.441095](num:sec34_impact.packet_linear), and the
 packet has the speed [0.18320](num:sec34_impact.speed_linear). */
 struct Shares {
   Estimate trapped, packet, speed;

@@ -465,7 +465,7 @@ struct Chart : MapPart {
 
 The fold has three routes: slow runs, Newton's method on the driven orbit, and a map of two lines in the DpS limit,
 which shares no code with the others. The bookkeeping of `drive`, energy and losses less work over the most energy
-that was there or came in, closes to [1e-12](num:sec5_driving.budget) at its steps in a quiet motion, a periodic one
+that was there or came in, closes to [3e-12](num:sec5_driving.budget) at its steps in a quiet motion, a periodic one
 and a driven base. The article has no number for such a drive. The piston is a bead that cannot be pushed back; a real
 shaker can. That a quiet motion vanishes in a fold does not tell what comes after it: runs do, with one lifetime. */
 void reproduce(Report& report) {
