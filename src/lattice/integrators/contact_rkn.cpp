@@ -365,6 +365,7 @@ double NystromStep<T, C>::step(State<T>& state, Window& window, double h, std::s
   return work;
 }
 
+// A run of equal steps, each of which may be divided
 template <class T, class C>
 double NystromStep<T, C>::run(State<T>& state, Window& window, double h, std::size_t count,
                               NystromMemory<T>& at) const {
