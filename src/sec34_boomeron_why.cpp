@@ -483,7 +483,7 @@ void reproduce(Report& report) {
 1. *Easy.* Is the packet a breather that moves? One at rest with its frequency:
    `build/bin/sec32_newton_breathers breather --omega 1.68362 --s 1 --centre bond` gives `energy` = 1.44065 and
    `area` = 5.8312. Hint: the packet has 1.487 and 5.99, a few per cent more.
-2. *Easy.* Could the lattice hold it? `build/bin/sec32_barrier barrier --omega 1.68 --s 1` gives `equal_area` = 3.5641e-4.
+2. *Easy.* Could the lattice hold it? `build/bin/sec32_barrier barrier --omega 1.68 --s 1` gives `equal_area` = 3.56415e-4.
    Hint: on its way from $t = 100$ to 220 the packet with its waves gains more than twenty times as much, and without those
    beyond six sites it loses more than a hundred times as much.
 3. *Harder.* And in the linear well? `build/bin/sec32_barrier barrier --omega 1.68 --s 0` gives `equal_area` = -2.2978e-9,

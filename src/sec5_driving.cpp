@@ -486,10 +486,10 @@ void reproduce(Report& report) {
    `build/bin/sec5_driving drive --frequency 6600 --time 20` gives `threshold_law` = 1.08769.
    Hint: the beams swing at [6310.91](num:sec5_driving.beam_frequency) Hz; how does the law go with $\delta$?
 2. *Easy.* What does the end do below the fold, at 4 µm?
-   `build/bin/sec5_driving drive --amplitude 4 --time 20` gives `response` = 1.3147.
+   `build/bin/sec5_driving drive --amplitude 4 --time 20` gives `response` = 1.3200.
    Hint: this is a point of the lower branch of quiet orbits. By which factor does it jump at 7 µm, with emission?
 3. *Harder.* Do losses move the threshold? With a lifetime of 1 ms and 7 µm nothing passes the detector:
-   `build/bin/sec5_driving drive --amplitude 7 --lifetime 1 --time 20` gives `response` = 4.049.
+   `build/bin/sec5_driving drive --amplitude 7 --lifetime 1 --time 20` gives `response` = 4.0521.
    Hint: either the fold is above 7 µm now, or packets die before bead 20. Is the response that of a quiet or of an
    emitting end?
 4. *Open.* Where does periodic emission become irregular, and is this a bifurcation of the periodic motion? */

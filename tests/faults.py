@@ -219,7 +219,7 @@ def unread_report(scratch):
 def seen_on_a_terminal(scratch):
     """Who waits sees how far a run, a search and a sweep are; where nobody looks nothing is said."""
     for words, shown in ((["sec34_impact", "run", "--time", "2500"], r"sec34_impact run \d+ s, step 0\.\d+: \d+ %"),
-                         (["sec33_floquet", "exchange", "--omega", "1.5"], r"exchange \d+ s, s (up to 1|down to -1) \d+/20"),
+                         (["sec33_floquet", "exchange", "--omega", "1.5"], r"exchange \d+ s, (s (up to 1|down to -1)|intervals of s) \d+/\d+"),
                          (["sec33_mobility", "threshold"], r"threshold \d+ s, thresholds \d+/2")):
         ours, its = pty.openpty()
         started = subprocess.Popen([BIN / words[0], *words[1:]], cwd=scratch, stdin=its, stdout=its, stderr=its)

@@ -176,7 +176,8 @@ InWells exchanges_in_wells(Centre centre, double omega_b) {
     if (middle.kappa * here < 0) all.insert(all.begin() + long(k) + (middle.s > all[k].s), middle);
   }
   InWells out{all.front().s, all.back().s, {}};
-  for (std::size_t k = 1; k < all.size(); ++k)
+  Progress progress("intervals of s", all.size() - 1);
+  for (std::size_t k = 1; k < all.size(); ++k, progress.tick())
     if (all[k - 1].kappa * all[k].kappa < 0)
       out.places.push_back(
           exchange<Wide>(centre, {true, omega_b}, all[k - 1].s, all[k].s, all[k].orbit).place);
