@@ -112,7 +112,8 @@ Emission emission_again(const DrivenChain& d, double duration, std::size_t detec
                         std::size_t enough, double silence) {
   std::vector<State<double>> states;
   std::vector<double> work;
-  const TimeGrid grid = time_grid(duration, 0.4, step);
+  TimeGrid grid = time_grid(duration / 2, 0.4, step);
+  grid.duration = duration, grid.samples *= 2;
   State<double> state(d.chain.sites);
   run_driven(d, state, grid, [&](const State<double>& now, const EnergyBudget& l) {
     states.push_back(now), work.push_back(l.work);
@@ -139,8 +140,7 @@ Emission emission_again(const DrivenChain& d, double duration, std::size_t detec
       top = 0;
     }
     out.far = std::max(out.far, std::abs(now.y.back()));
-    if (now.t > duration / 2) out.response = std::max(out.response, std::abs(now.y[0]));
-    if (now.t <= duration / 2) half = work[i];
+    if (now.t < (duration + grid.interval()) / 2) half = work[i];
     const double heard = out.passages.empty() ? 0 : out.passages.back();
     if (out.passages.size() >= enough || now.t >= heard + silence) break;
     if (silence < forever && !out.passages.empty() && heard + silence > duration) break;

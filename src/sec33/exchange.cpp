@@ -178,9 +178,14 @@ InWells exchanges_in_wells(Centre centre, double omega_b) {
   InWells out{all.front().s, all.back().s, {}};
   Progress progress("intervals of s", all.size() - 1);
   for (std::size_t k = 1; k < all.size(); ++k, progress.tick())
-    if (all[k - 1].kappa * all[k].kappa < 0)
-      out.places.push_back(
-          exchange<Wide>(centre, {true, omega_b}, all[k - 1].s, all[k].s, all[k].orbit).place);
+    if (all[k - 1].kappa * all[k].kappa < 0) {
+      // From the end that is nearer to the linear well, where the family changes less
+      const Look &near = all[all[k].s > 0 ? k - 1 : k], &far = all[all[k].s > 0 ? k : k - 1];
+      const Cut cut{true, omega_b};
+      const Exchange found =
+          exchange_between(centre, cut, {near.s, near.kappa}, {far.s, far.kappa}, near.orbit, 1e-5);
+      out.places.push_back(polish_zero<Wide>(centre, cut, found).place);
+    }
   return out;
 }
 
