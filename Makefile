@@ -53,49 +53,62 @@ export MPLBACKEND := Agg
 export PYTHONDONTWRITEBYTECODE := 1
 export LATTICE_REVISION := $(shell git describe --always --dirty --abbrev=12 2>/dev/null)
 
-# figures/figures.ecsv says which program and which script make each figure; ours have an x before their number. With
-# `only=article`, which is for calls from below, there are the article's figures and their programs and no others.
-only :=
-rows := $(shell awk -F, '!/^\#/ && $$1 != "id" { gsub(" ", ":", $$7); print $$1 "|" $$4 "|" $$5 "|" $$7 }' figures/figures.ecsv)
-rows := $(if $(only),$(filter-out x%,$(rows)),$(rows))
+# The article is one volume, the folder beyond/ is the second one. The list figures.ecsv of each says which program and
+# which script make each figure; ours have an x before their number. `volume=beyond` is for calls from below.
+volume := .
+home := $(if $(filter beyond,$(volume)),beyond/)
+rows_of = $(shell [ ! -f $(1)figures/figures.ecsv ] || awk -F, '!/^\#/ && $$1 != "id" { gsub(" ", ":", $$7); \
+            print $$1 "|" $$4 "|$(1)figures/" $$5 "|" $$7 }' $(1)figures/figures.ecsv)
+all_rows := $(call rows_of) $(call rows_of,beyond/)
+rows := $(call rows_of,$(home))
 field = $(word $(2),$(subst |, ,$(1)))
 tables = $(foreach t,$(subst :, ,$(2)),$(D)/data/$(1)/$(t).ecsv)
+drawn = $(D)/figures/$(basename $(notdir $(1)))
 command = $(if $(filter x%,$(1)),$(1),fig$(1))
-ids := $(foreach r,$(rows),$(call field,$(r),1))
-svgs := $(foreach r,$(rows),$(D)/figures/$(basename $(call field,$(r),3)).svg)
+ids := $(foreach r,$(all_rows),$(call field,$(r),1))
+svgs := $(foreach r,$(rows),$(call drawn,$(call field,$(r),3)).svg)
 images := $(svgs) $(svgs:.svg=.pdf) $(svgs:.svg=.png)
 # The dearest program begins first, and no core waits for it at the end. A new one, of unknown cost, is before them.
-by_cost := $(shell grep -v '^\#' bench/costs.ecsv | LC_ALL=C sort -t, -k2gr | cut -d, -f1)
-chapters := $(basename $(notdir $(wildcard src/sec*.cpp)))
+by_cost := $(shell grep -v '^\#' $(home)paper/costs.ecsv | LC_ALL=C sort -t, -k2gr | cut -d, -f1)
+chapters := $(basename $(notdir $(wildcard $(home)src/sec*.cpp)))
 chapters := $(filter-out $(by_cost),$(chapters)) $(filter $(chapters),$(by_cost))
-chapters := $(filter $(if $(only),$(foreach r,$(rows),$(call field,$(r),2)),%),$(chapters))
 results := $(foreach p,$(chapters),$(D)/data/$(p)/results.ecsv)
 
 # Folders have the names of some of them.
-.PHONY: figures article test ready all-figures all-data programs configure summary book weave install-book \
-  test-book test-lineage tests examples python run-tests test-faults test-fuzz test-python bench paper typeset install-paper \
+.PHONY: all figures test beyond test-beyond ready all-figures all-data programs configure summary book weave install-book \
+  test-book test-lineage tests examples python run-tests run-tests-beyond test-faults test-fuzz test-python bench paper typeset install-paper \
   lock hashes refresh show gallery second mutants test-platforms test-slurm fresh container dist style tidy \
   install-deps burn help
 took = . tools/shared.sh; echo "$$(now) $$(cat $(D)/report/start)" | awk '{ printf "$(1)", ($$1 > $$2 ? $$1 - $$2 : 0) }'
 
-## figures: compute and draw everything, the article's figures first, then compare with the article
+## figures: compute and draw the article, then compare with it
 figures: ready
-	@$(MAKE) only=article all-figures
-	@$(call took,article    : its $(words $(filter-out x%,$(ids))) figures are drawn after %.0f s and ours follow\n)
 	@$(MAKE) all-figures
 	@$(MAKE) summary
 	@$(call took,together   : %.0f s with compiling and drawing\n)
 
-## article: the article's 28 figures and their claims only
-article: ready
-	@$(MAKE) only=article all-figures
-	@$(MAKE) only=article summary
-	@$(call took,together   : %.0f s with compiling and drawing\n)
-
-## test: everything the tests need (data and figures), then the tests
+## test: everything the tests of the article need (data and figures), then the tests
 test: ready
 	@$(MAKE) all-figures
 	@$(MAKE) run-tests
+
+## beyond: the same of volume two, what is beyond the article: compute, draw, judge
+beyond: ready
+	@$(MAKE) volume=beyond all-figures
+	@$(MAKE) volume=beyond summary
+	@$(call took,together   : %.0f s with compiling and drawing\n)
+
+## test-beyond: its tests
+test-beyond: ready
+	@$(MAKE) volume=beyond all-figures
+	@$(MAKE) run-tests-beyond
+
+## all: these four
+all:
+	@$(MAKE) figures
+	@$(MAKE) test
+	@$(MAKE) beyond
+	@$(MAKE) test-beyond
 
 # What must be there, and be right, before hours are spent on computing.
 ready: install-deps
@@ -110,7 +123,7 @@ all-data: $(results)
 
 ## programs: build build/bin/<program>
 # A single figure needs only its own program. Who calls with `built=yes` has just built them.
-TARGETS := $(if $(only),$(chapters),programs)
+TARGETS := programs$(if $(home),_beyond)
 built :=
 programs: $(if $(built),,configure)
 	@$(if $(built),,sh tools/build.sh $(B) $(JOBS) $(TARGETS))
@@ -127,17 +140,17 @@ $(D)/data/%/results.ecsv: programs
 define figure
 .PHONY: $(call command,$(1))
 $(call command,$(1)): ready
-	@$$(MAKE) TARGETS=$(2) $(foreach e,svg pdf png,$(D)/figures/$(basename $(3)).$(e))
-	@echo "  figure   $(D)/figures/$(basename $(3)).png"
-$(D)/figures/$(basename $(3)).svg: figures/$(3) $(D)/data/$(2)/results.ecsv $(call tables,$(2),$(4)) tools/draw.sh \
+	@$$(MAKE) TARGETS=$(2) $(foreach e,svg pdf png,$(call drawn,$(3)).$(e))
+	@echo "  figure   $(call drawn,$(3)).png"
+$(call drawn,$(3)).svg: $(3) $(D)/data/$(2)/results.ecsv $(call tables,$(2),$(4)) tools/draw.sh \
     $(if $(filter %.gp,$(3)),figures/style.gp,figures/draw.py figures/matplotlibrc)
 	@mkdir -p $$(@D)
-	@echo "  draw     $(basename $(3))"
+	@echo "  draw     $(basename $(notdir $(3)))"
 	@PYTHON="$$(PYTHON)" FROM="$$^" sh tools/draw.sh $$@ $(D)/data $$<
 $(call tables,$(2),$(4)): $(D)/data/$(2)/results.ecsv
 endef
-$(foreach r,$(rows),$(eval $(call figure,$(call field,$(r),1),$(call field,$(r),2),$(call field,$(r),3),$(call field,$(r),4))))
-$(sort $(foreach r,$(rows),$(call tables,$(call field,$(r),2),$(call field,$(r),4)))): ;
+$(foreach r,$(all_rows),$(eval $(call figure,$(call field,$(r),1),$(call field,$(r),2),$(call field,$(r),3),$(call field,$(r),4))))
+$(sort $(foreach r,$(all_rows),$(call tables,$(call field,$(r),2),$(call field,$(r),4)))): ;
 
 # fig7 is fig07, x1 is x01.
 .PHONY: $(patsubst 0%,fig%,$(filter 0%,$(ids))) $(patsubst x0%,x%,$(filter x0%,$(ids)))
@@ -152,9 +165,9 @@ $(foreach i,$(patsubst x0%,%,$(filter x0%,$(ids))),$(eval x$(i): x0$(i)))
 summary:
 	@echo
 	@echo "figures    : $(words $(wildcard $(svgs))) in $(D)/figures (svg, pdf, png)"
-	@$(lineage) summary --data $(D)/data --out $(D)/report
-	@cat $(D)/report/cost/* | awk '{ s += $$1 } END { printf "computing  : %.0f s in %d programs\n", s, NR }'
-	@echo "report     : $(D)/report/published.ecsv"
+	@$(lineage) --root ./$(home) summary --data $(D)/data --out $(D)/report
+	@cd $(D)/report/cost && cat $(chapters) | awk '{ s += $$1 } END { printf "computing  : %.0f s in %d programs\n", s, NR }'
+	@$(if $(home),,echo "report     : $(D)/report/published.ecsv")
 
 ## book: weave the book from sources, data and figures into build/book
 book: install-book
@@ -194,7 +207,12 @@ run-tests: configure
 	@$(MAKE) QUICK=1 built=yes $(two_by_two) all-data
 	@$(lineage) summary --data $(B)/data --out $(B)/report > /dev/null
 	@$(MAKE) test-lineage
-	@ctest -j $(JOBS) $(CTEST_ARGS)
+	@ctest -j $(JOBS) $(CTEST_ARGS) --label-exclude beyond
+run-tests-beyond: configure
+	@sh tools/build.sh $(B) $(JOBS) tests_beyond
+	@$(MAKE) volume=beyond QUICK=1 built=yes $(two_by_two) all-data
+	@$(weaver) -m lineage.tests beyond
+	@ctest -j $(JOBS) $(CTEST_ARGS) --label-regex beyond
 
 ## test-faults: runs that are killed, out of time or disk, or that nobody reads (minutes)
 test-faults: programs
@@ -233,38 +251,39 @@ paper: install-paper
 ## typeset: the same from the figures that are there, in seconds
 typeset:
 	@$(lineage) macros --out $(D)/paper
-	@for it in paper supplement theorem; do \
+	@for it in $(basename $(notdir $(wildcard $(foreach d,paper supplement theorem,paper/$(d).tex beyond/paper/$(d).tex)))); do \
 	  echo "  typeset  $(D)/$$it.pdf"; \
-	  TEXINPUTS="paper:$(D)/paper:$(D)/figures:" BIBINPUTS="paper:" FORCE_SOURCE_DATE=1 \
-	    latexmk -norc -g -pdf -interaction=nonstopmode -halt-on-error -outdir=$(D)/paper paper/$$it.tex \
+	  TEXINPUTS="paper:beyond/paper:$(D)/paper:$(D)/figures:" BIBINPUTS="paper:" FORCE_SOURCE_DATE=1 \
+	    latexmk -norc -g -pdf -interaction=nonstopmode -halt-on-error -outdir=$(D)/paper $$(ls paper/$$it.tex beyond/paper/$$it.tex 2>/dev/null) \
 	    > $(D)/paper/$$it.out.log 2>&1 || { tail -n 40 $(D)/paper/$$it.out.log; exit 1; }; \
 	  mv $(D)/paper/$$it.pdf $(D)/$$it.pdf.part && mv $(D)/$$it.pdf.part $(D)/$$it.pdf || exit; done
 
 install-paper: install-deps
 	@DEPS=$(DEPS) sh tools/install-deps.sh apt-packages.txt paper
 
-## lock: renew paper/converged.ecsv from the computed values and print what moved
+## lock: renew paper/converged.ecsv from the computed values and print what moved (volume=beyond: of volume two)
 lock: install-deps
 	@$(MAKE) all-data
-	@$(lineage) lock --data $(B)/data
+	@$(lineage) --root ./$(home) lock --data $(B)/data
 
 ## hashes: renew paper/hashes.ecsv, the bytes of all tables of the full and the quick run, and print what moved
 hashes: install-deps
 	@$(MAKE) QUICK= all-data
 	@$(MAKE) QUICK=1 all-data
-	@$(lineage) hashes --data $(B)/data --quick $(B)/quick/data
+	@$(lineage) --root ./$(home) hashes --data $(B)/data --quick $(B)/quick/data
 
 ## refresh: write the locked values into the prose of src/, and renew the tables of README.md
 refresh:
 	@$(lineage) refresh --costs $(B)/report/cost
+	@[ ! -d beyond ] || $(lineage) --root beyond refresh --costs $(B)/report/cost
 
 ## show: one number, as in  make show ID=pn.omega11
 show:
 	@$(lineage) show "$(ID)" --data $(B)/data
 
 ## gallery: the small pictures of the README: those that are missing, and those of figures that were drawn since
-gallery: $(foreach r,$(rows),$(if $(wildcard figures/gallery/$(basename $(call field,$(r),3)).png),,$(call command,$(call field,$(r),1))))
-	@$(lineage) gallery --figures $(D)/figures
+gallery: $(foreach r,$(rows),$(if $(wildcard $(home)figures/gallery/$(notdir $(basename $(call field,$(r),3))).png),,$(call command,$(call field,$(r),1))))
+	@$(lineage) --root ./$(home) gallery --figures $(D)/figures
 
 ## second: headline numbers again by other methods in plain Python, into paper/second.ecsv (minutes)
 second: install-deps
@@ -319,7 +338,7 @@ help:
 	@sed -n 's/^## /  make /p' Makefile
 	@awk '!/^#/ { at = index($$0, ","); id = substr($$0, 1, at - 1); if (id == "id") next; \
 	  text = $$0; for (k = 0; k < 7; ++k) text = substr(text, index(text, ",") + 1); \
-	  gsub(/"/, "", text); printf "  make %s: %s\n", (id ~ /^x/ ? id : "fig" id), text }' figures/figures.ecsv
+	  gsub(/"/, "", text); printf "  make %s: %s\n", (id ~ /^x/ ? id : "fig" id), text }' $(wildcard figures/figures.ecsv beyond/figures/figures.ecsv)
 	@echo "Variables: DEPS=skip (install nothing), PYTHON=..., JOBS=..., LAUNCH=... (put before every program),"
 	@echo "  THREADS=... (of each program), QUICK=1 (coarse, into $(B)/quick)"
 

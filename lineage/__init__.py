@@ -7,7 +7,7 @@
     modules   how the libraries stand on each other, as CMake links them
     lock      paper/converged.ecsv: which values are kept, and how far a fresh one may be
     hashes    paper/hashes.ecsv: the bytes of every table
-    refresh   values and tables in prose: src/, the pages, bench/costs.ecsv
+    refresh   values and tables in prose: src/, the pages, paper/costs.ecsv
     metadata  version, title, authors, licences: CITATION.cff, .zenodo.json, paper/metadata.yaml
     codecheck what a codechecker compares: codecheck.yml
     tex       the same values for the paper

@@ -2,7 +2,7 @@
 programs, and what these cost.
 
 Nobody types which chapter explains a discrepancy: it is one whose facts the reason quotes. The costs are in
-bench/costs.ecsv, a row for each program, which `make refresh` renews from what the last run took."""
+paper/costs.ecsv, a row for each program, which `make refresh` renews from what the last run took."""
 
 import math
 import re
@@ -11,6 +11,7 @@ from pathlib import Path
 from . import ecsv
 from .claims import QUOTED, programs_of
 from .values import with_digits
+from .volumes import article
 
 COSTS = [ecsv.Column("program", "string", "chapter of src/"),
          ecsv.Column("seconds", "float64", "computing time of its full run on two cores", "s")]
@@ -27,6 +28,11 @@ def explained_by(id, claims, known=()):
         elif name != id and name not in known:
             programs += explained_by(name, claims, (id, *known))
     return [program for program in dict.fromkeys(programs) if program]
+
+
+def chapter_of(root, program):
+    """Its source, from the folder of the article."""
+    return f"{'beyond/' if (article(root) / f'beyond/src/{program}.cpp').exists() else ''}src/{program}.cpp"
 
 
 def run_of(program):
@@ -50,7 +56,7 @@ def read_commands(root):
 
 def read_costs(root):
     """The seconds of every program that has been measured, by its name."""
-    table = ecsv.read(Path(root) / "bench/costs.ecsv", [c.name for c in COSTS])
+    table = ecsv.read(Path(root) / "paper/costs.ecsv", [c.name for c in COSTS])
     return {program: row["seconds"] for program, row in table.by("program", "costs").items()}
 
 
@@ -78,7 +84,7 @@ def renewed_costs(root, measured):
 
 
 def costs_text(costs):
-    """The text of bench/costs.ecsv."""
+    """The text of paper/costs.ecsv."""
     rows = [{"program": program, "seconds": f"{seconds:.6g}"} for program, seconds in costs.items()]
     return ecsv.to_text(ecsv.Table(COSTS, rows, {"title": "What a full run of each program costs, written by make refresh"}))
 

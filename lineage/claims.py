@@ -20,6 +20,7 @@ from pathlib import Path
 
 from . import ecsv
 from .values import Finding
+from .volumes import article
 
 VERDICTS = ["reproduced", "holds", "within", "measured", "follows", "discrepant", "unresolved", "open"]
 COLUMNS = ("id", "section", "where", "quantity", "printed", "unit", "class", "tolerance", "program", "status", "reading",
@@ -144,7 +145,7 @@ def quoted_by(claims):
 
 def read_claims(root):
     """The rows of paper/published.ecsv by id, each with a tolerance and a status that mean something."""
-    claims = ecsv.read(Path(root) / "paper/published.ecsv", COLUMNS).by("id", "claims")
+    claims = ecsv.read(article(root) / "paper/published.ecsv", COLUMNS).by("id", "claims")
     for claim in claims.values():
         try:
             agreement(printed_range(claim["printed"]) or (0, 0, 0), claim["tolerance"])
@@ -161,7 +162,7 @@ def read_claims(root):
 
 
 def programs_of(root):
-    """The programs that exist: one for each chapter in src/."""
+    """The programs of a volume: one for each chapter in src/."""
     return sorted(path.stem for path in (Path(root) / "src").glob("sec*.cpp"))
 
 

@@ -10,6 +10,7 @@ from pathlib import Path
 
 from . import ecsv
 from .claims import programs_of
+from .volumes import volumes
 
 # Packages that the README takes for granted, in the words of apt-packages.txt
 GRANTED = "build"
@@ -29,7 +30,7 @@ COLUMNS = {
 
 def tables(root, data):
     """A row for each column of each table, in the order of programs, tables and columns."""
-    for program in programs_of(root):
+    for program in (program for folder in volumes(root) for program in programs_of(folder)):
         for path in sorted((Path(data) / program).glob("[!.]*.ecsv")):
             for c in ecsv.header_of(ecsv.text_of(path))[0]:
                 yield {"program": program, "table": path.stem, "column": c.name, "unit": c.unit, "kind": c.kind,
@@ -62,7 +63,7 @@ def rows_of(program, command, text):
 
 def commands(root, folder):
     """What the programs say of themselves; nothing for one that is not built."""
-    for name in programs_of(root):
+    for name in (program for folder in volumes(root) for program in programs_of(folder)):
         program = (Path(folder) / name).resolve()
         if program.exists():
             text = help_of(program)

@@ -18,6 +18,7 @@ from .claims import name_of, programs_of, quoted_by, read_claims, read_facts, re
 from .findings import quoted_in, read_findings, read_second
 from .literature import name_of as literature_name, read_literature
 from .values import Finding, distance
+from .volumes import joined, volumes
 
 KINDS = ("value", "residue", "headline")
 COLUMNS = [
@@ -77,16 +78,16 @@ def uncommented(tex):
 
 
 def quoted(root):
-    """Every name that prose, paper, book, the lists of claims and findings or the second route quotes."""
-    root, out = Path(root), quoted_by(read_claims(root)) | set(read_second(root))
-    out.update(map(literature_name, read_literature(root).values()))
-    for row in read_findings(root).values():
-        out.update(quoted_in(row))
-    for path in sources(root) + sorted((root / "book").glob("*.md")):
-        out.update(re.findall(r"\]\(num:([^)]+)\)", ecsv.text_of(path)))
-    for path in sorted((root / "paper").glob("*.tex")):
-        out.update(re.findall(r"\\(?:num|err|both|about)\{([^}#]+)\}", uncommented(ecsv.text_of(path))))
-    return out.union(read_commands(root)) - {"..."}
+    """Every name that prose, paper, book, the lists of claims and findings or the second route quotes, in both volumes."""
+    all, out = volumes(root), quoted_by(read_claims(root))
+    out.update(*(joined(read, all) for read in (read_second, read_commands)), map(literature_name, joined(read_literature, all).values()),
+               *map(quoted_in, joined(read_findings, all).values()))
+    for folder in all:
+        for path in sources(folder) + sorted((folder / "book").glob("*.md")):
+            out.update(re.findall(r"\]\(num:([^)]+)\)", ecsv.text_of(path)))
+        for path in sorted((folder / "paper").glob("*.tex")):
+            out.update(re.findall(r"\\(?:num|err|both|about)\{([^}#]+)\}", uncommented(ecsv.text_of(path))))
+    return out - {"..."}
 
 
 def is_kept(finding, claims, names):

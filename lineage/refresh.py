@@ -1,6 +1,6 @@
 """Numbers in prose. Nobody types a result: `[](num:pn.omega11)` names the answer to a claim and
 `[](num:sec32_dps_profiles.norm_site)` a fact of a program, and the text of the link is the locked value. This
-file writes those texts, the tables of the pages, the costs in bench/costs.ecsv, and the files that say to others what
+file writes those texts, the tables of the pages, the costs in paper/costs.ecsv, and the files that say to others what
 codemeta.json says (metadata.py).
 
 The quoted values are the locked ones and not the fresh ones, because another compiler may change a digit of a
@@ -11,11 +11,12 @@ import re
 from pathlib import Path
 
 from . import codecheck, ecsv, metadata, modules
-from .chapters import costs_text, explained_by, read_commands, renewed_costs, run_of, shown_cost
+from .chapters import chapter_of, costs_text, explained_by, read_commands, renewed_costs, run_of, shown_cost
 from .claims import SAID, VERDICTS, Judge, name_of, printed_range, read_claims
 from .findings import check_quotations, in_plain, read_findings, tally as kinds_of
 from .literature import read_literature, tally as literature_tally
 from .lock import read_lock, sources
+from .volumes import article, below, joined
 
 LINK = re.compile(r"(\[[^\]]*\])?\(num:([^)\n]*)(\)?)")
 MARK = re.compile(r"<!--num:([\w.]+)-->[^<\n]*<!--/-->")
@@ -86,7 +87,7 @@ def published_rows(claims, lock):
 def see(id, claims, costs, alone):
     """Where a claim that is missed is computed and explained: chapters with their commands and costs, and the command
     for the number alone."""
-    chapters = ", ".join(f"[`{run_of(program)}`](src/{program}.cpp) ({shown_cost(costs.get(program, math.nan))} s)"
+    chapters = ", ".join(f"[`{run_of(program)}`]({chapter_of('.', program)}) ({shown_cost(costs.get(program, math.nan))} s)"
                          for program in explained_by(id, claims))
     return chapters + (f"; alone: `{alone[id][0]}`" if id in alone else "")
 
@@ -182,7 +183,7 @@ def read_figures(root):
 def fresh_texts(root, measured):
     """(path, fresh text) of every file that is generated, or is in part, in which something could be stale."""
     root = Path(root)
-    claims, lock = read_claims(root), read_lock(root)
+    claims, lock = read_claims(root), joined(read_lock, below(root))
     numbers, findings = quotable(lock, claims), read_findings(root)
     check_quotations(findings, {path: ecsv.text_of(path) for path in sources(root) + sorted((root / "paper").glob("*.tex"))})
 
@@ -195,13 +196,14 @@ def fresh_texts(root, measured):
     for path in sources(root):
         yield fresh(path, lambda text: with_numbers(text, numbers))
     costs = renewed_costs(root, measured)
-    yield root / "bench/costs.ecsv", costs_text(costs)
+    yield root / "paper/costs.ecsv", costs_text(costs)
     tables = generated_tables(claims, lock, read_figures(root), costs, read_commands(root), findings, read_literature(root))
     tables |= {"modules": modules.drawing(root), "minutes": minute_rows(root)}
-    for name in PAGES:
-        yield fresh(root / name, lambda text: fresh_page(with_marked_numbers(text, numbers), tables))
-    yield from metadata.generated(root)
-    yield root / "codecheck.yml", codecheck.text(root)
+    for path in (root / name for name in PAGES if (root / name).exists()):
+        yield fresh(path, lambda text: fresh_page(with_marked_numbers(text, numbers), tables))
+    if root == article(root):
+        yield from metadata.generated(root)
+        yield root / "codecheck.yml", codecheck.text(root)
 
 
 def renew(root, costs, check=False):

@@ -6,12 +6,13 @@ import re
 from pathlib import Path
 
 from . import ecsv
-from .chapters import explained_by, read_commands, read_costs, run_of, shown_cost
+from .chapters import chapter_of, explained_by, read_commands, read_costs, run_of, shown_cost
 from .claims import Judge, name_of, programs_of, read_claims, runs_of
 from .findings import agrees, holds, in_plain, margins, names_in, read_findings, read_second, tally as kinds_of
 from .literature import read_literature, tally as literature_tally, verdicts
 from .lock import read_fresh, read_lock
 from .refresh import command_of, read_figures, tally
+from .volumes import article, below, joined, volumes
 
 COLUMNS = [ecsv.Column(name, kind, text) for name, kind, text in [
     ("id", "string", "identifier"),
@@ -54,26 +55,27 @@ def complaint(row):
     return f"  {row['verdict']:10} {row['id']:26} printed {row['published']}, {what.strip()}"
 
 
-def known_numbers(root, data, claims):
-    """All numbers by name: fresh where the program has run, locked elsewhere; and the programs that have run."""
-    programs = programs_of(root)
+def known_numbers(folders, data, claims):
+    """All numbers of these volumes by name: fresh where the program has run, locked elsewhere; and the programs that have run."""
+    programs = [program for folder in folders for program in programs_of(folder)]
     ran = {program for program, _ in runs_of(data, programs)}
-    locked = [f for f in read_lock(root).values() if f.program not in ran]
+    locked = [f for f in joined(read_lock, folders).values() if f.program not in ran]
     return {name_of(f, claims): f for f in [*locked, *read_fresh(data, programs, claims).values()]}, ran
 
 
 def summarize(root, data, out):
     """The verb: writes published.ecsv, counts the verdicts and names what does not agree. Judged is who has run."""
     claims, findings = read_claims(root), read_findings(root)
-    known, ran = known_numbers(root, data, claims)
-    judge = Judge(claims, known.values())
-    judged = {id: c for id, c in claims.items() if c["program"] in ran or not c["program"]}
-    rows = list(compared(judged, judge, read_costs(root), read_commands(root)))
-    ecsv.write_whole(Path(out) / "published.ecsv", ecsv.to_text(ecsv.Table(COLUMNS, rows, {"program": "lineage summary"})))
-    print(f"claims     : {tally([row['verdict'] for row in rows])}")
-    for row in rows:
-        if row["verdict"] in ("within", "follows", "discrepant", "unresolved"):
-            print(complaint(row))
+    known, ran = known_numbers(below(root), data, claims)
+    asked = claims if Path(root) == article(root) else {}
+    judged = {id: c for id, c in asked.items() if c["program"] in ran or not c["program"]}
+    if asked:
+        rows = list(compared(judged, Judge(claims, known.values()), read_costs(root), read_commands(root)))
+        ecsv.write_whole(Path(out) / "published.ecsv", ecsv.to_text(ecsv.Table(COLUMNS, rows, {"program": "lineage summary"})))
+        print(f"claims     : {tally([row['verdict'] for row in rows])}")
+        for row in rows:
+            if row["verdict"] in ("within", "follows", "discrepant", "unresolved"):
+                print(complaint(row))
     beside = list(verdicts(read_literature(root), known))
     if beside:
         print(f"literature : {literature_tally(said for _, _, said in beside)}")
@@ -86,8 +88,8 @@ def summarize(root, data, out):
     for id, row in held.items():
         if not holds(row, known):
             print(f"  fails      {id:26} {'; '.join(condition_texts(row, known))}")
-    if len(judged) < len(claims) or len(held) < len(findings):
-        print(f"not judged : {len(claims) - len(judged)} claims and {len(findings) - len(held)} findings, whose programs "
+    if len(judged) < len(asked) or len(held) < len(findings):
+        print(f"not judged : {len(asked) - len(judged)} claims and {len(findings) - len(held)} findings, whose programs "
               "have not run (make figures)")
 
 
@@ -113,7 +115,8 @@ def figures_of(claim, figures):
 
 def facts_of(name, finding, judge, root):
     """What there is to say of a number: pairs of a word and a text."""
-    figures, alone, claim = read_figures(root), read_commands(root).get(name), judge.claims.get(name)
+    all, claim = volumes(root), judge.claims.get(name)
+    figures, alone = joined(read_figures, all), joined(read_commands, all).get(name)
     if claim:
         printed = claim["printed"] or "a statement"
         yield "claim", f"{claim['quantity']} ({claim['where']})"
@@ -131,10 +134,10 @@ def facts_of(name, finding, judge, root):
     shown = (figures_of(claim, figures) if claim else []) or [i for i, f in figures.items() if f["program"] == program]
     yield "figure", ", ".join(f"{id} ({command_of(id)})" for id in shown) or "none"
     yield "command", f"{alone[0]} (prints it as {alone[1]})" if alone else run_of(program) if program else "none"
-    costs = read_costs(root)
+    costs = joined(read_costs, all)
     for one in explained_by(name, judge.claims) if claim else [program]:
-        yield "chapter", f"src/{one}.cpp ({run_of(one)}, {shown_cost(costs.get(one, math.nan))} s on two cores)"
-    if agrees(name, finding, second := read_second(root)):
+        yield "chapter", f"{chapter_of(root, one)} ({run_of(one)}, {shown_cost(costs.get(one, math.nan))} s on two cores)"
+    if agrees(name, finding, second := joined(read_second, all)):
         there, method = second[name]
         yield "second", f"{there.shown}{there.shown_unit} (error {there.shown_error}): {method}"
 
@@ -153,8 +156,8 @@ def facts_of_finding(row, found):
 def show(root, data, name):
     """The verb: a line for each; the fresh value where the program has run, the locked one elsewhere."""
     claims = read_claims(root)
-    known, _ = known_numbers(root, data, claims)
-    judge, findings = Judge(claims, known.values()), read_findings(root)
+    known, _ = known_numbers(volumes(root), data, claims)
+    judge, findings = Judge(claims, known.values()), joined(read_findings, volumes(root))
     names = sorted(known.keys() | claims.keys() | findings.keys())
     if name not in names:
         near = difflib.get_close_matches(name, names, 3) or sorted(n for n in names if n.split(".")[-1] == name)

@@ -15,11 +15,13 @@ import re
 from pathlib import Path
 
 from . import ecsv, metadata
+from .chapters import chapter_of
 from .claims import VERDICTS, Judge, name_of, printed_range, programs_of, read_claims
 from .findings import NUMBERS, read_findings
 from .lock import read_lock, uncommented
 from .refresh import read_figures
 from .values import with_digits
+from .volumes import joined, volumes
 
 DOCUMENTS = ("paper", "supplement", "theorem")
 PROOF = "sec5_kernel_equation"  # the chapter whose prose has the proof: the block that ends with a square
@@ -137,14 +139,13 @@ def paper_texts(claims, lock, figures, meta, findings):
         out["finding", id] = sentence(row, nums)
     out.update({("fig", id): Path(f["script"]).stem for id, f in figures.items()})
     out.update({("tally", what): str(n) for what, n in counts.items()})
-    out.update({("source", id): source(f["program"], meta) for id, f in figures.items()})
+    out.update({("source", id): source(f["chapter"], meta) for id, f in figures.items()})
     out.update({("meta", what): escaped(words).replace("–", "--") for what, words in metadata.said(meta).items()})
     return out
 
 
-def source(program, meta):
+def source(path, meta):
     """A link to a chapter: at the repository's address, or else beside the folder that the document is in."""
-    path = f"src/{program}.cpp"
     where = f"{meta['codeRepository']}/blob/HEAD" if meta.get("codeRepository") else ".."
     return rf"\href{{{where}/{path}}}{{\nolinkurl{{{path}}}}}"
 
@@ -166,19 +167,19 @@ INPUT = re.compile(r"\\input\{([a-z]+)\}")
 def files_of(root, programs):
     """The texts of each document, by path: its own and those that it reads, where their chapters exist. What TeX
     reads besides was written here. Fault if a file of the report is read by no document."""
-    folder, out = Path(root) / "paper", {}
-    for document in (d for d in DOCUMENTS if (folder / f"{d}.tex").exists()):
-        texts, ahead = {}, [folder / f"{document}.tex"]
+    out, there = {}, {path.stem: path for folder in volumes(root) for path in sorted((folder / "paper").glob("*.tex"))}
+    for document in (d for d in DOCUMENTS if d in there):
+        texts, ahead = {}, [document]
         while ahead:
-            path = ahead.pop(0)
-            if path in texts or not path.exists():
+            path = there.get(ahead.pop(0))
+            if not path or path in texts:
                 continue
             text = ecsv.text_of(path)
             if chapter_needed(text) in ("", *programs):
                 texts[path] = text
-                ahead += [folder / f"{name}.tex" for name in INPUT.findall(uncommented(text))]
+                ahead += INPUT.findall(uncommented(text))
         out[document] = texts
-    for path in sorted(folder.glob("*.tex")):
+    for path in there.values():
         if chapter_needed(ecsv.text_of(path)) in ("", *programs) and not any(path in texts for texts in out.values()):
             raise ecsv.Fault(f"{path}: none of {', '.join(d + '.tex' for d in DOCUMENTS)} reads it")
     return out
@@ -313,7 +314,7 @@ def in_tex(prose):
 
 def proof(root):
     """The proof in TeX, from the one block of its chapter's prose that ends with a square; empty without the chapter."""
-    path = Path(root) / f"src/{PROOF}.cpp"
+    path = Path(root) / chapter_of(root, PROOF)
     if not path.exists():
         return ""
     ends = "$\\square$"
@@ -325,8 +326,11 @@ def proof(root):
 
 def write(root, out):
     """The verb. A reference to nothing is found here, in the paper's own words, before TeX is called."""
-    claims, lock, figures, programs = read_claims(root), read_lock(root), read_figures(root), programs_of(root)
-    texts = paper_texts(claims, lock, figures, metadata.read(root), read_findings(root))
+    all, claims = volumes(root), read_claims(root)
+    lock, figures, findings = (joined(read, all) for read in (read_lock, read_figures, read_findings))
+    programs = [program for folder in all for program in programs_of(folder)]
+    figures = {id: row | {"chapter": chapter_of(root, row["program"])} for id, row in figures.items()}
+    texts = paper_texts(claims, lock, figures, metadata.read(root), findings)
     captions(root)
     documents = files_of(root, programs)
     if missing := [f"{path}: nothing is there for {reference}" for path, text in

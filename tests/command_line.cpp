@@ -63,7 +63,7 @@ TEST_CASE("help and version", "[cli]") {
                             "(default: standard output)", "is nan, and its reason says why"})
     CHECK(run.find(shown) != std::string::npos);
   for (const std::string& program :
-       read(fs::path(SOURCE_DIR) / "bench/costs.ecsv").texts("program"))
+       read(fs::path(SOURCE_DIR) / "paper/costs.ecsv").texts("program"))
     CHECK(offers().at(program).find("A full run takes ") != std::string::npos);
   CHECK(run.find("A full run takes") == std::string::npos);
 }

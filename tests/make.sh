@@ -18,7 +18,7 @@ id,label,section,program,script,class,data,caption
 02,two,1,sec2_long,fig02_long.gp,ER,long,"Two."
 x01,"",3,sec3_own,x01_own.py,ER,own,"Three."
 ROWS
-printf 'program,seconds\nsec1_short,1\nsec2_long,9.5\nsec3_own,12\n' > bench/costs.ecsv
+printf 'program,seconds\nsec1_short,1\nsec2_long,9.5\nsec3_own,12\n' > paper/costs.ecsv
 touch src/sec1_short.cpp src/sec2_long.cpp src/sec3_own.cpp
 for script in fig01_short fig02_long; do printf 'print "<svg></svg>"\n' > figures/$script.gp; done
 echo 'import sys; open(sys.argv[2], "w").write("drawn</svg>")' > figures/x01_own.py

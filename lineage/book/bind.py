@@ -29,7 +29,7 @@ class Binder:
 
     def __init__(self, record, sources, images, live):
         self.record, self.images, self.live = record, images, live
-        self.by_path = {s.path: s for s in sources}
+        self.by_path, self.by_include = {s.path: s for s in sources}, {s.included: s for s in sources}
         self.by_name, self.definitions, twice = {}, {}, set()
         for s in sources:
             self.by_name.setdefault(s.name, []).append(s)
@@ -52,11 +52,11 @@ class Binder:
 
     def header(self, text, source=None):
         """The page of a header or chapter that is named in text; None where the name is not unique."""
-        if text.startswith("src/"):
+        if text.startswith(("src/", "beyond/src/")):
             return self.by_path.get(text)
         candidates = [s for s in self.by_name.get(Path(text).name, []) if "/" not in text or s.path.endswith("/" + text)]
         if len(candidates) > 1 and source:
-            candidates = [s for s in candidates if s.module == source.module or s.path[len("src/"):] in source.includes]
+            candidates = [s for s in candidates if s.module == source.module or s.included in source.includes]
         return candidates[0] if len(candidates) == 1 else None
 
     def where(self, text):
@@ -89,7 +89,7 @@ class Binder:
         return f"{'published' if name in self.record.claims else 'numbers'}.html#{name}"
 
     def chapter(self, program):
-        return self.by_path.get(f"src/{program}.cpp")
+        return self.by_include.get(f"{program}.cpp")
 
 
 def read_live(path):
@@ -289,7 +289,7 @@ class PageBinding:
             return f"{found.page}#L{line}"
 
         def include(path):
-            found = self.binder.by_path.get("src/" + path) or self.binder.header(path, self.source)
+            found = self.binder.by_include.get(path) or self.binder.header(path, self.source)
             return found.page if found else None
 
         def quiet(page):

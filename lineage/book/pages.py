@@ -76,9 +76,9 @@ class Book:
         """What stands below the title."""
         halves = [s for s in self.order if s.module and s.module == source.module and s.stem == source.stem and s is not source]
         return self.render("card", source=source, program=program, halves=halves,
-                           needs=[s for s in map(self.binder.by_path.get, ("src/" + i for i in source.includes))
+                           needs=[s for s in map(self.binder.by_include.get, source.includes)
                                   if s and s not in halves],
-                           users=[s for s in self.included_by.get(source.path[len("src/"):], []) if s not in halves],
+                           users=[s for s in self.included_by.get(source.included, []) if s not in halves],
                            figures=[i for i, f in self.record.figures.items() if f["program"] == program],
                            count=len(self.claims_of(program)))
 

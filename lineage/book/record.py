@@ -14,11 +14,18 @@ from ..lock import read_fresh, read_lock
 from ..refresh import read_figures
 from ..tex import captions
 from ..values import Finding
+from ..volumes import joined, volumes
 from . import origin
 
 # A fact is called as a column of its program's tables, with what it belongs to behind: `speed_bond_compressed`.
 OF_WHAT = re.compile(r"(?:_(?:\d+|[a-z]\d*|mu\d+|minus|plus|site|bond|compressed|stretched|soft|linear|hard))*")
 WELLS = {"s_minus_1_6": "s = -1/6", "s_1_6": "s = -1/6", "s_0_7": "s = -0.7", "s_0": "s = 0", "s_1": "s = 1"}
+
+
+def computed(root, data):
+    """The volumes that a book has: the article, and what is beyond it where it was computed."""
+    first, *more = volumes(root)
+    return [first] + [one for one in more if any((Path(data) / program).is_dir() for program in programs_of(one))]
 
 
 def worded(id):
@@ -44,8 +51,10 @@ class Quote:
 class Record:
     def __init__(self, root, data):
         self.root, self.data = Path(root), Path(data)
-        self.claims, self.figures = read_claims(root), read_figures(root)
-        self.locked, fresh = read_lock(root), read_fresh(data, programs_of(root), self.claims)
+        all = computed(root, data)
+        self.claims, self.figures = read_claims(root), joined(read_figures, all)
+        self.locked = joined(read_lock, all)
+        fresh = read_fresh(data, [program for folder in all for program in programs_of(folder)], self.claims)
         known = dict(self.locked)  # what is not locked may be quoted as it was computed
         known.update({key: replace(self.locked.get(key, f), made_by=f.made_by, row=f.row) for key, f in fresh.items()})
         self.quotable = {name_of(f, self.claims): f for f in known.values()
@@ -54,10 +63,9 @@ class Record:
         self.explained_by = {id: explained_by(id, self.claims) for id in self.claims}
         for claim in self.claims.values():
             claim.update({key: judge.said(claim[key]) for key in ("reading", "reason")})
-        self.findings, self.second = read_findings(root), read_second(root)
-        self.literature = list(verdicts(read_literature(root), self.quotable))
-        self.seconds = read_costs(root)
-        self.alone = read_commands(root)
+        self.findings, self.second = joined(read_findings, all), joined(read_second, all)
+        self.literature = list(verdicts(joined(read_literature, all), self.quotable))
+        self.seconds, self.alone = joined(read_costs, all), joined(read_commands, all)
         self.captions = captions(root)  # figure -> what its caption says after the first sentence, in TeX
         self.sources = {}  # program -> its sources, set by the weaver
         self._columns, self._quotes = {}, {}

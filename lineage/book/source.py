@@ -114,9 +114,14 @@ class Source:
         return self.path.endswith(".hpp")
 
     @property
+    def included(self):
+        """What other sources call it."""
+        return self.path.removeprefix("beyond/").removeprefix("src/")
+
+    @property
     def module(self):
         """The module of the library or the section of its code, empty for chapters."""
-        return Path(self.path).parent.name if self.path.count("/") > 1 else ""
+        return Path(self.path).parent.name if "/" in self.included else ""
 
     @property
     def page(self):
@@ -126,7 +131,7 @@ class Source:
 
 def read_source(root, path, name=""):
     """A source; where it has no title, such as the compiled half of a header, it takes the name that is given."""
-    text = text_of(Path(root) / path)
+    text, path = text_of(Path(root) / path), str(path)
     blocks = split_blocks(text, path)
     title = title_of(blocks) or name
     if not title:
@@ -136,7 +141,7 @@ def read_source(root, path, name=""):
 
 def in_order_of_need(sources):
     """Headers of one module such that each comes after those that it includes; ties by name."""
-    by_path = {s.path[len("src/"):]: s for s in sorted(sources, key=lambda s: s.path)}
+    by_path = {s.included: s for s in sorted(sources, key=lambda s: s.path)}
     done, order = set(), []
 
     def visit(key, above):
@@ -169,20 +174,22 @@ def read_module(root, folder):
     return out + list(halves.values())
 
 
-def find_sources(root, order=()):
-    """Chapters in the order of the book, and the sources of the library and of section code by folder.
+def find_sources(root, folders, order=()):
+    """Chapters of these volumes in the order of the book, and the sources of the library and of section code by folder.
 
     `order` lists the chapters by name; a chapter that it does not know follows the last known one
     of its section, so that a new chapter has a page at once."""
-    src = Path(root) / "src"
-    chapters = {path.stem: read_source(root, f"src/{path.name}") for path in src.glob("sec*.cpp")}
+    root, texts = Path(root), [folder / "src" for folder in folders]
+    chapters = {path.stem: read_source(root, path.relative_to(root)) for src in texts for path in src.glob("sec*.cpp")}
     known = [n for n in order if n in chapters]
     for name in sorted(set(chapters) - set(known)):
         section = name.split("_")[0]
         same = [i for i, n in enumerate(known) if n.split("_")[0] == section]
         before = [i for i, n in enumerate(known) if n.split("_")[0] < section]
         known.insert((same or before or [-1])[-1] + 1, name)
-    folders = {p.parent.name: p.parent for p in sorted(src.rglob("*.[ch]pp")) if p.parent != src}
-    modules = [m for m in modules_of(root) if m in folders]
-    modules += [m for m in folders if m not in modules]
-    return [chapters[name] for name in known], {m: read_module(Path(root), folders[m]) for m in modules}
+    parts = {}
+    for folder in sorted({p.parent for src in texts for p in src.rglob("*.[ch]pp") if p.parent != src}):
+        parts.setdefault(folder.name, []).append(folder)
+    modules = [m for m in modules_of(root) if m in parts]
+    modules += [m for m in sorted(parts, key=lambda m: str(parts[m][0])) if m not in modules]
+    return [chapters[name] for name in known], {m: [s for folder in parts[m] for s in read_module(root, folder)] for m in modules}

@@ -15,7 +15,7 @@ from ..ecsv import Fault, check_written, text_of
 from ..findings import with_kind, with_sentences
 from . import check, pages, prose
 from .bind import Binder, PageBinding, read_live
-from .record import Record
+from .record import Record, computed
 from .source import find_sources, title_of
 
 KATEX = [Path("/usr/share/javascript/katex"), Path("/usr/share/nodejs/katex/dist")]
@@ -67,7 +67,7 @@ def read_parts(path, chapters):
 
 def link_sources(record, chapters, library):
     """Which sources may write a number of a program: its own, and what it needs of the library and of section code."""
-    by_path = {s.path[len("src/"):]: s for module in library.values() for s in module}
+    by_path = {s.included: s for module in library.values() for s in module}
     for chapter in chapters:
         needed = [i for i in chapter.includes if i in by_path]
         halves = [i[:-4] + ".cpp" for i in needed if i[:-4] + ".cpp" in by_path]
@@ -153,7 +153,7 @@ def make(root, data, figures, out, live="", programs=""):
     """The verb; returns the number of files that are text."""
     root, figures, out, live = Path(root), Path(figures), Path(out), Path(live)
     record = Record(root, data)
-    chapters, library = find_sources(root, read_order(prose.ASSETS / "contents.txt"))
+    chapters, library = find_sources(root, computed(root, data), read_order(prose.ASSETS / "contents.txt"))
     link_sources(record, chapters, library)
     sources = chapters + [s for module in library.values() for s in module]
     tell_findings(sources, record.findings)

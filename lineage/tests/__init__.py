@@ -85,7 +85,7 @@ class Scratch(unittest.TestCase):
             ["sec1_demo", "a.one", 1.0000000000000002, 1e-3, "m", "value"], ["sec1_demo", "fact", 2.0, 0.1, "", "value"]]))
         self.write("figures/figures.ecsv", table(FIGURES, [
             ["01", "demo", "1", "sec1_demo", "fig01.gp", "ER", "facts", "A line."]]))
-        self.write("bench/costs.ecsv", table(["program", "seconds"], [["sec1_demo", 3.0]]))
+        self.write("paper/costs.ecsv", table(["program", "seconds"], [["sec1_demo", 3.0]]))
         self.write("codemeta.json", ecsv.text_of(ROOT / "codemeta.json"))
         self.write("README.md", "<!-- discrepant -->\n<!-- /discrepant -->\n")
         self.write("ARTIFACT.md", "<!-- costs -->\n<!-- /costs -->\n")

@@ -69,12 +69,12 @@ class Refreshing(Scratch):
     def test_a_cost_is_renewed_when_it_has_really_moved(self):
         """And every program has one, whether it draws a figure or not."""
         self.write("src/sec2_new.cpp", "/**\n# 2 */\n")
-        self.write("bench/costs.ecsv", table(["program", "seconds"], [["sec1_demo", 10.0], ["sec0_gone", 1.0]]))
+        self.write("paper/costs.ecsv", table(["program", "seconds"], [["sec1_demo", 10.0], ["sec0_gone", 1.0]]))
         costs = chapters.renewed_costs(self.root, {"sec1_demo": 11.0, "sec2_new": 0.412})
         self.assertEqual(costs, {"sec1_demo": 10.0, "sec2_new": 0.41})
         self.assertEqual(chapters.renewed_costs(self.root, {"sec1_demo": 13.02})["sec1_demo"], 13)
         self.lineage("refresh")
-        self.assertEqual(self.read("bench/costs.ecsv").splitlines()[-2:], ["sec1_demo,10", "sec2_new,nan"])
+        self.assertEqual(self.read("paper/costs.ecsv").splitlines()[-2:], ["sec1_demo,10", "sec2_new,nan"])
         self.assertIn("| `sec2_new` | ? |", self.read("ARTIFACT.md"))
 
     def test_what_is_missed_names_the_chapters_that_explain_it(self):
@@ -213,8 +213,8 @@ class Paper(Scratch):
 
     def test_a_caption_links_its_chapter_where_the_repository_is(self):
         meta = metadata.read(ROOT)
-        self.assertIn(r"\href{../src/sec1_demo.cpp}", tex.source("sec1_demo", meta | {"codeRepository": ""}))
-        self.assertEqual(tex.source("sec1_demo", meta | {"codeRepository": "https://a.org/b"}),
+        self.assertIn(r"\href{../src/sec1_demo.cpp}", tex.source("src/sec1_demo.cpp", meta | {"codeRepository": ""}))
+        self.assertEqual(tex.source("src/sec1_demo.cpp", meta | {"codeRepository": "https://a.org/b"}),
                          r"\href{https://a.org/b/blob/HEAD/src/sec1_demo.cpp}{\nolinkurl{src/sec1_demo.cpp}}")
 
     def test_the_proof_comes_from_its_chapter(self):

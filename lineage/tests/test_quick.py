@@ -12,7 +12,7 @@ PROGRAMS = programs_of(ROOT)
 
 
 def slowness():
-    """How many times longer the full runs have just taken than bench/costs.ecsv says; one where they were faster."""
+    """How many times longer the full runs have just taken than paper/costs.ecsv says; one where they were faster."""
     then, now = chapters.read_costs(ROOT), chapters.measured_costs(ROOT / "build/report/cost")
     known = [program for program in now if then.get(program, 0) > 0]
     return max(1, sum(now[program] for program in known) / max(1, sum(then[program] for program in known)))
