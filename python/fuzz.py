@@ -30,7 +30,7 @@ from fuzz import SIZES, good_value  # noqa: E402
 SECONDS = 30 * float(os.environ.get("LATTICE_SLACK", "1"))
 MOST = 2 << 30  # bytes
 MOST_STIFF = {"alpha": 3, "precompression": 2}  # contacts that are stiffer take very many steps
-FUNCTIONS = ["strike", "strike", "breather", "multipliers", "barrier", "travelling", "dps"]
+FUNCTIONS = ["strike", "strike", "breather", "multipliers", "barrier", "dps"]
 METHODS = ["Chain", "Chain", "evolve", "evolve", "evolve", "energy_density", "accelerations", "strike a chain", "Well",
            "Contact", "pickle"]
 ODD_NUMBERS = [math.nan, math.inf, -math.inf, 0, -0.0, -1, 1, 1e-3, 5e-324, 1e-310, 1e-100, -1e-9, 1e5, 1e20, 1e100, 1e308,
@@ -87,8 +87,6 @@ class Call:
         for name, flag, allowed, *_ in lattice._lattice.options[command]:
             if not flag and name not in without and (self.chance.random() < 0.3 or name in SIZES):
                 out[name] = self.option(name, allowed)
-        if command == "travelling" and "near" in out:
-            out.pop(self.chance.choice(["near", "k"]), None)
         if self.odd() and self.chance.random() < 0.3:
             out[self.chance.choice(["bogus", "", "x" * 1000, "a b", "s=1 --s", "help", "mass", "\udcff"])] = odd(self.chance)
         return self.note(**out)

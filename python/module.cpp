@@ -7,119 +7,23 @@ programs, and nothing is decided here. What is added is what Python needs: array
 are written in Python, and a way to stop. The package around it (package.py) has the names and the
 documentation. */
 
-#include <gsl/gsl_errno.h>
-#include <pybind11/numpy.h>
-#include <pybind11/pybind11.h>
-#include <pybind11/stl.h>
-#include <unistd.h>
+#include "binding.hpp"
 
-#include <algorithm>
 #include <array>
-#include <atomic>
-#include <chrono>
-#include <deque>
-#include <exception>
 #include <functional>
-#include <future>
 #include <memory>
 #include <sstream>
-#include <stdexcept>
-#include <string>
-#include <system_error>
-#include <thread>
-#include <utility>
-#include <variant>
-#include <vector>
 
 #include "commands/dps_strike.hpp"
 #include "commands/multipliers.hpp"
 #include "commands/one_barrier.hpp"
 #include "commands/one_breather.hpp"
 #include "commands/one_impact.hpp"
-#include "commands/one_orbit.hpp"
 #include "lattice/integrators/driven_chain.hpp"
-#include "lattice/numerics/interrupt.hpp"
 #include "lattice/numerics/parallel.hpp"
-#include "report/command_line.hpp"
 #include "report/model_options.hpp"
 
-namespace py = pybind11;
-using namespace lattice;
-
 namespace {
-
-using Words = std::vector<std::string>;
-
-/**
-## The lock of the interpreter
-
-An interpreter that exits ends every other thread that wants its lock, or runs its code, by unwinding its stack. Our
-frames are not made for that: destructors would let go of objects without the lock, and the process would abort. Such a
-thread waits instead until the process is gone, as it does from Python 3.14 on. */
-/// What a function of the interpreter, or of numpy, which lets go of the lock to copy, returns, if it returns.
-template <class Ask>
-auto ask_interpreter(Ask ask) {
-  try {
-    return ask();
-  } catch (...) {
-    if (std::current_exception()) throw;  // an exception of C++, as that unwinding is not
-    for (;;) std::this_thread::sleep_for(std::chrono::hours(1));
-  }
-}
-
-class WithLock {
- public:
-  WithLock() = default;
-  ~WithLock() { PyGILState_Release(state_); }
-  WithLock(const WithLock&) = delete;
-  WithLock& operator=(const WithLock&) = delete;
-
- private:
-  PyGILState_STATE state_ = ask_interpreter(PyGILState_Ensure);
-};
-
-class WithoutLock {
- public:
-  WithoutLock() = default;
-  ~WithoutLock() {
-    ask_interpreter([this] { PyEval_RestoreThread(state_); });
-  }
-  WithoutLock(const WithoutLock&) = delete;
-  WithoutLock& operator=(const WithoutLock&) = delete;
-
- private:
-  PyThreadState* state_ = PyEval_SaveThread();
-};
-
-/**
-## Long work
-
-Signals reach the main thread only. There a computation runs in a thread of its own, without the lock, while the main
-thread waits and asks from time to time whether the user has pressed Ctrl-C. If so, the computation is told to stop.
-Any other thread computes itself, and so does the main one where no thread can start. */
-template <class Compute>
-auto at_work(Compute compute) {
-  std::atomic<bool> stop{false};
-  std::packaged_task<decltype(compute())()> task([&] {
-    const Interruptible with_flag(&stop);
-    return compute();
-  });
-  auto found = task.get_future();
-  {
-    const WithoutLock for_others;
-    std::thread worker;
-    try {
-      if (gettid() == getpid()) worker = std::thread(std::ref(task));
-    } catch (const std::system_error&) {
-    }
-    if (!worker.joinable()) task();
-    while (found.wait_for(std::chrono::milliseconds(50)) != std::future_status::ready)
-      if (const WithLock with_lock; !stop && PyErr_CheckSignals() != 0) stop = true;
-    if (worker.joinable()) worker.join();
-  }
-  if (PyErr_Occurred()) throw py::error_already_set();
-  return found.get();
-}
 
 /**
 ## Potentials that are written in Python
@@ -193,46 +97,6 @@ struct RowContact : Rows {
 };
 
 /**
-## Options
-
-A command reads words, as in a program. `options` tells what there is to be said, for signatures and
-documentation. */
-template <class Command>
-struct Spoken {
-  Command command{};
-  std::deque<Offer> offers{};
-
-  Spoken() {
-    offers.emplace_back();
-    Offer& offer = offers.emplace_back();
-    offer.name = Command::title.name;
-    command.parameters(offer.parameters);
-  }
-  Spoken(const Spoken&) = delete;
-  Spoken& operator=(const Spoken&) = delete;
-};
-
-template <class Command>
-Command read(Words words) {
-  Spoken<Command> spoken;
-  words.insert(words.begin(), Command::title.name);
-  if (read_line(spoken.offers, words).what != Asked::What::run)
-    throw UsageError("--help: is for programs (allowed: Python's own help)");
-  return spoken.command;
-}
-
-/// Name, whether it is a flag, what is allowed, meaning and default of every option.
-template <class Command>
-py::list options() {
-  const Spoken<Command> spoken;
-  py::list out;
-  for (const Option& p : spoken.offers.back().parameters.all())
-    out.append(py::make_tuple(p.name, p.takes == Option::Takes::flag, p.check.allowed, p.meaning,
-                              p.standard));
-  return out;
-}
-
-/**
 A chain is described by the options that all programs share, and beyond them by potentials of one's own. */
 struct OwnChain {
   static constexpr Title title{"chain", "a chain"};
@@ -261,30 +125,7 @@ py::object own_in(const Any& any) {
 }
 
 /**
-## Tables
-
-A column becomes an array of its own type. */
-py::object array_of(const std::vector<double>& x) {
-  return ask_interpreter([&] { return py::array_t<double>(py::ssize_t(x.size()), x.data()); });
-}
-
-py::object column_of(const Table& table, std::size_t k) {
-  if (table.columns[k].kind == Kind::real) return array_of(table.numbers(table.columns[k].name));
-  py::list out;
-  for (const auto& row : table.rows)
-    std::visit([&](const auto& cell) { out.append(cell); }, row[k]);
-  if (table.columns[k].kind == Kind::integer)
-    return ask_interpreter([&] { return py::array::ensure(out); });
-  return out;
-}
-
-py::dict to_python(const Table& table) {
-  py::dict out;
-  for (std::size_t k = 0; k < table.columns.size(); ++k)
-    out[py::str(table.columns[k].name)] = column_of(table, k);
-  return out;
-}
-
+## Tables */
 py::dict to_python(const Track& track) {
   py::dict out;
   out["t"] = array_of(track.t);
@@ -292,15 +133,6 @@ py::dict to_python(const Track& track) {
   out["energy"] = array_of(track.energy);
   out["peak"] = array_of(track.peak);
   return out;
-}
-
-/// Both tables of a command, as dictionaries of columns.
-template <class Command, class Found>
-py::tuple answer(const Command& command, const Found& found) {
-  const auto tables = at_work([&] {
-    return std::pair{command.quantities(found), command.profile(found)};
-  });
-  return py::make_tuple(to_python(tables.first), to_python(tables.second));
 }
 
 /**
@@ -335,12 +167,6 @@ py::tuple one_breather(const Words& words, const OwnWell* well, const Chain* cha
 py::tuple all_multipliers(const Words& words, const OwnWell* well, const Chain* chain) {
   const auto command = chosen<Multipliers>(words, well, chain);
   return answer(command, at_work([&] { return command.find(); }));
-}
-
-py::tuple one_orbit(const Words& words) {
-  const auto command = read<OneOrbit>(words);
-  const auto found = at_work([&] { return command.find(); });
-  return answer(command, found) + py::make_tuple(found.problem.chain);
 }
 
 py::tuple one_barrier(const Words& words, const OwnWell* well, const Chain* chain) {
@@ -484,32 +310,6 @@ Numbers accelerations_of(const Chain& chain, const Numbers& y) {
                  [&](const State<double>& state) { return accelerations(chain, state.y); });
 }
 
-/**
-## Complaints
-
-Whatever is wrong is said in the one line that the programs print: a ValueError if the input cannot be used, a
-RuntimeError if the computation did not deliver what it promised. */
-void say(PyObject* kind, std::string line) {
-  std::replace(line.begin(), line.end(), '\n', ' ');
-  PyErr_SetString(kind, line.c_str());
-}
-
-void translate(std::exception_ptr error) {
-  try {
-    if (error) std::rethrow_exception(error);
-  } catch (const py::error_already_set&) {
-    throw;  // Python's own exceptions pass
-  } catch (const py::builtin_exception&) {
-    throw;
-  } catch (const UsageError& e) {
-    say(PyExc_ValueError, e.what());
-  } catch (const std::invalid_argument& e) {
-    say(PyExc_ValueError, e.what());
-  } catch (const std::runtime_error& e) {
-    say(PyExc_RuntimeError, e.what());
-  }
-}
-
 /// The three functions of a potential, as they were given.
 template <class Row, class Own>
 py::tuple functions_of(const Own& own) {
@@ -569,15 +369,13 @@ void add_model(py::module_& m) {
 }  // namespace
 
 PYBIND11_MODULE(_lattice, m) {
-  gsl_set_error_handler_off();  // its errors are ours to report, not a reason to abort
-  py::register_exception_translator(&translate);
+  translate_complaints();
   add_model(m);
   m.attr("version") = LATTICE_VERSION;
   m.attr("options") = py::dict(
       py::arg("Chain") = options<OwnChain>(), py::arg("strike") = options<OneImpact>(),
       py::arg("breather") = options<OneBreather>(), py::arg("multipliers") = options<Multipliers>(),
-      py::arg("barrier") = options<OneBarrier>(), py::arg("travelling") = options<OneOrbit>(),
-      py::arg("dps") = options<DpsStrike>());
+      py::arg("barrier") = options<OneBarrier>(), py::arg("dps") = options<DpsStrike>());
   m.attr("digits_hint") = digits_hint;
   m.attr("parameters") = py::dict(py::arg("well") = parameter_names<Well>(),
                                   py::arg("contact") = parameter_names<Contact>());
@@ -585,7 +383,6 @@ PYBIND11_MODULE(_lattice, m) {
   m.def("strike", &strike_chain);
   m.def("breather", &one_breather);
   m.def("multipliers", &all_multipliers);
-  m.def("travelling", &one_orbit);
   m.def("barrier", &one_barrier);
   m.def("dps", &dps_strike);
 }

@@ -1,8 +1,8 @@
 """Breathers in oscillator chains with Hertzian interactions, from Python.
 
-The functions are the commands of the programs: `strike`, `breather`, `multipliers`, `barrier`, `travelling` and `dps`
-take the same options, compute the same bits and refuse the same input with the same line (ValueError; a computation
-that does not deliver what it promises is a RuntimeError). A `Chain` may have masses, contacts and wells of your own.
+The functions are the commands of the programs: `strike`, `breather`, `multipliers`, `barrier` and `dps` take the
+same options, compute the same bits and refuse the same input with the same line (ValueError; a computation that does not
+deliver what it promises is a RuntimeError). A `Chain` may have masses, contacts and wells of your own.
 
     >>> import lattice
     >>> lattice.strike(velocity=1.5, time=200, s="-1/6").speed
@@ -40,7 +40,7 @@ except ImportError as _error:
 
 __version__ = _lattice.version
 __all__ = ["Chain", "Contact", "Estimate", "Result", "Well", "barrier", "breather", "dps", "multipliers", "set_threads",
-           "strike", "travelling"]
+           "strike"]
 
 
 class Estimate(float):
@@ -521,22 +521,6 @@ def barrier(chain=None, **options):
     return Result(_estimates(_lattice.barrier(_words("barrier", options), well, chain)[0]))
 
 
-def travelling(**options):
-    """An exact travelling breather, y_n(t + T) = y_(n-1)(t), the open problem of section 5.
-
-    OPTIONS
-
-    Returns a Result with the quantities of `sec5_travelling_breathers orbit`: shift_time T, speed (sites per unit of time),
-    energy, peak (largest energy density at t = 0), tail (left behind, relative to the amplitude), residual (relative to
-    the amplitude) and multiplier_modulus (per shift); the arrays n, y and v, one entry per bead: site (around the
-    centre), position and velocity at t = 0; and the `chain`. Errors are differences from a wider number type; those of tail
-    and residual are their own size.
-
-    ValueError: there is no such orbit; the message names the nearest."""
-    found, profile, chain = _lattice.travelling(_words("travelling", options))
-    return Result(_estimates(found), **profile, chain=_chain(chain))
-
-
 def dps(**options):
     """The same impact in the limit of small amplitude, the discrete p-Schroedinger equation (12) with Eq. (25).
 
@@ -554,11 +538,17 @@ def dps(**options):
 
 def set_threads(count=0):
     """Sets the number of threads; zero stands for all cores that the process may use. No result depends on it."""
-    _lattice.set_threads(int(_within("count", count, 0, 1024)))
+    for half in filter(None, (_lattice, _beyond)):
+        half.set_threads(int(_within("count", count, 0, 1024)))
 
 
 _described(Chain, "Chain", extra=["sites", "mass", "eta"])
 for _function in (strike, breather, multipliers, barrier):
     _described(_function, _function.__name__, extra=["chain"])
-for _function in (travelling, dps):
-    _described(_function, _function.__name__)
+_described(dps, "dps")
+# Volume two, where it is built
+try:
+    from ._travelling import _beyond, travelling
+    __all__.append("travelling")
+except ModuleNotFoundError:
+    _beyond = None

@@ -136,9 +136,6 @@ class SameBits(unittest.TestCase):
         self.assertEqual(bits(lattice.barrier(chain, omega=1.2).equal_area),
                          bits(lattice.barrier(omega=1.2, contact="power", alpha=1.75, well="pendulum").equal_area))
 
-    def test_travelling(self):
-        self.check(lattice.travelling, "sec5_travelling_breathers orbit", "nyv", k=1, sign="minus")
-
     def test_dps(self):
         found = self.check(lattice.dps, "sec31_dps_limit impact", tau=60)
         self.assertAlmostEqual(np.sum(np.abs(found.amplitude_n) ** 2), 1, delta=1e-9)
@@ -161,7 +158,6 @@ class Refusals(unittest.TestCase):
         self.check(ValueError, lattice.strike, run, well="pendulum", s=1.0)
         self.check(ValueError, lattice.breather, "sec32_newton_breathers breather", centre="bond", sites=31)
         self.check(ValueError, lattice.breather, "sec32_newton_breathers breather", well="none")
-        self.check(ValueError, lattice.travelling, "sec5_travelling_breathers orbit", k=1, near=5.5)
         self.check(ValueError, lattice.dps, "sec31_dps_limit impact", end="loose")
         self.check(ValueError, lattice.breather, "sec32_newton_breathers breather", precompression=0.01, omega=1.2)
 

@@ -66,7 +66,7 @@ std::vector<Exercise> exercises(const std::string& name, const std::string& sour
 
 std::vector<std::vector<Exercise>> of_all_chapters() {
   std::vector<std::vector<Exercise>> out;
-  for (const auto& entry : fs::directory_iterator(fs::path(SOURCE_DIR) / "src")) {
+  for (const auto& entry : fs::directory_iterator(fs::path(VOLUME_DIR) / "src")) {
     if (entry.path().extension() != ".cpp") continue;
     std::ifstream in(entry.path());
     const std::string text(std::istreambuf_iterator<char>(in), {});
@@ -148,5 +148,5 @@ TEST_CASE("the commands of the exercises print what they say", "[exercises]") {
                expected.half_unit() <= std::max(0.02 * std::abs(number), error)));
         ++count;
       }
-  CHECK(count > 60);
+  CHECK(count > 20);
 }

@@ -12,12 +12,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const fs::path root = SOURCE_DIR, data = DATA_DIR;
+const fs::path data = DATA_DIR;
 
 /// Our numbers by the names that prose gives them, and claims by their ids.
 class Named {
  public:
-  explicit Named(const Findings& findings) : claims_(read_claims(root / "paper/published.ecsv")) {
+  explicit Named(const Findings& findings)
+      : claims_(read_claims(SOURCE_DIR "/paper/published.ecsv")) {
     for (const auto& [key, f] : findings)
       found_[claims_.count(key.second) ? key.second : key.first + "." + key.second] = f;
   }
@@ -62,7 +63,7 @@ Criterion with_wrong(Criterion criterion, std::size_t k) {
 
 TEST_CASE("findings", "[published]") {
   const Named fresh(read_findings(data));
-  const Table rows = read(root / "paper/findings.ecsv");
+  const Table rows = read(VOLUME_DIR "/paper/findings.ecsv");
   const auto id = rows.texts("id"), kind = rows.texts("kind"), criterion = rows.texts("criterion"),
              sentence = rows.texts("sentence"), range = rows.texts("range");
   REQUIRE(id.size() <= 30);

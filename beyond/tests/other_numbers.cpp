@@ -103,9 +103,8 @@ TEST_CASE("the pulse of alternating contacts keeps its energy where it should",
 }
 
 TEST_CASE("numbers of other authors", "[published]") {
-  const std::filesystem::path root = SOURCE_DIR;
   const auto answers = read_findings(DATA_DIR);
-  const Table t = read(root / "paper/literature.ecsv");
+  const Table t = read(VOLUME_DIR "/paper/literature.ecsv");
   const auto id = t.texts("id"), program = t.texts("program"), printed = t.texts("printed"),
              kind = t.texts("class"), tolerance = t.texts("tolerance"),
              obtained = t.texts("obtained"), status = t.texts("status");

@@ -178,18 +178,19 @@ Provenance provenance(const Program& program, const std::string& command, const 
 /**
 ## What a run costs
 
-Whoever asks for help wants to know how long a full run takes. The measured time is in bench/costs.ecsv and
-nowhere else: it is read from there if the program is called where it was built. */
+Whoever asks for help wants to know how long a full run takes. The measured time is in paper/costs.ecsv of the
+program's volume and nowhere else: it is read from there if the program is called where it was built. */
 std::string full_run_takes(const std::string& program) try {
-  std::filesystem::path folder = executable().parent_path();
-  while (!std::filesystem::exists(folder / "bench/costs.ecsv")) {
+  std::filesystem::path folder = executable().parent_path(), costs = "paper/costs.ecsv";
+  while (!std::filesystem::exists(folder / costs)) {
     if (folder == folder.parent_path()) return "";
     folder = folder.parent_path();
   }
-  const Table costs = read(folder / "bench/costs.ecsv");
-  const auto programs = costs.texts("program");
+  if (!std::filesystem::exists(folder / ("src/" + program + ".cpp"))) folder /= "beyond";
+  const Table known = read(folder / costs);
+  const auto programs = known.texts("program");
   const auto at = std::find(programs.begin(), programs.end(), program) - programs.begin();
-  const double seconds = costs.numbers("seconds").at(std::size_t(at));
+  const double seconds = known.numbers("seconds").at(std::size_t(at));
   if (!(seconds > 0)) return "";
   const double rounded = std::round(seconds);
   const std::string time = rounded < 1    ? "less than a second"
