@@ -158,21 +158,21 @@ Four things make these motions hard to compute, and most of this book's methods 
 
 ## How the chapters depend on each other
 
-A chapter needs those to the left of it, and the headers that it names. `[5]` is beyond the article.
+A chapter needs those to the left of it, and the headers that it names. `[2]` is in the second volume, beyond the article.
 
     sec1 -- sec31 DpS limit -- sec32 static breathers -- sec32 barrier -- sec33 stability -- sec33 mobility
-       |         |                 (DpS and chain)                            +-- sec33 between
-       |         |                                                            +-- sec33 multiplier errors
+       |         |                 (DpS and chain)                            +-- [2] sec33 between
+       |         |                                                            +-- [2] sec33 multiplier errors
        |         |                                                            +-- sec33 stability, DpS
-       |         +-- sec34 impact, gentle -- sec34 impact, strong -- sec34 turning -- sec34 which, sec34 why
+       |         +-- sec34 impact, gentle -- sec34 impact, strong -- sec34 turning -- [2] which, why
        |         |            |                    +-- sec34 kink
-       |         |            |                    +-- secB numbers of other authors
-       |         |            +-- sec35 scales -- sec36 array -- [5] experiment, driving -- [5] driven packets
-       |         +-- sec4 precompression -- [5] growth
-       |         +-- [5] travelling breathers -- [5] families -- [5] what becomes of a packet
-       |                      +-- [5] kernel equation -- [5] enclosures
-       +-- sec2 no breathers without wells -- sec2 soft wells
-       +-- secA integrators -- secA which one did the article use */
+       |         |            |                    +-- [2] secB numbers of other authors
+       |         |            +-- sec35 scales -- sec36 array -- [2] experiment, driving -- [2] driven packets
+       |         +-- sec4 precompression -- [2] growth
+       |         +-- [2] travelling breathers -- [2] families -- [2] what becomes of a packet
+       |                      +-- [2] kernel equation -- [2] enclosures
+       +-- sec2 no breathers without wells -- [2] sec2 soft wells
+       +-- secA integrators */
 Table& report_motions(Report& report) {
   return report.table("motions", {label("motion", "pulse, packet or breather"), number("t", "time"),
                                   count("n", "site", "site"), number("e", "energy density")});
@@ -184,18 +184,15 @@ Table& report_motions(Report& report) {
 Most of the article survives: breathers, packets that turn round, scales. Some delicate numbers do not: a breather of
 frequency 1.1 is depinned by a kick of the size $c =$ [4.4518e-6](num:moving.c_threshold), not $6.19\cdot10^{-6}$, and
 the breathers around site and bond exchange their stability at almost the same $s$, [0.152520](num:floquet.s0_bond), not
-at 0.26 and 0.05 (*Published against reproduced* has every claim). Beyond the article, one sentence from each part; the
+at 0.26 and 0.05 (*Published against reproduced* has every claim). Of what we found besides, three sentences; the
 page *What we found* has all, with what was tried to refute them. In these sentences $c$ is the root of the summed
-squares of the velocities that a kick adds, *equal area* means equal action of the two breathers, and the array is
-shaken with the amplitude $a$, by a *piston* that pushes its first bead or at the *base* of its first beam.
+squares of the velocities that a kick adds, and *equal area* means equal action of the two breathers.
 
 - **Static breathers.** [](finding:barrier.signs)
-- **Stability.** [](finding:exchange.six)
 - **Mobility.** [](finding:depinning.law)
-- **Packets that turn round.** [](finding:turning.alone)
-- **Travelling breathers.** [](finding:travelling.speeds)
-- **An array that is driven.** [](finding:driving.law)
-- **Integrators.** [](finding:integrators.order) */
+- **Integrators.** [](finding:integrators.order)
+
+Why packets turn round, which travelling breathers are exact, and what a driven array does is asked in the second volume. */
 void reproduce(Report& report) {
   Table& map = report_motions(report);
   strike_both(report, map);

@@ -348,8 +348,7 @@ such a residual, too, because its phase is wrong at $T_b$, and its energy is wro
 A residual of the printed size corresponds to an energy of
 [1.59887e-12](num:sec32_barrier.hidden_energy) for one breather, and the printed barrier exceeds ours by
 [1.45775e-12](num:sec32_barrier.printed_excess). So the two agree within the accuracy of the article, and ours is the
-more accurate value. Integrations of that accuracy give barriers on either side of the printed one
-(`sec33_article_integrator`). */
+more accurate value. */
 void report_printed(Report& report, const Estimate& barrier) {
   report.facts.add("hidden_energy",
                    compare(hidden_energy(1.5e-9, 2e-6), hidden_energy(1.5e-9, 1e-6)));

@@ -80,7 +80,7 @@ breather, which was found on a quarter of one, it is [4e-14](num:newton.residual
 [4](num:sec32_newton_breathers.newton_iterations) steps, and the last variation is [7e-14](num:newton.variation).
 
 How did the article get its larger numbers? We also solve its equations, the whole period map in the sense of least
-squares (sec32/full_map.hpp), in two ways. First we leave nothing out. These equations are ill-conditioned: the
+squares (sec32/full_map.hpp). These equations are ill-conditioned: the
 condition number is [1.75392e6](num:sec32_newton_breathers.condition_full), against
 [22.3356](num:sec32_newton_breathers.condition_site) of the symmetric equations. The least singular vector is nearly a
 shift along the chain, the *pinning mode* of section 3.3; its angle with the discrete gradient $y_{n+1}-y_{n-1}$ has the
@@ -88,10 +88,7 @@ cosine [0.987389](num:sec32_newton_breathers.softest_along_gradient). After ten 
 [1e-14](num:sec32_newton_breathers.full_residual), but Newton's method still demands a step of
 [8e-9](num:sec32_newton_breathers.full_step). After five, the article's number, the residual is
 [3.6091e-10](num:sec32_newton_breathers.full_residual_5) and the step
-[5.63924e-5](num:sec32_newton_breathers.full_step_5): the printed residual is met, the variation is not. Least squares
-that leave the pinning mode alone stop at the residual [2.1e-9](num:sec33_article_integrator.residual_flow) with steps
-of [5e-15](num:sec33_article_integrator.variation_flow) (sec33_article_integrator.cpp). Of the three only this one has a
-residual that is large beside its variation, as the printed pair has; but its variation is far below the printed one. */
+[5.63924e-5](num:sec32_newton_breathers.full_step_5): the printed residual is met, the variation is not. */
 void report_convergence(Report& report) {
   // The symmetric equations at two tolerances
   const auto problem = problem_of(Centre::site, omega_b);

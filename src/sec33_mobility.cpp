@@ -430,8 +430,7 @@ void report_speeds(Report& report, const Breathers& at, const std::array<double,
 We compare every integrator that we have on the weakly kicked bond-centred breather, over 5000 units of time. Work is
 counted in forces on one site for one unit of time, which does not depend on the machine. Splittings lose accuracy
 wherever a contact opens or closes, and extended precision does not help, because rounding is not the cause; locating
-every such event is exact to the last digits and too expensive for $10^5$ periods. What fixed steps without the
-correction do to a threshold, and whether they explain the printed one, is asked in `sec33_article_integrator`. */
+every such event is exact to the last digits and too expensive for $10^5$ periods. */
 void report_integrators(Report& report, const RestingBreather& at) {
   Table& table = report.table(
       "integrators", {label("integrator", "scheme"), number("step", "largest step", "unit of time"),
@@ -460,8 +459,7 @@ void report_integrators(Report& report, const RestingBreather& at) {
 [](finding:depinning.law) The pendulum predicts
 [4.45275e-6](num:sec33_mobility.threshold_of_pendulum_bond_stretched). With the central contact compressed the
 threshold is [4.3198e-6](num:sec33_mobility.threshold_bond_compressed). That commensurate steps explain the printed
-threshold is a conjecture: the trials of `sec33_article_integrator` show that they can pin a breather, but not at a
-conserved energy, and none that comes near the threshold makes the site-centred breather jump two sites and stay. The law
+threshold is a conjecture: they can pin a breather, but not at a conserved energy. The law
 of the threshold was tested for slow motion and kicks along $g$; other directions of the kick were not tried. */
 void reproduce(Report& report) {
   report.output.note("sites", "52 and 53 for strong kicks, 22 to 31 otherwise");

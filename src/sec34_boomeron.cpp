@@ -315,6 +315,36 @@ void report_printed_range(Report& report) {
 }
 
 /**
+## In the softest of hard wells
+
+The article sees reversals for $s \ge 0.005$ and none for $s = 0$, and prints neither an impact nor a time. In so soft a
+well packets turn soon after very strong impacts only: with $s = 0.005$ and $v_0 = 132$ the turning point is at site
+[](num:boomeron.any_s), and the packet is back at $t =$ [](num:sec34_boomeron.return_time_softest). After the same impact
+on linear wells the packet is at site [](num:sec34_boomeron.centre_without_hardness) at $t = 450$ and has moved outward all
+the time. After the weaker impacts of figure 22 a packet in such a well may turn much farther out. */
+void report_softest(Report& report) {
+  const double step = report.quick ? 0.02 : 0.01;
+  Voyage hard[2], linear[2];
+  parallel_for(4, [&](std::size_t k) {
+    const Strike strike{132, k < 2 ? 0.005 : 0, k < 2 ? 400.0 : 450.0};
+    (k < 2 ? hard : linear)[k % 2] = voyage({k % 2 ? step : 2 * step}, strike);
+  });
+  const TurnEstimate turn = estimate_turn(hard[0], hard[1]);
+  report.results.add("boomeron.any_s", turn.apex_site, "site");
+  report.facts.add("return_time_softest", turn.return_time);
+
+  // The centre that is followed, and the farthest that it has ever fallen back
+  double centre[2], back[2]{};
+  for (int k : {0, 1}) {
+    const Path p = smooth(linear[k].path, path_smoothing);
+    double most = centre[k] = p.centre.back();
+    for (double x : p.centre) most = std::max(most, x), back[k] = std::max(back[k], most - x);
+  }
+  report.facts.add("centre_without_hardness", compare(centre[0], centre[1]), "site");
+  report.facts.add("turns_back_without_hardness", compare(back[0], back[1]), "sites");
+}
+
+/**
 ## How long the motion is determined
 
 The motion is chaotic, so two runs that differ by as little as a rounding error part sooner or later. We say that they have
@@ -469,6 +499,7 @@ void reproduce(Report& report) {
   report_force(report, reads);
   report_profiles(report, reads[1]);
   report_printed_range(report);
+  report_softest(report);
   report_ensemble(report);
   report_check(report);
 }

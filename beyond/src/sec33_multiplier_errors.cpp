@@ -348,7 +348,7 @@ void report_printed(Report& report) {
 The article does not say how its matrices were computed. Common tolerances produce gaps of the printed size and sign;
 that does not prove that one of them was used. In the trials the breathers are exact, while the article prints a
 residual of $1.5\cdot10^{-9}$ for one of its own, and what that does to $\kappa$ was not tried. Nor were integrators with
-fixed steps; these follow in `sec33_article_integrator`. */
+fixed steps. */
 void reproduce(Report& report) {
   report.output.note("tolerance",
                      "flow to 128 and 2048 roundings of the type, unless a table says else");

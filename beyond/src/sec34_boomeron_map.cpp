@@ -307,7 +307,7 @@ void report_any_s(Report& report) {
                    exact(std::accumulate(moved.begin(), moved.end(), 0.0)), "runs");
 
   // At the article's velocity the answer is a hardness
-  report.results.add("boomeron.any_s", critical_s(1.9, report.quick ? 6 : 10));
+  report.facts.add("s_needed_at_19", critical_s(1.9, report.quick ? 6 : 10));
 }
 
 /**
@@ -318,7 +318,7 @@ that are fitted. Above $v_0=1$ the points seem to lie on another power law, and 
 [-1.236](num:sec34_boomeron_map.power_large_impacts); but the slope changes along the contour, and this is a mean.
 
 **At the article's least hardness, $s=0.005$, packets turn before site 40 after very strong impacts only.** At $v_0=1.9$
-it takes $s$ above [0.908](num:boomeron.any_s) to turn a packet before site 40 (if $s$ is far larger, it stays at the
+it takes $s$ above [0.908](num:sec34_boomeron_map.s_needed_at_19) to turn a packet before site 40 (if $s$ is far larger, it stays at the
 struck end), and at $s=0.005$ an impact of [128.4](num:sec34_boomeron_map.v0_needed_at_s_0005), far above the velocities
 that the article prints. It does not say for which impact and until when it looked, and whether a weaker packet turns
 further out we do not know. At $s=0$ none turned before site 40. */

@@ -379,16 +379,8 @@ void report_decay(Report& report) {
 ## When would the instability show?
 
 The article compares one growth rate with one lifetime: an instability is hidden if a disturbance, multiplied by
-$1+\epsilon$ in each period, does not grow by a factor of $e$ in 10 ms, that is for $\epsilon < 0.015$. With the printed
-period of 0.15 ms $(1+\epsilon)^{10/0.15} = e$ gives [0.0151131](num:outlook.dominated), with $2\pi\tau_c$
-[0.0159718](num:sec5_experiment.epsilon_e_fold). */
-void report_bound(Report& report) {
-  const double linear_period = array36.milliseconds(2 * std::numbers::pi);
-  report.results.add("outlook.dominated", exact(std::expm1(0.15 / ten_ms)));
-  report.facts.add("epsilon_e_fold", exact(std::expm1(linear_period / ten_ms)));
-}
+$1+\epsilon$ in each period, does not grow by a factor of $e$ in 10 ms, that is for $\epsilon < 0.015$ (`sec35_scales`).
 
-/**
 But a breather that loses energy moves along its branch, and its instability with it (decay.hpp). In the DpS limit the
 growth rate is $\sigma = \Lambda(\omega_b-1)\propto|A|^{1/2}$ and falls with the clock, like $e^{-\nu t/4}$. So a shift
 grows in all by as much as in four lifetimes at the initial rate, $\int_0^\infty\sigma\,dt = 4\tau\,\sigma(0)$, and by
@@ -475,7 +467,6 @@ void reproduce(Report& report) {
   report_ranges(report);
   report_contacts(report);
   report_decay(report);
-  report_bound(report);
   report_instability(report);
 }
 

@@ -16,6 +16,16 @@ from lineage.__main__ import main
 from lineage.values import Finding
 
 ROOT = Path(__file__).resolve().parents[2]
+# The volume that is asked for: what is said of this repository is said of it.
+VOLUME = ROOT / os.environ.get("LINEAGE_VOLUME", "")
+
+
+def of_volume(test):
+    """Marks a test, or a class of tests, of this repository that each volume has to pass."""
+    test.of_volume = True
+    return test
+
+
 CLAIMS = ["id", "section", "where", "quantity", "printed", "unit", "class", "tolerance", "note", "program", "status",
           "reading", "covered_by", "reason"]
 LOCK = ["program", "id", "value", "error", "unit", "kind"]

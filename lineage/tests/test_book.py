@@ -12,8 +12,9 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from lineage import ecsv, tex
+from lineage import chapters, ecsv, tex
 from lineage.values import Finding
+from lineage.volumes import volumes
 
 from . import ROOT, Scratch
 
@@ -70,7 +71,7 @@ class Blocks(unittest.TestCase):
 
     def test_every_name_that_a_header_offers_is_explained(self):
         unexplained = []
-        for path in sorted((ROOT / "src").rglob("*.hpp")):
+        for path in sorted(path for folder in volumes(ROOT) for path in (folder / "src").rglob("*.hpp")):
             text = ecsv.text_of(path)
             lines = text.split("\n")
             for name, line in source.definitions(source.split_blocks(text)).items():
@@ -95,10 +96,10 @@ class Blocks(unittest.TestCase):
         self.assertEqual([s.name for s in source.in_order_of_need([a, b])], ["b.hpp", "a.hpp"])
 
     def test_every_source_is_in_the_book(self):
-        chapters, library = source.find_sources(ROOT, weave.read_order(BOOK / "contents.txt"))
+        chapters, library = source.find_sources(ROOT, volumes(ROOT), weave.read_order(BOOK / "contents.txt"))
         there = chapters + [s for module in library.values() for s in module]
         self.assertEqual({s.path for s in there},
-                         {str(p.relative_to(ROOT)) for p in (ROOT / "src").rglob("*.[ch]pp")})
+                         {str(p.relative_to(ROOT)) for folder in volumes(ROOT) for p in (folder / "src").rglob("*.[ch]pp")})
         self.assertEqual(len(there), len({s.page for s in there}))
         self.assertEqual({p.name for p in (ROOT / "src/lattice").iterdir()} - set(source.modules_of(ROOT)), set(), "README.md")
 
@@ -170,7 +171,7 @@ class Numbers(unittest.TestCase):
 
     def test_every_locked_number_has_its_lines(self):
         known = Record(ROOT, ROOT / "build/data")
-        chapters, library = source.find_sources(ROOT)
+        chapters, library = source.find_sources(ROOT, computed(ROOT, ROOT / "build/data"))
         weave.link_sources(known, chapters, library)
         without = [id for id, f in known.quotable.items()
                    if f.key in known.locked and f.program in known.sources and not known.quote(id).places]
@@ -181,8 +182,8 @@ class Numbers(unittest.TestCase):
         for id, (command, quantity) in known.alone.items():
             self.assertIn(id, known.quotable)
             program, subcommand = command.split()[0].split("/")[-1], command.split()[1]
-            folders = [ROOT / "src/commands", *(f for f in (ROOT / "src").glob("sec*/") if program.startswith(f.name))]
-            sources = [ROOT / "src" / f"{program}.cpp", *(h for folder in folders for h in folder.glob("*.hpp"))]
+            folders = [f for v in volumes(ROOT) for f in [v / "src/commands", *(v / "src").glob("sec*/")] if f.name == "commands" or program.startswith(f.name)]
+            sources = [ROOT / chapters.chapter_of(ROOT, program), *(h for folder in folders for h in folder.glob("*.hpp"))]
             self.assertTrue(any(f'"{subcommand}"' in ecsv.text_of(path) for path in sources), f"{id}: {subcommand}")
             self.assertTrue(quantity, id)
 

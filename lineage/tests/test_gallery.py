@@ -10,24 +10,25 @@ from pathlib import Path
 from lineage import gallery
 from lineage.refresh import read_figures
 
-from . import ROOT
+from . import ROOT, VOLUME, of_volume
 
 FIGURES = ROOT / "build/figures"
-NAMES = [Path(figure["script"]).stem for figure in read_figures(ROOT).values()]
+NAMES = [Path(figure["script"]).stem for figure in read_figures(VOLUME).values()]
 
 
+@of_volume
 @unittest.skipUnless(importlib.util.find_spec("PIL") and shutil.which("rsvg-convert"), "no PIL or rsvg-convert for the gallery")
 @unittest.skipUnless(all((FIGURES / f"{name}.svg").exists() for name in NAMES), "build/figures is not complete (make figures)")
 class Gallery(unittest.TestCase):
     def test_it_is_current(self):
-        self.assertEqual(gallery.faults(NAMES, FIGURES, ROOT / "figures/gallery"), [], "make gallery")
+        self.assertEqual(gallery.faults(NAMES, FIGURES, VOLUME / "figures/gallery"), [], "make gallery")
 
     def test_what_is_not_current_is_named_and_drawn_alone(self):
         names = NAMES[9:12]
         with tempfile.TemporaryDirectory() as folder:
             scratch, pictures = Path(folder), [Path(folder) / f"{name}.png" for name in names]
             for picture in pictures:
-                shutil.copy(ROOT / "figures/gallery" / picture.name, scratch)
+                shutil.copy(VOLUME / "figures/gallery" / picture.name, scratch)
                 os.utime(picture, (2e9, 2e9))
             shutil.copy(pictures[2], pictures[1])  # old enough, and another picture
             os.utime(pictures[1], (0, 0))

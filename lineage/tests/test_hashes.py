@@ -4,7 +4,7 @@ from unittest import mock
 
 from lineage import ecsv, hashes
 
-from . import ROOT, Scratch, of_run, table
+from . import VOLUME, Scratch, of_volume, of_run, table
 
 
 class Hashes(Scratch):
@@ -109,6 +109,7 @@ class Hashes(Scratch):
         self.assertEqual((code, said.count("\n")), (1, 1))
         self.assertIn("sec1_demo did not finish", said)
 
+    @of_volume
     def test_this_record_is_complete(self):
-        record = hashes.read_record(ROOT)[0]
-        self.assertEqual({p for p, t in record if t == "results"}, set(hashes.programs_of(ROOT)))
+        record = hashes.read_record(VOLUME)[0]
+        self.assertEqual({p for p, t in record if t == "results"}, set(hashes.programs_of(VOLUME)))

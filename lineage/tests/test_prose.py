@@ -7,8 +7,9 @@ import unittest
 from dataclasses import replace
 
 from lineage import chapters, ecsv, lock, metadata, refresh, tex
+from lineage.volumes import joined, volumes
 
-from . import FIGURES, ROOT, Scratch, finding, table
+from . import FIGURES, ROOT, VOLUME, Scratch, finding, of_volume, table
 
 
 class Links(unittest.TestCase):
@@ -255,7 +256,7 @@ class Paper(Scratch):
             return subprocess.run(["latexmk", "-norc", "-g", "-pdf", "-interaction=nonstopmode", "-halt-on-error", "one.tex"],
                                   cwd=self.root, capture_output=True, text=True, errors="replace", check=False,
                                   env={"PATH": "/usr/bin:/bin", "HOME": str(self.root),
-                                       "TEXINPUTS": f"{ROOT}/paper:{self.root}/good:"})
+                                       "TEXINPUTS": f"{ROOT}/paper:{ROOT}/beyond/paper:{self.root}/good:"})
 
         run = typeset(r"It is \num{pn.omega11}.")
         self.assertEqual(run.returncode, 0, run.stdout[-2000:])
@@ -266,8 +267,9 @@ class Paper(Scratch):
 class ThisRepository(unittest.TestCase):
     """Its prose quotes the locked values, its pages show today's tables, and the lock keeps to its rule."""
 
+    @of_volume
     def test_nothing_is_stale(self):
-        stale = [str(path) for path, text in refresh.fresh_texts(ROOT, {}) if text != ecsv.text_of(path)]
+        stale = [str(path) for path, text in refresh.fresh_texts(VOLUME, {}) if text != ecsv.text_of(path)]
         self.assertEqual(stale, [], "make refresh")
 
     def test_every_discrepancy_names_its_chapters(self):
@@ -294,7 +296,7 @@ class ThisRepository(unittest.TestCase):
     def test_the_paper_refers_to_what_is_there(self):
         with tempfile.TemporaryDirectory() as folder:
             tex.write(ROOT, folder)  # a Fault else
-        self.assertEqual(set(tex.captions(ROOT)) - set(refresh.read_figures(ROOT)), set())
+        self.assertEqual(set(tex.captions(ROOT)) - set(joined(refresh.read_figures, volumes(ROOT))), set())
 
     def test_the_proof_is_whole(self):
         """All of its steps, with their formulas, and no mark of Markdown is left."""
@@ -304,9 +306,13 @@ class ThisRepository(unittest.TestCase):
         self.assertEqual(proof.count("$") % 2, 0)
         self.assertNotIn("\0", proof)
 
+    def test_what_is_claimed_and_quoted_is_locked(self):
+        claims, locked = lock.read_claims(ROOT), joined(lock.read_lock, volumes(ROOT))
+        self.assertEqual([id for id, c in claims.items() if c["status"] != "open" and (c["program"], id) not in locked], [])
+        self.assertEqual(lock.quoted(ROOT) - {lock.name_of(f, claims) for f in locked.values()}, set())
+
+    @of_volume
     def test_the_lock_holds_what_is_claimed_quoted_or_a_headline(self):
-        claims, locked, names = lock.read_claims(ROOT), lock.read_lock(ROOT), lock.quoted(ROOT)
+        claims, locked, names = lock.read_claims(VOLUME), lock.read_lock(VOLUME), lock.quoted(VOLUME)
         self.assertGreater(len(locked), 100)
         self.assertEqual([key for key, f in locked.items() if not lock.is_kept(f, claims, names)], [], "make lock")
-        self.assertEqual([id for id, c in claims.items() if c["status"] != "open" and (c["program"], id) not in locked], [])
-        self.assertEqual(names - {lock.name_of(f, claims) for f in locked.values()}, set())

@@ -5,19 +5,20 @@ import unittest
 from lineage import chapters, ecsv
 from lineage.claims import findings_in, programs_of
 
-from . import ROOT
+from . import ROOT, VOLUME, of_volume
 
 FULL, QUICK = ROOT / "build/data", ROOT / "build/quick/data"
-PROGRAMS = programs_of(ROOT)
+PROGRAMS = programs_of(VOLUME)
 
 
 def slowness():
     """How many times longer the full runs have just taken than paper/costs.ecsv says; one where they were faster."""
-    then, now = chapters.read_costs(ROOT), chapters.measured_costs(ROOT / "build/report/cost")
-    known = [program for program in now if then.get(program, 0) > 0]
+    then, now = chapters.read_costs(VOLUME), chapters.measured_costs(ROOT / "build/report/cost")
+    known = [program for program in then if program in now and then[program] > 0]
     return max(1, sum(now[program] for program in known) / max(1, sum(then[program] for program in known)))
 
 
+@of_volume
 @unittest.skipUnless(all((QUICK / program / "results.ecsv").exists() for program in PROGRAMS), "no quick run (make test makes it)")
 class Quick(unittest.TestCase):
     def test_it_answers_everything_and_soon(self):

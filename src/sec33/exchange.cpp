@@ -41,6 +41,20 @@ int at_edge(const std::vector<Pair>& pairs, double omega_b, double close) {
          }));
 }
 
+// The same breather on a longer chain, with beads at rest beyond the old ends
+int added_at_edge(Centre centre, const Spot& spot, const Orbit<double>& orbit,
+                  const std::vector<Pair>& pairs, const NewtonRule<double>& how) {
+  const auto longer = problem_at(centre, spot, 10);
+  State<double> start(longer.chain.sites);
+  std::copy(orbit.start.y.begin(), orbit.start.y.end(), start.y.begin() + 5);
+  const Orbit<double> there = newton(longer, longer.reduce(start), how);
+  const auto found = floquet_pairs(longer.chain, there.start, there.period(), how.events);
+  std::vector<Pair> more;
+  for (const auto& kappa : found.kappa) more.push_back({kappa, found.defect});
+  const double close = 1e-4;
+  return at_edge(more, spot.omega_b, close) - at_edge(pairs, spot.omega_b, close);
+}
+
 // How near +1 are the first two pairs, and where on the circle are the others?
 Quadruplet quadruplet(const Spectrum& all, double omega_b) {
   Quadruplet q{from_one(all.pairs[0]).value, from_one(all.pairs[1]).value};

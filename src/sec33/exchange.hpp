@@ -73,6 +73,10 @@ Quadruplet quadruplet(const Spectrum& all, double omega_b);
 /// How many multipliers lie at the accumulation, within `close` in kappa; the first pair does not count.
 int at_edge(const std::vector<Pair>& pairs, double omega_b, double close = 1e-9);
 
+/// How many multipliers ten more sites, with beads at rest, add there, within 1e-4 in kappa; `pairs` are those of `orbit`.
+int added_at_edge(Centre centre, const Spot& spot, const Orbit<double>& orbit,
+                  const std::vector<Pair>& pairs, const NewtonRule<double>& how = {});
+
 /// How far the multipliers of a pair are from +1.
 Estimate from_one(const Pair& pair);
 
